@@ -1,0 +1,49 @@
+#pragma once
+// A fuzzy system read from a FuzzyLite (.fll) file and evaluated by FuzzyLite [Lin25 section 2.2.2]; fuzzy.cpp is the only
+// file that knows the library. No time, filter or memory here: those are the FuzzyController's.
+//
+// What the file must hold, else InputError "file:line: ...":
+//   inputs   a      upward acceleration of the body              [g, 9.80665 m/s2]   range [0, a_max]
+//            da     its rate, change per 0.1 s (kJerkTime)       [g]                 range [-r, r]
+//            alpha  pitch, positive when the +x legs sink        [degree]            range [-r, r]
+//            beta   roll, positive when the +y legs sink         [degree]            range [-r, r]
+//   outputs  U1 ... Un, range [0, 1], lock-previous false (a hidden memory could not be resumed)
+//   rules    that name known variables and terms and cover the whole input box: checked on a grid when loading.
+// Inputs outside their range are clamped to it. Where no rule fires for an output although the check passed (between its grid
+// points), the output is kNoRuleVoltage.
+
+#include <Eigen/Dense>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace footfall {
+
+constexpr double kStandardGravity = 9.80665;  // [m/s2]
+constexpr double kJerkTime = 0.1;             // the jerk input is the change of a in this time [s]
+constexpr double kNoRuleVoltage = 0.5;        // [-]
+
+constexpr int kFuzzyInputs = 4;
+using FuzzyInput = std::array<double, kFuzzyInputs>;  // a [g], da [g per kJerkTime], alpha [deg], beta [deg]
+constexpr std::array<const char*, kFuzzyInputs> kFuzzyInputNames = {"a", "da", "alpha", "beta"};
+
+class FuzzySystem {
+ public:
+  explicit FuzzySystem(const std::filesystem::path& file);  // throws InputError
+  ~FuzzySystem();
+  FuzzySystem(FuzzySystem&&) noexcept;
+  FuzzySystem& operator=(FuzzySystem&&) noexcept;
+
+  int output_count() const;
+  const FuzzyInput& lower() const;  // of the input ranges, units as FuzzyInput
+  const FuzzyInput& upper() const;
+  // FuzzyLite's own evaluation: output_count() voltages in [0, 1].
+  void evaluate(const FuzzyInput& input, Eigen::Ref<Eigen::VectorXd> voltages) const;
+
+ private:
+  struct Engine;  // FuzzyLite's, which keeps its last values inside: one thread at a time
+  std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace footfall
