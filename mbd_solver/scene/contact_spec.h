@@ -1,0 +1,80 @@
+#pragma once
+// What of the mechanism touches the ground, and what the ground is.
+
+#include <Eigen/Dense>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/scene/source.h"
+
+namespace footfall {
+
+// Triangles: generated from the body's shape, or read from a file.
+struct SurfaceSpec {
+  double element_size = 0.0;                          // edge length of generated triangles [m]; 0: a tenth of the shape's size
+  std::string file;                                   // STL, OBJ or PLY, drawn in D; empty: from the shape (or the flexible body's mesh)
+  double scale = 1.0;                                 // metres per unit of the file [-]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); // of the file's origin in D [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  // of the file's axes in D
+  bool closed = false;                                // demand a watertight surface
+};
+
+// A chain of round segments along the body's axis (tube, rod), or along the given points.
+struct BeamsSpec {
+  double radius = 0.0;                                // [m]; 0: half the diameter of the shape
+  int segments = 1;                                   // along a shape's axis
+  std::vector<Eigen::Vector3d> points;                // chain in D [m]; empty: the shape's axis
+};
+
+// One per body at most: surface, beams, or both.
+struct BoundarySpec {
+  Source source;
+  std::string body;
+  std::optional<SurfaceSpec> surface;
+  std::optional<BeamsSpec> beams;
+};
+
+enum class GroundKind { kNone, kPlane, kParticles };
+
+// F_n = (4/3) E* sqrt(R) delta^1.5 (1 + damping), or stiffness delta^1.5; friction regularised: mu F_n tanh(v_t / friction_speed).
+struct PlaneSpec {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    // in W [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of the ground, unit vector in W
+  std::optional<double> young;                        // with poisson: Hertz stiffness of plane and contact radius [Pa]
+  double poisson = 0.3;                               // [-]
+  double contact_radius = 0.02;                       // of each touching node, with young [m]
+  std::optional<double> stiffness;                    // instead of young [N/m^1.5]
+  std::optional<double> restitution;                  // [-] in (0, 1]
+  std::optional<double> damping;                      // instead of restitution [s/m]
+  double friction = 0.3;                              // [-] >= 0
+  double friction_speed = 0.01;                       // [m/s] > 0
+  std::vector<std::string> bodies;                    // which boundaries touch it; empty: all
+};
+
+struct GroundSpec {
+  Source source;
+  GroundKind kind = GroundKind::kNone;
+  std::optional<PlaneSpec> plane;                     // needed by kind = "plane"; ignored (but checked) otherwise
+};
+
+// The bed: made once by a script of its own, kept as a restart file.
+struct BedSpec {
+  std::string script;                                 // LIGGGHTS script that writes the restart file ${bed}
+  std::map<std::string, std::string> variables;       // -var name value for that script
+};
+
+struct ParticlesSpec {
+  Source source;
+  std::string script;                                 // LIGGGHTS script of the coupled run; gets -var out DIR, -var bed FILE, and:
+  std::map<std::string, std::string> variables;       // -var name value
+  int ranks = 2;                                      // LIGGGHTS processes
+  std::optional<BedSpec> bed;                         // none: the script makes or reads its own particles
+  std::string grains;                                 // text dump (x y z radius) of the grains at the start; the front door sets it:
+                                                      // clearance counts from the highest grain under the boundaries
+  std::optional<double> surface_height;               // instead of grains: height of the bed's surface [m]
+  double max_time_step = 1e-4;                        // larger DEM steps are refused: wrong on this soil long before unstable [s]
+};
+
+}  // namespace footfall

@@ -1,0 +1,96 @@
+#pragma once
+// Start, controllers, solver, coupling and output of a scene.
+
+#include <Eigen/Dense>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/scene/source.h"
+
+namespace footfall {
+
+// Velocity of one body instead of the mechanism's; must agree with the joints (the solver's first projection reports if not).
+struct BodyVelocitySpec {
+  Source source;
+  std::string body;
+  std::optional<Eigen::Vector3d> velocity;            // of the mass centre, in W [m/s]
+  std::optional<Eigen::Vector3d> angular_velocity;    // in W [rad/s]
+};
+
+// Places the drawing D in W: turned by yaw (z), then pitch (y), then roll (x), R_WD = Rx(roll) Ry(pitch) Rz(yaw), about the total
+// mass centre, then moved by position, then up or down to the clearance. Joints to the ground are placed with it.
+struct InitialSpec {
+  Source source;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();          // [m]
+  double roll = 0.0, pitch = 0.0, yaw = 0.0;                   // [rad]
+  std::optional<double> clearance;                             // lowest boundary point above plane or highest grain [m]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          // of the total mass centre [m/s]
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // about it [rad/s]
+  std::vector<BodyVelocitySpec> bodies;
+};
+
+enum class ControllerKind { kConstant, kFuzzy, kSkyhook, kPid };
+
+struct ControllerSpec {
+  Source source;
+  std::string name;
+  ControllerKind kind = ControllerKind::kConstant;
+  std::string body;                                   // observed
+  double period = 1e-3;                               // [s] > 0
+  std::vector<std::string> outputs;                   // names, "U1" ...: struts refer to them as NAME.U1
+  double filter_frequency = 50.0;                     // first-order filter of the acceleration [Hz] > 0
+  double a_max = 5.0 * 9.80665;                       // acceleration that counts as full scale [m/s2] > 0
+  // constant
+  double voltage = 0.0;                               // all outputs [-] in [0, 1]
+  // fuzzy
+  std::string file;                                   // .fll
+  bool tabulated = false;                             // computed once on a grid, then interpolated
+  int grid = 17;                                      // points per input of that table
+  // skyhook, on-off
+  double on = 1.0, off = 0.0;                         // voltages [-] in [0, 1]
+  double dead_band = 0.01;                            // [m/s] >= 0
+  // pid on acceleration: U = kp e + ki int e dt + kd de/dt, e = target - a (as a share of a_max), clamped
+  double target = 0.0;                                // [m/s2]
+  double kp = 0.0, ki = 0.0, kd = 0.0;                // [-], [1/s], [s]
+};
+
+enum class IntegratorKind { kOneStep, kIda };
+enum class DriftKind { kProjection, kBaumgarte };
+
+struct SolverSpec {
+  Source source;
+  IntegratorKind integrator = IntegratorKind::kOneStep;
+  double rtol = 1e-6;                                 // [-]
+  double atol = 1e-8;                                 // [m], [rad], [m/s] ...
+  double max_step = 1e-3;                             // [s]; one step never crosses a window
+  DriftKind drift = DriftKind::kProjection;
+  double baumgarte_velocity = 100.0;                  // alpha: ddPhi + 2 alpha dPhi + beta^2 Phi = 0 [1/s]
+  double baumgarte_position = 100.0;                  // beta [1/s]
+};
+
+// Names as in theory: boundary path in the window / force to the mechanism.
+enum class SchemeKind { kFrozen, kCss, kCssTrapezoid };
+
+struct CouplingSpec {
+  Source source;
+  SchemeKind scheme = SchemeKind::kCssTrapezoid;
+  bool continuous_path = true;                        // the boundary never jumps at a window's start
+  double warn_omega_h = 0.5;                          // warn above this estimate of omega H [-]
+  bool stop_on_energy_gain = true;                    // end the run when the interface pumps energy ...
+  double max_energy_residual = 0.1;                   // ... of more than this share of the initial mechanical energy [-]
+  bool stop_on_chatter = true;                        // end the run when the mean force alternates from window to window
+  double timeout = 300.0;                             // of silence of the partner within a run [s]
+};
+
+struct OutputSpec {
+  Source source;
+  double interval = 1e-3;                             // rows of history.csv [s]
+  std::vector<std::string> bodies;                    // whose motion is recorded; empty: all
+  bool vtk = false;                                   // deformed geometry, one file per frame
+  double vtk_interval = 0.01;                         // [s]
+  bool plots = true;                                  // gnuplot pictures at the end of `footfall run`
+  double checkpoint_interval = 0.0;                   // [s]; 0: only when interrupted
+};
+
+}  // namespace footfall

@@ -1,0 +1,19 @@
+#pragma once
+// Where an entry of a scene came from, so that a finding about it can name file and line.
+
+#include <map>
+#include <string>
+
+namespace footfall {
+
+struct Source {
+  std::string path;                  // "bodies.cabin", "struts.primary_1", "solver": for messages and --set
+  int line = 0;                      // of the entry; 0: not in the file (a default)
+  std::map<std::string, int> lines;  // of each key given in it: "mass", "gas.exponent"; a key from --set has line kFromSet
+
+  static constexpr int kFromSet = -1;
+  // Line of a key, or of the nearest key around it that was given.
+  int line_of(const std::string& key) const;
+};
+
+}  // namespace footfall

@@ -1,0 +1,111 @@
+#pragma once
+// Force elements of a scene: struts (force along the line of two points, a sum of laws) and springs (turning, or centring).
+// Stroke x = length in the design position (or `length`) - present length: compression positive.
+
+#include <Eigen/Dense>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/scene/source.h"
+
+namespace footfall {
+
+// F = A_p P0 (V0 / (V0 - A_p x))^exponent [Lin25 13]
+struct GasSpec {
+  double piston_diameter = 0.0;  // d_p, A_p = pi d_p^2 / 4 [m] > 0
+  double pressure = 0.0;         // P0 at x = 0 [Pa] > 0
+  double volume = 0.0;           // V0 at x = 0 [m3] > 0
+  double exponent = 1.1;         // [-] > 0
+};
+
+// F_y = 3 pi L1 tau_y(U) (D1 + d1) / 2, c = (12 eta L1 / d^2 + 32 eta (L2/D2^2 + L3/D3^2 + L4/D4^2)) pi D3^2 / 4 [Lin25 14, 15]
+struct MrGeometrySpec {
+  double D1 = 0.0, d1 = 0.0, D2 = 0.0, D3 = 0.0, D4 = 0.0;  // diameters [m]
+  double d = 0.0;                                           // gap [m]
+  double L1 = 0.0, L2 = 0.0, L3 = 0.0, L4 = 0.0;            // lengths [m]
+  double viscosity = 0.0;                                   // eta [Pa s]
+  std::vector<Eigen::Vector2d> yield_stress;                // (U [-], tau_y [Pa]), both rising; U from 0 to 1
+};
+
+// F = U F_y tanh(v / v_s) + c v
+struct MrSpec {
+  double yield_force = 0.0;             // F_y at U = 1 [N]; from geometry when that is given
+  double viscous = 0.0;                 // c [N s/m]; likewise
+  double regularisation_speed = 0.01;   // v_s [m/s] > 0
+  double coil_lag = 0.0;                // time constant of coil and driver [s] >= 0
+  double voltage = 0.0;                 // constant U where no controller is named [-] in [0, 1]
+  std::string controller;               // "lander.U1": output of a controller; empty: constant
+  std::optional<MrGeometrySpec> geometry;
+};
+
+struct CrushStageSpec {
+  double force = 0.0;   // plateau [N] > 0, rising from stage to stage
+  double length = 0.0;  // crush length [m] > 0
+};
+
+struct HoneycombSpec {
+  std::vector<CrushStageSpec> stages;   // at least one
+  bool tension = true;                  // crushes when pulled
+  bool compression = true;              // crushes when pushed
+  double stiffness = 0.0;               // elastic loading and unloading [N/m]; 0: first plateau over 1 mm
+  double bottom_stiffness = 0.0;        // past the last stage [N/m]; 0: 10 times the elastic stiffness
+  double damping = 0.0;                 // parallel damper [N s/m] >= 0
+};
+
+struct StopsSpec {
+  std::optional<double> min;            // smallest stroke [m]
+  std::optional<double> max;            // largest stroke [m]
+  double stiffness = 0.0;               // [N/m] > 0
+  double damping = 0.0;                 // [N s/m] >= 0
+};
+
+// F = preload + stiffness (x - (undeformed length - free_length)) + damping v
+struct LinearSpringSpec {
+  double stiffness = 0.0;               // [N/m] >= 0
+  double damping = 0.0;                 // [N s/m] >= 0
+  double preload = 0.0;                 // [N]
+  std::optional<double> free_length;    // [m]; not given: force = preload at x = 0
+};
+
+// Passive strut from measurements: force over stroke and rate, bicubic, linear beyond the table.
+struct TableSpec {
+  std::string file;                     // CSV: first line rates [m/s] after an empty cell, then stroke [m], forces [N]
+};
+
+struct StrutSpec {
+  Source source;
+  std::string name;
+  std::array<std::string, 2> bodies;    // "ground" is allowed for one
+  std::array<Eigen::Vector3d, 2> points{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  // in D [m]
+  std::optional<double> length;         // undeformed length [m]; not given: distance of the points in D
+  std::optional<GasSpec> gas;
+  std::optional<MrSpec> mr;
+  std::optional<HoneycombSpec> honeycomb;
+  std::optional<StopsSpec> stops;
+  std::optional<LinearSpringSpec> spring;
+  std::optional<TableSpec> table;
+};
+
+enum class SpringKind {
+  kTorsion,  // about `axis`: stiffness [N m/rad] (angle - rest_angle), damping [N m s/rad]
+  kCentring, // turns b back to its design attitude relative to a, all axes alike: same units
+  kBushing   // at `point`, all directions alike: stiffness [N/m], damping [N s/m]; turning: turning_stiffness, turning_damping
+};
+
+struct SpringSpec {
+  Source source;
+  std::string name;
+  SpringKind kind = SpringKind::kTorsion;
+  std::array<std::string, 2> bodies;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();   // bushing [m]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   // torsion; unit vector, fixed in a
+  double stiffness = 0.0;                            // see kind; >= 0
+  double damping = 0.0;                              // see kind; >= 0
+  double rest_angle = 0.0;                           // torsion [rad]
+  double turning_stiffness = 0.0;                    // bushing [N m/rad] >= 0
+  double turning_damping = 0.0;                      // bushing [N m s/rad] >= 0
+};
+
+}  // namespace footfall
