@@ -1,6 +1,7 @@
 #pragma once
 // A flexible body reduced to modal coordinates: what the floating-frame equations need, whoever made it
-// (beam elements, plate elements, or a file of a finite-element code). [Lin25 5-12], theory: floating frame of reference.
+// (beam elements, plate elements, or a file of a finite-element code). [Lin25 5-12], theory: floating frame
+// of reference.
 
 #include <Eigen/Dense>
 #include <string>
@@ -12,8 +13,10 @@ namespace footfall {
 // Small rotation of node j, in B:            theta_j = Psi_j a                   [rad]
 // Kinetic energy: 1/2 sum_j m_j |dr_j|^2 + 1/2 sum_j (w_B + Psi_j da)^T J_j (w_B + Psi_j da)
 // Strain energy: 1/2 a^T K a;  modal damping force: -C da.
-// Floating frame: MEAN AXES always. Origin Bo = centre of mass undeformed; the modes hold no rigid-body content:
-//   sum_j m_j Phi_j = 0 and sum_j (m_j rho0_j x Phi_j + J_j Psi_j) = 0 (to round-off), whatever basis made them.
+// Floating frame: MEAN AXES always. Origin Bo = centre of mass undeformed; the modes hold no rigid-body
+// content:
+//   sum_j m_j Phi_j = 0 and sum_j (m_j rho0_j x Phi_j + J_j Psi_j) = 0 (to round-off), whatever basis made
+//   them.
 // Modes are mass-orthonormal: sum_j (m_j Phi_j^T Phi_j + Psi_j^T J_j Psi_j) = I, K = diag(omega_k^2).
 struct ModalBody {
   std::string name;
@@ -24,11 +27,12 @@ struct ModalBody {
   Eigen::MatrixXd Psi;                        // 3N x s rotational mode shapes [rad per unit of a]
   Eigen::VectorXd stiffness;                  // s: omega_k^2 [1/s2] (mass-orthonormal modes)
   Eigen::VectorXd damping;                    // s: 2 zeta_k omega_k [1/s]
-  // Stress recovery: sigma = stress_modes * a, six components (xx yy zz xy yz zx, element axes) per stress point.
-  Eigen::MatrixXd stress_modes;               // 6 P x s [Pa per unit of a]; may be empty
+  // Stress recovery: sigma = stress_modes * a, six components (xx yy zz xy yz zx, element axes) per stress
+  // point.
+  Eigen::MatrixXd stress_modes;  // 6 P x s [Pa per unit of a]; may be empty
   // Surface and beam connectivity of the same nodes, for boundaries and for pictures.
-  std::vector<Eigen::Vector3i> triangles;     // node indices; may be empty
-  std::vector<Eigen::Vector2i> segments;      // node indices; may be empty
+  std::vector<Eigen::Vector3i> triangles;  // node indices; may be empty
+  std::vector<Eigen::Vector2i> segments;   // node indices; may be empty
 
   int node_count() const { return static_cast<int>(rho0.cols()); }
   int mode_count() const { return static_cast<int>(stiffness.size()); }
