@@ -1,0 +1,60 @@
+#pragma once
+// Typed messages over a transport, and the one place that says how a run ends: in order, by failure, or interrupted.
+
+#include <string>
+
+#include "coupler/errors.h"
+#include "coupler/messages.h"
+#include "coupler/transport.h"
+
+namespace footfall {
+
+// Both sides hold one. Every receive() may meet the partner's Close instead of what was expected; it then throws PartnerError with the
+// partner's name and reason. Nothing here prints.
+class Link {
+ public:
+  // patience [s]: how long receive() waits before it calls the partner lost; 0: for ever. The transport must outlive the link.
+  explicit Link(Transport& transport, double patience = 0.0) : transport_(transport), patience_(patience) {}
+
+  template <class Message>
+  void send(const Message& message) {
+    pack(message, out_);
+    transport_.send(Message::kKind, out_);
+  }
+
+  // Next message, which must be of this kind: ProtocolError if it is another, PartnerError if the partner closed or is gone.
+  template <class Message>
+  void receive(Message& message) {
+    receive_bytes(Message::kKind, patience_);
+    unpack(in_, message);
+  }
+  // The same, waiting as long as it takes (a DEM script may settle its bed before it says Hello).
+  template <class Message>
+  void receive_patiently(Message& message) {
+    receive_bytes(Message::kKind, 0.0);
+    unpack(in_, message);
+  }
+
+  // Orderly end: says Close(ok) and waits for the partner's. Throws PartnerError if the partner closes with a failure.
+  void close();
+  // This side stops: sends Close(status, reason) once, waits at most a moment for the partner's answer, never throws.
+  void fail(const std::string& reason, Status status = Status::kFailed) noexcept;
+  // True after close(), fail(), or the partner's Close: nothing more may be sent.
+  bool closed() const { return closed_; }
+  // True if the partner ended the run in order or by interruption, not by failure.
+  Status partner_status() const { return partner_status_; }
+  double seconds_waited() const { return seconds_waited_; }
+  std::string partner() const { return transport_.partner(); }
+
+ private:
+  void receive_bytes(MessageKind expected, double patience);
+
+  Transport& transport_;
+  double patience_;  // [s]
+  Bytes in_, out_;
+  bool closed_ = false;
+  Status partner_status_ = Status::kOk;
+  double seconds_waited_ = 0.0;  // in receive [s]
+};
+
+}  // namespace footfall

@@ -1,0 +1,126 @@
+#pragma once
+// Every message between the two programs, in one place: struct, pack and unpack are used by both.
+//
+//   DEM side                         multibody side
+//   Hello  (first fix of ours)   ->  checks versions and units
+//                                <-  Scene  (boundaries, modes and initial poses of all coupled bodies)
+//   Start  (first run: dt, n)    ->  checks dt, n, names
+//                                <-  Accept (scheme, end time)
+//   then per window              <-  Motion (states at t_k)
+//   Load   (means over window)   ->
+//   until a Motion says last_window; after its Load both sides send Close. A side that fails sends Close with its reason at any time.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "coupler/body_motion.h"
+#include "coupler/load_average.h"
+#include "coupler/modal_boundary.h"
+
+namespace footfall {
+
+inline constexpr std::int32_t kProtocolVersion = 1;
+inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
+
+// Also the MPI tag of the message.
+enum class MessageKind : std::int32_t { kHello = 1, kScene, kStart, kAccept, kMotion, kLoad, kClose };
+std::string message_name(MessageKind kind);
+
+// The status word: stands in the head of every message.
+enum class Status : std::int32_t { kOk = 0, kFailed = 1, kInterrupted = 3 };
+
+using Bytes = std::vector<std::uint8_t>;
+
+// `protocol` is what the sender speaks; unpack refuses a foreign one (except in Hello and Close, which every version must read).
+struct Hello {
+  static constexpr MessageKind kKind = MessageKind::kHello;
+  std::int32_t protocol = kProtocolVersion;
+  std::string footfall_version = kFootfallVersion;
+  std::string unit_style;  // must be "si"
+};
+
+struct SceneBody {
+  ModalBoundary boundary;
+  BodyMotion initial;
+};
+
+struct Scene {
+  static constexpr MessageKind kKind = MessageKind::kScene;
+  std::string footfall_version = kFootfallVersion;
+  std::vector<SceneBody> bodies;  // every body of the scene that grains may touch
+};
+
+struct Start {
+  static constexpr MessageKind kKind = MessageKind::kStart;
+  double dt = 0.0;                  // substep of the grains [s]
+  std::int32_t n = 0;               // substeps per window; 0: each Motion says ("every auto")
+  std::int64_t step = 0;            // LIGGGHTS' step number at the first window
+  std::vector<std::string> bodies;  // names coupled by the script; fixes the order in Motion and Load
+};
+
+struct Accept {
+  static constexpr MessageKind kKind = MessageKind::kAccept;
+  std::string scheme;       // a name that make_scheme knows
+  double t_end = 0.0;       // end of the scene [s]; the first window starts at t_start
+  double t_start = 0.0;     // 0 except after a resume [s]
+  std::int32_t n_max = 0;   // largest n that any Motion will ask for
+};
+
+struct Motion {
+  static constexpr MessageKind kKind = MessageKind::kMotion;
+  std::int64_t window = 0;  // k, counts from 0
+  double time = 0.0;        // t_k [s]
+  std::int32_t n = 0;       // substeps of this window (the last one may be shorter)
+  bool last_window = false;
+  std::vector<BodyMotion> bodies;  // order of Start
+};
+
+// Window means of the contacts' tangent stiffness and damping on (r, theta, of W), for linearly implicit schemes.
+struct ContactTangent {
+  Eigen::Matrix<double, 6, 6> K = Eigen::Matrix<double, 6, 6>::Zero();  // [N/m, N, N m]
+  Eigen::Matrix<double, 6, 6> C = Eigen::Matrix<double, 6, 6>::Zero();  // [N s/m, ...]
+};
+
+struct BodyLoad {
+  MeanLoad mean;
+  std::int64_t contacts = 0;              // at the window's last substep
+  double contact_stiffness = 0.0;         // mean over the window of the sum of normal stiffnesses [N/m]; 0 when not estimated
+  double max_overlap_over_radius = 0.0;   // largest in the window [-]
+  std::vector<ContactTangent> tangent;    // empty, or one
+};
+
+struct Load {
+  static constexpr MessageKind kKind = MessageKind::kLoad;
+  std::int64_t window = 0;        // the same k as the Motion it answers
+  std::int64_t particles = 0;     // grains now
+  double wall_seconds = 0.0;      // spent on this window by the DEM side, waiting excluded [s]
+  std::vector<BodyLoad> bodies;   // order of Start
+};
+
+struct Close {
+  static constexpr MessageKind kKind = MessageKind::kClose;
+  Status status = Status::kOk;
+  std::string reason;  // empty when kOk
+};
+
+// One buffer per link is reused: packing a Motion or Load of unchanged shape does not allocate.
+void pack(const Hello& message, Bytes& out);
+void pack(const Scene& message, Bytes& out);
+void pack(const Start& message, Bytes& out);
+void pack(const Accept& message, Bytes& out);
+void pack(const Motion& message, Bytes& out);
+void pack(const Load& message, Bytes& out);
+void pack(const Close& message, Bytes& out);
+
+// Throw ProtocolError for anything but a whole message of that kind and of a protocol version that is understood. For Motion and Load,
+// bodies whose sizes already fit are overwritten in place.
+void unpack(const Bytes& bytes, Hello& message);
+void unpack(const Bytes& bytes, Scene& message);
+void unpack(const Bytes& bytes, Start& message);
+void unpack(const Bytes& bytes, Accept& message);
+void unpack(const Bytes& bytes, Motion& message);
+void unpack(const Bytes& bytes, Load& message);
+void unpack(const Bytes& bytes, Close& message);
+
+}  // namespace footfall

@@ -1,0 +1,24 @@
+#pragma once
+// How bytes get to the partner program. Two kinds: MPI between two programs, loopback between two threads of one.
+
+#include <string>
+
+#include "coupler/messages.h"
+
+namespace footfall {
+
+class Transport {
+ public:
+  virtual ~Transport() = default;
+  // Sends without waiting for the partner to read. Throws PartnerError when the partner is known to be gone.
+  virtual void send(MessageKind kind, const Bytes& bytes) = 0;
+  // True when a message waits. Never blocks.
+  virtual bool poll() = 0;
+  // Waits, without keeping a core busy, for the next message and returns its kind.
+  // Throws PartnerError when the partner is gone, or has said nothing for patience [s] (0: wait for ever).
+  virtual MessageKind receive(Bytes& bytes, double patience) = 0;
+  // Who is at the other end, for messages: "mbd_solver", "liggghts_mbd".
+  virtual std::string partner() const = 0;
+};
+
+}  // namespace footfall

@@ -1,0 +1,41 @@
+#pragma once
+// Two ends of a pair of queues inside one process: the whole exchange without MPI. Used by tests and accuracy studies with the two sides
+// on two threads, or on one thread that sends before it receives.
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "coupler/transport.h"
+
+namespace footfall {
+
+class TransportLoopback : public Transport {
+ public:
+  // The two ends. Destroying one end makes receive() at the other throw PartnerError once its queue is empty.
+  static std::pair<std::unique_ptr<TransportLoopback>, std::unique_ptr<TransportLoopback>> make_pair(
+      std::string first_name = "liggghts_mbd", std::string second_name = "mbd_solver");
+  ~TransportLoopback() override;
+
+  void send(MessageKind kind, const Bytes& bytes) override;
+  bool poll() override;
+  MessageKind receive(Bytes& bytes, double patience) override;
+  std::string partner() const override { return partner_; }
+
+ private:
+  // One direction.
+  struct Queue {
+    std::mutex mutex;
+    std::condition_variable arrived;
+    std::deque<std::pair<MessageKind, Bytes>> messages;
+    bool sender_gone = false;
+  };
+  TransportLoopback(std::shared_ptr<Queue> in, std::shared_ptr<Queue> out, std::string partner);
+
+  std::shared_ptr<Queue> in_, out_;
+  std::string partner_;
+};
+
+}  // namespace footfall
