@@ -3,7 +3,7 @@
 //
 //   DEM side                         multibody side
 //   Hello  (first fix of ours)   ->  checks versions and units
-//                                <-  Scene  (boundaries, modes and initial poses of all coupled bodies)
+//                                <-  Geometry (boundaries, modes and initial poses of all coupled bodies)
 //   Start  (first run: dt, n)    ->  checks dt, n, names
 //                                <-  Accept (scheme, end time)
 //   then per window              <-  Motion (states at t_k)
@@ -24,7 +24,7 @@ inline constexpr std::int32_t kProtocolVersion = 1;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // Also the MPI tag of the message.
-enum class MessageKind : std::int32_t { kHello = 1, kScene, kStart, kAccept, kMotion, kLoad, kClose };
+enum class MessageKind : std::int32_t { kHello = 1, kGeometry, kStart, kAccept, kMotion, kLoad, kClose };
 std::string message_name(MessageKind kind);
 
 // The status word: stands in the head of every message.
@@ -40,15 +40,16 @@ struct Hello {
   std::string unit_style;  // must be "si"
 };
 
-struct SceneBody {
+struct CoupledBody {
   ModalBoundary boundary;
   BodyMotion initial;
 };
 
-struct Scene {
-  static constexpr MessageKind kKind = MessageKind::kScene;
+// (Not "Scene": that is the struct of a scene file, in the same namespace.)
+struct Geometry {
+  static constexpr MessageKind kKind = MessageKind::kGeometry;
   std::string footfall_version = kFootfallVersion;
-  std::vector<SceneBody> bodies;  // every body of the scene that grains may touch
+  std::vector<CoupledBody> bodies;  // every body of the scene that grains may touch
 };
 
 struct Start {
@@ -106,7 +107,7 @@ struct Close {
 
 // One buffer per link is reused: packing a Motion or Load of unchanged shape does not allocate.
 void pack(const Hello& message, Bytes& out);
-void pack(const Scene& message, Bytes& out);
+void pack(const Geometry& message, Bytes& out);
 void pack(const Start& message, Bytes& out);
 void pack(const Accept& message, Bytes& out);
 void pack(const Motion& message, Bytes& out);
@@ -116,7 +117,7 @@ void pack(const Close& message, Bytes& out);
 // Throw ProtocolError for anything but a whole message of that kind and of a protocol version that is understood. For Motion and Load,
 // bodies whose sizes already fit are overwritten in place.
 void unpack(const Bytes& bytes, Hello& message);
-void unpack(const Bytes& bytes, Scene& message);
+void unpack(const Bytes& bytes, Geometry& message);
 void unpack(const Bytes& bytes, Start& message);
 void unpack(const Bytes& bytes, Accept& message);
 void unpack(const Bytes& bytes, Motion& message);
