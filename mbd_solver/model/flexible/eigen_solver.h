@@ -1,0 +1,24 @@
+#pragma once
+// Lowest modes of K x = lambda M x; K symmetric positive semidefinite, M symmetric positive semidefinite
+// (massless degrees of freedom are allowed: they follow statically).
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+
+namespace footfall {
+
+struct Modes {
+  Eigen::VectorXd lambda;  // ascending [1/s2]
+  Eigen::MatrixXd shapes;  // columns, x^T M x = 1
+};
+
+enum class EigenMethod { kAutomatic, kDense, kSubspace };
+
+// The `count` lowest modes. K + shift M must be positive definite: shift = 0 for a supported body, about the
+// first elastic lambda for a free one. Dense for small problems, else subspace iteration on (K + shift M)^-1
+// M; both give the same modes. Throws InputError when M has fewer than `count` positive directions or K +
+// shift M is not positive definite, NumericalError when the iteration does not converge.
+Modes lowest_modes(const Eigen::SparseMatrix<double>& K, const Eigen::SparseMatrix<double>& M, int count,
+                   double shift, EigenMethod method = EigenMethod::kAutomatic);
+
+}  // namespace footfall
