@@ -34,8 +34,8 @@ class LoadAverage {
 
   // The force standing before the first substep (the set-up of a run evaluates it); replaces what the last substep left.
   void set_standing(const GeneralizedForce& Q, const BodyMotion& pose);
-  // A window begins: `jump` is the path's. The force standing stays.
-  void begin_window(const BoundaryStep& jump);
+  // A window begins: `jump` and `pose` are the path's after its begin_window. The force standing stays.
+  void begin_window(const BoundaryStep& jump, const BodyMotion& pose);
   // After a substep of dt [s] that moved the boundary by `step` to `pose`, where the forces are now Q.
   void add_step(const GeneralizedForce& Q, const BodyMotion& pose, const BoundaryStep& step, double dt);
   // Mean since begin_window. Precondition: at least one step.
@@ -46,7 +46,6 @@ class LoadAverage {
   Eigen::Vector3d F_W_, T_B_;  // standing force: what the next substep opens with
   Eigen::VectorXd Q_a_;
   MeanLoad sum_;               // time integrals, then means
-  Eigen::Vector3d theta_B_;    // scratch
   double time_ = 0.0;          // since begin_window [s]
 };
 

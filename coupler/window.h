@@ -1,6 +1,19 @@
 #pragma once
 // The path of one body's boundary through the windows of a run: where the grains see it at every substep.
 // theory: coupling (boundary jump; continuous path).
+//
+// Jump. At the end of a window the prediction misses the computed state by a gap e of O(H^2). Moving a loaded boundary by e at once does
+// work on nobody's account. A continuous path starts where the boundary stands and closes the gap within the window:
+//   x(tau) = prediction(tau) + e g(u),  u = tau / H,  g(u) = 1 - 4 u + 3 u^2.
+// g has zero mean, so that the mean position over the window stays that of the prediction, and with it the elastic load: for a body on an
+// elastic contact the amplification stays 1 up to omega H = 2. (Closing it by 1 - u shifts the mean by e/2: it grows at any H.)
+// The mean velocity becomes that of the prediction - e / H, which is second order where the prediction alone is first: so contact damping
+// keeps the order as well. Two-mass oscillator of theory (H = 1 ms; linear prediction, trapezoid):
+//                          error at 0.2 s, order     energy after 5 s     with a 100 N s/m damper in the contact: order
+//   jump                   3.1e-3, 2.0               1.008                1.0
+//   closed by 1 - u        1.2e-2, 2.1               1.045                1.9
+//   closed by g            2.7e-3, 2.0               1.001                2.0
+// The velocity that contact damping sees is the derivative of the path.
 
 #include "coupler/body_motion.h"
 #include "coupler/scheme.h"
@@ -39,12 +52,15 @@ class BoundaryPath {
   void set_pose_at(double tau);
 
   const Scheme& scheme_;
-  BodyMotion start_;      // computed state at t_k
-  BodyMotion pose_;       // the path now
-  BodyMotion before_;     // the path one substep ago
+  BodyMotion start_;    // computed state at t_k
+  BodyMotion pose_;     // the path now
+  BodyMotion before_;   // the path one substep ago
+  BodyMotion shifted_;  // start_ moved by what is left of the gap
   BoundaryStep step_;
   BoundaryStep jump_;
-  BoundaryStep gap_;      // from the state at t_k to where the boundary stood: closed linearly within the window
+  BoundaryStep gap_;         // from the state at t_k to where the boundary stood
+  double travelled_ = 0.0;   // largest |r| met, the scale of round-off in r [m]
+  double amplitude_ = 0.0;   // largest |a| met, likewise
   int n_ = 0;             // substeps of this window
   int i_ = 0;             // substeps done
   double dt_ = 0.0;       // [s]
