@@ -1,0 +1,91 @@
+#pragma once
+// The equations of motion as an implicit differential-algebraic system F(t, y, dy/dt) = 0, index 1 (theory 1):
+//   y = [q; v; z; lambda]
+//   F_q      = dq - N(q) v
+//   F_v      = M(q) dv + h(q, v) + Phi_v^T lambda - Q(t, q, v, z)
+//   F_z      = dz - g(q, v, z)
+//   F_lambda = phi'' + 2 alpha phi' + beta^2 phi - eps lambda          alpha, beta: Baumgarte (0 by default)
+// eps is a regularisation (relative 1e-12 of the size of Phi_v M^-1 Phi_v^T) that keeps the system solvable in singular positions.
+// No function here allocates. One Equations object belongs to one thread (it owns the workspace).
+
+#include <Eigen/Sparse>
+#include <memory>
+#include <string>
+
+#include "mbd_solver/dynamics/assembly.h"
+#include "mbd_solver/dynamics/layout.h"
+#include "mbd_solver/model/external_load.h"
+
+namespace footfall {
+
+struct Baumgarte {
+  double alpha = 0.0;  // [1/s]
+  double beta = 0.0;   // [1/s]
+};
+
+// Everything one can say about the energy at one instant.
+struct EnergySample {
+  StoredEnergy stored;                // [J]
+  Dissipated power;                   // dissipated power by kind [W]
+  Eigen::VectorXd load_power;         // of the external loads, per body [W]
+  double motion_power = 0.0;          // of prescribed motions [W]
+};
+
+class Equations {
+ public:
+  // `model` must outlive this object.
+  Equations(const Model& model, const Assembly& assembly, const Baumgarte& baumgarte = {});
+  ~Equations();
+
+  const Model& model() const { return model_; }
+  const Layout& layout() const { return layout_; }
+
+  // F(t, y, ydot).
+  void residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& ydot,
+                const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> F);
+  // dF/dy + c dF/dydot: column-major, compressed, the same pattern for ever; values are rewritten in place.
+  const Eigen::SparseMatrix<double>& jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
+                                              const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
+  // dF/dydot * x at y: what an error estimate is filtered with.
+  void apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x,
+                  Eigen::Ref<Eigen::VectorXd> out);
+
+  // dv and lambda of a state, by a direct solve of [M, Phi_v^T; Phi_v, -eps]; also dq and dz: out is the complete dy/dt with
+  // the multipliers in the place of their rates. Throws NumericalError naming time and body when not finite.
+  void accelerations(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> ydot_and_lambda);
+
+  // Removes the drift of Phi and Phi' by the Moore-Penrose inverse of Phi_v in the metric of the mass matrix:
+  //   dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T)^+ Phi, repeated to round-off; the same for v. Quaternions are normalised.
+  struct Drift {
+    double position = 0.0;  // largest |phi| before [m or rad]
+    double velocity = 0.0;  // largest |phi'| before [m/s or rad/s]
+    double dropped = 0.0;   // largest |phi| of the rows left out as redundant, after [m or rad]
+  };
+  Drift project(State& state);
+  Drift drift(const State& state);  // measured only
+
+  // Energies and powers at (t, y); multipliers enter the power of prescribed motions.
+  void energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs, EnergySample& out);
+
+  // Unpacks a state for the output functions below.
+  void load(const State& state);
+  const BodyMotion& motion(int body) const;
+  ElementInput element_input(int force, const State& state, const Inputs& inputs) const;  // valid after load()
+  // Force and moment [N, N m] that joint `joint` exerts on its body 2, about the point of marker 2, in W. After load().
+  Vector6d joint_wrench(int joint, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const;
+
+  // y of a state (multipliers given) and back.
+  void pack(const State& state, const Eigen::Ref<const Eigen::VectorXd>& lambda, Eigen::Ref<Eigen::VectorXd> y) const;
+  void unpack(const Eigen::Ref<const Eigen::VectorXd>& y, State& state) const;
+  // Human name of an entry of y: `body "cabin": w.y`, `joint "hinge": condition 3`.
+  std::string entry_name(int index) const;
+
+ private:
+  struct Workspace;
+  const Model& model_;
+  Layout layout_;
+  Baumgarte baumgarte_;
+  std::unique_ptr<Workspace> work_;
+};
+
+}  // namespace footfall

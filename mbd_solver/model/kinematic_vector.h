@@ -1,0 +1,72 @@
+#pragma once
+// The one piece of kinematics from which every joint, strut and contact is made: a vector alpha that is a signed sum of
+// body vectors, sigma (r + A u) for points, sigma A u for axes, u = u0 + U a, with all the derivatives an implicit solver needs.
+//   x = A u,  y = A U da,   x' = w x x + y,   x'' = dw x x + A U dda + w x (w x x) + 2 w x y
+// Local coordinates of a pair of bodies: increments dx = [dr; dtheta; da] and velocities v = [dr; w; da], body 1 then body 2.
+//   d alpha = X dx,  alpha' = X v,  X = sigma [I or 0, -x~, A U] in the columns of its body.
+// Everything below adds to its last argument and allocates nothing. A ground body has no columns.
+
+#include <Eigen/Dense>
+
+#include "mbd_solver/model/body_motion.h"
+#include "mbd_solver/model/marker.h"
+
+namespace footfall {
+
+// The two bodies an element acts on. Columns of body 1 start at 0, those of body 2 at body[0]->size().
+struct PairMotion {
+  const BodyMotion* body[2];
+  int offset(int slot) const { return slot == 0 ? 0 : body[0]->size(); }
+  int size() const { return body[0]->size() + body[1]->size(); }
+};
+
+class KinematicVector {
+ public:
+  // A constant vector of W, for dot products with a direction that does not move.
+  static KinematicVector constant(const Eigen::Vector3d& value_W);
+  // Axis k (0, 1, 2) of the marker on the body in `slot` (0 or 1).
+  static KinematicVector axis(const PairMotion& pair, int slot, const Marker& marker, int k);
+  // Position of the marker's point.
+  static KinematicVector point(const PairMotion& pair, int slot, const Marker& marker);
+  // d = p2 - p1.
+  static KinematicVector difference(const PairMotion& pair, const Marker& m1, const Marker& m2);
+
+  const Eigen::Vector3d& value() const { return value_; }  // alpha
+  const Eigen::Vector3d& rate() const { return rate_; }    // alpha'
+  const Eigen::Vector3d& acc() const { return acc_; }      // alpha'' with the accelerations of the BodyMotion
+
+  // out += X^T f
+  void add_transposed(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const;
+  // out += (d alpha' / dx)^T f   (at fixed v)
+  void add_rate_by_position(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const;
+  // out += (d alpha'' / dx)^T f  (at fixed v, dv)
+  void add_acc_by_position(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const;
+  // out += (d alpha'' / dv)^T f  (at fixed x, dv)
+  void add_acc_by_velocity(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const;
+  // K += X^T C X_other
+  void add_product(const Eigen::Matrix3d& C, const KinematicVector& other, Eigen::Ref<Eigen::MatrixXd> K) const;
+  // K += X^T C (d alpha_other' / dx)
+  void add_product_with_rate(const Eigen::Matrix3d& C, const KinematicVector& other, Eigen::Ref<Eigen::MatrixXd> K) const;
+  // K += d(X^T f) / dx at fixed f
+  void add_second(const Eigen::Vector3d& f, Eigen::Ref<Eigen::MatrixXd> K) const;
+
+ private:
+  struct Term {
+    const BodyMotion* body;
+    const Eigen::Matrix3Xd* U;  // 3 x s
+    int offset;                 // first local column of the body
+    double sign;
+    bool point;                 // r takes part
+    Eigen::Vector3d x, y, z;    // A u, A U da, A U dda
+  };
+  void add_term(const PairMotion& pair, int slot, double sign, bool point, const Eigen::Vector3d& u0,
+                const Eigen::Matrix3Xd& U);
+
+  int count_ = 0;
+  Term terms_[2];
+  Eigen::Vector3d value_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d acc_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace footfall

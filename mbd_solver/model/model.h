@@ -1,0 +1,49 @@
+#pragma once
+// The constant description of a mechanism: bodies, joints, force elements, gravity. Built once, then only read.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/model/body.h"
+#include "mbd_solver/model/force_element.h"
+#include "mbd_solver/model/joints/joint.h"
+#include "mbd_solver/model/marker.h"
+
+namespace footfall {
+
+class Model {
+ public:
+  // `gravity` [m/s2] in W.
+  explicit Model(const Eigen::Vector3d& gravity = Eigen::Vector3d::Zero()) : gravity_(gravity) {}
+
+  // Each returns the index of what was added. Names must be unique among their kind (InputError).
+  int add_body(Body body, const BodyState& initial);
+  int add_joint(Joint joint);
+  int add_force(std::unique_ptr<ForceElement> element);
+
+  const Eigen::Vector3d& gravity() const { return gravity_; }
+  int body_count() const { return static_cast<int>(bodies_.size()); }
+  int joint_count() const { return static_cast<int>(joints_.size()); }
+  int force_count() const { return static_cast<int>(forces_.size()); }
+  const Body& body(int index) const { return bodies_[static_cast<std::size_t>(index)]; }
+  const Joint& joint(int index) const { return joints_[static_cast<std::size_t>(index)]; }
+  const ForceElement& force(int index) const { return *forces_[static_cast<std::size_t>(index)]; }
+  const BodyState& initial(int index) const { return initial_[static_cast<std::size_t>(index)]; }
+  // Index by name; InputError with a list of the known names.
+  int body_index(const std::string& name) const;
+
+  // Marker on a body (or kGround) from a point and axes given in W at the initial state: joints are easiest written so.
+  Marker marker_at(int body, const Eigen::Vector3d& p_W, const Eigen::Matrix3d& axes_W = Eigen::Matrix3d::Identity()) const;
+  // Where a marker is at the initial state, in W [m].
+  Eigen::Vector3d initial_position(const Marker& marker) const;
+
+ private:
+  Eigen::Vector3d gravity_;
+  std::vector<Body> bodies_;
+  std::vector<BodyState> initial_;
+  std::vector<Joint> joints_;
+  std::vector<std::unique_ptr<ForceElement>> forces_;
+};
+
+}  // namespace footfall

@@ -1,0 +1,56 @@
+#pragma once
+// Contact of one body with a rigid plane, at given points (spheres of radius >= 0) of the body. Theory 7.
+//   overlap  delta = radius - n.(p - p0),  contact while delta > 0;  contact point c = p - radius n, moves with p and w
+//   normal   f_n = k delta^1.5 g(d delta'),  g(u) = 1 + u for u >= 0, exp(u) for u < 0: Hunt-Crossley while closing, never pulls
+//   friction f_t = -mu f_n v_t / sqrt(v_t^2 + v_s^2)
+// Restitution e after an impact at speed v depends on d v alone:
+//   d v - ln(1 + d v) = (e d v - 1) exp(e d v) + 1.
+// Power: damping k delta^1.5 (g - 1) delta' >= 0 (contact), friction mu f_n v_t^2 / sqrt(v_t^2 + v_s^2) (friction).
+
+#include <vector>
+
+#include "mbd_solver/model/force_element.h"
+
+namespace footfall {
+
+struct ContactPoint {
+  Marker marker;        // on the body; its axes are not used
+  double radius = 0.0;  // [m] >= 0
+};
+
+// d [s/m] for restitution e in (0, 1] at impact speed [m/s] > 0. Throws InputError outside.
+double contact_damping_for_restitution(double e, double impact_speed);
+
+class RigidPlane : public ForceElement {
+ public:
+  struct Parameters {
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();     // p0, any point of the plane, in W [m]
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   // n, out of the ground
+    double stiffness = 0.0;                              // k of each point [N/m^1.5] > 0
+    double damping = 0.0;                                // d [s/m] >= 0
+    double friction = 0.0;                               // mu >= 0
+    double slip_speed = 1e-3;                            // v_s [m/s] > 0: friction reaches 71 % of mu f_n at this speed
+  };
+  // All points on one body, at least one. Throws InputError on values outside their range.
+  RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters);
+
+  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
+  bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
+  void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
+
+  // Force on the body [N] and moment about Bo [N m], in W.
+  Eigen::Matrix<double, 6, 1> wrench(const ElementInput& in) const;
+  double largest_overlap(const ElementInput& in) const;  // [m], 0 without contact
+
+ private:
+  struct Contact;
+  bool far(const BodyMotion& body) const;  // bounding sphere clear of the plane: one comparison
+  bool contact(const ElementInput& in, const ContactPoint& point, Contact& out) const;
+
+  std::vector<ContactPoint> points_;
+  Parameters parameters_;
+  double reach_ = 0.0;  // radius about Bo that holds all undeformed spheres [m]
+  double flexible_reach_ = 0.0;  // largest |S| of a point: reach grows by this times |a| [m per unit of a]
+};
+
+}  // namespace footfall

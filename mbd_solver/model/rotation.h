@@ -1,0 +1,40 @@
+#pragma once
+// Rotations: unit quaternions L = (l0, l), scalar first, and rotation increments dtheta in the inertial frame W.
+//   A(L) is evaluated with L / |L|, so that every function of the attitude has no component along L:
+//   dtheta = 2 R(L) dL / |L|^2,   R(L) = [-l, l~ + l0 I] (3 x 4),   R(L) L = 0,   dL/dt = 1/2 R(L)^T w.
+
+#include <Eigen/Dense>
+
+namespace footfall {
+
+using Matrix34d = Eigen::Matrix<double, 3, 4>;
+
+// x~: x~ y = x cross y.
+inline Eigen::Matrix3d skew(const Eigen::Vector3d& x) {
+  Eigen::Matrix3d m;
+  m << 0.0, -x.z(), x.y(), x.z(), 0.0, -x.x(), -x.y(), x.x(), 0.0;
+  return m;
+}
+
+// A(L / |L|) = R_WB. L must not be zero.
+Eigen::Matrix3d rotation_matrix(const Eigen::Vector4d& L);
+
+// R(L), see above.
+Matrix34d rate_matrix(const Eigen::Vector4d& L);
+
+// dL/dt = 1/2 R(L)^T w, w in W [rad/s].
+Eigen::Vector4d quaternion_rate(const Eigen::Vector4d& L, const Eigen::Vector3d& w);
+
+// Unit quaternion of a proper rotation matrix, l0 >= 0.
+Eigen::Vector4d quaternion_from_matrix(const Eigen::Matrix3d& A);
+
+// Unit quaternion of a rotation by `angle` [rad] about `axis` (any length but zero).
+Eigen::Vector4d quaternion_about(const Eigen::Vector3d& axis, double angle);
+
+// L turned by the rotation vector dtheta (in W, any size): exp(dtheta) * L, normalised.
+Eigen::Vector4d rotated(const Eigen::Vector4d& L, const Eigen::Vector3d& dtheta);
+
+// Right-handed axes (columns x, y, z) whose z is `z` and whose x is as near as possible to `x_hint` (any axis when parallel).
+Eigen::Matrix3d axes_with_z(const Eigen::Vector3d& z, const Eigen::Vector3d& x_hint = Eigen::Vector3d::UnitX());
+
+}  // namespace footfall
