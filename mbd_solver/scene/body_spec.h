@@ -86,7 +86,6 @@ struct BodySpec {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the mass centre, in body axes [kg m2]
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); // mass centre in D [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  // R_DB: body axes in D (identity unless given; arrays turn it)
-  bool mass_given = false, inertia_given = false, position_given = false;  // in the file; else from shape and material
   std::optional<FlexibleSpec> flexible;               // none, or enabled = false: rigid
 };
 

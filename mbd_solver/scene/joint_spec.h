@@ -37,8 +37,9 @@ struct JointSpec {
   std::string name;
   JointType type = JointType::kFixed;
   std::array<std::string, 2> bodies;          // a, b; "ground" is allowed for one of them
-  // The joint's point on a and on b in D [m]: `point` gives both; they may differ for distance and point_on_plane only
-  // (a: a point of the plane), else the gap is checked.
+  std::optional<Eigen::Vector3d> point;       // gives both of the next two [m]
+  // The joint's point on a and on b in D [m], resolved by scene_reader. They may differ for distance and point_on_plane (a: a
+  // point of the plane) only; else the gap is checked.
   Eigen::Vector3d point_a = Eigen::Vector3d::Zero();
   Eigen::Vector3d point_b = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();    // unit vector; revolute, prismatic, cylindrical, prescribed; universal: axis

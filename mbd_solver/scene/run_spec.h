@@ -18,8 +18,8 @@ struct BodyVelocitySpec {
   std::optional<Eigen::Vector3d> angular_velocity;    // in W [rad/s]
 };
 
-// Places the drawing D in W: turned by yaw (z), then pitch (y), then roll (x), R_WD = Rx(roll) Ry(pitch) Rz(yaw), about the total
-// mass centre, then moved by position, then up or down to the clearance. Joints to the ground are placed with it.
+// Places the drawing D in W: turned about the total mass centre by R_WD = Rz(yaw) Ry(pitch) Rx(roll), moved by position, then up or
+// down to the clearance. What is fixed to the ground by joints, struts or springs is drawn in D too and is placed with it.
 struct InitialSpec {
   Source source;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();          // [m]
@@ -38,21 +38,21 @@ struct ControllerSpec {
   ControllerKind kind = ControllerKind::kConstant;
   std::string body;                                   // observed
   double period = 1e-3;                               // [s] > 0
-  std::vector<std::string> outputs;                   // names, "U1" ...: struts refer to them as NAME.U1
-  double filter_frequency = 50.0;                     // first-order filter of the acceleration [Hz] > 0
-  double a_max = 5.0 * 9.80665;                       // acceleration that counts as full scale [m/s2] > 0
+  std::vector<std::string> outputs;                   // names "U1" ...: a strut's mr.controller is "NAME.U1"
+  double filter_frequency = 50.0;                     // fuzzy, pid: low-pass of the acceleration, 0 = none [Hz]
   // constant
-  double voltage = 0.0;                               // all outputs [-] in [0, 1]
+  std::vector<double> voltages = {0.0};               // one per output, or one for all [-] in [0, 1]
   // fuzzy
   std::string file;                                   // .fll
   bool tabulated = false;                             // computed once on a grid, then interpolated
-  int grid = 17;                                      // points per input of that table
+  std::vector<int> grid = {31, 13, 17, 17};           // points along a, da, alpha, beta
   // skyhook, on-off
   double on = 1.0, off = 0.0;                         // voltages [-] in [0, 1]
-  double dead_band = 0.01;                            // [m/s] >= 0
-  // pid on acceleration: U = kp e + ki int e dt + kd de/dt, e = target - a (as a share of a_max), clamped
-  double target = 0.0;                                // [m/s2]
-  double kp = 0.0, ki = 0.0, kd = 0.0;                // [-], [1/s], [s]
+  double deadband = 0.01;                             // [m/s] >= 0
+  // pid on acceleration: U = clamp(bias + kp e + ki int e dt - kd jerk), e = set_point - a
+  double set_point = 29.4;                            // wanted upward acceleration [m/s2] > 0
+  double kp = 0.03, ki = 0.5, kd = 0.0;               // [s2/m], [s/m], [s3/m]
+  double bias = 0.0;                                  // U without error [-]
 };
 
 enum class IntegratorKind { kOneStep, kIda };

@@ -14,6 +14,7 @@ struct Source {
   static constexpr int kFromSet = -1;
   // Line of a key, or of the nearest key around it that was given.
   int line_of(const std::string& key) const;
+  bool given(const std::string& key) const { return lines.count(key) > 0; }
 };
 
 }  // namespace footfall

@@ -22,19 +22,22 @@ struct GasSpec {
 
 // F_y = 3 pi L1 tau_y(U) (D1 + d1) / 2, c = (12 eta L1 / d^2 + 32 eta (L2/D2^2 + L3/D3^2 + L4/D4^2)) pi D3^2 / 4 [Lin25 14, 15]
 struct MrGeometrySpec {
-  double D1 = 0.0, d1 = 0.0, D2 = 0.0, D3 = 0.0, D4 = 0.0;  // diameters [m]
-  double d = 0.0;                                           // gap [m]
-  double L1 = 0.0, L2 = 0.0, L3 = 0.0, L4 = 0.0;            // lengths [m]
-  double viscosity = 0.0;                                   // eta [Pa s]
-  std::vector<Eigen::Vector2d> yield_stress;                // (U [-], tau_y [Pa]), both rising; U from 0 to 1
+  double D1 = 0.0, d1 = 0.0, D2 = 0.0, D3 = 0.0;  // bypass, core, first connecting and main cylinder: diameters [m]
+  std::optional<double> D4;                       // second connecting cylinder; not given: D2 [m]
+  std::optional<double> d;                        // gap; not given: (D1 - d1) / 2 [m]
+  double L1 = 0.0, L2 = 0.0, L3 = 0.0, L4 = 0.0;  // wound core, first connecting, main, second connecting: lengths [m]
+  double viscosity = 0.0;                         // eta [Pa s]
+  std::vector<Eigen::Vector2d> yield_stress;      // (U [-], tau_y [Pa]); U rising from 0 to 1, tau_y never falling
 };
 
 // F = U F_y tanh(v / v_s) + c v
 struct MrSpec {
   double yield_force = 0.0;             // F_y at U = 1 [N]; from geometry when that is given
   double viscous = 0.0;                 // c [N s/m]; likewise
-  double regularisation_speed = 0.01;   // v_s [m/s] > 0
+  std::vector<Eigen::Vector2d> yield_table;  // (U [-], F_y [N]) instead of yield_force; U rising from 0 to 1, F_y never falling
+  double regularisation_speed = 0.02;   // v_s [m/s] > 0
   double coil_lag = 0.0;                // time constant of coil and driver [s] >= 0
+  double initial_voltage = 0.0;         // effective U at the start, with a coil lag [-] in [0, 1]
   double voltage = 0.0;                 // constant U where no controller is named [-] in [0, 1]
   std::string controller;               // "lander.U1": output of a controller; empty: constant
   std::optional<MrGeometrySpec> geometry;
@@ -46,32 +49,34 @@ struct CrushStageSpec {
 };
 
 struct HoneycombSpec {
-  std::vector<CrushStageSpec> stages;   // at least one
-  bool tension = true;                  // crushes when pulled
-  bool compression = true;              // crushes when pushed
-  double stiffness = 0.0;               // elastic loading and unloading [N/m]; 0: first plateau over 1 mm
-  double bottom_stiffness = 0.0;        // past the last stage [N/m]; 0: 10 times the elastic stiffness
-  double damping = 0.0;                 // parallel damper [N s/m] >= 0
+  std::vector<CrushStageSpec> stages;    // at least one, softest first
+  bool compression = true;               // has a cartridge that crushes when pushed
+  bool tension = true;                   // has one that crushes when pulled
+  double elastic_stiffness = 5.0e6;      // loading and unloading [N/m] > 0
+  double bottom_out_stiffness = 2.5e6;   // past the last stage [N/m], in (0, elastic_stiffness)
+  double transition_length = 5.0e-3;     // over which the plateau passes from stage to stage [m] > 0
+  double toe = 1.0e-4;                   // smoothing of first contact [m] > 0
 };
 
 struct StopsSpec {
-  std::optional<double> min;            // smallest stroke [m]
-  std::optional<double> max;            // largest stroke [m]
-  double stiffness = 0.0;               // [N/m] > 0
-  double damping = 0.0;                 // [N s/m] >= 0
+  std::optional<double> min;             // smallest stroke, extended end [m]
+  std::optional<double> max;             // largest stroke, compressed end [m]; at least one is needed
+  double stiffness = 5.0e6;              // [N/m] > 0
+  double dissipation = 1.0;              // at approach speed v the force is 1 + dissipation v times the elastic one [s/m] >= 0
+  double toe = 5.0e-4;                   // smoothing of first contact [m] > 0
 };
 
-// F = preload + stiffness (x - (undeformed length - free_length)) + damping v
+// F = preload + stiffness (free_length - present length) + damping v
 struct LinearSpringSpec {
   double stiffness = 0.0;               // [N/m] >= 0
   double damping = 0.0;                 // [N s/m] >= 0
   double preload = 0.0;                 // [N]
-  std::optional<double> free_length;    // [m]; not given: force = preload at x = 0
+  std::optional<double> free_length;    // [m]; not given: the strut's undeformed length (F = preload at x = 0)
 };
 
-// Passive strut from measurements: force over stroke and rate, bicubic, linear beyond the table.
+// Passive strut from measurements: force over stroke and rate.
 struct TableSpec {
-  std::string file;                     // CSV: first line rates [m/s] after an empty cell, then stroke [m], forces [N]
+  std::string file;                     // CSV: first line a label, then rates [m/s]; further lines a stroke [m], then forces [N]
 };
 
 struct StrutSpec {

@@ -1,0 +1,160 @@
+#pragma once
+// The keys of a scene, described once: visit_fields names every key, its member, unit, range and meaning. The TOML reader, the
+// copier of arrays, the JSON writer and the list of known keys are visitors of that one description.
+
+#include <Eigen/Dense>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mbd_solver/scene/scene.h"
+
+namespace footfall {
+
+// Unit of a number in SI; the suffixes that the reader accepts for each stand in units.cpp.
+enum class Unit {
+  kNone, kLength, kArea, kArea2, kVolume, kAngle, kTime, kMass, kDensity, kInertia, kVelocity, kAngularVelocity, kAcceleration, kForce,
+  kPressure, kFrequency, kStiffness, kDamping, kTurningStiffness, kTurningDamping
+};
+
+enum class Range { kAny, kPositive, kNotNegative, kUnitInterval };
+
+// What a vector or a string is. The copies of an array turn points, directions (unit vectors) and free vectors; names of entries
+// are copied with "{array}" replaced; paths are joined with the scene's folder and must exist.
+enum class Meaning { kPlain, kPoint, kDirection, kFree, kName, kPath };
+
+struct Rule {
+  Unit unit = Unit::kNone;
+  Range range = Range::kAny;
+  Meaning meaning = Meaning::kPlain;
+  bool required = false;
+};
+
+struct Choice {              // an enumeration by the names of its values, in order
+  int value;
+  std::vector<std::string> names;
+};
+
+struct NumberOrWord {        // mass = 900 or mass = "remainder"
+  double* number;
+  std::string word;
+  bool* is_word;
+};
+
+using FieldRef =
+    std::variant<double*, std::optional<double>*, int*, std::optional<int>*, bool*, std::string*, std::vector<std::string>*,
+                 std::array<std::string, 2>*, Eigen::Vector3d*, std::optional<Eigen::Vector3d>*, std::vector<Eigen::Vector3d>*,
+                 std::array<Eigen::Vector3d, 2>*, std::vector<double>*, std::vector<int>*, std::vector<Eigen::Vector2d>*,
+                 Eigen::Quaterniond*, Eigen::Matrix3d*, std::map<std::string, std::string>*, Choice*, NumberOrWord*, Source*>;
+
+enum class Presence { kAlways, kOptional, kSwitch };  // kSwitch: key = true / false, or a table
+
+class FieldVisitor {
+ public:
+  virtual ~FieldVisitor() = default;
+
+  virtual void field(const std::string& key, const FieldRef& ref, const Rule& rule) = 0;
+  // Enters the table `key`. `present`: in, whether the struct holds it; out, whether it shall. False: not entered, no end_section.
+  virtual bool begin_section(const std::string& key, Presence presence, bool& present) = 0;
+  virtual void end_section() = 0;
+  // A list of tables [[key]], or of named tables [key.NAME]; returns how many items there shall be.
+  virtual int begin_list(const std::string& key, bool named, int count) = 0;
+  virtual void begin_item(int index, std::string* name) = 0;  // name: of a named table, else null
+  virtual void end_item() = 0;
+  virtual void end_list() = 0;
+
+  // Conveniences for the descriptions.
+  template <class E>
+  void choice(const std::string& key, E& value, std::vector<std::string> names, const Rule& rule = {}) {
+    Choice c{static_cast<int>(value), std::move(names)};
+    field(key, &c, rule);
+    value = static_cast<E>(c.value);
+  }
+  template <class T>
+  void section(const std::string& key, T& value);                 // always there, defaults where the file is silent
+  template <class T>
+  void section(const std::string& key, std::optional<T>& value);  // there only when given
+  void switched(const std::string& key, std::optional<FlexibleSpec>& value);
+  template <class T>
+  void list(const std::string& key, std::vector<T>& items, bool named = false);
+};
+
+void visit_fields(FieldVisitor& v, Scene& scene);
+void visit_fields(FieldVisitor& v, ArraySpec& array);
+void visit_fields(FieldVisitor& v, MaterialSpec& material);
+void visit_fields(FieldVisitor& v, BodySpec& body);
+void visit_fields(FieldVisitor& v, ShapeSpec& shape);
+void visit_fields(FieldVisitor& v, FlexibleSpec& flexible);
+void visit_fields(FieldVisitor& v, MemberSpec& member);
+void visit_fields(FieldVisitor& v, SectionSpec& section);
+void visit_fields(FieldVisitor& v, JointSpec& joint);
+void visit_fields(FieldVisitor& v, MotionSpec& motion);
+void visit_fields(FieldVisitor& v, TimeFunctionSpec& function, Unit unit);
+void visit_fields(FieldVisitor& v, StrutSpec& strut);
+void visit_fields(FieldVisitor& v, GasSpec& gas);
+void visit_fields(FieldVisitor& v, MrSpec& mr);
+void visit_fields(FieldVisitor& v, MrGeometrySpec& geometry);
+void visit_fields(FieldVisitor& v, HoneycombSpec& honeycomb);
+void visit_fields(FieldVisitor& v, CrushStageSpec& stage);
+void visit_fields(FieldVisitor& v, StopsSpec& stops);
+void visit_fields(FieldVisitor& v, LinearSpringSpec& spring);
+void visit_fields(FieldVisitor& v, TableSpec& table);
+void visit_fields(FieldVisitor& v, SpringSpec& spring);
+void visit_fields(FieldVisitor& v, BoundarySpec& boundary);
+void visit_fields(FieldVisitor& v, SurfaceSpec& surface);
+void visit_fields(FieldVisitor& v, BeamsSpec& beams);
+void visit_fields(FieldVisitor& v, GroundSpec& ground);
+void visit_fields(FieldVisitor& v, PlaneSpec& plane);
+void visit_fields(FieldVisitor& v, ParticlesSpec& particles);
+void visit_fields(FieldVisitor& v, BedSpec& bed);
+void visit_fields(FieldVisitor& v, ControllerSpec& controller);
+void visit_fields(FieldVisitor& v, InitialSpec& initial);
+void visit_fields(FieldVisitor& v, BodyVelocitySpec& velocity);
+void visit_fields(FieldVisitor& v, SolverSpec& solver);
+void visit_fields(FieldVisitor& v, CouplingSpec& coupling);
+void visit_fields(FieldVisitor& v, OutputSpec& output);
+
+template <class T>
+void FieldVisitor::section(const std::string& key, T& value) {
+  bool present = true;
+  if (!begin_section(key, Presence::kAlways, present)) return;
+  visit_fields(*this, value);
+  end_section();
+}
+
+template <class T>
+void FieldVisitor::section(const std::string& key, std::optional<T>& value) {
+  bool present = value.has_value();
+  const bool entered = begin_section(key, Presence::kOptional, present);
+  if (present && !value) value.emplace();
+  if (!present && !entered) value.reset();
+  if (!entered) return;
+  T unused;  // a visitor that only lists keys enters sections that are not there
+  visit_fields(*this, value ? *value : unused);
+  end_section();
+}
+
+template <class T>
+void FieldVisitor::list(const std::string& key, std::vector<T>& items, bool named) {
+  const int count = begin_list(key, named, static_cast<int>(items.size()));
+  std::vector<T> unused(1);  // as above
+  const bool only_keys = count < 0;
+  if (!only_keys) items.resize(static_cast<std::size_t>(count));
+  std::vector<T>& visited = only_keys ? unused : items;
+  for (int i = 0; i < static_cast<int>(visited.size()); ++i) {
+    T& item = visited[static_cast<std::size_t>(i)];
+    if constexpr (std::is_same_v<T, ArraySpec> || std::is_same_v<T, MaterialSpec> || std::is_same_v<T, SectionSpec>) {
+      begin_item(i, &item.name);
+    } else {
+      begin_item(i, nullptr);
+    }
+    visit_fields(*this, item);
+    end_item();
+  }
+  end_list();
+}
+
+}  // namespace footfall

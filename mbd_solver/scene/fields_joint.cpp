@@ -1,0 +1,48 @@
+// The keys of joints and prescribed motions.
+#include "mbd_solver/scene/field_visitor.h"
+
+namespace footfall {
+
+namespace {
+
+void visit_function(FieldVisitor& v, const std::string& key, TimeFunctionSpec& f, Unit unit) {
+  bool present = !f.is_zero();
+  if (!v.begin_section(key, Presence::kOptional, present)) return;
+  visit_fields(v, f, unit);
+  v.end_section();
+}
+
+}  // namespace
+
+void visit_fields(FieldVisitor& v, TimeFunctionSpec& f, Unit unit) {
+  v.field("polynomial", &f.polynomial, {unit});
+  v.field("amplitude", &f.amplitude, {unit});
+  v.field("frequency", &f.frequency, {Unit::kFrequency, Range::kNotNegative});
+  v.field("phase", &f.phase, {Unit::kAngle});
+  v.field("table", &f.table, {unit});
+}
+
+void visit_fields(FieldVisitor& v, MotionSpec& m) {
+  visit_function(v, "x", m.x, Unit::kLength);
+  visit_function(v, "y", m.y, Unit::kLength);
+  visit_function(v, "z", m.z, Unit::kLength);
+  visit_function(v, "rotation", m.rotation, Unit::kAngle);
+}
+
+void visit_fields(FieldVisitor& v, JointSpec& j) {
+  v.field("", &j.source, {});
+  v.field("name", &j.name, {Unit::kNone, Range::kAny, Meaning::kName, true});
+  v.choice("type", j.type,
+           {"fixed", "spherical", "universal", "revolute", "prismatic", "cylindrical", "distance", "point_on_plane", "prescribed"},
+           {Unit::kNone, Range::kAny, Meaning::kPlain, true});
+  v.field("bodies", &j.bodies, {Unit::kNone, Range::kAny, Meaning::kName, true});
+  v.field("point", &j.point, {Unit::kLength, Range::kAny, Meaning::kPoint});
+  v.field("point_a", &j.point_a, {Unit::kLength, Range::kAny, Meaning::kPoint});
+  v.field("point_b", &j.point_b, {Unit::kLength, Range::kAny, Meaning::kPoint});
+  v.field("axis", &j.axis, {Unit::kNone, Range::kAny, Meaning::kDirection});
+  v.field("axis2", &j.axis2, {Unit::kNone, Range::kAny, Meaning::kDirection});
+  v.field("length", &j.length, {Unit::kLength, Range::kPositive});
+  v.section("motion", j.motion);
+}
+
+}  // namespace footfall

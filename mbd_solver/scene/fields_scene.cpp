@@ -1,0 +1,37 @@
+// The top-level keys of a scene.
+#include "mbd_solver/scene/field_visitor.h"
+
+namespace footfall {
+
+void visit_fields(FieldVisitor& v, ArraySpec& a) {
+  v.field("", &a.source, {});
+  v.field("count", &a.count, {Unit::kNone, Range::kPositive, Meaning::kPlain, true});
+  v.field("start", &a.start, {Unit::kAngle});
+  v.field("step", &a.step, {Unit::kAngle});
+  v.field("axis", &a.axis, {Unit::kNone, Range::kAny, Meaning::kDirection});
+}
+
+void visit_fields(FieldVisitor& v, Scene& s) {
+  v.field("", &s.source, {});
+  v.field("title", &s.title, {});
+  v.field("end_time", &s.end_time, {Unit::kTime, Range::kPositive, Meaning::kPlain, true});
+  v.field("gravity", &s.gravity, {Unit::kAcceleration});
+  v.field("total_mass", &s.total_mass, {Unit::kMass, Range::kPositive});
+  v.field("flexible", &s.flexible, {});
+  v.list("arrays", s.arrays, true);
+  v.list("materials", s.materials, true);
+  v.list("bodies", s.bodies);
+  v.list("joints", s.joints);
+  v.list("struts", s.struts);
+  v.list("springs", s.springs);
+  v.list("boundaries", s.boundaries);
+  v.section("ground", s.ground);
+  v.section("particles", s.particles);
+  v.list("controllers", s.controllers);
+  v.section("initial", s.initial);
+  v.section("solver", s.solver);
+  v.section("coupling", s.coupling);
+  v.section("output", s.output);
+}
+
+}  // namespace footfall

@@ -1,0 +1,46 @@
+#pragma once
+// Everything that is wrong with a scene, collected, so that the user sees all of it at once.
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/scene/source.h"
+
+namespace footfall {
+
+class Findings {
+ public:
+  explicit Findings(std::string file) : file_(std::move(file)) {}
+
+  // `key` within the entry; the path of the entry and the line come from `source`.
+  void error(const Source& source, const std::string& key, const std::string& what);
+  void warning(const Source& source, const std::string& key, const std::string& what);
+  // The same from the parts: line kFromSet means "--set".
+  void error(int line, const std::string& path, const std::string& what);
+
+  bool has_errors() const { return !errors_.empty(); }
+  int error_count() const { return static_cast<int>(errors_.size()); }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  // Throws InputError with one finding per line, ordered by line, if there is any error.
+  void throw_if_errors() const;
+
+ private:
+  struct Finding {
+    int line;
+    std::string text;
+  };
+  std::string format(int line, const std::string& path, const std::string& what) const;
+
+  std::string file_;
+  std::vector<Finding> errors_;
+  std::vector<std::string> warnings_;
+};
+
+// The candidate nearest to `word` by edit distance, or empty when none is near.
+std::string closest_name(const std::string& word, const std::vector<std::string>& candidates);
+// ' Known bodies: a, b. Did you mean "b"?' for an unknown name; long lists are cut.
+std::string known_names(const std::string& what, const std::string& word, const std::vector<std::string>& candidates);
+// "1.5", "-900": a number as a person writes it.
+std::string short_number(double value);
+
+}  // namespace footfall

@@ -1,0 +1,164 @@
+// The one file that knows the TOML library: text -> ConfigNode.
+#include "mbd_solver/scene/scene_reader.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <toml++/toml.h>
+
+#include "coupler/errors.h"
+#include "mbd_solver/scene/config_node.h"
+#include "mbd_solver/scene/field_reader.h"
+#include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/resolve.h"
+#include "mbd_solver/scene/scene_check.h"
+
+namespace footfall {
+
+namespace {
+
+ConfigNode convert(const toml::node& node) {
+  ConfigNode result;
+  result.line = static_cast<int>(node.source().begin.line);
+  if (const toml::table* table = node.as_table()) {
+    result.kind = ConfigNode::Kind::kTable;
+    for (const auto& [key, value] : *table) {
+      ConfigNode child = convert(value);
+      if (child.line == 0) child.line = static_cast<int>(key.source().begin.line);
+      result.table.emplace_back(std::string(key.str()), std::move(child));
+    }
+  } else if (const toml::array* array = node.as_array()) {
+    result.kind = ConfigNode::Kind::kList;
+    for (const toml::node& value : *array) result.list.push_back(convert(value));
+  } else if (const auto* text = node.as_string()) {
+    result.kind = ConfigNode::Kind::kText;
+    result.text = text->get();
+  } else if (const auto* integer = node.as_integer()) {
+    result.kind = ConfigNode::Kind::kInteger;
+    result.number = static_cast<double>(integer->get());
+  } else if (const auto* number = node.as_floating_point()) {
+    result.kind = ConfigNode::Kind::kNumber;
+    result.number = number->get();
+  } else if (const auto* flag = node.as_boolean()) {
+    result.kind = ConfigNode::Kind::kFlag;
+    result.flag = flag->get();
+  } else {
+    result.kind = ConfigNode::Kind::kOther;
+  }
+  return result;
+}
+
+void mark_as_set(ConfigNode& node) {
+  node.line = Source::kFromSet;
+  for (auto& [key, child] : node.table) mark_as_set(child);
+  for (ConfigNode& child : node.list) mark_as_set(child);
+}
+
+// The value of --set: TOML, or else a bare word ("ida"), which counts as text.
+ConfigNode parse_value(const std::string& text) {
+  ConfigNode node;
+  try {
+    node = convert(*toml::parse("value = " + text).get("value"));
+  } catch (const toml::parse_error&) {
+    node.kind = ConfigNode::Kind::kText;
+    node.text = text;
+  }
+  mark_as_set(node);
+  return node;
+}
+
+// The entry `name` of a list of tables, by name or by index from 0; null after a finding.
+ConfigNode* list_entry(ConfigNode& list, const std::string& name, const std::string& path, Findings& findings) {
+  std::vector<std::string> names;
+  for (ConfigNode& item : list.list) {
+    names.push_back(item.entry_name());
+    if (names.back() == name) return &item;
+  }
+  if (!name.empty() && name.find_first_not_of("0123456789") == std::string::npos && name.size() < 6) {
+    const std::size_t index = std::stoul(name);
+    if (index < list.list.size()) return &list.list[index];
+  }
+  findings.error(Source::kFromSet, path, "there is no entry \"" + name + "\"." + known_names("entries", name, names));
+  return nullptr;
+}
+
+}  // namespace
+
+ConfigNode parse_toml_file(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(file + ": cannot be read; expected a scene file (TOML)");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  try {
+    return convert(toml::parse(text.str(), file));
+  } catch (const toml::parse_error& e) {
+    throw InputError(file + ":" + std::to_string(e.source().begin.line) + ": this is not valid TOML: " + std::string(e.description()));
+  }
+}
+
+void apply_setting(ConfigNode& root, const std::string& setting, Findings& findings) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    findings.error(Source::kFromSet, setting, "expected key=value, for example solver.integrator=ida");
+    return;
+  }
+  const std::string path = setting.substr(0, equals);
+  ConfigNode* node = &root;
+  std::istringstream parts(path);
+  for (std::string part; std::getline(parts, part, '.');) {
+    if (part.empty()) {
+      findings.error(Source::kFromSet, path, "has an empty part; expected names separated by single dots");
+      return;
+    }
+    if (node->kind == ConfigNode::Kind::kList) {
+      node = list_entry(*node, part, path, findings);
+      if (!node) return;
+      continue;
+    }
+    if (node->kind != ConfigNode::Kind::kTable) {  // "flexible = true" becomes a table when one of its keys is set
+      *node = ConfigNode{};
+      node->line = Source::kFromSet;
+    }
+    if (!node->find(part)) {
+      ConfigNode fresh;
+      fresh.line = Source::kFromSet;
+      node->table.emplace_back(part, fresh);
+    }
+    node = node->find(part);
+  }
+  *node = parse_value(setting.substr(equals + 1));
+}
+
+std::string scene_file(const std::string& argument) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (fs::is_directory(argument, ignored)) {
+    const fs::path file = fs::path(argument) / "scene.toml";
+    if (!fs::exists(file, ignored)) throw InputError(argument + ": this folder holds no scene.toml; give a scene file or such a folder");
+    return file.string();
+  }
+  if (!fs::exists(argument, ignored))
+    throw InputError(argument + ": no such file or folder; expected a scene file (TOML), or a folder that holds scene.toml");
+  return argument;
+}
+
+Scene read_scene(const std::string& argument, const std::vector<std::string>& settings) {
+  const std::string file = scene_file(argument);
+  ConfigNode root = parse_toml_file(file);
+  Findings findings(file);
+  for (const std::string& setting : settings) apply_setting(root, setting, findings);
+
+  Scene scene;
+  scene.file = file;
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  scene.folder = folder.string();
+  scene.settings = settings;
+  read_fields(root, scene, findings);
+  resolve_scene(scene, findings);
+  check_scene(scene, findings);
+  findings.throw_if_errors();
+  scene.warnings = findings.warnings();
+  return scene;
+}
+
+}  // namespace footfall
