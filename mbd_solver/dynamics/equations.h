@@ -69,7 +69,7 @@ class Equations {
 
   // Unpacks a state for the output functions below.
   void load(const State& state);
-  const BodyMotion& motion(int body) const;
+  const BodyKinematics& motion(int body) const;
   ElementInput element_input(int force, const State& state, const Inputs& inputs) const;  // valid after load()
   // Force and moment [N, N m] that joint `joint` exerts on its body 2, about the point of marker 2, in W. After load().
   Vector6d joint_wrench(int joint, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const;

@@ -8,14 +8,14 @@
 
 #include <Eigen/Dense>
 
-#include "mbd_solver/model/body_motion.h"
+#include "mbd_solver/model/body_kinematics.h"
 #include "mbd_solver/model/marker.h"
 
 namespace footfall {
 
 // The two bodies an element acts on. Columns of body 1 start at 0, those of body 2 at body[0]->size().
 struct PairMotion {
-  const BodyMotion* body[2];
+  const BodyKinematics* body[2];
   int offset(int slot) const { return slot == 0 ? 0 : body[0]->size(); }
   int size() const { return body[0]->size() + body[1]->size(); }
 };
@@ -33,7 +33,7 @@ class KinematicVector {
 
   const Eigen::Vector3d& value() const { return value_; }  // alpha
   const Eigen::Vector3d& rate() const { return rate_; }    // alpha'
-  const Eigen::Vector3d& acc() const { return acc_; }      // alpha'' with the accelerations of the BodyMotion
+  const Eigen::Vector3d& acc() const { return acc_; }      // alpha'' with the accelerations of the BodyKinematics
 
   // out += X^T f
   void add_transposed(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const;
@@ -52,7 +52,7 @@ class KinematicVector {
 
  private:
   struct Term {
-    const BodyMotion* body;
+    const BodyKinematics* body;
     const Eigen::Matrix3Xd* U;  // 3 x s
     int offset;                 // first local column of the body
     double sign;

@@ -44,7 +44,7 @@ class RigidPlane : public ForceElement {
 
  private:
   struct Contact;
-  bool far(const BodyMotion& body) const;  // bounding sphere clear of the plane: one comparison
+  bool far(const BodyKinematics& body) const;  // bounding sphere clear of the plane: one comparison
   bool contact(const ElementInput& in, const ContactPoint& point, Contact& out) const;
 
   std::vector<ContactPoint> points_;

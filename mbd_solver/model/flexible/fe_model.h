@@ -10,6 +10,7 @@
 #include "mbd_solver/model/flexible/beam_section.h"
 #include "mbd_solver/model/flexible/material.h"
 #include "mbd_solver/model/flexible/triangle_mesh.h"
+#include "mbd_solver/model/mass_properties.h"
 
 namespace footfall {
 
@@ -51,11 +52,6 @@ FeModel straight_beam(const Eigen::Vector3d& from, const Eigen::Vector3d& to, in
 FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& material,
                     const std::string& where = "plate");
 
-struct MassProperties {
-  double mass;              // [kg]
-  Eigen::Vector3d centre;   // centre of mass in D [m]
-  Eigen::Matrix3d inertia;  // about the centre of mass, axes of D [kg m2]
-};
 MassProperties mass_properties(const FeModel& model);
 
 // 6N x 6N, block-diagonal.

@@ -15,6 +15,8 @@
 //   0.10,   -500,     0,  400, 1000, 2400
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "mbd_solver/model/forces/strut_law.h"
 
@@ -50,6 +52,7 @@ class TableLaw final : public StrutLaw {
   Eigen::VectorXd elastic_;      // E at the strokes [N]
   Eigen::MatrixXd dissipative_;  // D at the entries [N]
   std::vector<double> stored_;   // integral of E from the first stroke to each stroke [J]
+  double stored_at_zero_ = 0.0;  // the same to the stroke 0 [J]
 };
 
 }  // namespace footfall

@@ -1,4 +1,5 @@
 #pragma once
+// (BodyMotion is the message struct of coupler/, in the same namespace.)
 // The motion of one body at one instant, unpacked once per evaluation and read by all joints and forces.
 
 #include <Eigen/Dense>
@@ -7,7 +8,7 @@
 
 namespace footfall {
 
-struct BodyMotion {
+struct BodyKinematics {
   bool ground = true;                                     // the inertial frame: no coordinates
   int modes = 0;                                          // s
   Eigen::Vector3d r = Eigen::Vector3d::Zero();            // [m]
