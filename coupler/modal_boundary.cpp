@@ -115,6 +115,24 @@ void ModalBoundary::add_point_force(const BodyMotion& motion, const BoundaryPoin
     Q.Q_a.noalias() += Phi_.middleRows<3>(3 * point.nodes[k]).transpose() * (point.weights[k] * f_B);
 }
 
+Eigen::Vector3d ModalBoundary::angular_velocity(const BodyMotion& motion, const BoundaryPoint& point) const {
+  Eigen::Vector3d w = motion.w;
+  if (Psi_.size() == 0) return w;
+  const Eigen::Matrix3d A = motion.rotation();
+  for (std::size_t k = 0; k < 3; ++k)
+    w.noalias() += point.weights[k] * (A * (Psi_.middleRows<3>(3 * point.nodes[k]) * motion.da));
+  return w;
+}
+
+void ModalBoundary::add_point_moment(const BodyMotion& motion, const BoundaryPoint& point, const Eigen::Vector3d& m_W,
+                                     GeneralizedForce& Q) const {
+  Q.T_W += m_W;
+  if (Psi_.size() == 0) return;
+  const Eigen::Vector3d m_B = motion.rotation().transpose() * m_W;
+  for (std::size_t k = 0; k < 3; ++k)
+    Q.Q_a.noalias() += Psi_.middleRows<3>(3 * point.nodes[k]).transpose() * (point.weights[k] * m_B);
+}
+
 Eigen::Vector3d barycentric_weights(const Eigen::Vector3d& x0, const Eigen::Vector3d& x1, const Eigen::Vector3d& x2,
                                     const Eigen::Vector3d& c) {
   // c - x0 = b1 e1 + b2 e2 + (normal part): normal equations of this least-squares problem.

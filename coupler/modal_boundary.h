@@ -56,9 +56,16 @@ class ModalBoundary {
   Eigen::Vector3d position(const BodyMotion& motion, const BoundaryPoint& point) const;  // in W [m]
   Eigen::Vector3d velocity(const BodyMotion& motion, const BoundaryPoint& point) const;  // in W [m/s]
 
+  // Of the material there: w + A Psi(c) da, in W [rad/s]. Without Psi its modal part counts as zero.
+  Eigen::Vector3d angular_velocity(const BodyMotion& motion, const BoundaryPoint& point) const;
+
   // Adds the force f_W [N] at a boundary point: F += f, T += (c - r) x f, Q_a += (A Phi(c))^T f.
   void add_point_force(const BodyMotion& motion, const BoundaryPoint& point, const Eigen::Vector3d& f_W,
                        GeneralizedForce& Q) const;
+  // Adds the moment m_W [N m] at a boundary point: T += m, Q_a += (A Psi(c))^T m. A force f at the distance d from the point, as on the
+  // surface of a beam, is f and the moment d x f there; the velocity that belongs to it is velocity() + angular_velocity() x d.
+  void add_point_moment(const BodyMotion& motion, const BoundaryPoint& point, const Eigen::Vector3d& m_W,
+                        GeneralizedForce& Q) const;
 
  private:
   Eigen::Vector3d rho(const BodyMotion& motion, const BoundaryPoint& point) const;  // in B [m]
