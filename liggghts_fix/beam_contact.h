@@ -1,0 +1,90 @@
+#pragma once
+// A sphere against a chain of capsules. theory: contact with the lander (sphere-beam).
+//
+// Segment p_s p_e with radius R, sphere at x with radius r:
+//   mu = (x - p_s).(p_e - p_s) / |p_e - p_s|^2 clamped to [0, 1],   p = (1 - mu) p_s + mu p_e,   gap = |x -
+//   p| - R - r.
+// The chain is the union of its capsules: its gap is the smallest of its segments' gaps. So a sphere touches
+// a chain once; at a node that two segments share both give the same point, hence neither a double force nor
+// a hole. On the inner side of a bend the touch changes segment where both gaps are equal: the gap is
+// continuous there, the normal turns by the angle of the bend.
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "coupler/modal_boundary.h"
+
+namespace footfall {
+
+// The point of a chain that is closest to a sphere.
+struct BeamTouch {
+  int segment = -1;        // index into BeamChain::segments()
+  double mu = 0.0;         // 0 at the segment's start, 1 at its end
+  double gap = 0.0;        // from surface to surface [m]; contact where it is not positive
+  double radius = 0.0;     // of the segment [m]
+  Eigen::Vector3d p;       // on the axis [m]
+  Eigen::Vector3d normal;  // unit vector from p to the sphere's centre
+
+  // On the beam's surface, where the contact force acts [m].
+  Eigen::Vector3d surface_point() const { return p + radius * normal; }
+};
+
+// One beam: segments between nodes, numbered 0 .. node_count()-1 within the chain, and where the nodes are
+// now.
+class BeamChain {
+ public:
+  // Those segments of the boundary whose chain number is `chain`, in their order; nodes stand at their
+  // undeformed places rho0. Throws InputError when there are none.
+  BeamChain(const ModalBoundary& boundary, int chain);
+
+  int node_count() const { return static_cast<int>(x_.cols()); }
+  int segment_count() const { return static_cast<int>(segments_.size()); }
+  const std::vector<BeamSegment>& segments() const {
+    return segments_;
+  }  // start, end: numbers within the chain
+  int boundary_node(int node) const { return boundary_node_[static_cast<std::size_t>(node)]; }
+  int boundary_segment(int segment) const { return boundary_segment_[static_cast<std::size_t>(segment)]; }
+  double largest_radius() const { return largest_radius_; }  // [m]
+
+  // Node positions in W [m], 3 x node_count(); whoever moves the chain writes them.
+  Eigen::Matrix3Xd& x() { return x_; }
+  const Eigen::Matrix3Xd& x() const { return x_; }
+  // Places the nodes where the body's motion carries them.
+  void follow(const ModalBoundary& boundary, const BodyMotion& motion);
+  double length(int segment) const;  // now [m]
+
+  // Closest point of one segment to a sphere of radius r [m] at x [m].
+  BeamTouch touch(int segment, const Eigen::Vector3d& x, double r) const;
+
+ private:
+  std::vector<BeamSegment> segments_;
+  std::vector<int> boundary_node_;     // node of the chain -> node of the boundary
+  std::vector<int> boundary_segment_;  // segment of the chain -> segment of the boundary
+  Eigen::Matrix3Xd x_;
+  double largest_radius_ = 0.0;
+};
+
+// The material point of a body's beam where a sphere touches: on the surface, at radius * normal from the
+// axis, carried by the turning cross-section. velocity() and add_force() are partners in virtual work.
+class SurfacePoint {
+ public:
+  SurfacePoint(const ModalBoundary& boundary, const BeamChain& chain, const BeamTouch& touch)
+      : axis_(boundary.segment_point(chain.boundary_segment(touch.segment), touch.mu)),
+        arm_(touch.radius * touch.normal) {}
+
+  Eigen::Vector3d velocity(const ModalBoundary& boundary, const BodyMotion& motion) const {
+    return boundary.velocity(motion, axis_) + boundary.angular_velocity(motion, axis_).cross(arm_);
+  }
+  // The force f_W [N] on the body.
+  void add_force(const ModalBoundary& boundary, const BodyMotion& motion, const Eigen::Vector3d& f_W,
+                 GeneralizedForce& Q) const {
+    boundary.add_point_force(motion, axis_, f_W, Q);
+    boundary.add_point_moment(motion, axis_, arm_.cross(f_W), Q);
+  }
+
+ private:
+  BoundaryPoint axis_;
+  Eigen::Vector3d arm_;  // from the axis to the surface, in W [m]
+};
+
+}  // namespace footfall

@@ -1,0 +1,69 @@
+#pragma once
+// Which grains may touch a chain, and which of its segments: a list that stays true for a while, so that a
+// step looks only at pairs that are near. A chain far from the grains costs a comparison of two boxes when
+// the list is made, and nothing else.
+//
+// A pair is on the list when its gap is below
+//   margin = 1.5 skin + what the contact model asks for beyond touch.
+// LIGGGHTS lets no grain go further than skin/2 from where it last re-neighboured, that is skin from anywhere
+// it was since; nodes may go skin/2 before the list is made anew. Together 1.5 skin: no touch is missed.
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "liggghts_fix/beam_contact.h"
+
+namespace footfall {
+
+// Grains as LIGGGHTS keeps them: borrowed for the length of a call.
+struct GrainView {
+  int count = 0;
+  const double* const* x = nullptr;  // count pointers to three coordinates [m]
+  const double* radius = nullptr;    // [m]
+  const int* mask = nullptr;         // bits of the groups a grain belongs to; null: all grains take part
+  int group_bit = 1;
+};
+
+class BeamNeighbours {
+ public:
+  // skin [m]; reach: contact models with forces over a gap (liquid bridges) see gaps up to reach * radius of
+  // the grain.
+  BeamNeighbours(double skin, double reach = 0.0) : skin_(skin), reach_(reach) {}
+
+  // The grains have new numbers or places for which LIGGGHTS made new lists: the next update() makes ours.
+  void grains_renumbered(const GrainView& grains);
+  // Makes the list if the grains were renumbered or a node went further than skin/2 since it was made. Call
+  // at every step, after the nodes moved; the grains must be those of the last grains_renumbered(), at their
+  // present places.
+  void update(const BeamChain& chain, const GrainView& grains);
+
+  int size() const { return static_cast<int>(grain_.size()); }            // grains on the list
+  int pair_count() const { return static_cast<int>(segment_.size()); }    // pairs on the list
+  int grain(int k) const { return grain_[static_cast<std::size_t>(k)]; }  // number of the k-th grain
+  // The touch with the smallest gap over the segments near the k-th grain, which stands at x with radius r.
+  BeamTouch closest(const BeamChain& chain, int k, const Eigen::Vector3d& x, double r) const;
+
+  long builds() const { return builds_; }        // how often a list was made
+  long box_tests() const { return box_tests_; }  // spheres against boxes of segments, in all builds
+
+ private:
+  void build(const BeamChain& chain, const GrainView& grains);
+  void build_boxes(const BeamChain& chain, int box, int first, int last);
+  void collect(const BeamChain& chain, int box, int first, int last, const Eigen::Vector3d& x, double r);
+
+  double skin_;
+  double reach_;
+  bool renumbered_ = true;
+  Eigen::AlignedBox3d grain_box_;  // of all grains' surfaces when they were renumbered
+  double largest_grain_ = 0.0;     // [m]
+  Eigen::Matrix3Xd x_build_;       // nodes when the list was made
+  std::vector<Eigen::AlignedBox3d>
+      box_;  // binary tree over runs of consecutive segments: 0 all, 2k+1 and 2k+2 the halves of k
+  std::vector<int> grain_;
+  std::vector<int> first_;  // segments of the k-th grain: segment_[first_[k]] to segment_[first_[k + 1] - 1]
+  std::vector<int> segment_;
+  long builds_ = 0;
+  long box_tests_ = 0;
+};
+
+}  // namespace footfall
