@@ -25,8 +25,10 @@ struct BeamTouch {
   Eigen::Vector3d p;       // on the axis [m]
   Eigen::Vector3d normal;  // unit vector from p to the sphere's centre
 
-  // On the beam's surface, where the contact force acts [m].
-  Eigen::Vector3d surface_point() const { return p + radius * normal; }
+  // From p to where the forces act: the middle of the overlap, as in LIGGGHTS' torques on grains; the surface
+  // where there is no overlap [m].
+  Eigen::Vector3d arm() const { return (gap < 0.0 ? radius + 0.5 * gap : radius) * normal; }
+  Eigen::Vector3d contact_point() const { return p + arm(); }
 };
 
 // One beam: segments between nodes, numbered 0 .. node_count()-1 within the chain, and where the nodes are
@@ -64,27 +66,31 @@ class BeamChain {
   double largest_radius_ = 0.0;
 };
 
-// The material point of a body's beam where a sphere touches: on the surface, at radius * normal from the
-// axis, carried by the turning cross-section. velocity() and add_force() are partners in virtual work.
-class SurfacePoint {
+// The material point of a body's beam where a sphere touches it: at the touch's arm from the axis, carried by
+// the turning cross-section.
+class BeamContactPoint {
  public:
-  SurfacePoint(const ModalBoundary& boundary, const BeamChain& chain, const BeamTouch& touch)
-      : axis_(boundary.segment_point(chain.boundary_segment(touch.segment), touch.mu)),
-        arm_(touch.radius * touch.normal) {}
+  BeamContactPoint(const ModalBoundary& boundary, const BeamChain& chain, const BeamTouch& touch)
+      : boundary_(boundary),
+        axis_(boundary.segment_point(chain.boundary_segment(touch.segment), touch.mu)),
+        arm_(touch.arm()) {}
 
-  Eigen::Vector3d velocity(const ModalBoundary& boundary, const BodyMotion& motion) const {
-    return boundary.velocity(motion, axis_) + boundary.angular_velocity(motion, axis_).cross(arm_);
+  Eigen::Vector3d velocity(const BodyMotion& motion) const {  // in W [m/s]
+    return boundary_.velocity(motion, axis_) + boundary_.angular_velocity(motion, axis_).cross(arm_);
   }
-  // The force f_W [N] on the body.
-  void add_force(const ModalBoundary& boundary, const BodyMotion& motion, const Eigen::Vector3d& f_W,
+  // Adds what the contact does to the body: the force f_W [N] and the moment m_p_W [N m] about the point p on
+  // the axis. A force at the contact point alone has m_p = arm x f, and then f . velocity() is the power that
+  // the body receives; rolling friction adds its couple.
+  void add_force(const BodyMotion& motion, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_p_W,
                  GeneralizedForce& Q) const {
-    boundary.add_point_force(motion, axis_, f_W, Q);
-    boundary.add_point_moment(motion, axis_, arm_.cross(f_W), Q);
+    boundary_.add_point_force(motion, axis_, f_W, Q);
+    boundary_.add_point_moment(motion, axis_, m_p_W, Q);
   }
 
  private:
+  const ModalBoundary& boundary_;
   BoundaryPoint axis_;
-  Eigen::Vector3d arm_;  // from the axis to the surface, in W [m]
+  Eigen::Vector3d arm_;  // in W [m]
 };
 
 }  // namespace footfall

@@ -48,7 +48,9 @@ TEST(BeamContact, GapOfAKnownSphereAtTheSideAndBeyondTheEnds) {
   EXPECT_DOUBLE_EQ(side.mu, 0.25);
   EXPECT_DOUBLE_EQ(side.gap, 0.25);
   EXPECT_EQ(side.normal, Eigen::Vector3d::UnitZ());
-  EXPECT_EQ(side.surface_point(), Eigen::Vector3d(0.5, 0.0, 0.25));
+  EXPECT_EQ(side.contact_point(), Eigen::Vector3d(0.5, 0.0, 0.25));
+  const BeamTouch pressed = chain.touch(0, {0.5, 0.0, 0.625}, 0.5);  // overlap 0.125
+  EXPECT_EQ(pressed.contact_point(), Eigen::Vector3d(0.5, 0.0, 0.1875));
   const BeamTouch end = chain.touch(0, {5.0, 4.0, 0.0}, 0.5);
   EXPECT_DOUBLE_EQ(end.mu, 1.0);
   EXPECT_DOUBLE_EQ(end.gap, 5.0 - 0.75);
@@ -174,9 +176,9 @@ TEST(BeamContact, AChainIsPickedFromItsBoundaryByNumber) {
   EXPECT_THROW(BeamChain(boundary, 1), InputError);
 }
 
-// Sum of force times velocity at the surface points = generalized force times generalized velocity, for any
+// Sum of force times velocity at the contact points = generalized force times generalized velocity, for any
 // motion and modes, and for bodies whose nodal rotations are not known.
-TEST(BeamContact, ForcesOnTheSurfaceDoTheWorkThatTheBodyReceives) {
+TEST(BeamContact, ForcesAtContactPointsDoTheWorkThatTheBodyReceives) {
   for (const bool with_rotations : {true, false}) {
     Random random(with_rotations ? 2 : 3);
     const int nodes = 6, modes = 4;
@@ -200,11 +202,11 @@ TEST(BeamContact, ForcesOnTheSurfaceDoTheWorkThatTheBodyReceives) {
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // about Bo
     for (int i = 0; i < 30; ++i) {
       const BeamTouch touch = closest(chain, random.vector(2.0), 0.1);
-      const SurfacePoint point(boundary, chain, touch);
+      const BeamContactPoint point(boundary, chain, touch);
       const Eigen::Vector3d f = random.vector(10.0);
-      point.add_force(boundary, motion, f, Q);
-      expected += f.dot(point.velocity(boundary, motion));
-      moment += (touch.surface_point() - motion.r).cross(f);
+      point.add_force(motion, f, touch.arm().cross(f), Q);
+      expected += f.dot(point.velocity(motion));
+      moment += (touch.contact_point() - motion.r).cross(f);
     }
     EXPECT_NEAR(power(Q, motion), expected,
                 1e-12 * std::abs(expected) + 1e-11);  // terms of order 10, thirty of them
@@ -212,9 +214,9 @@ TEST(BeamContact, ForcesOnTheSurfaceDoTheWorkThatTheBodyReceives) {
   }
 }
 
-// The velocity of the surface point is the rate at which the material point there moves: against a small
+// The velocity of the contact point is the rate at which the material point there moves: against a small
 // rotation of a rigid body.
-TEST(BeamContact, VelocityOfTheSurfaceIsThatOfTheMaterial) {
+TEST(BeamContact, VelocityOfTheContactPointIsThatOfTheMaterial) {
   Random random(4);
   const ModalBoundary boundary = straight({0.0, 0.4, 1.0}, 0.1);
   BodyMotion motion;
@@ -225,7 +227,7 @@ TEST(BeamContact, VelocityOfTheSurfaceIsThatOfTheMaterial) {
   BeamChain chain(boundary, 0);
   chain.follow(boundary, motion);
   const BeamTouch touch = closest(chain, motion.r + random.vector(0.5), 0.1);
-  const Eigen::Vector3d c_B = motion.rotation().transpose() * (touch.surface_point() - motion.r);
+  const Eigen::Vector3d c_B = motion.rotation().transpose() * (touch.contact_point() - motion.r);
   const double h = 1e-5;  // central difference: error of order |w|^3 h^2 / 6 = 3e-9 here
   BodyMotion later = motion, earlier = motion;
   later.r += h * motion.dr;
@@ -234,8 +236,7 @@ TEST(BeamContact, VelocityOfTheSurfaceIsThatOfTheMaterial) {
   earlier.L = turned(motion.L, -h * motion.w);
   const Eigen::Vector3d difference =
       ((later.r + later.rotation() * c_B) - (earlier.r + earlier.rotation() * c_B)) / (2.0 * h);
-  EXPECT_NEAR((SurfacePoint(boundary, chain, touch).velocity(boundary, motion) - difference).norm(), 0.0,
-              1e-8);
+  EXPECT_NEAR((BeamContactPoint(boundary, chain, touch).velocity(motion) - difference).norm(), 0.0, 1e-8);
 }
 
 }  // namespace
