@@ -27,7 +27,8 @@ class Bushing : public ForceElement {
  private:
   Marker m1_, m2_;
   Parameters parameters_;
-  Eigen::Vector3d axis_weight_;  // k'_i
+  Eigen::Vector3d axis_weight_;             // k'_i
+  mutable Eigen::Matrix3Xd X_, X_rate_;     // scratch, 3 x n
 };
 
 }  // namespace footfall

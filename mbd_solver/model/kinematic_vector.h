@@ -45,8 +45,9 @@ class KinematicVector {
   void add_acc_by_velocity(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const;
   // K += X^T C X_other
   void add_product(const Eigen::Matrix3d& C, const KinematicVector& other, Eigen::Ref<Eigen::MatrixXd> K) const;
-  // K += X^T C (d alpha_other' / dx)
-  void add_product_with_rate(const Eigen::Matrix3d& C, const KinematicVector& other, Eigen::Ref<Eigen::MatrixXd> K) const;
+  // out += X;  out += d alpha' / dx  (3 x n each), for laws that are easier to write with matrices
+  void add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> out) const;
+  void add_rate_jacobian(Eigen::Ref<Eigen::Matrix3Xd> out) const;
   // K += d(X^T f) / dx at fixed f
   void add_second(const Eigen::Vector3d& f, Eigen::Ref<Eigen::MatrixXd> K) const;
 

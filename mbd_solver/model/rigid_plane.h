@@ -51,6 +51,7 @@ class RigidPlane : public ForceElement {
   Parameters parameters_;
   double reach_ = 0.0;  // radius about Bo that holds all undeformed spheres [m]
   double flexible_reach_ = 0.0;  // largest |S| of a point: reach grows by this times |a| [m per unit of a]
+  mutable Eigen::Matrix3Xd X_, by_x_;  // scratch, 3 x n
 };
 
 }  // namespace footfall

@@ -28,4 +28,7 @@ TimeFunctionPtr sine(double amplitude, double frequency, double phase = 0.0, dou
 // Through the points (t_i, f_i) by a natural cubic spline, continued by its end tangents. At least two points, t rising.
 TimeFunctionPtr table(std::vector<double> times, std::vector<double> values);
 
+// Sum of several; an empty sum is zero.
+TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms);
+
 }  // namespace footfall

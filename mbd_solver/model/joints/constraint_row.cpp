@@ -1,0 +1,100 @@
+#include "mbd_solver/model/joints/constraint_row.h"
+
+#include <cmath>
+
+namespace footfall {
+namespace {
+
+KinematicVector vector_of(const Factor& factor, const PairMotion& pair, const Marker& m1, const Marker& m2) {
+  switch (factor.kind) {
+    case Factor::Kind::kWorldDirection: return KinematicVector::constant(Eigen::Vector3d::Unit(factor.axis));
+    case Factor::Kind::kAxis1: return KinematicVector::axis(pair, 0, m1, factor.axis);
+    case Factor::Kind::kAxis2: return KinematicVector::axis(pair, 1, m2, factor.axis);
+    case Factor::Kind::kDifference: break;
+  }
+  return KinematicVector::difference(pair, m1, m2);
+}
+
+// Coefficients c_i(t) of the terms with two derivatives, and the function f(t) taken off.
+struct Coefficients {
+  TimeValue c[2];
+  TimeValue f;
+};
+
+Coefficients coefficients(const ConstraintRow& row, double t) {
+  Coefficients out;
+  out.c[0].value = row.scale;
+  out.f.value = row.offset;
+  if (!row.motion) return out;
+  const TimeValue f = row.motion->at(t);
+  if (!row.rotation) {
+    out.f = {row.offset + f.value, f.rate, f.accel};
+    return out;
+  }
+  // phi = cos(f) D_1 - sin(f) D_2
+  const double s = std::sin(f.value), c = std::cos(f.value);
+  out.c[0] = {c, -s * f.rate, -c * f.rate * f.rate - s * f.accel};
+  out.c[1] = {-s, -c * f.rate, s * f.rate * f.rate - c * f.accel};
+  return out;
+}
+
+}  // namespace
+
+RowValue evaluate_row(const ConstraintRow& row, double t, const PairMotion& pair, const Marker& m1, const Marker& m2,
+                      Eigen::Ref<Eigen::VectorXd> phi_v) {
+  // D = alpha.beta,  D' = alpha'.beta + alpha.beta',  D'' = alpha''.beta + 2 alpha'.beta' + alpha.beta''
+  const Coefficients at = coefficients(row, t);
+  RowValue out{-at.f.value, -at.f.rate, -at.f.accel, -at.f.rate};
+  phi_v.setZero();
+  for (int i = 0; i < row.term_count; ++i) {
+    const KinematicVector alpha = vector_of(row.terms[i].alpha, pair, m1, m2);
+    const KinematicVector beta = vector_of(row.terms[i].beta, pair, m1, m2);
+    const double D = alpha.value().dot(beta.value());
+    const double dD = alpha.rate().dot(beta.value()) + alpha.value().dot(beta.rate());
+    const double ddD =
+        alpha.acc().dot(beta.value()) + 2.0 * alpha.rate().dot(beta.rate()) + alpha.value().dot(beta.acc());
+    const TimeValue& c = at.c[i];
+    out.phi += c.value * D;
+    out.rate += c.value * dD + c.rate * D;
+    out.acc += c.value * ddD + 2.0 * c.rate * dD + c.accel * D;
+    out.phi_t += c.rate * D;
+    alpha.add_transposed(c.value * beta.value(), phi_v);
+    beta.add_transposed(c.value * alpha.value(), phi_v);
+  }
+  return out;
+}
+
+void row_derivatives(const ConstraintRow& row, double t, const PairMotion& pair, const Marker& m1, const Marker& m2,
+                     double lambda, Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
+                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K) {
+  const Coefficients at = coefficients(row, t);
+  rate_dx.setZero();
+  acc_dx.setZero();
+  acc_dv.setZero();
+  for (int i = 0; i < row.term_count; ++i) {
+    const KinematicVector alpha = vector_of(row.terms[i].alpha, pair, m1, m2);
+    const KinematicVector beta = vector_of(row.terms[i].beta, pair, m1, m2);
+    const TimeValue& c = at.c[i];
+    // Each of the two factors takes its turn as p, the other one is o.
+    for (int turn = 0; turn < 2; ++turn) {
+      const KinematicVector& p = turn == 0 ? alpha : beta;
+      const KinematicVector& o = turn == 0 ? beta : alpha;
+      // phi' = c D' + c' D
+      p.add_rate_by_position(c.value * o.value(), rate_dx);
+      p.add_transposed(c.value * o.rate() + c.rate * o.value(), rate_dx);
+      // phi'' = c D'' + 2 c' D' + c'' D
+      p.add_acc_by_position(c.value * o.value(), acc_dx);
+      p.add_rate_by_position(2.0 * (c.value * o.rate() + c.rate * o.value()), acc_dx);
+      p.add_transposed(c.value * o.acc() + 2.0 * c.rate * o.rate() + c.accel * o.value(), acc_dx);
+      p.add_acc_by_velocity(c.value * o.value(), acc_dv);
+      p.add_transposed(2.0 * (c.value * o.rate() + c.rate * o.value()), acc_dv);
+      // d(Phi_v^T lambda) / dx
+      if (lambda != 0.0) {
+        p.add_second(lambda * c.value * o.value(), K);
+        p.add_product((lambda * c.value) * Eigen::Matrix3d::Identity(), o, K);
+      }
+    }
+  }
+}
+
+}  // namespace footfall

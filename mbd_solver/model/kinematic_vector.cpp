@@ -1,0 +1,200 @@
+#include "mbd_solver/model/kinematic_vector.h"
+
+namespace footfall {
+
+KinematicVector KinematicVector::constant(const Eigen::Vector3d& value_W) {
+  KinematicVector out;
+  out.value_ = value_W;
+  return out;
+}
+
+KinematicVector KinematicVector::axis(const PairMotion& pair, int slot, const Marker& marker, int k) {
+  KinematicVector out;
+  out.add_term(pair, slot, 1.0, false, marker.axes.col(k), marker.U[k]);
+  return out;
+}
+
+KinematicVector KinematicVector::point(const PairMotion& pair, int slot, const Marker& marker) {
+  KinematicVector out;
+  out.add_term(pair, slot, 1.0, true, marker.s0, marker.S);
+  return out;
+}
+
+KinematicVector KinematicVector::difference(const PairMotion& pair, const Marker& m1, const Marker& m2) {
+  KinematicVector out;
+  out.add_term(pair, 0, -1.0, true, m1.s0, m1.S);
+  out.add_term(pair, 1, 1.0, true, m2.s0, m2.S);
+  return out;
+}
+
+void KinematicVector::add_term(const PairMotion& pair, int slot, double sign, bool point, const Eigen::Vector3d& u0,
+                               const Eigen::Matrix3Xd& U) {
+  const BodyKinematics& b = *pair.body[slot];
+  if (b.ground) {
+    value_ += sign * u0;
+    return;
+  }
+  Term& t = terms_[count_++];
+  t.body = &b;
+  t.U = &U;
+  t.offset = pair.offset(slot);
+  t.sign = sign;
+  t.point = point;
+  if (b.modes == 0) {
+    t.x.noalias() = b.A * u0;
+    t.y.setZero();
+    t.z.setZero();
+  } else {
+    const Eigen::Vector3d u = u0 + U * b.a;
+    const Eigen::Vector3d du = U * b.da;
+    const Eigen::Vector3d ddu = U * b.dda;
+    t.x.noalias() = b.A * u;
+    t.y.noalias() = b.A * du;
+    t.z.noalias() = b.A * ddu;
+  }
+  const Eigen::Vector3d turning = b.w.cross(t.x);
+  Eigen::Vector3d rate = turning + t.y;
+  Eigen::Vector3d acc = b.dw.cross(t.x) + t.z + b.w.cross(turning + 2.0 * t.y);
+  if (point) {
+    value_ += sign * b.r;
+    rate += b.dr;
+    acc += b.ddr;
+  }
+  value_ += sign * t.x;
+  rate_ += sign * rate;
+  acc_ += sign * acc;
+}
+
+void KinematicVector::add_transposed(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const {
+  for (int i = 0; i < count_; ++i) {
+    const Term& t = terms_[i];
+    const Eigen::Vector3d g = t.sign * f;
+    if (t.point) out.segment<3>(t.offset) += g;
+    out.segment<3>(t.offset + 3) += t.x.cross(g);
+    if (t.body->modes > 0) {
+      const Eigen::Vector3d local = t.body->A.transpose() * g;
+      out.segment(t.offset + 6, t.body->modes).noalias() += t.U->transpose() * local;
+    }
+  }
+}
+
+void KinematicVector::add_rate_by_position(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const {
+  // alpha' = w x x + y: by theta -(w~ x~ + y~), by a w~ A U
+  for (int i = 0; i < count_; ++i) {
+    const Term& t = terms_[i];
+    const Eigen::Vector3d g = t.sign * f;
+    const Eigen::Vector3d wg = t.body->w.cross(g);
+    out.segment<3>(t.offset + 3) += t.y.cross(g) - t.x.cross(wg);
+    if (t.body->modes > 0) {
+      const Eigen::Vector3d local = -(t.body->A.transpose() * wg);
+      out.segment(t.offset + 6, t.body->modes).noalias() += t.U->transpose() * local;
+    }
+  }
+}
+
+void KinematicVector::add_acc_by_position(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const {
+  // by theta -(dw~ x~ + z~ + w~ w~ x~ + 2 w~ y~), by a (dw~ + w~ w~) A U
+  for (int i = 0; i < count_; ++i) {
+    const Term& t = terms_[i];
+    const Eigen::Vector3d g = t.sign * f;
+    const Eigen::Vector3d wg = t.body->w.cross(g);
+    const Eigen::Vector3d h = t.body->w.cross(wg) - t.body->dw.cross(g);
+    out.segment<3>(t.offset + 3) += t.x.cross(h) + t.z.cross(g) - 2.0 * t.y.cross(wg);
+    if (t.body->modes > 0) {
+      const Eigen::Vector3d local = t.body->A.transpose() * h;
+      out.segment(t.offset + 6, t.body->modes).noalias() += t.U->transpose() * local;
+    }
+  }
+}
+
+void KinematicVector::add_acc_by_velocity(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const {
+  // by w -((w x x)~ + w~ x~ + 2 y~), by da 2 w~ A U
+  for (int i = 0; i < count_; ++i) {
+    const Term& t = terms_[i];
+    const Eigen::Vector3d g = t.sign * f;
+    const Eigen::Vector3d wg = t.body->w.cross(g);
+    out.segment<3>(t.offset + 3) += (t.body->w.cross(t.x) + 2.0 * t.y).cross(g) - t.x.cross(wg);
+    if (t.body->modes > 0) {
+      const Eigen::Vector3d local = -2.0 * (t.body->A.transpose() * wg);
+      out.segment(t.offset + 6, t.body->modes).noalias() += t.U->transpose() * local;
+    }
+  }
+}
+
+void KinematicVector::add_product(const Eigen::Matrix3d& C, const KinematicVector& other, Eigen::Ref<Eigen::MatrixXd> K) const {
+  for (int i = 0; i < count_; ++i) {
+    const Term& t = terms_[i];
+    const Eigen::Matrix3d turn = skew(t.x);  // (-x~)^T
+    for (int j = 0; j < other.count_; ++j) {
+      const Term& o = other.terms_[j];
+      const Eigen::Matrix3d D = (t.sign * o.sign) * C;
+      const Eigen::Matrix3d turn_D = turn * D;
+      const Eigen::Matrix3d back = skew(o.x);
+      if (t.point && o.point) K.block<3, 3>(t.offset, o.offset) += D;
+      if (t.point) K.block<3, 3>(t.offset, o.offset + 3).noalias() -= D * back;
+      if (o.point) K.block<3, 3>(t.offset + 3, o.offset) += turn_D;
+      K.block<3, 3>(t.offset + 3, o.offset + 3).noalias() -= turn_D * back;
+      if (o.body->modes > 0) {  // columns of a: A_o U_o
+        for (int k = 0; k < o.body->modes; ++k) {
+          const Eigen::Vector3d column = o.body->A * o.U->col(k);
+          const Eigen::Vector3d D_column = D * column;
+          if (t.point) K.block<3, 1>(t.offset, o.offset + 6 + k) += D_column;
+          K.block<3, 1>(t.offset + 3, o.offset + 6 + k) += t.x.cross(D_column);
+          if (t.body->modes > 0) {
+            const Eigen::Vector3d local = t.body->A.transpose() * D_column;
+            K.block(t.offset + 6, o.offset + 6 + k, t.body->modes, 1).noalias() += t.U->transpose() * local;
+          }
+        }
+      }
+      if (t.body->modes > 0) {  // rows of a: U^T A^T
+        for (int k = 0; k < 3; ++k) {
+          const Eigen::Vector3d local_r = t.body->A.transpose() * D.col(k);
+          const Eigen::Vector3d local_theta = -(t.body->A.transpose() * (D * back.col(k)));
+          if (o.point) K.block(t.offset + 6, o.offset + k, t.body->modes, 1).noalias() += t.U->transpose() * local_r;
+          K.block(t.offset + 6, o.offset + 3 + k, t.body->modes, 1).noalias() += t.U->transpose() * local_theta;
+        }
+      }
+    }
+  }
+}
+
+void KinematicVector::add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> out) const {
+  for (int i = 0; i < count_; ++i) {
+    const Term& t = terms_[i];
+    if (t.point) out.block<3, 3>(0, t.offset).diagonal().array() += t.sign;
+    out.block<3, 3>(0, t.offset + 3) -= t.sign * skew(t.x);
+    for (int k = 0; k < t.body->modes; ++k) {
+      const Eigen::Vector3d column = t.body->A * t.U->col(k);
+      out.col(t.offset + 6 + k) += t.sign * column;
+    }
+  }
+}
+
+void KinematicVector::add_rate_jacobian(Eigen::Ref<Eigen::Matrix3Xd> out) const {
+  for (int i = 0; i < count_; ++i) {
+    const Term& t = terms_[i];
+    out.block<3, 3>(0, t.offset + 3) -= t.sign * (skew(t.body->w) * skew(t.x) + skew(t.y));
+    for (int k = 0; k < t.body->modes; ++k) {
+      const Eigen::Vector3d column = t.body->A * t.U->col(k);
+      out.col(t.offset + 6 + k) += t.sign * t.body->w.cross(column);
+    }
+  }
+}
+
+void KinematicVector::add_second(const Eigen::Vector3d& f, Eigen::Ref<Eigen::MatrixXd> K) const {
+  // X^T f = [f; x x f; U^T A^T f]: by theta [0; f~ x~; U^T A^T f~], by a [0; -f~ A U; 0]
+  for (int i = 0; i < count_; ++i) {
+    const Term& t = terms_[i];
+    const Eigen::Vector3d g = t.sign * f;
+    const Eigen::Matrix3d g_skew = skew(g);
+    K.block<3, 3>(t.offset + 3, t.offset + 3).noalias() += g_skew * skew(t.x);
+    for (int k = 0; k < t.body->modes; ++k) {
+      const Eigen::Vector3d column = t.body->A * t.U->col(k);
+      const Eigen::Vector3d turned = column.cross(g);  // -f~ A U_k = (f~)^T A U_k
+      K.block<3, 1>(t.offset + 3, t.offset + 6 + k) += turned;
+      K.block<1, 3>(t.offset + 6 + k, t.offset + 3) += turned.transpose();
+    }
+  }
+}
+
+}  // namespace footfall
