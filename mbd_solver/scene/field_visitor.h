@@ -76,8 +76,9 @@ class FieldVisitor {
   template <class T>
   void section(const std::string& key, T& value);                 // always there, defaults where the file is silent
   template <class T>
-  void section(const std::string& key, std::optional<T>& value);  // there only when given
-  void switched(const std::string& key, std::optional<FlexibleSpec>& value);
+  void section(const std::string& key, std::optional<T>& value, Presence presence = Presence::kOptional);  // there only when given
+  template <class T, class Describe>
+  void section(const std::string& key, std::optional<T>& value, Presence presence, const Describe& describe);
   template <class T>
   void list(const std::string& key, std::vector<T>& items, bool named = false);
 };
@@ -125,16 +126,21 @@ void FieldVisitor::section(const std::string& key, T& value) {
   end_section();
 }
 
-template <class T>
-void FieldVisitor::section(const std::string& key, std::optional<T>& value) {
+template <class T, class Describe>
+void FieldVisitor::section(const std::string& key, std::optional<T>& value, Presence presence, const Describe& describe) {
   bool present = value.has_value();
-  const bool entered = begin_section(key, Presence::kOptional, present);
+  const bool entered = begin_section(key, presence, present);
   if (present && !value) value.emplace();
-  if (!present && !entered) value.reset();
+  if (!present) value.reset();
   if (!entered) return;
   T unused;  // a visitor that only lists keys enters sections that are not there
-  visit_fields(*this, value ? *value : unused);
+  describe(*this, value ? *value : unused);
   end_section();
+}
+
+template <class T>
+void FieldVisitor::section(const std::string& key, std::optional<T>& value, Presence presence) {
+  section(key, value, presence, [](FieldVisitor& v, T& inner) { visit_fields(v, inner); });
 }
 
 template <class T>

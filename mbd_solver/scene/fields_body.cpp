@@ -70,18 +70,7 @@ void visit_fields(FieldVisitor& v, BodySpec& b) {
   v.field("inertia", &b.inertia, {Unit::kInertia, Range::kPositive});
   v.field("position", &b.position, {Unit::kLength, Range::kAny, Meaning::kPoint});
   v.field("orientation", &b.orientation, {});
-  v.switched("flexible", b.flexible);
-}
-
-void FieldVisitor::switched(const std::string& key, std::optional<FlexibleSpec>& value) {
-  bool present = value.has_value();
-  const bool entered = begin_section(key, Presence::kSwitch, present);
-  if (present && !value) value.emplace();
-  if (!present && !entered) value.reset();
-  if (!entered) return;
-  FlexibleSpec unused;
-  visit_fields(*this, value ? *value : unused);
-  end_section();
+  v.section("flexible", b.flexible, Presence::kSwitch);
 }
 
 }  // namespace footfall

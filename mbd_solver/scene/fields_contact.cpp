@@ -33,6 +33,7 @@ void visit_fields(FieldVisitor& v, PlaneSpec& p) {
   v.field("contact_radius", &p.contact_radius, {Unit::kLength, Range::kPositive});
   v.field("stiffness", &p.stiffness, {Unit::kNone, Range::kPositive});
   v.field("restitution", &p.restitution, {Unit::kNone, Range::kUnitInterval});
+  v.field("impact_speed", &p.impact_speed, {Unit::kVelocity, Range::kPositive});
   v.field("damping", &p.damping, {Unit::kNone, Range::kNotNegative});
   v.field("friction", &p.friction, {Unit::kNone, Range::kNotNegative});
   v.field("friction_speed", &p.friction_speed, {Unit::kVelocity, Range::kPositive});

@@ -3,17 +3,6 @@
 
 namespace footfall {
 
-namespace {
-
-void visit_function(FieldVisitor& v, const std::string& key, TimeFunctionSpec& f, Unit unit) {
-  bool present = !f.is_zero();
-  if (!v.begin_section(key, Presence::kOptional, present)) return;
-  visit_fields(v, f, unit);
-  v.end_section();
-}
-
-}  // namespace
-
 void visit_fields(FieldVisitor& v, TimeFunctionSpec& f, Unit unit) {
   v.field("polynomial", &f.polynomial, {unit});
   v.field("amplitude", &f.amplitude, {unit});
@@ -23,10 +12,13 @@ void visit_fields(FieldVisitor& v, TimeFunctionSpec& f, Unit unit) {
 }
 
 void visit_fields(FieldVisitor& v, MotionSpec& m) {
-  visit_function(v, "x", m.x, Unit::kLength);
-  visit_function(v, "y", m.y, Unit::kLength);
-  visit_function(v, "z", m.z, Unit::kLength);
-  visit_function(v, "rotation", m.rotation, Unit::kAngle);
+  const auto length = [](FieldVisitor& w, TimeFunctionSpec& f) { visit_fields(w, f, Unit::kLength); };
+  const auto angle = [](FieldVisitor& w, TimeFunctionSpec& f) { visit_fields(w, f, Unit::kAngle); };
+  v.section("x", m.x, Presence::kOptional, length);
+  v.section("y", m.y, Presence::kOptional, length);
+  v.section("z", m.z, Presence::kOptional, length);
+  v.section("rotation", m.rotation, Presence::kOptional, angle);
+  v.field("hold_other_rotations", &m.hold_other_rotations, {});
 }
 
 void visit_fields(FieldVisitor& v, JointSpec& j) {

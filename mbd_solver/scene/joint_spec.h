@@ -21,15 +21,15 @@ struct TimeFunctionSpec {
   double amplitude = 0.0;                     // [unit]
   double frequency = 0.0;                     // [Hz]
   double phase = 0.0;                         // [rad]
-  std::vector<Eigen::Vector2d> table;         // (t [s], value [unit]), t rising; a C2 cubic spline through them, from file or given
-  bool is_zero() const { return polynomial.empty() && amplitude == 0.0 && table.empty(); }
+  std::vector<Eigen::Vector2d> table;         // (t [s], value [unit]), t rising: a cubic spline through them
 };
 
-// Motion of body b relative to body a (or the ground), both at the joint's point: displacement along the axes of D as they
-// turn with a, then rotation about the joint's axis. Zero functions hold that coordinate at its design value.
+// Motion of body b relative to body a (or the ground), in the joint's frame, which turns with a: z = axis, x = axis2 (made
+// perpendicular to it), y = z cross x. A coordinate that is not given is free.
 struct MotionSpec {
-  TimeFunctionSpec x, y, z;                   // [m]
-  TimeFunctionSpec rotation;                  // about `axis` [rad]
+  std::optional<TimeFunctionSpec> x, y, z;    // displacement of the point on b from the point on a [m]
+  std::optional<TimeFunctionSpec> rotation;   // about z [rad]
+  bool hold_other_rotations = false;          // keeps z of both bodies parallel
 };
 
 struct JointSpec {
@@ -44,7 +44,7 @@ struct JointSpec {
   Eigen::Vector3d point_b = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();    // unit vector; revolute, prismatic, cylindrical, prescribed; universal: axis
                                                       // fixed in a; point_on_plane: normal of the plane, fixed in a
-  Eigen::Vector3d axis2 = Eigen::Vector3d::UnitX();   // universal: axis fixed in b, perpendicular to `axis`
+  Eigen::Vector3d axis2 = Eigen::Vector3d::UnitX();   // universal: axis fixed in b, perpendicular to `axis`; prescribed: x axis
   std::optional<double> length;               // distance [m]; not given: that of the points
   std::optional<MotionSpec> motion;           // prescribed
 };

@@ -1,0 +1,28 @@
+#pragma once
+// The geometry of a boundary, in the drawing frame D: what grains or the plane meet. For rigid bodies; a flexible body's boundary is
+// made of its own nodes.
+
+#include <vector>
+
+#include "mbd_solver/model/flexible/triangle_mesh.h"
+#include "mbd_solver/scene/scene.h"
+
+namespace footfall {
+
+// Triangles of the boundary's surface: its file, or the body's shape. Discs and dishes give their mid-surface (one layer: LIGGGHTS
+// meshes work from both sides), the other shapes a closed surface with normals outward. Checked: no degenerate or duplicate triangles,
+// closed where demanded. Empty without a surface. Throws InputError.
+TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary);
+
+// Surface of a tube or rod between two points (closed cylinder), and of a sphere about the origin; edge: longest edge wanted [m].
+TriangleMesh cylinder_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double edge);
+TriangleMesh sphere_mesh(double radius, double edge);
+
+struct BeamChain {
+  std::vector<Eigen::Vector3d> points;  // joined one after the other [m]
+  double radius = 0.0;                  // [m]
+};
+// The chain of the boundary's beams; no points without beams.
+BeamChain boundary_chain(const Scene& scene, const BoundarySpec& boundary);
+
+}  // namespace footfall

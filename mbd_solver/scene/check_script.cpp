@@ -1,0 +1,58 @@
+// The LIGGGHTS script as text. LIGGGHTS has the last word on it; this finds in milliseconds what would else end a run.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "mbd_solver/scene/scene_check.h"
+#include "mbd_solver/scene/script_text.h"
+
+namespace footfall {
+
+namespace {
+
+bool as_number(const std::string& text, double& value) {
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);
+  return end && *end == '\0' && end != text.c_str();
+}
+
+}  // namespace
+
+void check_script(const Scene& scene, Findings& findings) {
+  const ParticlesSpec& particles = *scene.particles;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(particles.script, ignored)) return;  // reported with its path
+  const ScriptText script(particles.script, particles.variables);
+  bool couples = false;
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    const bool is_fix = w[0] == "fix" && w.size() > 3;
+    couples = couples || (is_fix && w[3] == "couple/mbd");
+    double step = 0.0;
+    if (w[0] == "timestep" && w.size() > 1 && as_number(w[1], step) && step > particles.max_time_step * (1.0 + 1e-9)) {
+      findings.error(particles.source, "max_time_step",
+                     "the script's time step is " + short_number(step) + " s (" + command.file + ":" + std::to_string(command.line) +
+                         "), expected at most " + short_number(particles.max_time_step) +
+                         " s: on soil of this kind twice that runs without complaint and is wrong by tens of per cent; make the step smaller, or "
+                         "state a larger max_time_step if your grains are known to allow it");
+    }
+    if (is_fix && w[3] == "couple/mbd/geometry") {
+      std::vector<std::string> names;
+      for (const BoundarySpec& b : scene.boundaries) names.push_back(b.body);
+      for (std::size_t i = 4; i + 1 < w.size(); ++i) {
+        if (w[i] != "body" || w[i + 1].find("${") != std::string::npos) continue;
+        if (std::find(names.begin(), names.end(), w[i + 1]) == names.end())
+          findings.error(particles.source, "script", command.file + ":" + std::to_string(command.line) + " asks for the body \"" + w[i + 1] +
+                                                         "\", which has no boundary in this scene." + known_names("boundaries", w[i + 1], names));
+      }
+    }
+  }
+  if (!couples) {
+    findings.error(particles.source, "script", "has no line \"fix ID all couple/mbd ...\" (in " + particles.script +
+                                                   " and the files it includes), so the mechanism would never meet the grains; add one, or set "
+                                                   "ground.kind to \"none\" or \"plane\"");
+  }
+}
+
+}  // namespace footfall

@@ -1,0 +1,74 @@
+#include "mbd_solver/scene/resolve.h"
+
+#include <filesystem>
+
+#include "coupler/errors.h"
+#include "mbd_solver/scene/arrays.h"
+#include "mbd_solver/scene/tracking_visitor.h"
+
+namespace footfall {
+
+namespace {
+
+// Joins paths with the scene's folder and demands that they exist.
+class PathResolver final : public TrackingVisitor {
+ public:
+  PathResolver(const std::string& folder, Findings& findings) : folder_(folder), findings_(findings) {}
+  void field(const std::string& key, const FieldRef& ref, const Rule& rule) override {
+    if (track(ref) || rule.meaning != Meaning::kPath) return;
+    auto* const* path = std::get_if<std::string*>(&ref);
+    if (!path || (*path)->empty()) return;
+    namespace fs = std::filesystem;
+    const fs::path full = (fs::path(folder_) / **path).lexically_normal();
+    std::error_code ignored;
+    if (!fs::is_regular_file(full, ignored)) {
+      findings_.error(*source(), local(key),
+                      "there is no file \"" + **path + "\" (looked for " + full.string() + "); paths are relative to the scene's folder");
+    }
+    **path = full.string();
+  }
+
+ private:
+  std::string folder_;
+  Findings& findings_;
+};
+
+void resolve_joint_points(Scene& scene, Findings& findings) {
+  for (JointSpec& joint : scene.joints) {
+    if (!joint.point) continue;
+    for (const char* key : {"point_a", "point_b"}) {
+      if (joint.source.given(key)) findings.error(joint.source, key, "is given beside \"point\", which stands for both; keep one");
+    }
+    joint.point_a = joint.point_b = *joint.point;
+  }
+}
+
+}  // namespace
+
+double total_mass(const Scene& scene) {
+  double sum = 0.0;
+  for (const BodySpec& body : scene.bodies) sum += body.mass;
+  return sum;
+}
+
+Eigen::Vector3d mass_centre(const Scene& scene) {
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  for (const BodySpec& body : scene.bodies) moment += body.mass * body.position;
+  const double mass = total_mass(scene);
+  return mass > 0.0 ? Eigen::Vector3d(moment / mass) : Eigen::Vector3d::Zero();
+}
+
+void resolve_scene(Scene& scene, Findings& findings) {
+  apply_arrays(scene, findings);
+  PathResolver paths(scene.folder, findings);
+  visit_fields(paths, scene);
+  resolve_joint_points(scene, findings);
+  resolve_masses(scene, findings);
+  if (!scene.flexible) {
+    for (BodySpec& body : scene.bodies) {
+      if (body.flexible) body.flexible->enabled = false;
+    }
+  }
+}
+
+}  // namespace footfall

@@ -1,0 +1,19 @@
+#pragma once
+// Completes a scene that was read: copies of arrays, paths, points of joints, and mass, centre and inertia of every body.
+
+#include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/scene.h"
+
+namespace footfall {
+
+// What cannot be completed becomes a finding.
+void resolve_scene(Scene& scene, Findings& findings);
+
+// Mass, mass centre and inertia of every body from what was given: explicit numbers, or shape and material; "remainder" last.
+void resolve_masses(Scene& scene, Findings& findings);
+
+// Mass centre of all bodies in D [m]; total mass [kg].
+Eigen::Vector3d mass_centre(const Scene& scene);
+double total_mass(const Scene& scene);
+
+}  // namespace footfall

@@ -1,0 +1,30 @@
+#include <fstream>
+#include <sstream>
+
+#include "coupler/errors.h"
+#include "mbd_solver/scene/field_reader.h"
+
+namespace footfall {
+
+std::vector<Eigen::Vector2d> read_two_columns(const std::string& file) {
+  std::ifstream stream(file);
+  if (!stream) throw InputError(file + ": cannot be read; expected a text file with two columns of numbers");
+  std::vector<Eigen::Vector2d> rows;
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    line = line.substr(0, line.find('#'));
+    for (char& c : line) {
+      if (c == ',' || c == ';') c = ' ';
+    }
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    std::istringstream numbers(line);
+    Eigen::Vector2d row;
+    std::string rest;
+    if (!(numbers >> row[0] >> row[1]) || (numbers >> rest))
+      throw InputError(file + ":" + std::to_string(number) + ": expected two numbers, found \"" + line + "\"");
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace footfall
