@@ -34,13 +34,27 @@ class Communicator {
   int partner_root_ = -1;
 };
 
+// Throws PartnerError with MPI's own text unless code is MPI_SUCCESS.
+void check_mpi(int code, const char* call);
+
+// Waiting without keeping a core busy: Open MPI's own blocking calls spin. Naps grow from 5 to 200 microseconds.
+class PoliteWait {
+ public:
+  void nap();
+
+ private:
+  static constexpr int kLongest = 200;  // [us]
+  int nap_ = 5;                         // [us]
+};
+void wait_politely(MPI_Request& request);
+
 // Abort guard. Some code ends a program with MPI_Finalize and exit, and the partner would wait for ever. MPI_Finalize first frees the
 // attributes of MPI_COMM_SELF: there the guard looks whether the program was released. If not, it calls `last_words` (which may still
 // send a message and says whether the partner has heard it); if that is not so, it aborts both programs with status 1.
 class AbortGuard {
  public:
-  // Call once, after MPI_Init. Without a partner the guard is released from the start.
-  static void install(bool has_partner, std::function<bool()> last_words = {});
+  // Call once, after MPI_Init. It watches the root of a program with a partner; elsewhere it is released from the start.
+  static void install(const Communicator& communicator, std::function<bool()> last_words = {});
   static void set_last_words(std::function<bool()> last_words);
   // From here on MPI_Finalize is a normal end.
   static void release();

@@ -37,17 +37,19 @@ class Link {
 
   // Orderly end: says Close(ok) and waits for the partner's. Throws PartnerError if the partner closes with a failure.
   void close();
-  // This side stops: sends Close(status, reason) once, waits at most a moment for the partner's answer, never throws.
-  void fail(const std::string& reason, Status status = Status::kFailed) noexcept;
+  // This side stops: sends Close(status, reason) once and waits at most two seconds for the partner's answer. Never throws.
+  // True if the partner has heard it (or the link was closed before).
+  bool fail(const std::string& reason, Status status = Status::kFailed) noexcept;
   // True after close(), fail(), or the partner's Close: nothing more may be sent.
   bool closed() const { return closed_; }
-  // True if the partner ended the run in order or by interruption, not by failure.
+  // What the partner's Close said; kOk until it comes.
   Status partner_status() const { return partner_status_; }
   double seconds_waited() const { return seconds_waited_; }
   std::string partner() const { return transport_.partner(); }
 
  private:
   void receive_bytes(MessageKind expected, double patience);
+  std::string take_close();
 
   Transport& transport_;
   double patience_;  // [s]

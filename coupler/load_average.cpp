@@ -1,7 +1,5 @@
 #include "coupler/load_average.h"
 
-#include <stdexcept>
-#include <string>
 
 #include "coupler/errors.h"
 

@@ -27,7 +27,7 @@ inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 enum class MessageKind : std::int32_t { kHello = 1, kGeometry, kStart, kAccept, kMotion, kLoad, kClose };
 std::string message_name(MessageKind kind);
 
-// The status word: stands in the head of every message.
+// The status word: stands in the head of every message, bytes 12..15 after magic, kind and protocol version (four bytes each).
 enum class Status : std::int32_t { kOk = 0, kFailed = 1, kInterrupted = 3 };
 
 using Bytes = std::vector<std::uint8_t>;
@@ -104,6 +104,9 @@ struct Close {
   Status status = Status::kOk;
   std::string reason;  // empty when kOk
 };
+
+// For the two that say who they are (Hello, Geometry): throws ProtocolError, naming both values, unless protocol and version are ours.
+void check_partner(const std::string& partner, std::int32_t protocol, const std::string& version);
 
 // One buffer per link is reused: packing a Motion or Load of unchanged shape does not allocate.
 void pack(const Hello& message, Bytes& out);

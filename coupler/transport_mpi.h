@@ -9,7 +9,8 @@
 
 namespace footfall {
 
-// Only the root rank of each program constructs one. The communicator must outlive it. Precondition: has_partner().
+// Every rank of a program constructs one, and send() and receive() are called by all of them: the root alone talks to the partner, the
+// others get a copy of what it receives, and of its PartnerError. The communicator must outlive it. Precondition: has_partner().
 class TransportMpi : public Transport {
  public:
   TransportMpi(const Communicator& communicator, std::string partner_name);
@@ -17,14 +18,21 @@ class TransportMpi : public Transport {
   ~TransportMpi() override;
 
   void send(MessageKind kind, const Bytes& bytes) override;
-  bool poll() override;
+  bool poll() override;  // not collective: false on other ranks than the root
   MessageKind receive(Bytes& bytes, double patience) override;
   std::string partner() const override { return partner_; }
 
+  // From here on the root sends and receives by itself: for last words, when the other ranks no longer take part.
+  void root_speaks_alone() { shared_ = false; }
+
  private:
-  void finish_last_send(double patience);
+  bool finish_last_send(double patience);
+  MessageKind receive_at_root(Bytes& bytes, double patience);
 
   MPI_Comm exchange_;
+  MPI_Comm world_;  // the ranks of this program
+  bool is_root_;
+  bool shared_;     // receive() hands its message to the other ranks
   int partner_root_;
   std::string partner_;
   Bytes sending_;                          // owned until the send is complete

@@ -1,8 +1,6 @@
 #include "coupler/window.h"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
 #include "coupler/errors.h"
 

@@ -1,0 +1,69 @@
+#include "coupler/link.h"
+
+#include <chrono>
+
+namespace footfall {
+namespace {
+
+constexpr double kMoment = 2.0;  // how long a failing side waits for the partner's answer [s]
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+void Link::receive_bytes(MessageKind expected, double patience) {
+  FOOTFALL_DEMAND(!closed_);
+  const auto start = std::chrono::steady_clock::now();
+  const MessageKind kind = transport_.receive(in_, patience);
+  seconds_waited_ += seconds_since(start);
+  if (kind == expected) return;
+  if (kind == MessageKind::kClose) throw PartnerError(take_close());
+  throw ProtocolError(partner() + " sent " + message_name(kind) + " where " + message_name(expected) + " was expected");
+}
+
+// The partner's Close is in in_: answers it and returns what it says.
+std::string Link::take_close() {
+  Close close;
+  unpack(in_, close);
+  partner_status_ = close.status;
+  closed_ = true;
+  send(Close{});
+  switch (close.status) {
+    case Status::kFailed: return partner() + " stopped: " + close.reason;
+    case Status::kInterrupted: return partner() + " was interrupted: " + close.reason;
+    case Status::kOk: break;
+  }
+  return partner() + " ended the coupling before the last window";
+}
+
+void Link::close() {
+  FOOTFALL_DEMAND(!closed_);
+  send(Close{});
+  closed_ = true;
+  const auto start = std::chrono::steady_clock::now();
+  const MessageKind kind = transport_.receive(in_, patience_);
+  seconds_waited_ += seconds_since(start);
+  if (kind != MessageKind::kClose)
+    throw ProtocolError(partner() + " sent " + message_name(kind) + " after the last window; Close was expected");
+  Close answer;
+  unpack(in_, answer);
+  partner_status_ = answer.status;
+  if (answer.status == Status::kFailed) throw PartnerError(partner() + " stopped: " + answer.reason);
+}
+
+bool Link::fail(const std::string& reason, Status status) noexcept {
+  if (closed_) return true;
+  closed_ = true;
+  try {
+    send(Close{status, reason});
+    const auto start = std::chrono::steady_clock::now();
+    for (double left = kMoment; left > 0.0; left = kMoment - seconds_since(start))
+      if (transport_.receive(in_, left) == MessageKind::kClose) return true;
+  } catch (const std::exception&) {  // the partner is gone: there is nobody left to tell
+  }
+  return false;
+}
+
+}  // namespace footfall

@@ -1,0 +1,108 @@
+#include "coupler/transport_mpi.h"
+
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "coupler/errors.h"
+
+namespace footfall {
+
+TransportMpi::TransportMpi(const Communicator& communicator, std::string partner_name)
+    : exchange_(communicator.exchange()),
+      world_(communicator.world()),
+      is_root_(communicator.is_root()),
+      shared_(communicator.size() > 1),
+      partner_root_(communicator.partner_root()),
+      partner_(std::move(partner_name)) {
+  FOOTFALL_DEMAND(communicator.has_partner());
+}
+
+TransportMpi::~TransportMpi() {
+  int finalized = 0;
+  MPI_Finalized(&finalized);
+  if (finalized || request_ == MPI_REQUEST_NULL) return;
+  try {
+    if (finish_last_send(2.0)) return;
+  } catch (const PartnerError&) {  // the partner is gone, and the message with it
+  }
+  // The partner never read it. MPI may still look at the bytes, so they stay with the process.
+  std::make_unique<Bytes>(std::move(sending_)).release();
+  MPI_Request_free(&request_);
+}
+
+void TransportMpi::send(MessageKind kind, const Bytes& bytes) {
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw ProtocolError("message " + message_name(kind) + " has " + std::to_string(bytes.size()) +
+                        " bytes; MPI takes at most 2^31 - 1");
+  if (!is_root_) return;
+  finish_last_send(0.0);
+  sending_ = bytes;
+  check_mpi(MPI_Isend(sending_.data(), static_cast<int>(sending_.size()), MPI_BYTE, partner_root_,
+                      static_cast<int>(kind), exchange_, &request_),
+            "MPI_Isend");
+}
+
+bool TransportMpi::poll() {
+  if (!is_root_) return false;
+  int waiting = 0;
+  check_mpi(MPI_Iprobe(partner_root_, MPI_ANY_TAG, exchange_, &waiting, MPI_STATUS_IGNORE), "MPI_Iprobe");
+  return waiting != 0;
+}
+
+MessageKind TransportMpi::receive(Bytes& bytes, double patience) {
+  if (!shared_) return receive_at_root(bytes, patience);
+  // What the root hands on: kind (0: it failed, and the bytes are why) and size, then the bytes.
+  int head[2] = {0, 0};
+  if (is_root_) {
+    try {
+      head[0] = static_cast<int>(receive_at_root(bytes, patience));
+    } catch (const PartnerError& error) {
+      const std::string why = error.what();
+      bytes.assign(why.begin(), why.end());
+    }
+    head[1] = static_cast<int>(bytes.size());
+  }
+  MPI_Request request = MPI_REQUEST_NULL;
+  check_mpi(MPI_Ibcast(head, 2, MPI_INT, 0, world_, &request), "MPI_Ibcast");
+  wait_politely(request);
+  bytes.resize(static_cast<std::size_t>(head[1]));
+  check_mpi(MPI_Ibcast(bytes.data(), head[1], MPI_BYTE, 0, world_, &request), "MPI_Ibcast");
+  wait_politely(request);
+  if (head[0] == 0) throw PartnerError(std::string(bytes.begin(), bytes.end()));
+  return static_cast<MessageKind>(head[0]);
+}
+
+MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
+  const double start = MPI_Wtime();
+  PoliteWait wait;
+  MPI_Status status;
+  for (;;) {
+    int waiting = 0;
+    check_mpi(MPI_Iprobe(partner_root_, MPI_ANY_TAG, exchange_, &waiting, &status), "MPI_Iprobe");
+    if (waiting) break;
+    if (patience > 0.0 && MPI_Wtime() - start > patience)
+      throw PartnerError(partner_ + " has said nothing for " + std::to_string(patience) + " s");
+    wait.nap();
+  }
+  int size = 0;
+  check_mpi(MPI_Get_count(&status, MPI_BYTE, &size), "MPI_Get_count");
+  bytes.resize(static_cast<std::size_t>(size));
+  check_mpi(MPI_Recv(bytes.data(), size, MPI_BYTE, partner_root_, status.MPI_TAG, exchange_, MPI_STATUS_IGNORE), "MPI_Recv");
+  return static_cast<MessageKind>(status.MPI_TAG);
+}
+
+// True once the last send has left. patience [s]: 0 waits for ever.
+bool TransportMpi::finish_last_send(double patience) {
+  const double start = MPI_Wtime();
+  PoliteWait wait;
+  for (;;) {
+    int done = 0;
+    check_mpi(MPI_Test(&request_, &done, MPI_STATUS_IGNORE), "MPI_Test");
+    if (done) return true;
+    if (patience > 0.0 && MPI_Wtime() - start > patience) return false;
+    wait.nap();
+  }
+}
+
+}  // namespace footfall

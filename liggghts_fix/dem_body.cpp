@@ -1,0 +1,90 @@
+#include "liggghts_fix/dem_body.h"
+
+#include <algorithm>
+
+namespace footfall {
+
+DemBody::DemBody(const CoupledBody& scene_body, const Scheme& scheme)
+    : boundary_(scene_body.boundary),
+      path_(scheme, scene_body.initial),
+      average_(scheme, scene_body.boundary.mode_count()),
+      now_(scene_body.boundary.mode_count()) {
+  load_.mean = MeanLoad(boundary_.mode_count());
+}
+
+void DemBody::begin_window(const BodyMotion& start, int n, double dt) {
+  path_.begin_window(start, n, dt);
+  average_.begin_window(path_.jump(), path_.pose());
+  stiffness_time_ = 0.0;
+  time_ = 0.0;
+  overlap_ = 0.0;
+}
+
+void DemBody::clear_contacts() {
+  now_.set_zero();
+  stiffness_now_ = 0.0;
+  contacts_now_ = 0;
+}
+
+void DemBody::add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, double overlap_over_radius,
+                          double stiffness) {
+  boundary_.add_point_force(path_.pose(), point, f_W, now_);
+  overlap_ = std::max(overlap_, overlap_over_radius);
+  stiffness_now_ += stiffness;
+  ++contacts_now_;
+}
+
+void DemBody::take_standing() { average_.set_standing(now_, path_.pose()); }
+
+void DemBody::end_substep(double dt) {
+  average_.add_step(now_, path_.pose(), path_.last_step(), dt);
+  stiffness_time_ += stiffness_now_ * dt;
+  time_ += dt;
+}
+
+void DemBody::write_sums(double* out) {
+  const MeanLoad& mean = average_.finish();
+  const auto put = [&out](const auto& vector) {
+    for (Eigen::Index i = 0; i < vector.size(); ++i) *out++ = vector[i];
+  };
+  put(mean.F_W);
+  put(mean.T_B);
+  put(mean.Q_a);
+  put(mean.impulse_W);
+  *out++ = mean.work;
+  *out++ = mean.jump_work;
+  *out++ = static_cast<double>(contacts_now_);
+  *out++ = stiffness_time_ / time_;
+  *out = overlap_;
+}
+
+void DemBody::fold_sums(const double* rows, int ranks, std::size_t stride) {
+  load_.mean.set_zero();
+  double contacts = 0.0;
+  load_.contact_stiffness = 0.0;
+  load_.max_overlap_over_radius = 0.0;
+  for (int rank = 0; rank < ranks; ++rank) {
+    const double* in = rows + static_cast<std::size_t>(rank) * stride;
+    const auto add = [&in](auto& vector) {
+      for (Eigen::Index i = 0; i < vector.size(); ++i) vector[i] += *in++;
+    };
+    add(load_.mean.F_W);
+    add(load_.mean.T_B);
+    add(load_.mean.Q_a);
+    add(load_.mean.impulse_W);
+    load_.mean.work += *in++;
+    load_.mean.jump_work += *in++;
+    contacts += *in++;
+    load_.contact_stiffness += *in++;
+    load_.max_overlap_over_radius = std::max(load_.max_overlap_over_radius, *in);
+  }
+  load_.contacts = static_cast<std::int64_t>(contacts);
+}
+
+double DemBody::work_between(const BodyMotion& from, const BodyMotion& to) const {
+  // T_B turns with the body: its work is T_B . theta_B, and theta has the same components in B at both ends.
+  const Eigen::Vector3d theta_B = from.rotation().transpose() * rotation_vector(from.L, to.L);
+  return load_.mean.F_W.dot(to.r - from.r) + load_.mean.T_B.dot(theta_B) + load_.mean.Q_a.dot(to.a - from.a);
+}
+
+}  // namespace footfall

@@ -1,0 +1,214 @@
+#include "liggghts_fix/dem_link.h"
+
+#include <algorithm>
+#include <chrono>
+#include <sstream>
+
+#include "coupler/errors.h"
+
+namespace footfall {
+namespace {
+
+double wall_clock() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string number(double value) {
+  std::ostringstream out;
+  out.precision(10);
+  out << value;
+  return out.str();
+}
+
+// Edits that make one word the other.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replace = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replace});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+void DemLink::greet(const std::string& unit_style) {
+  if (greeted_) return;
+  if (link_ == nullptr)
+    throw InputError(
+        "couple/mbd: this LIGGGHTS runs without a multibody partner. Start both programs together: "
+        "mpirun -np N liggghts_mbd -in SCRIPT : -np 1 mbd_solver SCENE");
+  if (unit_style != "si")
+    throw InputError("couple/mbd: the script has \"units " + unit_style + "\"; footfall couples in \"units si\" only");
+  Hello hello;
+  hello.unit_style = unit_style;
+  link_->send(hello);
+  link_->receive(geometry_);
+  check_partner(link_->partner(), kProtocolVersion, geometry_.footfall_version);
+  greeted_ = true;
+}
+
+const CoupledBody& DemLink::scene_body(const std::string& name, const std::string& unit_style) {
+  greet(unit_style);
+  std::string known, guess;
+  std::size_t nearest = 1 + name.size() / 2;  // a guess shares more than half of the name
+  for (const CoupledBody& body : geometry_.bodies) {
+    const std::string& candidate = body.boundary.name();
+    if (candidate == name) return body;
+    known += (known.empty() ? "" : ", ") + candidate;
+    const std::size_t distance = edit_distance(candidate, name);
+    if (distance < nearest) {
+      nearest = distance;
+      guess = candidate;
+    }
+  }
+  throw InputError("couple/mbd: the scene has no body \"" + name + "\" that grains may touch. Known bodies: " +
+                   (known.empty() ? "none" : known) + "." + (guess.empty() ? "" : " Did you mean \"" + guess + "\"?"));
+}
+
+int DemLink::couple(const std::string& name, const std::string& unit_style) {
+  scene_body(name, unit_style);
+  FOOTFALL_DEMAND(!started());
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end()) {
+    names_.push_back(name);
+    return static_cast<int>(names_.size()) - 1;
+  }
+  return static_cast<int>(found - names_.begin());
+}
+
+void DemLink::start(double dt, int n, std::int64_t step) {
+  if (started()) {
+    if (dt != dt_)
+      throw InputError("couple/mbd: the time step changed from " + number(dt_) + " to " + number(dt) +
+                       " s between two runs; the windows of the coupling need one time step for the whole scene");
+    FOOTFALL_DEMAND(n == n_);
+    return;
+  }
+  FOOTFALL_DEMAND(greeted_);
+  dt_ = dt;
+  n_ = n;
+  Start start;
+  start.dt = dt;
+  start.n = n;
+  start.step = step;
+  start.bodies = names_;
+  link_->send(start);
+  link_->receive(accept_);
+  scheme_ = make_scheme(accept_.scheme);
+  for (const std::string& name : names_) bodies_.push_back(std::make_unique<DemBody>(scene_body(name, "si"), *scheme_));
+  load_.bodies.resize(names_.size());
+}
+
+void DemLink::take_standing() {
+  for (const auto& body : bodies_) body->take_standing();
+}
+
+void DemLink::begin_substep() {
+  if (finished_)
+    throw InputError("couple/mbd: the scene ended at t = " + number(accept_.t_end) + " s, and the script wants to go on. " +
+                     "Remove the `run` after the one that ends the scene");
+  if (substeps_left_ == 0) begin_window();
+  for (const auto& body : bodies_) body->advance();
+}
+
+void DemLink::begin_window() {
+  link_->receive(motion_);
+  if (motion_.window != windows_ || motion_.bodies.size() != bodies_.size() || motion_.n < 1 ||
+      (n_ > 0 && motion_.n > n_))
+    throw ProtocolError("window " + std::to_string(windows_) + ": " + link_->partner() + " sent a Motion for window " +
+                        std::to_string(motion_.window) + " of " + std::to_string(motion_.n) + " substeps with " +
+                        std::to_string(motion_.bodies.size()) + " bodies; expected at most " + std::to_string(n_) +
+                        " substeps and " + std::to_string(bodies_.size()) + " bodies");
+  began_ = wall_clock();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const BodyMotion& start = motion_.bodies[i];
+    if (start.mode_count() != bodies_[i]->boundary().mode_count())
+      throw ProtocolError("body \"" + names_[i] + "\" came with " + std::to_string(start.mode_count()) +
+                          " modal coordinates; its boundary has " +
+                          std::to_string(bodies_[i]->boundary().mode_count()));
+    if (!start.all_finite())
+      throw NumericalError("the motion of body \"" + names_[i] + "\" at t = " + number(motion_.time) + " s is not finite");
+    if (windows_ > 0) work_received_ += bodies_[i]->work_between(at_last_start_[i], start);
+    bodies_[i]->begin_window(start, motion_.n, dt_);
+  }
+  work_given_ += window_work_;
+  window_work_ = 0.0;
+  at_last_start_ = motion_.bodies;
+  last_window_ = motion_.last_window;
+  substeps_left_ = motion_.n;
+}
+
+bool DemLink::end_substep() {
+  for (const auto& body : bodies_) body->end_substep(dt_);
+  return --substeps_left_ == 0;
+}
+
+std::size_t DemLink::sum_count() const {
+  int count = 0;
+  for (const auto& body : bodies_) count += body->sum_count();
+  return static_cast<std::size_t>(count);
+}
+
+void DemLink::write_sums(std::vector<double>& out) {
+  out.resize(sum_count());
+  double* next = out.data();
+  for (const auto& body : bodies_) {
+    body->write_sums(next);
+    next += body->sum_count();
+  }
+}
+
+void DemLink::finish_window(const std::vector<double>& rows, int ranks, std::int64_t particles) {
+  const std::size_t stride = sum_count();
+  FOOTFALL_DEMAND(rows.size() == stride * static_cast<std::size_t>(ranks));
+  const double* next = rows.data();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i]->fold_sums(next, ranks, stride);
+    next += bodies_[i]->sum_count();
+    const BodyLoad& load = bodies_[i]->load();
+    if (!load.mean.F_W.allFinite() || !load.mean.T_B.allFinite() || !load.mean.Q_a.allFinite())
+      throw NumericalError("the load of the grains on body \"" + names_[i] + "\" after t = " + number(motion_.time) +
+                           " s is not finite");
+    load_.bodies[i] = load;
+    window_work_ += load.mean.work;
+    overlap_ = std::max(overlap_, load.max_overlap_over_radius);
+  }
+  work_ += window_work_;
+  load_.window = windows_++;
+  load_.particles = particles;
+  load_.wall_seconds = wall_clock() - began_;
+  link_->send(load_);
+  if (!last_window_) return;
+  finished_ = true;
+  link_->close();
+}
+
+void DemLink::script_ended(bool interrupted) {
+  if (link_ == nullptr || link_->closed()) return;
+  std::string why;
+  if (interrupted) {
+    why = "LIGGGHTS was stopped by a signal";
+    link_->fail(why, Status::kInterrupted);
+    throw PartnerError(why);
+  }
+  if (!started()) {
+    why = "the LIGGGHTS script ended without running `fix couple/mbd`; the scene expects grains. Add the fix and a `run`, or run the "
+          "scene without LIGGGHTS";
+  } else {
+    const double t = motion_.time + dt_ * (motion_.n - substeps_left_);
+    why = "the LIGGGHTS script ended at t = " + number(t) + " s, before the end of the scene at t = " +
+          number(accept_.t_end) + " s. `run` at least " +
+          number(std::ceil((accept_.t_end - accept_.t_start) / dt_ - 1e-9)) + " steps in all";
+  }
+  link_->fail(why);
+  throw InputError(why);
+}
+
+}  // namespace footfall

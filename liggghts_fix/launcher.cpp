@@ -1,0 +1,127 @@
+// liggghts_mbd: Debian's unmodified LIGGGHTS plus the fix styles of footfall. Same command line, same output, same exit code as liggghts;
+// alone it is LIGGGHTS, and next to mbd_solver under one mpirun it is the grains' side of a coupled run:
+//   mpirun -np 2 liggghts_mbd -in in.script : -np 1 mbd_solver scene.toml
+
+#include <mpi.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "coupler/communicator.h"
+#include "coupler/errors.h"
+#include "coupler/link.h"
+#include "coupler/transport_mpi.h"
+#include "input.h"
+#include "lammps.h"
+#include "liggghts_fix/dem_link.h"
+#include "liggghts_fix/fix_couple_mbd.h"
+#include "liggghts_fix/fix_couple_mbd_geometry.h"
+#include "liggghts_fix/liggghts_access.h"
+#include "signal_handling.h"
+
+namespace {
+
+using namespace footfall;
+
+// How long a partner may be silent before it counts as lost [s]. One window of the multibody side takes milliseconds.
+constexpr double kPatience = 600.0;
+
+// As LIGGGHTS' own main: SIGINT and SIGTERM end the run after the step, SIGUSR1 asks for a restart file.
+void install_signal_handlers() {
+  struct sigaction stop;
+  std::memset(&stop, 0, sizeof stop);
+  stop.sa_handler = LAMMPS_NS::SignalHandler::int_handler;
+  sigaction(SIGINT, &stop, nullptr);
+  sigaction(SIGTERM, &stop, nullptr);
+  struct sigaction restart;
+  std::memset(&restart, 0, sizeof restart);
+  restart.sa_handler = LAMMPS_NS::SignalHandler::usr1_handler;
+  sigaction(SIGUSR1, &restart, nullptr);
+}
+
+// `-screen none` makes LIGGGHTS print through a null stream as soon as a script has a mesh: nowhere is then a better place.
+void mend_screen_none(int argc, char** argv) {
+  static char nowhere[] = "/dev/null";
+  for (int i = 1; i + 1 < argc; ++i)
+    if ((std::strcmp(argv[i], "-screen") == 0 || std::strcmp(argv[i], "-sc") == 0) && std::strcmp(argv[i + 1], "none") == 0)
+      argv[i + 1] = nowhere;
+}
+
+template <class FixStyle>
+LAMMPS_NS::Fix* create_fix(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) {
+  return new FixStyle(lmp, narg, arg);
+}
+
+void run(int argc, char** argv, const Communicator& communicator, DemLink& dem_link) {
+  // Not owned by a pointer that deletes it on the way of an exception: a LIGGGHTS stopped in mid-step cannot be taken down in order.
+  auto* lmp = new LAMMPS_NS::LAMMPS(argc, argv, communicator.world());
+  attach_dem_link(lmp, dem_link);
+  register_fix_style(lmp, "couple/mbd/geometry", create_fix<LAMMPS_NS::FixCoupleMbdGeometry>);
+  register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
+  lmp->input->file();
+  const bool interrupted = LAMMPS_NS::SignalHandler::request_quit && !dem_link.finished();
+  dem_link.script_ended(interrupted);
+  delete lmp;
+}
+
+// Says once why this program stops, tells the partner, and returns the exit code.
+int stop(const std::exception& error, int code, const Communicator& communicator, DemLink& dem_link) {
+  if (communicator.is_root()) {
+    std::fflush(stdout);
+    std::fprintf(stderr, "liggghts_mbd: ERROR: %s\n", error.what());
+    std::fflush(stderr);
+  }
+  dem_link.fail(error.what());
+  return code;
+}
+
+int run_and_report(int argc, char** argv, const Communicator& communicator, DemLink& dem_link) {
+  try {
+    run(argc, argv, communicator, dem_link);
+    return kExitDone;
+  } catch (const InputError& error) {
+    return stop(error, kExitBadInput, communicator, dem_link);
+  } catch (const ProtocolError& error) {
+    return stop(error, kExitBadInput, communicator, dem_link);
+  } catch (const std::exception& error) {
+    return stop(error, kExitFailed, communicator, dem_link);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  install_signal_handlers();
+  MPI_Init(&argc, &argv);
+  mend_screen_none(argc, argv);
+  int code = kExitDone;
+  try {
+    const Communicator communicator;
+    AbortGuard::install(communicator);
+    std::unique_ptr<TransportMpi> transport;
+    std::unique_ptr<Link> link;
+    if (communicator.has_partner()) {
+      transport = std::make_unique<TransportMpi>(communicator, "mbd_solver");
+      link = std::make_unique<Link>(*transport, kPatience);
+    }
+    DemLink dem_link(link.get());
+    // LIGGGHTS ends a wrong script with MPI_Finalize and exit(1): then this is still said.
+    AbortGuard::set_last_words([&] {
+      transport->root_speaks_alone();
+      return dem_link.fail("LIGGGHTS ended with an error of its own; its message stands in its output and log file");
+    });
+    code = run_and_report(argc, argv, communicator, dem_link);
+    AbortGuard::release();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "liggghts_mbd: ERROR: %s\n", error.what());
+    code = kExitBadInput;
+    AbortGuard::release();
+  }
+  MPI_Finalize();
+  return code;
+}

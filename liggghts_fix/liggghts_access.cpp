@@ -1,0 +1,102 @@
+// How: an explicit template instantiation may name a private member (access is not checked there), which hands out a pointer to member;
+// a derived class may name a protected one as &Derived::member.
+
+#include "liggghts_fix/liggghts_access.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "coupler/errors.h"
+#include "fix.h"
+#include "fix_mesh_surface.h"
+#include "lammps.h"
+#include "modify.h"
+#include "tri_mesh.h"
+
+namespace footfall {
+namespace {
+
+using namespace LAMMPS_NS;
+
+template <class Tag>
+struct Revealed {
+  static typename Tag::type member;
+};
+template <class Tag>
+typename Tag::type Revealed<Tag>::member;
+
+template <class Tag, typename Tag::type member>
+struct Reveal {
+  Reveal() { Revealed<Tag>::member = member; }
+  static Reveal instance;
+};
+template <class Tag, typename Tag::type member>
+Reveal<Tag, member> Reveal<Tag, member>::instance;
+
+struct FixMap {
+  using type = std::map<std::string, FixCreator>* Modify::*;
+};
+template struct Reveal<FixMap, &Modify::fix_map>;
+
+struct MeshModules {
+  using type = std::map<std::string, MeshModule*> FixMeshSurface::*;
+};
+template struct Reveal<MeshModules, &FixMeshSurface::active_mesh_modules>;
+
+struct MeshModuleOrder {
+  using type = std::vector<std::string> FixMeshSurface::*;
+};
+template struct Reveal<MeshModuleOrder, &FixMeshSurface::mesh_module_order>;
+
+// Never made: it only names protected members.
+class OpenTriMesh : public TriMesh {
+ public:
+  static double*** nodes(TriMesh* mesh) { return (mesh->*&OpenTriMesh::node_).begin(); }
+  static double** centers(TriMesh* mesh) { return (mesh->*&OpenTriMesh::center_).begin(); }
+  static void recalculate(TriMesh* mesh) {
+    (mesh->*&OpenTriMesh::updateCenterRbound)(0, mesh->sizeLocal() + mesh->sizeGhost());
+    (mesh->*&OpenTriMesh::recalcLocalSurfProperties)();
+    (mesh->*&OpenTriMesh::recalcGhostSurfProperties)();
+  }
+};
+
+std::map<LAMMPS*, DemLink*>& links() {
+  static std::map<LAMMPS*, DemLink*> one;
+  return one;
+}
+
+}  // namespace
+
+void register_fix_style(LAMMPS* lmp, const std::string& style, FixCreator creator) {
+  (*(lmp->modify->*Revealed<FixMap>::member))[style] = creator;
+}
+
+void attach_mesh_module(FixMeshSurface* fix, const std::string& name, MeshModule* module) {
+  (fix->*Revealed<MeshModules>::member)[name] = module;
+  (fix->*Revealed<MeshModuleOrder>::member).push_back(name);
+}
+
+void detach_mesh_module(FixMeshSurface* fix, const std::string& name) {
+  (fix->*Revealed<MeshModules>::member).erase(name);
+  std::vector<std::string>& order = fix->*Revealed<MeshModuleOrder>::member;
+  order.erase(std::remove(order.begin(), order.end(), name), order.end());
+}
+
+double*** mesh_nodes(TriMesh* mesh) { return OpenTriMesh::nodes(mesh); }
+
+double** mesh_centers(TriMesh* mesh) { return OpenTriMesh::centers(mesh); }
+
+void recalculate_mesh(TriMesh* mesh) { OpenTriMesh::recalculate(mesh); }
+
+void attach_dem_link(LAMMPS* lmp, DemLink& link) { links()[lmp] = &link; }
+
+DemLink& dem_link_of(LAMMPS* lmp) {
+  const auto found = links().find(lmp);
+  FOOTFALL_DEMAND(found != links().end());
+  return *found->second;
+}
+
+}  // namespace footfall

@@ -1,0 +1,47 @@
+#include "liggghts_fix/mesh_module_mbd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "atom.h"
+#include "fix_mesh_surface.h"
+#include "liggghts_fix/liggghts_access.h"
+
+namespace LAMMPS_NS {
+namespace {
+
+int no_arguments = 0;  // the base class takes its position in an argument list by reference
+
+Eigen::Vector3d vector3(const double* x) { return {x[0], x[1], x[2]}; }
+
+}  // namespace
+
+MeshModuleMbd::MeshModuleMbd(LAMMPS* lmp_, FixMeshSurface* mesh_fix, std::vector<footfall::CornerNodes> corners)
+    : MeshModule(lmp_, no_arguments, 0, nullptr, mesh_fix),
+      corners_(std::move(corners)),
+      behind_stress_(mesh_fix->get_module("stress") != nullptr) {}
+
+// The contact point c = x_ip + delta lies on the element; delta points from the grain's centre to it.
+void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta, int iTri, double*) {
+  if (body_ == nullptr) return;
+  const bool on_body = behind_stress_ && (atom->mask[ip] & fix_mesh->get_groupbit());
+  const Eigen::Vector3d f_W = on_body ? vector3(frc) : Eigen::Vector3d(-vector3(frc));
+
+  const Eigen::Vector3d d = vector3(delta);
+  const Eigen::Vector3d c = vector3(atom->x[ip]) + d;
+  double** nodes = footfall::mesh_nodes(mesh)[iTri];
+  const Eigen::Vector3d weights =
+      footfall::barycentric_weights(vector3(nodes[0]), vector3(nodes[1]), vector3(nodes[2]), c);
+  const footfall::CornerNodes& corner = corners_[static_cast<std::size_t>(mesh->id(iTri))];
+  const footfall::BoundaryPoint point{{corner[0], corner[1], corner[2]}, {weights[0], weights[1], weights[2]}};
+
+  const double radius = atom->radius[ip];
+  const double overlap = std::max(0.0, radius - d.norm());
+  double stiffness = 0.0;
+  if (!effective_moduli_.empty())
+    stiffness = 2.0 * effective_moduli_[static_cast<std::size_t>(atom->type[ip])] * std::sqrt(radius * overlap);
+  body_->add_contact(point, f_W, overlap / radius, stiffness);
+}
+
+}  // namespace LAMMPS_NS

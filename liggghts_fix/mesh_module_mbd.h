@@ -1,0 +1,34 @@
+#pragma once
+// Hears of every contact of a stock LIGGGHTS mesh and projects its force on the coupled body.
+
+#include <vector>
+
+#include "liggghts_fix/dem_body.h"
+#include "liggghts_fix/mesh_match.h"
+#include "mesh_module.h"
+
+namespace LAMMPS_NS {
+
+// Attached to a `fix mesh/surface` or `mesh/surface/stress` behind the modules it has. Sign: the wall hands out the force on the GRAIN;
+// the module `stress`, which hears first, has turned it round in place for grains of the mesh fix's group.
+class MeshModuleMbd final : public MeshModule {
+ public:
+  // corners: boundary nodes by mesh element id.
+  MeshModuleMbd(LAMMPS* lmp, FixMeshSurface* mesh_fix, std::vector<footfall::CornerNodes> corners);
+
+  // The body that takes the forces, known once the coupling has started.
+  void set_body(footfall::DemBody* body) { body_ = body; }
+  // E* between grain type (from 1) and this mesh [Pa].
+  void set_effective_moduli(std::vector<double> moduli) { effective_moduli_ = std::move(moduli); }
+  const std::vector<footfall::CornerNodes>& corners() const { return corners_; }
+
+  void add_particle_contribution(int ip, double* frc, double* delta, int iTri, double* v_wall) override;
+
+ private:
+  std::vector<footfall::CornerNodes> corners_;
+  std::vector<double> effective_moduli_;
+  footfall::DemBody* body_ = nullptr;
+  bool behind_stress_;
+};
+
+}  // namespace LAMMPS_NS
