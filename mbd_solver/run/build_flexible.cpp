@@ -1,0 +1,155 @@
+// Flexible bodies of the scene: finite-element model from shape, mesh, frame or file, reduced to modes whose interface is
+// where joints, struts and springs attach.
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupler/errors.h"
+#include "mbd_solver/model/flexible/mesh_check.h"
+#include "mbd_solver/model/flexible/mesh_generator.h"
+#include "mbd_solver/model/flexible/modal_basis.h"
+#include "mbd_solver/model/flexible/modal_body_file.h"
+#include "mbd_solver/model/flexible/node_lookup.h"
+#include "mbd_solver/model/rotation.h"
+#include "mbd_solver/run/mechanism.h"
+#include "mbd_solver/scene/mesh_reader.h"
+
+namespace footfall {
+namespace {
+
+// Points of D at which something is attached to the body.
+std::vector<Eigen::Vector3d> attachments(const Scene& scene, const std::string& body) {
+  std::vector<Eigen::Vector3d> points;
+  for (const JointSpec& joint : scene.joints) {
+    if (joint.bodies[0] == body) points.push_back(joint.point_a);
+    if (joint.bodies[1] == body) points.push_back(joint.point_b);
+  }
+  for (const StrutSpec& strut : scene.struts)
+    for (std::size_t end = 0; end < 2; ++end)
+      if (strut.bodies[end] == body) points.push_back(strut.points[end]);
+  for (const SpringSpec& spring : scene.springs)
+    if (spring.kind == SpringKind::kBushing && (spring.bodies[0] == body || spring.bodies[1] == body)) points.push_back(spring.point);
+  return points;
+}
+
+// A beam from `from` to `to` whose nodes include the feet of all attachments, in about `elements` elements of near-equal length.
+FeModel beam_along_shape(const ShapeSpec& shape, int elements, const std::vector<Eigen::Vector3d>& attached, const Material& material) {
+  const Eigen::Vector3d axis = shape.to - shape.from;
+  const double length = axis.norm();
+  std::vector<double> stations = {0.0, 1.0};
+  for (const Eigen::Vector3d& point : attached) stations.push_back(std::clamp((point - shape.from).dot(axis) / (length * length), 0.0, 1.0));
+  std::sort(stations.begin(), stations.end());
+  const double shortest = 0.05 / elements;  // stations nearer than this share a node
+  std::vector<double> kept = {0.0};
+  for (const double station : stations)
+    if (station - kept.back() > shortest) kept.push_back(station);
+  kept.back() = 1.0;
+
+  std::vector<Eigen::Vector3d> nodes = {shape.from};
+  std::vector<BeamMember> members;
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    const double span = kept[i] - kept[i - 1];
+    const int pieces = std::max(1, static_cast<int>(std::lround(span * elements)));
+    for (int k = 1; k <= pieces; ++k) {
+      nodes.push_back(shape.from + (kept[i - 1] + span * k / pieces) * axis);
+      BeamMember member;
+      member.first = static_cast<int>(nodes.size()) - 2;
+      member.second = member.first + 1;
+      members.push_back(member);
+    }
+  }
+  const BeamSection section =
+      shape.kind == ShapeKind::kTube ? tube_section(shape.diameter, shape.wall) : rod_section(shape.diameter);
+  return beam_model(nodes, members, {section}, material);
+}
+
+FeModel frame(const FlexibleSpec& spec, const Material& material) {
+  std::vector<BeamSection> sections;
+  for (const SectionSpec& s : spec.sections) {
+    if (s.diameter > 0.0) {
+      sections.push_back(s.wall > 0.0 ? tube_section(s.diameter, s.wall) : rod_section(s.diameter));
+    } else {
+      sections.push_back(general_section(s.area, s.bending_y, s.bending_z, s.torsion, std::sqrt(s.area / M_PI)));
+    }
+  }
+  std::vector<Eigen::Vector3d> nodes = spec.nodes;
+  std::vector<BeamMember> members;
+  for (const MemberSpec& m : spec.members) {
+    int section = 0;
+    while (spec.sections[static_cast<std::size_t>(section)].name != m.section) ++section;
+    const Eigen::Vector3d from = spec.nodes[static_cast<std::size_t>(m.first)], to = spec.nodes[static_cast<std::size_t>(m.second)];
+    int last = m.first;
+    for (int k = 1; k <= m.elements; ++k) {
+      int next = m.second;
+      if (k < m.elements) {
+        next = static_cast<int>(nodes.size());
+        nodes.push_back(from + (to - from) * k / m.elements);
+      }
+      BeamMember member;
+      member.first = last;
+      member.second = next;
+      member.section = section;
+      members.push_back(member);
+      last = next;
+    }
+  }
+  return beam_model(nodes, members, sections, material);
+}
+
+FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& material) {
+  const ShapeSpec shape = body.shape.value_or(ShapeSpec{});
+  const double thickness = spec.thickness > 0.0 ? spec.thickness : shape.thickness;
+  if (!spec.mesh.empty()) {
+    const TriangleMesh mesh = read_mesh(spec.mesh, spec.mesh_scale);
+    return plate_model(mesh, thickness, material, spec.mesh);
+  }
+  const double edge = spec.mesh_size > 0.0 ? spec.mesh_size : shape.radius / 4.0;
+  const TriangleMesh flat = shape.kind == ShapeKind::kDish ? dish_mesh(shape.radius, shape.depth, edge) : disc_mesh(shape.radius, edge);
+  return plate_model(moved(flat, axes_with_z(shape.axis), shape.centre), thickness, material, "body \"" + body.name + "\"");
+}
+
+FlexibleBody build(const Scene& scene, const BodySpec& body, std::vector<std::string>& warnings) {
+  const FlexibleSpec& spec = *body.flexible;
+  BasisOptions options;
+  options.kind = spec.basis == ModalBasis::kFreeFree ? BasisKind::kFreeFree : BasisKind::kCraigBampton;
+  options.mode_count = spec.modes;
+  options.max_frequency = spec.max_frequency;
+  options.damping_ratio = {spec.damping};
+
+  ReducedBody reduced;
+  if (!spec.file.empty()) {
+    reduced = read_modal_body(spec.file, options, body.name);
+  } else {
+    const MaterialSpec& m = scene.material(body.material);
+    const Material material{m.density, m.young, m.poisson};
+    const std::vector<Eigen::Vector3d> attached = attachments(scene, body.name);
+    const bool beam = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod);
+    FeModel model = !spec.nodes.empty()                 ? frame(spec, material)
+                    : spec.mesh.empty() && beam         ? beam_along_shape(*body.shape, spec.elements, attached, material)
+                                                        : plate(body, spec, material);
+    model = with_mass(std::move(model), body.mass);
+    for (const Eigen::Vector3d& point : attached) {
+      const int node = nearest_node(model, point);
+      auto& interface = options.interface_nodes;
+      if (std::find(interface.begin(), interface.end(), node) == interface.end()) interface.push_back(node);
+    }
+    reduced = reduce(model, options, body.name);
+  }
+  warnings.insert(warnings.end(), reduced.warnings.begin(), reduced.warnings.end());
+  return {std::make_shared<const ModalBody>(std::move(reduced.body)), reduced.p_DBo};
+}
+
+}  // namespace
+
+std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<std::string>& warnings) {
+  std::vector<FlexibleBody> bodies(scene.bodies.size());
+  if (!scene.flexible) return bodies;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const auto& flexible = scene.bodies[i].flexible;
+    const bool rigid = !flexible || !flexible->enabled || (flexible->modes && *flexible->modes == 0);
+    if (!rigid) bodies[i] = build(scene, scene.bodies[i], warnings);
+  }
+  return bodies;
+}
+
+}  // namespace footfall

@@ -1,0 +1,47 @@
+#pragma once
+// How well the two programs fit together, measured in every window: energy that the interface makes or loses, omega H of each
+// body, forces that chatter. theory: coupling (quality measures of every run).
+
+#include <string>
+#include <vector>
+
+#include "coupler/messages.h"
+#include "mbd_solver/scene/run_spec.h"
+
+namespace footfall {
+
+class CouplingWatch {
+ public:
+  // Names and masses [kg] of the coupled bodies in the order of Load; limits of the scene.
+  CouplingWatch(std::vector<std::string> names, std::vector<double> masses, const CouplingSpec& limits);
+
+  // One window of n substeps, H [s] long: what the grains did (load) and the work that arrived at each body [J].
+  // reference_energy [J]: the scale against which the residual is judged. Throws NumericalError when the interface pumps energy or the
+  // mean force chatters, naming time, body and what to do.
+  void window(double time, double H, int n, const Load& load, const std::vector<double>& work_received, double reference_energy);
+
+  double energy_residual() const { return residual_; }          // sum of (work on the boundary - work received) [J]
+  double largest_energy_residual() const { return largest_residual_; }
+  double largest_overlap() const { return largest_overlap_; }   // of radius [-]
+  double largest_force() const { return largest_force_; }       // mean over a window, on one body [N]
+  const std::vector<double>& omega_h() const { return omega_h_; }              // of the last window, per body [-]
+  const std::vector<double>& largest_omega_h() const { return largest_omega_h_; }
+  const std::vector<std::string>& names() const { return names_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  void watch_chatter(std::size_t body, const Eigen::Vector3d& force, double time, int n);
+
+  std::vector<std::string> names_;
+  std::vector<double> masses_;
+  CouplingSpec limits_;
+  double residual_ = 0.0, largest_residual_ = 0.0;  // [J]
+  double largest_overlap_ = 0.0, largest_force_ = 0.0;
+  std::vector<double> omega_h_, largest_omega_h_;
+  std::vector<bool> warned_;
+  std::vector<Eigen::Vector3d> force_, change_;     // of the last window, per body [N]
+  std::vector<int> alternations_;                   // windows in a row in which the force swung by more than half of itself
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace footfall

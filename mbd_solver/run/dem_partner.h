@@ -1,0 +1,48 @@
+#pragma once
+// The multibody side of the exchange with LIGGGHTS: opens it, trades one motion for one mean load per window, closes it.
+
+#include <string>
+#include <vector>
+
+#include "coupler/link.h"
+#include "coupler/messages.h"
+
+namespace footfall {
+
+// What the scene fixes before LIGGGHTS speaks.
+struct DemTerms {
+  std::string scheme;                    // a name that make_scheme knows
+  double t_end = 0.0;                    // [s]
+  double max_dt = 0.0;                   // a larger DEM step is refused [s]; 0: any
+  double expected_dt = 0.0;              // stated by the scene for the script; 0: not stated [s]
+  int expected_n = 0;                    // likewise
+};
+
+class DemPartner {
+ public:
+  // `bodies`: every body with a boundary, at its initial motion. The transport must outlive the partner. Waits for LIGGGHTS' first words as
+  // long as its script takes to get there. Throws ProtocolError when the two sides disagree, naming both values.
+  DemPartner(Transport& transport, std::vector<CoupledBody> bodies, const DemTerms& terms, double patience);
+
+  double dt() const { return start_.dt; }                   // substep of the grains [s]
+  int substeps() const { return start_.n; }                 // n of the script
+  const std::vector<int>& coupled() const { return coupled_; }  // index in `bodies` of each body of Motion and Load, in their order
+
+  // One window: sends `motion` and returns the load that the grains gave over it. The reference holds until the next call.
+  const Load& exchange(const Motion& motion);
+  const Load& load() const { return load_; }               // of the last window
+  void close() { link_.close(); }
+  void fail(const std::string& reason, Status status) noexcept { link_.fail(reason, status); }
+  double seconds_waited() const { return link_.seconds_waited(); }
+
+ private:
+  void check(const DemTerms& terms) const;
+
+  Link link_;
+  std::vector<CoupledBody> bodies_;
+  Start start_;
+  std::vector<int> coupled_;
+  Load load_;
+};
+
+}  // namespace footfall

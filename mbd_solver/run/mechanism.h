@@ -1,0 +1,86 @@
+#pragma once
+// A scene turned into what a run works with: the model, what may touch the ground, and who controls which strut.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "coupler/modal_boundary.h"
+#include "mbd_solver/model/controllers/controller.h"
+#include "mbd_solver/model/model.h"
+#include "mbd_solver/scene/scene.h"
+
+namespace footfall {
+
+// The drawing frame D in the inertial frame W at the start: p_W = p_WD + R_WD p_D.
+struct Placement {
+  Eigen::Matrix3d R_WD = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d p_WD = Eigen::Vector3d::Zero();  // [m]
+  double ground_height = 0.0;                      // of plane or highest grain under the boundaries, along up [m]
+
+  Eigen::Vector3d point(const Eigen::Vector3d& p_D) const { return p_WD + R_WD * p_D; }
+};
+
+// Nodes in B of the undeformed body: what touches grains, the plane, or is drawn.
+struct BodyBoundary {
+  int body = 0;
+  ModalBoundary boundary;
+};
+
+struct StrutEntry {
+  std::string name;
+  int force = 0;  // index of the Strut in the model
+};
+
+struct ControllerEntry {
+  std::string name;
+  std::unique_ptr<Controller> controller;
+  int body = 0;              // observed
+  int first_voltage = 0;     // its outputs are voltages first_voltage ... in the Inputs
+  std::vector<int> struts;   // for each output the strut it drives (index into Mechanism::struts), -1 for none
+  std::vector<std::string> outputs;
+};
+
+struct Mechanism {
+  Placement placement;
+  Model model;
+  std::vector<BodyBoundary> boundaries;
+  std::vector<StrutEntry> struts;
+  std::vector<int> planes;                    // force indices of rigid-plane contacts, one per touching body
+  std::vector<int> plane_bodies;              // their bodies
+  std::vector<ControllerEntry> controllers;
+  Eigen::VectorXd voltages;                   // at the start: constants of struts without controller, first outputs
+  std::vector<std::string> warnings;
+};
+
+// Throws InputError where the scene cannot be built (a basis that does not exist, a gas volume used up, ...).
+Mechanism build_mechanism(const Scene& scene);
+
+// ---- the steps of build_mechanism, one file each ----
+
+// A flexible body before placement: reduced model with origin p_DBo, axes of D.
+struct FlexibleBody {
+  std::shared_ptr<const ModalBody> modal;
+  Eigen::Vector3d p_DBo = Eigen::Vector3d::Zero();
+};
+// One entry per body of the scene; `modal` is null for rigid bodies. Warnings are appended.
+std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<std::string>& warnings);
+
+// The boundary of each entry of scene.boundaries, in the order of the scene.
+std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible);
+
+// R_WD and p_WD from [initial]: attitude about the total mass centre, then clearance above plane or grains.
+Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries, const std::vector<FlexibleBody>& flexible);
+
+void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism);
+void add_joints(const Scene& scene, Mechanism& mechanism);
+void add_struts(const Scene& scene, Mechanism& mechanism);  // after add_controllers
+void add_springs(const Scene& scene, Mechanism& mechanism);
+void add_plane(const Scene& scene, Mechanism& mechanism);
+void add_controllers(const Scene& scene, Mechanism& mechanism);
+
+// Origin and axes of a body in D: the mass centre and R_DB of a rigid body, p_DBo and I of a flexible one.
+Eigen::Vector3d origin_D(const BodySpec& body, const FlexibleBody& flexible);
+Eigen::Matrix3d axes_D(const BodySpec& body, const FlexibleBody& flexible);
+
+}  // namespace footfall

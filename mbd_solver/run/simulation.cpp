@@ -1,0 +1,214 @@
+#include "mbd_solver/run/simulation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "coupler/errors.h"
+#include "coupler/scheme.h"
+#include "mbd_solver/model/rigid_plane.h"
+
+namespace footfall {
+namespace {
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Eigen::Vector3d up_direction(const Eigen::Vector3d& gravity) {
+  return gravity.norm() > 0.0 ? Eigen::Vector3d(-gravity.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+}
+
+Baumgarte baumgarte(const SolverSpec& spec) {
+  if (spec.drift == DriftKind::kProjection) return {};
+  return {spec.baumgarte_velocity, spec.baumgarte_position};
+}
+
+IntegratorOptions integrator_options(const SolverSpec& spec) {
+  IntegratorOptions options;
+  options.rtol = spec.rtol;
+  options.atol = spec.atol;
+  options.atol_velocity = 100.0 * spec.atol;
+  options.max_step = spec.max_step;
+  options.projection = spec.drift == DriftKind::kProjection;
+  return options;
+}
+
+std::string scheme_name(SchemeKind kind) {
+  switch (kind) {
+    case SchemeKind::kFrozen: return "frozen";
+    case SchemeKind::kCss: return "css";
+    default: return std::string(kDefaultScheme);
+  }
+}
+
+// A number that the scene states for the script, 0 when it does not.
+double stated(const Scene& scene, const std::string& name) {
+  const auto found = scene.particles->variables.find(name);
+  if (found == scene.particles->variables.end()) return 0.0;
+  char* end = nullptr;
+  const double value = std::strtod(found->second.c_str(), &end);
+  return *end == '\0' ? value : 0.0;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_transport)
+    : scene_(scene),
+      t_end_(t_end),
+      mechanism_(build_mechanism(scene)),
+      assembly_(assemble(mechanism_.model)),
+      equations_(std::make_unique<Equations>(mechanism_.model, assembly_, baumgarte(scene.solver))),
+      integrator_(make_integrator(scene.solver.integrator == IntegratorKind::kIda ? "ida" : "one_step", *equations_,
+                                  integrator_options(scene.solver))),
+      control_(mechanism_.controllers, mechanism_.struts, up_direction(scene.gravity)),
+      state_(assembly_.state),
+      rates_(Eigen::VectorXd::Zero(equations_->layout().size())),
+      y_(Eigen::VectorXd::Zero(equations_->layout().size())) {
+  const auto bodies = static_cast<std::size_t>(mechanism_.model.body_count());
+  for (std::size_t i = 0; i < bodies; ++i) contact_.emplace_back(mechanism_.model.body(static_cast<int>(i)).mode_count());
+  inputs_.voltages = mechanism_.voltages;
+  if (!partner_transport) return;
+
+  inputs_.loads.resize(bodies);
+  std::vector<CoupledBody> coupled;
+  for (const BodyBoundary& entry : mechanism_.boundaries) {
+    BodyMotion motion(entry.boundary.mode_count());
+    fill_motion(entry.body, motion);
+    coupled.push_back({entry.boundary, motion});
+  }
+  DemTerms terms;
+  terms.scheme = scheme_name(scene.coupling.scheme);
+  terms.t_end = t_end_;
+  terms.max_dt = scene.particles->max_time_step;
+  terms.expected_dt = stated(scene, "dt");
+  terms.expected_n = static_cast<int>(stated(scene, "every"));
+  partner_ = std::make_unique<DemPartner>(*partner_transport, std::move(coupled), terms, scene.coupling.timeout);
+  std::vector<std::string> names;
+  std::vector<double> masses;
+  for (const int i : partner_->coupled()) {
+    const BodyBoundary& entry = mechanism_.boundaries[static_cast<std::size_t>(i)];
+    names.push_back(entry.boundary.name());
+    masses.push_back(mechanism_.model.body(entry.body).mass());
+    motion_.bodies.emplace_back(entry.boundary.mode_count());
+  }
+  watch_ = std::make_unique<CouplingWatch>(std::move(names), std::move(masses), scene.coupling);
+}
+
+bool Simulation::finished() const { return state_.time >= t_end_ * (1.0 - 1e-12); }
+
+double Simulation::next_stop() const {
+  const double t = state_.time;
+  const double tiny = 1e-9 * std::max(scene_.output.interval, 1e-6);
+  const double next_row = (std::floor((t + tiny) / scene_.output.interval) + 1.0) * scene_.output.interval;
+  return std::min({next_row, control_.next_sample(), t_end_});
+}
+
+void Simulation::fill_motion(int body, BodyMotion& motion) const {
+  const Layout& layout = equations_->layout();
+  const auto i = static_cast<std::size_t>(body);
+  const Eigen::Index q = layout.body_q[i], v = layout.body_v[i], s = motion.mode_count();
+  motion.r = state_.q.segment<3>(q);
+  motion.L = state_.q.segment<4>(q + 3);
+  motion.dr = state_.v.segment<3>(v);
+  motion.w = state_.v.segment<3>(v + 3);
+  const Eigen::Index dv = layout.v0() + v;
+  motion.ddr = rates_.segment<3>(dv);
+  motion.dw = rates_.segment<3>(dv + 3);
+  if (s == 0) return;
+  motion.a = state_.q.segment(q + 7, s);
+  motion.da = state_.v.segment(v + 6, s);
+  motion.dda = rates_.segment(dv + 6, s);
+}
+
+double Simulation::exchange_window() {
+  const double dt = partner_->dt();
+  const int left = static_cast<int>(std::lround((t_end_ - state_.time) / dt));
+  motion_.window = window_;
+  motion_.time = state_.time;
+  motion_.n = std::max(1, std::min(partner_->substeps(), left));
+  motion_.last_window = left <= motion_.n;
+  for (std::size_t k = 0; k < motion_.bodies.size(); ++k)
+    fill_motion(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body, motion_.bodies[k]);
+  const Load& load = partner_->exchange(motion_);
+  times_.dem += load.wall_seconds;
+  particles_ = static_cast<long>(load.particles);
+  for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
+    const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
+    ExternalLoad& external = inputs_.loads[static_cast<std::size_t>(body)];
+    const MeanLoad& mean = load.bodies[k].mean;
+    if (!mean.F_W.allFinite() || !mean.T_B.allFinite() || !mean.Q_a.allFinite())
+      throw NumericalError("t = " + std::to_string(state_.time) + " s: the load of the grains on body " + watch_->names()[k] +
+                           " is not finite: the bed has blown up; use a smaller timestep in the script");
+    external.F_W = mean.F_W;
+    external.T_B = mean.T_B;
+    if (mean.Q_a.size() > 0) external.Q_a = mean.Q_a;
+  }
+  return motion_.last_window ? t_end_ : state_.time + motion_.n * dt;
+}
+
+void Simulation::update_contact() {
+  equations_->load(state_);
+  for (std::size_t i = 0; i < inputs_.loads.size(); ++i) {
+    contact_[i].F_W = inputs_.loads[i].F_W;
+    contact_[i].T_W = equations_->motion(static_cast<int>(i)).A * inputs_.loads[i].T_B;
+  }
+  for (std::size_t k = 0; k < mechanism_.planes.size(); ++k) {
+    const auto& plane = static_cast<const RigidPlane&>(mechanism_.model.force(mechanism_.planes[k]));
+    const Vector6d wrench = plane.wrench(equations_->element_input(mechanism_.planes[k], state_, inputs_));
+    GeneralizedForce& contact = contact_[static_cast<std::size_t>(mechanism_.plane_bodies[k])];
+    contact.F_W = wrench.head<3>();
+    contact.T_W = wrench.tail<3>();
+  }
+}
+
+void Simulation::check_finite() const {
+  if (state_.q.allFinite() && state_.v.allFinite() && state_.z.allFinite()) return;
+  throw NumericalError("t = " + std::to_string(state_.time) + " s: the state of the mechanism is not finite");
+}
+
+void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted) {
+  const double started = now();
+  const auto report = [&] {
+    update_contact();
+    equations_->pack(state_, rates_.tail(equations_->layout().row_count), y_);
+    equations_->energy(state_.time, y_, inputs_, energy_);
+    times_.total = now() - started;
+    if (partner_) times_.waiting = partner_->seconds_waited();
+    observe({state_, energy_, rates_, contact_, inputs_, watch_.get(), window_});
+  };
+  equations_->accelerations(state_, inputs_, rates_);
+  report();
+  const double start_energy = energy_.stored.total() - energy_.stored.gravity;
+  double reference_energy = start_energy;  // of a mechanism that starts at rest: the largest kinetic energy so far
+
+  std::vector<double> work_received(motion_.bodies.size());
+  while (!finished() && interrupted == 0) {
+    const double control_started = now();
+    if (!control_.empty()) control_.sample_due(state_, *equations_, rates_, inputs_);
+    times_.control += now() - control_started;
+
+    const double t0 = state_.time;
+    const Eigen::VectorXd work_before = state_.load_work;
+    const double t1 = partner_ ? exchange_window() : next_stop();
+    const double mbd_started = now();
+    integrator_->advance(state_, t1, inputs_);
+    rates_ = integrator_->end_rates();
+    times_.mbd += now() - mbd_started;
+    check_finite();
+    ++window_;
+    if (partner_) {
+      for (std::size_t k = 0; k < work_received.size(); ++k) {
+        const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
+        work_received[k] = state_.load_work(body) - work_before(body);
+      }
+      reference_energy = std::max(reference_energy, energy_.stored.kinetic);
+      watch_->window(state_.time, t1 - t0, motion_.n, partner_->load(), work_received, reference_energy);
+    }
+    report();
+  }
+  if (partner_ && finished()) partner_->close();
+}
+
+}  // namespace footfall

@@ -1,0 +1,89 @@
+#pragma once
+// The run of one scene: windows of the mechanism, with grains or alone, and everything that is observed on the way.
+// Data runs one way: Scene -> Mechanism -> State -> window (motion out, load in) -> Sample -> files.
+
+#include <csignal>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/integrator/integrator.h"
+#include "mbd_solver/run/control_loop.h"
+#include "mbd_solver/run/coupling_watch.h"
+#include "mbd_solver/run/dem_partner.h"
+#include "mbd_solver/run/mechanism.h"
+
+namespace footfall {
+
+// What is known at the end of a window: all that history, summary and progress are made of.
+struct Sample {
+  const State& state;
+  const EnergySample& energy;
+  const Eigen::VectorXd& rates;                  // [dq; dv; dz; lambda] at state.time
+  const std::vector<GeneralizedForce>& contact;  // per body of the scene, F_W and T_W about Bo, of the window's ground contact
+  const Inputs& inputs;
+  const CouplingWatch* coupling;                 // null without grains
+  long window;                                   // windows done
+};
+
+struct RunTimes {
+  double total = 0.0;     // wall time of the loop [s]
+  double dem = 0.0;       // spent by LIGGGHTS on its windows [s]
+  double mbd = 0.0;       // in the integrator [s]
+  double control = 0.0;   // in controllers [s]
+  double waiting = 0.0;   // for the partner, its work included [s]
+};
+
+class Simulation {
+ public:
+  // `partner_transport`: null when the scene touches no grains. Throws InputError, ProtocolError.
+  Simulation(const Scene& scene, double t_end, Transport* partner_transport);
+
+  // Runs to the end, or until `interrupted` is set. Calls `observe` for the start and after every window.
+  // Throws NumericalError, PartnerError.
+  void run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted);
+
+  const Scene& scene() const { return scene_; }
+  const Mechanism& mechanism() const { return mechanism_; }
+  Equations& equations() { return *equations_; }
+  const Assembly& assembly() const { return assembly_; }
+  const State& state() const { return state_; }
+  const Integrator& integrator() const { return *integrator_; }
+  const RunTimes& times() const { return times_; }
+  const DemPartner* partner() const { return partner_.get(); }
+  DemPartner* partner() { return partner_.get(); }
+  bool finished() const;             // the end time has been reached
+  long particles() const { return particles_; }
+  double t_end() const { return t_end_; }
+
+ private:
+  double next_stop() const;          // end of the next window without grains
+  double exchange_window();          // with grains: trades motion for loads, returns the window's end
+  void fill_motion(int body, BodyMotion& motion) const;
+  void update_contact();             // contact_ from loads or planes
+  void check_finite() const;
+
+  const Scene& scene_;
+  double t_end_;
+  Mechanism mechanism_;
+  Assembly assembly_;
+  std::unique_ptr<Equations> equations_;
+  std::unique_ptr<Integrator> integrator_;
+  std::unique_ptr<DemPartner> partner_;
+  std::unique_ptr<CouplingWatch> watch_;
+  ControlLoop control_;
+  State state_;
+  Inputs inputs_;
+  Eigen::VectorXd rates_;
+  Eigen::VectorXd y_;
+  EnergySample energy_;
+  std::vector<GeneralizedForce> contact_;
+  Motion motion_;
+  RunTimes times_;
+  long window_ = 0;
+  long particles_ = 0;
+};
+
+}  // namespace footfall
