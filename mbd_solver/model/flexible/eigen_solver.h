@@ -21,4 +21,7 @@ enum class EigenMethod { kAutomatic, kDense, kSubspace };
 Modes lowest_modes(const Eigen::SparseMatrix<double>& K, const Eigen::SparseMatrix<double>& M, int count,
                    double shift, EigenMethod method = EigenMethod::kAutomatic);
 
+// Every mode that carries mass, dense; for the small problems of reduced bases.
+Modes all_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& M, double shift);
+
 }  // namespace footfall

@@ -1,12 +1,15 @@
 #pragma once
 // From a finite-element model to a flexible body of a few modes, in the form modal_body.h asks for.
 //
-// Craig-Bampton: static shapes of the interface nodes (one per degree of freedom of these nodes, the others
+// Craig-Bampton: static shapes of the interface (one per degree of freedom of the interface nodes, the others
 // held) and normal modes with the interface held; then the eigenproblem of that basis, so that the modes are
-// mass-orthonormal and K is diagonal. Its six rigid-body motions are left out. While s >= 6 n_i - 6 (n_i
-// interface nodes) all static shapes are kept and the response to slow joint forces is exact; with fewer
-// modes, or with a frequency limit, the lowest s of the basis are kept. Without interface nodes it is the
-// same as: Free-free: the lowest elastic normal modes of the unsupported body.
+// mass-orthonormal and K is diagonal. Its six rigid-body motions are left out. While s >= n_c - 6 (n_c
+// degrees of freedom of the interface) all static shapes are kept and the response to slow joint forces is
+// exact; with fewer modes, or with a frequency limit, the lowest s of the basis are kept. The interface need
+// not hold the body: the fixed-interface modes then include its motions without strain. Without interface
+// nodes it is the same as: Free-free: the lowest elastic normal modes of the unsupported body. Hold only what
+// joints load: a moment on a node of a thin plate is a singular load, so a six-component interface node
+// spends modes on local kinks that a pinned node does not have.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -28,7 +31,9 @@ struct BasisOptions {
   std::optional<double> max_frequency;  // modes above it are left out [Hz]
   std::vector<double> damping_ratio = {
       0.01};  // zeta: one for all modes, or one per mode (the modes beyond use the last) [-]
-  std::vector<int> interface_nodes;  // where joints attach; Craig-Bampton only
+  // Where joints and forces attach (Craig-Bampton only). A node in both lists counts as the first.
+  std::vector<int> interface_nodes;  // joints that can transmit moments: six static shapes each
+  std::vector<int> pinned_nodes;  // spherical joints, struts, forces without moment: three static shapes each
 };
 
 struct ReducedBody {

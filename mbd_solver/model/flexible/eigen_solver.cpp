@@ -1,0 +1,116 @@
+#include "mbd_solver/model/flexible/eigen_solver.h"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <random>
+#include <string>
+
+#include "coupler/errors.h"
+
+namespace footfall {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Sparse = Eigen::SparseMatrix<double>;
+
+constexpr Index kDenseSize = 300;  // above, subspace iteration is faster
+constexpr int kMaxIterations = 300;
+constexpr double kConverged =
+    1e-11;  // relative change of every lambda + shift in one iteration, half the digits of the shapes
+constexpr double kMassless = 1e-14;  // mu below this fraction of the largest: no mass in that direction
+
+// In A = K + shift M the problem reads M x = mu A x with mu = 1 / (lambda + shift) >= 0: A is positive
+// definite even if M is not, and the lowest modes have the largest mu.
+struct Reduced {
+  VectorXd mu;  // descending
+  MatrixXd y;   // y^T A y = 1
+};
+
+Reduced solve_reduced(const MatrixXd& M, const MatrixXd& A) {
+  const VectorXd scale = A.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixXd scaled_A = scale.asDiagonal() * A * scale.asDiagonal();
+  const Eigen::LLT<MatrixXd> cholesky(scaled_A);
+  if (cholesky.info() != Eigen::Success || !scale.allFinite())
+    throw InputError(
+        "stiffness is not positive definite: the body can move without strain between its supports.");
+  MatrixXd C = scale.asDiagonal() * M * scale.asDiagonal();
+  cholesky.matrixL().solveInPlace(C);
+  C = cholesky.matrixL().solve(C.transpose()).eval();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(0.5 * (C + C.transpose()));
+  Reduced result;
+  result.mu = eigen.eigenvalues().reverse();
+  result.y = scale.asDiagonal() * cholesky.matrixU().solve(eigen.eigenvectors().rowwise().reverse());
+  return result;
+}
+
+Modes modes_from(const VectorXd& mu, const MatrixXd& x, double shift) {
+  Modes modes;
+  modes.lambda = mu.cwiseInverse().array() - shift;
+  modes.shapes = x * mu.cwiseSqrt().cwiseInverse().asDiagonal();  // x^T A x = 1 means x^T M x = mu
+  return modes;
+}
+
+void require_mass(const VectorXd& mu, int count) {
+  if (!(mu(count - 1) > kMassless * mu(0)))
+    throw InputError("mass matrix is not positive: fewer than " + std::to_string(count) +
+                     " independent motions carry mass. Ask for fewer modes, or give every node a mass.");
+}
+
+Modes dense_modes(const Sparse& K, const Sparse& M, int count, double shift) {
+  const Reduced reduced = solve_reduced(MatrixXd(M), MatrixXd(K) + shift * MatrixXd(M));
+  require_mass(reduced.mu, count);
+  return modes_from(reduced.mu.head(count), reduced.y.leftCols(count), shift);
+}
+
+// Bathe's subspace iteration: X <- A^-1 M X, then the eigenproblem within X.
+Modes subspace_modes(const Sparse& K, const Sparse& M, int count, double shift) {
+  const Sparse A = K + shift * M;
+  const Eigen::SimplicialLDLT<Sparse> factor(A);
+  if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0))
+    throw InputError(
+        "stiffness is not positive definite: the body can move without strain between its supports.");
+  const Index n = A.rows();
+  const Index width = std::min<Index>(n, std::max<Index>(2 * count, count + 8));
+  std::mt19937 random(1);  // the same start every time: the same result every time
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  MatrixXd X(n, width);
+  for (Index j = 0; j < width; ++j)
+    for (Index i = 0; i < n; ++i) X(i, j) = uniform(random);
+  VectorXd last = VectorXd::Zero(count);
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    X = factor.solve(M * X);
+    const Reduced reduced = solve_reduced(X.transpose() * (M * X), X.transpose() * (A * X));
+    X *= reduced.y;
+    const VectorXd mu = reduced.mu.head(count);
+    if (((mu - last).array().abs() <= kConverged * mu.array()).all()) {
+      require_mass(reduced.mu, count);
+      return modes_from(mu, X.leftCols(count), shift);
+    }
+    last = mu;
+  }
+  throw NumericalError("modes: subspace iteration for " + std::to_string(count) +
+                       " modes did not converge in " + std::to_string(kMaxIterations) + " iterations.");
+}
+
+}  // namespace
+
+Modes lowest_modes(const Sparse& K, const Sparse& M, int count, double shift, EigenMethod method) {
+  FOOTFALL_DEMAND(count >= 0 && K.rows() == M.rows());
+  if (count > K.rows())
+    throw InputError(std::to_string(count) + " modes asked for, but there are only " +
+                     std::to_string(K.rows()) + " degrees of freedom.");
+  if (count == 0) return {VectorXd(0), MatrixXd(K.rows(), 0)};
+  const bool dense = method == EigenMethod::kDense ||
+                     (method == EigenMethod::kAutomatic && (K.rows() <= kDenseSize || count > K.rows() / 8));
+  return dense ? dense_modes(K, M, count, shift) : subspace_modes(K, M, count, shift);
+}
+
+Modes all_modes(const MatrixXd& K, const MatrixXd& M, double shift) {
+  const Reduced reduced = solve_reduced(M, K + shift * M);
+  const Index count = (reduced.mu.array() > kMassless * reduced.mu(0)).count();
+  return modes_from(reduced.mu.head(count), reduced.y.leftCols(count), shift);
+}
+
+}  // namespace footfall
