@@ -26,9 +26,10 @@ void DemBody::clear_contacts() {
   contacts_now_ = 0;
 }
 
-void DemBody::add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, double overlap_over_radius,
-                          double stiffness) {
+void DemBody::add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_W,
+                          double overlap_over_radius, double stiffness) {
   boundary_.add_point_force(path_.pose(), point, f_W, now_);
+  boundary_.add_point_moment(path_.pose(), point, m_W, now_);
   overlap_ = std::max(overlap_, overlap_over_radius);
   stiffness_now_ += stiffness;
   ++contacts_now_;

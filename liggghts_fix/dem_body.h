@@ -25,8 +25,10 @@ class DemBody {
   void advance() { path_.advance(); }
 
   void clear_contacts();
-  // A contact: force f_W [N] ON the body at the boundary point, overlap over grain radius [-], normal stiffness [N/m] (0: unknown).
-  void add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, double overlap_over_radius, double stiffness);
+  // A contact: force f_W [N] ON the body at the boundary point and moment m_W [N m] about that point (contacts beside the axis of a beam,
+  // or in the middle of the overlap; rolling friction), overlap over grain radius [-], normal stiffness [N/m] (0: unknown).
+  void add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_W,
+                   double overlap_over_radius, double stiffness);
   // The forces just evaluated stand before the next substep (a run was set up).
   void take_standing();
   void end_substep(double dt);

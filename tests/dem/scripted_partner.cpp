@@ -1,0 +1,314 @@
+// A partner for liggghts_mbd whose every move is known: bodies with prescribed motion, or one mass on one spring, under the mean load. It
+// stands in for the multibody program in tests of the grains' side, and it can misbehave.
+//
+//   scripted_partner [option VALUE...] body NAME STL-FILE X Y Z MOTION...  [body ...]
+// Options: scheme NAME, until T [s], out FILE.csv, n N (substeps per window when the script has `every auto`), misbehave WHAT:
+//   version      answers Hello with another protocol version          die K    kills itself in window K
+//   hang K       sleeps for ever in window K                          fail K   reports a failure in window K
+//   wrong-window K   sends the Motion of another window               not-a-number K  sends NaN in window K
+//   lose K       drops the connection in window K without a word, by MPI_Finalize and exit
+// MOTION:
+//   prescribed VX VY VZ WX WY WZ                 constant velocity of the body's origin [m/s] and angular velocity in W [rad/s]
+//   bending VX VY VZ AMPLITUDE OMEGA             as above without turning, with one mode: z shifts by a (x^2 + y^2) in B,
+//                                                a = AMPLITUDE sin(OMEGA t)
+//   free MASS STIFFNESS VX VY VZ                 a mass [kg] on a spring [N/m] to its initial place in x, y and z; the exact motion
+//                                                under the window's mean force
+
+#include <mpi.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "coupler/communicator.h"
+#include "coupler/errors.h"
+#include "coupler/link.h"
+#include "coupler/transport_mpi.h"
+#include "tests/dem/stl.h"
+
+namespace {
+
+using namespace footfall;
+
+struct Body {
+  enum class Kind { kPrescribed, kBending, kFree };
+  std::string name;
+  test::Surface surface;
+  Kind kind = Kind::kPrescribed;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();
+  Eigen::Vector3d w = Eigen::Vector3d::Zero();
+  double mass = 0.0, stiffness = 0.0;    // [kg], [N/m]
+  double amplitude = 0.0, omega = 0.0;   // of the bending mode
+  BodyMotion state;
+};
+
+struct Options {
+  std::string scheme{kDefaultScheme};
+  std::string out;
+  double until = 0.0;
+  int n = 0;
+  std::string misbehave;
+  long misbehave_at = -1;
+  std::vector<Body> bodies;
+};
+
+Options parse(int argc, char** argv) {
+  Options options;
+  int i = 1;
+  const auto next = [&]() -> std::string {
+    if (i >= argc) throw InputError("scripted_partner: an argument is missing");
+    return argv[i++];
+  };
+  const auto number = [&] { return std::stod(next()); };
+  const auto vector = [&] {
+    Eigen::Vector3d value;
+    for (double& x : value) x = number();
+    return value;
+  };
+  while (i < argc) {
+    const std::string word = next();
+    if (word == "scheme") {
+      options.scheme = next();
+    } else if (word == "until") {
+      options.until = number();
+    } else if (word == "out") {
+      options.out = next();
+    } else if (word == "n") {
+      options.n = std::stoi(next());
+    } else if (word == "misbehave") {
+      options.misbehave = next();
+      if (options.misbehave != "version") options.misbehave_at = std::stol(next());
+    } else if (word == "body") {
+      Body body;
+      body.name = next();
+      body.surface = test::read_stl(next());
+      body.place = vector();
+      const std::string motion = next();
+      if (motion == "prescribed") {
+        body.v = vector();
+        body.w = vector();
+      } else if (motion == "bending") {
+        body.kind = Body::Kind::kBending;
+        body.v = vector();
+        body.amplitude = number();
+        body.omega = number();
+      } else if (motion == "free") {
+        body.kind = Body::Kind::kFree;
+        body.mass = number();
+        body.stiffness = number();
+        body.v = vector();
+      } else {
+        throw InputError("scripted_partner: unknown motion " + motion);
+      }
+      options.bodies.push_back(body);
+    } else {
+      throw InputError("scripted_partner: unknown word " + word);
+    }
+  }
+  return options;
+}
+
+ModalBoundary boundary(const Body& body) {
+  Eigen::MatrixXd Phi;
+  if (body.kind == Body::Kind::kBending) {
+    Phi = Eigen::MatrixXd::Zero(body.surface.nodes.size(), 1);
+    for (Eigen::Index j = 0; j < body.surface.nodes.cols(); ++j)
+      Phi(3 * j + 2, 0) = body.surface.nodes.col(j).head<2>().squaredNorm();
+  }
+  return ModalBoundary(body.name, body.surface.nodes, body.surface.triangles, {}, Phi);
+}
+
+// The state of a body with prescribed motion.
+void prescribe(const Body& body, double t, BodyMotion& state) {
+  state.r = body.place + t * body.v;
+  state.L = turned(Eigen::Vector4d(1.0, 0.0, 0.0, 0.0), t * body.w);
+  state.dr = body.v;
+  state.w = body.w;
+  if (body.kind != Body::Kind::kBending) return;
+  state.a[0] = body.amplitude * std::sin(body.omega * t);
+  state.da[0] = body.amplitude * body.omega * std::cos(body.omega * t);
+  state.dda[0] = -body.omega * body.omega * state.a[0];
+}
+
+// Exact motion of the mass on its spring under a constant force during H.
+void integrate_free(const Body& body, const Eigen::Vector3d& F, double H, BodyMotion& state) {
+  const Eigen::Vector3d x = state.r - body.place;
+  if (body.stiffness > 0.0) {
+    const double om = std::sqrt(body.stiffness / body.mass), c = std::cos(om * H), s = std::sin(om * H);
+    const Eigen::Vector3d rest = F / body.stiffness;
+    const Eigen::Vector3d amplitude = x - rest;
+    state.r = body.place + rest + c * amplitude + (s / om) * state.dr;
+    state.dr = c * state.dr - (om * s) * amplitude;
+  } else {
+    state.r += H * state.dr + (0.5 * H * H / body.mass) * F;
+    state.dr += (H / body.mass) * F;
+  }
+  state.ddr = (F - body.stiffness * (state.r - body.place)) / body.mass;
+}
+
+// What the grains' program hears from a partner that speaks another protocol.
+void answer_in_another_protocol(TransportMpi& transport, const Geometry& geometry) {
+  Bytes bytes;
+  pack(geometry, bytes);
+  const std::int32_t foreign = kProtocolVersion + 998;
+  std::memcpy(bytes.data() + 8, &foreign, sizeof foreign);
+  transport.send(MessageKind::kGeometry, bytes);
+}
+
+void misbehave(const Options& options, Link& link) {
+  if (options.misbehave == "die") std::raise(SIGKILL);
+  if (options.misbehave == "hang")
+    for (;;) pause();
+  if (options.misbehave == "fail") throw NumericalError("the spring of the test broke");
+  if (options.misbehave == "lose") {
+    MPI_Finalize();
+    std::exit(0);
+  }
+  (void)link;
+}
+
+struct Output {
+  explicit Output(const std::string& path) : file(path) {
+    file.precision(17);
+    file << "window,time,body,x,y,z,vx,vy,vz,fx,fy,fz,mx,my,mz,q,work,jump_work,ix,iy,iz,contacts,stiffness,overlap,particles\n";
+  }
+  void row(const Motion& motion, std::size_t i, const Load& load) {
+    const BodyMotion& state = motion.bodies[i];
+    const BodyLoad& body = load.bodies[i];
+    const auto put = [this](const Eigen::Vector3d& v) { file << "," << v[0] << "," << v[1] << "," << v[2]; };
+    file << motion.window << "," << motion.time << "," << i;
+    put(state.r);
+    put(state.dr);
+    put(body.mean.F_W);
+    put(body.mean.T_B);
+    file << "," << (body.mean.Q_a.size() > 0 ? body.mean.Q_a[0] : 0.0) << "," << body.mean.work << ","
+         << body.mean.jump_work;
+    put(body.mean.impulse_W);
+    file << "," << body.contacts << "," << body.contact_stiffness << "," << body.max_overlap_over_radius << ","
+         << load.particles << "\n";
+  }
+  std::ofstream file;
+};
+
+void couple(const Options& options, TransportMpi& transport, Link& link) {
+  Hello hello;
+  link.receive_patiently(hello);
+  check_partner(link.partner(), hello.protocol, hello.footfall_version);
+  Geometry geometry;
+  std::vector<Body> bodies = options.bodies;
+  for (Body& body : bodies) {
+    ModalBoundary one = boundary(body);
+    body.state.resize(one.mode_count());
+    prescribe(body, 0.0, body.state);
+    geometry.bodies.push_back({one, body.state});
+  }
+  if (options.misbehave == "version") {
+    answer_in_another_protocol(transport, geometry);
+  } else {
+    link.send(geometry);
+  }
+
+  Start start;
+  link.receive_patiently(start);
+  std::vector<Body*> coupled;  // in the order of Start
+  for (const std::string& name : start.bodies)
+    for (Body& body : bodies)
+      if (body.name == name) coupled.push_back(&body);
+  const int n = start.n > 0 ? start.n : options.n;
+  const auto steps = static_cast<std::int64_t>(std::llround(options.until / start.dt));
+  Accept accept;
+  accept.scheme = options.scheme;
+  accept.t_end = static_cast<double>(steps) * start.dt;
+  accept.n_max = n;
+  link.send(accept);
+
+  std::unique_ptr<Output> output;
+  if (!options.out.empty()) output = std::make_unique<Output>(options.out);
+  Motion motion;
+  Load load;
+  double initial_energy = 0.0, residual = 0.0;
+  for (const Body* body : coupled) initial_energy += 0.5 * body->mass * body->state.dr.squaredNorm();
+  for (std::int64_t done = 0; done < steps;) {
+    motion.n = static_cast<std::int32_t>(std::min<std::int64_t>(n, steps - done));
+    motion.time = static_cast<double>(done) * start.dt;
+    motion.last_window = done + motion.n == steps;
+    motion.bodies.clear();
+    for (const Body* body : coupled) motion.bodies.push_back(body->state);
+    if (motion.window == options.misbehave_at) misbehave(options, link);
+    Motion sent = motion;
+    if (motion.window == options.misbehave_at && options.misbehave == "wrong-window") sent.window += 7;
+    if (motion.window == options.misbehave_at && options.misbehave == "not-a-number")
+      sent.bodies[0].dr[1] = std::numeric_limits<double>::quiet_NaN();
+    link.send(sent);
+    link.receive(load);
+    if (output)
+      for (std::size_t i = 0; i < coupled.size(); ++i) output->row(motion, i, load);
+    done += motion.n;
+    for (std::size_t i = 0; i < coupled.size(); ++i) {
+      Body& body = *coupled[i];
+      const Eigen::Vector3d before = body.state.r;
+      if (body.kind == Body::Kind::kFree) {
+        integrate_free(body, load.bodies[i].mean.F_W, motion.n * start.dt, body.state);
+        residual += load.bodies[i].mean.work - load.bodies[i].mean.F_W.dot(body.state.r - before);
+      } else {
+        prescribe(body, static_cast<double>(done) * start.dt, body.state);
+      }
+    }
+    ++motion.window;
+  }
+  link.close();
+  std::printf("scripted_partner: windows %lld residual %.10g initial energy %.10g\n",
+              static_cast<long long>(motion.window), residual, initial_energy);
+  for (const Body* body : coupled)
+    std::printf("scripted_partner: body %s at %.15g %.15g %.15g velocity %.15g %.15g %.15g\n", body->name.c_str(),
+                body->state.r[0], body->state.r[1], body->state.r[2], body->state.dr[0], body->state.dr[1],
+                body->state.dr[2]);
+}
+
+int run(int argc, char** argv, const Communicator& communicator) {
+  std::unique_ptr<TransportMpi> transport;
+  std::unique_ptr<Link> link;
+  const auto stop = [&](const std::exception& error, int code) {
+    std::fprintf(stderr, "scripted_partner: ERROR: %s\n", error.what());
+    if (link) link->fail(error.what());
+    return code;
+  };
+  try {
+    if (!communicator.has_partner()) throw InputError("scripted_partner needs liggghts_mbd beside it");
+    transport = std::make_unique<TransportMpi>(communicator, "liggghts_mbd");
+    link = std::make_unique<Link>(*transport, 120.0);
+    couple(parse(argc, argv), *transport, *link);
+    return kExitDone;
+  } catch (const InputError& error) {
+    return stop(error, kExitBadInput);
+  } catch (const ProtocolError& error) {
+    return stop(error, kExitBadInput);
+  } catch (const std::exception& error) {
+    return stop(error, kExitFailed);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  int code = kExitFailed;
+  {
+    const Communicator communicator;
+    AbortGuard::install(communicator);
+    code = run(argc, argv, communicator);
+    AbortGuard::release();
+  }
+  MPI_Finalize();
+  return code;
+}
