@@ -54,6 +54,7 @@ class Simulation {
   const RunTimes& times() const { return times_; }
   const DemPartner* partner() const { return partner_.get(); }
   DemPartner* partner() { return partner_.get(); }
+  const CouplingWatch* watch() const { return watch_.get(); }  // null without grains
   bool finished() const;             // the end time has been reached
   long particles() const { return particles_; }
   double t_end() const { return t_end_; }

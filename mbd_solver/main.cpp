@@ -1,0 +1,123 @@
+// mbd_solver: the mechanism's side of footfall. Alone it runs scenes that touch no grains:
+//   mbd_solver scene.toml --out DIR
+// and with LIGGGHTS under one mpirun those that do:
+//   mpirun -np 2 liggghts_mbd -in in.script : -np 1 mbd_solver scene.toml --out DIR
+
+#include <mpi.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "coupler/communicator.h"
+#include "coupler/errors.h"
+#include "coupler/transport_mpi.h"
+#include "mbd_solver/run/run_scene.h"
+#include "mbd_solver/scene/scene_reader.h"
+
+namespace {
+
+using namespace footfall;
+
+volatile std::sig_atomic_t g_interrupted = 0;
+
+void note_interrupt(int) { g_interrupted = 1; }
+
+struct Arguments {
+  std::string scene;
+  std::vector<std::string> settings;
+  RunOptions run;
+};
+
+// Throws CLI::ParseError.
+Arguments parse(CLI::App& app, int argc, char** argv) {
+  Arguments arguments;
+  std::string scheme, integrator;
+  app.set_version_flag("--version", std::string("mbd_solver ") + FOOTFALL_VERSION);
+  app.add_option("SCENE", arguments.scene, "Scene file, or folder with scene.toml")->required();
+  app.add_option("--out", arguments.run.out, "Folder for results (made if missing)")->capture_default_str();
+  app.add_option("--until", arguments.run.until, "End earlier than the scene says [s]")->check(CLI::PositiveNumber);
+  app.add_option("--set", arguments.settings, "key=value: change one value of the scene");
+  app.add_option("--scheme", scheme, "Coupling scheme (coupling.scheme)");
+  app.add_option("--integrator", integrator, "Integrator (solver.integrator)");
+  app.add_flag("--quiet", arguments.run.quiet, "No progress line");
+  app.parse(argc, argv);
+  if (!scheme.empty()) arguments.settings.push_back("coupling.scheme=\"" + scheme + "\"");
+  if (!integrator.empty()) arguments.settings.push_back("solver.integrator=\"" + integrator + "\"");
+  return arguments;
+}
+
+int say(const std::exception& error, int code) {
+  std::fflush(stdout);
+  std::fprintf(stderr, "mbd_solver: %s\n", error.what());
+  return code;
+}
+
+int run_alone(const Arguments& arguments) {
+  const Scene scene = read_scene(arguments.scene, arguments.settings);
+  if (scene.touches_particles())
+    throw InputError(scene.file + ": ground.kind = \"particles\" needs LIGGGHTS: use `footfall run`, or start both programs:\n  mpirun -np " +
+                     std::to_string(scene.particles->ranks) + " liggghts_mbd -in " + scene.particles->script + " : -np 1 mbd_solver " +
+                     arguments.scene);
+  return run_scene(scene, arguments.run, nullptr, g_interrupted);
+}
+
+// Everything that can go wrong is told to the partner, too: neither program outlives the other.
+int run_coupled(const Arguments& arguments, const Communicator& communicator) {
+  if (communicator.size() != 1)
+    throw InputError("mbd_solver runs on one rank, got " + std::to_string(communicator.size()) + ": write `: -np 1 mbd_solver ...`");
+  TransportMpi transport(communicator, "liggghts_mbd");
+  try {
+    const Scene scene = read_scene(arguments.scene, arguments.settings);
+    if (!scene.touches_particles())
+      throw InputError(scene.file + ": ground.kind is not \"particles\", but LIGGGHTS was started next to it: run `mbd_solver " +
+                       arguments.scene + "` alone");
+    return run_scene(scene, arguments.run, &transport, g_interrupted);
+  } catch (const InputError& error) {
+    Link(transport).fail(error.what());
+    throw;
+  }
+}
+
+int guarded(const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    return say(error, kExitBadInput);
+  } catch (const ProtocolError& error) {
+    return say(error, kExitBadInput);
+  } catch (const std::exception& error) {
+    return say(error, kExitFailed);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"mbd_solver: flexible multibody mechanisms, alone or against grains moved by LIGGGHTS"};
+  Arguments arguments;
+  try {
+    arguments = parse(app, argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitDone : kExitBadInput;
+  }
+  std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
+
+  // MPI is started only under mpirun: scenes without grains need none.
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMI_SIZE") == nullptr)
+    return guarded([&] { return run_alone(arguments); });
+
+  MPI_Init(&argc, &argv);
+  const int code = guarded([&] {
+    const Communicator communicator;
+    AbortGuard::install(communicator);
+    if (!communicator.has_partner()) return run_alone(arguments);
+    return run_coupled(arguments, communicator);
+  });
+  AbortGuard::release();
+  MPI_Finalize();
+  return code;
+}

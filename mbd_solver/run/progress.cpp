@@ -1,0 +1,42 @@
+#include "mbd_solver/run/progress.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+
+namespace footfall {
+namespace {
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+constexpr double kTerminalPause = 0.2;  // between two versions of the line [s]
+constexpr double kFilePause = 5.0;      // between two lines in a file [s]
+
+}  // namespace
+
+// FOOTFALL_TERMINAL is set by the front door: under mpirun this program's own output is never a terminal.
+Progress::Progress(double t_end, bool quiet)
+    : t_end_(t_end), quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1 || std::getenv("FOOTFALL_TERMINAL") != nullptr), started_(now()) {}
+
+void Progress::show(double time, long windows, double contact_force) {
+  if (quiet_) return;
+  const double wall = now();
+  if (wall - last_ < (terminal_ ? kTerminalPause : kFilePause)) return;
+  last_ = wall;
+  const double spent = wall - started_;
+  const double factor = spent > 0.0 ? time / spent : 0.0;  // simulated per real second
+  const double left = factor > 0.0 ? (t_end_ - time) / factor : 0.0;
+  std::printf("%st = %.4f of %g s | %.2e x real time | %.0f s left | %ld windows | contact %.2f kN%s", terminal_ ? "\r" : "", time, t_end_,
+              factor, left, windows, contact_force / 1e3, terminal_ ? "   " : "\n");
+  std::fflush(stdout);
+  open_ = terminal_;
+}
+
+void Progress::finish() {
+  if (open_) std::printf("\n");
+  open_ = false;
+  std::fflush(stdout);
+}
+
+}  // namespace footfall

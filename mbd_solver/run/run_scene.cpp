@@ -1,0 +1,140 @@
+#include "mbd_solver/run/run_scene.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "coupler/errors.h"
+#include "mbd_solver/output/history.h"
+#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/checkpoint.h"
+#include "mbd_solver/run/observation.h"
+#include "mbd_solver/run/progress.h"
+#include "mbd_solver/scene/scene_json.h"
+
+namespace footfall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// What was constructed for this scene, and nothing else.
+std::vector<std::string> active_parts(const Simulation& simulation) {
+  const Mechanism& mechanism = simulation.mechanism();
+  std::vector<std::string> active = {"bodies"};
+  bool flexible = false;
+  for (int i = 0; i < mechanism.model.body_count(); ++i) flexible = flexible || mechanism.model.body(i).mode_count() > 0;
+  if (flexible) active.push_back("flexible");
+  if (mechanism.model.joint_count() > 0) active.push_back("joints");
+  if (!mechanism.struts.empty()) active.push_back("struts");
+  if (!mechanism.controllers.empty()) active.push_back("controllers");
+  if (!mechanism.planes.empty()) active.push_back("plane");
+  if (simulation.partner()) active.push_back("particles");
+  return active;
+}
+
+Json summary_of(const Simulation& simulation, const FigureTaker& taker, const std::string& status, const std::string& reason) {
+  const Figures& figures = taker.figures();
+  const IntegratorStatistics& statistics = simulation.integrator().statistics();
+  const RunTimes& times = simulation.times();
+  Json json;
+  json["status"] = status;
+  if (!reason.empty()) json["reason"] = reason;
+  json["end_time_s"] = simulation.state().time;
+  json["observed_body"] = taker.body_name();
+  json["peak_acceleration_g"] = figures.peak_acceleration / 9.80665;
+  json["max_descent_m"] = figures.max_descent;
+  json["max_penetration_m"] = figures.max_penetration;
+  json["max_contact_force_N"] = figures.max_contact_force;
+  json["reference_energy_J"] = figures.reference_energy;
+  json["energy_balance_relative"] = figures.energy_balance_relative();
+  json["drift_position"] = statistics.drift_position;
+  json["drift_velocity"] = statistics.drift_velocity;
+  Json warnings = Json::array();
+  for (const std::string& text : simulation.mechanism().warnings) warnings.push_back(text);
+  for (const std::string& text : simulation.assembly().notes) warnings.push_back(text);
+  if (const CouplingWatch* watch = simulation.watch()) {
+    json["coupling_energy_residual_relative"] =
+        figures.reference_energy > 0.0 ? watch->largest_energy_residual() / figures.reference_energy : 0.0;
+    json["max_overlap_over_radius"] = watch->largest_overlap();
+    json["particles"] = simulation.particles();
+    json["dt_dem_s"] = simulation.partner()->dt();
+    json["substeps_per_window"] = simulation.partner()->substeps();
+    for (std::size_t i = 0; i < watch->names().size(); ++i) json["max_omega_h"][watch->names()[i]] = watch->largest_omega_h()[i];
+    for (const std::string& text : watch->warnings()) warnings.push_back(text);
+  }
+  json["steps"] = statistics.steps;
+  json["windows"] = statistics.windows;
+  json["wall_s"] = times.total;
+  json["dem_wall_s"] = times.dem;
+  json["mbd_wall_s"] = times.mbd;
+  json["control_wall_s"] = times.control;
+  // What the exchange costs beyond the partner's own work.
+  json["exchange_wall_s"] = std::max(0.0, times.waiting - times.dem);
+  json["integrator"] = simulation.integrator().name();
+  json["active"] = active_parts(simulation);
+  json["warnings"] = warnings;
+  json["versions"]["footfall"] = FOOTFALL_VERSION;
+  json["scene"] = Json::parse(scene_json(simulation.scene()));
+  return json;
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(folder + ": cannot be made: " + error.message() + "; choose another folder with --out");
+}
+
+}  // namespace
+
+int run_scene(const Scene& scene, const RunOptions& options, Transport* transport, const volatile std::sig_atomic_t& interrupted) {
+  const double t_end = options.until > 0.0 ? std::min(options.until, scene.end_time) : scene.end_time;
+  Simulation simulation(scene, t_end, transport);
+  make_folder(options.out);
+  const std::string folder = options.out + "/";
+  for (const std::string& warning : simulation.mechanism().warnings) std::fprintf(stderr, "mbd_solver: warning: %s\n", warning.c_str());
+  for (const std::string& note : simulation.assembly().notes) std::fprintf(stderr, "mbd_solver: note: %s\n", note.c_str());
+
+  Observation observation(simulation);
+  FigureTaker taker(simulation);
+  HistoryWriter history(folder + "history.csv", observation.names(), observation.units());
+  Progress progress(t_end, options.quiet);
+  std::size_t warned = 0;
+  double next_row = 0.0;
+  Eigen::VectorXd voltages;
+  const auto observe = [&](const Sample& sample) {
+    taker.take(sample);
+    voltages = sample.inputs.voltages;
+    if (sample.state.time >= next_row - 1e-9 * scene.output.interval || simulation.finished()) {
+      history.write(observation.row(sample));
+      next_row = (std::floor(sample.state.time / scene.output.interval + 1e-9) + 1.0) * scene.output.interval;
+    }
+    progress.show(sample.state.time, sample.window, taker.figures().contact_force);
+    for (; sample.coupling && warned < sample.coupling->warnings().size(); ++warned)
+      std::fprintf(stderr, "\nmbd_solver: warning: %s\n", sample.coupling->warnings()[warned].c_str());
+  };
+
+  try {
+    simulation.run(observe, interrupted);
+  } catch (const std::exception& error) {
+    progress.finish();
+    history.flush();
+    if (simulation.partner()) simulation.partner()->fail(error.what(), Status::kFailed);
+    if (simulation.state().q.allFinite() && simulation.state().v.allFinite())
+      write_checkpoint(folder + "checkpoint.txt", simulation.state(), simulation.mechanism(), voltages);
+    write_summary(folder + "summary.json", summary_of(simulation, taker, "failed", error.what()));
+    throw;
+  }
+  progress.finish();
+  history.flush();
+  const bool done = simulation.finished();
+  if (!done) {
+    write_checkpoint(folder + "checkpoint.txt", simulation.state(), simulation.mechanism(), voltages);
+    if (simulation.partner()) simulation.partner()->fail("interrupted by the user", Status::kInterrupted);
+  }
+  write_summary(folder + "summary.json", summary_of(simulation, taker, done ? "done" : "interrupted", ""));
+  return done ? kExitDone : kExitInterrupted;
+}
+
+}  // namespace footfall

@@ -1,0 +1,22 @@
+#pragma once
+// One scene from start to files: what the program mbd_solver does once it knows its partner.
+
+#include <csignal>
+#include <string>
+
+#include "coupler/transport.h"
+#include "mbd_solver/scene/scene.h"
+
+namespace footfall {
+
+struct RunOptions {
+  std::string out = "out";  // folder for history.csv, summary.json, VTU
+  double until = 0.0;       // end earlier than the scene [s]; 0: the scene's end
+  bool quiet = false;       // no progress line
+};
+
+// Runs the scene and writes its files. Returns the exit code: done or interrupted. `transport`: null without grains.
+// Throws what Simulation throws, after writing a summary that says `failed` and a last checkpoint; the partner is told.
+int run_scene(const Scene& scene, const RunOptions& options, Transport* transport, const volatile std::sig_atomic_t& interrupted);
+
+}  // namespace footfall
