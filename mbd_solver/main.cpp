@@ -13,6 +13,7 @@
 
 #include "coupler/communicator.h"
 #include "coupler/errors.h"
+#include "coupler/link.h"
 #include "coupler/transport_mpi.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
