@@ -67,7 +67,9 @@ class BeamChain {
 };
 
 // The material point of a body's beam where a sphere touches it: at the touch's arm from the axis, carried by
-// the turning cross-section.
+// the turning cross-section. Its partner in virtual work: a force f there is the force f and the moment arm x
+// f at axis() (ModalBoundary::add_point_force, add_point_moment), and gives the body the power f .
+// velocity().
 class BeamContactPoint {
  public:
   BeamContactPoint(const ModalBoundary& boundary, const BeamChain& chain, const BeamTouch& touch)
@@ -75,16 +77,9 @@ class BeamContactPoint {
         axis_(boundary.segment_point(chain.boundary_segment(touch.segment), touch.mu)),
         arm_(touch.arm()) {}
 
+  const BoundaryPoint& axis() const { return axis_; }
   Eigen::Vector3d velocity(const BodyMotion& motion) const {  // in W [m/s]
     return boundary_.velocity(motion, axis_) + boundary_.angular_velocity(motion, axis_).cross(arm_);
-  }
-  // Adds what the contact does to the body: the force f_W [N] and the moment m_p_W [N m] about the point p on
-  // the axis. A force at the contact point alone has m_p = arm x f, and then f . velocity() is the power that
-  // the body receives; rolling friction adds its couple.
-  void add_force(const BodyMotion& motion, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_p_W,
-                 GeneralizedForce& Q) const {
-    boundary_.add_point_force(motion, axis_, f_W, Q);
-    boundary_.add_point_moment(motion, axis_, m_p_W, Q);
   }
 
  private:

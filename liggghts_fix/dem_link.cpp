@@ -74,13 +74,12 @@ const CoupledBody& DemLink::scene_body(const std::string& name, const std::strin
 
 int DemLink::couple(const std::string& name, const std::string& unit_style) {
   scene_body(name, unit_style);
-  FOOTFALL_DEMAND(!started());
   const auto found = std::find(names_.begin(), names_.end(), name);
-  if (found == names_.end()) {
-    names_.push_back(name);
-    return static_cast<int>(names_.size()) - 1;
-  }
-  return static_cast<int>(found - names_.begin());
+  if (found != names_.end()) return static_cast<int>(found - names_.begin());
+  if (started())
+    throw InputError("couple/mbd: body \"" + name + "\" cannot join after the first run; name it in the script before");
+  names_.push_back(name);
+  return static_cast<int>(names_.size()) - 1;
 }
 
 void DemLink::start(double dt, int n, std::int64_t step) {

@@ -19,7 +19,7 @@ class DemLink {
 
   // A body of the scene; the first call makes the handshake. Throws InputError for a name that the scene does not know, with a guess.
   const CoupledBody& scene_body(const std::string& name, const std::string& unit_style);
-  // The body will be moved and loaded here; returns its index. Before start().
+  // The body will be moved and loaded here; returns its index, also to all who ask again. Throws InputError for a new one after start().
   int couple(const std::string& name, const std::string& unit_style);
 
   // dt [s], n substeps per window (0: the partner chooses each time), LIGGGHTS' step number. First call: Start and Accept. Later calls

@@ -25,7 +25,7 @@ namespace {
 using footfall::InputError;
 
 constexpr const char* kModule = "footfall_mbd";
-constexpr const char* kUsage = "fix ID all couple/mbd every N|auto mesh MESH-ID BODY [mesh MESH-ID BODY ...]";
+constexpr const char* kUsage = "fix ID all couple/mbd every N|auto [mesh MESH-ID BODY ...]";
 
 using NodeVelocities = MultiVectorContainer<double, 3, 3>;
 
@@ -37,7 +37,7 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg) : Fix(lmp_, narg,
   const std::string where = std::string("fix ") + id + " couple/mbd: ";
   if (modify->n_fixes_style_strict(style) > 0) throw InputError(where + "there is one already; name all meshes in it");
   if (link_.started()) throw InputError(where + "the coupling has run already and cannot be set up anew");
-  if (narg < 8 || std::strcmp(arg[3], "every") != 0) throw InputError(where + "expected: " + kUsage);
+  if (narg < 5 || std::strcmp(arg[3], "every") != 0) throw InputError(where + "expected: " + kUsage);
   if (std::strcmp(arg[4], "auto") != 0) {
     char* rest = nullptr;
     const long n = std::strtol(arg[4], &rest, 10);
@@ -54,7 +54,7 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg) : Fix(lmp_, narg,
   size_vector = 5;
   extvector = 0;
   array_flag = 1;
-  size_array_rows = static_cast<int>(meshes_.size());
+  size_array_rows = link_.body_count();
   size_array_cols = 6;
   extarray = 0;
   global_freq = 1;
@@ -69,9 +69,9 @@ FixCoupleMbd::CoupledMesh FixCoupleMbd::couple(const std::string& mesh_id, const
     throw InputError(where + "another fix or a servo moves it already");
   if (mesh_fix->surfaceVel())
     throw InputError(where + "it has a surface velocity of its own (surface_vel, surface_ang_vel)");
-  const int bodies_before = link_.body_count();
   const int body = link_.couple(body_name, update->unit_style);
-  if (body != bodies_before) throw InputError(where + "body \"" + body_name + "\" has a mesh already");
+  for (const CoupledMesh& other : meshes_)
+    if (other.body == body) throw InputError(where + "body \"" + body_name + "\" has a mesh already");
   const footfall::CoupledBody& scene_body = link_.scene_body(body_name, update->unit_style);
   const int nodes = scene_body.boundary.node_count();
   auto module = std::make_unique<MeshModuleMbd>(lmp, mesh_fix, match(mesh_fix, mesh_id, scene_body));
@@ -155,7 +155,15 @@ void FixCoupleMbd::init() {
   for (const CoupledMesh& mesh : meshes_)
     if (modify->find_fix_id(mesh.mesh_id.c_str()) != mesh.fix)
       throw InputError(where + "mesh " + mesh.mesh_id + " was removed by `unfix`; unfix " + id + " first");
+  if (link_.body_count() == 0)
+    throw InputError(where + "no body to couple: name meshes here, or beams with fix wall/gran/beam");
   link_.start(update->dt, every_, update->ntimestep);
+  rows_of_output_.clear();
+  for (const CoupledMesh& mesh : meshes_) rows_of_output_.push_back(mesh.body);
+  for (int body = 0; body < link_.body_count(); ++body)
+    if (std::find(rows_of_output_.begin(), rows_of_output_.end(), body) == rows_of_output_.end())
+      rows_of_output_.push_back(body);
+  size_array_rows = link_.body_count();
   for (CoupledMesh& mesh : meshes_) {
     mesh.module->set_body(&link_.body(mesh.body));
     mesh.module->set_effective_moduli(effective_moduli(mesh.fix->atomTypeWall()));
@@ -183,7 +191,7 @@ std::vector<double> FixCoupleMbd::effective_moduli(int wall_type) const {
 }
 
 void FixCoupleMbd::setup_pre_force(int) {
-  for (CoupledMesh& mesh : meshes_) link_.body(mesh.body).clear_contacts();
+  for (int body = 0; body < link_.body_count(); ++body) link_.body(body).clear_contacts();
   forces_are_new_ = true;
 }
 
@@ -191,8 +199,8 @@ void FixCoupleMbd::initial_integrate(int) {
   if (forces_are_new_) link_.take_standing();
   forces_are_new_ = false;
   link_.begin_substep();
+  for (int body = 0; body < link_.body_count(); ++body) link_.body(body).clear_contacts();
   for (CoupledMesh& mesh : meshes_) {
-    link_.body(mesh.body).clear_contacts();
     check_inside_box(mesh);
     move(mesh);
   }
@@ -313,7 +321,7 @@ double FixCoupleMbd::compute_vector(int n) {
 
 double FixCoupleMbd::compute_array(int i, int j) {
   if (!link_.started()) return 0.0;
-  const footfall::DemBody& body = link_.body(meshes_[static_cast<std::size_t>(i)].body);
+  const footfall::DemBody& body = link_.body(rows_of_output_[static_cast<std::size_t>(i)]);
   return j < 3 ? body.load().mean.F_W[j] : body.mean_moment_W()[j - 3];
 }
 

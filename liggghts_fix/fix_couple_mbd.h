@@ -1,10 +1,11 @@
-// fix ID all couple/mbd every N|auto mesh MESH-ID BODY [mesh MESH-ID BODY ...]
-// Moves stock meshes with the bodies of a multibody scene and sends the mean contact load of every N steps back.
+// fix ID all couple/mbd every N|auto [mesh MESH-ID BODY ...]
+// Moves stock meshes with the bodies of a multibody scene and sends the mean contact load of every N steps back. The bodies of
+// fix wall/gran/beam take part without being named here.
 //
 // Output: f_ID[1] windows done, [2] interface energy residual [J] (work of the grains on the boundaries minus the work received by the
 // multibody side, over all windows but the last), [3] work of the grains on the boundaries [J], [4] largest overlap over grain radius,
 // [5] contacts. f_ID[i][1..6]: mean force [N] and mean moment about Bo [N m], both in W, of the last window on the body of the i-th
-// `mesh` pair, positive ON the body.
+// `mesh` pair, positive ON the body; then on the bodies that only beams touch, in the order of their fixes.
 
 #ifdef FIX_CLASS
 FixStyle(couple/mbd,FixCoupleMbd)
@@ -60,6 +61,7 @@ class FixCoupleMbd : public Fix {
   footfall::DemLink& link_;
   int every_ = 0;  // substeps per window; 0: the multibody side chooses
   std::vector<CoupledMesh> meshes_;
+  std::vector<int> rows_of_output_;  // body of each row of f_ID: those of meshes_, then the others
   bool forces_are_new_ = false;  // the set-up of a run has evaluated them
   std::vector<double> sums_, rows_;
 };

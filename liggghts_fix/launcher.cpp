@@ -21,6 +21,7 @@
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/fix_couple_mbd.h"
 #include "liggghts_fix/fix_couple_mbd_geometry.h"
+#include "liggghts_fix/fix_wall_gran_beam.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "signal_handling.h"
 
@@ -63,6 +64,7 @@ void run(int argc, char** argv, const Communicator& communicator, DemLink& dem_l
   attach_dem_link(lmp, dem_link);
   register_fix_style(lmp, "couple/mbd/geometry", create_fix<LAMMPS_NS::FixCoupleMbdGeometry>);
   register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
+  register_fix_style(lmp, "wall/gran/beam", create_fix<LAMMPS_NS::FixWallGranBeam>);
   lmp->input->file();
   const bool interrupted = LAMMPS_NS::SignalHandler::request_quit && !dem_link.finished();
   dem_link.script_ended(interrupted);

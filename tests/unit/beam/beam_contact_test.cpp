@@ -204,7 +204,8 @@ TEST(BeamContact, ForcesAtContactPointsDoTheWorkThatTheBodyReceives) {
       const BeamTouch touch = closest(chain, random.vector(2.0), 0.1);
       const BeamContactPoint point(boundary, chain, touch);
       const Eigen::Vector3d f = random.vector(10.0);
-      point.add_force(motion, f, touch.arm().cross(f), Q);
+      boundary.add_point_force(motion, point.axis(), f, Q);
+      boundary.add_point_moment(motion, point.axis(), touch.arm().cross(f), Q);
       expected += f.dot(point.velocity(motion));
       moment += (touch.contact_point() - motion.r).cross(f);
     }

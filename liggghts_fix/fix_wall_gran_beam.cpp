@@ -1,0 +1,198 @@
+#include "liggghts_fix/fix_wall_gran_beam.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+#include "atom.h"
+#include "comm.h"
+#include "coupler/errors.h"
+#include "domain.h"
+#include "fix_property_atom.h"
+#include "lammps.h"
+#include "liggghts_fix/dem_link.h"
+#include "liggghts_fix/liggghts_access.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+namespace {
+
+using namespace footfall;
+
+// A grain whose centre lies on the beam's surface has no direction for LIGGGHTS, which divides by this
+// distance [of the radius].
+constexpr double kSmallestDistance = 1e-9;
+
+// LIGGGHTS wants its words as char**.
+class Words {
+ public:
+  explicit Words(std::vector<std::string>& words) {
+    for (std::string& word : words) pointers_.push_back(word.data());
+  }
+  int count() const { return static_cast<int>(pointers_.size()); }
+  char** data() { return pointers_.data(); }
+
+ private:
+  std::vector<char*> pointers_;
+};
+
+// Materials are known by atom type: property/global has one value for each type of the box.
+BeamArguments with_known_material(BeamArguments arguments, int types) {
+  char* end = nullptr;
+  const long type = std::strtol(arguments.type.c_str(), &end, 10);
+  if (*end != '\0' || type < 1 || type > types)
+    throw InputError(arguments.fix + ": no material is known for type " + arguments.type +
+                     ": the box has types 1 to " + std::to_string(types) +
+                     ". Use one of them, or give create_box and each property/global one more");
+  return arguments;
+}
+
+void take(const Eigen::Vector3d& from, double* to) {
+  Eigen::Map<Eigen::Vector3d>(to, 3) = from;
+}
+
+Eigen::Vector3d vector(const double* from) {
+  return Eigen::Map<const Eigen::Vector3d>(from);
+}
+
+}  // namespace
+
+FixWallGranBeam::FixWallGranBeam(LAMMPS* lmp_, int narg, char** arg)
+    : FixWallGranBeam(lmp_, with_known_material(BeamArguments(narg, arg), lmp_->atom->ntypes)) {}
+
+FixWallGranBeam::FixWallGranBeam(LAMMPS* lmp_, BeamArguments arguments)
+    : FixWallGran(lmp_, Words(arguments.stock).count(), Words(arguments.stock).data()),
+      link_(dem_link_of(lmp_)),
+      arguments_(std::move(arguments)),
+      boundary_(link_.scene_body(arguments_.body, update->unit_style).boundary),
+      body_index_(link_.couple(arguments_.body, update->unit_style)),
+      chain_(boundary_, chosen_chain(arguments_, boundary_)),
+      neighbours_(0.0) {
+  vector_flag = 1;
+  size_vector = 8;
+  global_freq = 1;
+  extvector = 0;
+}
+
+void FixWallGranBeam::init() {
+  FixWallGran::init();
+  if (impl->get_history_offset("dissipation_force") >= 0)
+    throw InputError(arguments_.fix + ": computeDissipatedEnergy works with meshes only, in LIGGGHTS itself");
+  if (modify->n_fixes_style("multicontact/halfspace") > 0)
+    throw InputError(arguments_.fix + ": fix multicontact/halfspace does not know beams");
+  // LIGGGHTS' kn is force over overlap; Hertz' force grows as overlap^(3/2).
+  stiffness_per_kn_ = impl->contact_match("normal", "hertz") ? 1.5 : 1.0;
+  check_segment_lengths();
+}
+
+// Every rank holds the whole chain and looks for its own grains near it; segments that pass through many
+// ranks would make all of them look. In directions that are not divided between ranks only a segment longer
+// than the box is refused: a wrong unit, most likely.
+void FixWallGranBeam::check_segment_lengths() const {
+  double edge[3], smallest[3];
+  for (int d = 0; d < 3; ++d) edge[d] = domain->subhi[d] - domain->sublo[d];
+  MPI_Allreduce(edge, smallest, 3, MPI_DOUBLE, MPI_MIN, world);
+  double limit =
+      std::sqrt(domain->xprd * domain->xprd + domain->yprd * domain->yprd + domain->zprd * domain->zprd);
+  for (int d = 0; d < 3; ++d)
+    if (comm->procgrid[d] > 1) limit = std::min(limit, smallest[d]);
+  for (int s = 0; s < chain_.segment_count(); ++s) {
+    if (chain_.length(s) <= limit) continue;
+    throw InputError(arguments_.fix + ": segment " + std::to_string(s) + " of body \"" + arguments_.body +
+                     "\" is " + std::to_string(chain_.length(s)) +
+                     " m long, longer than a subdomain of this run (" + std::to_string(limit) +
+                     " m): divide the beam into more segments, or the box among fewer ranks " +
+                     "(command `processors`)");
+  }
+}
+
+void FixWallGranBeam::setup(int vflag) {
+  if (!link_.started())
+    throw InputError(arguments_.fix +
+                     ": nothing moves the beam. Add `fix ID all couple/mbd every N` to the script");
+  neighbours_ = BeamNeighbours(neighbor->skin, neighbor->contactDistanceFactor - 1.0);
+  FixWallGran::setup(vflag);
+}
+
+GrainView FixWallGranBeam::grains() const {
+  return {atom->nlocal, atom->x, atom->radius, atom->mask, groupbit};
+}
+
+void FixWallGranBeam::pre_neighbor() {
+  renumbered_ = true;
+}
+
+void FixWallGranBeam::pre_force(int) {
+  if (renumbered_) neighbours_.grains_renumbered(grains());
+  renumbered_ = false;
+}
+
+void FixWallGranBeam::post_force_primitive(int) {
+  DemBody& body = link_.body(body_index_);
+  chain_.follow(boundary_, body.pose());
+  neighbours_.update(chain_, grains());
+
+  force_W_.setZero();
+  moment_W_.setZero();
+  contacts_ = 0.0;
+  overlap_ = 0.0;
+  double** const histories = dnum() > 0 ? fix_history_primitive_->array_atom : nullptr;
+  const double reach = neighbor->contactDistanceFactor - 1.0;
+  for (int k = 0; k < neighbours_.size(); ++k) {
+    const int i = neighbours_.grain(k);
+    const BeamTouch closest = neighbours_.closest(chain_, k, vector(x_[i]), radius_[i]);
+    double* const history = histories == nullptr ? nullptr : histories[i];
+    if (closest.gap <= 0.0 || closest.gap < reach * radius_[i])
+      touch(body, i, closest, history);
+    else if (history != nullptr)
+      std::fill(history, history + dnum(), 0.0);
+  }
+}
+
+// One contact: stock LIGGGHTS puts force and torque on the grain; their reaction acts on the body.
+void FixWallGranBeam::touch(DemBody& body, int i, const BeamTouch& touch, double* history) {
+  const BeamContactPoint point(boundary_, chain_, touch);
+  const double r = radius_[i];
+  const Eigen::Vector3d x = vector(x_[i]);
+  double to_surface = r + touch.gap;  // from the grain's centre; negative when the centre is inside the beam
+  if (std::abs(to_surface) < kSmallestDistance * r) to_surface = kSmallestDistance * r;
+
+  LCM::SurfacesIntersectData contact;
+  contact.is_wall = true;
+  contact.i = i;
+  contact.radi = r;
+  contact.deltan = r - to_surface;
+  contact.contact_history = history;
+  contact.kn = 0.0;  // some models set none
+  take(to_surface * touch.normal, contact.delta);
+  double v_wall[3];
+  take(point.velocity(body.pose()), v_wall);
+
+  const Eigen::Vector3d f_before = vector(f_[i]), torque_before = vector(atom->torque[i]);
+  impl->compute_force(this, contact, touch.gap <= 0.0, v_wall);
+  if (computeflag() == 0) return;  // an output looked at the contact once more
+
+  const Eigen::Vector3d f_W = f_before - vector(f_[i]);
+  const Eigen::Vector3d m_p_W = torque_before - vector(atom->torque[i]) + (x - touch.p).cross(f_W);
+  const double overlap = std::max(0.0, -touch.gap / r);
+  body.add_contact(point.axis(), f_W, m_p_W, overlap, stiffness_per_kn_ * contact.kn);
+  force_W_ += f_W;
+  moment_W_ += m_p_W + (touch.p - body.pose().r).cross(f_W);
+  contacts_ += touch.gap <= 0.0 ? 1.0 : 0.0;
+  overlap_ = std::max(overlap_, overlap);
+}
+
+double FixWallGranBeam::compute_vector(int n) {
+  double mine = n < 3 ? force_W_[n] : n < 6 ? moment_W_[n - 3] : n == 6 ? contacts_ : overlap_;
+  double all = 0.0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, n == 7 ? MPI_MAX : MPI_SUM, world);
+  return all;
+}
+
+}  // namespace LAMMPS_NS
