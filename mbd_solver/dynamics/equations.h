@@ -46,8 +46,8 @@ class Equations {
   // dF/dy + c dF/dydot: column-major, compressed, the same pattern for ever; values are rewritten in place.
   const Eigen::SparseMatrix<double>& jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                               const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
-  // dF/dydot * x at y: what an error estimate is filtered with.
-  void apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x,
+  // dF/dydot * x at (t, y): what an error estimate is filtered with.
+  void apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x, double t,
                   Eigen::Ref<Eigen::VectorXd> out);
 
   // dv and lambda of a state, by a direct solve of [M, Phi_v^T; Phi_v, -eps]; also dq and dz: out is the complete dy/dt with
@@ -60,6 +60,7 @@ class Equations {
     double position = 0.0;  // largest |phi| before [m or rad]
     double velocity = 0.0;  // largest |phi'| before [m/s or rad/s]
     double dropped = 0.0;   // largest |phi| of the rows left out as redundant, after [m or rad]
+    int dropped_row = -1;   // which one of all rows
   };
   Drift project(State& state);
   Drift drift(const State& state);  // measured only
@@ -82,6 +83,14 @@ class Equations {
 
  private:
   struct Workspace;
+  void set_regularisation(const State& state);
+  void demand_fitting(const Inputs& inputs) const;
+  void add_body_jacobian(int index, double c, const Inputs& inputs);
+  void add_joint_jacobian(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda);
+  void add_force_jacobian(int index, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs);
+  bool factor_saddle(double t);  // at the loaded kinematics
+  Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate);  // likewise
+
   const Model& model_;
   Layout layout_;
   Baumgarte baumgarte_;

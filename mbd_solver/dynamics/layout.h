@@ -24,4 +24,7 @@ struct Layout {
   std::vector<int> row_joint;             // for each of all rows: its joint
 };
 
+// 0, 1, ... for every row of every joint: nothing left out.
+std::vector<int> all_rows_of(const Model& model);
+
 }  // namespace footfall

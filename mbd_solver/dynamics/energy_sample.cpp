@@ -1,0 +1,77 @@
+// Energies, powers and joint forces: what Equations can say about one instant.
+
+#include "coupler/errors.h"
+#include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/dynamics/workspace.h"
+
+namespace footfall {
+
+void Equations::energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs, EnergySample& out) {
+  Workspace& w = *work_;
+  w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size), w.empty);
+  out.stored = {};
+  out.power = {};
+  out.motion_power = 0.0;
+  out.load_power.setZero(model_.body_count());
+
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    const Body& model = model_.body(i);
+    const BodyKinematics& body = w.kinematics.of(i);
+    const Eigen::Vector3d w_B = body.A.transpose() * body.w;
+    if (body.modes == 0) {
+      out.stored.kinetic += 0.5 * model.mass() * body.dr.squaredNorm() + 0.5 * w_B.dot(model.rigid_inertia() * w_B);
+    } else {
+      Eigen::Ref<Eigen::VectorXd> v_B = w.local.head(body.size());
+      v_B.head<3>() = body.A.transpose() * body.dr;
+      v_B.segment<3>(3) = w_B;
+      v_B.tail(body.modes) = body.da;
+      out.stored.kinetic += model.inertia().kinetic_energy(body.a, v_B);
+      out.stored.strain += model.inertia().strain_energy(body.a);
+      out.power[Dissipation::kModal] += model.inertia().damping_power(body.da);
+    }
+    out.stored.gravity -= model.mass() * model_.gravity().dot(body.r);
+    if (!inputs.loads.empty()) {
+      Eigen::Ref<Eigen::VectorXd> Q = w.local.head(body.size());
+      Q.setZero();
+      add_load_force(inputs.loads[at], body, Q);
+      out.load_power[i] = Q.dot(y.segment(layout_.v0() + layout_.body_v[at], body.size()));
+    }
+  }
+  for (int i = 0; i < model_.force_count(); ++i) {
+    const ForceElement& element = model_.force(i);
+    const int z = layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)];
+    element.add_energy({w.force_pair(element), y.segment(z, element.state_count()), inputs.voltages}, out.stored, out.power);
+  }
+  // The joint forces -Phi_v^T lambda do work -lambda Phi_v v, which is zero but for prescribed motions.
+  for_each_row(model_, layout_, w.kinematics, t, w.row,
+               [&](int row, const PairMotion&, const Eigen::Ref<Eigen::VectorXd>&, const RowValue& value) {
+                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
+                 if (kept >= 0 && value.phi_t != 0.0)
+                   out.motion_power -= y[layout_.lambda0() + kept] * (value.rate - value.phi_t);
+               });
+}
+
+Vector6d Equations::joint_wrench(int index, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const {
+  Workspace& w = *work_;
+  const Joint& joint = model_.joint(index);
+  const PairMotion pair = w.joint_pair(joint);
+  // On body 2, or on body 1 with the sign turned when 2 is the ground.
+  const int slot = pair.body[1]->ground ? 0 : 1;
+  const BodyKinematics& body = *pair.body[slot];
+  Vector6d wrench = Vector6d::Zero();
+  Eigen::Ref<Eigen::VectorXd> phi_v = w.row.head(pair.size());
+  for (std::size_t k = 0; k < joint.rows.size(); ++k) {
+    const int kept = layout_.kept[static_cast<std::size_t>(layout_.joint_row[static_cast<std::size_t>(index)]) + k];
+    if (kept < 0) continue;
+    evaluate_row(joint.rows[k], t, pair, joint.m1, joint.m2, phi_v);
+    wrench -= lambda[kept] * phi_v.segment<6>(pair.offset(slot));
+  }
+  if (slot == 0) wrench = -wrench;
+  const Eigen::Vector3d point = KinematicVector::point(pair, 1, joint.m2).value();
+  const Eigen::Vector3d arm = point - body.r;
+  wrench.tail<3>() -= arm.cross(Eigen::Vector3d(wrench.head<3>()));
+  return wrench;
+}
+
+}  // namespace footfall

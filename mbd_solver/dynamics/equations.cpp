@@ -1,0 +1,171 @@
+#include "mbd_solver/dynamics/equations.h"
+
+#include <cmath>
+
+#include "coupler/errors.h"
+#include "mbd_solver/dynamics/workspace.h"
+
+namespace footfall {
+namespace {
+
+// eps of the equations of motion relative to the diagonal of Phi_v M^-1 Phi_v^T.
+constexpr double kRegularisation = 1e-12;
+
+}  // namespace
+
+Equations::Equations(const Model& model, const Assembly& assembly, const Baumgarte& baumgarte)
+    : model_(model),
+      layout_(model, assembly.kept_rows),
+      baumgarte_(baumgarte),
+      work_(std::make_unique<Workspace>(model, layout_)) {
+  set_regularisation(assembly.state);
+}
+
+Equations::~Equations() = default;
+
+void Equations::set_regularisation(const State& state) {
+  Workspace& w = *work_;
+  load(state);
+  for_each_row(model_, layout_, w.kinematics, state.time, w.row,
+               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
+                 if (kept < 0) return;
+                 const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
+                 const int bodies[2] = {joint.m1.body, joint.m2.body};
+                 double size = 0.0;
+                 for (int i = 0; i < 2; ++i) {
+                   const int n = pair.body[i]->size();
+                   if (n == 0) continue;
+                   Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
+                   body_mass_matrix(model_.body(bodies[i]), *pair.body[i], w.inertia[static_cast<std::size_t>(bodies[i])], M);
+                   const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
+                   size += part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
+                 }
+                 w.regularisation[kept] = kRegularisation * size;
+               });
+}
+
+void Equations::load(const State& state) { work_->kinematics.load(layout_, state.q, state.v, work_->empty); }
+
+const BodyKinematics& Equations::motion(int body) const { return work_->kinematics.of(body); }
+
+ElementInput Equations::element_input(int force, const State& state, const Inputs& inputs) const {
+  const ForceElement& element = model_.force(force);
+  return {work_->force_pair(element),
+          state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count()), inputs.voltages};
+}
+
+void Equations::demand_fitting(const Inputs& inputs) const {
+  if (inputs.loads.empty()) return;
+  FOOTFALL_DEMAND(static_cast<int>(inputs.loads.size()) == model_.body_count());
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const Eigen::Index size = inputs.loads[static_cast<std::size_t>(i)].Q_a.size();
+    FOOTFALL_DEMAND(size == 0 || size == model_.body(i).mode_count());
+  }
+}
+
+void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& ydot,
+                         const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> F) {
+  Workspace& w = *work_;
+  const auto lambda = y.segment(layout_.lambda0(), layout_.row_count);
+  w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size),
+                    ydot.segment(layout_.v0(), layout_.v_size));
+  F = ydot;
+  F.segment(layout_.v0(), layout_.v_size).setZero();
+
+  // Bodies: dq - N v, inertia, gravity, external load.
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    const BodyKinematics& body = w.kinematics.of(i);
+    const int q = layout_.body_q[at], v = layout_.v0() + layout_.body_v[at];
+    F.segment<3>(q) -= body.dr;
+    F.segment<4>(q + 3) -= quaternion_rate(body.L, body.w);
+    if (body.modes > 0) F.segment(q + 7, body.modes) -= body.da;
+    Eigen::Ref<Eigen::VectorXd> force = F.segment(v, body.size());
+    add_body_force(model_.body(i), body, model_.gravity(), w.inertia[at], force);
+    if (!inputs.loads.empty()) {
+      Eigen::Ref<Eigen::VectorXd> local = w.local.head(body.size());
+      local.setZero();
+      add_load_force(inputs.loads[at], body, local);
+      force -= local;
+    }
+  }
+
+  // Joints: Phi_v^T lambda into the forces, phi'' into their own rows.
+  const double alpha2 = 2.0 * baumgarte_.alpha, beta2 = baumgarte_.beta * baumgarte_.beta;
+  for_each_row(model_, layout_, w.kinematics, t, w.row,
+               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue& value) {
+                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
+                 if (kept < 0) return;
+                 const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
+                 const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
+                 for (int i = 0; i < 2; ++i) {
+                   const int n = pair.body[i]->size();
+                   if (n > 0)
+                     F.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n) += lambda[kept] * phi_v.segment(pair.offset(i), n);
+                 }
+                 F[layout_.lambda0() + kept] =
+                     value.acc + alpha2 * value.rate + beta2 * value.phi - w.regularisation[kept] * lambda[kept];
+               });
+
+  // Force elements.
+  for (int i = 0; i < model_.force_count(); ++i) {
+    const ForceElement& element = model_.force(i);
+    const PairMotion pair = w.force_pair(element);
+    const int z = layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], m = element.state_count();
+    Eigen::Ref<Eigen::VectorXd> Q = w.local.head(pair.size());
+    Eigen::Ref<Eigen::VectorXd> dz = w.row.head(m);
+    Q.setZero();
+    element.add_force({pair, y.segment(z, m), inputs.voltages}, Q, dz);
+    const std::array<int, 2> v = pair_v(layout_, element.bodies()[0], element.bodies()[1]);
+    for (int k = 0; k < 2; ++k) {
+      const int n = pair.body[k]->size();
+      if (n > 0) F.segment(layout_.v0() + v[static_cast<std::size_t>(k)], n) -= Q.segment(pair.offset(k), n);
+    }
+    F.segment(z, m) -= dz;
+  }
+}
+
+void Equations::pack(const State& state, const Eigen::Ref<const Eigen::VectorXd>& lambda, Eigen::Ref<Eigen::VectorXd> y) const {
+  y << state.q, state.v, state.z, lambda;
+}
+
+void Equations::unpack(const Eigen::Ref<const Eigen::VectorXd>& y, State& state) const {
+  state.q = y.head(layout_.q_size);
+  state.v = y.segment(layout_.v0(), layout_.v_size);
+  state.z = y.segment(layout_.z0(), layout_.z_size);
+}
+
+std::string Equations::entry_name(int index) const {
+  static constexpr const char* kPosition[] = {"r.x", "r.y", "r.z", "L.0", "L.x", "L.y", "L.z"};
+  static constexpr const char* kVelocity[] = {"dr.x", "dr.y", "dr.z", "w.x", "w.y", "w.z"};
+  const auto owner = [](const std::vector<int>& first, int entry) {
+    std::size_t i = first.size() - 1;
+    while (first[i] > entry) --i;
+    return i;
+  };
+  if (index < layout_.z0()) {
+    const bool position = index < layout_.v0();
+    const int entry = position ? index : index - layout_.v0();
+    const std::vector<int>& first = position ? layout_.body_q : layout_.body_v;
+    const std::size_t i = owner(first, entry);
+    const int k = entry - first[i], rigid = position ? 7 : 6;
+    return "body \"" + model_.body(static_cast<int>(i)).name() + "\": " +
+           (k < rigid ? (position ? kPosition[k] : kVelocity[k]) : (position ? "a." : "da.") + std::to_string(k - rigid + 1));
+  }
+  if (index < layout_.lambda0()) {
+    std::size_t i = owner(layout_.force_z, index - layout_.z0());
+    return "force element \"" + model_.force(static_cast<int>(i)).name() + "\": inner state " +
+           std::to_string(index - layout_.z0() - layout_.force_z[i] + 1);
+  }
+  for (std::size_t row = 0; row < layout_.kept.size(); ++row) {
+    if (layout_.kept[row] != index - layout_.lambda0()) continue;
+    const int joint = layout_.row_joint[row];
+    return "joint \"" + model_.joint(joint).name + "\": condition " +
+           std::to_string(static_cast<int>(row) - layout_.joint_row[static_cast<std::size_t>(joint)] + 1);
+  }
+  FOOTFALL_DEMAND(false);
+  return {};
+}
+
+}  // namespace footfall

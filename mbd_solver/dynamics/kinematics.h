@@ -1,0 +1,28 @@
+#pragma once
+// The kinematics of all bodies at one instant, unpacked from the vectors of a state.
+
+#include <vector>
+
+#include "mbd_solver/dynamics/layout.h"
+#include "mbd_solver/model/kinematic_vector.h"
+
+namespace footfall {
+
+class Kinematics {
+ public:
+  explicit Kinematics(const Model& model);
+
+  // dv may be empty: then accelerations are zero.
+  void load(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q, const Eigen::Ref<const Eigen::VectorXd>& v,
+            const Eigen::Ref<const Eigen::VectorXd>& dv);
+  const BodyKinematics& of(int body) const { return bodies_[static_cast<std::size_t>(body + 1)]; }  // kGround is -1
+  PairMotion pair(int body_1, int body_2) const { return {{&of(body_1), &of(body_2)}}; }
+
+ private:
+  std::vector<BodyKinematics> bodies_;  // the ground first
+};
+
+// q moved by increments dx = [dr; dtheta; da] per body.
+void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> q);
+
+}  // namespace footfall

@@ -1,0 +1,193 @@
+// What Equations answers by a direct solve of the saddle system  [M, Phi_v^T; Phi_v, -eps] [x; mu] = [f; g].
+
+#include <cmath>
+
+#include "coupler/errors.h"
+#include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/dynamics/workspace.h"
+
+namespace footfall {
+namespace {
+
+// Positions are projected until the largest |phi| is below this or no longer falls; round-off of metres is 1e-16.
+constexpr double kClosed = 1e-13;
+constexpr int kMostProjections = 4;
+// Conditions left out as redundant at the start must hold as well as the others; a mechanism that leaves them by this has
+// started in a singular position.
+constexpr double kDroppedTolerance = 1e-5;
+
+std::string at_time(double t) { return "t = " + std::to_string(t) + " s: "; }
+
+}  // namespace
+
+bool Equations::factor_saddle(double t) {
+  Workspace& w = *work_;
+  double* values = w.saddle.valuePtr();
+  Eigen::Map<Eigen::VectorXd>(values, w.saddle.nonZeros()).setZero();
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    const int n = w.kinematics.of(i).size();
+    Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
+    body_mass_matrix(model_.body(i), w.kinematics.of(i), w.inertia[at], M);
+    for (int k = 0; k < n; ++k) w.saddle_mass[at].add_column(values, k, M.col(k));
+  }
+  int joint = -1, local = 0;
+  for_each_row(model_, layout_, w.kinematics, t, w.row,
+               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
+                 if (kept < 0) return;
+                 local = layout_.row_joint[static_cast<std::size_t>(row)] == joint ? local + 1 : 0;
+                 joint = layout_.row_joint[static_cast<std::size_t>(row)];
+                 const PairPlaces& places = w.saddle_joint[static_cast<std::size_t>(joint)];
+                 for (int i = 0; i < 2; ++i) {
+                   const int n = pair.body[i]->size();
+                   if (n == 0) continue;
+                   places.v_extra[i].add_column(values, local, phi_v.segment(pair.offset(i), n));
+                   for (int k = 0; k < n; ++k) places.extra_v[i].add(values, local, k, phi_v[pair.offset(i) + k]);
+                 }
+                 values[w.saddle_diagonal[static_cast<std::size_t>(kept)]] -= w.regularisation[kept];
+               });
+  return w.saddle_lu->factor();
+}
+
+void Equations::accelerations(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> out) {
+  // Residual at dv = 0, lambda = 0 is minus the right-hand side.
+  Workspace& w = *work_;
+  demand_fitting(inputs);
+  out.setZero();
+  w.y.head(layout_.q_size) = state.q;
+  w.y.segment(layout_.v0(), layout_.v_size) = state.v;
+  w.y.segment(layout_.z0(), layout_.z_size) = state.z;
+  w.y.tail(layout_.row_count).setZero();
+  residual(state.time, w.y, out, inputs, w.rhs);
+  out.head(layout_.q_size) = -w.rhs.head(layout_.q_size);
+  out.segment(layout_.z0(), layout_.z_size) = -w.rhs.segment(layout_.z0(), layout_.z_size);
+
+  w.saddle_x.head(layout_.v_size) = -w.rhs.segment(layout_.v0(), layout_.v_size);
+  w.saddle_x.tail(layout_.row_count) = -w.rhs.tail(layout_.row_count);
+  const bool solvable = factor_saddle(state.time);
+  if (solvable) w.saddle_lu->solve(w.saddle_x);
+  out.segment(layout_.v0(), layout_.v_size) = w.saddle_x.head(layout_.v_size);
+  out.tail(layout_.row_count) = w.saddle_x.tail(layout_.row_count);
+  if (solvable && out.allFinite()) return;
+
+  for (Eigen::Index i = 0; i < w.y.size(); ++i) {
+    if (!std::isfinite(w.y[i]) || !std::isfinite(out[i]))
+      throw NumericalError(at_time(state.time) + entry_name(static_cast<int>(i)) + " or its rate is not finite.");
+  }
+  throw NumericalError(at_time(state.time) + "the equations of motion are singular; does every body have a mass?");
+}
+
+Equations::Drift Equations::drift(const State& state) {
+  Workspace& w = *work_;
+  load(state);
+  return measure_drift(state.time, w.saddle_x.tail(layout_.row_count), w.phi_rate);
+}
+
+Equations::Drift Equations::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate) {
+  Workspace& w = *work_;
+  Drift out;
+  for_each_row(model_, layout_, w.kinematics, t, w.row,
+               [&](int row, const PairMotion&, const Eigen::Ref<Eigen::VectorXd>&, const RowValue& value) {
+                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
+                 if (kept < 0) {
+                   if (std::abs(value.phi) > out.dropped) {
+                     out.dropped = std::abs(value.phi);
+                     out.dropped_row = row;
+                   }
+                   return;
+                 }
+                 phi[kept] = value.phi;
+                 rate[kept] = value.rate;
+               });
+  if (layout_.row_count > 0) {
+    out.position = phi.lpNorm<Eigen::Infinity>();
+    out.velocity = rate.lpNorm<Eigen::Infinity>();
+  }
+  return out;
+}
+
+Equations::Drift Equations::project(State& state) {
+  Workspace& w = *work_;
+  for (int i = 0; i < model_.body_count(); ++i)
+    state.q.segment<4>(layout_.body_q[static_cast<std::size_t>(i)] + 3).normalize();
+  load(state);
+  Eigen::Ref<Eigen::VectorXd> phi = w.saddle_x.tail(layout_.row_count);
+  const Drift before = measure_drift(state.time, phi, w.phi_rate);
+  if (layout_.row_count == 0) return before;
+  if (!factor_saddle(state.time)) return before;
+
+  // Positions: dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T + eps)^-1 phi, with the same factors until phi no longer falls.
+  Drift now = before;
+  for (int i = 0; i < kMostProjections && now.position > kClosed; ++i) {
+    w.saddle_x.head(layout_.v_size).setZero();
+    phi = -phi;
+    w.saddle_lu->solve(w.saddle_x);
+    w.last_q = state.q;
+    add_increment(layout_, w.saddle_x.head(layout_.v_size), state.q);
+    load(state);
+    const double last = now.position;
+    now = measure_drift(state.time, phi, w.phi_rate);
+    if (!(now.position < last)) {  // not finite, or no better: take it back
+      state.q = w.last_q;
+      load(state);
+      now = measure_drift(state.time, phi, w.phi_rate);
+      break;
+    }
+  }
+  // Velocities: dv likewise from phi'. The factors are those of a position moved by the drift: repeat once.
+  for (int i = 0; i < 2 && now.velocity > kClosed; ++i) {
+    w.saddle_x.head(layout_.v_size).setZero();
+    phi = -w.phi_rate;
+    w.saddle_lu->solve(w.saddle_x);
+    w.last_v = state.v;
+    state.v += w.saddle_x.head(layout_.v_size);
+    load(state);
+    const double last = now.velocity;
+    now = measure_drift(state.time, phi, w.phi_rate);
+    if (!(now.velocity < last)) {
+      state.v = w.last_v;
+      load(state);
+      break;
+    }
+  }
+  if (now.dropped > kDroppedTolerance)
+    throw NumericalError(at_time(state.time) + "joint \"" +
+                         model_.joint(layout_.row_joint[static_cast<std::size_t>(now.dropped_row)]).name +
+                         "\" has opened by " + std::to_string(now.dropped) +
+                         " m or rad: one of its conditions was redundant at the start and is not any more. Start from a position "
+                         "that is not singular.");
+  Drift result = before;
+  result.dropped = now.dropped;
+  result.dropped_row = now.dropped_row;
+  return result;
+}
+
+void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x, double t,
+                           Eigen::Ref<Eigen::VectorXd> out) {
+  Workspace& w = *work_;
+  w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size), w.empty);
+  out = x;
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    const int n = w.kinematics.of(i).size(), v = layout_.v0() + layout_.body_v[at];
+    Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
+    body_mass_matrix(model_.body(i), w.kinematics.of(i), w.inertia[at], M);
+    out.segment(v, n).noalias() = M * x.segment(v, n);
+  }
+  for_each_row(model_, layout_, w.kinematics, t, w.row,
+               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
+                 if (kept < 0) return;
+                 const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
+                 const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
+                 double sum = 0.0;
+                 for (int i = 0; i < 2; ++i) {
+                   const int n = pair.body[i]->size();
+                   if (n > 0) sum += phi_v.segment(pair.offset(i), n).dot(x.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n));
+                 }
+                 out[layout_.lambda0() + kept] = sum;
+               });
+}
+
+}  // namespace footfall

@@ -1,0 +1,86 @@
+#pragma once
+// What Equations writes while it works: sized once, reused for ever. Only the sources of Equations include this.
+
+#include <vector>
+
+#include "mbd_solver/dynamics/body_force.h"
+#include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/dynamics/sparse_blocks.h"
+#include "mbd_solver/dynamics/sparse_lu.h"
+
+namespace footfall {
+
+// Places of one body in the Jacobian. n = 6 + s velocities, n + 1 positions.
+struct BodyPlaces {
+  std::vector<int> r_r, r_dr, a_a, a_da;  // diagonals of F_q: by r, dr, a, da
+  SparseBlock L_L, L_w;                   // F_q of the quaternion by L and w
+  SparseBlock v_q, v_v;                   // F_v
+};
+
+// Places of one joint or force element between its two bodies; a ground body has empty blocks.
+struct PairPlaces {
+  SparseBlock v_q[2][2], v_v[2][2];                  // force rows of body i by coordinates of body j
+  SparseBlock extra_q[2], extra_v[2], v_extra[2];    // own rows (lambda or z) by body, forces on body by own unknowns
+  SparseBlock extra_extra;                           // z by z
+};
+
+struct Equations::Workspace {
+  Workspace(const Model& model, const Layout& layout);
+
+  PairMotion joint_pair(const Joint& joint) const { return kinematics.pair(joint.m1.body, joint.m2.body); }
+  PairMotion force_pair(const ForceElement& force) const { return kinematics.pair(force.bodies()[0], force.bodies()[1]); }
+
+  Kinematics kinematics;
+  std::vector<InertiaScratch> inertia;        // per body
+  std::vector<ElementDerivatives> elements;   // per force element
+  Eigen::VectorXd row, row2, row3, row4;      // local rows of the largest pair
+  Eigen::VectorXd local;                      // generalized force of a pair
+  Eigen::MatrixXd K, D, M;                    // local matrices of the largest pair or body
+  Eigen::VectorXd empty;
+
+  // Jacobian of the full system
+  Eigen::SparseMatrix<double> jacobian;
+  std::vector<BodyPlaces> body_places;
+  std::vector<PairPlaces> joint_places, force_places;
+  std::vector<int> z_z, lambda_lambda;
+  std::vector<Matrix34d> dtheta_dL;           // 2 R(L) / |L|^2 per body
+
+  // Saddle matrix [M, Phi_v^T; Phi_v, -eps] of accelerations and projections
+  Eigen::SparseMatrix<double> saddle;
+  std::vector<SparseBlock> saddle_mass;       // per body
+  std::vector<PairPlaces> saddle_joint;       // extra_v: Phi_v, v_extra: its transpose
+  std::vector<int> saddle_diagonal;
+  std::unique_ptr<SparseLu> saddle_lu;
+  Eigen::VectorXd saddle_x, phi_rate;
+  Eigen::VectorXd y, rhs;                     // full vectors of accelerations()
+  Eigen::VectorXd last_q, last_v;             // copies during projection
+  Eigen::VectorXd regularisation;             // eps per kept row [1/kg or 1/(kg m2)]
+};
+
+// Calls visit(global row, phi_v, value) for every row of every joint. phi_v is a scratch row of the pair.
+template <typename Visit>
+void for_each_row(const Model& model, const Layout& layout, const Kinematics& kinematics, double t, Eigen::VectorXd& scratch,
+                  Visit visit) {
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const Joint& joint = model.joint(j);
+    const PairMotion pair = kinematics.pair(joint.m1.body, joint.m2.body);
+    Eigen::Ref<Eigen::VectorXd> phi_v = scratch.head(pair.size());
+    for (std::size_t k = 0; k < joint.rows.size(); ++k) {
+      const RowValue value = evaluate_row(joint.rows[k], t, pair, joint.m1, joint.m2, phi_v);
+      visit(layout.joint_row[static_cast<std::size_t>(j)] + static_cast<int>(k), pair, phi_v, value);
+    }
+  }
+}
+
+// First velocity coordinate of each body of a pair in v; -1 for the ground.
+inline std::array<int, 2> pair_v(const Layout& layout, int body_1, int body_2) {
+  return {body_1 == kGround ? -1 : layout.body_v[static_cast<std::size_t>(body_1)],
+          body_2 == kGround ? -1 : layout.body_v[static_cast<std::size_t>(body_2)]};
+}
+inline std::array<int, 2> pair_q(const Layout& layout, int body_1, int body_2) {
+  return {body_1 == kGround ? -1 : layout.body_q[static_cast<std::size_t>(body_1)],
+          body_2 == kGround ? -1 : layout.body_q[static_cast<std::size_t>(body_2)]};
+}
+
+}  // namespace footfall
