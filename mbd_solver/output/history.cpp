@@ -1,40 +1,94 @@
 #include "mbd_solver/output/history.h"
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
+#include <cstdio>
+#include <sstream>
 
 #include "coupler/errors.h"
 
 namespace footfall {
+
 namespace {
 
-void write_names(std::FILE* file, const std::vector<std::string>& names) {
-  for (std::size_t i = 0; i < names.size(); ++i) std::fprintf(file, "%s%s", i == 0 ? "" : ",", names[i].c_str());
-  std::fprintf(file, "\n");
+const std::string kUnitsMark = "# units: ";
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string line;
+  for (const std::string& text : texts) line += (line.empty() ? "" : ",") + text;
+  return line;
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
 }
 
 }  // namespace
 
 HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::string>& names, const std::vector<std::string>& units)
-    : path_(path), names_(names), file_(std::fopen(path.c_str(), "w")) {
-  FOOTFALL_DEMAND(names.size() == units.size());
-  if (!file_) throw InputError(path + ": cannot be written: " + std::strerror(errno) + "; choose another folder with --out");
-  std::fprintf(file_.get(), "# units: ");
-  write_names(file_.get(), units);
-  write_names(file_.get(), names);
+    : path_(path), names_(names), file_(path) {
+  FOOTFALL_DEMAND(!names.empty() && names.size() == units.size());
+  if (!file_) throw InputError(path + ": cannot be written; choose another folder with --out");
+  file_ << kUnitsMark << joined(units) << '\n' << joined(names) << '\n';
 }
 
 void HistoryWriter::write(const std::vector<double>& row) {
   FOOTFALL_DEMAND(row.size() == names_.size());
-  for (std::size_t i = 0; i < row.size(); ++i)
-    if (!std::isfinite(row[i]))
-      throw NumericalError("t = " + std::to_string(row[0]) + " s: " + names_[i] + " is not finite; " + path_ + " ends before it");
-  for (std::size_t i = 0; i < row.size(); ++i) std::fprintf(file_.get(), i == 0 ? "%.12g" : ",%.12g", row[i]);
-  std::fprintf(file_.get(), "\n");
-  if (std::ferror(file_.get()) != 0) throw NumericalError(path_ + ": writing failed: " + std::strerror(errno));
+  std::string line;
+  char number[32];
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (!std::isfinite(row[i])) {
+      file_.flush();
+      std::snprintf(number, sizeof number, "%g", row[0]);
+      throw NumericalError("at t = " + std::string(number) + " s \"" + names_[i] + "\" is no longer finite; " + path_ + " ends before this row");
+    }
+    const int length = std::snprintf(number, sizeof number, "%.10g", row[i]);
+    if (i > 0) line += ',';
+    line.append(number, static_cast<std::size_t>(length));
+  }
+  file_ << line << '\n';
 }
 
-void HistoryWriter::flush() { std::fflush(file_.get()); }
+void HistoryWriter::flush() {
+  file_.flush();
+  if (!file_) throw InputError(path_ + ": writing failed; is the disk full?");
+}
+
+int History::find(const std::string& name) const {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+const std::vector<double>& History::column(const std::string& name) const {
+  const int index = find(name);
+  if (index < 0) throw InputError("the history has no column \"" + name + "\"; it has " + joined(names));
+  return columns[static_cast<std::size_t>(index)];
+}
+
+History read_history(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw InputError(path + ": cannot be read; expected a history.csv of a run");
+  History history;
+  std::string line;
+  std::getline(file, line);
+  if (line.rfind(kUnitsMark, 0) != 0) throw InputError(path + ":1: expected \"" + kUnitsMark + "...\"");
+  history.units = split(line.substr(kUnitsMark.size()));
+  std::getline(file, line);
+  history.names = split(line);
+  history.columns.resize(history.names.size());
+  if (history.units.size() != history.names.size())
+    throw InputError(path + ":2: has " + std::to_string(history.names.size()) + " names for " + std::to_string(history.units.size()) + " units");
+  for (int number = 3; std::getline(file, line); ++number) {
+    const std::vector<std::string> cells = split(line);
+    if (cells.size() != history.names.size())
+      throw InputError(path + ":" + std::to_string(number) + ": has " + std::to_string(cells.size()) + " values, expected " + std::to_string(history.names.size()));
+    for (std::size_t i = 0; i < cells.size(); ++i) history.columns[i].push_back(std::stod(cells[i]));
+  }
+  return history;
+}
 
 }  // namespace footfall

@@ -1,8 +1,7 @@
 #pragma once
-// history.csv: first line `# units: ...`, second the names, then one row per output time. Never a number that is not finite.
+// history.csv: one row of numbers per output time. First line "# units: s,m,...", second the column names, then the rows.
 
-#include <cstdio>
-#include <memory>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -10,19 +9,29 @@ namespace footfall {
 
 class HistoryWriter {
  public:
-  // Opens (and replaces) the file. Throws InputError when it cannot be written.
+  // One unit per name; the first column is time. Makes a new file. Throws InputError when it cannot be written.
   HistoryWriter(const std::string& path, const std::vector<std::string>& names, const std::vector<std::string>& units);
-  // Throws NumericalError, naming time and column, for a value that is not finite; the file then ends with the row before.
+
+  // One row, in the order of the names. Throws NumericalError, naming the column and time, when a value is not finite: a file never holds one.
   void write(const std::vector<double>& row);
+  // Everything written so far is on the disk's side. Throws InputError when the disk is full.
   void flush();
 
  private:
-  struct Closer {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   std::string path_;
   std::vector<std::string> names_;
-  std::unique_ptr<std::FILE, Closer> file_;
+  std::ofstream file_;
 };
+
+// A history read back: for plots, reports and tests.
+struct History {
+  std::vector<std::string> names, units;
+  std::vector<std::vector<double>> columns;  // one per name, all of the same length
+
+  int find(const std::string& name) const;                       // index, or -1
+  const std::vector<double>& column(const std::string& name) const;  // throws InputError with a list of the known names
+};
+// Throws InputError "file:line: ...".
+History read_history(const std::string& path);
 
 }  // namespace footfall

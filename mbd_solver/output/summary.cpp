@@ -1,34 +1,47 @@
 #include "mbd_solver/output/summary.h"
 
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
+#include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "coupler/errors.h"
 
 namespace footfall {
+
 namespace {
 
-void demand_finite(const nlohmann::ordered_json& value, const std::string& key) {
-  if (value.is_number_float() && !std::isfinite(value.get<double>())) throw NumericalError("summary: " + key + " is not finite");
+// JSON has no word for NaN: the library would write null without complaint.
+void demand_finite(const nlohmann::ordered_json& value, const std::string& path) {
+  if (value.is_number_float() && !std::isfinite(value.get<double>())) throw NumericalError("summary: \"" + path + "\" is no longer finite");
   if (!value.is_structured()) return;
-  for (const auto& [name, inner] : value.items()) demand_finite(inner, key.empty() ? name : key + "." + name);
+  for (const auto& [key, inner] : value.items()) demand_finite(inner, path.empty() ? key : path + "." + key);
 }
 
 }  // namespace
 
 void write_summary(const std::string& path, const nlohmann::ordered_json& summary) {
   demand_finite(summary, "");
-  const std::string partial = path + ".partial";
+  const std::string draft = path + ".part";
   {
-    std::ofstream file(partial);
-    file << summary.dump(2) << "\n";
-    if (!file) throw InputError(partial + ": cannot be written: " + std::strerror(errno));
+    std::ofstream file(draft);
+    file << summary.dump(2) << '\n';
+    file.flush();
+    if (!file) throw InputError(path + ": cannot be written; choose another folder with --out");
   }
-  if (std::rename(partial.c_str(), path.c_str()) != 0) throw InputError(path + ": cannot be written: " + std::strerror(errno));
+  std::error_code error;
+  std::filesystem::rename(draft, path, error);
+  if (error) throw InputError(path + ": cannot be written: " + error.message());
+}
+
+nlohmann::ordered_json read_summary(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw InputError(path + ": cannot be read; expected the summary.json of a run");
+  try {
+    return nlohmann::ordered_json::parse(file);
+  } catch (const nlohmann::json::exception& e) {
+    throw InputError(path + ": is not the summary of a run: " + e.what());
+  }
 }
 
 }  // namespace footfall

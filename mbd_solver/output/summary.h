@@ -1,12 +1,15 @@
 #pragma once
-// summary.json: what a run came to, in one object. Written beside the target and renamed: a reader never sees half of it.
+// summary.json: the figures of a run. Written beside the target and renamed, so that a reader never sees half of it.
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace footfall {
 
-// Throws InputError when the file cannot be written, NumericalError when a number in it is not finite.
+// Throws NumericalError, naming the key, when a number is not finite; InputError when the file cannot be written.
 void write_summary(const std::string& path, const nlohmann::ordered_json& summary);
+
+// Throws InputError when there is no such file, or it holds something else.
+nlohmann::ordered_json read_summary(const std::string& path);
 
 }  // namespace footfall

@@ -118,19 +118,4 @@ TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary) 
   return mesh;
 }
 
-BeamChain boundary_chain(const Scene& scene, const BoundarySpec& boundary) {
-  BeamChain chain;
-  if (!boundary.beams) return chain;
-  const BeamsSpec& beams = *boundary.beams;
-  const BodySpec& body = scene.bodies[static_cast<std::size_t>(scene.body_index(boundary.body))];
-  chain.radius = beams.radius > 0.0 ? beams.radius : 0.5 * body.shape->diameter;
-  chain.points = beams.points;
-  if (!chain.points.empty()) return chain;
-  for (int i = 0; i <= beams.segments; ++i) {
-    const double share = static_cast<double>(i) / beams.segments;
-    chain.points.push_back((1.0 - share) * body.shape->from + share * body.shape->to);
-  }
-  return chain;
-}
-
 }  // namespace footfall

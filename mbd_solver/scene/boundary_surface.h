@@ -1,6 +1,5 @@
 #pragma once
-// The geometry of a boundary, in the drawing frame D: what grains or the plane meet. For rigid bodies; a flexible body's boundary is
-// made of its own nodes.
+// The surface of a boundary in the drawing frame D, from a file or from the shape of its body.
 
 #include <vector>
 
@@ -17,12 +16,5 @@ TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary);
 // Surface of a tube or rod between two points (closed cylinder), and of a sphere about the origin; edge: longest edge wanted [m].
 TriangleMesh cylinder_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double edge);
 TriangleMesh sphere_mesh(double radius, double edge);
-
-struct BeamChain {
-  std::vector<Eigen::Vector3d> points;  // joined one after the other [m]
-  double radius = 0.0;                  // [m]
-};
-// The chain of the boundary's beams; no points without beams.
-BeamChain boundary_chain(const Scene& scene, const BoundarySpec& boundary);
 
 }  // namespace footfall
