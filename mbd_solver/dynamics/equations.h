@@ -46,6 +46,7 @@ class Equations {
   // dF/dy + c dF/dydot: column-major, compressed, the same pattern for ever; values are rewritten in place.
   const Eigen::SparseMatrix<double>& jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                               const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
+  const Eigen::SparseMatrix<double>& jacobian_pattern() const;  // the same matrix, whatever its values are now
   // dF/dydot * x at (t, y): what an error estimate is filtered with.
   void apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x, double t,
                   Eigen::Ref<Eigen::VectorXd> out);
@@ -74,6 +75,9 @@ class Equations {
   ElementInput element_input(int force, const State& state, const Inputs& inputs) const;  // valid after load()
   // Force and moment [N, N m] that joint `joint` exerts on its body 2, about the point of marker 2, in W. After load().
   Vector6d joint_wrench(int joint, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const;
+
+  // Drops the pivots of earlier solves, so that results depend on arguments alone.
+  void forget();
 
   // y of a state (multipliers given) and back.
   void pack(const State& state, const Eigen::Ref<const Eigen::VectorXd>& lambda, Eigen::Ref<Eigen::VectorXd> y) const;

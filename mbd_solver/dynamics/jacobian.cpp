@@ -156,6 +156,8 @@ void Equations::add_force_jacobian(int index, const Eigen::Ref<const Eigen::Vect
   for (int k = 0; k < element.state_count(); ++k) places.extra_extra.add_column(values, k, -d.ddz_dz.col(k));
 }
 
+const Eigen::SparseMatrix<double>& Equations::jacobian_pattern() const { return work_->jacobian; }
+
 const Eigen::SparseMatrix<double>& Equations::jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                                        const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
                                                        const Inputs& inputs) {

@@ -20,6 +20,8 @@ std::string at_time(double t) { return "t = " + std::to_string(t) + " s: "; }
 
 }  // namespace
 
+void Equations::forget() { work_->saddle_lu->forget(); }
+
 bool Equations::factor_saddle(double t) {
   Workspace& w = *work_;
   double* values = w.saddle.valuePtr();

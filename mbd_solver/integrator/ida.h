@@ -1,0 +1,29 @@
+#pragma once
+// SUNDIALS IDA: variable-order BDF on the same residual and the same analytic Jacobian (KLU). A window with other loads or voltages
+// (or a state that was changed from outside, a projection included) is a new initial value problem: IDA starts again at first order.
+// While nothing changes it goes on, and drift is projected only when it passes kProjectAbove.
+
+#include <memory>
+
+#include "mbd_solver/integrator/integrator.h"
+
+namespace footfall {
+
+class Ida : public Integrator {
+ public:
+  Ida(Equations& equations, const IntegratorOptions& options);
+  ~Ida() override;
+
+  std::string name() const override { return "ida"; }
+  void advance(State& state, double t_end, const Inputs& inputs) override;
+  const Eigen::VectorXd& end_rates() const override;
+  void forget() override;
+  const IntegratorStatistics& statistics() const override { return statistics_; }
+
+ private:
+  struct Sundials;  // everything that needs a header of SUNDIALS
+  std::unique_ptr<Sundials> ida_;
+  IntegratorStatistics statistics_;
+};
+
+}  // namespace footfall
