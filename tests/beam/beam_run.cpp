@@ -3,9 +3,11 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -95,6 +97,31 @@ Rows RunFolder::loads() const {
   return rows;
 }
 
+double relative_difference(const Dump& expected, const Dump& found) {
+  const double different = std::numeric_limits<double>::infinity();
+  std::vector<double> largest;  // of each column
+  for (const auto& [step, rows] : expected)
+    for (const auto& row : rows) {
+      largest.resize(row.size(), 0.0);
+      for (std::size_t k = 0; k < row.size(); ++k) largest[k] = std::max(largest[k], std::abs(row[k]));
+    }
+  double worst = 0.0;
+  if (found.size() != expected.size()) return different;
+  for (const auto& [step, rows] : expected) {
+    const auto same_step = found.find(step);
+    if (same_step == found.end() || same_step->second.size() != rows.size()) return different;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::vector<double>& row = same_step->second[i];
+      if (row.size() != rows[i].size() || row[0] != rows[i][0]) return different;
+      for (std::size_t k = 1; k < row.size(); ++k) {
+        const double difference = std::abs(row[k] - rows[i][k]);
+        if (difference != 0.0) worst = std::max(worst, difference / largest[k]);
+      }
+    }
+  }
+  return worst;
+}
+
 std::string dump_command(const std::string& file, int every, const std::string& columns) {
   std::istringstream words(columns);
   std::string format = "%d", word;
@@ -103,35 +130,36 @@ std::string dump_command(const std::string& file, int every, const std::string& 
          "\ndump_modify d_" + file + " format \"" + format + "\"\n";
 }
 
-std::string preamble(const std::string& region, int types) {
-  const auto each = [types](const std::string& value, int times) {
-    std::string text;
-    for (int i = 0; i < (times == 2 ? types * types : types); ++i) text += " " + value;
-    return text;
-  };
-  const std::string pair = " peratomtypepair " + std::to_string(types);
-  return "atom_style granular\natom_modify map array sort 0 0\nboundary f f f\nnewton off\ncommunicate "
-         "single vel yes\nunits si\n"
+std::string preamble(const std::string& region, const Material& material) {
+  return "atom_style granular\natom_modify map array\nboundary f f f\nnewton off\ncommunicate single vel "
+         "yes\nunits si\n"
          "region box block " +
-         region + " units box\ncreate_box " + std::to_string(types) +
-         " box\nneighbor 0.01 bin\nneigh_modify delay 0\n"
-         "fix m1 all property/global youngsModulus peratomtype" +
-         each("35e6", 1) + "\nfix m2 all property/global poissonsRatio peratomtype" + each("0.25", 1) +
-         "\nfix m3 all property/global coefficientRestitution" + pair + each("0.3", 2) +
-         "\nfix m4 all property/global coefficientFriction" + pair + each("0.44", 2) +
-         "\nfix m5 all property/global coefficientRollingFriction" + pair + each("0.05", 2) +
-         "\nfix m6 all property/global characteristicVelocity scalar 1.0"
-         "\nfix m7 all property/global cohesionEnergyDensity" +
-         pair + each("2e4", 2) + "\nfix m8 all property/global coefficientRollingViscousDamping" + pair +
-         each("0.1", 2) + "\ntimestep 2e-5\n";
+         region + " units box\ncreate_box 2 box\nneighbor 0.01 bin\nneigh_modify delay 0\n" +
+         materials(material);
 }
 
-std::string straight_chain(const std::string& body, const std::vector<std::string>& nodes, double radius) {
+std::string materials(const Material& material) {
+  const auto pairs = [](const std::string& name, double value) {
+    std::string line = " all property/global " + name + " peratomtypepair 2";
+    for (int i = 0; i < 4; ++i) line += " " + std::to_string(value);
+    return line + "\n";
+  };
+  return "fix m1 all property/global youngsModulus peratomtype 35e6 35e6\n"
+         "fix m2 all property/global poissonsRatio peratomtype 0.25 0.25\n"
+         "fix m3" +
+         pairs("coefficientRestitution", material.restitution) + "fix m4" +
+         pairs("coefficientFriction", material.friction) + "fix m5" +
+         pairs("coefficientRollingFriction", material.rolling) +
+         "fix m6 all property/global characteristicVelocity scalar 1.0\n"
+         "fix m7" +
+         pairs("cohesionEnergyDensity", 2e4) + "fix m8" + pairs("coefficientRollingViscousDamping", 0.1);
+}
+
+std::string chain(const std::vector<std::string>& nodes, double radius, int first, int number) {
   std::ostringstream text;
-  text << "body " << body << "\n";
   for (const std::string& node : nodes) text << "node " << node << "\n";
-  for (std::size_t i = 1; i < nodes.size(); ++i)
-    text << "segment " << i - 1 << " " << i << " " << radius << " 0\n";
+  for (int i = first; i + 1 < first + static_cast<int>(nodes.size()); ++i)
+    text << "segment " << i << " " << i + 1 << " " << radius << " " << number << "\n";
   return text.str();
 }
 

@@ -41,10 +41,23 @@ class RunFolder {
 // A dump of all grains every N steps to `file`: id, the given columns, with all digits.
 std::string dump_command(const std::string& file, int every, const std::string& columns);
 
-// Box, style, and materials that stiff and soft tests share: grains and walls of type 1 and 2 [SI].
-std::string preamble(const std::string& region, int types = 2);
+// Largest difference of two dumps of the same grains at the same steps, each column relative to its largest
+// number in `expected`. Infinite when steps, grains or columns differ.
+double relative_difference(const Dump& expected, const Dump& found);
 
-// `count` statements for a chain along a straight line: nodes, segments of this radius.
-std::string straight_chain(const std::string& body, const std::vector<std::string>& nodes, double radius);
+struct Material {
+  double restitution = 0.3;
+  double friction = 0.44;
+  double rolling = 0.05;
+};
+
+// Box, style and two materials (1 grains, 2 beams, both with the same constants) [SI]; no `timestep`.
+std::string preamble(const std::string& region, const Material& material = {});
+// The same without the box, for use after read_restart.
+std::string materials(const Material& material = {});
+
+// Statements for a chain through these nodes ("x y z"), its segments of this radius; the first node has
+// number `first`.
+std::string chain(const std::vector<std::string>& nodes, double radius, int first = 0, int number = 0);
 
 }  // namespace footfall::test

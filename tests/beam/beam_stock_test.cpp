@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -12,50 +11,65 @@
 namespace footfall::test {
 namespace {
 
+// Round-off of a few thousand steps, relative to the largest number of each column: measured below 2e-13.
+constexpr double kRoundOff = 1e-11;
+
+const char* const kHertz = "model hertz tangential history rolling_friction cdt";
+
 struct Case {
   std::string name;
-  std::string model;     // of pairs and walls
-  int history;           // numbers per contact
-  std::string axis;      // x or z
-  double sliding = 0.0;  // of the cylinder along its axis [m/s]
+  std::string model;  // of pairs and walls
+  std::vector<std::string>
+      columns;                // dumped besides motion, force and torque: history and what keywords store
+  std::string axis;           // x or z
+  double sliding = 0.0;       // of the cylinder along its axis [m/s]
+  std::string keywords = {};  // of the wall
 };
+
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+  return out << c.name;
+}
+
+std::vector<std::string> history(int count) {
+  std::vector<std::string> columns;
+  for (int i = 1; i <= count; ++i) columns.push_back("f_history_w[" + std::to_string(i) + "]");
+  return columns;
+}
 
 // Grains thrown and pressed (3 N) on a cylinder of 0.055 m from all sides: they hit, slide, roll and fly off,
 // past the joints of the beam.
 std::string grains(const Case& c) {
   std::string text;
-  int id = 0;
   for (int i = 0; i < 8; ++i) {
     const double angle = 2.0 * M_PI * i / 8.0, along = -0.18 + 0.045 * i;
-    const double y = 0.078 * std::cos(angle), z = 0.078 * std::sin(angle);
-    const double vy = -0.3 * std::cos(angle) - 0.4 * std::sin(angle),
-                 vz = -0.3 * std::sin(angle) + 0.4 * std::cos(angle);
-    const double v = i % 2 == 0 ? 0.6 : -0.5;
-    const auto vec = [&](double a, double b, double d) {
-      return std::to_string(c.axis == "x" ? a : b) + " " + std::to_string(c.axis == "x" ? b : d) + " " +
-             std::to_string(c.axis == "x" ? d : a);
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    const auto turned_to_axis = [&c](double a, double b, double d) {
+      return c.axis == "x" ? std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(d)
+                           : std::to_string(b) + " " + std::to_string(d) + " " + std::to_string(a);
     };
-    ++id;
-    text += "create_atoms 1 single " + vec(along, y, z) + "\n";
-    text += "group g" + std::to_string(id) + " id " + std::to_string(id) + "\n";
-    text += "set group g" + std::to_string(id) + " diameter 0.04 density 2600\n";
-    text += "velocity g" + std::to_string(id) + " set " + vec(v, vy, vz) + "\n";
-    text += "fix press" + std::to_string(id) + " g" + std::to_string(id) + " addforce " +
-            vec(0.0, -3.0 * std::cos(angle), -3.0 * std::sin(angle)) + "\n";
+    const std::string id = std::to_string(i + 1), group = "g" + id;
+    text += "create_atoms 1 single " + turned_to_axis(along, 0.078 * cosine, 0.078 * sine) + "\n";
+    text += "group " + group + " id " + id + "\n";
+    text += "set group " + group + " diameter 0.04 density 2600\n";
+    text += "velocity " + group + " set " +
+            turned_to_axis(i % 2 == 0 ? 0.6 : -0.5, -0.3 * cosine - 0.4 * sine, -0.3 * sine + 0.4 * cosine) +
+            "\n";
+    text += "fix press" + id + " " + group + " addforce " + turned_to_axis(0.0, -3.0 * cosine, -3.0 * sine) +
+            "\n";
   }
   return text;
 }
 
 std::string script(const Case& c, const std::string& wall, const std::string& file) {
   std::string columns = "x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz";
-  for (int i = 1; i <= c.history; ++i) columns += " f_history_w[" + std::to_string(i) + "]";
-  return preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "pair_style gran " + c.model + "\npair_coeff * *\n" +
+  for (const std::string& column : c.columns) columns += " " + column;
+  return preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "timestep 2e-5\npair_style gran " + c.model +
+         "\npair_coeff * *\n" +
+         "fix c1 all property/global thermalConductivity peratomtype 5 5\n"
+         "fix c2 all property/global thermalCapacity peratomtype 20 20\n"
+         "fix heat all heat/gran/conduction initial_temperature 300\n" +
          grains(c) + "fix w all wall/gran" + wall + "\nfix integr all nve/sphere\n" +
          "fix g all gravity 9.81 vector 0.1 -0.2 -1\n" + dump_command(file, 50, columns);
-}
-
-std::ostream& operator<<(std::ostream& out, const Case& c) {
-  return out << c.name;
 }
 
 class BeamLikeCylinder : public testing::TestWithParam<Case> {};
@@ -63,61 +77,79 @@ class BeamLikeCylinder : public testing::TestWithParam<Case> {};
 TEST_P(BeamLikeCylinder, SameForcesHistoryAndMotionToRoundOff) {
   const Case& c = GetParam();
   const RunFolder folder("cylinder_" + c.name);
-  const std::string shear = c.sliding != 0.0 ? " shear " + c.axis + " " + std::to_string(c.sliding) : "";
-  const Outcome stock = folder.stock(
-      script(c, " " + c.model + " primitive type 2 " + c.axis + "cylinder 0.055 0 0" + shear, "stock.txt") +
-      "run 3000\n");
+  std::string wall = " " + c.model + " primitive type 2 " + c.axis + "cylinder 0.055 0 0";
+  if (c.sliding != 0.0) wall += " shear " + c.axis + " " + std::to_string(c.sliding);
+  const Outcome stock = folder.stock(script(c, wall + c.keywords, "stock.txt") + "run 3000\n");
   ASSERT_EQ(stock.code, 0) << stock.output;
 
+  const auto on_axis = [&c](const std::string& s) { return c.axis == "x" ? s + " 0 0" : "0 0 " + s; };
   std::vector<std::string> nodes;
-  for (const char* s : {"-0.4", "-0.11", "0.0", "0.033", "0.4"})
-    nodes.push_back(c.axis == "x" ? std::string(s) + " 0 0" : std::string("0 0 ") + s);
-  std::string motion = "end 0.06\n" + straight_chain("tine", nodes, 0.055);
-  if (c.sliding != 0.0)
-    motion += "velocity " + (c.axis == "x" ? std::to_string(c.sliding) + " 0 0\n"
-                                           : "0 0 " + std::to_string(c.sliding) + "\n");
-  const Outcome beam = folder.coupled(script(c, "/beam " + c.model + " type 2 body tine", "beam.txt") +
-                                          "fix mbd all couple/mbd every 5\nrun 3000\n",
-                                      motion);
+  for (const char* station : {"-0.4", "-0.11", "0.0", "0.033", "0.4"}) nodes.push_back(on_axis(station));
+  const std::string motion =
+      "end 0.06\nbody tine\n" + chain(nodes, 0.055) + "velocity " + on_axis(std::to_string(c.sliding)) + "\n";
+  const Outcome beam =
+      folder.coupled(script(c, "/beam " + c.model + " type 2 body tine" + c.keywords, "beam.txt") +
+                         "fix mbd all couple/mbd every 5\nrun 3000\n",
+                     motion);
   ASSERT_EQ(beam.code, 0) << beam.output;
 
-  const Dump expected = folder.dump("stock.txt"), found = folder.dump("beam.txt");
+  const Dump expected = folder.dump("stock.txt");
   ASSERT_EQ(expected.size(), 61u);
-  ASSERT_EQ(found.size(), expected.size());
-  std::vector<double> largest;  // of each column: what a difference is measured against
-  for (const auto& [step, rows] : expected)
-    for (const auto& row : rows) {
-      largest.resize(row.size(), 0.0);
-      for (std::size_t k = 0; k < row.size(); ++k) largest[k] = std::max(largest[k], std::abs(row[k]));
-    }
-  double worst = 0.0;
+  EXPECT_LT(relative_difference(expected, folder.dump("beam.txt")), kRoundOff);
   int touching = 0;  // friction turns a grain that touches
-  for (const auto& [step, rows] : expected) {
-    ASSERT_EQ(rows.size(), 8u);
-    ASSERT_EQ(found.at(step).size(), rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      touching += std::abs(rows[i][13]) + std::abs(rows[i][14]) + std::abs(rows[i][15]) > 0.0 ? 1 : 0;
-      for (std::size_t k = 0; k < rows[i].size(); ++k) {
-        const double difference = std::abs(rows[i][k] - found.at(step)[i][k]);
-        if (difference > 0.0) worst = std::max(worst, difference / largest[k]);
-      }
-    }
-  }
-  // Round-off of 3000 steps, relative to the largest number of each column: measured below 2e-13.
-  EXPECT_LT(worst, 1e-11);
+  for (const auto& [step, rows] : expected)
+    for (const auto& row : rows) touching += row[13] != 0.0 || row[14] != 0.0 || row[15] != 0.0 ? 1 : 0;
   EXPECT_GT(touching, 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Models, BeamLikeCylinder,
-    testing::Values(Case{"hertz", "model hertz tangential history rolling_friction cdt", 3, "x"},
-                    Case{"hertz_z", "model hertz tangential history rolling_friction cdt", 3, "z"},
-                    Case{"sliding", "model hertz tangential history rolling_friction cdt", 3, "x", 0.7},
-                    Case{"hooke", "model hooke tangential history rolling_friction epsd2", 6, "z"},
-                    Case{"cohesion", "model hertz tangential history cohesion sjkr rolling_friction cdt", 3,
-                         "x"},
-                    Case{"no_history", "model hertz tangential no_history", 0, "x"}),
+    testing::Values(Case{"hertz", kHertz, history(3), "x"},  //
+                    Case{"hertz_z", kHertz, history(3), "z"}, Case{"sliding", kHertz, history(3), "x", 0.7},
+                    Case{"hooke", "model hooke tangential history rolling_friction epsd2", history(6), "z"},
+                    Case{"cohesion", "model hertz tangential history cohesion sjkr rolling_friction cdt",
+                         history(3), "x"},
+                    Case{"no_history", "model hertz tangential no_history", {}, "x"},
+                    Case{"stored_force",
+                         kHertz,
+                         {"f_force_w[1]", "f_force_w[2]", "f_force_w[3]"},
+                         "x",
+                         0.0,
+                         " store_force yes"},
+                    Case{"warm", kHertz, {"f_Temp", "f_heatFlux"}, "x", 0.0, " temperature 600"}),
     [](const auto& model) { return model.param.name; });
+
+// Two beams are two contacts: a grain falls between two cylinders and stays there, as between two of stock
+// LIGGGHTS'.
+TEST(TwoBeams, HoldAGrainBetweenThemLikeTwoCylinders) {
+  const RunFolder folder("two_beams");
+  const auto fall = [](const std::string& walls, const std::string& file) {
+    return preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "timestep 2e-5\npair_style gran " + kHertz +
+           "\npair_coeff * *\n" +
+           "create_atoms 1 single 0.004 0.1 0.06\nset group all diameter 0.08 density 2600\nvelocity all set "
+           "0.02 0.15 -0.1\n" +
+           walls + "fix integr all nve/sphere\nfix g all gravity 9.81 vector 0 0 -1\n" +
+           dump_command(file, 50,
+                        "x y z vx vy vz omegax omegay omegaz fx fy fz f_history_w1[1] f_history_w1[2] "
+                        "f_history_w2[1] f_history_w2[2]");
+  };
+  const std::string wall = std::string(" all wall/gran ") + kHertz + " primitive type 2 ycylinder ";
+  const Outcome stock = folder.stock(
+      fall("fix w1" + wall + "0.03 0 -0.05\nfix w2" + wall + "0.02 0 0.045\n", "stock.txt") + "run 10000\n");
+  ASSERT_EQ(stock.code, 0) << stock.output;
+  const std::string beam = std::string(" all wall/gran/beam ") + kHertz + " type 2 body fork chain ";
+  const Outcome coupled =
+      folder.coupled(fall("fix w1" + beam + "0\nfix w2" + beam + "7\n", "beam.txt") +
+                         "fix mbd all couple/mbd every 10\nrun 10000\n",
+                     "end 0.2\nbody fork\n" + chain({"-0.05 -0.4 0", "-0.05 0.1 0", "-0.05 0.4 0"}, 0.03) +
+                         chain({"0.045 -0.4 0", "0.045 0.12 0", "0.045 0.4 0"}, 0.02, 3, 7));
+  ASSERT_EQ(coupled.code, 0) << coupled.output;
+  const Dump expected = folder.dump("stock.txt");
+  EXPECT_LT(relative_difference(expected, folder.dump("beam.txt")), kRoundOff);
+  const std::vector<double>& end = expected.rbegin()->second.at(0);
+  EXPECT_NE(end[13], 0.0);  // touches both
+  EXPECT_NE(end[15], 0.0);
+}
 
 }  // namespace
 }  // namespace footfall::test
