@@ -19,6 +19,7 @@ constexpr Index kDenseSize = 300;  // above, subspace iteration is faster
 constexpr int kMaxIterations = 300;
 constexpr double kConverged =
     1e-11;  // relative change of every lambda + shift in one iteration, half the digits of the shapes
+constexpr double kRank = 1e-12;      // singular below this fraction of a block's largest eigenvalue
 constexpr double kMassless = 1e-14;  // mu below this fraction of the largest: no mass in that direction
 
 // In A = K + shift M the problem reads M x = mu A x with mu = 1 / (lambda + shift) >= 0: A is positive
@@ -52,15 +53,13 @@ Modes modes_from(const VectorXd& mu, const MatrixXd& x, double shift) {
   return modes;
 }
 
-void require_mass(const VectorXd& mu, int count) {
-  if (!(mu(count - 1) > kMassless * mu(0)))
-    throw InputError("mass matrix is not positive: fewer than " + std::to_string(count) +
-                     " independent motions carry mass. Ask for fewer modes, or give every node a mass.");
+[[noreturn]] void refuse_massless(int count) {
+  throw InputError("mass matrix is not positive: fewer than " + std::to_string(count) +
+                   " independent motions carry mass. Ask for fewer modes, or give every node a mass.");
 }
 
 Modes dense_modes(const Sparse& K, const Sparse& M, int count, double shift) {
   const Reduced reduced = solve_reduced(MatrixXd(M), MatrixXd(K) + shift * MatrixXd(M));
-  require_mass(reduced.mu, count);
   return modes_from(reduced.mu.head(count), reduced.y.leftCols(count), shift);
 }
 
@@ -72,7 +71,7 @@ Modes subspace_modes(const Sparse& K, const Sparse& M, int count, double shift) 
     throw InputError(
         "stiffness is not positive definite: the body can move without strain between its supports.");
   const Index n = A.rows();
-  const Index width = std::min<Index>(n, std::max<Index>(2 * count, count + 8));
+  const Index width = std::min<Index>(mass_rank(M), std::max<Index>(2 * count, count + 8));
   std::mt19937 random(1);  // the same start every time: the same result every time
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   MatrixXd X(n, width);
@@ -84,10 +83,8 @@ Modes subspace_modes(const Sparse& K, const Sparse& M, int count, double shift) 
     const Reduced reduced = solve_reduced(X.transpose() * (M * X), X.transpose() * (A * X));
     X *= reduced.y;
     const VectorXd mu = reduced.mu.head(count);
-    if (((mu - last).array().abs() <= kConverged * mu.array()).all()) {
-      require_mass(reduced.mu, count);
+    if (((mu - last).array().abs() <= kConverged * mu.array()).all())
       return modes_from(mu, X.leftCols(count), shift);
-    }
     last = mu;
   }
   throw NumericalError("modes: subspace iteration for " + std::to_string(count) +
@@ -96,11 +93,37 @@ Modes subspace_modes(const Sparse& K, const Sparse& M, int count, double shift) 
 
 }  // namespace
 
+// Blocks are found by following the couplings.
+int mass_rank(const Sparse& M) {
+  int rank = 0;
+  std::vector<bool> done(static_cast<std::size_t>(M.cols()), false);
+  for (Index j = 0; j < M.cols(); ++j) {
+    if (done[static_cast<std::size_t>(j)]) continue;
+    std::vector<int> block = {static_cast<int>(j)};
+    done[static_cast<std::size_t>(j)] = true;
+    for (std::size_t next = 0; next < block.size(); ++next)
+      for (Sparse::InnerIterator it(M, block[next]); it; ++it) {
+        if (done[static_cast<std::size_t>(it.row())]) continue;
+        done[static_cast<std::size_t>(it.row())] = true;
+        block.push_back(static_cast<int>(it.row()));
+      }
+    MatrixXd dense(block.size(), block.size());
+    for (std::size_t a = 0; a < block.size(); ++a)
+      for (std::size_t b = 0; b < block.size(); ++b)
+        dense(static_cast<Index>(a), static_cast<Index>(b)) = M.coeff(block[a], block[b]);
+    const VectorXd values =
+        Eigen::SelfAdjointEigenSolver<MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues();
+    rank += static_cast<int>((values.array() > kRank * values.maxCoeff()).count());
+  }
+  return rank;
+}
+
 Modes lowest_modes(const Sparse& K, const Sparse& M, int count, double shift, EigenMethod method) {
   FOOTFALL_DEMAND(count >= 0 && K.rows() == M.rows());
   if (count > K.rows())
     throw InputError(std::to_string(count) + " modes asked for, but there are only " +
                      std::to_string(K.rows()) + " degrees of freedom.");
+  if (count > mass_rank(M)) refuse_massless(count);
   if (count == 0) return {VectorXd(0), MatrixXd(K.rows(), 0)};
   const bool dense = method == EigenMethod::kDense ||
                      (method == EigenMethod::kAutomatic && (K.rows() <= kDenseSize || count > K.rows() / 8));

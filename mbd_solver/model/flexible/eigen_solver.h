@@ -21,6 +21,9 @@ enum class EigenMethod { kAutomatic, kDense, kSubspace };
 Modes lowest_modes(const Eigen::SparseMatrix<double>& K, const Eigen::SparseMatrix<double>& M, int count,
                    double shift, EigenMethod method = EigenMethod::kAutomatic);
 
+// Number of independent motions with mass of a lumped (block-diagonal, blocks of at most 3) mass matrix.
+int mass_rank(const Eigen::SparseMatrix<double>& M);
+
 // Every mode that carries mass, dense; for the small problems of reduced bases.
 Modes all_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& M, double shift);
 

@@ -111,24 +111,4 @@ void check_interface(const FeModel& model, const std::vector<int>& nodes, const 
                        std::to_string(model.node_count() - 1) + ".");
 }
 
-// Blocks are found by their couplings; a block of three has the rank of its eigenvalues.
-int mass_rank(const Sparse& M) {
-  double largest = 0.0;
-  for (Index j = 0; j < M.cols(); ++j) largest = std::max(largest, M.coeff(j, j));
-  int rank = 0;
-  std::vector<bool> done(static_cast<std::size_t>(M.cols()), false);
-  for (Index j = 0; j < M.cols(); ++j) {
-    if (done[static_cast<std::size_t>(j)]) continue;
-    std::vector<int> block;
-    for (Sparse::InnerIterator it(M, j); it; ++it) block.push_back(static_cast<int>(it.row()));
-    if (block.empty()) continue;
-    for (int i : block) done[static_cast<std::size_t>(i)] = true;
-    const MatrixXd dense(selected(M, block, block));
-    const VectorXd values =
-        Eigen::SelfAdjointEigenSolver<MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues();
-    rank += static_cast<int>((values.array() > kRank * values.maxCoeff()).count());
-  }
-  return rank;
-}
-
 }  // namespace footfall

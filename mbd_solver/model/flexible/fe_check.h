@@ -1,7 +1,6 @@
 #pragma once
 // What can be wrong with a finite-element model before it is reduced.
 
-#include <Eigen/Sparse>
 #include <string>
 #include <vector>
 
@@ -16,8 +15,5 @@ void check_model(const FeModel& model, const std::string& who);
 
 // Throws InputError led by `who` if the model has no such interface node.
 void check_interface(const FeModel& model, const std::vector<int>& nodes, const std::string& who);
-
-// Number of independent motions with mass of a lumped (block-diagonal, blocks of at most 3) mass matrix.
-int mass_rank(const Eigen::SparseMatrix<double>& M);
 
 }  // namespace footfall

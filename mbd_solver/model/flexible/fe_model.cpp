@@ -72,6 +72,8 @@ void require_members(const std::vector<Vector3d>& nodes, const std::vector<BeamM
                        std::to_string(static_cast<int>(sections.size()) - 1) + ".");
     const Vector3d& a = nodes[static_cast<std::size_t>(member.first)];
     const Vector3d& b = nodes[static_cast<std::size_t>(member.second)];
+    if (!a.allFinite() || !b.allFinite() || !member.up.allFinite())
+      throw InputError(who + ": the coordinates of its nodes or its up direction are not finite numbers.");
     if (!((b - a).norm() > 0.0))
       throw InputError(who + ": its nodes " + std::to_string(member.first) + " and " +
                        std::to_string(member.second) +
