@@ -84,7 +84,7 @@ class ByteReader {
   }
 
  private:
-  static constexpr std::uint64_t kMostRows = std::uint64_t{1} << 40;
+  static constexpr std::uint64_t kMostRows = std::uint64_t{1} << 26;  // of a matrix without coefficients
   void raw(void* data, std::size_t size) {
     if (size > left_) throw ProtocolError("the message is cut short");
     if (size > 0) std::memcpy(data, next_, size);

@@ -23,6 +23,7 @@ ModalBoundary::ModalBoundary(std::string name, Eigen::Matrix3Xd rho0, std::vecto
       Psi_(std::move(Psi)) {
   const int nodes = node_count();
   const auto is_node = [nodes](int j) { return j >= 0 && j < nodes; };
+  if (nodes == 0) refuse(name_, "it has no nodes");
   if (!rho0_.allFinite() || !Phi_.allFinite() || !Psi_.allFinite()) refuse(name_, "a node or mode shape is not finite");
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const Eigen::Vector3i& t = triangles_[i];
@@ -140,6 +141,10 @@ Eigen::Vector3d barycentric_weights(const Eigen::Vector3d& x0, const Eigen::Vect
   const double e11 = e1.dot(e1), e12 = e1.dot(e2), e22 = e2.dot(e2);
   const double d1 = d.dot(e1), d2 = d.dot(e2);
   const double determinant = e11 * e22 - e12 * e12;
+  if (determinant <= 1e-14 * e11 * e22) {  // no area: a point of the longer edge
+    if (e11 >= e22) return {1.0 - d1 / e11, d1 / e11, 0.0};
+    return {1.0 - d2 / e22, 0.0, d2 / e22};
+  }
   const double b1 = (e22 * d1 - e12 * d2) / determinant;
   const double b2 = (e11 * d2 - e12 * d1) / determinant;
   return {1.0 - b1 - b2, b1, b2};

@@ -33,7 +33,7 @@ struct BoundaryPoint {
 class ModalBoundary {
  public:
   // rho0 [m] 3 x N in B; Phi 3N x s (empty: rigid); Psi 3N x s or empty (the nodal rotations are then unknown).
-  // Throws InputError for node indices out of range, a segment without length or radius, or shapes of the wrong size.
+  // Throws InputError for no nodes, node indices out of range, a segment without length or radius, or shapes of the wrong size.
   ModalBoundary(std::string name, Eigen::Matrix3Xd rho0, std::vector<Eigen::Vector3i> triangles,
                 std::vector<BeamSegment> segments = {}, Eigen::MatrixXd Phi = {}, Eigen::MatrixXd Psi = {});
 
@@ -78,7 +78,8 @@ class ModalBoundary {
   Eigen::MatrixXd Psi_;
 };
 
-// Barycentric weights of the point c with respect to the triangle x0 x1 x2 (c projected on its plane); they sum to 1.
+// Barycentric weights of the point c with respect to the triangle x0 x1 x2 (c projected on its plane); they sum to 1. A triangle without
+// area counts as its longer edge at x0.
 Eigen::Vector3d barycentric_weights(const Eigen::Vector3d& x0, const Eigen::Vector3d& x1, const Eigen::Vector3d& x2,
                                     const Eigen::Vector3d& c);
 

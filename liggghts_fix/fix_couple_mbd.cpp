@@ -208,50 +208,55 @@ void FixCoupleMbd::initial_integrate(int) {
   if (link_.in_last_substep() && update->ntimestep < update->laststep) SignalHandler::request_quit = true;
 }
 
-// Owned triangles only: LIGGGHTS copies positions to the ghosts before the forces. Velocities are not copied every step, so all get them.
+// Owned and ghost triangles alike: LIGGGHTS copies neither positions nor velocities to ghosts between two re-neighbourings.
 void FixCoupleMbd::move(CoupledMesh& mesh) {
   const footfall::DemBody& body = link_.body(mesh.body);
-  const footfall::BodyMotion& pose = body.pose();
-  const footfall::BoundaryStep& step = body.path().last_step();
-  const std::vector<footfall::CornerNodes>& corners = mesh.module->corners();
   TriMesh* tri_mesh = mesh.fix->triMesh();
-  double*** v = node_velocities(tri_mesh)->begin();
-  const int owned = tri_mesh->sizeLocal();
-  const int all = owned + tri_mesh->sizeGhost();
-
   if (body.path().steady_translation()) {
-    // The same sums as fix move/mesh linear, so that the same motion gives the same bits.
-    double dx[3];
-    for (int c = 0; c < 3; ++c) dx[c] = pose.dr[c] * update->dt;
-    double*** x = footfall::mesh_nodes(tri_mesh);
-    double** center = footfall::mesh_centers(tri_mesh);
-    for (int i = 0; i < owned; ++i)
-      for (int c = 0; c < 3; ++c) {
-        for (int k = 0; k < 3; ++k) x[i][k][c] += dx[c];
-        center[i][c] += dx[c];
-      }
-    for (int i = 0; i < all; ++i)
-      for (int k = 0; k < 3; ++k) std::copy_n(pose.dr.data(), 3, v[i][k]);
-    tri_mesh->prop().move(dx);
+    translate(tri_mesh, body.pose().dr);
     return;
   }
-
-  body.boundary().node_positions(pose, mesh.x_W);
-  body.boundary().node_velocities(pose, mesh.v_W);
-  for (int i = 0; i < all; ++i) {
-    const footfall::CornerNodes& corner = corners[static_cast<std::size_t>(tri_mesh->id(i))];
-    for (std::size_t k = 0; k < 3; ++k) std::copy_n(mesh.v_W.col(corner[k]).data(), 3, v[i][k]);
-  }
-  const bool deforms = body.boundary().mode_count() > 0;
+  body.boundary().node_positions(body.pose(), mesh.x_W);
+  body.boundary().node_velocities(body.pose(), mesh.v_W);
+  const std::vector<footfall::CornerNodes>& corners = mesh.module->corners();
   double*** x = footfall::mesh_nodes(tri_mesh);
   double** center = footfall::mesh_centers(tri_mesh);
-  for (int i = 0; i < (deforms ? all : owned); ++i) {
+  double*** v = node_velocities(tri_mesh)->begin();
+  for (int i = 0; i < tri_mesh->size(); ++i) {
     const footfall::CornerNodes& corner = corners[static_cast<std::size_t>(tri_mesh->id(i))];
-    for (std::size_t k = 0; k < 3; ++k) std::copy_n(mesh.x_W.col(corner[k]).data(), 3, x[i][k]);
+    for (int k = 0; k < 3; ++k) {
+      const int node = corner[static_cast<std::size_t>(k)];
+      std::copy_n(mesh.v_W.col(node).data(), 3, v[i][k]);
+      for (int c = 0; c < 3; ++c) x[i][k][c] = nearest_image(mesh.x_W(c, node), x[i][k][c], c);
+    }
     for (int c = 0; c < 3; ++c) center[i][c] = (x[i][0][c] + x[i][1][c] + x[i][2][c]) / 3.0;
   }
-  turn_properties(mesh, step);
-  if (deforms) footfall::recalculate_mesh(tri_mesh);
+  turn_properties(mesh, body.path().last_step());
+  if (body.boundary().mode_count() > 0) footfall::recalculate_mesh(tri_mesh);
+}
+
+// The same sums as fix move/mesh linear, so that the same motion gives the same bits.
+void FixCoupleMbd::translate(TriMesh* mesh, const Eigen::Vector3d& velocity) const {
+  double dx[3];
+  for (int c = 0; c < 3; ++c) dx[c] = velocity[c] * update->dt;
+  double*** x = footfall::mesh_nodes(mesh);
+  double** center = footfall::mesh_centers(mesh);
+  double*** v = node_velocities(mesh)->begin();
+  for (int i = 0; i < mesh->size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      for (int c = 0; c < 3; ++c) x[i][k][c] += dx[c];
+      std::copy_n(velocity.data(), 3, v[i][k]);
+    }
+    for (int c = 0; c < 3; ++c) center[i][c] += dx[c];
+  }
+  mesh->prop().move(dx);
+}
+
+// In a periodic direction a triangle may stand one or more boxes away from its body's own place: it stays there.
+double FixCoupleMbd::nearest_image(double place, double before, int direction) const {
+  if (!domain->periodicity[direction]) return place;
+  const double box = domain->boxhi[direction] - domain->boxlo[direction];
+  return place + box * std::round((before - place) / box);
 }
 
 // Normals and edges turn with the body, the mesh's reference point (fix mesh/surface/stress) moves with it; areas and lengths stay. LIGGGHTS
@@ -275,6 +280,7 @@ void FixCoupleMbd::check_inside_box(const CoupledMesh& mesh) const {
   const footfall::DemBody& body = link_.body(mesh.body);
   const auto outside = [this](const Eigen::Vector3d& x, double margin) {
     for (int c = 0; c < 3; ++c) {
+      if (domain->periodicity[c]) continue;
       const bool follows_low = domain->boundary[c][0] > 1, follows_high = domain->boundary[c][1] > 1;  // shrink-wrapped
       if ((!follows_low && x[c] - margin < domain->boxlo[c]) || (!follows_high && x[c] + margin > domain->boxhi[c]))
         return true;

@@ -55,6 +55,8 @@ class FixCoupleMbd : public Fix {
                                            const footfall::CoupledBody& body) const;
   std::vector<double> effective_moduli(int wall_type) const;
   void move(CoupledMesh& mesh);
+  void translate(TriMesh* mesh, const Eigen::Vector3d& velocity) const;
+  double nearest_image(double place, double before, int direction) const;
   void turn_properties(CoupledMesh& mesh, const footfall::BoundaryStep& step);
   void check_inside_box(const CoupledMesh& mesh) const;
 
