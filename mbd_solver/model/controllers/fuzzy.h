@@ -8,15 +8,16 @@
 //            alpha  pitch, positive when the +x legs sink        [degree]            range [-r, r]
 //            beta   roll, positive when the +y legs sink         [degree]            range [-r, r]
 //   outputs  U1 ... Un, range [0, 1], lock-previous false (a hidden memory could not be resumed)
-//   rules    that name known variables and terms and cover the whole input box: checked on a grid when loading.
-// Inputs outside their range are clamped to it. Where no rule fires for an output although the check passed (between its grid
-// points), the output is kNoRuleVoltage.
+//   rules    that name known variables and terms and cover the whole input box: checked when loading, at all corners of the terms and
+//            half way between them, which is complete for terms with corners (triangle, trapezoid, ramp, rectangle).
+// Inputs outside their range are clamped to it. Where no rule fires for an output although the check passed (terms of other shapes), or an
+// input is not a number, the output is kNoRuleVoltage.
 
 #include <Eigen/Dense>
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <string>
+#include <vector>
 
 namespace footfall {
 
@@ -38,8 +39,13 @@ class FuzzySystem {
   int output_count() const;
   const FuzzyInput& lower() const;  // of the input ranges, units as FuzzyInput
   const FuzzyInput& upper() const;
+  // The ends of an input's range and, rising between them, the corners of its terms: there the voltages have kinks.
+  std::vector<double> breakpoints(int input) const;
   // FuzzyLite's own evaluation: output_count() voltages in [0, 1].
   void evaluate(const FuzzyInput& input, Eigen::Ref<Eigen::VectorXd> voltages) const;
+  // The same at all points of a grid: [a][da][alpha][beta][output]; to round-off. Fast for plain min/max/centroid systems
+  // (mamdani_grid.h), point by point for all others.
+  std::vector<double> evaluate_on_grid(const std::array<Eigen::VectorXd, kFuzzyInputs>& nodes) const;
 
  private:
   struct Engine;  // FuzzyLite's, which keeps its last values inside: one thread at a time
