@@ -84,6 +84,19 @@ Dump RunFolder::dump(const std::string& file) const {
   return dump;
 }
 
+Rows RunFolder::table(const std::string& file) const {
+  std::ifstream in(path(file));
+  Rows rows;
+  std::string line;
+  while (std::getline(in, line)) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream numbers(line);
+    std::vector<double>& row = rows.emplace_back();
+    for (double value; numbers >> value;) row.push_back(value);
+  }
+  return rows;
+}
+
 Rows RunFolder::loads() const {
   std::ifstream in(path("loads.csv"));
   Rows rows;

@@ -28,6 +28,8 @@ class RunFolder {
 
   // What `dump ... custom` wrote, sorted by id.
   Dump dump(const std::string& file) const;
+  // Numbers of a text file, line by line, without lines that begin with #.
+  Rows table(const std::string& file) const;
   // The partner's table: numbers of each window on the one body of the motion, without its name.
   Rows loads() const;
   std::string path(const std::string& file) const { return path_ + "/" + file; }

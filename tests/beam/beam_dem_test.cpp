@@ -1,0 +1,287 @@
+// Beams in runs of their own: what does not depend on segments, ranks, lists and restarts; momentum and
+// energy.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "tests/beam/beam_run.h"
+
+namespace footfall::test {
+namespace {
+
+// Round-off of a few thousand steps, relative to the largest number of each column.
+constexpr double kRoundOff = 1e-11;
+
+const char* const kModel = "model hertz tangential history rolling_friction cdt";
+const char* const kColumns =
+    "x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz f_history_w[1] f_history_w[2] f_history_w[3]";
+
+std::string beam_wall(const std::string& body) {
+  return std::string("fix w all wall/gran/beam ") + kModel + " type 2 body " + body + "\n";
+}
+
+std::string run(int steps, int every = 5) {
+  return "fix integr all nve/sphere\nfix mbd all couple/mbd every " + std::to_string(every) + "\nrun " +
+         std::to_string(steps) + "\n";
+}
+
+// Grains in rows above a beam along x, moving along it; they do not see each other, so that each has its own
+// fate.
+std::string cloud() {
+  std::mt19937 engine(5);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::ostringstream text;
+  int id = 0;
+  for (int row = 0; row < 4; ++row)
+    for (int i = 0; i < 20; ++i) {
+      ++id;
+      text << "create_atoms 1 single " << -0.24 + 0.024 * i << " " << -0.03 + 0.06 * unit(engine) << " "
+           << 0.045 + 0.02 * row << "\n";
+      text << "group g id " << id << "\nset group g diameter " << 0.02 + 0.02 * unit(engine)
+           << " density 2600\n";
+      text << "velocity g set " << -0.8 + 1.6 * unit(engine) << " 0 " << -0.6 * unit(engine)
+           << "\ngroup g delete\n";
+    }
+  text << "neigh_modify exclude type 1 1\n";
+  return text.str();
+}
+
+// A beam that rises into the cloud, turns and sways.
+std::string sweeping_beam() {
+  std::vector<std::string> nodes;
+  for (int i = 0; i <= 10; ++i) nodes.push_back(std::to_string(-0.25 + 0.05 * i) + " 0 0");
+  return "end 0.1\nbody tine\n" + chain(nodes, 0.02) +
+         "velocity 0 0 0.5\nspin 0.4 0.3 1.0\nsway 0 0.01 0.02 60\n";
+}
+
+std::string sweep(const std::string& settings, const Material& material = {},
+                  const std::string& dt = "2e-5") {
+  return settings + preamble("-0.6 0.6 -0.4 0.4 -0.3 0.6", material) + "timestep " + dt +
+         "\npair_style gran " + kModel + "\npair_coeff * *\n" + cloud() + beam_wall("tine");
+}
+
+// How many grains of a dump have a tangential history.
+int touching(const Rows& rows) {
+  int count = 0;
+  for (const auto& row : rows) count += row[16] != 0.0 || row[17] != 0.0 || row[18] != 0.0 ? 1 : 0;
+  return count;
+}
+
+TEST(BeamHistory, DoesNotSeeTheJointsOfAStraightBeam) {
+  const RunFolder folder("joints");
+  const auto slide = [&folder](const std::vector<std::string>& nodes, const std::string& file) {
+    return folder.coupled(
+        preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "timestep 2e-5\npair_style gran " + kModel +
+            "\npair_coeff * *\ncreate_atoms 1 single -0.2 0 0.0749\nset group all diameter 0.04 density "
+            "2600\n" +
+            "velocity all set 1.0 0.02 0\n" + beam_wall("tine") + "fix g all gravity 9.81 vector 0 0 -1\n" +
+            dump_command(file, 20, kColumns) + run(18000, 50),
+        "end 0.36\nbody tine\n" + chain(nodes, 0.055));
+  };
+  ASSERT_EQ(slide({"-0.4 0 0", "0.4 0 0"}, "one.txt").code, 0);
+  const Outcome many =
+      slide({"-0.4 0 0", "-0.19 0 0", "-0.1 0 0", "-0.09 0 0", "0.03 0 0", "0.4 0 0"}, "many.txt");
+  ASSERT_EQ(many.code, 0) << many.output;
+  const Dump expected = folder.dump("one.txt");
+  EXPECT_LT(relative_difference(expected, folder.dump("many.txt")), kRoundOff);
+  const std::vector<double>& end = expected.rbegin()->second.at(0);
+  EXPECT_GT(end[1], 0.031);       // it went over all the joints
+  EXPECT_EQ(touching({end}), 1);  // and is still in contact
+}
+
+TEST(BeamRuns, AreTheSameOnOneTwoAndThreeRanks) {
+  const RunFolder folder("ranks");
+  Dump one;
+  Rows loads;
+  for (int ranks = 1; ranks <= 3; ++ranks) {
+    const std::string file = "ranks" + std::to_string(ranks) + ".txt";
+    const Outcome outcome = folder.coupled(
+        sweep("processors * 1 1\n") + dump_command(file, 20, kColumns) + run(5000), sweeping_beam(), ranks);
+    ASSERT_EQ(outcome.code, 0) << outcome.output;
+    const Dump dump = folder.dump(file);
+    if (ranks == 1) {
+      one = dump;
+      loads = folder.loads();
+      int contacts = 0, migrated = 0;
+      for (const auto& [step, rows] : one) {
+        contacts += touching(rows);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          migrated += touching({rows[i]}) == 1 && (rows[i][1] > 0.0) != (one.at(0)[i][1] > 0.0) ? 1 : 0;
+      }
+      EXPECT_GT(contacts, 500);
+      EXPECT_GT(migrated, 10);  // grains in contact cross the border that two ranks have at x = 0
+      continue;
+    }
+    // Every grain feels the beam alone: its motion and history agree to the last bit.
+    EXPECT_EQ(relative_difference(one, dump), 0.0) << ranks << " ranks";
+    // The loads are sums over ranks, in another order.
+    const Rows others = folder.loads();
+    ASSERT_EQ(others.size(), loads.size());
+    std::vector<double> largest(loads[0].size(), 0.0);
+    for (const auto& row : loads)
+      for (std::size_t k = 0; k < row.size(); ++k) largest[k] = std::max(largest[k], std::abs(row[k]));
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      for (std::size_t k = 0; k < loads[i].size(); ++k)
+        ASSERT_NEAR(others[i][k], loads[i][k], 1e-13 * largest[k]) << "window " << i << " column " << k;
+  }
+}
+
+// A list made at every step, one that lives long, and the usual one find the same contacts while beam and
+// grains move.
+TEST(BeamRuns, DoNotDependOnWhenListsAreMade) {
+  const RunFolder folder("lists");
+  const auto with = [&folder](const std::string& lists, const std::string& file) {
+    return folder.coupled(sweep("") + lists + dump_command(file, 100, kColumns) + run(5000), sweeping_beam());
+  };
+  ASSERT_EQ(with("", "usual.txt").code, 0);
+  ASSERT_EQ(with("neigh_modify every 1 delay 0 check no\n", "always.txt").code, 0);
+  ASSERT_EQ(with("neighbor 0.08 bin\n", "rarely.txt").code, 0);
+  ASSERT_EQ(with("neighbor 0.0005 bin\n", "often.txt").code, 0);
+  const Dump usual = folder.dump("usual.txt");
+  EXPECT_EQ(relative_difference(usual, folder.dump("always.txt")), 0.0);
+  EXPECT_EQ(relative_difference(usual, folder.dump("rarely.txt")), 0.0);
+  EXPECT_EQ(relative_difference(usual, folder.dump("often.txt")), 0.0);
+}
+
+// A run that is stopped and goes on from its restart file ends with the same bits; without the history it
+// would not.
+TEST(BeamHistory, SurvivesARestart) {
+  const RunFolder folder("restart");
+  const std::string body = "body tine\n" + chain({"-0.4 0 0", "-0.05 0 0", "0.4 0 0"}, 0.055);
+  const std::string after = beam_wall("tine") + "fix g all gravity 9.81 vector 0 0 -1\n";
+  const Outcome whole = folder.coupled(
+      preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "timestep 2e-5\npair_style gran " + kModel +
+          "\npair_coeff * *\ncreate_atoms 1 single -0.1 0 0.0749\ncreate_atoms 1 single 0.1 0.01 0.0742\n"
+          "set group all diameter 0.04 density 2600\nvelocity all set 1.0 0.05 0\n" +
+          after + dump_command("whole.txt", 2000, kColumns) + run(2000) +
+          "write_restart half.restart\nrun 2000\n",
+      "end 0.08\n" + body);
+  ASSERT_EQ(whole.code, 0) << whole.output;
+  const auto resume = [&](const std::string& wall_id, const std::string& file) {
+    std::string wall = after;
+    wall.replace(wall.find("fix w "), 6, "fix " + wall_id + " ");
+    const std::string columns = "x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz f_history_" +
+                                wall_id + "[1] f_history_" + wall_id + "[2] f_history_" + wall_id + "[3]";
+    return folder.coupled(
+        "atom_modify map array\nunits si\nnewton off\nread_restart half.restart\ncommunicate single vel yes\n"
+        "neighbor 0.01 bin\nneigh_modify delay 0\n" +
+            materials() + "timestep 2e-5\npair_style gran " + kModel + "\npair_coeff * *\n" + wall +
+            dump_command(file, 2000, columns) + run(2000, 50),
+        "start 0.04\nend 0.08\n" + body, 1);
+  };
+  const Outcome resumed = resume("w", "resumed.txt");
+  ASSERT_EQ(resumed.code, 0) << resumed.output;
+  ASSERT_EQ(resume("other", "without_history.txt").code, 0);
+  const Dump expected = folder.dump("whole.txt");
+  ASSERT_EQ(touching(expected.at(2000)), 2);
+  // Not at step 2000: the set-up of a run evaluates friction once more without moving its springs, and a dump
+  // then shows that.
+  const auto end_of = [](const Dump& dump) { return Dump{{4000, dump.at(4000)}}; };
+  EXPECT_EQ(relative_difference(end_of(expected), end_of(folder.dump("resumed.txt"))), 0.0);
+  EXPECT_GT(relative_difference(end_of(expected), end_of(folder.dump("without_history.txt"))), 1e-6);
+}
+
+// m and moment of momentum about the origin of W, orbit and spin.
+struct Momentum {
+  double linear[3] = {0, 0, 0}, angular[3] = {0, 0, 0}, energy = 0.0;
+};
+
+// Rows: id mass radius x y z vx vy vz omegax omegay omegaz.
+Momentum momentum(const Rows& rows) {
+  Momentum sum;
+  for (const auto& g : rows) {
+    const double m = g[1], inertia = 0.4 * m * g[2] * g[2];
+    const double* x = &g[3];
+    const double* v = &g[6];
+    const double* w = &g[9];
+    for (int c = 0; c < 3; ++c) {
+      const int d = (c + 1) % 3, e = (c + 2) % 3;
+      sum.linear[c] += m * v[c];
+      sum.angular[c] += m * (x[d] * v[e] - x[e] * v[d]) + inertia * w[c];
+      sum.energy += 0.5 * (m * v[c] * v[c] + inertia * w[c] * w[c]);
+    }
+  }
+  return sum;
+}
+
+const char* const kMomentumColumns = "mass radius x y z vx vy vz omegax omegay omegaz";
+
+// What the grains lose the beam gets, in every step: momentum and moment of momentum, with friction and
+// rolling friction, while the beam moves, turns and sways. The beam starts and ends clear of all grains.
+TEST(BeamMomentum, IsGivenAsItIsReceived) {
+  const RunFolder folder("momentum");
+  const Outcome outcome = folder.coupled(
+      sweep("") + dump_command("grains.txt", 6000, kMomentumColumns) +
+          "variable n equal step\nvariable f1 equal f_w[1]\nvariable f2 equal f_w[2]\nvariable f3 equal "
+          "f_w[3]\n"
+          "variable m1 equal f_w[4]\nvariable m2 equal f_w[5]\nvariable m3 equal f_w[6]\nvariable c equal "
+          "f_w[7]\n"
+          "fix out all print 1 \"${n} ${f1} ${f2} ${f3} ${m1} ${m2} ${m3} ${c}\" file beam.txt screen no\n"
+          "thermo_modify lost ignore\n" +
+          run(6000),
+      "end 0.12\n" + sweeping_beam().substr(sweeping_beam().find("body")));
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  const Dump grains = folder.dump("grains.txt");
+  const Momentum before = momentum(grains.begin()->second), after = momentum(grains.rbegin()->second);
+  ASSERT_EQ(grains.rbegin()->second.size(), 80u);
+
+  const double dt = 2e-5;
+  const double velocity[3] = {0.0, 0.0, 0.5};  // of the beam's origin
+  double impulse[3] = {0, 0, 0}, turn[3] = {0, 0, 0}, contacts = 0.0, size = 0.0, turn_size = 0.0;
+  const Rows steps = folder.table("beam.txt");
+  ASSERT_EQ(steps.size(), 6000u);
+  for (const auto& s : steps) {
+    double r[3];
+    for (int c = 0; c < 3; ++c) r[c] = velocity[c] * s[0] * dt;
+    for (int c = 0; c < 3; ++c) {
+      const int d = (c + 1) % 3, e = (c + 2) % 3;
+      impulse[c] += dt * s[static_cast<std::size_t>(1 + c)];
+      const double moment = s[static_cast<std::size_t>(4 + c)] + r[d] * s[static_cast<std::size_t>(1 + e)] -
+                            r[e] * s[static_cast<std::size_t>(1 + d)];
+      turn[c] += dt * moment;
+      size += dt * std::abs(s[static_cast<std::size_t>(1 + c)]);
+      turn_size += dt * std::abs(moment);
+    }
+    contacts += s[7];
+  }
+  EXPECT_EQ(steps.back()[7], 0.0);  // clear of all grains
+  EXPECT_GT(contacts, 1000);
+  for (int c = 0; c < 3; ++c) {
+    // `print` writes 15 digits of 6000 numbers.
+    EXPECT_NEAR(after.linear[c] - before.linear[c], -impulse[c], 1e-12 * size);
+    EXPECT_NEAR(after.angular[c] - before.angular[c], -turn[c], 1e-12 * turn_size);
+  }
+}
+
+// Elastic grains without friction: what they gain is the work of the beam, up to the error of the time steps,
+// which is of second order. The windows are equally long, so that the beam moves in the same way.
+TEST(BeamEnergy, OfElasticGrainsIsTheWorkOfTheBeamToSecondOrder) {
+  const RunFolder folder("energy");
+  const Material elastic{1.0, 0.0, 0.0};
+  double error[3];
+  const char* const dt[3] = {"1.6e-4", "8e-5", "4e-5"};
+  for (int k = 0; k < 3; ++k) {
+    const int n = 5 << k, steps = 750 << k;
+    const std::string file = std::string("grains") + dt[k] + ".txt";
+    const Outcome outcome = folder.coupled(
+        sweep("", elastic, dt[k]) + dump_command(file, steps, kMomentumColumns) + run(steps, n),
+        "end 0.12\n" + sweeping_beam().substr(sweeping_beam().find("body")));
+    ASSERT_EQ(outcome.code, 0) << outcome.output;
+    const Dump grains = folder.dump(file);
+    const double gain = momentum(grains.rbegin()->second).energy - momentum(grains.begin()->second).energy;
+    double work = 0.0;  // of the grains on the beam
+    for (const auto& row : folder.loads()) work += row[8];
+    EXPECT_EQ(folder.loads().back()[9], 0.0);  // clear of all grains: no energy is left in contacts
+    EXPECT_GT(gain, 0.1);
+    error[k] = std::abs(gain + work) / gain;
+  }
+  EXPECT_LT(error[0], 1e-4);
+  // Two halvings: 16 times less, and half of that is asked for, as contacts open and close between the steps.
+  EXPECT_LT(error[2], error[0] / 8.0);
+}
+
+}  // namespace
+}  // namespace footfall::test
