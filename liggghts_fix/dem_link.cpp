@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <sstream>
 
 #include "coupler/errors.h"
@@ -105,16 +106,26 @@ void DemLink::start(double dt, int n, std::int64_t step) {
   load_.bodies.resize(names_.size());
 }
 
-void DemLink::take_standing() {
-  for (const auto& body : bodies_) body->take_standing();
+void DemLink::expect_set_up() {
+  for (const auto& body : bodies_) body->clear_contacts();
+  forces_are_new_ = true;
 }
 
-void DemLink::begin_substep() {
+void DemLink::begin_substep(std::int64_t step) {
+  if (step == step_) return;
+  FOOTFALL_DEMAND(started());
   if (finished_)
-    throw InputError("couple/mbd: the scene ended at t = " + number(accept_.t_end) + " s, and the script wants to go on. " +
-                     "Remove the `run` after the one that ends the scene");
+    throw InputError("couple/mbd: the scene ended at t = " + number(accept_.t_end) +
+                     " s, and the script wants to go on. Remove the `run` after the one that ends the scene");
+  step_ = step;
+  if (forces_are_new_)
+    for (const auto& body : bodies_) body->take_standing();
+  forces_are_new_ = false;
   if (substeps_left_ == 0) begin_window();
-  for (const auto& body : bodies_) body->advance();
+  for (const auto& body : bodies_) {
+    body->advance();
+    body->clear_contacts();
+  }
 }
 
 void DemLink::begin_window() {

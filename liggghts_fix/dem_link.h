@@ -32,10 +32,11 @@ class DemLink {
   DemBody& body(int index) { return *bodies_[static_cast<std::size_t>(index)]; }
   const std::string& body_name(int index) const { return names_[static_cast<std::size_t>(index)]; }
 
-  // Each run's set-up evaluates the forces anew: they stand before the next substep.
-  void take_standing();
-  // Before the grains' substep: opens a window if none is open (receives Motion), then advances every boundary.
-  void begin_substep();
+  // A run is set up: LIGGGHTS evaluates all forces anew, and they stand before the next substep. After start().
+  void expect_set_up();
+  // Before the grains' substep `step`: opens a window if none is open (receives Motion), advances every boundary, and forgets the
+  // contacts of the last step. Every fix that needs the new poses calls it; the first one of a step acts.
+  void begin_substep(std::int64_t step);
   // True during the last substep of the scene.
   bool in_last_substep() const { return last_window_ && substeps_left_ == 1; }
   // After it. True when the window is complete: then write_sums, gather, and finish_window follow.
@@ -75,6 +76,8 @@ class DemLink {
   Load load_;
   bool last_window_ = false;
   bool finished_ = false;
+  bool forces_are_new_ = false;  // the set-up of a run has evaluated them
+  std::int64_t step_ = -1;       // the last one begun
   int substeps_left_ = 0;       // of the open window; 0: none is open
   std::int64_t windows_ = 0;
   double window_work_ = 0.0;    // of the last complete window [J]

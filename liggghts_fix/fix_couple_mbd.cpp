@@ -168,6 +168,7 @@ void FixCoupleMbd::init() {
     mesh.module->set_body(&link_.body(mesh.body));
     mesh.module->set_effective_moduli(effective_moduli(mesh.fix->atomTypeWall()));
   }
+  link_.expect_set_up();
 }
 
 // 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 for every grain type against the wall, where the script gives elastic constants; else empty.
@@ -190,16 +191,8 @@ std::vector<double> FixCoupleMbd::effective_moduli(int wall_type) const {
   return result;
 }
 
-void FixCoupleMbd::setup_pre_force(int) {
-  for (int body = 0; body < link_.body_count(); ++body) link_.body(body).clear_contacts();
-  forces_are_new_ = true;
-}
-
 void FixCoupleMbd::initial_integrate(int) {
-  if (forces_are_new_) link_.take_standing();
-  forces_are_new_ = false;
-  link_.begin_substep();
-  for (int body = 0; body < link_.body_count(); ++body) link_.body(body).clear_contacts();
+  link_.begin_substep(update->ntimestep);
   for (CoupledMesh& mesh : meshes_) {
     check_inside_box(mesh);
     move(mesh);

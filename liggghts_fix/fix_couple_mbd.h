@@ -33,7 +33,6 @@ class FixCoupleMbd : public Fix {
   void post_create() override;
   void pre_delete(bool unfixed) override;
   void init() override;
-  void setup_pre_force(int) override;
   void initial_integrate(int) override;
   void final_integrate() override;
   double compute_vector(int n) override;
@@ -64,7 +63,6 @@ class FixCoupleMbd : public Fix {
   int every_ = 0;  // substeps per window; 0: the multibody side chooses
   std::vector<CoupledMesh> meshes_;
   std::vector<int> rows_of_output_;  // body of each row of f_ID: those of meshes_, then the others
-  bool forces_are_new_ = false;  // the set-up of a run has evaluated them
   std::vector<double> sums_, rows_;
 };
 

@@ -30,6 +30,8 @@ void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta
   const bool on_body = behind_stress_ && (atom->mask[ip] & fix_mesh->get_groupbit());
   const Eigen::Vector3d f_W = on_body ? vector3(frc) : Eigen::Vector3d(-vector3(frc));
 
+  if (f_W.isZero(0.0)) return;  // an output of LIGGGHTS looked at the contact once more
+
   const Eigen::Vector3d d = vector3(delta);
   const Eigen::Vector3d c = vector3(atom->x[ip]) + d;
   double** nodes = footfall::mesh_nodes(mesh)[iTri];

@@ -9,10 +9,10 @@
 //   lose K       drops the connection in window K without a word, by MPI_Finalize and exit
 // MOTION:
 //   prescribed VX VY VZ WX WY WZ                 constant velocity of the body's origin [m/s] and angular velocity in W [rad/s]
-//   bending VX VY VZ AMPLITUDE OMEGA             as above without turning, with one mode: z shifts by a (x^2 + y^2) in B,
-//                                                a = AMPLITUDE sin(OMEGA t)
-//   free MASS STIFFNESS VX VY VZ                 a mass [kg] on a spring [N/m] to its initial place in x, y and z; the exact motion
-//                                                under the window's mean force
+//   modal VX VY VZ shift|bowl RATE               constant velocity, and one mode that shifts z in B by a (shift) or a (x^2 + y^2) (bowl);
+//                                                a = RATE t
+//   free MASS STIFFNESS VX VY VZ AX AY AZ        a mass [kg] with this initial velocity on springs [N/m] to a point that is (AX, AY, AZ)
+//                                                from its initial place; the exact motion under the window's mean force
 
 #include <mpi.h>
 #include <unistd.h>
@@ -40,15 +40,17 @@ namespace {
 using namespace footfall;
 
 struct Body {
-  enum class Kind { kPrescribed, kBending, kFree };
+  enum class Kind { kPrescribed, kModal, kFree };
   std::string name;
   test::Surface surface;
   Kind kind = Kind::kPrescribed;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
   Eigen::Vector3d v = Eigen::Vector3d::Zero();
   Eigen::Vector3d w = Eigen::Vector3d::Zero();
-  double mass = 0.0, stiffness = 0.0;    // [kg], [N/m]
-  double amplitude = 0.0, omega = 0.0;   // of the bending mode
+  double mass = 0.0, stiffness = 0.0;                  // [kg], [N/m]
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();    // of the springs, in W [m]
+  std::string shape;                                   // of the mode
+  double rate = 0.0;                                   // da
   BodyMotion state;
 };
 
@@ -97,16 +99,17 @@ Options parse(int argc, char** argv) {
       if (motion == "prescribed") {
         body.v = vector();
         body.w = vector();
-      } else if (motion == "bending") {
-        body.kind = Body::Kind::kBending;
+      } else if (motion == "modal") {
+        body.kind = Body::Kind::kModal;
         body.v = vector();
-        body.amplitude = number();
-        body.omega = number();
+        body.shape = next();
+        body.rate = number();
       } else if (motion == "free") {
         body.kind = Body::Kind::kFree;
         body.mass = number();
         body.stiffness = number();
         body.v = vector();
+        body.anchor = body.place + vector();
       } else {
         throw InputError("scripted_partner: unknown motion " + motion);
       }
@@ -120,10 +123,10 @@ Options parse(int argc, char** argv) {
 
 ModalBoundary boundary(const Body& body) {
   Eigen::MatrixXd Phi;
-  if (body.kind == Body::Kind::kBending) {
+  if (body.kind == Body::Kind::kModal) {
     Phi = Eigen::MatrixXd::Zero(body.surface.nodes.size(), 1);
     for (Eigen::Index j = 0; j < body.surface.nodes.cols(); ++j)
-      Phi(3 * j + 2, 0) = body.surface.nodes.col(j).head<2>().squaredNorm();
+      Phi(3 * j + 2, 0) = body.shape == "shift" ? 1.0 : body.surface.nodes.col(j).head<2>().squaredNorm();
   }
   return ModalBoundary(body.name, body.surface.nodes, body.surface.triangles, {}, Phi);
 }
@@ -134,26 +137,25 @@ void prescribe(const Body& body, double t, BodyMotion& state) {
   state.L = turned(Eigen::Vector4d(1.0, 0.0, 0.0, 0.0), t * body.w);
   state.dr = body.v;
   state.w = body.w;
-  if (body.kind != Body::Kind::kBending) return;
-  state.a[0] = body.amplitude * std::sin(body.omega * t);
-  state.da[0] = body.amplitude * body.omega * std::cos(body.omega * t);
-  state.dda[0] = -body.omega * body.omega * state.a[0];
+  if (body.kind != Body::Kind::kModal) return;
+  state.a[0] = body.rate * t;
+  state.da[0] = body.rate;
 }
 
 // Exact motion of the mass on its spring under a constant force during H.
 void integrate_free(const Body& body, const Eigen::Vector3d& F, double H, BodyMotion& state) {
-  const Eigen::Vector3d x = state.r - body.place;
+  const Eigen::Vector3d x = state.r - body.anchor;
   if (body.stiffness > 0.0) {
     const double om = std::sqrt(body.stiffness / body.mass), c = std::cos(om * H), s = std::sin(om * H);
     const Eigen::Vector3d rest = F / body.stiffness;
     const Eigen::Vector3d amplitude = x - rest;
-    state.r = body.place + rest + c * amplitude + (s / om) * state.dr;
+    state.r = body.anchor + rest + c * amplitude + (s / om) * state.dr;
     state.dr = c * state.dr - (om * s) * amplitude;
   } else {
     state.r += H * state.dr + (0.5 * H * H / body.mass) * F;
     state.dr += (H / body.mass) * F;
   }
-  state.ddr = (F - body.stiffness * (state.r - body.place)) / body.mass;
+  state.ddr = (F - body.stiffness * (state.r - body.anchor)) / body.mass;
 }
 
 // What the grains' program hears from a partner that speaks another protocol.
@@ -165,7 +167,7 @@ void answer_in_another_protocol(TransportMpi& transport, const Geometry& geometr
   transport.send(MessageKind::kGeometry, bytes);
 }
 
-void misbehave(const Options& options, Link& link) {
+void misbehave(const Options& options) {
   if (options.misbehave == "die") std::raise(SIGKILL);
   if (options.misbehave == "hang")
     for (;;) pause();
@@ -174,7 +176,6 @@ void misbehave(const Options& options, Link& link) {
     MPI_Finalize();
     std::exit(0);
   }
-  (void)link;
 }
 
 struct Output {
@@ -244,7 +245,7 @@ void couple(const Options& options, TransportMpi& transport, Link& link) {
     motion.last_window = done + motion.n == steps;
     motion.bodies.clear();
     for (const Body* body : coupled) motion.bodies.push_back(body->state);
-    if (motion.window == options.misbehave_at) misbehave(options, link);
+    if (motion.window == options.misbehave_at) misbehave(options);
     Motion sent = motion;
     if (motion.window == options.misbehave_at && options.misbehave == "wrong-window") sent.window += 7;
     if (motion.window == options.misbehave_at && options.misbehave == "not-a-number")

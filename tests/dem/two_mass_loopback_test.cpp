@@ -32,16 +32,15 @@ void grain_side(Transport& transport, double dt, int n, double contact_damping, 
   const BoundaryPoint face{{0, 1, 2}, {0.25, 0.25, 0.5}};
   double x = 0.0, v = 0.0, f = 0.0, boundary_velocity = TwoMass::initial()[1];
   const auto contact = [&] {
-    body.clear_contacts();
     const double X = body.pose().r[0];
     f = TwoMass::kc * (X - x) + contact_damping * (boundary_velocity - v);  // on the grain
     body.add_contact(face, {-f, 0.0, 0.0}, Eigen::Vector3d::Zero(), 0.0, TwoMass::kc);
   };
+  dem.expect_set_up();
   contact();
-  dem.take_standing();
   std::vector<double> sums;
-  while (!dem.finished()) {
-    dem.begin_substep();
+  for (std::int64_t step = 1; !dem.finished(); ++step) {
+    dem.begin_substep(step);
     boundary_velocity = body.pose().dr[0];
     const double half = v + 0.5 * dt * (-TwoMass::kp * x + f) / TwoMass::m;
     x += dt * half;
