@@ -23,6 +23,7 @@
 #include "liggghts_fix/fix_couple_mbd_geometry.h"
 #include "liggghts_fix/fix_wall_gran_beam.h"
 #include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/program_world.h"
 #include "signal_handling.h"
 
 namespace {
@@ -104,6 +105,7 @@ int main(int argc, char** argv) {
   int code = kExitDone;
   try {
     const Communicator communicator;
+    let_world_mean(communicator.world());
     AbortGuard::install(communicator);
     std::unique_ptr<TransportMpi> transport;
     std::unique_ptr<Link> link;
@@ -118,6 +120,7 @@ int main(int argc, char** argv) {
       return dem_link.fail("LIGGGHTS ended with an error of its own; its message stands in its output and log file");
     });
     code = run_and_report(argc, argv, communicator, dem_link);
+    let_world_mean(MPI_COMM_WORLD);
     AbortGuard::release();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "liggghts_mbd: ERROR: %s\n", error.what());

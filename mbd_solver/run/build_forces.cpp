@@ -73,6 +73,11 @@ std::vector<std::unique_ptr<StrutLaw>> laws_of(const StrutSpec& spec, double len
     p.stiffness = spec.stops->stiffness;
     p.dissipation = spec.stops->dissipation;
     p.toe = spec.stops->toe;
+    // A gas strut rests on its extended end under the preload: the stop yields by its penetration there, so it sits that much higher.
+    if (spec.gas && p.smallest_stroke) {
+      const double area = 0.25 * M_PI * spec.gas->piston_diameter * spec.gas->piston_diameter;
+      p.smallest_stroke = *p.smallest_stroke + EndStop(p).penetration(spec.gas->pressure * area);
+    }
     laws.push_back(std::make_unique<EndStop>(p));
   }
   if (spec.spring) {
