@@ -13,11 +13,15 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 constexpr double kTerminalPause = 0.2;  // between two versions of the line [s]
 constexpr double kFilePause = 5.0;      // between two lines in a file [s]
 
+// Under mpirun this program writes to a pseudo-terminal of mpirun's, whatever stands behind: the front door says what it is.
+bool on_terminal() {
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) return std::getenv("FOOTFALL_TERMINAL") != nullptr;
+  return isatty(STDOUT_FILENO) == 1;
+}
+
 }  // namespace
 
-// FOOTFALL_TERMINAL is set by the front door: under mpirun this program's own output is never a terminal.
-Progress::Progress(double t_end, bool quiet)
-    : t_end_(t_end), quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1 || std::getenv("FOOTFALL_TERMINAL") != nullptr), started_(now()) {}
+Progress::Progress(double t_end, bool quiet) : t_end_(t_end), quiet_(quiet), terminal_(on_terminal()), started_(now()) {}
 
 void Progress::show(double time, long windows, double contact_force) {
   if (quiet_) return;
