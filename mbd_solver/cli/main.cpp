@@ -1,42 +1,75 @@
-// footfall: the front door. It only arranges mbd_solver and liggghts_mbd.
+// footfall: the front door. It only arranges mbd_solver and liggghts_mbd; whatever it does, the line it prints does too.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <string>
-#include <vector>
+#include <filesystem>
+#include <functional>
 
 #include "coupler/errors.h"
-#include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/cli/check_command.h"
+#include "mbd_solver/cli/child.h"
+#include "mbd_solver/cli/programs.h"
+#include "mbd_solver/cli/run_command.h"
 
 using namespace footfall;
 
 namespace {
 
-int check_scene_file(const std::string& scene_argument, const std::vector<std::string>& settings) {
-  const Scene scene = read_scene(scene_argument, settings);
-  for (const std::string& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  std::printf("%s: good. %zu bodies, %zu joints, %zu struts, %zu boundaries.\n", scene.file.c_str(), scene.bodies.size(), scene.joints.size(),
-              scene.struts.size(), scene.boundaries.size());
-  return kExitDone;
+void add_run(CLI::App& app, RunArguments& a, std::function<int()>& action) {
+  CLI::App* run = app.add_subcommand("run", "Run a scene: bed, both programs, summary, pictures");
+  run->add_option("SCENE", a.scene, "Scene file, or folder with scene.toml")->capture_default_str();
+  run->add_option("--out", a.out, "Folder for results (default: runs/NAME, the first that is free)");
+  run->add_option("--until", a.until, "End earlier than the scene says [s]")->check(CLI::PositiveNumber);
+  run->add_option("--ranks", a.ranks, "LIGGGHTS processes")->check(CLI::PositiveNumber);
+  run->add_option("--set", a.settings, "key=value: change one value of the scene, for example solver.integrator=ida")->allow_extra_args(false);
+  run->add_option("--scheme", a.scheme, "Coupling scheme (coupling.scheme)");
+  run->add_option("--integrator", a.integrator, "Integrator (solver.integrator)");
+  run->add_flag("--quiet", a.quiet, "Only errors");
+  run->callback([&] { action = [&a] { return run_command(a); }; });
+}
+
+void add_check(CLI::App& app, RunArguments& a, std::function<int()>& action) {
+  CLI::App* check = app.add_subcommand("check", "Check a scene: every finding as file:line: key: what is wrong");
+  check->add_option("SCENE", a.scene, "Scene file, or folder with scene.toml")->capture_default_str();
+  check->add_option("--set", a.settings, "key=value: change one value of the scene")->allow_extra_args(false);
+  check->callback([&] { action = [&a] { return check_command(a.scene, a.settings); }; });
+}
+
+void add_test(CLI::App& app, std::string& label, std::function<int()>& action) {
+  CLI::App* test = app.add_subcommand("test", "Run the tests of this build (./footfall test builds them first)");
+  test->add_option("-L,--label", label, "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example");
+  test->callback([&] {
+    action = [&label] {
+      const std::string build = std::filesystem::path(built_program("footfall")).parent_path().parent_path().string();
+      Command command{{"ctest", "--test-dir", build, "--output-on-failure", "-j2"}, {}, "", ""};
+      if (!label.empty()) command.words.insert(command.words.end(), {"-L", label});
+      return run_child(command).code == 0 ? kExitDone : kExitFailed;
+    };
+  });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"footfall: flexible multibody mechanisms that touch a bed of particles"};
+  CLI::App app{"footfall: a flexible multibody mechanism with controlled dampers touches a bed of particles"};
+  app.set_version_flag("--version", std::string("footfall ") + FOOTFALL_VERSION);
   app.require_subcommand(1);
-  std::string scene = "inputs/landing_mr";
-  std::vector<std::string> settings;
-  CLI::App* check = app.add_subcommand("check", "Check a scene; every finding as file:line: key: what is wrong");
-  check->add_option("SCENE", scene, "Scene file, or folder with scene.toml")->capture_default_str();
-  check->add_option("--set", settings, "key=value: change one value of the scene");
+  RunArguments arguments;
+  std::string label;
+  std::function<int()> action;
+  add_run(app, arguments, action);
+  add_check(app, arguments, action);
+  add_test(app, label, action);
   try {
     app.parse(argc, argv);
-    return check_scene_file(scene, settings);
+    return action();
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? kExitDone : kExitBadInput;
   } catch (const InputError& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return kExitBadInput;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "footfall: %s\n", e.what());
+    return kExitFailed;
   }
 }

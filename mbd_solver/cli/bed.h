@@ -1,0 +1,30 @@
+#pragma once
+// The bed of grains: settled once by a LIGGGHTS script, kept, and found again by what it was made from.
+
+#include <string>
+
+#include "mbd_solver/scene/scene.h"
+
+namespace footfall {
+
+struct Bed {
+  std::string restart;  // LIGGGHTS restart file
+  std::string grains;   // text dump x y z radius; empty when the script writes none
+};
+
+// Finds the bed in the cache, or makes it there with `ranks` LIGGGHTS processes (a progress line unless quiet). The key holds the text of
+// the script and of what it includes, all variables, and the version of LIGGGHTS; a bed that is there is complete.
+// Throws InputError with LIGGGHTS' own message when the script fails, PartnerError when LIGGGHTS dies, Interrupted at Ctrl-C.
+Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet);
+
+// $FOOTFALL_CACHE, else $XDG_CACHE_HOME/footfall, else ~/.cache/footfall.
+std::string cache_folder();
+std::string bed_key(const BedSpec& spec, const std::string& liggghts_version);
+
+// The user asked for the end before there was anything to keep.
+struct Interrupted {};
+
+// The lines of a LIGGGHTS log that say ERROR, one per line; empty without.
+std::string liggghts_errors(const std::string& log);
+
+}  // namespace footfall

@@ -1,0 +1,32 @@
+#include "mbd_solver/cli/check_command.h"
+
+#include <cstdio>
+
+#include "coupler/errors.h"
+#include "mbd_solver/run/mechanism.h"
+#include "mbd_solver/scene/scene_reader.h"
+
+namespace footfall {
+
+Scene checked_scene(const std::string& argument, const std::vector<std::string>& settings) {
+  const Scene scene = read_scene(argument, settings);
+  Scene placed = scene;
+  // The bed may not be made yet: any height will do to see whether the mechanism can be built.
+  if (placed.touches_particles() && placed.particles->grains.empty() && !placed.particles->surface_height) placed.particles->surface_height = 0.0;
+  const Mechanism mechanism = build_mechanism(placed);
+  for (const std::string& warning : scene.warnings) std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
+  return scene;
+}
+
+int check_command(const std::string& argument, const std::vector<std::string>& settings) {
+  const Scene scene = checked_scene(argument, settings);
+  const char* grounds[] = {"no ground", "a rigid plane", "particles"};
+  double mass = 0.0;
+  for (const BodySpec& body : scene.bodies) mass += body.mass;
+  std::printf("%s: good. %zu bodies (%g kg), %zu joints, %zu struts, %zu springs, %zu controllers, %zu boundaries on %s.\n", scene.file.c_str(),
+              scene.bodies.size(), mass, scene.joints.size(), scene.struts.size(), scene.springs.size(), scene.controllers.size(),
+              scene.boundaries.size(), grounds[static_cast<int>(scene.ground.kind)]);
+  return kExitDone;
+}
+
+}  // namespace footfall

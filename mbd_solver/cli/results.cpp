@@ -1,0 +1,100 @@
+#include "mbd_solver/cli/results.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "coupler/errors.h"
+#include "mbd_solver/cli/child.h"
+#include "mbd_solver/cli/programs.h"
+#include "mbd_solver/output/plots.h"
+#include "mbd_solver/output/summary.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// One row of the table, when the summary has the figure.
+void row(const Json& summary, const char* label, const char* key, double factor, const char* format) {
+  if (!summary.contains(key) || !summary[key].is_number()) return;
+  std::printf("  %-38s ", label);
+  std::printf(format, factor * summary[key].get<double>());
+  std::printf("\n");
+}
+
+bool touches_ground(const Json& summary) {
+  for (const Json& part : summary.value("active", Json::array())) {
+    if (part == "plane" || part == "particles") return true;
+  }
+  return false;
+}
+
+void print_times(const Json& summary) {
+  if (!summary.contains("wall_s")) return;
+  const double wall = summary["wall_s"];
+  const auto part = [&](const char* key) { return summary.value(key, 0.0); };
+  std::printf("  %-38s %.1f s", "wall time", wall);
+  if (part("dem_wall_s") > 0.0 && wall > 0.0) {
+    std::printf(" (grains %.1f s, mechanism %.1f s = %.1f %%, exchange %.2f s)", part("dem_wall_s"), part("mbd_wall_s"), 100.0 * part("mbd_wall_s") / wall,
+                part("exchange_wall_s"));
+  }
+  std::printf("\n");
+}
+
+}  // namespace
+
+void print_results(const std::string& out, const std::vector<std::string>& pictures) {
+  const Json summary = read_summary((fs::path(out) / "summary.json").string());
+  std::printf("\n%s: %s", out.c_str(), summary.value("status", "unknown").c_str());
+  if (summary.contains("reason")) std::printf(": %s", summary["reason"].get<std::string>().c_str());
+  std::printf("\n");
+  row(summary, "simulated time", "end_time_s", 1.0, "%.4g s");
+  row(summary, "peak acceleration", "peak_acceleration_g", 1.0, "%.2f g");
+  row(summary, "largest descent", "max_descent_m", 1.0, "%.3f m");
+  if (touches_ground(summary)) {
+    row(summary, "largest depth below the ground", "max_penetration_m", 1.0, "%.3f m");
+    row(summary, "largest contact force on one body", "max_contact_force_N", 1e-3, "%.2f kN");
+  }
+  row(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "%.4f %% of the initial energy");
+  row(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0, "%.3f %% of the initial energy");
+  row(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "%.2f %% of its radius");
+  row(summary, "grains", "particles", 1.0, "%.0f");
+  row(summary, "steps", "steps", 1.0, "%.0f");
+  row(summary, "windows", "windows", 1.0, "%.0f");
+  print_times(summary);
+  if (summary.contains("warnings")) {
+    for (const Json& warning : summary["warnings"]) std::printf("  warning: %s\n", warning.get<std::string>().c_str());
+  }
+  std::printf("Files: %s\n", (fs::path(out) / "history.csv").c_str());
+  for (const char* name : {"summary.json", "liggghts.log", "vtk"}) {
+    if (fs::exists(fs::path(out) / name)) std::printf("       %s\n", (fs::path(out) / name).c_str());
+  }
+  for (const std::string& picture : pictures) std::printf("       %s\n", picture.c_str());
+}
+
+std::vector<std::string> make_pictures(const std::string& out) {
+  const fs::path plots = fs::path(out) / "plots";
+  std::vector<std::string> pictures;
+  try {
+    const Json summary = read_summary((fs::path(out) / "summary.json").string());
+    const std::string title = summary.contains("scene") ? summary["scene"].value("title", "") : "";
+    const History history = read_history((fs::path(out) / "history.csv").string());
+    const std::vector<std::string> scripts =
+        write_plot_scripts(plots.string(), standard_figures(history, summary.value("observed_body", "")), title);
+    if (scripts.empty()) return pictures;
+    Command command{{"gnuplot"}, {}, "gnuplot.log", plots.string()};
+    command.words.insert(command.words.end(), scripts.begin(), scripts.end());
+    const ChildEnd end = run_child(command);
+    if (end.code != 0) throw InputError("gnuplot ended with code " + std::to_string(end.code) + "; see " + (plots / "gnuplot.log").string());
+    for (const std::string& script : scripts) {
+      pictures.push_back((plots / fs::path(script).replace_extension(".png")).string());
+    }
+  } catch (const InputError& e) {
+    std::fprintf(stderr, "footfall: warning: no pictures: %s\n", e.what());
+  }
+  return pictures;
+}
+
+}  // namespace footfall

@@ -1,0 +1,22 @@
+#pragma once
+// footfall run: check, bed, start the two programs, show what came out.
+
+#include <string>
+#include <vector>
+
+namespace footfall {
+
+struct RunArguments {
+  std::string scene = "inputs/landing_mr";
+  std::string out;                    // empty: runs/NAME, the first that is free
+  double until = 0.0;                 // [s]; 0: the scene's end time
+  int ranks = 0;                      // LIGGGHTS processes; 0: the scene's
+  std::vector<std::string> settings;  // --set key=value
+  std::string scheme, integrator;     // empty: the scene's
+  bool quiet = false;
+};
+
+// Returns the exit code. Throws InputError, PartnerError.
+int run_command(const RunArguments& arguments);
+
+}  // namespace footfall

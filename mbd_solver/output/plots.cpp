@@ -1,0 +1,168 @@
+#include "mbd_solver/output/plots.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "coupler/errors.h"
+
+namespace footfall {
+
+namespace {
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string column(const std::string& name) { return "column(\"" + name + "\")"; }
+
+// "energy.kinetic" -> "kinetic", "dissipated.mr_yield" -> "mr yield"
+std::string words_after_dot(const std::string& name) {
+  std::string words = name.substr(name.find('.') + 1);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+bool varies(const History& history, const std::string& name) {
+  const std::vector<double>& values = history.column(name);
+  return std::any_of(values.begin(), values.end(), [&](double v) { return v != 0.0; });
+}
+
+// Curves for every column that ends so, by the name before it.
+std::vector<Curve> curves_of(const History& history, const std::string& ending, const std::string& before, const std::string& after) {
+  std::vector<Curve> curves;
+  for (const std::string& name : history.names) {
+    if (ends_with(name, ending)) curves.push_back({name.substr(0, name.size() - ending.size()), "(" + before + column(name) + after + ")"});
+  }
+  return curves;
+}
+
+std::string first_accelerated(const History& history) {
+  for (const std::string& name : history.names) {
+    if (ends_with(name, ".az")) return name.substr(0, name.size() - 3);
+  }
+  return "";
+}
+
+// Magnitude of the contact force on each body.
+std::vector<Curve> contact_curves(const History& history) {
+  std::vector<Curve> curves;
+  for (const Curve& z : curves_of(history, ".contact.fz", "", "")) {
+    const std::string b = z.title + ".contact.f";
+    curves.push_back({z.title, "(sqrt(" + column(b + "x") + "**2+" + column(b + "y") + "**2+" + column(b + "z") + "**2)/1000)"});
+  }
+  return curves;
+}
+
+// Kinetic, gravity ... and total, then what was dissipated in all; parts that stay zero are left out.
+std::vector<Curve> energy_curves(const History& history) {
+  std::vector<Curve> curves;
+  for (const std::string& name : history.names) {
+    if (name.rfind("energy.", 0) == 0 && varies(history, name)) curves.push_back({words_after_dot(name), "(" + column(name) + "/1000)"});
+  }
+  return curves;
+}
+
+std::vector<Curve> dissipation_curves(const History& history) {
+  std::vector<Curve> curves;
+  for (const std::string& name : history.names) {
+    if (name.rfind("dissipated.", 0) == 0 && varies(history, name)) curves.push_back({words_after_dot(name), "(" + column(name) + "/1000)"});
+  }
+  const bool grains = history.find("coupling.energy_residual") >= 0;
+  if (grains && varies(history, "work.contact")) curves.push_back({"taken by the grains", "(-" + column("work.contact") + "/1000)"});
+  return curves;
+}
+
+constexpr const char* kStyle = R"(set datafile separator ","
+set datafile columnheaders
+set encoding utf8
+set border 3 lw 1 lc rgb "#404040"
+set tics nomirror out
+set grid lw 1 lc rgb "#e0e0e0"
+set xlabel "time [s]"
+set linetype 1 lw 1.8 lc rgb "#0072b2"
+set linetype 2 lw 1.8 lc rgb "#d55e00"
+set linetype 3 lw 1.8 lc rgb "#009e73"
+set linetype 4 lw 1.8 lc rgb "#cc79a7"
+set linetype 5 lw 1.8 lc rgb "#e69f00"
+set linetype 6 lw 1.8 lc rgb "#56b4e9"
+set linetype 7 lw 1.8 lc rgb "#000000"
+set linetype 8 lw 1.8 lc rgb "#999999"
+set linetype 9 lw 1.8 lc rgb "#f0e442"
+set linetype cycle 9
+)";
+
+std::string plot_command(const Figure& figure) {
+  std::ostringstream text;
+  text << "set title \"" << figure.title << "\" noenhanced\nset ylabel \"" << figure.axis << "\" noenhanced\n";
+  text << (figure.curves.size() == 1 ? "unset key\n" : "set key outside right center samplen 1.5 noenhanced\n");
+  text << "plot ";
+  for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+    text << (i ? ", \\\n     " : "") << "'../history.csv' using (column(\"time\")):" << figure.curves[i].expression << " with lines lt " << i + 1 << " title \""
+         << figure.curves[i].title << "\"";
+  }
+  text << "\n";
+  return text.str();
+}
+
+// The same drawing on both terminals.
+std::string script(const std::string& name, const std::string& drawing, int width, int height) {
+  std::ostringstream text;
+  const std::string size = "size " + std::to_string(width) + "," + std::to_string(height);
+  text << "# gnuplot " << name << ".gp draws " << name << ".png and " << name << ".svg from ../history.csv\n" << kStyle;
+  text << "set terminal pngcairo " << size << " font \"DejaVu Sans,11\"\nset output \"" << name << ".png\"\n" << drawing;
+  text << "set terminal svg " << size << " font \"DejaVu Sans,11\" background rgb \"white\"\nset output \"" << name << ".svg\"\n" << drawing;
+  return text.str();
+}
+
+}  // namespace
+
+std::vector<Figure> standard_figures(const History& history, const std::string& observed) {
+  const bool known = !observed.empty() && history.find(observed + ".az") >= 0;
+  const std::string body = known ? observed : first_accelerated(history);
+  std::vector<Figure> figures;
+  if (!body.empty() && !history.columns.front().empty()) {
+    std::ostringstream start;
+    start.precision(12);
+    start << history.column(body + ".z").front();
+    figures.push_back({"acceleration", "Acceleration of " + body, "vertical acceleration [g]", {{body, "(" + column(body + ".az") + "/9.80665)"}}});
+    figures.push_back({"velocity", "Velocity of " + body, "vertical velocity [m/s]", {{body, "(" + column(body + ".vz") + ")"}}});
+    figures.push_back({"descent", "Descent of " + body, "descent [m]", {{body, "(" + start.str() + "-" + column(body + ".z") + ")"}}});
+  }
+  figures.push_back({"energy", "Mechanical energy and its parts", "energy [kJ]", energy_curves(history)});
+  figures.push_back({"dissipation", "Where the energy went", "energy [kJ]", dissipation_curves(history)});
+  figures.push_back({"strokes", "Strut strokes, compression positive", "stroke [m]", curves_of(history, ".stroke", "", "")});
+  figures.push_back({"strut_forces", "Strut forces, compression positive", "force [kN]", curves_of(history, ".force", "", "/1000")});
+  figures.push_back({"contact_forces", "Contact forces", "force on the body [kN]", contact_curves(history)});
+  figures.erase(std::remove_if(figures.begin(), figures.end(), [](const Figure& f) { return f.curves.empty(); }), figures.end());
+  return figures;
+}
+
+std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures, const std::string& title) {
+  std::error_code ignored;
+  std::filesystem::create_directories(folder, ignored);
+  std::vector<std::string> names;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    const std::string file = (std::filesystem::path(folder) / (name + ".gp")).string();
+    std::ofstream stream(file);
+    stream << text;
+    stream.flush();
+    if (!stream) throw InputError(file + ": cannot be written");
+    names.push_back(name + ".gp");
+  };
+  std::string page;
+  for (const Figure& figure : figures) {
+    write(figure.name, script(figure.name, plot_command(figure), 900, 520));
+    page += plot_command(figure);
+  }
+  if (figures.empty()) return names;
+  const int columns = 2, rows = (static_cast<int>(figures.size()) + columns - 1) / columns;
+  std::string quoted = title;
+  std::replace(quoted.begin(), quoted.end(), '"', '\'');
+  const std::string layout = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) + " title \"" + quoted + "\" noenhanced\n";
+  write("overview", script("overview", layout + page + "unset multiplot\n", 1500, 380 * rows));
+  return names;
+}
+
+}  // namespace footfall

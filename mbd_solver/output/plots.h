@@ -1,0 +1,31 @@
+#pragma once
+// gnuplot scripts for the pictures of a run, as [Lin25 Figure 11]: acceleration, velocity, descent, mechanical energy and its parts, strut
+// strokes, contact forces. Each script stands in DIR/plots, reads ../history.csv and draws itself as PNG and SVG; a user can edit and rerun it.
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/output/history.h"
+
+namespace footfall {
+
+struct Curve {
+  std::string title;
+  std::string expression;  // of columns, as gnuplot takes it: (-column("cabin.vz"))
+};
+
+struct Figure {
+  std::string name;        // file name without ending
+  std::string title;
+  std::string axis;        // label of the vertical axis, with unit
+  std::vector<Curve> curves;
+};
+
+// The figures that a history with these columns can show. `observed`: the body whose motion is drawn; empty: the first with an acceleration.
+std::vector<Figure> standard_figures(const History& history, const std::string& observed);
+
+// One script per figure and `overview.gp` with all of them on one page, in `folder`. Returns their file names. Throws InputError when the
+// folder cannot be written.
+std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures, const std::string& title);
+
+}  // namespace footfall
