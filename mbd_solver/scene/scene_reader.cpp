@@ -11,6 +11,7 @@
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/resolve.h"
+#include "mbd_solver/scene/scene_base.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
@@ -144,7 +145,7 @@ std::string scene_file(const std::string& argument) {
 
 Scene read_scene(const std::string& argument, const std::vector<std::string>& settings) {
   const std::string file = scene_file(argument);
-  ConfigNode root = parse_toml_file(file);
+  ConfigNode root = parse_scene_with_base(file);
   Findings findings(file);
   for (const std::string& setting : settings) apply_setting(root, setting, findings);
 

@@ -1,0 +1,90 @@
+#include "mbd_solver/scene/scene_base.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "coupler/errors.h"
+#include "mbd_solver/scene/scene_reader.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLongestChain = 8;  // bases of bases
+constexpr std::array<const char*, 4> kPathKeys = {"script", "file", "mesh", "grains"};
+
+// Values of a base have no line in the file that is read, and their paths are seen from another folder.
+void move_to(ConfigNode& node, const fs::path& folder) {
+  node.line = 0;
+  for (auto& [key, child] : node.table) {
+    const bool is_path = std::find(kPathKeys.begin(), kPathKeys.end(), key) != kPathKeys.end();
+    if (is_path && child.kind == ConfigNode::Kind::kText && !child.text.empty() && fs::path(child.text).is_relative())
+      child.text = (folder / child.text).lexically_normal().string();
+    move_to(child, folder);
+  }
+  for (ConfigNode& child : node.list) move_to(child, folder);
+}
+
+void lay_over(ConfigNode& base, const ConfigNode& own) {
+  using Kind = ConfigNode::Kind;
+  const bool tables = base.kind == Kind::kTable && own.kind == Kind::kTable;
+  const auto named = [](const ConfigNode& list) {
+    return list.kind == Kind::kList && !list.list.empty() &&
+           std::all_of(list.list.begin(), list.list.end(), [](const ConfigNode& item) { return !item.entry_name().empty(); });
+  };
+  if (tables) {
+    base.line = own.line;
+    for (const auto& [key, value] : own.table) {
+      if (ConfigNode* there = base.find(key)) {
+        lay_over(*there, value);
+      } else {
+        base.table.emplace_back(key, value);
+      }
+    }
+  } else if (named(base) && named(own)) {
+    base.line = own.line;
+    for (const ConfigNode& item : own.list) {
+      const auto same = std::find_if(base.list.begin(), base.list.end(),
+                                     [&](const ConfigNode& other) { return other.entry_name() == item.entry_name(); });
+      if (same != base.list.end()) {
+        lay_over(*same, item);
+      } else {
+        base.list.push_back(item);
+      }
+    }
+  } else {
+    base = own;
+  }
+}
+
+ConfigNode parse(const std::string& argument, int depth) {
+  const std::string file = scene_file(argument);
+  ConfigNode own = parse_toml_file(file);
+  const ConfigNode* base_key = own.find("base");
+  if (!base_key) return own;
+  const int line = base_key->line;
+  const std::string where = file + ":" + std::to_string(line) + ": base: ";
+  if (base_key->kind != ConfigNode::Kind::kText)
+    throw InputError(where + "is " + base_key->description() + ", expected the path of another scene, in quotes");
+  if (depth == kLongestChain) throw InputError(where + "more than " + std::to_string(kLongestChain) + " scenes built on each other; is one its own base?");
+  const fs::path target = fs::path(file).parent_path() / base_key->text;
+  ConfigNode base;
+  try {
+    base = parse(target.string(), depth + 1);
+  } catch (const InputError& error) {
+    throw InputError(where + error.what());
+  }
+  const fs::path base_folder = fs::path(scene_file(target.string())).parent_path();
+  move_to(base, fs::relative(base_folder, fs::path(file).parent_path().empty() ? fs::path(".") : fs::path(file).parent_path()));
+  own.table.erase(std::find_if(own.table.begin(), own.table.end(), [](const auto& entry) { return entry.first == "base"; }));
+  lay_over(base, own);
+  return base;
+}
+
+}  // namespace
+
+ConfigNode parse_scene_with_base(const std::string& argument) { return parse(argument, 0); }
+
+}  // namespace footfall
