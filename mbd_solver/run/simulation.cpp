@@ -39,6 +39,7 @@ std::string scheme_name(SchemeKind kind) {
   switch (kind) {
     case SchemeKind::kFrozen: return "frozen";
     case SchemeKind::kCss: return "css";
+    case SchemeKind::kQuadratic: return "quadratic";
     default: return std::string(kDefaultScheme);
   }
 }

@@ -57,8 +57,7 @@ void visit_fields(FieldVisitor& v, SolverSpec& s) {
 
 void visit_fields(FieldVisitor& v, CouplingSpec& c) {
   v.field("", &c.source, {});
-  v.choice("scheme", c.scheme, {"frozen", "css", "css-trapezoid"});
-  v.field("continuous_path", &c.continuous_path, {});
+  v.choice("scheme", c.scheme, {"frozen", "css", "css-trapezoid", "quadratic"});
   v.field("warn_omega_h", &c.warn_omega_h, {Unit::kNone, Range::kPositive});
   v.field("stop_on_energy_gain", &c.stop_on_energy_gain, {});
   v.field("max_energy_residual", &c.max_energy_residual, {Unit::kNone, Range::kPositive});

@@ -70,12 +70,11 @@ struct SolverSpec {
 };
 
 // Names as in theory: boundary path in the window / force to the mechanism.
-enum class SchemeKind { kFrozen, kCss, kCssTrapezoid };
+enum class SchemeKind { kFrozen, kCss, kCssTrapezoid, kQuadratic };
 
 struct CouplingSpec {
   Source source;
   SchemeKind scheme = SchemeKind::kCssTrapezoid;
-  bool continuous_path = true;                        // the boundary never jumps at a window's start
   double warn_omega_h = 0.5;                          // warn above this estimate of omega H [-]
   bool stop_on_energy_gain = true;                    // end the run when the interface pumps energy ...
   double max_energy_residual = 0.1;                   // ... of more than this share of the initial mechanical energy [-]
