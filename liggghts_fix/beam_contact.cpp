@@ -10,12 +10,6 @@
 namespace footfall {
 namespace {
 
-BoundaryPoint node_point(int boundary_node) {
-  BoundaryPoint point;
-  point.nodes = {boundary_node, boundary_node, boundary_node};
-  return point;
-}
-
 // Some unit vector at right angles to d.
 Eigen::Vector3d any_normal(const Eigen::Vector3d& d) {
   return d.isZero(0.0) ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(d.unitOrthogonal());
@@ -30,24 +24,28 @@ BeamChain::BeamChain(const ModalBoundary& boundary, int chain) {
     if (is_new) boundary_node_.push_back(boundary_node);
     return entry->second;
   };
-  for (std::size_t k = 0; k < boundary.segments().size(); ++k) {
-    BeamSegment segment = boundary.segments()[k];
+  for (BeamSegment segment : boundary.segments()) {
     if (segment.chain != chain) continue;
     segment.start = numbered(segment.start);
     segment.end = numbered(segment.end);
     segments_.push_back(segment);
-    boundary_segment_.push_back(static_cast<int>(k));
     largest_radius_ = std::max(largest_radius_, segment.radius);
   }
   if (segments_.empty())
     throw InputError("body \"" + boundary.name() + "\" has no beam number " + std::to_string(chain));
   x_.resize(3, static_cast<Eigen::Index>(boundary_node_.size()));
-  for (int node = 0; node < node_count(); ++node) x_.col(node) = boundary.rho0().col(boundary_node(node));
+  for (int node = 0; node < node_count(); ++node)
+    x_.col(node) = boundary.rho0().col(boundary_point(node).nodes[0]);
+}
+
+BoundaryPoint BeamChain::boundary_point(int node) const {
+  const int j = boundary_node_[static_cast<std::size_t>(node)];
+  return {{j, j, j}, {1.0, 0.0, 0.0}};
 }
 
 void BeamChain::follow(const ModalBoundary& boundary, const BodyMotion& motion) {
   for (int node = 0; node < node_count(); ++node)
-    x_.col(node) = boundary.position(motion, node_point(boundary_node(node)));
+    x_.col(node) = boundary.position(motion, boundary_point(node));
 }
 
 double BeamChain::length(int segment) const {

@@ -41,11 +41,9 @@ class BeamChain {
 
   int node_count() const { return static_cast<int>(x_.cols()); }
   int segment_count() const { return static_cast<int>(segments_.size()); }
-  const std::vector<BeamSegment>& segments() const {
-    return segments_;
-  }  // start, end: numbers within the chain
-  int boundary_node(int node) const { return boundary_node_[static_cast<std::size_t>(node)]; }
-  int boundary_segment(int segment) const { return boundary_segment_[static_cast<std::size_t>(segment)]; }
+  // start, end: numbers within the chain
+  const std::vector<BeamSegment>& segments() const { return segments_; }
+  BoundaryPoint boundary_point(int node) const;
   double largest_radius() const { return largest_radius_; }  // [m]
 
   // Node positions in W [m], 3 x node_count(); whoever moves the chain writes them.
@@ -60,32 +58,9 @@ class BeamChain {
 
  private:
   std::vector<BeamSegment> segments_;
-  std::vector<int> boundary_node_;     // node of the chain -> node of the boundary
-  std::vector<int> boundary_segment_;  // segment of the chain -> segment of the boundary
+  std::vector<int> boundary_node_;  // node of the chain -> node of the boundary
   Eigen::Matrix3Xd x_;
   double largest_radius_ = 0.0;
-};
-
-// The material point of a body's beam where a sphere touches it: at the touch's arm from the axis, carried by
-// the turning cross-section. Its partner in virtual work: a force f there is the force f and the moment arm x
-// f at axis() (ModalBoundary::add_point_force, add_point_moment), and gives the body the power f .
-// velocity().
-class BeamContactPoint {
- public:
-  BeamContactPoint(const ModalBoundary& boundary, const BeamChain& chain, const BeamTouch& touch)
-      : boundary_(boundary),
-        axis_(boundary.segment_point(chain.boundary_segment(touch.segment), touch.mu)),
-        arm_(touch.arm()) {}
-
-  const BoundaryPoint& axis() const { return axis_; }
-  Eigen::Vector3d velocity(const BodyMotion& motion) const {  // in W [m/s]
-    return boundary_.velocity(motion, axis_) + boundary_.angular_velocity(motion, axis_).cross(arm_);
-  }
-
- private:
-  const ModalBoundary& boundary_;
-  BoundaryPoint axis_;
-  Eigen::Vector3d arm_;  // in W [m]
 };
 
 }  // namespace footfall

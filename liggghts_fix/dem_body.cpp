@@ -30,6 +30,16 @@ void DemBody::add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W
                           double overlap_over_radius, double stiffness) {
   boundary_.add_point_force(path_.pose(), point, f_W, now_);
   boundary_.add_point_moment(path_.pose(), point, m_W, now_);
+  count_contact(overlap_over_radius, stiffness);
+}
+
+void DemBody::add_load(const GeneralizedForce& Q) {
+  now_.F_W += Q.F_W;
+  now_.T_W += Q.T_W;
+  now_.Q_a += Q.Q_a;
+}
+
+void DemBody::count_contact(double overlap_over_radius, double stiffness) {
   overlap_ = std::max(overlap_, overlap_over_radius);
   stiffness_now_ += stiffness;
   ++contacts_now_;

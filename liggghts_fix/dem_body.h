@@ -29,6 +29,9 @@ class DemBody {
   // or in the middle of the overlap; rolling friction), overlap over grain radius [-], normal stiffness [N/m] (0: unknown).
   void add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_W,
                    double overlap_over_radius, double stiffness);
+  // The same in two parts, for who projects many contacts at once (beams): their generalized force ON the body, and each contact's figures.
+  void add_load(const GeneralizedForce& Q);
+  void count_contact(double overlap_over_radius, double stiffness);
   // The forces just evaluated stand before the next substep (a run was set up).
   void take_standing();
   void end_substep(double dt);

@@ -10,6 +10,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "coupler/communicator.h"
 #include "coupler/errors.h"
 #include "domain.h"
 #include "fix_property_atom.h"
@@ -73,7 +74,9 @@ FixWallGranBeam::FixWallGranBeam(LAMMPS* lmp_, BeamArguments arguments)
       boundary_(link_.scene_body(arguments_.body, update->unit_style).boundary),
       body_index_(link_.couple(arguments_.body, update->unit_style)),
       chain_(boundary_, chosen_chain(arguments_, boundary_)),
-      neighbours_(0.0) {
+      motion_(boundary_, chain_),
+      neighbours_(0.0),
+      load_(boundary_.mode_count()) {
   vector_flag = 1;
   size_vector = 8;
   global_freq = 1;
@@ -97,7 +100,7 @@ void FixWallGranBeam::init() {
 void FixWallGranBeam::check_segment_lengths() const {
   double edge[3], smallest[3];
   for (int d = 0; d < 3; ++d) edge[d] = domain->subhi[d] - domain->sublo[d];
-  MPI_Allreduce(edge, smallest, 3, MPI_DOUBLE, MPI_MIN, world);
+  check_mpi(MPI_Allreduce(edge, smallest, 3, MPI_DOUBLE, MPI_MIN, world), "MPI_Allreduce");
   double limit =
       std::sqrt(domain->xprd * domain->xprd + domain->yprd * domain->yprd + domain->zprd * domain->zprd);
   for (int d = 0; d < 3; ++d)
@@ -137,27 +140,40 @@ void FixWallGranBeam::post_force_primitive(int) {
   DemBody& body = link_.body(body_index_);
   chain_.follow(boundary_, body.pose());
   neighbours_.update(chain_, grains());
+  const bool counts = computeflag() != 0;  // otherwise an output looks at the contacts once more
+  if (counts) {
+    load_.set_zero();
+    contacts_ = 0;
+    overlap_ = 0.0;
+  }
+  if (neighbours_.size() == 0) return;
 
-  force_W_.setZero();
-  moment_W_.setZero();
-  contacts_ = 0.0;
-  overlap_ = 0.0;
+  motion_.begin_step(body.pose());
   double** const histories = dnum() > 0 ? fix_history_primitive_->array_atom : nullptr;
   const double reach = neighbor->contactDistanceFactor - 1.0;
   for (int k = 0; k < neighbours_.size(); ++k) {
     const int i = neighbours_.grain(k);
     const BeamTouch closest = neighbours_.closest(chain_, k, vector(x_[i]), radius_[i]);
     double* const history = histories == nullptr ? nullptr : histories[i];
-    if (closest.gap <= 0.0 || closest.gap < reach * radius_[i])
-      touch(body, i, closest, history);
-    else if (history != nullptr)
-      std::fill(history, history + dnum(), 0.0);
+    if (closest.gap > 0.0 && closest.gap >= reach * radius_[i]) {
+      if (history != nullptr) std::fill(history, history + dnum(), 0.0);
+      continue;
+    }
+    const double stiffness = touch(i, closest, history);
+    if (!counts || closest.gap > 0.0) continue;
+    const double overlap = -closest.gap / radius_[i];
+    body.count_contact(overlap, stiffness);
+    ++contacts_;
+    overlap_ = std::max(overlap_, overlap);
   }
+  if (!counts) return;
+  motion_.project(body.pose(), load_);
+  body.add_load(load_);
 }
 
-// One contact: stock LIGGGHTS puts force and torque on the grain; their reaction acts on the body.
-void FixWallGranBeam::touch(DemBody& body, int i, const BeamTouch& touch, double* history) {
-  const BeamContactPoint point(boundary_, chain_, touch);
+// One contact: stock LIGGGHTS puts force and torque on the grain, and their reaction acts on the beam.
+// Returns the normal stiffness [N/m].
+double FixWallGranBeam::touch(int i, const BeamTouch& touch, double* history) {
   const double r = radius_[i];
   const Eigen::Vector3d x = vector(x_[i]);
   double to_surface = r + touch.gap;  // from the grain's centre; negative when the centre is inside the beam
@@ -172,26 +188,22 @@ void FixWallGranBeam::touch(DemBody& body, int i, const BeamTouch& touch, double
   contact.kn = 0.0;  // some models set none
   take(to_surface * touch.normal, contact.delta);
   double v_wall[3];
-  take(point.velocity(body.pose()), v_wall);
+  take(motion_.velocity(touch), v_wall);
 
   const Eigen::Vector3d f_before = vector(f_[i]), torque_before = vector(atom->torque[i]);
   impl->compute_force(this, contact, touch.gap <= 0.0, v_wall);
-  if (computeflag() == 0) return;  // an output looked at the contact once more
-
   const Eigen::Vector3d f_W = f_before - vector(f_[i]);
-  const Eigen::Vector3d m_p_W = torque_before - vector(atom->torque[i]) + (x - touch.p).cross(f_W);
-  const double overlap = std::max(0.0, -touch.gap / r);
-  body.add_contact(point.axis(), f_W, m_p_W, overlap, stiffness_per_kn_ * contact.kn);
-  force_W_ += f_W;
-  moment_W_ += m_p_W + (touch.p - body.pose().r).cross(f_W);
-  contacts_ += touch.gap <= 0.0 ? 1.0 : 0.0;
-  overlap_ = std::max(overlap_, overlap);
+  motion_.add_force(touch, f_W, torque_before - vector(atom->torque[i]) + (x - touch.p).cross(f_W));
+  return stiffness_per_kn_ * contact.kn;
 }
 
 double FixWallGranBeam::compute_vector(int n) {
-  double mine = n < 3 ? force_W_[n] : n < 6 ? moment_W_[n - 3] : n == 6 ? contacts_ : overlap_;
+  const double mine = n < 3    ? load_.F_W[n]
+                      : n < 6  ? load_.T_W[n - 3]
+                      : n == 6 ? static_cast<double>(contacts_)
+                               : overlap_;
   double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, n == 7 ? MPI_MAX : MPI_SUM, world);
+  check_mpi(MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, n == 7 ? MPI_MAX : MPI_SUM, world), "MPI_Allreduce");
   return all;
 }
 

@@ -22,6 +22,7 @@ FixStyle(wall/gran/beam,FixWallGranBeam)
 #include "fix_wall_gran.h"
 #include "liggghts_fix/beam_arguments.h"
 #include "liggghts_fix/beam_contact.h"
+#include "liggghts_fix/beam_motion.h"
 #include "liggghts_fix/beam_neighbours.h"
 
 namespace footfall {
@@ -48,21 +49,21 @@ class FixWallGranBeam : public FixWallGran {
   FixWallGranBeam(LAMMPS* lmp_, footfall::BeamArguments arguments);
   void check_segment_lengths() const;
   footfall::GrainView grains() const;
-  void touch(footfall::DemBody& body, int i, const footfall::BeamTouch& touch, double* history);
+  double touch(int i, const footfall::BeamTouch& touch, double* history);
 
   footfall::DemLink& link_;
   const footfall::BeamArguments arguments_;
   const footfall::ModalBoundary& boundary_;
   const int body_index_;
   footfall::BeamChain chain_;
+  footfall::BeamMotion motion_;
   footfall::BeamNeighbours neighbours_;
   bool renumbered_ = true;
   double stiffness_per_kn_ = 1.0;
 
   // Of this rank, in the last step.
-  Eigen::Vector3d force_W_ = Eigen::Vector3d::Zero();   // on the beam [N]
-  Eigen::Vector3d moment_W_ = Eigen::Vector3d::Zero();  // about Bo [N m]
-  double contacts_ = 0.0;
+  footfall::GeneralizedForce load_;  // on the body
+  int contacts_ = 0;
   double overlap_ = 0.0;  // largest over radius [-]
 };
 

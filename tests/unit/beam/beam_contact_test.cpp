@@ -12,6 +12,7 @@
 namespace footfall {
 namespace {
 
+using test::closest;
 using test::Random;
 using test::random_chain;
 
@@ -31,15 +32,6 @@ ModalBoundary straight(const std::vector<double>& stations, double radius) {
     if (i > 0) segments.push_back({i - 1, i, radius, 0});
   }
   return boundary_of(nodes, segments);
-}
-
-BeamTouch closest(const BeamChain& chain, const Eigen::Vector3d& x, double r) {
-  BeamTouch best = chain.touch(0, x, r);
-  for (int s = 1; s < chain.segment_count(); ++s) {
-    const BeamTouch other = chain.touch(s, x, r);
-    if (other.gap < best.gap) best = other;
-  }
-  return best;
 }
 
 TEST(BeamContact, GapOfAKnownSphereAtTheSideAndBeyondTheEnds) {
@@ -169,75 +161,11 @@ TEST(BeamContact, AChainIsPickedFromItsBoundaryByNumber) {
   const BeamChain chain(boundary, 4);
   ASSERT_EQ(chain.segment_count(), 2);
   EXPECT_EQ(chain.node_count(), 3);
-  EXPECT_EQ(chain.boundary_segment(1), 2);
-  EXPECT_EQ(chain.boundary_node(chain.segments()[1].end), 6);
+  EXPECT_EQ(chain.boundary_point(chain.segments()[1].end).nodes[0], 6);
+  EXPECT_EQ(chain.segments()[1].radius, 0.2);
   EXPECT_EQ(chain.x().col(chain.segments()[0].start), nodes.col(2));
   EXPECT_DOUBLE_EQ(chain.largest_radius(), 0.3);
   EXPECT_THROW(BeamChain(boundary, 1), InputError);
-}
-
-// Sum of force times velocity at the contact points = generalized force times generalized velocity, for any
-// motion and modes, and for bodies whose nodal rotations are not known.
-TEST(BeamContact, ForcesAtContactPointsDoTheWorkThatTheBodyReceives) {
-  for (const bool with_rotations : {true, false}) {
-    Random random(with_rotations ? 2 : 3);
-    const int nodes = 6, modes = 4;
-    std::vector<BeamSegment> segments;
-    for (int i = 1; i < nodes; ++i) segments.push_back({i - 1, i, 0.07, 0});
-    const ModalBoundary boundary(
-        "tine", Eigen::Matrix3Xd::Random(3, nodes), {}, segments, Eigen::MatrixXd::Random(3 * nodes, modes),
-        with_rotations ? Eigen::MatrixXd(Eigen::MatrixXd::Random(3 * nodes, modes)) : Eigen::MatrixXd());
-    BodyMotion motion(modes);
-    motion.r = random.vector(1.0);
-    motion.L = Eigen::Vector4d::Random().normalized();
-    motion.a = Eigen::VectorXd::Random(modes);
-    motion.dr = random.vector(1.0);
-    motion.w = random.vector(1.0);
-    motion.da = Eigen::VectorXd::Random(modes);
-    BeamChain chain(boundary, 0);
-    chain.follow(boundary, motion);
-
-    GeneralizedForce Q(modes);
-    double expected = 0.0;
-    Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // about Bo
-    for (int i = 0; i < 30; ++i) {
-      const BeamTouch touch = closest(chain, random.vector(2.0), 0.1);
-      const BeamContactPoint point(boundary, chain, touch);
-      const Eigen::Vector3d f = random.vector(10.0);
-      boundary.add_point_force(motion, point.axis(), f, Q);
-      boundary.add_point_moment(motion, point.axis(), touch.arm().cross(f), Q);
-      expected += f.dot(point.velocity(motion));
-      moment += (touch.contact_point() - motion.r).cross(f);
-    }
-    EXPECT_NEAR(power(Q, motion), expected,
-                1e-12 * std::abs(expected) + 1e-11);  // terms of order 10, thirty of them
-    EXPECT_TRUE(Q.T_W.isApprox(moment, 1e-13));
-  }
-}
-
-// The velocity of the contact point is the rate at which the material point there moves: against a small
-// rotation of a rigid body.
-TEST(BeamContact, VelocityOfTheContactPointIsThatOfTheMaterial) {
-  Random random(4);
-  const ModalBoundary boundary = straight({0.0, 0.4, 1.0}, 0.1);
-  BodyMotion motion;
-  motion.r = random.vector(1.0);
-  motion.L = Eigen::Vector4d::Random().normalized();
-  motion.dr = random.vector(1.0);
-  motion.w = random.vector(3.0);
-  BeamChain chain(boundary, 0);
-  chain.follow(boundary, motion);
-  const BeamTouch touch = closest(chain, motion.r + random.vector(0.5), 0.1);
-  const Eigen::Vector3d c_B = motion.rotation().transpose() * (touch.contact_point() - motion.r);
-  const double h = 1e-5;  // central difference: error of order |w|^3 h^2 / 6 = 3e-9 here
-  BodyMotion later = motion, earlier = motion;
-  later.r += h * motion.dr;
-  later.L = turned(motion.L, h * motion.w);
-  earlier.r -= h * motion.dr;
-  earlier.L = turned(motion.L, -h * motion.w);
-  const Eigen::Vector3d difference =
-      ((later.r + later.rotation() * c_B) - (earlier.r + earlier.rotation() * c_B)) / (2.0 * h);
-  EXPECT_NEAR((BeamContactPoint(boundary, chain, touch).velocity(motion) - difference).norm(), 0.0, 1e-8);
 }
 
 }  // namespace

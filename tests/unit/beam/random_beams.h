@@ -1,11 +1,12 @@
 #pragma once
-// Seeded random vectors and chains for the tests of beams.
+// Seeded random vectors and chains, and the search over all segments, for the tests of beams.
 
 #include <Eigen/Dense>
 #include <random>
 #include <vector>
 
 #include "coupler/modal_boundary.h"
+#include "liggghts_fix/beam_contact.h"
 
 namespace footfall::test {
 
@@ -41,6 +42,16 @@ inline ModalBoundary random_chain(Random& random, int segments) {
     list.push_back({i - 1, i, radius, 0});
   }
   return ModalBoundary("chain", nodes, {}, list);
+}
+
+// The touch of a sphere with the smallest gap over all segments.
+inline BeamTouch closest(const BeamChain& chain, const Eigen::Vector3d& x, double r) {
+  BeamTouch best = chain.touch(0, x, r);
+  for (int s = 1; s < chain.segment_count(); ++s) {
+    const BeamTouch other = chain.touch(s, x, r);
+    if (other.gap < best.gap) best = other;
+  }
+  return best;
 }
 
 }  // namespace footfall::test
