@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -17,8 +18,9 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr Index kDenseSize = 300;  // above, subspace iteration is faster
 constexpr int kMaxIterations = 300;
-constexpr double kConverged =
-    1e-11;  // relative change of every lambda + shift in one iteration, half the digits of the shapes
+constexpr double kConverged = 1e-11;  // relative change of every lambda + shift in one iteration
+constexpr double kRoundOff = 1e-5;    // or, of a slender body, no progress in kStalled iterations below this
+constexpr int kStalled = 6;
 constexpr double kRank = 1e-12;      // singular below this fraction of a block's largest eigenvalue
 constexpr double kMassless = 1e-14;  // mu below this fraction of the largest: no mass in that direction
 
@@ -35,7 +37,7 @@ Reduced solve_reduced(const MatrixXd& M, const MatrixXd& A) {
   const Eigen::LLT<MatrixXd> cholesky(scaled_A);
   if (cholesky.info() != Eigen::Success || !scale.allFinite())
     throw InputError(
-        "stiffness is not positive definite: the body can move without strain between its supports.");
+        "stiffness is not positive definite: a motion stores no strain energy, or a negative one.");
   MatrixXd C = scale.asDiagonal() * M * scale.asDiagonal();
   cholesky.matrixL().solveInPlace(C);
   C = cholesky.matrixL().solve(C.transpose()).eval();
@@ -69,7 +71,7 @@ Modes subspace_modes(const Sparse& K, const Sparse& M, int count, double shift) 
   const Eigen::SimplicialLDLT<Sparse> factor(A);
   if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0))
     throw InputError(
-        "stiffness is not positive definite: the body can move without strain between its supports.");
+        "stiffness is not positive definite: a motion stores no strain energy, or a negative one.");
   const Index n = A.rows();
   const Index width = std::min<Index>(mass_rank(M), std::max<Index>(2 * count, count + 8));
   std::mt19937 random(1);  // the same start every time: the same result every time
@@ -77,14 +79,22 @@ Modes subspace_modes(const Sparse& K, const Sparse& M, int count, double shift) 
   MatrixXd X(n, width);
   for (Index j = 0; j < width; ++j)
     for (Index i = 0; i < n; ++i) X(i, j) = uniform(random);
+  MatrixXd Y = M * X;
   VectorXd last = VectorXd::Zero(count);
+  double best = std::numeric_limits<double>::infinity();
+  int stalled = 0;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    X = factor.solve(M * X);
-    const Reduced reduced = solve_reduced(X.transpose() * (M * X), X.transpose() * (A * X));
-    X *= reduced.y;
+    X = factor.solve(Y);
+    const MatrixXd MX = M * X;
+    const MatrixXd A_reduced = X.transpose() * Y;  // X^T A X without the cancellation of stiff parts
+    const Reduced reduced = solve_reduced(X.transpose() * MX, 0.5 * (A_reduced + A_reduced.transpose()));
+    Y = MX * reduced.y;
     const VectorXd mu = reduced.mu.head(count);
-    if (((mu - last).array().abs() <= kConverged * mu.array()).all())
-      return modes_from(mu, X.leftCols(count), shift);
+    const double change = ((mu - last).array() / mu.array()).abs().maxCoeff();
+    stalled = change < 0.9 * best ? 0 : stalled + 1;
+    best = std::min(best, change);
+    if (best <= kConverged || (best <= kRoundOff && stalled >= kStalled))
+      return modes_from(mu, X * reduced.y.leftCols(count), shift);
     last = mu;
   }
   throw NumericalError("modes: subspace iteration for " + std::to_string(count) +

@@ -1,6 +1,8 @@
 #include "mbd_solver/model/flexible/fe_partition.h"
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "coupler/errors.h"
@@ -12,6 +14,15 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
+
+namespace {
+
+constexpr double kRigid = 1e-6;   // a field that loses all but this fraction of its norm was a rigid motion
+constexpr int kScaleRounds = 10;  // each takes the scale down by up to 1e8; most bodies need two or three
+constexpr int kScaleIterations = 4;
+constexpr double kScaleFloor = 1e-8;
+
+}  // namespace
 
 std::vector<int> active_dofs(const FeModel& model) {
   std::vector<int> dofs;
@@ -68,32 +79,59 @@ MatrixXd rigid_motions(const FeModel& model, const Vector3d& centre) {
   return R;
 }
 
-// Fields u = e_i x_k x_l with the rotation of their curl, theta = 1/2 curl u = 1/2 grad(x_k x_l) x e_i.
+// A first bound from fields u = e_i x_k x_l, with the rotation of their curl, theta = 1/2 grad(x_k x_l) x
+// e_i. It can be far too high (the fields do not know where the body is soft), so it is improved by inverse
+// iteration with the bound itself as shift, rigid motion taken out.
 double elastic_scale(const FeModel& model) {
   const MassProperties body = mass_properties(model);
-  const Sparse M = lumped_mass_matrix(model);
-  const MatrixXd R = rigid_motions(model, body.centre);
+  const std::vector<int> active = active_dofs(model);
+  const Sparse M = selected(lumped_mass_matrix(model), active, active);
+  const Sparse K = selected(model.stiffness, active, active);
+  const MatrixXd R = gathered(rigid_motions(model, body.centre), active);
   const MatrixXd MR = M * R;
   const Eigen::LDLT<MatrixXd> rigid_mass(R.transpose() * MR);
+  const auto remove_rigid = [&](VectorXd& u) { u -= R * rigid_mass.solve(MR.transpose() * u); };
   double scale = std::numeric_limits<double>::infinity();
+  VectorXd start = VectorXd::Zero(K.rows());
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k)
       for (int l = k; l < 3; ++l) {
-        VectorXd u = VectorXd::Zero(6 * model.node_count());
+        VectorXd field = VectorXd::Zero(6 * model.node_count());
         for (int j = 0; j < model.node_count(); ++j) {
           const Vector3d x = model.nodes.col(j) - body.centre;
           const Vector3d gradient = Vector3d::Unit(k) * x(l) + Vector3d::Unit(l) * x(k);
-          u(6 * j + i) = x(k) * x(l);
-          if (model.rotations) u.segment<3>(6 * j + 3) = 0.5 * gradient.cross(Vector3d(Vector3d::Unit(i)));
+          field(6 * j + i) = x(k) * x(l);
+          field.segment<3>(6 * j + 3) = 0.5 * gradient.cross(Vector3d(Vector3d::Unit(i)));
         }
+        VectorXd u = gathered(field, active);
         const double before = u.dot(M * u);
-        u -= R * rigid_mass.solve(MR.transpose() * u);
+        remove_rigid(u);
         const double mass = u.dot(M * u);
-        const double energy = u.dot(model.stiffness * u);
-        if (mass > 1e-6 * before && energy > 0.0) scale = std::min(scale, energy / mass);
+        const double energy = u.dot(K * u);
+        if (!(mass > kRigid * before) || !(energy > 0.0)) continue;
+        scale = std::min(scale, energy / mass);
+        start += u / std::sqrt(mass);
       }
   if (!(scale < std::numeric_limits<double>::infinity()))
     throw InputError("the model has no stiffness or no mass: no elastic motion was found.");
+
+  Eigen::SimplicialLDLT<Sparse> factor;
+  factor.analyzePattern(K + M);
+  for (int round = 0; round < kScaleRounds; ++round) {
+    factor.factorize(K + scale * M);
+    if (factor.info() != Eigen::Success) break;
+    for (int iteration = 0; iteration < kScaleIterations; ++iteration) {
+      start = factor.solve(M * start).eval();
+      remove_rigid(start);
+      start /= std::sqrt(start.dot(M * start));
+    }
+    const double better = start.dot(K * start);
+    if (!(better > kScaleFloor * scale))
+      break;  // no strain energy but round-off: a mechanism, for others to find
+    const bool settled = better > 0.5 * scale;
+    scale = std::min(scale, better);
+    if (settled) break;
+  }
   return scale;
 }
 

@@ -25,8 +25,8 @@ Eigen::MatrixXd scattered(const Eigen::MatrixXd& x, const std::vector<int>& rows
 // model without rotations.
 Eigen::MatrixXd rigid_motions(const FeModel& model, const Eigen::Vector3d& centre);
 
-// An upper bound of the first elastic lambda of the free body [1/s2]: the least Rayleigh quotient of
-// displacements quadratic in the coordinates. Used as shift and as the measure of "no stiffness".
+// The size of the first elastic lambda of the free body, from above [1/s2]: shift of eigenproblems and
+// measure of "no stiffness".
 double elastic_scale(const FeModel& model);
 
 }  // namespace footfall

@@ -19,9 +19,9 @@ using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kTwoPi = 6.28318530717958647692;
-constexpr double kNoStiffness = 1e-8;     // lambda over elastic scale: less is motion without strain
-constexpr double kStaticShift = 1e-6;     // of the elastic scale; see static_shapes
-constexpr int kStaticPasses = 3;          // error 1e-6 to the fourth power
+constexpr double kNoStiffness = 1e-8;  // lambda over elastic scale: less is motion without strain
+constexpr double kStaticShift = 1e-4;  // of the elastic scale; see static_shapes
+constexpr int kStaticPasses = 5;       // error 1e-4 to the sixth power, with a scale 100 times too high 1e-12
 constexpr double kInterfaceMargin = 1.5;  // fixed-interface modes go up to 1.5 times the frequency limit
 constexpr int kFirstGuess = 16;           // modes asked for first when only a frequency limit is known
 
@@ -88,8 +88,8 @@ std::vector<int> interface_dofs(const Problem& problem, const BasisOptions& opti
 // shift / (first elastic lambda + shift).
 MatrixXd static_shapes(const Sparse& K_ii, const Sparse& M_ii, const Sparse& K_ib, double scale) {
   const Eigen::SimplicialLDLT<Sparse> factor(Sparse(K_ii + kStaticShift * scale * M_ii));
-  if (factor.info() != Eigen::Success)
-    throw InputError("the stiffness matrix is singular with the interface held.");
+  if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0))
+    throw InputError("stiffness is not positive definite with the interface held.");
   const MatrixXd load = -MatrixXd(K_ib);
   MatrixXd x = factor.solve(load);
   for (int pass = 0; pass < kStaticPasses; ++pass) x += factor.solve(load - K_ii * x);
@@ -172,12 +172,18 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
   if (!count && !options.max_frequency) count = std::min(kDefaultModeCount, problem.available);
   const double limit = options.max_frequency ? lambda_of(*options.max_frequency) : 0.0;
 
+  std::vector<int> held;
+  if (options.kind == BasisKind::kCraigBampton) held = interface_dofs(problem, options);
+
   MatrixXd shapes(problem.K.rows(), 0);
-  if (!count || *count > 0) {
-    std::vector<int> held;
-    if (options.kind == BasisKind::kCraigBampton) held = interface_dofs(problem, options);
-    shapes = held.empty() ? free_free_shapes(problem, count, limit)
-                          : craig_bampton_shapes(problem, held, count, limit);
+  try {
+    if (!count || *count > 0)
+      shapes = held.empty() ? free_free_shapes(problem, count, limit)
+                            : craig_bampton_shapes(problem, held, count, limit);
+  } catch (const InputError& error) {
+    throw InputError(name + ": " + error.what());
+  } catch (const NumericalError& error) {
+    throw NumericalError(name + ": " + error.what());
   }
   shapes = scattered(shapes, active, M.rows());
 

@@ -7,6 +7,7 @@
 
 #include "coupler/errors.h"
 #include "mbd_solver/model/flexible/fe_analysis.h"
+#include "mbd_solver/model/flexible/fe_partition.h"
 #include "mbd_solver/model/flexible/mesh_generator.h"
 #include "mbd_solver/model/flexible/modal_inertia.h"
 #include "mbd_solver/model/flexible/stress_recovery.h"
@@ -191,6 +192,32 @@ TEST(ModalBasis, PinnedInterfaceSpendsNoModesOnLocalKinks) {
   EXPECT_GT((clamped - exact).cwiseQuotient(exact).cwiseAbs().maxCoeff(), 1e-1) << "what the pin avoids";
 }
 
+// Stiffness spans ten decades: axial over bending of a wire 4000 times as long as thick; a box has many modes
+// near each other.
+TEST(ModalBasis, ManagesWiresAndThinShells) {
+  const double d = 0.0005, L = 2.0;
+  const FeModel wire = straight_beam({0, 0, 0}, {L, 0, 0}, 64, rod_section(d), kSteel);
+  const double x = 4.730040745;  // cos x cosh x = 1
+  const double exact =
+      x * x / (2.0 * std::acos(-1.0) * L * L) * std::sqrt(kSteel.young / kSteel.density) * d / 4.0;
+  for (const BasisOptions& options : {free_free(6), craig_bampton(12, {0, 64})}) {
+    const ModalBody body = reduce(wire, options, "wire").body;
+    const double truncation = options.kind == BasisKind::kFreeFree ? 1e-5 : 1e-3;  // of six held modes
+    EXPECT_NEAR(frequencies(body)(0), exact, truncation * exact);
+    expect_contract(body);
+  }
+  const FeModel box = plate_model(box_mesh(Vector3d(0.4, 0.3, 0.2), 0.1), 0.003, kSteel);
+  expect_contract(reduce(box, craig_bampton(10, {}, {0}), "box").body);
+}
+
+TEST(ElasticScale, IsTheSizeOfTheFirstElasticLambda) {
+  for (const FeModel& model : {strut(), pad(), dish()}) {
+    const double first = reduce(model, free_free(1), "body").body.stiffness(0);
+    EXPECT_GT(elastic_scale(model), 0.99 * first);
+    EXPECT_LT(elastic_scale(model), 2.0 * first);
+  }
+}
+
 TEST(ModalBasis, FrequencyLimitLeavesOutHigherModes) {
   const FeModel model = pad();
   const VectorXd all = frequencies(reduce(model, free_free(20), "pad").body);
@@ -276,6 +303,18 @@ TEST(ModalBasis, RefusesModelsThatAreNoFreeBody) {
   model = good;
   model.stiffness.coeffRef(0, 6 * 9) *= 1.01;
   EXPECT_TRUE(has(with(model), "not symmetric")) << with(model);
+
+  model = good;  // a negative spring along the line between two nodes, stiffer than the tube between them
+  const Vector3d e = Vector3d(model.nodes.col(1) - model.nodes.col(0)).normalized();
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      const double spring = -2e9 * e(i) * e(k);
+      model.stiffness.coeffRef(i, k) += spring;
+      model.stiffness.coeffRef(6 + i, 6 + k) += spring;
+      model.stiffness.coeffRef(i, 6 + k) -= spring;
+      model.stiffness.coeffRef(6 + i, k) -= spring;
+    }
+  EXPECT_TRUE(has(with(model), "body \"leg\": stiffness is not positive definite")) << with(model);
 
   EXPECT_TRUE(has(refusal([&] {
                     reduce(good, craig_bampton(6, {0, 99}), "leg");
