@@ -10,6 +10,7 @@
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/run/checkpoint.h"
+#include "mbd_solver/run/drawing.h"
 #include "mbd_solver/run/observation.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/scene/scene_json.h"
@@ -80,6 +81,13 @@ Json summary_of(const Simulation& simulation, const FigureTaker& taker, const st
   return json;
 }
 
+// True once per interval [s], at the first window end at or after each multiple of it; moves `next` on.
+bool due(double time, double interval, double& next) {
+  if (time < next - 1e-9 * interval) return false;
+  next = (std::floor(time / interval + 1e-9) + 1.0) * interval;
+  return true;
+}
+
 void make_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -99,17 +107,20 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   Observation observation(simulation);
   FigureTaker taker(simulation);
   HistoryWriter history(folder + "history.csv", observation.names(), observation.units());
+  std::optional<Drawing> drawing;
+  VtkSeries pictures(options.out, "bodies");
+  if (scene.output.vtk) drawing.emplace(simulation);
   Progress progress(t_end, options.quiet);
   std::size_t warned = 0;
-  double next_row = 0.0;
+  double next_row = 0.0, next_picture = 0.0, next_checkpoint = scene.output.checkpoint_interval;
   Eigen::VectorXd voltages;
   const auto observe = [&](const Sample& sample) {
     taker.take(sample);
     voltages = sample.inputs.voltages;
-    if (sample.state.time >= next_row - 1e-9 * scene.output.interval || simulation.finished()) {
-      history.write(observation.row(sample));
-      next_row = (std::floor(sample.state.time / scene.output.interval + 1e-9) + 1.0) * scene.output.interval;
-    }
+    if (due(sample.state.time, scene.output.interval, next_row) || simulation.finished()) history.write(observation.row(sample));
+    if (drawing && due(sample.state.time, scene.output.vtk_interval, next_picture)) pictures.write(sample.state.time, drawing->frame(sample));
+    if (scene.output.checkpoint_interval > 0.0 && due(sample.state.time, scene.output.checkpoint_interval, next_checkpoint))
+      write_checkpoint(folder + "checkpoint.txt", sample.state, simulation.mechanism(), voltages);
     progress.show(sample.state.time, sample.window, taker.figures().contact_force);
     for (; sample.coupling && warned < sample.coupling->warnings().size(); ++warned)
       std::fprintf(stderr, "\nmbd_solver: warning: %s\n", sample.coupling->warnings()[warned].c_str());

@@ -1,0 +1,99 @@
+#include "mbd_solver/output/vtk_writer.h"
+
+#include <cstdio>
+#include <pugixml.hpp>
+
+#include "coupler/errors.h"
+
+namespace footfall {
+namespace {
+
+constexpr int kLine = 3, kTriangle = 5;  // VTK's cell types
+
+pugi::xml_node data_array(pugi::xml_node parent, const char* type, const std::string& name, int components) {
+  pugi::xml_node array = parent.append_child("DataArray");
+  array.append_attribute("type") = type;
+  array.append_attribute("Name") = name.c_str();
+  if (components > 1) array.append_attribute("NumberOfComponents") = components;
+  array.append_attribute("format") = "ascii";
+  return array;
+}
+
+void append(std::string& text, double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.9g ", value);
+  text += buffer;
+}
+
+template <class Values>
+std::string numbers(const Values& values) {
+  std::string text;
+  for (Eigen::Index j = 0; j < values.cols(); ++j)
+    for (Eigen::Index i = 0; i < values.rows(); ++i) append(text, values(i, j));
+  return text;
+}
+
+pugi::xml_node vtk_file(pugi::xml_document& document, const char* type) {
+  pugi::xml_node root = document.append_child("VTKFile");
+  root.append_attribute("type") = type;
+  root.append_attribute("version") = "0.1";
+  root.append_attribute("byte_order") = "LittleEndian";
+  return root;
+}
+
+void add_cells(pugi::xml_node piece, const VtkFrame& frame) {
+  std::string connectivity, offsets, types;
+  int offset = 0;
+  for (const Eigen::Vector3i& t : frame.triangles) {
+    for (int k = 0; k < 3; ++k) connectivity += std::to_string(t(k)) + " ";
+    offsets += std::to_string(offset += 3) + " ";
+    types += std::to_string(kTriangle) + " ";
+  }
+  for (const Eigen::Vector2i& l : frame.lines) {
+    for (int k = 0; k < 2; ++k) connectivity += std::to_string(l(k)) + " ";
+    offsets += std::to_string(offset += 2) + " ";
+    types += std::to_string(kLine) + " ";
+  }
+  pugi::xml_node cells = piece.append_child("Cells");
+  data_array(cells, "Int32", "connectivity", 1).text() = connectivity.c_str();
+  data_array(cells, "Int32", "offsets", 1).text() = offsets.c_str();
+  data_array(cells, "UInt8", "types", 1).text() = types.c_str();
+}
+
+void save(const pugi::xml_document& document, const std::string& path) {
+  if (!document.save_file(path.c_str(), " ")) throw InputError(path + ": cannot be written; choose another folder with --out");
+}
+
+}  // namespace
+
+VtkSeries::VtkSeries(std::string folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
+
+void VtkSeries::write(double time, const VtkFrame& frame) {
+  if (!frame.points.allFinite()) throw NumericalError("t = " + std::to_string(time) + " s: geometry of " + name_ + " is not finite");
+  pugi::xml_document document;
+  pugi::xml_node piece = vtk_file(document, "UnstructuredGrid").append_child("UnstructuredGrid").append_child("Piece");
+  piece.append_attribute("NumberOfPoints") = static_cast<int>(frame.points.cols());
+  piece.append_attribute("NumberOfCells") = static_cast<int>(frame.triangles.size() + frame.lines.size());
+  data_array(piece.append_child("Points"), "Float64", "Points", 3).text() = numbers(frame.points).c_str();
+  add_cells(piece, frame);
+  pugi::xml_node point_data = piece.append_child("PointData");
+  for (const auto& [name, values] : frame.point_vectors) data_array(point_data, "Float64", name, 3).text() = numbers(values).c_str();
+  pugi::xml_node cell_data = piece.append_child("CellData");
+  for (const auto& [name, values] : frame.cell_numbers) data_array(cell_data, "Float64", name, 1).text() = numbers(values).c_str();
+
+  char number[16];
+  std::snprintf(number, sizeof number, "_%04zu.vtu", frames_.size());
+  frames_.emplace_back(time, name_ + number);
+  save(document, folder_ + "/" + frames_.back().second);
+
+  pugi::xml_document list;
+  pugi::xml_node collection = vtk_file(list, "Collection").append_child("Collection");
+  for (const auto& [t, file] : frames_) {
+    pugi::xml_node entry = collection.append_child("DataSet");
+    entry.append_attribute("timestep") = t;
+    entry.append_attribute("file") = file.c_str();
+  }
+  save(list, folder_ + "/" + name_ + ".pvd");
+}
+
+}  // namespace footfall
