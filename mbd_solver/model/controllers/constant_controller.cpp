@@ -5,7 +5,8 @@
 
 namespace footfall {
 
-ConstantController::ConstantController(const ConstantControllerParameters& parameters) : parameters_(parameters) {
+ConstantController::ConstantController(const ConstantControllerParameters& parameters)
+    : parameters_(parameters) {
   const std::string who = "controller constant";
   require_positive(who, "period", parameters.period, "s");
   if (parameters.voltages.size() == 0)
@@ -14,8 +15,12 @@ ConstantController::ConstantController(const ConstantControllerParameters& param
     require_within(who, "voltage " + std::to_string(i + 1), parameters.voltages[i], 0.0, 1.0, "");
 }
 
-void ConstantController::sample(const ControllerMeasurement&, Eigen::Ref<Eigen::VectorXd> voltages) { voltages = parameters_.voltages; }
+void ConstantController::sample(const ControllerMeasurement&, Eigen::Ref<Eigen::VectorXd> voltages) {
+  voltages = parameters_.voltages;
+}
 
-void ConstantController::restore(const Eigen::Ref<const Eigen::VectorXd>& memory) { FOOTFALL_DEMAND(memory.size() == 0); }
+void ConstantController::restore(const Eigen::Ref<const Eigen::VectorXd>& memory) {
+  FOOTFALL_DEMAND(memory.size() == 0);
+}
 
 }  // namespace footfall

@@ -1,5 +1,6 @@
 #pragma once
-// A control surface: one voltage of a fuzzy system over two of its inputs, the other two held, as in [Lin25 Figure 4].
+// A control surface: one voltage of a fuzzy system over two of its inputs, the other two held, as in [Lin25
+// Figure 4].
 
 #include <string_view>
 
@@ -13,9 +14,11 @@ struct ControlSurface {
   Eigen::MatrixXd voltage;  // first x second [-]
 };
 
-// output: 0 for U1. first, second: names of two different inputs ("a", "da", "alpha", "beta"), each over its whole range on `points`
-// points. held: the values of the other two inputs. Throws InputError for an unknown name or output.
-ControlSurface control_surface(const FuzzySystem& system, int output, std::string_view first, std::string_view second, int points = 41,
+// output: 0 for U1. first, second: names of two different inputs ("a", "da", "alpha", "beta"), each over its
+// whole range on `points` points. held: the values of the other two inputs. Throws InputError for an unknown
+// name or output.
+ControlSurface control_surface(const FuzzySystem& system, int output, std::string_view first,
+                               std::string_view second, int points = 41,
                                const FuzzyInput& held = {0.0, 0.0, 0.0, 0.0});
 
 }  // namespace footfall

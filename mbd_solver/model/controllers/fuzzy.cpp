@@ -30,41 +30,57 @@ std::string names(const Variables& variables) {
   return list;
 }
 
-std::unique_ptr<fl::Engine> import(const std::string& text) { return std::unique_ptr<fl::Engine>(fl::FllImporter().fromString(text)); }
+std::unique_ptr<fl::Engine> import(const std::string& text) {
+  return std::unique_ptr<fl::Engine>(fl::FllImporter().fromString(text));
+}
 
-// Imports every line of a block alone, so that the one FuzzyLite refuses is known. Rules need the whole engine: check_rule.
+// Imports every line of a block alone, so that the one FuzzyLite refuses is known. Rules need the whole
+// engine: check_rule.
 void check_lines(const std::string& file, const FllBlock& block) {
   if (block.head.key == "Engine") return;
   for (const FllLine& line : block.lines) {
     if (line.key == "rule") continue;
     try {
-      import("Engine: check\n" + block.head.key + ": " + block.head.value + "\n" + line.key + ": " + line.value + "\n");
+      import("Engine: check\n" + block.head.key + ": " + block.head.value + "\n" + line.key + ": " +
+             line.value + "\n");
     } catch (const fl::Exception& error) {
-      throw InputError(file + ":" + std::to_string(line.number) + ": \"" + line.key + ": " + line.value + "\" of " + block.head.key + " \"" +
-                       block.head.value + "\" is not understood: " + first_line(error));
+      throw InputError(file + ":" + std::to_string(line.number) + ": \"" + line.key + ": " + line.value +
+                       "\" of " + block.head.key + " \"" + block.head.value +
+                       "\" is not understood: " + first_line(error));
     }
   }
 }
 
-// Every "variable is [hedges] term" of a rule must name what exists; what else is wrong with it, FuzzyLite says.
+std::string without_brackets(std::string word) {
+  word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == '(' || c == ')'; }),
+             word.end());
+  return word;
+}
+
+// Every "variable is [hedges] term" of a rule must name what exists; what else is wrong with it, FuzzyLite
+// says.
 void check_rule(const std::string& where, const std::string& text, const fl::Engine& engine) {
   std::istringstream in(text);
   std::vector<std::string> word;
   for (std::string w; in >> w;) word.push_back(w);
-  const auto ends_proposition = [](const std::string& w) { return w == "and" || w == "or" || w == "then" || w == "with"; };
+  const auto ends_proposition = [](const std::string& w) {
+    return w == "and" || w == "or" || w == "then" || w == "with";
+  };
   for (std::size_t i = 1; i + 1 < word.size(); ++i) {
     if (word[i] != "is") continue;
-    const std::string name = word[i - 1].substr(word[i - 1].find_first_not_of('('));
+    const std::string name = without_brackets(word[i - 1]);
     const fl::Variable* variable = nullptr;
     for (const fl::Variable* v : engine.variables())
       if (v->getName() == name) variable = v;
     if (!variable)
-      throw InputError(where + "the rule names an unknown variable \"" + name + "\". Known variables: " + names(engine.variables()) + ".");
+      throw InputError(where + "the rule names an unknown variable \"" + name +
+                       "\". Known variables: " + names(engine.variables()) + ".");
     std::size_t last = i + 1;
     while (last + 1 < word.size() && !ends_proposition(word[last + 1])) ++last;
-    const std::string term = word[last].substr(0, word[last].find(')'));
-    if (!variable->hasTerm(term))
-      throw InputError(where + "variable \"" + name + "\" has no term \"" + term + "\". Its terms: " + names(variable->terms()) + ".");
+    const std::string term = without_brackets(word[last]);
+    if (term != "any" && !variable->hasTerm(term))  // "is any": the rule does not ask for this variable
+      throw InputError(where + "variable \"" + name + "\" has no term \"" + term +
+                       "\". Its terms: " + names(variable->terms()) + ".");
   }
   try {
     std::unique_ptr<fl::Rule> rule(fl::Rule::parse(text, &engine));
@@ -74,7 +90,8 @@ void check_rule(const std::string& where, const std::string& text, const fl::Eng
 }
 
 // Where a key of a variable stands, or the variable if the key is not given.
-std::string where_is(const std::string& file, const std::vector<FllBlock>& blocks, const std::string& variable, const std::string& key) {
+std::string where_is(const std::string& file, const std::vector<FllBlock>& blocks,
+                     const std::string& variable, const std::string& key) {
   for (const FllBlock& block : blocks) {
     if (block.head.key.find("Variable") == std::string::npos || block.head.value != variable) continue;
     for (const FllLine& line : block.lines)
@@ -84,21 +101,27 @@ std::string where_is(const std::string& file, const std::vector<FllBlock>& block
   return file + ": ";
 }
 
-void check_range(const std::string& where, const fl::Variable& variable, bool valid, const std::string& expected) {
+void check_range(const std::string& where, const fl::Variable& variable, bool valid,
+                 const std::string& expected) {
   if (!valid || !std::isfinite(variable.range()))
-    throw InputError(where + "range of \"" + variable.getName() + "\" is " + number_text(variable.getMinimum()) + " to " +
-                     number_text(variable.getMaximum()) + "; expected " + expected + ".");
+    throw InputError(where + "range of \"" + variable.getName() + "\" is " +
+                     number_text(variable.getMinimum()) + " to " + number_text(variable.getMaximum()) +
+                     "; expected " + expected + ".");
 }
 
-// The term of an input that a plain rule asks for, gathered over "and" into `terms`; false if the antecedent is anything else.
-bool gather(const fl::Expression* node, const std::vector<fl::InputVariable*>& inputs, std::array<int, 4>& terms) {
+// The term of an input that a plain rule asks for, gathered over "and" into `terms`; false if the antecedent
+// is anything else.
+bool gather(const fl::Expression* node, const std::vector<fl::InputVariable*>& inputs,
+            std::array<int, 4>& terms) {
   if (node->type() == fl::Expression::Operator) {
     const auto* op = static_cast<const fl::Operator*>(node);
-    return op->name == fl::Rule::andKeyword() && gather(op->left, inputs, terms) && gather(op->right, inputs, terms);
+    return op->name == fl::Rule::andKeyword() && gather(op->left, inputs, terms) &&
+           gather(op->right, inputs, terms);
   }
   const auto* p = static_cast<const fl::Proposition*>(node);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (p->variable != inputs[i]) continue;
+    if (!p->term && p->hedges.size() == 1 && dynamic_cast<const fl::Any*>(p->hedges.front())) return true;
     const auto& of_input = inputs[i]->terms();
     const auto found = std::find(of_input.begin(), of_input.end(), p->term);
     if (!p->hedges.empty() || terms[i] >= 0 || found == of_input.end()) return false;
@@ -112,7 +135,8 @@ bool gather(const fl::Expression* node, const std::vector<fl::InputVariable*>& i
 Eigen::MatrixXd memberships(const fl::Variable& variable, const Eigen::VectorXd& x) {
   Eigen::MatrixXd result(x.size(), static_cast<Eigen::Index>(variable.numberOfTerms()));
   for (Eigen::Index t = 0; t < result.cols(); ++t)
-    for (Eigen::Index i = 0; i < result.rows(); ++i) result(i, t) = variable.getTerm(static_cast<std::size_t>(t))->membership(x[i]);
+    for (Eigen::Index i = 0; i < result.rows(); ++i)
+      result(i, t) = variable.getTerm(static_cast<std::size_t>(t))->membership(x[i]);
   return result;
 }
 
@@ -130,7 +154,8 @@ struct FuzzySystem::Engine {
   void check_coverage(const std::string& file) const;
   std::optional<MamdaniSystem> plain_system() const;
   void set_inputs(const FuzzyInput& value) const {
-    for (std::size_t i = 0; i < kFuzzyInputs; ++i) input[i]->setValue(std::clamp(value[i], lower[i], upper[i]));
+    for (std::size_t i = 0; i < kFuzzyInputs; ++i)
+      input[i]->setValue(std::clamp(value[i], lower[i], upper[i]));
   }
 };
 
@@ -140,15 +165,16 @@ void FuzzySystem::Engine::take_variables(const std::string& file, const std::vec
     for (fl::InputVariable* v : engine->inputVariables())
       if (v->getName() == name) input[i] = v;
     if (!input[i])
-      throw InputError(file + ": there is no InputVariable \"" + name + "\"; expected a, da, alpha and beta. Found: " +
-                       names(engine->inputVariables()) + ".");
+      throw InputError(file + ": there is no InputVariable \"" + name +
+                       "\"; expected a, da, alpha and beta. Found: " + names(engine->inputVariables()) + ".");
     lower[i] = input[i]->getMinimum();
     upper[i] = input[i]->getMaximum();
     const std::string where = where_is(file, blocks, name, "range");
     if (i == 0)
       check_range(where, *input[i], lower[i] == 0.0 && upper[i] > 0.0, "0 to a_max > 0, in g");
     else
-      check_range(where, *input[i], lower[i] == -upper[i] && upper[i] > 0.0, "-r to r with r > 0, the same on both sides");
+      check_range(where, *input[i], lower[i] == -upper[i] && upper[i] > 0.0,
+                  "-r to r with r > 0, the same on both sides");
   }
   for (const fl::InputVariable* v : engine->inputVariables())
     if (std::find(input.begin(), input.end(), v) == input.end())
@@ -158,19 +184,24 @@ void FuzzySystem::Engine::take_variables(const std::string& file, const std::vec
     fl::OutputVariable* v = engine->getOutputVariable(i);
     const std::string expected = "U" + std::to_string(i + 1);
     if (v->getName() != expected)
-      throw InputError(where_is(file, blocks, v->getName(), "") + "OutputVariable \"" + v->getName() + "\" is output number " +
-                       std::to_string(i + 1) + "; expected the outputs U1, U2, ... in this order.");
-    check_range(where_is(file, blocks, expected, "range"), *v, v->getMinimum() == 0.0 && v->getMaximum() == 1.0, "0 to 1");
+      throw InputError(where_is(file, blocks, v->getName(), "") + "OutputVariable \"" + v->getName() +
+                       "\" is output number " + std::to_string(i + 1) +
+                       "; expected the outputs U1, U2, ... in this order.");
+    check_range(where_is(file, blocks, expected, "range"), *v,
+                v->getMinimum() == 0.0 && v->getMaximum() == 1.0, "0 to 1");
     if (v->isLockPreviousValue())
       throw InputError(where_is(file, blocks, expected, "lock-previous") + "\"" + expected +
-                       "\" keeps its previous value; expected lock-previous: false, because a hidden memory could not be resumed.");
+                       "\" keeps its previous value; expected lock-previous: false, because a hidden memory "
+                       "could not be resumed.");
     output.push_back(v);
   }
-  if (output.empty()) throw InputError(file + ": there is no OutputVariable; expected U1, U2, ...: one for each controlled strut.");
+  if (output.empty())
+    throw InputError(file +
+                     ": there is no OutputVariable; expected U1, U2, ...: one for each controlled strut.");
 }
 
-// The ends of an input's range and, rising between them, the corners of its terms. `complete` is false if a term has a shape without
-// corners.
+// The ends of an input's range and, rising between them, the corners of its terms. `complete` is false if a
+// term has a shape without corners.
 std::vector<double> FuzzySystem::Engine::corners(std::size_t i, bool& complete) const {
   std::vector<double> all = {lower[i], upper[i]};
   complete = true;
@@ -178,7 +209,8 @@ std::vector<double> FuzzySystem::Engine::corners(std::size_t i, bool& complete) 
     if (const auto* triangle = dynamic_cast<const fl::Triangle*>(term))
       all.insert(all.end(), {triangle->getVertexA(), triangle->getVertexB(), triangle->getVertexC()});
     else if (const auto* trapezoid = dynamic_cast<const fl::Trapezoid*>(term))
-      all.insert(all.end(), {trapezoid->getVertexA(), trapezoid->getVertexB(), trapezoid->getVertexC(), trapezoid->getVertexD()});
+      all.insert(all.end(), {trapezoid->getVertexA(), trapezoid->getVertexB(), trapezoid->getVertexC(),
+                             trapezoid->getVertexD()});
     else if (const auto* ramp = dynamic_cast<const fl::Ramp*>(term))
       all.insert(all.end(), {ramp->getStart(), ramp->getEnd()});
     else if (const auto* rectangle = dynamic_cast<const fl::Rectangle*>(term))
@@ -187,21 +219,26 @@ std::vector<double> FuzzySystem::Engine::corners(std::size_t i, bool& complete) 
       complete = false;
   }
   std::sort(all.begin(), all.end());
-  std::vector<double> inside;  // corners closer than a thousandth of the range are one (decimals written short)
+  std::vector<double>
+      inside;  // corners closer than a thousandth of the range are one (decimals written short)
   for (const double c : all)
-    if (c >= lower[i] && c <= upper[i] && (inside.empty() || c - inside.back() > 1e-3 * (upper[i] - lower[i]))) inside.push_back(c);
+    if (c >= lower[i] && c <= upper[i] &&
+        (inside.empty() || c - inside.back() > 1e-3 * (upper[i] - lower[i])))
+      inside.push_back(c);
   inside.back() = upper[i];
   return inside;
 }
 
-// Each output must get a rule at every corner of the terms and half way between corners. Between corners no term begins or ends, so that
-// this grid finds every gap of terms with corners; inputs with other terms get nine even points more.
+// Each output must get a rule at every corner of the terms and half way between corners. Between corners no
+// term begins or ends, so that this grid finds every gap of terms with corners; inputs with other terms get
+// nine even points more.
 void FuzzySystem::Engine::check_coverage(const std::string& file) const {
   std::array<std::vector<double>, kFuzzyInputs> nodes;
   for (std::size_t i = 0; i < kFuzzyInputs; ++i) {
     bool complete = true;
     nodes[i] = corners(i, complete);
-    for (std::size_t k = nodes[i].size() - 1; k > 0; --k) nodes[i].push_back(0.5 * (nodes[i][k] + nodes[i][k - 1]));
+    for (std::size_t k = nodes[i].size() - 1; k > 0; --k)
+      nodes[i].push_back(0.5 * (nodes[i][k] + nodes[i][k - 1]));
     for (int k = 0; !complete && k <= 8; ++k) nodes[i].push_back(lower[i] + (upper[i] - lower[i]) * k / 8.0);
   }
   const auto check = [&](const FuzzyInput& x) {
@@ -211,9 +248,10 @@ void FuzzySystem::Engine::check_coverage(const std::string& file) const {
       if (rules->isEnabled()) rules->activate();
     for (const fl::OutputVariable* v : output)
       if (v->fuzzyOutput()->isEmpty())
-        throw InputError(file + ": no rule fires for " + v->getName() + " at a = " + number_text(x[0]) + ", da = " + number_text(x[1]) +
-                         ", alpha = " + number_text(x[2]) + ", beta = " + number_text(x[3]) +
-                         "; expected rules that cover the whole input box. Add the missing rule, or widen the terms.");
+        throw InputError(
+            file + ": no rule fires for " + v->getName() + " at a = " + number_text(x[0]) + ", da = " +
+            number_text(x[1]) + ", alpha = " + number_text(x[2]) + ", beta = " + number_text(x[3]) +
+            "; expected rules that cover the whole input box. Add the missing rule, or widen the terms.");
   };
   for (const double a : nodes[0])
     for (const double da : nodes[1])
@@ -225,26 +263,32 @@ std::optional<MamdaniSystem> FuzzySystem::Engine::plain_system() const {
   MamdaniSystem system;
   for (const fl::OutputVariable* v : output) {
     const auto* centroid = dynamic_cast<const fl::Centroid*>(v->getDefuzzifier());
-    if (!centroid || !dynamic_cast<const fl::Maximum*>(v->fuzzyOutput()->getAggregation()) || !v->isEnabled()) return {};
+    if (!centroid || !dynamic_cast<const fl::Maximum*>(v->fuzzyOutput()->getAggregation()) || !v->isEnabled())
+      return {};
     const int samples = centroid->getResolution();
-    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(samples, 0.5 / samples, 1.0 - 0.5 / samples);  // range 0 to 1
+    const Eigen::VectorXd x =
+        Eigen::VectorXd::LinSpaced(samples, 0.5 / samples, 1.0 - 0.5 / samples);  // range 0 to 1
     const double without = v->getDefaultValue();
     system.outputs.push_back({0.0, 1.0, std::isnan(without) ? kNoRuleVoltage : without, memberships(*v, x)});
   }
   for (const fl::RuleBlock* block : engine->ruleBlocks()) {
     if (!block->isEnabled()) continue;
-    if (!dynamic_cast<const fl::Minimum*>(block->getConjunction()) || !dynamic_cast<const fl::Minimum*>(block->getImplication()) ||
+    if (!dynamic_cast<const fl::Minimum*>(block->getConjunction()) ||
+        !dynamic_cast<const fl::Minimum*>(block->getImplication()) ||
         !dynamic_cast<const fl::General*>(block->getActivation()))
       return {};
     for (const fl::Rule* rule : block->rules()) {
       MamdaniRule simple{{-1, -1, -1, -1}, rule->getWeight(), {}};
-      if (!rule->isEnabled() || !gather(rule->getAntecedent()->getExpression(), {input.begin(), input.end()}, simple.term)) return {};
+      if (!rule->isEnabled() ||
+          !gather(rule->getAntecedent()->getExpression(), {input.begin(), input.end()}, simple.term))
+        return {};
       for (const fl::Proposition* outcome : rule->getConsequent()->conclusions()) {
         const auto variable = std::find(output.begin(), output.end(), outcome->variable);
         if (!outcome->hedges.empty() || variable == output.end()) return {};
         const auto& terms = (*variable)->terms();
-        simple.outcomes.push_back({static_cast<int>(variable - output.begin()),
-                                   static_cast<int>(std::find(terms.begin(), terms.end(), outcome->term) - terms.begin())});
+        simple.outcomes.push_back(
+            {static_cast<int>(variable - output.begin()),
+             static_cast<int>(std::find(terms.begin(), terms.end(), outcome->term) - terms.begin())});
       }
       system.rules.push_back(simple);
     }
@@ -258,7 +302,8 @@ FuzzySystem::FuzzySystem(const std::filesystem::path& path) : engine_(std::make_
   const std::string file = path.string();
   const std::vector<FllBlock> blocks = read_fll_text(path);
   fl::fuzzylite::setLogging(false);  // its complaints come as exceptions; it must not write into our output
-  std::string variables, rules;  // the file's text in two parts, because rules can be checked only against variables
+  std::string variables,
+      rules;  // the file's text in two parts, because rules can be checked only against variables
   for (const FllBlock& block : blocks) {
     check_lines(file, block);
     std::string& text = block.head.key == "RuleBlock" ? rules : variables;
@@ -269,14 +314,16 @@ FuzzySystem::FuzzySystem(const std::filesystem::path& path) : engine_(std::make_
     engine_->engine = import(variables);
     for (const FllBlock& block : blocks)
       for (const FllLine& line : block.lines)
-        if (line.key == "rule") check_rule(file + ":" + std::to_string(line.number) + ": ", line.value, *engine_->engine);
+        if (line.key == "rule")
+          check_rule(file + ":" + std::to_string(line.number) + ": ", line.value, *engine_->engine);
     engine_->engine = import(variables + rules);
   } catch (const fl::Exception& error) {
     throw InputError(file + ": is not a fuzzy controller: " + first_line(error));
   }
   engine_->take_variables(file, blocks);
   std::string status;
-  if (!engine_->engine->isReady(&status)) throw InputError(file + ": the controller is not complete: " + status);
+  if (!engine_->engine->isReady(&status))
+    throw InputError(file + ": the controller is not complete: " + status);
   engine_->check_coverage(file);
   engine_->plain = engine_->plain_system();
 }
@@ -285,9 +332,15 @@ FuzzySystem::~FuzzySystem() = default;
 FuzzySystem::FuzzySystem(FuzzySystem&&) noexcept = default;
 FuzzySystem& FuzzySystem::operator=(FuzzySystem&&) noexcept = default;
 
-int FuzzySystem::output_count() const { return static_cast<int>(engine_->output.size()); }
-const FuzzyInput& FuzzySystem::lower() const { return engine_->lower; }
-const FuzzyInput& FuzzySystem::upper() const { return engine_->upper; }
+int FuzzySystem::output_count() const {
+  return static_cast<int>(engine_->output.size());
+}
+const FuzzyInput& FuzzySystem::lower() const {
+  return engine_->lower;
+}
+const FuzzyInput& FuzzySystem::upper() const {
+  return engine_->upper;
+}
 
 std::vector<double> FuzzySystem::breakpoints(int input) const {
   bool complete = true;
@@ -309,7 +362,8 @@ void FuzzySystem::evaluate(const FuzzyInput& value, Eigen::Ref<Eigen::VectorXd> 
   }
 }
 
-std::vector<double> FuzzySystem::evaluate_on_grid(const std::array<Eigen::VectorXd, kFuzzyInputs>& nodes) const {
+std::vector<double> FuzzySystem::evaluate_on_grid(
+    const std::array<Eigen::VectorXd, kFuzzyInputs>& nodes) const {
   if (engine_->plain) {
     std::array<Eigen::MatrixXd, kFuzzyInputs> axis;
     for (std::size_t i = 0; i < kFuzzyInputs; ++i)

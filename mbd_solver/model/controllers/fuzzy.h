@@ -1,17 +1,21 @@
 #pragma once
-// A fuzzy system read from a FuzzyLite (.fll) file and evaluated by FuzzyLite [Lin25 section 2.2.2]; fuzzy.cpp is the only
-// file that knows the library. No time, filter or memory here: those are the FuzzyController's.
+// A fuzzy system read from a FuzzyLite (.fll) file and evaluated by FuzzyLite [Lin25 section 2.2.2];
+// fuzzy.cpp is the only file that knows the library. No time, filter or memory here: those are the
+// FuzzyController's.
 //
 // What the file must hold, else InputError "file:line: ...":
-//   inputs   a      upward acceleration of the body              [g, 9.80665 m/s2]   range [0, a_max]
-//            da     its rate, change per 0.1 s (kJerkTime)       [g]                 range [-r, r]
-//            alpha  pitch, positive when the +x legs sink        [degree]            range [-r, r]
-//            beta   roll, positive when the +y legs sink         [degree]            range [-r, r]
+//
+//   inputs   a      upward acceleration of the body          [g, 9.80665 m/s2]   range [0, a_max]
+//            da     its rate, change per 0.1 s (kJerkTime)   [g]                 range [-r, r]
+//            alpha  pitch, positive when the +x legs sink    [degree]            range [-r, r]
+//            beta   roll, positive when the +y legs sink     [degree]            range [-r, r]
 //   outputs  U1 ... Un, range [0, 1], lock-previous false (a hidden memory could not be resumed)
-//   rules    that name known variables and terms and cover the whole input box: checked when loading, at all corners of the terms and
-//            half way between them, which is complete for terms with corners (triangle, trapezoid, ramp, rectangle).
-// Inputs outside their range are clamped to it. Where no rule fires for an output although the check passed (terms of other shapes), or an
-// input is not a number, the output is kNoRuleVoltage.
+//   rules    that name known variables and terms and cover the whole input box
+//
+// Coverage is checked when loading, at all corners of the terms and half way between them, which is complete
+// for terms with corners (triangle, trapezoid, ramp, rectangle).
+// Inputs outside their range are clamped to it. Where no rule fires for an output although the check passed
+// (terms of other shapes), or an input is not a number, the output is kNoRuleVoltage.
 
 #include <Eigen/Dense>
 #include <array>
@@ -39,12 +43,13 @@ class FuzzySystem {
   int output_count() const;
   const FuzzyInput& lower() const;  // of the input ranges, units as FuzzyInput
   const FuzzyInput& upper() const;
-  // The ends of an input's range and, rising between them, the corners of its terms: there the voltages have kinks.
+  // The ends of an input's range and, rising between them, the corners of its terms: there the voltages have
+  // kinks.
   std::vector<double> breakpoints(int input) const;
   // FuzzyLite's own evaluation: output_count() voltages in [0, 1].
   void evaluate(const FuzzyInput& input, Eigen::Ref<Eigen::VectorXd> voltages) const;
-  // The same at all points of a grid: [a][da][alpha][beta][output]; to round-off. Fast for plain min/max/centroid systems
-  // (mamdani_grid.h), point by point for all others.
+  // The same at all points of a grid: [a][da][alpha][beta][output]; to round-off. Fast for plain
+  // min/max/centroid systems (mamdani_grid.h), point by point for all others.
   std::vector<double> evaluate_on_grid(const std::array<Eigen::VectorXd, kFuzzyInputs>& nodes) const;
 
  private:

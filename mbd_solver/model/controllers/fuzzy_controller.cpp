@@ -5,7 +5,9 @@
 namespace footfall {
 
 FuzzyController::FuzzyController(const FuzzyControllerParameters& parameters)
-    : parameters_(parameters), system_(parameters.file), filter_("controller fuzzy", parameters.filter_frequency, parameters.period) {
+    : parameters_(parameters),
+      system_(parameters.file),
+      filter_("controller fuzzy", parameters.filter_frequency, parameters.period) {
   if (!parameters.tabulated) return;
   table_.emplace(system_, parameters.grid);
   table_difference_ = table_->largest_difference(system_);
@@ -14,7 +16,8 @@ FuzzyController::FuzzyController(const FuzzyControllerParameters& parameters)
 void FuzzyController::sample(const ControllerMeasurement& m, Eigen::Ref<Eigen::VectorXd> voltages) {
   constexpr double kDegree = 180.0 / 3.14159265358979323846;
   filter_.sample(m.acceleration);
-  const FuzzyInput input = {filter_.acceleration() / kStandardGravity, filter_.jerk() * kJerkTime / kStandardGravity, m.pitch * kDegree,
+  const FuzzyInput input = {filter_.acceleration() / kStandardGravity,
+                            filter_.jerk() * kJerkTime / kStandardGravity, m.pitch * kDegree,
                             m.roll * kDegree};
   if (table_)
     table_->evaluate(input, voltages);
@@ -28,6 +31,8 @@ Eigen::VectorXd FuzzyController::memory() const {
   return memory;
 }
 
-void FuzzyController::restore(const Eigen::Ref<const Eigen::VectorXd>& memory) { filter_.restore(memory); }
+void FuzzyController::restore(const Eigen::Ref<const Eigen::VectorXd>& memory) {
+  filter_.restore(memory);
+}
 
 }  // namespace footfall

@@ -1,6 +1,6 @@
 #pragma once
-// The fuzzy controller in the controller slot: filters the measured acceleration, forms the jerk, turns everything into the units
-// of the .fll file (fuzzy.h) and evaluates it, exactly or by its table.
+// The fuzzy controller in the controller slot: filters the measured acceleration, forms the jerk, turns
+// everything into the units of the .fll file (fuzzy.h) and evaluates it, exactly or by its table.
 
 #include <memory>
 #include <optional>
@@ -12,11 +12,11 @@
 namespace footfall {
 
 struct FuzzyControllerParameters {
-  std::filesystem::path file;           // the .fll file
-  double period = 1.0e-3;               // > 0 [s]
-  double filter_frequency = 50.0;       // corner of the acceleration filter, 0 = none [Hz]
-  bool tabulated = false;               // true: compute on `grid` at the start, then interpolate
-  FuzzyGrid grid = kDefaultFuzzyGrid;   // used when tabulated
+  std::filesystem::path file;          // the .fll file
+  double period = 1.0e-3;              // > 0 [s]
+  double filter_frequency = 50.0;      // corner of the acceleration filter, 0 = none [Hz]
+  bool tabulated = false;              // true: compute on `grid` at the start, then interpolate
+  FuzzyGrid grid = kDefaultFuzzyGrid;  // used when tabulated
 };
 
 class FuzzyController final : public Controller {
@@ -30,7 +30,8 @@ class FuzzyController final : public Controller {
   Eigen::VectorXd memory() const override;
   void restore(const Eigen::Ref<const Eigen::VectorXd>& memory) override;
 
-  // Largest difference of the table to the exact controller, found when it was built; nothing if not tabulated.
+  // Largest difference of the table to the exact controller, found when it was built; nothing if not
+  // tabulated.
   std::optional<double> table_difference() const { return table_difference_; }
   const FuzzySystem& system() const { return system_; }
 

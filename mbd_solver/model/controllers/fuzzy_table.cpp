@@ -12,15 +12,18 @@ namespace {
 
 constexpr double kMostValues = 2.0e7;  // 160 MB
 
-// The points of one axis: all corners, and the intervals between them divided in proportion to their length, at least once.
+// The points of one axis: all corners, and the intervals between them divided in proportion to their length,
+// at least once.
 Eigen::VectorXd axis_nodes(const std::vector<double>& corners, int points, const std::string& name) {
   constexpr double kPi = 3.14159265358979323846;
   const std::size_t intervals = corners.size() - 1;
   if (points < static_cast<int>(corners.size()))
-    throw InputError("controller fuzzy: grid has " + std::to_string(points) + " points along " + name + "; expected at least " +
-                     std::to_string(corners.size()) + ", one for each corner of its terms.");
+    throw InputError("controller fuzzy: grid has " + std::to_string(points) + " points along " + name +
+                     "; expected at least " + std::to_string(corners.size()) +
+                     ", one for each corner of its terms.");
   std::vector<int> parts(intervals, 1);
-  for (int left = points - 1 - static_cast<int>(intervals); left > 0; --left) {  // the next part goes to the longest parts
+  for (int left = points - 1 - static_cast<int>(intervals); left > 0;
+       --left) {  // the next part goes to the longest parts
     std::size_t longest = 0;
     const auto length = [&](std::size_t i) { return (corners[i + 1] - corners[i]) / parts[i]; };
     for (std::size_t i = 1; i < intervals; ++i)
@@ -44,15 +47,18 @@ FuzzyTable::FuzzyTable(const FuzzySystem& system, const FuzzyGrid& grid) : outpu
   double total = outputs_;
   for (const int points : grid) total *= points;
   if (total > kMostValues)
-    throw InputError("controller fuzzy: grid asks for a table of " + std::to_string(std::llround(total)) + " numbers; expected at most " +
-                     std::to_string(std::llround(kMostValues)) + ". Take fewer points.");
-  for (std::size_t i = 0; i < kFuzzyInputs; ++i) nodes_[i] = axis_nodes(system.breakpoints(static_cast<int>(i)), grid[i], kFuzzyInputNames[i]);
+    throw InputError("controller fuzzy: grid asks for a table of " + std::to_string(std::llround(total)) +
+                     " numbers; expected at most " + std::to_string(std::llround(kMostValues)) +
+                     ". Take fewer points.");
+  for (std::size_t i = 0; i < kFuzzyInputs; ++i)
+    nodes_[i] = axis_nodes(system.breakpoints(static_cast<int>(i)), grid[i], kFuzzyInputNames[i]);
   values_ = system.evaluate_on_grid(nodes_);
 }
 
 void FuzzyTable::evaluate(const FuzzyInput& input, Eigen::Ref<Eigen::VectorXd> voltages) const {
   FOOTFALL_DEMAND(voltages.size() == outputs_);
-  // Lower corner of the cell and the place inside it, input by input; then the 16 corners with their multilinear weights.
+  // Lower corner of the cell and the place inside it, input by input; then the 16 corners with their
+  // multilinear weights.
   std::array<std::size_t, kFuzzyInputs> corner{}, stride{};
   FuzzyInput t{};
   std::size_t step = static_cast<std::size_t>(outputs_);
@@ -90,7 +96,8 @@ double FuzzyTable::largest_difference(const FuzzySystem& system, int samples) co
   double largest = 0.0;
   for (int n = 0; n < samples; ++n) {
     FuzzyInput x{};
-    for (std::size_t i = 0; i < kFuzzyInputs; ++i) x[i] = std::uniform_real_distribution<double>(nodes_[i][0], nodes_[i][nodes_[i].size() - 1])(generator);
+    for (std::size_t i = 0; i < kFuzzyInputs; ++i)
+      x[i] = std::uniform_real_distribution<double>(nodes_[i][0], nodes_[i][nodes_[i].size() - 1])(generator);
     system.evaluate(x, exact);
     evaluate(x, table);
     largest = std::max(largest, (exact - table).cwiseAbs().maxCoeff());

@@ -12,7 +12,8 @@ constexpr std::string_view kWho = "controller pid";
 
 }  // namespace
 
-PidController::PidController(const PidControllerParameters& p) : parameters_(p), filter_(kWho, p.filter_frequency, p.period) {
+PidController::PidController(const PidControllerParameters& p)
+    : parameters_(p), filter_(kWho, p.filter_frequency, p.period) {
   require_positive(kWho, "outputs", p.outputs, "");
   require_positive(kWho, "set_point", p.set_point, "m/s2");
   require_not_negative(kWho, "kp", p.kp, "s2/m");
@@ -26,8 +27,11 @@ void PidController::sample(const ControllerMeasurement& m, Eigen::Ref<Eigen::Vec
   const PidControllerParameters& p = parameters_;
   filter_.sample(m.acceleration);
   const double error = p.set_point - filter_.acceleration();
-  const auto wanted = [&](double integral) { return p.bias + p.kp * error + p.ki * integral - p.kd * filter_.jerk(); };
-  // The integral takes this sample's error unless that only drives a saturated U further, or the body does not brake.
+  const auto wanted = [&](double integral) {
+    return p.bias + p.kp * error + p.ki * integral - p.kd * filter_.jerk();
+  };
+  // The integral takes this sample's error unless that only drives a saturated U further, or the body does
+  // not brake.
   const double next = integral_ + error * p.period;
   const double trial = wanted(next);
   const bool winds_up = (trial > 1.0 && error > 0.0) || (trial < 0.0 && error < 0.0);

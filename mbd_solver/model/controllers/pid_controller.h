@@ -1,8 +1,10 @@
 #pragma once
-// PID on the vertical acceleration: hold the deceleration of the body at a set value by adding or taking damping force.
+// PID on the vertical acceleration: hold the deceleration of the body at a set value by adding or taking
+// damping force.
 //   e = set_point - a,   U = clamp(bias + kp e + ki integral(e) - kd jerk, 0, 1),   the same for every strut
-// a and jerk come from the acceleration filter. The integral is held while U is saturated and e would push it further
-// (anti-windup), and it only runs while the body brakes (a > 0), so that free fall does not wind it up.
+// a and jerk come from the acceleration filter. The integral is held while U is saturated and e would push it
+// further (anti-windup), and it only runs while the body brakes (a > 0), so that free fall does not wind it
+// up.
 
 #include "mbd_solver/model/controllers/acceleration_filter.h"
 #include "mbd_solver/model/controllers/controller.h"

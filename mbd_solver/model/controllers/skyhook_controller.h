@@ -1,7 +1,8 @@
 #pragma once
-// On-off skyhook (Karnopp 1974), strut by strut: a strut is on while its damper force opposes the motion of the body.
-// A compressing strut (rate > 0) pushes the body up, so
-//   U_i = on   if velocity * rate_i < 0 (body sinks while the strut compresses, or rises while it extends), else off
+// On-off skyhook (Karnopp 1974), strut by strut: a strut is on while its damper force opposes the motion of
+// the body. A compressing strut (rate > 0) pushes the body up, so
+//   U_i = on   if velocity * rate_i < 0 (body sinks while the strut compresses, or rises while it extends),
+//   else off
 // and U_i keeps its value while |rate_i| < deadband or |velocity| < deadband: no chatter at rest.
 
 #include "mbd_solver/model/controllers/controller.h"

@@ -9,8 +9,12 @@ namespace footfall {
 namespace {
 
 // h(s) = 1 + s, exp(s) below 0: C1, positive, (h - 1) s >= 0.
-double damping_factor(double s) { return s >= 0.0 ? 1.0 + s : std::exp(s); }
-double damping_slope(double s) { return s >= 0.0 ? 1.0 : std::exp(s); }
+double damping_factor(double s) {
+  return s >= 0.0 ? 1.0 + s : std::exp(s);
+}
+double damping_slope(double s) {
+  return s >= 0.0 ? 1.0 : std::exp(s);
+}
 
 }  // namespace
 
@@ -20,13 +24,17 @@ EndStop::EndStop(const EndStopParameters& parameters)
   require_not_negative(kind(), "dissipation", parameters.dissipation, "s/m");
   require_positive(kind(), "toe", parameters.toe, "m");
   if (!parameters.smallest_stroke && !parameters.largest_stroke)
-    throw InputError("end_stop: neither smallest_stroke nor largest_stroke is given; expected at least one. Leave the end stop out if "
-                     "the strut has none.");
+    throw InputError(
+        "end_stop: neither smallest_stroke nor largest_stroke is given; expected at least one. Leave the end "
+        "stop out if "
+        "the strut has none.");
   if (parameters.smallest_stroke) require_finite(kind(), "smallest_stroke", *parameters.smallest_stroke, "m");
   if (parameters.largest_stroke) require_finite(kind(), "largest_stroke", *parameters.largest_stroke, "m");
-  if (parameters.smallest_stroke && parameters.largest_stroke && !(*parameters.smallest_stroke < *parameters.largest_stroke))
-    throw InputError("end_stop: smallest_stroke " + number_text(*parameters.smallest_stroke) + " m is not below largest_stroke " +
-                     number_text(*parameters.largest_stroke) + " m; the strut could not move. Expected smallest_stroke < largest_stroke.");
+  if (parameters.smallest_stroke && parameters.largest_stroke &&
+      !(*parameters.smallest_stroke < *parameters.largest_stroke))
+    throw InputError("end_stop: smallest_stroke " + number_text(*parameters.smallest_stroke) +
+                     " m is not below largest_stroke " + number_text(*parameters.largest_stroke) +
+                     " m; the strut could not move. Expected smallest_stroke < largest_stroke.");
 }
 
 void EndStop::evaluate(const StrutInput& in, StrutOutput& out) const {
@@ -54,7 +62,8 @@ void EndStop::dissipated_power(const StrutInput& in, std::vector<StrutPower>& ou
   double power = 0.0;
   const auto add = [&](double limit, double sign) {
     const double closing = sign * in.rate;
-    power += spring_.force(sign * (in.stroke - limit)) * (damping_factor(parameters_.dissipation * closing) - 1.0) * closing;
+    power += spring_.force(sign * (in.stroke - limit)) *
+             (damping_factor(parameters_.dissipation * closing) - 1.0) * closing;
   };
   if (parameters_.largest_stroke) add(*parameters_.largest_stroke, 1.0);
   if (parameters_.smallest_stroke) add(*parameters_.smallest_stroke, -1.0);

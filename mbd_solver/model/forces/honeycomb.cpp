@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kOnset = 0.95;  // crushing sets in at this part of the crush force
 
-// S(r): 0 up to the onset, 1 at r = 1, C1. Beyond 1 it keeps rising, so that the force is drawn back to P from both sides.
+// S(r): 0 up to the onset, 1 at r = 1, C1. Beyond 1 it keeps rising, so that the force is drawn back to P
+// from both sides.
 double crushing(double r) {
   const double s = (r - kOnset) / (1.0 - kOnset);
   return s <= 0.0 ? 0.0 : (s < 1.0 ? s * s : 2.0 * s - 1.0);
@@ -24,16 +25,20 @@ double crushing_slope(double r) {
 void check(const HoneycombCartridge& data, const std::string& which) {
   const std::string who = "honeycomb: " + which;
   if (data.stages.empty())
-    throw InputError(who + ": no stages; expected at least one stage of crush force and crush length. Leave the cartridge out if the strut "
-                           "does not crush this way.");
+    throw InputError(who +
+                     ": no stages; expected at least one stage of crush force and crush length. Leave the "
+                     "cartridge out if the strut "
+                     "does not crush this way.");
   double shortest = data.stages.front().crush_length, last = 0.0;
   for (std::size_t i = 0; i < data.stages.size(); ++i) {
     const std::string stage = "stage " + std::to_string(i + 1) + " ";
     require_positive(who, stage + "crush_force", data.stages[i].crush_force, "N");
     require_positive(who, stage + "crush_length", data.stages[i].crush_length, "m");
     if (data.stages[i].crush_force < last)
-      throw InputError(who + ": " + stage + "crush_force " + number_text(data.stages[i].crush_force) + " N is below that of the stage before, " +
-                       number_text(last) + " N; expected rising forces. In a stack the softest stage crushes first: list it first.");
+      throw InputError(
+          who + ": " + stage + "crush_force " + number_text(data.stages[i].crush_force) +
+          " N is below that of the stage before, " + number_text(last) +
+          " N; expected rising forces. In a stack the softest stage crushes first: list it first.");
     last = data.stages[i].crush_force;
     shortest = std::min(shortest, data.stages[i].crush_length);
   }
@@ -42,11 +47,13 @@ void check(const HoneycombCartridge& data, const std::string& which) {
   require_positive(who, "transition_length", data.transition_length, "m");
   require_positive(who, "toe", data.toe, "m");
   if (data.bottom_out_stiffness >= data.elastic_stiffness)
-    throw InputError(who + ": bottom_out_stiffness " + number_text(data.bottom_out_stiffness) + " N/m is not below elastic_stiffness " +
-                     number_text(data.elastic_stiffness) + " N/m; expected less, because the elastic spring is in series with it.");
+    throw InputError(who + ": bottom_out_stiffness " + number_text(data.bottom_out_stiffness) +
+                     " N/m is not below elastic_stiffness " + number_text(data.elastic_stiffness) +
+                     " N/m; expected less, because the elastic spring is in series with it.");
   if (data.transition_length > shortest)
-    throw InputError(who + ": transition_length " + number_text(data.transition_length) + " m is longer than the shortest stage, " +
-                     number_text(shortest) + " m; expected at most that.");
+    throw InputError(who + ": transition_length " + number_text(data.transition_length) +
+                     " m is longer than the shortest stage, " + number_text(shortest) +
+                     " m; expected at most that.");
 }
 
 }  // namespace
@@ -54,16 +61,19 @@ void check(const HoneycombCartridge& data, const std::string& which) {
 Honeycomb::Honeycomb(const HoneycombParameters& parameters) {
   const auto add = [&](const HoneycombCartridge& data, double sign) {
     check(data, sign > 0.0 ? "compression" : "tension");
-    const double length = std::accumulate(data.stages.begin(), data.stages.end(), 0.0,
-                                          [](double sum, const HoneycombStage& s) { return sum + s.crush_length; });
-    // In series with the elastic spring k_e, a plastic slope h over the crush gives the slope k_e h / (k_e + h) over the stroke.
+    const double length =
+        std::accumulate(data.stages.begin(), data.stages.end(), 0.0,
+                        [](double sum, const HoneycombStage& s) { return sum + s.crush_length; });
+    // In series with the elastic spring k_e, a plastic slope h over the crush gives the slope k_e h / (k_e +
+    // h) over the stroke.
     const double k_e = data.elastic_stiffness, k_b = data.bottom_out_stiffness;
     cartridges_.push_back({data, OneSidedSpring{k_e, data.toe}, sign, length, k_b * k_e / (k_e - k_b)});
   };
   if (parameters.compression) add(*parameters.compression, 1.0);
   if (parameters.tension) add(*parameters.tension, -1.0);
   if (cartridges_.empty())
-    throw InputError("honeycomb: neither a compression nor a tension cartridge is given; expected at least one.");
+    throw InputError(
+        "honeycomb: neither a compression nor a tension cartridge is given; expected at least one.");
 }
 
 double Honeycomb::Cartridge::crush_force(double c, double& slope) const {

@@ -5,14 +5,17 @@
 
 namespace footfall {
 
-LinearSpringDamper::LinearSpringDamper(const LinearSpringDamperParameters& parameters) : parameters_(parameters) {
+LinearSpringDamper::LinearSpringDamper(const LinearSpringDamperParameters& parameters)
+    : parameters_(parameters) {
   require_not_negative(kind(), "stiffness", parameters.stiffness, "N/m");
   require_not_negative(kind(), "damping", parameters.damping, "N s/m");
   require_finite(kind(), "free_stroke", parameters.free_stroke, "m");
   require_finite(kind(), "preload", parameters.preload, "N");
   if (parameters.stiffness == 0.0 && parameters.damping == 0.0 && parameters.preload == 0.0)
-    throw InputError("linear_spring_damper: stiffness, damping and preload are all 0; expected at least one of them. Give one, or leave "
-                     "the law out.");
+    throw InputError(
+        "linear_spring_damper: stiffness, damping and preload are all 0; expected at least one of them. Give "
+        "one, or leave "
+        "the law out.");
 }
 
 void LinearSpringDamper::evaluate(const StrutInput& in, StrutOutput& out) const {

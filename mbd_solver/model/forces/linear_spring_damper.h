@@ -1,5 +1,6 @@
 #pragma once
-// F = preload + k (x - free_stroke) + c v. Stored: k (x - free_stroke)^2 / 2 + preload (x - free_stroke). Dissipated: c v^2.
+// F = preload + k (x - free_stroke) + c v. Stored: k (x - free_stroke)^2 / 2 + preload (x - free_stroke).
+// Dissipated: c v^2.
 
 #include "mbd_solver/model/forces/strut_law.h"
 

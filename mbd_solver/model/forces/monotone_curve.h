@@ -1,7 +1,7 @@
 #pragma once
-// A curve through a table y(x), x rising strictly, by cubic Hermite pieces with limited slopes (Fritsch and Carlson 1980): once
-// continuously differentiable, monotone wherever the table is, never beyond the values of a piece's two ends. Held constant
-// outside the table.
+// A curve through a table y(x), x rising strictly, by cubic Hermite pieces with limited slopes (Fritsch and
+// Carlson 1980): once continuously differentiable, monotone wherever the table is, never beyond the values of
+// a piece's two ends. Held constant outside the table.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,8 @@ namespace footfall {
 
 class MonotoneCurve {
  public:
-  // At least two points. Throws InputError starting with `name` if x does not rise strictly, or a number is not finite.
+  // At least two points. Throws InputError starting with `name` if x does not rise strictly, or a number is
+  // not finite.
   MonotoneCurve(const std::string& name, std::vector<double> x, std::vector<double> y);
 
   double value(double x) const;

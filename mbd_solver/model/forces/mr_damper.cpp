@@ -9,7 +9,9 @@
 namespace footfall {
 namespace {
 
-double clamp_voltage(double u) { return std::clamp(u, 0.0, 1.0); }
+double clamp_voltage(double u) {
+  return std::clamp(u, 0.0, 1.0);
+}
 
 MonotoneCurve checked_table(const std::vector<YieldPoint>& table) {
   std::vector<double> u, f;
@@ -19,13 +21,14 @@ MonotoneCurve checked_table(const std::vector<YieldPoint>& table) {
   }
   MonotoneCurve curve("mr_damper: yield_table", u, f);
   if (u.front() != 0.0 || u.back() != 1.0)
-    throw InputError("mr_damper: yield_table covers U from " + number_text(u.front()) + " to " + number_text(u.back()) +
-                     "; expected from 0 to 1 exactly.");
+    throw InputError("mr_damper: yield_table covers U from " + number_text(u.front()) + " to " +
+                     number_text(u.back()) + "; expected from 0 to 1 exactly.");
   require_not_negative("mr_damper", "the first force of yield_table", f.front(), "N");
   for (std::size_t i = 1; i < f.size(); ++i)
     if (f[i] < f[i - 1])
-      throw InputError("mr_damper: yield_table falls from " + number_text(f[i - 1]) + " N at U = " + number_text(u[i - 1]) + " to " +
-                       number_text(f[i]) + " N at U = " + number_text(u[i]) + "; expected a force that never falls with U.");
+      throw InputError("mr_damper: yield_table falls from " + number_text(f[i - 1]) +
+                       " N at U = " + number_text(u[i - 1]) + " to " + number_text(f[i]) +
+                       " N at U = " + number_text(u[i]) + "; expected a force that never falls with U.");
   return curve;
 }
 
@@ -40,7 +43,9 @@ MrDamper::MrDamper(const MrDamperParameters& parameters) : parameters_(parameter
   if (!parameters.yield_table.empty()) table_ = checked_table(parameters.yield_table);
 }
 
-Eigen::VectorXd MrDamper::initial_state() const { return Eigen::VectorXd::Constant(state_count(), parameters_.initial_voltage); }
+Eigen::VectorXd MrDamper::initial_state() const {
+  return Eigen::VectorXd::Constant(state_count(), parameters_.initial_voltage);
+}
 
 double MrDamper::effective_voltage(const StrutInput& in) const {
   return clamp_voltage(state_count() == 1 ? in.z[0] : in.voltage);
@@ -72,7 +77,8 @@ void MrDamper::evaluate(const StrutInput& in, StrutOutput& out) const {
 void MrDamper::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
   const double v = in.rate;
   out.push_back({EnergyKind::kMrViscous, parameters_.viscous_coefficient * v * v});
-  out.push_back({EnergyKind::kMrYield, yield_force(effective_voltage(in)) * std::tanh(v / parameters_.regularisation_speed) * v});
+  out.push_back({EnergyKind::kMrYield,
+                 yield_force(effective_voltage(in)) * std::tanh(v / parameters_.regularisation_speed) * v});
 }
 
 }  // namespace footfall

@@ -1,10 +1,11 @@
 #pragma once
-// A spring that only pushes, once continuously differentiable: the contact law inside end stops and honeycomb cartridges.
+// A spring that only pushes, once continuously differentiable: the contact law inside end stops and honeycomb
+// cartridges.
 //   force(d) = 0                        d <= 0
 //            = k d^2 / (2 toe)          0 < d < toe
 //            = k (d - toe/2)            d >= toe
-// The toe replaces the kink of k max(0, d), so that an implicit solver meets no jump of stiffness when a gap closes. Its price
-// is documented: far from the toe the force is that of a spring which starts toe/2 later.
+// The toe replaces the kink of k max(0, d), so that an implicit solver meets no jump of stiffness when a gap
+// closes. Its price is documented: far from the toe the force is that of a spring which starts toe/2 later.
 
 #include <cmath>
 

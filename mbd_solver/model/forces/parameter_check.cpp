@@ -8,10 +8,11 @@
 namespace footfall {
 namespace {
 
-[[noreturn]] void refuse(std::string_view law, std::string_view name, double value, std::string_view unit, const std::string& expected) {
+[[noreturn]] void refuse(std::string_view law, std::string_view name, double value, std::string_view unit,
+                         const std::string& expected) {
   const std::string suffix = unit.empty() ? std::string() : " " + std::string(unit);
-  throw InputError(std::string(law) + ": " + std::string(name) + " is " + number_text(value) + suffix + "; expected " + expected +
-                   suffix + ".");
+  throw InputError(std::string(law) + ": " + std::string(name) + " is " + number_text(value) + suffix +
+                   "; expected " + expected + suffix + ".");
 }
 
 }  // namespace
@@ -34,7 +35,8 @@ void require_finite(std::string_view law, std::string_view name, double value, s
   if (!std::isfinite(value)) refuse(law, name, value, unit, "a finite number");
 }
 
-void require_within(std::string_view law, std::string_view name, double value, double low, double high, std::string_view unit) {
+void require_within(std::string_view law, std::string_view name, double value, double low, double high,
+                    std::string_view unit) {
   if (!(value >= low && value <= high))
     refuse(law, name, value, unit, "a number from " + number_text(low) + " to " + number_text(high));
 }

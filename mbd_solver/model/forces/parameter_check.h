@@ -1,5 +1,6 @@
 #pragma once
-// Range checks of the parameters of laws and controllers. Each throws InputError: "<law>: <name> is <value> <unit>; expected ...".
+// Range checks of the parameters of laws and controllers. Each throws InputError: "<law>: <name> is <value>
+// <unit>; expected ...".
 
 #include <string>
 #include <string_view>
@@ -9,7 +10,8 @@ namespace footfall {
 void require_positive(std::string_view law, std::string_view name, double value, std::string_view unit);
 void require_not_negative(std::string_view law, std::string_view name, double value, std::string_view unit);
 void require_finite(std::string_view law, std::string_view name, double value, std::string_view unit);
-void require_within(std::string_view law, std::string_view name, double value, double low, double high, std::string_view unit);
+void require_within(std::string_view law, std::string_view name, double value, double low, double high,
+                    std::string_view unit);
 
 // A number as a person writes it: 6 significant digits, no trailing zeros.
 std::string number_text(double value);

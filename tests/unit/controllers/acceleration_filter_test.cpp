@@ -28,8 +28,8 @@ TEST(AccelerationFilter, StartsAtTheFirstSampleWithoutJerk) {
   EXPECT_EQ(filter.jerk(), 0.0);
 }
 
-// A ramp of slope s: y lags by the constant s T (1 - g) / g, g = 1 - exp(-2 pi f T), and the jerk is s. For T -> 0 the lag time is the
-// 1 / (2 pi f) of the analogue filter.
+// A ramp of slope s: y lags by the constant s T (1 - g) / g, g = 1 - exp(-2 pi f T), and the jerk is s. For T
+// -> 0 the lag time is the 1 / (2 pi f) of the analogue filter.
 TEST(AccelerationFilter, FollowsARampWithItsLagAndGivesItsSlope) {
   const double slope = 400.0, f = 50.0;
   for (double T : {1e-3, 1e-4}) {

@@ -1,5 +1,6 @@
-// What a controller does to a landing, in the smallest model that shows it: a rigid mass on four equal MR struts (gas spring, damper with coil
-// lag, end stop) above ground that yields like regolith. One degree of freedom, sampled control, closed loop.
+// What a controller does to a landing, in the smallest model that shows it: a rigid mass on four equal MR
+// struts (gas spring, damper with coil lag, end stop) above ground that yields like regolith. One degree of
+// freedom, sampled control, closed loop.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,12 +18,13 @@
 namespace footfall {
 namespace {
 
-constexpr double kMass = 1250.0;     // [kg] [Lin25 Table 3]
-constexpr double kGravity = 1.63;    // [m/s2]
-constexpr double kSpeed = 3.8;       // at touchdown [m/s]
-constexpr double kSoil = 2.0e6;      // ground force of one pad at depth z: kSoil z^2 [N/m2], about the 17 to 20 kN at 0.1 m of the bed
-constexpr double kStroke = 0.32;     // end stop [m]
-constexpr double kStep = 1.0e-4;     // [s]
+constexpr double kMass = 1250.0;   // [kg] [Lin25 Table 3]
+constexpr double kGravity = 1.63;  // [m/s2]
+constexpr double kSpeed = 3.8;     // at touchdown [m/s]
+constexpr double kSoil =
+    2.0e6;  // ground force of one pad at depth z: kSoil z^2 [N/m2], about the 17 to 20 kN at 0.1 m of the bed
+constexpr double kStroke = 0.32;  // end stop [m]
+constexpr double kStep = 1.0e-4;  // [s]
 
 struct Landing {
   double peak = 0.0;     // largest upward acceleration [g]
@@ -35,7 +37,12 @@ struct Strut {
   MrDamper damper;
   EndStop stop{{0.0, kStroke}};
   StrutOutput none{0}, coil{1};
-  Strut() : damper([] { MrDamperParameters p; p.coil_lag = 0.002; return p; }()) {}
+  Strut()
+      : damper([] {
+          MrDamperParameters p;
+          p.coil_lag = 0.002;
+          return p;
+        }()) {}
   double force(double x, double rate, double command, const Eigen::VectorXd& z) {
     const Eigen::VectorXd empty;
     gas.evaluate({x, rate, command, empty}, none);
@@ -47,7 +54,8 @@ struct Strut {
   }
 };
 
-// Each step: the massless pad either stands (strut force below what the ground bears), sinks (they are equal), or hangs free (0).
+// Each step: the massless pad either stands (strut force below what the ground bears), sinks (they are
+// equal), or hangs free (0).
 Landing land(Controller& controller, double until = 0.4) {
   Strut strut;
   Landing result;
@@ -104,18 +112,21 @@ Landing fuzzy(double period, bool tabulated = false) {
   return land(controller);
 }
 
-// The stated cost: peak acceleration, among landings that keep clear of the end stop and do not jump (rebound at most 0.1 m/s). Without
-// the second condition U = 0 wins by itself: a semi-active damper can add to the viscous force of a passive one, never take from it.
+// The stated cost: peak acceleration, among landings that keep clear of the end stop and do not jump (rebound
+// at most 0.1 m/s). Without the second condition U = 0 wins by itself: a semi-active damper can add to the
+// viscous force of a passive one, never take from it.
 TEST(Drop, FuzzyHasASmallerPeakThanEveryConstantVoltageThatDoesNotJump) {
   constexpr double kJump = 0.1;  // [m/s]
   const Landing controlled = fuzzy(1e-3);
-  std::cout << "fuzzy: peak " << controlled.peak << " g, stroke " << controlled.stroke << " m, rebound " << controlled.rebound << " m/s\n";
+  std::cout << "fuzzy: peak " << controlled.peak << " g, stroke " << controlled.stroke << " m, rebound "
+            << controlled.rebound << " m/s\n";
   EXPECT_LT(controlled.stroke, kStroke);
   EXPECT_LT(controlled.rebound, kJump);
   int admissible = 0;
   for (int i = 0; i <= 10; ++i) {
     const Landing passive = constant(0.1 * i);
-    std::cout << "U = " << 0.1 * i << ": peak " << passive.peak << " g, stroke " << passive.stroke << " m, rebound " << passive.rebound << " m/s\n";
+    std::cout << "U = " << 0.1 * i << ": peak " << passive.peak << " g, stroke " << passive.stroke
+              << " m, rebound " << passive.rebound << " m/s\n";
     if (passive.stroke >= kStroke || passive.rebound > kJump) continue;
     ++admissible;
     EXPECT_LT(controlled.peak, passive.peak) << "U = " << 0.1 * i;

@@ -29,7 +29,8 @@ TEST(FuzzyTable, IsWithinAHundredthOfTheExactController) {
   EXPECT_LT(difference, 0.01);
 }
 
-// Twice the points, about half the error: the error comes from kinks (first order), not from smooth curvature (second).
+// Twice the points, about half the error: the error comes from kinks (first order), not from smooth curvature
+// (second).
 TEST(FuzzyTable, ErrorFallsWithTheGrid) {
   const double coarse = FuzzyTable(lander(), {13, 5, 9, 9}).largest_difference(lander(), 500);
   const double finer = FuzzyTable(lander(), {25, 9, 17, 17}).largest_difference(lander(), 500);
@@ -42,7 +43,10 @@ TEST(FuzzyTable, IsExactAtTheCornersOfTheTerms) {
     for (double da : lander().breakpoints(1))
       for (double alpha : lander().breakpoints(2))
         for (double beta : lander().breakpoints(3))
-          EXPECT_LT((from_table(small, {a, da, alpha, beta}) - voltages(lander(), {a, da, alpha, beta})).cwiseAbs().maxCoeff(), 1e-12);
+          EXPECT_LT((from_table(small, {a, da, alpha, beta}) - voltages(lander(), {a, da, alpha, beta}))
+                        .cwiseAbs()
+                        .maxCoeff(),
+                    1e-12);
 }
 
 TEST(FuzzyTable, SaturatesAndNeverAnswersNaN) {
@@ -69,8 +73,10 @@ TEST(FuzzyTable, CostsFarLessThanFiftyMicrosecondsPerPeriod) {
     sum += u[0];
   }
   const double microseconds =
-      std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count() / static_cast<double>(inputs.size());
-  std::cout << "one evaluation of the table: " << microseconds << " us (mean voltage " << sum / 5000.0 << ")\n";
+      std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count() /
+      static_cast<double>(inputs.size());
+  std::cout << "one evaluation of the table: " << microseconds << " us (mean voltage " << sum / 5000.0
+            << ")\n";
   EXPECT_LT(microseconds, 50.0);  // measured below 1: the bound leaves room for a loaded machine
 }
 

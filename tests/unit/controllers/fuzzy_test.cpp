@@ -54,8 +54,10 @@ TEST(Fuzzy, InputsSaturateAtTheirRanges) {
 
 TEST(Fuzzy, NoRuleGivesTheStatedVoltageNotNaN) {
   EXPECT_EQ(voltages(lander(), {std::nan(""), 0.0, 0.0, 0.0}), Eigen::Vector4d::Constant(kNoRuleVoltage));
-  // A gap from -2.2 to -2.1 degrees that the check when loading cannot see, because these shapes have no corners.
-  const std::string gap = replaced(replaced(lander_text(), "term: N Ramp 0 -4", "term: N ZShape -3.2 -2.2"), "term: Z Triangle -4 0 4", "term: Z PiShape -2.1 -0.1 0.1 4");
+  // A gap from -2.2 to -2.1 degrees that the check when loading cannot see, because these shapes have no
+  // corners.
+  const std::string gap = replaced(replaced(lander_text(), "term: N Ramp 0 -4", "term: N ZShape -3.2 -2.2"),
+                                   "term: Z Triangle -4 0 4", "term: Z PiShape -2.1 -0.1 0.1 4");
   const TemporaryFll file(gap);
   const FuzzySystem system(file.path);
   EXPECT_EQ(voltages(system, {1.0, 0.0, -2.15, 0.0}), Eigen::Vector4d::Constant(kNoRuleVoltage));
@@ -79,21 +81,28 @@ TEST(Fuzzy, MirroredAttitudeGivesMirroredVoltages) {
     const auto mirrored = [&](double pitch_sign, double roll_sign) {
       return voltages(lander(), {x[0], x[1], pitch_sign * x[2], roll_sign * x[3]});
     };
-    EXPECT_LT((mirrored(-1, -1) - Eigen::Vector4d(u[2], u[3], u[0], u[1])).cwiseAbs().maxCoeff(), 1e-12);  // 1 <-> 3, 2 <-> 4
-    EXPECT_LT((mirrored(-1, 1) - Eigen::Vector4d(u[1], u[0], u[3], u[2])).cwiseAbs().maxCoeff(), 1e-12);   // 1 <-> 2, 3 <-> 4
-    EXPECT_LT((mirrored(1, -1) - Eigen::Vector4d(u[3], u[2], u[1], u[0])).cwiseAbs().maxCoeff(), 1e-12);   // 1 <-> 4, 2 <-> 3
+    EXPECT_LT((mirrored(-1, -1) - Eigen::Vector4d(u[2], u[3], u[0], u[1])).cwiseAbs().maxCoeff(),
+              1e-12);  // 1 <-> 3, 2 <-> 4
+    EXPECT_LT((mirrored(-1, 1) - Eigen::Vector4d(u[1], u[0], u[3], u[2])).cwiseAbs().maxCoeff(),
+              1e-12);  // 1 <-> 2, 3 <-> 4
+    EXPECT_LT((mirrored(1, -1) - Eigen::Vector4d(u[3], u[2], u[1], u[0])).cwiseAbs().maxCoeff(),
+              1e-12);  // 1 <-> 4, 2 <-> 3
   }
 }
 
-// Principle 1 on the surfaces of [Lin25 Figure 4]: over (a, da) at level attitude, and over (a, alpha) without jerk.
+// Principle 1 on the surfaces of [Lin25 Figure 4]: over (a, da) at level attitude, and over (a, alpha)
+// without jerk.
 TEST(Fuzzy, VoltageFallsWithAccelerationOnTheSurfacesOfFigure4) {
   for (int j = 0; j <= 20; ++j)
-    for (const FuzzyInput& held : {FuzzyInput{0.0, -10.0 + j, 0.0, 0.0}, FuzzyInput{0.0, 0.0, -4.0 + 0.4 * j, 0.0}}) {
+    for (const FuzzyInput& held :
+         {FuzzyInput{0.0, -10.0 + j, 0.0, 0.0}, FuzzyInput{0.0, 0.0, -4.0 + 0.4 * j, 0.0}}) {
       Eigen::VectorXd last = Eigen::VectorXd::Ones(4);
       for (int i = 0; i <= 100; ++i) {
         const Eigen::VectorXd u = voltages(lander(), {0.05 * i, held[1], held[2], held[3]});
-        // A centroid of min/max inference may rise by the order of its sampling (1/140 of the range) on the way down.
-        EXPECT_LE((u - last).maxCoeff(), 0.01) << "a " << 0.05 * i << " da " << held[1] << " alpha " << held[2];
+        // A centroid of min/max inference may rise by the order of its sampling (1/140 of the range) on the
+        // way down.
+        EXPECT_LE((u - last).maxCoeff(), 0.01)
+            << "a " << 0.05 * i << " da " << held[1] << " alpha " << held[2];
         last = u;
       }
       EXPECT_LE(last.maxCoeff(), voltages(lander(), held).minCoeff());
@@ -123,8 +132,8 @@ TEST(Fuzzy, LegOnTheSideThatSinksGetsMoreForce) {
 }
 
 std::array<Eigen::VectorXd, kFuzzyInputs> coarse_nodes() {
-  return {Eigen::VectorXd::LinSpaced(5, -0.3, 5.2), Eigen::VectorXd::LinSpaced(4, -9.0, 10.0), Eigen::VectorXd::LinSpaced(4, -4.0, 3.1),
-          Eigen::VectorXd::LinSpaced(3, -2.2, 4.0)};
+  return {Eigen::VectorXd::LinSpaced(5, -0.3, 5.2), Eigen::VectorXd::LinSpaced(4, -9.0, 10.0),
+          Eigen::VectorXd::LinSpaced(4, -4.0, 3.1), Eigen::VectorXd::LinSpaced(3, -2.2, 4.0)};
 }
 
 // Round-off of the order of summation.
@@ -137,7 +146,9 @@ void expect_grid_equals_points(const FuzzySystem& system) {
       for (double alpha : nodes[2])
         for (double beta : nodes[3]) {
           const Eigen::VectorXd u = voltages(system, {a, da, alpha, beta});
-          for (int i = 0; i < 4; ++i) ASSERT_NEAR(grid[at++], u[i], 1e-12) << "a " << a << " da " << da << " alpha " << alpha << " beta " << beta;
+          for (int i = 0; i < 4; ++i)
+            ASSERT_NEAR(grid[at++], u[i], 1e-12)
+                << "a " << a << " da " << da << " alpha " << alpha << " beta " << beta;
         }
   EXPECT_EQ(at, grid.size());
 }
@@ -147,12 +158,17 @@ TEST(Fuzzy, GridEqualsPointByPointEvaluation) {
   // Weights and rules that leave inputs out are plain too; other operators are not, and take the general way.
   const TemporaryFll weighted(replaced(lander_text(), "U4 is SB\n", "U4 is SB with 0.3\n"));
   expect_grid_equals_points(FuzzySystem(weighted.path));
-  const TemporaryFll product(replaced(lander_text(), "conjunction: Minimum", "conjunction: AlgebraicProduct"));
+  const TemporaryFll any(replaced(lander_text(), "alpha is P and beta is P then U1 is M ",
+                                  "alpha is any and beta is P then U1 is M "));
+  expect_grid_equals_points(FuzzySystem(any.path));
+  const TemporaryFll product(
+      replaced(lander_text(), "conjunction: Minimum", "conjunction: AlgebraicProduct"));
   expect_grid_equals_points(FuzzySystem(product.path));
 }
 
 TEST(Fuzzy, BreakpointsAreTheCornersOfTheTerms) {
-  const std::vector<double> a = lander().breakpoints(0), da = lander().breakpoints(1), alpha = lander().breakpoints(2);
+  const std::vector<double> a = lander().breakpoints(0), da = lander().breakpoints(1),
+                            alpha = lander().breakpoints(2);
   ASSERT_EQ(a.size(), 4u);
   EXPECT_NEAR(a[1], 5.0 / 3.0, 1e-4);
   EXPECT_EQ(da, (std::vector<double>{-10.0, 10.0}));

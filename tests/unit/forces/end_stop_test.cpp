@@ -33,7 +33,8 @@ TEST(EndStop, NeverPulls) {
     }
 }
 
-// A mass between the stops, no other force: it must bounce slower after each impact and its kinetic energy must be what is left.
+// A mass between the stops, no other force: it must bounce slower after each impact and its kinetic energy
+// must be what is left.
 TEST(EndStop, MassLosesWhatTheStopDissipates) {
   const EndStop law(both());
   const double mass = 300.0;
@@ -46,11 +47,15 @@ TEST(EndStop, MassLosesWhatTheStopDissipates) {
   };
   int bounces = 0;
   bool inside = true;
-  for (int i = 0; i < 100000; ++i) {  // 2 s, classical Runge-Kutta; lost power by Simpson's rule of the same stages
+  for (int i = 0; i < 100000;
+       ++i) {  // 2 s, classical Runge-Kutta; lost power by Simpson's rule of the same stages
     const double k1x = v, k1v = acceleration(x, v), p1 = dissipated(law, {x, v, 0.0, kNoState});
-    const double x2 = x + h / 2 * k1x, v2 = v + h / 2 * k1v, k2v = acceleration(x2, v2), p2 = dissipated(law, {x2, v2, 0.0, kNoState});
-    const double x3 = x + h / 2 * v2, v3 = v + h / 2 * k2v, k3v = acceleration(x3, v3), p3 = dissipated(law, {x3, v3, 0.0, kNoState});
-    const double x4 = x + h * v3, v4 = v + h * k3v, k4v = acceleration(x4, v4), p4 = dissipated(law, {x4, v4, 0.0, kNoState});
+    const double x2 = x + h / 2 * k1x, v2 = v + h / 2 * k1v, k2v = acceleration(x2, v2),
+                 p2 = dissipated(law, {x2, v2, 0.0, kNoState});
+    const double x3 = x + h / 2 * v2, v3 = v + h / 2 * k2v, k3v = acceleration(x3, v3),
+                 p3 = dissipated(law, {x3, v3, 0.0, kNoState});
+    const double x4 = x + h * v3, v4 = v + h * k3v, k4v = acceleration(x4, v4),
+                 p4 = dissipated(law, {x4, v4, 0.0, kNoState});
     x += h / 6 * (k1x + 2 * v2 + 2 * v3 + v4);
     v += h / 6 * (k1v + 2 * k2v + 2 * k3v + k4v);
     lost += h / 6 * (p1 + 2 * p2 + 2 * p3 + p4);
@@ -79,7 +84,8 @@ TEST(EndStop, DerivativesAreThoseOfTheForce) {
 TEST(EndStop, DissipatesWhatItTakes) {
   const EndStop law(both());
   for (unsigned seed : {1u, 2u, 3u}) {
-    // The kinks of the second derivative at limit and toe leave Runge-Kutta second-order jumps: 1e5 steps bring them below 1e-8.
+    // The kinks of the second derivative at limit and toe leave Runge-Kutta second-order jumps: 1e5 steps
+    // bring them below 1e-8.
     const Along run = drive(law, random_motion(seed, 0.16, 0.35), 0.0, 1.0, 100000, 0.0, kNoState);
     EXPECT_GT(run.work, 1.0) << "seed " << seed << " does not reach the stop";
     EXPECT_NEAR(run.work, run.dissipated + run.stored - run.stored_start, 1e-8 * run.work);
@@ -88,7 +94,8 @@ TEST(EndStop, DissipatesWhatItTakes) {
 
 TEST(EndStop, YieldsByItsPenetrationUnderAStaticForce) {
   const EndStop law(both());
-  for (double f : {100.0, 1250.0, 1590.0, 50000.0}) EXPECT_NEAR(force(law, 0.32 + law.penetration(f)), f, 1e-9 * f);
+  for (double f : {100.0, 1250.0, 1590.0, 50000.0})
+    EXPECT_NEAR(force(law, 0.32 + law.penetration(f)), f, 1e-9 * f);
 }
 
 TEST(EndStop, RefusesNonsense) {

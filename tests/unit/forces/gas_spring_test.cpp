@@ -25,7 +25,8 @@ TEST(GasSpring, IsothermalForceTimesVolumeIsConstant) {
   p.exponent = 1.0;
   const GasSpring law(p);
   for (double x : {-0.2, 0.1, 0.3})
-    EXPECT_NEAR(force(law, x) * (p.initial_volume - law.piston_area() * x), law.piston_area() * p.initial_pressure * p.initial_volume, 1e-12);
+    EXPECT_NEAR(force(law, x) * (p.initial_volume - law.piston_area() * x),
+                law.piston_area() * p.initial_pressure * p.initial_volume, 1e-12);
 }
 
 TEST(GasSpring, StoredEnergyIsTheWorkOfItsForce) {
@@ -33,8 +34,10 @@ TEST(GasSpring, StoredEnergyIsTheWorkOfItsForce) {
     GasSpringParameters p;
     p.exponent = exponent;
     const GasSpring law(p);
-    // Out and back over 0.3 m at changing speed: Runge-Kutta with 4000 steps integrates this smooth force to 1e-10 of the work.
-    const Motion motion{[](double t) { return 0.15 * (1.0 - std::cos(t)); }, [](double t) { return 0.15 * std::sin(t); }};
+    // Out and back over 0.3 m at changing speed: Runge-Kutta with 4000 steps integrates this smooth force to
+    // 1e-10 of the work.
+    const Motion motion{[](double t) { return 0.15 * (1.0 - std::cos(t)); },
+                        [](double t) { return 0.15 * std::sin(t); }};
     const Along in = drive(law, motion, 0.0, kPi, 4000, 0.0, kNoState);
     EXPECT_NEAR(in.work, in.stored - in.stored_start, 1e-8 * in.work) << "exponent " << exponent;
     EXPECT_EQ(in.dissipated, 0.0);
@@ -64,10 +67,12 @@ TEST(GasSpring, HasNoValueOnceItsVolumeIsUsedUp) {
 TEST(GasSpring, RefusesNonsense) {
   GasSpringParameters p;
   p.initial_volume = -1.0;
-  expect_contains(message_of<InputError>([&] { GasSpring{p}; }), "gas_spring: initial_volume is -1 m3; expected a number above 0");
+  expect_contains(message_of<InputError>([&] { GasSpring{p}; }),
+                  "gas_spring: initial_volume is -1 m3; expected a number above 0");
   p = {};
   p.exponent = 0.9;
-  expect_contains(message_of<InputError>([&] { GasSpring{p}; }), "exponent is 0.9; expected a number from 1 to 2");
+  expect_contains(message_of<InputError>([&] { GasSpring{p}; }),
+                  "exponent is 0.9; expected a number from 1 to 2");
   p = {};
   p.piston_diameter = std::nan("");
   EXPECT_THROW(GasSpring{p}, InputError);

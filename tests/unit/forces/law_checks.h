@@ -1,6 +1,6 @@
 #pragma once
-// What every strut law must satisfy, whatever its formula: derivatives that are those of its force and rates, and the identity
-// force * rate = d(stored)/dt + dissipated. Used by the tests of all laws.
+// What every strut law must satisfy, whatever its formula: derivatives that are those of its force and rates,
+// and the identity force * rate = d(stored)/dt + dissipated. Used by the tests of all laws.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,8 @@
 
 namespace footfall::law_checks {
 
-inline double force(const StrutLaw& law, double stroke, double rate, double voltage, const Eigen::VectorXd& z) {
+inline double force(const StrutLaw& law, double stroke, double rate, double voltage,
+                    const Eigen::VectorXd& z) {
   StrutOutput out(law.state_count());
   law.evaluate({stroke, rate, voltage, z}, out);
   return out.force;
@@ -29,23 +30,26 @@ inline double dissipated(const StrutLaw& law, const StrutInput& in) {
   law.dissipated_power(in, powers);
   double sum = 0.0;
   for (const StrutPower& p : powers) {
-    EXPECT_GE(p.power, 0.0) << law.kind() << " " << energy_name(p.kind) << " at stroke " << in.stroke << ", rate " << in.rate;
+    EXPECT_GE(p.power, 0.0) << law.kind() << " " << energy_name(p.kind) << " at stroke " << in.stroke
+                            << ", rate " << in.rate;
     sum += p.power;
   }
   return sum;
 }
 
-// Derivatives against central differences. Steps h = 1e-6 of the scale: truncation ~ h^2 f''' and round-off ~ 1e-16 / h are both
-// below 1e-5 of the derivative for smooth laws; kTolerance leaves a factor of ten. The point must not lie within h of a kink.
-inline void expect_derivatives(const StrutLaw& law, double stroke, double rate, double voltage, const Eigen::VectorXd& z,
-                               double stroke_scale, double rate_scale) {
+// Derivatives against central differences. Steps h = 1e-6 of the scale: truncation ~ h^2 f''' and round-off ~
+// 1e-16 / h are both below 1e-5 of the derivative for smooth laws; kTolerance leaves a factor of ten. The
+// point must not lie within h of a kink.
+inline void expect_derivatives(const StrutLaw& law, double stroke, double rate, double voltage,
+                               const Eigen::VectorXd& z, double stroke_scale, double rate_scale) {
   constexpr double kTolerance = 1e-4;
   const int n = law.state_count();
   StrutOutput at(n), plus(n), minus(n);
   law.evaluate({stroke, rate, voltage, z}, at);
   const auto compare = [&](double analytic, double difference, double scale, const char* what) {
     EXPECT_NEAR(analytic, difference, kTolerance * (std::abs(difference) + scale))
-        << law.kind() << " " << what << " at stroke " << stroke << ", rate " << rate << ", voltage " << voltage << ", z " << z.transpose();
+        << law.kind() << " " << what << " at stroke " << stroke << ", rate " << rate << ", voltage "
+        << voltage << ", z " << z.transpose();
   };
   const double hx = 1e-6 * stroke_scale, hv = 1e-6 * rate_scale;
   // Round-off of the differences of a force of this size.
@@ -53,11 +57,13 @@ inline void expect_derivatives(const StrutLaw& law, double stroke, double rate, 
   law.evaluate({stroke + hx, rate, voltage, z}, plus);
   law.evaluate({stroke - hx, rate, voltage, z}, minus);
   compare(at.dforce_dstroke, (plus.force - minus.force) / (2 * hx), force_noise / hx, "dforce_dstroke");
-  for (int i = 0; i < n; ++i) compare(at.ddz_dstroke[i], (plus.dz[i] - minus.dz[i]) / (2 * hx), 1e-8 / hx, "ddz_dstroke");
+  for (int i = 0; i < n; ++i)
+    compare(at.ddz_dstroke[i], (plus.dz[i] - minus.dz[i]) / (2 * hx), 1e-8 / hx, "ddz_dstroke");
   law.evaluate({stroke, rate + hv, voltage, z}, plus);
   law.evaluate({stroke, rate - hv, voltage, z}, minus);
   compare(at.dforce_drate, (plus.force - minus.force) / (2 * hv), force_noise / hv, "dforce_drate");
-  for (int i = 0; i < n; ++i) compare(at.ddz_drate[i], (plus.dz[i] - minus.dz[i]) / (2 * hv), 1e-8 / hv, "ddz_drate");
+  for (int i = 0; i < n; ++i)
+    compare(at.ddz_drate[i], (plus.dz[i] - minus.dz[i]) / (2 * hv), 1e-8 / hv, "ddz_drate");
   for (int k = 0; k < n; ++k) {
     const double hz = 1e-6 * stroke_scale;
     Eigen::VectorXd zp = z, zm = z;
@@ -66,38 +72,47 @@ inline void expect_derivatives(const StrutLaw& law, double stroke, double rate, 
     law.evaluate({stroke, rate, voltage, zp}, plus);
     law.evaluate({stroke, rate, voltage, zm}, minus);
     compare(at.dforce_dz[k], (plus.force - minus.force) / (2 * hz), force_noise / hz, "dforce_dz");
-    for (int i = 0; i < n; ++i) compare(at.ddz_dz(i, k), (plus.dz[i] - minus.dz[i]) / (2 * hz), 1e-8 / hz, "ddz_dz");
+    for (int i = 0; i < n; ++i)
+      compare(at.ddz_dz(i, k), (plus.dz[i] - minus.dz[i]) / (2 * hz), 1e-8 / hz, "ddz_dz");
   }
 }
 
-// force * rate = d(stored)/dt + dissipated at one point, the stored part by a central difference along the motion.
-inline void expect_power_identity(const StrutLaw& law, double stroke, double rate, double voltage, const Eigen::VectorXd& z) {
+// force * rate = d(stored)/dt + dissipated at one point, the stored part by a central difference along the
+// motion.
+inline void expect_power_identity(const StrutLaw& law, double stroke, double rate, double voltage,
+                                  const Eigen::VectorXd& z) {
   StrutOutput out(law.state_count());
   const StrutInput in{stroke, rate, voltage, z};
   law.evaluate(in, out);
-  // [s]; the stiffest toe has d3E/dx3 = k / toe = 5e10 N/m2, so that the difference is exact to 5e10 (rate h)^2 rate / 6 ~ 1e-4 W.
+  // [s]; the stiffest toe has d3E/dx3 = k / toe = 5e10 N/m2, so that the difference is exact to 5e10 (rate
+  // h)^2 rate / 6 ~ 1e-4 W.
   const double h = 1e-8;
   const Eigen::VectorXd zp = z + h * out.dz, zm = z - h * out.dz;
   const double ep = law.stored_energy({stroke + h * rate, rate, voltage, zp});
   const double em = law.stored_energy({stroke - h * rate, rate, voltage, zm});
   const double stored_rate = (ep - em) / (2 * h);
-  const double difference_noise = 1e-15 * (1.0 + std::abs(ep)) / h;  // round-off of the difference, ten units in the last place
-  EXPECT_NEAR(out.force * rate, stored_rate + dissipated(law, in), 1e-6 * (1.0 + std::abs(out.force * rate)) + 10 * difference_noise)
-      << law.kind() << " at stroke " << stroke << ", rate " << rate << ", voltage " << voltage << ", z " << z.transpose();
+  const double difference_noise =
+      1e-15 * (1.0 + std::abs(ep)) / h;  // round-off of the difference, ten units in the last place
+  EXPECT_NEAR(out.force * rate, stored_rate + dissipated(law, in),
+              1e-6 * (1.0 + std::abs(out.force * rate)) + 10 * difference_noise)
+      << law.kind() << " at stroke " << stroke << ", rate " << rate << ", voltage " << voltage << ", z "
+      << z.transpose();
 }
 
-// A motion x(t) with its rate, and what a law does along it: inner states and energies by the classical Runge-Kutta rule.
+// A motion x(t) with its rate, and what a law does along it: inner states and energies by the classical
+// Runge-Kutta rule.
 struct Motion {
   std::function<double(double)> stroke, rate;
 };
 struct Along {
-  Eigen::VectorXd z;                      // at the end
-  double work = 0.0;                      // integral of force * rate [J]
-  double dissipated = 0.0;                // integral of the dissipated power [J]
+  Eigen::VectorXd z;                        // at the end
+  double work = 0.0;                        // integral of force * rate [J]
+  double dissipated = 0.0;                  // integral of the dissipated power [J]
   double stored_start = 0.0, stored = 0.0;  // [J]
 };
 // visit(t, z, work) after every step; may be empty.
-inline Along drive(const StrutLaw& law, const Motion& motion, double t0, double t1, int steps, double voltage, Eigen::VectorXd z,
+inline Along drive(const StrutLaw& law, const Motion& motion, double t0, double t1, int steps, double voltage,
+                   Eigen::VectorXd z,
                    const std::function<void(double, const Eigen::VectorXd&, double)>& visit = {}) {
   const int n = law.state_count();
   StrutOutput out(n);
@@ -116,8 +131,8 @@ inline Along drive(const StrutLaw& law, const Motion& motion, double t0, double 
   const double h = (t1 - t0) / steps;
   for (int i = 0; i < steps; ++i) {
     const double t = t0 + i * h;
-    const Eigen::VectorXd k1 = rates(t, y), k2 = rates(t + h / 2, y + h / 2 * k1), k3 = rates(t + h / 2, y + h / 2 * k2),
-                          k4 = rates(t + h, y + h * k3);
+    const Eigen::VectorXd k1 = rates(t, y), k2 = rates(t + h / 2, y + h / 2 * k1),
+                          k3 = rates(t + h / 2, y + h / 2 * k2), k4 = rates(t + h, y + h * k3);
     y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     if (visit) visit(t + h, y.head(n), y[n]);
   }

@@ -20,7 +20,8 @@ TEST(LinearSpringDamper, IsLinear) {
 TEST(LinearSpringDamper, SineLoopIsAnEllipse) {
   const LinearSpringDamper law(kLaw);
   const double A = 0.2, omega = 5.0, area = kPi * 20.0 * omega * A * A;
-  const Motion motion{[&](double t) { return A * std::sin(omega * t); }, [&](double t) { return A * omega * std::cos(omega * t); }};
+  const Motion motion{[&](double t) { return A * std::sin(omega * t); },
+                      [&](double t) { return A * omega * std::cos(omega * t); }};
   const Along run = drive(law, motion, 0.0, 2.0 * kPi / omega, 2000, 0.0, kNoState);
   EXPECT_NEAR(run.work, area, 1e-8 * area);
   EXPECT_NEAR(run.dissipated, area, 1e-8 * area);
@@ -35,8 +36,12 @@ TEST(LinearSpringDamper, DissipatesWhatItTakes) {
 }
 
 TEST(LinearSpringDamper, RefusesNonsense) {
-  expect_contains(message_of<InputError>([] { LinearSpringDamper{LinearSpringDamperParameters{}}; }), "all 0");
-  expect_contains(message_of<InputError>([] { LinearSpringDamper{LinearSpringDamperParameters{-1.0, 0.0, 0.0, 0.0}}; }), "stiffness is -1 N/m");
+  expect_contains(message_of<InputError>([] { LinearSpringDamper{LinearSpringDamperParameters{}}; }),
+                  "all 0");
+  expect_contains(message_of<InputError>([] {
+                    LinearSpringDamper{LinearSpringDamperParameters{-1.0, 0.0, 0.0, 0.0}};
+                  }),
+                  "stiffness is -1 N/m");
   EXPECT_THROW(LinearSpringDamper(LinearSpringDamperParameters{1.0, -2.0, 0.0, 0.0}), InputError);
 }
 

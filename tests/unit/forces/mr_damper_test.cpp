@@ -13,7 +13,8 @@ const Eigen::VectorXd kNoState;
 
 MrGeometry geometry() {
   MrGeometry g;
-  g.D1 = 0.040, g.d1 = 0.037, g.D2 = 0.015, g.D3 = 0.060, g.L1 = 0.20, g.L2 = 0.05, g.L3 = 0.40, g.L4 = 0.05, g.eta = 0.8;
+  g.D1 = 0.040, g.d1 = 0.037, g.D2 = 0.015, g.D3 = 0.060, g.L1 = 0.20, g.L2 = 0.05, g.L3 = 0.40, g.L4 = 0.05,
+  g.eta = 0.8;
   g.tau_y = {{0.0, 500.0}, {0.3, 12000.0}, {0.7, 30000.0}, {1.0, 36000.0}};
   return g;
 }
@@ -33,7 +34,8 @@ TEST(MrDamper, VoltageSaturates) {
   EXPECT_EQ(force(law, 0.0, 1.0, -0.4), force(law, 0.0, 1.0, 0.0));
 }
 
-// Saw-tooth of constant rate v0 between -A and A: the loop is a rectangle of area 4 A (U F_y tanh(v0/v_s) + c v0).
+// Saw-tooth of constant rate v0 between -A and A: the loop is a rectangle of area 4 A (U F_y tanh(v0/v_s) + c
+// v0).
 TEST(MrDamper, SawToothLoopHasTheAreaOfItsRectangle) {
   const MrDamper law({});
   const double A = 0.1, v0 = 0.7;
@@ -41,19 +43,22 @@ TEST(MrDamper, SawToothLoopHasTheAreaOfItsRectangle) {
     const Motion up{[&](double t) { return -A + v0 * t; }, [&](double) { return v0; }};
     const Motion down{[&](double t) { return A - v0 * t; }, [&](double) { return -v0; }};
     const double T = 2.0 * A / v0;
-    const Along first = drive(law, up, 0.0, T, 50, u, kNoState), second = drive(law, down, 0.0, T, 50, u, kNoState);
+    const Along first = drive(law, up, 0.0, T, 50, u, kNoState),
+                second = drive(law, down, 0.0, T, 50, u, kNoState);
     const double area = 4.0 * A * (u * 8278.72 * std::tanh(v0 / 0.02) + 3651.19 * v0);
     EXPECT_NEAR(first.work + second.work, area, 1e-8 * area);
     EXPECT_NEAR(first.dissipated + second.dissipated, area, 1e-8 * area);
   }
 }
 
-// Sine of amplitude A: the viscous loop is an ellipse of area pi c omega A^2. The yield loop tends to the rectangle 4 A F_y as v_s
-// -> 0; its deficit, 4 times (two reversals, two sides) F_y v_s^2 / (A omega^2) * integral_0^inf (1 - tanh q) q dq = pi^2 / 24,
-// has relative corrections of order (v_s / (A omega))^2 = 4e-4.
+// Sine of amplitude A: the viscous loop is an ellipse of area pi c omega A^2. The yield loop tends to the
+// rectangle 4 A F_y as v_s
+// -> 0; its deficit, 4 times (two reversals, two sides) F_y v_s^2 / (A omega^2) * integral_0^inf (1 - tanh q)
+// q dq = pi^2 / 24, has relative corrections of order (v_s / (A omega))^2 = 4e-4.
 TEST(MrDamper, SineLoopHasTheAreaOfEllipseAndRectangle) {
   const double A = 0.1, omega = 10.0;
-  const Motion motion{[&](double t) { return A * std::sin(omega * t); }, [&](double t) { return A * omega * std::cos(omega * t); }};
+  const Motion motion{[&](double t) { return A * std::sin(omega * t); },
+                      [&](double t) { return A * omega * std::cos(omega * t); }};
   const double period = 2.0 * kPi / omega;
   const MrDamper law({});
   const double ellipse = kPi * 3651.19 * omega * A * A;
@@ -106,12 +111,14 @@ TEST(MrDamper, CoilLagIsFirstOrder) {
   const MrDamper law(p);
   const Motion rest{[](double) { return 0.0; }, [](double) { return 0.0; }};
   // Step from 0.1 to 0.9: U(t) = 0.9 - 0.8 exp(-t / tau). Runge-Kutta with h = tau / 200 is exact to 1e-11.
-  drive(law, rest, 0.0, 0.01, 1000, 0.9, law.initial_state(),
-        [](double t, const Eigen::VectorXd& z, double) { EXPECT_NEAR(z[0], 0.9 - 0.8 * std::exp(-t / 0.002), 1e-9); });
+  drive(law, rest, 0.0, 0.01, 1000, 0.9, law.initial_state(), [](double t, const Eigen::VectorXd& z, double) {
+    EXPECT_NEAR(z[0], 0.9 - 0.8 * std::exp(-t / 0.002), 1e-9);
+  });
 }
 
-// A ramp sampled every T and held (first-order hold theory of sampled control): the staircase follows the ramp by T/2 in the
-// mean, the coil adds tau. So the mean over one period of r(t) - U(t) tends to slope * (T/2 + tau).
+// A ramp sampled every T and held (first-order hold theory of sampled control): the staircase follows the
+// ramp by T/2 in the mean, the coil adds tau. So the mean over one period of r(t) - U(t) tends to slope *
+// (T/2 + tau).
 TEST(MrDamper, SampledRampThroughTheCoilLagsByHalfAPeriodPlusTau) {
   MrDamperParameters p;
   p.coil_lag = 0.002;
@@ -151,14 +158,16 @@ TEST(MrDamper, GeometryGivesEquations14And15) {
 
 TEST(MrDamper, BothWaysOfGivingParametersAgree) {
   MrGeometry g = geometry();
-  g.tau_y = {{0.0, 0.0}, {0.25, 9000.0}, {1.0, 36000.0}};  // proportional to U: the table is then U yield_force
+  g.tau_y = {
+      {0.0, 0.0}, {0.25, 9000.0}, {1.0, 36000.0}};  // proportional to U: the table is then U yield_force
   const MrDamperParameters from_geometry = mr_damper_from_geometry(g);
   MrDamperParameters direct;
   direct.yield_force = from_geometry.yield_force;
   direct.viscous_coefficient = from_geometry.viscous_coefficient;
   const MrDamper a(from_geometry), b(direct);
   for (double u : {0.0, 0.1, 0.5, 0.9, 1.0})
-    for (double v : {-1.0, 0.01, 2.0}) EXPECT_NEAR(force(a, 0.0, v, u), force(b, 0.0, v, u), 1e-9 * std::abs(force(b, 0.0, v, 1.0)));
+    for (double v : {-1.0, 0.01, 2.0})
+      EXPECT_NEAR(force(a, 0.0, v, u), force(b, 0.0, v, u), 1e-9 * std::abs(force(b, 0.0, v, 1.0)));
 }
 
 TEST(MrDamper, YieldForceRisesWithVoltageBetweenTheTablesPoints) {
@@ -167,7 +176,9 @@ TEST(MrDamper, YieldForceRisesWithVoltageBetweenTheTablesPoints) {
 }
 
 TEST(MrDamper, RefusesNonsense) {
-  const auto message = [](const MrDamperParameters& p) { return message_of<InputError>([&] { MrDamper{p}; }); };
+  const auto message = [](const MrDamperParameters& p) {
+    return message_of<InputError>([&] { MrDamper{p}; });
+  };
   MrDamperParameters p;
   p.yield_table = {{0.0, 0.0}, {0.5, 5000.0}, {1.0, 4000.0}};
   expect_contains(message(p), "yield_table falls from 5000 N at U = 0.5 to 4000 N at U = 1");
@@ -188,7 +199,8 @@ TEST(MrDamper, RefusesNonsense) {
   expect_contains(message(p), "initial_voltage is 2; expected a number from 0 to 1");
   MrGeometry g = geometry();
   g.d1 = 0.05;
-  expect_contains(message_of<InputError>([&] { mr_damper_from_geometry(g); }), "does not fit into the bypass cylinder");
+  expect_contains(message_of<InputError>([&] { mr_damper_from_geometry(g); }),
+                  "does not fit into the bypass cylinder");
   g = geometry();
   g.tau_y[2].stress = 100.0;
   expect_contains(message_of<InputError>([&] { mr_damper_from_geometry(g); }), "never falls with U");

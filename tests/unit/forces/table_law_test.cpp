@@ -25,7 +25,8 @@ TableLawParameters example() {
 // A file that disappears with the test.
 struct TemporaryFile {
   explicit TemporaryFile(const std::string& text)
-      : path(std::filesystem::temp_directory_path() / ("footfall_table_" + std::to_string(std::random_device{}()) + ".csv")) {
+      : path(std::filesystem::temp_directory_path() /
+             ("footfall_table_" + std::to_string(std::random_device{}()) + ".csv")) {
     std::ofstream(path) << text;
   }
   ~TemporaryFile() { std::filesystem::remove(path); }
@@ -37,7 +38,8 @@ TEST(TableLaw, IsExactAtItsEntriesAndLinearBetween) {
   const TableLawParameters p = example();
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 5; ++j)
-      EXPECT_NEAR(force(law, p.stroke[static_cast<std::size_t>(i)], p.rate[static_cast<std::size_t>(j)]), p.force(i, j), 1e-9);
+      EXPECT_NEAR(force(law, p.stroke[static_cast<std::size_t>(i)], p.rate[static_cast<std::size_t>(j)]),
+                  p.force(i, j), 1e-9);
   EXPECT_NEAR(force(law, 0.05, 0.05), 0.25 * (0 + 600 + 400 + 1000), 1e-9);
 }
 
@@ -56,12 +58,15 @@ TEST(TableLaw, ReproducesABilinearLaw) {
   p.rate = {-3.0, -0.5, 0.0, 1.0, 3.0};
   p.force.resize(4, 5);
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 5; ++j) p.force(i, j) = 5000.0 * p.stroke[static_cast<std::size_t>(i)] + 300.0 * p.rate[static_cast<std::size_t>(j)];
+    for (int j = 0; j < 5; ++j)
+      p.force(i, j) =
+          5000.0 * p.stroke[static_cast<std::size_t>(i)] + 300.0 * p.rate[static_cast<std::size_t>(j)];
   const TableLaw law(p);
   for (double x : {-0.19, -0.01, 0.05, 0.15})
     for (double v : {-2.9, -0.3, 0.4, 2.0}) {
       EXPECT_NEAR(force(law, x, v), 5000.0 * x + 300.0 * v, 1e-9);
-      EXPECT_NEAR(law.stored_energy({x, v, 0.0, kNoState}), 2500.0 * x * x, 0.25 * 2500.0 * 0.2 * 0.2);  // trapezoids of the nodes
+      EXPECT_NEAR(law.stored_energy({x, v, 0.0, kNoState}), 2500.0 * x * x,
+                  0.25 * 2500.0 * 0.2 * 0.2);  // trapezoids of the nodes
     }
 }
 
@@ -111,13 +116,16 @@ TEST(TableLaw, NamesFileAndLineOfABadTable) {
   expect_contains(message(head + "0, -1, 0\n"), ":2: 3 cells; expected 4");
   expect_contains(message(head + "0, -1, 0, nan\n"), ":2: \"nan\" is not a number");
   expect_contains(message(head + "0, -1, 0, 1\n0, -1, 0, 1\n"), ":3: stroke 0 m does not lie above");
-  expect_contains(message(head + "0, -1, 0, 1\n# end\n0.1, -1, 0, -5\n"), ":4: force -5 N at stroke 0.1 m, rate 1 m/s is below the force at rest");
-  expect_contains(message(head + "0, 7, 0, 1\n0.1, -1, 0, 5\n"), ":2: force 7 N at stroke 0 m, rate -1 m/s is above the force at rest");
+  expect_contains(message(head + "0, -1, 0, 1\n# end\n0.1, -1, 0, -5\n"),
+                  ":4: force -5 N at stroke 0.1 m, rate 1 m/s is below the force at rest");
+  expect_contains(message(head + "0, 7, 0, 1\n0.1, -1, 0, 5\n"),
+                  ":2: force 7 N at stroke 0 m, rate -1 m/s is above the force at rest");
   expect_contains(message(head + "0, -1, 0, 1\n"), "1 lines of forces");
   expect_contains(message("stroke, 1, 2\n0, 1, 2\n1, 1, 2\n"), "0 m/s is not among the rates");
   expect_contains(message("stroke, 0, 2, 1\n0, 1, 2, 3\n1, 1, 2, 3\n"), "rate 1 m/s follows 2 m/s");
   expect_contains(message("stroke, 1\n"), ":1: 2 cells in the first line");
-  expect_contains(message_of<InputError>([] { read_table_law("no_such_file.csv"); }), "no_such_file.csv: cannot be read");
+  expect_contains(message_of<InputError>([] { read_table_law("no_such_file.csv"); }),
+                  "no_such_file.csv: cannot be read");
 }
 
 }  // namespace
