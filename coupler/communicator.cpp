@@ -1,6 +1,7 @@
 #include "coupler/communicator.h"
 
 #include <chrono>
+#include <cstdlib>
 #include <set>
 #include <string>
 #include <thread>
@@ -32,6 +33,11 @@ void wait_politely(MPI_Request& request) {
 void PoliteWait::nap() {
   std::this_thread::sleep_for(std::chrono::microseconds(nap_));
   if (nap_ < kLongest) nap_ += 1 + nap_ / 16;
+}
+
+void abort_both_programs(int exit_code) {
+  MPI_Abort(MPI_COMM_WORLD, exit_code);
+  std::abort();
 }
 
 Communicator::Communicator() {
@@ -84,7 +90,7 @@ int on_finalize(MPI_Comm, int, void*, void*) {
   if (guard().released) return MPI_SUCCESS;
   guard().released = true;
   const bool heard = guard().last_words && guard().last_words();
-  if (!heard) MPI_Abort(MPI_COMM_WORLD, kExitFailed);
+  if (!heard) abort_both_programs(kExitFailed);
   return MPI_SUCCESS;
 }
 

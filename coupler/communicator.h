@@ -48,6 +48,9 @@ class PoliteWait {
 };
 void wait_politely(MPI_Request& request);
 
+// Ends both programs at once with this exit code: the last resort, when the partner does not answer any more.
+[[noreturn]] void abort_both_programs(int exit_code);
+
 // Abort guard. Some code ends a program with MPI_Finalize and exit, and the partner would wait for ever. MPI_Finalize first frees the
 // attributes of MPI_COMM_SELF: there the guard looks whether the program was released. If not, it calls `last_words` (which may still
 // send a message and says whether the partner has heard it); if that is not so, it aborts both programs with status 1.

@@ -44,6 +44,7 @@ class Link {
   bool closed() const { return closed_; }
   // What the partner's Close said; kOk until it comes.
   Status partner_status() const { return partner_status_; }
+  void set_patience(double seconds) { patience_ = seconds; }
   double seconds_waited() const { return seconds_waited_; }
   std::string partner() const { return transport_.partner(); }
 

@@ -55,6 +55,10 @@ void DemLink::greet(const std::string& unit_style) {
   greeted_ = true;
 }
 
+void DemLink::set_patience(double seconds) {
+  if (link_ != nullptr) link_->set_patience(seconds);
+}
+
 const CoupledBody& DemLink::scene_body(const std::string& name, const std::string& unit_style) {
   greet(unit_style);
   std::string known, guess;

@@ -57,6 +57,8 @@ class DemLink {
   // This side failed: the partner hears why. True if it has.
   bool fail(const std::string& reason) noexcept { return link_ == nullptr || link_->fail(reason); }
   bool has_partner() const { return link_ != nullptr; }
+  // How long the partner may be silent before it counts as lost [s].
+  void set_patience(double seconds);
 
  private:
   void greet(const std::string& unit_style);

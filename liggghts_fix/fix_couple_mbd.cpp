@@ -25,7 +25,7 @@ namespace {
 using footfall::InputError;
 
 constexpr const char* kModule = "footfall_mbd";
-constexpr const char* kUsage = "fix ID all couple/mbd every N|auto [mesh MESH-ID BODY ...]";
+constexpr const char* kUsage = "fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]";
 
 using NodeVelocities = MultiVectorContainer<double, 3, 3>;
 
@@ -46,6 +46,14 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg) : Fix(lmp_, narg,
     every_ = static_cast<int>(n);
   }
   int next = 5;
+  if (next + 1 < narg && std::strcmp(arg[next], "patience") == 0) {
+    char* rest = nullptr;
+    const double patience = std::strtod(arg[next + 1], &rest);
+    if (*rest != '\0' || !(patience > 0.0))
+      throw InputError(where + "`patience` needs a positive number of seconds, not \"" + arg[next + 1] + "\"");
+    link_.set_patience(patience);
+    next += 2;
+  }
   for (; next + 2 < narg && std::strcmp(arg[next], "mesh") == 0; next += 3)
     meshes_.push_back(couple(arg[next + 1], arg[next + 2]));
   if (next != narg) throw InputError(where + "at \"" + arg[next] + "\" expected: " + kUsage);

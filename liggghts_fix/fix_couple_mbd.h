@@ -1,6 +1,6 @@
-// fix ID all couple/mbd every N|auto [mesh MESH-ID BODY ...]
+// fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]
 // Moves stock meshes with the bodies of a multibody scene and sends the mean contact load of every N steps back. The bodies of
-// fix wall/gran/beam take part without being named here.
+// fix wall/gran/beam take part without being named here. A partner that says nothing for SECONDS (600) counts as lost.
 //
 // Output: f_ID[1] windows done, [2] interface energy residual [J] (work of the grains on the boundaries minus the work received by the
 // multibody side, over all windows but the last), [3] work of the grains on the boundaries [J], [4] largest overlap over grain radius,

@@ -79,7 +79,8 @@ int stop(const std::exception& error, int code, const Communicator& communicator
     std::fprintf(stderr, "liggghts_mbd: ERROR: %s\n", error.what());
     std::fflush(stderr);
   }
-  dem_link.fail(error.what());
+  // A partner that does not hear it would keep MPI_Finalize waiting.
+  if (!dem_link.fail(error.what())) abort_both_programs(code);
   return code;
 }
 

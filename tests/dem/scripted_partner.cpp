@@ -281,7 +281,7 @@ int run(int argc, char** argv, const Communicator& communicator) {
   std::unique_ptr<Link> link;
   const auto stop = [&](const std::exception& error, int code) {
     std::fprintf(stderr, "scripted_partner: ERROR: %s\n", error.what());
-    if (link) link->fail(error.what());
+    if (link && !link->fail(error.what())) abort_both_programs(code);
     return code;
   };
   try {
