@@ -35,8 +35,8 @@ struct BeamMember {
   Eigen::Vector3d up = Eigen::Vector3d::Zero();  // see beam_axes
 };
 
-// 3D frame, one element per member... and each element has a node of its own in its middle: nodes 0..N-1 are
-// the given ones, N + e is the middle of member e; member e has the segments 2 e and 2 e + 1. Mass, also the
+// 3D frame. Every member gets a node in its middle: nodes 0..N-1 are the given ones, N + e is the middle of
+// member e, and its two halves, one element each, are the segments 2 e and 2 e + 1. Mass, also the
 // rotary inertia of the cross sections, is lumped by Simpson's rule (1/6, 4/6, 1/6), so mass, centre and
 // inertia of a straight member are exact and frequencies converge with h^4. Throws InputError: no such node
 // or section, member of no length, node without member, disconnected frame.

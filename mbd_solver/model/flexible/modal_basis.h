@@ -6,10 +6,13 @@
 // mass-orthonormal and K is diagonal. Its six rigid-body motions are left out. While s >= n_c - 6 (n_c
 // degrees of freedom of the interface) all static shapes are kept and the response to slow joint forces is
 // exact; with fewer modes, or with a frequency limit, the lowest s of the basis are kept. The interface need
-// not hold the body: the fixed-interface modes then include its motions without strain. Without interface
-// nodes it is the same as: Free-free: the lowest elastic normal modes of the unsupported body. Hold only what
-// joints load: a moment on a node of a thin plate is a singular load, so a six-component interface node
-// spends modes on local kinks that a pinned node does not have.
+// not hold the body: the fixed-interface modes then include its motions without strain.
+//
+// Free-free: the lowest elastic normal modes of the unsupported body. Craig-Bampton without interface nodes
+// is the same.
+//
+// Hold only what joints load: a moment on a node of a thin plate is a singular load, so a six-component
+// interface node spends modes on local kinks that a pinned node does not have.
 
 #include <Eigen/Dense>
 #include <optional>
