@@ -19,7 +19,11 @@ void Link::receive_bytes(MessageKind expected, double patience) {
   const MessageKind kind = transport_.receive(in_, patience);
   seconds_waited_ += seconds_since(start);
   if (kind == expected) return;
-  if (kind == MessageKind::kClose) throw PartnerError(take_close());
+  if (kind == MessageKind::kClose) {
+    const std::string reason = take_close();
+    if (partner_status_ == Status::kBadInput) throw ProtocolError(reason);
+    throw PartnerError(reason);
+  }
   throw ProtocolError(partner() + " sent " + message_name(kind) + " where " + message_name(expected) + " was expected");
 }
 
@@ -31,7 +35,8 @@ std::string Link::take_close() {
   closed_ = true;
   send(Close{});
   switch (close.status) {
-    case Status::kFailed: return partner() + " stopped: " + close.reason;
+    case Status::kFailed:
+    case Status::kBadInput: return partner() + " stopped: " + close.reason;
     case Status::kInterrupted: return partner() + " was interrupted: " + close.reason;
     case Status::kOk: break;
   }
@@ -50,7 +55,7 @@ void Link::close() {
   Close answer;
   unpack(in_, answer);
   partner_status_ = answer.status;
-  if (answer.status == Status::kFailed) throw PartnerError(partner() + " stopped: " + answer.reason);
+  if (answer.status == Status::kFailed || answer.status == Status::kBadInput) throw PartnerError(partner() + " stopped: " + answer.reason);
 }
 
 bool Link::fail(const std::string& reason, Status status) noexcept {

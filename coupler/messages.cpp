@@ -33,8 +33,7 @@ Head read_head(ByteReader& in, MessageKind expected) {
                         std::to_string(kProtocolVersion) + ": build both from the same footfall");
   if (kind != static_cast<std::int32_t>(expected))
     throw ProtocolError("got " + message_name(static_cast<MessageKind>(kind)) + " instead");
-  if (status != static_cast<std::int32_t>(Status::kOk) && status != static_cast<std::int32_t>(Status::kFailed) &&
-      status != static_cast<std::int32_t>(Status::kInterrupted))
+  if (status < static_cast<std::int32_t>(Status::kOk) || status > static_cast<std::int32_t>(Status::kInterrupted))
     throw ProtocolError("status word " + std::to_string(status) + " has no meaning");
   return {protocol, static_cast<Status>(status)};
 }

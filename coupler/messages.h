@@ -28,7 +28,8 @@ enum class MessageKind : std::int32_t { kHello = 1, kGeometry, kStart, kAccept, 
 std::string message_name(MessageKind kind);
 
 // The status word: stands in the head of every message, bytes 12..15 after magic, kind and protocol version (four bytes each).
-enum class Status : std::int32_t { kOk = 0, kFailed = 1, kInterrupted = 3 };
+// Values as the exit codes of the programs, so that both end with the same one.
+enum class Status : std::int32_t { kOk = 0, kFailed = 1, kBadInput = 2, kInterrupted = 3 };
 
 using Bytes = std::vector<std::uint8_t>;
 

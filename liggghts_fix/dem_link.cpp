@@ -221,7 +221,7 @@ void DemLink::script_ended(bool interrupted) {
           number(accept_.t_end) + " s. `run` at least " +
           number(std::ceil((accept_.t_end - accept_.t_start) / dt_ - 1e-9)) + " steps in all";
   }
-  link_->fail(why);
+  link_->fail(why, Status::kBadInput);
   throw InputError(why);
 }
 

@@ -55,7 +55,7 @@ class DemLink {
   // never started) or PartnerError (interrupted: the user stopped this program).
   void script_ended(bool interrupted);
   // This side failed: the partner hears why. True if it has.
-  bool fail(const std::string& reason) noexcept { return link_ == nullptr || link_->fail(reason); }
+  bool fail(const std::string& reason, Status status = Status::kFailed) noexcept { return link_ == nullptr || link_->fail(reason, status); }
   bool has_partner() const { return link_ != nullptr; }
   // How long the partner may be silent before it counts as lost [s].
   void set_patience(double seconds);

@@ -77,7 +77,7 @@ int run_coupled(const Arguments& arguments, const Communicator& communicator) {
                        arguments.scene + "` alone");
     return run_scene(scene, arguments.run, &transport, g_interrupted);
   } catch (const InputError& error) {
-    Link(transport).fail(error.what());
+    Link(transport).fail(error.what(), Status::kBadInput);
     throw;
   }
 }

@@ -15,6 +15,15 @@ using namespace footfall;
 
 namespace {
 
+// The scene of ./footfall run: here, or else in the checkout that this program was built in.
+std::string default_scene() {
+  const std::string name = "inputs/landing_mr";
+  if (std::filesystem::exists(name)) return name;
+  const std::filesystem::path checkout = std::filesystem::path(built_program("footfall")).parent_path().parent_path().parent_path();
+  const std::filesystem::path scene = checkout / name;
+  return std::filesystem::exists(scene) ? scene.string() : name;
+}
+
 void add_run(CLI::App& app, RunArguments& a, std::function<int()>& action) {
   CLI::App* run = app.add_subcommand("run", "Run a scene: bed, both programs, summary, pictures");
   run->add_option("SCENE", a.scene, "Scene file, or folder with scene.toml")->capture_default_str();
@@ -55,6 +64,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string("footfall ") + FOOTFALL_VERSION);
   app.require_subcommand(1);
   RunArguments arguments;
+  arguments.scene = default_scene();
   std::string label;
   std::function<int()> action;
   add_run(app, arguments, action);

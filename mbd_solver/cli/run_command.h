@@ -7,7 +7,7 @@
 namespace footfall {
 
 struct RunArguments {
-  std::string scene = "inputs/landing_mr";
+  std::string scene;
   std::string out;                    // empty: runs/NAME, the first that is free
   double until = 0.0;                 // [s]; 0: the scene's end time
   int ranks = 0;                      // LIGGGHTS processes; 0: the scene's

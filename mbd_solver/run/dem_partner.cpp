@@ -43,7 +43,7 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     accept.n_max = start_.n;
     link_.send(accept);
   } catch (const ProtocolError& error) {
-    link_.fail(error.what());
+    link_.fail(error.what(), Status::kBadInput);
     throw;
   }
 }

@@ -131,7 +131,8 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   } catch (const std::exception& error) {
     progress.finish();
     history.flush();
-    if (simulation.partner()) simulation.partner()->fail(error.what(), Status::kFailed);
+    const bool mendable = dynamic_cast<const InputError*>(&error) || dynamic_cast<const ProtocolError*>(&error);
+    if (simulation.partner()) simulation.partner()->fail(error.what(), mendable ? Status::kBadInput : Status::kFailed);
     if (simulation.state().q.allFinite() && simulation.state().v.allFinite())
       write_checkpoint(folder + "checkpoint.txt", simulation.state(), simulation.mechanism(), voltages);
     write_summary(folder + "summary.json", summary_of(simulation, taker, "failed", error.what()));

@@ -65,6 +65,17 @@ TEST(Link, FailureReachesThePartnerWithItsReason) {
   EXPECT_TRUE(pair.mbd.fail("too late to say anything"));
 }
 
+// The exit codes of both programs come from the same status.
+TEST(Link, BadInputOfThePartnerIsBadInputHere) {
+  Pair pair;
+  std::thread dem([&] { pair.dem.fail("the script ended early", Status::kBadInput); });
+  Motion motion;
+  const std::string said = message_of<ProtocolError>([&] { pair.mbd.receive(motion); });
+  dem.join();
+  EXPECT_EQ(said, "liggghts_mbd stopped: the script ended early");
+  EXPECT_EQ(pair.mbd.partner_status(), Status::kBadInput);
+}
+
 TEST(Link, BothSidesMayFailAtOnce) {
   Pair pair;
   std::thread dem([&] { pair.dem.fail("one"); });
