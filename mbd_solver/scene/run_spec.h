@@ -45,7 +45,7 @@ struct ControllerSpec {
   // fuzzy
   std::string file;                                   // .fll
   bool tabulated = false;                             // computed once on a grid, then interpolated
-  std::vector<int> grid = {31, 13, 17, 17};           // points along a, da, alpha, beta
+  std::vector<int> grid = {49, 17, 33, 33};           // points along a, da, alpha, beta
   // skyhook, on-off
   double on = 1.0, off = 0.0;                         // voltages [-] in [0, 1]
   double deadband = 0.01;                             // [m/s] >= 0
