@@ -2,7 +2,10 @@
 // A bent tube: as a chain of segments for the beam wall, and as triangles for stock LIGGGHTS.
 
 #include <Eigen/Dense>
+#include <cmath>
+#include <cstdio>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -40,37 +43,52 @@ struct BentTube {
   }
 
   // The surface with `around` flat facets about the axis, their corners on the tube, mitred at the joints,
-  // open at both ends. The middles of its facets are at phi = 2 pi k / around.
-  void write_stl(const std::string& path, int around) const {
-    const double mitre = 1.0 / std::cos(0.5 * angle / segments);
-    std::vector<std::vector<Eigen::Vector3d>> rings;  // corners at the nodes
-    for (int i = 0; i <= segments; ++i) {
-      rings.emplace_back();
+  // open at both ends. The middles of its facets are at phi = 2 pi k / around. Corner k of node i has number
+  // around * i + k.
+  std::vector<Eigen::Vector3d> corners(int around) const {
+    const double mitre =
+        1.0 / std::cos(0.5 * angle / segments);  // cuts through node and arc's centre, at the ends too
+    std::vector<Eigen::Vector3d> list;
+    for (int i = 0; i <= segments; ++i)
       for (int k = 0; k < around; ++k) {
         const double phi = 2.0 * M_PI * (k + 0.5) / around;
-        // Cut by the plane through the node and the centre of the arc; at the ends, where no segment follows,
-        // too.
-        rings.back().push_back(node(i) + radius * (std::cos(phi) * mitre * radial(i) +
-                                                   std::sin(phi) * Eigen::Vector3d::UnitY()));
+        list.push_back(node(i) + radius * (std::cos(phi) * mitre * radial(i) +
+                                           std::sin(phi) * Eigen::Vector3d::UnitY()));
       }
-    }
+    return list;
+  }
+  std::vector<Eigen::Vector3i> triangles(int around) const {
+    std::vector<Eigen::Vector3i> list;
+    for (int i = 0; i < segments; ++i)
+      for (int k = 0; k < around; ++k) {
+        const int a = around * i + k, b = around * i + (k + 1) % around;
+        list.emplace_back(a, a + around, b + around);
+        list.emplace_back(a, b + around, b);
+      }
+    return list;
+  }
+
+  void write_stl(const std::string& path, int around) const {
+    const std::vector<Eigen::Vector3d> x = corners(around);
     std::ofstream out(path);
     out.precision(17);
     out << "solid tube\n";
-    const auto triangle = [&out](const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                                 const Eigen::Vector3d& c) {
-      const Eigen::Vector3d n = (b - a).cross(c - a).normalized();
-      out << "facet normal " << n.transpose() << "\nouter loop\n";
-      for (const Eigen::Vector3d& v : {a, b, c}) out << "vertex " << v.transpose() << "\n";
+    for (const Eigen::Vector3i& t : triangles(around)) {
+      const auto at = [&](int c) { return x[static_cast<std::size_t>(t[c])]; };
+      out << "facet normal " << (at(1) - at(0)).cross(at(2) - at(0)).normalized().transpose()
+          << "\nouter loop\n";
+      for (int c = 0; c < 3; ++c) out << "vertex " << at(c).transpose() << "\n";
       out << "endloop\nendfacet\n";
-    };
-    for (std::size_t i = 0; i + 1 < rings.size(); ++i)
-      for (std::size_t k = 0; k < rings[i].size(); ++k) {
-        const std::size_t next = (k + 1) % rings[i].size();
-        triangle(rings[i][k], rings[i + 1][k], rings[i + 1][next]);
-        triangle(rings[i][k], rings[i + 1][next], rings[i][next]);
-      }
+    }
     out << "endsolid tube\n";
+  }
+  // The same as nodes and triangles of a scripted body.
+  std::string surface_statements(int around) const {
+    std::ostringstream text;
+    text.precision(17);
+    for (const Eigen::Vector3d& x : corners(around)) text << "node " << x.transpose() << "\n";
+    for (const Eigen::Vector3i& t : triangles(around)) text << "triangle " << t.transpose() << "\n";
+    return text.str();
   }
 };
 
