@@ -35,7 +35,8 @@ class DenseRows {
       const PairMotion pair = kinematics_.pair(joint.m1.body, joint.m2.body);
       const ConstraintRow& condition = joint.rows[static_cast<std::size_t>(row - layout_.joint_row[static_cast<std::size_t>(j)])];
       phi_v.resize(pair.size());
-      const RowValue value = evaluate_row(condition, state.time, pair, joint.m1, joint.m2, phi_v);
+      MarkerVectors vectors(pair, joint.m1, joint.m2);
+      const RowValue value = evaluate_row(condition, state.time, vectors, phi_v);
       phi[row] = value.phi;
       rate[row] = value.rate;
       const int bodies[2] = {joint.m1.body, joint.m2.body};

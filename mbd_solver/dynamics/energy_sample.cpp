@@ -56,6 +56,7 @@ Vector6d Equations::joint_wrench(int index, double t, const Eigen::Ref<const Eig
   Workspace& w = *work_;
   const Joint& joint = model_.joint(index);
   const PairMotion pair = w.joint_pair(joint);
+  MarkerVectors vectors(pair, joint.m1, joint.m2);
   // On body 2, or on body 1 with the sign turned when 2 is the ground.
   const int slot = pair.body[1]->ground ? 0 : 1;
   const BodyKinematics& body = *pair.body[slot];
@@ -64,7 +65,7 @@ Vector6d Equations::joint_wrench(int index, double t, const Eigen::Ref<const Eig
   for (std::size_t k = 0; k < joint.rows.size(); ++k) {
     const int kept = layout_.kept[static_cast<std::size_t>(layout_.joint_row[static_cast<std::size_t>(index)]) + k];
     if (kept < 0) continue;
-    evaluate_row(joint.rows[k], t, pair, joint.m1, joint.m2, phi_v);
+    evaluate_row(joint.rows[k], t, vectors, phi_v);
     wrench -= lambda[kept] * phi_v.segment<6>(pair.offset(slot));
   }
   if (slot == 0) wrench = -wrench;

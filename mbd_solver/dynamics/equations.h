@@ -47,6 +47,13 @@ class Equations {
   const Eigen::SparseMatrix<double>& jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                               const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
   const Eigen::SparseMatrix<double>& jacobian_pattern() const;  // the same matrix, whatever its values are now
+  // The same with the rows F_q and the columns q eliminated by c dq = N dv + (dN v) (exact for the step of a one-step method):
+  // square in [v; z; lambda], a quarter of the work to factor.
+  const Eigen::SparseMatrix<double>& reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
+                                                      const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
+  const Eigen::SparseMatrix<double>& reduced_pattern() const;
+  // out -= d[F_v; F_z; F_lambda]/dx dx, with the derivatives of the last Jacobian. dx as v; out as [v; z; lambda].
+  void subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> out) const;
   // dF/dydot * x at (t, y): what an error estimate is filtered with.
   void apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x, double t,
                   Eigen::Ref<Eigen::VectorXd> out);
@@ -57,6 +64,7 @@ class Equations {
 
   // Removes the drift of Phi and Phi' by the Moore-Penrose inverse of Phi_v in the metric of the mass matrix:
   //   dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T)^+ Phi, repeated to round-off; the same for v. Quaternions are normalised.
+  // Drift below 1e-10 m (and 2e-9 m/s) is left alone.
   struct Drift {
     double position = 0.0;  // largest |phi| before [m or rad]
     double velocity = 0.0;  // largest |phi'| before [m/s or rad/s]
@@ -89,9 +97,11 @@ class Equations {
   struct Workspace;
   void set_regularisation(const State& state);
   void demand_fitting(const Inputs& inputs) const;
-  void add_body_jacobian(int index, double c, const Inputs& inputs);
-  void add_joint_jacobian(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda);
-  void add_force_jacobian(int index, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs);
+  void gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
+                          const Inputs& inputs);
+  void add_body_derivatives(int index, double c, const Inputs& inputs);
+  void add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda);
+  void add_force_derivatives(int index, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs);
   bool factor_saddle(double t);  // at the loaded kinematics
   Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate);  // likewise
 

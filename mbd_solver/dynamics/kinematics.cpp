@@ -39,15 +39,56 @@ void Kinematics::load(const Layout& layout, const Eigen::Ref<const Eigen::Vector
   }
 }
 
+namespace {
+
+// Calls visit(q0, v0, s) for every body: first entries in q and v, number of modes.
+template <typename Visit>
+void for_each_body(const Layout& layout, Visit visit) {
+  for (std::size_t i = 0; i < layout.body_q.size(); ++i) {
+    const int end = i + 1 < layout.body_v.size() ? layout.body_v[i + 1] : layout.v_size;
+    visit(layout.body_q[i], layout.body_v[i], end - layout.body_v[i] - 6);
+  }
+}
+
+}  // namespace
+
 void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> q) {
-  const std::size_t count = layout.body_q.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const int q0 = layout.body_q[i], v0 = layout.body_v[i];
-    const int end = i + 1 < count ? layout.body_v[i + 1] : layout.v_size;
+  for_each_body(layout, [&](int q0, int v0, int s) {
     q.segment<3>(q0) += dx.segment<3>(v0);
     q.segment<4>(q0 + 3) = rotated(q.segment<4>(q0 + 3), dx.segment<3>(v0 + 3));
-    q.segment(q0 + 7, end - v0 - 6) += dx.segment(v0 + 6, end - v0 - 6);
-  }
+    q.segment(q0 + 7, s) += dx.segment(v0 + 6, s);
+  });
+}
+
+void solve_positions(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& known, const Eigen::Ref<const Eigen::VectorXd>& v,
+                     double c, Eigen::Ref<Eigen::VectorXd> q) {
+  // dL/dt = 1/2 W L with W = [0, -w^T; w, w~], W W = -|w|^2 I:  (c I - W/2)^-1 c = (I + W/(2c)) / (1 + |w|^2 / (4 c^2))
+  for_each_body(layout, [&](int q0, int v0, int s) {
+    const Eigen::Vector3d w = v.segment<3>(v0 + 3);
+    const Eigen::Vector4d L = known.segment<4>(q0 + 3);
+    q.segment<3>(q0) = known.segment<3>(q0) + v.segment<3>(v0) / c;
+    q.segment<4>(q0 + 3) = (L + quaternion_rate(L, w) / c) / (1.0 + w.squaredNorm() / (4.0 * c * c));
+    q.segment(q0 + 7, s) = known.segment(q0 + 7, s) + v.segment(v0 + 6, s) / c;
+  });
+}
+
+void to_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q, const Eigen::Ref<const Eigen::VectorXd>& dq,
+                   Eigen::Ref<Eigen::VectorXd> dx) {
+  for_each_body(layout, [&](int q0, int v0, int s) {
+    const Eigen::Vector4d L = q.segment<4>(q0 + 3);
+    dx.segment<3>(v0) = dq.segment<3>(q0);
+    dx.segment<3>(v0 + 3) = (2.0 / L.squaredNorm()) * (rate_matrix(L) * dq.segment<4>(q0 + 3));
+    dx.segment(v0 + 6, s) = dq.segment(q0 + 7, s);
+  });
+}
+
+void from_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q, const Eigen::Ref<const Eigen::VectorXd>& dx,
+                     Eigen::Ref<Eigen::VectorXd> dq) {
+  for_each_body(layout, [&](int q0, int v0, int s) {
+    dq.segment<3>(q0) = dx.segment<3>(v0);
+    dq.segment<4>(q0 + 3) = quaternion_rate(q.segment<4>(q0 + 3), dx.segment<3>(v0 + 3));
+    dq.segment(q0 + 7, s) = dx.segment(v0 + 6, s);
+  });
 }
 
 }  // namespace footfall

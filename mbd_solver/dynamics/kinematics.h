@@ -25,4 +25,14 @@ class Kinematics {
 // q moved by increments dx = [dr; dtheta; da] per body.
 void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> q);
 
+// Positions of an implicit step: solves c (q - known) = N(q) v for q, exactly (the quaternion part is linear in L).
+void solve_positions(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& known, const Eigen::Ref<const Eigen::VectorXd>& v,
+                     double c, Eigen::Ref<Eigen::VectorXd> q);
+
+// A difference of positions dq, small, in increments dx, and back.
+void to_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q, const Eigen::Ref<const Eigen::VectorXd>& dq,
+                   Eigen::Ref<Eigen::VectorXd> dx);
+void from_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q, const Eigen::Ref<const Eigen::VectorXd>& dx,
+                     Eigen::Ref<Eigen::VectorXd> dq);
+
 }  // namespace footfall

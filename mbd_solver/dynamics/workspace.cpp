@@ -9,45 +9,25 @@ struct Range {
   int begin = 0, size = 0;
 };
 
-// Rows or columns of a pair's bodies and of the element's own unknowns in y.
-struct PairRanges {
-  Range q[2], v[2], own;
-};
-
-PairRanges ranges(const Layout& layout, const Kinematics& kinematics, int body_1, int body_2, int v0, Range own) {
-  PairRanges out;
-  out.own = own;
-  const int bodies[2] = {body_1, body_2};
-  const std::array<int, 2> q = pair_q(layout, body_1, body_2), v = pair_v(layout, body_1, body_2);
+// The blocks a joint or an element needs, announced to a pattern or located in the finished matrix: visit(rows, columns, block).
+// `v` are the coordinates of its bodies, `own` its multipliers or inner states.
+template <typename Visit>
+void visit_blocks(const std::array<Range, 2>& v, Range own, bool forces, PairPlaces& places, Visit visit) {
   for (std::size_t i = 0; i < 2; ++i) {
-    const int n = kinematics.of(bodies[i]).size();
-    if (n == 0) continue;
-    out.q[i] = {q[i], n + 1};
-    out.v[i] = {v0 + v[i], n};
+    if (v[i].size == 0) continue;
+    for (std::size_t j = 0; forces && j < 2; ++j) {
+      if (v[j].size > 0) visit(v[i], v[j], places.v_v[i][j]);
+    }
+    if (own.size == 0) continue;
+    visit(own, v[i], places.extra_v[i]);
+    visit(v[i], own, places.v_extra[i]);
   }
-  return out;
+  if (forces && own.size > 0) visit(own, own, places.extra_extra);
 }
 
-enum class Use { kJointInJacobian, kForceInJacobian, kJointInSaddle };
-
-// The blocks a joint or an element needs, announced to the pattern or located in the finished matrix.
-template <typename Visit>
-void visit_blocks(const PairRanges& r, Use use, PairPlaces& places, Visit visit) {
-  for (int i = 0; i < 2; ++i) {
-    if (r.v[i].size == 0) continue;
-    if (use != Use::kJointInSaddle) {
-      for (int j = 0; j < 2; ++j) {
-        if (r.v[j].size == 0) continue;
-        visit(r.v[i], r.q[j], places.v_q[i][j]);
-        if (use == Use::kForceInJacobian) visit(r.v[i], r.v[j], places.v_v[i][j]);
-      }
-    }
-    if (r.own.size == 0) continue;
-    if (use != Use::kJointInSaddle) visit(r.own, r.q[i], places.extra_q[i]);
-    visit(r.own, r.v[i], places.extra_v[i]);
-    visit(r.v[i], r.own, places.v_extra[i]);
-  }
-  if (use == Use::kForceInJacobian && r.own.size > 0) visit(r.own, r.own, places.extra_extra);
+std::array<Range, 2> velocities(const Layout& layout, const Kinematics& kinematics, int body_1, int body_2) {
+  const std::array<int, 2> first = pair_v(layout, body_1, body_2);
+  return {Range{first[0], kinematics.of(body_1).size()}, Range{first[1], kinematics.of(body_2).size()}};
 }
 
 int kept_count(const Layout& layout, const Joint& joint, int joint_index, int& first) {
@@ -83,61 +63,91 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout) : kine
     d.ddz_dz = Eigen::MatrixXd::Zero(m, m);
     elements.push_back(d);
   }
-  dtheta_dL.resize(static_cast<std::size_t>(model.body_count()));
   body_places.resize(static_cast<std::size_t>(model.body_count()));
   joint_places.resize(static_cast<std::size_t>(model.joint_count()));
   saddle_joint.resize(static_cast<std::size_t>(model.joint_count()));
   force_places.resize(static_cast<std::size_t>(model.force_count()));
 
   // Two passes over the same list of blocks: announce them, then find their places.
-  SparsePattern pattern(layout.size());
-  SparsePattern saddle_pattern(layout.v_size + layout.row_count);
-  const auto visit_pairs = [&](auto jacobian_visit, auto saddle_visit) {
+  const int z0 = layout.v_size, lambda0 = layout.v_size + layout.z_size, size = lambda0 + layout.row_count;
+  SparsePattern lower_pattern(size), saddle_pattern(layout.v_size + layout.row_count);
+  const auto visit_pairs = [&](auto lower_visit, auto saddle_visit) {
     for (int j = 0; j < model.joint_count(); ++j) {
       const Joint& joint = model.joint(j);
+      const std::array<Range, 2> rows = velocities(layout, kinematics, joint.m1.body, joint.m2.body);
       int first = 0;
       const int count = kept_count(layout, joint, j, first);
-      const std::size_t at = static_cast<std::size_t>(j);
-      visit_blocks(ranges(layout, kinematics, joint.m1.body, joint.m2.body, layout.v0(), {layout.lambda0() + first, count}),
-                   Use::kJointInJacobian, joint_places[at], jacobian_visit);
-      visit_blocks(ranges(layout, kinematics, joint.m1.body, joint.m2.body, 0, {layout.v_size + first, count}),
-                   Use::kJointInSaddle, saddle_joint[at], saddle_visit);
+      visit_blocks(rows, {lambda0 + first, count}, true, joint_places[static_cast<std::size_t>(j)], lower_visit);
+      visit_blocks(rows, {layout.v_size + first, count}, false, saddle_joint[static_cast<std::size_t>(j)], saddle_visit);
     }
     for (int i = 0; i < model.force_count(); ++i) {
       const ForceElement& force = model.force(i);
-      const std::size_t at = static_cast<std::size_t>(i);
-      visit_blocks(ranges(layout, kinematics, force.bodies()[0], force.bodies()[1], layout.v0(),
-                          {layout.z0() + layout.force_z[at], force.state_count()}),
-                   Use::kForceInJacobian, force_places[at], jacobian_visit);
+      visit_blocks(velocities(layout, kinematics, force.bodies()[0], force.bodies()[1]),
+                   {z0 + layout.force_z[static_cast<std::size_t>(i)], force.state_count()}, true,
+                   force_places[static_cast<std::size_t>(i)], lower_visit);
     }
   };
-  visit_pairs([&](Range rows, Range cols, SparseBlock&) { pattern.add_block(rows.begin, rows.size, cols.begin, cols.size); },
-              [&](Range rows, Range cols, SparseBlock&) { saddle_pattern.add_block(rows.begin, rows.size, cols.begin, cols.size); });
+  const auto announce_to = [](SparsePattern& pattern) {
+    return [&pattern](Range rows, Range cols, SparseBlock&) { pattern.add_block(rows.begin, rows.size, cols.begin, cols.size); };
+  };
+  visit_pairs(announce_to(lower_pattern), announce_to(saddle_pattern));
+  for (int i = 0; i < model.body_count(); ++i) {
+    const int first = layout.body_v[static_cast<std::size_t>(i)], count = kinematics.of(i).size();
+    lower_pattern.add_block(first, count, first, count);
+    saddle_pattern.add_block(first, count, first, count);
+  }
+  lower_pattern.add_diagonal(z0, z0, layout.z_size);
+  lower_pattern.add_diagonal(lambda0, lambda0, layout.row_count);
+  saddle_pattern.add_diagonal(layout.v_size, layout.v_size, layout.row_count);
+  lower = reduced = lower_pattern.build();
+  saddle = saddle_pattern.build();
+  stiffness = Eigen::VectorXd::Zero(lower.nonZeros());
+
+  const auto locate_in = [](const Eigen::SparseMatrix<double>& matrix) {
+    return [&matrix](Range rows, Range cols, SparseBlock& block) {
+      block = SparseBlock(matrix, rows.begin, rows.size, cols.begin, cols.size);
+    };
+  };
+  visit_pairs(locate_in(lower), locate_in(saddle));
+  for (int i = 0; i < model.body_count(); ++i) {
+    const int first = layout.body_v[static_cast<std::size_t>(i)], count = kinematics.of(i).size();
+    body_places[static_cast<std::size_t>(i)].v_v = SparseBlock(lower, first, count, first, count);
+    saddle_mass.emplace_back(saddle, first, count, first, count);
+  }
+  z_z = diagonal_places(lower, z0, z0, layout.z_size);
+  lambda_lambda = diagonal_places(lower, lambda0, lambda0, layout.row_count);
+  saddle_diagonal = diagonal_places(saddle, layout.v_size, layout.v_size, layout.row_count);
+  build_full(model, layout);
+  saddle_lu = std::make_unique<SparseLu>(saddle);
+  saddle_x = Eigen::VectorXd::Zero(layout.v_size + layout.row_count);
+  phi_rate = Eigen::VectorXd::Zero(layout.row_count);
+  y = rhs = Eigen::VectorXd::Zero(layout.size());
+  last_q = Eigen::VectorXd::Zero(layout.q_size);
+  last_v = Eigen::VectorXd::Zero(layout.v_size);
+  regularisation = Eigen::VectorXd::Zero(layout.row_count);
+}
+
+// The full matrix: F_q in its own rows and, below, the columns of `lower` once for q (as often as a body has positions) and once for v.
+void Equations::Workspace::build_full(const Model& model, const Layout& layout) {
+  SparsePattern pattern(layout.size());
+  const int lower0 = layout.q_size;  // rows of `lower` start here; so do its columns v, z, lambda
+  const auto copy_column = [&](int from, int to) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, from); entry; ++entry)
+      pattern.add_block(lower0 + static_cast<int>(entry.row()), 1, to, 1);
+  };
+  for (int j = 0; j < lower.cols(); ++j) copy_column(j, lower0 + j);
   for (int i = 0; i < model.body_count(); ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
     const int s = model.body(i).mode_count(), q = layout.body_q[at], v = layout.v0() + layout.body_v[at];
+    for (int k = 0; k < 7 + s; ++k) copy_column(layout.body_v[at], q + k);
     pattern.add_diagonal(q, q, 3);
     pattern.add_diagonal(q, v, 3);
     pattern.add_block(q + 3, 4, q + 3, 4);
     pattern.add_block(q + 3, 4, v + 3, 3);
     pattern.add_diagonal(q + 7, q + 7, s);
     pattern.add_diagonal(q + 7, v + 6, s);
-    pattern.add_block(v, 6 + s, q, 7 + s);
-    pattern.add_block(v, 6 + s, v, 6 + s);
-    saddle_pattern.add_block(layout.body_v[at], 6 + s, layout.body_v[at], 6 + s);
   }
-  pattern.add_diagonal(layout.z0(), layout.z0(), layout.z_size);
-  pattern.add_diagonal(layout.lambda0(), layout.lambda0(), layout.row_count);
-  saddle_pattern.add_diagonal(layout.v_size, layout.v_size, layout.row_count);
-
   jacobian = pattern.build();
-  saddle = saddle_pattern.build();
-  const auto locate_in = [](const Eigen::SparseMatrix<double>& matrix) {
-    return [&matrix](Range rows, Range cols, SparseBlock& block) {
-      block = SparseBlock(matrix, rows.begin, rows.size, cols.begin, cols.size);
-    };
-  };
-  visit_pairs(locate_in(jacobian), locate_in(saddle));
   for (int i = 0; i < model.body_count(); ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
     const int s = model.body(i).mode_count(), q = layout.body_q[at], v = layout.v0() + layout.body_v[at];
@@ -148,20 +158,7 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout) : kine
     places.L_w = SparseBlock(jacobian, q + 3, 4, v + 3, 3);
     places.a_a = diagonal_places(jacobian, q + 7, q + 7, s);
     places.a_da = diagonal_places(jacobian, q + 7, v + 6, s);
-    places.v_q = SparseBlock(jacobian, v, 6 + s, q, 7 + s);
-    places.v_v = SparseBlock(jacobian, v, 6 + s, v, 6 + s);
-    saddle_mass.emplace_back(saddle, layout.body_v[at], 6 + s, layout.body_v[at], 6 + s);
   }
-  z_z = diagonal_places(jacobian, layout.z0(), layout.z0(), layout.z_size);
-  lambda_lambda = diagonal_places(jacobian, layout.lambda0(), layout.lambda0(), layout.row_count);
-  saddle_diagonal = diagonal_places(saddle, layout.v_size, layout.v_size, layout.row_count);
-  saddle_lu = std::make_unique<SparseLu>(saddle);
-  saddle_x = Eigen::VectorXd::Zero(layout.v_size + layout.row_count);
-  phi_rate = Eigen::VectorXd::Zero(layout.row_count);
-  y = rhs = Eigen::VectorXd::Zero(layout.size());
-  last_q = Eigen::VectorXd::Zero(layout.q_size);
-  last_v = Eigen::VectorXd::Zero(layout.v_size);
-  regularisation = Eigen::VectorXd::Zero(layout.row_count);
 }
 
 }  // namespace footfall

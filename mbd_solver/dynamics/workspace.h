@@ -1,6 +1,7 @@
 #pragma once
 // What Equations writes while it works: sized once, reused for ever. Only the sources of Equations include this.
 
+#include <array>
 #include <vector>
 
 #include "mbd_solver/dynamics/body_force.h"
@@ -11,22 +12,23 @@
 
 namespace footfall {
 
-// Places of one body in the Jacobian. n = 6 + s velocities, n + 1 positions.
+// Places of one body in the Jacobian of the forces and in F_q. n = 6 + s.
 struct BodyPlaces {
-  std::vector<int> r_r, r_dr, a_a, a_da;  // diagonals of F_q: by r, dr, a, da
+  SparseBlock v_v;                        // force rows by the body's own coordinates, in `lower`
+  std::vector<int> r_r, r_dr, a_a, a_da;  // F_q in the full matrix, diagonals: by r, dr, a, da
   SparseBlock L_L, L_w;                   // F_q of the quaternion by L and w
-  SparseBlock v_q, v_v;                   // F_v
 };
 
 // Places of one joint or force element between its two bodies; a ground body has empty blocks.
 struct PairPlaces {
-  SparseBlock v_q[2][2], v_v[2][2];                  // force rows of body i by coordinates of body j
-  SparseBlock extra_q[2], extra_v[2], v_extra[2];    // own rows (lambda or z) by body, forces on body by own unknowns
-  SparseBlock extra_extra;                           // z by z
+  SparseBlock v_v[2][2];                 // force rows of body i by coordinates of body j
+  SparseBlock extra_v[2], v_extra[2];    // own rows (lambda or z) by body, forces on body by own unknowns
+  SparseBlock extra_extra;               // z by z
 };
 
 struct Equations::Workspace {
   Workspace(const Model& model, const Layout& layout);
+  void build_full(const Model& model, const Layout& layout);
 
   PairMotion joint_pair(const Joint& joint) const { return kinematics.pair(joint.m1.body, joint.m2.body); }
   PairMotion force_pair(const ForceElement& force) const { return kinematics.pair(force.bodies()[0], force.bodies()[1]); }
@@ -39,12 +41,16 @@ struct Equations::Workspace {
   Eigen::MatrixXd K, D, M;                    // local matrices of the largest pair or body
   Eigen::VectorXd empty;
 
-  // Jacobian of the full system
-  Eigen::SparseMatrix<double> jacobian;
+  // Derivatives of the lower rows F_v, F_z, F_lambda, in one pattern over [v; z; lambda] with two value arrays:
+  //   stiffness: by the increments dx of positions (columns of v);  values of `lower`: by v, z, lambda, with c dF/dydot.
+  // All columns of one body have the same rows, so both Jacobians are combinations of columns (jacobian.cpp).
+  Eigen::SparseMatrix<double> lower;
+  Eigen::VectorXd stiffness;
   std::vector<BodyPlaces> body_places;
   std::vector<PairPlaces> joint_places, force_places;
   std::vector<int> z_z, lambda_lambda;
-  std::vector<Matrix34d> dtheta_dL;           // 2 R(L) / |L|^2 per body
+  Eigen::SparseMatrix<double> jacobian;   // of the full system: columns of q, then as in `lower` with F_q on top
+  Eigen::SparseMatrix<double> reduced;    // pattern of `lower`
 
   // Saddle matrix [M, Phi_v^T; Phi_v, -eps] of accelerations and projections
   Eigen::SparseMatrix<double> saddle;
@@ -64,10 +70,11 @@ void for_each_row(const Model& model, const Layout& layout, const Kinematics& ki
                   Visit visit) {
   for (int j = 0; j < model.joint_count(); ++j) {
     const Joint& joint = model.joint(j);
-    const PairMotion pair = kinematics.pair(joint.m1.body, joint.m2.body);
+    MarkerVectors vectors(kinematics.pair(joint.m1.body, joint.m2.body), joint.m1, joint.m2);
+    const PairMotion& pair = vectors.pair();
     Eigen::Ref<Eigen::VectorXd> phi_v = scratch.head(pair.size());
     for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-      const RowValue value = evaluate_row(joint.rows[k], t, pair, joint.m1, joint.m2, phi_v);
+      const RowValue value = evaluate_row(joint.rows[k], t, vectors, phi_v);
       visit(layout.joint_row[static_cast<std::size_t>(j)] + static_cast<int>(k), pair, phi_v, value);
     }
   }
@@ -77,10 +84,6 @@ void for_each_row(const Model& model, const Layout& layout, const Kinematics& ki
 inline std::array<int, 2> pair_v(const Layout& layout, int body_1, int body_2) {
   return {body_1 == kGround ? -1 : layout.body_v[static_cast<std::size_t>(body_1)],
           body_2 == kGround ? -1 : layout.body_v[static_cast<std::size_t>(body_2)]};
-}
-inline std::array<int, 2> pair_q(const Layout& layout, int body_1, int body_2) {
-  return {body_1 == kGround ? -1 : layout.body_q[static_cast<std::size_t>(body_1)],
-          body_2 == kGround ? -1 : layout.body_q[static_cast<std::size_t>(body_2)]};
 }
 
 }  // namespace footfall

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "coupler/errors.h"
+#include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/integrator/work_integral.h"
 
 namespace footfall {
@@ -26,10 +27,11 @@ constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
 OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
     : equations_(equations), options_(options), norm_(equations.layout(), options) {
   const int n = equations.layout().size();
-  y_ = Ydot_ = known_ = F_ = rates_ = Eigen::VectorXd::Zero(n);
+  y_ = Ydot_ = known_ = F_ = change_ = rates_ = Eigen::VectorXd::Zero(n);
+  dx_ = Eigen::VectorXd::Zero(equations.layout().v_size);
   for (Eigen::VectorXd& K : K_) K = Eigen::VectorXd::Zero(n);
   for (Eigen::VectorXd& Y : Y_) Y = Eigen::VectorXd::Zero(n);
-  lu_ = std::make_unique<SparseLu>(equations.jacobian_pattern());
+  lu_ = std::make_unique<SparseLu>(equations.reduced_pattern());
 }
 
 void OneStep::forget() {
@@ -111,12 +113,19 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   Y_[1].tail(rows) = K_[2].tail(rows);
   if (!solve_stage(2, t + h, h, inputs)) return Outcome::kNoConvergence;
 
-  // Error estimate h sum (b - b^) K, filtered.
+  // Error estimate e = h sum (b - b^) K, filtered: J x = c (dF/dydot) e, positions eliminated as in the Jacobian.
+  const Layout& layout = equations_.layout();
+  const int lower = layout.size() - layout.q_size;
   Ydot_.head(m) = h * (kError[0] * K_[0] + kError[1] * K_[1] + kError[2] * K_[2]).head(m);
   Ydot_.tail(rows).setZero();
   equations_.apply_mass(Y_[1], Ydot_, t + h, F_);
-  F_ *= c;
-  lu_->solve(F_);
+  to_increments(layout, Y_[1].head(layout.q_size), Ydot_.head(layout.q_size), dx_);
+  Eigen::Ref<Eigen::VectorXd> x = F_.tail(lower);
+  x *= c;
+  equations_.subtract_stiffness(dx_, x);
+  lu_->solve(x);
+  dx_ += x.head(layout.v_size) / c;
+  from_increments(layout, Y_[1].head(layout.q_size), dx_, F_.head(layout.q_size));
   error_ = norm_(F_);
   worst_ = norm_.worst(F_);
   if (!std::isfinite(error_)) return Outcome::kNoConvergence;
@@ -126,7 +135,7 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
 bool OneStep::refresh(double t, double c, const Inputs& inputs) {
   // At the start of the step: the prediction of the first implicit stage differs from it by O(h).
   try {
-    equations_.jacobian(t, y_, K_[0], c, inputs);
+    equations_.reduced_jacobian(t, y_, K_[0], c, inputs);
   } catch (const NumericalError& error) {
     complaint_ = error.what();
     return false;
@@ -140,13 +149,18 @@ bool OneStep::refresh(double t, double c, const Inputs& inputs) {
 }
 
 bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
-  const int m = equations_.layout().lambda0(), rows = equations_.layout().row_count;
+  const Layout& layout = equations_.layout();
+  const int m = layout.lambda0(), rows = layout.row_count, q = layout.q_size, lower = layout.size() - q;
   const double c = 1.0 / (h * kGamma);
   Eigen::VectorXd& Y = Y_[stage - 1];
-  Ydot_.head(m) = K_[stage].head(m);
   Ydot_.tail(rows).setZero();
   double last = 0.0;
   for (int i = 0; i < kMostIterations; ++i) {
+    // Positions and rates of the present velocities and states.
+    change_.head(q) = Y.head(q);
+    solve_positions(layout, known_.head(q), Y.segment(q, layout.v_size), c, Y.head(q));
+    change_.head(q) -= Y.head(q);
+    Ydot_.head(m) = c * (Y - known_).head(m);
     try {
       equations_.residual(t, Y, Ydot_, inputs, F_);
     } catch (const NumericalError& error) {  // a law without a value there: a smaller step may stay clear of it
@@ -154,12 +168,13 @@ bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
       return false;
     }
     ++statistics_.residuals;
-    lu_->solve(F_);
-    const double size = norm_(F_);
-    worst_ = norm_.worst(F_);
+    Eigen::Ref<Eigen::VectorXd> x = change_.tail(lower);
+    x = F_.tail(lower);
+    lu_->solve(x);
+    Y.tail(lower) -= x;
+    const double size = norm_(change_);
+    worst_ = norm_.worst(change_);
     if (!std::isfinite(size)) return false;
-    Y -= F_;
-    Ydot_.head(m) -= c * F_.head(m);
     if (i > 0) {
       rate_ = size / last;
       if (rate_ >= 1.0 && size > kNewtonTolerance) return false;
@@ -168,7 +183,8 @@ bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
     // What is still missing: size rate / (1 - rate); the rate of the stage before serves the first iteration.
     const double rate = std::min(rate_, 0.9);
     if (size * rate / (1.0 - rate) <= kNewtonTolerance) {
-      K_[stage].head(m) = Ydot_.head(m);
+      solve_positions(layout, known_.head(q), Y.segment(q, layout.v_size), c, Y.head(q));
+      K_[stage].head(m) = c * (Y - known_).head(m);
       K_[stage].tail(rows) = Y.tail(rows);
       return true;
     }

@@ -4,8 +4,9 @@
 //   gamma = 1 - sqrt(2)/2,  w = sqrt(2)/4,  c = (0, 2 gamma, 1),  b = (w, w, gamma)
 //   embedded third-order weights ((1-w)/3, (3w+1)/3, gamma/3) estimate the error; the estimate is filtered by the iteration matrix, so
 //   that stiff parts do not shrink the step.
-// A stage with rates K_i: y_i = known + h gamma K_i, F(t_i, y_i, K_i) = 0, solved by Newton steps with dF/dy + 1/(h gamma) dF/dydot.
-// Multipliers are unknowns of the stage and have no rates. The Jacobian and its factors are kept while Newton converges fast.
+// A stage with rates K_i: y_i = known + h gamma K_i, F(t_i, y_i, K_i) = 0. Positions follow from velocities in closed form, so Newton
+// iterates [v; z; lambda] alone, with the reduced Jacobian at c = 1 / (h gamma). Multipliers have no rates. The Jacobian and its
+// factors are kept while Newton converges fast.
 
 #include "mbd_solver/dynamics/sparse_lu.h"
 #include "mbd_solver/integrator/error_norm.h"
@@ -47,7 +48,7 @@ class OneStep : public Integrator {
   Eigen::VectorXd y_;                          // at the start of the step
   Eigen::VectorXd K_[3];                       // rates of the stages; multipliers in the tail
   Eigen::VectorXd Y_[2];                       // values of the two implicit stages
-  Eigen::VectorXd Ydot_, known_, F_, rates_;
+  Eigen::VectorXd Ydot_, known_, F_, change_, dx_, rates_;
   EnergySample energy_[3];                     // powers at the stages
 };
 

@@ -51,6 +51,8 @@ class KinematicVector {
   // K += d(X^T f) / dx at fixed f
   void add_second(const Eigen::Vector3d& f, Eigen::Ref<Eigen::MatrixXd> K) const;
 
+  KinematicVector() = default;  // the zero vector of W
+
  private:
   struct Term {
     const BodyKinematics* body;
@@ -68,6 +70,31 @@ class KinematicVector {
   Eigen::Vector3d value_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acc_ = Eigen::Vector3d::Zero();
+};
+
+// The vectors between two markers, each computed at most once: what the rows of one joint share.
+class MarkerVectors {
+ public:
+  MarkerVectors(const PairMotion& pair, const Marker& m1, const Marker& m2) : pair_(pair), m1_(m1), m2_(m2) {}
+  const PairMotion& pair() const { return pair_; }
+  const KinematicVector& axis(int slot, int k) {  // axis k of marker 1 (slot 0) or 2 (slot 1)
+    const int i = 3 * slot + k;
+    if (!known_[i]) vectors_[i] = KinematicVector::axis(pair_, slot, slot == 0 ? m1_ : m2_, k);
+    known_[i] = true;
+    return vectors_[i];
+  }
+  const KinematicVector& difference() {  // p2 - p1
+    if (!known_[6]) vectors_[6] = KinematicVector::difference(pair_, m1_, m2_);
+    known_[6] = true;
+    return vectors_[6];
+  }
+
+ private:
+  PairMotion pair_;
+  const Marker& m1_;
+  const Marker& m2_;
+  bool known_[7] = {};
+  KinematicVector vectors_[7];
 };
 
 }  // namespace footfall

@@ -51,13 +51,22 @@ StrutInput Strut::law_input(const ElementInput& in, const Line& line, std::size_
   return {line.stroke, line.rate, voltage, in.z.segment(first_state_[law], laws_[law]->state_count())};
 }
 
+const StrutOutput& Strut::evaluate(const ElementInput& in, const Line& line, std::size_t law) const {
+  try {
+    laws_[law]->evaluate(law_input(in, line, law), out_[law]);
+  } catch (const NumericalError& error) {
+    throw NumericalError("strut \"" + name() + "\": " + error.what());
+  }
+  return out_[law];
+}
+
 void Strut::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const {
   const Line at = line(in.pair);
   double force = 0.0;
   for (std::size_t i = 0; i < laws_.size(); ++i) {
-    laws_[i]->evaluate(law_input(in, at, i), out_[i]);
-    force += out_[i].force;
-    dz.segment(first_state_[i], laws_[i]->state_count()) = out_[i].dz;
+    const StrutOutput& law = evaluate(in, at, i);
+    force += law.force;
+    dz.segment(first_state_[i], laws_[i]->state_count()) = law.dz;
   }
   at.d.add_transposed(force * at.e, Q);
 }
@@ -78,8 +87,7 @@ bool Strut::add_derivatives(const ElementInput& in, ElementDerivatives& out) con
 
   double force = 0.0, by_stroke = 0.0, by_rate = 0.0;
   for (std::size_t i = 0; i < laws_.size(); ++i) {
-    StrutOutput& law = out_[i];
-    laws_[i]->evaluate(law_input(in, at, i), law);
+    const StrutOutput& law = evaluate(in, at, i);
     force += law.force;
     by_stroke += law.dforce_dstroke;
     by_rate += law.dforce_drate;
@@ -115,8 +123,7 @@ StrutSample Strut::sample(const ElementInput& in) const {
   const Line at = line(in.pair);
   StrutSample out{at.stroke, at.rate, 0.0};
   for (std::size_t i = 0; i < laws_.size(); ++i) {
-    laws_[i]->evaluate(law_input(in, at, i), out_[i]);
-    out.force += out_[i].force;
+    out.force += evaluate(in, at, i).force;
   }
   return out;
 }

@@ -43,6 +43,7 @@ class Strut : public ForceElement {
   };
   Line line(const PairMotion& pair) const;  // throws NumericalError when the two points coincide
   StrutInput law_input(const ElementInput& in, const Line& line, std::size_t law) const;
+  const StrutOutput& evaluate(const ElementInput& in, const Line& line, std::size_t law) const;  // puts the strut's name on errors
 
   Marker m1_, m2_;
   std::vector<std::unique_ptr<StrutLaw>> laws_;

@@ -5,14 +5,18 @@
 namespace footfall {
 namespace {
 
-KinematicVector vector_of(const Factor& factor, const PairMotion& pair, const Marker& m1, const Marker& m2) {
+const KinematicVector kDirections[3] = {KinematicVector::constant(Eigen::Vector3d::UnitX()),
+                                        KinematicVector::constant(Eigen::Vector3d::UnitY()),
+                                        KinematicVector::constant(Eigen::Vector3d::UnitZ())};
+
+const KinematicVector& vector_of(const Factor& factor, MarkerVectors& vectors) {
   switch (factor.kind) {
-    case Factor::Kind::kWorldDirection: return KinematicVector::constant(Eigen::Vector3d::Unit(factor.axis));
-    case Factor::Kind::kAxis1: return KinematicVector::axis(pair, 0, m1, factor.axis);
-    case Factor::Kind::kAxis2: return KinematicVector::axis(pair, 1, m2, factor.axis);
+    case Factor::Kind::kWorldDirection: return kDirections[factor.axis];
+    case Factor::Kind::kAxis1: return vectors.axis(0, factor.axis);
+    case Factor::Kind::kAxis2: return vectors.axis(1, factor.axis);
     case Factor::Kind::kDifference: break;
   }
-  return KinematicVector::difference(pair, m1, m2);
+  return vectors.difference();
 }
 
 // Coefficients c_i(t) of the terms with two derivatives, and the function f(t) taken off.
@@ -40,15 +44,14 @@ Coefficients coefficients(const ConstraintRow& row, double t) {
 
 }  // namespace
 
-RowValue evaluate_row(const ConstraintRow& row, double t, const PairMotion& pair, const Marker& m1, const Marker& m2,
-                      Eigen::Ref<Eigen::VectorXd> phi_v) {
+RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v) {
   // D = alpha.beta,  D' = alpha'.beta + alpha.beta',  D'' = alpha''.beta + 2 alpha'.beta' + alpha.beta''
   const Coefficients at = coefficients(row, t);
   RowValue out{-at.f.value, -at.f.rate, -at.f.accel, -at.f.rate};
   phi_v.setZero();
   for (int i = 0; i < row.term_count; ++i) {
-    const KinematicVector alpha = vector_of(row.terms[i].alpha, pair, m1, m2);
-    const KinematicVector beta = vector_of(row.terms[i].beta, pair, m1, m2);
+    const KinematicVector& alpha = vector_of(row.terms[i].alpha, vectors);
+    const KinematicVector& beta = vector_of(row.terms[i].beta, vectors);
     const double D = alpha.value().dot(beta.value());
     const double dD = alpha.rate().dot(beta.value()) + alpha.value().dot(beta.rate());
     const double ddD =
@@ -64,16 +67,15 @@ RowValue evaluate_row(const ConstraintRow& row, double t, const PairMotion& pair
   return out;
 }
 
-void row_derivatives(const ConstraintRow& row, double t, const PairMotion& pair, const Marker& m1, const Marker& m2,
-                     double lambda, Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
-                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K) {
+void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda, Eigen::Ref<Eigen::VectorXd> rate_dx,
+                     Eigen::Ref<Eigen::VectorXd> acc_dx, Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K) {
   const Coefficients at = coefficients(row, t);
   rate_dx.setZero();
   acc_dx.setZero();
   acc_dv.setZero();
   for (int i = 0; i < row.term_count; ++i) {
-    const KinematicVector alpha = vector_of(row.terms[i].alpha, pair, m1, m2);
-    const KinematicVector beta = vector_of(row.terms[i].beta, pair, m1, m2);
+    const KinematicVector& alpha = vector_of(row.terms[i].alpha, vectors);
+    const KinematicVector& beta = vector_of(row.terms[i].beta, vectors);
     const TimeValue& c = at.c[i];
     // Each of the two factors takes its turn as p, the other one is o.
     for (int turn = 0; turn < 2; ++turn) {

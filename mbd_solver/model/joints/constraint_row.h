@@ -33,7 +33,7 @@ struct ConstraintRow {
   bool rotation = false;      // motion is an angle (see above), else a displacement
 };
 
-// Values of one row at one instant. n = pair.size().
+// Values of one row at one instant. n = size of the pair of bodies.
 struct RowValue {
   double phi = 0.0;    // [m or rad]
   double rate = 0.0;   // phi' = Phi_v v + phi_t
@@ -42,13 +42,11 @@ struct RowValue {
 };
 
 // phi, phi', phi'' and jacobian row Phi_v (n, overwritten).
-RowValue evaluate_row(const ConstraintRow& row, double t, const PairMotion& pair, const Marker& m1, const Marker& m2,
-                      Eigen::Ref<Eigen::VectorXd> phi_v);
+RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v);
 
 // Derivatives, all overwritten but the last:
 //   rate_dx = d phi' / dx, acc_dx = d phi'' / dx, acc_dv = d phi'' / dv (n each);  K += d(Phi_v^T lambda) / dx (n x n).
-void row_derivatives(const ConstraintRow& row, double t, const PairMotion& pair, const Marker& m1, const Marker& m2, double lambda,
-                     Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
-                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K);
+void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda, Eigen::Ref<Eigen::VectorXd> rate_dx,
+                     Eigen::Ref<Eigen::VectorXd> acc_dx, Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K);
 
 }  // namespace footfall

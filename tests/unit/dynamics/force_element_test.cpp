@@ -1,0 +1,169 @@
+// Energy of every force element: what it takes from the motion is stored or dissipated.
+
+#include <cmath>
+
+#include "coupler/errors.h"
+#include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/model/forces/gas_spring.h"
+#include "mbd_solver/model/forces/mr_damper.h"
+#include "tests/unit/dynamics/random_model.h"
+
+namespace footfall {
+namespace {
+
+// d(stored)/dt by central differences along the motion at constant v (stored energy does not depend on v).
+double stored_rate(const ForceElement& element, const Model& model, const Layout& layout, const State& state, const Eigen::VectorXd& voltages) {
+  const double dt = 1e-6;
+  double stored[2];
+  for (int side = 0; side < 2; ++side) {
+    State moved = state;
+    add_increment(layout, (side == 0 ? -dt : dt) * state.v, moved.q);
+    Kinematics kinematics(model);
+    kinematics.load(layout, moved.q, moved.v, Eigen::VectorXd());
+    StoredEnergy energy;
+    Dissipated power;
+    element.add_energy({kinematics.pair(element.bodies()[0], element.bodies()[1]), state.z, voltages}, energy, power);
+    stored[side] = energy.total();
+  }
+  return (stored[1] - stored[0]) / (2.0 * dt);
+}
+
+class ForceElementEnergy : public ::testing::TestWithParam<std::pair<int, int>> {};
+
+TEST_P(ForceElementEnergy, WhatIsTakenIsStoredOrDissipated) {
+  test::Random random(23);
+  Model model = test::random_bodies(random);
+  std::vector<std::unique_ptr<ForceElement>> elements = test::all_forces(random, model, GetParam().first, GetParam().second);
+  elements.erase(elements.begin());  // its test law is not conservative; a strut of real laws takes its place
+  std::vector<std::unique_ptr<StrutLaw>> laws;
+  laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{50.0, 4.0, 0.1, 2.0}));
+  laws.push_back(std::make_unique<GasSpring>(GasSpringParameters{0.01, 1e5, 4e-4, 1.1, {}}));
+  laws.push_back(std::make_unique<MrDamper>(MrDamperParameters{30.0, 2.0, 0.05, 0.0, 0.0, {}}));
+  elements.push_back(std::make_unique<Strut>("real", test::random_marker(random, model, GetParam().first),
+                                             test::random_marker(random, model, GetParam().second), std::move(laws), 1.1, 0));
+  const Layout layout(model, {});
+  State state = test::as_given(model).state;
+  Kinematics kinematics(model);
+  kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
+  const Eigen::VectorXd voltages = Eigen::Vector2d(0.7, 0.2);
+  for (const std::unique_ptr<ForceElement>& element : elements) {
+    const PairMotion pair = kinematics.pair(element->bodies()[0], element->bodies()[1]);
+    state.z = element->initial_state();
+    const ElementInput in{pair, state.z, voltages};
+    Eigen::VectorXd Q = Eigen::VectorXd::Zero(pair.size()), dz(element->state_count()), v(pair.size());
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (element->bodies()[i] == kGround) continue;
+      v.segment(pair.offset(static_cast<int>(i)), pair.body[i]->size()) =
+          state.v.segment(layout.body_v[static_cast<std::size_t>(element->bodies()[i])], pair.body[i]->size());
+    }
+    element->add_force(in, Q, dz);
+    StoredEnergy stored;
+    Dissipated power;
+    element->add_energy(in, stored, power);
+    const double taken = -Q.dot(v);
+    const double given = stored_rate(*element, model, layout, state, voltages) + power.total();
+    EXPECT_NEAR(taken, given, 1e-7 * (std::abs(taken) + power.total())) << element->name();  // error of the difference
+    for (double part : power.by_kind) EXPECT_GE(part, 0.0) << element->name();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, ForceElementEnergy,
+                         ::testing::Values(std::make_pair(0, 2), std::make_pair(0, 1), std::make_pair(1, 3),
+                                           std::make_pair(kGround, 1), std::make_pair(2, kGround)));
+
+TEST(RigidPlane, NeverPulls) {
+  // However fast the body leaves, the plane pushes or does nothing.
+  test::Random random(5);
+  Model model;
+  const int ball = model.add_body(Body("ball", 1.0, 0.4 * Eigen::Matrix3d::Identity()), {});
+  RigidPlane::Parameters parameters;
+  parameters.stiffness = 1e5;
+  parameters.damping = 2.0;
+  parameters.point = {0.0, 0.0, -0.9};
+  const RigidPlane plane("plane", {{body_marker(ball, model.body(ball), Eigen::Vector3d::Zero()), 1.0}}, parameters);
+  const Layout layout(model, {});
+  Kinematics kinematics(model);
+  State state = test::as_given(model).state;
+  for (double speed : {-100.0, -1.0, 0.0, 1.0, 100.0}) {
+    state.v[2] = speed;
+    kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
+    EXPECT_GE(plane.wrench({kinematics.pair(ball, kGround), state.z, Eigen::VectorXd()})[2], 0.0) << speed;
+  }
+}
+
+TEST(RigidPlane, CostsNothingFarAway) {
+  // A body clear of the plane reports no derivatives and no force, and no energy.
+  test::Random random(6);
+  Model model = test::random_bodies(random);
+  RigidPlane::Parameters parameters;
+  parameters.stiffness = 1e5;
+  parameters.point = model.initial(1).r - Eigen::Vector3d(0.0, 0.0, 50.0);
+  const RigidPlane plane("plane", {{test::random_marker(random, model, 1), 0.1}}, parameters);
+  const Layout layout(model, {});
+  Kinematics kinematics(model);
+  const State state = test::as_given(model).state;
+  kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
+  const ElementInput in{kinematics.pair(1, kGround), state.z, Eigen::VectorXd()};
+  ElementDerivatives unsized;  // would not survive being written to
+  EXPECT_FALSE(plane.add_derivatives(in, unsized));
+  EXPECT_EQ(plane.wrench(in).norm(), 0.0);
+}
+
+TEST(RigidPlane, DampingForRestitutionIsItsInverse) {
+  for (double e : {0.05, 0.4, 0.9, 0.999}) {
+    const double u = contact_damping_for_restitution(e, 2.0) * 2.0;
+    const double w = e * u;
+    EXPECT_NEAR(u - std::log1p(u), (w - 1.0) * std::exp(w) + 1.0, 1e-9 * u) << e;  // bisection to round-off of the terms
+  }
+  EXPECT_EQ(contact_damping_for_restitution(1.0, 2.0), 0.0);
+  EXPECT_THROW(contact_damping_for_restitution(0.0, 2.0), InputError);
+  EXPECT_THROW(contact_damping_for_restitution(1.1, 2.0), InputError);
+}
+
+TEST(Bushing, IsAQuadraticSpringForSmallRotations) {
+  // V = 1/2 sum k_i phi_i^2 about the axes of marker 1, to second order.
+  Model model;
+  const int body = model.add_body(Body("body", 1.0, Eigen::Matrix3d::Identity()), {});
+  Bushing::Parameters parameters;
+  parameters.rotational_stiffness = {3.0, 4.0, 6.0};
+  const Bushing bushing("bushing", ground_marker(Eigen::Vector3d::Zero()), body_marker(body, model.body(body), Eigen::Vector3d::Zero()), parameters);
+  const Layout layout(model, {});
+  Kinematics kinematics(model);
+  const Eigen::Vector3d phi(1e-3, -2e-3, 1.5e-3);
+  State state = test::as_given(model).state;
+  state.q.segment<4>(3) = rotated(state.q.segment<4>(3), phi);
+  kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
+  StoredEnergy stored;
+  Dissipated power;
+  bushing.add_energy({kinematics.pair(kGround, body), state.z, Eigen::VectorXd()}, stored, power);
+  const double quadratic = 0.5 * phi.dot(parameters.rotational_stiffness.cwiseProduct(phi));
+  EXPECT_NEAR(stored.strain, quadratic, 1e-5 * quadratic);  // phi^2 = 7e-6 is the next order
+}
+
+TEST(Strut, SharesStrokeAndRateAmongItsLaws) {
+  Model model;
+  BodyState above;
+  above.r = {0.0, 0.0, 0.8};
+  above.dr = {0.3, 0.0, -0.5};
+  const int body = model.add_body(Body("body", 1.0, Eigen::Matrix3d::Identity()), above);
+  std::vector<std::unique_ptr<StrutLaw>> laws;
+  laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{100.0, 0.0, 0.0, 0.0}));
+  laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{0.0, 10.0, 0.0, 0.0}));
+  const Strut strut("strut", ground_marker(Eigen::Vector3d::Zero()), body_marker(body, model.body(body), Eigen::Vector3d::Zero()),
+                    std::move(laws), 1.0);
+  const Layout layout(model, {});
+  Kinematics kinematics(model);
+  const State state = test::as_given(model).state;
+  kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
+  const StrutSample sample = strut.sample({kinematics.pair(kGround, body), state.z, Eigen::VectorXd()});
+  EXPECT_DOUBLE_EQ(sample.stroke, 1.0 - 0.8);
+  EXPECT_DOUBLE_EQ(sample.rate, 0.5);
+  EXPECT_DOUBLE_EQ(sample.force, 100.0 * (1.0 - 0.8) + 10.0 * 0.5);
+}
+
+TEST(Strut, RefusesALengthThatIsNotPositive) {
+  EXPECT_THROW(Strut("s", ground_marker(Eigen::Vector3d::Zero()), Marker{0, {}, Eigen::Matrix3d::Identity(), {}, {}, {}}, {}, 0.0), InputError);
+}
+
+}  // namespace
+}  // namespace footfall

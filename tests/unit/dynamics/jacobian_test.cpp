@@ -1,0 +1,88 @@
+// The analytic Jacobian of the whole system against differences of its residual.
+
+#include "mbd_solver/dynamics/equations.h"
+#include "tests/unit/dynamics/random_model.h"
+
+namespace footfall {
+namespace {
+
+// Largest difference between the analytic matrix dF/dy + c dF/dydot and central differences, relative to the largest entry.
+double jacobian_error(Equations& equations, const Eigen::VectorXd& y, const Eigen::VectorXd& ydot, double c, const Inputs& inputs,
+                      std::string* where) {
+  const Eigen::Index n = y.size();
+  const Eigen::MatrixXd analytic = equations.jacobian(0.3, y, ydot, c, inputs);
+  Eigen::VectorXd plus(n), minus(n);
+  const double step = 1e-6;  // error of the difference: step^2 (truncation) and 1e-16 / step (round-off), both about 1e-10 here
+  double largest = 0.0;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    Eigen::VectorXd y1 = y, y2 = y, yd1 = ydot, yd2 = ydot;
+    y1[j] += step;
+    y2[j] -= step;
+    yd1[j] += c * step;
+    yd2[j] -= c * step;
+    equations.residual(0.3, y1, yd1, inputs, plus);
+    equations.residual(0.3, y2, yd2, inputs, minus);
+    const Eigen::VectorXd column = (plus - minus) / (2.0 * step);
+    Eigen::Index row = 0;
+    const double error = (column - analytic.col(j)).cwiseAbs().maxCoeff(&row);
+    if (error > largest) {
+      largest = error;
+      *where = equations.entry_name(static_cast<int>(row)) + " by " + equations.entry_name(static_cast<int>(j));
+    }
+  }
+  return largest / analytic.cwiseAbs().maxCoeff();
+}
+
+class JacobianOfRandomModel : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(JacobianOfRandomModel, EqualsDifferencesOfTheResidual) {
+  test::Random random(GetParam());
+  const Model model = test::everything(random);
+  for (const Baumgarte& baumgarte : {Baumgarte{}, Baumgarte{3.0, 4.0}}) {
+    Equations equations(model, test::as_given(model), baumgarte);
+    const Layout& layout = equations.layout();
+    const Inputs inputs = test::random_inputs(random, model);
+    Eigen::VectorXd y(layout.size());
+    equations.pack(test::as_given(model).state, random.vector_x(layout.row_count, 5.0), y);
+    // Quaternions off unit length too: derivatives along L must vanish there as well.
+    for (int q : layout.body_q) y.segment<4>(q + 3) *= random.number(0.8, 1.2);
+    const Eigen::VectorXd ydot = random.vector_x(layout.size(), 3.0);
+    std::string where;
+    EXPECT_LT(jacobian_error(equations, y, ydot, 7.0, inputs, &where), 2e-9) << where;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, JacobianOfRandomModel, ::testing::Values(1u, 2u, 3u));
+
+TEST(Jacobian, KeepsItsPatternAndItsPlace) {
+  test::Random random(4);
+  const Model model = test::everything(random);
+  Equations equations(model, test::as_given(model));
+  Eigen::VectorXd y(equations.layout().size());
+  equations.pack(test::as_given(model).state, Eigen::VectorXd::Zero(equations.layout().row_count), y);
+  const Inputs inputs = test::random_inputs(random, model);
+  const double* values = equations.jacobian_pattern().valuePtr();
+  const Eigen::Index entries = equations.jacobian_pattern().nonZeros();
+  equations.jacobian(0.0, y, Eigen::VectorXd::Zero(y.size()), 10.0, inputs);
+  EXPECT_EQ(equations.jacobian_pattern().valuePtr(), values);
+  EXPECT_EQ(equations.jacobian_pattern().nonZeros(), entries);
+}
+
+TEST(Jacobian, MassTimesVectorIsItsDerivativeByRates) {
+  test::Random random(5);
+  const Model model = test::everything(random);
+  Equations equations(model, test::as_given(model));
+  const int n = equations.layout().size();
+  const Inputs inputs = test::random_inputs(random, model);
+  Eigen::VectorXd y(n), F0(n), F1(n), product(n);
+  equations.pack(test::as_given(model).state, random.vector_x(equations.layout().row_count), y);
+  Eigen::VectorXd x = random.vector_x(n), ydot = random.vector_x(n);
+  x.tail(equations.layout().row_count).setZero();
+  equations.residual(0.3, y, ydot, inputs, F0);
+  equations.residual(0.3, y, ydot + x, inputs, F1);  // the residual is linear in ydot
+  equations.apply_mass(y, x, 0.3, product);
+  EXPECT_LT((F1 - F0 - product).norm(), 1e-11 * F1.norm());  // round-off of the difference
+}
+
+}  // namespace
+}  // namespace footfall

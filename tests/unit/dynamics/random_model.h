@@ -1,0 +1,248 @@
+#pragma once
+// Bodies and models for tests: seeded random numbers, a flexible body made by hand, and one model that holds a specimen of
+// every joint and every force element between rigid and flexible bodies.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/model/bushing.h"
+#include "mbd_solver/model/forces/linear_spring_damper.h"
+#include "mbd_solver/model/model.h"
+#include "mbd_solver/model/rigid_plane.h"
+#include "mbd_solver/model/strut.h"
+#include "mbd_solver/model/torsional_spring.h"
+
+namespace footfall::test {
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) { ::testing::Test::RecordProperty("seed", static_cast<int>(seed)); }
+  double number(double low = -1.0, double high = 1.0) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+  Eigen::Vector3d vector(double size = 1.0) { return size * Eigen::Vector3d(number(), number(), number()); }
+  Eigen::VectorXd vector_x(Eigen::Index n, double size = 1.0) {
+    Eigen::VectorXd x(n);
+    for (Eigen::Index i = 0; i < n; ++i) x[i] = size * number();
+    return x;
+  }
+  Eigen::Vector4d quaternion() { return Eigen::Vector4d(number(), number(), number(), number() + 1.5).normalized(); }
+  Eigen::Matrix3d axes() { return rotation_matrix(quaternion()); }
+  Eigen::Matrix3d inertia(double size = 1.0) {
+    const Eigen::Matrix3d A = axes();
+    return size * A * Eigen::Vector3d(number(1.0, 1.3), number(1.4, 1.6), number(1.7, 2.0)).asDiagonal() * A.transpose();
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+// A few masses with rotary inertia held together by a random elastic law that knows no rigid-body strain. Exact in all properties a
+// ModalBody promises: mean axes, mass-orthonormal modes, Bo at the mass centre.
+inline std::shared_ptr<ModalBody> hand_made_body(Random& random, int nodes, int modes, double stiffness = 500.0,
+                                                 double damping_ratio = 0.0) {
+  auto body = std::make_shared<ModalBody>();
+  body->name = "hand made";
+  body->rho0.resize(3, nodes);
+  body->node_mass.resize(nodes);
+  for (int j = 0; j < nodes; ++j) {
+    body->rho0.col(j) = random.vector();
+    body->node_mass[j] = random.number(0.5, 2.0);
+    body->node_inertia.push_back(random.inertia(0.05));
+  }
+  const Eigen::Vector3d centre = body->rho0 * body->node_mass / body->node_mass.sum();
+  body->rho0.colwise() -= centre;
+
+  // M, the six rigid motions R, and K = P^T X P with P the projection along R.
+  const int n = 6 * nodes;
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n, n), R = Eigen::MatrixXd::Zero(n, 6);
+  for (int j = 0; j < nodes; ++j) {
+    M.block<3, 3>(6 * j, 6 * j) = body->node_mass[j] * Eigen::Matrix3d::Identity();
+    M.block<3, 3>(6 * j + 3, 6 * j + 3) = body->node_inertia[static_cast<std::size_t>(j)];
+    R.block<3, 3>(6 * j, 0).setIdentity();
+    R.block<3, 3>(6 * j, 3) = -skew(body->rho0.col(j));
+    R.block<3, 3>(6 * j + 3, 3).setIdentity();
+  }
+  const Eigen::MatrixXd P = Eigen::MatrixXd::Identity(n, n) - R * (R.transpose() * M * R).ldlt().solve(R.transpose() * M);
+  Eigen::MatrixXd X(n, n);
+  for (int i = 0; i < n; ++i) X.col(i) = random.vector_x(n);
+  const Eigen::MatrixXd K = stiffness * P.transpose() * (X * X.transpose() + Eigen::MatrixXd::Identity(n, n)) * P;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (K + K.transpose()), M);
+  const Eigen::MatrixXd shapes = eigen.eigenvectors().middleCols(6, modes);  // the six zero frequencies come first
+  body->stiffness = eigen.eigenvalues().segment(6, modes);
+  body->damping = 2.0 * damping_ratio * body->stiffness.cwiseSqrt();
+  body->Phi.resize(3 * nodes, modes);
+  body->Psi.resize(3 * nodes, modes);
+  for (int j = 0; j < nodes; ++j) {
+    body->Phi.middleRows(3 * j, 3) = shapes.middleRows(6 * j, 3);
+    body->Psi.middleRows(3 * j, 3) = shapes.middleRows(6 * j + 3, 3);
+  }
+  return body;
+}
+
+// A law with an inner state and every partial derivative different from zero: F = k x^3 + c v + b z U, dz = x - 2 v z.
+class CoupledLaw : public StrutLaw {
+ public:
+  std::string_view kind() const override { return "coupled"; }
+  int state_count() const override { return 1; }
+  Eigen::VectorXd initial_state() const override { return Eigen::VectorXd::Constant(1, 0.3); }
+  void evaluate(const StrutInput& in, StrutOutput& out) const override {
+    const double x = in.stroke, v = in.rate, z = in.z[0];
+    out.force = 40.0 * x * x * x + 3.0 * v + 5.0 * z * in.voltage;
+    out.dforce_dstroke = 120.0 * x * x;
+    out.dforce_drate = 3.0;
+    out.dforce_dz[0] = 5.0 * in.voltage;
+    out.dz[0] = x - 2.0 * v * z;
+    out.ddz_dstroke[0] = 1.0;
+    out.ddz_drate[0] = -2.0 * z;
+    out.ddz_dz(0, 0) = -2.0 * v;
+  }
+  double stored_energy(const StrutInput& in) const override { return 10.0 * std::pow(in.stroke, 4); }
+  void dissipated_power(const StrutInput&, std::vector<StrutPower>&) const override {}
+};
+
+inline BodyState random_state(Random& random, const Body& body) {
+  BodyState state;
+  state.r = random.vector();
+  state.L = random.quaternion();
+  state.dr = random.vector();
+  state.w = random.vector(2.0);
+  state.a = random.vector_x(body.mode_count(), 0.1);
+  state.da = random.vector_x(body.mode_count());
+  return state;
+}
+
+// Four bodies, two of them flexible.
+inline Model random_bodies(Random& random, const Eigen::Vector3d& gravity = {0.3, -0.4, -9.0}) {
+  Model model(gravity);
+  const int modes[4] = {0, 3, 0, 2};
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = "body_" + std::to_string(i);
+    const Body body = modes[i] == 0 ? Body(name, random.number(1.0, 3.0), random.inertia())
+                                    : Body(name, hand_made_body(random, 4, modes[i], 500.0, 0.05));
+    model.add_body(body, random_state(random, body));
+  }
+  return model;
+}
+
+// A marker anywhere: at a node with an offset on flexible bodies.
+inline Marker random_marker(Random& random, const Model& model, int body) {
+  if (body == kGround) return ground_marker(random.vector(), random.axes());
+  if (model.body(body).mode_count() > 0)
+    return node_marker(body, model.body(body), static_cast<int>(random.number(0.0, 3.99)), random.vector(0.3), random.axes());
+  return body_marker(body, model.body(body), random.vector(), random.axes());
+}
+
+// One of each kind of joint between the given bodies; far from closed, which derivatives do not mind.
+inline std::vector<Joint> all_joints(Random& random, const Model& model, int body_1, int body_2) {
+  const auto m = [&](int body) { return random_marker(random, model, body); };
+  PrescribedMotion driven;
+  driven.translation = {polynomial({0.1, 0.2, -0.3}), nullptr, sine(0.3, 0.7, 0.2)};
+  driven.rotation = sum({sine(1.2, 0.4, 0.1), polynomial({0.2, 1.5, 0.4})});
+  driven.rotation_axis = 1;
+  driven.hold_other_rotations = true;
+  const std::string tail = "_" + std::to_string(body_1) + "_" + std::to_string(body_2);
+  return {fixed_joint("fixed" + tail, m(body_1), m(body_2)),
+          spherical_joint("spherical" + tail, m(body_1), m(body_2)),
+          universal_joint("universal" + tail, m(body_1), m(body_2)),
+          revolute_joint("revolute" + tail, m(body_1), m(body_2)),
+          prismatic_joint("prismatic" + tail, m(body_1), m(body_2)),
+          cylindrical_joint("cylindrical" + tail, m(body_1), m(body_2)),
+          distance_joint("distance" + tail, m(body_1), m(body_2), 1.3),
+          point_on_plane_joint("plane" + tail, m(body_1), m(body_2), 0.2),
+          prescribed_joint("driven" + tail, m(body_1), m(body_2), driven)};
+}
+
+// One of each kind of force element between the given bodies (a plane under the first of them that is a body).
+inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, const Model& model, int body_1, int body_2) {
+  const auto m = [&](int body) { return random_marker(random, model, body); };
+  const std::string tail = "_" + std::to_string(body_1) + "_" + std::to_string(body_2);
+  std::vector<std::unique_ptr<ForceElement>> out;
+  std::vector<std::unique_ptr<StrutLaw>> laws;
+  laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{50.0, 4.0, 0.1, 2.0}));
+  laws.push_back(std::make_unique<CoupledLaw>());
+  laws.push_back(std::make_unique<CoupledLaw>());
+  out.push_back(std::make_unique<Strut>("strut" + tail, m(body_1), m(body_2), std::move(laws), 1.1, 1));
+  TorsionalSpring::Parameters torsion;
+  torsion.stiffness = 7.0;
+  torsion.damping = 1.5;
+  torsion.free_angle = 0.2;
+  out.push_back(std::make_unique<TorsionalSpring>("torsion" + tail, m(body_1), m(body_2), torsion));
+  Bushing::Parameters bushing;
+  bushing.stiffness = 30.0;
+  bushing.damping = 2.0;
+  bushing.rotational_stiffness = {5.0, 6.0, 8.0};
+  bushing.rotational_damping = 1.2;
+  out.push_back(std::make_unique<Bushing>("bushing" + tail, m(body_1), m(body_2), bushing));
+  RigidPlane::Parameters plane;
+  const int standing = body_1 == kGround ? body_2 : body_1;
+  plane.normal = random.vector() + Eigen::Vector3d(0.0, 0.0, 3.0);
+  plane.point = model.initial(standing).r + 2.0 * plane.normal.normalized();  // deep: all points touch
+  plane.stiffness = 90.0;
+  plane.damping = 0.4;
+  plane.friction = 0.3;
+  plane.slip_speed = 0.2;
+  out.push_back(std::make_unique<RigidPlane>("plane" + tail,
+                                             std::vector<ContactPoint>{{m(standing), 0.0}, {m(standing), 0.25}, {m(standing), 0.1}},
+                                             plane));
+  return out;
+}
+
+// Everything at once: each kind of joint and element rigid-rigid, rigid-flexible, flexible-flexible, and to the ground.
+inline Model everything(Random& random) {
+  Model model = random_bodies(random);
+  const int pairs[5][2] = {{0, 1}, {1, 3}, {0, 2}, {kGround, 1}, {2, kGround}};
+  for (const auto& pair : pairs) {
+    for (Joint& joint : all_joints(random, model, pair[0], pair[1])) model.add_joint(std::move(joint));
+    for (std::unique_ptr<ForceElement>& force : all_forces(random, model, pair[0], pair[1])) model.add_force(std::move(force));
+  }
+  return model;
+}
+
+// The initial state as it is: no joint closed, no row left out.
+inline Assembly as_given(const Model& model) {
+  const Layout layout(model, all_rows_of(model));
+  Assembly out;
+  out.kept_rows = all_rows_of(model);
+  out.state.q.resize(layout.q_size);
+  out.state.v.resize(layout.v_size);
+  out.state.z.resize(layout.z_size);
+  for (int i = 0; i < model.body_count(); ++i) {
+    const BodyState& body = model.initial(i);
+    out.state.q.segment(layout.body_q[static_cast<std::size_t>(i)], 7 + model.body(i).mode_count()) << body.r, body.L, body.a;
+    out.state.v.segment(layout.body_v[static_cast<std::size_t>(i)], 6 + model.body(i).mode_count()) << body.dr, body.w, body.da;
+  }
+  for (int i = 0; i < model.force_count(); ++i)
+    out.state.z.segment(layout.force_z[static_cast<std::size_t>(i)], model.force(i).state_count()) = model.force(i).initial_state();
+  out.state.load_work = Eigen::VectorXd::Zero(model.body_count());
+  return out;
+}
+
+// Random loads with tangent parts on all bodies, and two voltages.
+inline Inputs random_inputs(Random& random, const Model& model) {
+  Inputs inputs;
+  inputs.voltages = Eigen::Vector2d(0.3, 0.8);
+  for (int i = 0; i < model.body_count(); ++i) {
+    ExternalLoad load;
+    load.F_W = random.vector(5.0);
+    load.T_B = random.vector(3.0);
+    load.Q_a = random.vector_x(model.body(i).mode_count(), 2.0);
+    TangentLoad tangent;
+    for (int k = 0; k < 6; ++k) {
+      tangent.K.col(k) = random.vector_x(6, 20.0);
+      tangent.C.col(k) = random.vector_x(6, 2.0);
+    }
+    tangent.r_mean = model.initial(i).r + random.vector(0.1);
+    tangent.L_mean = rotated(model.initial(i).L, random.vector(0.2));
+    tangent.v_mean = random.vector_x(6);
+    load.tangent = tangent;
+    inputs.loads.push_back(load);
+  }
+  return inputs;
+}
+
+}  // namespace footfall::test

@@ -1,0 +1,63 @@
+#pragma once
+// A mechanism on the move, for tests: model, assembly, equations, integrator and state in one place.
+
+#include <memory>
+#include <string>
+
+#include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/integrator/integrator.h"
+
+namespace footfall::test {
+
+class Run {
+ public:
+  explicit Run(const Model& model, const std::string& integrator_kind = "one_step", const IntegratorOptions& options = {},
+               const Baumgarte& baumgarte = {})
+      : assembly(assemble(model)),
+        equations(model, assembly, baumgarte),
+        integrator(make_integrator(integrator_kind, equations, options)),
+        state(assembly.state) {
+    inputs.voltages = Eigen::VectorXd::Zero(4);
+    start_ = energy().stored.total();
+  }
+  // In `windows` equal windows.
+  void to(double t_end, int windows = 1) {
+    const double t0 = state.time;
+    for (int i = 1; i <= windows; ++i) integrator->advance(state, i < windows ? t0 + (t_end - t0) * i / windows : t_end, inputs);
+  }
+  EnergySample energy() {
+    EnergySample sample;
+    Eigen::VectorXd rates(equations.layout().size()), y(equations.layout().size());
+    equations.accelerations(state, inputs, rates);
+    equations.pack(state, rates.tail(equations.layout().row_count), y);
+    equations.energy(state.time, y, inputs, sample);
+    return sample;
+  }
+  // What energy there is now minus what there should be [J].
+  double imbalance() {
+    return energy().stored.total() - start_ + state.dissipated.total() - state.load_work.sum() - state.motion_work;
+  }
+  double start_energy() const { return start_; }
+  BodyKinematics body(int index) {
+    equations.load(state);
+    return equations.motion(index);
+  }
+
+  Assembly assembly;
+  Equations equations;
+  std::unique_ptr<Integrator> integrator;
+  State state;
+  Inputs inputs;
+
+ private:
+  double start_ = 0.0;
+};
+
+// Tolerances of a reference: only round-off and the order of the method remain.
+inline IntegratorOptions tight(double tolerance) {
+  IntegratorOptions options;
+  options.rtol = options.atol = options.atol_velocity = tolerance;
+  return options;
+}
+
+}  // namespace footfall::test
