@@ -21,7 +21,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kTick(200);
 constexpr std::chrono::seconds kGrace(20);       // to write a checkpoint and end in order
-constexpr std::chrono::seconds kAfterTerm(3);    // from SIGTERM to SIGKILL
+constexpr std::chrono::seconds kAfterEnd(1);     // from the end of the child to SIGTERM for what it left behind
+constexpr std::chrono::seconds kAfterTerm(2);    // from SIGTERM to SIGKILL
 constexpr int kCannotStart = 127;                // exit code of a child whose program could not be started
 
 // Every process below this one.
@@ -154,20 +155,24 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
     end.interrupted = end.interrupted || signalled;
     if (reap(pid, status)) {
       ended = true;
-      if (deadline == Clock::time_point::max()) deadline = Clock::now() + kAfterTerm;  // for what the child left behind
+      if (deadline == Clock::time_point::max()) deadline = Clock::now() + kAfterEnd;
     }
     if (Clock::now() > deadline) terminate();
     if (tick && !ended) tick();
   }
+  reap(pid, status);  // orphans killed last
   end.code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   if (end.code == kCannotStart) throw InputError("cannot start " + command.words[0] + "; is it installed?");
   return end;
 }
 
 std::string shell_line(const Command& command) {
-  const auto quoted = [](const std::string& word) {
+  const auto quoted = [](const std::string& word) -> std::string {
     const bool plain = !word.empty() && word.find_first_of(" \t\n\"'\\$&|;<>(){}[]*?!#~`") == std::string::npos;
-    return plain ? word : "'" + word + "'";
+    if (plain) return word;
+    std::string inside;
+    for (char c : word) inside += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return "'" + inside + "'";
   };
   std::string line;
   for (const auto& [name, value] : command.environment) line += name + "=" + quoted(value) + " ";

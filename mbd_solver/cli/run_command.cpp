@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 
 #include "coupler/errors.h"
@@ -76,6 +77,20 @@ Command coupled_command(const Scene& scene, const RunArguments& a, const std::st
   return command;
 }
 
+// What the run's own exit code means to the user; says what nobody else could say.
+int exit_code(const ChildEnd& end) {
+  if (end.code <= kExitInterrupted) return end.code;
+  if (end.interrupted) {
+    std::fprintf(stderr, "footfall: interrupted before there was anything to keep\n");
+  } else if (end.code > 128) {
+    std::fprintf(stderr, "footfall: a program of the run was killed by signal %d (%s), from outside or for want of memory\n", end.code - 128,
+                 strsignal(end.code - 128));
+  } else {
+    std::fprintf(stderr, "footfall: the run ended with the unknown exit code %d\n", end.code);
+  }
+  return kExitFailed;
+}
+
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
@@ -111,11 +126,7 @@ int run_command(const RunArguments& arguments) {
   const bool wrote = fs::exists(fs::path(out) / "summary.json");
   if (wrote && scene.output.plots) pictures = make_pictures(out);
   if (wrote && !arguments.quiet) print_results(out, pictures);
-  if (end.code > kExitInterrupted) {
-    std::fprintf(stderr, "footfall: the run was ended from outside (code %d)\n", end.code);
-    return kExitFailed;
-  }
-  return end.code;
+  return exit_code(end);
 }
 
 }  // namespace footfall

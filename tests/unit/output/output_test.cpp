@@ -1,0 +1,142 @@
+// history.csv, summary.json and the scripts of the pictures.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+
+#include "coupler/errors.h"
+#include "mbd_solver/output/history.h"
+#include "mbd_solver/output/plots.h"
+#include "mbd_solver/output/summary.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kTenDigits = 1e-9;  // relative: what a number of ten digits keeps
+
+class OutputTest : public ::testing::Test {
+ protected:
+  OutputTest() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "footfall_output_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~OutputTest() override { std::filesystem::remove_all(folder_); }
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string text(const std::string& name) const {
+    std::ifstream stream(file(name));
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  std::filesystem::path folder_;
+};
+
+template <class Action>
+std::string input_error(const Action& action) {
+  try {
+    action();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST_F(OutputTest, HistoryStartsWithUnitsThenNames) {
+  HistoryWriter(file("h.csv"), {"time", "cabin.z"}, {"s", "m"}).write({0.0, 1.5});
+  EXPECT_EQ(text("h.csv"), "# units: s,m\ntime,cabin.z\n0,1.5\n");
+}
+
+TEST_F(OutputTest, HistoryReadsBackWhatWasWritten) {
+  const std::vector<double> values = {1.0 / 3.0, -1e-300, 6.02214076e23, 0.0};
+  {
+    HistoryWriter writer(file("h.csv"), {"time", "v"}, {"s", "-"});
+    for (std::size_t i = 0; i < values.size(); ++i) writer.write({static_cast<double>(i), values[i]});
+  }
+  const History history = read_history(file("h.csv"));
+  ASSERT_EQ(history.column("v").size(), values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(history.column("v")[i], values[i], kTenDigits * std::abs(values[i]));
+}
+
+TEST_F(OutputTest, HistoryNeverHoldsANumberThatIsNotFinite) {
+  HistoryWriter writer(file("h.csv"), {"time", "cabin.z"}, {"s", "m"});
+  writer.write({0.0, 1.0});
+  for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    try {
+      writer.write({0.25, bad});
+      FAIL() << "a row with " << bad << " was taken";
+    } catch (const NumericalError& e) {
+      EXPECT_NE(std::string(e.what()).find("at t = 0.25 s \"cabin.z\""), std::string::npos) << e.what();
+    }
+  }
+  writer.flush();
+  EXPECT_EQ(text("h.csv"), "# units: s,m\ntime,cabin.z\n0,1\n");
+}
+
+TEST_F(OutputTest, HistoryOfAnUnknownColumnNamesTheKnownOnes) {
+  HistoryWriter(file("h.csv"), {"time", "cabin.z"}, {"s", "m"}).write({0.0, 1.0});
+  EXPECT_NE(input_error([&] { read_history(file("h.csv")).column("cabin.w"); }).find("it has time,cabin.z"), std::string::npos);
+}
+
+TEST_F(OutputTest, BrokenHistoryIsNamedWithItsLine) {
+  std::ofstream(file("h.csv")) << "# units: s,m\ntime,z\n0,1\n1\n";
+  EXPECT_NE(input_error([&] { read_history(file("h.csv")); }).find("h.csv:4: has 1 values, expected 2"), std::string::npos);
+}
+
+TEST_F(OutputTest, SummaryIsWholeOrAbsent) {
+  write_summary(file("s.json"), {{"status", "done"}, {"peak_acceleration_g", 1.25}});
+  EXPECT_EQ(read_summary(file("s.json"))["peak_acceleration_g"], 1.25);
+  EXPECT_FALSE(std::filesystem::exists(file("s.json.part")));
+  const nlohmann::ordered_json bad = {{"a", {{"b", std::nan("")}}}};
+  EXPECT_THROW(write_summary(file("t.json"), bad), NumericalError);
+  EXPECT_FALSE(std::filesystem::exists(file("t.json")));
+}
+
+TEST_F(OutputTest, SummaryThatCannotBeWrittenSaysWhatToDo) {
+  EXPECT_NE(input_error([] { write_summary("/nowhere/s.json", {{"status", "done"}}); }).find("choose another folder with --out"), std::string::npos);
+}
+
+History lander_history() {
+  History h;
+  h.names = {"time", "cabin.z", "cabin.vz", "cabin.az", "pad.contact.fx", "pad.contact.fy", "pad.contact.fz", "leg.stroke", "energy.kinetic", "energy.strain"};
+  h.units.assign(h.names.size(), "-");
+  for (std::size_t i = 0; i < h.names.size(); ++i) h.columns.push_back({i == 9 ? 0.0 : 1.0, i == 9 ? 0.0 : 2.0});
+  return h;
+}
+
+TEST(Figures, ShowWhatTheHistoryHoldsAndLeaveOutTheRest) {
+  std::vector<std::string> names;
+  for (const Figure& figure : standard_figures(lander_history(), "")) {
+    names.push_back(figure.name);
+    if (figure.name == "energy") {
+      EXPECT_EQ(figure.curves.size(), 1u) << "the strain energy is always zero";
+    }
+    if (figure.name == "descent") {
+      EXPECT_EQ(figure.curves[0].expression, "(1-column(\"cabin.z\"))");
+    }
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"acceleration", "velocity", "descent", "energy", "strokes", "contact_forces"}));
+}
+
+TEST_F(OutputTest, ScriptsDrawWithGnuplotAsPngAndSvg) {
+  const History history = lander_history();
+  HistoryWriter writer(file("history.csv"), history.names, history.units);
+  for (std::size_t row : {0u, 1u}) {
+    std::vector<double> values;
+    for (const auto& column : history.columns) values.push_back(column[row]);
+    writer.write(values);
+  }
+  writer.flush();
+  const std::vector<std::string> scripts = write_plot_scripts(file("plots"), standard_figures(history, "cabin"), "A \"lander\"");
+  std::string command = "cd '" + file("plots") + "' && gnuplot";
+  for (const std::string& script : scripts) command += " " + script;
+  ASSERT_EQ(std::system((command + " 2>gnuplot.log").c_str()), 0) << text("plots/gnuplot.log");
+  for (std::string script : scripts) {
+    for (const char* ending : {".png", ".svg"}) {
+      const auto picture = folder_ / "plots" / std::filesystem::path(script).replace_extension(ending);
+      EXPECT_GT(std::filesystem::file_size(picture), 1000u) << picture;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace footfall
