@@ -61,6 +61,13 @@ Outcome RunFolder::coupled(const std::string& script, const std::string& motion,
              quoted(BEAM_PARTNER) + " motion.txt loads.csv");
 }
 
+Outcome RunFolder::scene(const std::string& script, const std::string& scene, int ranks) const {
+  write("in.coupled", script);
+  write("scene.toml", scene);
+  return run("-np " + std::to_string(ranks) + " " + quoted(LIGGGHTS_MBD) + " -in in.coupled : -np 1 " +
+             quoted(MBD_SOLVER) + " scene.toml --out out --quiet");
+}
+
 Dump RunFolder::dump(const std::string& file) const {
   std::ifstream in(path(file));
   if (!in) throw std::runtime_error("no dump " + path(file) + "\n" + text_of(path("output.txt")));

@@ -26,6 +26,10 @@ class RunFolder {
   // liggghts_mbd with a scripted partner (its statements: beam_partner.cpp).
   Outcome coupled(const std::string& script, const std::string& motion, int ranks = 1) const;
 
+  // liggghts_mbd with mbd_solver on a scene whose [particles] script is "in.coupled"; results go to
+  // path("out").
+  Outcome scene(const std::string& script, const std::string& scene, int ranks = 1) const;
+
   // What `dump ... custom` wrote, sorted by id.
   Dump dump(const std::string& file) const;
   // Numbers of a text file, line by line, without lines that begin with #.
