@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "coupler/errors.h"
 #include "mbd_solver/model/flexible/mesh_check.h"
@@ -17,27 +18,49 @@
 namespace footfall {
 namespace {
 
-// Points of D at which something is attached to the body.
-std::vector<Eigen::Vector3d> attachments(const Scene& scene, const std::string& body) {
-  std::vector<Eigen::Vector3d> points;
+// A point of D at which something is attached to the body. Joints that hold an attitude need the rotations of their node.
+struct Attachment {
+  Eigen::Vector3d point;  // in D [m]
+  bool turns;             // transmits moments
+};
+
+bool holds_attitude(JointType type) {
+  switch (type) {
+    case JointType::kSpherical:
+    case JointType::kUniversal:
+    case JointType::kDistance:
+    case JointType::kPointOnPlane: return false;
+    default: return true;
+  }
+}
+
+std::vector<Attachment> attachments(const Scene& scene, const std::string& body) {
+  std::vector<Attachment> points;
   for (const JointSpec& joint : scene.joints) {
-    if (joint.bodies[0] == body) points.push_back(joint.point_a);
-    if (joint.bodies[1] == body) points.push_back(joint.point_b);
+    if (joint.bodies[0] == body) points.push_back({joint.point_a, holds_attitude(joint.type)});
+    if (joint.bodies[1] == body) points.push_back({joint.point_b, holds_attitude(joint.type)});
   }
   for (const StrutSpec& strut : scene.struts)
     for (std::size_t end = 0; end < 2; ++end)
-      if (strut.bodies[end] == body) points.push_back(strut.points[end]);
+      if (strut.bodies[end] == body) points.push_back({strut.points[end], false});
   for (const SpringSpec& spring : scene.springs)
-    if (spring.kind == SpringKind::kBushing && (spring.bodies[0] == body || spring.bodies[1] == body)) points.push_back(spring.point);
+    if (spring.kind == SpringKind::kBushing && (spring.bodies[0] == body || spring.bodies[1] == body)) points.push_back({spring.point, true});
   return points;
 }
 
+// The nodes nearest to the attachments: with all six motions as interface where one of theirs turns, else with displacement only.
+void set_interface(const FeModel& model, const std::vector<Attachment>& attached, BasisOptions& options) {
+  std::map<int, bool> turns;
+  for (const Attachment& a : attached) turns[nearest_node(model, a.point)] |= a.turns;
+  for (const auto& [node, turning] : turns) (turning ? options.interface_nodes : options.pinned_nodes).push_back(node);
+}
+
 // A beam from `from` to `to` whose nodes include the feet of all attachments, in about `elements` elements of near-equal length.
-FeModel beam_along_shape(const ShapeSpec& shape, int elements, const std::vector<Eigen::Vector3d>& attached, const Material& material) {
+FeModel beam_along_shape(const ShapeSpec& shape, int elements, const std::vector<Attachment>& attached, const Material& material) {
   const Eigen::Vector3d axis = shape.to - shape.from;
   const double length = axis.norm();
   std::vector<double> stations = {0.0, 1.0};
-  for (const Eigen::Vector3d& point : attached) stations.push_back(std::clamp((point - shape.from).dot(axis) / (length * length), 0.0, 1.0));
+  for (const Attachment& a : attached) stations.push_back(std::clamp((a.point - shape.from).dot(axis) / (length * length), 0.0, 1.0));
   std::sort(stations.begin(), stations.end());
   const double shortest = 0.05 / elements;  // stations nearer than this share a node
   std::vector<double> kept = {0.0};
@@ -122,17 +145,13 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, std::vector<std::st
   } else {
     const MaterialSpec& m = scene.material(body.material);
     const Material material{m.density, m.young, m.poisson};
-    const std::vector<Eigen::Vector3d> attached = attachments(scene, body.name);
+    const std::vector<Attachment> attached = attachments(scene, body.name);
     const bool beam = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod);
     FeModel model = !spec.nodes.empty()                 ? frame(spec, material)
                     : spec.mesh.empty() && beam         ? beam_along_shape(*body.shape, spec.elements, attached, material)
                                                         : plate(body, spec, material);
     model = with_mass(std::move(model), body.mass);
-    for (const Eigen::Vector3d& point : attached) {
-      const int node = nearest_node(model, point);
-      auto& interface = options.interface_nodes;
-      if (std::find(interface.begin(), interface.end(), node) == interface.end()) interface.push_back(node);
-    }
+    set_interface(model, attached, options);
     reduced = reduce(model, options, body.name);
   }
   warnings.insert(warnings.end(), reduced.warnings.begin(), reduced.warnings.end());

@@ -126,7 +126,7 @@ void check_controllers(const Scene& scene, Findings& findings) {
     const std::pair<const char*, bool> keys[] = {{"voltages", constant}, {"file", fuzzy}, {"tabulated", fuzzy}, {"grid", fuzzy}, {"filter_frequency", fuzzy || pid},
                                                  {"on", skyhook}, {"off", skyhook}, {"deadband", skyhook}, {"set_point", pid}, {"kp", pid}, {"ki", pid}, {"kd", pid}, {"bias", pid}};
     for (const auto& [key, used] : keys) {
-      if (!used && c.source.given(key)) findings.error(c.source, key, "means nothing for this kind of controller; leave it out");
+      if (!used && c.source.given(key)) findings.warning(c.source, key, "means nothing for this kind of controller and is not used");
     }
     if (fuzzy && c.file.empty()) findings.error(c.source, "file", "is missing; a fuzzy controller is read from an .fll file");
     if (constant && c.voltages.size() != 1 && c.voltages.size() != c.outputs.size())
