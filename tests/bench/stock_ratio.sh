@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Wall time of the coupled landing beside stock LIGGGHTS on the same bed, four stock moving meshes, same steps: A B A B ..., ratio pair by pair.
+#   tests/bench/stock_ratio.sh BUILD BED.restart [PAIRS] [SECONDS simulated] [extra words for mbd_solver]
+# BED.restart and BED.restart.grains are what `footfall run` keeps (its printed line names them).
+set -eu
+build=$1 bed=$2 pairs=${3:-3} seconds=${4:-0.1}
+shift $(( $# < 4 ? $# : 4 ))
+root=$(cd "$(dirname "$0")/../.." && pwd)
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
+steps=$(awk -v t="$seconds" 'BEGIN { printf "%d", t / 1e-4 + 0.5 }')
+mpi="mpirun --oversubscribe --bind-to none -np 2"
+
+# The pad's disc: ring k holds 6 k vertices, as the scene's boundary.
+awk 'function v(k, i,   a) { if (k == 0) return "0 0 0"; a = 2 * 3.14159265358979 * i / (6 * k); return sprintf("%.9g %.9g 0", 0.05 * k * cos(a), 0.05 * k * sin(a)) }
+     function t(a, b, c) { printf "facet normal 0 0 1\nouter loop\nvertex %s\nvertex %s\nvertex %s\nendloop\nendfacet\n", a, b, c }
+     BEGIN { print "solid pad"
+       for (k = 1; k <= 4; ++k) for (s = 0; s < 6; ++s) {
+         for (i = 0; i < k; ++i) t(v(k - 1, (s * (k - 1) + i) % (k > 1 ? 6 * (k - 1) : 1)), v(k, s * k + i), v(k, (s * k + i + 1) % (6 * k)))
+         for (i = 0; i < k - 1; ++i) t(v(k - 1, s * (k - 1) + i), v(k, (s * k + i + 1) % (6 * k)), v(k - 1, (s * (k - 1) + i + 1) % (6 * (k - 1))))
+       }
+       print "endsolid pad" }' > "$work/pad.stl"
+
+seconds_of() { local start; start=$(date +%s.%N); "$@" > "$work/out" 2>&1 || { cat "$work/out" >&2; exit 1; }; awk -v a="$start" -v b="$(date +%s.%N)" 'BEGIN { print b - a }'; }
+cd "$work"
+for pair in $(seq "$pairs"); do
+  stock=$(seconds_of $mpi liggghts -in "$root/tests/bench/in.stock_landing" -var here "$root/inputs/landing_mr" -var bed "$bed" -var pad pad.stl -var steps "$steps" -log stock.log)
+  ours=$(seconds_of $mpi "$build/bin/liggghts_mbd" -in "$root/inputs/landing_mr/in.regolith" -var here "$root/inputs/landing_mr" -var bed "$bed" -var frames 0 -log ours.log : \
+    -np 1 "$build/bin/mbd_solver" "$root/inputs/landing_mr" --quiet --until "$seconds" --set particles.grains="$bed.grains" --out "$work/run" "$@")
+  awk -v a="$ours" -v b="$stock" 'BEGIN { printf "coupled %.2f s  stock %.2f s  ratio %.3f\n", a, b, a / b }'
+done
+grep -E '"(dem|mbd|exchange)_wall_s"' run/summary.json
