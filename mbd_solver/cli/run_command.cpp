@@ -12,6 +12,7 @@
 #include "mbd_solver/cli/child.h"
 #include "mbd_solver/cli/programs.h"
 #include "mbd_solver/cli/results.h"
+#include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {
@@ -77,12 +78,21 @@ Command coupled_command(const Scene& scene, const RunArguments& a, const std::st
   return command;
 }
 
-// What the run's own exit code means to the user; says what nobody else could say.
-int exit_code(const ChildEnd& end) {
-  if (end.code <= kExitInterrupted) return end.code;
+std::string status_of(const std::string& out) {
+  const fs::path summary = fs::path(out) / "summary.json";
+  return fs::exists(summary) ? read_summary(summary.string()).value("status", "") : "";
+}
+
+// What the run's own exit code means to the user; says what nobody else could say. Of two programs that end differently mpirun gives
+// either code: after an interrupt the summary decides.
+int exit_code(const ChildEnd& end, const std::string& status) {
+  if (end.interrupted && status == "interrupted") return kExitInterrupted;
   if (end.interrupted) {
     std::fprintf(stderr, "footfall: interrupted before there was anything to keep\n");
-  } else if (end.code > 128) {
+    return kExitFailed;
+  }
+  if (end.code <= kExitInterrupted) return end.code;
+  if (end.code > 128) {
     std::fprintf(stderr, "footfall: a program of the run was killed by signal %d (%s), from outside or for want of memory\n", end.code - 128,
                  strsignal(end.code - 128));
   } else {
@@ -110,7 +120,7 @@ int run_command(const RunArguments& arguments) {
     }
   } catch (const Interrupted&) {
     std::fprintf(stderr, "footfall: interrupted while making the bed; nothing is kept\n");
-    return kExitInterrupted;
+    return kExitFailed;
   }
   if (!arguments.quiet) std::printf("%s\n", shell_line(command).c_str());
   std::fflush(stdout);
@@ -123,10 +133,10 @@ int run_command(const RunArguments& arguments) {
     return kExitBadInput;
   }
   std::vector<std::string> pictures;
-  const bool wrote = fs::exists(fs::path(out) / "summary.json");
-  if (wrote && scene.output.plots) pictures = make_pictures(out);
-  if (wrote && !arguments.quiet) print_results(out, pictures);
-  return exit_code(end);
+  const std::string status = status_of(out);
+  if (!status.empty() && scene.output.plots) pictures = make_pictures(out);
+  if (!status.empty() && !arguments.quiet) print_results(out, pictures);
+  return exit_code(end, status);
 }
 
 }  // namespace footfall

@@ -1,6 +1,7 @@
 #include "mbd_solver/output/plots.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -24,9 +25,10 @@ std::string words_after_dot(const std::string& name) {
   return words;
 }
 
-bool varies(const History& history, const std::string& name) {
-  const std::vector<double>& values = history.column(name);
-  return std::any_of(values.begin(), values.end(), [&](double v) { return v != 0.0; });
+double largest(const History& history, const std::string& name) {
+  double size = 0.0;
+  for (double value : history.column(name)) size = std::max(size, std::abs(value));
+  return size;
 }
 
 // Curves for every column that ends so, by the name before it.
@@ -55,22 +57,24 @@ std::vector<Curve> contact_curves(const History& history) {
   return curves;
 }
 
-// Kinetic, gravity ... and total, then what was dissipated in all; parts that stay zero are left out.
-std::vector<Curve> energy_curves(const History& history) {
+// Columns that start so, in kJ; parts too small to be seen are left out.
+std::vector<Curve> energy_curves(const History& history, const std::string& start) {
+  constexpr double kVisible = 2e-3;  // of the largest
+  double scale = 0.0;
   std::vector<Curve> curves;
   for (const std::string& name : history.names) {
-    if (name.rfind("energy.", 0) == 0 && varies(history, name)) curves.push_back({words_after_dot(name), "(" + column(name) + "/1000)"});
+    if (name.rfind(start, 0) == 0) scale = std::max(scale, largest(history, name));
+  }
+  for (const std::string& name : history.names) {
+    if (name.rfind(start, 0) == 0 && largest(history, name) > kVisible * scale) curves.push_back({words_after_dot(name), "(" + column(name) + "/1000)"});
   }
   return curves;
 }
 
 std::vector<Curve> dissipation_curves(const History& history) {
-  std::vector<Curve> curves;
-  for (const std::string& name : history.names) {
-    if (name.rfind("dissipated.", 0) == 0 && varies(history, name)) curves.push_back({words_after_dot(name), "(" + column(name) + "/1000)"});
-  }
+  std::vector<Curve> curves = energy_curves(history, "dissipated.");
   const bool grains = history.find("coupling.energy_residual") >= 0;
-  if (grains && varies(history, "work.contact")) curves.push_back({"taken by the grains", "(-" + column("work.contact") + "/1000)"});
+  if (grains && largest(history, "work.contact") > 0.0) curves.push_back({"taken by the grains", "(-" + column("work.contact") + "/1000)"});
   return curves;
 }
 
@@ -93,13 +97,16 @@ set linetype 9 lw 1.8 lc rgb "#f0e442"
 set linetype cycle 9
 )";
 
+constexpr std::size_t kBlack = 7;  // line type
+
 std::string plot_command(const Figure& figure) {
   std::ostringstream text;
   text << "set title \"" << figure.title << "\" noenhanced\nset ylabel \"" << figure.axis << "\" noenhanced\n";
   text << (figure.curves.size() == 1 ? "unset key\n" : "set key outside right center samplen 1.5 noenhanced\n");
   text << "plot ";
   for (std::size_t i = 0; i < figure.curves.size(); ++i) {
-    text << (i ? ", \\\n     " : "") << "'../history.csv' using (column(\"time\")):" << figure.curves[i].expression << " with lines lt " << i + 1 << " title \""
+    const std::size_t style = figure.curves[i].title == "total" ? kBlack : i + 1;
+    text << (i ? ", \\\n     " : "") << "'../history.csv' using (column(\"time\")):" << figure.curves[i].expression << " with lines lt " << style << " title \""
          << figure.curves[i].title << "\"";
   }
   text << "\n";
@@ -130,7 +137,7 @@ std::vector<Figure> standard_figures(const History& history, const std::string& 
     figures.push_back({"velocity", "Velocity of " + body, "vertical velocity [m/s]", {{body, "(" + column(body + ".vz") + ")"}}});
     figures.push_back({"descent", "Descent of " + body, "descent [m]", {{body, "(" + start.str() + "-" + column(body + ".z") + ")"}}});
   }
-  figures.push_back({"energy", "Mechanical energy and its parts", "energy [kJ]", energy_curves(history)});
+  figures.push_back({"energy", "Mechanical energy and its parts", "energy [kJ]", energy_curves(history, "energy.")});
   figures.push_back({"dissipation", "Where the energy went", "energy [kJ]", dissipation_curves(history)});
   figures.push_back({"strokes", "Strut strokes, compression positive", "stroke [m]", curves_of(history, ".stroke", "", "")});
   figures.push_back({"strut_forces", "Strut forces, compression positive", "force [kN]", curves_of(history, ".force", "", "/1000")});
