@@ -13,12 +13,14 @@ namespace footfall {
 namespace {
 
 constexpr int kMostClosingSteps = 30;
-constexpr double kClosed = 1e-12;          // [m or rad]: what double precision reaches for mechanisms of metres
-constexpr double kContradiction = 1e-8;    // what remains above this cannot be closed
-// While the joints are still open by a gap g, redundant conditions look independent to about g: they must not steer the closing.
+constexpr double kClosed = 1e-12;        // [m or rad]: what double precision reaches for mechanisms of metres
+constexpr double kContradiction = 1e-8;  // what remains above this cannot be closed
+// While the joints are still open by a gap g, redundant conditions look independent to about g: they must not
+// steer the closing.
 constexpr double kClosingRank = 1e-5;
 
-// All rows at one state: phi, phi', and B = D Phi_v C^-T with M = C C^T (mass metric), D = rows scaled to unit length.
+// All rows at one state: phi, phi', and B = D Phi_v C^-T with M = C C^T (mass metric), D = rows scaled to
+// unit length.
 class DenseRows {
  public:
   DenseRows(const Model& model, const Layout& layout) : model_(model), layout_(layout), kinematics_(model) {}
@@ -33,7 +35,8 @@ class DenseRows {
       const int j = layout_.row_joint[static_cast<std::size_t>(row)];
       const Joint& joint = model_.joint(j);
       const PairMotion pair = kinematics_.pair(joint.m1.body, joint.m2.body);
-      const ConstraintRow& condition = joint.rows[static_cast<std::size_t>(row - layout_.joint_row[static_cast<std::size_t>(j)])];
+      const ConstraintRow& condition =
+          joint.rows[static_cast<std::size_t>(row - layout_.joint_row[static_cast<std::size_t>(j)])];
       phi_v.resize(pair.size());
       MarkerVectors vectors(pair, joint.m1, joint.m2);
       const RowValue value = evaluate_row(condition, state.time, vectors, phi_v);
@@ -71,7 +74,8 @@ class DenseRows {
     decomposition.compute(B);
     Eigen::VectorXd x = -decomposition.solve(Eigen::VectorXd(scale.asDiagonal() * defect));
     for (int i = 0; i < model_.body_count(); ++i) {
-      Eigen::Ref<Eigen::VectorXd> part = x.segment(layout_.body_v[static_cast<std::size_t>(i)], kinematics_.of(i).size());
+      Eigen::Ref<Eigen::VectorXd> part =
+          x.segment(layout_.body_v[static_cast<std::size_t>(i)], kinematics_.of(i).size());
       part = factors_[static_cast<std::size_t>(i)].matrixU().solve(part).eval();
     }
     return x;
@@ -101,7 +105,8 @@ State initial_state(const Model& model, const Layout& layout) {
     state.v.segment(layout.body_v[at], 6 + s) << body.dr, body.w, body.da;
   }
   for (int i = 0; i < model.force_count(); ++i)
-    state.z.segment(layout.force_z[static_cast<std::size_t>(i)], model.force(i).state_count()) = model.force(i).initial_state();
+    state.z.segment(layout.force_z[static_cast<std::size_t>(i)], model.force(i).state_count()) =
+        model.force(i).initial_state();
   state.load_work = Eigen::VectorXd::Zero(model.body_count());
   return state;
 }
@@ -122,13 +127,15 @@ std::string joint_names(const Model& model, const Layout& layout, const std::set
   return out;
 }
 
-// Cosine of the angle between the attitude a joint wants and the one it has, where dot products alone cannot tell a half turn.
+// Cosine of the angle between the attitude a joint wants and the one it has, where dot products alone cannot
+// tell a half turn.
 double attitude_cosine(const Joint& joint, const PairMotion& pair, double t) {
   double smallest = 1.0;
   if (joint.kind == "fixed" || joint.kind == "prismatic") {
     for (int k = 0; k < 3; ++k)
-      smallest = std::min(smallest, KinematicVector::axis(pair, 0, joint.m1, k).value().dot(
-                                        KinematicVector::axis(pair, 1, joint.m2, k).value()));
+      smallest = std::min(smallest, KinematicVector::axis(pair, 0, joint.m1, k)
+                                        .value()
+                                        .dot(KinematicVector::axis(pair, 1, joint.m2, k).value()));
   }
   for (const ConstraintRow& row : joint.rows) {
     if (!row.rotation) continue;  // cos(angle - f) = sin(f) e_j1.e_i2 + cos(f) e_i1.e_i2
@@ -147,7 +154,8 @@ double attitude_cosine(const Joint& joint, const PairMotion& pair, double t) {
 }
 
 // Every joint that is open by more than the tolerance, all of them in one message.
-double check_gaps(const Model& model, const Layout& layout, const DenseRows& rows, double t, double tolerance) {
+double check_gaps(const Model& model, const Layout& layout, const DenseRows& rows, double t,
+                  double tolerance) {
   std::string findings;
   double largest = 0.0;
   for (int j = 0; j < model.joint_count(); ++j) {
@@ -165,12 +173,15 @@ double check_gaps(const Model& model, const Layout& layout, const DenseRows& row
     if (attitude_cosine(joint, pair, t) < 0.0) angle = M_PI;  // a half turn, which the sines above do not see
     const double gap = std::sqrt(gap2);
     largest = std::max({largest, gap, angle});
-    const std::string where = (findings.empty() ? "" : "\n") + std::string("joint \"") + joint.name + "\" (" + joint.kind + "): ";
+    const std::string where =
+        (findings.empty() ? "" : "\n") + std::string("joint \"") + joint.name + "\" (" + joint.kind + "): ";
     if (!(gap <= tolerance)) {
-      findings += where + "gap of " + number(gap) + " m in the initial position; at most " + number(tolerance) +
+      findings += where + "gap of " + number(gap) + " m in the initial position; at most " +
+                  number(tolerance) +
                   " m is closed silently. Check the positions of its bodies and its point.";
     } else if (!(angle <= tolerance)) {
-      findings += where + "its axes are off by " + number((angle > 1.0 ? M_PI : std::asin(angle)) * 180.0 / M_PI) +
+      findings += where + "its axes are off by " +
+                  number((angle > 1.0 ? M_PI : std::asin(angle)) * 180.0 / M_PI) +
                   " degrees in the initial position. Check the attitudes of its bodies and its axes.";
     }
   }
@@ -178,8 +189,8 @@ double check_gaps(const Model& model, const Layout& layout, const DenseRows& row
   return largest;
 }
 
-void check_contradiction(const Model& model, const Layout& layout, const Eigen::VectorXd& defect, double scale,
-                         const std::string& what, const std::string& unit) {
+void check_contradiction(const Model& model, const Layout& layout, const Eigen::VectorXd& defect,
+                         double scale, const std::string& what, const std::string& unit) {
   std::set<int> worst;
   double largest = 0.0;
   for (int row = 0; row < defect.size(); ++row) largest = std::max(largest, std::abs(defect[row]));
@@ -187,8 +198,9 @@ void check_contradiction(const Model& model, const Layout& layout, const Eigen::
   for (int row = 0; row < defect.size(); ++row) {
     if (std::abs(defect[row]) > 0.1 * largest) worst.insert(row);
   }
-  throw InputError("joints " + joint_names(model, layout, worst) + " contradict each other: " + what + " by " + number(largest) +
-                   " " + unit + ". Move one of them, or free one of its directions.");
+  throw InputError("joints " + joint_names(model, layout, worst) + " contradict each other: " + what +
+                   " by " + number(largest) + " " + unit +
+                   ". Move one of them, or free one of its directions.");
 }
 
 }  // namespace
@@ -197,7 +209,8 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   const Layout layout(model, all_rows_of(model));
   Assembly out;
   out.state = initial_state(model, layout);
-  if (!out.state.z.allFinite()) throw InputError("an inner state of a force element is not finite at the start.");
+  if (!out.state.z.allFinite())
+    throw InputError("an inner state of a force element is not finite at the start.");
   if (layout.all_rows == 0) return out;
   DenseRows rows(model, layout);
   rows.evaluate(out.state);
@@ -212,7 +225,8 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
     add_increment(layout, rows.correction(rows.phi, kClosingRank), out.state.q);
     rows.evaluate(out.state);
   }
-  check_contradiction(model, layout, rows.phi, 1.0, "together they cannot be closed; they stay open", "m or rad");
+  check_contradiction(model, layout, rows.phi, 1.0, "together they cannot be closed; they stay open",
+                      "m or rad");
 
   // Velocities: the smallest change that satisfies Phi_v v + Phi_t = 0. Twice, for round-off.
   const Eigen::VectorXd v_given = out.state.v;
@@ -221,7 +235,8 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
     rows.evaluate(out.state);
   }
   out.largest_speed_change = (out.state.v - v_given).lpNorm<Eigen::Infinity>();
-  check_contradiction(model, layout, rows.rate, 1.0 + out.state.v.lpNorm<Eigen::Infinity>(), "their speeds differ", "m/s or rad/s");
+  check_contradiction(model, layout, rows.rate, 1.0 + out.state.v.lpNorm<Eigen::Infinity>(),
+                      "their speeds differ", "m/s or rad/s");
 
   // Independent rows: the pivots of a QR of B^T. The others are combinations of them: R11 X = R12.
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
@@ -234,12 +249,13 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   if (rank == layout.all_rows) return out;
 
   const Eigen::MatrixXd R = qr.matrixR().topRows(rank);
-  const Eigen::MatrixXd X =
-      R.leftCols(rank).triangularView<Eigen::Upper>().solve(Eigen::MatrixXd(R.rightCols(layout.all_rows - rank)));
+  const Eigen::MatrixXd X = R.leftCols(rank).triangularView<Eigen::Upper>().solve(
+      Eigen::MatrixXd(R.rightCols(layout.all_rows - rank)));
   std::vector<int> dropped(static_cast<std::size_t>(model.joint_count()), 0);
   std::vector<std::set<int>> sources(static_cast<std::size_t>(model.joint_count()));
   for (Eigen::Index k = 0; k < X.cols(); ++k) {
-    const std::size_t joint = static_cast<std::size_t>(layout.row_joint[static_cast<std::size_t>(order[rank + k])]);
+    const std::size_t joint =
+        static_cast<std::size_t>(layout.row_joint[static_cast<std::size_t>(order[rank + k])]);
     ++dropped[joint];
     for (Eigen::Index i = 0; i < rank; ++i) {
       if (std::abs(X(i, k)) > 1e-6) sources[joint].insert(order[i]);
@@ -248,9 +264,10 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   for (int j = 0; j < model.joint_count(); ++j) {
     const std::size_t at = static_cast<std::size_t>(j);
     if (dropped[at] > 0)
-      out.notes.push_back("joint \"" + model.joint(j).name + "\": " + std::to_string(dropped[at]) + " of its " +
-                          std::to_string(model.joint(j).rows.size()) + " conditions follow from " +
-                          joint_names(model, layout, sources[at]) + " and are left out (redundant).");
+      out.notes.push_back("joint \"" + model.joint(j).name + "\": " + std::to_string(dropped[at]) +
+                          " of its " + std::to_string(model.joint(j).rows.size()) +
+                          " conditions follow from " + joint_names(model, layout, sources[at]) +
+                          " and are left out (redundant).");
   }
   return out;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// From a model to a consistent start: joints closed, velocities made consistent, redundant conditions found and left out.
+// From a model to a consistent start: joints closed, velocities made consistent, redundant conditions found
+// and left out.
 
 #include <string>
 #include <vector>
@@ -10,20 +11,22 @@
 namespace footfall {
 
 struct AssemblyOptions {
-  double gap_tolerance = 1e-3;      // largest initial gap [m] or misalignment [rad] that is closed silently
-  double rank_tolerance = 1e-8;     // relative to the largest pivot of the scaled Phi_v
+  double gap_tolerance = 1e-3;   // largest initial gap [m] or misalignment [rad] that is closed silently
+  double rank_tolerance = 1e-8;  // relative to the largest pivot of the scaled Phi_v
 };
 
 struct Assembly {
-  State state;                      // closed to round-off, velocities consistent
-  std::vector<int> kept_rows;       // global numbers of the independent constraint rows, rising
-  std::vector<std::string> notes;   // one per joint with left-out conditions, naming the joints they follow from
-  double largest_gap = 0.0;         // before closing [m or rad]
-  double largest_speed_change = 0.0;  // largest change of a velocity coordinate by the projection [m/s or rad/s]
+  State state;                 // closed to round-off, velocities consistent
+  std::vector<int> kept_rows;  // global numbers of the independent constraint rows, rising
+  std::vector<std::string>
+      notes;                 // one per joint with left-out conditions, naming the joints they follow from
+  double largest_gap = 0.0;  // before closing [m or rad]
+  double largest_speed_change =
+      0.0;  // largest change of a velocity coordinate by the projection [m/s or rad/s]
 };
 
-// Throws InputError: `joint "hinge_3": gap of 0.012 m ...` when a joint is far from closed; when conditions contradict
-// each other (naming the joints); when a state is not finite.
+// Throws InputError: `joint "hinge_3": gap of 0.012 m ...` when a joint is far from closed; when conditions
+// contradict each other (naming the joints); when a state is not finite.
 Assembly assemble(const Model& model, const AssemblyOptions& options = {});
 
 }  // namespace footfall

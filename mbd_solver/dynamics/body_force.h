@@ -1,7 +1,8 @@
 #pragma once
 // Inertia, elastic and gravity forces of one body, and the external load on it, in W, with derivatives.
-// Inertia comes from ModalInertia in B and is turned into W: g_W = T g_B, T = diag(A, A, I), because turning the body and turning the
-// frame are the same:  dg/dtheta = -g~ + (dg/dv) v~ + (dg/ddv) dv~  (block by block). Rigid bodies take a short way of their own.
+// Inertia comes from ModalInertia in B and is turned into W: g_W = T g_B, T = diag(A, A, I), because turning
+// the body and turning the frame are the same:  dg/dtheta = -g~ + (dg/dv) v~ + (dg/ddv) dv~  (block by
+// block). Rigid bodies take a short way of their own.
 
 #include <Eigen/Dense>
 
@@ -19,15 +20,17 @@ struct InertiaScratch {
 };
 
 // F += M dv + h - [m gravity; 0; 0], with the accelerations of `at`. F: 6+s.
-void add_body_force(const Body& body, const BodyKinematics& at, const Eigen::Vector3d& gravity, InertiaScratch& scratch,
-                    Eigen::Ref<Eigen::VectorXd> F);
+void add_body_force(const Body& body, const BodyKinematics& at, const Eigen::Vector3d& gravity,
+                    InertiaScratch& scratch, Eigen::Ref<Eigen::VectorXd> F);
 
 // M in W: (6+s) x (6+s), overwritten.
-void body_mass_matrix(const Body& body, const BodyKinematics& at, InertiaScratch& scratch, Eigen::Ref<Eigen::MatrixXd> M);
+void body_mass_matrix(const Body& body, const BodyKinematics& at, InertiaScratch& scratch,
+                      Eigen::Ref<Eigen::MatrixXd> M);
 
 // Of M dv + h: dF/dx, dF/dv, and M (= dF/ddv), all overwritten.
-void body_derivatives(const Body& body, const BodyKinematics& at, InertiaScratch& scratch, Eigen::Ref<Eigen::MatrixXd> dF_dx,
-                      Eigen::Ref<Eigen::MatrixXd> dF_dv, Eigen::Ref<Eigen::MatrixXd> M);
+void body_derivatives(const Body& body, const BodyKinematics& at, InertiaScratch& scratch,
+                      Eigen::Ref<Eigen::MatrixXd> dF_dx, Eigen::Ref<Eigen::MatrixXd> dF_dv,
+                      Eigen::Ref<Eigen::MatrixXd> M);
 
 // Q += generalized force of the load (6+s).
 void add_load_force(const ExternalLoad& load, const BodyKinematics& at, Eigen::Ref<Eigen::VectorXd> Q);

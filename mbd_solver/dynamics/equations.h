@@ -1,12 +1,14 @@
 #pragma once
-// The equations of motion as an implicit differential-algebraic system F(t, y, dy/dt) = 0, index 1 (theory 1):
+// The equations of motion as an implicit differential-algebraic system F(t, y, dy/dt) = 0, index 1 (theory
+// 1):
 //   y = [q; v; z; lambda]
 //   F_q      = dq - N(q) v
 //   F_v      = M(q) dv + h(q, v) + Phi_v^T lambda - Q(t, q, v, z)
 //   F_z      = dz - g(q, v, z)
 //   F_lambda = phi'' + 2 alpha phi' + beta^2 phi - eps lambda          alpha, beta: Baumgarte (0 by default)
-// eps is a regularisation (relative 1e-12 of the size of Phi_v M^-1 Phi_v^T) that keeps the system solvable in singular positions.
-// No function here allocates. One Equations object belongs to one thread (it owns the workspace).
+// eps is a regularisation (relative 1e-12 of the size of Phi_v M^-1 Phi_v^T) that keeps the system solvable
+// in singular positions. No function here allocates. One Equations object belongs to one thread (it owns the
+// workspace).
 
 #include <Eigen/Sparse>
 #include <memory>
@@ -25,10 +27,10 @@ struct Baumgarte {
 
 // Everything one can say about the energy at one instant.
 struct EnergySample {
-  StoredEnergy stored;                // [J]
-  Dissipated power;                   // dissipated power by kind [W]
-  Eigen::VectorXd load_power;         // of the external loads, per body [W]
-  double motion_power = 0.0;          // of prescribed motions [W]
+  StoredEnergy stored;         // [J]
+  Dissipated power;            // dissipated power by kind [W]
+  Eigen::VectorXd load_power;  // of the external loads, per body [W]
+  double motion_power = 0.0;   // of prescribed motions [W]
 };
 
 class Equations {
@@ -41,29 +43,36 @@ class Equations {
   const Layout& layout() const { return layout_; }
 
   // F(t, y, ydot).
-  void residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& ydot,
-                const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> F);
+  void residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
+                const Eigen::Ref<const Eigen::VectorXd>& ydot, const Inputs& inputs,
+                Eigen::Ref<Eigen::VectorXd> F);
   // dF/dy + c dF/dydot: column-major, compressed, the same pattern for ever; values are rewritten in place.
   const Eigen::SparseMatrix<double>& jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
-                                              const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
-  const Eigen::SparseMatrix<double>& jacobian_pattern() const;  // the same matrix, whatever its values are now
-  // The same with the rows F_q and the columns q eliminated by c dq = N dv + (dN v) (exact for the step of a one-step method):
-  // square in [v; z; lambda], a quarter of the work to factor.
+                                              const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
+                                              const Inputs& inputs);
+  const Eigen::SparseMatrix<double>& jacobian_pattern()
+      const;  // the same matrix, whatever its values are now
+  // The same with the rows F_q and the columns q eliminated by c dq = N dv + (dN v) (exact for the step of a
+  // one-step method): square in [v; z; lambda], a quarter of the work to factor.
   const Eigen::SparseMatrix<double>& reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
-                                                      const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
+                                                      const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
+                                                      const Inputs& inputs);
   const Eigen::SparseMatrix<double>& reduced_pattern() const;
-  // out -= d[F_v; F_z; F_lambda]/dx dx, with the derivatives of the last Jacobian. dx as v; out as [v; z; lambda].
+  // out -= d[F_v; F_z; F_lambda]/dx dx, with the derivatives of the last Jacobian. dx as v; out as [v; z;
+  // lambda].
   void subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> out) const;
   // dF/dydot * x at (t, y): what an error estimate is filtered with.
-  void apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x, double t,
-                  Eigen::Ref<Eigen::VectorXd> out);
+  void apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x,
+                  double t, Eigen::Ref<Eigen::VectorXd> out);
 
-  // dv and lambda of a state, by a direct solve of [M, Phi_v^T; Phi_v, -eps]; also dq and dz: out is the complete dy/dt with
-  // the multipliers in the place of their rates. Throws NumericalError naming time and body when not finite.
+  // dv and lambda of a state, by a direct solve of [M, Phi_v^T; Phi_v, -eps]; also dq and dz: out is the
+  // complete dy/dt with the multipliers in the place of their rates. Throws NumericalError naming time and
+  // body when not finite.
   void accelerations(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> ydot_and_lambda);
 
   // Removes the drift of Phi and Phi' by the Moore-Penrose inverse of Phi_v in the metric of the mass matrix:
-  //   dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T)^+ Phi, repeated to round-off; the same for v. Quaternions are normalised.
+  //   dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T)^+ Phi, repeated to round-off; the same for v. Quaternions are
+  //   normalised.
   // Drift below 1e-10 m (and 2e-9 m/s) is left alone.
   struct Drift {
     double position = 0.0;  // largest |phi| before [m or rad]
@@ -80,15 +89,18 @@ class Equations {
   // Unpacks a state for the output functions below.
   void load(const State& state);
   const BodyKinematics& motion(int body) const;
-  ElementInput element_input(int force, const State& state, const Inputs& inputs) const;  // valid after load()
-  // Force and moment [N, N m] that joint `joint` exerts on its body 2, about the point of marker 2, in W. After load().
+  ElementInput element_input(int force, const State& state,
+                             const Inputs& inputs) const;  // valid after load()
+  // Force and moment [N, N m] that joint `joint` exerts on its body 2, about the point of marker 2, in W.
+  // After load().
   Vector6d joint_wrench(int joint, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const;
 
   // Drops the pivots of earlier solves, so that results depend on arguments alone.
   void forget();
 
   // y of a state (multipliers given) and back.
-  void pack(const State& state, const Eigen::Ref<const Eigen::VectorXd>& lambda, Eigen::Ref<Eigen::VectorXd> y) const;
+  void pack(const State& state, const Eigen::Ref<const Eigen::VectorXd>& lambda,
+            Eigen::Ref<Eigen::VectorXd> y) const;
   void unpack(const Eigen::Ref<const Eigen::VectorXd>& y, State& state) const;
   // Human name of an entry of y: `body "cabin": w.y`, `joint "hinge": condition 3`.
   std::string entry_name(int index) const;
@@ -97,13 +109,14 @@ class Equations {
   struct Workspace;
   void set_regularisation(const State& state);
   void demand_fitting(const Inputs& inputs) const;
-  void gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
-                          const Inputs& inputs);
+  void gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
+                          const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
   void add_body_derivatives(int index, double c, const Inputs& inputs);
   void add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda);
   void add_force_derivatives(int index, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs);
   bool factor_saddle(double t);  // at the loaded kinematics
-  Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate);  // likewise
+  Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi,
+                      Eigen::Ref<Eigen::VectorXd> rate);  // likewise
 
   const Model& model_;
   Layout layout_;

@@ -1,7 +1,9 @@
-// Jacobians of the equations of motion. Joints, force elements and bodies give derivatives by increments dx = [dr; dtheta; da] and by
-// velocities; they are gathered once over [v; z; lambda] (Workspace::lower, Workspace::stiffness), and then
-//   full:     columns of q = stiffness chained by dtheta = (2 R(L) / |L|^2) dL, with the rows of dq - N v on top;
-//   reduced:  q eliminated by dq = N v at the rate c:  dx = T dv,  T = diag(1/c, (c I + w~/2) / (c^2 + |w|^2 / 4), 1/c).
+// Jacobians of the equations of motion. Joints, force elements and bodies give derivatives by increments dx =
+// [dr; dtheta; da] and by velocities; they are gathered once over [v; z; lambda] (Workspace::lower,
+// Workspace::stiffness), and then
+//   full:     columns of q = stiffness chained by dtheta = (2 R(L) / |L|^2) dL, with the rows of dq - N v on
+//   top; reduced:  q eliminated by dq = N v at the rate c:  dx = T dv,  T = diag(1/c, (c I + w~/2) / (c^2 +
+//   |w|^2 / 4), 1/c).
 
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/dynamics/workspace.h"
@@ -14,7 +16,8 @@ void add_columns(const SparseBlock& block, double* values, const Eigen::Ref<cons
 }
 
 // One column of a matrix as a vector of its stored values.
-Eigen::Map<const Eigen::VectorXd> stored(const Eigen::SparseMatrix<double>& pattern, const double* values, int column) {
+Eigen::Map<const Eigen::VectorXd> stored(const Eigen::SparseMatrix<double>& pattern, const double* values,
+                                         int column) {
   const int begin = pattern.outerIndexPtr()[column], end = pattern.outerIndexPtr()[column + 1];
   return {values + begin, end - begin};
 }
@@ -31,7 +34,8 @@ void Equations::add_body_derivatives(int index, double c, const Inputs& inputs) 
   const std::size_t at = static_cast<std::size_t>(index);
   const BodyKinematics& body = w.kinematics.of(index);
   const int n = body.size();
-  Eigen::Ref<Eigen::MatrixXd> K = w.K.topLeftCorner(n, n), D = w.D.topLeftCorner(n, n), M = w.M.topLeftCorner(n, n);
+  Eigen::Ref<Eigen::MatrixXd> K = w.K.topLeftCorner(n, n), D = w.D.topLeftCorner(n, n),
+                              M = w.M.topLeftCorner(n, n);
   body_derivatives(model_.body(index), body, w.inertia[at], K, D, M);
   if (!inputs.loads.empty()) {  // F_v takes -Q
     K = -K;
@@ -45,7 +49,8 @@ void Equations::add_body_derivatives(int index, double c, const Inputs& inputs) 
   add_columns(w.body_places[at].v_v, w.lower.valuePtr(), D);
 }
 
-void Equations::add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda) {
+void Equations::add_joint_derivatives(int index, double t, double c,
+                                      const Eigen::Ref<const Eigen::VectorXd>& lambda) {
   Workspace& w = *work_;
   const Joint& joint = model_.joint(index);
   const PairPlaces& places = w.joint_places[static_cast<std::size_t>(index)];
@@ -57,11 +62,13 @@ void Equations::add_joint_derivatives(int index, double t, double c, const Eigen
   const double alpha2 = 2.0 * baumgarte_.alpha, beta2 = baumgarte_.beta * baumgarte_.beta;
 
   Eigen::Ref<Eigen::MatrixXd> K = w.K.topLeftCorner(n, n);
-  Eigen::Ref<Eigen::VectorXd> phi_v = w.row.head(n), rate_dx = w.row2.head(n), acc_dx = w.row3.head(n), acc_dv = w.row4.head(n);
+  Eigen::Ref<Eigen::VectorXd> phi_v = w.row.head(n), rate_dx = w.row2.head(n), acc_dx = w.row3.head(n),
+                              acc_dv = w.row4.head(n);
   K.setZero();
   int local = 0;
   for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-    const int kept = layout_.kept[static_cast<std::size_t>(layout_.joint_row[static_cast<std::size_t>(index)]) + k];
+    const int kept =
+        layout_.kept[static_cast<std::size_t>(layout_.joint_row[static_cast<std::size_t>(index)]) + k];
     if (kept < 0) continue;
     evaluate_row(joint.rows[k], t, vectors, phi_v);
     row_derivatives(joint.rows[k], t, vectors, lambda[kept], rate_dx, acc_dx, acc_dv, K);
@@ -83,12 +90,14 @@ void Equations::add_joint_derivatives(int index, double t, double c, const Eigen
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) {
       const int ni = pair.body[i]->size(), nj = pair.body[j]->size();
-      if (ni > 0 && nj > 0) add_columns(places.v_v[i][j], stiffness, K.block(pair.offset(i), pair.offset(j), ni, nj));
+      if (ni > 0 && nj > 0)
+        add_columns(places.v_v[i][j], stiffness, K.block(pair.offset(i), pair.offset(j), ni, nj));
     }
   }
 }
 
-void Equations::add_force_derivatives(int index, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs) {
+void Equations::add_force_derivatives(int index, const Eigen::Ref<const Eigen::VectorXd>& z,
+                                      const Inputs& inputs) {
   Workspace& w = *work_;
   const ForceElement& element = model_.force(index);
   const PairPlaces& places = w.force_places[static_cast<std::size_t>(index)];
@@ -96,11 +105,13 @@ void Equations::add_force_derivatives(int index, const Eigen::Ref<const Eigen::V
   ElementDerivatives& d = w.elements[static_cast<std::size_t>(index)];
   double* values = w.lower.valuePtr();
   double* stiffness = w.stiffness.data();
-  for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) part->setZero();
+  for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz})
+    part->setZero();
   if (!element.add_derivatives({pair, z, inputs.voltages}, d)) return;
 
   // F_v takes -Q, F_z takes -g.
-  for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) *part = -*part;
+  for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz})
+    *part = -*part;
   for (int j = 0; j < 2; ++j) {
     const int nj = pair.body[j]->size(), cj = pair.offset(j);
     if (nj == 0) continue;
@@ -118,8 +129,9 @@ void Equations::add_force_derivatives(int index, const Eigen::Ref<const Eigen::V
   if (element.state_count() > 0) add_columns(places.extra_extra, values, d.ddz_dz);
 }
 
-void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& ydot,
-                                   double c, const Inputs& inputs) {
+void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
+                                   const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
+                                   const Inputs& inputs) {
   Workspace& w = *work_;
   w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size),
                     ydot.segment(layout_.v0(), layout_.v_size));
@@ -129,15 +141,19 @@ void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::Vecto
   for (int i = 0; i < model_.joint_count(); ++i) add_joint_derivatives(i, t, c, y.tail(layout_.row_count));
   for (int place : w.z_z) w.lower.valuePtr()[place] += c;
   for (int i = 0; i < model_.force_count(); ++i)
-    add_force_derivatives(i, y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], model_.force(i).state_count()),
-                          inputs);
+    add_force_derivatives(
+        i,
+        y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], model_.force(i).state_count()),
+        inputs);
 }
 
-const Eigen::SparseMatrix<double>& Equations::jacobian_pattern() const { return work_->jacobian; }
+const Eigen::SparseMatrix<double>& Equations::jacobian_pattern() const {
+  return work_->jacobian;
+}
 
 const Eigen::SparseMatrix<double>& Equations::jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
-                                                       const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
-                                                       const Inputs& inputs) {
+                                                       const Eigen::Ref<const Eigen::VectorXd>& ydot,
+                                                       double c, const Inputs& inputs) {
   Workspace& w = *work_;
   gather_derivatives(t, y, ydot, c, inputs);
   double* values = w.jacobian.valuePtr();
@@ -183,11 +199,14 @@ const Eigen::SparseMatrix<double>& Equations::jacobian(double t, const Eigen::Re
   return w.jacobian;
 }
 
-const Eigen::SparseMatrix<double>& Equations::reduced_pattern() const { return work_->reduced; }
+const Eigen::SparseMatrix<double>& Equations::reduced_pattern() const {
+  return work_->reduced;
+}
 
-const Eigen::SparseMatrix<double>& Equations::reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
-                                                               const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
-                                                               const Inputs& inputs) {
+const Eigen::SparseMatrix<double>& Equations::reduced_jacobian(double t,
+                                                               const Eigen::Ref<const Eigen::VectorXd>& y,
+                                                               const Eigen::Ref<const Eigen::VectorXd>& ydot,
+                                                               double c, const Inputs& inputs) {
   Workspace& w = *work_;
   gather_derivatives(t, y, ydot, c, inputs);
   Eigen::Map<Eigen::VectorXd> values(w.reduced.valuePtr(), w.reduced.nonZeros());
@@ -201,13 +220,15 @@ const Eigen::SparseMatrix<double>& Equations::reduced_jacobian(double t, const E
     T.diagonal().array() += c;
     T /= c * c + 0.25 * body.w.squaredNorm();
     for (int k = 0; k < 3; ++k) tail(w.reduced, v + k, count) += by(k) / c;
-    for (int k = 0; k < 3; ++k) tail(w.reduced, v + 3 + k, count) += T(0, k) * by(3) + T(1, k) * by(4) + T(2, k) * by(5);
+    for (int k = 0; k < 3; ++k)
+      tail(w.reduced, v + 3 + k, count) += T(0, k) * by(3) + T(1, k) * by(4) + T(2, k) * by(5);
     for (int k = 6; k < body.size(); ++k) tail(w.reduced, v + k, count) += by(k) / c;
   }
   return w.reduced;
 }
 
-void Equations::subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> out) const {
+void Equations::subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx,
+                                   Eigen::Ref<Eigen::VectorXd> out) const {
   const Workspace& w = *work_;
   const int* outer = w.lower.outerIndexPtr();
   const int* inner = w.lower.innerIndexPtr();

@@ -11,7 +11,8 @@ Kinematics::Kinematics(const Model& model) : bodies_(static_cast<std::size_t>(mo
   }
 }
 
-void Kinematics::load(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q, const Eigen::Ref<const Eigen::VectorXd>& v,
+void Kinematics::load(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q,
+                      const Eigen::Ref<const Eigen::VectorXd>& v,
                       const Eigen::Ref<const Eigen::VectorXd>& dv) {
   for (std::size_t i = 0; i + 1 < bodies_.size(); ++i) {
     BodyKinematics& body = bodies_[i + 1];
@@ -52,7 +53,8 @@ void for_each_body(const Layout& layout, Visit visit) {
 
 }  // namespace
 
-void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> q) {
+void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& dx,
+                   Eigen::Ref<Eigen::VectorXd> q) {
   for_each_body(layout, [&](int q0, int v0, int s) {
     q.segment<3>(q0) += dx.segment<3>(v0);
     q.segment<4>(q0 + 3) = rotated(q.segment<4>(q0 + 3), dx.segment<3>(v0 + 3));
@@ -60,9 +62,10 @@ void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>
   });
 }
 
-void solve_positions(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& known, const Eigen::Ref<const Eigen::VectorXd>& v,
-                     double c, Eigen::Ref<Eigen::VectorXd> q) {
-  // dL/dt = 1/2 W L with W = [0, -w^T; w, w~], W W = -|w|^2 I:  (c I - W/2)^-1 c = (I + W/(2c)) / (1 + |w|^2 / (4 c^2))
+void solve_positions(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& known,
+                     const Eigen::Ref<const Eigen::VectorXd>& v, double c, Eigen::Ref<Eigen::VectorXd> q) {
+  // dL/dt = 1/2 W L with W = [0, -w^T; w, w~], W W = -|w|^2 I:  (c I - W/2)^-1 c = (I + W/(2c)) / (1 + |w|^2
+  // / (4 c^2))
   for_each_body(layout, [&](int q0, int v0, int s) {
     const Eigen::Vector3d w = v.segment<3>(v0 + 3);
     const Eigen::Vector4d L = known.segment<4>(q0 + 3);
@@ -72,8 +75,8 @@ void solve_positions(const Layout& layout, const Eigen::Ref<const Eigen::VectorX
   });
 }
 
-void to_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q, const Eigen::Ref<const Eigen::VectorXd>& dq,
-                   Eigen::Ref<Eigen::VectorXd> dx) {
+void to_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q,
+                   const Eigen::Ref<const Eigen::VectorXd>& dq, Eigen::Ref<Eigen::VectorXd> dx) {
   for_each_body(layout, [&](int q0, int v0, int s) {
     const Eigen::Vector4d L = q.segment<4>(q0 + 3);
     dx.segment<3>(v0) = dq.segment<3>(q0);
@@ -82,8 +85,8 @@ void to_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>
   });
 }
 
-void from_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q, const Eigen::Ref<const Eigen::VectorXd>& dx,
-                     Eigen::Ref<Eigen::VectorXd> dq) {
+void from_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q,
+                     const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> dq) {
   for_each_body(layout, [&](int q0, int v0, int s) {
     dq.segment<3>(q0) = dx.segment<3>(v0);
     dq.segment<4>(q0 + 3) = quaternion_rate(q.segment<4>(q0 + 3), dx.segment<3>(v0 + 3));

@@ -9,21 +9,26 @@
 namespace footfall {
 namespace {
 
-// Positions are projected until the largest |phi| is below this or no longer falls; round-off of metres is 1e-16.
+// Positions are projected until the largest |phi| is below this or no longer falls; round-off of metres is
+// 1e-16.
 constexpr double kClosed = 1e-13;
 constexpr int kMostProjections = 4;
 // Drift below these is left alone: a tenth and less of what is promised.
-constexpr double kNoDrift = 1e-10;       // [m or rad]
-constexpr double kNoSpeedDrift = 2e-9;   // [m/s or rad/s]
-// Conditions left out as redundant at the start must hold as well as the others; a mechanism that leaves them by this has
-// started in a singular position.
+constexpr double kNoDrift = 1e-10;      // [m or rad]
+constexpr double kNoSpeedDrift = 2e-9;  // [m/s or rad/s]
+// Conditions left out as redundant at the start must hold as well as the others; a mechanism that leaves them
+// by this has started in a singular position.
 constexpr double kDroppedTolerance = 1e-5;
 
-std::string at_time(double t) { return "t = " + std::to_string(t) + " s: "; }
+std::string at_time(double t) {
+  return "t = " + std::to_string(t) + " s: ";
+}
 
 }  // namespace
 
-void Equations::forget() { work_->saddle_lu->forget(); }
+void Equations::forget() {
+  work_->saddle_lu->forget();
+}
 
 bool Equations::factor_saddle(double t) {
   Workspace& w = *work_;
@@ -37,21 +42,22 @@ bool Equations::factor_saddle(double t) {
     for (int k = 0; k < n; ++k) w.saddle_mass[at].add_column(values, k, M.col(k));
   }
   int joint = -1, local = 0;
-  for_each_row(model_, layout_, w.kinematics, t, w.row,
-               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
-                 if (kept < 0) return;
-                 local = layout_.row_joint[static_cast<std::size_t>(row)] == joint ? local + 1 : 0;
-                 joint = layout_.row_joint[static_cast<std::size_t>(row)];
-                 const PairPlaces& places = w.saddle_joint[static_cast<std::size_t>(joint)];
-                 for (int i = 0; i < 2; ++i) {
-                   const int n = pair.body[i]->size();
-                   if (n == 0) continue;
-                   places.v_extra[i].add_column(values, local, phi_v.segment(pair.offset(i), n));
-                   for (int k = 0; k < n; ++k) places.extra_v[i].add(values, local, k, phi_v[pair.offset(i) + k]);
-                 }
-                 values[w.saddle_diagonal[static_cast<std::size_t>(kept)]] -= w.regularisation[kept];
-               });
+  for_each_row(
+      model_, layout_, w.kinematics, t, w.row,
+      [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+        const int kept = layout_.kept[static_cast<std::size_t>(row)];
+        if (kept < 0) return;
+        local = layout_.row_joint[static_cast<std::size_t>(row)] == joint ? local + 1 : 0;
+        joint = layout_.row_joint[static_cast<std::size_t>(row)];
+        const PairPlaces& places = w.saddle_joint[static_cast<std::size_t>(joint)];
+        for (int i = 0; i < 2; ++i) {
+          const int n = pair.body[i]->size();
+          if (n == 0) continue;
+          places.v_extra[i].add_column(values, local, phi_v.segment(pair.offset(i), n));
+          for (int k = 0; k < n; ++k) places.extra_v[i].add(values, local, k, phi_v[pair.offset(i) + k]);
+        }
+        values[w.saddle_diagonal[static_cast<std::size_t>(kept)]] -= w.regularisation[kept];
+      });
   return w.saddle_lu->factor();
 }
 
@@ -82,9 +88,11 @@ void Equations::accelerations(const State& state, const Inputs& inputs, Eigen::R
 
   for (Eigen::Index i = 0; i < w.y.size(); ++i) {
     if (!std::isfinite(w.y[i]) || !std::isfinite(out[i]))
-      throw NumericalError(at_time(state.time) + entry_name(static_cast<int>(i)) + " or its rate is not finite.");
+      throw NumericalError(at_time(state.time) + entry_name(static_cast<int>(i)) +
+                           " or its rate is not finite.");
   }
-  throw NumericalError(at_time(state.time) + "the equations of motion are singular; does every body have a mass?");
+  throw NumericalError(at_time(state.time) +
+                       "the equations of motion are singular; does every body have a mass?");
 }
 
 Equations::Drift Equations::drift(const State& state) {
@@ -93,7 +101,8 @@ Equations::Drift Equations::drift(const State& state) {
   return measure_drift(state.time, w.saddle_x.tail(layout_.row_count), w.phi_rate);
 }
 
-Equations::Drift Equations::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate) {
+Equations::Drift Equations::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi,
+                                          Eigen::Ref<Eigen::VectorXd> rate) {
   Workspace& w = *work_;
   Drift out;
   for_each_row(model_, layout_, w.kinematics, t, w.row,
@@ -123,10 +132,12 @@ Equations::Drift Equations::project(State& state) {
   load(state);
   Eigen::Ref<Eigen::VectorXd> phi = w.saddle_x.tail(layout_.row_count);
   const Drift before = measure_drift(state.time, phi, w.phi_rate);
-  if (before.position <= kNoDrift && before.velocity <= kNoSpeedDrift && before.dropped <= kDroppedTolerance) return before;
+  if (before.position <= kNoDrift && before.velocity <= kNoSpeedDrift && before.dropped <= kDroppedTolerance)
+    return before;
   if (!factor_saddle(state.time)) return before;
 
-  // Positions: dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T + eps)^-1 phi, with the same factors until phi no longer falls.
+  // Positions: dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T + eps)^-1 phi, with the same factors until phi no
+  // longer falls.
   Drift now = before;
   for (int i = 0; i < kMostProjections && now.position > kClosed; ++i) {
     w.saddle_x.head(layout_.v_size).setZero();
@@ -164,7 +175,8 @@ Equations::Drift Equations::project(State& state) {
     throw NumericalError(at_time(state.time) + "joint \"" +
                          model_.joint(layout_.row_joint[static_cast<std::size_t>(now.dropped_row)]).name +
                          "\" has opened by " + std::to_string(now.dropped) +
-                         " m or rad: one of its conditions was redundant at the start and is not any more. Start from a position "
+                         " m or rad: one of its conditions was redundant at the start and is not any more. "
+                         "Start from a position "
                          "that is not singular.");
   Drift result = before;
   result.dropped = now.dropped;
@@ -172,7 +184,8 @@ Equations::Drift Equations::project(State& state) {
   return result;
 }
 
-void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x, double t,
+void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y,
+                           const Eigen::Ref<const Eigen::VectorXd>& x, double t,
                            Eigen::Ref<Eigen::VectorXd> out) {
   Workspace& w = *work_;
   w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size), w.empty);
@@ -184,19 +197,22 @@ void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eig
     body_mass_matrix(model_.body(i), w.kinematics.of(i), w.inertia[at], M);
     out.segment(v, n).noalias() = M * x.segment(v, n);
   }
-  for_each_row(model_, layout_, w.kinematics, t, w.row,
-               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
-                 if (kept < 0) return;
-                 const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
-                 const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
-                 double sum = 0.0;
-                 for (int i = 0; i < 2; ++i) {
-                   const int n = pair.body[i]->size();
-                   if (n > 0) sum += phi_v.segment(pair.offset(i), n).dot(x.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n));
-                 }
-                 out[layout_.lambda0() + kept] = sum;
-               });
+  for_each_row(
+      model_, layout_, w.kinematics, t, w.row,
+      [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+        const int kept = layout_.kept[static_cast<std::size_t>(row)];
+        if (kept < 0) return;
+        const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
+        const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
+        double sum = 0.0;
+        for (int i = 0; i < 2; ++i) {
+          const int n = pair.body[i]->size();
+          if (n > 0)
+            sum += phi_v.segment(pair.offset(i), n)
+                       .dot(x.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n));
+        }
+        out[layout_.lambda0() + kept] = sum;
+      });
 }
 
 }  // namespace footfall

@@ -17,7 +17,8 @@ int place_of(const Eigen::SparseMatrix<double>& matrix, int row, int col) {
 
 }  // namespace
 
-SparseBlock::SparseBlock(const Eigen::SparseMatrix<double>& matrix, int row0, int rows, int col0, int cols) : rows_(rows) {
+SparseBlock::SparseBlock(const Eigen::SparseMatrix<double>& matrix, int row0, int rows, int col0, int cols)
+    : rows_(rows) {
   if (rows == 0) return;
   for (int j = 0; j < cols; ++j) {
     start_.push_back(place_of(matrix, row0, col0 + j));

@@ -1,13 +1,14 @@
 #pragma once
-// A sparse matrix of dense blocks whose pattern never changes: blocks are announced, the matrix is built, and from then on each
-// block is written through its own list of places, without a search.
+// A sparse matrix of dense blocks whose pattern never changes: blocks are announced, the matrix is built, and
+// from then on each block is written through its own list of places, without a search.
 
 #include <Eigen/Sparse>
 #include <vector>
 
 namespace footfall {
 
-// Where the columns of one dense block start in the value array. Rows of a block are neighbours in every column.
+// Where the columns of one dense block start in the value array. Rows of a block are neighbours in every
+// column.
 class SparseBlock {
  public:
   SparseBlock() = default;
@@ -21,7 +22,9 @@ class SparseBlock {
     double* place = values + start_[static_cast<std::size_t>(column)];
     for (int i = 0; i < rows_; ++i) place[i] += x[i];
   }
-  void add(double* values, int row, int column, double x) const { values[start_[static_cast<std::size_t>(column)] + row] += x; }
+  void add(double* values, int row, int column, double x) const {
+    values[start_[static_cast<std::size_t>(column)] + row] += x;
+  }
 
  private:
   int rows_ = 0;

@@ -1,8 +1,8 @@
 #include "mbd_solver/dynamics/sparse_lu.h"
 
-#include <cmath>
-
 #include <klu.h>
+
+#include <cmath>
 
 #include "coupler/errors.h"
 
@@ -17,7 +17,8 @@ constexpr double kPivotsAge = 1e-2;
 struct SparseLu::Klu {
   explicit Klu(const Eigen::SparseMatrix<double>& m) : matrix(m) {
     klu_defaults(&common);
-    common.scale = 1;  // rows by their sums: equations of motion mix masses, conditions and 1 / h; three times less fill here
+    common.scale = 1;  // rows by their sums: equations of motion mix masses, conditions and 1 / h; three
+                       // times less fill here
   }
   ~Klu() {
     klu_free_numeric(&numeric, &common);
@@ -54,8 +55,8 @@ bool SparseLu::factor() {
   Klu& k = *klu_;
   if (k.matrix.rows() == 0) return true;
   if (k.numeric != nullptr) {
-    if (klu_refactor(k.outer(), k.inner(), k.values(), k.symbolic, k.numeric, &k.common) != 0 && k.common.status == KLU_OK &&
-        k.condition() > kPivotsAge * k.first_condition)
+    if (klu_refactor(k.outer(), k.inner(), k.values(), k.symbolic, k.numeric, &k.common) != 0 &&
+        k.common.status == KLU_OK && k.condition() > kPivotsAge * k.first_condition)
       return true;
     forget();
   }
@@ -72,6 +73,8 @@ void SparseLu::solve(Eigen::Ref<Eigen::VectorXd> x) const {
   klu_solve(k.symbolic, k.numeric, static_cast<int>(k.matrix.rows()), 1, x.data(), &k.common);
 }
 
-void SparseLu::forget() { klu_free_numeric(&klu_->numeric, &klu_->common); }
+void SparseLu::forget() {
+  klu_free_numeric(&klu_->numeric, &klu_->common);
+}
 
 }  // namespace footfall

@@ -1,5 +1,6 @@
 #pragma once
-// LU factors of a sparse matrix of fixed pattern (KLU of SuiteSparse): ordered once, factored as often as values change.
+// LU factors of a sparse matrix of fixed pattern (KLU of SuiteSparse): ordered once, factored as often as
+// values change.
 
 #include <Eigen/Sparse>
 #include <memory>
@@ -14,8 +15,8 @@ class SparseLu {
   SparseLu(const SparseLu&) = delete;
   SparseLu& operator=(const SparseLu&) = delete;
 
-  // Factors the present values. Pivots of the last factorization are kept while they stay good, else they are chosen anew.
-  // False when the matrix is singular or not finite.
+  // Factors the present values. Pivots of the last factorization are kept while they stay good, else they are
+  // chosen anew. False when the matrix is singular or not finite.
   bool factor();
   // x = A^-1 x in place; after a successful factor().
   void solve(Eigen::Ref<Eigen::VectorXd> x) const;

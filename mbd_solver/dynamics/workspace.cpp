@@ -9,8 +9,8 @@ struct Range {
   int begin = 0, size = 0;
 };
 
-// The blocks a joint or an element needs, announced to a pattern or located in the finished matrix: visit(rows, columns, block).
-// `v` are the coordinates of its bodies, `own` its multipliers or inner states.
+// The blocks a joint or an element needs, announced to a pattern or located in the finished matrix:
+// visit(rows, columns, block). `v` are the coordinates of its bodies, `own` its multipliers or inner states.
 template <typename Visit>
 void visit_blocks(const std::array<Range, 2>& v, Range own, bool forces, PairPlaces& places, Visit visit) {
   for (std::size_t i = 0; i < 2; ++i) {
@@ -34,7 +34,8 @@ int kept_count(const Layout& layout, const Joint& joint, int joint_index, int& f
   int count = 0;
   first = 0;
   for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-    const int row = layout.kept[static_cast<std::size_t>(layout.joint_row[static_cast<std::size_t>(joint_index)]) + k];
+    const int row =
+        layout.kept[static_cast<std::size_t>(layout.joint_row[static_cast<std::size_t>(joint_index)]) + k];
     if (row < 0) continue;
     if (count == 0) first = row;
     ++count;
@@ -77,8 +78,10 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout) : kine
       const std::array<Range, 2> rows = velocities(layout, kinematics, joint.m1.body, joint.m2.body);
       int first = 0;
       const int count = kept_count(layout, joint, j, first);
-      visit_blocks(rows, {lambda0 + first, count}, true, joint_places[static_cast<std::size_t>(j)], lower_visit);
-      visit_blocks(rows, {layout.v_size + first, count}, false, saddle_joint[static_cast<std::size_t>(j)], saddle_visit);
+      visit_blocks(rows, {lambda0 + first, count}, true, joint_places[static_cast<std::size_t>(j)],
+                   lower_visit);
+      visit_blocks(rows, {layout.v_size + first, count}, false, saddle_joint[static_cast<std::size_t>(j)],
+                   saddle_visit);
     }
     for (int i = 0; i < model.force_count(); ++i) {
       const ForceElement& force = model.force(i);
@@ -88,7 +91,9 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout) : kine
     }
   };
   const auto announce_to = [](SparsePattern& pattern) {
-    return [&pattern](Range rows, Range cols, SparseBlock&) { pattern.add_block(rows.begin, rows.size, cols.begin, cols.size); };
+    return [&pattern](Range rows, Range cols, SparseBlock&) {
+      pattern.add_block(rows.begin, rows.size, cols.begin, cols.size);
+    };
   };
   visit_pairs(announce_to(lower_pattern), announce_to(saddle_pattern));
   for (int i = 0; i < model.body_count(); ++i) {
@@ -127,7 +132,8 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout) : kine
   regularisation = Eigen::VectorXd::Zero(layout.row_count);
 }
 
-// The full matrix: F_q in its own rows and, below, the columns of `lower` once for q (as often as a body has positions) and once for v.
+// The full matrix: F_q in its own rows and, below, the columns of `lower` once for q (as often as a body has
+// positions) and once for v.
 void Equations::Workspace::build_full(const Model& model, const Layout& layout) {
   SparsePattern pattern(layout.size());
   const int lower0 = layout.q_size;  // rows of `lower` start here; so do its columns v, z, lambda

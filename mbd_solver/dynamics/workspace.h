@@ -1,5 +1,6 @@
 #pragma once
-// What Equations writes while it works: sized once, reused for ever. Only the sources of Equations include this.
+// What Equations writes while it works: sized once, reused for ever. Only the sources of Equations include
+// this.
 
 #include <array>
 #include <vector>
@@ -21,9 +22,9 @@ struct BodyPlaces {
 
 // Places of one joint or force element between its two bodies; a ground body has empty blocks.
 struct PairPlaces {
-  SparseBlock v_v[2][2];                 // force rows of body i by coordinates of body j
-  SparseBlock extra_v[2], v_extra[2];    // own rows (lambda or z) by body, forces on body by own unknowns
-  SparseBlock extra_extra;               // z by z
+  SparseBlock v_v[2][2];               // force rows of body i by coordinates of body j
+  SparseBlock extra_v[2], v_extra[2];  // own rows (lambda or z) by body, forces on body by own unknowns
+  SparseBlock extra_extra;             // z by z
 };
 
 struct Equations::Workspace {
@@ -31,43 +32,48 @@ struct Equations::Workspace {
   void build_full(const Model& model, const Layout& layout);
 
   PairMotion joint_pair(const Joint& joint) const { return kinematics.pair(joint.m1.body, joint.m2.body); }
-  PairMotion force_pair(const ForceElement& force) const { return kinematics.pair(force.bodies()[0], force.bodies()[1]); }
+  PairMotion force_pair(const ForceElement& force) const {
+    return kinematics.pair(force.bodies()[0], force.bodies()[1]);
+  }
 
   Kinematics kinematics;
-  std::vector<InertiaScratch> inertia;        // per body
-  std::vector<ElementDerivatives> elements;   // per force element
-  Eigen::VectorXd row, row2, row3, row4;      // local rows of the largest pair
-  Eigen::VectorXd local;                      // generalized force of a pair
-  Eigen::MatrixXd K, D, M;                    // local matrices of the largest pair or body
+  std::vector<InertiaScratch> inertia;       // per body
+  std::vector<ElementDerivatives> elements;  // per force element
+  Eigen::VectorXd row, row2, row3, row4;     // local rows of the largest pair
+  Eigen::VectorXd local;                     // generalized force of a pair
+  Eigen::MatrixXd K, D, M;                   // local matrices of the largest pair or body
   Eigen::VectorXd empty;
 
-  // Derivatives of the lower rows F_v, F_z, F_lambda, in one pattern over [v; z; lambda] with two value arrays:
-  //   stiffness: by the increments dx of positions (columns of v);  values of `lower`: by v, z, lambda, with c dF/dydot.
+  // Derivatives of the lower rows F_v, F_z, F_lambda, in one pattern over [v; z; lambda] with two value
+  // arrays:
+  //   stiffness: by the increments dx of positions (columns of v);  values of `lower`: by v, z, lambda, with
+  //   c dF/dydot.
   // All columns of one body have the same rows, so both Jacobians are combinations of columns (jacobian.cpp).
   Eigen::SparseMatrix<double> lower;
   Eigen::VectorXd stiffness;
   std::vector<BodyPlaces> body_places;
   std::vector<PairPlaces> joint_places, force_places;
   std::vector<int> z_z, lambda_lambda;
-  Eigen::SparseMatrix<double> jacobian;   // of the full system: columns of q, then as in `lower` with F_q on top
-  Eigen::SparseMatrix<double> reduced;    // pattern of `lower`
+  Eigen::SparseMatrix<double>
+      jacobian;  // of the full system: columns of q, then as in `lower` with F_q on top
+  Eigen::SparseMatrix<double> reduced;  // pattern of `lower`
 
   // Saddle matrix [M, Phi_v^T; Phi_v, -eps] of accelerations and projections
   Eigen::SparseMatrix<double> saddle;
-  std::vector<SparseBlock> saddle_mass;       // per body
-  std::vector<PairPlaces> saddle_joint;       // extra_v: Phi_v, v_extra: its transpose
+  std::vector<SparseBlock> saddle_mass;  // per body
+  std::vector<PairPlaces> saddle_joint;  // extra_v: Phi_v, v_extra: its transpose
   std::vector<int> saddle_diagonal;
   std::unique_ptr<SparseLu> saddle_lu;
   Eigen::VectorXd saddle_x, phi_rate;
-  Eigen::VectorXd y, rhs;                     // full vectors of accelerations()
-  Eigen::VectorXd last_q, last_v;             // copies during projection
-  Eigen::VectorXd regularisation;             // eps per kept row [1/kg or 1/(kg m2)]
+  Eigen::VectorXd y, rhs;          // full vectors of accelerations()
+  Eigen::VectorXd last_q, last_v;  // copies during projection
+  Eigen::VectorXd regularisation;  // eps per kept row [1/kg or 1/(kg m2)]
 };
 
 // Calls visit(global row, phi_v, value) for every row of every joint. phi_v is a scratch row of the pair.
 template <typename Visit>
-void for_each_row(const Model& model, const Layout& layout, const Kinematics& kinematics, double t, Eigen::VectorXd& scratch,
-                  Visit visit) {
+void for_each_row(const Model& model, const Layout& layout, const Kinematics& kinematics, double t,
+                  Eigen::VectorXd& scratch, Visit visit) {
   for (int j = 0; j < model.joint_count(); ++j) {
     const Joint& joint = model.joint(j);
     MarkerVectors vectors(kinematics.pair(joint.m1.body, joint.m2.body), joint.m1, joint.m2);

@@ -1,5 +1,6 @@
 #pragma once
-// Weighted root-mean-square norm of an error in y = [q; v; z; lambda]; multipliers carry no error of their own and do not count.
+// Weighted root-mean-square norm of an error in y = [q; v; z; lambda]; multipliers carry no error of their
+// own and do not count.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -12,7 +13,9 @@ namespace footfall {
 class ErrorNorm {
  public:
   ErrorNorm(const Layout& layout, const IntegratorOptions& options)
-      : rtol_(options.rtol), atol_(Eigen::VectorXd::Constant(layout.lambda0(), options.atol)), weight_(layout.lambda0()) {
+      : rtol_(options.rtol),
+        atol_(Eigen::VectorXd::Constant(layout.lambda0(), options.atol)),
+        weight_(layout.lambda0()) {
     atol_.segment(layout.v0(), layout.v_size).setConstant(options.atol_velocity);
     weight_ = atol_.cwiseInverse();
   }
@@ -22,7 +25,8 @@ class ErrorNorm {
   }
   double operator()(const Eigen::Ref<const Eigen::VectorXd>& x) const {
     if (weight_.size() == 0) return 0.0;
-    return std::sqrt(x.head(weight_.size()).cwiseProduct(weight_).squaredNorm() / static_cast<double>(weight_.size()));
+    return std::sqrt(x.head(weight_.size()).cwiseProduct(weight_).squaredNorm() /
+                     static_cast<double>(weight_.size()));
   }
   // The entry that counts most; not finite counts most of all.
   int worst(const Eigen::Ref<const Eigen::VectorXd>& x) const {

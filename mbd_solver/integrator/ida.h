@@ -1,7 +1,8 @@
 #pragma once
-// SUNDIALS IDA: variable-order BDF on the same residual and the same analytic Jacobian (KLU). A window with other loads or voltages
-// (or a state that was changed from outside, a projection included) is a new initial value problem: IDA starts again at first order.
-// While nothing changes it goes on, and drift is projected only when it passes kProjectAbove.
+// SUNDIALS IDA: variable-order BDF on the same residual and the same analytic Jacobian (KLU). A window with
+// other loads or voltages (or a state that was changed from outside, a projection included) is a new initial
+// value problem: IDA starts again at first order. While nothing changes it goes on, and drift is projected
+// only when it passes kProjectAbove.
 
 #include <memory>
 

@@ -6,7 +6,8 @@
 
 namespace footfall {
 
-std::unique_ptr<Integrator> make_integrator(const std::string& kind, Equations& equations, const IntegratorOptions& options) {
+std::unique_ptr<Integrator> make_integrator(const std::string& kind, Equations& equations,
+                                            const IntegratorOptions& options) {
   if (!(options.rtol > 0.0 && options.atol > 0.0 && options.atol_velocity > 0.0))
     throw InputError("the tolerances of the integrator must be positive.");
   if (kind == "one_step") return std::make_unique<OneStep>(equations, options);

@@ -9,42 +9,48 @@
 namespace footfall {
 
 struct IntegratorOptions {
-  double rtol = 1e-5;             // relative tolerance of every coordinate
-  double atol = 1e-7;             // absolute tolerance of q and z [m, -]
-  double atol_velocity = 1e-5;    // absolute tolerance of v [m/s, rad/s]
-  double max_step = 0.0;          // [s]; 0: the window is the only limit
-  double min_step = 1e-12;        // [s]; below: NumericalError naming time and the worst body or joint
-  bool projection = true;         // remove drift after every window (else Baumgarte terms of the Equations, or nothing)
+  double rtol = 1e-5;           // relative tolerance of every coordinate
+  double atol = 1e-7;           // absolute tolerance of q and z [m, -]
+  double atol_velocity = 1e-5;  // absolute tolerance of v [m/s, rad/s]
+  double max_step = 0.0;        // [s]; 0: the window is the only limit
+  bool error_control =
+      true;  // one_step only: false takes steps of max_step, whatever their error (studies of order)
+  double min_step = 1e-12;  // [s]; below: NumericalError naming time and the worst body or joint
+  bool projection =
+      true;  // remove drift after every window (else Baumgarte terms of the Equations, or nothing)
 };
 
 struct IntegratorStatistics {
   long windows = 0;
-  long steps = 0;                 // accepted internal steps
-  long rejected = 0;              // by the error test
+  long steps = 0;     // accepted internal steps
+  long rejected = 0;  // by the error test
   long newton_failures = 0;
   long residuals = 0;
   long jacobians = 0;
   long factorizations = 0;
-  double drift_position = 0.0;    // largest ever seen before projection [m or rad]
-  double drift_velocity = 0.0;    // [m/s or rad/s]
+  double drift_position = 0.0;  // largest ever seen before projection [m or rad]
+  double drift_velocity = 0.0;  // [m/s or rad/s]
 };
 
 class Integrator {
  public:
   virtual ~Integrator() = default;
   virtual std::string name() const = 0;  // "one_step", "ida"
-  // From state.time to t_end [s], loads and voltages constant. On return state is at t_end exactly, projected when asked, and
-  // its integrals (dissipated, load_work, motion_work) have grown. Throws NumericalError naming time and body or joint.
+  // From state.time to t_end [s], loads and voltages constant. On return state is at t_end exactly, projected
+  // when asked, and its integrals (dissipated, load_work, motion_work) have grown. Throws NumericalError
+  // naming time and body or joint.
   virtual void advance(State& state, double t_end, const Inputs& inputs) = 0;
   // dy/dt and multipliers at the end of the last window under its loads: [dq; dv; dz; lambda].
   virtual const Eigen::VectorXd& end_rates() const = 0;
-  // Drops all memory of earlier windows (factors, step history), so that what follows depends on the State alone.
+  // Drops all memory of earlier windows (factors, step history), so that what follows depends on the State
+  // alone.
   virtual void forget() = 0;
   virtual const IntegratorStatistics& statistics() const = 0;
 };
 
-// kind: "one_step" (default, L-stable TR-BDF2, needs no restart) or "ida" (SUNDIALS). InputError on any other.
-// `equations` must outlive the integrator.
-std::unique_ptr<Integrator> make_integrator(const std::string& kind, Equations& equations, const IntegratorOptions& options = {});
+// kind: "one_step" (default, L-stable TR-BDF2, needs no restart) or "ida" (SUNDIALS). InputError on any
+// other. `equations` must outlive the integrator.
+std::unique_ptr<Integrator> make_integrator(const std::string& kind, Equations& equations,
+                                            const IntegratorOptions& options = {});
 
 }  // namespace footfall

@@ -14,19 +14,23 @@ std::string text(double value) {
   return out.str();
 }
 
-// A mass and an inertia that some solid can have: positive, symmetric, positive definite, triangle inequality.
+// A mass and an inertia that some solid can have: positive, symmetric, positive definite, triangle
+// inequality.
 const Eigen::Matrix3d& checked(const std::string& name, double mass, const Eigen::Matrix3d& inertia) {
   const std::string where = "body \"" + name + "\": ";
   if (!(std::isfinite(mass) && mass > 0.0))
     throw InputError(where + "mass is " + text(mass) + " kg; it must be positive.");
   if (!inertia.allFinite() || (inertia - inertia.transpose()).norm() > 1e-9 * inertia.norm())
     throw InputError(where + "the inertia matrix must be finite and symmetric.");
-  const Eigen::Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::Vector3d principal =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(principal[0] > 0.0))
-    throw InputError(where + "smallest principal inertia is " + text(principal[0]) + " kg m2; it must be positive.");
+    throw InputError(where + "smallest principal inertia is " + text(principal[0]) +
+                     " kg m2; it must be positive.");
   if (principal[0] + principal[1] < principal[2] * (1.0 - 1e-9))
-    throw InputError(where + "no solid has principal inertias " + text(principal[0]) + ", " + text(principal[1]) + ", " +
-                     text(principal[2]) + " kg m2: the two smaller ones must add up to at least the largest.");
+    throw InputError(where + "no solid has principal inertias " + text(principal[0]) + ", " +
+                     text(principal[1]) + ", " + text(principal[2]) +
+                     " kg m2: the two smaller ones must add up to at least the largest.");
   return inertia;
 }
 
@@ -57,13 +61,15 @@ Body::Body(std::string name, std::shared_ptr<const ModalBody> modal)
       inertia_(present(name_, modal_)),
       rigid_inertia_(nodal_inertia(*modal_)) {
   checked(name_, inertia_.mass(), rigid_inertia_);
-  // Mean axes: no mode may move the mass centre, because gravity acts at Bo alone. Tolerance: round-off of the sums.
+  // Mean axes: no mode may move the mass centre, because gravity acts at Bo alone. Tolerance: round-off of
+  // the sums.
   const double size = modal_->rho0.cwiseAbs().maxCoeff();
   for (int k = -1; k < mode_count(); ++k) {
     Eigen::VectorXd a = Eigen::VectorXd::Zero(mode_count());
     if (k >= 0) a[k] = size * std::sqrt(inertia_.mass());
     if (inertia_.centre_of_mass(a).norm() > 1e-6 * size)
-      throw InputError("body \"" + name_ + "\": " + (k < 0 ? "the nodes" : "mode " + std::to_string(k + 1) + " of the basis") +
+      throw InputError("body \"" + name_ +
+                       "\": " + (k < 0 ? "the nodes" : "mode " + std::to_string(k + 1) + " of the basis") +
                        " must keep the mass centre at the origin of the body frame (mean axes).");
   }
 }

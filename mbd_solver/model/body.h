@@ -14,17 +14,18 @@ inline constexpr int kGround = -1;  // body index of the inertial frame W
 
 // Position and velocity of one body. q = [r; L; a], v = [dr; w; da] (theory 1).
 struct BodyState {
-  Eigen::Vector3d r = Eigen::Vector3d::Zero();        // p_WBo [m]; Bo = centre of mass (undeformed)
-  Eigen::Vector4d L = Eigen::Vector4d::UnitX();       // unit quaternion, scalar first
-  Eigen::Vector3d dr = Eigen::Vector3d::Zero();       // velocity of Bo in W [m/s]
-  Eigen::Vector3d w = Eigen::Vector3d::Zero();        // angular velocity in W [rad/s]
-  Eigen::VectorXd a, da;                              // modal coordinates and rates; empty means zero
+  Eigen::Vector3d r = Eigen::Vector3d::Zero();   // p_WBo [m]; Bo = centre of mass (undeformed)
+  Eigen::Vector4d L = Eigen::Vector4d::UnitX();  // unit quaternion, scalar first
+  Eigen::Vector3d dr = Eigen::Vector3d::Zero();  // velocity of Bo in W [m/s]
+  Eigen::Vector3d w = Eigen::Vector3d::Zero();   // angular velocity in W [rad/s]
+  Eigen::VectorXd a, da;                         // modal coordinates and rates; empty means zero
 };
 
 // Constant after construction. A rigid body has mode_count() == 0 and enters no modal loop.
 class Body {
  public:
-  // Rigid: mass [kg] > 0, inertia about the centre of mass in B [kg m2], symmetric positive definite. Throws InputError.
+  // Rigid: mass [kg] > 0, inertia about the centre of mass in B [kg m2], symmetric positive definite. Throws
+  // InputError.
   Body(std::string name, double mass, const Eigen::Matrix3d& inertia);
   // Flexible (or rigid when the modal body holds no modes).
   Body(std::string name, std::shared_ptr<const ModalBody> modal);

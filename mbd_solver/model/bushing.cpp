@@ -13,7 +13,8 @@ Eigen::Vector3d angular_velocity(const BodyKinematics& body, const Marker& marke
 }
 
 // Q += [0; T; Psi^T A^T T] in the columns of the slot.
-void add_torque(const PairMotion& pair, int slot, const Marker& marker, const Eigen::Vector3d& T, Eigen::Ref<Eigen::VectorXd> Q) {
+void add_torque(const PairMotion& pair, int slot, const Marker& marker, const Eigen::Vector3d& T,
+                Eigen::Ref<Eigen::VectorXd> Q) {
   const BodyKinematics& body = *pair.body[slot];
   if (body.ground) return;
   const int offset = pair.offset(slot);
@@ -25,8 +26,8 @@ void add_torque(const PairMotion& pair, int slot, const Marker& marker, const Ei
 }
 
 // W += sign dw/dv, and by_x += sign dw/dx (only A Psi da depends on the attitude), 3 x n.
-void add_angular_jacobian(const PairMotion& pair, int slot, const Marker& marker, double sign, Eigen::Ref<Eigen::Matrix3Xd> W,
-                          Eigen::Ref<Eigen::Matrix3Xd> by_x) {
+void add_angular_jacobian(const PairMotion& pair, int slot, const Marker& marker, double sign,
+                          Eigen::Ref<Eigen::Matrix3Xd> W, Eigen::Ref<Eigen::Matrix3Xd> by_x) {
   const BodyKinematics& body = *pair.body[slot];
   if (body.ground) return;
   const int offset = pair.offset(slot);
@@ -44,7 +45,10 @@ void add_angular_jacobian(const PairMotion& pair, int slot, const Marker& marker
 }  // namespace
 
 Bushing::Bushing(std::string name, Marker m1, Marker m2, const Parameters& parameters)
-    : ForceElement(std::move(name), m1.body, m2.body), m1_(std::move(m1)), m2_(std::move(m2)), parameters_(parameters) {
+    : ForceElement(std::move(name), m1.body, m2.body),
+      m1_(std::move(m1)),
+      m2_(std::move(m2)),
+      parameters_(parameters) {
   const Eigen::Vector3d& k = parameters_.rotational_stiffness;
   if (!(parameters_.stiffness >= 0.0 && parameters_.damping >= 0.0 && parameters_.rotational_damping >= 0.0 &&
         k.minCoeff() >= 0.0))
@@ -55,7 +59,8 @@ Bushing::Bushing(std::string name, Marker m1, Marker m2, const Parameters& param
   X_rate_.resize(3, n);
 }
 
-void Bushing::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const {
+void Bushing::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
+                        Eigen::Ref<Eigen::VectorXd>) const {
   if (parameters_.stiffness > 0.0 || parameters_.damping > 0.0) {
     const KinematicVector d = KinematicVector::difference(in.pair, m1_, m2_);
     d.add_transposed(-parameters_.stiffness * d.value() - parameters_.damping * d.rate(), Q);
@@ -68,8 +73,8 @@ void Bushing::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, E
     e2.add_transposed(0.5 * axis_weight_[i] * e1.value(), Q);
   }
   if (parameters_.rotational_damping > 0.0) {
-    const Eigen::Vector3d T = -parameters_.rotational_damping *
-                              (angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_));
+    const Eigen::Vector3d T = -parameters_.rotational_damping * (angular_velocity(*in.pair.body[1], m2_) -
+                                                                 angular_velocity(*in.pair.body[0], m1_));
     add_torque(in.pair, 1, m2_, T, Q);
     add_torque(in.pair, 0, m1_, -T, Q);
   }
@@ -111,13 +116,15 @@ bool Bushing::add_derivatives(const ElementInput& in, ElementDerivatives& out) c
     out.dQ_dx.noalias() -= c * X.transpose().lazyProduct(rate);
     out.dQ_dv.noalias() -= c * X.transpose().lazyProduct(X);
     // W^T at fixed T: d(Psi^T A^T T)/dtheta = Psi^T A^T T~
-    const Eigen::Vector3d T = -c * (angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_));
+    const Eigen::Vector3d T =
+        -c * (angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_));
     for (int slot = 0; slot < 2; ++slot) {
       const BodyKinematics& body = *in.pair.body[slot];
       const Eigen::Vector3d torque = slot == 1 ? T : Eigen::Vector3d(-T);
       for (int k = 0; k < body.modes; ++k) {
         const Eigen::Vector3d column = body.A * (slot == 1 ? m2_ : m1_).Psi.col(k);
-        out.dQ_dx.block<1, 3>(in.pair.offset(slot) + 6 + k, in.pair.offset(slot) + 3) += column.cross(torque).transpose();
+        out.dQ_dx.block<1, 3>(in.pair.offset(slot) + 6 + k, in.pair.offset(slot) + 3) +=
+            column.cross(torque).transpose();
       }
     }
   }
@@ -133,7 +140,8 @@ void Bushing::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipate
     const KinematicVector e2 = KinematicVector::axis(in.pair, 1, m2_, i);
     stored.strain += 0.5 * axis_weight_[i] * (1.0 - e1.value().dot(e2.value()));
   }
-  const Eigen::Vector3d relative = angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_);
+  const Eigen::Vector3d relative =
+      angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_);
   power[Dissipation::kDamper] += parameters_.rotational_damping * relative.squaredNorm();
 }
 

@@ -11,10 +11,10 @@ namespace footfall {
 // [J]. energy.<name>
 struct StoredEnergy {
   double kinetic = 0.0;
-  double gravity = 0.0;   // zero where r = 0
-  double strain = 0.0;    // modes, springs, elastic part of honeycombs and stops
+  double gravity = 0.0;  // zero where r = 0
+  double strain = 0.0;   // modes, springs, elastic part of honeycombs and stops
   double gas = 0.0;
-  double contact = 0.0;   // elastic energy of rigid-plane contacts
+  double contact = 0.0;  // elastic energy of rigid-plane contacts
   double total() const { return kinetic + gravity + strain + gas + contact; }
 };
 

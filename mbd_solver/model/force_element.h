@@ -1,8 +1,8 @@
 #pragma once
-// A force element: acts on one or two bodies (or a body and the ground), may own inner states z, knows its energy and power.
-// Generalized forces and derivatives are local to its pair of bodies: velocities [v1; v2], increments [dx1; dx2] as in
-// kinematic_vector.h; the assembler scatters them. Gravity is a constant of the model and external loads come with each
-// window, so neither is a force element.
+// A force element: acts on one or two bodies (or a body and the ground), may own inner states z, knows its
+// energy and power. Generalized forces and derivatives are local to its pair of bodies: velocities [v1; v2],
+// increments [dx1; dx2] as in kinematic_vector.h; the assembler scatters them. Gravity is a constant of the
+// model and external loads come with each window, so neither is a force element.
 
 #include <Eigen/Dense>
 #include <array>
@@ -21,10 +21,10 @@ struct ElementInput {
 
 // Sized once by the assembler, zeroed before each call. n = pair.size(), m = state_count().
 struct ElementDerivatives {
-  Eigen::MatrixXd dQ_dx, dQ_dv;   // n x n: of the generalized force
-  Eigen::MatrixXd dQ_dz;          // n x m
-  Eigen::MatrixXd ddz_dx, ddz_dv; // m x n: of the rate of z
-  Eigen::MatrixXd ddz_dz;         // m x m
+  Eigen::MatrixXd dQ_dx, dQ_dv;    // n x n: of the generalized force
+  Eigen::MatrixXd dQ_dz;           // n x m
+  Eigen::MatrixXd ddz_dx, ddz_dv;  // m x n: of the rate of z
+  Eigen::MatrixXd ddz_dz;          // m x m
 };
 
 class ForceElement {
@@ -38,7 +38,8 @@ class ForceElement {
   virtual int state_count() const { return 0; }
   virtual Eigen::VectorXd initial_state() const { return {}; }
   // Q += generalized force (n); dz = rate of the inner states (m, overwritten).
-  virtual void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const = 0;
+  virtual void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
+                         Eigen::Ref<Eigen::VectorXd> dz) const = 0;
   // Adds all derivatives; false when they are all zero (no contact): then nothing is scattered.
   virtual bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const = 0;
   // Adds stored energy and dissipated power. Identity: -Q.v = d(stored)/dt + sum of dissipated power.

@@ -1,8 +1,10 @@
 #pragma once
-// The one piece of kinematics from which every joint, strut and contact is made: a vector alpha that is a signed sum of
-// body vectors, sigma (r + A u) for points, sigma A u for axes, u = u0 + U a, with all the derivatives an implicit solver needs.
+// The one piece of kinematics from which every joint, strut and contact is made: a vector alpha that is a
+// signed sum of body vectors, sigma (r + A u) for points, sigma A u for axes, u = u0 + U a, with all the
+// derivatives an implicit solver needs.
 //   x = A u,  y = A U da,   x' = w x x + y,   x'' = dw x x + A U dda + w x (w x x) + 2 w x y
-// Local coordinates of a pair of bodies: increments dx = [dr; dtheta; da] and velocities v = [dr; w; da], body 1 then body 2.
+// Local coordinates of a pair of bodies: increments dx = [dr; dtheta; da] and velocities v = [dr; w; da],
+// body 1 then body 2.
 //   d alpha = X dx,  alpha' = X v,  X = sigma [I or 0, -x~, A U] in the columns of its body.
 // Everything below adds to its last argument and allocates nothing. A ground body has no columns.
 
@@ -33,7 +35,7 @@ class KinematicVector {
 
   const Eigen::Vector3d& value() const { return value_; }  // alpha
   const Eigen::Vector3d& rate() const { return rate_; }    // alpha'
-  const Eigen::Vector3d& acc() const { return acc_; }      // alpha'' with the accelerations of the BodyKinematics
+  const Eigen::Vector3d& acc() const { return acc_; }  // alpha'' with the accelerations of the BodyKinematics
 
   // out += X^T f
   void add_transposed(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const;
@@ -44,7 +46,8 @@ class KinematicVector {
   // out += (d alpha'' / dv)^T f  (at fixed x, dv)
   void add_acc_by_velocity(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const;
   // K += X^T C X_other
-  void add_product(const Eigen::Matrix3d& C, const KinematicVector& other, Eigen::Ref<Eigen::MatrixXd> K) const;
+  void add_product(const Eigen::Matrix3d& C, const KinematicVector& other,
+                   Eigen::Ref<Eigen::MatrixXd> K) const;
   // out += X;  out += d alpha' / dx  (3 x n each), for laws that are easier to write with matrices
   void add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> out) const;
   void add_rate_jacobian(Eigen::Ref<Eigen::Matrix3Xd> out) const;
@@ -59,8 +62,8 @@ class KinematicVector {
     const Eigen::Matrix3Xd* U;  // 3 x s
     int offset;                 // first local column of the body
     double sign;
-    bool point;                 // r takes part
-    Eigen::Vector3d x, y, z;    // A u, A U da, A U dda
+    bool point;               // r takes part
+    Eigen::Vector3d x, y, z;  // A u, A U da, A U dda
   };
   void add_term(const PairMotion& pair, int slot, double sign, bool point, const Eigen::Vector3d& u0,
                 const Eigen::Matrix3Xd& U);

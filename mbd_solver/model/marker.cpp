@@ -19,7 +19,9 @@ Marker rigid_marker(int index, const Eigen::Vector3d& s0, const Eigen::Matrix3d&
 
 }  // namespace
 
-Marker ground_marker(const Eigen::Vector3d& p_W, const Eigen::Matrix3d& axes_W) { return rigid_marker(kGround, p_W, axes_W); }
+Marker ground_marker(const Eigen::Vector3d& p_W, const Eigen::Matrix3d& axes_W) {
+  return rigid_marker(kGround, p_W, axes_W);
+}
 
 Marker body_marker(int index, const Body& body, const Eigen::Vector3d& p_B, const Eigen::Matrix3d& axes_B) {
   if (body.mode_count() == 0) return rigid_marker(index, p_B, axes_B);
@@ -28,7 +30,8 @@ Marker body_marker(int index, const Body& body, const Eigen::Vector3d& p_B, cons
   return node_marker(index, body, static_cast<int>(nearest), p_B - body.modal()->rho0.col(nearest), axes_B);
 }
 
-Marker node_marker(int index, const Body& body, int node, const Eigen::Vector3d& offset_B, const Eigen::Matrix3d& axes_B) {
+Marker node_marker(int index, const Body& body, int node, const Eigen::Vector3d& offset_B,
+                   const Eigen::Matrix3d& axes_B) {
   const ModalBody* modal = body.modal();
   if (modal == nullptr || node < 0 || node >= modal->node_count())
     throw InputError("body \"" + body.name() + "\": there is no node " + std::to_string(node) + "; it has " +

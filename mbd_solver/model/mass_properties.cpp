@@ -15,7 +15,8 @@ void demand_positive(double value, const std::string& what) {
 }
 
 // A solid of revolution between two points: transverse and axial inertia about its middle.
-MassProperties along_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double mass, double axial, double transverse) {
+MassProperties along_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double mass, double axial,
+                          double transverse) {
   const Eigen::Vector3d e = (to - from).normalized();
   MassProperties out;
   out.mass = mass;
@@ -25,7 +26,9 @@ MassProperties along_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to
 }
 
 // Inertia of a mass concentrated at x, about the origin.
-Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& x) { return -mass * skew(x) * skew(x); }
+Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& x) {
+  return -mass * skew(x) * skew(x);
+}
 
 }  // namespace
 
@@ -35,24 +38,29 @@ MassProperties box_properties(const Eigen::Vector3d& size, double density) {
   MassProperties out;
   out.mass = density * size.prod();
   const Eigen::Vector3d s2 = size.cwiseAbs2();
-  out.inertia = (out.mass / 12.0) * Eigen::Vector3d(s2[1] + s2[2], s2[2] + s2[0], s2[0] + s2[1]).asDiagonal().toDenseMatrix();
+  out.inertia = (out.mass / 12.0) *
+                Eigen::Vector3d(s2[1] + s2[2], s2[2] + s2[0], s2[0] + s2[1]).asDiagonal().toDenseMatrix();
   return out;
 }
 
-MassProperties tube_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double wall, double density) {
+MassProperties tube_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter,
+                               double wall, double density) {
   const double length = (to - from).norm();
   demand_positive(length, "length of a tube [m]");
   demand_positive(diameter, "diameter of a tube [m]");
   demand_positive(wall, "wall of a tube [m]");
   demand_positive(density, "density [kg/m3]");
   const double outer = 0.5 * diameter, inner = outer - wall;
-  if (inner < 0.0) throw InputError("wall of a tube is " + std::to_string(wall) + " m; it must not exceed the radius, " + std::to_string(outer) + " m.");
+  if (inner < 0.0)
+    throw InputError("wall of a tube is " + std::to_string(wall) + " m; it must not exceed the radius, " +
+                     std::to_string(outer) + " m.");
   const double mass = density * length * kPi * (outer * outer - inner * inner);
   const double r2 = outer * outer + inner * inner;
   return along_line(from, to, mass, 0.5 * mass * r2, mass * (3.0 * r2 + length * length) / 12.0);
 }
 
-MassProperties rod_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double density) {
+MassProperties rod_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter,
+                              double density) {
   return tube_properties(from, to, diameter, 0.5 * diameter, density);
 }
 
@@ -83,7 +91,8 @@ MassProperties operator+(const MassProperties& a, const MassProperties& b) {
   MassProperties out;
   out.mass = a.mass + b.mass;
   out.centre = (a.mass * a.centre + b.mass * b.centre) / out.mass;
-  out.inertia = a.inertia + point_inertia(a.mass, a.centre - out.centre) + b.inertia + point_inertia(b.mass, b.centre - out.centre);
+  out.inertia = a.inertia + point_inertia(a.mass, a.centre - out.centre) + b.inertia +
+                point_inertia(b.mass, b.centre - out.centre);
   return out;
 }
 

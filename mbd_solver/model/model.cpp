@@ -10,23 +10,26 @@ namespace {
 
 void demand_known_body(const std::string& what, int body, int count) {
   if (body < kGround || body >= count)
-    throw InputError(what + ": it names body number " + std::to_string(body) + ", but there are " + std::to_string(count) + " bodies.");
+    throw InputError(what + ": it names body number " + std::to_string(body) + ", but there are " +
+                     std::to_string(count) + " bodies.");
 }
 
 }  // namespace
 
 int Model::add_body(Body body, const BodyState& initial) {
   for (const Body& other : bodies_) {
-    if (other.name() == body.name()) throw InputError("body \"" + body.name() + "\": there are two bodies of this name.");
+    if (other.name() == body.name())
+      throw InputError("body \"" + body.name() + "\": there are two bodies of this name.");
   }
   BodyState state = initial;
   const int s = body.mode_count();
   if (state.a.size() == 0) state.a = Eigen::VectorXd::Zero(s);
   if (state.da.size() == 0) state.da = Eigen::VectorXd::Zero(s);
   FOOTFALL_DEMAND(state.a.size() == s && state.da.size() == s);
-  const bool finite = state.r.allFinite() && state.L.allFinite() && state.dr.allFinite() && state.w.allFinite() &&
-                      state.a.allFinite() && state.da.allFinite();
-  if (!finite || !(state.L.norm() > 0.0)) throw InputError("body \"" + body.name() + "\": its initial state is not finite.");
+  const bool finite = state.r.allFinite() && state.L.allFinite() && state.dr.allFinite() &&
+                      state.w.allFinite() && state.a.allFinite() && state.da.allFinite();
+  if (!finite || !(state.L.norm() > 0.0))
+    throw InputError("body \"" + body.name() + "\": its initial state is not finite.");
   state.L.normalize();
   bodies_.push_back(std::move(body));
   initial_.push_back(std::move(state));
@@ -35,7 +38,8 @@ int Model::add_body(Body body, const BodyState& initial) {
 
 int Model::add_joint(Joint joint) {
   for (const Joint& other : joints_) {
-    if (other.name == joint.name) throw InputError("joint \"" + joint.name + "\": there are two joints of this name.");
+    if (other.name == joint.name)
+      throw InputError("joint \"" + joint.name + "\": there are two joints of this name.");
   }
   demand_known_body("joint \"" + joint.name + "\"", joint.m1.body, body_count());
   demand_known_body("joint \"" + joint.name + "\"", joint.m2.body, body_count());
@@ -47,11 +51,13 @@ int Model::add_force(std::unique_ptr<ForceElement> element) {
   FOOTFALL_DEMAND(element != nullptr);
   const std::array<int, 2>& bodies = element->bodies();
   for (const std::unique_ptr<ForceElement>& other : forces_) {
-    if (other->name() == element->name()) throw InputError("force element \"" + element->name() + "\": there are two of this name.");
+    if (other->name() == element->name())
+      throw InputError("force element \"" + element->name() + "\": there are two of this name.");
   }
   for (int body : bodies) demand_known_body("force element \"" + element->name() + "\"", body, body_count());
   if (bodies[0] == bodies[1])
-    throw InputError("force element \"" + element->name() + "\": it must act between two different bodies, or a body and the ground.");
+    throw InputError("force element \"" + element->name() +
+                     "\": it must act between two different bodies, or a body and the ground.");
   forces_.push_back(std::move(element));
   return force_count() - 1;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The constant description of a mechanism: bodies, joints, force elements, gravity. Built once, then only read.
+// The constant description of a mechanism: bodies, joints, force elements, gravity. Built once, then only
+// read.
 
 #include <memory>
 #include <string>
@@ -33,8 +34,10 @@ class Model {
   // Index by name; InputError with a list of the known names.
   int body_index(const std::string& name) const;
 
-  // Marker on a body (or kGround) from a point and axes given in W at the initial state: joints are easiest written so.
-  Marker marker_at(int body, const Eigen::Vector3d& p_W, const Eigen::Matrix3d& axes_W = Eigen::Matrix3d::Identity()) const;
+  // Marker on a body (or kGround) from a point and axes given in W at the initial state: joints are easiest
+  // written so.
+  Marker marker_at(int body, const Eigen::Vector3d& p_W,
+                   const Eigen::Matrix3d& axes_W = Eigen::Matrix3d::Identity()) const;
   // Where a marker is at the initial state, in W [m].
   Eigen::Vector3d initial_position(const Marker& marker) const;
 

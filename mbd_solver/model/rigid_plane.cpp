@@ -17,7 +17,8 @@ Approach approach(double u) {
   return {e, e};
 }
 
-// Energy per k/m taken up by a damped approach at u = d v, minus that given back when leaving at w = d e v (times d^2).
+// Energy per k/m taken up by a damped approach at u = d v, minus that given back when leaving at w = d e v
+// (times d^2).
 double restitution_defect(double u, double e) {
   const double w = e * u;
   return (u - std::log1p(u)) - ((w - 1.0) * std::exp(w) + 1.0);
@@ -26,7 +27,8 @@ double restitution_defect(double u, double e) {
 }  // namespace
 
 double contact_damping_for_restitution(double e, double impact_speed) {
-  if (!(e > 0.0 && e <= 1.0)) throw InputError("restitution is " + std::to_string(e) + "; it must be in (0, 1].");
+  if (!(e > 0.0 && e <= 1.0))
+    throw InputError("restitution is " + std::to_string(e) + "; it must be in (0, 1].");
   if (!(impact_speed > 0.0)) throw InputError("the impact speed of a restitution must be positive.");
   if (e == 1.0) return 0.0;
   // The defect rises from 0 like (1 - e^2) u^2 / 2 and falls to minus infinity: bracket the zero, then halve.
@@ -43,15 +45,15 @@ double contact_damping_for_restitution(double e, double impact_speed) {
 struct RigidPlane::Contact {
   KinematicVector p;
   double radius = 0.0;
-  double overlap = 0.0;          // delta [m]
-  double elastic = 0.0;          // k delta^1.5 [N]
-  double normal_force = 0.0;     // f_n [N]
-  double by_overlap = 0.0;       // d f_n / d delta
-  double by_closing = 0.0;       // d f_n / d delta'
-  double closing = 0.0;          // delta' [m/s]
-  Eigen::Vector3d slip = Eigen::Vector3d::Zero();      // v_t [m/s]
-  double inverse_speed = 0.0;    // 1 / sqrt(v_t^2 + v_s^2)
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();     // on the body [N]
+  double overlap = 0.0;                             // delta [m]
+  double elastic = 0.0;                             // k delta^1.5 [N]
+  double normal_force = 0.0;                        // f_n [N]
+  double by_overlap = 0.0;                          // d f_n / d delta
+  double by_closing = 0.0;                          // d f_n / d delta'
+  double closing = 0.0;                             // delta' [m/s]
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();   // v_t [m/s]
+  double inverse_speed = 0.0;                       // 1 / sqrt(v_t^2 + v_s^2)
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the body [N]
 };
 
 RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters)
@@ -68,7 +70,8 @@ RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const
   parameters_.normal.normalize();
   for (const ContactPoint& point : points_) {
     FOOTFALL_DEMAND(point.marker.body == bodies()[0] && point.marker.body != kGround);
-    if (!(point.radius >= 0.0)) throw InputError(where + "the radius of a contact point must not be negative.");
+    if (!(point.radius >= 0.0))
+      throw InputError(where + "the radius of a contact point must not be negative.");
     reach_ = std::max(reach_, point.marker.s0.norm() + point.radius);
     flexible_reach_ = std::max(flexible_reach_, point.marker.S.norm());
   }
@@ -88,7 +91,8 @@ bool RigidPlane::contact(const ElementInput& in, const ContactPoint& point, Cont
   out.overlap = point.radius - n.dot(out.p.value() - parameters_.point);
   if (out.overlap <= 0.0) return false;
   out.radius = point.radius;
-  const Eigen::Vector3d velocity = out.p.rate() + point.radius * n.cross(in.pair.body[0]->w);  // w x (-radius n)
+  const Eigen::Vector3d velocity =
+      out.p.rate() + point.radius * n.cross(in.pair.body[0]->w);  // w x (-radius n)
   out.closing = -n.dot(velocity);
   out.slip = velocity + out.closing * n;
 
@@ -98,12 +102,14 @@ bool RigidPlane::contact(const ElementInput& in, const ContactPoint& point, Cont
   out.normal_force = out.elastic * g.value;
   out.by_overlap = 1.5 * parameters_.stiffness * root * g.value;
   out.by_closing = out.elastic * parameters_.damping * g.slope;
-  out.inverse_speed = 1.0 / std::sqrt(out.slip.squaredNorm() + parameters_.slip_speed * parameters_.slip_speed);
+  out.inverse_speed =
+      1.0 / std::sqrt(out.slip.squaredNorm() + parameters_.slip_speed * parameters_.slip_speed);
   out.force = out.normal_force * (n - parameters_.friction * out.inverse_speed * out.slip);
   return true;
 }
 
-void RigidPlane::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const {
+void RigidPlane::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
+                           Eigen::Ref<Eigen::VectorXd>) const {
   if (far(*in.pair.body[0])) return;
   Contact at;
   for (const ContactPoint& point : points_) {
@@ -127,21 +133,23 @@ bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out
     const Eigen::Vector3d direction = n - mu * at.inverse_speed * at.slip;
     const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - n * n.transpose();
     const Eigen::Matrix3d slip_by_u =
-        at.inverse_speed * tangent - (at.inverse_speed * at.inverse_speed * at.inverse_speed) * at.slip * at.slip.transpose();
-    const Eigen::Matrix3d by_u = -at.by_closing * direction * n.transpose() - (mu * at.normal_force) * slip_by_u;
+        at.inverse_speed * tangent -
+        (at.inverse_speed * at.inverse_speed * at.inverse_speed) * at.slip * at.slip.transpose();
+    const Eigen::Matrix3d by_u =
+        -at.by_closing * direction * n.transpose() - (mu * at.normal_force) * slip_by_u;
     const Eigen::Matrix3d by_p = -at.by_overlap * direction * n.transpose();
 
     X_.setZero();
     by_x_.setZero();
     at.p.add_jacobian(X_);
     at.p.add_rate_jacobian(by_x_);
-    for (Eigen::Index j = 0; j < X_.cols(); ++j) {       // df/dx
+    for (Eigen::Index j = 0; j < X_.cols(); ++j) {  // df/dx
       const Eigen::Vector3d column = by_u * by_x_.col(j) + by_p * X_.col(j);
       by_x_.col(j) = column;
     }
-    X_.block<3, 3>(0, 3) += at.radius * skew(n);         // X_c
+    X_.block<3, 3>(0, 3) += at.radius * skew(n);  // X_c
     out.dQ_dx.noalias() += X_.transpose().lazyProduct(by_x_);
-    by_x_.noalias() = by_u.lazyProduct(X_);              // df/dv
+    by_x_.noalias() = by_u.lazyProduct(X_);  // df/dv
     out.dQ_dv.noalias() += X_.transpose().lazyProduct(by_x_);
     at.p.add_second(at.force, out.dQ_dx);
   }
@@ -155,7 +163,8 @@ void RigidPlane::add_energy(const ElementInput& in, StoredEnergy& stored, Dissip
     if (!contact(in, point, at)) continue;
     stored.contact += 0.4 * at.elastic * at.overlap;
     power[Dissipation::kContact] += (at.normal_force - at.elastic) * at.closing;
-    power[Dissipation::kFriction] += parameters_.friction * at.normal_force * at.inverse_speed * at.slip.squaredNorm();
+    power[Dissipation::kFriction] +=
+        parameters_.friction * at.normal_force * at.inverse_speed * at.slip.squaredNorm();
   }
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 // Contact of one body with a rigid plane, at given points (spheres of radius >= 0) of the body. Theory 7.
-//   overlap  delta = radius - n.(p - p0),  contact while delta > 0;  contact point c = p - radius n, moves with p and w
-//   normal   f_n = k delta^1.5 g(d delta'),  g(u) = 1 + u for u >= 0, exp(u) for u < 0: Hunt-Crossley while closing, never pulls
-//   friction f_t = -mu f_n v_t / sqrt(v_t^2 + v_s^2)
+//   overlap  delta = radius - n.(p - p0),  contact while delta > 0;  contact point c = p - radius n, moves
+//   with p and w normal   f_n = k delta^1.5 g(d delta'),  g(u) = 1 + u for u >= 0, exp(u) for u < 0:
+//   Hunt-Crossley while closing, never pulls friction f_t = -mu f_n v_t / sqrt(v_t^2 + v_s^2)
 // Restitution e after an impact at speed v depends on d v alone:
 //   d v - ln(1 + d v) = (e d v - 1) exp(e d v) + 1.
-// Power: damping k delta^1.5 (g - 1) delta' >= 0 (contact), friction mu f_n v_t^2 / sqrt(v_t^2 + v_s^2) (friction).
+// Power: damping k delta^1.5 (g - 1) delta' >= 0 (contact), friction mu f_n v_t^2 / sqrt(v_t^2 + v_s^2)
+// (friction).
 
 #include <vector>
 
@@ -24,17 +25,18 @@ double contact_damping_for_restitution(double e, double impact_speed);
 class RigidPlane : public ForceElement {
  public:
   struct Parameters {
-    Eigen::Vector3d point = Eigen::Vector3d::Zero();     // p0, any point of the plane, in W [m]
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   // n, out of the ground
-    double stiffness = 0.0;                              // k of each point [N/m^1.5] > 0
-    double damping = 0.0;                                // d [s/m] >= 0
-    double friction = 0.0;                               // mu >= 0
-    double slip_speed = 1e-3;                            // v_s [m/s] > 0: friction reaches 71 % of mu f_n at this speed
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();    // p0, any point of the plane, in W [m]
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // n, out of the ground
+    double stiffness = 0.0;                             // k of each point [N/m^1.5] > 0
+    double damping = 0.0;                               // d [s/m] >= 0
+    double friction = 0.0;                              // mu >= 0
+    double slip_speed = 1e-3;  // v_s [m/s] > 0: friction reaches 71 % of mu f_n at this speed
   };
   // All points on one body, at least one. Throws InputError on values outside their range.
   RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters);
 
-  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
+  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
+                 Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
 
@@ -49,7 +51,7 @@ class RigidPlane : public ForceElement {
 
   std::vector<ContactPoint> points_;
   Parameters parameters_;
-  double reach_ = 0.0;  // radius about Bo that holds all undeformed spheres [m]
+  double reach_ = 0.0;           // radius about Bo that holds all undeformed spheres [m]
   double flexible_reach_ = 0.0;  // largest |S| of a point: reach grows by this times |a| [m per unit of a]
   mutable Eigen::Matrix3Xd X_, by_x_;  // scratch, 3 x n
 };

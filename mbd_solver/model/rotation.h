@@ -1,5 +1,6 @@
 #pragma once
-// Rotations: unit quaternions L = (l0, l), scalar first, and rotation increments dtheta in the inertial frame W.
+// Rotations: unit quaternions L = (l0, l), scalar first, and rotation increments dtheta in the inertial frame
+// W.
 //   A(L) is evaluated with L / |L|, so that every function of the attitude has no component along L:
 //   dtheta = 2 R(L) dL / |L|^2,   R(L) = [-l, l~ + l0 I] (3 x 4),   R(L) L = 0,   dL/dt = 1/2 R(L)^T w.
 
@@ -34,7 +35,9 @@ Eigen::Vector4d quaternion_about(const Eigen::Vector3d& axis, double angle);
 // L turned by the rotation vector dtheta (in W, any size): exp(dtheta) * L, normalised.
 Eigen::Vector4d rotated(const Eigen::Vector4d& L, const Eigen::Vector3d& dtheta);
 
-// Right-handed axes (columns x, y, z) whose z is `z` and whose x is as near as possible to `x_hint` (any axis when parallel).
-Eigen::Matrix3d axes_with_z(const Eigen::Vector3d& z, const Eigen::Vector3d& x_hint = Eigen::Vector3d::UnitX());
+// Right-handed axes (columns x, y, z) whose z is `z` and whose x is as near as possible to `x_hint` (any axis
+// when parallel).
+Eigen::Matrix3d axes_with_z(const Eigen::Vector3d& z,
+                            const Eigen::Vector3d& x_hint = Eigen::Vector3d::UnitX());
 
 }  // namespace footfall

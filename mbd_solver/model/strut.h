@@ -1,6 +1,7 @@
 #pragma once
 // A strut: one line of force between two markers, made of any number of laws that share stroke and rate.
-//   d = p2 - p1, length l = |d|, e = d/l; stroke x = l0 - l, rate = -e.d'; force F(x, rate, U, z) > 0 pushes the ends apart.
+//   d = p2 - p1, length l = |d|, e = d/l; stroke x = l0 - l, rate = -e.d'; force F(x, rate, U, z) > 0 pushes
+//   the ends apart.
 // A point-to-point spring-damper is a strut with a spring and a damper law.
 
 #include <memory>
@@ -19,14 +20,16 @@ struct StrutSample {
 
 class Strut : public ForceElement {
  public:
-  // undeformed_length [m] > 0: length at zero stroke. voltage_index: which controlled voltage drives it, or -1 (then U = 0).
-  // Throws InputError when the length is not positive. Not to be evaluated from two threads at once (it owns scratch).
-  Strut(std::string name, Marker m1, Marker m2, std::vector<std::unique_ptr<StrutLaw>> laws, double undeformed_length,
-        int voltage_index = -1);
+  // undeformed_length [m] > 0: length at zero stroke. voltage_index: which controlled voltage drives it, or
+  // -1 (then U = 0). Throws InputError when the length is not positive. Not to be evaluated from two threads
+  // at once (it owns scratch).
+  Strut(std::string name, Marker m1, Marker m2, std::vector<std::unique_ptr<StrutLaw>> laws,
+        double undeformed_length, int voltage_index = -1);
 
   int state_count() const override { return states_; }
   Eigen::VectorXd initial_state() const override;
-  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
+  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
+                 Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
 
@@ -43,17 +46,18 @@ class Strut : public ForceElement {
   };
   Line line(const PairMotion& pair) const;  // throws NumericalError when the two points coincide
   StrutInput law_input(const ElementInput& in, const Line& line, std::size_t law) const;
-  const StrutOutput& evaluate(const ElementInput& in, const Line& line, std::size_t law) const;  // puts the strut's name on errors
+  const StrutOutput& evaluate(const ElementInput& in, const Line& line,
+                              std::size_t law) const;  // puts the strut's name on errors
 
   Marker m1_, m2_;
   std::vector<std::unique_ptr<StrutLaw>> laws_;
   std::vector<int> first_state_;
-  double length_;       // [m]
+  double length_;  // [m]
   int voltage_index_;
   int states_ = 0;
-  mutable std::vector<StrutOutput> out_;      // one per law
+  mutable std::vector<StrutOutput> out_;  // one per law
   mutable std::vector<StrutPower> power_;
-  mutable Eigen::VectorXd row_, row_rate_;    // scratch rows of size n
+  mutable Eigen::VectorXd row_, row_rate_;  // scratch rows of size n
 };
 
 }  // namespace footfall

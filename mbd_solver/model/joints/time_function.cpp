@@ -29,7 +29,8 @@ class Polynomial : public TimeFunction {
 
 class Ramp : public TimeFunction {
  public:
-  Ramp(double from, double to, double t0, double duration) : from_(from), to_(to), t0_(t0), duration_(duration) {}
+  Ramp(double from, double to, double t0, double duration)
+      : from_(from), to_(to), t0_(t0), duration_(duration) {}
   TimeValue at(double t) const override {
     const double s = std::clamp((t - t0_) / duration_, 0.0, 1.0);
     const double height = to_ - from_;
@@ -63,7 +64,9 @@ class Spline : public TimeFunction {
     if (t_.size() < 2 || t_.size() != f_.size())
       throw InputError("a table over time needs at least two points, and as many values as times.");
     for (std::size_t i = 1; i < t_.size(); ++i) {
-      if (!(t_[i] > t_[i - 1])) throw InputError("the times of a table must rise: " + std::to_string(t_[i]) + " s follows " + std::to_string(t_[i - 1]) + " s.");
+      if (!(t_[i] > t_[i - 1]))
+        throw InputError("the times of a table must rise: " + std::to_string(t_[i]) + " s follows " +
+                         std::to_string(t_[i - 1]) + " s.");
     }
     // Second derivatives m of the natural spline: tridiagonal system, Thomas' algorithm.
     const std::size_t n = t_.size();
@@ -85,13 +88,16 @@ class Spline : public TimeFunction {
   }
 
  private:
-  static TimeValue tangent(const TimeValue& end, double dt) { return {end.value + end.rate * dt, end.rate, 0.0}; }
+  static TimeValue tangent(const TimeValue& end, double dt) {
+    return {end.value + end.rate * dt, end.rate, 0.0};
+  }
   TimeValue inside(std::size_t i, double t) const {
     const double h = t_[i + 1] - t_[i];
     const double b = (t - t_[i]) / h, a = 1.0 - b;
-    return {a * f_[i] + b * f_[i + 1] + ((a * a * a - a) * m_[i] + (b * b * b - b) * m_[i + 1]) * h * h / 6.0,
-            (f_[i + 1] - f_[i]) / h + ((1.0 - 3.0 * a * a) * m_[i] + (3.0 * b * b - 1.0) * m_[i + 1]) * h / 6.0,
-            a * m_[i] + b * m_[i + 1]};
+    return {
+        a * f_[i] + b * f_[i + 1] + ((a * a * a - a) * m_[i] + (b * b * b - b) * m_[i + 1]) * h * h / 6.0,
+        (f_[i + 1] - f_[i]) / h + ((1.0 - 3.0 * a * a) * m_[i] + (3.0 * b * b - 1.0) * m_[i + 1]) * h / 6.0,
+        a * m_[i] + b * m_[i + 1]};
   }
 
   std::vector<double> t_, f_, m_;
@@ -117,7 +123,9 @@ class Sum : public TimeFunction {
 
 }  // namespace
 
-TimeFunctionPtr polynomial(std::vector<double> coefficients) { return std::make_shared<Polynomial>(std::move(coefficients)); }
+TimeFunctionPtr polynomial(std::vector<double> coefficients) {
+  return std::make_shared<Polynomial>(std::move(coefficients));
+}
 
 TimeFunctionPtr ramp(double from, double to, double t0, double duration) {
   if (!(duration > 0.0)) throw InputError("the duration of a ramp must be positive.");
@@ -132,6 +140,8 @@ TimeFunctionPtr table(std::vector<double> times, std::vector<double> values) {
   return std::make_shared<Spline>(std::move(times), std::move(values));
 }
 
-TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms) { return std::make_shared<Sum>(std::move(terms)); }
+TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms) {
+  return std::make_shared<Sum>(std::move(terms));
+}
 
 }  // namespace footfall

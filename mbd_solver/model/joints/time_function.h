@@ -7,9 +7,9 @@
 namespace footfall {
 
 struct TimeValue {
-  double value = 0.0;   // [m or rad]
-  double rate = 0.0;    // [1/s]
-  double accel = 0.0;   // [1/s2]
+  double value = 0.0;  // [m or rad]
+  double rate = 0.0;   // [1/s]
+  double accel = 0.0;  // [1/s2]
 };
 
 class TimeFunction {
@@ -21,11 +21,13 @@ using TimeFunctionPtr = std::shared_ptr<const TimeFunction>;
 
 // sum_k c_k t^k; {c0} is a constant, {c0, v} constant velocity.
 TimeFunctionPtr polynomial(std::vector<double> coefficients);
-// From `from` to `to` between t0 and t0 + duration along a fifth-order smooth step (continuous acceleration), constant outside.
+// From `from` to `to` between t0 and t0 + duration along a fifth-order smooth step (continuous acceleration),
+// constant outside.
 TimeFunctionPtr ramp(double from, double to, double t0, double duration);
 // mean + amplitude sin(2 pi frequency t + phase), frequency [Hz], phase [rad].
 TimeFunctionPtr sine(double amplitude, double frequency, double phase = 0.0, double mean = 0.0);
-// Through the points (t_i, f_i) by a natural cubic spline, continued by its end tangents. At least two points, t rising.
+// Through the points (t_i, f_i) by a natural cubic spline, continued by its end tangents. At least two
+// points, t rising.
 TimeFunctionPtr table(std::vector<double> times, std::vector<double> values);
 
 // Sum of several; an empty sum is zero.

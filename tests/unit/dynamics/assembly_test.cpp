@@ -30,13 +30,16 @@ Model pair_with_gap(const Eigen::Vector3d& gap) {
   return model;
 }
 
-Marker at(const Model& model, int body, const Eigen::Vector3d& p_B, const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity()) {
+Marker at(const Model& model, int body, const Eigen::Vector3d& p_B,
+          const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity()) {
   return body_marker(body, model.body(body), p_B, axes);
 }
 
 TEST(Assembly, ClosesSmallGapsToRoundOff) {
   Model model = pair_with_gap({2e-4, -3e-4, 1e-4});
-  model.add_joint(fixed_joint("weld", at(model, 0, {0.5, 0.0, 0.0}), at(model, 1, {-0.5, 0.0, 0.0}, rotation_matrix(quaternion_about({1.0, 1.0, 0.0}, 4e-4)))));
+  model.add_joint(
+      fixed_joint("weld", at(model, 0, {0.5, 0.0, 0.0}),
+                  at(model, 1, {-0.5, 0.0, 0.0}, rotation_matrix(quaternion_about({1.0, 1.0, 0.0}, 4e-4)))));
   const Assembly assembly = assemble(model);
   EXPECT_NEAR(assembly.largest_gap, std::sqrt(14.0) * 1e-4, 1e-12);
   Equations equations(model, assembly);
@@ -49,17 +52,22 @@ TEST(Assembly, ClosesSmallGapsToRoundOff) {
 TEST(Assembly, RefusesWhatIsFarFromClosedAndNamesAllOfIt) {
   Model model = pair_with_gap({0.012, 0.0, 0.0});
   model.add_joint(spherical_joint("hinge_3", at(model, 0, {0.5, 0.0, 0.0}), at(model, 1, {-0.5, 0.0, 0.0})));
-  model.add_joint(revolute_joint("tilted", ground_marker({0.0, 0.0, 0.0}, rotation_matrix(quaternion_about({1.0, 0.0, 0.0}, 0.1))), at(model, 0, {0.0, 0.0, 0.0})));
+  model.add_joint(revolute_joint(
+      "tilted", ground_marker({0.0, 0.0, 0.0}, rotation_matrix(quaternion_about({1.0, 0.0, 0.0}, 0.1))),
+      at(model, 0, {0.0, 0.0, 0.0})));
   const std::string said = refusal(model);
   EXPECT_NE(said.find("joint \"hinge_3\" (spherical): gap of 0.012 m"), std::string::npos) << said;
-  EXPECT_NE(said.find("joint \"tilted\" (revolute): its axes are off by 5.73 degrees"), std::string::npos) << said;
+  EXPECT_NE(said.find("joint \"tilted\" (revolute): its axes are off by 5.73 degrees"), std::string::npos)
+      << said;
 }
 
 TEST(Assembly, SeesAHalfTurn) {
   // All sines of a prismatic joint vanish when body 2 is turned by 180 degrees about its axis.
   Model model = pair_with_gap(Eigen::Vector3d::Zero());
-  model.add_joint(prismatic_joint("slide", at(model, 0, {0.0, 0.0, 0.0}, axes_with_z({1.0, 0.0, 0.0})),
-                                  at(model, 1, {0.0, 0.0, 0.0}, rotation_matrix(quaternion_about({1.0, 0.0, 0.0}, M_PI)) * axes_with_z({1.0, 0.0, 0.0}))));
+  model.add_joint(prismatic_joint(
+      "slide", at(model, 0, {0.0, 0.0, 0.0}, axes_with_z({1.0, 0.0, 0.0})),
+      at(model, 1, {0.0, 0.0, 0.0},
+         rotation_matrix(quaternion_about({1.0, 0.0, 0.0}, M_PI)) * axes_with_z({1.0, 0.0, 0.0}))));
   EXPECT_NE(refusal(model).find("180 degrees"), std::string::npos) << refusal(model);
 }
 
@@ -70,7 +78,8 @@ TEST(Assembly, MakesVelocitiesConsistent) {
   state.r = {1.0, 0.0, 0.0};
   state.dr = {3.0, 1.0, 0.0};
   const int body = model.add_body(Body("arm", 1.0, Eigen::Vector3d(0.1, 1.0, 1.0).asDiagonal()), state);
-  model.add_joint(revolute_joint("pivot", model.marker_at(kGround, Eigen::Vector3d::Zero()), model.marker_at(body, Eigen::Vector3d::Zero())));
+  model.add_joint(revolute_joint("pivot", model.marker_at(kGround, Eigen::Vector3d::Zero()),
+                                 model.marker_at(body, Eigen::Vector3d::Zero())));
   const Assembly assembly = assemble(model);
   Equations equations(model, assembly);
   EXPECT_LT(equations.drift(assembly.state).velocity, 1e-14);
@@ -84,8 +93,10 @@ TEST(Assembly, LeavesOutRedundantConditionsAndSaysWhichFollowFromWhich) {
   // A door on two hinges: the second one repeats five conditions.
   Model model;
   const int door = model.add_body(Body("door", 20.0, Eigen::Vector3d(2.0, 1.0, 1.0).asDiagonal()), {});
-  model.add_joint(revolute_joint("upper", model.marker_at(kGround, {-0.5, 0.0, 0.7}), model.marker_at(door, {-0.5, 0.0, 0.7})));
-  model.add_joint(revolute_joint("lower", model.marker_at(kGround, {-0.5, 0.0, -0.7}), model.marker_at(door, {-0.5, 0.0, -0.7})));
+  model.add_joint(revolute_joint("upper", model.marker_at(kGround, {-0.5, 0.0, 0.7}),
+                                 model.marker_at(door, {-0.5, 0.0, 0.7})));
+  model.add_joint(revolute_joint("lower", model.marker_at(kGround, {-0.5, 0.0, -0.7}),
+                                 model.marker_at(door, {-0.5, 0.0, -0.7})));
   const Assembly assembly = assemble(model);
   EXPECT_EQ(assembly.kept_rows.size(), 5u);
   ASSERT_FALSE(assembly.notes.empty());
@@ -97,11 +108,13 @@ TEST(Assembly, LeavesOutRedundantConditionsAndSaysWhichFollowFromWhich) {
 }
 
 TEST(Assembly, RefusesJointsThatContradictEachOther) {
-  // Hinges of the door 0.4 mm out of line: parallel axes that can never meet, each within the gap that is closed silently.
+  // Hinges of the door 0.4 mm out of line: parallel axes that can never meet, each within the gap that is
+  // closed silently.
   Model model;
   const int door = model.add_body(Body("door", 20.0, Eigen::Vector3d(2.0, 1.0, 1.0).asDiagonal()), {});
   model.add_joint(revolute_joint("upper", ground_marker({0.0, 0.0, 0.7}), at(model, door, {0.0, 0.0, 0.7})));
-  model.add_joint(prismatic_joint("lower", ground_marker({4e-4, 0.0, -0.7}), at(model, door, {0.0, 0.0, -0.7})));
+  model.add_joint(
+      prismatic_joint("lower", ground_marker({4e-4, 0.0, -0.7}), at(model, door, {0.0, 0.0, -0.7})));
   const std::string said = refusal(model);
   EXPECT_NE(said.find("contradict"), std::string::npos) << said;
   EXPECT_NE(said.find("\"lower\""), std::string::npos) << said;
@@ -113,32 +126,40 @@ TEST(Assembly, RefusesDrivesThatContradictEachOther) {
   for (int i = 0; i < 2; ++i) {
     PrescribedMotion motion;
     motion.translation[0] = polynomial({0.0, 1.0 + i});
-    model.add_joint(prescribed_joint(i == 0 ? "slow" : "fast", ground_marker(Eigen::Vector3d::Zero()), at(model, body, {0.0, 0.0, 0.0}), motion));
+    model.add_joint(prescribed_joint(i == 0 ? "slow" : "fast", ground_marker(Eigen::Vector3d::Zero()),
+                                     at(model, body, {0.0, 0.0, 0.0}), motion));
   }
   const std::string said = refusal(model);
   EXPECT_NE(said.find("\"slow\", \"fast\""), std::string::npos) << said;
 }
 
 TEST(Assembly, NoticesWhenItStartedInASingularPosition) {
-  // A crank and a rod stretched in line with their slide: one condition looks redundant there, and stops being so in motion.
+  // A crank and a rod stretched in line with their slide: one condition looks redundant there, and stops
+  // being so in motion.
   Model model;
   BodyState rod;
   rod.r = {1.0, 0.0, 0.0};
   model.add_body(Body("crank", 1.0, Eigen::Matrix3d::Identity()), {});
   model.add_body(Body("rod", 1.0, Eigen::Matrix3d::Identity()), rod);
-  model.add_joint(revolute_joint("bearing", ground_marker(Eigen::Vector3d::Zero()), at(model, 0, {0.0, 0.0, 0.0})));
+  model.add_joint(
+      revolute_joint("bearing", ground_marker(Eigen::Vector3d::Zero()), at(model, 0, {0.0, 0.0, 0.0})));
   model.add_joint(revolute_joint("pin", at(model, 0, {1.0, 0.0, 0.0}), at(model, 1, {0.0, 0.0, 0.0})));
-  model.add_joint(distance_joint("stay", ground_marker({0.0, 0.0, 0.0}), at(model, 1, {0.0, 0.0, 0.0}), 1.0));  // always redundant
-  model.add_joint(distance_joint("tie", ground_marker({-1.0, 0.0, 0.0}), at(model, 1, {0.0, 0.0, 0.0}), 2.0));  // only here
+  model.add_joint(distance_joint("stay", ground_marker({0.0, 0.0, 0.0}), at(model, 1, {0.0, 0.0, 0.0}),
+                                 1.0));  // always redundant
+  model.add_joint(distance_joint("tie", ground_marker({-1.0, 0.0, 0.0}), at(model, 1, {0.0, 0.0, 0.0}),
+                                 2.0));  // only here
   const Assembly assembly = assemble(model);
   Equations equations(model, assembly);
   State state = assembly.state;
-  add_increment(equations.layout(), [&] {
-    Eigen::VectorXd dx = Eigen::VectorXd::Zero(12);
-    dx[5] = 0.3;
-    dx.segment<3>(6) = Eigen::Vector3d(std::cos(0.3) - 1.0, std::sin(0.3), 0.0);
-    return dx;
-  }(), state.q);
+  add_increment(
+      equations.layout(),
+      [&] {
+        Eigen::VectorXd dx = Eigen::VectorXd::Zero(12);
+        dx[5] = 0.3;
+        dx.segment<3>(6) = Eigen::Vector3d(std::cos(0.3) - 1.0, std::sin(0.3), 0.0);
+        return dx;
+      }(),
+      state.q);
   EXPECT_THROW(equations.project(state), NumericalError);
 }
 
@@ -146,7 +167,8 @@ TEST(Model, RefusesBodiesThatCannotExist) {
   EXPECT_THROW(Body("b", -1.0, Eigen::Matrix3d::Identity()), InputError);
   EXPECT_THROW(Body("b", std::nan(""), Eigen::Matrix3d::Identity()), InputError);
   EXPECT_THROW(Body("b", 1.0, Eigen::Matrix3d::Zero()), InputError);
-  EXPECT_THROW(Body("b", 1.0, Eigen::Vector3d(1.0, 1.0, 3.0).asDiagonal()), InputError);  // triangle inequality
+  EXPECT_THROW(Body("b", 1.0, Eigen::Vector3d(1.0, 1.0, 3.0).asDiagonal()),
+               InputError);  // triangle inequality
   Eigen::Matrix3d skewed = Eigen::Matrix3d::Identity();
   skewed(0, 1) = 0.2;
   EXPECT_THROW(Body("b", 1.0, skewed), InputError);
@@ -158,7 +180,8 @@ TEST(Model, RefusesNamesTwiceAndBodiesUnknown) {
   const Joint joint = spherical_joint("j", at(model, 0, {0.5, 0.0, 0.0}), at(model, 1, {-0.5, 0.0, 0.0}));
   model.add_joint(joint);
   EXPECT_THROW(model.add_joint(joint), InputError);
-  EXPECT_THROW(spherical_joint("k", at(model, 0, {0.5, 0.0, 0.0}), at(model, 0, {-0.5, 0.0, 0.0})), InputError);
+  EXPECT_THROW(spherical_joint("k", at(model, 0, {0.5, 0.0, 0.0}), at(model, 0, {-0.5, 0.0, 0.0})),
+               InputError);
   try {
     model.body_index("c");
     FAIL();

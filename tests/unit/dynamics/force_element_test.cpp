@@ -12,7 +12,8 @@ namespace footfall {
 namespace {
 
 // d(stored)/dt by central differences along the motion at constant v (stored energy does not depend on v).
-double stored_rate(const ForceElement& element, const Model& model, const Layout& layout, const State& state, const Eigen::VectorXd& voltages) {
+double stored_rate(const ForceElement& element, const Model& model, const Layout& layout, const State& state,
+                   const Eigen::VectorXd& voltages) {
   const double dt = 1e-6;
   double stored[2];
   for (int side = 0; side < 2; ++side) {
@@ -22,7 +23,8 @@ double stored_rate(const ForceElement& element, const Model& model, const Layout
     kinematics.load(layout, moved.q, moved.v, Eigen::VectorXd());
     StoredEnergy energy;
     Dissipated power;
-    element.add_energy({kinematics.pair(element.bodies()[0], element.bodies()[1]), state.z, voltages}, energy, power);
+    element.add_energy({kinematics.pair(element.bodies()[0], element.bodies()[1]), state.z, voltages}, energy,
+                       power);
     stored[side] = energy.total();
   }
   return (stored[1] - stored[0]) / (2.0 * dt);
@@ -33,14 +35,16 @@ class ForceElementEnergy : public ::testing::TestWithParam<std::pair<int, int>> 
 TEST_P(ForceElementEnergy, WhatIsTakenIsStoredOrDissipated) {
   test::Random random(23);
   Model model = test::random_bodies(random);
-  std::vector<std::unique_ptr<ForceElement>> elements = test::all_forces(random, model, GetParam().first, GetParam().second);
+  std::vector<std::unique_ptr<ForceElement>> elements =
+      test::all_forces(random, model, GetParam().first, GetParam().second);
   elements.erase(elements.begin());  // its test law is not conservative; a strut of real laws takes its place
   std::vector<std::unique_ptr<StrutLaw>> laws;
   laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{50.0, 4.0, 0.1, 2.0}));
   laws.push_back(std::make_unique<GasSpring>(GasSpringParameters{0.01, 1e5, 4e-4, 1.1, {}}));
   laws.push_back(std::make_unique<MrDamper>(MrDamperParameters{30.0, 2.0, 0.05, 0.0, 0.0, {}}));
   elements.push_back(std::make_unique<Strut>("real", test::random_marker(random, model, GetParam().first),
-                                             test::random_marker(random, model, GetParam().second), std::move(laws), 1.1, 0));
+                                             test::random_marker(random, model, GetParam().second),
+                                             std::move(laws), 1.1, 0));
   const Layout layout(model, {});
   State state = test::as_given(model).state;
   Kinematics kinematics(model);
@@ -53,8 +57,8 @@ TEST_P(ForceElementEnergy, WhatIsTakenIsStoredOrDissipated) {
     Eigen::VectorXd Q = Eigen::VectorXd::Zero(pair.size()), dz(element->state_count()), v(pair.size());
     for (std::size_t i = 0; i < 2; ++i) {
       if (element->bodies()[i] == kGround) continue;
-      v.segment(pair.offset(static_cast<int>(i)), pair.body[i]->size()) =
-          state.v.segment(layout.body_v[static_cast<std::size_t>(element->bodies()[i])], pair.body[i]->size());
+      v.segment(pair.offset(static_cast<int>(i)), pair.body[i]->size()) = state.v.segment(
+          layout.body_v[static_cast<std::size_t>(element->bodies()[i])], pair.body[i]->size());
     }
     element->add_force(in, Q, dz);
     StoredEnergy stored;
@@ -62,7 +66,8 @@ TEST_P(ForceElementEnergy, WhatIsTakenIsStoredOrDissipated) {
     element->add_energy(in, stored, power);
     const double taken = -Q.dot(v);
     const double given = stored_rate(*element, model, layout, state, voltages) + power.total();
-    EXPECT_NEAR(taken, given, 1e-7 * (std::abs(taken) + power.total())) << element->name();  // error of the difference
+    EXPECT_NEAR(taken, given, 1e-7 * (std::abs(taken) + power.total()))
+        << element->name();  // error of the difference
     for (double part : power.by_kind) EXPECT_GE(part, 0.0) << element->name();
   }
 }
@@ -80,7 +85,8 @@ TEST(RigidPlane, NeverPulls) {
   parameters.stiffness = 1e5;
   parameters.damping = 2.0;
   parameters.point = {0.0, 0.0, -0.9};
-  const RigidPlane plane("plane", {{body_marker(ball, model.body(ball), Eigen::Vector3d::Zero()), 1.0}}, parameters);
+  const RigidPlane plane("plane", {{body_marker(ball, model.body(ball), Eigen::Vector3d::Zero()), 1.0}},
+                         parameters);
   const Layout layout(model, {});
   Kinematics kinematics(model);
   State state = test::as_given(model).state;
@@ -113,7 +119,8 @@ TEST(RigidPlane, DampingForRestitutionIsItsInverse) {
   for (double e : {0.05, 0.4, 0.9, 0.999}) {
     const double u = contact_damping_for_restitution(e, 2.0) * 2.0;
     const double w = e * u;
-    EXPECT_NEAR(u - std::log1p(u), (w - 1.0) * std::exp(w) + 1.0, 1e-9 * u) << e;  // bisection to round-off of the terms
+    EXPECT_NEAR(u - std::log1p(u), (w - 1.0) * std::exp(w) + 1.0, 1e-9 * u)
+        << e;  // bisection to round-off of the terms
   }
   EXPECT_EQ(contact_damping_for_restitution(1.0, 2.0), 0.0);
   EXPECT_THROW(contact_damping_for_restitution(0.0, 2.0), InputError);
@@ -126,7 +133,8 @@ TEST(Bushing, IsAQuadraticSpringForSmallRotations) {
   const int body = model.add_body(Body("body", 1.0, Eigen::Matrix3d::Identity()), {});
   Bushing::Parameters parameters;
   parameters.rotational_stiffness = {3.0, 4.0, 6.0};
-  const Bushing bushing("bushing", ground_marker(Eigen::Vector3d::Zero()), body_marker(body, model.body(body), Eigen::Vector3d::Zero()), parameters);
+  const Bushing bushing("bushing", ground_marker(Eigen::Vector3d::Zero()),
+                        body_marker(body, model.body(body), Eigen::Vector3d::Zero()), parameters);
   const Layout layout(model, {});
   Kinematics kinematics(model);
   const Eigen::Vector3d phi(1e-3, -2e-3, 1.5e-3);
@@ -149,8 +157,8 @@ TEST(Strut, SharesStrokeAndRateAmongItsLaws) {
   std::vector<std::unique_ptr<StrutLaw>> laws;
   laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{100.0, 0.0, 0.0, 0.0}));
   laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{0.0, 10.0, 0.0, 0.0}));
-  const Strut strut("strut", ground_marker(Eigen::Vector3d::Zero()), body_marker(body, model.body(body), Eigen::Vector3d::Zero()),
-                    std::move(laws), 1.0);
+  const Strut strut("strut", ground_marker(Eigen::Vector3d::Zero()),
+                    body_marker(body, model.body(body), Eigen::Vector3d::Zero()), std::move(laws), 1.0);
   const Layout layout(model, {});
   Kinematics kinematics(model);
   const State state = test::as_given(model).state;
@@ -162,7 +170,9 @@ TEST(Strut, SharesStrokeAndRateAmongItsLaws) {
 }
 
 TEST(Strut, RefusesALengthThatIsNotPositive) {
-  EXPECT_THROW(Strut("s", ground_marker(Eigen::Vector3d::Zero()), Marker{0, {}, Eigen::Matrix3d::Identity(), {}, {}, {}}, {}, 0.0), InputError);
+  EXPECT_THROW(Strut("s", ground_marker(Eigen::Vector3d::Zero()),
+                     Marker{0, {}, Eigen::Matrix3d::Identity(), {}, {}, {}}, {}, 0.0),
+               InputError);
 }
 
 }  // namespace

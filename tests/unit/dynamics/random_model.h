@@ -1,6 +1,6 @@
 #pragma once
-// Bodies and models for tests: seeded random numbers, a flexible body made by hand, and one model that holds a specimen of
-// every joint and every force element between rigid and flexible bodies.
+// Bodies and models for tests: seeded random numbers, a flexible body made by hand, and one model that holds
+// a specimen of every joint and every force element between rigid and flexible bodies.
 
 #include <gtest/gtest.h>
 
@@ -22,29 +22,36 @@ namespace footfall::test {
 
 class Random {
  public:
-  explicit Random(unsigned seed) : engine_(seed) { ::testing::Test::RecordProperty("seed", static_cast<int>(seed)); }
-  double number(double low = -1.0, double high = 1.0) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+  explicit Random(unsigned seed) : engine_(seed) {
+    ::testing::Test::RecordProperty("seed", static_cast<int>(seed));
+  }
+  double number(double low = -1.0, double high = 1.0) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
   Eigen::Vector3d vector(double size = 1.0) { return size * Eigen::Vector3d(number(), number(), number()); }
   Eigen::VectorXd vector_x(Eigen::Index n, double size = 1.0) {
     Eigen::VectorXd x(n);
     for (Eigen::Index i = 0; i < n; ++i) x[i] = size * number();
     return x;
   }
-  Eigen::Vector4d quaternion() { return Eigen::Vector4d(number(), number(), number(), number() + 1.5).normalized(); }
+  Eigen::Vector4d quaternion() {
+    return Eigen::Vector4d(number(), number(), number(), number() + 1.5).normalized();
+  }
   Eigen::Matrix3d axes() { return rotation_matrix(quaternion()); }
   Eigen::Matrix3d inertia(double size = 1.0) {
     const Eigen::Matrix3d A = axes();
-    return size * A * Eigen::Vector3d(number(1.0, 1.3), number(1.4, 1.6), number(1.7, 2.0)).asDiagonal() * A.transpose();
+    return size * A * Eigen::Vector3d(number(1.0, 1.3), number(1.4, 1.6), number(1.7, 2.0)).asDiagonal() *
+           A.transpose();
   }
 
  private:
   std::mt19937 engine_;
 };
 
-// A few masses with rotary inertia held together by a random elastic law that knows no rigid-body strain. Exact in all properties a
-// ModalBody promises: mean axes, mass-orthonormal modes, Bo at the mass centre.
-inline std::shared_ptr<ModalBody> hand_made_body(Random& random, int nodes, int modes, double stiffness = 500.0,
-                                                 double damping_ratio = 0.0) {
+// A few masses with rotary inertia held together by a random elastic law that knows no rigid-body strain.
+// Exact in all properties a ModalBody promises: mean axes, mass-orthonormal modes, Bo at the mass centre.
+inline std::shared_ptr<ModalBody> hand_made_body(Random& random, int nodes, int modes,
+                                                 double stiffness = 500.0, double damping_ratio = 0.0) {
   auto body = std::make_shared<ModalBody>();
   body->name = "hand made";
   body->rho0.resize(3, nodes);
@@ -67,12 +74,15 @@ inline std::shared_ptr<ModalBody> hand_made_body(Random& random, int nodes, int 
     R.block<3, 3>(6 * j, 3) = -skew(body->rho0.col(j));
     R.block<3, 3>(6 * j + 3, 3).setIdentity();
   }
-  const Eigen::MatrixXd P = Eigen::MatrixXd::Identity(n, n) - R * (R.transpose() * M * R).ldlt().solve(R.transpose() * M);
+  const Eigen::MatrixXd P =
+      Eigen::MatrixXd::Identity(n, n) - R * (R.transpose() * M * R).ldlt().solve(R.transpose() * M);
   Eigen::MatrixXd X(n, n);
   for (int i = 0; i < n; ++i) X.col(i) = random.vector_x(n);
-  const Eigen::MatrixXd K = stiffness * P.transpose() * (X * X.transpose() + Eigen::MatrixXd::Identity(n, n)) * P;
+  const Eigen::MatrixXd K =
+      stiffness * P.transpose() * (X * X.transpose() + Eigen::MatrixXd::Identity(n, n)) * P;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (K + K.transpose()), M);
-  const Eigen::MatrixXd shapes = eigen.eigenvectors().middleCols(6, modes);  // the six zero frequencies come first
+  const Eigen::MatrixXd shapes =
+      eigen.eigenvectors().middleCols(6, modes);  // the six zero frequencies come first
   body->stiffness = eigen.eigenvalues().segment(6, modes);
   body->damping = 2.0 * damping_ratio * body->stiffness.cwiseSqrt();
   body->Phi.resize(3 * nodes, modes);
@@ -84,7 +94,8 @@ inline std::shared_ptr<ModalBody> hand_made_body(Random& random, int nodes, int 
   return body;
 }
 
-// A law with an inner state and every partial derivative different from zero: F = k x^3 + c v + b z U, dz = x - 2 v z.
+// A law with an inner state and every partial derivative different from zero: F = k x^3 + c v + b z U, dz = x
+// - 2 v z.
 class CoupledLaw : public StrutLaw {
  public:
   std::string_view kind() const override { return "coupled"; }
@@ -133,7 +144,8 @@ inline Model random_bodies(Random& random, const Eigen::Vector3d& gravity = {0.3
 inline Marker random_marker(Random& random, const Model& model, int body) {
   if (body == kGround) return ground_marker(random.vector(), random.axes());
   if (model.body(body).mode_count() > 0)
-    return node_marker(body, model.body(body), static_cast<int>(random.number(0.0, 3.99)), random.vector(0.3), random.axes());
+    return node_marker(body, model.body(body), static_cast<int>(random.number(0.0, 3.99)), random.vector(0.3),
+                       random.axes());
   return body_marker(body, model.body(body), random.vector(), random.axes());
 }
 
@@ -157,8 +169,10 @@ inline std::vector<Joint> all_joints(Random& random, const Model& model, int bod
           prescribed_joint("driven" + tail, m(body_1), m(body_2), driven)};
 }
 
-// One of each kind of force element between the given bodies (a plane under the first of them that is a body).
-inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, const Model& model, int body_1, int body_2) {
+// One of each kind of force element between the given bodies (a plane under the first of them that is a
+// body).
+inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, const Model& model, int body_1,
+                                                             int body_2) {
   const auto m = [&](int body) { return random_marker(random, model, body); };
   const std::string tail = "_" + std::to_string(body_1) + "_" + std::to_string(body_2);
   std::vector<std::unique_ptr<ForceElement>> out;
@@ -186,19 +200,21 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
   plane.damping = 0.4;
   plane.friction = 0.3;
   plane.slip_speed = 0.2;
-  out.push_back(std::make_unique<RigidPlane>("plane" + tail,
-                                             std::vector<ContactPoint>{{m(standing), 0.0}, {m(standing), 0.25}, {m(standing), 0.1}},
-                                             plane));
+  out.push_back(std::make_unique<RigidPlane>(
+      "plane" + tail, std::vector<ContactPoint>{{m(standing), 0.0}, {m(standing), 0.25}, {m(standing), 0.1}},
+      plane));
   return out;
 }
 
-// Everything at once: each kind of joint and element rigid-rigid, rigid-flexible, flexible-flexible, and to the ground.
+// Everything at once: each kind of joint and element rigid-rigid, rigid-flexible, flexible-flexible, and to
+// the ground.
 inline Model everything(Random& random) {
   Model model = random_bodies(random);
   const int pairs[5][2] = {{0, 1}, {1, 3}, {0, 2}, {kGround, 1}, {2, kGround}};
   for (const auto& pair : pairs) {
     for (Joint& joint : all_joints(random, model, pair[0], pair[1])) model.add_joint(std::move(joint));
-    for (std::unique_ptr<ForceElement>& force : all_forces(random, model, pair[0], pair[1])) model.add_force(std::move(force));
+    for (std::unique_ptr<ForceElement>& force : all_forces(random, model, pair[0], pair[1]))
+      model.add_force(std::move(force));
   }
   return model;
 }
@@ -213,11 +229,15 @@ inline Assembly as_given(const Model& model) {
   out.state.z.resize(layout.z_size);
   for (int i = 0; i < model.body_count(); ++i) {
     const BodyState& body = model.initial(i);
-    out.state.q.segment(layout.body_q[static_cast<std::size_t>(i)], 7 + model.body(i).mode_count()) << body.r, body.L, body.a;
-    out.state.v.segment(layout.body_v[static_cast<std::size_t>(i)], 6 + model.body(i).mode_count()) << body.dr, body.w, body.da;
+    out.state.q.segment(layout.body_q[static_cast<std::size_t>(i)], 7 + model.body(i).mode_count()) << body.r,
+        body.L, body.a;
+    out.state.v.segment(layout.body_v[static_cast<std::size_t>(i)], 6 + model.body(i).mode_count())
+        << body.dr,
+        body.w, body.da;
   }
   for (int i = 0; i < model.force_count(); ++i)
-    out.state.z.segment(layout.force_z[static_cast<std::size_t>(i)], model.force(i).state_count()) = model.force(i).initial_state();
+    out.state.z.segment(layout.force_z[static_cast<std::size_t>(i)], model.force(i).state_count()) =
+        model.force(i).initial_state();
   out.state.load_work = Eigen::VectorXd::Zero(model.body_count());
   return out;
 }

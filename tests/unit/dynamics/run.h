@@ -11,8 +11,8 @@ namespace footfall::test {
 
 class Run {
  public:
-  explicit Run(const Model& model, const std::string& integrator_kind = "one_step", const IntegratorOptions& options = {},
-               const Baumgarte& baumgarte = {})
+  explicit Run(const Model& model, const std::string& integrator_kind = "one_step",
+               const IntegratorOptions& options = {}, const Baumgarte& baumgarte = {})
       : assembly(assemble(model)),
         equations(model, assembly, baumgarte),
         integrator(make_integrator(integrator_kind, equations, options)),
@@ -23,7 +23,8 @@ class Run {
   // In `windows` equal windows.
   void to(double t_end, int windows = 1) {
     const double t0 = state.time;
-    for (int i = 1; i <= windows; ++i) integrator->advance(state, i < windows ? t0 + (t_end - t0) * i / windows : t_end, inputs);
+    for (int i = 1; i <= windows; ++i)
+      integrator->advance(state, i < windows ? t0 + (t_end - t0) * i / windows : t_end, inputs);
   }
   EnergySample energy() {
     EnergySample sample;
@@ -35,7 +36,8 @@ class Run {
   }
   // What energy there is now minus what there should be [J].
   double imbalance() {
-    return energy().stored.total() - start_ + state.dissipated.total() - state.load_work.sum() - state.motion_work;
+    return energy().stored.total() - start_ + state.dissipated.total() - state.load_work.sum() -
+           state.motion_work;
   }
   double start_energy() const { return start_; }
   BodyKinematics body(int index) {
