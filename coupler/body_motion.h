@@ -1,13 +1,13 @@
 #pragma once
-// Motion of one body's floating frame and modes, and the generalized force that is its partner in virtual work.
-// theory: bodies (rigid body; flexible body, floating frame).
+// Motion of one body's floating frame and modes, and the generalized force that is its partner in virtual
+// work. theory: bodies (rigid body; flexible body, floating frame).
 
 #include <Eigen/Dense>
 
 namespace footfall {
 
-// Position, velocity and acceleration of one body. s = number of modes, 0 for a rigid body: a, da, dda are then empty.
-// Frames: W inertial, B body. Bo is the origin of B (centre of mass of the undeformed body).
+// Position, velocity and acceleration of one body. s = number of modes, 0 for a rigid body: a, da, dda are
+// then empty. Frames: W inertial, B body. Bo is the origin of B (centre of mass of the undeformed body).
 struct BodyMotion {
   explicit BodyMotion(int modes = 0) { resize(modes); }
   void resize(int modes);
@@ -17,15 +17,15 @@ struct BodyMotion {
   Eigen::Matrix3d rotation() const;
   bool all_finite() const;
 
-  Eigen::Vector3d r = Eigen::Vector3d::Zero();               // p_WBo_W [m]
-  Eigen::Vector4d L = Eigen::Vector4d(1.0, 0.0, 0.0, 0.0);   // unit quaternion of R_WB, scalar first [-]
-  Eigen::VectorXd a;                                         // s modal coordinates
-  Eigen::Vector3d dr = Eigen::Vector3d::Zero();              // v_WBo_W [m/s]
-  Eigen::Vector3d w = Eigen::Vector3d::Zero();               // w_WB_W [rad/s]
-  Eigen::VectorXd da;                                        // s [1/s of a]
-  Eigen::Vector3d ddr = Eigen::Vector3d::Zero();             // [m/s2]
-  Eigen::Vector3d dw = Eigen::Vector3d::Zero();              // angular acceleration in W [rad/s2]
-  Eigen::VectorXd dda;                                       // s [1/s2 of a]
+  Eigen::Vector3d r = Eigen::Vector3d::Zero();              // p_WBo_W [m]
+  Eigen::Vector4d L = Eigen::Vector4d(1.0, 0.0, 0.0, 0.0);  // unit quaternion of R_WB, scalar first [-]
+  Eigen::VectorXd a;                                        // s modal coordinates
+  Eigen::Vector3d dr = Eigen::Vector3d::Zero();             // v_WBo_W [m/s]
+  Eigen::Vector3d w = Eigen::Vector3d::Zero();              // w_WB_W [rad/s]
+  Eigen::VectorXd da;                                       // s [1/s of a]
+  Eigen::Vector3d ddr = Eigen::Vector3d::Zero();            // [m/s2]
+  Eigen::Vector3d dw = Eigen::Vector3d::Zero();             // angular acceleration in W [rad/s2]
+  Eigen::VectorXd dda;                                      // s [1/s2 of a]
 };
 
 // Force on one body, positive ON the body; power = F_W . dr + T_W . w + Q_a . da.

@@ -1,5 +1,6 @@
 #pragma once
-// Numbers, texts and matrices to bytes and back. Both programs run on the same kind of machine under one MPI: native byte order.
+// Numbers, texts and matrices to bytes and back. Both programs run on the same kind of machine under one MPI:
+// native byte order.
 
 #include <Eigen/Dense>
 #include <cstdint>
@@ -70,11 +71,14 @@ class ByteReader {
     const auto cols = number<std::int64_t>();
     constexpr int kRows = Derived::RowsAtCompileTime, kCols = Derived::ColsAtCompileTime;
     const std::uint64_t most = left_ / sizeof(typename Derived::Scalar);
-    const bool too_large = rows > 0 && static_cast<std::uint64_t>(cols) > most / static_cast<std::uint64_t>(rows);
-    const bool too_long = static_cast<std::uint64_t>(rows) > kMostRows || static_cast<std::uint64_t>(cols) > kMostRows;
+    const bool too_large =
+        rows > 0 && static_cast<std::uint64_t>(cols) > most / static_cast<std::uint64_t>(rows);
+    const bool too_long =
+        static_cast<std::uint64_t>(rows) > kMostRows || static_cast<std::uint64_t>(cols) > kMostRows;
     if (rows < 0 || cols < 0 || too_large || too_long || (kRows != Eigen::Dynamic && rows != kRows) ||
         (kCols != Eigen::Dynamic && cols != kCols))
-      throw ProtocolError("a matrix of " + std::to_string(rows) + " x " + std::to_string(cols) + " does not belong here");
+      throw ProtocolError("a matrix of " + std::to_string(rows) + " x " + std::to_string(cols) +
+                          " does not belong here");
     value.resize(rows, cols);
     raw(value.data(), static_cast<std::size_t>(value.size()) * sizeof(typename Derived::Scalar));
   }

@@ -31,6 +31,13 @@ void wait_politely(MPI_Request& request) {
 }
 
 void PoliteWait::nap() {
+  constexpr double kWorthSleeping = 2e-3, kPart = 0.8;  // [s]; share of the expected time slept in one go
+  if (expected_ > kWorthSleeping) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(kPart * expected_));
+    expected_ = 0.0;
+    nap_ = kLongest;
+    return;
+  }
   std::this_thread::sleep_for(std::chrono::microseconds(nap_));
   if (nap_ < kLongest) nap_ += 1 + nap_ / 16;
 }
@@ -53,8 +60,9 @@ Communicator::Communicator() {
   check_mpi(MPI_Allgather(&mine, 1, MPI_INT, apps.data(), 1, MPI_INT, MPI_COMM_WORLD), "MPI_Allgather");
   const std::size_t programs = std::set<int>(apps.begin(), apps.end()).size();
   if (programs > 2)
-    throw InputError("this mpirun started " + std::to_string(programs) +
-                     " programs; footfall couples two: mpirun -np N liggghts_mbd -in SCRIPT : -np 1 mbd_solver SCENE");
+    throw InputError(
+        "this mpirun started " + std::to_string(programs) +
+        " programs; footfall couples two: mpirun -np N liggghts_mbd -in SCRIPT : -np 1 mbd_solver SCENE");
 
   check_mpi(MPI_Comm_split(MPI_COMM_WORLD, mine, world_rank, &own_), "MPI_Comm_split");
   check_mpi(MPI_Comm_dup(MPI_COMM_WORLD, &exchange_), "MPI_Comm_dup");
@@ -100,12 +108,17 @@ void AbortGuard::install(const Communicator& communicator, std::function<bool()>
   guard().released = !communicator.has_partner() || !communicator.is_root();
   guard().last_words = std::move(last_words);
   int key = MPI_KEYVAL_INVALID;
-  check_mpi(MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, on_finalize, &key, nullptr), "MPI_Comm_create_keyval");
+  check_mpi(MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, on_finalize, &key, nullptr),
+            "MPI_Comm_create_keyval");
   check_mpi(MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr), "MPI_Comm_set_attr");
 }
 
-void AbortGuard::set_last_words(std::function<bool()> last_words) { guard().last_words = std::move(last_words); }
+void AbortGuard::set_last_words(std::function<bool()> last_words) {
+  guard().last_words = std::move(last_words);
+}
 
-void AbortGuard::release() { guard().released = true; }
+void AbortGuard::release() {
+  guard().released = true;
+}
 
 }  // namespace footfall

@@ -1,5 +1,6 @@
 #pragma once
-// Who runs with whom under one mpirun: splits MPI_COMM_WORLD into the two programs, and makes sure that neither outlives the other.
+// Who runs with whom under one mpirun: splits MPI_COMM_WORLD into the two programs, and makes sure that
+// neither outlives the other.
 
 #include <mpi.h>
 
@@ -9,8 +10,9 @@ namespace footfall {
 
 // Splits the world by MPI_APPNUM, the number of the program on mpirun's command line
 //   mpirun -np 2 liggghts_mbd ... : -np 1 mbd_solver ...
-// With one program only there is no partner and world() is a duplicate of MPI_COMM_WORLD. Collective over MPI_COMM_WORLD: both
-// programs construct one right after MPI_Init. Throws InputError when there are more than two programs.
+// With one program only there is no partner and world() is a duplicate of MPI_COMM_WORLD. Collective over
+// MPI_COMM_WORLD: both programs construct one right after MPI_Init. Throws InputError when there are more
+// than two programs.
 class Communicator {
  public:
   Communicator();
@@ -18,13 +20,15 @@ class Communicator {
   Communicator(const Communicator&) = delete;
   Communicator& operator=(const Communicator&) = delete;
 
-  MPI_Comm world() const { return own_; }         // the ranks of this program
-  int rank() const { return rank_; }              // within world()
+  MPI_Comm world() const { return own_; }  // the ranks of this program
+  int rank() const { return rank_; }       // within world()
   int size() const { return size_; }
   bool is_root() const { return rank_ == 0; }
   bool has_partner() const { return partner_root_ >= 0; }
   MPI_Comm exchange() const { return exchange_; }  // both programs, for transport_mpi alone
-  int partner_root() const { return partner_root_; }  // rank of the partner's rank 0 in exchange(); -1 without one
+  int partner_root() const {
+    return partner_root_;
+  }  // rank of the partner's rank 0 in exchange(); -1 without one
 
  private:
   MPI_Comm own_ = MPI_COMM_NULL;
@@ -37,26 +41,32 @@ class Communicator {
 // Throws PartnerError with MPI's own text unless code is MPI_SUCCESS.
 void check_mpi(int code, const char* call);
 
-// Waiting without keeping a core busy: Open MPI's own blocking calls spin. Naps grow from 5 to 200 microseconds.
+// Waiting without keeping a core busy: Open MPI's own blocking calls spin. A wait that is expected to last
+// (as the last one did) is slept through for the most part; what is left is looked at every 5 to 200
+// microseconds.
 class PoliteWait {
  public:
+  explicit PoliteWait(double expected_seconds = 0.0) : expected_(expected_seconds) {}
   void nap();
 
  private:
   static constexpr int kLongest = 200;  // [us]
   int nap_ = 5;                         // [us]
+  double expected_;                     // [s]
 };
 void wait_politely(MPI_Request& request);
 
 // Ends both programs at once with this exit code: the last resort, when the partner does not answer any more.
 [[noreturn]] void abort_both_programs(int exit_code);
 
-// Abort guard. Some code ends a program with MPI_Finalize and exit, and the partner would wait for ever. MPI_Finalize first frees the
-// attributes of MPI_COMM_SELF: there the guard looks whether the program was released. If not, it calls `last_words` (which may still
-// send a message and says whether the partner has heard it); if that is not so, it aborts both programs with status 1.
+// Abort guard. Some code ends a program with MPI_Finalize and exit, and the partner would wait for ever.
+// MPI_Finalize first frees the attributes of MPI_COMM_SELF: there the guard looks whether the program was
+// released. If not, it calls `last_words` (which may still send a message and says whether the partner has
+// heard it); if that is not so, it aborts both programs with status 1.
 class AbortGuard {
  public:
-  // Call once, after MPI_Init. It watches the root of a program with a partner; elsewhere it is released from the start.
+  // Call once, after MPI_Init. It watches the root of a program with a partner; elsewhere it is released from
+  // the start.
   static void install(const Communicator& communicator, std::function<bool()> last_words = {});
   static void set_last_words(std::function<bool()> last_words);
   // From here on MPI_Finalize is a normal end.

@@ -1,6 +1,5 @@
 #include "coupler/load_average.h"
 
-
 #include "coupler/errors.h"
 
 namespace footfall {
@@ -37,12 +36,12 @@ void LoadAverage::begin_window(const BoundaryStep& jump, const BodyMotion& pose)
   sum_.set_zero();
   time_ = 0.0;
   // The jump is made under the force that stands before it.
-  sum_.jump_work =
-      F_W_.dot(jump.r) + T_B_.dot(pose.rotation().transpose() * jump.theta_W) + Q_a_.dot(jump.a);
+  sum_.jump_work = F_W_.dot(jump.r) + T_B_.dot(pose.rotation().transpose() * jump.theta_W) + Q_a_.dot(jump.a);
   sum_.work = sum_.jump_work;
 }
 
-void LoadAverage::add_step(const GeneralizedForce& Q, const BodyMotion& pose, const BoundaryStep& step, double dt) {
+void LoadAverage::add_step(const GeneralizedForce& Q, const BodyMotion& pose, const BoundaryStep& step,
+                           double dt) {
   const double c0 = weights_.opening, c1 = weights_.closing;
   const Eigen::Matrix3d R_BW = pose.rotation().transpose();
   const Eigen::Vector3d T_B = R_BW * Q.T_W;

@@ -8,7 +8,8 @@
 //                                <-  Accept (scheme, end time)
 //   then per window              <-  Motion (states at t_k)
 //   Load   (means over window)   ->
-//   until a Motion says last_window; after its Load both sides send Close. A side that fails sends Close with its reason at any time.
+//   until a Motion says last_window; after its Load both sides send Close. A side that fails sends Close with
+//   its reason at any time.
 
 #include <cstdint>
 #include <string>
@@ -27,13 +28,14 @@ inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 enum class MessageKind : std::int32_t { kHello = 1, kGeometry, kStart, kAccept, kMotion, kLoad, kClose };
 std::string message_name(MessageKind kind);
 
-// The status word: stands in the head of every message, bytes 12..15 after magic, kind and protocol version (four bytes each).
-// Values as the exit codes of the programs, so that both end with the same one.
+// The status word: stands in the head of every message, bytes 12..15 after magic, kind and protocol version
+// (four bytes each). Values as the exit codes of the programs, so that both end with the same one.
 enum class Status : std::int32_t { kOk = 0, kFailed = 1, kBadInput = 2, kInterrupted = 3 };
 
 using Bytes = std::vector<std::uint8_t>;
 
-// `protocol` is what the sender speaks; unpack refuses a foreign one (except in Hello and Close, which every version must read).
+// `protocol` is what the sender speaks; unpack refuses a foreign one (except in Hello and Close, which every
+// version must read).
 struct Hello {
   static constexpr MessageKind kKind = MessageKind::kHello;
   std::int32_t protocol = kProtocolVersion;
@@ -63,10 +65,10 @@ struct Start {
 
 struct Accept {
   static constexpr MessageKind kKind = MessageKind::kAccept;
-  std::string scheme;       // a name that make_scheme knows
-  double t_end = 0.0;       // end of the scene [s]; the first window starts at t_start
-  double t_start = 0.0;     // 0 except after a resume [s]
-  std::int32_t n_max = 0;   // largest n that any Motion will ask for
+  std::string scheme;      // a name that make_scheme knows
+  double t_end = 0.0;      // end of the scene [s]; the first window starts at t_start
+  double t_start = 0.0;    // 0 except after a resume [s]
+  std::int32_t n_max = 0;  // largest n that any Motion will ask for
 };
 
 struct Motion {
@@ -78,7 +80,8 @@ struct Motion {
   std::vector<BodyMotion> bodies;  // order of Start
 };
 
-// Window means of the contacts' tangent stiffness and damping on (r, theta, of W), for linearly implicit schemes.
+// Window means of the contacts' tangent stiffness and damping on (r, theta, of W), for linearly implicit
+// schemes.
 struct ContactTangent {
   Eigen::Matrix<double, 6, 6> K = Eigen::Matrix<double, 6, 6>::Zero();  // [N/m, N, N m]
   Eigen::Matrix<double, 6, 6> C = Eigen::Matrix<double, 6, 6>::Zero();  // [N s/m, ...]
@@ -86,18 +89,19 @@ struct ContactTangent {
 
 struct BodyLoad {
   MeanLoad mean;
-  std::int64_t contacts = 0;              // at the window's last substep
-  double contact_stiffness = 0.0;         // mean over the window of the sum of normal stiffnesses [N/m]; 0 when not estimated
-  double max_overlap_over_radius = 0.0;   // largest in the window [-]
-  std::vector<ContactTangent> tangent;    // empty, or one
+  std::int64_t contacts = 0;  // at the window's last substep
+  double contact_stiffness =
+      0.0;  // mean over the window of the sum of normal stiffnesses [N/m]; 0 when not estimated
+  double max_overlap_over_radius = 0.0;  // largest in the window [-]
+  std::vector<ContactTangent> tangent;   // empty, or one
 };
 
 struct Load {
   static constexpr MessageKind kKind = MessageKind::kLoad;
-  std::int64_t window = 0;        // the same k as the Motion it answers
-  std::int64_t particles = 0;     // grains now
-  double wall_seconds = 0.0;      // spent on this window by the DEM side, waiting excluded [s]
-  std::vector<BodyLoad> bodies;   // order of Start
+  std::int64_t window = 0;       // the same k as the Motion it answers
+  std::int64_t particles = 0;    // grains now
+  double wall_seconds = 0.0;     // spent on this window by the DEM side, waiting excluded [s]
+  std::vector<BodyLoad> bodies;  // order of Start
 };
 
 struct Close {
@@ -106,7 +110,8 @@ struct Close {
   std::string reason;  // empty when kOk
 };
 
-// For the two that say who they are (Hello, Geometry): throws ProtocolError, naming both values, unless protocol and version are ours.
+// For the two that say who they are (Hello, Geometry): throws ProtocolError, naming both values, unless
+// protocol and version are ours.
 void check_partner(const std::string& partner, std::int32_t protocol, const std::string& version);
 
 // One buffer per link is reused: packing a Motion or Load of unchanged shape does not allocate.
@@ -118,8 +123,8 @@ void pack(const Motion& message, Bytes& out);
 void pack(const Load& message, Bytes& out);
 void pack(const Close& message, Bytes& out);
 
-// Throw ProtocolError for anything but a whole message of that kind and of a protocol version that is understood. For Motion and Load,
-// bodies whose sizes already fit are overwritten in place.
+// Throw ProtocolError for anything but a whole message of that kind and of a protocol version that is
+// understood. For Motion and Load, bodies whose sizes already fit are overwritten in place.
 void unpack(const Bytes& bytes, Hello& message);
 void unpack(const Bytes& bytes, Geometry& message);
 void unpack(const Bytes& bytes, Start& message);

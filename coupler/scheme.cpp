@@ -7,7 +7,8 @@
 namespace footfall {
 namespace {
 
-// Angular velocity of exp(theta(t)) in W: theta' + (1 - cos p)/p^2 theta x theta' + (p - sin p)/p^3 theta x (theta x theta'), p = |theta|.
+// Angular velocity of exp(theta(t)) in W: theta' + (1 - cos p)/p^2 theta x theta' + (p - sin p)/p^3 theta x
+// (theta x theta'), p = |theta|.
 Eigen::Vector3d angular_velocity(const Eigen::Vector3d& theta, const Eigen::Vector3d& theta_rate) {
   const double p2 = theta.squaredNorm();
   const double p = std::sqrt(p2);

@@ -1,5 +1,6 @@
 #pragma once
-// How bytes get to the partner program. Two kinds: MPI between two programs, loopback between two threads of one.
+// How bytes get to the partner program. Two kinds: MPI between two programs, loopback between two threads of
+// one.
 
 #include <string>
 

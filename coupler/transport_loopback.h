@@ -1,6 +1,6 @@
 #pragma once
-// Two ends of a pair of queues inside one process: the whole exchange without MPI. Used by tests and accuracy studies with the two sides
-// on two threads, or on one thread that sends before it receives.
+// Two ends of a pair of queues inside one process: the whole exchange without MPI. Used by tests and accuracy
+// studies with the two sides on two threads, or on one thread that sends before it receives.
 
 #include <condition_variable>
 #include <deque>

@@ -1,5 +1,6 @@
 #include "coupler/transport_mpi.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -75,7 +76,7 @@ MessageKind TransportMpi::receive(Bytes& bytes, double patience) {
 
 MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
   const double start = MPI_Wtime();
-  PoliteWait wait;
+  PoliteWait wait(expected_wait_);
   MPI_Status status;
   for (;;) {
     int waiting = 0;
@@ -85,10 +86,17 @@ MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
       throw PartnerError(partner_ + " has said nothing for " + std::to_string(patience) + " s");
     wait.nap();
   }
+  const double waited = MPI_Wtime() - start;
+  constexpr double kLongestSleep = 1.0;  // a Close must not wait longer to be heard [s]
+  expected_wait_ = status.MPI_TAG == last_kind_ ? std::min({waited, last_wait_, kLongestSleep}) : 0.0;
+  last_wait_ = waited;
+  last_kind_ = status.MPI_TAG;
   int size = 0;
   check_mpi(MPI_Get_count(&status, MPI_BYTE, &size), "MPI_Get_count");
   bytes.resize(static_cast<std::size_t>(size));
-  check_mpi(MPI_Recv(bytes.data(), size, MPI_BYTE, partner_root_, status.MPI_TAG, exchange_, MPI_STATUS_IGNORE), "MPI_Recv");
+  check_mpi(
+      MPI_Recv(bytes.data(), size, MPI_BYTE, partner_root_, status.MPI_TAG, exchange_, MPI_STATUS_IGNORE),
+      "MPI_Recv");
   return static_cast<MessageKind>(status.MPI_TAG);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Messages to the partner program over MPI. Waiting means polling with short sleeps: a blocking MPI receive would keep a core busy
-// that the grains need.
+// Messages to the partner program over MPI. Waiting means polling with short sleeps: a blocking MPI receive
+// would keep a core busy that the grains need.
 
 #include <string>
 
@@ -9,8 +9,9 @@
 
 namespace footfall {
 
-// Every rank of a program constructs one, and send() and receive() are called by all of them: the root alone talks to the partner, the
-// others get a copy of what it receives, and of its PartnerError. The communicator must outlive it. Precondition: has_partner().
+// Every rank of a program constructs one, and send() and receive() are called by all of them: the root alone
+// talks to the partner, the others get a copy of what it receives, and of its PartnerError. The communicator
+// must outlive it. Precondition: has_partner().
 class TransportMpi : public Transport {
  public:
   TransportMpi(const Communicator& communicator, std::string partner_name);
@@ -22,7 +23,8 @@ class TransportMpi : public Transport {
   MessageKind receive(Bytes& bytes, double patience) override;
   std::string partner() const override { return partner_; }
 
-  // From here on the root sends and receives by itself: for last words, when the other ranks no longer take part.
+  // From here on the root sends and receives by itself: for last words, when the other ranks no longer take
+  // part.
   void root_speaks_alone() { shared_ = false; }
 
  private:
@@ -32,10 +34,14 @@ class TransportMpi : public Transport {
   MPI_Comm exchange_;
   MPI_Comm world_;  // the ranks of this program
   bool is_root_;
-  bool shared_;     // receive() hands its message to the other ranks
+  bool shared_;  // receive() hands its message to the other ranks
   int partner_root_;
   std::string partner_;
-  Bytes sending_;                          // owned until the send is complete
+  double expected_wait_ =
+      0.0;  // the shorter of the last two for messages of one kind, as windows follow each other [s]
+  double last_wait_ = 0.0;  // [s]
+  int last_kind_ = 0;
+  Bytes sending_;  // owned until the send is complete
   MPI_Request request_ = MPI_REQUEST_NULL;
 };
 

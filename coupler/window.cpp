@@ -7,7 +7,8 @@
 namespace footfall {
 namespace {
 
-// Below this, relative to the way the body has come, a gap is the round-off of two ways of adding up the same motion.
+// Below this, relative to the way the body has come, a gap is the round-off of two ways of adding up the same
+// motion.
 constexpr double kRoundOff = 1e-12;
 
 void difference(const BodyMotion& from, const BodyMotion& to, BoundaryStep& out) {
@@ -82,7 +83,8 @@ void BoundaryPath::advance() {
   difference(before_, pose_, step_);
 }
 
-// prediction(tau) with the gap closed by g(u) = 1 - 4 u + 3 u^2, u = tau / H: g(0) = 1, g(1) = 0, and zero mean over the window.
+// prediction(tau) with the gap closed by g(u) = 1 - 4 u + 3 u^2, u = tau / H: g(0) = 1, g(1) = 0, and zero
+// mean over the window.
 void BoundaryPath::set_pose_at(double tau) {
   const double H = n_ * dt_;
   const double u = tau / H;

@@ -45,7 +45,9 @@ void DemBody::count_contact(double overlap_over_radius, double stiffness) {
   ++contacts_now_;
 }
 
-void DemBody::take_standing() { average_.set_standing(now_, path_.pose()); }
+void DemBody::take_standing() {
+  average_.set_standing(now_, path_.pose());
+}
 
 void DemBody::end_substep(double dt) {
   average_.add_step(now_, path_.pose(), path_.last_step(), dt);

@@ -1,5 +1,6 @@
 #pragma once
-// One coupled body on the grains' side: where its boundary is, and what the grains of this rank do to it. No LIGGGHTS headers.
+// One coupled body on the grains' side: where its boundary is, and what the grains of this rank do to it. No
+// LIGGGHTS headers.
 
 #include <cstdint>
 
@@ -10,8 +11,8 @@
 
 namespace footfall {
 
-// Life of a window: begin_window, then per substep advance, clear_contacts, add_contact for every contact of this rank, end_substep.
-// Sums are of this rank alone until fold_sums has added those of all ranks.
+// Life of a window: begin_window, then per substep advance, clear_contacts, add_contact for every contact of
+// this rank, end_substep. Sums are of this rank alone until fold_sums has added those of all ranks.
 class DemBody {
  public:
   // Both must outlive the body.
@@ -25,18 +26,21 @@ class DemBody {
   void advance() { path_.advance(); }
 
   void clear_contacts();
-  // A contact: force f_W [N] ON the body at the boundary point and moment m_W [N m] about that point (contacts beside the axis of a beam,
-  // or in the middle of the overlap; rolling friction), overlap over grain radius [-], normal stiffness [N/m] (0: unknown).
+  // A contact: force f_W [N] ON the body at the boundary point and moment m_W [N m] about that point
+  // (contacts beside the axis of a beam, or in the middle of the overlap; rolling friction), overlap over
+  // grain radius [-], normal stiffness [N/m] (0: unknown).
   void add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_W,
                    double overlap_over_radius, double stiffness);
-  // The same in two parts, for who projects many contacts at once (beams): their generalized force ON the body, and each contact's figures.
+  // The same in two parts, for who projects many contacts at once (beams): their generalized force ON the
+  // body, and each contact's figures.
   void add_load(const GeneralizedForce& Q);
   void count_contact(double overlap_over_radius, double stiffness);
   // The forces just evaluated stand before the next substep (a run was set up).
   void take_standing();
   void end_substep(double dt);
 
-  // What the ranks add up at the end of a window, as a plain row of numbers; the last is a maximum, the others are sums.
+  // What the ranks add up at the end of a window, as a plain row of numbers; the last is a maximum, the
+  // others are sums.
   int sum_count() const { return 14 + boundary_.mode_count(); }
   void write_sums(double* out);
   // rows: the rows of all ranks, `stride` numbers apart.
@@ -53,8 +57,8 @@ class DemBody {
   const ModalBoundary& boundary_;
   BoundaryPath path_;
   LoadAverage average_;
-  GeneralizedForce now_;     // of the contacts since clear_contacts
-  double stiffness_now_ = 0.0;   // [N/m]
+  GeneralizedForce now_;        // of the contacts since clear_contacts
+  double stiffness_now_ = 0.0;  // [N/m]
   std::int64_t contacts_now_ = 0;
   double stiffness_time_ = 0.0;  // integral over the window [N s/m]
   double time_ = 0.0;            // of the window [s]

@@ -25,24 +25,30 @@ namespace {
 using footfall::InputError;
 
 constexpr const char* kModule = "footfall_mbd";
-constexpr const char* kUsage = "fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]";
+constexpr const char* kUsage =
+    "fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]";
 
 using NodeVelocities = MultiVectorContainer<double, 3, 3>;
 
-NodeVelocities* node_velocities(TriMesh* mesh) { return mesh->prop().getElementProperty<NodeVelocities>("v"); }
+NodeVelocities* node_velocities(TriMesh* mesh) {
+  return mesh->prop().getElementProperty<NodeVelocities>("v");
+}
 
 }  // namespace
 
-FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg) : Fix(lmp_, narg, arg), link_(footfall::dem_link_of(lmp_)) {
+FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
+    : Fix(lmp_, narg, arg), link_(footfall::dem_link_of(lmp_)) {
   const std::string where = std::string("fix ") + id + " couple/mbd: ";
-  if (modify->n_fixes_style_strict(style) > 0) throw InputError(where + "there is one already; name all meshes in it");
+  if (modify->n_fixes_style_strict(style) > 0)
+    throw InputError(where + "there is one already; name all meshes in it");
   if (link_.started()) throw InputError(where + "the coupling has run already and cannot be set up anew");
   if (narg < 5 || std::strcmp(arg[3], "every") != 0) throw InputError(where + "expected: " + kUsage);
   if (std::strcmp(arg[4], "auto") != 0) {
     char* rest = nullptr;
     const long n = std::strtol(arg[4], &rest, 10);
     if (*rest != '\0' || n < 1 || n > 1000000)
-      throw InputError(where + "`every` needs a number of steps from 1 to 1000000 or `auto`, not \"" + arg[4] + "\"");
+      throw InputError(where + "`every` needs a number of steps from 1 to 1000000 or `auto`, not \"" +
+                       arg[4] + "\"");
     every_ = static_cast<int>(n);
   }
   int next = 5;
@@ -50,7 +56,8 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg) : Fix(lmp_, narg,
     char* rest = nullptr;
     const double patience = std::strtod(arg[next + 1], &rest);
     if (*rest != '\0' || !(patience > 0.0))
-      throw InputError(where + "`patience` needs a positive number of seconds, not \"" + arg[next + 1] + "\"");
+      throw InputError(where + "`patience` needs a positive number of seconds, not \"" + arg[next + 1] +
+                       "\"");
     link_.set_patience(patience);
     next += 2;
   }
@@ -92,7 +99,8 @@ FixCoupleMbd::CoupledMesh FixCoupleMbd::couple(const std::string& mesh_id, const
           scene_body.boundary.rho0().colwise().norm().maxCoeff()};
 }
 
-// Every rank matches the triangles it owns (all of them before the first run), then the ranks share the result.
+// Every rank matches the triangles it owns (all of them before the first run), then the ranks share the
+// result.
 std::vector<footfall::CornerNodes> FixCoupleMbd::match(FixMeshSurface* mesh_fix, const std::string& mesh_id,
                                                        const footfall::CoupledBody& body) const {
   TriMesh* mesh = mesh_fix->triMesh();
@@ -102,7 +110,8 @@ std::vector<footfall::CornerNodes> FixCoupleMbd::match(FixMeshSurface* mesh_fix,
     footfall::MeshTriangle& triangle = mine[static_cast<std::size_t>(i)];
     triangle.id = mesh->id(i);
     highest = std::max(highest, triangle.id);
-    for (std::size_t k = 0; k < 3; ++k) triangle.corners[k] = Eigen::Vector3d(footfall::mesh_nodes(mesh)[i][k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      triangle.corners[k] = Eigen::Vector3d(footfall::mesh_nodes(mesh)[i][k]);
   }
   std::string failure;
   std::vector<footfall::CornerNodes> corners;
@@ -123,23 +132,27 @@ std::vector<footfall::CornerNodes> FixCoupleMbd::match(FixMeshSurface* mesh_fix,
   }
 
   MPI_Allreduce(MPI_IN_PLACE, &highest, 1, MPI_INT, MPI_MAX, world);
-  std::vector<footfall::CornerNodes> all(static_cast<std::size_t>(highest + 1), footfall::CornerNodes{-1, -1, -1});
+  std::vector<footfall::CornerNodes> all(static_cast<std::size_t>(highest + 1),
+                                         footfall::CornerNodes{-1, -1, -1});
   for (std::size_t i = 0; i < mine.size(); ++i) all[static_cast<std::size_t>(mine[i].id)] = corners[i];
   MPI_Allreduce(MPI_IN_PLACE, all.data(), 3 * (highest + 1), MPI_INT, MPI_MAX, world);
   if (all.size() != body.boundary.triangles().size())
     throw InputError("mesh " + mesh_id + " has " + std::to_string(all.size()) + " triangles, body \"" +
-                     body.boundary.name() + "\" of the scene has " + std::to_string(body.boundary.triangles().size()));
+                     body.boundary.name() + "\" of the scene has " +
+                     std::to_string(body.boundary.triangles().size()));
   return all;
 }
 
-int FixCoupleMbd::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::FINAL_INTEGRATE; }
+int FixCoupleMbd::setmask() {
+  return FixConst::INITIAL_INTEGRATE | FixConst::FINAL_INTEGRATE;
+}
 
 void FixCoupleMbd::post_create() {
   for (CoupledMesh& mesh : meshes_) {
     TriMesh* tri_mesh = mesh.fix->triMesh();
     tri_mesh->registerMove(false, true, true);
-    NodeVelocities* velocities =
-        tri_mesh->prop().addElementProperty<NodeVelocities>("v", "comm_exchange_borders", "frame_invariant", "restart_no");
+    NodeVelocities* velocities = tri_mesh->prop().addElementProperty<NodeVelocities>(
+        "v", "comm_exchange_borders", "frame_invariant", "restart_no");
     velocities->setAll(0.0);
     footfall::attach_mesh_module(mesh.fix, kModule, mesh.module.get());
   }
@@ -157,9 +170,11 @@ void FixCoupleMbd::pre_delete(bool unfixed) {
 void FixCoupleMbd::init() {
   const std::string where = std::string("fix ") + id + " couple/mbd: ";
   if (std::strcmp(update->integrate_style, "verlet") != 0)
-    throw InputError(where + "run_style " + update->integrate_style + " is not supported; use run_style verlet");
+    throw InputError(where + "run_style " + update->integrate_style +
+                     " is not supported; use run_style verlet");
   if (modify->timing > 1)
-    throw InputError(where + "modify_timing verbose waits for all programs of the run and would hang here; use `on`");
+    throw InputError(where +
+                     "modify_timing verbose waits for all programs of the run and would hang here; use `on`");
   for (const CoupledMesh& mesh : meshes_)
     if (modify->find_fix_id(mesh.mesh_id.c_str()) != mesh.fix)
       throw InputError(where + "mesh " + mesh.mesh_id + " was removed by `unfix`; unfix " + id + " first");
@@ -179,7 +194,8 @@ void FixCoupleMbd::init() {
   link_.expect_set_up();
 }
 
-// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 for every grain type against the wall, where the script gives elastic constants; else empty.
+// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 for every grain type against the wall, where the script gives
+// elastic constants; else empty.
 std::vector<double> FixCoupleMbd::effective_moduli(int wall_type) const {
   const int types = atom->ntypes;
   const auto property = [&](const char* name) {
@@ -209,7 +225,8 @@ void FixCoupleMbd::initial_integrate(int) {
   if (link_.in_last_substep() && update->ntimestep < update->laststep) SignalHandler::request_quit = true;
 }
 
-// Owned and ghost triangles alike: LIGGGHTS copies neither positions nor velocities to ghosts between two re-neighbourings.
+// Owned and ghost triangles alike: LIGGGHTS copies neither positions nor velocities to ghosts between two
+// re-neighbourings.
 void FixCoupleMbd::move(CoupledMesh& mesh) {
   const footfall::DemBody& body = link_.body(mesh.body);
   TriMesh* tri_mesh = mesh.fix->triMesh();
@@ -253,15 +270,17 @@ void FixCoupleMbd::translate(TriMesh* mesh, const Eigen::Vector3d& velocity) con
   mesh->prop().move(dx);
 }
 
-// In a periodic direction a triangle may stand one or more boxes away from its body's own place: it stays there.
+// In a periodic direction a triangle may stand one or more boxes away from its body's own place: it stays
+// there.
 double FixCoupleMbd::nearest_image(double place, double before, int direction) const {
   if (!domain->periodicity[direction]) return place;
   const double box = domain->boxhi[direction] - domain->boxlo[direction];
   return place + box * std::round((before - place) / box);
 }
 
-// Normals and edges turn with the body, the mesh's reference point (fix mesh/surface/stress) moves with it; areas and lengths stay. LIGGGHTS
-// computes all of them anew from the nodes at every re-neighbouring, so round-off does not add up for long.
+// Normals and edges turn with the body, the mesh's reference point (fix mesh/surface/stress) moves with it;
+// areas and lengths stay. LIGGGHTS computes all of them anew from the nodes at every re-neighbouring, so
+// round-off does not add up for long.
 void FixCoupleMbd::turn_properties(CoupledMesh& mesh, const footfall::BoundaryStep& step) {
   CustomValueTracker& properties = mesh.fix->triMesh()->prop();
   if (step.theta_W.isZero(0.0)) {
@@ -282,8 +301,10 @@ void FixCoupleMbd::check_inside_box(const CoupledMesh& mesh) const {
   const auto outside = [this](const Eigen::Vector3d& x, double margin) {
     for (int c = 0; c < 3; ++c) {
       if (domain->periodicity[c]) continue;
-      const bool follows_low = domain->boundary[c][0] > 1, follows_high = domain->boundary[c][1] > 1;  // shrink-wrapped
-      if ((!follows_low && x[c] - margin < domain->boxlo[c]) || (!follows_high && x[c] + margin > domain->boxhi[c]))
+      const bool follows_low = domain->boundary[c][0] > 1,
+                 follows_high = domain->boundary[c][1] > 1;  // shrink-wrapped
+      if ((!follows_low && x[c] - margin < domain->boxlo[c]) ||
+          (!follows_high && x[c] + margin > domain->boxhi[c]))
         return true;
     }
     return false;
@@ -294,10 +315,11 @@ void FixCoupleMbd::check_inside_box(const CoupledMesh& mesh) const {
   for (int j = 0; j < x.cols(); ++j)
     if (outside(x.col(j), 0.0)) {
       std::ostringstream message;
-      message << "mesh " << mesh.mesh_id << " (body \"" << link_.body_name(mesh.body) << "\") leaves the simulation box at step "
-              << update->ntimestep << ": node at (" << x(0, j) << ", " << x(1, j) << ", " << x(2, j) << "), box from ("
-              << domain->boxlo[0] << ", " << domain->boxlo[1] << ", " << domain->boxlo[2] << ") to (" << domain->boxhi[0]
-              << ", " << domain->boxhi[1] << ", " << domain->boxhi[2] << "). Make the region of create_box larger";
+      message << "mesh " << mesh.mesh_id << " (body \"" << link_.body_name(mesh.body)
+              << "\") leaves the simulation box at step " << update->ntimestep << ": node at (" << x(0, j)
+              << ", " << x(1, j) << ", " << x(2, j) << "), box from (" << domain->boxlo[0] << ", "
+              << domain->boxlo[1] << ", " << domain->boxlo[2] << ") to (" << domain->boxhi[0] << ", "
+              << domain->boxhi[1] << ", " << domain->boxhi[2] << "). Make the region of create_box larger";
       throw InputError(message.str());
     }
 }
@@ -314,15 +336,21 @@ void FixCoupleMbd::final_integrate() {
 
 double FixCoupleMbd::compute_vector(int n) {
   switch (n) {
-    case 0: return static_cast<double>(link_.windows());
-    case 1: return link_.energy_residual();
-    case 2: return link_.work();
-    case 3: return link_.max_overlap_over_radius();
-    default: break;
+    case 0:
+      return static_cast<double>(link_.windows());
+    case 1:
+      return link_.energy_residual();
+    case 2:
+      return link_.work();
+    case 3:
+      return link_.max_overlap_over_radius();
+    default:
+      break;
   }
   double contacts = 0.0;
   if (link_.started())
-    for (int i = 0; i < link_.body_count(); ++i) contacts += static_cast<double>(link_.body(i).load().contacts);
+    for (int i = 0; i < link_.body_count(); ++i)
+      contacts += static_cast<double>(link_.body(i).load().contacts);
   return contacts;
 }
 

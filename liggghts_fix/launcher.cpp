@@ -1,5 +1,6 @@
-// liggghts_mbd: Debian's unmodified LIGGGHTS plus the fix styles of footfall. Same command line, same output, same exit code as liggghts;
-// alone it is LIGGGHTS, and next to mbd_solver under one mpirun it is the grains' side of a coupled run:
+// liggghts_mbd: Debian's unmodified LIGGGHTS plus the fix styles of footfall. Same command line, same output,
+// same exit code as liggghts; alone it is LIGGGHTS, and next to mbd_solver under one mpirun it is the grains'
+// side of a coupled run:
 //   mpirun -np 2 liggghts_mbd -in in.script : -np 1 mbd_solver scene.toml
 
 #include <mpi.h>
@@ -30,7 +31,8 @@ namespace {
 
 using namespace footfall;
 
-// How long a partner may be silent before it counts as lost [s]. One window of the multibody side takes milliseconds.
+// How long a partner may be silent before it counts as lost [s]. One window of the multibody side takes
+// milliseconds.
 constexpr double kPatience = 600.0;
 
 // As LIGGGHTS' own main: SIGINT and SIGTERM end the run after the step, SIGUSR1 asks for a restart file.
@@ -46,11 +48,13 @@ void install_signal_handlers() {
   sigaction(SIGUSR1, &restart, nullptr);
 }
 
-// `-screen none` makes LIGGGHTS print through a null stream as soon as a script has a mesh: nowhere is then a better place.
+// `-screen none` makes LIGGGHTS print through a null stream as soon as a script has a mesh: nowhere is then a
+// better place.
 void mend_screen_none(int argc, char** argv) {
   static char nowhere[] = "/dev/null";
   for (int i = 1; i + 1 < argc; ++i)
-    if ((std::strcmp(argv[i], "-screen") == 0 || std::strcmp(argv[i], "-sc") == 0) && std::strcmp(argv[i + 1], "none") == 0)
+    if ((std::strcmp(argv[i], "-screen") == 0 || std::strcmp(argv[i], "-sc") == 0) &&
+        std::strcmp(argv[i + 1], "none") == 0)
       argv[i + 1] = nowhere;
 }
 
@@ -59,41 +63,54 @@ LAMMPS_NS::Fix* create_fix(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) {
   return new FixStyle(lmp, narg, arg);
 }
 
-void run(int argc, char** argv, const Communicator& communicator, DemLink& dem_link) {
-  // Not owned by a pointer that deletes it on the way of an exception: a LIGGGHTS stopped in mid-step cannot be taken down in order.
+int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_link) {
+  // Not owned by a pointer that deletes it on the way of an exception: a LIGGGHTS stopped in mid-step cannot
+  // be taken down in order.
   auto* lmp = new LAMMPS_NS::LAMMPS(argc, argv, communicator.world());
   attach_dem_link(lmp, dem_link);
   register_fix_style(lmp, "couple/mbd/geometry", create_fix<LAMMPS_NS::FixCoupleMbdGeometry>);
   register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
   register_fix_style(lmp, "wall/gran/beam", create_fix<LAMMPS_NS::FixWallGranBeam>);
   lmp->input->file();
-  const bool interrupted = LAMMPS_NS::SignalHandler::request_quit && !dem_link.finished();
-  dem_link.script_ended(interrupted);
+  int code = kExitDone;
+  if (LAMMPS_NS::SignalHandler::request_quit && dem_link.has_partner() && !dem_link.finished()) {
+    code = kExitInterrupted;
+    if (!dem_link.fail("LIGGGHTS was stopped by a signal", Status::kInterrupted)) abort_both_programs(code);
+  }
+  dem_link.script_ended();
   delete lmp;
+  return code;
 }
 
-// Says once why this program stops, tells the partner, and returns the exit code.
+void say(const std::exception& error) {
+  std::fflush(stdout);
+  std::fprintf(stderr, "liggghts_mbd: ERROR: %s\n", error.what());
+  std::fflush(stderr);
+}
+
+// Our errors arise on all ranks alike: one says it, all tell the partner together. Returns the exit code.
 int stop(const std::exception& error, int code, const Communicator& communicator, DemLink& dem_link) {
-  if (communicator.is_root()) {
-    std::fflush(stdout);
-    std::fprintf(stderr, "liggghts_mbd: ERROR: %s\n", error.what());
-    std::fflush(stderr);
-  }
+  if (communicator.is_root()) say(error);
   // A partner that does not hear it would keep MPI_Finalize waiting.
-  if (!dem_link.fail(error.what())) abort_both_programs(code);
+  const Status status = code == kExitBadInput ? Status::kBadInput : Status::kFailed;
+  if (!dem_link.fail(error.what(), status)) abort_both_programs(code);
   return code;
 }
 
 int run_and_report(int argc, char** argv, const Communicator& communicator, DemLink& dem_link) {
   try {
-    run(argc, argv, communicator, dem_link);
-    return kExitDone;
+    return run(argc, argv, communicator, dem_link);
   } catch (const InputError& error) {
     return stop(error, kExitBadInput, communicator, dem_link);
   } catch (const ProtocolError& error) {
     return stop(error, kExitBadInput, communicator, dem_link);
-  } catch (const std::exception& error) {
+  } catch (const PartnerError& error) {
     return stop(error, kExitFailed, communicator, dem_link);
+  } catch (const NumericalError& error) {
+    return stop(error, kExitFailed, communicator, dem_link);
+  } catch (const std::exception& error) {  // a mistake of ours or no memory: perhaps on this rank alone
+    say(error);
+    abort_both_programs(kExitFailed);
   }
 }
 
@@ -118,13 +135,14 @@ int main(int argc, char** argv) {
     // LIGGGHTS ends a wrong script with MPI_Finalize and exit(1): then this is still said.
     AbortGuard::set_last_words([&] {
       transport->root_speaks_alone();
-      return dem_link.fail("LIGGGHTS ended with an error of its own; its message stands in its output and log file");
+      return dem_link.fail(
+          "LIGGGHTS ended with an error of its own; its message stands in its output and log file");
     });
     code = run_and_report(argc, argv, communicator, dem_link);
     let_world_mean(MPI_COMM_WORLD);
     AbortGuard::release();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "liggghts_mbd: ERROR: %s\n", error.what());
+    say(error);
     code = kExitBadInput;
     AbortGuard::release();
   }

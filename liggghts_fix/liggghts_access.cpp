@@ -1,5 +1,5 @@
-// How: an explicit template instantiation may name a private member (access is not checked there), which hands out a pointer to member;
-// a derived class may name a protected one as &Derived::member.
+// How: an explicit template instantiation may name a private member (access is not checked there), which
+// hands out a pointer to member; a derived class may name a protected one as &Derived::member.
 
 #include "liggghts_fix/liggghts_access.h"
 
@@ -85,13 +85,21 @@ void detach_mesh_module(FixMeshSurface* fix, const std::string& name) {
   order.erase(std::remove(order.begin(), order.end(), name), order.end());
 }
 
-double*** mesh_nodes(TriMesh* mesh) { return OpenTriMesh::nodes(mesh); }
+double*** mesh_nodes(TriMesh* mesh) {
+  return OpenTriMesh::nodes(mesh);
+}
 
-double** mesh_centers(TriMesh* mesh) { return OpenTriMesh::centers(mesh); }
+double** mesh_centers(TriMesh* mesh) {
+  return OpenTriMesh::centers(mesh);
+}
 
-void recalculate_mesh(TriMesh* mesh) { OpenTriMesh::recalculate(mesh); }
+void recalculate_mesh(TriMesh* mesh) {
+  OpenTriMesh::recalculate(mesh);
+}
 
-void attach_dem_link(LAMMPS* lmp, DemLink& link) { links()[lmp] = &link; }
+void attach_dem_link(LAMMPS* lmp, DemLink& link) {
+  links()[lmp] = &link;
+}
 
 DemLink& dem_link_of(LAMMPS* lmp) {
   const auto found = links().find(lmp);

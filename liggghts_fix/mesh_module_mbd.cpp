@@ -13,18 +13,22 @@ namespace {
 
 int no_arguments = 0;  // the base class takes its position in an argument list by reference
 
-Eigen::Vector3d vector3(const double* x) { return {x[0], x[1], x[2]}; }
+Eigen::Vector3d vector3(const double* x) {
+  return {x[0], x[1], x[2]};
+}
 
 }  // namespace
 
-MeshModuleMbd::MeshModuleMbd(LAMMPS* lmp_, FixMeshSurface* mesh_fix, std::vector<footfall::CornerNodes> corners)
+MeshModuleMbd::MeshModuleMbd(LAMMPS* lmp_, FixMeshSurface* mesh_fix,
+                             std::vector<footfall::CornerNodes> corners)
     : MeshModule(lmp_, no_arguments, 0, nullptr, mesh_fix),
       corners_(std::move(corners)),
       behind_stress_(mesh_fix->get_module("stress") != nullptr) {}
 
-// c = x_ip + delta lies on the element; delta points from the grain's centre to it. LIGGGHTS' torque on the grain has the arm
-// radius - overlap / 2, the middle of the overlap: the force on the body acts there too, so that moments are action and reaction.
-// (Rolling resistance turns the grain by a couple of which LIGGGHTS tells nobody: the body does not feel it.)
+// c = x_ip + delta lies on the element; delta points from the grain's centre to it. LIGGGHTS' torque on the
+// grain has the arm radius - overlap / 2, the middle of the overlap: the force on the body acts there too, so
+// that moments are action and reaction. (Rolling resistance turns the grain by a couple of which LIGGGHTS
+// tells nobody: the body does not feel it.)
 void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta, int iTri, double*) {
   if (body_ == nullptr) return;
   const bool on_body = behind_stress_ && (atom->mask[ip] & fix_mesh->get_groupbit());
@@ -38,7 +42,8 @@ void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta
   const Eigen::Vector3d weights =
       footfall::barycentric_weights(vector3(nodes[0]), vector3(nodes[1]), vector3(nodes[2]), c);
   const footfall::CornerNodes& corner = corners_[static_cast<std::size_t>(mesh->id(iTri))];
-  const footfall::BoundaryPoint point{{corner[0], corner[1], corner[2]}, {weights[0], weights[1], weights[2]}};
+  const footfall::BoundaryPoint point{{corner[0], corner[1], corner[2]},
+                                      {weights[0], weights[1], weights[2]}};
 
   const double radius = atom->radius[ip];
   const double distance = d.norm();
@@ -46,7 +51,8 @@ void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta
   const Eigen::Vector3d arm_W = (0.5 * overlap / distance) * d;  // from c
   double stiffness = 0.0;
   if (!effective_moduli_.empty())
-    stiffness = 2.0 * effective_moduli_[static_cast<std::size_t>(atom->type[ip])] * std::sqrt(radius * overlap);
+    stiffness =
+        2.0 * effective_moduli_[static_cast<std::size_t>(atom->type[ip])] * std::sqrt(radius * overlap);
   body_->add_contact(point, f_W, arm_W.cross(f_W), overlap / radius, stiffness);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Runs LIGGGHTS, alone or with the scripted partner, in a folder of its own under the build tree, always with a time limit.
+// Runs LIGGGHTS, alone or with the scripted partner, in a folder of its own under the build tree, always with
+// a time limit.
 
 #include <sys/wait.h>
 
@@ -20,7 +21,7 @@ namespace footfall::test {
 struct Outcome {
   int exit_code = -1;  // 124: the time limit struck
   double seconds = 0.0;
-  std::string text;    // standard output and error
+  std::string text;  // standard output and error
 };
 
 // Columns of a CSV file by name.
@@ -34,7 +35,8 @@ class Table {
     for (std::istringstream words(line); std::getline(words, word, ',');) names.push_back(word);
     while (std::getline(in, line)) {
       std::size_t column = 0;
-      for (std::istringstream words(line); std::getline(words, word, ',');) columns_[names.at(column++)].push_back(std::stod(word));
+      for (std::istringstream words(line); std::getline(words, word, ',');)
+        columns_[names.at(column++)].push_back(std::stod(word));
     }
   }
   const std::vector<double>& operator[](const std::string& name) const {
@@ -43,7 +45,8 @@ class Table {
     return found->second;
   }
   std::size_t rows() const { return columns_.empty() ? 0 : columns_.begin()->second.size(); }
-  Eigen::Vector3d vector(std::size_t row, const std::string& x, const std::string& y, const std::string& z) const {
+  Eigen::Vector3d vector(std::size_t row, const std::string& x, const std::string& y,
+                         const std::string& z) const {
     return {(*this)[x][row], (*this)[y][row], (*this)[z][row]};
   }
 
@@ -54,7 +57,8 @@ class Table {
 // A clean folder for one test.
 class RunFolder {
  public:
-  explicit RunFolder(const std::string& name) : path_(std::filesystem::path(FOOTFALL_BINARY_DIR) / "dem_runs" / name) {
+  explicit RunFolder(const std::string& name)
+      : path_(std::filesystem::path(FOOTFALL_BINARY_DIR) / "dem_runs" / name) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
@@ -73,8 +77,8 @@ class RunFolder {
 
   Outcome command(const std::string& line, int limit_seconds) const {
     const auto start = std::chrono::steady_clock::now();
-    const std::string whole = "cd '" + path_.string() + "' && timeout -k 2 " + std::to_string(limit_seconds) + " " + line +
-                              " > output.txt 2>&1 < /dev/null";
+    const std::string whole = "cd '" + path_.string() + "' && timeout -k 2 " + std::to_string(limit_seconds) +
+                              " " + line + " > output.txt 2>&1 < /dev/null";
     const int status = std::system(whole.c_str());
     Outcome outcome;
     outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -82,14 +86,17 @@ class RunFolder {
     outcome.text = read("output.txt");
     return outcome;
   }
-  static std::string program(const std::string& name) { return std::string(FOOTFALL_BINARY_DIR) + "/bin/" + name; }
+  static std::string program(const std::string& name) {
+    return std::string(FOOTFALL_BINARY_DIR) + "/bin/" + name;
+  }
   // Stock LIGGGHTS, or ours without a partner.
   Outcome alone(const std::string& liggghts, int ranks, const std::string& arguments, int limit = 60) const {
-    return command("mpirun --oversubscribe -np " + std::to_string(ranks) + " " + liggghts + " " + arguments, limit);
+    return command("mpirun --oversubscribe -np " + std::to_string(ranks) + " " + liggghts + " " + arguments,
+                   limit);
   }
   Outcome coupled(int ranks, const std::string& arguments, const std::string& partner, int limit = 60) const {
-    return command("mpirun --oversubscribe -np " + std::to_string(ranks) + " " + program("liggghts_mbd") + " " + arguments +
-                       " : -np 1 " + program("scripted_partner") + " " + partner,
+    return command("mpirun --oversubscribe -np " + std::to_string(ranks) + " " + program("liggghts_mbd") +
+                       " " + arguments + " : -np 1 " + program("scripted_partner") + " " + partner,
                    limit);
   }
 
@@ -100,10 +107,13 @@ class RunFolder {
 // Stock LIGGGHTS as Debian installs it.
 inline const char* const kStock = LIGGGHTS_EXECUTABLE;
 
-// Head of a script: a box, two materials (1 soil, 2 steel), Hertz contact with friction and rolling resistance.
-inline std::string script_head(const std::string& box, const std::string& processors = "* * *", double dt = 5e-5) {
+// Head of a script: a box, two materials (1 soil, 2 steel), Hertz contact with friction and rolling
+// resistance.
+inline std::string script_head(const std::string& box, const std::string& processors = "* * *",
+                               double dt = 5e-5) {
   std::ostringstream s;
-  s << "atom_style granular\natom_modify map array\nboundary f f f\nnewton off\ncommunicate single vel yes\nunits si\n"
+  s << "atom_style granular\natom_modify map array\nboundary f f f\nnewton off\ncommunicate single vel "
+       "yes\nunits si\n"
        "hard_particles yes\nprocessors "
     << processors << "\nregion reg block " << box
     << " units box\ncreate_box 2 reg\nneighbor 0.01 bin\nneigh_modify delay 0\n"
@@ -117,24 +127,30 @@ inline std::string script_head(const std::string& box, const std::string& proces
   return s.str();
 }
 
-// A loose bed of about 850 grains of radius 2 cm, a floor at z = 0, gravity: enough for contacts of every kind, seconds to run.
+// A loose bed of about 850 grains of radius 2 cm, a floor at z = 0, gravity: enough for contacts of every
+// kind, seconds to run.
 inline std::string small_bed(const std::string& processors = "* * *") {
   return script_head("-0.3 0.3 -0.3 0.3 -0.05 0.6", processors) +
          "fix grav all gravity 9.81 vector 0 0 -1\n"
-         "fix floor all wall/gran model hertz tangential history rolling_friction cdt primitive type 1 zplane 0.0\n"
-         "lattice sc 0.041\nregion grains block -0.25 0.25 -0.25 0.25 0.02 0.21 units box\ncreate_atoms 1 region grains\n"
-         "set group all diameter 0.04 density 2600\ndisplace_atoms all random 0.0004 0.0004 0.0004 15485863 units box\n"
+         "fix floor all wall/gran model hertz tangential history rolling_friction cdt primitive type 1 "
+         "zplane 0.0\n"
+         "lattice sc 0.041\nregion grains block -0.25 0.25 -0.25 0.25 0.02 0.21 units box\ncreate_atoms 1 "
+         "region grains\n"
+         "set group all diameter 0.04 density 2600\ndisplace_atoms all random 0.0004 0.0004 0.0004 15485863 "
+         "units box\n"
          "fix integr all nve/sphere\n";
 }
 
 inline std::string mesh_wall(const std::string& mesh = "m") {
-  return "fix wm all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes 1 meshes " + mesh + "\n";
+  return "fix wm all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes 1 meshes " +
+         mesh + "\n";
 }
 
 // All state of all grains, every bit.
 inline std::string dump_every(int steps, const std::string& name) {
   return "dump d all custom " + std::to_string(steps) + " " + name +
-         ".* id x y z vx vy vz omegax omegay omegaz fx fy fz\ndump_modify d sort id format \"%d %.17g %.17g %.17g %.17g %.17g "
+         ".* id x y z vx vy vz omegax omegay omegaz fx fy fz\ndump_modify d sort id format \"%d %.17g %.17g "
+         "%.17g %.17g %.17g "
          "%.17g %.17g %.17g %.17g %.17g %.17g %.17g\"\n";
 }
 

@@ -1,4 +1,5 @@
-// Every way to fail ends both programs soon, with a message that says what is wrong, and leaves no process behind.
+// Every way to fail ends both programs soon, with a message that says what is wrong, and leaves no process
+// behind.
 
 #include <gtest/gtest.h>
 
@@ -7,14 +8,14 @@
 namespace footfall::test {
 namespace {
 
-constexpr int kLimit = 30;       // hanging is failing [s]
-constexpr double kSoon = 10.0;   // [s]
+constexpr int kLimit = 30;      // hanging is failing [s]
+constexpr double kSoon = 10.0;  // [s]
 
 struct Case {
   std::string name;
-  int exit_code;                      // 0: any but zero (which of two programs mpirun names first is not fixed)
-  std::vector<std::string> says;      // all of these appear
-  std::string script;                 // after the bed and the mesh; empty: couple and run
+  int exit_code;                  // of both programs; 0: any other
+  std::vector<std::string> says;  // all of these appear
+  std::string script;             // after the bed and the mesh; empty: couple and run
   std::string partner = "until 0.01";
   std::string mesh = "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n";
   std::string body = " body plate plate.stl 0 0 0.24 prescribed 0 0 -1.0 0 0 0";
@@ -23,64 +24,141 @@ struct Case {
 const std::string kCouple = "fix mbd all couple/mbd every 5 mesh m plate\n";
 
 // How gtest shows a case.
-void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+void PrintTo(const Case& one, std::ostream* out) {
+  *out << one.name;
+}
 
 std::vector<Case> cases() {
   std::vector<Case> all;
   const auto add = [&all](Case one) { all.push_back(std::move(one)); };
   // The partner misbehaves.
-  add({"ForeignProtocol", 0,
-       {"liggghts_mbd: ERROR: message Geometry: the partner speaks protocol version 999, this program version 1",
+  add({"ForeignProtocol",
+       2,
+       {"liggghts_mbd: ERROR: message Geometry: the partner speaks protocol version 999, this program "
+        "version 1",
         "scripted_partner: ERROR: liggghts_mbd stopped: message Geometry"},
-       "", "until 0.01 misbehave version"});
-  add({"PartnerFails", 1, {"scripted_partner: ERROR: the spring of the test broke",
-                           "liggghts_mbd: ERROR: mbd_solver stopped: the spring of the test broke"},
-       "", "until 0.01 misbehave fail 7"});
+       "",
+       "until 0.01 misbehave version"});
+  add({"PartnerFails",
+       1,
+       {"scripted_partner: ERROR: the spring of the test broke",
+        "liggghts_mbd: ERROR: mbd_solver stopped: the spring of the test broke"},
+       "",
+       "until 0.01 misbehave fail 7"});
   add({"PartnerIsKilled", 0, {}, "", "until 0.01 misbehave die 7"});
-  add({"PartnerLeavesWithoutAWord", 0, {"MPI_ABORT"}, "", "until 0.01 misbehave lose 7"});
-  add({"PartnerSendsAnotherWindow", 0, {"window 7: mbd_solver sent a Motion for window 14"}, "", "until 0.01 misbehave wrong-window 7"});
-  add({"PartnerSendsNotANumber", 0, {"the motion of body \"plate\" at t = 0.00175 s is not finite"}, "",
+  add({"PartnerLeavesWithoutAWord", 0, {}, "", "until 0.01 misbehave lose 7"});
+  add({"PartnerSendsAnotherWindow",
+       2,
+       {"window 7: mbd_solver sent a Motion for window 14"},
+       "",
+       "until 0.01 misbehave wrong-window 7"});
+  add({"PartnerSendsNotANumber",
+       1,
+       {"the motion of body \"plate\" at t = 0.00175 s is not finite"},
+       "",
        "until 0.01 misbehave not-a-number 7"});
-  add({"PartnerHangs", 0, {"liggghts_mbd: ERROR: mbd_solver has said nothing for 1"},
-       "fix mbd all couple/mbd every 5 patience 1.0 mesh m plate\nrun 200\n", "until 0.01 misbehave hang 7"});
+  add({"PartnerHangs",
+       1,
+       {"liggghts_mbd: ERROR: mbd_solver has said nothing for 1"},
+       "fix mbd all couple/mbd every 5 patience 1.0 mesh m plate\nrun 200\n",
+       "until 0.01 misbehave hang 7"});
   // The script is wrong.
-  add({"UnknownBody", 0, {"the scene has no body \"plato\"", "Known bodies: plate.", "Did you mean \"plate\"?"},
+  add({"UnknownBody",
+       2,
+       {"the scene has no body \"plato\"", "Known bodies: plate.", "Did you mean \"plate\"?"},
        "fix mbd all couple/mbd every 5 mesh m plato\nrun 200\n"});
-  add({"UnknownMesh", 0, {"mesh mm: no fix mesh/surface of this id"}, "fix mbd all couple/mbd every 5 mesh mm plate\nrun 200\n"});
-  add({"BadNumberOfSteps", 0, {"`every` needs a number of steps", "not \"5x\""}, "fix mbd all couple/mbd every 5x mesh m plate\nrun 200\n"});
-  add({"WrongKeyword", 0, {"at \"mash\" expected: fix ID all couple/mbd"}, "fix mbd all couple/mbd every 5 mash m plate\nrun 200\n"});
-  add({"BodyCoupledTwice", 0, {"has a mesh already"}, "fix mbd all couple/mbd every 5 mesh m plate mesh m plate\nrun 200\n"});
-  add({"NothingCoupled", 0, {"no body to couple"}, "fix mbd all couple/mbd every 5\nrun 200\n"});
-  add({"MeshMovedByAnother", 0, {"mesh m: another fix or a servo moves it already"},
+  add({"UnknownMesh",
+       2,
+       {"mesh mm: no fix mesh/surface of this id"},
+       "fix mbd all couple/mbd every 5 mesh mm plate\nrun 200\n"});
+  add({"BadNumberOfSteps",
+       2,
+       {"`every` needs a number of steps", "not \"5x\""},
+       "fix mbd all couple/mbd every 5x mesh m plate\nrun 200\n"});
+  add({"WrongKeyword",
+       2,
+       {"at \"mash\" expected: fix ID all couple/mbd"},
+       "fix mbd all couple/mbd every 5 mash m plate\nrun 200\n"});
+  add({"BodyCoupledTwice",
+       2,
+       {"has a mesh already"},
+       "fix mbd all couple/mbd every 5 mesh m plate mesh m plate\nrun 200\n"});
+  add({"NothingCoupled", 2, {"no body to couple"}, "fix mbd all couple/mbd every 5\nrun 200\n"});
+  add({"MeshMovedByAnother",
+       2,
+       {"mesh m: another fix or a servo moves it already"},
        "fix c all move/mesh mesh m linear 0 0 1\n" + kCouple + "run 200\n"});
-  add({"SurfaceVelocity", 0, {"it has a surface velocity of its own"}, kCouple + "run 200\n", "until 0.01",
+  add({"SurfaceVelocity",
+       2,
+       {"it has a surface velocity of its own"},
+       kCouple + "run 200\n",
+       "until 0.01",
        "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24 surface_vel 1 0 0\n"});
-  add({"MeshOfAnotherPlace", 0, {"is no node of body \"plate\" at its initial pose"}, "", "until 0.01",
+  add({"MeshOfAnotherPlace",
+       2,
+       {"is no node of body \"plate\" at its initial pose"},
+       "",
+       "until 0.01",
        "fix m all mesh/surface file plate.stl type 2 move 0 0 0.25\n"});
-  add({"MeshOfAnotherBody", 0, {"joins nodes of body \"plate\" that form no triangle there"}, "", "until 0.01",
+  add({"MeshOfAnotherBody",
+       2,
+       {"joins nodes of body \"plate\" that form no triangle there"},
+       "",
+       "until 0.01",
        "fix m all mesh/surface file coarse.stl type 2 move 0 0 0.24\n"});
-  add({"MeshOfHalfABody", 0, {"mesh m has 54 triangles, body \"plate\" of the scene has 108"}, "", "until 0.01",
+  add({"MeshOfHalfABody",
+       2,
+       {"mesh m has 54 triangles, body \"plate\" of the scene has 108"},
+       "",
+       "until 0.01",
        "fix m all mesh/surface file half.stl type 2 move 0 0 0.24\n"});
-  add({"BadPatience", 0, {"`patience` needs a positive number of seconds, not \"-1\""},
+  add({"BadPatience",
+       2,
+       {"`patience` needs a positive number of seconds, not \"-1\""},
        "fix mbd all couple/mbd every 5 patience -1 mesh m plate\nrun 200\n"});
-  add({"MeshLeavesTheBox", 0, {"mesh m (body \"plate\") leaves the simulation box at step", "Make the region of create_box larger"},
-       kCouple + "run 20000\n", "until 1.0", "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n",
+  add({"MeshLeavesTheBox",
+       2,
+       {"mesh m (body \"plate\") leaves the simulation box at step", "Make the region of create_box larger"},
+       kCouple + "run 20000\n",
+       "until 1.0",
+       "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n",
        " body plate plate.stl 0 0 0.24 prescribed 0 0 20.0 0 0 0"});
-  add({"TimeStepChanges", 0, {"the time step changed from 5e-05 to 4e-05 s"}, kCouple + "run 100\ntimestep 4e-5\nrun 100\n"});
-  add({"VerboseTiming", 0, {"modify_timing verbose"}, "modify_timing verbose\n" + kCouple + "run 200\n"});
-  add({"SecondCoupling", 0, {"there is one already"}, kCouple + "fix mbd2 all couple/mbd every 5 mesh m plate\nrun 200\n"});
-  add({"MeshRemoved", 0, {"mesh m was removed by `unfix`"}, kCouple + "run 100\nunfix wm\nunfix m\nrun 100\n"});
-  add({"ScriptEndsTooEarly", 0, {"the LIGGGHTS script ended at t = 0.005 s, before the end of the scene at t = 0.01 s",
-                                 "`run` at least 200 steps in all", "scripted_partner: ERROR: liggghts_mbd stopped"},
+  add({"TimeStepChanges",
+       2,
+       {"the time step changed from 5e-05 to 4e-05 s"},
+       kCouple + "run 100\ntimestep 4e-5\nrun 100\n"});
+  add({"VerboseTiming", 2, {"modify_timing verbose"}, "modify_timing verbose\n" + kCouple + "run 200\n"});
+  add({"SecondCoupling",
+       2,
+       {"there is one already"},
+       kCouple + "fix mbd2 all couple/mbd every 5 mesh m plate\nrun 200\n"});
+  add({"MeshRemoved",
+       2,
+       {"mesh m was removed by `unfix`"},
+       kCouple + "run 100\nunfix wm\nunfix m\nrun 100\n"});
+  add({"ScriptEndsTooEarly",
+       2,
+       {"the LIGGGHTS script ended at t = 0.005 s, before the end of the scene at t = 0.01 s",
+        "`run` at least 200 steps in all", "scripted_partner: ERROR: liggghts_mbd stopped"},
        kCouple + "run 100\n"});
-  add({"ScriptGoesOnTooLong", 0, {"the scene ended at t = 0.01 s, and the script wants to go on"}, kCouple + "run 200\nrun 10\n"});
-  add({"ScriptNeverCouples", 0, {"ended without running `fix couple/mbd`"}, "run 10\n"});
-  add({"ScriptNamesButNeverRuns", 0, {"ended without running `fix couple/mbd`"}, kCouple});
-  add({"ScriptErrorBeforeTheHandshake", 0, {"ERROR: Unknown command: no_such_command", "LIGGGHTS ended with an error of its own"},
+  add({"ScriptGoesOnTooLong",
+       2,
+       {"the scene ended at t = 0.01 s, and the script wants to go on"},
+       kCouple + "run 200\nrun 10\n"});
+  add({"ScriptNeverCouples", 2, {"ended without running `fix couple/mbd`"}, "run 10\n"});
+  add({"ScriptNamesButNeverRuns", 2, {"ended without running `fix couple/mbd`"}, kCouple});
+  add({"ScriptErrorBeforeTheHandshake",
+       1,
+       {"ERROR: Unknown command: no_such_command", "LIGGGHTS ended with an error of its own"},
        "no_such_command\n"});
-  add({"ScriptErrorInTheMiddle", 0, {"ERROR: Unknown command: no_such_command", "LIGGGHTS ended with an error of its own"},
+  add({"ScriptErrorInTheMiddle",
+       1,
+       {"ERROR: Unknown command: no_such_command", "LIGGGHTS ended with an error of its own"},
        kCouple + "run 100\nno_such_command\n"});
-  add({"LiggghtsAborts", 0, {"random seed"}, kCouple + "run 100\ndisplace_atoms all random 0 0 0 12345 units box\n"});
+  add({"LiggghtsAborts",
+       1,
+       {"random seed"},
+       kCouple + "run 100\ndisplace_atoms all random 0 0 0 12345 units box\n"});
   return all;
 }
 
@@ -106,7 +184,8 @@ TEST_P(Failure, IsToldByBothSidesAndEndsThem) {
   Surface half = read_stl((folder.path() / "plate.stl").string());
   half.triangles.resize(half.triangles.size() / 2);
   write_stl((folder.path() / "half.stl").string(), half);
-  folder.write("in", small_bed() + one.mesh + mesh_wall() + (one.script.empty() ? kCouple + "run 200\n" : one.script));
+  folder.write(
+      "in", small_bed() + one.mesh + mesh_wall() + (one.script.empty() ? kCouple + "run 200\n" : one.script));
   const Outcome outcome = folder.coupled(2, "-in in", one.partner + one.body, kLimit);
   EXPECT_NE(outcome.exit_code, 0) << outcome.text;
   EXPECT_NE(outcome.exit_code, 124) << "hangs:\n" << outcome.text;
@@ -114,7 +193,8 @@ TEST_P(Failure, IsToldByBothSidesAndEndsThem) {
     EXPECT_EQ(outcome.exit_code, one.exit_code) << outcome.text;
   }
   EXPECT_LT(outcome.seconds, kSoon);
-  for (const std::string& part : one.says) EXPECT_NE(outcome.text.find(part), std::string::npos) << "missing: " << part << "\nin:\n" << outcome.text;
+  for (const std::string& part : one.says)
+    EXPECT_NE(outcome.text.find(part), std::string::npos) << "missing: " << part << "\nin:\n" << outcome.text;
   EXPECT_LE(count(outcome.text, "liggghts_mbd: ERROR:"), 1U) << outcome.text;
   EXPECT_LE(count(outcome.text, "scripted_partner: ERROR:"), 1U) << outcome.text;
   EXPECT_EQ(processes_in(folder.path()), 0);
@@ -123,21 +203,28 @@ TEST_P(Failure, IsToldByBothSidesAndEndsThem) {
 TEST(Failure, CouplingWithoutAPartnerIsRefused) {
   const RunFolder folder("failures_alone");
   write_stl((folder.path() / "plate.stl").string(), box({0.3, 0.3, 0.02}, 3));
-  folder.write("in", small_bed() + "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n" + mesh_wall() + kCouple + "run 10\n");
+  folder.write("in", small_bed() + "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n" +
+                         mesh_wall() + kCouple + "run 10\n");
   const Outcome outcome = folder.alone(RunFolder::program("liggghts_mbd"), 2, "-in in", kLimit);
   EXPECT_EQ(outcome.exit_code, 2) << outcome.text;
-  EXPECT_NE(outcome.text.find("runs without a multibody partner. Start both programs together: mpirun"), std::string::npos);
+  EXPECT_NE(outcome.text.find("runs without a multibody partner. Start both programs together: mpirun"),
+            std::string::npos);
   EXPECT_EQ(count(outcome.text, "ERROR"), 1U) << outcome.text;
 }
 
 TEST(Failure, OtherUnitsAreRefused) {
   const RunFolder folder("failures_units");
   write_stl((folder.path() / "plate.stl").string(), box({30, 30, 2}, 1));
-  folder.write("in", "atom_style granular\natom_modify map array\nunits cgs\nregion reg block -50 50 -50 50 -50 50 units box\ncreate_box 1 reg\n"
-                     "fix geo all couple/mbd/geometry body plate\n");
-  const Outcome outcome = folder.coupled(1, "-in in", "until 0.01 body plate plate.stl 0 0 0 prescribed 0 0 0 0 0 0", kLimit);
+  folder.write("in",
+               "atom_style granular\natom_modify map array\nunits cgs\nregion reg block -50 50 -50 50 -50 50 "
+               "units box\ncreate_box 1 reg\n"
+               "fix geo all couple/mbd/geometry body plate\n");
+  const Outcome outcome =
+      folder.coupled(1, "-in in", "until 0.01 body plate plate.stl 0 0 0 prescribed 0 0 0 0 0 0", kLimit);
   EXPECT_NE(outcome.exit_code, 0);
-  EXPECT_NE(outcome.text.find("the script has \"units cgs\"; footfall couples in \"units si\" only"), std::string::npos) << outcome.text;
+  EXPECT_NE(outcome.text.find("the script has \"units cgs\"; footfall couples in \"units si\" only"),
+            std::string::npos)
+      << outcome.text;
 }
 
 }  // namespace

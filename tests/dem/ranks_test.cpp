@@ -1,4 +1,5 @@
-// The same result on any number of ranks, with ranks that own no triangle or no grain, and with pads that cross subdomains.
+// The same result on any number of ranks, with ranks that own no triangle or no grain, and with pads that
+// cross subdomains.
 
 #include <gtest/gtest.h>
 
@@ -10,34 +11,41 @@ namespace {
 constexpr double kDt = 5e-5;
 constexpr int kSteps = 2000;
 
-// A carpet of grains, each on a spring of its own: it forgets disturbances, so that round-off stays round-off. It ends at x = 0.1: on four
-// ranks in a row the last one owns no grain.
+// A carpet of grains, each on a spring of its own: it forgets disturbances, so that round-off stays
+// round-off. It ends at x = 0.1: on four ranks in a row the last one owns no grain.
 std::string carpet(const std::string& processors) {
   return script_head("-0.4 0.4 -0.3 0.3 -0.2 0.2", processors, kDt) +
-         "lattice sc 0.05\nregion grains block -0.36 0.1 -0.26 0.26 -0.001 0.001 units box\ncreate_atoms 1 region grains\n"
-         "set group all diameter 0.04 density 2600\nfix hold all spring/self 4000\nfix integr all nve/sphere\n";
+         "lattice sc 0.05\nregion grains block -0.36 0.1 -0.26 0.26 -0.001 0.001 units box\ncreate_atoms 1 "
+         "region grains\n"
+         "set group all diameter 0.04 density 2600\nfix hold all spring/self 4000\nfix integr all "
+         "nve/sphere\n";
 }
 
-constexpr const char* kPadPlaces[] = {"-0.28 -0.12 0.0298", "-0.28 0.12 0.0296", "-0.1 -0.12 0.0297", "-0.1 0.12 0.0295"};
+constexpr const char* kPadPlaces[] = {"-0.28 -0.12 0.0298", "-0.28 0.12 0.0296", "-0.1 -0.12 0.0297",
+                                      "-0.1 0.12 0.0295"};
 
 std::string pads_script(const std::string& processors) {
   std::string s = carpet(processors), names, pairs;
   for (int p = 1; p <= 4; ++p) {
     const std::string id = std::to_string(p);
-    s += "fix geo" + id + " all couple/mbd/geometry body pad_" + id + "\nfix pad" + id + " all mesh/surface fix geo" + id + " type 2\n";
+    s += "fix geo" + id + " all couple/mbd/geometry body pad_" + id + "\nfix pad" + id +
+         " all mesh/surface fix geo" + id + " type 2\n";
     names += " pad" + id;
     pairs += " mesh pad" + id + " pad_" + id;
   }
-  return s + "fix wm all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes 4 meshes" + names +
-         "\nfix mbd all couple/mbd every 20" + pairs +
-         "\nthermo_style custom step atoms f_mbd[1] f_mbd[2] f_mbd[3] f_mbd[5] f_mbd[1][3] f_mbd[4][5]\nthermo 400\n"
+  return s +
+         "fix wm all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes 4 meshes" +
+         names + "\nfix mbd all couple/mbd every 20" + pairs +
+         "\nthermo_style custom step atoms f_mbd[1] f_mbd[2] f_mbd[3] f_mbd[5] f_mbd[1][3] "
+         "f_mbd[4][5]\nthermo 400\n"
          "thermo_modify norm no format float %.15g\nrun 2000\n"
          "dump mesh all mesh/stl 1 mesh*.stl pad1 pad2 pad3 pad4\nrun 0\n";
 }
 
 std::string pads_partner(const std::string& motion) {
   std::string s = "until 0.1 out table.csv";
-  for (int p = 0; p < 4; ++p) s += " body pad_" + std::to_string(p + 1) + " pad.stl " + kPadPlaces[p] + " " + motion;
+  for (int p = 0; p < 4; ++p)
+    s += " body pad_" + std::to_string(p + 1) + " pad.stl " + kPadPlaces[p] + " " + motion;
   return s;
 }
 
@@ -54,12 +62,14 @@ Table run_pads(const RunFolder& folder, int ranks, const std::string& processors
 void expect_same_loads(const Table& a, const Table& b) {
   ASSERT_EQ(a.rows(), b.rows());
   double worst = 0.0;
-  for (const char* name : {"fx", "fy", "fz", "mx", "my", "mz", "q", "work", "ix", "iy", "iz", "stiffness", "overlap"}) {
+  for (const char* name :
+       {"fx", "fy", "fz", "mx", "my", "mz", "q", "work", "ix", "iy", "iz", "stiffness", "overlap"}) {
     double scale = 1e-300;
     for (const double value : a[name]) scale = std::max(scale, std::abs(value));
     for (std::size_t i = 0; i < a.rows(); ++i) {
       worst = std::max(worst, std::abs(a[name][i] - b[name][i]) / scale);
-      ASSERT_NEAR(a[name][i], b[name][i], 1e-9 * scale) << name << " row " << i;  // round-off of 2000 steps, damped by the springs
+      ASSERT_NEAR(a[name][i], b[name][i], 1e-9 * scale)
+          << name << " row " << i;  // round-off of 2000 steps, damped by the springs
     }
   }
   for (std::size_t i = 0; i < a.rows(); ++i) ASSERT_EQ(a["contacts"][i], b["contacts"][i]) << "row " << i;
@@ -70,8 +80,9 @@ const char* const kSliding = "prescribed 2.0 0.1 0.0 0.0 0.0 1.5";  // across th
 
 class PadsOn : public testing::TestWithParam<std::pair<int, const char*>> {};
 INSTANTIATE_TEST_SUITE_P(Ranks, PadsOn,
-                         testing::Values(std::pair(2, "2 1 1"), std::pair(2, "1 2 1"), std::pair(3, "3 1 1"), std::pair(4, "4 1 1"),
-                                         std::pair(4, "2 2 1"), std::pair(2, "1 1 2")));
+                         testing::Values(std::pair(2, "2 1 1"), std::pair(2, "1 2 1"), std::pair(3, "3 1 1"),
+                                         std::pair(4, "4 1 1"), std::pair(4, "2 2 1"),
+                                         std::pair(2, "1 1 2")));
 
 const Table& on_one_rank() {
   static const Table table = run_pads(RunFolder("ranks_1"), 1, "1 1 1", kSliding);
@@ -113,7 +124,8 @@ TEST_P(MeshPlace, IsThatOfTheBodyAfterRigidMotion) {
   script.replace(script.find("run 0\n"), 6, "run 2000\n");
   script.replace(script.find("mesh/stl 1 "), 11, "mesh/stl 2000 ");
   folder.write("in", script);
-  const Outcome outcome = folder.coupled(ranks, "-in in -log log", pads_partner("prescribed 2.0 0.1 0.0 1.0 -2.0 1.5"));
+  const Outcome outcome =
+      folder.coupled(ranks, "-in in -log log", pads_partner("prescribed 2.0 0.1 0.0 1.0 -2.0 1.5"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
   // Where the nodes of pad 3 must be after 0.1 s.
   const Eigen::Vector3d w(1.0, -2.0, 1.5);
@@ -140,22 +152,27 @@ INSTANTIATE_TEST_SUITE_P(Processors, Modal, testing::Values("1 1 1", "2 1 1"));
 TEST_P(Modal, AModeThatShiftsAllNodesIsATranslation) {
   const std::string processors = GetParam();
   const int ranks = processors[0] - '0';
-  const Table rigid = run_pads(RunFolder("ranks_shift_rigid_" + std::to_string(ranks)), ranks, processors, "prescribed 0.5 0 -0.05 0 0 0");
-  const Table modal = run_pads(RunFolder("ranks_shift_modal_" + std::to_string(ranks)), ranks, processors, "modal 0.5 0 0 shift -0.05");
+  const Table rigid = run_pads(RunFolder("ranks_shift_rigid_" + std::to_string(ranks)), ranks, processors,
+                               "prescribed 0.5 0 -0.05 0 0 0");
+  const Table modal = run_pads(RunFolder("ranks_shift_modal_" + std::to_string(ranks)), ranks, processors,
+                               "modal 0.5 0 0 shift -0.05");
   ASSERT_EQ(rigid.rows(), modal.rows());
   double scale = 1e-300;
   for (const double f : rigid["fz"]) scale = std::max(scale, std::abs(f));
   for (std::size_t i = 0; i < rigid.rows(); ++i) {
     ASSERT_NEAR(rigid["fz"][i], modal["fz"][i], 1e-9 * scale) << "row " << i;
-    ASSERT_NEAR(modal["q"][i], modal["fz"][i], 1e-9 * scale) << "row " << i;  // Phi = e_z: the modal force is the force
-    ASSERT_NEAR(rigid["work"][i], modal["work"][i], 1e-9 * scale * 1e-3) << "row " << i;  // way of a window: 0.5 mm
+    ASSERT_NEAR(modal["q"][i], modal["fz"][i], 1e-9 * scale)
+        << "row " << i;  // Phi = e_z: the modal force is the force
+    ASSERT_NEAR(rigid["work"][i], modal["work"][i], 1e-9 * scale * 1e-3)
+        << "row " << i;  // way of a window: 0.5 mm
   }
   EXPECT_GT(scale, 10.0);
 }
 
 TEST(Modal, ADeformingBodyGivesTheSameLoadsOnTwoRanks) {
   const char* const bowl = "modal 0.5 0 0 bowl -0.6";  // the rim goes down by 0.4 mm
-  expect_same_loads(run_pads(RunFolder("ranks_bowl_1"), 1, "1 1 1", bowl), run_pads(RunFolder("ranks_bowl_2"), 2, "2 1 1", bowl));
+  expect_same_loads(run_pads(RunFolder("ranks_bowl_1"), 1, "1 1 1", bowl),
+                    run_pads(RunFolder("ranks_bowl_2"), 2, "2 1 1", bowl));
 }
 
 }  // namespace

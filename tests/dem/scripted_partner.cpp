@@ -1,24 +1,29 @@
-// A partner for liggghts_mbd whose every move is known: bodies with prescribed motion, or one mass on one spring, under the mean load. It
-// stands in for the multibody program in tests of the grains' side, and it can misbehave.
+// A partner for liggghts_mbd whose every move is known: bodies with prescribed motion, or one mass on one
+// spring, under the mean load. It stands in for the multibody program in tests of the grains' side, and it
+// can misbehave.
 //
 //   scripted_partner [option VALUE...] body NAME STL-FILE X Y Z MOTION...  [body ...]
-// Options: scheme NAME, until T [s], out FILE.csv, n N (substeps per window when the script has `every auto`), misbehave WHAT:
+// Options: scheme NAME, until T [s], out FILE.csv, n N (substeps per window when the script has `every
+// auto`), misbehave WHAT:
 //   version      answers Hello with another protocol version          die K    kills itself in window K
 //   hang K       sleeps for ever in window K                          fail K   reports a failure in window K
 //   wrong-window K   sends the Motion of another window               not-a-number K  sends NaN in window K
 //   lose K       drops the connection in window K without a word, by MPI_Finalize and exit
 // MOTION:
-//   prescribed VX VY VZ WX WY WZ                 constant velocity of the body's origin [m/s] and angular velocity in W [rad/s]
-//   modal VX VY VZ shift|bowl RATE               constant velocity, and one mode that shifts z in B by a (shift) or a (x^2 + y^2) (bowl);
+//   prescribed VX VY VZ WX WY WZ                 constant velocity of the body's origin [m/s] and angular
+//   velocity in W [rad/s] modal VX VY VZ shift|bowl RATE               constant velocity, and one mode that
+//   shifts z in B by a (shift) or a (x^2 + y^2) (bowl);
 //                                                a = RATE t
-//   free MASS STIFFNESS VX VY VZ AX AY AZ        a mass [kg] with this initial velocity on springs [N/m] to a point that is (AX, AY, AZ)
-//                                                from its initial place; the exact motion under the window's mean force
+//   free MASS STIFFNESS VX VY VZ AX AY AZ        a mass [kg] with this initial velocity on springs [N/m] to a
+//   point that is (AX, AY, AZ)
+//                                                from its initial place; the exact motion under the window's
+//                                                mean force
 
 #include <mpi.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -47,10 +52,10 @@ struct Body {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
   Eigen::Vector3d v = Eigen::Vector3d::Zero();
   Eigen::Vector3d w = Eigen::Vector3d::Zero();
-  double mass = 0.0, stiffness = 0.0;                  // [kg], [N/m]
-  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();    // of the springs, in W [m]
-  std::string shape;                                   // of the mode
-  double rate = 0.0;                                   // da
+  double mass = 0.0, stiffness = 0.0;                // [kg], [N/m]
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();  // of the springs, in W [m]
+  std::string shape;                                 // of the mode
+  double rate = 0.0;                                 // da
   BodyMotion state;
 };
 
@@ -181,7 +186,8 @@ void misbehave(const Options& options) {
 struct Output {
   explicit Output(const std::string& path) : file(path) {
     file.precision(17);
-    file << "window,time,body,x,y,z,vx,vy,vz,fx,fy,fz,mx,my,mz,q,work,jump_work,ix,iy,iz,contacts,stiffness,overlap,particles\n";
+    file << "window,time,body,x,y,z,vx,vy,vz,fx,fy,fz,mx,my,mz,q,work,jump_work,ix,iy,iz,contacts,stiffness,"
+            "overlap,particles\n";
   }
   void row(const Motion& motion, std::size_t i, const Load& load) {
     const BodyMotion& state = motion.bodies[i];
@@ -195,8 +201,8 @@ struct Output {
     file << "," << (body.mean.Q_a.size() > 0 ? body.mean.Q_a[0] : 0.0) << "," << body.mean.work << ","
          << body.mean.jump_work;
     put(body.mean.impulse_W);
-    file << "," << body.contacts << "," << body.contact_stiffness << "," << body.max_overlap_over_radius << ","
-         << load.particles << "\n";
+    file << "," << body.contacts << "," << body.contact_stiffness << "," << body.max_overlap_over_radius
+         << "," << load.particles << "\n";
   }
   std::ofstream file;
 };
@@ -271,9 +277,9 @@ void couple(const Options& options, TransportMpi& transport, Link& link) {
   std::printf("scripted_partner: windows %lld residual %.10g initial energy %.10g\n",
               static_cast<long long>(motion.window), residual, initial_energy);
   for (const Body* body : coupled)
-    std::printf("scripted_partner: body %s at %.15g %.15g %.15g velocity %.15g %.15g %.15g\n", body->name.c_str(),
-                body->state.r[0], body->state.r[1], body->state.r[2], body->state.dr[0], body->state.dr[1],
-                body->state.dr[2]);
+    std::printf("scripted_partner: body %s at %.15g %.15g %.15g velocity %.15g %.15g %.15g\n",
+                body->name.c_str(), body->state.r[0], body->state.r[1], body->state.r[2], body->state.dr[0],
+                body->state.dr[1], body->state.dr[2]);
 }
 
 int run(int argc, char** argv, const Communicator& communicator) {
@@ -281,7 +287,8 @@ int run(int argc, char** argv, const Communicator& communicator) {
   std::unique_ptr<Link> link;
   const auto stop = [&](const std::exception& error, int code) {
     std::fprintf(stderr, "scripted_partner: ERROR: %s\n", error.what());
-    if (link && !link->fail(error.what())) abort_both_programs(code);
+    const Status status = code == kExitBadInput ? Status::kBadInput : Status::kFailed;
+    if (link && !link->fail(error.what(), status)) abort_both_programs(code);
     return code;
   };
   try {

@@ -10,7 +10,8 @@ namespace footfall::test {
 namespace {
 
 const std::string kThermo =
-    "thermo_style custom step atoms f_m[1] f_m[2] f_m[3] f_m[4] f_m[5] f_m[6]\nthermo 50\nthermo_modify norm no format float %.17g\n";
+    "thermo_style custom step atoms f_m[1] f_m[2] f_m[3] f_m[4] f_m[5] f_m[6]\nthermo 50\nthermo_modify norm "
+    "no format float %.17g\n";
 const std::string kMeshFromFile = "fix m all mesh/surface/stress file plate.stl type 2 move 0 0 0.24\n";
 const std::string kFalling = " body plate plate.stl 0 0 0.24 prescribed 0.1 -0.05 -1.0 0 0 0";
 
@@ -20,11 +21,14 @@ RunFolder plate_folder(const std::string& name) {
   return folder;
 }
 
-std::string couple(int every) { return "fix mbd all couple/mbd every " + std::to_string(every) + " mesh m plate\n"; }
+std::string couple(int every) {
+  return "fix mbd all couple/mbd every " + std::to_string(every) + " mesh m plate\n";
+}
 
 TEST(Script, SeveralRunsThatEndInMidWindowGiveTheBitsOfMoveMesh) {
   const RunFolder folder = plate_folder("several_runs");
-  const std::string runs = "run 500\nrun 33\nrun 67\nrun 50 pre no\nrun 100 every 30 NULL\n";  // windows of 7 steps
+  const std::string runs =
+      "run 500\nrun 33\nrun 67\nrun 50 pre no\nrun 100 every 30 NULL\n";  // windows of 7 steps
   const auto script = [&](const std::string& name, const std::string& mover) {
     return small_bed() + kMeshFromFile + mesh_wall() + mover + kThermo + dump_every(125, name) + runs;
   };
@@ -35,7 +39,8 @@ TEST(Script, SeveralRunsThatEndInMidWindowGiveTheBitsOfMoveMesh) {
   ASSERT_EQ(stock.exit_code, 0) << stock.text;
   ASSERT_EQ(ours.exit_code, 0) << ours.text;
   for (const char* step : {"500", "625", "750"})
-    EXPECT_TRUE(folder.read(std::string("stock.") + step) == folder.read(std::string("ours.") + step)) << "step " << step;
+    EXPECT_TRUE(folder.read(std::string("stock.") + step) == folder.read(std::string("ours.") + step))
+        << "step " << step;
   EXPECT_EQ(thermo_lines(folder.read("log.stock")), thermo_lines(folder.read("log.ours")));
   EXPECT_NE(ours.text.find("windows 108 "), std::string::npos) << ours.text;  // 107 of 7 steps and one of 1
 }
@@ -46,11 +51,14 @@ TEST(Script, TrianglesFromTheSceneAndFromAFileGiveTheSameBits) {
     return small_bed() + mesh + mesh_wall() + couple(5) + dump_every(500, name) + "run 500\n";
   };
   folder.write("in.file", script("file", kMeshFromFile));
-  folder.write("in.scene", script("scene", "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n"));
+  folder.write(
+      "in.scene",
+      script("scene", "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n"));
   ASSERT_EQ(folder.coupled(1, "-in in.file", "until 0.025 out file.csv" + kFalling).exit_code, 0);
   ASSERT_EQ(folder.coupled(1, "-in in.scene", "until 0.025 out scene.csv" + kFalling).exit_code, 0);
   EXPECT_TRUE(folder.read("file.500") == folder.read("scene.500"));
-  // mesh/surface/stress turns the force round before we hear of it, mesh/surface does not: the load is the same.
+  // mesh/surface/stress turns the force round before we hear of it, mesh/surface does not: the load is the
+  // same.
   EXPECT_EQ(folder.read("file.csv"), folder.read("scene.csv"));
   const std::vector<double> fz = Table(folder.path() / "file.csv")["fz"];
   EXPECT_GT(*std::max_element(fz.begin(), fz.end()), 100.0);
@@ -64,8 +72,8 @@ TEST(Script, AMeshFileMayHaveAnyOrderOfTrianglesAndVertices) {
   write_stl((folder.path() / "shuffled.stl").string(), shuffled);
   const std::string turning = " body plate plate.stl 0 0 0.24 prescribed 0.1 -0.05 -1.0 0.5 0.5 0.5";
   const auto last_force = [&](const std::string& file) {
-    folder.write("in", small_bed() + "fix m all mesh/surface file " + file + " type 2 move 0 0 0.24\n" + mesh_wall() + couple(5) +
-                           "run 400\n");
+    folder.write("in", small_bed() + "fix m all mesh/surface file " + file + " type 2 move 0 0 0.24\n" +
+                           mesh_wall() + couple(5) + "run 400\n");
     const Outcome outcome = folder.coupled(1, "-in in", "until 0.02 out table.csv" + turning);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
     const Table table(folder.path() / "table.csv");
@@ -73,12 +81,14 @@ TEST(Script, AMeshFileMayHaveAnyOrderOfTrianglesAndVertices) {
   };
   const Eigen::Vector3d a = last_force("plate.stl"), b = last_force("shuffled.stl");
   EXPECT_GT(a.norm(), 100.0);
-  EXPECT_LT((a - b).norm(), 1e-7 * a.norm());  // other order of sums, 400 steps of a bed that multiplies round-off
+  EXPECT_LT((a - b).norm(),
+            1e-7 * a.norm());  // other order of sums, 400 steps of a bed that multiplies round-off
 }
 
 TEST(Script, TheEndOfTheSceneEndsARunThatWantsMore) {
   const RunFolder folder = plate_folder("long");
-  folder.write("in", small_bed() + kMeshFromFile + mesh_wall() + couple(5) + kThermo + "run 1000000\nprint \"never printed\"\n");
+  folder.write("in", small_bed() + kMeshFromFile + mesh_wall() + couple(5) + kThermo +
+                         "run 1000000\nprint \"never printed\"\n");
   const Outcome outcome = folder.coupled(2, "-in in -log log", "until 0.0103" + kFalling);  // 206 steps
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   EXPECT_EQ(thermo_lines(folder.read("log")).back()[0], "206");
@@ -87,7 +97,8 @@ TEST(Script, TheEndOfTheSceneEndsARunThatWantsMore) {
 
 TEST(Script, GoesOnAfterARunThatEndsWithTheScene) {
   const RunFolder folder = plate_folder("exact");
-  folder.write("in", small_bed() + kMeshFromFile + mesh_wall() + couple(5) + "run 200\nprint \"went on\"\nwrite_restart end.restart\n");
+  folder.write("in", small_bed() + kMeshFromFile + mesh_wall() + couple(5) +
+                         "run 200\nprint \"went on\"\nwrite_restart end.restart\n");
   const Outcome outcome = folder.coupled(1, "-in in", "until 0.01" + kFalling);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("went on"), std::string::npos);
@@ -96,7 +107,8 @@ TEST(Script, GoesOnAfterARunThatEndsWithTheScene) {
 
 TEST(Script, MaySettleItsBedFirst) {
   const RunFolder folder = plate_folder("settle");
-  folder.write("in", small_bed() + "run 100\n" + kMeshFromFile + mesh_wall() + "run 100\n" + couple(5) + "run 200\n");
+  folder.write(
+      "in", small_bed() + "run 100\n" + kMeshFromFile + mesh_wall() + "run 100\n" + couple(5) + "run 200\n");
   const Outcome outcome = folder.coupled(2, "-in in", "until 0.01 out table.csv" + kFalling);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   EXPECT_EQ(Table(folder.path() / "table.csv").rows(), 40U);
@@ -104,7 +116,8 @@ TEST(Script, MaySettleItsBedFirst) {
 
 TEST(Script, MayLeaveTheWindowToThePartner) {
   const RunFolder folder = plate_folder("auto");
-  folder.write("in", small_bed() + kMeshFromFile + mesh_wall() + "fix mbd all couple/mbd every auto mesh m plate\nrun 200\n");
+  folder.write("in", small_bed() + kMeshFromFile + mesh_wall() +
+                         "fix mbd all couple/mbd every auto mesh m plate\nrun 200\n");
   const Outcome outcome = folder.coupled(1, "-in in", "until 0.01 n 8 out table.csv" + kFalling);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   EXPECT_EQ(Table(folder.path() / "table.csv").rows(), 25U);
@@ -113,8 +126,10 @@ TEST(Script, MayLeaveTheWindowToThePartner) {
 TEST(Script, ThermoShowsWhatThePartnerGets) {
   const RunFolder folder = plate_folder("thermo");
   folder.write("in", small_bed() + kMeshFromFile + mesh_wall() + couple(50) +
-                         "thermo_style custom step atoms f_mbd[1] f_mbd[2] f_mbd[3] f_mbd[4] f_mbd[5] f_mbd[1][1] f_mbd[1][2] f_mbd[1][3] "
-                         "f_mbd[1][4] f_mbd[1][5] f_mbd[1][6]\nthermo 50\nthermo_modify norm no format float %.17g\nrun 500\n");
+                         "thermo_style custom step atoms f_mbd[1] f_mbd[2] f_mbd[3] f_mbd[4] f_mbd[5] "
+                         "f_mbd[1][1] f_mbd[1][2] f_mbd[1][3] "
+                         "f_mbd[1][4] f_mbd[1][5] f_mbd[1][6]\nthermo 50\nthermo_modify norm no format float "
+                         "%.17g\nrun 500\n");
   const Outcome outcome = folder.coupled(2, "-in in -log log", "until 0.025 out table.csv" + kFalling);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
   const Table table(folder.path() / "table.csv");
@@ -138,7 +153,8 @@ TEST(Script, ThermoShowsWhatThePartnerGets) {
 }
 
 TEST(Script, PeriodicBoxesKeepImagesOfAMeshWhereTheyAre) {
-  // A plate that slides out of the box at x = 0.3 and in again at x = -0.3 presses on a periodic carpet as one that stays inside.
+  // A plate that slides out of the box at x = 0.3 and in again at x = -0.3 presses on a periodic carpet as
+  // one that stays inside.
   const auto force = [](const std::string& name, double place) {
     const RunFolder folder("scripts_periodic_" + name);
     write_stl((folder.path() / "plate.stl").string(), box({0.1, 0.3, 0.02}, 3));
@@ -148,12 +164,15 @@ TEST(Script, PeriodicBoxesKeepImagesOfAMeshWhereTheyAre) {
     for (int i = -6; i < 6; ++i)
       for (int j = -4; j <= 4; ++j)
         grains << "create_atoms 1 single " << 0.05 * i + 0.0125 << " " << 0.05 * j << " 0 units box\n";
-    folder.write("in", head + grains.str() +
-                           "set group all diameter 0.04 density 2600\nfix hold all spring/self 4000\nfix integr all nve/sphere\n"
-                           "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n" +
-                           mesh_wall() + "fix mbd all couple/mbd every 10 mesh m plate\nrun 400\n");
+    folder.write("in",
+                 head + grains.str() +
+                     "set group all diameter 0.04 density 2600\nfix hold all spring/self 4000\nfix integr "
+                     "all nve/sphere\n"
+                     "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n" +
+                     mesh_wall() + "fix mbd all couple/mbd every 10 mesh m plate\nrun 400\n");
     std::ostringstream partner;
-    partner << "until 0.02 out table.csv body plate plate.stl " << place << " 0 0.031 prescribed 5 0 -0.1 0 0.3 0";
+    partner << "until 0.02 out table.csv body plate plate.stl " << place
+            << " 0 0.031 prescribed 5 0 -0.1 0 0.3 0";
     const Outcome outcome = folder.coupled(2, "-in in", partner.str());
     EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
     const Table table(folder.path() / "table.csv");

@@ -45,13 +45,15 @@ inline void write_stl(const std::string& path, const Surface& surface) {
   for (const Eigen::Vector3i& t : surface.triangles) {
     out << " facet normal 0 0 1\n  outer loop\n";
     for (const int j : t)
-      out << "   vertex " << surface.nodes(0, j) << " " << surface.nodes(1, j) << " " << surface.nodes(2, j) << "\n";
+      out << "   vertex " << surface.nodes(0, j) << " " << surface.nodes(1, j) << " " << surface.nodes(2, j)
+          << "\n";
     out << "  endloop\n endfacet\n";
   }
   out << "endsolid body\n";
 }
 
-// Closed box of the given edges [m] around the origin, each face cut into cells x cells squares of two triangles.
+// Closed box of the given edges [m] around the origin, each face cut into cells x cells squares of two
+// triangles.
 inline Surface box(const Eigen::Vector3d& edges, int cells) {
   Surface surface;
   std::vector<Eigen::Vector3d> nodes;

@@ -1,5 +1,6 @@
 #pragma once
-// The two-mass oscillator of theory, coupling: a body on a spring, a grain on a spring, a linear contact spring between them.
+// The two-mass oscillator of theory, coupling: a body on a spring, a grain on a spring, a linear contact
+// spring between them.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -7,13 +8,14 @@
 namespace footfall::test {
 
 struct TwoMass {
-  static constexpr double M = 10.0, K = 1e4;             // body [kg], its spring [N/m]
-  static constexpr double m = 1.0, kp = 2e4, kc = 3e4;   // grain [kg], its spring, contact spring [N/m]
+  static constexpr double M = 10.0, K = 1e4;            // body [kg], its spring [N/m]
+  static constexpr double m = 1.0, kp = 2e4, kc = 3e4;  // grain [kg], its spring, contact spring [N/m]
 
   // y = (X, V, x, v) of body and grain.
   static Eigen::Vector4d initial() { return {0.01, 0.5, 0.0, 0.0}; }
   static double energy(const Eigen::Vector4d& y) {
-    return 0.5 * (M * y[1] * y[1] + K * y[0] * y[0] + m * y[3] * y[3] + kp * y[2] * y[2] + kc * std::pow(y[0] - y[2], 2));
+    return 0.5 * (M * y[1] * y[1] + K * y[0] * y[0] + m * y[3] * y[3] + kp * y[2] * y[2] +
+                  kc * std::pow(y[0] - y[2], 2));
   }
   // State after t, by the exponential of the system matrix in normal modes (exact to round-off).
   static Eigen::Vector4d exact(double t) {
@@ -23,8 +25,10 @@ struct TwoMass {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(D);
     const Eigen::Vector2d scale(std::sqrt(M), std::sqrt(m));
     const Eigen::Vector4d y = initial();
-    const Eigen::Vector2d p = modes.eigenvectors().transpose() * Eigen::Vector2d(scale[0] * y[0], scale[1] * y[2]);
-    const Eigen::Vector2d q = modes.eigenvectors().transpose() * Eigen::Vector2d(scale[0] * y[1], scale[1] * y[3]);
+    const Eigen::Vector2d p =
+        modes.eigenvectors().transpose() * Eigen::Vector2d(scale[0] * y[0], scale[1] * y[2]);
+    const Eigen::Vector2d q =
+        modes.eigenvectors().transpose() * Eigen::Vector2d(scale[0] * y[1], scale[1] * y[3]);
     Eigen::Vector2d position, velocity;
     for (int k = 0; k < 2; ++k) {
       const double om = std::sqrt(modes.eigenvalues()[k]);

@@ -1,5 +1,6 @@
-// The whole exchange without MPI and LIGGGHTS: the grains' side is the real DemLink around one grain under velocity Verlet, the body's side
-// integrates exactly under the mean load. theory: coupling, "Check with the two-mass oscillator".
+// The whole exchange without MPI and LIGGGHTS: the grains' side is the real DemLink around one grain under
+// velocity Verlet, the body's side integrates exactly under the mean load. theory: coupling, "Check with the
+// two-mass oscillator".
 
 #include <gtest/gtest.h>
 
@@ -91,7 +92,8 @@ void body_side(Transport& transport, const std::string& scheme, double T, double
     link.receive(load);
     const MeanLoad& mean = load.bodies[0].mean;
     result.largest_impulse_error =
-        std::max(result.largest_impulse_error, (mean.F_W * H - mean.impulse_W).norm() / (mean.impulse_W.norm() + 1e-300));
+        std::max(result.largest_impulse_error,
+                 (mean.F_W * H - mean.impulse_W).norm() / (mean.impulse_W.norm() + 1e-300));
     const double F = mean.F_W[0], X = state.r[0], V = state.dr[0], rest = F / TwoMass::K;
     state.r[0] = rest + (X - rest) * c + V / om * s;
     state.dr[0] = -(X - rest) * om * s + V * c;
@@ -107,13 +109,15 @@ Result run(const std::string& scheme, double H, double dt, double T, double damp
   auto [dem_end, mbd_end] = TransportLoopback::make_pair();
   Result result;
   Transport& dem_transport = *dem_end;
-  std::thread grains([&] { grain_side(dem_transport, dt, static_cast<int>(std::lround(H / dt)), damping, result); });
+  std::thread grains(
+      [&] { grain_side(dem_transport, dt, static_cast<int>(std::lround(H / dt)), damping, result); });
   body_side(*mbd_end, scheme, T, damping, result);
   grains.join();
   return result;
 }
 
-constexpr double kFineDt = 3.125e-6;  // Verlet's own error is then below 1e-5: (omega dt)^2 / 24 over 7 periods
+constexpr double kFineDt =
+    3.125e-6;  // Verlet's own error is then below 1e-5: (omega dt)^2 / 24 over 7 periods
 double error_at(const std::string& scheme, double H) {
   return TwoMass::error(run(scheme, H, kFineDt, 0.2).state, TwoMass::exact(0.2));
 }
@@ -124,11 +128,17 @@ double observed_order(const std::string& scheme, double H) {
   return std::log2(coarse / fine);
 }
 
-TEST(TwoMassOscillator, CssTrapezoidIsOfSecondOrder) { EXPECT_GE(observed_order("css-trapezoid", 1e-3), 1.9); }
+TEST(TwoMassOscillator, CssTrapezoidIsOfSecondOrder) {
+  EXPECT_GE(observed_order("css-trapezoid", 1e-3), 1.9);
+}
 
-TEST(TwoMassOscillator, QuadraticIsOfSecondOrderOrMore) { EXPECT_GE(observed_order("quadratic", 1e-3), 1.9); }
+TEST(TwoMassOscillator, QuadraticIsOfSecondOrderOrMore) {
+  EXPECT_GE(observed_order("quadratic", 1e-3), 1.9);
+}
 
-TEST(TwoMassOscillator, FrozenIsOfFirstOrder) { EXPECT_NEAR(observed_order("frozen", 1e-3), 1.0, 0.1); }
+TEST(TwoMassOscillator, FrozenIsOfFirstOrder) {
+  EXPECT_NEAR(observed_order("frozen", 1e-3), 1.0, 0.1);
+}
 
 TEST(TwoMassOscillator, CssKeepsAFloorOfTheSubstep) {
   // The end step counts whole: a shift of dt / 2 in time, so at a fixed dt the error stops falling with H.
@@ -141,7 +151,8 @@ TEST(TwoMassOscillator, CssKeepsAFloorOfTheSubstep) {
 }
 
 TEST(TwoMassOscillator, ContactDampingKeepsTheOrderOnTheContinuousPath) {
-  // Reference: the same damped system at a window 16 times as fine. The prediction's own velocity would give first order.
+  // Reference: the same damped system at a window 16 times as fine. The prediction's own velocity would give
+  // first order.
   const auto at = [](double H) { return run("css-trapezoid", H, kFineDt, 0.1, 100.0).state; };
   const Eigen::Vector4d reference = at(1e-3 / 16);
   const double coarse = TwoMass::error(at(2e-3), reference), fine = TwoMass::error(at(1e-3), reference);
@@ -150,7 +161,8 @@ TEST(TwoMassOscillator, ContactDampingKeepsTheOrderOnTheContinuousPath) {
 }
 
 double energy_after_5_s(const std::string& scheme) {
-  const double ratio = TwoMass::energy(run(scheme, 1e-3, 5e-5, 5.0).state) / TwoMass::energy(TwoMass::initial());
+  const double ratio =
+      TwoMass::energy(run(scheme, 1e-3, 5e-5, 5.0).state) / TwoMass::energy(TwoMass::initial());
   std::printf("%s: energy after 5 s %.4f of the initial\n", scheme.c_str(), ratio);
   return ratio;
 }
@@ -160,14 +172,16 @@ TEST(TwoMassOscillator, EnergyIsKeptWithinTwoPercentForFiveSeconds) {
 }
 
 TEST(TwoMassOscillator, QuadraticLosesALittleEnergyAndNeverGains) {
-  // abs(lambda)^2 = 1 - w^4 / 12 per window, w = 0.21 for the faster mode, and the acceleration sent lags by half a window.
+  // abs(lambda)^2 = 1 - w^4 / 12 per window, w = 0.21 for the faster mode, and the acceleration sent lags by
+  // half a window.
   const double ratio = energy_after_5_s("quadratic");
   EXPECT_LE(ratio, 1.0);
   EXPECT_GT(ratio, 0.95);
 }
 
 TEST(TwoMassOscillator, FrozenBoundaryPumpsEnergyAsPredicted) {
-  // theory: 40 to 56 times after 5 s at H = 1 ms; amplification 1 + w^2 / 2 per window summed over both modes.
+  // theory: 40 to 56 times after 5 s at H = 1 ms; amplification 1 + w^2 / 2 per window summed over both
+  // modes.
   const double ratio = energy_after_5_s("frozen");
   EXPECT_GT(ratio, 20.0);
   EXPECT_LT(ratio, 80.0);
@@ -179,7 +193,8 @@ TEST(TwoMassOscillator, QuadraticInterfaceResidualFallsFasterThanItsSquare) {
     return std::abs(result.given - result.received) / TwoMass::energy(TwoMass::initial());
   };
   const double coarse = residual(2e-3), fine = residual(1e-3);
-  std::printf("quadratic: interface residual %.3g, %.3g of the energy: order %.2f\n", coarse, fine, std::log2(coarse / fine));
+  std::printf("quadratic: interface residual %.3g, %.3g of the energy: order %.2f\n", coarse, fine,
+              std::log2(coarse / fine));
   EXPECT_GE(std::log2(coarse / fine), 2.0);
 }
 

@@ -94,7 +94,8 @@ TEST(Link, InterruptionIsNotFailure) {
   Pair pair;
   std::thread dem([&] { pair.dem.fail("stopped by hand", Status::kInterrupted); });
   Load load;
-  EXPECT_EQ(message_of<PartnerError>([&] { pair.mbd.receive(load); }), "liggghts_mbd was interrupted: stopped by hand");
+  EXPECT_EQ(message_of<PartnerError>([&] { pair.mbd.receive(load); }),
+            "liggghts_mbd was interrupted: stopped by hand");
   dem.join();
   EXPECT_EQ(pair.mbd.partner_status(), Status::kInterrupted);
 }
@@ -112,7 +113,8 @@ TEST(Link, UnexpectedMessageIsNamed) {
   Pair pair;
   pair.dem.send(Start{});
   Load load;
-  EXPECT_EQ(message_of<ProtocolError>([&] { pair.mbd.receive(load); }), "liggghts_mbd sent Start where Load was expected");
+  EXPECT_EQ(message_of<ProtocolError>([&] { pair.mbd.receive(load); }),
+            "liggghts_mbd sent Start where Load was expected");
 }
 
 TEST(Link, SilentPartnerIsGivenUp) {

@@ -22,7 +22,11 @@ GeneralizedForce random_force(Random& random, int modes) {
 // One window on a random path under the forces Q_0 (standing), Q_1 .. Q_n.
 struct Window {
   Window(const std::string& scheme_name, int modes, unsigned seed)
-      : scheme(make_scheme(scheme_name)), random(seed), start(random.motion(modes)), path(*scheme, start), average(*scheme, modes) {
+      : scheme(make_scheme(scheme_name)),
+        random(seed),
+        start(random.motion(modes)),
+        path(*scheme, start),
+        average(*scheme, modes) {
     for (int i = 0; i <= n; ++i) forces.push_back(random_force(random, modes));
   }
   const MeanLoad& run(double factor = 1.0) {
@@ -68,7 +72,8 @@ TEST(LoadAverage, CssIsTheMeanOfSteps1ToN) {
 }
 
 TEST(LoadAverage, WorkIsForceTimesWay) {
-  // A constant force and moment in B on a turning, deforming body: work = F.dr + T_B.theta_B + Q.da, whatever the substeps.
+  // A constant force and moment in B on a turning, deforming body: work = F.dr + T_B.theta_B + Q.da, whatever
+  // the substeps.
   const std::unique_ptr<Scheme> scheme = make_scheme("css-trapezoid");
   Random random(33);
   BodyMotion start = random.motion(1);
@@ -97,7 +102,8 @@ TEST(LoadAverage, WorkIsForceTimesWay) {
 }
 
 TEST(LoadAverage, MomentThatTurnsWithTheBodyDoesNotDependOnTheWindow) {
-  // theory, wrench frame. In W the mean of this moment over a turn of 0.4 rad would be shorter by sin(0.2) / 0.2.
+  // theory, wrench frame. In W the mean of this moment over a turn of 0.4 rad would be shorter by sin(0.2) /
+  // 0.2.
   Random random(34);
   const std::unique_ptr<Scheme> scheme = make_scheme("css-trapezoid");
   BodyMotion start = random.motion(0);

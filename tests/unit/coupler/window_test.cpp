@@ -181,7 +181,8 @@ TEST(Scheme, UnknownNameIsRefusedAndTheKnownOnesAreNamed) {
 }
 
 TEST(Scheme, QuadraticPredictionIsThirdOrderInPositionOfASmoothMotion) {
-  // Circle of radius 1 with the body turning along: error of r in tau^3 / 6, of the turn in zero (constant w).
+  // Circle of radius 1 with the body turning along: error of r in tau^3 / 6, of the turn in zero (constant
+  // w).
   const std::unique_ptr<Scheme> scheme = make_scheme("quadratic");
   const auto exact = [](double t, BodyMotion& m) {
     m.r = {std::cos(t), std::sin(t), 0.0};

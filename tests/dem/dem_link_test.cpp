@@ -1,0 +1,204 @@
+// The order of events on the grains' side, without MPI and LIGGGHTS.
+
+#include "liggghts_fix/dem_link.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "coupler/transport_loopback.h"
+
+namespace footfall {
+namespace {
+
+ModalBoundary unit_boundary(const std::string& name) {
+  Eigen::Matrix3Xd rho0(3, 3);
+  rho0 << 0, 1, 0, 0, 0, 1, 0, 0, 0;
+  return ModalBoundary(name, rho0, {{0, 1, 2}});
+}
+
+// The multibody side of a test runs on a thread of its own.
+struct Pair {
+  Pair()
+      : ends(TransportLoopback::make_pair()),
+        dem_link(*ends.first, 10.0),
+        mbd(*ends.second, 10.0),
+        dem(&dem_link) {}
+  ~Pair() {
+    if (partner.joinable()) partner.join();
+  }
+  void answer_hello(std::vector<std::string> names) {
+    Hello hello;
+    mbd.receive(hello);
+    Geometry geometry;
+    for (const std::string& name : names) geometry.bodies.push_back({unit_boundary(name), BodyMotion()});
+    mbd.send(geometry);
+  }
+  void accept(double t_end) {
+    mbd.receive(start);
+    Accept answer;
+    answer.scheme = "css-trapezoid";
+    answer.t_end = t_end;
+    mbd.send(answer);
+  }
+  std::pair<std::unique_ptr<TransportLoopback>, std::unique_ptr<TransportLoopback>> ends;
+  Link dem_link, mbd;
+  DemLink dem;
+  Start start;
+  std::thread partner;
+};
+
+template <class Error, class Action>
+std::string message_of(Action action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return "";
+}
+
+TEST(DemLink, WithoutAPartnerEveryUseIsRefused) {
+  DemLink alone(nullptr);
+  EXPECT_NE(message_of<InputError>([&] { alone.couple("pad", "si"); }).find("mpirun -np N liggghts_mbd"),
+            std::string::npos);
+  EXPECT_NO_THROW(alone.script_ended());  // it is plain LIGGGHTS
+}
+
+TEST(DemLink, GuessesTheNameThatWasMeant) {
+  Pair pair;
+  pair.partner = std::thread([&] { pair.answer_hello({"leg_1_pad", "cabin"}); });
+  const std::string said = message_of<InputError>([&] { pair.dem.couple("leg1_pad", "si"); });
+  EXPECT_NE(said.find("Known bodies: leg_1_pad, cabin. Did you mean \"leg_1_pad\"?"), std::string::npos);
+  EXPECT_EQ(message_of<InputError>([&] { pair.dem.couple("xyz", "si"); }).find("Did you mean"),
+            std::string::npos);
+}
+
+TEST(DemLink, StartNamesTheBodiesInTheScriptsOrder) {
+  Pair pair;
+  pair.partner = std::thread([&] {
+    pair.answer_hello({"a", "b", "c"});
+    pair.accept(1.0);
+  });
+  EXPECT_EQ(pair.dem.couple("c", "si"), 0);
+  EXPECT_EQ(pair.dem.couple("a", "si"), 1);
+  EXPECT_EQ(pair.dem.couple("c", "si"), 0);
+  pair.dem.start(1e-4, 5, 100);
+  pair.partner.join();
+  EXPECT_EQ(pair.start.bodies, (std::vector<std::string>{"c", "a"}));
+  EXPECT_EQ(pair.start.dt, 1e-4);
+  EXPECT_EQ(pair.start.n, 5);
+  EXPECT_EQ(pair.start.step, 100);
+  EXPECT_NO_THROW(pair.dem.start(1e-4, 5, 200));
+  EXPECT_THROW(pair.dem.start(2e-4, 5, 200), InputError);
+  EXPECT_THROW(pair.dem.couple("b", "si"), InputError);
+}
+
+TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
+  // Force 8 N at set-up, 2 N after the only substep: the mean under velocity Verlet is 5 N.
+  Pair pair;
+  Load load;
+  pair.partner = std::thread([&] {
+    pair.answer_hello({"pad"});
+    pair.accept(1e-4);
+    Motion motion;
+    motion.n = 1;
+    motion.last_window = true;
+    motion.bodies.resize(1);
+    pair.mbd.send(motion);
+    pair.mbd.receive(load);
+    pair.mbd.close();
+  });
+  pair.dem.couple("pad", "si");
+  pair.dem.start(1e-4, 1, 0);
+  const auto push = [&](double f) {
+    pair.dem.body(0).add_contact({{0, 1, 2}, {1, 0, 0}}, {0, 0, f}, Eigen::Vector3d::Zero(), 0.01 * f, 100.0);
+  };
+  push(1000.0);  // of nobody's concern: before the set-up
+  pair.dem.expect_set_up();
+  push(8.0);
+  pair.dem.begin_substep(1);
+  pair.dem.begin_substep(1);  // a second fix of the same step changes nothing
+  EXPECT_TRUE(pair.dem.in_last_substep());
+  push(2.0);
+  ASSERT_TRUE(pair.dem.end_substep());
+  std::vector<double> sums;
+  pair.dem.write_sums(sums);
+  std::vector<double> both = sums;  // two ranks with the same forces
+  both.insert(both.end(), sums.begin(), sums.end());
+  pair.dem.finish_window(both, 2, 77);
+  pair.partner.join();
+  EXPECT_TRUE(pair.dem.finished());
+  EXPECT_DOUBLE_EQ(load.bodies[0].mean.F_W[2], 10.0);
+  EXPECT_EQ(load.bodies[0].contacts, 2);
+  EXPECT_DOUBLE_EQ(load.bodies[0].max_overlap_over_radius, 0.02);  // the set-up belongs to the window before
+  EXPECT_DOUBLE_EQ(load.bodies[0].contact_stiffness, 200.0);
+  EXPECT_EQ(load.particles, 77);
+  EXPECT_NO_THROW(pair.dem.script_ended());
+  EXPECT_THROW(pair.dem.begin_substep(2), InputError);
+}
+
+TEST(DemLink, AScriptThatEndsTooEarlySaysWhenAndHowManyStepsAreNeeded) {
+  Pair pair;
+  std::string heard;
+  pair.partner = std::thread([&] {
+    pair.answer_hello({"pad"});
+    pair.accept(1e-2);
+    Motion motion;
+    motion.n = 10;
+    motion.bodies.resize(1);
+    pair.mbd.send(motion);
+    Load load;
+    heard = message_of<ProtocolError>([&] { pair.mbd.receive(load); });  // bad input on one side is bad input on both
+  });
+  pair.dem.couple("pad", "si");
+  pair.dem.start(1e-4, 10, 0);
+  pair.dem.expect_set_up();
+  for (int step = 1; step <= 4; ++step) {
+    pair.dem.begin_substep(step);
+    EXPECT_FALSE(pair.dem.end_substep());
+  }
+  const std::string said = message_of<InputError>([&] { pair.dem.script_ended(); });
+  pair.partner.join();
+  EXPECT_NE(said.find("ended at t = 0.0004 s, before the end of the scene at t = 0.01 s. `run` at least 100 "
+                      "steps in all"),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(heard, "liggghts_mbd stopped: " + said);
+}
+
+TEST(DemLink, AnInterruptedScriptIsNoFailure) {
+  Pair pair;
+  pair.partner = std::thread([&] {
+    pair.answer_hello({"pad"});
+    EXPECT_THROW(pair.accept(1.0), PartnerError);
+  });
+  pair.dem.couple("pad", "si");
+  EXPECT_TRUE(pair.dem.fail("stopped by hand", Status::kInterrupted));
+  EXPECT_NO_THROW(pair.dem.script_ended());  // there is nothing left to say
+  pair.partner.join();
+  EXPECT_EQ(pair.mbd.partner_status(), Status::kInterrupted);
+}
+
+TEST(DemLink, RefusesAMotionOfAnotherShape) {
+  for (int wrong = 0; wrong < 4; ++wrong) {
+    Pair pair;
+    pair.partner = std::thread([&] {
+      pair.answer_hello({"pad"});
+      pair.accept(1.0);
+      Motion motion;
+      motion.n = wrong == 0 ? 11 : wrong == 1 ? 0 : 10;
+      motion.bodies.resize(wrong == 2 ? 2 : 1);
+      if (wrong == 3) motion.bodies[0].resize(2);
+      pair.mbd.send(motion);
+    });
+    pair.dem.couple("pad", "si");
+    pair.dem.start(1e-4, 10, 0);
+    pair.dem.expect_set_up();
+    EXPECT_THROW(pair.dem.begin_substep(1), ProtocolError) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace footfall
