@@ -10,6 +10,7 @@
 #include "mbd_solver/cli/child.h"
 #include "mbd_solver/cli/programs.h"
 #include "mbd_solver/cli/run_command.h"
+#include "mbd_solver/cli/surfaces_command.h"
 
 using namespace footfall;
 
@@ -44,6 +45,14 @@ void add_check(CLI::App& app, RunArguments& a, std::function<int()>& action) {
   check->callback([&] { action = [&a] { return check_command(a.scene, a.settings); }; });
 }
 
+void add_surfaces(CLI::App& app, RunArguments& a, std::function<int()>& action) {
+  CLI::App* surfaces = app.add_subcommand("surfaces", "Draw the control surfaces of a scene's fuzzy controllers");
+  surfaces->add_option("SCENE", a.scene, "Scene file, or folder with scene.toml")->capture_default_str();
+  surfaces->add_option("--out", a.out, "Folder for the pictures (default: runs/surfaces)");
+  surfaces->add_option("--set", a.settings, "key=value: change one value of the scene")->allow_extra_args(false);
+  surfaces->callback([&] { action = [&a] { return surfaces_command(a.scene, a.settings, a.out.empty() ? "runs/surfaces" : a.out); }; });
+}
+
 void add_test(CLI::App& app, std::string& label, std::function<int()>& action) {
   CLI::App* test = app.add_subcommand("test", "Run the tests of this build (./footfall test builds them first)");
   test->add_option("-L,--label", label, "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example");
@@ -69,6 +78,7 @@ int main(int argc, char** argv) {
   std::function<int()> action;
   add_run(app, arguments, action);
   add_check(app, arguments, action);
+  add_surfaces(app, arguments, action);
   add_test(app, label, action);
   try {
     app.parse(argc, argv);

@@ -4,8 +4,7 @@
 #include <filesystem>
 
 #include "coupler/errors.h"
-#include "mbd_solver/cli/child.h"
-#include "mbd_solver/cli/programs.h"
+#include "mbd_solver/cli/gnuplot.h"
 #include "mbd_solver/output/plots.h"
 #include "mbd_solver/output/summary.h"
 
@@ -76,25 +75,17 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
 
 std::vector<std::string> make_pictures(const std::string& out) {
   const fs::path plots = fs::path(out) / "plots";
-  std::vector<std::string> pictures;
   try {
     const Json summary = read_summary((fs::path(out) / "summary.json").string());
     const std::string title = summary.contains("scene") ? summary["scene"].value("title", "") : "";
     const History history = read_history((fs::path(out) / "history.csv").string());
     const std::vector<std::string> scripts =
         write_plot_scripts(plots.string(), standard_figures(history, summary.value("observed_body", "")), title);
-    if (scripts.empty()) return pictures;
-    Command command{{"gnuplot"}, {}, "gnuplot.log", plots.string()};
-    command.words.insert(command.words.end(), scripts.begin(), scripts.end());
-    const ChildEnd end = run_child(command);
-    if (end.code != 0) throw InputError("gnuplot ended with code " + std::to_string(end.code) + "; see " + (plots / "gnuplot.log").string());
-    for (const std::string& script : scripts) {
-      pictures.push_back((plots / fs::path(script).replace_extension(".png")).string());
-    }
+    return run_gnuplot(plots.string(), scripts);
   } catch (const InputError& e) {
     std::fprintf(stderr, "footfall: warning: no pictures: %s\n", e.what());
   }
-  return pictures;
+  return {};
 }
 
 }  // namespace footfall

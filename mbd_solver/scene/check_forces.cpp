@@ -105,7 +105,7 @@ void check_springs(const Scene& scene, Findings& findings) {
     if (bushing && !spring.source.given("point")) findings.error(spring.source, "point", "is missing; a bushing sits at it");
     const std::pair<const char*, bool> keys[] = {{"axis", torsion}, {"rest_angle", torsion}, {"point", bushing}, {"turning_stiffness", bushing}, {"turning_damping", bushing}};
     for (const auto& [key, used] : keys) {
-      if (!used && spring.source.given(key)) findings.error(spring.source, key, "means nothing for this kind of spring; leave it out");
+      if (!used && spring.source.written_together("kind", key)) findings.error(spring.source, key, "means nothing for this kind of spring; leave it out");
     }
     if (spring.stiffness + spring.damping + spring.turning_stiffness + spring.turning_damping == 0.0)
       findings.error(spring.source, "", "has neither stiffness nor damping");
@@ -126,7 +126,7 @@ void check_controllers(const Scene& scene, Findings& findings) {
     const std::pair<const char*, bool> keys[] = {{"voltages", constant}, {"file", fuzzy}, {"tabulated", fuzzy}, {"grid", fuzzy}, {"filter_frequency", fuzzy || pid},
                                                  {"on", skyhook}, {"off", skyhook}, {"deadband", skyhook}, {"set_point", pid}, {"kp", pid}, {"ki", pid}, {"kd", pid}, {"bias", pid}};
     for (const auto& [key, used] : keys) {
-      if (!used && c.source.given(key)) findings.warning(c.source, key, "means nothing for this kind of controller and is not used");
+      if (!used && c.source.written_together("kind", key)) findings.warning(c.source, key, "means nothing for this kind of controller and is not used");
     }
     if (fuzzy && c.file.empty()) findings.error(c.source, "file", "is missing; a fuzzy controller is read from an .fll file");
     if (constant && c.voltages.size() != 1 && c.voltages.size() != c.outputs.size())

@@ -15,6 +15,8 @@ struct Source {
   // Line of a key, or of the nearest key around it that was given.
   int line_of(const std::string& key) const;
   bool given(const std::string& key) const { return lines.count(key) > 0; }
+  // Both keys stand in the scene file itself. Where one came from --set or from a base, what the other says may be left over on purpose.
+  bool written_together(const std::string& a, const std::string& b) const { return given(a) && given(b) && lines.at(a) > 0 && lines.at(b) > 0; }
 };
 
 }  // namespace footfall

@@ -73,6 +73,17 @@ TEST(SceneCheck, ControllersAreFoundByTheirOutput) {
   EXPECT_THAT(text.findings(strut("brain.U2") + controller), HasSubstr("there is no controller output \"brain.U2\". Known outputs: brain.U1."));
 }
 
+// A scene compares controllers by changing the kind alone: what the other kind needs is left over without a word. Written down beside
+// a kind that does not use it, a key is worth a warning.
+TEST(SceneCheck, KeysOfAnotherKindAreWarnedOfUnlessTheKindWasSet) {
+  const SceneText text;
+  const std::string controller = kPendulum + "[[controllers]]\nname = \"brain\"\nkind = \"skyhook\"\nbody = \"bob\"\noutputs = [\"U1\"]\ndeadband = 0.1\n";
+  EXPECT_EQ(text.read(controller, {"controllers.brain.kind=constant"}).warnings, std::vector<std::string>());
+  const Scene warned = text.read(controller + "kp = 1\n");
+  ASSERT_EQ(warned.warnings.size(), 1u);
+  EXPECT_THAT(warned.warnings[0], HasSubstr("scene.toml:19: controllers.brain.kp: means nothing for this kind of controller"));
+}
+
 TEST(SceneCheck, GroundNeedsItsSectionAndSomethingThatTouchesIt) {
   const SceneText text;
   EXPECT_THAT(text.findings(kPendulum + "[ground]\nkind = \"plane\"\n"), HasSubstr("ground.plane: is missing"));
