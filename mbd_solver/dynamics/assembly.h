@@ -21,8 +21,7 @@ struct Assembly {
   std::vector<std::string>
       notes;                 // one per joint with left-out conditions, naming the joints they follow from
   double largest_gap = 0.0;  // before closing [m or rad]
-  double largest_speed_change =
-      0.0;  // largest change of a velocity coordinate by the projection [m/s or rad/s]
+  double largest_speed_change = 0.0;  // largest change by the projection [m/s or rad/s]
 };
 
 // Throws InputError: `joint "hinge_3": gap of 0.012 m ...` when a joint is far from closed; when conditions

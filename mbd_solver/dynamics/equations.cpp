@@ -63,6 +63,8 @@ ElementInput Equations::element_input(int force, const State& state, const Input
 }
 
 void Equations::demand_fitting(const Inputs& inputs) const {
+  for (int i = 0; i < model_.force_count(); ++i)
+    FOOTFALL_DEMAND(inputs.voltages.size() >= model_.force(i).voltage_count());
   if (inputs.loads.empty()) return;
   FOOTFALL_DEMAND(static_cast<int>(inputs.loads.size()) == model_.body_count());
   for (int i = 0; i < model_.body_count(); ++i) {

@@ -1,6 +1,5 @@
 #pragma once
-// The equations of motion as an implicit differential-algebraic system F(t, y, dy/dt) = 0, index 1 (theory
-// 1):
+// The equations of motion as an implicit differential-algebraic system F(t, y, dy/dt) = 0, index 1:
 //   y = [q; v; z; lambda]
 //   F_q      = dq - N(q) v
 //   F_v      = M(q) dv + h(q, v) + Phi_v^T lambda - Q(t, q, v, z)
@@ -50,16 +49,16 @@ class Equations {
   const Eigen::SparseMatrix<double>& jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                               const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
                                               const Inputs& inputs);
-  const Eigen::SparseMatrix<double>& jacobian_pattern()
-      const;  // the same matrix, whatever its values are now
+  // The same matrix, whatever its values are now.
+  const Eigen::SparseMatrix<double>& jacobian_pattern() const;
   // The same with the rows F_q and the columns q eliminated by c dq = N dv + (dN v) (exact for the step of a
   // one-step method): square in [v; z; lambda], a quarter of the work to factor.
   const Eigen::SparseMatrix<double>& reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                                       const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
                                                       const Inputs& inputs);
   const Eigen::SparseMatrix<double>& reduced_pattern() const;
-  // out -= d[F_v; F_z; F_lambda]/dx dx, with the derivatives of the last Jacobian. dx as v; out as [v; z;
-  // lambda].
+  // out -= d[F_v; F_z; F_lambda]/dx dx, with the derivatives of the last Jacobian.
+  // dx as v; out as [v; z; lambda].
   void subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> out) const;
   // dF/dydot * x at (t, y): what an error estimate is filtered with.
   void apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x,
@@ -71,8 +70,8 @@ class Equations {
   void accelerations(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> ydot_and_lambda);
 
   // Removes the drift of Phi and Phi' by the Moore-Penrose inverse of Phi_v in the metric of the mass matrix:
-  //   dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T)^+ Phi, repeated to round-off; the same for v. Quaternions are
-  //   normalised.
+  //   dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T)^+ Phi, repeated to round-off; the same for v.
+  // Quaternions are normalised.
   // Drift below 1e-10 m (and 2e-9 m/s) is left alone.
   struct Drift {
     double position = 0.0;  // largest |phi| before [m or rad]

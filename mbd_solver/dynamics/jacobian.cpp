@@ -1,9 +1,9 @@
 // Jacobians of the equations of motion. Joints, force elements and bodies give derivatives by increments dx =
 // [dr; dtheta; da] and by velocities; they are gathered once over [v; z; lambda] (Workspace::lower,
 // Workspace::stiffness), and then
-//   full:     columns of q = stiffness chained by dtheta = (2 R(L) / |L|^2) dL, with the rows of dq - N v on
-//   top; reduced:  q eliminated by dq = N v at the rate c:  dx = T dv,  T = diag(1/c, (c I + w~/2) / (c^2 +
-//   |w|^2 / 4), 1/c).
+//   full:     columns of q = stiffness chained by dtheta = (2 R(L) / |L|^2) dL, rows of dq - N v on top;
+//   reduced:  q eliminated by dq = N v at the rate c:
+//             dx = T dv,  T = diag(1/c, (c I + w~/2) / (c^2 + |w|^2 / 4), 1/c).
 
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/dynamics/workspace.h"

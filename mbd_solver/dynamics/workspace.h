@@ -44,10 +44,9 @@ struct Equations::Workspace {
   Eigen::MatrixXd K, D, M;                   // local matrices of the largest pair or body
   Eigen::VectorXd empty;
 
-  // Derivatives of the lower rows F_v, F_z, F_lambda, in one pattern over [v; z; lambda] with two value
-  // arrays:
-  //   stiffness: by the increments dx of positions (columns of v);  values of `lower`: by v, z, lambda, with
-  //   c dF/dydot.
+  // Derivatives of the lower rows F_v, F_z, F_lambda, in one pattern over [v; z; lambda], two value arrays:
+  //   stiffness          by the increments dx of positions (columns of v)
+  //   values of `lower`  by v, z, lambda, with c dF/dydot
   // All columns of one body have the same rows, so both Jacobians are combinations of columns (jacobian.cpp).
   Eigen::SparseMatrix<double> lower;
   Eigen::VectorXd stiffness;

@@ -13,11 +13,9 @@ struct IntegratorOptions {
   double atol = 1e-7;           // absolute tolerance of q and z [m, -]
   double atol_velocity = 1e-5;  // absolute tolerance of v [m/s, rad/s]
   double max_step = 0.0;        // [s]; 0: the window is the only limit
-  bool error_control =
-      true;  // one_step only: false takes steps of max_step, whatever their error (studies of order)
-  double min_step = 1e-12;  // [s]; below: NumericalError naming time and the worst body or joint
-  bool projection =
-      true;  // remove drift after every window (else Baumgarte terms of the Equations, or nothing)
+  bool error_control = true;    // one_step: false takes steps of max_step, whatever their error
+  double min_step = 1e-12;      // [s]; below: NumericalError naming time and the worst body or joint
+  bool projection = true;       // remove drift after every window (else Baumgarte, or nothing)
 };
 
 struct IntegratorStatistics {

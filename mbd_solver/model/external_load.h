@@ -10,10 +10,9 @@ namespace footfall {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-// A load that reacts within the window, linearly: [F; T] -= K dx + C dv, all in W (scheme `tangent`, theory
-// 6).
-//   dx = [r - r_mean; rotation from L_mean to L],  rotation = 1/2 sum_k A_mean e_k x A e_k (to third order
-//   the rotation vector) dv = [dr; w] - v_mean
+// A load that reacts within the window, linearly: [F; T] -= K dx + C dv, all in W (scheme `tangent`).
+//   dx = [r - r_mean; rotation from L_mean to L],  dv = [dr; w] - v_mean
+//   rotation = 1/2 sum_k A_mean e_k x A e_k, to third order the rotation vector
 struct TangentLoad {
   Matrix6d K = Matrix6d::Zero();  // [N/m, N, N m/m, N m]
   Matrix6d C = Matrix6d::Zero();

@@ -1,12 +1,12 @@
 #pragma once
 // Contact of one body with a rigid plane, at given points (spheres of radius >= 0) of the body. Theory 7.
-//   overlap  delta = radius - n.(p - p0),  contact while delta > 0;  contact point c = p - radius n, moves
-//   with p and w normal   f_n = k delta^1.5 g(d delta'),  g(u) = 1 + u for u >= 0, exp(u) for u < 0:
-//   Hunt-Crossley while closing, never pulls friction f_t = -mu f_n v_t / sqrt(v_t^2 + v_s^2)
+//   overlap   delta = radius - n.(p - p0), contact while delta > 0 at c = p - radius n, moving with p and w
+//   normal    f_n = k delta^1.5 g(d delta'),  g(u) = 1 + u for u >= 0, exp(u) for u < 0:
+//             Hunt-Crossley while closing, never pulls
+//   friction  f_t = -mu f_n v_t / sqrt(v_t^2 + v_s^2)
 // Restitution e after an impact at speed v depends on d v alone:
 //   d v - ln(1 + d v) = (e d v - 1) exp(e d v) + 1.
-// Power: damping k delta^1.5 (g - 1) delta' >= 0 (contact), friction mu f_n v_t^2 / sqrt(v_t^2 + v_s^2)
-// (friction).
+// Power: damping k delta^1.5 (g - 1) delta' >= 0, friction mu f_n v_t^2 / sqrt(v_t^2 + v_s^2).
 
 #include <vector>
 

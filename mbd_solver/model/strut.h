@@ -1,7 +1,7 @@
 #pragma once
 // A strut: one line of force between two markers, made of any number of laws that share stroke and rate.
-//   d = p2 - p1, length l = |d|, e = d/l; stroke x = l0 - l, rate = -e.d'; force F(x, rate, U, z) > 0 pushes
-//   the ends apart.
+//   d = p2 - p1, length l = |d|, e = d/l;  stroke x = l0 - l, rate = -e.d'
+//   force F(x, rate, U, z) along e, positive when it pushes the ends apart
 // A point-to-point spring-damper is a strut with a spring and a damper law.
 
 #include <memory>
@@ -27,6 +27,7 @@ class Strut : public ForceElement {
         double undeformed_length, int voltage_index = -1);
 
   int state_count() const override { return states_; }
+  int voltage_count() const override { return voltage_index_ + 1; }
   Eigen::VectorXd initial_state() const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
                  Eigen::Ref<Eigen::VectorXd> dz) const override;

@@ -24,9 +24,8 @@ struct DotTerm {
 struct ConstraintRow {
   enum class Unit { kLength, kAngle };
   Unit unit = Unit::kLength;  // what phi measures near zero: [m] or [rad]
-  // Constant coefficient `scale` of the first term; the second term exists only for a prescribed rotation
-  // about z, where
-  //   phi = cos(f) y1.x2 - sin(f) x1.x2 (and its cyclic forms): terms {y1.x2, x1.x2}.
+  // Constant coefficient `scale` of the first term; a second term exists only for a prescribed rotation,
+  //   phi = cos(f) y1.x2 - sin(f) x1.x2 about z (and its cyclic forms): terms {y1.x2, x1.x2}.
   int term_count = 1;
   DotTerm terms[2];
   double scale = 1.0;
@@ -48,8 +47,8 @@ RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors
                       Eigen::Ref<Eigen::VectorXd> phi_v);
 
 // Derivatives, all overwritten but the last:
-//   rate_dx = d phi' / dx, acc_dx = d phi'' / dx, acc_dv = d phi'' / dv (n each);  K += d(Phi_v^T lambda) /
-//   dx (n x n).
+//   rate_dx = d phi' / dx, acc_dx = d phi'' / dx, acc_dv = d phi'' / dv (n each)
+//   K += d(Phi_v^T lambda) / dx (n x n)
 void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
                      Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
                      Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K);
