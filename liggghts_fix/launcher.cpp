@@ -105,7 +105,8 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
   } catch (const ProtocolError& error) {
     return stop(error, kExitBadInput, communicator, dem_link);
   } catch (const PartnerError& error) {
-    return stop(error, kExitFailed, communicator, dem_link);
+    const int code = dem_link.partner_interrupted() ? kExitInterrupted : kExitFailed;
+    return stop(error, code, communicator, dem_link);
   } catch (const NumericalError& error) {
     return stop(error, kExitFailed, communicator, dem_link);
   } catch (const std::exception& error) {  // a mistake of ours or no memory: perhaps on this rank alone

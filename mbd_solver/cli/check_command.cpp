@@ -4,17 +4,36 @@
 
 #include "coupler/errors.h"
 #include "mbd_solver/run/mechanism.h"
+#include "mbd_solver/scene/boundary_surface.h"
 #include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {
 
+namespace {
+
+// What only building the mechanism finds. A message that does not start with a file gets the scene's.
+void check_by_building(Scene scene) {
+  // The bed may not be made yet: any height will do to see whether the mechanism can be built.
+  const bool unknown_height = scene.touches_particles() && scene.particles->grains.empty() && !scene.particles->surface_height;
+  if (unknown_height) scene.particles->surface_height = 0.0;
+  try {
+    for (const BoundarySpec& boundary : scene.boundaries) {
+      if (boundary.surface && !boundary.surface->file.empty()) boundary_surface(scene, boundary);
+    }
+    const Mechanism mechanism = build_mechanism(scene);
+    for (const std::string& warning : mechanism.warnings) std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    throw InputError(what.front() == '/' ? what : scene.file + ": " + what);
+  }
+}
+
+}  // namespace
+
 Scene checked_scene(const std::string& argument, const std::vector<std::string>& settings) {
   const Scene scene = read_scene(argument, settings);
-  Scene placed = scene;
-  // The bed may not be made yet: any height will do to see whether the mechanism can be built.
-  if (placed.touches_particles() && placed.particles->grains.empty() && !placed.particles->surface_height) placed.particles->surface_height = 0.0;
-  const Mechanism mechanism = build_mechanism(placed);
   for (const std::string& warning : scene.warnings) std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
+  check_by_building(scene);
   return scene;
 }
 

@@ -3,6 +3,7 @@
 // a time limit.
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -54,11 +55,13 @@ class Table {
   std::map<std::string, std::vector<double>> columns_;
 };
 
-// A clean folder for one test.
+// A clean folder for one test: of this process alone, because ctest runs several tests of one program at
+// once.
 class RunFolder {
  public:
   explicit RunFolder(const std::string& name)
-      : path_(std::filesystem::path(FOOTFALL_BINARY_DIR) / "dem_runs" / name) {
+      : path_(std::filesystem::path(FOOTFALL_BINARY_DIR) / "dem_runs" /
+              (name + "_" + std::to_string(getpid()))) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);

@@ -150,7 +150,8 @@ TEST(DemLink, AScriptThatEndsTooEarlySaysWhenAndHowManyStepsAreNeeded) {
     motion.bodies.resize(1);
     pair.mbd.send(motion);
     Load load;
-    heard = message_of<ProtocolError>([&] { pair.mbd.receive(load); });  // bad input on one side is bad input on both
+    heard = message_of<ProtocolError>(
+        [&] { pair.mbd.receive(load); });  // bad input on one side is bad input on both
   });
   pair.dem.couple("pad", "si");
   pair.dem.start(1e-4, 10, 0);

@@ -62,6 +62,11 @@ std::vector<Case> cases() {
        {"liggghts_mbd: ERROR: mbd_solver has said nothing for 1"},
        "fix mbd all couple/mbd every 5 patience 1.0 mesh m plate\nrun 200\n",
        "until 0.01 misbehave hang 7"});
+  add({"PartnerIsInterrupted",
+       3,
+       {"liggghts_mbd: ERROR: mbd_solver was interrupted: stopped by hand"},
+       "",
+       "until 0.01 misbehave interrupt 7"});
   // The script is wrong.
   add({"UnknownBody",
        2,
@@ -198,6 +203,24 @@ TEST_P(Failure, IsToldByBothSidesAndEndsThem) {
   EXPECT_LE(count(outcome.text, "liggghts_mbd: ERROR:"), 1U) << outcome.text;
   EXPECT_LE(count(outcome.text, "scripted_partner: ERROR:"), 1U) << outcome.text;
   EXPECT_EQ(processes_in(folder.path()), 0);
+}
+
+TEST(Failure, ASignalToLiggghtsIsTheEndOfBothButNoFailure) {
+  const RunFolder folder("failures_signal");
+  write_stl((folder.path() / "plate.stl").string(), box({0.3, 0.3, 0.02}, 3));
+  // LIGGGHTS is an ancestor of what its `shell` command runs.
+  folder.write("stop.sh",
+               "p=$PPID\nwhile [ \"$(cat /proc/$p/comm)\" != liggghts_mbd ]; do p=$(cut -d' ' -f4 "
+               "/proc/$p/stat); done\n"
+               "kill -TERM $p\n");
+  folder.write("in", small_bed() + "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n" +
+                         mesh_wall() + kCouple + "run 103\nshell sh stop.sh\nrun 97\n");
+  const Outcome outcome =
+      folder.coupled(1, "-in in", "until 0.01 body plate plate.stl 0 0 0.24 prescribed 0 0 -1 0 0 0", kLimit);
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.text;
+  EXPECT_NE(outcome.text.find("liggghts_mbd was interrupted: LIGGGHTS was stopped by a signal"),
+            std::string::npos)
+      << outcome.text;
 }
 
 TEST(Failure, CouplingWithoutAPartnerIsRefused) {

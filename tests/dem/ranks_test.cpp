@@ -2,6 +2,7 @@
 // cross subdomains.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "tests/dem/coupled_run.h"
 
@@ -85,7 +86,8 @@ INSTANTIATE_TEST_SUITE_P(Ranks, PadsOn,
                                          std::pair(2, "1 1 2")));
 
 const Table& on_one_rank() {
-  static const Table table = run_pads(RunFolder("ranks_1"), 1, "1 1 1", kSliding);
+  // Each test is a process of its own and may run beside the others.
+  static const Table table = run_pads(RunFolder("ranks_1_" + std::to_string(getpid())), 1, "1 1 1", kSliding);
   return table;
 }
 

@@ -7,6 +7,7 @@
 // auto`), misbehave WHAT:
 //   version      answers Hello with another protocol version          die K    kills itself in window K
 //   hang K       sleeps for ever in window K                          fail K   reports a failure in window K
+//   interrupt K  is stopped by its user in window K, and says so
 //   wrong-window K   sends the Motion of another window               not-a-number K  sends NaN in window K
 //   lose K       drops the connection in window K without a word, by MPI_Finalize and exit
 // MOTION:
@@ -172,10 +173,17 @@ void answer_in_another_protocol(TransportMpi& transport, const Geometry& geometr
   transport.send(MessageKind::kGeometry, bytes);
 }
 
+// Stopped by the user.
+class Interrupted : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 void misbehave(const Options& options) {
   if (options.misbehave == "die") std::raise(SIGKILL);
   if (options.misbehave == "hang")
     for (;;) pause();
+  if (options.misbehave == "interrupt") throw Interrupted("stopped by hand");
   if (options.misbehave == "fail") throw NumericalError("the spring of the test broke");
   if (options.misbehave == "lose") {
     MPI_Finalize();
@@ -297,12 +305,16 @@ int run(int argc, char** argv, const Communicator& communicator) {
     link = std::make_unique<Link>(*transport, 120.0);
     couple(parse(argc, argv), *transport, *link);
     return kExitDone;
+  } catch (const Interrupted& error) {
+    link->fail(error.what(), Status::kInterrupted);
+    return kExitInterrupted;
   } catch (const InputError& error) {
     return stop(error, kExitBadInput);
   } catch (const ProtocolError& error) {
     return stop(error, kExitBadInput);
   } catch (const std::exception& error) {
-    return stop(error, kExitFailed);
+    const bool interrupted = link && link->partner_status() == Status::kInterrupted;
+    return stop(error, interrupted ? kExitInterrupted : kExitFailed);
   }
 }
 
