@@ -1,5 +1,9 @@
 #include "coupler/communicator.h"
 
+#include <unistd.h>
+
+#include <cstdio>
+
 #include <chrono>
 #include <cstdlib>
 #include <set>
@@ -43,8 +47,10 @@ void PoliteWait::nap() {
 }
 
 void abort_both_programs(int exit_code) {
-  MPI_Abort(MPI_COMM_WORLD, exit_code);
-  std::abort();
+  // Not MPI_Abort: when several ranks end at once, Open MPI's mpirun may crash or hang over its abort messages. A process that ends without
+  // MPI_Finalize is enough for mpirun to end all others, and its exit code becomes the job's.
+  std::fflush(nullptr);
+  _exit(exit_code);
 }
 
 Communicator::Communicator() {

@@ -32,8 +32,7 @@ void check_by_building(Scene scene) {
 
 Scene checked_scene(const std::string& argument, const std::vector<std::string>& settings) {
   const Scene scene = read_scene(argument, settings);
-  for (const std::string& warning : scene.warnings) std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
-  check_by_building(scene);
+  check_by_building(scene);  // its warnings begin with those of the scene
   return scene;
 }
 
