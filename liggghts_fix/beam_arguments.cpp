@@ -13,10 +13,20 @@ const std::vector<std::string> kModelKeywords = {"model", "tangential", "cohesio
                                                  "surface"};
 const std::vector<std::string> kForeignKeywords = {"primitive", "mesh", "n_meshes", "meshes", "shear"};
 const std::string kUsage =
-    ". Expected: fix ID group wall/gran/beam model ... type T body NAME [chain C] [keywords of wall/gran]";
+    ". Expected: fix ID group wall/gran/beam model ... type T body NAME [chain C] [body ...] [keywords of "
+    "wall/gran]";
 
 bool is_one_of(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// The C of `chain C`.
+int chain_number(const std::string& fix, const std::string& word) {
+  char* end = nullptr;
+  const long number = std::strtol(word.c_str(), &end, 10);
+  if (*end != '\0' || number < 0 || number > 1000000)
+    throw InputError(fix + ": \"chain " + word + "\" is not the number of a beam, 0, 1, 2 ...");
+  return static_cast<int>(number);
 }
 
 }  // namespace
@@ -31,53 +41,59 @@ BeamArguments::BeamArguments(int narg, const char* const* arg) {
   stock.assign(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(next));
 
   std::vector<std::string> others;
-  std::string chain_word;
   while (next < words.size()) {
     const std::string& word = words[next++];
-    std::string* const value = word == "type"    ? &type
-                               : word == "body"  ? &body
-                               : word == "chain" ? &chain_word
-                                                 : nullptr;
-    if (value == nullptr) {
-      if (is_one_of(kForeignKeywords, word))
-        throw InputError(fix + ": keyword \"" + word +
-                         "\" belongs to fix wall/gran; the beam is that of the body" + kUsage);
+    if (is_one_of(kForeignKeywords, word))
+      throw InputError(fix + ": keyword \"" + word +
+                       "\" belongs to fix wall/gran; the beams are those of the bodies" + kUsage);
+    if (word != "type" && word != "body" && word != "chain") {
       others.push_back(word);
       continue;
     }
     if (next == words.size()) throw InputError(fix + ": nothing follows keyword \"" + word + "\"" + kUsage);
-    if (!value->empty())
-      throw InputError(fix + ": keyword \"" + word + "\" stands twice; one beam per fix" + kUsage);
-    *value = words[next++];
+    const std::string& value = words[next++];
+    if (word == "body") {
+      beams.push_back({value});
+    } else if (word == "type") {
+      if (!type.empty())
+        throw InputError(fix + ": keyword \"type\" stands twice; beams of another material are another fix" +
+                         kUsage);
+      type = value;
+    } else {
+      if (beams.empty() || beams.back().chain >= 0)
+        throw InputError(fix + ": \"chain " + value + "\" does not follow a body, whose beam it would be" +
+                         kUsage);
+      beams.back().chain = chain_number(fix, value);
+    }
   }
   if (type.empty()) throw InputError(fix + ": the material is missing, keyword \"type\"" + kUsage);
-  if (body.empty()) throw InputError(fix + ": the body is missing, keyword \"body\"" + kUsage);
-  if (!chain_word.empty()) {
-    char* end = nullptr;
-    const long number = std::strtol(chain_word.c_str(), &end, 10);
-    if (*end != '\0' || number < 0 || number > 1000000)
-      throw InputError(fix + ": \"chain " + chain_word + "\" is not the number of a beam, 0, 1, 2 ...");
-    chain = static_cast<int>(number);
-  }
+  if (beams.empty()) throw InputError(fix + ": the body is missing, keyword \"body\"" + kUsage);
+  for (std::size_t i = 0; i < beams.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (beams[i].body == beams[j].body &&
+          (beams[i].chain == beams[j].chain || beams[i].chain < 0 || beams[j].chain < 0))
+        throw InputError(fix + ": the same beam of body \"" + beams[i].body +
+                         "\" is asked for twice; its contacts would count twice" + kUsage);
   for (const char* word : {"primitive", "type", type.c_str(), "zcylinder", "0", "0", "0"})
     stock.emplace_back(word);
   stock.insert(stock.end(), others.begin(), others.end());
 }
 
-int chosen_chain(const BeamArguments& arguments, const ModalBoundary& boundary) {
+std::vector<int> chosen_chains(const std::string& fix, const BeamChoice& choice,
+                               const ModalBoundary& boundary) {
   std::set<int> chains;
   for (const BeamSegment& segment : boundary.segments()) chains.insert(segment.chain);
   if (chains.empty())
     throw InputError(
-        arguments.fix + ": body \"" + boundary.name() +
+        fix + ": body \"" + boundary.name() +
         "\" has no beams that grains may touch. Give it some in the scene, or name another body");
-  if (chains.size() == 1 && arguments.chain < 0) return *chains.begin();
-  if (chains.count(arguments.chain) == 1) return arguments.chain;
+  if (choice.chain < 0) return {chains.begin(), chains.end()};
+  if (chains.count(choice.chain) == 1) return {choice.chain};
   std::string known;
   for (const int chain : chains) known += (known.empty() ? "" : ", ") + std::to_string(chain);
-  throw InputError(arguments.fix + ": body \"" + boundary.name() + "\" has " + std::to_string(chains.size()) +
-                   (chains.size() == 1 ? " beam, number " : " beams, numbers ") + known +
-                   "; say which one with \"chain C\", one fix for each");
+  throw InputError(fix + ": body \"" + boundary.name() + "\" has no beam " + std::to_string(choice.chain) +
+                   ". It has " + std::to_string(chains.size()) +
+                   (chains.size() == 1 ? " beam, number " : " beams, numbers ") + known);
 }
 
 }  // namespace footfall

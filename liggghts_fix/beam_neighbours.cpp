@@ -17,16 +17,18 @@ Eigen::Vector3d place(const GrainView& grains, int i) {
 
 }  // namespace
 
-void BeamNeighbours::grains_renumbered(const GrainView& grains) {
-  renumbered_ = true;
-  grain_box_.setEmpty();
-  largest_grain_ = 0.0;
+GrainExtent::GrainExtent(const GrainView& grains) {
   for (int i = 0; i < grains.count; ++i) {
     if (!takes_part(grains, i)) continue;
     const Eigen::Vector3d r = Eigen::Vector3d::Constant(grains.radius[i]);
-    grain_box_.extend(Eigen::AlignedBox3d(place(grains, i) - r, place(grains, i) + r));
-    largest_grain_ = std::max(largest_grain_, grains.radius[i]);
+    box.extend(Eigen::AlignedBox3d(place(grains, i) - r, place(grains, i) + r));
+    largest_radius = std::max(largest_radius, grains.radius[i]);
   }
+}
+
+void BeamNeighbours::grains_renumbered(const GrainExtent& grains) {
+  renumbered_ = true;
+  extent_ = grains;
 }
 
 void BeamNeighbours::update(const BeamChain& chain, const GrainView& grains) {
@@ -47,8 +49,8 @@ void BeamNeighbours::build(const BeamChain& chain, const GrainView& grains) {
   Eigen::AlignedBox3d chain_box;
   for (int node = 0; node < chain.node_count(); ++node)
     chain_box.extend(Eigen::Vector3d(chain.x().col(node)));
-  const double far = chain.largest_radius() + 1.5 * skin_ + reach_ * largest_grain_;
-  if (grain_box_.isEmpty() || chain_box.squaredExteriorDistance(grain_box_) > far * far) return;
+  const double far = chain.largest_radius() + 1.5 * skin_ + reach_ * extent_.largest_radius;
+  if (extent_.box.isEmpty() || chain_box.squaredExteriorDistance(extent_.box) > far * far) return;
 
   box_.resize(4 * static_cast<std::size_t>(chain.segment_count()));
   build_boxes(chain, 0, 0, chain.segment_count());

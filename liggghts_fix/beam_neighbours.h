@@ -24,6 +24,14 @@ struct GrainView {
   int group_bit = 1;
 };
 
+// Where all grains of a view are.
+struct GrainExtent {
+  GrainExtent() = default;
+  GrainExtent(const GrainView& grains);
+  Eigen::AlignedBox3d box;      // of their surfaces
+  double largest_radius = 0.0;  // [m]
+};
+
 class BeamNeighbours {
  public:
   // skin [m]; reach: contact models with forces over a gap (liquid bridges) see gaps up to reach * radius of
@@ -31,7 +39,7 @@ class BeamNeighbours {
   BeamNeighbours(double skin, double reach = 0.0) : skin_(skin), reach_(reach) {}
 
   // The grains have new numbers or places for which LIGGGHTS made new lists: the next update() makes ours.
-  void grains_renumbered(const GrainView& grains);
+  void grains_renumbered(const GrainExtent& grains);
   // Makes the list if the grains were renumbered or a node went further than skin/2 since it was made. Call
   // at every step, after the nodes moved; the grains must be those of the last grains_renumbered(), at their
   // present places.
@@ -54,9 +62,8 @@ class BeamNeighbours {
   double skin_;
   double reach_;
   bool renumbered_ = true;
-  Eigen::AlignedBox3d grain_box_;  // of all grains' surfaces when they were renumbered
-  double largest_grain_ = 0.0;     // [m]
-  Eigen::Matrix3Xd x_build_;       // nodes when the list was made
+  GrainExtent extent_;        // when the grains were renumbered
+  Eigen::Matrix3Xd x_build_;  // nodes when the list was made
   std::vector<Eigen::AlignedBox3d>
       box_;  // binary tree over runs of consecutive segments: 0 all, 2k+1 and 2k+2 the halves of k
   std::vector<int> grain_;

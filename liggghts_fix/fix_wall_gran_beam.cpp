@@ -70,17 +70,58 @@ FixWallGranBeam::FixWallGranBeam(LAMMPS* lmp_, int narg, char** arg)
 FixWallGranBeam::FixWallGranBeam(LAMMPS* lmp_, BeamArguments arguments)
     : FixWallGran(lmp_, Words(arguments.stock).count(), Words(arguments.stock).data()),
       link_(dem_link_of(lmp_)),
-      arguments_(std::move(arguments)),
-      boundary_(link_.scene_body(arguments_.body, update->unit_style).boundary),
-      body_index_(link_.couple(arguments_.body, update->unit_style)),
-      chain_(boundary_, chosen_chain(arguments_, boundary_)),
-      motion_(boundary_, chain_),
-      neighbours_(0.0),
-      load_(boundary_.mode_count()) {
+      arguments_(std::move(arguments)) {
+  for (const BeamChoice& choice : arguments_.beams) {
+    const ModalBoundary& boundary = link_.scene_body(choice.body, update->unit_style).boundary;
+    const int body = link_.couple(choice.body, update->unit_style);
+    for (const int number : chosen_chains(arguments_.fix, choice, boundary))
+      beams_.push_back(std::make_unique<Beam>(boundary, body, number));
+  }
   vector_flag = 1;
   size_vector = 8;
+  array_flag = 1;
+  size_array_rows = static_cast<int>(beams_.size());
+  size_array_cols = 8;
   global_freq = 1;
-  extvector = 0;
+  extvector = extarray = 0;
+}
+
+FixWallGranBeam::Beam::Beam(const ModalBoundary& boundary_, int body_, int number)
+    : boundary(boundary_),
+      body(body_),
+      chain(boundary_, number),
+      motion(boundary_, chain),
+      neighbours(0.0),
+      load(boundary_.mode_count()) {}
+
+// Stock LIGGGHTS keeps one history per grain and wall, which the first beam takes. Each further one gets a
+// like place, which goes with its grain from rank to rank and into restart files.
+void FixWallGranBeam::post_create() {
+  FixWallGran::post_create();
+  if (store_force_contact_ && beams_.size() > 1)
+    throw InputError(
+        arguments_.fix +
+        ": store_force_contact keeps one contact per grain and fix; give each beam a fix of its own");
+  if (dnum() == 0) return;
+  beams_[0]->history = fix_history_primitive_;
+  for (std::size_t k = 1; k < beams_.size(); ++k) {
+    const std::string name = std::string("history_") + id + "_" + std::to_string(k + 1);
+    std::vector<std::string> words = {
+        name, "all", "property/atom", name, dnum() > 1 ? "vector" : "vector_one_entry", "yes",
+        "no", "no"};  // in restart files; not for ghosts, forth or back
+    words.insert(words.end(), static_cast<std::size_t>(dnum()), "0.");
+    Words w(words);
+    modify->add_fix(w.count(), w.data());
+    beams_[k]->history = static_cast<FixPropertyAtom*>(
+        modify->find_fix_property(name.c_str(), "property/atom", "vector", dnum(), 0, style));
+  }
+}
+
+void FixWallGranBeam::pre_delete(bool unfixed) {
+  if (unfixed)
+    for (std::size_t k = 1; k < beams_.size(); ++k)
+      if (beams_[k]->history != nullptr) modify->delete_fix(beams_[k]->history->id);
+  FixWallGran::pre_delete(unfixed);
 }
 
 void FixWallGranBeam::init() {
@@ -105,21 +146,23 @@ void FixWallGranBeam::check_segment_lengths() const {
       std::sqrt(domain->xprd * domain->xprd + domain->yprd * domain->yprd + domain->zprd * domain->zprd);
   for (int d = 0; d < 3; ++d)
     if (comm->procgrid[d] > 1) limit = std::min(limit, smallest[d]);
-  for (int s = 0; s < chain_.segment_count(); ++s) {
-    if (chain_.length(s) <= limit) continue;
-    throw InputError(arguments_.fix + ": segment " + std::to_string(s) + " of body \"" + arguments_.body +
-                     "\" is " + std::to_string(chain_.length(s)) +
-                     " m long, longer than a subdomain of this run (" + std::to_string(limit) +
-                     " m): divide the beam into more segments, or the box among fewer ranks " +
-                     "(command `processors`)");
-  }
+  for (const std::unique_ptr<Beam>& beam : beams_)
+    for (int s = 0; s < beam->chain.segment_count(); ++s) {
+      if (beam->chain.length(s) <= limit) continue;
+      throw InputError(arguments_.fix + ": segment " + std::to_string(s) + " of body \"" +
+                       beam->boundary.name() + "\" is " + std::to_string(beam->chain.length(s)) +
+                       " m long, longer than a subdomain of this run (" + std::to_string(limit) +
+                       " m): divide the beam into more segments, or the box among fewer ranks " +
+                       "(command `processors`)");
+    }
 }
 
 void FixWallGranBeam::setup(int vflag) {
   if (!link_.started())
     throw InputError(arguments_.fix +
-                     ": nothing moves the beam. Add `fix ID all couple/mbd every N` to the script");
-  neighbours_ = BeamNeighbours(neighbor->skin, neighbor->contactDistanceFactor - 1.0);
+                     ": nothing moves its beams. Add `fix ID all couple/mbd every N` to the script");
+  for (const std::unique_ptr<Beam>& beam : beams_)
+    beam->neighbours = BeamNeighbours(neighbor->skin, neighbor->contactDistanceFactor - 1.0);
   FixWallGran::setup(vflag);
 }
 
@@ -132,48 +175,55 @@ void FixWallGranBeam::pre_neighbor() {
 }
 
 void FixWallGranBeam::pre_force(int) {
-  if (renumbered_) neighbours_.grains_renumbered(grains());
+  if (renumbered_) {
+    const GrainExtent extent(grains());
+    for (const std::unique_ptr<Beam>& beam : beams_) beam->neighbours.grains_renumbered(extent);
+  }
   renumbered_ = false;
 }
 
 void FixWallGranBeam::post_force_primitive(int) {
-  DemBody& body = link_.body(body_index_);
-  chain_.follow(boundary_, body.pose());
-  neighbours_.update(chain_, grains());
+  for (const std::unique_ptr<Beam>& beam : beams_) touch_grains(*beam);
+}
+
+void FixWallGranBeam::touch_grains(Beam& beam) {
+  DemBody& body = link_.body(beam.body);
+  beam.chain.follow(beam.boundary, body.pose());
+  beam.neighbours.update(beam.chain, grains());
   const bool counts = computeflag() != 0;  // otherwise an output looks at the contacts once more
   if (counts) {
-    load_.set_zero();
-    contacts_ = 0;
-    overlap_ = 0.0;
+    beam.load.set_zero();
+    beam.contacts = 0;
+    beam.overlap = 0.0;
   }
-  if (neighbours_.size() == 0) return;
+  if (beam.neighbours.size() == 0) return;
 
-  motion_.begin_step(body.pose());
-  double** const histories = dnum() > 0 ? fix_history_primitive_->array_atom : nullptr;
+  beam.motion.begin_step(body.pose());
+  double** const histories = beam.history != nullptr ? beam.history->array_atom : nullptr;
   const double reach = neighbor->contactDistanceFactor - 1.0;
-  for (int k = 0; k < neighbours_.size(); ++k) {
-    const int i = neighbours_.grain(k);
-    const BeamTouch closest = neighbours_.closest(chain_, k, vector(x_[i]), radius_[i]);
+  for (int k = 0; k < beam.neighbours.size(); ++k) {
+    const int i = beam.neighbours.grain(k);
+    const BeamTouch closest = beam.neighbours.closest(beam.chain, k, vector(x_[i]), radius_[i]);
     double* const history = histories == nullptr ? nullptr : histories[i];
     if (closest.gap > 0.0 && closest.gap >= reach * radius_[i]) {
       if (history != nullptr) std::fill(history, history + dnum(), 0.0);
       continue;
     }
-    const double stiffness = touch(i, closest, history);
+    const double stiffness = touch(beam, i, closest, history);
     if (!counts || closest.gap > 0.0) continue;
     const double overlap = -closest.gap / radius_[i];
     body.count_contact(overlap, stiffness);
-    ++contacts_;
-    overlap_ = std::max(overlap_, overlap);
+    ++beam.contacts;
+    beam.overlap = std::max(beam.overlap, overlap);
   }
   if (!counts) return;
-  motion_.project(body.pose(), load_);
-  body.add_load(load_);
+  beam.motion.project(body.pose(), beam.load);
+  body.add_load(beam.load);
 }
 
 // One contact: stock LIGGGHTS puts force and torque on the grain, and their reaction acts on the beam.
 // Returns the normal stiffness [N/m].
-double FixWallGranBeam::touch(int i, const BeamTouch& touch, double* history) {
+double FixWallGranBeam::touch(Beam& beam, int i, const BeamTouch& touch, double* history) {
   const double r = radius_[i];
   const Eigen::Vector3d x = vector(x_[i]);
   double to_surface = r + touch.gap;  // from the grain's centre; negative when the centre is inside the beam
@@ -188,22 +238,45 @@ double FixWallGranBeam::touch(int i, const BeamTouch& touch, double* history) {
   contact.kn = 0.0;  // some models set none
   take(to_surface * touch.normal, contact.delta);
   double v_wall[3];
-  take(motion_.velocity(touch), v_wall);
+  take(beam.motion.velocity(touch), v_wall);
 
   const Eigen::Vector3d f_before = vector(f_[i]), torque_before = vector(atom->torque[i]);
   impl->compute_force(this, contact, touch.gap <= 0.0, v_wall);
   const Eigen::Vector3d f_W = f_before - vector(f_[i]);
-  motion_.add_force(touch, f_W, torque_before - vector(atom->torque[i]) + (x - touch.p).cross(f_W));
+  beam.motion.add_force(touch, f_W, torque_before - vector(atom->torque[i]) + (x - touch.p).cross(f_W));
   return stiffness_per_kn_ * contact.kn;
 }
 
 double FixWallGranBeam::compute_vector(int n) {
-  const double mine = n < 3    ? load_.F_W[n]
-                      : n < 6  ? load_.T_W[n - 3]
-                      : n == 6 ? static_cast<double>(contacts_)
-                               : overlap_;
+  double mine = 0.0;
+  for (const std::unique_ptr<Beam>& beam : beams_) {
+    const GeneralizedForce& load = beam->load;
+    if (n < 3) {
+      mine += load.F_W[n];
+    } else if (n < 6) {
+      mine += load.T_W[n - 3] + link_.body(beam->body).pose().r.cross(load.F_W)[n - 3];
+    } else if (n == 6) {
+      mine += static_cast<double>(beam->contacts);
+    } else {
+      mine = std::max(mine, beam->overlap);
+    }
+  }
+  return over_ranks(mine, n == 7);
+}
+
+double FixWallGranBeam::compute_array(int beam, int n) {
+  const Beam& b = *beams_[static_cast<std::size_t>(beam)];
+  const double mine = n < 3    ? b.load.F_W[n]
+                      : n < 6  ? b.load.T_W[n - 3]
+                      : n == 6 ? static_cast<double>(b.contacts)
+                               : b.overlap;
+  return over_ranks(mine, n == 7);
+}
+
+// Largest or sum over the ranks of LIGGGHTS.
+double FixWallGranBeam::over_ranks(double mine, bool largest) const {
   double all = 0.0;
-  check_mpi(MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, n == 7 ? MPI_MAX : MPI_SUM, world), "MPI_Allreduce");
+  check_mpi(MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, largest ? MPI_MAX : MPI_SUM, world), "MPI_Allreduce");
   return all;
 }
 

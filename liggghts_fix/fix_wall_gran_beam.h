@@ -1,15 +1,15 @@
 // clang-format off
-// Wall of grains against one beam of a coupled body: a chain of capsules that fix couple/mbd moves and bends.
+// Wall of grains against the beams of coupled bodies: chains of capsules that fix couple/mbd moves and bends.
 //
-//   fix ID group wall/gran/beam model ... [tangential ...] [cohesion ...] [rolling_friction ...] type T body NAME [chain C] [keywords]
+//   fix ID group wall/gran/beam model ... [tangential ...] [cohesion ...] [rolling_friction ...] type T body NAME [chain C] [body ...] [keywords]
 //
 // model ... and keywords (store_force, store_force_contact, temperature, contact_area, limitForce ...): as in stock fix wall/gran.
-// T: material of the beam. NAME: a body of the scene with beams. C: which of its beams; needed when there are several.
-// One beam per fix: a grain has one contact and one history with it, which goes on from segment to segment. Two beams are two fixes.
-// The body is coupled by this fix, before or after fix couple/mbd, and the forces go where those of its meshes go.
+// T: material of the beams. NAME: a body of the scene with beams; all of them, or that of number C.
+// A grain has one contact and one history with each beam, which goes on from segment to segment. Two beams are two contacts.
+// The bodies are coupled by this fix, before or after fix couple/mbd, and the forces go where those of their meshes go.
 // Beams have no periodic images; they may stick out of the box.
-// Output, of the last step: f_ID[1-3] force on the beam in W [N], f_ID[4-6] moment about the body's origin in W [N m], f_ID[7] grains in
-// contact, f_ID[8] largest overlap over grain radius.
+// Output, of the last step: f_ID[1-3] force on all beams in W [N], f_ID[4-6] its moment about the origin of W [N m], f_ID[7] contacts,
+// f_ID[8] largest overlap over grain radius; f_ID[i][1-8] the same of the i-th beam, its moment about its body's origin (in W).
 
 #ifdef FIX_CLASS
 FixStyle(wall/gran/beam,FixWallGranBeam)
@@ -18,6 +18,10 @@ FixStyle(wall/gran/beam,FixWallGranBeam)
 
 #ifndef LMP_FIX_WALL_GRAN_BEAM_H
 #define LMP_FIX_WALL_GRAN_BEAM_H
+
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "fix_wall_gran.h"
 #include "liggghts_fix/beam_arguments.h"
@@ -36,9 +40,12 @@ class FixWallGranBeam : public FixWallGran {
  public:
   FixWallGranBeam(LAMMPS* lmp_, int narg, char** arg);
 
+  void post_create() override;
+  void pre_delete(bool unfixed) override;
   void init() override;
   void setup(int vflag) override;
   double compute_vector(int n) override;
+  double compute_array(int beam, int n) override;
 
  protected:
   void pre_neighbor() override;
@@ -46,25 +53,33 @@ class FixWallGranBeam : public FixWallGran {
   void post_force_primitive(int vflag) override;
 
  private:
+  struct Beam {
+    Beam(const footfall::ModalBoundary& boundary_, int body_, int number);
+
+    const footfall::ModalBoundary& boundary;
+    const int body;  // index in the link
+    footfall::BeamChain chain;
+    footfall::BeamMotion motion;
+    footfall::BeamNeighbours neighbours;
+    FixPropertyAtom* history = nullptr;  // of each grain with this beam; null: the model keeps none
+    // Of this rank, in the last step.
+    footfall::GeneralizedForce load;  // on the body
+    int contacts = 0;
+    double overlap = 0.0;  // largest over radius [-]
+  };
+
   FixWallGranBeam(LAMMPS* lmp_, footfall::BeamArguments arguments);
   void check_segment_lengths() const;
   footfall::GrainView grains() const;
-  double touch(int i, const footfall::BeamTouch& touch, double* history);
+  double over_ranks(double mine, bool largest) const;
+  void touch_grains(Beam& beam);
+  double touch(Beam& beam, int i, const footfall::BeamTouch& touch, double* history);
 
   footfall::DemLink& link_;
   const footfall::BeamArguments arguments_;
-  const footfall::ModalBoundary& boundary_;
-  const int body_index_;
-  footfall::BeamChain chain_;
-  footfall::BeamMotion motion_;
-  footfall::BeamNeighbours neighbours_;
+  std::vector<std::unique_ptr<Beam>> beams_;  // parts of a beam refer to each other: it never moves
   bool renumbered_ = true;
   double stiffness_per_kn_ = 1.0;
-
-  // Of this rank, in the last step.
-  footfall::GeneralizedForce load_;  // on the body
-  int contacts_ = 0;
-  double overlap_ = 0.0;  // largest over radius [-]
 };
 
 }  // namespace LAMMPS_NS

@@ -25,15 +25,12 @@ timestep ${dt}
 fix gravity all gravity 9.81 vector 0 0 -1
 fix integrate all nve/sphere
 
-# One beam per fix; the bodies come from the scene, which moves and bends them.
-fix rake1 all wall/gran/beam model hertz tangential history rolling_friction cdt type 2 body tine_1
-fix rake2 all wall/gran/beam model hertz tangential history rolling_friction cdt type 2 body tine_2
-fix rake3 all wall/gran/beam model hertz tangential history rolling_friction cdt type 2 body tine_3
-fix rake4 all wall/gran/beam model hertz tangential history rolling_friction cdt type 2 body tine_4
-fix rake5 all wall/gran/beam model hertz tangential history rolling_friction cdt type 2 body tine_5
+# The bodies come from the scene, which moves and bends them; each tine is a beam of its own to the grains.
+fix rake all wall/gran/beam model hertz tangential history rolling_friction cdt type 2 &
+  body tine_1 body tine_2 body tine_3 body tine_4 body tine_5
 fix mbd all couple/mbd every ${every}
 
-thermo_style custom step atoms f_rake3[1] f_rake3[7] f_rake3[8] f_mbd[2] cpu
+thermo_style custom step atoms f_rake[1] f_rake[3][1] f_rake[7] f_rake[8] f_mbd[2] cpu
 thermo 1000
 thermo_modify lost warn norm no
 variable stride equal round(${frames}/${dt})

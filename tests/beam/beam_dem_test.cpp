@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "tests/beam/beam_run.h"
+#include "tests/unit/beam/random_beams.h"
 
 namespace footfall::test {
 namespace {
@@ -129,6 +130,114 @@ TEST(BeamRuns, AreTheSameOnOneTwoAndThreeRanks) {
   }
 }
 
+// Distance and direction from the closest point of a segment: the axis is cut into halves around the nearer
+// part, without a projection.
+Eigen::Vector3d from_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& x) {
+  double low = 0.0, high = 1.0;
+  while (high - low > 1e-14) {  // the distance is convex along the segment: its slope tells the side
+    const double mu = 0.5 * (low + high);
+    (((1.0 - mu) * a + mu * b - x).dot(b - a) < 0.0 ? low : high) = mu;
+  }
+  return x - ((1.0 - low) * a + low * b);
+}
+
+// 1000 spheres at random places among 50 winding beams, turned and moved at random, all at rest: Hertz' force
+// of every sphere with every beam, against a search through all segments. Every beam is a body of its own,
+// all in one fix.
+TEST(BeamRuns, ThousandSpheresAmongFiftyBeamsFeelTheForcesOfABruteForceSearch) {
+  Random random(21);
+  const int spheres = 1000, beams = 50;
+  std::vector<Eigen::Vector3d> x;
+  std::vector<double> r;
+  std::ostringstream grains, motion;
+  grains.precision(17);
+  motion.precision(17);
+  for (int i = 0; i < spheres; ++i) {
+    x.push_back(random.vector(1.0));
+    r.push_back(random.between(0.05, 0.15));
+    grains << "create_atoms 1 single " << x.back().transpose() << "\nset atom " << i + 1 << " diameter "
+           << 2.0 * r.back() << " density 2600\n";
+  }
+  motion << "end 1e-6\n";
+  std::string bodies;
+  struct Segment {
+    Eigen::Vector3d a, b;
+    double radius;
+  };
+  std::vector<std::vector<Segment>> chains(beams);
+  for (int k = 0; k < beams; ++k) {
+    const ModalBoundary beam = random_chain(random, 1 + k % 6);
+    const Eigen::Vector3d turned = random.vector(1.5);
+    motion << "body beam" << k << "\n";
+    for (Eigen::Index j = 0; j < beam.rho0().cols(); ++j)
+      motion << "node " << beam.rho0().col(j).transpose() << "\n";
+    const Eigen::AngleAxisd turn(turned.norm(), turned.normalized());
+    const Eigen::Vector3d middle = beam.rho0().rowwise().mean();
+    const Eigen::Vector3d at = random.vector(0.5) - turn * middle;
+    for (const BeamSegment& s : beam.segments()) {
+      motion << "segment " << s.start << " " << s.end << " " << s.radius << " 0\n";
+      chains[static_cast<std::size_t>(k)].push_back(
+          {at + turn * beam.rho0().col(s.start), at + turn * beam.rho0().col(s.end), s.radius});
+    }
+    motion << "at " << at.transpose() << "\nturned " << turned.transpose() << "\n";
+    bodies += " body beam" + std::to_string(k);
+  }
+
+  // Hertz' force of a flat wall [N]; both sides have E = 35 MPa and nu = 0.25.
+  const double E = 35e6 / (2.0 * (1.0 - 0.25 * 0.25));
+  std::vector<Eigen::Vector3d> on_sphere(spheres, Eigen::Vector3d::Zero()),
+      on_beam(beams, Eigen::Vector3d::Zero());
+  std::vector<int> count(beams, 0);
+  int contacts = 0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    for (std::size_t k = 0; k < chains.size(); ++k) {
+      double overlap = -1.0;
+      Eigen::Vector3d away = Eigen::Vector3d::Zero();
+      for (const Segment& s : chains[k]) {
+        const Eigen::Vector3d d = from_segment(s.a, s.b, x[i]);
+        if (r[i] + s.radius - d.norm() > overlap) {
+          overlap = r[i] + s.radius - d.norm();
+          away = d.normalized();
+        }
+      }
+      if (overlap < 0.0) continue;
+      const Eigen::Vector3d f = 4.0 / 3.0 * E * std::sqrt(r[i]) * std::pow(overlap, 1.5) * away;
+      on_sphere[i] += f;
+      on_beam[k] -= f;
+      largest = std::max(largest, f.norm());
+      ++count[k];
+      ++contacts;
+    }
+  ASSERT_GT(contacts, 500);
+
+  const RunFolder folder("random");
+  const std::string model = "model hertz tangential no_history";
+  for (int ranks = 1; ranks <= 3; ++ranks) {
+    const Outcome outcome = folder.coupled(
+        "processors * 1 1\n" + preamble("-4 4 -4 4 -4 4") + "timestep 1e-6\npair_style gran " + model +
+            "\npair_coeff * *\n" + grains.str() + "neigh_modify exclude type 1 1\nfix w all wall/gran/beam " +
+            model + " type 2" + bodies + "\n" + dump_command("forces.txt", 1, "fx fy fz") +
+            "fix mbd all couple/mbd every 1\nrun 1\n",
+        motion.str(), ranks);
+    ASSERT_EQ(outcome.code, 0) << outcome.output;
+    // Sums of a few dozen forces, directions to a round-off of 1e-15 over overlaps down to some micrometres.
+    const double tolerance = 1e-11 * largest;
+    const Rows forces = folder.dump("forces.txt").at(1);
+    ASSERT_EQ(forces.size(), x.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+      ASSERT_LT((Eigen::Vector3d(forces[i][1], forces[i][2], forces[i][3]) - on_sphere[i]).norm(), tolerance)
+          << "sphere " << i << " on " << ranks << " ranks, seed " << random.seed();
+    const Rows loads = folder.loads();  // window, force, moment, modal force, work, contacts
+    ASSERT_EQ(loads.size(), chains.size());
+    for (std::size_t k = 0; k < chains.size(); ++k) {
+      ASSERT_LT((Eigen::Vector3d(loads[k][1], loads[k][2], loads[k][3]) - on_beam[k]).norm(), 30 * tolerance)
+          << "beam " << k << " on " << ranks << " ranks";
+      ASSERT_EQ(loads[k][9], count[k]);
+    }
+  }
+}
+
 // A list made at every step, one that lives long, and the usual one find the same contacts while beam and
 // grains move.
 TEST(BeamRuns, DoNotDependOnWhenListsAreMade) {
@@ -146,42 +255,56 @@ TEST(BeamRuns, DoNotDependOnWhenListsAreMade) {
   EXPECT_EQ(relative_difference(usual, folder.dump("often.txt")), 0.0);
 }
 
-// A run that is stopped and goes on from its restart file ends with the same bits; without the history it
-// would not.
+// A run that is stopped in the middle of contacts and goes on from its restart file ends with the same bits;
+// without the histories it would not. Two grains slide along the groove between the two beams of one fix; one
+// of them passes from rank to rank after the restart.
 TEST(BeamHistory, SurvivesARestart) {
   const RunFolder folder("restart");
-  const std::string body = "body tine\n" + chain({"-0.4 0 0", "-0.05 0 0", "0.4 0 0"}, 0.055);
-  const std::string after = beam_wall("tine") + "fix g all gravity 9.81 vector 0 0 -1\n";
-  const Outcome whole = folder.coupled(
-      preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "timestep 2e-5\npair_style gran " + kModel +
-          "\npair_coeff * *\ncreate_atoms 1 single -0.1 0 0.0749\ncreate_atoms 1 single 0.1 0.01 0.0742\n"
-          "set group all diameter 0.04 density 2600\nvelocity all set 1.0 0.05 0\n" +
-          after + dump_command("whole.txt", 2000, kColumns) + run(2000) +
-          "write_restart half.restart\nrun 2000\n",
-      "end 0.08\n" + body);
-  ASSERT_EQ(whole.code, 0) << whole.output;
-  const auto resume = [&](const std::string& wall_id, const std::string& file) {
-    std::string wall = after;
-    wall.replace(wall.find("fix w "), 6, "fix " + wall_id + " ");
-    const std::string columns = "x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz f_history_" +
-                                wall_id + "[1] f_history_" + wall_id + "[2] f_history_" + wall_id + "[3]";
-    return folder.coupled(
-        "atom_modify map array\nunits si\nnewton off\nread_restart half.restart\ncommunicate single vel yes\n"
-        "neighbor 0.01 bin\nneigh_modify delay 0\n" +
-            materials() + "timestep 2e-5\npair_style gran " + kModel + "\npair_coeff * *\n" + wall +
-            dump_command(file, 2000, columns) + run(2000, 50),
-        "start 0.04\nend 0.08\n" + body, 1);
+  const std::string body = "body groove\n" + chain({"-0.4 -0.04 0", "-0.05 -0.04 0", "0.4 -0.04 0"}, 0.055) +
+                           chain({"-0.4 0.04 0", "0.01 0.04 0", "0.4 0.04 0"}, 0.055, 3, 1);
+  const auto wall = [](const std::string& id) {
+    return "fix " + id + " all wall/gran/beam " + kModel + " type 2 body groove\n" +
+           "fix g all gravity 9.81 vector 0 0 -1\n";
   };
-  const Outcome resumed = resume("w", "resumed.txt");
-  ASSERT_EQ(resumed.code, 0) << resumed.output;
-  ASSERT_EQ(resume("other", "without_history.txt").code, 0);
-  const Dump expected = folder.dump("whole.txt");
-  ASSERT_EQ(touching(expected.at(2000)), 2);
-  // Not at step 2000: the set-up of a run evaluates friction once more without moving its springs, and a dump
-  // then shows that.
-  const auto end_of = [](const Dump& dump) { return Dump{{4000, dump.at(4000)}}; };
-  EXPECT_EQ(relative_difference(end_of(expected), end_of(folder.dump("resumed.txt"))), 0.0);
-  EXPECT_GT(relative_difference(end_of(expected), end_of(folder.dump("without_history.txt"))), 1e-6);
+  const auto columns = [](const std::string& id) {
+    std::string text = "x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz";
+    for (const std::string& beam : {id, id + "_2"})
+      for (const char* c : {"[1]", "[2]", "[3]"}) text += " f_history_" + beam + c;
+    return text;
+  };
+  for (const int ranks : {1, 2}) {
+    const Outcome whole = folder.coupled(
+        "processors * 1 1\n" + preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "timestep 2e-5\npair_style gran " +
+            kModel +
+            "\npair_coeff * *\ncreate_atoms 1 single -0.055 0 0.063432\ncreate_atoms 1 single 0.1 0 "
+            "0.063432\nset group all diameter 0.04 density 2600\nvelocity all set 1.0 0.002 0\n" +
+            wall("w") + dump_command("whole.txt", 2000, columns("w")) + run(2000) +
+            "write_restart half.restart\nrun 2000\n",
+        "end 0.08\n" + body, ranks);
+    ASSERT_EQ(whole.code, 0) << whole.output;
+    const auto resume = [&](const std::string& id, const std::string& file) {
+      return folder.coupled(
+          "atom_modify map array\nunits si\nnewton off\nprocessors * 1 1\nread_restart half.restart\n"
+          "communicate single vel yes\nneighbor 0.01 bin\nneigh_modify delay 0\n" +
+              materials() + "timestep 2e-5\npair_style gran " + kModel + "\npair_coeff * *\n" + wall(id) +
+              dump_command(file, 2000, columns(id)) + run(2000, 50),
+          "start 0.04\nend 0.08\n" + body, ranks);
+    };
+    const Outcome resumed = resume("w", "resumed.txt");
+    ASSERT_EQ(resumed.code, 0) << resumed.output;
+    ASSERT_EQ(resume("other", "without_history.txt").code, 0);
+    const Dump expected = folder.dump("whole.txt");
+    for (const auto& row : expected.at(2000))
+      for (std::size_t k = 16; k < 22; ++k) EXPECT_NE(row[k], 0.0);  // both grains touch both beams
+    EXPECT_LT(expected.at(2000)[0][1], 0.0);
+    EXPECT_GT(expected.at(4000)[0][1], 0.0);  // came to the other rank
+    // Not at step 2000: the set-up of a run evaluates friction once more without moving its springs, and a
+    // dump then shows that.
+    const auto end_of = [](const Dump& dump) { return Dump{{4000, dump.at(4000)}}; };
+    EXPECT_EQ(relative_difference(end_of(expected), end_of(folder.dump("resumed.txt"))), 0.0)
+        << ranks << " ranks";
+    EXPECT_GT(relative_difference(end_of(expected), end_of(folder.dump("without_history.txt"))), 1e-6);
+  }
 }
 
 // m and moment of momentum about the origin of W, orbit and spin.
@@ -215,11 +338,17 @@ TEST(BeamMomentum, IsGivenAsItIsReceived) {
   const RunFolder folder("momentum");
   const Outcome outcome = folder.coupled(
       sweep("") + dump_command("grains.txt", 6000, kMomentumColumns) +
-          "variable n equal step\nvariable f1 equal f_w[1]\nvariable f2 equal f_w[2]\nvariable f3 equal "
-          "f_w[3]\n"
-          "variable m1 equal f_w[4]\nvariable m2 equal f_w[5]\nvariable m3 equal f_w[6]\nvariable c equal "
-          "f_w[7]\n"
-          "fix out all print 1 \"${n} ${f1} ${f2} ${f3} ${m1} ${m2} ${m3} ${c}\" file beam.txt screen no\n"
+          // Of the one beam, about its body's origin, and of all beams, about the origin of W.
+          "variable n equal step\nvariable f1 equal f_w[1][1]\nvariable f2 equal f_w[1][2]\nvariable f3 "
+          "equal "
+          "f_w[1][3]\n"
+          "variable m1 equal f_w[1][4]\nvariable m2 equal f_w[1][5]\nvariable m3 equal f_w[1][6]\nvariable c "
+          "equal f_w[1][7]\n"
+          "variable a1 equal f_w[1]\nvariable a2 equal f_w[2]\nvariable a3 equal f_w[3]\nvariable b1 equal "
+          "f_w[4]\nvariable b2 equal f_w[5]\nvariable b3 equal f_w[6]\nvariable d equal f_w[7]\n"
+          "fix out all print 1 \"${n} ${f1} ${f2} ${f3} ${m1} ${m2} ${m3} ${c} ${a1} ${a2} ${a3} ${b1} ${b2} "
+          "${b3} "
+          "${d}\" file beam.txt screen no\n"
           "thermo_modify lost ignore\n" +
           run(6000),
       "end 0.12\n" + sweeping_beam().substr(sweeping_beam().find("body")));
@@ -239,13 +368,17 @@ TEST(BeamMomentum, IsGivenAsItIsReceived) {
     for (int c = 0; c < 3; ++c) {
       const int d = (c + 1) % 3, e = (c + 2) % 3;
       impulse[c] += dt * s[static_cast<std::size_t>(1 + c)];
+      ASSERT_EQ(s[static_cast<std::size_t>(8 + c)], s[static_cast<std::size_t>(1 + c)]);
       const double moment = s[static_cast<std::size_t>(4 + c)] + r[d] * s[static_cast<std::size_t>(1 + e)] -
                             r[e] * s[static_cast<std::size_t>(1 + d)];
       turn[c] += dt * moment;
+      // Moments here are below 10 N m; `print` writes 15 digits.
+      ASSERT_NEAR(s[static_cast<std::size_t>(11 + c)], moment, 1e-12);
       size += dt * std::abs(s[static_cast<std::size_t>(1 + c)]);
       turn_size += dt * std::abs(moment);
     }
     contacts += s[7];
+    ASSERT_EQ(s[14], s[7]);
   }
   EXPECT_EQ(steps.back()[7], 0.0);  // clear of all grains
   EXPECT_GT(contacts, 1000);
