@@ -61,6 +61,14 @@ class CssTrapezoid : public Linear {
   StepWeights weights() const override { return {0.5, 0.5}; }
 };
 
+// As css-trapezoid on the grains' side; the load that the body gets reacts within the window.
+class Tangent : public Linear {
+ public:
+  std::string_view name() const override { return "tangent"; }
+  StepWeights weights() const override { return {0.5, 0.5}; }
+  bool wants_tangent() const override { return true; }
+};
+
 // As linear, and half the accelerations times tau^2.
 class Quadratic : public Scheme {
  public:
@@ -85,6 +93,7 @@ std::unique_ptr<Scheme> make_scheme(std::string_view name) {
   if (name == "css-trapezoid") return std::make_unique<CssTrapezoid>();
   if (name == "css") return std::make_unique<Css>();
   if (name == "quadratic") return std::make_unique<Quadratic>();
+  if (name == "tangent") return std::make_unique<Tangent>();
   if (name == "frozen") return std::make_unique<Frozen>();
   std::string known;
   for (const std::string& one : scheme_names()) known += (known.empty() ? "" : ", ") + one;
@@ -92,7 +101,7 @@ std::unique_ptr<Scheme> make_scheme(std::string_view name) {
 }
 
 const std::vector<std::string>& scheme_names() {
-  static const std::vector<std::string> names = {"css-trapezoid", "css", "quadratic", "frozen"};
+  static const std::vector<std::string> names = {"css-trapezoid", "css", "quadratic", "tangent", "frozen"};
   return names;
 }
 

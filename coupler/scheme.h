@@ -33,9 +33,12 @@ class Scheme {
   // window's end. False: it jumps to the prediction at the window's start, and the work of the jump is
   // counted and reported.
   virtual bool continuous_path() const = 0;
+  // True: the grains' side also returns the tangent stiffness and damping of each body's contacts, and the
+  // body reacts on them within the window (TangentLoad).
+  virtual bool wants_tangent() const { return false; }
 };
 
-// "css-trapezoid" (default), "css" (as printed), "quadratic", "frozen" (teaching and tests only: it pumps
+// "css-trapezoid" (default), "css" (as printed), "quadratic", "tangent", "frozen" (teaching and tests only: it pumps
 // energy). Throws InputError for any other name, listing these.
 std::unique_ptr<Scheme> make_scheme(std::string_view name);
 const std::vector<std::string>& scheme_names();

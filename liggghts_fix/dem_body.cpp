@@ -8,8 +8,10 @@ DemBody::DemBody(const CoupledBody& scene_body, const Scheme& scheme)
     : boundary_(scene_body.boundary),
       path_(scheme, scene_body.initial),
       average_(scheme, scene_body.boundary.mode_count()),
-      now_(scene_body.boundary.mode_count()) {
+      now_(scene_body.boundary.mode_count()),
+      wants_slopes_(scheme.wants_tangent()) {
   load_.mean = MeanLoad(boundary_.mode_count());
+  if (wants_slopes_) load_.tangent.resize(1);
 }
 
 void DemBody::begin_window(const BodyMotion& start, int n, double dt) {
@@ -18,10 +20,12 @@ void DemBody::begin_window(const BodyMotion& start, int n, double dt) {
   stiffness_time_ = 0.0;
   time_ = 0.0;
   overlap_ = 0.0;
+  slopes_time_ = {};
 }
 
 void DemBody::clear_contacts() {
   now_.set_zero();
+  if (wants_slopes_) slopes_now_ = {};
   stiffness_now_ = 0.0;
   contacts_now_ = 0;
 }
@@ -45,6 +49,25 @@ void DemBody::count_contact(double overlap_over_radius, double stiffness) {
   ++contacts_now_;
 }
 
+// The point moves by J [dr; dtheta], J = [1, -rho~]; its force -k J dx acts on the body by J^T.
+void DemBody::add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope) {
+  const Eigen::Vector3d& n = slope.normal_W;
+  const Eigen::Vector3d rho = point_W - path_.pose().r;
+  Eigen::Matrix3d rho_skew;
+  rho_skew << 0.0, -rho.z(), rho.y(), rho.z(), 0.0, -rho.x(), -rho.y(), rho.x(), 0.0;
+  const Eigen::Matrix3d along = n * n.transpose(), across = Eigen::Matrix3d::Identity() - along;
+  const auto add = [&](double k_n, double k_t, Eigen::Matrix<double, 6, 6>& sum) {
+    const Eigen::Matrix3d k = k_n * along + k_t * across;
+    const Eigen::Matrix3d turning = rho_skew * k;
+    sum.topLeftCorner<3, 3>() += k;
+    sum.bottomLeftCorner<3, 3>() += turning;
+    sum.topRightCorner<3, 3>() += turning.transpose();
+    sum.bottomRightCorner<3, 3>() -= turning * rho_skew;
+  };
+  add(slope.stiffness, slope.shear_stiffness, slopes_now_.K);
+  add(slope.damping, slope.shear_damping, slopes_now_.C);
+}
+
 void DemBody::take_standing() {
   average_.set_standing(now_, path_.pose());
 }
@@ -52,6 +75,10 @@ void DemBody::take_standing() {
 void DemBody::end_substep(double dt) {
   average_.add_step(now_, path_.pose(), path_.last_step(), dt);
   stiffness_time_ += stiffness_now_ * dt;
+  if (wants_slopes_) {
+    slopes_time_.K += dt * slopes_now_.K;
+    slopes_time_.C += dt * slopes_now_.C;
+  }
   time_ += dt;
 }
 
@@ -68,6 +95,10 @@ void DemBody::write_sums(double* out) {
   *out++ = mean.jump_work;
   *out++ = static_cast<double>(contacts_now_);
   *out++ = stiffness_time_ / time_;
+  if (wants_slopes_) {
+    put((slopes_time_.K / time_).reshaped().eval());
+    put((slopes_time_.C / time_).reshaped().eval());
+  }
   *out = overlap_;
 }
 
@@ -76,6 +107,7 @@ void DemBody::fold_sums(const double* rows, int ranks, std::size_t stride) {
   double contacts = 0.0;
   load_.contact_stiffness = 0.0;
   load_.max_overlap_over_radius = 0.0;
+  if (wants_slopes_) load_.tangent.front() = {};
   for (int rank = 0; rank < ranks; ++rank) {
     const double* in = rows + static_cast<std::size_t>(rank) * stride;
     const auto add = [&in](auto& vector) {
@@ -89,6 +121,10 @@ void DemBody::fold_sums(const double* rows, int ranks, std::size_t stride) {
     load_.mean.jump_work += *in++;
     contacts += *in++;
     load_.contact_stiffness += *in++;
+    if (wants_slopes_) {
+      for (double& k : load_.tangent.front().K.reshaped()) k += *in++;
+      for (double& c : load_.tangent.front().C.reshaped()) c += *in++;
+    }
     load_.max_overlap_over_radius = std::max(load_.max_overlap_over_radius, *in);
   }
   load_.contacts = static_cast<std::int64_t>(contacts);

@@ -11,6 +11,14 @@
 
 namespace footfall {
 
+// What a contact does to a small motion of the body at its point: stiffness [N/m] and damping [N s/m] along
+// the normal and across it (across: 0 while it slides).
+struct ContactSlope {
+  Eigen::Vector3d normal_W = Eigen::Vector3d::UnitZ();
+  double stiffness = 0.0, shear_stiffness = 0.0;
+  double damping = 0.0, shear_damping = 0.0;
+};
+
 // Life of a window: begin_window, then per substep advance, clear_contacts, add_contact for every contact of
 // this rank, end_substep. Sums are of this rank alone until fold_sums has added those of all ranks.
 class DemBody {
@@ -35,13 +43,16 @@ class DemBody {
   // body, and each contact's figures.
   void add_load(const GeneralizedForce& Q);
   void count_contact(double overlap_over_radius, double stiffness);
+  // Does the scheme use contact slopes? Then add_slope follows for every contact, at its point in W [m].
+  bool wants_slopes() const { return wants_slopes_; }
+  void add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope);
   // The forces just evaluated stand before the next substep (a run was set up).
   void take_standing();
   void end_substep(double dt);
 
   // What the ranks add up at the end of a window, as a plain row of numbers; the last is a maximum, the
   // others are sums.
-  int sum_count() const { return 14 + boundary_.mode_count(); }
+  int sum_count() const { return 14 + boundary_.mode_count() + (wants_slopes_ ? 72 : 0); }
   void write_sums(double* out);
   // rows: the rows of all ranks, `stride` numbers apart.
   void fold_sums(const double* rows, int ranks, std::size_t stride);
@@ -62,6 +73,8 @@ class DemBody {
   std::int64_t contacts_now_ = 0;
   double stiffness_time_ = 0.0;  // integral over the window [N s/m]
   double time_ = 0.0;            // of the window [s]
+  bool wants_slopes_;
+  ContactTangent slopes_now_, slopes_time_;  // sums over contacts; their integrals over the window
   double overlap_ = 0.0;         // largest in the window over radius [-]
   BodyLoad load_;
 };

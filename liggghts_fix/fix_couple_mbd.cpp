@@ -189,29 +189,42 @@ void FixCoupleMbd::init() {
   size_array_rows = link_.body_count();
   for (CoupledMesh& mesh : meshes_) {
     mesh.module->set_body(&link_.body(mesh.body));
-    mesh.module->set_effective_moduli(effective_moduli(mesh.fix->atomTypeWall()));
+    mesh.module->set_contacts(wall_contacts(mesh.fix->atomTypeWall()));
   }
   link_.expect_set_up();
 }
 
-// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 for every grain type against the wall, where the script gives
-// elastic constants; else empty.
-std::vector<double> FixCoupleMbd::effective_moduli(int wall_type) const {
+// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2, 1/G* = sum of 2 (2 - nu)(1 + nu)/E, for every grain type against
+// the wall, where the script gives elastic constants; else empty.
+std::vector<WallContact> FixCoupleMbd::wall_contacts(int wall_type) const {
   const int types = atom->ntypes;
-  const auto property = [&](const char* name) {
+  const auto property = [&](const char* name, const char* kind, int columns) {
     return dynamic_cast<FixPropertyGlobal*>(
-        modify->find_fix_property(name, "property/global", "peratomtype", types, 0, style, false));
+        modify->find_fix_property(name, "property/global", kind, types, columns, style, false));
   };
-  FixPropertyGlobal* young = property("youngsModulus");
-  FixPropertyGlobal* poisson = property("poissonsRatio");
+  FixPropertyGlobal* young = property("youngsModulus", "peratomtype", 0);
+  FixPropertyGlobal* poisson = property("poissonsRatio", "peratomtype", 0);
+  FixPropertyGlobal* restitution = property("coefficientRestitution", "peratomtypepair", types);
+  FixPropertyGlobal* friction = property("coefficientFriction", "peratomtypepair", types);
   if (young == nullptr || poisson == nullptr || wall_type < 1 || wall_type > types) return {};
   const auto compliance = [&](int type) {
     const double nu = poisson->compute_vector(type - 1);
     return (1.0 - nu * nu) / young->compute_vector(type - 1);
   };
-  std::vector<double> result(static_cast<std::size_t>(types) + 1, 0.0);
-  for (int type = 1; type <= types; ++type)
-    result[static_cast<std::size_t>(type)] = 1.0 / (compliance(type) + compliance(wall_type));
+  const auto shear_compliance = [&](int type) {
+    const double nu = poisson->compute_vector(type - 1);
+    return 2.0 * (2.0 - nu) * (1.0 + nu) / young->compute_vector(type - 1);
+  };
+  std::vector<WallContact> result(static_cast<std::size_t>(types) + 1);
+  for (int type = 1; type <= types; ++type) {
+    WallContact& contact = result[static_cast<std::size_t>(type)];
+    contact.young = 1.0 / (compliance(type) + compliance(wall_type));
+    contact.shear = 1.0 / (shear_compliance(type) + shear_compliance(wall_type));
+    if (friction != nullptr) contact.friction = friction->compute_array(type - 1, wall_type - 1);
+    if (restitution == nullptr) continue;
+    const double log_e = std::log(restitution->compute_array(type - 1, wall_type - 1));
+    contact.damping = -2.0 * std::sqrt(5.0 / 6.0) * log_e / std::sqrt(log_e * log_e + M_PI * M_PI);
+  }
   return result;
 }
 

@@ -52,7 +52,7 @@ class FixCoupleMbd : public Fix {
   CoupledMesh couple(const std::string& mesh_id, const std::string& body);
   std::vector<footfall::CornerNodes> match(FixMeshSurface* mesh_fix, const std::string& mesh_id,
                                            const footfall::CoupledBody& body) const;
-  std::vector<double> effective_moduli(int wall_type) const;
+  std::vector<WallContact> wall_contacts(int wall_type) const;
   void move(CoupledMesh& mesh);
   void translate(TriMesh* mesh, const Eigen::Vector3d& velocity) const;
   double nearest_image(double place, double before, int direction) const;

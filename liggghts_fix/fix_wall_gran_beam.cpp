@@ -213,6 +213,7 @@ void FixWallGranBeam::touch_grains(Beam& beam) {
     if (!counts || closest.gap > 0.0) continue;
     const double overlap = -closest.gap / radius_[i];
     body.count_contact(overlap, stiffness);
+    if (body.wants_slopes()) body.add_slope(closest.contact_point(), slope_);
     ++beam.contacts;
     beam.overlap = std::max(beam.overlap, overlap);
   }
@@ -235,7 +236,7 @@ double FixWallGranBeam::touch(Beam& beam, int i, const BeamTouch& touch, double*
   contact.radi = r;
   contact.deltan = r - to_surface;
   contact.contact_history = history;
-  contact.kn = 0.0;  // some models set none
+  contact.kn = contact.kt = contact.gamman = contact.gammat = 0.0;  // some models set none
   take(to_surface * touch.normal, contact.delta);
   double v_wall[3];
   take(beam.motion.velocity(touch), v_wall);
@@ -243,6 +244,7 @@ double FixWallGranBeam::touch(Beam& beam, int i, const BeamTouch& touch, double*
   const Eigen::Vector3d f_before = vector(f_[i]), torque_before = vector(atom->torque[i]);
   impl->compute_force(this, contact, touch.gap <= 0.0, v_wall);
   const Eigen::Vector3d f_W = f_before - vector(f_[i]);
+  slope_ = {touch.normal, stiffness_per_kn_ * contact.kn, contact.kt, contact.gamman, contact.gammat};
   beam.motion.add_force(touch, f_W, torque_before - vector(atom->torque[i]) + (x - touch.p).cross(f_W));
   return stiffness_per_kn_ * contact.kn;
 }

@@ -28,9 +28,9 @@ FixStyle(wall/gran/beam,FixWallGranBeam)
 #include "liggghts_fix/beam_contact.h"
 #include "liggghts_fix/beam_motion.h"
 #include "liggghts_fix/beam_neighbours.h"
+#include "liggghts_fix/dem_body.h"
 
 namespace footfall {
-class DemBody;
 class DemLink;
 }  // namespace footfall
 
@@ -79,6 +79,7 @@ class FixWallGranBeam : public FixWallGran {
   const footfall::BeamArguments arguments_;
   std::vector<std::unique_ptr<Beam>> beams_;  // parts of a beam refer to each other: it never moves
   bool renumbered_ = true;
+  footfall::ContactSlope slope_;  // of the contact just computed; a grain that slides counts as one that sticks
   double stiffness_per_kn_ = 1.0;
 };
 

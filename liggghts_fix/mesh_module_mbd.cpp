@@ -11,6 +11,8 @@
 namespace LAMMPS_NS {
 namespace {
 
+constexpr double kSliding = 1.0 - 1e-6;  // of the Coulomb limit, to round-off
+
 int no_arguments = 0;  // the base class takes its position in an argument list by reference
 
 Eigen::Vector3d vector3(const double* x) {
@@ -49,11 +51,28 @@ void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta
   const double distance = d.norm();
   const double overlap = std::max(0.0, radius - distance);
   const Eigen::Vector3d arm_W = (0.5 * overlap / distance) * d;  // from c
-  double stiffness = 0.0;
-  if (!effective_moduli_.empty())
-    stiffness =
-        2.0 * effective_moduli_[static_cast<std::size_t>(atom->type[ip])] * std::sqrt(radius * overlap);
+  if (contacts_.empty()) {
+    body_->add_contact(point, f_W, arm_W.cross(f_W), overlap / radius, 0.0);
+    return;
+  }
+  const WallContact& contact = contacts_[static_cast<std::size_t>(atom->type[ip])];
+  const double s = std::sqrt(radius * overlap);
+  const double stiffness = 2.0 * contact.young * s;
   body_->add_contact(point, f_W, arm_W.cross(f_W), overlap / radius, stiffness);
+  if (!body_->wants_slopes()) return;
+
+  footfall::ContactSlope slope;
+  slope.normal_W = d / distance;
+  slope.stiffness = stiffness;
+  const double mass = atom->rmass[ip];
+  slope.damping = contact.damping * std::sqrt(stiffness * mass);
+  const double pressure = f_W.dot(slope.normal_W);
+  const double shear = (f_W - pressure * slope.normal_W).norm();
+  if (shear < kSliding * contact.friction * std::abs(pressure)) {
+    slope.shear_stiffness = 8.0 * contact.shear * s;
+    slope.shear_damping = contact.damping * std::sqrt(slope.shear_stiffness * mass);
+  }
+  body_->add_slope(c + arm_W, slope);
 }
 
 }  // namespace LAMMPS_NS

@@ -9,6 +9,15 @@
 
 namespace LAMMPS_NS {
 
+// Hertz-Mindlin constants of one grain type against the wall. With s = sqrt(radius overlap): normal stiffness
+// 2 young s, shear stiffness 8 shear s; damping sqrt(stiffness grain-mass) times `damping` (LIGGGHTS).
+struct WallContact {
+  double young = 0.0;     // E* [Pa]
+  double shear = 0.0;     // G* [Pa]
+  double damping = 0.0;   // -2 sqrt(5/6) beta, beta = ln e / sqrt(ln^2 e + pi^2) [-]
+  double friction = 0.0;  // [-]
+};
+
 // Attached to a `fix mesh/surface` or `mesh/surface/stress` behind the modules it has. Sign: the wall hands
 // out the force on the GRAIN; the module `stress`, which hears first, has turned it round in place for grains
 // of the mesh fix's group.
@@ -19,15 +28,15 @@ class MeshModuleMbd final : public MeshModule {
 
   // The body that takes the forces, known once the coupling has started.
   void set_body(footfall::DemBody* body) { body_ = body; }
-  // E* between grain type (from 1) and this mesh [Pa].
-  void set_effective_moduli(std::vector<double> moduli) { effective_moduli_ = std::move(moduli); }
+  // By grain type, from 1; empty: the script gives no elastic constants, and stiffnesses stay unknown.
+  void set_contacts(std::vector<WallContact> contacts) { contacts_ = std::move(contacts); }
   const std::vector<footfall::CornerNodes>& corners() const { return corners_; }
 
   void add_particle_contribution(int ip, double* frc, double* delta, int iTri, double* v_wall) override;
 
  private:
   std::vector<footfall::CornerNodes> corners_;
-  std::vector<double> effective_moduli_;
+  std::vector<WallContact> contacts_;
   footfall::DemBody* body_ = nullptr;
   bool behind_stress_;
 };

@@ -10,6 +10,7 @@ namespace footfall {
 namespace {
 
 constexpr int kChatterWindows = 16;         // full swings in a row that no impact shows
+constexpr double kWarnGain = 0.2;  // of the gain that ends the run
 constexpr double kChatterForceShare = 0.2;  // of the largest force of the run: smaller ones may swing
 
 std::string number(double x) {
@@ -33,10 +34,11 @@ CouplingWatch::CouplingWatch(std::vector<std::string> names, std::vector<double>
       alternations_(names_.size(), 0) {}
 
 void CouplingWatch::window(double time, double H, int n, const Load& load, const std::vector<double>& work_received,
-                           double reference_energy) {
+                           double reference_energy,
+                           double pending) {
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const BodyLoad& body = load.bodies[i];
-    residual_ += body.mean.work - work_received[i];
+    sum_ += body.mean.work - work_received[i];
     largest_overlap_ = std::max(largest_overlap_, body.max_overlap_over_radius);
     largest_force_ = std::max(largest_force_, body.mean.F_W.norm());
     // A body on contacts of stiffness K: omega = sqrt(K / m).
@@ -51,7 +53,14 @@ void CouplingWatch::window(double time, double H, int n, const Load& load, const
     }
     watch_chatter(i, body.mean.F_W, time, n);
   }
+  residual_ = sum_ + pending;
   largest_residual_ = std::max(largest_residual_, std::abs(residual_));
+  if (!warned_of_gain_ && -residual_ > kWarnGain * limits_.max_energy_residual * reference_energy) {
+    warned_of_gain_ = true;
+    warnings_.push_back("t = " + number(time) + " s: the coupling has made " + number(-residual_) + " J, " +
+                        number(-residual_ / reference_energy * 100.0) + " % of the reference energy: use smaller windows (every " +
+                        std::to_string(std::max(1, n / 2)) + ")");
+  }
   // The bodies have received more than the grains have given: energy from nowhere.
   if (limits_.stop_on_energy_gain && -residual_ > limits_.max_energy_residual * reference_energy)
     throw NumericalError("t = " + number(time) + " s: the coupling has pumped " + number(-residual_) + " J into the mechanism, " +

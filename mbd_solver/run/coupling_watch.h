@@ -16,11 +16,13 @@ class CouplingWatch {
   CouplingWatch(std::vector<std::string> names, std::vector<double> masses, const CouplingSpec& limits);
 
   // One window of n substeps, H [s] long: what the grains did (load) and the work that arrived at each body [J].
-  // reference_energy [J]: the scale against which the residual is judged. Throws NumericalError when the interface pumps energy or the
+  // reference_energy [J]: the scale against which the residual is judged. pending [J]: work that the grains will do when the next window
+  // starts from the computed motion, and that the bodies have received already. Throws NumericalError when the interface pumps energy or the
   // mean force chatters, naming time, body and what to do.
-  void window(double time, double H, int n, const Load& load, const std::vector<double>& work_received, double reference_energy);
+  void window(double time, double H, int n, const Load& load, const std::vector<double>& work_received, double reference_energy,
+              double pending = 0.0);
 
-  double energy_residual() const { return residual_; }          // sum of (work on the boundary - work received) [J]
+  double energy_residual() const { return residual_; }          // sum of (work on the boundary - work received), + pending [J]
   double largest_energy_residual() const { return largest_residual_; }
   double largest_overlap() const { return largest_overlap_; }   // of radius [-]
   double largest_force() const { return largest_force_; }       // mean over a window, on one body [N]
@@ -35,7 +37,9 @@ class CouplingWatch {
   std::vector<std::string> names_;
   std::vector<double> masses_;
   CouplingSpec limits_;
+  double sum_ = 0.0;                                // of work on the boundary - work received [J]
   double residual_ = 0.0, largest_residual_ = 0.0;  // [J]
+  bool warned_of_gain_ = false;
   double largest_overlap_ = 0.0, largest_force_ = 0.0;
   std::vector<double> omega_h_, largest_omega_h_;
   std::vector<bool> warned_;

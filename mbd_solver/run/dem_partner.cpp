@@ -40,7 +40,7 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     Accept accept;
     accept.scheme = terms.scheme;
     accept.t_end = terms.t_end;
-    accept.n_max = start_.n;
+    accept.n_max = start_.n > 0 ? start_.n : terms.n_max;
     link_.send(accept);
   } catch (const ProtocolError& error) {
     link_.fail(error.what(), Status::kBadInput);
@@ -49,9 +49,9 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
 }
 
 void DemPartner::check(const DemTerms& terms) const {
-  if (!(start_.dt > 0.0) || start_.n < 1)
+  if (!(start_.dt > 0.0) || start_.n < 0)
     throw ProtocolError("fix couple/mbd: timestep " + number(start_.dt) + " s and every " + std::to_string(start_.n) +
-                        ", expected both to be positive");
+                        ", expected a positive time step and 1 or more substeps, or auto");
   if (terms.max_dt > 0.0 && start_.dt > terms.max_dt * (1.0 + 1e-9))
     throw ProtocolError("the LIGGGHTS script has timestep " + number(start_.dt) + " s, the scene allows at most " + number(terms.max_dt) +
                         " s (particles.max_time_step): larger steps falsify the contact forces long before they become unstable");
@@ -59,7 +59,7 @@ void DemPartner::check(const DemTerms& terms) const {
     throw ProtocolError("the LIGGGHTS script has timestep " + number(start_.dt) + " s, the scene says particles.variables.dt = " +
                         number(terms.expected_dt) + " s: make them agree, or drop the variable from the scene");
   if (terms.expected_n > 0 && start_.n != terms.expected_n)
-    throw ProtocolError("fix couple/mbd has every " + std::to_string(start_.n) + ", the scene says particles.variables.every = " +
+    throw ProtocolError("fix couple/mbd has every " + (start_.n > 0 ? std::to_string(start_.n) : "auto") + ", the scene says particles.variables.every = " +
                         std::to_string(terms.expected_n) + ": make them agree, or drop the variable from the scene");
   for (const std::string& name : start_.bodies) {
     bool known = false;

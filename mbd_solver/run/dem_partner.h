@@ -16,6 +16,7 @@ struct DemTerms {
   double max_dt = 0.0;                   // a larger DEM step is refused [s]; 0: any
   double expected_dt = 0.0;              // stated by the scene for the script; 0: not stated [s]
   int expected_n = 0;                    // likewise
+  int n_max = 1;                         // longest window when the script has `every auto`
 };
 
 class DemPartner {
@@ -25,7 +26,7 @@ class DemPartner {
   DemPartner(Transport& transport, std::vector<CoupledBody> bodies, const DemTerms& terms, double patience);
 
   double dt() const { return start_.dt; }                   // substep of the grains [s]
-  int substeps() const { return start_.n; }                 // n of the script
+  int substeps() const { return start_.n; }                 // n of the script; 0: `every auto`
   const std::vector<int>& coupled() const { return coupled_; }  // index in `bodies` of each body of Motion and Load, in their order
 
   // One window: sends `motion` and returns the load that the grains gave over it. The reference holds until the next call.

@@ -16,6 +16,7 @@ namespace footfall {
 struct Placement {
   Eigen::Matrix3d R_WD = Eigen::Matrix3d::Identity();
   Eigen::Vector3d p_WD = Eigen::Vector3d::Zero();  // [m]
+  bool ground_known = false;                       // the scene says how high the ground stands
   double ground_height = 0.0;                      // of plane or highest grain under the boundaries, along up [m]
 
   Eigen::Vector3d point(const Eigen::Vector3d& p_D) const { return p_WD + R_WD * p_D; }

@@ -118,12 +118,14 @@ void Observation::add_energies() {
 void Observation::add_coupling() {
   column("coupling.energy_residual", "J");
   column("coupling.substeps", "-");
+  if (simulation_.partner()->substeps() == 0) column("coupling.estimate", "-");
   const std::vector<int>& coupled = simulation_.partner()->coupled();
   for (const int i : coupled)
     column("coupling.omega_h." + simulation_.mechanism().boundaries[static_cast<std::size_t>(i)].boundary.name(), "-");
   groups_.push_back([this](const Sample& s, std::vector<double>& row) {
     row.push_back(s.coupling->energy_residual());
-    row.push_back(simulation_.partner()->substeps());
+    row.push_back(s.substeps);
+    if (simulation_.partner()->substeps() == 0) row.push_back(s.estimate);
     row.insert(row.end(), s.coupling->omega_h().begin(), s.coupling->omega_h().end());
   });
 }

@@ -83,6 +83,8 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
   if (plane) placement.ground_height = up.dot(scene.ground.plane->point);
   if (particles && scene.particles->surface_height) placement.ground_height = *scene.particles->surface_height;
 
+  placement.ground_known = plane || !grains.empty() || (particles && scene.particles->surface_height);
+
   // Per boundary: how far its lowest point stands above the ground under it.
   double smallest = std::numeric_limits<double>::infinity();
   double highest_ground = -std::numeric_limits<double>::infinity();

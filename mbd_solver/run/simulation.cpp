@@ -8,6 +8,7 @@
 #include "coupler/errors.h"
 #include "coupler/scheme.h"
 #include "mbd_solver/model/rigid_plane.h"
+#include "mbd_solver/run/tangent.h"
 
 namespace footfall {
 namespace {
@@ -40,6 +41,7 @@ std::string scheme_name(SchemeKind kind) {
     case SchemeKind::kFrozen: return "frozen";
     case SchemeKind::kCss: return "css";
     case SchemeKind::kQuadratic: return "quadratic";
+    case SchemeKind::kTangent: return "tangent";
     default: return std::string(kDefaultScheme);
   }
 }
@@ -82,6 +84,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
   DemTerms terms;
   terms.scheme = scheme_name(scene.coupling.scheme);
   terms.t_end = t_end_;
+  terms.n_max = scene.coupling.max_substeps;
   terms.max_dt = scene.particles->max_time_step;
   terms.expected_dt = stated(scene, "dt");
   terms.expected_n = static_cast<int>(stated(scene, "every"));
@@ -95,6 +98,61 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
     motion_.bodies.emplace_back(entry.boundary.mode_count());
   }
   watch_ = std::make_unique<CouplingWatch>(std::move(names), std::move(masses), scene.coupling);
+  prepare_windows();
+}
+
+void Simulation::prepare_windows() {
+  scheme_ = make_scheme(scheme_name(scene_.coupling.scheme));
+  const bool chosen = partner_->substeps() == 0;
+  if (!chosen && !scheme_->wants_tangent()) return;
+  for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
+    const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
+    fill_motion(body, motion_.bodies[k]);
+    predicted_.emplace_back(*scheme_, motion_.bodies[k]);
+    windows_of_bodies_.emplace_back();
+    windows_of_bodies_.back().mass = mechanism_.model.body(body).mass();
+  }
+  if (!chosen) return;
+  double weight = std::numeric_limits<double>::infinity();
+  for (const WindowChoice::Body& body : windows_of_bodies_) weight = std::min(weight, body.mass * scene_.gravity.norm());
+  choice_ = std::make_unique<WindowChoice>(scene_.coupling, partner_->dt(), weight);
+  choose_window(true);
+}
+
+// Falling at its present speed. 0 when it may touch a grain now, or when nobody said how high the grains stand.
+double Simulation::time_of_flight(const BodyBoundary& entry, const BodyMotion& motion) const {
+  if (!mechanism_.placement.ground_known) return 0.0;
+  const Eigen::Vector3d up = up_direction(scene_.gravity);
+  const Eigen::Matrix3Xd& rho0 = entry.boundary.rho0();
+  const double lowest = up.dot(motion.r) + (up.transpose() * motion.rotation() * rho0).minCoeff();
+  const double reach = rho0.colwise().norm().maxCoeff();
+  const double speed = motion.w.norm() * reach - up.dot(motion.dr);
+  double radius = 0.0;  // of beams
+  for (const BeamSegment& segment : entry.boundary.segments()) radius = std::max(radius, segment.radius);
+  const double height = lowest - radius - mechanism_.placement.ground_height;
+  if (height <= 0.0) return 0.0;
+  return speed > 0.0 ? height / speed : std::numeric_limits<double>::infinity();
+}
+
+void Simulation::choose_window(bool first) {
+  for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
+    const BodyBoundary& entry = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])];
+    BodyMotion& motion = motion_.bodies[k];
+    fill_motion(entry.body, motion);
+    WindowChoice::Body& body = windows_of_bodies_[k];
+    body.flight = time_of_flight(entry, motion);
+    if (first) continue;
+    const BodyLoad& load = partner_->load().bodies[k];
+    body.stiffness = load.contact_stiffness;
+    body.force = load.mean.F_W.norm();
+    const Vector6d gap = predicted_[k].gap(motion);
+    body.gap = gap.head<3>().norm() + gap.tail<3>().norm() * entry.boundary.rho0().colwise().norm().maxCoeff();
+  }
+  if (first) {
+    choice_->start(windows_of_bodies_);
+  } else {
+    choice_->observe(motion_.n, windows_of_bodies_);
+  }
 }
 
 bool Simulation::finished() const { return state_.time >= t_end_ * (1.0 - 1e-12); }
@@ -123,15 +181,44 @@ void Simulation::fill_motion(int body, BodyMotion& motion) const {
   motion.dda = rates_.segment(dv + 6, s);
 }
 
+double Simulation::pending_interface_work() {
+  if (!scheme_->wants_tangent()) return 0.0;
+  double work = 0.0;
+  for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
+    fill_motion(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body, motion_.bodies[k]);
+    const BodyLoad& load = partner_->load().bodies[k];
+    work += pending_work(load.mean, load.tangent.front(), predicted_[k], motion_.bodies[k]);
+  }
+  return work;
+}
+
+// The path of scheme `tangent` runs at the velocity that the window is expected to have in the mean.
+void Simulation::soften_paths(double H) {
+  for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
+    const std::vector<BodyLoad>& loads = partner_->load().bodies;
+    const ContactTangent slope = loads.empty() || loads[k].tangent.empty() ? ContactTangent{} : loads[k].tangent.front();
+    BodyMotion& motion = motion_.bodies[k];
+    const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
+    const Vector6d v = mean_velocity(mechanism_.model.body(body), motion, slope, H);
+    motion.dr = v.head<3>();
+    motion.w = v.tail<3>();
+    if (motion.mode_count() > 0) motion.da += 0.5 * H * motion.dda;
+  }
+}
+
 double Simulation::exchange_window() {
   const double dt = partner_->dt();
   const int left = static_cast<int>(std::lround((t_end_ - state_.time) / dt));
   motion_.window = window_;
   motion_.time = state_.time;
-  motion_.n = std::max(1, std::min(partner_->substeps(), left));
+  int n = choice_ ? choice_->substeps() : partner_->substeps();
+  if (scheme_->wants_tangent() && window_ == 0) n = 1;  // to learn the slopes of contacts that stand already
+  motion_.n = std::max(1, std::min(n, left));
   motion_.last_window = left <= motion_.n;
   for (std::size_t k = 0; k < motion_.bodies.size(); ++k)
     fill_motion(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body, motion_.bodies[k]);
+  if (scheme_->wants_tangent()) soften_paths(motion_.n * dt);
+  for (std::size_t k = 0; k < predicted_.size(); ++k) predicted_[k].begin(motion_.bodies[k], motion_.n, dt);
   const Load& load = partner_->exchange(motion_);
   times_.dem += load.wall_seconds;
   particles_ = static_cast<long>(load.particles);
@@ -145,6 +232,10 @@ double Simulation::exchange_window() {
     external.F_W = mean.F_W;
     external.T_B = mean.T_B;
     if (mean.Q_a.size() > 0) external.Q_a = mean.Q_a;
+    if (load.bodies[k].tangent.empty()) continue;
+    const double H = motion_.n * dt;
+    const double omega_h = std::sqrt(std::max(0.0, load.bodies[k].contact_stiffness) / mechanism_.model.body(body).mass()) * H;
+    external.tangent = tangent_load(load.bodies[k].tangent.front(), predicted_[k], omega_h, H);
   }
   return motion_.last_window ? t_end_ : state_.time + motion_.n * dt;
 }
@@ -177,7 +268,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     equations_->energy(state_.time, y_, inputs_, energy_);
     times_.total = now() - started;
     if (partner_) times_.waiting = partner_->seconds_waited();
-    observe({state_, energy_, rates_, contact_, inputs_, watch_.get(), window_});
+    observe({state_, energy_, rates_, contact_, inputs_, watch_.get(), window_, motion_.n, choice_ ? choice_->estimate() : 0.0});
   };
   equations_->accelerations(state_, inputs_, rates_);
   report();
@@ -205,7 +296,8 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
         work_received[k] = state_.load_work(body) - work_before(body);
       }
       reference_energy = std::max(reference_energy, energy_.stored.kinetic);
-      watch_->window(state_.time, t1 - t0, motion_.n, partner_->load(), work_received, reference_energy);
+      watch_->window(state_.time, t1 - t0, motion_.n, partner_->load(), work_received, reference_energy, pending_interface_work());
+      if (choice_) choose_window(false);
     }
     report();
   }

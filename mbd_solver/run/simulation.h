@@ -14,6 +14,8 @@
 #include "mbd_solver/run/coupling_watch.h"
 #include "mbd_solver/run/dem_partner.h"
 #include "mbd_solver/run/mechanism.h"
+#include "mbd_solver/run/predicted_window.h"
+#include "mbd_solver/run/window_choice.h"
 
 namespace footfall {
 
@@ -26,6 +28,8 @@ struct Sample {
   const Inputs& inputs;
   const CouplingWatch* coupling;                 // null without grains
   long window;                                   // windows done
+  int substeps;                                  // of the last window, 0 without grains
+  double estimate;                               // of the last window's force error, when windows are chosen [-]
 };
 
 struct RunTimes {
@@ -62,6 +66,11 @@ class Simulation {
  private:
   double next_stop() const;          // end of the next window without grains
   double exchange_window();          // with grains: trades motion for loads, returns the window's end
+  void prepare_windows();            // what the scheme and `every auto` need
+  double pending_interface_work();   // of scheme `tangent` [J]
+  void soften_paths(double H);       // of motion_, for the scheme `tangent`
+  void choose_window(bool first);    // after a window: substeps of the next one
+  double time_of_flight(const BodyBoundary& boundary, const BodyMotion& motion) const;  // until it can meet a grain [s]
   void fill_motion(int body, BodyMotion& motion) const;
   void update_contact();             // contact_ from loads or planes
   void check_finite() const;
@@ -82,6 +91,10 @@ class Simulation {
   EnergySample energy_;
   std::vector<GeneralizedForce> contact_;
   Motion motion_;
+  std::unique_ptr<Scheme> scheme_;
+  std::vector<PredictedWindow> predicted_;  // per coupled body; empty when nobody asks
+  std::unique_ptr<WindowChoice> choice_;    // null when the script fixes n
+  std::vector<WindowChoice::Body> windows_of_bodies_;
   RunTimes times_;
   long window_ = 0;
   long particles_ = 0;

@@ -57,7 +57,9 @@ void visit_fields(FieldVisitor& v, SolverSpec& s) {
 
 void visit_fields(FieldVisitor& v, CouplingSpec& c) {
   v.field("", &c.source, {});
-  v.choice("scheme", c.scheme, {"frozen", "css", "css-trapezoid", "quadratic"});
+  v.choice("scheme", c.scheme, {"frozen", "css", "css-trapezoid", "quadratic", "tangent"});
+  v.field("tolerance", &c.tolerance, {Unit::kNone, Range::kPositive});
+  v.field("max_substeps", &c.max_substeps, {Unit::kNone, Range::kPositive});
   v.field("warn_omega_h", &c.warn_omega_h, {Unit::kNone, Range::kPositive});
   v.field("stop_on_energy_gain", &c.stop_on_energy_gain, {});
   v.field("max_energy_residual", &c.max_energy_residual, {Unit::kNone, Range::kPositive});

@@ -70,11 +70,15 @@ struct SolverSpec {
 };
 
 // Names as in theory: boundary path in the window / force to the mechanism.
-enum class SchemeKind { kFrozen, kCss, kCssTrapezoid, kQuadratic };
+enum class SchemeKind { kFrozen, kCss, kCssTrapezoid, kQuadratic, kTangent };
 
 struct CouplingSpec {
   Source source;
   SchemeKind scheme = SchemeKind::kCssTrapezoid;
+  // `every auto` in the script: substeps per window are chosen in [1, max_substeps] so that the force on a body misses by the
+  // tolerance's share of the force scale at the window's end.
+  double tolerance = 0.01;                            // [-]
+  int max_substeps = 100;
   double warn_omega_h = 0.5;                          // warn above this estimate of omega H [-]
   bool stop_on_energy_gain = true;                    // end the run when the interface pumps energy ...
   double max_energy_residual = 0.1;                   // ... of more than this share of the initial mechanical energy [-]

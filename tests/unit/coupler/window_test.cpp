@@ -175,7 +175,7 @@ TEST(Scheme, UnknownNameIsRefusedAndTheKnownOnesAreNamed) {
     make_scheme("css_trapezoid");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("css-trapezoid, css, quadratic, frozen"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("css-trapezoid, css, quadratic, tangent, frozen"), std::string::npos);
   }
   EXPECT_EQ(make_scheme(kDefaultScheme)->name(), kDefaultScheme);
 }

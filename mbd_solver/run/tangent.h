@@ -1,0 +1,27 @@
+#pragma once
+// The scheme `tangent` on the multibody side: a path for the grains that does not overshoot on stiff contacts, and a load that reacts within
+// the window. theory: coupling.
+
+#include "coupler/messages.h"
+#include "mbd_solver/model/body.h"
+#include "mbd_solver/model/external_load.h"
+#include "mbd_solver/run/predicted_window.h"
+
+namespace footfall {
+
+// Mean velocity [dr; w] over a window of H [s] of one body on contacts of the slopes that it had in the last window, by one L-stable
+// second-order step of M d'' = M a - K d - C (d' - v), d(0) = 0, d'(0) = v; a: the acceleration that it has (so every other force stays
+// what it is; bodies behind joints lend it no inertia). For omega H << 1 it is v + a H/2; for omega H >> 1 it leads to where the contacts
+// balance, while v alone would drive the boundary through them.
+Vector6d mean_velocity(const Body& body, const BodyMotion& motion, const ContactTangent& slope, double H);
+
+// [F; T] = mean load - K (x - x_mean) - (C + D) (v - v_mean), means of the predicted path. K and C are the mean slopes of the window. Their
+// change within it feeds or drains energy where omega H is large, so that D = H/2 w^4 / (1 + w^4) K, w = omega H, damps what the window
+// does not resolve: a damping ratio of w/4 for w >> 1, and of w^5/4 (no loss of order) for w << 1.
+TangentLoad tangent_load(const ContactTangent& slope, const PredictedWindow& predicted, double omega_h, double H);
+
+// Work [J] that the contacts would still do on the boundary from its predicted end to the computed motion, by the mean load and its slope:
+// the grains do it only when the next window closes the gap, while the body has received it already.
+double pending_work(const MeanLoad& mean, const ContactTangent& slope, const PredictedWindow& predicted, const BodyMotion& computed);
+
+}  // namespace footfall
