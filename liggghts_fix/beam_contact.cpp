@@ -33,9 +33,19 @@ BeamChain::BeamChain(const ModalBoundary& boundary, int chain) {
   }
   if (segments_.empty())
     throw InputError("body \"" + boundary.name() + "\" has no beam number " + std::to_string(chain));
-  x_.resize(3, static_cast<Eigen::Index>(boundary_node_.size()));
-  for (int node = 0; node < node_count(); ++node)
-    x_.col(node) = boundary.rho0().col(boundary_point(node).nodes[0]);
+  const auto count = static_cast<Eigen::Index>(boundary_node_.size());
+  rho0_.resize(3, count);
+  Phi_.resize(3 * count, boundary.mode_count());
+  largest_Phi_.setZero(boundary.mode_count());
+  for (Eigen::Index node = 0; node < count; ++node) {
+    const int j = boundary_node_[static_cast<std::size_t>(node)];
+    rho0_.col(node) = boundary.rho0().col(j);
+    if (boundary.mode_count() == 0) continue;
+    Phi_.middleRows<3>(3 * node) = boundary.Phi().middleRows<3>(3 * j);
+    largest_Phi_ = largest_Phi_.cwiseMax(Phi_.middleRows<3>(3 * node).colwise().norm().transpose());
+  }
+  largest_rho0_ = rho0_.colwise().norm().maxCoeff();
+  x_ = rho0_;
 }
 
 BoundaryPoint BeamChain::boundary_point(int node) const {
@@ -43,9 +53,24 @@ BoundaryPoint BeamChain::boundary_point(int node) const {
   return {{j, j, j}, {1.0, 0.0, 0.0}};
 }
 
-void BeamChain::follow(const ModalBoundary& boundary, const BodyMotion& motion) {
-  for (int node = 0; node < node_count(); ++node)
-    x_.col(node) = boundary.position(motion, boundary_point(node));
+void BeamChain::follow(const BodyMotion& motion) {
+  const Eigen::Matrix3d A = motion.rotation();
+  for (int node = 0; node < node_count(); ++node) {
+    Eigen::Vector3d rho = rho0_.col(node);
+    if (Phi_.cols() > 0) rho.noalias() += Phi_.middleRows<3>(3 * node) * motion.a;
+    x_.col(node) = motion.r + A * rho;
+  }
+}
+
+// x' - x = (r' - r) + (A' - A) (rho0 + Phi a) + A' Phi (a' - a).
+double BeamChain::largest_travel(const BodyMotion& from, const BodyMotion& to) const {
+  const double turn = (to.rotation() - from.rotation()).norm();
+  double bent = 0.0, bends = 0.0;
+  for (Eigen::Index m = 0; m < largest_Phi_.size(); ++m) {
+    bent += largest_Phi_[m] * std::abs(from.a[m]);
+    bends += largest_Phi_[m] * std::abs(to.a[m] - from.a[m]);
+  }
+  return (to.r - from.r).norm() + turn * (largest_rho0_ + bent) + bends;
 }
 
 double BeamChain::length(int segment) const {

@@ -50,7 +50,9 @@ class BeamChain {
   Eigen::Matrix3Xd& x() { return x_; }
   const Eigen::Matrix3Xd& x() const { return x_; }
   // Places the nodes where the body's motion carries them.
-  void follow(const ModalBoundary& boundary, const BodyMotion& motion);
+  void follow(const BodyMotion& motion);
+  // No node is farther from where it is under `from` than this, under `to` [m].
+  double largest_travel(const BodyMotion& from, const BodyMotion& to) const;
   double length(int segment) const;  // now [m]
 
   // Closest point of one segment to a sphere of radius r [m] at x [m].
@@ -59,6 +61,10 @@ class BeamChain {
  private:
   std::vector<BeamSegment> segments_;
   std::vector<int> boundary_node_;  // node of the chain -> node of the boundary
+  Eigen::Matrix3Xd rho0_;           // of the nodes, in B [m]
+  Eigen::MatrixXd Phi_;             // of the nodes, 3 node_count() x modes
+  Eigen::VectorXd largest_Phi_;     // of each mode: its largest displacement of a node
+  double largest_rho0_ = 0.0;       // [m]
   Eigen::Matrix3Xd x_;
   double largest_radius_ = 0.0;
 };

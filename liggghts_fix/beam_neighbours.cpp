@@ -1,6 +1,7 @@
 #include "liggghts_fix/beam_neighbours.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "coupler/errors.h"
 
@@ -31,10 +32,12 @@ void BeamNeighbours::grains_renumbered(const GrainExtent& grains) {
   extent_ = grains;
 }
 
-void BeamNeighbours::update(const BeamChain& chain, const GrainView& grains) {
+bool BeamNeighbours::update(const BeamChain& chain, const GrainView& grains) {
   const bool nodes_moved = x_build_.cols() == 0 ||
                            (chain.x() - x_build_).colwise().squaredNorm().maxCoeff() > 0.25 * skin_ * skin_;
-  if (renumbered_ || nodes_moved) build(chain, grains);
+  if (!renumbered_ && !nodes_moved) return false;
+  build(chain, grains);
+  return true;
 }
 
 void BeamNeighbours::build(const BeamChain& chain, const GrainView& grains) {
@@ -50,7 +53,10 @@ void BeamNeighbours::build(const BeamChain& chain, const GrainView& grains) {
   for (int node = 0; node < chain.node_count(); ++node)
     chain_box.extend(Eigen::Vector3d(chain.x().col(node)));
   const double far = chain.largest_radius() + 1.5 * skin_ + reach_ * extent_.largest_radius;
-  if (extent_.box.isEmpty() || chain_box.squaredExteriorDistance(extent_.box) > far * far) return;
+  clearance_ = extent_.box.isEmpty() ? std::numeric_limits<double>::infinity()
+                                     : chain_box.exteriorDistance(extent_.box) - far;
+  if (clearance_ > 0.0) return;
+  clearance_ = 0.0;
 
   box_.resize(4 * static_cast<std::size_t>(chain.segment_count()));
   build_boxes(chain, 0, 0, chain.segment_count());

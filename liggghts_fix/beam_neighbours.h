@@ -1,7 +1,7 @@
 #pragma once
 // Which grains may touch a chain, and which of its segments: a list that stays true for a while, so that a
 // step looks only at pairs that are near. A chain far from the grains costs a comparison of two boxes when
-// the list is made, and nothing else.
+// the list is made, and none of its nodes needs to be looked at until one may have come near.
 //
 // A pair is on the list when its gap is below
 //   margin = 1.5 skin + what the contact model asks for beyond touch.
@@ -40,10 +40,14 @@ class BeamNeighbours {
 
   // The grains have new numbers or places for which LIGGGHTS made new lists: the next update() makes ours.
   void grains_renumbered(const GrainExtent& grains);
-  // Makes the list if the grains were renumbered or a node went further than skin/2 since it was made. Call
-  // at every step, after the nodes moved; the grains must be those of the last grains_renumbered(), at their
-  // present places.
-  void update(const BeamChain& chain, const GrainView& grains);
+  // Makes the list if the grains were renumbered or a node went further than skin/2 since it was made; true
+  // if it did. Call after the nodes moved, at every step but those that clearance() allows to leave out; the
+  // grains must be those of the last grains_renumbered(), at their present places.
+  bool update(const BeamChain& chain, const GrainView& grains);
+
+  // As long as no node went this far since the list was made, no grain can touch the chain, and there is
+  // nothing to be updated [m]; 0 when that cannot be told.
+  double clearance() const { return renumbered_ ? 0.0 : clearance_; }
 
   int size() const { return static_cast<int>(grain_.size()); }            // grains on the list
   int pair_count() const { return static_cast<int>(segment_.size()); }    // pairs on the list
@@ -62,6 +66,7 @@ class BeamNeighbours {
   double skin_;
   double reach_;
   bool renumbered_ = true;
+  double clearance_ = 0.0;    // [m]
   GrainExtent extent_;        // when the grains were renumbered
   Eigen::Matrix3Xd x_build_;  // nodes when the list was made
   std::vector<Eigen::AlignedBox3d>

@@ -92,6 +92,7 @@ FixWallGranBeam::Beam::Beam(const ModalBoundary& boundary_, int body_, int numbe
       chain(boundary_, number),
       motion(boundary_, chain),
       neighbours(0.0),
+      at_list(boundary_.mode_count()),
       load(boundary_.mode_count()) {}
 
 // Stock LIGGGHTS keeps one history per grain and wall, which the first beam takes. Each further one gets a
@@ -188,14 +189,17 @@ void FixWallGranBeam::post_force_primitive(int) {
 
 void FixWallGranBeam::touch_grains(Beam& beam) {
   DemBody& body = link_.body(beam.body);
-  beam.chain.follow(beam.boundary, body.pose());
-  beam.neighbours.update(beam.chain, grains());
   const bool counts = computeflag() != 0;  // otherwise an output looks at the contacts once more
   if (counts) {
     beam.load.set_zero();
     beam.contacts = 0;
     beam.overlap = 0.0;
   }
+  if (beam.neighbours.clearance() > 0.0 &&
+      beam.chain.largest_travel(beam.at_list, body.pose()) < beam.neighbours.clearance())
+    return;
+  beam.chain.follow(body.pose());
+  if (beam.neighbours.update(beam.chain, grains())) beam.at_list = body.pose();
   if (beam.neighbours.size() == 0) return;
 
   beam.motion.begin_step(body.pose());

@@ -61,6 +61,7 @@ class FixWallGranBeam : public FixWallGran {
     footfall::BeamChain chain;
     footfall::BeamMotion motion;
     footfall::BeamNeighbours neighbours;
+    footfall::BodyMotion at_list;        // when the list of neighbours was made
     FixPropertyAtom* history = nullptr;  // of each grain with this beam; null: the model keeps none
     // Of this rank, in the last step.
     footfall::GeneralizedForce load;  // on the body

@@ -7,6 +7,7 @@
 #include <random>
 #include <sstream>
 
+#include "mbd_solver/output/history.h"
 #include "tests/beam/beam_run.h"
 #include "tests/unit/beam/random_beams.h"
 
@@ -334,32 +335,43 @@ const char* const kMomentumColumns = "mass radius x y z vx vy vz omegax omegay o
 
 // What the grains lose the beam gets, in every step: momentum and moment of momentum, with friction and
 // rolling friction, while the beam moves, turns and sways. The beam starts and ends clear of all grains.
-TEST(BeamMomentum, IsGivenAsItIsReceived) {
-  const RunFolder folder("momentum");
-  const Outcome outcome = folder.coupled(
-      sweep("") + dump_command("grains.txt", 6000, kMomentumColumns) +
-          // Of the one beam, about its body's origin, and of all beams, about the origin of W.
-          "variable n equal step\nvariable f1 equal f_w[1][1]\nvariable f2 equal f_w[1][2]\nvariable f3 "
-          "equal "
-          "f_w[1][3]\n"
-          "variable m1 equal f_w[1][4]\nvariable m2 equal f_w[1][5]\nvariable m3 equal f_w[1][6]\nvariable c "
-          "equal f_w[1][7]\n"
-          "variable a1 equal f_w[1]\nvariable a2 equal f_w[2]\nvariable a3 equal f_w[3]\nvariable b1 equal "
-          "f_w[4]\nvariable b2 equal f_w[5]\nvariable b3 equal f_w[6]\nvariable d equal f_w[7]\n"
-          "fix out all print 1 \"${n} ${f1} ${f2} ${f3} ${m1} ${m2} ${m3} ${c} ${a1} ${a2} ${a3} ${b1} ${b2} "
-          "${b3} "
-          "${d}\" file beam.txt screen no\n"
-          "thermo_modify lost ignore\n" +
-          run(6000),
-      "end 0.12\n" + sweeping_beam().substr(sweeping_beam().find("body")));
+class BeamMomentum : public testing::TestWithParam<int> {};
+
+TEST_P(BeamMomentum, IsGivenAsItIsReceived) {
+  const int ranks = GetParam();
+  const RunFolder folder("momentum" + std::to_string(ranks));
+  // Of the one beam, its moment about the body's origin; and of all beams, about the origin of W. Every such
+  // number of every step is a sum over the ranks: two and three of them check the windows only.
+  std::string print, line = "${n}";
+  for (int k = 1; k <= 14; ++k) {
+    const std::string name = "v" + std::to_string(k);
+    print += "variable " + name + " equal f_w" +
+             (k <= 7 ? "[1][" + std::to_string(k) : "[" + std::to_string(k - 7)) + "]\n";
+    line += " ${" + name + "}";
+  }
+  print += "variable n equal step\nfix out all print 1 \"" + line + "\" file beam.txt screen no\n";
+  const Outcome outcome =
+      folder.coupled(sweep("processors * 1 1\n") + dump_command("grains.txt", 6000, kMomentumColumns) +
+                         (ranks == 1 ? print : "") + "thermo_modify lost ignore\n" + run(6000),
+                     "end 0.12\n" + sweeping_beam().substr(sweeping_beam().find("body")), ranks);
   ASSERT_EQ(outcome.code, 0) << outcome.output;
   const Dump grains = folder.dump("grains.txt");
   const Momentum before = momentum(grains.begin()->second), after = momentum(grains.rbegin()->second);
   ASSERT_EQ(grains.rbegin()->second.size(), 80u);
 
   const double dt = 2e-5;
+  // What the other program is told, window by window.
+  double told[3] = {0, 0, 0}, size = 0.0;
+  for (const auto& window : folder.loads())
+    for (std::size_t c = 0; c < 3; ++c) {
+      told[c] += 5 * dt * window[1 + c];
+      size += 5 * dt * std::abs(window[1 + c]);
+    }
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(after.linear[c] - before.linear[c], -told[c], 1e-12 * size);
+  if (ranks > 1) return;
+
   const double velocity[3] = {0.0, 0.0, 0.5};  // of the beam's origin
-  double impulse[3] = {0, 0, 0}, turn[3] = {0, 0, 0}, contacts = 0.0, size = 0.0, turn_size = 0.0;
+  double impulse[3] = {0, 0, 0}, turn[3] = {0, 0, 0}, contacts = 0.0, turn_size = 0.0;
   const Rows steps = folder.table("beam.txt");
   ASSERT_EQ(steps.size(), 6000u);
   for (const auto& s : steps) {
@@ -374,7 +386,6 @@ TEST(BeamMomentum, IsGivenAsItIsReceived) {
       turn[c] += dt * moment;
       // Moments here are below 10 N m; `print` writes 15 digits.
       ASSERT_NEAR(s[static_cast<std::size_t>(11 + c)], moment, 1e-12);
-      size += dt * std::abs(s[static_cast<std::size_t>(1 + c)]);
       turn_size += dt * std::abs(moment);
     }
     contacts += s[7];
@@ -387,6 +398,52 @@ TEST(BeamMomentum, IsGivenAsItIsReceived) {
     EXPECT_NEAR(after.linear[c] - before.linear[c], -impulse[c], 1e-12 * size);
     EXPECT_NEAR(after.angular[c] - before.angular[c], -turn[c], 1e-12 * turn_size);
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ranks, BeamMomentum, testing::Values(1, 2, 3));
+
+// A free rod on the multibody side, falling upon free grains without gravity: what one program's bodies lose,
+// the other's grains get, and the two together keep their momentum.
+TEST(BeamMomentumOfBothPrograms, OfARodAndTheGrainsItStrikesIsKept) {
+  const RunFolder folder("rod_and_grains");
+  const std::string scene = R"(title = "a rod among grains"
+end_time = 0.06
+gravity = [0, 0, 0]
+materials.steel = { density = 7850, young = 2e11, poisson = 0.3 }
+[[bodies]]
+name = "rod"
+material = "steel"
+shape = { kind = "rod", from = [-0.25, 0, 0], to = [0.25, 0, 0], diameter = 0.04 }
+[[boundaries]]
+body = "rod"
+beams = { segments = 5 }
+[initial]
+velocity = [0.1, 0.0, 0.8]
+[ground]
+kind = "particles"
+[particles]
+script = "in.coupled"
+ranks = 1
+[output]
+interval = 1e-3
+plots = false
+)";
+  std::string script =
+      sweep("") + "set group all density 26000\n" + dump_command("grains.txt", 3000, kMomentumColumns);
+  script.replace(script.find("body tine"), 9, "body rod");
+  const Outcome outcome = folder.scene(script + run(3000), scene);
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  const Dump grains = folder.dump("grains.txt");
+  const Momentum before = momentum(grains.begin()->second), after = momentum(grains.rbegin()->second);
+  const History history = read_history(folder.path("out/history.csv"));
+  const double mass = 7850.0 * M_PI * 0.02 * 0.02 * 0.5;
+  const char* const axis[3] = {"rod.vx", "rod.vy", "rod.vz"};
+  for (int c = 0; c < 3; ++c) {
+    const std::vector<double>& v = history.column(axis[c]);
+    EXPECT_NEAR(mass * (v.back() - v.front()), before.linear[c] - after.linear[c], 1e-10 * mass * 0.8)
+        << axis[c];
+  }
+  EXPECT_LT(history.column("rod.vz").back(), 0.7);  // it lost much of its own
 }
 
 // Elastic grains without friction: what they gain is the work of the beam, up to the error of the time steps,

@@ -33,7 +33,7 @@ TEST(BeamMotion, ForcesAtContactPointsDoTheWorkThatTheBodyReceives) {
     motion.w = random.vector(1.0);
     motion.da = Eigen::VectorXd::Random(modes);
     BeamChain chain(boundary, 0);
-    chain.follow(boundary, motion);
+    chain.follow(motion);
 
     BeamMotion beam(boundary, chain);
     beam.begin_step(motion);
@@ -54,6 +54,40 @@ TEST(BeamMotion, ForcesAtContactPointsDoTheWorkThatTheBodyReceives) {
   }
 }
 
+// Nodes of a chain go with the body's boundary, no further than largest_travel() says; for a mere shift it
+// says exactly how far.
+TEST(BeamMotion, NodesFollowTheBodyAndTravelNoFurtherThanTheirBound) {
+  Random random(5);
+  const int nodes = 7, modes = 3;
+  std::vector<BeamSegment> segments;
+  for (int i = 2; i < nodes; ++i) segments.push_back({i - 1, i, 0.07, 4});  // node 0 is not of the chain
+  const ModalBoundary boundary("tine", Eigen::Matrix3Xd::Random(3, nodes), {}, segments,
+                               Eigen::MatrixXd::Random(3 * nodes, modes));
+  BeamChain chain(boundary, 4);
+  const auto motion_near = [&](const BodyMotion& other, double size) {
+    BodyMotion motion = other;
+    motion.r += random.vector(size);
+    motion.L = turned(other.L, random.vector(size));
+    for (int m = 0; m < modes; ++m) motion.a[m] += random.between(-size, size);
+    return motion;
+  };
+  for (int k = 0; k < 200; ++k) {
+    const BodyMotion from = motion_near(BodyMotion(modes), 1.0),
+                     to = motion_near(from, k % 2 == 0 ? 1.0 : 0.01);
+    chain.follow(from);
+    const Eigen::Matrix3Xd before = chain.x();
+    chain.follow(to);
+    for (int node = 0; node < chain.node_count(); ++node)
+      EXPECT_NEAR((chain.x().col(node) - boundary.position(to, chain.boundary_point(node))).norm(), 0.0,
+                  1e-14);
+    const double travel = (chain.x() - before).colwise().norm().maxCoeff();
+    EXPECT_LE(travel, chain.largest_travel(from, to));
+    BodyMotion shifted = from;
+    shifted.r += Eigen::Vector3d(0.3, 0.0, 0.4);
+    EXPECT_DOUBLE_EQ(chain.largest_travel(from, shifted), 0.5);
+  }
+}
+
 // The velocity of the contact point is the rate at which the material point there moves: against a small
 // rotation of a rigid body.
 TEST(BeamMotion, VelocityOfTheContactPointIsThatOfTheMaterial) {
@@ -65,7 +99,7 @@ TEST(BeamMotion, VelocityOfTheContactPointIsThatOfTheMaterial) {
   motion.dr = random.vector(1.0);
   motion.w = random.vector(3.0);
   BeamChain chain(boundary, 0);
-  chain.follow(boundary, motion);
+  chain.follow(motion);
   const BeamTouch touch = closest(chain, motion.r + random.vector(0.5), 0.1);
   BeamMotion beam(boundary, chain);
   beam.begin_step(motion);

@@ -151,6 +151,31 @@ TEST(BeamNeighbours, AChainFarFromTheGrainsLooksAtNoGrain) {
   EXPECT_EQ(list.size(), 0);
 }
 
+// Until some node has come nearer by the clearance, brute force finds no touch either.
+TEST(BeamNeighbours, WithinItsClearanceAFarChainTouchesNothing) {
+  Random random(17);
+  Bed bed;
+  for (int i = 0; i < 300; ++i) bed.add(random.vector(1.0), random.between(0.02, 0.1));
+  BeamChain chain(random_chain(random, 8), 0);
+  chain.x().row(0).array() += 1.0 - chain.x().row(0).minCoeff() + 0.5;  // half a metre beside the grains
+  BeamNeighbours list(0.03);
+  EXPECT_EQ(list.clearance(), 0.0);  // not known yet
+  list.grains_renumbered(bed.view());
+  EXPECT_TRUE(list.update(chain, bed.view()));
+  const double clearance = list.clearance();
+  EXPECT_GT(clearance, 0.2);
+  EXPECT_LT(clearance, 0.5);
+  chain.x().row(0).array() -= clearance;
+  for (std::size_t i = 0; i < bed.x.size(); ++i)
+    bed.x[i].x() += 0.015;  // as far as grains go before they are renumbered
+  for (const double gap : all_gaps(chain, bed)) EXPECT_GT(gap, 0.0);
+  list.grains_renumbered(bed.view());
+  EXPECT_EQ(list.clearance(), 0.0);  // has to be found anew
+  chain.x().row(0).array() -= 0.3;
+  list.update(chain, bed.view());
+  EXPECT_EQ(list.clearance(), 0.0);  // near
+}
+
 // Grains around one end of a beam of 32 and of 1024 segments of the same size: the same pairs, and a search
 // that grows only with the depth of the tree of boxes.
 TEST(BeamNeighbours, CostGrowsWithWhatIsTouchedNotWithTheNumberOfSegments) {
