@@ -37,7 +37,7 @@ void check_script(const Scene& scene, Findings& findings) {
                          " s: on soil of this kind twice that runs without complaint and is wrong by tens of per cent; make the step smaller, or "
                          "state a larger max_time_step if your grains are known to allow it");
     }
-    if (is_fix && w[3] == "couple/mbd/geometry") {
+    if (is_fix && (w[3] == "couple/mbd/geometry" || w[3] == "wall/gran/beam")) {
       std::vector<std::string> names;
       for (const BoundarySpec& b : scene.boundaries) names.push_back(b.body);
       for (std::size_t i = 4; i + 1 < w.size(); ++i) {

@@ -131,6 +131,27 @@ TEST(BeamRuns, AreTheSameOnOneTwoAndThreeRanks) {
   }
 }
 
+// A beam that is nowhere near when the run begins, and comes turning and swaying, is noticed in time: as with
+// a list made at every step.
+TEST(BeamRuns, ABeamThatComesFromAfarIsNoticed) {
+  const RunFolder folder("from_afar");
+  const auto with = [&folder](const std::string& lists, const std::string& file) {
+    std::string motion = sweeping_beam();
+    motion.replace(motion.find("velocity 0 0 0.5"), 16, "at 0 0 -0.25\nvelocity 0 0 5");
+    return folder.coupled(
+        sweep("") + "velocity all set 0 0 0\n" + lists + dump_command(file, 100, kColumns) + run(5000),
+        motion);
+  };
+  ASSERT_EQ(with("", "usual.txt").code, 0);
+  ASSERT_EQ(with("neigh_modify every 1 delay 0 check no\n", "always.txt").code, 0);
+  const Dump usual = folder.dump("usual.txt");
+  EXPECT_EQ(relative_difference(usual, folder.dump("always.txt")), 0.0);
+  EXPECT_EQ(touching(usual.begin()->second), 0);
+  int contacts = 0;
+  for (const auto& [step, rows] : usual) contacts += touching(rows);
+  EXPECT_GT(contacts, 50);
+}
+
 // Distance and direction from the closest point of a segment: the axis is cut into halves around the nearer
 // part, without a projection.
 Eigen::Vector3d from_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& x) {
