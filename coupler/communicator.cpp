@@ -2,9 +2,9 @@
 
 #include <unistd.h>
 
-#include <cstdio>
-
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <set>
 #include <string>
@@ -35,15 +35,16 @@ void wait_politely(MPI_Request& request) {
 }
 
 void PoliteWait::nap() {
-  constexpr double kWorthSleeping = 2e-3, kPart = 0.8;  // [s]; share of the expected time slept in one go
+  using Seconds = std::chrono::duration<double>;
+  constexpr double kWorthSleeping = 10e-3, kPart = 0.5;  // [s]; share of the expected time slept in one go
+  constexpr double kShare = 1.0 / 32.0, kShortest = 5e-6, kLongest = 200e-6;  // of the time waited; [s]
   if (expected_ > kWorthSleeping) {
-    std::this_thread::sleep_for(std::chrono::duration<double>(kPart * expected_));
+    std::this_thread::sleep_for(Seconds(kPart * expected_));
     expected_ = 0.0;
-    nap_ = kLongest;
     return;
   }
-  std::this_thread::sleep_for(std::chrono::microseconds(nap_));
-  if (nap_ < kLongest) nap_ += 1 + nap_ / 16;
+  const double waited = Seconds(std::chrono::steady_clock::now() - start_).count();
+  std::this_thread::sleep_for(Seconds(std::clamp(kShare * waited, kShortest, kLongest)));
 }
 
 void abort_both_programs(int exit_code) {

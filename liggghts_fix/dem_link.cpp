@@ -138,7 +138,10 @@ void DemLink::begin_substep(std::int64_t step) {
 }
 
 void DemLink::begin_window() {
+  const double asked = wall_clock();
   link_->receive(motion_);
+  waited_ = wall_clock() - asked;
+  if (windows_ == 0) sent_ = asked;
   if (motion_.window != windows_ || motion_.bodies.size() != bodies_.size() || motion_.n < 1 ||
       (n_ > 0 && motion_.n > n_))
     throw ProtocolError("window " + std::to_string(windows_) + ": " + link_->partner() +
@@ -146,7 +149,6 @@ void DemLink::begin_window() {
                         std::to_string(motion_.n) + " substeps with " +
                         std::to_string(motion_.bodies.size()) + " bodies; expected at most " +
                         std::to_string(n_) + " substeps and " + std::to_string(bodies_.size()) + " bodies");
-  began_ = wall_clock();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyMotion& start = motion_.bodies[i];
     if (start.mode_count() != bodies_[i]->boundary().mode_count())
@@ -204,7 +206,9 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks, std::int
   work_ += window_work_;
   load_.window = windows_++;
   load_.particles = particles;
-  load_.wall_seconds = wall_clock() - began_;
+  const double now = wall_clock();
+  load_.wall_seconds = now - sent_ - waited_;
+  sent_ = now;
   link_->send(load_);
   if (!last_window_) return;
   finished_ = true;

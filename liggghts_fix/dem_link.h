@@ -99,7 +99,8 @@ class DemLink {
   double work_received_ = 0.0;  // [J]
   double work_ = 0.0;           // [J]
   double overlap_ = 0.0;
-  double began_ = 0.0;  // wall clock when the window opened [s]
+  // Wall clock [s]: when the last load was sent (0: none yet), and how long the motion after it was waited for.
+  double sent_ = 0.0, waited_ = 0.0;
 };
 
 }  // namespace footfall

@@ -76,6 +76,8 @@ class Equations {
   struct Drift {
     double position = 0.0;  // largest |phi| before [m or rad]
     double velocity = 0.0;  // largest |phi'| before [m/s or rad/s]
+    double position_left = 0.0;  // the same two after
+    double velocity_left = 0.0;
     double dropped = 0.0;   // largest |phi| of the rows left out as redundant, after [m or rad]
     int dropped_row = -1;   // which one of all rows
   };

@@ -122,6 +122,8 @@ Equations::Drift Equations::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> 
     out.position = phi.lpNorm<Eigen::Infinity>();
     out.velocity = rate.lpNorm<Eigen::Infinity>();
   }
+  out.position_left = out.position;
+  out.velocity_left = out.velocity;
   return out;
 }
 
@@ -155,8 +157,8 @@ Equations::Drift Equations::project(State& state) {
       break;
     }
   }
-  // Velocities: dv likewise from phi'. The factors are those of a position moved by the drift: repeat once.
-  for (int i = 0; i < 2 && now.velocity > kClosed; ++i) {
+  // Velocities: dv likewise from phi'. The factors are those of a position moved by the drift: repeat.
+  for (int i = 0; i < kMostProjections && now.velocity > kClosed; ++i) {
     w.saddle_x.head(layout_.v_size).setZero();
     phi = -w.phi_rate;
     w.saddle_lu->solve(w.saddle_x);
@@ -168,6 +170,7 @@ Equations::Drift Equations::project(State& state) {
     if (!(now.velocity < last)) {
       state.v = w.last_v;
       load(state);
+      now.velocity = last;
       break;
     }
   }
@@ -179,6 +182,8 @@ Equations::Drift Equations::project(State& state) {
                          "Start from a position "
                          "that is not singular.");
   Drift result = before;
+  result.position_left = now.position;
+  result.velocity_left = now.velocity;
   result.dropped = now.dropped;
   result.dropped_row = now.dropped_row;
   return result;

@@ -21,7 +21,7 @@ namespace footfall {
 namespace {
 
 constexpr double kProjectAbove = 1e-9;       // drift [m or rad] that stays in a run that goes on
-constexpr double kProjectSpeedAbove = 1e-8;  // [m/s or rad/s]
+constexpr double kProjectSpeedAbove = 5e-9;  // [m/s or rad/s]
 constexpr double kIgnored = 1e30;  // absolute tolerance of multipliers: they carry no error of their own
 // Gauss-Legendre with three points, exact to fifth order as IDA is.
 const double kGaussNode[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
@@ -281,12 +281,11 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs) {
   s.rates = view(s.ydot);
   s.rates.tail(layout.row_count) = view(s.y).tail(layout.row_count);
   Equations::Drift drift = s.equations.drift(state);
-  statistics_.drift_position = std::max(statistics_.drift_position, drift.position);
-  statistics_.drift_velocity = std::max(statistics_.drift_velocity, drift.velocity);
   s.state_last = state;
   s.inputs_last = inputs;
   if (s.options.projection && (drift.position > kProjectAbove || drift.velocity > kProjectSpeedAbove))
-    s.equations.project(state);
+    drift = s.equations.project(state);
+  statistics_.count(drift);
 }
 
 }  // namespace footfall

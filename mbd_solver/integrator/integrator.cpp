@@ -1,10 +1,19 @@
 #include "mbd_solver/integrator/integrator.h"
 
+#include <algorithm>
+
 #include "coupler/errors.h"
 #include "mbd_solver/integrator/ida.h"
 #include "mbd_solver/integrator/one_step.h"
 
 namespace footfall {
+
+void IntegratorStatistics::count(const Equations::Drift& drift) {
+  drift_position = std::max(drift_position, drift.position_left);
+  drift_velocity = std::max(drift_velocity, drift.velocity_left);
+  removed_position = std::max(removed_position, drift.position);
+  removed_velocity = std::max(removed_velocity, drift.velocity);
+}
 
 std::unique_ptr<Integrator> make_integrator(const std::string& kind, Equations& equations,
                                             const IntegratorOptions& options) {

@@ -26,8 +26,12 @@ struct IntegratorStatistics {
   long residuals = 0;
   long jacobians = 0;
   long factorizations = 0;
-  double drift_position = 0.0;  // largest ever seen before projection [m or rad]
-  double drift_velocity = 0.0;  // [m/s or rad/s]
+  // Largest |phi| and |phi'| of the joints, [m or rad] and [m/s or rad/s]: in the states handed out, and what
+  // projection removed from them before.
+  double drift_position = 0.0, drift_velocity = 0.0;
+  double removed_position = 0.0, removed_velocity = 0.0;
+
+  void count(const Equations::Drift& drift);  // at the end of a window
 };
 
 class Integrator {

@@ -87,9 +87,7 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs) {
   state.time = t_end;
   state.step = h;
   rates_ = K_[0];
-  const Equations::Drift drift = options_.projection ? equations_.project(state) : equations_.drift(state);
-  statistics_.drift_position = std::max(statistics_.drift_position, drift.position);
-  statistics_.drift_velocity = std::max(statistics_.drift_velocity, drift.velocity);
+  statistics_.count(options_.projection ? equations_.project(state) : equations_.drift(state));
 }
 
 OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {

@@ -49,7 +49,11 @@ void ControlLoop::sample_due(const State& state, Equations& equations, const Eig
     if (!loaded) equations.load(state);
     loaded = true;
     const auto outputs = static_cast<Eigen::Index>(entry.outputs.size());
-    entry.controller->sample(measure(entry, state, equations, rates, inputs), inputs.voltages.segment(entry.first_voltage, outputs));
+    Eigen::Ref<Eigen::VectorXd> voltages = inputs.voltages.segment(entry.first_voltage, outputs);
+    const ControllerMeasurement measurement = measure(entry, state, equations, rates, inputs);
+    entry.awake = entry.awake || measurement.acceleration > entry.touchdown_acceleration;
+    entry.controller->sample(measurement, voltages);  // asleep too: its filter follows
+    if (!entry.awake) voltages.setZero();
     samples_[i] = static_cast<long>(std::floor(state.time / period + 1e-6)) + 1;
   }
 }

@@ -37,6 +37,8 @@ struct ControllerEntry {
   std::string name;
   std::unique_ptr<Controller> controller;
   int body = 0;              // observed
+  double touchdown_acceleration = 0.0;  // awake once the upward acceleration has exceeded it [m/s2]
+  bool awake = true;
   int first_voltage = 0;     // its outputs are voltages first_voltage ... in the Inputs
   std::vector<int> struts;   // for each output the strut it drives (index into Mechanism::struts), -1 for none
   std::vector<std::string> outputs;

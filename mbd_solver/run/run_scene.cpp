@@ -52,6 +52,8 @@ Json summary_of(const Simulation& simulation, const FigureTaker& taker, const st
   json["energy_balance_relative"] = figures.energy_balance_relative();
   json["drift_position"] = statistics.drift_position;
   json["drift_velocity"] = statistics.drift_velocity;
+  json["drift_removed_position"] = statistics.removed_position;
+  json["drift_removed_velocity"] = statistics.removed_velocity;
   Json warnings = Json::array();
   for (const std::string& text : simulation.mechanism().warnings) warnings.push_back(text);
   for (const std::string& text : simulation.assembly().notes) warnings.push_back(text);
@@ -67,6 +69,11 @@ Json summary_of(const Simulation& simulation, const FigureTaker& taker, const st
   }
   json["steps"] = statistics.steps;
   json["windows"] = statistics.windows;
+  json["rejected_steps"] = statistics.rejected;
+  json["newton_failures"] = statistics.newton_failures;
+  json["residuals"] = statistics.residuals;
+  json["jacobians"] = statistics.jacobians;
+  json["factorizations"] = statistics.factorizations;
   json["wall_s"] = times.total;
   json["dem_wall_s"] = times.dem;
   json["mbd_wall_s"] = times.mbd;

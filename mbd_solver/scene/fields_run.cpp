@@ -29,6 +29,7 @@ void visit_fields(FieldVisitor& v, ControllerSpec& c) {
   v.field("body", &c.body, {Unit::kNone, Range::kAny, Meaning::kName, true});
   v.field("period", &c.period, {Unit::kTime, Range::kPositive});
   v.field("outputs", &c.outputs, {Unit::kNone, Range::kAny, Meaning::kName, true});
+  v.field("touchdown_acceleration", &c.touchdown_acceleration, {Unit::kAcceleration, Range::kNotNegative});
   v.field("filter_frequency", &c.filter_frequency, {Unit::kFrequency, Range::kNotNegative});
   v.field("voltages", &c.voltages, {Unit::kNone, Range::kUnitInterval});
   v.field("file", &c.file, {Unit::kNone, Range::kAny, Meaning::kPath});

@@ -26,6 +26,6 @@ for pair in $(seq "$pairs"); do
   stock=$(seconds_of $mpi liggghts -in "$root/tests/bench/in.stock_landing" -var here "$root/inputs/landing_mr" -var bed "$bed" -var pad pad.stl -var steps "$steps" -log stock.log)
   ours=$(seconds_of $mpi "$build/bin/liggghts_mbd" -in "$root/inputs/landing_mr/in.regolith" -var here "$root/inputs/landing_mr" -var bed "$bed" -var frames 0 -log ours.log : \
     -np 1 "$build/bin/mbd_solver" "$root/inputs/landing_mr" --quiet --until "$seconds" --set particles.grains="$bed.grains" --out "$work/run" "$@")
-  awk -v a="$ours" -v b="$stock" 'BEGIN { printf "coupled %.2f s  stock %.2f s  ratio %.3f\n", a, b, a / b }'
+  parts=$(grep -E '"(dem|mbd|exchange)_wall_s"' run/summary.json | tr -d ' \n"' | sed 's/_wall_s:/ /g')
+  awk -v a="$ours" -v b="$stock" -v parts="$parts" 'BEGIN { printf "coupled %.2f s  stock %.2f s  ratio %.3f  [s]: %s\n", a, b, a / b, parts }'
 done
-grep -E '"(dem|mbd|exchange)_wall_s"' run/summary.json
