@@ -11,6 +11,7 @@
 #include "mbd_solver/cli/programs.h"
 #include "mbd_solver/cli/run_command.h"
 #include "mbd_solver/cli/surfaces_command.h"
+#include "mbd_solver/cli/sweep_command.h"
 
 using namespace footfall;
 
@@ -53,6 +54,18 @@ void add_surfaces(CLI::App& app, RunArguments& a, std::function<int()>& action) 
   surfaces->callback([&] { action = [&a] { return surfaces_command(a.scene, a.settings, a.out.empty() ? "runs/surfaces" : a.out); }; });
 }
 
+void add_sweep(CLI::App& app, SweepArguments& a, std::function<int()>& action) {
+  CLI::App* sweep = app.add_subcommand("sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted");
+  sweep->add_option("FILE", a.file, "Sweep file, as in inputs/sweeps")->required()->check(CLI::ExistingFile);
+  sweep->add_option("--out", a.out, "Folder for results (default: runs/sweeps/NAME)");
+  sweep->add_option("--jobs", a.jobs, "Runs at once (default: as many as fit the cores)")->check(CLI::PositiveNumber);
+  sweep->add_option("--only", a.only, "This run alone, without tables (one element of a job array)")->check(CLI::NonNegativeNumber);
+  sweep->add_flag("--list", a.list, "Make the beds, list the runs, and stop");
+  sweep->add_flag("--merge", a.merge, "Tables and plots of what is there");
+  sweep->add_flag("--slurm", a.slurm, "Write sweep.sbatch, the sweep as a Slurm job array, and stop");
+  sweep->callback([&] { action = [&a] { return sweep_command(a); }; });
+}
+
 void add_test(CLI::App& app, std::string& label, std::function<int()>& action) {
   CLI::App* test = app.add_subcommand("test", "Run the tests of this build (./footfall test builds them first)");
   test->add_option("-L,--label", label, "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example");
@@ -74,11 +87,13 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   RunArguments arguments;
   arguments.scene = default_scene();
+  SweepArguments sweep;
   std::string label;
   std::function<int()> action;
   add_run(app, arguments, action);
   add_check(app, arguments, action);
   add_surfaces(app, arguments, action);
+  add_sweep(app, sweep, action);
   add_test(app, label, action);
   try {
     app.parse(argc, argv);

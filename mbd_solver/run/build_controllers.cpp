@@ -70,7 +70,8 @@ void add_controllers(const Scene& scene, Mechanism& mechanism) {
                        std::to_string(entry.controller->output_count()));
     entry.body = scene.body_index(spec.body);
     entry.touchdown_acceleration = spec.touchdown_acceleration;
-    entry.awake = spec.touchdown_acceleration == 0.0;
+    entry.touchdown_delay = spec.touchdown_delay;
+    if (spec.touchdown_acceleration == 0.0 || spec.kind == ControllerKind::kConstant) entry.wakes_at = -std::numeric_limits<double>::infinity();
     entry.outputs = spec.outputs;
     entry.first_voltage = static_cast<int>(mechanism.voltages.size());
     entry.struts.assign(static_cast<std::size_t>(outputs), -1);

@@ -51,9 +51,10 @@ void ControlLoop::sample_due(const State& state, Equations& equations, const Eig
     const auto outputs = static_cast<Eigen::Index>(entry.outputs.size());
     Eigen::Ref<Eigen::VectorXd> voltages = inputs.voltages.segment(entry.first_voltage, outputs);
     const ControllerMeasurement measurement = measure(entry, state, equations, rates, inputs);
-    entry.awake = entry.awake || measurement.acceleration > entry.touchdown_acceleration;
+    if (measurement.acceleration > entry.touchdown_acceleration)
+      entry.wakes_at = std::min(entry.wakes_at, state.time + entry.touchdown_delay);
     entry.controller->sample(measurement, voltages);  // asleep too: its filter follows
-    if (!entry.awake) voltages.setZero();
+    if (state.time < entry.wakes_at - 1e-9) voltages.setZero();
     samples_[i] = static_cast<long>(std::floor(state.time / period + 1e-6)) + 1;
   }
 }

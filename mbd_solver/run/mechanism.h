@@ -1,6 +1,7 @@
 #pragma once
 // A scene turned into what a run works with: the model, what may touch the ground, and who controls which strut.
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,8 +38,10 @@ struct ControllerEntry {
   std::string name;
   std::unique_ptr<Controller> controller;
   int body = 0;              // observed
-  double touchdown_acceleration = 0.0;  // awake once the upward acceleration has exceeded it [m/s2]
-  bool awake = true;
+  // Asleep, at voltage 0, until `touchdown_delay` after the upward acceleration has first exceeded `touchdown_acceleration`.
+  double touchdown_acceleration = 0.0;  // [m/s2]
+  double touchdown_delay = 0.0;         // [s]
+  double wakes_at = std::numeric_limits<double>::infinity();  // [s]; minus infinity: always awake
   int first_voltage = 0;     // its outputs are voltages first_voltage ... in the Inputs
   std::vector<int> struts;   // for each output the strut it drives (index into Mechanism::struts), -1 for none
   std::vector<std::string> outputs;

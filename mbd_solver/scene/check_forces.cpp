@@ -123,7 +123,7 @@ void check_controllers(const Scene& scene, Findings& findings) {
     }
     const bool fuzzy = c.kind == ControllerKind::kFuzzy, skyhook = c.kind == ControllerKind::kSkyhook, pid = c.kind == ControllerKind::kPid;
     const bool constant = c.kind == ControllerKind::kConstant;
-    const std::pair<const char*, bool> keys[] = {{"voltages", constant}, {"file", fuzzy}, {"tabulated", fuzzy}, {"grid", fuzzy}, {"filter_frequency", fuzzy || pid},
+    const std::pair<const char*, bool> keys[] = {{"voltages", constant}, {"touchdown_acceleration", !constant}, {"touchdown_delay", !constant}, {"file", fuzzy}, {"tabulated", fuzzy}, {"grid", fuzzy}, {"filter_frequency", fuzzy || pid},
                                                  {"on", skyhook}, {"off", skyhook}, {"deadband", skyhook}, {"set_point", pid}, {"kp", pid}, {"ki", pid}, {"kd", pid}, {"bias", pid}};
     for (const auto& [key, used] : keys) {
       if (!used && c.source.written_together("kind", key)) findings.warning(c.source, key, "means nothing for this kind of controller and is not used");

@@ -30,6 +30,7 @@ void visit_fields(FieldVisitor& v, ControllerSpec& c) {
   v.field("period", &c.period, {Unit::kTime, Range::kPositive});
   v.field("outputs", &c.outputs, {Unit::kNone, Range::kAny, Meaning::kName, true});
   v.field("touchdown_acceleration", &c.touchdown_acceleration, {Unit::kAcceleration, Range::kNotNegative});
+  v.field("touchdown_delay", &c.touchdown_delay, {Unit::kTime, Range::kNotNegative});
   v.field("filter_frequency", &c.filter_frequency, {Unit::kFrequency, Range::kNotNegative});
   v.field("voltages", &c.voltages, {Unit::kNone, Range::kUnitInterval});
   v.field("file", &c.file, {Unit::kNone, Range::kAny, Meaning::kPath});

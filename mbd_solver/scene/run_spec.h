@@ -39,7 +39,8 @@ struct ControllerSpec {
   std::string body;                                   // observed
   double period = 1e-3;                               // [s] > 0
   std::vector<std::string> outputs;                   // names "U1" ...: a strut's mr.controller is "NAME.U1"
-  double touchdown_acceleration = 0.0;                // sleeps at voltage 0 until the upward acceleration first exceeds this [m/s2]; 0: never sleeps
+  double touchdown_acceleration = 0.0;                // sleeps at voltage 0 until the upward acceleration first exceeds this [m/s2]; 0: never sleeps; not for constant
+  double touchdown_delay = 0.0;                       // and for so long after it: until the filter has settled [s]
   double filter_frequency = 50.0;                     // fuzzy, pid: low-pass of the acceleration, 0 = none [Hz]
   // constant
   std::vector<double> voltages = {0.0};               // one per output, or one for all [-] in [0, 1]

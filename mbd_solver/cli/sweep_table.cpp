@@ -1,0 +1,179 @@
+#include "mbd_solver/cli/sweep_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "coupler/errors.h"
+#include "mbd_solver/cli/gnuplot.h"
+#include "mbd_solver/output/history.h"
+#include "mbd_solver/output/summary.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string number(double value) {
+  if (!std::isfinite(value)) return "";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+double reduced(const SweepFigure& figure, const History& history) {
+  double result = std::numeric_limits<double>::quiet_NaN();
+  for (const std::string& name : figure.columns) {
+    const std::vector<double>& column = history.column(name);
+    if (column.empty()) continue;
+    double value = column.back();
+    if (figure.reduction == Reduction::kMax) value = *std::max_element(column.begin(), column.end());
+    if (figure.reduction == Reduction::kMin) value = *std::min_element(column.begin(), column.end());
+    if (figure.reduction == Reduction::kLargest)
+      value = std::abs(*std::max_element(column.begin(), column.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+    const bool first = std::isnan(result);
+    if (first || figure.reduction == Reduction::kFinal) result = value;
+    result = figure.reduction == Reduction::kMin ? std::min(result, value) : std::max(result, value);
+  }
+  return result;
+}
+
+std::ofstream open(const std::string& path) {
+  std::ofstream out(path);
+  if (!out) throw InputError(path + ": cannot be written");
+  return out;
+}
+
+// A value may hold a comma.
+std::string quoted(const std::string& text) { return text.find(',') == std::string::npos ? text : "\"" + text + "\""; }
+
+int figure_index(const SweepSpec& sweep, const std::string& name) {
+  int k = 0;
+  while (sweep.figures[static_cast<std::size_t>(k)].name != name) ++k;
+  return k;
+}
+
+}  // namespace
+
+SweepResult result_of(const SweepSpec& sweep, const std::string& folder) {
+  SweepResult result;
+  result.figures.assign(sweep.figures.size(), std::numeric_limits<double>::quiet_NaN());
+  const fs::path summary_file = fs::path(folder) / "summary.json";
+  if (!fs::exists(summary_file)) {
+    result.status = "missing";
+    return result;
+  }
+  const nlohmann::ordered_json summary = read_summary(summary_file.string());
+  result.status = summary.value("status", "");
+  result.done = result.status == "done";
+  if (!result.done) return result;
+  History history;
+  for (std::size_t k = 0; k < sweep.figures.size(); ++k) {
+    const SweepFigure& figure = sweep.figures[k];
+    if (!figure.key.empty()) {
+      if (!summary.contains(figure.key)) throw InputError(sweep.file + ": figures: " + summary_file.string() + " has no \"" + figure.key + "\"");
+      result.figures[k] = summary[figure.key].get<double>();
+      continue;
+    }
+    if (history.names.empty()) history = read_history((fs::path(folder) / "history.csv").string());
+    result.figures[k] = reduced(figure, history);
+  }
+  return result;
+}
+
+std::vector<SweepCase> cases_of(const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results) {
+  std::vector<SweepCase> cases;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    auto found = std::find_if(cases.begin(), cases.end(), [&](const SweepCase& c) { return c.name == runs[i].group; });
+    if (found == cases.end()) found = cases.insert(cases.end(), SweepCase{runs[i].group, {}, {}, {}, true});
+    if (results[i].done) found->runs.push_back(static_cast<int>(i));
+  }
+  for (SweepCase& c : cases) {
+    const double n = static_cast<double>(c.runs.size());
+    for (std::size_t k = 0; k < sweep.figures.size(); ++k) {
+      double sum = 0.0, squares = 0.0;
+      for (const int run : c.runs) sum += results[static_cast<std::size_t>(run)].figures[k];
+      const double mean = n > 0.0 ? sum / n : std::numeric_limits<double>::quiet_NaN();
+      for (const int run : c.runs) squares += std::pow(results[static_cast<std::size_t>(run)].figures[k] - mean, 2);
+      c.mean.push_back(mean);
+      c.spread.push_back(n > 1.0 ? std::sqrt(squares / (n - 1.0)) : 0.0);
+    }
+    for (const SweepLimit& limit : sweep.limits)
+      c.within_limits = c.within_limits && c.mean[static_cast<std::size_t>(figure_index(sweep, limit.figure))] <= limit.most;
+  }
+  return cases;
+}
+
+void write_run_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results) {
+  std::ofstream out = open(path);
+  out << "run";
+  for (const SweepParameter& parameter : sweep.parameters) out << ',' << quoted(parameter.name);
+  out << ",status";
+  for (const SweepFigure& figure : sweep.figures) out << ',' << quoted(figure.name);
+  out << '\n';
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    out << i;
+    for (const std::string& value : runs[i].values) out << ',' << quoted(value);
+    out << ',' << results[i].status;
+    for (const double value : results[i].figures) out << ',' << number(value);
+    out << '\n';
+  }
+}
+
+void write_case_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases) {
+  std::ofstream out = open(path);
+  out << "case,runs,within_limits";
+  for (const SweepFigure& figure : sweep.figures) out << ',' << quoted(figure.name) << ',' << quoted("spread of " + figure.name);
+  out << '\n';
+  for (const SweepCase& c : cases) {
+    out << quoted(c.name) << ',' << c.runs.size() << ',' << (c.within_limits ? "yes" : "no");
+    for (std::size_t k = 0; k < c.mean.size(); ++k) out << ',' << number(c.mean[k]) << ',' << number(c.spread[k]);
+    out << '\n';
+  }
+}
+
+std::vector<int> ranking(const SweepSpec& sweep, const std::vector<SweepCase>& cases) {
+  std::vector<int> order;
+  if (sweep.minimise.empty()) return order;
+  const auto k = static_cast<std::size_t>(figure_index(sweep, sweep.minimise));
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (cases[i].within_limits && !cases[i].runs.empty()) order.push_back(static_cast<int>(i));
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return cases[static_cast<std::size_t>(a)].mean[k] < cases[static_cast<std::size_t>(b)].mean[k]; });
+  return order;
+}
+
+std::vector<std::string> draw_sweep(const SweepSpec& sweep, const std::vector<SweepCase>& cases, const std::vector<std::string>& folders,
+                                    const std::string& folder) {
+  std::vector<std::string> scripts;
+  for (const SweepPlot& plot : sweep.plots) {
+    std::ofstream script = open((fs::path(folder) / (plot.name + ".gp")).string());
+    std::string curves;
+    int color = 0;
+    for (const SweepCase& c : cases) {
+      ++color;
+      if (c.runs.empty()) continue;
+      // The first run of an ensemble stands for it.
+      const History history = read_history((fs::path(folders[static_cast<std::size_t>(c.runs.front())]) / "history.csv").string());
+      const std::vector<double>&time = history.column("time"), &values = history.column(plot.column);
+      const std::string data = "$d" + std::to_string(color);
+      script << data << " << EOD\n";
+      for (std::size_t i = 0; i < time.size(); ++i) script << number(time[i]) << ' ' << number(values[i]) << '\n';
+      script << "EOD\n";
+      curves += (curves.empty() ? "plot " : ", ") + data + " using 1:2 with lines lw 1.6 lc " + std::to_string(color) + " title \"" + c.name + "\"";
+    }
+    if (curves.empty()) continue;
+    script << "set grid\nset title \"" << plot.title << "\" noenhanced\nset xlabel \"time [s]\"\nset ylabel \"" << (plot.label.empty() ? plot.column : plot.label)
+           << "\" noenhanced\nset key outside right top noenhanced\n"
+           << "set terminal pngcairo size 1000,560 font 'sans,11'\nset output '" << plot.name << ".png'\n"
+           << curves << "\nset terminal svg size 1000,560 font 'sans,11'\nset output '" << plot.name << ".svg'\nreplot\n";
+    scripts.push_back(plot.name + ".gp");
+  }
+  return scripts.empty() ? scripts : run_gnuplot(folder, scripts);
+}
+
+}  // namespace footfall

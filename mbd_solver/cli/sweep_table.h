@@ -1,0 +1,36 @@
+#pragma once
+// What a sweep found: the figures of every run, mean and spread of every case, which case is best, and its plots.
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/cli/sweep.h"
+
+namespace footfall {
+
+struct SweepResult {
+  bool done = false;
+  std::string status;           // of summary.json; "missing" without one
+  std::vector<double> figures;  // as SweepSpec::figures; NaN: not there
+};
+
+// Of one finished or unfinished run in `folder`.
+SweepResult result_of(const SweepSpec& sweep, const std::string& folder);
+
+struct SweepCase {
+  std::string name;                  // values of all parameters but the ensembles
+  std::vector<int> runs;             // those that are done
+  std::vector<double> mean, spread;  // per figure; spread: standard deviation, 0 for one run
+  bool within_limits = true;
+};
+std::vector<SweepCase> cases_of(const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results);
+
+// runs.csv: one row per run. cases.csv: one row per case.
+void write_run_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results);
+void write_case_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases);
+// The cases within the limits, best first; empty when nothing is minimised.
+std::vector<int> ranking(const SweepSpec& sweep, const std::vector<SweepCase>& cases);
+// NAME.png and NAME.svg in `folder` for every plot; returns the PNG files. `folders`: one per run.
+std::vector<std::string> draw_sweep(const SweepSpec& sweep, const std::vector<SweepCase>& cases, const std::vector<std::string>& folders, const std::string& folder);
+
+}  // namespace footfall

@@ -1,0 +1,49 @@
+#pragma once
+// Reads one table of a study or sweep file key by key; what nobody took is unknown, and is told with a guess.
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/scene/config_node.h"
+
+namespace footfall {
+
+class TableReader {
+ public:
+  // `path` of the table within the file, for messages; `file` and `node` must outlive the reader.
+  TableReader(const std::string& file, const std::string& path, const ConfigNode& node);
+
+  // Each leaves `out` alone when the key is not there. Throws InputError "file:line: path.key: what is wrong, what was expected".
+  void take(const std::string& key, std::string& out);  // a number as a person writes it, too
+  void take(const std::string& key, double& out);
+  void take(const std::string& key, int& out);
+  void take(const std::string& key, bool& out);
+  void take(const std::string& key, std::vector<std::string>& out);  // a list of texts and numbers, or one of them
+  // [[key]]: read(TableReader&, Spec&) for each entry.
+  template <class Spec, class Read>
+  void take_list(const std::string& key, std::vector<Spec>& out, const Read& read) {
+    const ConfigNode* value = next(key);
+    if (!value) return;
+    if (value->kind != ConfigNode::Kind::kList) fail(*value, key, "expected [[" + key + "]]");
+    for (const ConfigNode& entry : value->list) {
+      TableReader table(file_, key, entry);
+      out.emplace_back();
+      read(table, out.back());
+      table.done();
+    }
+  }
+  const ConfigNode* next(const std::string& key);  // marks the key as known; null when it is not there
+  void require(const std::string& key, bool given) const;
+  void done() const;  // complains about keys that nobody took
+  [[noreturn]] void fail(const std::string& key, const std::string& what) const { fail(node_, key, what); }
+  [[noreturn]] void fail(const ConfigNode& at, const std::string& key, const std::string& what) const;
+
+ private:
+  std::string text(const std::string& key, const ConfigNode& value) const;
+
+  std::string file_, path_;
+  const ConfigNode& node_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace footfall
