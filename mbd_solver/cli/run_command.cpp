@@ -39,7 +39,7 @@ void clear_results(const std::string& out) {
   std::error_code error;
   fs::create_directories(out, error);
   if (error) throw InputError(out + ": cannot be made: " + error.message() + "; choose another folder with --out");
-  for (const char* name : {"summary.json", "history.csv", "checkpoint.txt", "liggghts.log", "plots", "vtk"}) fs::remove_all(fs::path(out) / name, error);
+  for (const char* name : {"summary.json", "history.csv", "checkpoint.txt", "liggghts.log", "plots", "vtk", "motion", "compare"}) fs::remove_all(fs::path(out) / name, error);
 }
 
 std::string number(double value) {

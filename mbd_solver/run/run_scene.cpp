@@ -11,6 +11,7 @@
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/drawing.h"
+#include "mbd_solver/run/motion_record.h"
 #include "mbd_solver/run/observation.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/scene/scene_json.h"
@@ -114,6 +115,8 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   Observation observation(simulation);
   FigureTaker taker(simulation);
   HistoryWriter history(folder + "history.csv", observation.names(), observation.units());
+  std::optional<MotionRecord> motion;
+  if (simulation.partner()) motion.emplace(simulation, folder + "motion");
   std::optional<Drawing> drawing;
   VtkSeries pictures(options.out, "bodies");
   if (scene.output.vtk) drawing.emplace(simulation);
@@ -125,6 +128,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     taker.take(sample);
     voltages = sample.inputs.voltages;
     if (due(sample.state.time, scene.output.interval, next_row) || simulation.finished()) history.write(observation.row(sample));
+    if (motion) motion->write(sample);
     if (drawing && due(sample.state.time, scene.output.vtk_interval, next_picture)) pictures.write(sample.state.time, drawing->frame(sample));
     if (scene.output.checkpoint_interval > 0.0 && due(sample.state.time, scene.output.checkpoint_interval, next_checkpoint))
       write_checkpoint(folder + "checkpoint.txt", sample.state, simulation.mechanism(), voltages);
@@ -138,6 +142,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   } catch (const std::exception& error) {
     progress.finish();
     history.flush();
+    if (motion) motion->flush();
     const bool mendable = dynamic_cast<const InputError*>(&error) || dynamic_cast<const ProtocolError*>(&error);
     if (simulation.partner()) simulation.partner()->fail(error.what(), mendable ? Status::kBadInput : Status::kFailed);
     if (simulation.state().q.allFinite() && simulation.state().v.allFinite())
@@ -147,6 +152,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   }
   progress.finish();
   history.flush();
+  if (motion) motion->flush();
   const bool done = simulation.finished();
   if (!done) {
     write_checkpoint(folder + "checkpoint.txt", simulation.state(), simulation.mechanism(), voltages);

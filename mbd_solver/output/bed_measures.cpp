@@ -1,0 +1,130 @@
+#include "mbd_solver/output/bed_measures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace footfall {
+namespace {
+
+// Grains by cells of a grid whose edge is at least `reach`: all grains within `reach` of a point are in the 27 cells around it.
+class Cells {
+ public:
+  Cells(const BedFrame& bed, double reach) : bed_(bed), edge_(reach) {
+    for (int i = 0; i < bed.count(); ++i) cells_[cell(bed.x.col(i))].push_back(i);
+  }
+  template <typename Visit>
+  void near(const Eigen::Vector3d& x, Visit visit) const {
+    const std::array<long, 3> c = cell(x);
+    for (long i = -1; i <= 1; ++i)
+      for (long j = -1; j <= 1; ++j)
+        for (long k = -1; k <= 1; ++k) {
+          const auto found = cells_.find({c[0] + i, c[1] + j, c[2] + k});
+          if (found == cells_.end()) continue;
+          for (const int grain : found->second) visit(grain);
+        }
+  }
+
+ private:
+  std::array<long, 3> cell(const Eigen::Vector3d& x) const {
+    return {std::lround(std::floor(x.x() / edge_)), std::lround(std::floor(x.y() / edge_)), std::lround(std::floor(x.z() / edge_))};
+  }
+  const BedFrame& bed_;
+  double edge_;
+  std::map<std::array<long, 3>, std::vector<int>> cells_;
+};
+
+double largest_radius(const BedFrame& bed) { return bed.radius.empty() ? 0.0 : *std::max_element(bed.radius.begin(), bed.radius.end()); }
+double radius(const BedFrame& bed, int i) { return bed.radius[static_cast<std::size_t>(i)]; }
+
+}  // namespace
+
+double kinetic_energy(const BedFrame& bed, double density) {
+  double sum = 0.0;
+  for (int i = 0; i < bed.count() && bed.v.cols() > 0; ++i) sum += std::pow(radius(bed, i), 3) * bed.v.col(i).squaredNorm();
+  return 0.5 * density * 4.0 / 3.0 * M_PI * sum;
+}
+
+double coordination_number(const BedFrame& bed, double gap) {
+  if (bed.count() == 0) return 0.0;
+  const Cells cells(bed, (2.0 + gap) * largest_radius(bed));
+  long pairs = 0;
+  for (int i = 0; i < bed.count(); ++i)
+    cells.near(bed.x.col(i), [&](int j) {
+      if (j <= i) return;
+      const double reach = radius(bed, i) + radius(bed, j) + gap * std::min(radius(bed, i), radius(bed, j));
+      if ((bed.x.col(i) - bed.x.col(j)).squaredNorm() < reach * reach) ++pairs;
+    });
+  return 2.0 * static_cast<double>(pairs) / bed.count();
+}
+
+// Points on a grid a fifth of the largest radius apart are asked whether a grain covers them.
+double packing_fraction(const BedFrame& bed, const Eigen::Vector3d& top, double R, double depth) {
+  if (bed.count() == 0) return 0.0;
+  const double step = 0.2 * largest_radius(bed);
+  const Cells cells(bed, largest_radius(bed));
+  long inside = 0, all = 0;
+  const long n = static_cast<long>(R / step), m = static_cast<long>(depth / step);
+  for (long i = -n; i <= n; ++i)
+    for (long j = -n; j <= n; ++j) {
+      if (static_cast<double>(i * i + j * j) * step * step > R * R) continue;
+      for (long k = 0; k < m; ++k) {
+        const Eigen::Vector3d x = top + step * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), -(static_cast<double>(k) + 0.5));
+        bool covered = false;
+        cells.near(x, [&](int grain) { covered = covered || (bed.x.col(grain) - x).squaredNorm() < radius(bed, grain) * radius(bed, grain); });
+        ++all;
+        inside += covered ? 1 : 0;
+      }
+    }
+  return all > 0 ? static_cast<double>(inside) / static_cast<double>(all) : 0.0;
+}
+
+std::vector<double> surface_profile(const BedFrame& bed, const Eigen::Vector2d& centre, double width, int rings) {
+  std::map<std::pair<long, long>, double> tops;  // of columns around the line
+  for (int i = 0; i < bed.count(); ++i) {
+    const Eigen::Vector2d d = (bed.x.col(i).head<2>() - centre) / width;
+    if (d.norm() > rings + 1.0) continue;
+    const std::pair<long, long> column{std::lround(d.x()), std::lround(d.y())};
+    const double top = bed.x(2, i) + radius(bed, i);
+    const auto [entry, fresh] = tops.emplace(column, top);
+    if (!fresh) entry->second = std::max(entry->second, top);
+  }
+  std::vector<double> sum(static_cast<std::size_t>(rings), 0.0);
+  std::vector<int> count(static_cast<std::size_t>(rings), 0);
+  for (const auto& [column, top] : tops) {
+    const auto ring = static_cast<std::size_t>(std::hypot(static_cast<double>(column.first), static_cast<double>(column.second)));
+    if (ring >= sum.size()) continue;
+    sum[ring] += top;
+    ++count[ring];
+  }
+  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = count[k] > 0 ? sum[k] / count[k] : std::numeric_limits<double>::quiet_NaN();
+  return sum;
+}
+
+Separation separation(const BedFrame& a, const BedFrame& b) {
+  std::vector<double> distances;
+  int apart = 0;
+  for (int i = 0, j = 0; i < a.count() && j < b.count();) {
+    const int id_a = a.id[static_cast<std::size_t>(i)], id_b = b.id[static_cast<std::size_t>(j)];
+    if (id_a == id_b) {
+      distances.push_back((a.x.col(i) - b.x.col(j)).norm());
+      if (distances.back() > 0.1 * radius(a, i)) ++apart;
+      ++i, ++j;
+    } else {
+      (id_a < id_b ? i : j) += 1;
+    }
+  }
+  Separation result;
+  if (distances.empty()) return result;
+  const auto n = static_cast<double>(distances.size());
+  for (const double d : distances) result.mean += d / n;
+  result.share_apart = apart / n;
+  std::sort(distances.begin(), distances.end());
+  result.median = distances[distances.size() / 2];
+  result.largest = distances.back();
+  return result;
+}
+
+}  // namespace footfall
