@@ -8,6 +8,7 @@
 #include "coupler/errors.h"
 #include "mbd_solver/cli/check_command.h"
 #include "mbd_solver/cli/child.h"
+#include "mbd_solver/cli/compare_command.h"
 #include "mbd_solver/cli/programs.h"
 #include "mbd_solver/cli/run_command.h"
 #include "mbd_solver/cli/surfaces_command.h"
@@ -66,6 +67,19 @@ void add_sweep(CLI::App& app, SweepArguments& a, std::function<int()>& action) {
   sweep->callback([&] { action = [&a] { return sweep_command(a); }; });
 }
 
+struct CompareArguments {
+  std::string run, other;
+  bool quiet = false;
+};
+
+void add_compare(CLI::App& app, CompareArguments& a, std::function<int()>& action) {
+  CLI::App* compare = app.add_subcommand("compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run");
+  compare->add_option("DIR", a.run, "Folder of a run with grains")->required();
+  compare->add_option("OTHER", a.other, "Folder of another run (default: stock LIGGGHTS replays the motion of DIR)");
+  compare->add_flag("--quiet", a.quiet, "Only errors; the table stands in DIR/compare/comparison.txt");
+  compare->callback([&] { action = [&a] { return compare_command(a.run, a.other, a.quiet); }; });
+}
+
 void add_test(CLI::App& app, std::string& label, std::function<int()>& action) {
   CLI::App* test = app.add_subcommand("test", "Run the tests of this build (./footfall test builds them first)");
   test->add_option("-L,--label", label, "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example");
@@ -94,6 +108,8 @@ int main(int argc, char** argv) {
   add_check(app, arguments, action);
   add_surfaces(app, arguments, action);
   add_sweep(app, sweep, action);
+  CompareArguments compare;
+  add_compare(app, compare, action);
   add_test(app, label, action);
   try {
     app.parse(argc, argv);

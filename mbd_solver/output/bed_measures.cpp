@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <unordered_map>
 
 namespace footfall {
 namespace {
@@ -12,8 +13,8 @@ namespace {
 // Grains by cells of a grid whose edge is at least `reach`: all grains within `reach` of a point are in the 27 cells around it.
 class Cells {
  public:
-  Cells(const BedFrame& bed, double reach) : bed_(bed), edge_(reach) {
-    for (int i = 0; i < bed.count(); ++i) cells_[cell(bed.x.col(i))].push_back(i);
+  Cells(const BedFrame& bed, double reach) : edge_(reach) {
+    for (int i = 0; i < bed.count(); ++i) cells_[key(cell(bed.x.col(i)))].push_back(i);
   }
   template <typename Visit>
   void near(const Eigen::Vector3d& x, Visit visit) const {
@@ -21,19 +22,21 @@ class Cells {
     for (long i = -1; i <= 1; ++i)
       for (long j = -1; j <= 1; ++j)
         for (long k = -1; k <= 1; ++k) {
-          const auto found = cells_.find({c[0] + i, c[1] + j, c[2] + k});
+          const auto found = cells_.find(key({c[0] + i, c[1] + j, c[2] + k}));
           if (found == cells_.end()) continue;
           for (const int grain : found->second) visit(grain);
         }
   }
 
  private:
+  static long key(const std::array<long, 3>& c) {  // a million cells each way
+    return ((c[0] + 0x80000) << 40) + ((c[1] + 0x80000) << 20) + (c[2] + 0x80000);
+  }
   std::array<long, 3> cell(const Eigen::Vector3d& x) const {
     return {std::lround(std::floor(x.x() / edge_)), std::lround(std::floor(x.y() / edge_)), std::lround(std::floor(x.z() / edge_))};
   }
-  const BedFrame& bed_;
   double edge_;
-  std::map<std::array<long, 3>, std::vector<int>> cells_;
+  std::unordered_map<long, std::vector<int>> cells_;
 };
 
 double largest_radius(const BedFrame& bed) { return bed.radius.empty() ? 0.0 : *std::max_element(bed.radius.begin(), bed.radius.end()); }
@@ -41,10 +44,14 @@ double radius(const BedFrame& bed, int i) { return bed.radius[static_cast<std::s
 
 }  // namespace
 
-double kinetic_energy(const BedFrame& bed, double density) {
-  double sum = 0.0;
-  for (int i = 0; i < bed.count() && bed.v.cols() > 0; ++i) sum += std::pow(radius(bed, i), 3) * bed.v.col(i).squaredNorm();
-  return 0.5 * density * 4.0 / 3.0 * M_PI * sum;
+double kinetic_energy(const BedFrame& bed) {
+  double energy = 0.0, mass = 0.0;
+  for (int i = 0; i < bed.count() && bed.v.cols() > 0; ++i) {
+    const double r3 = std::pow(radius(bed, i), 3);
+    energy += 0.5 * r3 * bed.v.col(i).squaredNorm();
+    mass += r3;
+  }
+  return mass > 0.0 ? energy / mass : 0.0;
 }
 
 double coordination_number(const BedFrame& bed, double gap) {
@@ -60,25 +67,34 @@ double coordination_number(const BedFrame& bed, double gap) {
   return 2.0 * static_cast<double>(pairs) / bed.count();
 }
 
-// Points on a grid a fifth of the largest radius apart are asked whether a grain covers them.
+// Points on a grid a fifth of the largest radius apart; each grain marks those that it covers.
 double packing_fraction(const BedFrame& bed, const Eigen::Vector3d& top, double R, double depth) {
   if (bed.count() == 0) return 0.0;
   const double step = 0.2 * largest_radius(bed);
-  const Cells cells(bed, largest_radius(bed));
+  const long n = static_cast<long>(R / step), m = std::max(1l, static_cast<long>(depth / step));
+  const Eigen::Vector3d corner = top - Eigen::Vector3d(static_cast<double>(n) * step, static_cast<double>(n) * step, (static_cast<double>(m) - 0.5) * step);
+  const long side = 2 * n + 1;
+  std::vector<char> covered(static_cast<std::size_t>(side * side * m), 0);
+  for (int g = 0; g < bed.count(); ++g) {
+    const Eigen::Vector3d c = (bed.x.col(g) - corner) / step;
+    const double r = radius(bed, g) / step;
+    const auto from = [&](int d) { return std::max(0l, static_cast<long>(std::ceil(c[d] - r))); };
+    const auto to = [&](int d, long limit) { return std::min(limit - 1, static_cast<long>(std::floor(c[d] + r))); };
+    for (long i = from(0); i <= to(0, side); ++i)
+      for (long j = from(1); j <= to(1, side); ++j)
+        for (long k = from(2); k <= to(2, m); ++k) {
+          const Eigen::Vector3d d(static_cast<double>(i) - c.x(), static_cast<double>(j) - c.y(), static_cast<double>(k) - c.z());
+          if (d.squaredNorm() < r * r) covered[static_cast<std::size_t>((i * side + j) * m + k)] = 1;
+        }
+  }
   long inside = 0, all = 0;
-  const long n = static_cast<long>(R / step), m = static_cast<long>(depth / step);
-  for (long i = -n; i <= n; ++i)
-    for (long j = -n; j <= n; ++j) {
-      if (static_cast<double>(i * i + j * j) * step * step > R * R) continue;
-      for (long k = 0; k < m; ++k) {
-        const Eigen::Vector3d x = top + step * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), -(static_cast<double>(k) + 0.5));
-        bool covered = false;
-        cells.near(x, [&](int grain) { covered = covered || (bed.x.col(grain) - x).squaredNorm() < radius(bed, grain) * radius(bed, grain); });
-        ++all;
-        inside += covered ? 1 : 0;
-      }
+  for (long i = 0; i < side; ++i)
+    for (long j = 0; j < side; ++j) {
+      if ((i - n) * (i - n) + (j - n) * (j - n) > n * n) continue;
+      for (long k = 0; k < m; ++k) inside += covered[static_cast<std::size_t>((i * side + j) * m + k)];
+      all += m;
     }
-  return all > 0 ? static_cast<double>(inside) / static_cast<double>(all) : 0.0;
+  return static_cast<double>(inside) / static_cast<double>(all);
 }
 
 std::vector<double> surface_profile(const BedFrame& bed, const Eigen::Vector2d& centre, double width, int rings) {

@@ -8,8 +8,8 @@
 
 namespace footfall {
 
-// Sum of m v^2 / 2 over the grains of this density [kg/m3]; their spin is left out, as dumps seldom hold it [J].
-double kinetic_energy(const BedFrame& bed, double density);
+// Kinetic energy of the grains over their mass, all of one density [J/kg]; their spin is left out, as dumps seldom hold it.
+double kinetic_energy(const BedFrame& bed);
 
 // Mean number of neighbours of a grain: those nearer than `gap` times the smaller radius. 0.01 makes it insensitive to the digits of dumps.
 double coordination_number(const BedFrame& bed, double gap = 0.01);
