@@ -63,6 +63,7 @@ double mean_packing(const BedFrame& bed, const std::vector<SurfacePath>& surface
 void compare_forces(const ComparedRun& a, const ComparedRun& b, const std::vector<SurfacePath>& surfaces, Comparison& result) {
   result.table += text("impulse of the grains, first %.2g s of contact\n  %-16s %14s %14s %11s   peak force\n", kFirstContact, "body", a.label.c_str(),
                        b.label.c_str(), "difference");
+  Eigen::Vector3d all_a = Eigen::Vector3d::Zero(), all_b = all_a;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const double begin = std::min(first_contact(a.bodies[i]), first_contact(b.bodies[i]));
     const double common = std::min(a.bodies[i].time.back(), b.bodies[i].time.back());
@@ -74,9 +75,13 @@ void compare_forces(const ComparedRun& a, const ComparedRun& b, const std::vecto
     const Eigen::Vector3d J_a = impulse(a.bodies[i], begin, end), J_b = impulse(b.bodies[i], begin, end);
     const double difference = (J_a - J_b).norm() / std::max(J_a.norm(), 1e-300);
     result.worst_impulse = std::max(result.worst_impulse, difference);
+    all_a += J_a;
+    all_b += J_b;
     result.table += text("  %-16s %10.4g N s %10.4g N s %9.2f %%   %.4g and %.4g N\n", surfaces[i].body.c_str(), J_a.norm(), J_b.norm(), 100.0 * difference,
                          peak(a.bodies[i]), peak(b.bodies[i]));
   }
+  if (surfaces.size() > 1 && all_a.norm() > 0.0)
+    result.table += text("  %-16s %10.4g N s %10.4g N s %9.2f %%\n", "all together", all_a.norm(), all_b.norm(), 100.0 * (all_a - all_b).norm() / all_a.norm());
   result.forces = "time";
   for (const SurfacePath& surface : surfaces) result.forces += "," + surface.body + " " + a.label + "," + surface.body + " " + b.label;
   result.forces += "\n";

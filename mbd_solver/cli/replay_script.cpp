@@ -32,8 +32,8 @@ std::string joined(const Words& words) {
   return line;
 }
 
-// Lines of a script, those that end with & joined with the next.
-std::vector<std::string> logical_lines(const std::string& path) {
+// Lines of a script, those that end with & joined with the next; files that it includes only where they couple.
+std::vector<std::string> logical_lines(const std::string& path, const std::string& here, int depth = 0) {
   std::ifstream file(path);
   if (!file) throw InputError(path + ": cannot be read; it is the script of the coupled run");
   std::vector<std::string> lines;
@@ -45,6 +45,17 @@ std::vector<std::string> logical_lines(const std::string& path) {
     if (goes_on) continue;
     lines.push_back(whole);
     whole.clear();
+    const Words words = words_of(lines.back());
+    if (words.size() < 2 || words[0] != "include" || depth > 8) continue;
+    std::string included = words[1];
+    const std::size_t at = included.find("${here}");
+    if (at != std::string::npos) included.replace(at, 7, here);
+    if (!fs::is_regular_file(included)) continue;
+    const std::vector<std::string> more = logical_lines(included, here, depth + 1);
+    const auto couples = [](const std::string& l) { return l.find("couple/mbd") != std::string::npos || l.find("wall/gran/beam") != std::string::npos; };
+    if (std::none_of(more.begin(), more.end(), couples)) continue;
+    lines.pop_back();
+    lines.insert(lines.end(), more.begin(), more.end());
   }
   return lines;
 }
@@ -179,7 +190,7 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
   std::ostringstream text;
   text << "# Written by footfall compare: " << script << " for stock LIGGGHTS.\n";
   bool coupled = false;
-  for (const std::string& line : logical_lines(script)) {
+  for (const std::string& line : logical_lines(script, fs::path(script).parent_path().string())) {
     Words w = words_of(line);
     const std::string style = w.size() > 3 && w[0] == "fix" ? w[3] : "";
     if (style == "couple/mbd/geometry" && w.size() > 5) {
@@ -197,7 +208,7 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
       text << movers(w, motion, out, dt, replay) << "\n";
     } else if (line.find("wall/gran/beam") != std::string::npos) {
       if (!style.empty()) gone.push_back(w[1]);
-      replay.notes.push_back("contacts of beams: stock LIGGGHTS has no such wall (" + joined(words_of(line)).substr(0, 60) + " ...)");
+      if (!style.empty()) replay.notes.push_back("fix " + w[1] + ": stock LIGGGHTS has no wall of beams");
     } else if (coupled && !w.empty() && w[0] == "run") {
       text << final_run(replay) << "\n";
       break;

@@ -102,7 +102,7 @@ std::vector<double> surface_profile(const BedFrame& bed, const Eigen::Vector2d& 
   for (int i = 0; i < bed.count(); ++i) {
     const Eigen::Vector2d d = (bed.x.col(i).head<2>() - centre) / width;
     if (d.norm() > rings + 1.0) continue;
-    const std::pair<long, long> column{std::lround(d.x()), std::lround(d.y())};
+    const std::pair<long, long> column{std::lround(std::floor(d.x())), std::lround(std::floor(d.y()))};
     const double top = bed.x(2, i) + radius(bed, i);
     const auto [entry, fresh] = tops.emplace(column, top);
     if (!fresh) entry->second = std::max(entry->second, top);
@@ -110,7 +110,7 @@ std::vector<double> surface_profile(const BedFrame& bed, const Eigen::Vector2d& 
   std::vector<double> sum(static_cast<std::size_t>(rings), 0.0);
   std::vector<int> count(static_cast<std::size_t>(rings), 0);
   for (const auto& [column, top] : tops) {
-    const auto ring = static_cast<std::size_t>(std::hypot(static_cast<double>(column.first), static_cast<double>(column.second)));
+    const auto ring = static_cast<std::size_t>(std::hypot(static_cast<double>(column.first) + 0.5, static_cast<double>(column.second) + 0.5));
     if (ring >= sum.size()) continue;
     sum[ring] += top;
     ++count[ring];

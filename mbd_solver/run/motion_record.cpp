@@ -43,46 +43,48 @@ RigidFit fit_rigid(const Eigen::Matrix3Xd& x0, const Eigen::Matrix3Xd& x) {
   return fit;
 }
 
-MotionRecord::MotionRecord(Simulation& simulation, const std::string& folder) {
-  const Mechanism& mechanism = simulation.mechanism();
-  std::vector<std::string> names = {"time", "x", "y", "z", "rx", "ry", "rz", "bend", "fx", "fy", "fz"};
-  std::vector<std::string> units = {"s", "m", "m", "m", "rad", "rad", "rad", "m", "N", "N", "N"};
+MotionRecord::MotionRecord(const Simulation& simulation, const std::string& folder)
+    : simulation_(simulation) {
+  const std::vector<std::string> names = {"time", "x", "y", "z", "rx", "ry", "rz", "bend", "fx", "fy", "fz"};
+  const std::vector<std::string> units = {"s", "m", "m", "m", "rad", "rad", "rad", "m", "N", "N", "N"};
   for (const int i : simulation.partner()->coupled()) {
-    const BodyBoundary& entry = mechanism.boundaries[static_cast<std::size_t>(i)];
-    if (entry.boundary.triangles().empty()) continue;
+    const BodyBoundary& entry = simulation.mechanism().boundaries[static_cast<std::size_t>(i)];
+    const ModalBoundary& boundary = entry.boundary;
+    if (boundary.triangles().empty()) continue;
     if (surfaces_.empty()) {
       std::error_code error;
       fs::create_directories(folder, error);
       if (error) throw InputError(folder + ": cannot be made: " + error.message() + "; choose another folder with --out");
     }
-    const std::string file = (fs::path(folder) / entry.boundary.name()).string();
-    Surface surface{&entry, simulation.equations().layout().body_q[static_cast<std::size_t>(entry.body)], {},
-                    std::make_unique<HistoryWriter>(file + ".csv", names, units)};
-    surface.x0 = nodes(surface, simulation.state());
-    write_stl(file + ".stl", entry.boundary.name(), surface.x0, entry.boundary.triangles());
+    const std::string file = (fs::path(folder) / boundary.name()).string();
+    const BodyMotion rest(boundary.mode_count());
+    const Eigen::Matrix3Xd unset(3, boundary.node_count());
+    Surface surface{&entry, rest, rest, unset, unset, std::make_unique<HistoryWriter>(file + ".csv", names, units)};
+    simulation.fill_motion(entry.body, surface.motion);
+    boundary.node_positions(surface.motion, surface.x0);
+    write_stl(file + ".stl", boundary.name(), surface.x0, boundary.triangles());
     surfaces_.push_back(std::move(surface));
   }
 }
 
-Eigen::Matrix3Xd MotionRecord::nodes(const Surface& surface, const State& state) const {
-  const ModalBoundary& boundary = surface.boundary->boundary;
-  BodyMotion motion(boundary.mode_count());
-  motion.r = state.q.segment<3>(surface.q);
-  motion.L = state.q.segment<4>(surface.q + 3);
-  motion.a = state.q.segment(surface.q + 7, boundary.mode_count());
-  Eigen::Matrix3Xd x(3, boundary.node_count());
-  boundary.node_positions(motion, x);
-  return x;
-}
-
 void MotionRecord::write(const Sample& sample) {
-  for (const Surface& surface : surfaces_) {
-    const RigidFit fit = fit_rigid(surface.x0, nodes(surface, sample.state));
+  const double H = sample.state.time - time_;
+  for (Surface& surface : surfaces_) {
+    const int body = surface.boundary->body;
+    surface.predicted = surface.motion;
+    if (started_) simulation_.scheme().predict(surface.motion, H, surface.predicted);
+    simulation_.fill_motion(body, surface.motion);
+    // Scheme tangent lets the grains see the motion that it expects to compute.
+    const bool expects = simulation_.scheme().wants_tangent();
+    surface.boundary->boundary.node_positions(expects ? surface.motion : surface.predicted, surface.x);
+    const RigidFit fit = fit_rigid(surface.x0, surface.x);
     const Eigen::AngleAxisd turn(fit.R);
     const Eigen::Vector3d r = turn.angle() * turn.axis();
-    const Eigen::Vector3d& f = sample.contact[static_cast<std::size_t>(surface.boundary->body)].F_W;
+    const Eigen::Vector3d& f = sample.contact[static_cast<std::size_t>(body)].F_W;
     surface.file->write({sample.state.time, fit.centre.x(), fit.centre.y(), fit.centre.z(), r.x(), r.y(), r.z(), fit.left_over, f.x(), f.y(), f.z()});
   }
+  time_ = sample.state.time;
+  started_ = true;
 }
 
 void MotionRecord::flush() {

@@ -22,22 +22,27 @@ RigidFit fit_rigid(const Eigen::Matrix3Xd& x0, const Eigen::Matrix3Xd& x);
 // Of every body with triangles that LIGGGHTS asked for. BODY.stl: its surface at the start, in W. BODY.csv, a row per window:
 //   time; x y z of the mean of its nodes; rotation since the start as a vector rx ry rz (axis times angle, in W); bend: how far the farthest
 //   node is from where that rigid motion puts it; fx fy fz: mean force of the grains in the window that ends then, ON the body.
+// The nodes are where the grains met them: at the end of a window that is the scheme's prediction, not yet the computed state.
 class MotionRecord {
  public:
   // Makes the folder. Throws InputError when it cannot be written.
-  MotionRecord(Simulation& simulation, const std::string& folder);
+  MotionRecord(const Simulation& simulation, const std::string& folder);
   void write(const Sample& sample);
   void flush();
 
  private:
   struct Surface {
     const BodyBoundary* boundary;
-    Eigen::Index q;       // of the body in State::q
-    Eigen::Matrix3Xd x0;  // nodes at the start [m]
+    BodyMotion motion;     // computed, at the end of the last window
+    BodyMotion predicted;  // by the scheme from there
+    Eigen::Matrix3Xd x0;   // nodes at the start [m]
+    Eigen::Matrix3Xd x;    // now
     std::unique_ptr<HistoryWriter> file;
   };
-  Eigen::Matrix3Xd nodes(const Surface& surface, const State& state) const;
 
+  const Simulation& simulation_;
+  double time_ = 0.0;  // of the last window's end [s]
+  bool started_ = false;
   std::vector<Surface> surfaces_;
 };
 

@@ -62,6 +62,8 @@ class Simulation {
   bool finished() const;             // the end time has been reached
   long particles() const { return particles_; }
   double t_end() const { return t_end_; }
+  const Scheme& scheme() const { return *scheme_; }      // only with grains
+  void fill_motion(int body, BodyMotion& motion) const;  // as computed; `motion` is sized for the body's modes
 
  private:
   double next_stop() const;          // end of the next window without grains
@@ -71,7 +73,6 @@ class Simulation {
   void soften_paths(double H);       // of motion_, for the scheme `tangent`
   void choose_window(bool first);    // after a window: substeps of the next one
   double time_of_flight(const BodyBoundary& boundary, const BodyMotion& motion) const;  // until it can meet a grain [s]
-  void fill_motion(int body, BodyMotion& motion) const;
   void update_contact();             // contact_ from loads or planes
   void check_finite() const;
 
