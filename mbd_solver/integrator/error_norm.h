@@ -1,31 +1,22 @@
 #pragma once
 // Weighted root-mean-square norm of an error in y = [q; v; z; lambda]; multipliers carry no error of their
-// own and do not count. The rate of a mode counts like its coordinate: an error atol of amplitude is an error
-// omega atol of rate, and anything stricter would make the steps follow vibrations far below atol.
+// own and do not count.
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
 
-#include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/dynamics/layout.h"
 #include "mbd_solver/integrator/integrator.h"
 
 namespace footfall {
 
 class ErrorNorm {
  public:
-  ErrorNorm(const Equations& equations, const IntegratorOptions& options)
+  ErrorNorm(const Layout& layout, const IntegratorOptions& options)
       : rtol_(options.rtol),
-        atol_(Eigen::VectorXd::Constant(equations.layout().lambda0(), options.atol)),
-        weight_(equations.layout().lambda0()) {
-    const Layout& layout = equations.layout();
+        atol_(Eigen::VectorXd::Constant(layout.lambda0(), options.atol)),
+        weight_(layout.lambda0()) {
     atol_.segment(layout.v0(), layout.v_size).setConstant(options.atol_velocity);
-    for (int i = 0; i < equations.model().body_count(); ++i) {
-      const ModalBody* modal = equations.model().body(i).modal();
-      const int first = layout.v0() + layout.body_v[static_cast<std::size_t>(i)] + 6;
-      for (int k = 0; k < equations.model().body(i).mode_count(); ++k)  // modes of unit mass: stiffness omega^2
-        atol_[first + k] = std::max(options.atol_velocity, options.atol * std::sqrt(modal->stiffness(k)));
-    }
     weight_ = atol_.cwiseInverse();
   }
   // Weights 1 / (rtol |y| + atol).

@@ -116,7 +116,7 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o) : equations(e)
   check(IDASetErrHandlerFn(memory, &Sundials::message, this), "IDASetErrHandlerFn");
   check(IDASetUserData(memory, this), "IDASetUserData");
   writable(scratch).setConstant(kIgnored);
-  writable(scratch).head(layout.lambda0()) = ErrorNorm(equations, options).absolute();
+  writable(scratch).head(layout.lambda0()) = ErrorNorm(layout, options).absolute();
   check(IDASVtolerances(memory, options.rtol, scratch), "IDASVtolerances");
   writable(scratch).setOnes();
   writable(scratch).tail(layout.row_count).setZero();

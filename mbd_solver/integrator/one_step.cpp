@@ -26,7 +26,7 @@ constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
 }  // namespace
 
 OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
-    : equations_(equations), options_(options), norm_(equations, options) {
+    : equations_(equations), options_(options), norm_(equations.layout(), options) {
   const int n = equations.layout().size();
   y_ = Ydot_ = known_ = F_ = change_ = rates_ = Eigen::VectorXd::Zero(n);
   dx_ = Eigen::VectorXd::Zero(equations.layout().v_size);
