@@ -10,6 +10,7 @@
 #include "mbd_solver/cli/child.h"
 #include "mbd_solver/cli/compare_command.h"
 #include "mbd_solver/cli/programs.h"
+#include "mbd_solver/cli/report_command.h"
 #include "mbd_solver/cli/run_command.h"
 #include "mbd_solver/cli/surfaces_command.h"
 #include "mbd_solver/cli/sweep_command.h"
@@ -80,6 +81,17 @@ void add_compare(CLI::App& app, CompareArguments& a, std::function<int()>& actio
   compare->callback([&] { action = [&a] { return compare_command(a.run, a.other, a.quiet); }; });
 }
 
+void add_report(CLI::App& app, std::string& folder, std::function<int()>& action) {
+  CLI::App* report = app.add_subcommand("report", "One HTML page for a run or a sweep: DIR/report.html");
+  report->add_option("DIR", folder, "Folder of a run or of a sweep")->required();
+  report->callback([&] {
+    action = [&folder] {
+      std::printf("%s\n", short_path(write_report(folder)).c_str());
+      return kExitDone;
+    };
+  });
+}
+
 void add_test(CLI::App& app, std::string& label, std::function<int()>& action) {
   CLI::App* test = app.add_subcommand("test", "Run the tests of this build (./footfall test builds them first)");
   test->add_option("-L,--label", label, "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example");
@@ -110,6 +122,8 @@ int main(int argc, char** argv) {
   add_sweep(app, sweep, action);
   CompareArguments compare;
   add_compare(app, compare, action);
+  std::string reported;
+  add_report(app, reported, action);
   add_test(app, label, action);
   try {
     app.parse(argc, argv);

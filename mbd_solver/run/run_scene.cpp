@@ -85,6 +85,8 @@ Json summary_of(const Simulation& simulation, const FigureTaker& taker, const st
   json["active"] = active_parts(simulation);
   json["warnings"] = warnings;
   json["versions"]["footfall"] = FOOTFALL_VERSION;
+  json["scene_file"] = std::filesystem::absolute(simulation.scene().file).lexically_normal().string();
+  json["settings"] = simulation.scene().settings;
   json["scene"] = Json::parse(scene_json(simulation.scene()));
   return json;
 }

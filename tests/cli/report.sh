@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# report.sh FOOTFALL RUN: the page of a run holds its parts, loads nothing, and opens in a browser without network (where Chromium is installed).
+set -euo pipefail
+footfall=$1 run=$2
+"$footfall" report "$run"
+page=$run/report.html
+for heading in Summary "How far to trust it" "Energy ledger" "Beside stock LIGGGHTS" "Scene and assumptions" Versions; do grep -q "$heading" "$page"; done
+grep -q "plate_on_grains.scene, as it is now" "$page"
+grep -q 'src="data:image/png;base64,' "$page"
+# Nothing is fetched: no source or style from elsewhere, no script.
+if grep -nE 'src="[^d]|<link|<script|@import|url\(' "$page"; then echo "report.html fetches something"; exit 1; fi
+if ! command -v chromium > /dev/null; then echo "no chromium here: not opened in a browser"; exit 0; fi
+profile=$(mktemp -d); trap 'rm -rf "$profile"' EXIT
+timeout 60 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$profile" --host-resolver-rules="MAP * ~NOTFOUND" --dump-dom "file://$page" > "$profile/dom" 2> "$profile/log"
+grep -q "<h1>Plate on grains</h1>" "$profile/dom"
+grep -q "omega H" "$profile/dom"
