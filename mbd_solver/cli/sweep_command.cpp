@@ -124,6 +124,7 @@ bool merge(const Sweep& sweep) {
   const std::string runs_csv = (fs::path(sweep.out()) / "runs.csv").string(), cases_csv = (fs::path(sweep.out()) / "cases.csv").string();
   write_run_table(runs_csv, sweep.spec(), sweep.runs(), results);
   write_case_table(cases_csv, sweep.spec(), cases);
+  write_case_page((fs::path(sweep.out()) / "cases.md").string(), sweep.spec(), cases);
   for (const SweepCase& c : cases) {
     std::printf("%s", c.name.c_str());
     for (std::size_t k = 0; k < c.mean.size(); ++k) {

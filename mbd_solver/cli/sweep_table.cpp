@@ -136,6 +136,29 @@ void write_case_table(const std::string& path, const SweepSpec& sweep, const std
   }
 }
 
+void write_case_page(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases) {
+  std::ofstream out = open(path);
+  out << "Made by `./footfall sweep " << sweep.file << "`.\n\n| " << sweep.title << " |";
+  for (const SweepFigure& figure : sweep.figures) out << ' ' << figure.name << " |";
+  out << (sweep.limits.empty() ? "\n|---|" : " within the limits |\n|---|");
+  for (std::size_t k = 0; k < sweep.figures.size(); ++k) out << "---|";
+  out << (sweep.limits.empty() ? "\n" : "---|\n");
+  const auto rounded = [](double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", std::abs(value) < 1e-9 ? 0.0 : value);
+    return std::string(text);
+  };
+  for (const SweepCase& c : cases) {
+    out << "| " << c.name << " |";
+    for (std::size_t k = 0; k < c.mean.size(); ++k) {
+      out << ' ' << (std::isfinite(c.mean[k]) ? rounded(c.mean[k]) : "");
+      if (c.runs.size() > 1) out << " +- " << rounded(c.spread[k]);
+      out << " |";
+    }
+    out << (sweep.limits.empty() ? "\n" : c.within_limits ? " yes |\n" : " no |\n");
+  }
+}
+
 std::vector<int> ranking(const SweepSpec& sweep, const std::vector<SweepCase>& cases) {
   std::vector<int> order;
   if (sweep.minimise.empty()) return order;

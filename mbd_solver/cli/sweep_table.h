@@ -25,9 +25,10 @@ struct SweepCase {
 };
 std::vector<SweepCase> cases_of(const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results);
 
-// runs.csv: one row per run. cases.csv: one row per case.
+// runs.csv: one row per run. cases.csv: one row per case; cases.md the same as a table for a page, with the command that makes it.
 void write_run_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results);
 void write_case_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases);
+void write_case_page(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases);
 // The cases within the limits, best first; empty when nothing is minimised.
 std::vector<int> ranking(const SweepSpec& sweep, const std::vector<SweepCase>& cases);
 // NAME.png and NAME.svg in `folder` for every plot; returns the PNG files. `folders`: one per run.
