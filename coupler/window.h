@@ -55,6 +55,7 @@ class BoundaryPath {
   // does. pose() follows the same sums.
   bool steady_translation() const { return steady_; }
   int substeps_left() const { return n_ - i_; }
+  bool first_substep() const { return i_ == 1; }
 
  private:
   void set_pose_at(double tau);

@@ -206,7 +206,24 @@ std::vector<WallContact> FixCoupleMbd::wall_contacts(int wall_type) const {
   FixPropertyGlobal* poisson = property("poissonsRatio", "peratomtype", 0);
   FixPropertyGlobal* restitution = property("coefficientRestitution", "peratomtypepair", types);
   FixPropertyGlobal* friction = property("coefficientFriction", "peratomtypepair", types);
-  if (young == nullptr || poisson == nullptr || wall_type < 1 || wall_type > types) return {};
+  if (wall_type < 1 || wall_type > types) return {};
+  if (FixPropertyGlobal* kn = property("kn", "peratomtypepair", types)) {
+    const auto constant = [&](const char* name, int type) {
+      FixPropertyGlobal* pairs = property(name, "peratomtypepair", types);
+      return pairs == nullptr ? 0.0 : pairs->compute_array(type - 1, wall_type - 1);
+    };
+    std::vector<WallContact> result(static_cast<std::size_t>(types) + 1);
+    for (int type = 1; type <= types; ++type) {
+      WallContact& contact = result[static_cast<std::size_t>(type)];
+      contact.linear = kn->compute_array(type - 1, wall_type - 1);
+      contact.linear_shear = constant("kt", type);
+      contact.linear_damping = constant("gamman", type);
+      contact.linear_shear_damping = constant("gammat", type);
+      contact.friction = constant("coefficientFriction", type);
+    }
+    return result;
+  }
+  if (young == nullptr || poisson == nullptr) return {};
   const auto compliance = [&](int type) {
     const double nu = poisson->compute_vector(type - 1);
     return (1.0 - nu * nu) / young->compute_vector(type - 1);
@@ -262,6 +279,7 @@ void FixCoupleMbd::move(CoupledMesh& mesh) {
     }
     for (int c = 0; c < 3; ++c) center[i][c] = (x[i][0][c] + x[i][1][c] + x[i][2][c]) / 3.0;
   }
+  if (body.path().first_substep()) turn_properties(mesh, body.path().jump());
   turn_properties(mesh, body.path().last_step());
   if (body.boundary().mode_count() > 0) footfall::recalculate_mesh(tri_mesh);
 }
@@ -297,7 +315,7 @@ double FixCoupleMbd::nearest_image(double place, double before, int direction) c
 void FixCoupleMbd::turn_properties(CoupledMesh& mesh, const footfall::BoundaryStep& step) {
   CustomValueTracker& properties = mesh.fix->triMesh()->prop();
   if (step.theta_W.isZero(0.0)) {
-    properties.move(step.r.data());
+    if (!step.r.isZero(0.0)) properties.move(step.r.data());
     return;
   }
   const footfall::BodyMotion& pose = link_.body(mesh.body).pose();

@@ -57,7 +57,7 @@ void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta
   }
   const WallContact& contact = contacts_[static_cast<std::size_t>(atom->type[ip])];
   const double s = std::sqrt(radius * overlap);
-  const double stiffness = 2.0 * contact.young * s;
+  const double stiffness = contact.stiffness(s);
   body_->add_contact(point, f_W, arm_W.cross(f_W), overlap / radius, stiffness);
   if (!body_->wants_slopes()) return;
 
@@ -65,12 +65,13 @@ void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta
   slope.normal_W = d / distance;
   slope.stiffness = stiffness;
   const double mass = atom->rmass[ip];
-  slope.damping = contact.damping * std::sqrt(stiffness * mass);
+  const bool linear = contact.linear > 0.0;
+  slope.damping = linear ? contact.linear_damping * mass : contact.damping * std::sqrt(stiffness * mass);
   const double pressure = f_W.dot(slope.normal_W);
   const double shear = (f_W - pressure * slope.normal_W).norm();
   if (shear < kSliding * contact.friction * std::abs(pressure)) {
-    slope.shear_stiffness = 8.0 * contact.shear * s;
-    slope.shear_damping = contact.damping * std::sqrt(slope.shear_stiffness * mass);
+    slope.shear_stiffness = linear ? contact.linear_shear : 8.0 * contact.shear * s;
+    slope.shear_damping = linear ? contact.linear_shear_damping * mass : contact.damping * std::sqrt(slope.shear_stiffness * mass);
   }
   body_->add_slope(c + arm_W, slope);
 }

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "coupler/errors.h"
+#include "mbd_solver/cli/accuracy_command.h"
 #include "mbd_solver/cli/check_command.h"
 #include "mbd_solver/cli/child.h"
 #include "mbd_solver/cli/compare_command.h"
@@ -92,9 +93,18 @@ void add_report(CLI::App& app, std::string& folder, std::function<int()>& action
   });
 }
 
+void add_accuracy(CLI::App& app, AccuracyArguments& a, std::function<int()>& action) {
+  CLI::App* accuracy = app.add_subcommand("accuracy", "Error against run time (a study), or a stability map: CSV, picture, table");
+  accuracy->add_option("FILE", a.file, "Study file, as in inputs/accuracy")->required()->check(CLI::ExistingFile);
+  accuracy->add_option("--out", a.out, "Folder for results (default: runs/accuracy/NAME)");
+  accuracy->add_option("--case", a.only, "Of a stability map: this case alone");
+  accuracy->add_flag("--short", a.short_form, "Of a study: its short form, as the tests run it");
+  accuracy->callback([&] { action = [&a] { return accuracy_command(a); }; });
+}
+
 void add_test(CLI::App& app, std::string& label, std::function<int()>& action) {
   CLI::App* test = app.add_subcommand("test", "Run the tests of this build (./footfall test builds them first)");
-  test->add_option("-L,--label", label, "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example");
+  test->add_option("-L,--label", label, "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example, accuracy");
   test->callback([&] {
     action = [&label] {
       const std::string build = std::filesystem::path(built_program("footfall")).parent_path().parent_path().string();
@@ -114,6 +124,7 @@ int main(int argc, char** argv) {
   RunArguments arguments;
   arguments.scene = default_scene();
   SweepArguments sweep;
+  AccuracyArguments accuracy;
   std::string label;
   std::function<int()> action;
   add_run(app, arguments, action);
@@ -124,6 +135,7 @@ int main(int argc, char** argv) {
   add_compare(app, compare, action);
   std::string reported;
   add_report(app, reported, action);
+  add_accuracy(app, accuracy, action);
   add_test(app, label, action);
   try {
     app.parse(argc, argv);

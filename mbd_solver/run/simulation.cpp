@@ -32,6 +32,7 @@ IntegratorOptions integrator_options(const SolverSpec& spec) {
   options.atol = spec.atol;
   options.atol_velocity = 100.0 * spec.atol;
   options.max_step = spec.max_step;
+  options.error_control = spec.error_control;
   options.projection = spec.drift == DriftKind::kProjection;
   return options;
 }

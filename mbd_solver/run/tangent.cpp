@@ -29,8 +29,8 @@ Vector6d mean_velocity(const Body& body, const BodyMotion& motion, const Contact
 TangentLoad tangent_load(const ContactTangent& slope, const PredictedWindow& predicted, double omega_h, double H) {
   TangentLoad load;
   load.K = slope.K;
-  const double w4 = std::pow(omega_h, 4);
-  load.C = slope.C + 0.5 * H * w4 / (1.0 + w4) * slope.K;
+  const double w6 = std::pow(0.5 * omega_h, 6);
+  load.C = slope.C + 0.5 * H * w6 / (1.0 + w6) * slope.K;
   load.r_mean = predicted.r_mean();
   load.L_mean = predicted.L_mean();
   load.v_mean = predicted.v_mean();

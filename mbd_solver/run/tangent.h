@@ -16,8 +16,8 @@ namespace footfall {
 Vector6d mean_velocity(const Body& body, const BodyMotion& motion, const ContactTangent& slope, double H);
 
 // [F; T] = mean load - K (x - x_mean) - (C + D) (v - v_mean), means of the predicted path. K and C are the mean slopes of the window. Their
-// change within it feeds or drains energy where omega H is large, so that D = H/2 w^4 / (1 + w^4) K, w = omega H, damps what the window
-// does not resolve: a damping ratio of w/4 for w >> 1, and of w^5/4 (no loss of order) for w << 1.
+// change within it feeds or drains energy where omega H is large, so that D = H/2 w^6 / (1 + w^6) K, w = omega H / 2, damps what the window
+// does not resolve: a damping ratio of w/2 for w >> 1, and of w^7/2 (no loss of order) for w << 1.
 TangentLoad tangent_load(const ContactTangent& slope, const PredictedWindow& predicted, double omega_h, double H);
 
 // Work [J] that the contacts would still do on the boundary from its predicted end to the computed motion, by the mean load and its slope:

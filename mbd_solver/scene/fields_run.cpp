@@ -52,6 +52,7 @@ void visit_fields(FieldVisitor& v, SolverSpec& s) {
   v.field("rtol", &s.rtol, {Unit::kNone, Range::kPositive});
   v.field("atol", &s.atol, {Unit::kNone, Range::kPositive});
   v.field("max_step", &s.max_step, {Unit::kTime, Range::kPositive});
+  v.field("error_control", &s.error_control, {});
   v.choice("drift", s.drift, {"projection", "baumgarte"});
   v.field("baumgarte_velocity", &s.baumgarte_velocity, {Unit::kNone, Range::kPositive});
   v.field("baumgarte_position", &s.baumgarte_position, {Unit::kNone, Range::kPositive});

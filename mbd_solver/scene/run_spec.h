@@ -66,6 +66,7 @@ struct SolverSpec {
   double rtol = 1e-6;                                 // [-]
   double atol = 1e-8;                                 // [m], [rad], [m/s] ...
   double max_step = 1e-3;                             // [s]; one step never crosses a window
+  bool error_control = true;                          // one_step: false takes steps of max_step, whatever their error
   DriftKind drift = DriftKind::kProjection;
   double baumgarte_velocity = 100.0;                  // alpha: ddPhi + 2 alpha dPhi + beta^2 Phi = 0 [1/s]
   double baumgarte_position = 100.0;                  // beta [1/s]

@@ -1,0 +1,196 @@
+#include "mbd_solver/cli/accuracy_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+
+#include "coupler/errors.h"
+#include "mbd_solver/cli/programs.h"
+#include "mbd_solver/cli/stability_map.h"
+#include "mbd_solver/cli/study.h"
+#include "mbd_solver/cli/study_error.h"
+#include "mbd_solver/cli/study_plot.h"
+#include "mbd_solver/cli/study_run.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// All runs of one study, in order.
+class StudyRunner {
+ public:
+  StudyRunner(const StudySpec& study, const std::string& out, bool short_form) : study_(study), out_(out), short_(short_form) {
+    members_ = short_form && !study.ensemble_short.empty() ? study.ensemble_short : study.ensemble_values;
+    if (members_.empty()) members_ = {""};
+  }
+
+  StudyTable run() {
+    StudyTable table;
+    table.title = study_.title;
+    table.x_name = study_.x_name;
+    for (const MeasureSpec& measure : study_.measures) table.measures.push_back(measure.name);
+    std::vector<StudyRun> references;
+    if (study_.has_reference) {
+      references = all(study_.reference_scene, study_.reference, "", "reference", 1);
+      for (const StudyRun& reference : references)
+        if (reference.code != 0) throw NumericalError("the reference run ended with code " + std::to_string(reference.code) + ": " + reference.message);
+    }
+    for (const CurveSpec& curve : study_.curves) {
+      table.curves.push_back(curve.name);
+      for (const std::string& value : short_ ? curve.short_values : curve.values) {
+        const std::vector<StudyRun> runs = all(curve.scene, curve.settings, value, curve.name + "_" + value, study_.repeats);
+        table.points.push_back(point(curve, value, runs, references));
+        table.grains = table.grains || table.points.back().dem > 0.0;
+        say(table.points.back());
+      }
+    }
+    return table;
+  }
+
+ private:
+  std::vector<StudyRun> all(const std::string& scene, const std::vector<std::string>& settings, const std::string& value, const std::string& name,
+                            int repeats) const {
+    std::vector<StudyRun> runs;
+    for (const std::string& member : members_) {
+      StudyRunRequest request;
+      request.scene = (fs::path(study_.folder) / (scene.empty() ? study_.scene : scene)).lexically_normal().string();
+      request.out = (fs::path(out_) / (name + (member.empty() ? "" : "_" + member))).string();
+      request.settings = study_.settings;
+      for (const std::string& setting : filled(settings, value)) request.settings.push_back(setting);
+      if (!member.empty())
+        for (const std::string& setting : filled(study_.ensemble_settings, member)) request.settings.push_back(setting);
+      request.until = study_.until;
+      request.time_limit = study_.time_limit;
+      request.repeats = repeats;
+      runs.push_back(run_once(request));
+    }
+    return runs;
+  }
+
+  StudyPoint point(const CurveSpec& curve, const std::string& value, const std::vector<StudyRun>& runs, const std::vector<StudyRun>& references) const {
+    StudyPoint p;
+    p.curve = curve.name;
+    p.value = value;
+    char* end = nullptr;
+    const double x = std::strtod(value.c_str(), &end);
+    p.x = *end == '\0' ? curve.scale * x : 0.0;
+    p.errors.assign(study_.measures.size(), kNone);
+    for (const StudyRun& run : runs) {
+      p.code = std::max(p.code, run.code);
+      if (run.code != 0) {
+        std::printf("%s %s: ended with code %d: %s\n", curve.name.c_str(), value.c_str(), run.code, run.message.c_str());
+        return p;
+      }
+      const double share = 1.0 / static_cast<double>(runs.size());
+      p.wall += share * run.wall;
+      p.dem += share * run.dem;
+      p.mbd += share * run.mbd;
+      p.exchange += share * run.exchange;
+      p.steps += share * run.summary.value("steps", 0.0);
+      p.windows += share * run.summary.value("windows", 0.0);
+    }
+    const StudyRun none;
+    if (members_.size() > 1) p.spreads.assign(study_.measures.size(), 0.0);
+    for (std::size_t m = 0; m < study_.measures.size(); ++m) {
+      if (members_.size() > 1 && study_.measures[m].kind == MeasureKind::kFigure) {
+        const auto [mean, spread] = mean_and_spread(runs, study_.measures[m].key);
+        const double expected = mean_and_spread(references, study_.measures[m].key).first;
+        p.errors[m] = std::abs(mean - expected) / std::abs(expected);
+        p.spreads[m] = spread / std::abs(mean);
+        continue;
+      }
+      double sum = 0.0;
+      for (std::size_t k = 0; k < runs.size(); ++k) sum += error_of(study_.measures[m], runs[k], references.empty() ? none : references[k]);
+      p.errors[m] = sum / static_cast<double>(runs.size());
+    }
+    return p;
+  }
+
+  // Mean and standard deviation of one figure of the summaries.
+  static std::pair<double, double> mean_and_spread(const std::vector<StudyRun>& runs, const std::string& key) {
+    double sum = 0.0, squares = 0.0;
+    for (const StudyRun& run : runs) {
+      const double value = run.summary.value(key, 0.0);
+      sum += value;
+      squares += value * value;
+    }
+    const double n = static_cast<double>(runs.size()), mean = sum / n;
+    return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean) * n / std::max(1.0, n - 1.0))};
+  }
+
+  void say(const StudyPoint& p) const {
+    std::printf("%-16s %-8s wall %8.3f s (grains %.3f, mechanism %.3f, exchange %.3f)", p.curve.c_str(), p.value.c_str(), p.wall, p.dem, p.mbd, p.exchange);
+    for (std::size_t m = 0; m < p.errors.size(); ++m) std::printf("  %s %.3g", study_.measures[m].name.c_str(), p.errors[m]);
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+
+  const StudySpec& study_;
+  std::string out_;
+  bool short_;
+  std::vector<std::string> members_;
+};
+
+// Says which expectations hold; true when all do.
+bool meets(const StudySpec& study, const StudyTable& table) {
+  bool all = true;
+  for (const ExpectSpec& expect : study.expect) {
+    const std::size_t m = static_cast<std::size_t>(std::find(table.measures.begin(), table.measures.end(), expect.measure) - table.measures.begin());
+    const auto line = table.line(expect.curve, m, false);
+    const auto report = [&](bool good, const char* what, double found, double least, double most) {
+      all = all && good;
+      std::printf("%-9s %s, %s: %s %.4g, expected %.4g to %.4g\n", good ? "ok" : "NOT SO", expect.curve.c_str(), expect.measure.c_str(), what, found, least, most);
+    };
+    if (expect.least_order != 0.0 || expect.most_order != 0.0) {
+      const double order = observed_order(line);
+      report(order >= expect.least_order && order <= expect.most_order, "order", order, expect.least_order, expect.most_order);
+    }
+    if (expect.most_error > 0.0) {
+      // Of the last value run: files name values from coarse to fine. An error of zero is no point of a logarithmic line, but a good one.
+      double error = kNone;
+      for (const StudyPoint& point : table.points)
+        if (point.curve == expect.curve) error = point.errors[m];
+      report(error <= expect.most_error, "error", error, 0.0, expect.most_error);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+int accuracy_command(const AccuracyArguments& arguments) {
+  const StudySpec study = read_study(arguments.file);
+  const std::string name = fs::path(arguments.file).stem().string();
+  const std::string out = short_path(arguments.out.empty() ? (fs::path("runs") / "accuracy" / name).string() : arguments.out);
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error) throw InputError(out + ": cannot be made: " + error.message() + "; choose another folder with --out");
+
+  if (!study.cases.empty()) {
+    const std::vector<Verdict> verdicts = run_map(study, arguments.only, out);
+    const std::string table = (fs::path(out) / (name + ".md")).string();
+    write_map(table, study, verdicts);
+    const auto bad = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return !v.as_expected; });
+    std::printf("%zu cases, %td not as expected: %s\n", verdicts.size(), bad, table.c_str());
+    return bad == 0 ? kExitDone : kExitFailed;
+  }
+  const StudyTable table = StudyRunner(study, out, arguments.short_form).run();
+  const std::string csv = (fs::path(out) / (name + ".csv")).string();
+  write_study_csv(csv, table);
+  std::printf("Files: %s\n", csv.c_str());
+  try {
+    std::printf("       %s\n", draw_study(out, name, table).c_str());
+  } catch (const InputError& e) {
+    std::fprintf(stderr, "footfall: warning: no picture: %s\n", e.what());
+  }
+  return meets(study, table) ? kExitDone : kExitFailed;
+}
+
+}  // namespace footfall

@@ -1,0 +1,82 @@
+#pragma once
+// A study as its file says it: what `footfall accuracy FILE` runs.
+//
+//   title = "..."                          scene = "scenes/lattice.toml" (relative to the file)
+//   settings = ["key=value", ...]          for every run                until = 0.1      repeats = 3 (run times: the shortest counts)
+//   [reference]  settings = [...]          what the others are compared with
+//   [[curves]]   name, settings with {value}, values = [...], short = [...] (for --short), scale (x = scale value), scene (its own)
+//   [ensemble]   settings with {value}, values = [...]: every point is run for each of them; figures are means, and their spread is told
+//   [[measures]] name, kind = "rms" | "final" (columns of history.csv against the reference's), "figure" (key of summary.json against
+//                the reference's), "own" (key of summary.json that is an error itself)
+//   [[expect]]   curve, measure, order = [least, most] and/or error = most (at the smallest x)
+//   [[cases]]    of a stability map: see CaseSpec. A file has curves, or cases.
+
+#include <string>
+#include <vector>
+
+namespace footfall {
+
+struct CurveSpec {
+  std::string name;
+  std::string scene;                   // empty: the study's
+  std::vector<std::string> settings;   // "{value}" is replaced
+  std::vector<std::string> values, short_values;
+  double scale = 1.0;                  // x = scale * value, for values that are numbers
+};
+
+enum class MeasureKind { kRms, kFinal, kFigure, kOwn };
+
+struct MeasureSpec {
+  std::string name;
+  MeasureKind kind = MeasureKind::kRms;
+  std::vector<std::string> columns;    // rms, final
+  std::string key;                     // figure, own
+};
+
+struct ExpectSpec {
+  std::string curve, measure;
+  double least_order = 0.0, most_order = 0.0;  // both 0: not asked
+  double most_error = 0.0;                     // 0: not asked
+};
+
+// One line of a stability map, or several: one per value. The run must end in one of the ways of `expect`:
+//   accurate   done, error within the tolerance, and no energy gained
+//   warned     done, energy bounded, but the error is larger, and a warning said so
+//   stopped    ended by itself with a message (exit code 1)
+//   refused    not started (exit code 2)
+struct CaseSpec {
+  std::string name, group, scene;
+  std::vector<std::string> settings;         // "{value}" is replaced
+  std::vector<std::string> values;           // empty: one run
+  std::vector<std::string> expect;           // one for all, or one per value
+  std::string message;                       // regular expression that warnings or the last message must match; empty: any
+  std::vector<std::string> reference;        // settings added to those of the case for the run to compare with; empty: judged by energy
+  std::vector<std::string> columns;          // of history.csv, compared
+  bool at_end = false;                       // compare the last row only: where it comes to rest
+  double tolerance = 0.02;                   // of the reference's swing [-]
+  double until = 0.0;                        // [s]; 0: the scene's end time
+};
+
+struct StudySpec {
+  std::string file, folder;                  // of the study
+  std::string title, scene, x_name = "value";
+  std::vector<std::string> settings, reference;
+  std::string reference_scene;
+  bool has_reference = false;
+  double until = 0.0;
+  int repeats = 1;
+  int time_limit = 600;                      // per run [s]
+  std::vector<CurveSpec> curves;
+  std::vector<std::string> ensemble_settings, ensemble_values, ensemble_short;
+  std::vector<MeasureSpec> measures;
+  std::vector<ExpectSpec> expect;
+  std::vector<CaseSpec> cases;
+};
+
+// Throws InputError "file:line: key: what is wrong, what was expected".
+StudySpec read_study(const std::string& file);
+
+// "{value}" in every text replaced.
+std::vector<std::string> filled(std::vector<std::string> texts, const std::string& value);
+
+}  // namespace footfall

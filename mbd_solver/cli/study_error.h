@@ -1,0 +1,23 @@
+#pragma once
+// Errors of one run against another, and observed orders.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mbd_solver/cli/study.h"
+#include "mbd_solver/cli/study_run.h"
+
+namespace footfall {
+
+// Root mean square over the columns of the difference to the reference (straight between its rows) over the run's rows, or at the run's
+// last row only; of the reference's own swing (largest minus smallest value) [-].
+double history_error(const History& run, const History& reference, const std::vector<std::string>& columns, bool at_end);
+
+// What the measure says [-]. Throws InputError for unknown columns and keys.
+double error_of(const MeasureSpec& measure, const StudyRun& run, const StudyRun& reference);
+
+// Slope of log error over log x by least squares; 0 for fewer than two points with positive values.
+double observed_order(const std::vector<std::pair<double, double>>& points);
+
+}  // namespace footfall

@@ -1,0 +1,111 @@
+#include "mbd_solver/cli/study_plot.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "coupler/errors.h"
+#include "mbd_solver/cli/gnuplot.h"
+#include "mbd_solver/cli/study_error.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string number(double value, const char* format = "%.6g") {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+// The block of data of one curve, inline in the script.
+void write_data(std::ofstream& out, const std::string& name, const std::vector<std::pair<double, double>>& points) {
+  out << name << " << EOD\n";
+  for (const auto& [x, y] : points) out << number(x) << ' ' << number(y) << '\n';
+  out << "EOD\n";
+}
+
+}  // namespace
+
+double cost_of(const StudyPoint& point, bool grains) { return grains ? point.mbd + point.exchange : point.mbd; }
+
+std::vector<std::pair<double, double>> StudyTable::line(const std::string& curve, std::size_t measure, bool over_cost) const {
+  std::vector<std::pair<double, double>> result;
+  for (const StudyPoint& point : points) {
+    if (point.curve != curve || point.code != 0) continue;
+    const double x = over_cost ? cost_of(point, grains) : point.x, error = point.errors[measure];
+    if (x > 0.0 && error > 0.0) result.emplace_back(x, error);
+  }
+  return result;
+}
+
+void write_study_csv(const std::string& path, const StudyTable& table) {
+  std::ofstream out(path);
+  if (!out) throw InputError(path + ": cannot be written");
+  out << "curve,value,x,exit_code,wall_s,dem_wall_s,mbd_wall_s,exchange_wall_s,steps,windows";
+  for (const std::string& measure : table.measures) out << ",error." << measure << ",order." << measure;
+  const bool spread = !table.points.empty() && !table.points.front().spreads.empty();
+  if (spread)
+    for (const std::string& measure : table.measures) out << ",spread." << measure;
+  out << '\n';
+  const StudyPoint* before = nullptr;
+  for (const StudyPoint& point : table.points) {
+    if (before && before->curve != point.curve) before = nullptr;
+    out << point.curve << ',' << point.value << ',' << number(point.x) << ',' << point.code;
+    for (const double time : {point.wall, point.dem, point.mbd, point.exchange}) out << ',' << number(time, "%.4g");
+    out << ',' << number(point.steps) << ',' << number(point.windows);
+    for (std::size_t m = 0; m < table.measures.size(); ++m) {
+      out << ',' << (std::isfinite(point.errors[m]) ? number(point.errors[m]) : "") << ',';
+      if (before && before->code == 0 && point.code == 0) {
+        const double order = observed_order({{before->x, before->errors[m]}, {point.x, point.errors[m]}});
+        if (order != 0.0) out << number(order, "%.2f");
+      }
+    }
+    if (spread)
+      for (const double value : point.spreads) out << ',' << number(value);
+    out << '\n';
+    before = &point;
+  }
+}
+
+std::string draw_study(const std::string& folder, const std::string& name, const StudyTable& table) {
+  const std::string script = name + ".gp";
+  std::ofstream out(fs::path(folder) / script);
+  if (!out) throw InputError((fs::path(folder) / script).string() + ": cannot be written");
+  const std::size_t rows = table.measures.size();
+  out << "set terminal pngcairo size 1300," << 430 * rows + 60 << " font 'sans,10' noenhanced\nset output '" << name << ".png'\n"
+      << "set multiplot layout " << rows << ",2 title \"" << table.title << "\" font 'sans,13'\n"
+      << "set logscale xy\nset format y '%.0e'\nset format x '%.0e'\nset grid\n\n";
+  for (std::size_t m = 0; m < rows; ++m) {
+    for (const bool over_cost : {false, true}) {
+      std::string plot;
+      int k = 0;
+      for (const std::string& curve : table.curves) {
+        ++k;
+        const auto points = table.line(curve, m, over_cost);
+        if (points.empty()) continue;
+        const std::string data = "$d" + std::to_string(m) + (over_cost ? "c" : "x") + std::to_string(k);
+        write_data(out, data, points);
+        std::string title = curve;
+        if (const double order = over_cost ? 0.0 : observed_order(points); order != 0.0) title += "  order " + number(order, "%.1f");
+        plot += (plot.empty() ? "plot " : ", ") + data + " using 1:2 with linespoints pt " + std::to_string(k + 3) + " lw 1.5 lc " + std::to_string(k) +
+                " title \"" + title + "\"";
+      }
+      if (plot.empty()) {
+        out << "set multiplot next\n";
+        continue;
+      }
+      out << (over_cost ? "unset key\n" : "set key inside left top samplen 2 font 'sans,9'\n") << "set ylabel \"error: " << table.measures[m] << "\"\nset xlabel \""
+          << (over_cost ? (table.grains ? "run time of mechanism and exchange [s]" : "run time [s]") : table.x_name) << "\"\n"
+          << plot << '\n';
+    }
+  }
+  out << "unset multiplot\n";
+  out.close();
+  return run_gnuplot(folder, {script}).front();
+}
+
+}  // namespace footfall
