@@ -10,6 +10,7 @@ namespace footfall {
 namespace {
 
 constexpr int kChatterWindows = 16;         // full swings in a row that no impact shows
+constexpr double kLargeOverlap = 0.3;      // of the radius: Hertz' law and the volume of the grains hold for small ones
 constexpr double kWarnGain = 0.2;  // of the gain that ends the run
 constexpr double kChatterForceShare = 0.2;  // of the largest force of the run: smaller ones may swing
 
@@ -18,6 +19,11 @@ std::string number(double x) {
   out.precision(3);
   out << x;
   return out.str();
+}
+
+// What to do against windows that are too long.
+std::string smaller_windows(int n) {
+  return n > 1 ? "use smaller windows (every " + std::to_string(n / 2) + ")" : "use a smaller timestep in the script: windows are single substeps already";
 }
 
 }  // namespace
@@ -53,19 +59,25 @@ void CouplingWatch::window(double time, double H, int n, const Load& load, const
     }
     watch_chatter(i, body.mean.F_W, time, n);
   }
+  watch_overlap(time);
   residual_ = sum_ + pending;
   largest_residual_ = std::max(largest_residual_, std::abs(residual_));
   if (!warned_of_gain_ && -residual_ > kWarnGain * limits_.max_energy_residual * reference_energy) {
     warned_of_gain_ = true;
     warnings_.push_back("t = " + number(time) + " s: the coupling has made " + number(-residual_) + " J, " +
-                        number(-residual_ / reference_energy * 100.0) + " % of the reference energy: use smaller windows (every " +
-                        std::to_string(std::max(1, n / 2)) + ")");
+                        number(-residual_ / reference_energy * 100.0) + " % of the reference energy: " + smaller_windows(n));
   }
   // The bodies have received more than the grains have given: energy from nowhere.
   if (limits_.stop_on_energy_gain && -residual_ > limits_.max_energy_residual * reference_energy)
     throw NumericalError("t = " + number(time) + " s: the coupling has pumped " + number(-residual_) + " J into the mechanism, " +
-                         number(-residual_ / reference_energy * 100.0) + " % of the reference energy: use smaller windows (every " +
-                         std::to_string(std::max(1, n / 2)) + "), or set coupling.stop_on_energy_gain = false");
+                         number(-residual_ / reference_energy * 100.0) + " % of the reference energy: " + smaller_windows(n) + ", or set coupling.stop_on_energy_gain = false");
+}
+
+void CouplingWatch::watch_overlap(double time) {
+  if (warned_of_overlap_ || largest_overlap_ < kLargeOverlap) return;
+  warned_of_overlap_ = true;
+  warnings_.push_back("t = " + number(time) + " s: a grain is pressed in by " + number(100.0 * largest_overlap_) +
+                      " % of its radius: its contact law holds for small overlaps; use stiffer grains, or slower impacts");
 }
 
 void CouplingWatch::watch_chatter(std::size_t i, const Eigen::Vector3d& force, double time, int n) {
@@ -77,8 +89,7 @@ void CouplingWatch::watch_chatter(std::size_t i, const Eigen::Vector3d& force, d
   force_[i] = force;
   if (limits_.stop_on_chatter && alternations_[i] >= kChatterWindows)
     throw NumericalError("t = " + number(time) + " s: the mean force on body " + names_[i] + " has swung by more than half of itself in " +
-                         std::to_string(kChatterWindows) + " windows in a row: the coupling is unstable; use smaller windows (every " +
-                         std::to_string(std::max(1, n / 2)) + "), or set coupling.stop_on_chatter = false");
+                         std::to_string(kChatterWindows) + " windows in a row: the coupling is unstable; " + smaller_windows(n) + ", or set coupling.stop_on_chatter = false");
 }
 
 }  // namespace footfall

@@ -32,6 +32,7 @@ class CouplingWatch {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
+  void watch_overlap(double time);
   void watch_chatter(std::size_t body, const Eigen::Vector3d& force, double time, int n);
 
   std::vector<std::string> names_;
@@ -39,7 +40,7 @@ class CouplingWatch {
   CouplingSpec limits_;
   double sum_ = 0.0;                                // of work on the boundary - work received [J]
   double residual_ = 0.0, largest_residual_ = 0.0;  // [J]
-  bool warned_of_gain_ = false;
+  bool warned_of_gain_ = false, warned_of_overlap_ = false;
   double largest_overlap_ = 0.0, largest_force_ = 0.0;
   std::vector<double> omega_h_, largest_omega_h_;
   std::vector<bool> warned_;

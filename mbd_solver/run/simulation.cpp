@@ -105,11 +105,11 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
 void Simulation::prepare_windows() {
   scheme_ = make_scheme(scheme_name(scene_.coupling.scheme));
   const bool chosen = partner_->substeps() == 0;
-  if (!chosen && !scheme_->wants_tangent()) return;
   for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
     const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
     fill_motion(body, motion_.bodies[k]);
     predicted_.emplace_back(*scheme_, motion_.bodies[k]);
+    last_loads_.emplace_back(motion_.bodies[k].mode_count());
     windows_of_bodies_.emplace_back();
     windows_of_bodies_.back().mass = mechanism_.model.body(body).mass();
   }
@@ -183,12 +183,15 @@ void Simulation::fill_motion(int body, BodyMotion& motion) const {
 }
 
 double Simulation::pending_interface_work() {
-  if (!scheme_->wants_tangent()) return 0.0;
   double work = 0.0;
+  const double ratio = last_substeps_ > 0 ? static_cast<double>(motion_.n) / last_substeps_ : 0.0;
+  last_substeps_ = motion_.n;
   for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
     fill_motion(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body, motion_.bodies[k]);
     const BodyLoad& load = partner_->load().bodies[k];
-    work += pending_work(load.mean, load.tangent.front(), predicted_[k], motion_.bodies[k]);
+    work += load.tangent.empty() ? pending_work(load.mean, last_loads_[k], ratio, predicted_[k], motion_.bodies[k])
+                                 : pending_work(load.mean, load.tangent.front(), predicted_[k], motion_.bodies[k]);
+    last_loads_[k] = load.mean;
   }
   return work;
 }

@@ -69,7 +69,7 @@ class Simulation {
   double next_stop() const;          // end of the next window without grains
   double exchange_window();          // with grains: trades motion for loads, returns the window's end
   void prepare_windows();            // what the scheme and `every auto` need
-  double pending_interface_work();   // of scheme `tangent` [J]
+  double pending_interface_work();   // after a window [J]
   void soften_paths(double H);       // of motion_, for the scheme `tangent`
   void choose_window(bool first);    // after a window: substeps of the next one
   double time_of_flight(const BodyBoundary& boundary, const BodyMotion& motion) const;  // until it can meet a grain [s]
@@ -93,7 +93,9 @@ class Simulation {
   std::vector<GeneralizedForce> contact_;
   Motion motion_;
   std::unique_ptr<Scheme> scheme_;
-  std::vector<PredictedWindow> predicted_;  // per coupled body; empty when nobody asks
+  std::vector<PredictedWindow> predicted_;  // per coupled body
+  std::vector<MeanLoad> last_loads_;        // of the window before, likewise
+  int last_substeps_ = 0;                   // of the window before
   std::unique_ptr<WindowChoice> choice_;    // null when the script fixes n
   std::vector<WindowChoice::Body> windows_of_bodies_;
   RunTimes times_;

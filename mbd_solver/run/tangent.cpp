@@ -37,6 +37,14 @@ TangentLoad tangent_load(const ContactTangent& slope, const PredictedWindow& pre
   return load;
 }
 
+double pending_work(const MeanLoad& mean, const MeanLoad& before, double ratio, const PredictedWindow& predicted, const BodyMotion& computed) {
+  // Means stand for the windows' middles.
+  const double share = ratio / (1.0 + ratio);
+  Vector6d force;
+  force << mean.F_W + share * (mean.F_W - before.F_W), computed.rotation() * (mean.T_B + share * (mean.T_B - before.T_B));
+  return force.dot(predicted.gap(computed));
+}
+
 double pending_work(const MeanLoad& mean, const ContactTangent& slope, const PredictedWindow& predicted, const BodyMotion& computed) {
   const Vector6d gap = predicted.gap(computed);
   Vector6d force;

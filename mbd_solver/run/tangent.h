@@ -20,8 +20,10 @@ Vector6d mean_velocity(const Body& body, const BodyMotion& motion, const Contact
 // does not resolve: a damping ratio of w/2 for w >> 1, and of w^7/2 (no loss of order) for w << 1.
 TangentLoad tangent_load(const ContactTangent& slope, const PredictedWindow& predicted, double omega_h, double H);
 
-// Work [J] that the contacts would still do on the boundary from its predicted end to the computed motion, by the mean load and its slope:
-// the grains do it only when the next window closes the gap, while the body has received it already.
+// Work [J] that the contacts would still do on the boundary from its predicted end to the computed motion: the grains do it only when the
+// next window closes the gap, while the body has received it already. By the mean load and its slope:
 double pending_work(const MeanLoad& mean, const ContactTangent& slope, const PredictedWindow& predicted, const BodyMotion& computed);
+// ... or by the mean loads of this window and of the one before, followed to the window's end. ratio: length of this window over that one.
+double pending_work(const MeanLoad& mean, const MeanLoad& before, double ratio, const PredictedWindow& predicted, const BodyMotion& computed);
 
 }  // namespace footfall
