@@ -177,6 +177,7 @@ int accuracy_command(const AccuracyArguments& arguments) {
     const std::vector<Verdict> verdicts = run_map(study, arguments.only, out);
     const std::string table = (fs::path(out) / (name + ".md")).string();
     write_map(table, study, verdicts);
+    if (!arguments.table.empty()) write_map(arguments.table, study, verdicts);
     const auto bad = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return !v.as_expected; });
     std::printf("%zu cases, %td not as expected: %s\n", verdicts.size(), bad, table.c_str());
     return bad == 0 ? kExitDone : kExitFailed;

@@ -29,9 +29,11 @@ std::string percent(double share) {
 
 std::string scene_path(const StudySpec& study, const std::string& scene) { return (fs::path(study.folder) / scene).lexically_normal().string(); }
 
-// Longer messages are cut where a sentence or clause ends.
-std::string shortened(std::string text) {
+// Longer messages are cut where a sentence or clause ends; files are named from the folder of the inputs on.
+std::string shortened(const StudySpec& study, std::string text) {
   constexpr std::size_t most = 110;
+  const std::string inputs = fs::path(study.folder).parent_path().string() + "/";
+  for (std::size_t at = text.find(inputs); at != std::string::npos; at = text.find(inputs)) text.erase(at, inputs.size());
   std::replace(text.begin(), text.end(), '|', '/');
   if (text.size() <= most) return text;
   const std::size_t end = text.find_last_of(":;,", most);
@@ -60,10 +62,10 @@ Verdict judge(const StudySpec& study, const CaseSpec& spec, std::size_t index, c
 
   if (run.code == 1 || run.code == 2) {
     verdict.found = run.message.empty() ? "ended without a message" : run.code == 1 ? "stopped" : "refused";
-    verdict.note = shortened(run.message);
+    verdict.note = shortened(study, run.message);
   } else if (run.code != 0) {
     verdict.found = run.code == StudyRun::kHung ? "hangs" : "ended with code " + std::to_string(run.code);
-    verdict.note = shortened(run.message);
+    verdict.note = shortened(study, run.message);
   } else {
     double error = 0.0;
     if (!spec.columns.empty()) {
@@ -80,7 +82,7 @@ Verdict judge(const StudySpec& study, const CaseSpec& spec, std::size_t index, c
     // Without a reference, a warning is taken at its word.
     const bool good = run.gain <= kGain && (spec.columns.empty() ? run.warnings.empty() : error <= spec.tolerance);
     verdict.found = good ? "accurate" : run.warnings.empty() ? "WRONG WITHOUT A WARNING" : "warned";
-    if (verdict.found == "warned") verdict.note += "; " + shortened(run.warnings.front());
+    if (verdict.found == "warned") verdict.note += "; " + shortened(study, run.warnings.front());
   }
   verdict.as_expected = verdict.found == verdict.expected;
   if (verdict.as_expected && !spec.message.empty() && !mentions(run, spec.message)) {

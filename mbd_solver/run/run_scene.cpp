@@ -64,7 +64,11 @@ Json summary_of(const Simulation& simulation, const FigureTaker& taker, const st
     json["max_overlap_over_radius"] = watch->largest_overlap();
     json["particles"] = simulation.particles();
     json["dt_dem_s"] = simulation.partner()->dt();
-    json["substeps_per_window"] = simulation.partner()->substeps();
+    if (const int n = simulation.partner()->substeps(); n > 0) {
+      json["substeps_per_window"] = n;
+    } else {
+      json["substeps_per_window"] = "auto";
+    }
     for (std::size_t i = 0; i < watch->names().size(); ++i) json["max_omega_h"][watch->names()[i]] = watch->largest_omega_h()[i];
     for (const std::string& text : watch->warnings()) warnings.push_back(text);
   }
