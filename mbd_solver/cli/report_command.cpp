@@ -171,6 +171,7 @@ void show_scene(const Json& summary, HtmlPage& page) {
     int number = 0;
     for (std::string line; std::getline(lines, line);) {
       ++number;
+      if (line.rfind("#", 0) == 0) continue;  // explains the marks
       if (std::none_of(kMarks.begin(), kMarks.end(), [&](const std::string& m) { return line.find(m) != std::string::npos; })) continue;
       rows.push_back({(file.parent_path().filename() / file.filename()).string() + ":" + std::to_string(number), line});
     }

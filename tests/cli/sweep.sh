@@ -35,3 +35,7 @@ grep -q -- "--array=0-7" "$work/array/sweep.sbatch" || die "the job array has th
 for element in $(seq 0 7); do "$footfall" sweep "$file" --out "$work/array" --only "$element" > "$work/only.txt" || die "--only $element"; done
 "$footfall" sweep "$file" --out "$work/array" --merge > "$work/merge.txt" || die "--merge"
 for table in runs.csv cases.csv; do cmp "$work/whole/$table" "$work/array/$table" || die "$table of the job array differs"; done
+
+# On one page.
+"$footfall" report "$work/whole" > "$work/report.txt" || die "report"
+grep -q "speed_4__friction_0.5" "$work/whole/report.html" || die "the page lacks a run"
