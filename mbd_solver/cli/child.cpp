@@ -1,6 +1,5 @@
 #include "mbd_solver/cli/child.h"
 
-#include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -13,17 +12,16 @@
 #include <fstream>
 
 #include "coupler/errors.h"
+#include "mbd_solver/cli/process.h"
 
 namespace footfall {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds kTick(200);
 constexpr std::chrono::seconds kGrace(20);       // to write a checkpoint and end in order
 constexpr std::chrono::seconds kAfterEnd(1);     // from the end of the child to SIGTERM for what it left behind
 constexpr std::chrono::seconds kAfterTerm(2);    // from SIGTERM to SIGKILL
-constexpr int kCannotStart = 127;                // exit code of a child whose program could not be started
 
 // Every process below this one.
 std::vector<pid_t> descendants() {
@@ -68,53 +66,6 @@ bool ask_gracefully(const std::string& graceful) {
   return asked;
 }
 
-[[noreturn]] void become(const Command& command, const sigset_t& old_mask) {
-  setpgid(0, 0);  // Ctrl-C in the terminal reaches the front door alone, which then ends the others in order
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-  sigprocmask(SIG_SETMASK, &old_mask, nullptr);
-  const int nothing = open("/dev/null", O_RDONLY);
-  if (nothing >= 0) dup2(nothing, STDIN_FILENO);
-  if (!command.folder.empty() && chdir(command.folder.c_str()) != 0) _exit(kCannotStart);
-  if (!command.output.empty()) {
-    const int file = open(command.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    if (file >= 0) {
-      dup2(file, STDOUT_FILENO);
-      dup2(file, STDERR_FILENO);
-    }
-  }
-  for (const auto& [name, value] : command.environment) setenv(name.c_str(), value.c_str(), 1);
-  std::vector<char*> words;
-  for (const std::string& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  execvp(words[0], words.data());
-  std::fprintf(stderr, "footfall: cannot start %s: %s\n", words[0], std::strerror(errno));
-  _exit(kCannotStart);
-}
-
-// While a child runs, the signals we act on are taken one by one instead of interrupting us.
-class SignalsHeld {
- public:
-  SignalsHeld() {
-    sigemptyset(&held_);
-    for (int signal : {SIGINT, SIGTERM, SIGCHLD}) sigaddset(&held_, signal);
-    sigprocmask(SIG_BLOCK, &held_, &old_);
-  }
-  ~SignalsHeld() { sigprocmask(SIG_SETMASK, &old_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-
-  const sigset_t& old_mask() const { return old_; }
-  // Waits for at most one tick. True for SIGINT or SIGTERM.
-  bool wait() const {
-    const timespec tick{0, std::chrono::nanoseconds(kTick).count()};
-    const int signal = sigtimedwait(&held_, nullptr, &tick);
-    return signal == SIGINT || signal == SIGTERM;
-  }
-
- private:
-  sigset_t held_, old_;
-};
-
 // Collects every child that ended (orphans of the child come to us). True when `pid` is among them; `status` is then its status.
 bool reap(pid_t pid, int& status) {
   bool ended = false;
@@ -132,9 +83,7 @@ bool reap(pid_t pid, int& status) {
 ChildEnd run_child(const Command& command, const std::string& graceful, const std::function<void()>& tick) {
   const SignalsHeld signals;
   prctl(PR_SET_CHILD_SUBREAPER, 1);
-  const pid_t pid = fork();
-  if (pid < 0) throw InputError("cannot start " + command.words[0] + ": " + std::strerror(errno));
-  if (pid == 0) become(command, signals.old_mask());
+  const pid_t pid = start_process(command, signals);
 
   ChildEnd end;
   int status = 0;

@@ -159,24 +159,24 @@ int sweep_command(const SweepArguments& a) {
   }
 
   fs::create_directories(fs::path(sweep.out()) / "runs");
-  std::vector<PoolTask> tasks;
+  std::vector<Command> commands;
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < sweep.runs().size(); ++i) {
     if ((a.only >= 0 && static_cast<int>(i) != a.only) || sweep.is_done(i)) continue;
-    tasks.push_back({sweep.words(i), sweep.folder(i) + ".log"});
+    commands.push_back({sweep.words(i), {}, sweep.folder(i) + ".log", ""});
     numbers.push_back(i);
   }
   const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int jobs = a.jobs > 0 ? a.jobs : std::max(1, machine / cores);
-  std::printf("%zu runs to do, %zu done before, %d at once\n", tasks.size(), (a.only >= 0 ? 1 : sweep.runs().size()) - tasks.size(), jobs);
+  std::printf("%zu runs to do, %zu done before, %d at once\n", commands.size(), (a.only >= 0 ? 1 : sweep.runs().size()) - commands.size(), jobs);
   std::fflush(stdout);
-  const PoolEnd end = run_pool(tasks, jobs, [&](int task, int code) {
+  const bool interrupted = run_pool(commands, jobs, [&](int task, int code) {
     const std::size_t run = numbers[static_cast<std::size_t>(task)];
     if (code == kExitDone) sweep.keep_recipe(run);
-    std::printf("%s: %s\n", sweep.runs()[run].name.c_str(), code == kExitDone ? "done" : ("ended with code " + std::to_string(code) + ", see " + tasks[static_cast<std::size_t>(task)].output).c_str());
+    std::printf("%s: %s\n", sweep.runs()[run].name.c_str(), code == kExitDone ? "done" : ("ended with code " + std::to_string(code) + ", see " + commands[static_cast<std::size_t>(task)].output).c_str());
     std::fflush(stdout);
   });
-  if (end.interrupted) {
+  if (interrupted) {
     std::fprintf(stderr, "footfall: interrupted; the same command goes on with the runs that are left\n");
     return kExitInterrupted;
   }
