@@ -4,92 +4,11 @@
 #include <filesystem>
 
 #include "coupler/errors.h"
-#include "mbd_solver/scene/config_node.h"
+#include "mbd_solver/cli/table_reader.h"
 #include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 namespace {
-
-// One table of the file: takes keys one by one; what nobody took is unknown.
-class TableReader {
- public:
-  TableReader(const std::string& file, const std::string& path, const ConfigNode& node) : file_(file), path_(path), node_(node) {
-    if (node.kind != ConfigNode::Kind::kTable) fail(node, "", "is " + node.description() + ", expected a table");
-  }
-
-  void take(const std::string& key, std::string& out) {
-    if (const ConfigNode* value = next(key)) out = text(key, *value);
-  }
-  void take(const std::string& key, double& out) {
-    const ConfigNode* value = next(key);
-    if (!value) return;
-    if (!value->is_number()) fail(*value, key, "is " + value->description() + ", expected a number");
-    out = value->number;
-  }
-  void take(const std::string& key, int& out) {
-    double number = out;
-    take(key, number);
-    out = static_cast<int>(number);
-  }
-  void take(const std::string& key, bool& out) {
-    const ConfigNode* value = next(key);
-    if (!value) return;
-    if (value->kind != ConfigNode::Kind::kFlag) fail(*value, key, "is " + value->description() + ", expected true or false");
-    out = value->flag;
-  }
-  // A list of texts and numbers, or one of them.
-  void take(const std::string& key, std::vector<std::string>& out) {
-    const ConfigNode* value = next(key);
-    if (!value) return;
-    out.clear();
-    if (value->kind != ConfigNode::Kind::kList) {
-      out.push_back(text(key, *value));
-      return;
-    }
-    for (const ConfigNode& entry : value->list) out.push_back(text(key, entry));
-  }
-  template <class Spec, class Read>
-  void take_list(const std::string& key, std::vector<Spec>& out, const Read& read) {
-    const ConfigNode* value = next(key);
-    if (!value) return;
-    if (value->kind != ConfigNode::Kind::kList) fail(*value, key, "expected [[" + key + "]]");
-    for (const ConfigNode& entry : value->list) {
-      TableReader table(file_, key, entry);
-      out.emplace_back();
-      read(table, out.back());
-      table.done();
-    }
-  }
-  // A table within this one, or null.
-  const ConfigNode* next(const std::string& key) {
-    known_.push_back(key);
-    return node_.find(key);
-  }
-  void require(const std::string& key, bool given) const {
-    if (!given) fail(node_, key, "is missing");
-  }
-  void done() const {
-    for (const auto& [key, value] : node_.table) {
-      if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-      const std::string guess = closest_name(key, known_);
-      fail(value, key, "is not known" + (guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
-    }
-  }
-  [[noreturn]] void fail(const ConfigNode& at, const std::string& key, const std::string& what) const {
-    throw InputError(file_ + ":" + std::to_string(at.line) + ": " + (path_.empty() || key.empty() ? path_ : path_ + ".") + key + ": " + what);
-  }
-
- private:
-  std::string text(const std::string& key, const ConfigNode& value) const {
-    if (value.kind == ConfigNode::Kind::kText) return value.text;
-    if (!value.is_number()) fail(value, key, "is " + value.description() + ", expected a text or a number");
-    return short_number(value.number);
-  }
-
-  std::string file_, path_;
-  const ConfigNode& node_;
-  std::vector<std::string> known_;
-};
 
 void read_curve(TableReader& t, CurveSpec& c) {
   t.take("name", c.name);
