@@ -15,6 +15,7 @@
 #include "coupler/errors.h"
 #include "coupler/link.h"
 #include "coupler/transport_mpi.h"
+#include "mbd_solver/cli/positive.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -39,7 +40,7 @@ Arguments parse(CLI::App& app, int argc, char** argv) {
   app.set_version_flag("--version", std::string("mbd_solver ") + FOOTFALL_VERSION);
   app.add_option("SCENE", arguments.scene, "Scene file, or folder with scene.toml")->required();
   app.add_option("--out", arguments.run.out, "Folder for results (made if missing)")->capture_default_str();
-  app.add_option("--until", arguments.run.until, "End earlier than the scene says [s]")->check(CLI::PositiveNumber);
+  app.add_option("--until", arguments.run.until, "End earlier than the scene says [s]")->check(positive());
   app.add_option("--set", arguments.settings, "key=value: change one value of the scene");
   app.add_option("--scheme", scheme, "Coupling scheme (coupling.scheme)");
   app.add_option("--integrator", integrator, "Integrator (solver.integrator)");

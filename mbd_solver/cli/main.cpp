@@ -10,6 +10,7 @@
 #include "mbd_solver/cli/check_command.h"
 #include "mbd_solver/cli/child.h"
 #include "mbd_solver/cli/compare_command.h"
+#include "mbd_solver/cli/positive.h"
 #include "mbd_solver/cli/programs.h"
 #include "mbd_solver/cli/report_command.h"
 #include "mbd_solver/cli/run_command.h"
@@ -33,8 +34,8 @@ void add_run(CLI::App& app, RunArguments& a, std::function<int()>& action) {
   CLI::App* run = app.add_subcommand("run", "Run a scene: bed, both programs, summary, pictures");
   run->add_option("SCENE", a.scene, "Scene file, or folder with scene.toml")->capture_default_str();
   run->add_option("--out", a.out, "Folder for results (default: runs/NAME, the first that is free)");
-  run->add_option("--until", a.until, "End earlier than the scene says [s]")->check(CLI::PositiveNumber);
-  run->add_option("--ranks", a.ranks, "LIGGGHTS processes")->check(CLI::PositiveNumber);
+  run->add_option("--until", a.until, "End earlier than the scene says [s]")->check(positive());
+  run->add_option("--ranks", a.ranks, "LIGGGHTS processes")->check(positive());
   run->add_option("--set", a.settings, "key=value: change one value of the scene, for example solver.integrator=ida")->allow_extra_args(false);
   run->add_option("--scheme", a.scheme, "Coupling scheme (coupling.scheme)");
   run->add_option("--integrator", a.integrator, "Integrator (solver.integrator)");
@@ -61,8 +62,8 @@ void add_sweep(CLI::App& app, SweepArguments& a, std::function<int()>& action) {
   CLI::App* sweep = app.add_subcommand("sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted");
   sweep->add_option("FILE", a.file, "Sweep file, as in inputs/sweeps")->required()->check(CLI::ExistingFile);
   sweep->add_option("--out", a.out, "Folder for results (default: runs/sweeps/NAME)");
-  sweep->add_option("--jobs", a.jobs, "Runs at once (default: as many as fit the cores)")->check(CLI::PositiveNumber);
-  sweep->add_option("--only", a.only, "This run alone, without tables (one element of a job array)")->check(CLI::NonNegativeNumber);
+  sweep->add_option("--jobs", a.jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
+  sweep->add_option("--only", a.only, "This run alone, without tables (one element of a job array)")->check(CLI::Range(0, 1 << 30));
   sweep->add_flag("--list", a.list, "Make the beds, list the runs, and stop");
   sweep->add_flag("--merge", a.merge, "Tables and plots of what is there");
   sweep->add_flag("--slurm", a.slurm, "Write sweep.sbatch, the sweep as a Slurm job array, and stop");
