@@ -34,12 +34,13 @@ void read_parameter(TableReader& t, SweepParameter& p) {
   t.take_list("choices", p.choices, [](TableReader& c, SweepChoice& choice) {
     c.take("name", choice.name);
     c.take("settings", choice.settings);
+    c.take("scene", choice.scene);
     c.require("name", !choice.name.empty());
   });
   t.require("name", !p.name.empty());
   if (values.empty() == p.choices.empty()) t.fail("values", "expected either values with settings that hold {value}, or choices");
   for (const std::string& value : values) {
-    SweepChoice choice{value, settings};
+    SweepChoice choice{value, "", settings};
     for (std::string& setting : choice.settings) replace_all(setting, "{value}", value);
     p.choices.push_back(choice);
   }
@@ -91,7 +92,11 @@ SweepSpec read_sweep(const std::string& file) {
   t.done();
   t.require("scene", !sweep.scene.empty());
   t.require("parameters", !sweep.parameters.empty());
-  sweep.scene = (fs::path(file).parent_path() / sweep.scene).lexically_normal().string();
+  const auto beside_file = [&](const std::string& scene) { return (fs::path(file).parent_path() / scene).lexically_normal().string(); };
+  sweep.scene = beside_file(sweep.scene);
+  for (SweepParameter& parameter : sweep.parameters)
+    for (SweepChoice& choice : parameter.choices)
+      if (!choice.scene.empty()) choice.scene = beside_file(choice.scene);
   const auto known_figure = [&](const std::string& name) {
     return std::any_of(sweep.figures.begin(), sweep.figures.end(), [&](const SweepFigure& f) { return f.name == name; });
   };
@@ -102,7 +107,7 @@ SweepSpec read_sweep(const std::string& file) {
 }
 
 std::vector<SweepRun> runs_of(const SweepSpec& sweep) {
-  std::vector<SweepRun> runs = {SweepRun{"", {}, "", sweep.settings}};
+  std::vector<SweepRun> runs = {SweepRun{"", {}, sweep.scene, "", sweep.settings}};
   for (const SweepParameter& parameter : sweep.parameters) {
     std::vector<SweepRun> longer;
     for (const SweepRun& run : runs) {
@@ -110,6 +115,7 @@ std::vector<SweepRun> runs_of(const SweepSpec& sweep) {
         SweepRun next = run;
         next.name += (next.name.empty() ? "" : "__") + file_name(parameter.name) + "_" + file_name(choice.name);
         next.values.push_back(choice.name);
+        if (!choice.scene.empty()) next.scene = choice.scene;
         if (!parameter.ensemble) next.group += (next.group.empty() ? "" : ", ") + parameter.name + " " + choice.name;
         next.settings.insert(next.settings.end(), choice.settings.begin(), choice.settings.end());
         longer.push_back(next);

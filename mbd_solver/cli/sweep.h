@@ -5,7 +5,7 @@
 //   settings = ["key=value", ...]      for every run            until = 0.5 [s]; 0 or left out: the scene's end time
 //   [[parameters]]                     every combination of their values is one run; the last one turns fastest
 //     name, settings with {value}, values = [...]
-//     or [[parameters.choices]]        name, settings: for values that need more than one number
+//     or [[parameters.choices]]        name, settings, scene: for values that need more than one number, or a scene of their own
 //     ensemble = true                  its runs are one case: figures become mean and spread (seeds of the bed)
 //   [[figures]]                        columns of the table
 //     name, key = "peak_acceleration_g" (of summary.json)
@@ -21,6 +21,7 @@ namespace footfall {
 
 struct SweepChoice {
   std::string name;
+  std::string scene;  // instead of the sweep's; empty: that one
   std::vector<std::string> settings;
 };
 
@@ -66,6 +67,7 @@ SweepSpec read_sweep(const std::string& file);
 struct SweepRun {
   std::string name;                   // of its folder: the values, joined
   std::vector<std::string> values;    // names of the choices, one per parameter
+  std::string scene;
   std::string group;                  // the values without those of ensembles
   std::vector<std::string> settings;  // of the sweep and of the choices
 };

@@ -46,7 +46,7 @@ class Sweep {
   int prepare(bool make_beds) const {
     int cores = 1;
     for (const SweepRun& run : runs_) {
-      const Scene scene = read_scene(spec_.scene, run.settings);
+      const Scene scene = read_scene(run.scene, run.settings);
       if (!scene.touches_particles()) continue;
       cores = std::max(cores, scene.particles->ranks);
       if (make_beds && scene.particles->bed) prepare_bed(*scene.particles->bed, scene.particles->ranks, false);
@@ -55,7 +55,7 @@ class Sweep {
   }
 
   std::vector<std::string> words(std::size_t run) const {
-    std::vector<std::string> words = {built_program("footfall"), "run", spec_.scene, "--quiet", "--out", folder(run)};
+    std::vector<std::string> words = {built_program("footfall"), "run", runs_[run].scene, "--quiet", "--out", folder(run)};
     if (spec_.until > 0.0) words.insert(words.end(), {"--until", short_number(spec_.until)});
     for (const std::string& setting : runs_[run].settings) words.insert(words.end(), {"--set", setting});
     return words;
@@ -64,7 +64,7 @@ class Sweep {
   // What a run is made from: its command, its scene with all values, the texts of its script and controllers. When one of them has
   // changed, a finished run is done again.
   std::string recipe(std::size_t run) const {
-    const Scene scene = read_scene(spec_.scene, runs_[run].settings);
+    const Scene scene = read_scene(runs_[run].scene, runs_[run].settings);
     std::ostringstream text;
     for (const std::string& word : words(run)) text << word << '\n';
     text << scene_json(scene);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "coupler/errors.h"
+#include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {
@@ -27,7 +28,20 @@ void move_to(ConfigNode& node, const fs::path& folder) {
   for (ConfigNode& child : node.list) move_to(child, folder);
 }
 
-void lay_over(ConfigNode& base, const ConfigNode& own) {
+// without = ["mr", "gas"]: keys of the base's table that are not in the own one.
+void leave_out(ConfigNode& base, const ConfigNode& without, const std::string& file) {
+  std::vector<std::string> known;
+  for (const auto& entry : base.table) known.push_back(entry.first);
+  const auto wrong = [&](const std::string& what) { throw InputError(file + ":" + std::to_string(without.line) + ": without: " + what); };
+  if (without.kind != ConfigNode::Kind::kList) wrong("is " + without.description() + ", expected a list of keys of the base");
+  for (const ConfigNode& key : without.list) {
+    const auto found = std::find_if(base.table.begin(), base.table.end(), [&](const auto& entry) { return entry.first == key.text; });
+    if (found == base.table.end()) wrong("the base has no \"" + key.text + "\" here." + known_names("keys", key.text, known));
+    base.table.erase(found);
+  }
+}
+
+void lay_over(ConfigNode& base, const ConfigNode& own, const std::string& file) {
   using Kind = ConfigNode::Kind;
   const bool tables = base.kind == Kind::kTable && own.kind == Kind::kTable;
   const auto named = [](const ConfigNode& list) {
@@ -36,9 +50,11 @@ void lay_over(ConfigNode& base, const ConfigNode& own) {
   };
   if (tables) {
     base.line = own.line;
+    if (const ConfigNode* without = own.find("without")) leave_out(base, *without, file);
     for (const auto& [key, value] : own.table) {
+      if (key == "without") continue;
       if (ConfigNode* there = base.find(key)) {
-        lay_over(*there, value);
+        lay_over(*there, value, file);
       } else {
         base.table.emplace_back(key, value);
       }
@@ -49,7 +65,7 @@ void lay_over(ConfigNode& base, const ConfigNode& own) {
       const auto same = std::find_if(base.list.begin(), base.list.end(),
                                      [&](const ConfigNode& other) { return other.entry_name() == item.entry_name(); });
       if (same != base.list.end()) {
-        lay_over(*same, item);
+        lay_over(*same, item, file);
       } else {
         base.list.push_back(item);
       }
@@ -79,7 +95,7 @@ ConfigNode parse(const std::string& argument, int depth) {
   const fs::path base_folder = fs::path(scene_file(target.string())).parent_path();
   move_to(base, fs::relative(base_folder, fs::path(file).parent_path().empty() ? fs::path(".") : fs::path(file).parent_path()));
   own.table.erase(std::find_if(own.table.begin(), own.table.end(), [](const auto& entry) { return entry.first == "base"; }));
-  lay_over(base, own);
+  lay_over(base, own, file);
   return base;
 }
 

@@ -220,6 +220,19 @@ TEST(SceneArrays, NameThatBelongsToNoArrayIsAFinding) {
               HasSubstr("\"s_{lag}\" names no array. Known arrays: leg. Did you mean \"leg\"?"));
 }
 
+TEST(SceneBase, ChangesAddsAndLeavesOut) {
+  const SceneText text;
+  text.write("base.toml", kPendulum + "[arrays.leg]\ncount = 2\n[[materials.x]]\n");
+  text.write("base.toml", kPendulum);
+  const Scene whole = text.read(kPendulum);
+  const Scene changed = text.read("base = \"base.toml\"\nwithout = [\"joints\"]\n[[bodies]]\nname = \"bob\"\nmass = 7\n");
+  ASSERT_EQ(changed.bodies.size(), whole.bodies.size());
+  EXPECT_EQ(changed.bodies[0].mass, 7.0);
+  EXPECT_EQ(changed.bodies[0].inertia, whole.bodies[0].inertia);
+  EXPECT_FALSE(whole.joints.empty());
+  EXPECT_TRUE(changed.joints.empty());
+}
+
 TEST(SceneJson, HoldsEveryDefaultAndResolvedNumber) {
   const SceneText text;
   const nlohmann::json json = nlohmann::json::parse(scene_json(text.read(kPendulum, {"bodies.bob.mass=3"})));
