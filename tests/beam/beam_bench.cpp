@@ -1,9 +1,8 @@
-// What beams cost, measured (not a test: times depend on the machine and on who else uses it). Prints for
-// each case the loop time of LIGGGHTS, the smallest of several runs that take turns:
-//   1. a bed of 4913 grains on stock LIGGGHTS, and with a beam of 20 segments above it that comes down and
-//   stays clear of it;
-//   2. grains held against a bent tube: as a beam, and as a mesh of 384 facets around, both coupled and
-//   moving. beam_bench [runs]
+// What contacts with beams cost, measured (not a test: times depend on the machine and on who else uses it).
+// Grains held against a bent tube: as a beam, and as a mesh of 384 facets around, both coupled and moving.
+// Prints the loop time of LIGGGHTS per contact and step, the smallest of several runs that take turns. What
+// beams away from the grains cost: tests/bench/far_beam.sh.
+//   beam_bench [runs]
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -33,42 +32,6 @@ std::vector<double> compare(int runs, const std::vector<std::function<Outcome()>
   for (int i = 0; i < runs; ++i)
     for (std::size_t k = 0; k < cases.size(); ++k) best[k] = std::min(best[k], loop_time(cases[k]()));
   return best;
-}
-
-void bed_below_a_beam(int runs) {
-  const RunFolder folder("bench_bed");
-  const std::string bed =
-      preamble("-0.26 0.26 -0.26 0.26 0 0.8") + "timestep 2e-5\npair_style gran " + kModel +
-      "\npair_coeff * *\nlattice sc 0.0299\nregion heap block -0.25 0.25 -0.25 0.25 0.014 0.51 units box\n"
-      "create_atoms 1 region heap\nset group all diameter 0.03 density 2600\n"
-      "velocity all set 0.1 0.05 0\nfix floor all wall/gran " +
-      kModel +
-      " primitive type 1 zplane 0\nfix g all gravity 9.81 vector 0 0 -1\nfix integr all nve/sphere\n";
-  // Beams beside each other: their bodies, and their fixes.
-  const auto beams = [](int count) {
-    std::string text = "end 0.04\n";
-    for (int b = 0; b < count; ++b) {
-      std::vector<std::string> nodes;
-      for (int i = 0; i <= 20; ++i)
-        nodes.push_back(std::to_string(-0.25 + 0.025 * i) + " " + std::to_string(0.05 * b) + " 0.75");
-      text += "body tine" + std::to_string(b) + "\n" + chain(nodes, 0.02) + "velocity 0 0 -2\n";
-    }
-    return text;
-  };
-  const auto walls = [](int count) {
-    std::string text;
-    for (int b = 0; b < count; ++b)
-      text += "fix w" + std::to_string(b) + " all wall/gran/beam " + kModel + " type 2 body tine" +
-              std::to_string(b) + "\n";
-    return text + "fix mbd all couple/mbd every 10\nrun 2000\n";
-  };
-  const auto time = compare(runs, {[&] { return folder.stock(bed + "run 2000\n"); },
-                                   [&] { return folder.coupled(bed + walls(1), beams(1)); },
-                                   [&] { return folder.coupled(bed + walls(6), beams(6)); }});
-  std::printf(
-      "bed, 2000 steps: stock %.2f s; coupled, with a beam above it %.2f s (%+.1f %%); each further beam "
-      "%+.2f %%\n",
-      time[0], time[1], 100.0 * (time[1] / time[0] - 1.0), 100.0 * (time[2] / time[1] - 1.0) / 5.0);
 }
 
 void beam_and_mesh(int runs) {
@@ -104,11 +67,20 @@ void beam_and_mesh(int runs) {
                    held + "fix tube all mesh/surface file tube.stl type 2\nfix w all wall/gran " + kModel +
                        " mesh n_meshes 1 meshes tube\nfix mbd all couple/mbd every 100 mesh tube arm\n" + run,
                    end + tube.surface_statements(around) + moving);
-             }});
-  const double contacts = static_cast<double>(steps) * id;
-  std::printf(
-      "bent tube, time per contact and step: beam %.3g us, mesh of %d facets around %.3g us: %.1f times\n",
-      1e6 * time[0] / contacts, around, 1e6 * time[1] / contacts, time[1] / time[0]);
+             },
+             [&] {
+               return folder.stock(held +
+                                   "fix tube all mesh/surface file tube.stl type 2\nfix w all wall/gran " +
+                                   kModel + " mesh n_meshes 1 meshes tube\n" + run);
+             },
+             [&] { return folder.stock(held + run); }});
+  // What the grains cost without any wall is nobody's contact.
+  const auto per_contact = [&](double t) { return 1e6 * (t - time[3]) / (static_cast<double>(steps) * id); };
+  std::printf("bent tube, time per contact and step: moving beam %.3g us\n", per_contact(time[0]));
+  std::printf("  mesh of %d facets around, moving: %.3g us, %.1f times as much\n", around,
+              per_contact(time[1]), per_contact(time[1]) / per_contact(time[0]));
+  std::printf("  the same mesh at rest, on stock LIGGGHTS: %.3g us, %.1f times\n", per_contact(time[2]),
+              per_contact(time[2]) / per_contact(time[0]));
 }
 
 }  // namespace
@@ -116,7 +88,6 @@ void beam_and_mesh(int runs) {
 int main(int argc, char** argv) {
   const int runs = argc > 1 ? std::atoi(argv[1]) : 5;
   try {
-    bed_below_a_beam(runs);
     beam_and_mesh(runs);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
