@@ -32,13 +32,17 @@ void Observation::column(const std::string& name, const std::string& unit) {
   units_.push_back(unit);
 }
 
-Observation::Observation(Simulation& simulation) : simulation_(simulation) {
+Observation::Observation(Simulation& simulation) : simulation_(simulation), flexible_(simulation) {
   const Mechanism& mechanism = simulation.mechanism();
   const Scene& scene = simulation.scene();
   column("time", "s");
   groups_.push_back([](const Sample& s, std::vector<double>& row) { row.push_back(s.state.time); });
-  for (int i = 0; i < mechanism.model.body_count(); ++i)
-    if (recorded(scene.output, mechanism.model.body(i).name())) add_body(i);
+  for (int i = 0; i < mechanism.model.body_count(); ++i) {
+    if (recorded(scene.output, mechanism.model.body(i).name())) {
+      add_body(i);
+      if (flexible_.find(i) >= 0) add_flexible(flexible_.find(i));
+    }
+  }
   if (scene.ground.kind != GroundKind::kNone)
     for (const BodyBoundary& entry : mechanism.boundaries) add_contact(entry.body, entry.boundary.name());
   for (const StrutEntry& strut : mechanism.struts) add_strut(strut);
@@ -49,6 +53,7 @@ Observation::Observation(Simulation& simulation) : simulation_(simulation) {
 
 const std::vector<double>& Observation::row(const Sample& sample) {
   row_.clear();
+  flexible_.take(sample);
   for (const Group& group : groups_) group(sample, row_);
   FOOTFALL_DEMAND(row_.size() == names_.size());
   return row_;
@@ -67,6 +72,17 @@ void Observation::add_body(int body) {
     push(motion.dr, row);
     push(s.rates.segment<3>(layout.v0() + layout.body_v[static_cast<std::size_t>(body)]), row);
     push(roll_pitch_yaw(motion.A), row);
+  });
+}
+
+void Observation::add_flexible(int k) {
+  const std::string name = flexible_.body(k).name();
+  column(name + ".strain_energy", "J");
+  column(name + ".deflection", "m");
+  column(name + ".von_mises", "Pa");
+  groups_.push_back([this, k](const Sample&, std::vector<double>& row) {
+    const FlexibleFigures& now = flexible_.now(k);
+    row.insert(row.end(), {now.strain_energy, now.deflection, now.von_mises});
   });
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/run/flexible_figures.h"
 #include "mbd_solver/run/simulation.h"
 
 namespace footfall {
@@ -19,11 +20,14 @@ class Observation {
   const std::vector<std::string>& units() const { return units_; }
   // One row, in the order of the names. The reference holds until the next call.
   const std::vector<double>& row(const Sample& sample);
+  // Of all flexible bodies, over the rows so far.
+  const FlexibleBodies& flexible() const { return flexible_; }
 
  private:
   // Writes the values of one group of columns.
   using Group = std::function<void(const Sample&, std::vector<double>&)>;
   void add_body(int body);
+  void add_flexible(int k);
   void add_contact(int body, const std::string& name);
   void add_strut(const StrutEntry& strut);
   void add_controller(const ControllerEntry& controller);
@@ -32,6 +36,7 @@ class Observation {
   void column(const std::string& name, const std::string& unit);
 
   Simulation& simulation_;
+  FlexibleBodies flexible_;
   std::vector<std::string> names_, units_;
   std::vector<Group> groups_;
   std::vector<double> row_;

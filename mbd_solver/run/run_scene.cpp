@@ -36,7 +36,7 @@ std::vector<std::string> active_parts(const Simulation& simulation) {
   return active;
 }
 
-Json summary_of(const Simulation& simulation, const FigureTaker& taker, const std::string& status, const std::string& reason) {
+Json summary_of(const Simulation& simulation, const FigureTaker& taker, const FlexibleBodies& flexible, const std::string& status, const std::string& reason) {
   const Figures& figures = taker.figures();
   const IntegratorStatistics& statistics = simulation.integrator().statistics();
   const RunTimes& times = simulation.times();
@@ -55,6 +55,14 @@ Json summary_of(const Simulation& simulation, const FigureTaker& taker, const st
   json["drift_velocity"] = statistics.drift_velocity;
   json["drift_removed_position"] = statistics.removed_position;
   json["drift_removed_velocity"] = statistics.removed_velocity;
+  for (int k = 0; k < flexible.count(); ++k) {
+    Json& body = json["flexible_bodies"][flexible.body(k).name()];
+    body["modes"] = flexible.body(k).mode_count();
+    body["lowest_frequency_Hz"] = std::sqrt(flexible.body(k).modal()->stiffness.minCoeff()) / (2.0 * EIGEN_PI);
+    body["max_strain_energy_J"] = flexible.peak(k).strain_energy;
+    body["max_deflection_m"] = flexible.peak(k).deflection;
+    body["max_von_mises_Pa"] = flexible.peak(k).von_mises;
+  }
   Json warnings = Json::array();
   for (const std::string& text : simulation.mechanism().warnings) warnings.push_back(text);
   for (const std::string& text : simulation.assembly().notes) warnings.push_back(text);
@@ -153,7 +161,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     if (simulation.partner()) simulation.partner()->fail(error.what(), mendable ? Status::kBadInput : Status::kFailed);
     if (simulation.state().q.allFinite() && simulation.state().v.allFinite())
       write_checkpoint(folder + "checkpoint.txt", simulation.state(), simulation.mechanism(), voltages);
-    write_summary(folder + "summary.json", summary_of(simulation, taker, "failed", error.what()));
+    write_summary(folder + "summary.json", summary_of(simulation, taker, observation.flexible(), "failed", error.what()));
     throw;
   }
   progress.finish();
@@ -164,7 +172,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     write_checkpoint(folder + "checkpoint.txt", simulation.state(), simulation.mechanism(), voltages);
     if (simulation.partner()) simulation.partner()->fail("interrupted by the user", Status::kInterrupted);
   }
-  write_summary(folder + "summary.json", summary_of(simulation, taker, done ? "done" : "interrupted", ""));
+  write_summary(folder + "summary.json", summary_of(simulation, taker, observation.flexible(), done ? "done" : "interrupted", ""));
   return done ? kExitDone : kExitInterrupted;
 }
 

@@ -52,6 +52,7 @@ class Simulation {
   const Scene& scene() const { return scene_; }
   const Mechanism& mechanism() const { return mechanism_; }
   Equations& equations() { return *equations_; }
+  const Layout& layout() const { return equations_->layout(); }
   const Assembly& assembly() const { return assembly_; }
   const State& state() const { return state_; }
   const Integrator& integrator() const { return *integrator_; }
