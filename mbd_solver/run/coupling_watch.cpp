@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kChatterWindows = 16;         // full swings in a row that no impact shows
 constexpr double kLargeOverlap = 0.3;      // of the radius: Hertz' law and the volume of the grains hold for small ones
+constexpr double kSurplus = 0.01;          // of the impulse given by the grains
+constexpr int kSurplusWindows = 10;        // bodies times windows
 constexpr double kWarnGain = 0.2;  // of the gain that ends the run
 constexpr double kChatterForceShare = 0.2;  // of the largest force of the run: smaller ones may swing
 
@@ -35,6 +37,8 @@ CouplingWatch::CouplingWatch(std::vector<std::string> names, std::vector<double>
       omega_h_(names_.size(), 0.0),
       largest_omega_h_(names_.size(), 0.0),
       warned_(names_.size(), false),
+      surplus_(names_.size(), Eigen::Vector3d::Zero()),
+      given_(names_.size(), 0.0),
       force_(names_.size(), Eigen::Vector3d::Zero()),
       change_(names_.size(), Eigen::Vector3d::Zero()),
       alternations_(names_.size(), 0) {}
@@ -71,6 +75,18 @@ void CouplingWatch::window(double time, double H, int n, const Load& load, const
   if (limits_.stop_on_energy_gain && -residual_ > limits_.max_energy_residual * reference_energy)
     throw NumericalError("t = " + number(time) + " s: the coupling has pumped " + number(-residual_) + " J into the mechanism, " +
                          number(-residual_ / reference_energy * 100.0) + " % of the reference energy: " + smaller_windows(n) + ", or set coupling.stop_on_energy_gain = false");
+}
+
+void CouplingWatch::count_surplus(std::size_t i, double time, const Eigen::Vector3d& surplus, double given) {
+  surplus_[i] += surplus;
+  given_[i] += given;
+  largest_impulse_ = std::max(largest_impulse_, given_[i]);
+  // The beginning of a contact is not judged: one window of a landing says nothing about its sum.
+  if (warned_of_surplus_ || ++surplus_windows_ < kSurplusWindows || surplus_[i].norm() < kSurplus * largest_impulse_) return;
+  warned_of_surplus_ = true;
+  warnings_.push_back("t = " + number(time) + " s: scheme tangent has given body " + names_[i] + " an impulse of " + number(surplus_[i].norm()) +
+                      " N s that the grains did not give, " + number(100.0 * surplus_[i].norm() / largest_impulse_) +
+                      " % of theirs: these grains give way; use coupling.scheme = \"css-trapezoid\" with smaller windows");
 }
 
 void CouplingWatch::watch_overlap(double time) {

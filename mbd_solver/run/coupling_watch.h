@@ -22,6 +22,9 @@ class CouplingWatch {
   void window(double time, double H, int n, const Load& load, const std::vector<double>& work_received, double reference_energy,
               double pending = 0.0);
 
+  // Scheme `tangent`, per window: impulse that body i has felt beyond what the grains gave, and the size of what they gave [N s].
+  void count_surplus(std::size_t i, double time, const Eigen::Vector3d& surplus, double given);
+
   double energy_residual() const { return residual_; }          // sum of (work on the boundary - work received), + pending [J]
   double largest_energy_residual() const { return largest_residual_; }
   double largest_overlap() const { return largest_overlap_; }   // of radius [-]
@@ -44,6 +47,11 @@ class CouplingWatch {
   double largest_overlap_ = 0.0, largest_force_ = 0.0;
   std::vector<double> omega_h_, largest_omega_h_;
   std::vector<bool> warned_;
+  std::vector<Eigen::Vector3d> surplus_;            // per body, since the start [N s]
+  std::vector<double> given_;                       // likewise [N s]
+  bool warned_of_surplus_ = false;
+  double largest_impulse_ = 0.0;                    // of given_ [N s]
+  int surplus_windows_ = 0;
   std::vector<Eigen::Vector3d> force_, change_;     // of the last window, per body [N]
   std::vector<int> alternations_;                   // windows in a row in which the force swung by more than half of itself
   std::vector<std::string> warnings_;

@@ -98,7 +98,9 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
     masses.push_back(mechanism_.model.body(entry.body).mass());
     motion_.bodies.emplace_back(entry.boundary.mode_count());
   }
-  watch_ = std::make_unique<CouplingWatch>(std::move(names), std::move(masses), scene.coupling);
+  CouplingSpec limits = scene.coupling;
+  if (partner_->substeps() == 0) limits.warn_omega_h *= 3.0;  // chosen windows go up to twice of it: more means that contacts outran the choice
+  watch_ = std::make_unique<CouplingWatch>(std::move(names), std::move(masses), limits);
   prepare_windows();
 }
 
@@ -192,6 +194,11 @@ double Simulation::pending_interface_work() {
     work += load.tangent.empty() ? pending_work(load.mean, last_loads_[k], ratio, predicted_[k], motion_.bodies[k])
                                  : pending_work(load.mean, load.tangent.front(), predicted_[k], motion_.bodies[k]);
     last_loads_[k] = load.mean;
+    if (load.tangent.empty()) continue;
+    const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
+    const double H = motion_.n * partner_->dt();
+    watch_->count_surplus(k, state_.time, surplus_impulse(*inputs_.loads[static_cast<std::size_t>(body)].tangent, starts_[k], motion_.bodies[k], H),
+                          H * load.mean.F_W.norm());
   }
   return work;
 }
@@ -221,6 +228,7 @@ double Simulation::exchange_window() {
   motion_.last_window = left <= motion_.n;
   for (std::size_t k = 0; k < motion_.bodies.size(); ++k)
     fill_motion(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body, motion_.bodies[k]);
+  starts_ = motion_.bodies;
   if (scheme_->wants_tangent()) soften_paths(motion_.n * dt);
   for (std::size_t k = 0; k < predicted_.size(); ++k) predicted_[k].begin(motion_.bodies[k], motion_.n, dt);
   const Load& load = partner_->exchange(motion_);

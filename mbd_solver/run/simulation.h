@@ -95,6 +95,7 @@ class Simulation {
   Motion motion_;
   std::unique_ptr<Scheme> scheme_;
   std::vector<PredictedWindow> predicted_;  // per coupled body
+  std::vector<BodyMotion> starts_;          // computed states at the window's start, likewise
   std::vector<MeanLoad> last_loads_;        // of the window before, likewise
   int last_substeps_ = 0;                   // of the window before
   std::unique_ptr<WindowChoice> choice_;    // null when the script fixes n

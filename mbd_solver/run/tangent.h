@@ -20,6 +20,10 @@ Vector6d mean_velocity(const Body& body, const BodyMotion& motion, const Contact
 // does not resolve: a damping ratio of w/2 for w >> 1, and of w^7/2 (no loss of order) for w << 1.
 TangentLoad tangent_load(const ContactTangent& slope, const PredictedWindow& predicted, double omega_h, double H);
 
+// Impulse [N s] that the body has felt in a window of H [s] beyond what the grains gave, because it moved otherwise than predicted: it is
+// reaction to grains that stood where they were; grains that gave way never gave it. From the states at both ends of the window.
+Eigen::Vector3d surplus_impulse(const TangentLoad& load, const BodyMotion& start, const BodyMotion& end, double H);
+
 // Work [J] that the contacts would still do on the boundary from its predicted end to the computed motion: the grains do it only when the
 // next window closes the gap, while the body has received it already. By the mean load and its slope:
 double pending_work(const MeanLoad& mean, const ContactTangent& slope, const PredictedWindow& predicted, const BodyMotion& computed);

@@ -80,6 +80,21 @@ TEST(PredictedWindow, MeansAreThoseOfThePathOfTheGrains) {
   EXPECT_NEAR(predicted.v_mean()[2], -1.0 + 0.001 / 0.01, 0.02);  // 10 substeps sample the closing roughly
 }
 
+TEST(SurplusImpulse, IsZeroOnThePredictedPathAndTheSpringsPushBesideIt) {
+  const std::unique_ptr<Scheme> scheme = make_scheme("tangent");
+  BodyMotion start;
+  start.dr[2] = 0.1;
+  PredictedWindow predicted(*scheme, start);
+  predicted.begin(start, 10, 1e-3);
+  const TangentLoad load = tangent_load(along_z(1e5), predicted, 0.0, 0.01);
+  BodyMotion end = start;
+  end.r[2] = 0.001;
+  EXPECT_LT(surplus_impulse(load, start, end, 0.01).norm(), 1e-12);
+  // Stopped at once: it stays 0.5 mm behind the mean, where the spring pushes by 50 N more.
+  start.dr[2] = end.dr[2] = end.r[2] = 0.0;
+  EXPECT_NEAR(surplus_impulse(load, start, end, 0.01)[2], 0.01 * 50.0, 1e-9);
+}
+
 TEST(PendingWork, OfALinearSpringIsItsEnergyBetweenPredictedAndComputed) {
   // The spring k x resists; predicted end at x_p, computed at x_c: k/2 (x_p^2 - x_c^2).
   const double k = 1e5;
