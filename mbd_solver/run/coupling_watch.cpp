@@ -82,7 +82,7 @@ void CouplingWatch::count_surplus(std::size_t i, double time, const Eigen::Vecto
   given_[i] += given;
   largest_impulse_ = std::max(largest_impulse_, given_[i]);
   // The beginning of a contact is not judged: one window of a landing says nothing about its sum.
-  if (warned_of_surplus_ || ++surplus_windows_ < kSurplusWindows || surplus_[i].norm() < kSurplus * largest_impulse_) return;
+  if (warned_of_surplus_ || ++surplus_windows_ < kSurplusWindows || surplus_[i].norm() <= kSurplus * largest_impulse_) return;
   warned_of_surplus_ = true;
   warnings_.push_back("t = " + number(time) + " s: scheme tangent has given body " + names_[i] + " an impulse of " + number(surplus_[i].norm()) +
                       " N s that the grains did not give, " + number(100.0 * surplus_[i].norm() / largest_impulse_) +

@@ -98,9 +98,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
     masses.push_back(mechanism_.model.body(entry.body).mass());
     motion_.bodies.emplace_back(entry.boundary.mode_count());
   }
-  CouplingSpec limits = scene.coupling;
-  if (partner_->substeps() == 0) limits.warn_omega_h *= 3.0;  // chosen windows go up to twice of it: more means that contacts outran the choice
-  watch_ = std::make_unique<CouplingWatch>(std::move(names), std::move(masses), limits);
+  watch_ = std::make_unique<CouplingWatch>(std::move(names), std::move(masses), scene.coupling);
   prepare_windows();
 }
 

@@ -8,7 +8,6 @@ namespace footfall {
 namespace {
 
 constexpr double kSafety = 0.9;     // of the tolerance, and of the flight
-constexpr double kOmegaH = 2.0;     // times warn_omega_h: half of where explicit schemes become unstable; the tolerance asks for less when it matters
 constexpr double kGrowth = 2.0;     // from one window to the next
 constexpr double kForget = 0.95;    // of the stiffness met, per window: contacts that close and open again must not be met unprepared
 
@@ -19,7 +18,7 @@ WindowChoice::WindowChoice(const CouplingSpec& spec, double dt, double weight) :
 double WindowChoice::longest(const Body& body, double stiffness) const {
   if (body.stiffness <= 0.0 && body.flight > 0.0) return std::max(1.0, kSafety * body.flight / dt_);
   if (stiffness <= 0.0) return 1.0;
-  return kOmegaH * spec_.warn_omega_h / (std::sqrt(stiffness / body.mass) * dt_);
+  return spec_.warn_omega_h / (std::sqrt(stiffness / body.mass) * dt_);
 }
 
 void WindowChoice::start(const std::vector<Body>& bodies) {

@@ -4,7 +4,7 @@
 // After a window of n substeps, for every body: K = its contact stiffness, e = how far the computed motion ends from the predicted one.
 //   error estimate  eta = K e / F,  F = largest mean force of the run so far (at least the weight of the lightest body)
 //   next window     n sqrt(0.9 tolerance / eta): e is of second order in H;
-//                   at most 2 warn_omega_h / (omega dt), omega = sqrt(K / m): explicit schemes stay stable;
+//                   at most warn_omega_h / (omega dt), omega = sqrt(K / m): explicit schemes stay stable and accurate;
 //                   at most twice as long as the last one, and never more than max_substeps.
 // A body without contact: it may fly until its lowest point can meet a grain; below that, its windows are as for the stiffest contact that
 // it has had, and single substeps before its first.
