@@ -71,6 +71,7 @@ void TableReader::fail(const ConfigNode& at, const std::string& key, const std::
 std::string TableReader::text(const std::string& key, const ConfigNode& value) const {
   if (value.kind == ConfigNode::Kind::kText) return value.text;
   if (!value.is_number()) fail(value, key, "is " + value.description() + ", expected a text or a number");
+  if (value.kind == ConfigNode::Kind::kInteger) return std::to_string(static_cast<long long>(value.number));  // seeds have many digits
   return short_number(value.number);
 }
 
