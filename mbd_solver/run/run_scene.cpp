@@ -62,6 +62,7 @@ Json summary_of(const Simulation& simulation, const FigureTaker& taker, const Fl
     body["max_strain_energy_J"] = flexible.peak(k).strain_energy;
     body["max_deflection_m"] = flexible.peak(k).deflection;
     body["max_von_mises_Pa"] = flexible.peak(k).von_mises;
+    body["max_spin_over_lowest_frequency"] = flexible.peak(k).spin;
   }
   Json warnings = Json::array();
   for (const std::string& text : simulation.mechanism().warnings) warnings.push_back(text);
@@ -80,6 +81,7 @@ Json summary_of(const Simulation& simulation, const FigureTaker& taker, const Fl
     for (std::size_t i = 0; i < watch->names().size(); ++i) json["max_omega_h"][watch->names()[i]] = watch->largest_omega_h()[i];
     for (const std::string& text : watch->warnings()) warnings.push_back(text);
   }
+  for (const std::string& text : flexible.warnings()) warnings.push_back(text);
   json["steps"] = statistics.steps;
   json["windows"] = statistics.windows;
   json["rejected_steps"] = statistics.rejected;
@@ -135,7 +137,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   VtkSeries pictures(options.out, "bodies");
   if (scene.output.vtk) drawing.emplace(simulation);
   Progress progress(t_end, options.quiet);
-  std::size_t warned = 0;
+  std::size_t warned = 0, warned_of_bodies = 0;
   double next_row = 0.0, next_picture = 0.0, next_checkpoint = scene.output.checkpoint_interval;
   Eigen::VectorXd voltages;
   const auto observe = [&](const Sample& sample) {
@@ -149,6 +151,8 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     progress.show(sample.state.time, sample.window, taker.figures().contact_force);
     for (; sample.coupling && warned < sample.coupling->warnings().size(); ++warned)
       std::fprintf(stderr, "\nmbd_solver: warning: %s\n", sample.coupling->warnings()[warned].c_str());
+    for (const auto& texts = observation.flexible().warnings(); warned_of_bodies < texts.size(); ++warned_of_bodies)
+      std::fprintf(stderr, "\nmbd_solver: warning: %s\n", texts[warned_of_bodies].c_str());
   };
 
   try {

@@ -6,10 +6,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <pugixml.hpp>
+#include <set>
 #include <sstream>
 
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/mechanism.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -120,6 +122,48 @@ TEST_F(FlexibleOutput, PicturesHoldTheDeflectionAndStressOfTheHistory) {
     ++row;
   }
   EXPECT_EQ(row, history.column("time").size());
+}
+
+TEST_F(FlexibleOutput, PointsOfThePicturesAreTheNodesOfTheBodies) {
+  const Mechanism mechanism = build_mechanism(scene);
+  pugi::xml_document series;
+  ASSERT_TRUE(series.load_file((folder + "/bodies.pvd").c_str()));
+  std::size_t row = 0;
+  double bent = 0.0;
+  for (const pugi::xml_node& entry : series.child("VTKFile").child("Collection").children("DataSet")) {
+    pugi::xml_document file;
+    ASSERT_TRUE(file.load_file((folder + "/" + entry.attribute("file").value()).c_str()));
+    const pugi::xml_node piece = file.child("VTKFile").child("UnstructuredGrid").child("Piece");
+    const auto array = [&](const char* part, const char* name) {
+      return numbers(piece.child(part).find_child_by_attribute("DataArray", "Name", name));
+    };
+    const std::vector<double> points = array("Points", "Points"), displacement = array("PointData", "displacement"),
+                              body = array("CellData", "body"), corners = array("Cells", "connectivity"), ends = array("Cells", "offsets");
+    for (int i = 0; i < mechanism.model.body_count(); ++i) {
+      if (mechanism.model.body(i).mode_count() == 0) continue;
+      std::set<std::size_t> own;  // in ascending order they are the nodes 0, 1, ...
+      for (std::size_t c = 0; c < body.size(); ++c)
+        if (static_cast<int>(body[c]) == i)
+          for (auto k = static_cast<std::size_t>(c == 0 ? 0.0 : ends[c - 1]); k < static_cast<std::size_t>(ends[c]); ++k)
+            own.insert(static_cast<std::size_t>(corners[k]));
+      const ModalBody& modal = *mechanism.model.body(i).modal();
+      ASSERT_EQ(own.size(), static_cast<std::size_t>(modal.node_count()));
+      const auto value = [&](const char* name) { return history.column(mechanism.model.body(i).name() + name)[row]; };
+      const Eigen::Vector3d r(value(".x"), value(".y"), value(".z"));
+      const Eigen::Matrix3d A = (Eigen::AngleAxisd(value(".yaw"), Eigen::Vector3d::UnitZ()) *
+                                 Eigen::AngleAxisd(value(".pitch"), Eigen::Vector3d::UnitY()) *
+                                 Eigen::AngleAxisd(value(".roll"), Eigen::Vector3d::UnitX())).toRotationMatrix();
+      int j = 0;
+      for (const std::size_t point : own) {
+        const Eigen::Vector3d x = Eigen::Map<const Eigen::Vector3d>(&points[3 * point]), u = Eigen::Map<const Eigen::Vector3d>(&displacement[3 * point]);
+        EXPECT_LT((x - u - r - A * modal.rho0.col(j)).norm(), 1e-7) << mechanism.model.body(i).name() << " node " << j;
+        ++j;
+        bent = std::max(bent, u.norm());
+      }
+    }
+    ++row;
+  }
+  EXPECT_GT(bent, 1e-5);
 }
 
 }  // namespace

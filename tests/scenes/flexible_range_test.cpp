@@ -1,0 +1,107 @@
+// Flexible bodies as a scene gives them: warnings where linear modes end, no modes as no flexibility, models of other codes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "mbd_solver/output/history.h"
+#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/run_scene.h"
+#include "mbd_solver/scene/scene_reader.h"
+
+namespace footfall {
+namespace {
+
+class FlexibleScene : public ::testing::Test {
+ protected:
+  FlexibleScene() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "footfall_scene_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~FlexibleScene() override { std::filesystem::remove_all(folder_); }
+  void write(const std::string& file, const std::string& text) const { std::ofstream(folder_ / file) << text; }
+  std::string path(const std::string& file) const { return (folder_ / file).string(); }
+
+  // Runs scene.toml with these settings; the summary.
+  nlohmann::ordered_json run(const std::vector<std::string>& settings, const std::string& out = "out") const {
+    const Scene scene = read_scene(path("scene.toml"), settings);
+    RunOptions options;
+    options.out = path(out);
+    options.quiet = true;
+    const volatile std::sig_atomic_t never = 0;
+    EXPECT_EQ(run_scene(scene, options, nullptr, never), 0);
+    return read_summary(path(out) + "/summary.json");
+  }
+  static int count(const nlohmann::ordered_json& summary, const std::string& part) {
+    int found = 0;
+    for (const auto& warning : summary["warnings"]) found += warning.get<std::string>().find(part) != std::string::npos ? 1 : 0;
+    return found;
+  }
+
+  std::filesystem::path folder_;
+};
+
+// A rod of 1 m on its own; its lowest frequency is 22.37 sqrt(EI / (m L^4)) = 287 rad/s.
+const char* const kRod = R"(
+end_time = 0.02
+gravity = [0, 0, 0]
+[materials.steel]
+density = 7850
+young = 207e9
+yield_stress_MPa = 350
+[[bodies]]
+name = "rod"
+material = "steel"
+shape = { kind = "rod", from = [0, 0, 0], to = [1, 0, 0], diameter = 0.01 }
+flexible = { modes = 6 }
+[output]
+interval = 1e-3
+plots = false
+)";
+
+TEST_F(FlexibleScene, ThatSpinsTooFastForLinearModesIsWarnedOfOnce) {
+  write("scene.toml", kRod);
+  const auto fast = run({"initial.angular_velocity=[0,0,20]"});
+  EXPECT_EQ(count(fast, "body rod spins at 0.0696 of its lowest elastic frequency (287 rad/s)"), 1) << fast["warnings"].dump(1);
+  EXPECT_EQ(count(fast, "body rod"), 1);
+  EXPECT_NEAR(fast["flexible_bodies"]["rod"]["max_spin_over_lowest_frequency"], 20.0 / 287.1, 1e-3);
+  EXPECT_EQ(count(run({"initial.angular_velocity=[0,0,10]"}), "body rod"), 0);
+}
+
+const char* const kClamp = R"([[joints]]
+name = "clamp"
+type = "fixed"
+bodies = ["ground", "rod"]
+point = [0, 0, 0]
+)";
+
+TEST_F(FlexibleScene, ThatBendsTooFarOrYieldsIsWarnedOfOnceForEach) {
+  write("scene.toml", std::string(kRod) + kClamp);
+  const auto bent = run({"gravity=[0,0,-150]", "end_time=0.2"});
+  EXPECT_EQ(count(bent, "body rod bends by "), 1) << bent["warnings"].dump(1);
+  EXPECT_EQ(count(bent, "body rod has a von Mises stress of "), 1);
+  EXPECT_EQ(count(bent, "body rod"), 2);
+  EXPECT_EQ(count(run({"gravity=[0,0,-1.6]", "end_time=0.2"}), "body rod"), 0);
+  EXPECT_EQ(count(run({"gravity=[0,0,-150]", "end_time=0.2", "materials.steel.yield_stress_MPa=0"}), "von Mises"), 0) << "not known";
+}
+
+TEST_F(FlexibleScene, WithoutModesIsTheRigidOneToTheBit) {
+  write("scene.toml", kRod);
+  const std::vector<std::string> tumbling = {"initial.angular_velocity=[5,3,2]", "initial.velocity=[1,2,3]", "gravity=[0,0,-9.81]"};
+  const auto with = [&](const std::string& setting) {
+    std::vector<std::string> settings = tumbling;
+    settings.push_back(setting);
+    return settings;
+  };
+  run(with("flexible=false"), "rigid");
+  run(with("bodies.rod.flexible.modes=0"), "none");
+  const History rigid = read_history(path("rigid/history.csv")), none = read_history(path("none/history.csv"));
+  EXPECT_EQ(rigid.names, none.names);
+  EXPECT_EQ(rigid.columns, none.columns);
+  EXPECT_LT(none.find("rod.strain_energy"), 0);
+}
+
+}  // namespace
+}  // namespace footfall
