@@ -72,7 +72,8 @@ class Sweep {
       if (!file.empty()) text << std::ifstream(file).rdbuf();
     };
     if (scene.particles) add_file(scene.particles->script);
-    for (const ControllerSpec& controller : scene.controllers) add_file(controller.file);
+    for (const ControllerSpec& controller : scene.controllers)
+      if (controller.kind == ControllerKind::kFuzzy) add_file(controller.file);
     return text.str();
   }
   bool is_done(std::size_t run) const {
