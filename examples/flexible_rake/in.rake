@@ -1,5 +1,5 @@
 # The grains' side of examples/flexible_rake: a settled bed, and five beams of the scene that touch it.
-#   mpirun -np 2 liggghts_mbd -in in.rake -var bed FILE -var out DIR : -np 1 mbd_solver scene.toml
+#   mpirun -np 2 liggghts_mbd -in in.rake -var bed BED -var out DIR : -np 1 mbd_solver scene.toml --out DIR --set particles.grains=BED.grains
 variable here   index .
 variable bed    index bed.restart
 variable out    index .
