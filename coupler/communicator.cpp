@@ -36,8 +36,8 @@ void wait_politely(MPI_Request& request) {
 
 void PoliteWait::nap() {
   using Seconds = std::chrono::duration<double>;
-  constexpr double kWorthSleeping = 10e-3, kPart = 0.5;  // [s]; share of the expected time slept in one go
-  constexpr double kShare = 1.0 / 32.0, kShortest = 5e-6, kLongest = 200e-6;  // of the time waited; [s]
+  constexpr double kWorthSleeping = 10e-3, kPart = 0.75;  // [s]; share of the expected time slept in one go
+  constexpr double kShare = 1.0 / 64.0, kShortest = 5e-6, kLongest = 500e-6;  // of the time waited; [s]
   if (expected_ > kWorthSleeping) {
     std::this_thread::sleep_for(Seconds(kPart * expected_));
     expected_ = 0.0;

@@ -42,9 +42,9 @@ class Communicator {
 // Throws PartnerError with MPI's own text unless code is MPI_SUCCESS.
 void check_mpi(int code, const char* call);
 
-// Waiting without keeping a core busy: Open MPI's own blocking calls spin. Half of a wait that is expected to be
-// long is slept through; then one looks again after 1/32 of the time waited so far, 5 to 200 microseconds, so that
-// what is lost stays a small part of every wait.
+// Waiting without keeping a core busy: Open MPI's own blocking calls spin. Three quarters of a wait that is expected
+// to be long are slept through; then one looks again after 1/64 of the time waited so far, 5 to 500 microseconds: what is lost stays a
+// small part of every wait, and who looks seldom does not push the other program off its core.
 class PoliteWait {
  public:
   explicit PoliteWait(double expected_seconds = 0.0)

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Wall time of the coupled landing beside stock LIGGGHTS on the same bed, four stock moving meshes, same steps: A B A B ..., ratio pair by pair.
+# Wall time of the coupled landing beside stock LIGGGHTS on the same bed, with four stock meshes moved as the pads of the coupled run were
+# (`fix move/mesh linear/variable`): the same steps, about the same impact, so about as many neighbour lists. A B A B ..., ratio pair by pair.
 #   tests/bench/stock_ratio.sh BUILD BED.restart [PAIRS] [SECONDS simulated] [extra words for mbd_solver]
 # BED.restart and BED.restart.grains are what `footfall run` keeps (its printed line names them).
 set -eu
@@ -25,9 +26,25 @@ awk 'function v(k, i,   a) { if (k == 0) return "0 0 0"; a = 2 * 3.1415926535897
 seconds_of() { local start; start=$(date +%s.%N); "$@" > "$work/out" 2>&1 || { cat "$work/out" >&2; exit 1; }; awk -v a="$start" -v b="$(date +%s.%N)" 'BEGIN { print b - a }'; }
 cd "$work"
 for pair in $(seq "$pairs"); do
-  stock=$(seconds_of $mpi liggghts -in "$root/tests/bench/in.stock_landing" -var here "$root/inputs/landing_mr" -var bed "$bed" -var pad pad.stl -var steps "$steps" -log stock.log)
   ours=$(seconds_of $mpi "$build/bin/liggghts_mbd" -in "$root/inputs/landing_mr/in.regolith" -var here "$root/inputs/landing_mr" -var bed "$bed" -var frames 0 -log ours.log : \
     -np 1 "$build/bin/mbd_solver" "$root/inputs/landing_mr" --quiet --until "$seconds" --set particles.grains="$bed.grains" --out "$work/run" "$@")
+  # Slope changes at every second row of the history for 60 ms, then at every tenth.
+  awk -F, -v dt=1e-4 '
+    NR == 2 { for (c = 1; c <= NF; ++c) if (match($c, /^footpad_[1-4]\.v[xyz]$/)) name[c] = substr($c, 11) substr($c, 9, 1) }
+    NR > 2 && ((NR - 3) % ($1 < 0.06 ? 2 : 10) == 0) { t[n] = $1; for (c in name) v[c, n] = $c; ++n }
+    END {
+      for (c in name) {
+        printf "variable %s equal %.6g", name[c], v[c, 0]
+        before = 0
+        for (i = 0; i + 1 < n; ++i) {
+          slope = (v[c, i + 1] - v[c, i]) / (t[i + 1] - t[i])
+          printf "+(%.6g)*(step*%g-%.6g)*(step*%g>%.6g)", slope - before, dt, t[i], dt, t[i] - 1e-9
+          before = slope
+        }
+        printf "\n"
+      }
+    }' run/history.csv > motion.lammps
+  stock=$(seconds_of $mpi liggghts -in "$root/tests/bench/in.stock_landing" -var here "$root/inputs/landing_mr" -var bed "$bed" -var pad pad.stl -var steps "$steps" -log stock.log)
   parts=$(grep -E '"(dem|mbd|exchange)_wall_s"' run/summary.json | tr -d ' \n"' | sed 's/_wall_s:/ /g')
-  awk -v a="$ours" -v b="$stock" -v parts="$parts" 'BEGIN { printf "coupled %.2f s  stock %.2f s  ratio %.3f  [s]: %s\n", a, b, a / b, parts }'
+  awk -v a="$ours" -v b="$stock" -v parts="$parts" -v lists="$(sed -n 's/Neighbor list builds = //p' ours.log)" -v stock_lists="$(sed -n 's/Neighbor list builds = //p' stock.log)" 'BEGIN { printf "coupled %.2f s  stock %.2f s  ratio %.3f  [s]: %s  neighbour lists %d and %d\n", a, b, a / b, parts, lists, stock_lists }'
 done
