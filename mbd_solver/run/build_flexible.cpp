@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "coupler/errors.h"
 #include "mbd_solver/model/flexible/mesh_check.h"
@@ -17,6 +18,8 @@
 
 namespace footfall {
 namespace {
+
+constexpr double kSameWeight = 0.01;  // relative: masses in scenes are rounded
 
 // A point of D at which something is attached to the body. Joints that hold an attitude need the rotations of their node.
 struct Attachment {
@@ -48,10 +51,13 @@ std::vector<Attachment> attachments(const Scene& scene, const std::string& body)
   return points;
 }
 
+// Farther from every node than the nodes from each other, a point is no point of the body.
+double reach(const Eigen::Matrix3Xd& nodes) { return (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).norm(); }
+
 // The nodes nearest to the attachments: with all six motions as interface where one of theirs turns, else with displacement only.
 void set_interface(const FeModel& model, const std::vector<Attachment>& attached, BasisOptions& options) {
   std::map<int, bool> turns;
-  for (const Attachment& a : attached) turns[nearest_node(model, a.point)] |= a.turns;
+  for (const Attachment& a : attached) turns[joint_node(model, a.point, reach(model.nodes), a.turns)] |= a.turns;
   for (const auto& [node, turning] : turns) (turning ? options.interface_nodes : options.pinned_nodes).push_back(node);
 }
 
@@ -131,6 +137,15 @@ FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& ma
   return plate_model(moved(flat, axes_with_z(shape.axis), shape.centre), thickness, material, "body \"" + body.name + "\"");
 }
 
+// A model of another code brings its own mass: units of grams or tonnes show here.
+void check_weight(const BodySpec& body, double mass, const std::string& file) {
+  if (std::abs(mass - body.mass) <= kSameWeight * body.mass) return;
+  std::ostringstream text;
+  text << "the model in " << file << " weighs " << mass << " kg, the scene says " << body.mass
+       << " kg; expected the same to 1 %. Are the units of the model m, kg and N?";
+  throw InputError(text.str());
+}
+
 FlexibleBody build(const Scene& scene, const BodySpec& body, std::vector<std::string>& warnings) {
   const FlexibleSpec& spec = *body.flexible;
   BasisOptions options;
@@ -139,13 +154,20 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, std::vector<std::st
   options.max_frequency = spec.max_frequency;
   options.damping_ratio = {spec.damping};
 
+  const std::vector<Attachment> attached = attachments(scene, body.name);
   ReducedBody reduced;
   if (!spec.file.empty()) {
     reduced = read_modal_body(spec.file, options, body.name);
+    for (const Attachment& a : attached) joint_node(reduced.body, a.point - reduced.p_DBo, reach(reduced.body.rho0), a.turns);
+    check_weight(body, reduced.body.node_mass.sum(), spec.file);
+  } else if (!spec.stiffness_matrix.empty()) {
+    const FeModel model = read_matrix_market(spec.stiffness_matrix, spec.mass_matrix, spec.node_file);
+    check_weight(body, model.node_mass.sum(), spec.mass_matrix);
+    set_interface(model, attached, options);
+    reduced = reduce(model, options, body.name);
   } else {
     const MaterialSpec& m = scene.material(body.material);
     const Material material{m.density, m.young, m.poisson};
-    const std::vector<Attachment> attached = attachments(scene, body.name);
     const bool beam = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod);
     FeModel model = !spec.nodes.empty()                 ? frame(spec, material)
                     : spec.mesh.empty() && beam         ? beam_along_shape(*body.shape, spec.elements, attached, material)
@@ -166,7 +188,14 @@ std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const auto& flexible = scene.bodies[i].flexible;
     const bool rigid = !flexible || !flexible->enabled || (flexible->modes && *flexible->modes == 0);
-    if (!rigid) bodies[i] = build(scene, scene.bodies[i], warnings);
+    if (rigid) continue;
+    const std::string who = "body \"" + scene.bodies[i].name + "\"";
+    try {
+      bodies[i] = build(scene, scene.bodies[i], warnings);
+    } catch (const InputError& error) {
+      const std::string what = error.what();
+      throw InputError(what.find(who) == std::string::npos ? who + ": " + what : what);
+    }
   }
   return bodies;
 }

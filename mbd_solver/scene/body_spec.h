@@ -70,6 +70,9 @@ struct FlexibleSpec {
   double mesh_scale = 1.0;                            // metres per unit of the mesh file [-]
   double thickness = 0.0;                             // plate on a mesh [m]; 0: the shape's
   std::string file;                                   // reduced model of another code (its own format), instead of shape and mesh
+  std::string stiffness_matrix;                       // full model of another code: K and M as MatrixMarket files, and their nodes,
+  std::string mass_matrix;                            // one "x y z" per line, in D
+  std::string node_file;
   std::vector<Eigen::Vector3d> nodes;                 // 3D frame of beams: nodes in D [m]
   std::vector<MemberSpec> members;                    // 3D frame: members between nodes
   std::vector<SectionSpec> sections;

@@ -55,6 +55,9 @@ void visit_fields(FieldVisitor& v, FlexibleSpec& f) {
   v.field("mesh_scale", &f.mesh_scale, {Unit::kNone, Range::kPositive});
   v.field("thickness", &f.thickness, {Unit::kLength, Range::kPositive});
   v.field("file", &f.file, {Unit::kNone, Range::kAny, Meaning::kPath});
+  v.field("stiffness_matrix", &f.stiffness_matrix, {Unit::kNone, Range::kAny, Meaning::kPath});
+  v.field("mass_matrix", &f.mass_matrix, {Unit::kNone, Range::kAny, Meaning::kPath});
+  v.field("node_file", &f.node_file, {Unit::kNone, Range::kAny, Meaning::kPath});
   v.field("nodes", &f.nodes, {Unit::kLength, Range::kAny, Meaning::kPoint});
   v.list("members", f.members);
   v.list("sections", f.sections, true);

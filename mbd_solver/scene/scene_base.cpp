@@ -14,7 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLongestChain = 8;  // bases of bases
-constexpr std::array<const char*, 7> kPathKeys = {"script", "file", "mesh", "grains", "table", "yield_table", "yield_stress"};
+constexpr std::array<const char*, 10> kPathKeys = {"script",      "file",         "mesh",             "grains",      "table",
+                                                   "yield_table", "yield_stress", "stiffness_matrix", "mass_matrix", "node_file"};
 
 // Values of a base have no line in the file that is read, and their paths are seen from another folder.
 void move_to(ConfigNode& node, const fs::path& folder) {

@@ -54,14 +54,17 @@ void check_bodies(const Scene& scene, Findings& findings) {
       findings.error(body.source, "material", "there is no material \"" + body.material + "\"." + known_names("materials", body.material, materials));
     if (!body.flexible || !body.flexible->enabled) continue;
     const FlexibleSpec& f = *body.flexible;
-    const int models = (f.file.empty() ? 0 : 1) + (f.mesh.empty() ? 0 : 1) + (f.nodes.empty() ? 0 : 1);
-    if (models > 1) findings.error(body.source, "flexible", "names more than one of file, mesh and nodes; keep one");
+    const int matrices = (f.stiffness_matrix.empty() ? 0 : 1) + (f.mass_matrix.empty() ? 0 : 1) + (f.node_file.empty() ? 0 : 1);
+    if (matrices == 1 || matrices == 2)
+      findings.error(body.source, "flexible", "gives a part of stiffness_matrix, mass_matrix and node_file; a model in matrices needs all three");
+    const int models = (f.file.empty() ? 0 : 1) + (f.mesh.empty() ? 0 : 1) + (f.nodes.empty() ? 0 : 1) + (matrices > 0 ? 1 : 0);
+    if (models > 1) findings.error(body.source, "flexible", "names more than one of file, mesh, nodes and matrices; keep one");
     if (models == 0) {
       const bool can = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod ||
                                       body.shape->kind == ShapeKind::kDisc || body.shape->kind == ShapeKind::kDish);
-      if (!can) findings.error(body.source, "flexible", "this body has no shape that bends; expected a tube, rod, disc or dish, or flexible = { file, mesh or nodes }");
+      if (!can) findings.error(body.source, "flexible", "this body has no shape that bends; expected a tube, rod, disc or dish, or flexible = { file, mesh, nodes or matrices }");
     }
-    if (f.file.empty()) {
+    if (f.file.empty() && matrices == 0) {
       if (body.material.empty()) {
         findings.error(body.source, "material", "is missing; a flexible body needs density, young and poisson");
       } else if (known && !(scene.material(body.material).young > 0.0)) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "mbd_solver/model/flexible/modal_body_file.h"
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/run/run_scene.h"
@@ -101,6 +102,74 @@ TEST_F(FlexibleScene, WithoutModesIsTheRigidOneToTheBit) {
   EXPECT_EQ(rigid.names, none.names);
   EXPECT_EQ(rigid.columns, none.columns);
   EXPECT_LT(none.find("rod.strain_energy"), 0);
+}
+
+void write_matrix(const std::string& path, const Eigen::SparseMatrix<double>& matrix) {
+  std::ofstream file(path);
+  file.precision(17);
+  file << "%%MatrixMarket matrix coordinate real general\n" << matrix.rows() << ' ' << matrix.cols() << ' ' << matrix.nonZeros() << '\n';
+  for (int j = 0; j < matrix.cols(); ++j)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, j); it; ++it) file << it.row() + 1 << ' ' << j + 1 << ' ' << it.value() << '\n';
+}
+
+// The same rod once as a shape and once as the matrices of its finite-element model, and as the reduced model of a file.
+TEST_F(FlexibleScene, FromMatricesOrFromAFileMovesAsTheOneFromItsShape) {
+  const FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 8, rod_section(0.01), Material{7850.0, 207e9, 0.3});
+  write_matrix(path("K.mtx"), model.stiffness);
+  write_matrix(path("M.mtx"), lumped_mass_matrix(model));
+  {
+    std::ofstream nodes(path("rod.nodes"));
+    nodes.precision(17);
+    for (int j = 0; j < model.node_count(); ++j) nodes << model.nodes.col(j).transpose() << '\n';
+  }
+  BasisOptions options;
+  options.mode_count = 8;
+  options.interface_nodes = {0};
+  const ReducedBody reduced = reduce(model, options, "rod");
+  write_modal_body(path("rod.modal"), reduced.body, reduced.p_DBo);
+
+  const std::vector<std::string> swinging = {"end_time=0.1", "gravity=[0,1,-9.81]"};
+  const auto with = [&](const std::string& flexible) {
+    std::string text = std::string(kRod) + kClamp;
+    const std::string line = "flexible = { modes = 6 }";
+    text.replace(text.find(line), line.size(), "flexible = { " + flexible + " }");
+    write("scene.toml", text);
+  };
+  with("modes = 8, elements = 8");
+  run(swinging, "shape");
+  with("modes = 8, stiffness_matrix = \"K.mtx\", mass_matrix = \"M.mtx\", node_file = \"rod.nodes\"");
+  run(swinging, "matrices");
+  with("file = \"rod.modal\"");
+  run(swinging, "file");
+  const History shape = read_history(path("shape/history.csv"));
+  const double tolerance = 1e-6;  // of the largest: the integrator's, met by modes that differ in round-off
+  for (const char* other : {"matrices", "file"}) {
+    const History found = read_history(path(std::string(other) + "/history.csv"));
+    for (const char* name : {"rod.z", "rod.y", "rod.pitch", "rod.strain_energy", "rod.deflection"}) {
+      double largest = 0.0;
+      for (const double x : shape.column(name)) largest = std::max(largest, std::abs(x));
+      EXPECT_GT(largest, 0.0);
+      ASSERT_EQ(found.column(name).size(), shape.column(name).size());
+      for (std::size_t row = 0; row < shape.column(name).size(); ++row)
+        EXPECT_NEAR(found.column(name)[row], shape.column(name)[row], tolerance * largest) << other << " " << name;
+    }
+  }
+}
+
+TEST_F(FlexibleScene, KeepsModesByNumberOrByFrequencyInEitherBasis) {
+  write("scene.toml", std::string(kRod) + kClamp);
+  const auto modes = [&](const std::vector<std::string>& settings) {
+    std::vector<std::string> all = settings;
+    all.push_back("end_time=0.001");
+    return run(all)["flexible_bodies"]["rod"]["modes"].get<int>();
+  };
+  EXPECT_EQ(modes({"bodies.rod.flexible.modes=3"}), 3);
+  // Free: pairs of bending modes at 45.7, 126 and 247 Hz.
+  EXPECT_EQ(modes({"bodies.rod.flexible={ basis=\"free_free\", max_frequency=100 }"}), 2);
+  EXPECT_EQ(modes({"bodies.rod.flexible={ basis=\"free_free\", max_frequency=200 }"}), 4);
+  EXPECT_EQ(modes({"bodies.rod.flexible={ basis=\"free_free\", max_frequency=200, modes=3 }"}), 3);
+  EXPECT_EQ(modes({"bodies.rod.flexible={ max_frequency=200 }"}), 4);
+  EXPECT_EQ(modes({"bodies.rod.flexible=true"}), 10);
 }
 
 }  // namespace
