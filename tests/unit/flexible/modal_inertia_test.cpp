@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 
 #include "coupler/errors.h"
@@ -224,6 +227,32 @@ TEST(ModalInertia, EvaluatesWithoutTheHeap) {
   const VectorXd allocated = VectorXd::Zero(10000);
   EXPECT_GT(heap_requests, at_end) << "the counter itself must count";
   EXPECT_EQ(allocated.sum(), 0.0);
+}
+
+// Shortest of some timings [s] of everything that an integrator asks for.
+double seconds(int nodes, int s) {
+  const ModalInertia inertia(random_body(nodes, s, 3));
+  const RandomState x(s);
+  MatrixXd M(6 + s, 6 + s), dg_da(6 + s, s), dg_dv(6 + s, 6 + s);
+  VectorXd h(6 + s);
+  double shortest = 1e300;
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < 20; ++i) {
+      inertia.mass_matrix(x.a, M);
+      inertia.velocity_and_elastic_force(x.a, x.v, h);
+      inertia.derivatives(x.a, x.v, x.dv, dg_da, dg_dv);
+    }
+    shortest = std::min(shortest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return shortest;
+}
+
+TEST(ModalInertia, CostsTheSquareOfTheModesWhateverTheNodes) {
+  const double few = seconds(12, 16), many = seconds(6000, 16), modes = seconds(12, 64);
+  std::printf("  500 times the nodes: %.2f times the time; 4 times the modes: %.1f\n", many / few, modes / few);
+  EXPECT_LT(many, 3.0 * few);    // one, and what else runs on the machine
+  EXPECT_LT(modes, 32.0 * few);  // 16; a cube would be 64
 }
 
 TEST(ModalInertia, RefusesABodyWithoutInertia) {
