@@ -22,6 +22,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kGrain = 0.02, kPlate = 0.2, kThickness = 0.002;  // radii of grains and plate, its thickness [m]
+constexpr double kSpacing = 0.06;  // of the lattice [m]
 constexpr int kRings = 14;  // of the mesh of the plate at rest
 const Material kAluminium{2700.0, 70e9, 0.33};
 
@@ -58,7 +59,7 @@ std::string lattice(const std::string& processors, double dt, int every, int dum
   for (int i = -1; i <= 1; ++i)
     for (int j = -1; j <= 1; ++j) {
       std::ostringstream line;
-      line << "create_atoms 1 single " << 0.06 * i + 0.013 << " " << 0.06 * j + 0.007 << " " << -kGrain << " units box\n";
+      line << "create_atoms 1 single " << kSpacing * i + 0.013 << " " << kSpacing * j + 0.007 << " " << -kGrain << " units box\n";
       s += line.str();
     }
   s += "set group all diameter 0.04 density 2600\n"
@@ -260,6 +261,53 @@ TEST(PlateOnLattice, ModalForcesAreThoseOfTheContactsThatLiggghtsReports) {
   }
   std::printf("  %d loaded windows, largest modal force %.3g, largest relative error %.2g\n", loaded, largest_modal, worst);
   EXPECT_GT(loaded, 100);
+}
+
+// By hand from the nodes of the deformed plate: which triangle stands over each grain, how far, and its normal.
+TEST(PlateOnLattice, LiggghtsSeesTheDeformedTrianglesAndTheirNormals) {
+  const PlateRun& run = impact();
+  double largest_turn = 0.0;
+  int touching = 0;
+  for (std::size_t k = 1; k < run.table->rows(); ++k) {
+    const BodyMotion pose = run.predicted(k - 1, kDt);
+    Eigen::Matrix3Xd bent(3, run.boundary->node_count()), flat = bent;
+    for (int j = 0; j < bent.cols(); ++j) {
+      bent.col(j) = run.modal.rho0.col(j) + run.modal.Phi.middleRows(3 * j, 3) * pose.a;
+      flat.col(j) = run.modal.rho0.col(j);
+    }
+    const auto normal = [](const Eigen::Matrix3Xd& x, const Eigen::Vector3i& t) {
+      return Vector3d((x.col(t[1]) - x.col(t[0])).cross(Vector3d(x.col(t[2]) - x.col(t[0]))).normalized());
+    };
+    const std::vector<Contact>& contacts = run.contacts.at(static_cast<long>(k));
+    long grain = 0;
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j) {
+        ++grain;  // ids in the order of the script
+        const Vector3d p = pose.rotation().transpose() * (Vector3d(kSpacing * i + 0.013, kSpacing * j + 0.007, -kGrain) - pose.r);
+        double height = 1.0;
+        Vector3d n_B = Vector3d::Zero();
+        for (const Eigen::Vector3i& t : run.boundary->triangles()) {
+          Matrix3d frame;  // p = x0 + frame * (w1, w2, height)
+          frame << bent.col(t[1]) - bent.col(t[0]), bent.col(t[2]) - bent.col(t[0]), normal(bent, t);
+          const Vector3d local = frame.inverse() * (p - bent.col(t[0]));
+          if (local[0] < 0.0 || local[1] < 0.0 || local[0] + local[1] > 1.0 || std::abs(local[2]) > height) continue;
+          height = std::abs(local[2]);
+          n_B = normal(bent, t);
+          if (height < kGrain) largest_turn = std::max(largest_turn, n_B.cross(normal(flat, t)).norm());
+        }
+        ASSERT_LT(height, 1.0);
+        const auto found = std::find_if(contacts.begin(), contacts.end(), [&](const Contact& c) { return c.id == grain; });
+        ASSERT_EQ(found != contacts.end(), height < kGrain) << "grain " << grain << " in window " << k;
+        if (found == contacts.end()) continue;
+        ++touching;
+        const Vector3d to_wall = pose.rotation().transpose() * (found->point - found->grain);
+        ASSERT_NEAR(to_wall.norm(), height, 1e-12);
+        ASSERT_LT(to_wall.normalized().cross(n_B).norm(), 1e-10);
+      }
+  }
+  std::printf("  %d contacts; modes turn the normals there by up to %.2g rad\n", touching, largest_turn);
+  EXPECT_GT(touching, 500);
+  EXPECT_GT(largest_turn, 1e-3);
 }
 
 TEST(PlateOnLattice, VirtualWorkIsConservedOnTheContactsThatLiggghtsReports) {
