@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "coupler/errors.h"
 #include "mbd_solver/cli/table_reader.h"
@@ -49,17 +52,45 @@ void read_parameter(TableReader& t, SweepParameter& p) {
 
 void read_figure(TableReader& t, SweepFigure& f) {
   const std::map<std::string, Reduction> known = {
-      {"max", Reduction::kMax}, {"min", Reduction::kMin}, {"final", Reduction::kFinal}, {"largest", Reduction::kLargest}};
+      {"max", Reduction::kMax},         {"min", Reduction::kMin},     {"final", Reduction::kFinal},
+      {"largest", Reduction::kLargest}, {"peaks", Reduction::kPeaks}, {"variation", Reduction::kVariation}};
   std::string reduce = "max";
   t.take("name", f.name);
   t.take("key", f.key);
   t.take("columns", f.columns);
   t.take("reduce", reduce);
+  t.take("prominence", f.prominence);
+  t.take("over", f.over);
   t.require("name", !f.name.empty());
   if (f.key.empty() == f.columns.empty()) t.fail("key", "expected either key (of summary.json) or columns (of history.csv)");
   const auto found = known.find(reduce);
-  if (found == known.end()) t.fail("reduce", "is \"" + reduce + "\", expected max, min, final or largest");
+  if (found == known.end()) t.fail("reduce", "is \"" + reduce + "\", expected max, min, final, largest, peaks or variation");
   f.reduction = found->second;
+}
+
+void read_printed(TableReader& t, SweepPrinted& p) {
+  std::vector<std::string> values;
+  t.take("name", p.name);
+  t.take("values", values);
+  t.require("name", !p.name.empty());
+  for (const std::string& value : values) {
+    char* end = nullptr;
+    p.values.push_back(value.empty() ? std::nan("") : std::strtod(value.c_str(), &end));
+    if (end && *end != '\0') t.fail("values", "\"" + value + "\" is not a number; expected numbers, or \"\" for what is not printed");
+  }
+}
+
+void read_statement(TableReader& t, SweepStatement& s) {
+  t.take("text", s.text);
+  t.take("figure", s.figure);
+  t.take("case", s.of_case);
+  t.take("against", s.against);
+  t.take("why", s.why);
+  t.take("least", s.least);
+  t.take("most", s.most);
+  t.require("text", !s.text.empty());
+  t.require("case", !s.of_case.empty());
+  if (std::isinf(s.least) && std::isinf(s.most)) t.fail("least", "expected least, most or both");
 }
 
 }  // namespace
@@ -89,6 +120,8 @@ SweepSpec read_sweep(const std::string& file) {
     p.require("name", !plot.name.empty());
     p.require("column", !plot.column.empty());
   });
+  t.take_list("printed", sweep.printed, read_printed);
+  t.take_list("statements", sweep.statements, read_statement);
   t.done();
   t.require("scene", !sweep.scene.empty());
   t.require("parameters", !sweep.parameters.empty());
@@ -102,6 +135,17 @@ SweepSpec read_sweep(const std::string& file) {
   };
   for (const SweepLimit& limit : sweep.limits)
     if (!known_figure(limit.figure)) t.fail("limits", "figure \"" + limit.figure + "\" is not one of [[figures]]");
+  for (SweepPrinted& printed : sweep.printed) {
+    if (printed.values.size() > sweep.figures.size()) t.fail("printed", "\"" + printed.name + "\" has more values than there are [[figures]]");
+    printed.values.resize(sweep.figures.size(), std::nan(""));
+  }
+  std::set<std::string> cases;
+  for (const SweepRun& run : runs_of(sweep)) cases.insert(run.group);
+  for (const SweepStatement& s : sweep.statements) {
+    if (!known_figure(s.figure)) t.fail("statements", "figure \"" + s.figure + "\" is not one of [[figures]]");
+    for (const std::string& name : {s.of_case, s.against})
+      if (!name.empty() && !cases.count(name)) t.fail("statements", "the sweep has no case \"" + name + "\"; it has \"" + *cases.begin() + "\" and the like");
+  }
   if (!sweep.minimise.empty() && !known_figure(sweep.minimise)) t.fail("minimise", "\"" + sweep.minimise + "\" is not one of [[figures]]");
   return sweep;
 }

@@ -9,13 +9,22 @@
 //     ensemble = true                  its runs are one case: figures become mean and spread (seeds of the bed)
 //   [[figures]]                        columns of the table
 //     name, key = "peak_acceleration_g" (of summary.json)
-//     or columns = ["cabin.vz"] (of history.csv), reduce = "max" | "min" | "final" | "largest" (absolute)
+//     or columns = ["cabin.vz"] (of history.csv), reduce = "max" | "min" | "final" | "largest" (absolute) | "variation" (sum of all steps)
+//        | "peaks" (maxima that stand out by `prominence`, 0.3 of the largest value unless given)
+//     over = "reference_energy_J"      divided by this key of summary.json
 //   [[limits]] figure, most            cases beyond are out of the ranking
 //   minimise = "figure"                ranks the cases that are left
 //   [[plots]] name, title, column, label   of history.csv over time, one curve per case
+//   [[printed]] name, values           figures that somebody else has published, in the order of [[figures]]: rows beside ours
+//   [[statements]]                     what should come out: statements.csv and .md say whether it did, with the numbers
+//     text, figure, case; least, most  bounds of the figure of that case (its mean), or of its ratio to that of the case `against`
+//     why                              told where it did not come out: the tested explanation
 
+#include <limits>
 #include <string>
 #include <vector>
+
+#include "mbd_solver/cli/sweep_figure.h"
 
 namespace footfall {
 
@@ -31,15 +40,6 @@ struct SweepParameter {
   bool ensemble = false;
 };
 
-enum class Reduction { kMax, kMin, kFinal, kLargest };
-
-struct SweepFigure {
-  std::string name;
-  std::string key;                   // of summary.json; else
-  std::vector<std::string> columns;  // of history.csv: the reduction of all of them
-  Reduction reduction = Reduction::kMax;
-};
-
 struct SweepLimit {
   std::string figure;
   double most = 0.0;
@@ -47,6 +47,16 @@ struct SweepLimit {
 
 struct SweepPlot {
   std::string name, title, column, label;
+};
+
+struct SweepPrinted {
+  std::string name;
+  std::vector<double> values;  // as SweepSpec::figures; NaN: not printed
+};
+
+struct SweepStatement {
+  std::string text, figure, of_case, against, why;  // against empty: the figure itself
+  double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
 };
 
 struct SweepSpec {
@@ -59,6 +69,8 @@ struct SweepSpec {
   std::vector<SweepLimit> limits;
   std::string minimise;
   std::vector<SweepPlot> plots;
+  std::vector<SweepPrinted> printed;
+  std::vector<SweepStatement> statements;
 };
 
 // Throws InputError "file:line: key: what is wrong, what was expected".

@@ -134,6 +134,12 @@ bool merge(const Sweep& sweep) {
     }
     std::printf("%s\n", c.within_limits ? "" : "  |  beyond the limits");
   }
+  if (!sweep.spec().statements.empty()) {
+    const std::vector<StatementVerdict> verdicts = verdicts_of(sweep.spec(), cases);
+    write_statements(sweep.out(), sweep.spec(), verdicts);
+    for (std::size_t i = 0; i < verdicts.size(); ++i)
+      std::printf("%s: %s (%.4g)\n", sweep.spec().statements[i].text.c_str(), verdicts[i].came_out ? "came out" : "did not come out", verdicts[i].judged);
+  }
   const std::vector<int> order = ranking(sweep.spec(), cases);
   if (!order.empty()) std::printf("best in %s within the limits: %s\n", sweep.spec().minimise.c_str(), cases[static_cast<std::size_t>(order.front())].name.c_str());
   std::printf("%s\n%s\n", runs_csv.c_str(), cases_csv.c_str());

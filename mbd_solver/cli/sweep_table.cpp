@@ -25,21 +25,12 @@ std::string number(double value) {
   return text;
 }
 
-double reduced(const SweepFigure& figure, const History& history) {
-  double result = std::numeric_limits<double>::quiet_NaN();
-  for (const std::string& name : figure.columns) {
-    const std::vector<double>& column = history.column(name);
-    if (column.empty()) continue;
-    double value = column.back();
-    if (figure.reduction == Reduction::kMax) value = *std::max_element(column.begin(), column.end());
-    if (figure.reduction == Reduction::kMin) value = *std::min_element(column.begin(), column.end());
-    if (figure.reduction == Reduction::kLargest)
-      value = std::abs(*std::max_element(column.begin(), column.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
-    const bool first = std::isnan(result);
-    if (first || figure.reduction == Reduction::kFinal) result = value;
-    result = figure.reduction == Reduction::kMin ? std::min(result, value) : std::max(result, value);
-  }
-  return result;
+// As in a table that people read.
+std::string rounded(double value) {
+  if (!std::isfinite(value)) return "";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", std::abs(value) < 1e-9 ? 0.0 : value);
+  return text;
 }
 
 std::ofstream open(const std::string& path) {
@@ -71,17 +62,7 @@ SweepResult result_of(const SweepSpec& sweep, const std::string& folder) {
   result.status = summary.value("status", "");
   result.done = result.status == "done";
   if (!result.done) return result;
-  History history;
-  for (std::size_t k = 0; k < sweep.figures.size(); ++k) {
-    const SweepFigure& figure = sweep.figures[k];
-    if (!figure.key.empty()) {
-      if (!summary.contains(figure.key)) throw InputError(sweep.file + ": figures: " + summary_file.string() + " has no \"" + figure.key + "\"");
-      result.figures[k] = summary[figure.key].get<double>();
-      continue;
-    }
-    if (history.names.empty()) history = read_history((fs::path(folder) / "history.csv").string());
-    result.figures[k] = reduced(figure, history);
-  }
+  result.figures = figures_of_run(sweep.figures, folder, sweep.file);
   return result;
 }
 
@@ -143,19 +124,54 @@ void write_case_page(const std::string& path, const SweepSpec& sweep, const std:
   out << (sweep.limits.empty() ? "\n|---|" : " within the limits |\n|---|");
   for (std::size_t k = 0; k < sweep.figures.size(); ++k) out << "---|";
   out << (sweep.limits.empty() ? "\n" : "---|\n");
-  const auto rounded = [](double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", std::abs(value) < 1e-9 ? 0.0 : value);
-    return std::string(text);
-  };
+  for (const SweepPrinted& printed : sweep.printed) {
+    out << "| " << printed.name << " |";
+    for (const double value : printed.values) out << ' ' << rounded(value) << " |";
+    out << (sweep.limits.empty() ? "\n" : " |\n");
+  }
   for (const SweepCase& c : cases) {
     out << "| " << c.name << " |";
     for (std::size_t k = 0; k < c.mean.size(); ++k) {
-      out << ' ' << (std::isfinite(c.mean[k]) ? rounded(c.mean[k]) : "");
+      out << ' ' << rounded(c.mean[k]);
       if (c.runs.size() > 1) out << " +- " << rounded(c.spread[k]);
       out << " |";
     }
     out << (sweep.limits.empty() ? "\n" : c.within_limits ? " yes |\n" : " no |\n");
+  }
+}
+
+std::vector<StatementVerdict> verdicts_of(const SweepSpec& sweep, const std::vector<SweepCase>& cases) {
+  std::vector<StatementVerdict> verdicts;
+  for (const SweepStatement& s : sweep.statements) {
+    const auto k = static_cast<std::size_t>(figure_index(sweep, s.figure));
+    const auto figure = [&](const std::string& name) {
+      return std::find_if(cases.begin(), cases.end(), [&](const SweepCase& c) { return c.name == name; })->mean[k];
+    };
+    StatementVerdict v;
+    v.value = figure(s.of_case);
+    if (!s.against.empty()) v.reference = figure(s.against);
+    v.judged = s.against.empty() ? v.value : v.value / v.reference;
+    v.came_out = v.judged >= s.least && v.judged <= s.most;
+    verdicts.push_back(v);
+  }
+  return verdicts;
+}
+
+void write_statements(const std::string& folder, const SweepSpec& sweep, const std::vector<StatementVerdict>& verdicts) {
+  std::ofstream csv = open((fs::path(folder) / "statements.csv").string()), page = open((fs::path(folder) / "statements.md").string());
+  csv << "statement,figure,case,value,against,reference,judged,least,most,came_out\n";
+  page << "| statement | numbers | expected | came out |\n|---|---|---|---|\n";
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const SweepStatement& s = sweep.statements[i];
+    const StatementVerdict& v = verdicts[i];
+    csv << '"' << s.text << "\"," << quoted(s.figure) << ',' << quoted(s.of_case) << ',' << number(v.value) << ',' << quoted(s.against) << ',' << number(v.reference)
+        << ',' << number(v.judged) << ',' << number(s.least) << ',' << number(s.most) << ',' << (v.came_out ? "yes" : "no") << '\n';
+    page << "| " << s.text << " | " << s.figure << ": " << s.of_case << " " << rounded(v.value);
+    if (!s.against.empty()) page << ", " << s.against << " " << rounded(v.reference) << ", ratio " << rounded(v.judged);
+    page << " |";
+    if (std::isfinite(s.least)) page << " at least " << rounded(s.least);
+    if (std::isfinite(s.most)) page << " at most " << rounded(s.most);
+    page << " | " << (!std::isfinite(v.judged) ? "not run" : v.came_out ? "yes" : s.why.empty() ? "no" : "no: " + s.why) << " |\n";
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // What a sweep found: the figures of every run, mean and spread of every case, which case is best, and its plots.
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,14 @@ std::vector<SweepCase> cases_of(const SweepSpec& sweep, const std::vector<SweepR
 void write_run_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results);
 void write_case_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases);
 void write_case_page(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases);
+struct StatementVerdict {
+  double value = 0.0, reference = std::numeric_limits<double>::quiet_NaN();
+  double judged = 0.0;  // the value, or its ratio to the reference; NaN: not run
+  bool came_out = false;
+};
+std::vector<StatementVerdict> verdicts_of(const SweepSpec& sweep, const std::vector<SweepCase>& cases);
+// statements.csv and statements.md in `folder`.
+void write_statements(const std::string& folder, const SweepSpec& sweep, const std::vector<StatementVerdict>& verdicts);
 // The cases within the limits, best first; empty when nothing is minimised.
 std::vector<int> ranking(const SweepSpec& sweep, const std::vector<SweepCase>& cases);
 // NAME.png and NAME.svg in `folder` for every plot; returns the PNG files. `folders`: one per run.

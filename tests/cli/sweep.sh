@@ -29,6 +29,12 @@ code=0; stop_after 4 KILL || code=$?
 grep -qE "[1-4] runs to do, [4-7] done before" "$work/rest.txt" || die "finished runs were done again"
 for table in runs.csv cases.csv; do cmp "$work/whole/$table" "$work/parts/$table" || die "$table differs"; done
 
+# What was expected, and whether it came out; what others have printed.
+grep -q '^"a faster fall hits harder".*,yes$' "$work/whole/statements.csv" || die "a true statement did not come out"
+grep -q '^"the slowest fall hits hardest".*,no$' "$work/whole/statements.csv" || die "a false statement came out"
+grep -q 'no: it does not' "$work/whole/statements.md" || die "the reason is missing"
+grep -q '^| somebody | 2.5 |' "$work/whole/cases.md" || die "the printed row is missing"
+
 # As a job array: every element alone, then the tables.
 "$footfall" sweep "$file" --out "$work/array" --slurm > "$work/slurm.txt" || die "--slurm"
 grep -q -- "--array=0-7" "$work/array/sweep.sbatch" || die "the job array has the wrong size"
