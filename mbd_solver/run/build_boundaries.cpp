@@ -2,37 +2,13 @@
 
 #include <algorithm>
 
-#include "coupler/errors.h"
-#include "mbd_solver/model/flexible/mesh_generator.h"
 #include "mbd_solver/model/marker.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/run/mechanism.h"
-#include "mbd_solver/scene/mesh_reader.h"
+#include "mbd_solver/scene/boundary_surface.h"
 
 namespace footfall {
 namespace {
-
-// The surface in D of a body whose boundary is not read from a file.
-TriangleMesh surface_of_shape(const BodySpec& body, const SurfaceSpec& spec) {
-  const ShapeSpec& shape = *body.shape;
-  const auto edge = [&](double size) { return spec.element_size > 0.0 ? spec.element_size : size / 10.0; };
-  switch (shape.kind) {
-    case ShapeKind::kBox:
-      return moved(box_mesh(shape.size, edge(shape.size.maxCoeff())), body.orientation.toRotationMatrix(), shape.centre);
-    case ShapeKind::kDisc:
-      return moved(disc_mesh(shape.radius, edge(2.0 * shape.radius)), axes_with_z(shape.axis), shape.centre);
-    case ShapeKind::kDish:
-      return moved(dish_mesh(shape.radius, shape.depth, edge(2.0 * shape.radius)), axes_with_z(shape.axis), shape.centre);
-    default:
-      throw InputError("boundary of body \"" + body.name +
-                       "\": a surface can be generated from a box, disc or dish; give surface.file, or beams for a tube or rod");
-  }
-}
-
-TriangleMesh surface_in_D(const BodySpec& body, const SurfaceSpec& spec) {
-  if (spec.file.empty()) return surface_of_shape(body, spec);
-  return moved(read_mesh(spec.file, spec.scale), spec.orientation.toRotationMatrix(), spec.position);
-}
 
 // Nodes collected in B with their mode shapes.
 struct Nodes {
@@ -60,7 +36,7 @@ ModalBoundary assemble(const std::string& name, const Nodes& nodes, std::vector<
   return ModalBoundary(name, std::move(rho0), std::move(triangles), std::move(segments), std::move(Phi), std::move(Psi));
 }
 
-ModalBoundary build(const BodySpec& body, const BoundarySpec& spec, const FlexibleBody& flexible) {
+ModalBoundary build(const Scene& scene, const BodySpec& body, const BoundarySpec& spec, const FlexibleBody& flexible) {
   const Eigen::Matrix3d R_BD = axes_D(body, flexible).transpose();
   const Eigen::Vector3d p_DBo = origin_D(body, flexible);
   const int modes = flexible.modal ? flexible.modal->mode_count() : 0;
@@ -80,7 +56,7 @@ ModalBoundary build(const BodySpec& body, const BoundarySpec& spec, const Flexib
       triangles = flexible.modal->triangles;
       for (Eigen::Index j = 0; j < flexible.modal->rho0.cols(); ++j) add_node(flexible.modal->rho0.col(j));
     } else {
-      const TriangleMesh mesh = surface_in_D(body, *spec.surface);
+      const TriangleMesh mesh = boundary_surface(scene, spec);
       triangles = mesh.triangles;
       for (const Eigen::Vector3d& vertex : mesh.vertices) add_node(R_BD * (vertex - p_DBo));
     }
@@ -108,7 +84,7 @@ std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector
   for (const BoundarySpec& spec : scene.boundaries) {
     const int index = scene.body_index(spec.body);
     const auto i = static_cast<std::size_t>(index);
-    boundaries.push_back({index, build(scene.bodies[i], spec, flexible[i])});
+    boundaries.push_back({index, build(scene, scene.bodies[i], spec, flexible[i])});
   }
   return boundaries;
 }

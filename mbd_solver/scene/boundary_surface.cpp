@@ -7,6 +7,7 @@
 
 #include "mbd_solver/model/flexible/mesh_check.h"
 #include "mbd_solver/model/flexible/mesh_generator.h"
+#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/mesh_reader.h"
 
 namespace footfall {
@@ -25,10 +26,6 @@ double largest_size(const ShapeSpec& s) {
   }
 }
 
-Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& axis) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
-}
-
 TriangleMesh shape_surface(const BodySpec& body, double element_size) {
   const ShapeSpec& s = *body.shape;
   const double edge = element_size > 0.0 ? element_size : largest_size(s) / kDefaultElements;
@@ -36,8 +33,8 @@ TriangleMesh shape_surface(const BodySpec& body, double element_size) {
     case ShapeKind::kBox: return moved(box_mesh(s.size, edge), body.orientation.toRotationMatrix(), s.centre);
     case ShapeKind::kTube:
     case ShapeKind::kRod: return cylinder_mesh(s.from, s.to, s.diameter, edge);
-    case ShapeKind::kDisc: return moved(disc_mesh(s.radius, edge), rotation_from_z(s.axis), s.centre);
-    case ShapeKind::kDish: return moved(dish_mesh(s.radius, s.depth, edge), rotation_from_z(s.axis), s.centre);
+    case ShapeKind::kDisc: return moved(disc_mesh(s.radius, edge), axes_with_z(s.axis), s.centre);
+    case ShapeKind::kDish: return moved(dish_mesh(s.radius, s.depth, edge), axes_with_z(s.axis), s.centre);
     case ShapeKind::kSphere: return moved(sphere_mesh(s.radius, edge), Eigen::Matrix3d::Identity(), s.centre);
     case ShapeKind::kPoints: break;
   }
@@ -48,7 +45,7 @@ TriangleMesh shape_surface(const BodySpec& body, double element_size) {
 
 TriangleMesh cylinder_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double edge) {
   const double length = (to - from).norm(), radius = 0.5 * diameter;
-  const Eigen::Matrix3d R = rotation_from_z((to - from) / length);
+  const Eigen::Matrix3d R = axes_with_z(to - from);
   const int around = std::max(6, static_cast<int>(std::ceil(kPi * diameter / edge)));
   const int along = std::max(1, static_cast<int>(std::ceil(length / edge)));
   TriangleMesh mesh;
