@@ -9,6 +9,7 @@
 #include <set>
 
 #include "coupler/errors.h"
+#include "mbd_solver/cli/sweep_fit.h"
 #include "mbd_solver/cli/table_reader.h"
 
 namespace footfall {
@@ -122,6 +123,7 @@ SweepSpec read_sweep(const std::string& file) {
   });
   t.take_list("printed", sweep.printed, read_printed);
   t.take_list("statements", sweep.statements, read_statement);
+  t.take_list("fits", sweep.fits, read_fit);
   t.done();
   t.require("scene", !sweep.scene.empty());
   t.require("parameters", !sweep.parameters.empty());
@@ -147,6 +149,7 @@ SweepSpec read_sweep(const std::string& file) {
       if (!name.empty() && !cases.count(name)) t.fail("statements", "the sweep has no case \"" + name + "\"; it has \"" + *cases.begin() + "\" and the like");
   }
   if (!sweep.minimise.empty() && !known_figure(sweep.minimise)) t.fail("minimise", "\"" + sweep.minimise + "\" is not one of [[figures]]");
+  check_fits(sweep);
   return sweep;
 }
 

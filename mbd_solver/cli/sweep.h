@@ -19,12 +19,14 @@
 //   [[statements]]                     what should come out: statements.csv and .md say whether it did, with the numbers
 //     text, figure, case; least, most  bounds of the figure of that case (its mean), or of its ratio to that of the case `against`
 //     why                              told where it did not come out: the tested explanation
+//   [[fits]]                           a power law through all runs (sweep_fit.h)
 
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "mbd_solver/cli/sweep_figure.h"
+#include "mbd_solver/cli/sweep_fit_spec.h"
 
 namespace footfall {
 
@@ -71,6 +73,7 @@ struct SweepSpec {
   std::vector<SweepPlot> plots;
   std::vector<SweepPrinted> printed;
   std::vector<SweepStatement> statements;
+  std::vector<SweepFit> fits;
 };
 
 // Throws InputError "file:line: key: what is wrong, what was expected".

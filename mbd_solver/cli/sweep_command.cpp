@@ -13,6 +13,7 @@
 #include "mbd_solver/cli/bed.h"
 #include "mbd_solver/cli/process_pool.h"
 #include "mbd_solver/cli/programs.h"
+#include "mbd_solver/cli/sweep_fit.h"
 #include "mbd_solver/cli/sweep_table.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_json.h"
@@ -144,6 +145,7 @@ bool merge(const Sweep& sweep) {
   if (!order.empty()) std::printf("best in %s within the limits: %s\n", sweep.spec().minimise.c_str(), cases[static_cast<std::size_t>(order.front())].name.c_str());
   std::printf("%s\n%s\n", runs_csv.c_str(), cases_csv.c_str());
   for (const std::string& picture : draw_sweep(sweep.spec(), cases, folders, sweep.out())) std::printf("%s\n", picture.c_str());
+  for (const std::string& file : write_fits(sweep.spec(), sweep.runs(), results, sweep.out())) std::printf("%s\n", file.c_str());
   return complete;
 }
 
