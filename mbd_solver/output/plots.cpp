@@ -99,6 +99,24 @@ set linetype cycle 9
 
 constexpr std::size_t kBlack = 7;  // line type
 
+// The curves of a figure stand in data blocks, $name_0, $name_1 ...: gnuplot reads the long rows of the history once a block, not once a curve.
+constexpr std::size_t kBlockCurves = 13;  // a `using` of gnuplot takes 14 columns, and the first is the time
+
+std::string block_name(const Figure& figure, std::size_t curve) { return "$" + figure.name + "_" + std::to_string(curve / kBlockCurves); }
+
+std::string data_blocks(const std::vector<Figure>& figures) {
+  std::ostringstream text;
+  for (const Figure& figure : figures) {
+    for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+      if (i % kBlockCurves == 0) text << "set table " << block_name(figure, i) << " separator tab\nplot '../history.csv' using (column(\"time\"))";
+      text << ":" << figure.curves[i].expression;
+      if (i % kBlockCurves == kBlockCurves - 1 || i + 1 == figure.curves.size()) text << " with table\nunset table\n";
+    }
+  }
+  text << "unset datafile columnheaders\nset datafile separator tab\n";
+  return text.str();
+}
+
 std::string plot_command(const Figure& figure) {
   std::ostringstream text;
   text << "set title \"" << figure.title << "\" noenhanced\nset ylabel \"" << figure.axis << "\" noenhanced\n";
@@ -106,18 +124,18 @@ std::string plot_command(const Figure& figure) {
   text << "plot ";
   for (std::size_t i = 0; i < figure.curves.size(); ++i) {
     const std::size_t style = figure.curves[i].title == "total" ? kBlack : i + 1;
-    text << (i ? ", \\\n     " : "") << "'../history.csv' using (column(\"time\")):" << figure.curves[i].expression << " with lines lt " << style << " title \""
-         << figure.curves[i].title << "\"";
+    text << (i ? ", \\\n     " : "") << block_name(figure, i) << " using 1:" << i % kBlockCurves + 2 << " with lines lt " << style << " title \"" << figure.curves[i].title
+         << "\"";
   }
   text << "\n";
   return text.str();
 }
 
 // The same drawing on both terminals.
-std::string script(const std::string& name, const std::string& drawing, int width, int height) {
+std::string script(const std::string& name, const std::string& data, const std::string& drawing, int width, int height) {
   std::ostringstream text;
   const std::string size = "size " + std::to_string(width) + "," + std::to_string(height);
-  text << "# gnuplot " << name << ".gp draws " << name << ".png and " << name << ".svg from ../history.csv\n" << kStyle;
+  text << "# gnuplot " << name << ".gp draws " << name << ".png and " << name << ".svg from ../history.csv\n" << kStyle << data;
   text << "set terminal pngcairo " << size << " font \"DejaVu Sans,11\"\nset output \"" << name << ".png\"\n" << drawing;
   text << "set terminal svg " << size << " font \"DejaVu Sans,11\" background rgb \"white\"\nset output \"" << name << ".svg\"\n" << drawing;
   return text.str();
@@ -160,7 +178,7 @@ std::vector<std::string> write_plot_scripts(const std::string& folder, const std
   };
   std::string page;
   for (const Figure& figure : figures) {
-    write(figure.name, script(figure.name, plot_command(figure), 900, 520));
+    write(figure.name, script(figure.name, data_blocks({figure}), plot_command(figure), 900, 520));
     page += plot_command(figure);
   }
   if (figures.empty()) return names;
@@ -168,7 +186,7 @@ std::vector<std::string> write_plot_scripts(const std::string& folder, const std
   std::string quoted = title;
   std::replace(quoted.begin(), quoted.end(), '"', '\'');
   const std::string layout = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) + " title \"" + quoted + "\" noenhanced\n";
-  write("overview", script("overview", layout + page + "unset multiplot\n", 1500, 380 * rows));
+  write("overview", script("overview", data_blocks(figures), layout + page + "unset multiplot\n", 1500, 380 * rows));
   return names;
 }
 
