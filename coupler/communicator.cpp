@@ -24,8 +24,8 @@ void check_mpi(int code, const char* call) {
   throw PartnerError(std::string(call) + ": " + std::string(text, static_cast<std::size_t>(length)));
 }
 
-void wait_politely(MPI_Request& request) {
-  PoliteWait wait;
+void wait_politely(MPI_Request& request, const Doorbell* doorbell) {
+  PoliteWait wait(doorbell);
   for (;;) {
     int done = 0;
     check_mpi(MPI_Test(&request, &done, MPI_STATUS_IGNORE), "MPI_Test");
@@ -37,15 +37,53 @@ void wait_politely(MPI_Request& request) {
 void PoliteWait::nap() {
   using Seconds = std::chrono::duration<double>;
   constexpr double kWorthSleeping = 10e-3, kPart = 0.75;  // [s]; share of the expected time slept in one go
-  constexpr double kShare = 1.0 / 64.0, kShortest = 5e-6, kLongest = 500e-6;  // of the time waited; [s]
+  constexpr double kShare = 1.0 / 64.0, kShortest = 5e-6, kLongest = 500e-6, kLongestWithBell = 5e-3;  // of the time waited; [s]
+  double nap = kPart * expected_;
   if (expected_ > kWorthSleeping) {
-    std::this_thread::sleep_for(Seconds(kPart * expected_));
     expected_ = 0.0;
-    return;
+  } else {
+    const double waited = Seconds(std::chrono::steady_clock::now() - start_).count();
+    nap = std::clamp(kShare * waited, kShortest, doorbell_ ? kLongestWithBell : kLongest);
   }
-  const double waited = Seconds(std::chrono::steady_clock::now() - start_).count();
-  std::this_thread::sleep_for(Seconds(std::clamp(kShare * waited, kShortest, kLongest)));
+  if (doorbell_)
+    doorbell_->wait(nap);
+  else
+    std::this_thread::sleep_for(Seconds(nap));
 }
+
+namespace {
+
+// A name that no other job on this machine has, the same on all ranks: process and time of rank 0. Collective.
+std::string name_of_job() {
+  char name[64] = {};
+  const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+  std::snprintf(name, sizeof name, "footfall.%d.%lld", static_cast<int>(getpid()), static_cast<long long>(now));
+  check_mpi(MPI_Bcast(name, sizeof name, MPI_CHAR, 0, MPI_COMM_WORLD), "MPI_Bcast");
+  return name;
+}
+
+// Collective.
+bool all_on_one_machine(int world_size) {
+  MPI_Comm machine = MPI_COMM_NULL;
+  int here = 0, fewest = 0;
+  check_mpi(MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine), "MPI_Comm_split_type");
+  MPI_Comm_size(machine, &here);
+  MPI_Comm_free(&machine);
+  check_mpi(MPI_Allreduce(&here, &fewest, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD), "MPI_Allreduce");
+  return fewest == world_size;
+}
+
+// On all ranks or on none, and hung up before anybody rings. Collective.
+std::unique_ptr<Doorbell> hang_up_doorbell(int world_rank, int world_size) {
+  auto doorbell = std::make_unique<Doorbell>(name_of_job(), world_rank);
+  const int mine = all_on_one_machine(world_size) && doorbell->works() ? 1 : 0;
+  int all = 0;
+  check_mpi(MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD), "MPI_Allreduce");
+  if (!all) doorbell.reset();
+  return doorbell;
+}
+
+}  // namespace
 
 void abort_both_programs(int exit_code) {
   // Not MPI_Abort: when several ranks end at once, Open MPI's mpirun may crash or hang over its abort messages. A process that ends without
@@ -78,6 +116,9 @@ Communicator::Communicator() {
   MPI_Comm_size(own_, &size_);
   for (int rank = world_size - 1; rank >= 0; --rank)
     if (apps[static_cast<std::size_t>(rank)] != mine) partner_root_ = rank;
+  for (int rank = 0; rank < world_size; ++rank)
+    if (apps[static_cast<std::size_t>(rank)] == mine) own_seats_.push_back(rank);
+  if (has_partner()) doorbell_ = hang_up_doorbell(world_rank, world_size);
 }
 
 Communicator::~Communicator() {

@@ -6,6 +6,10 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
+#include <vector>
+
+#include "coupler/doorbell.h"
 
 namespace footfall {
 
@@ -31,12 +35,17 @@ class Communicator {
     return partner_root_;
   }  // rank of the partner's rank 0 in exchange(); -1 without one
 
+  const Doorbell* doorbell() const { return doorbell_.get(); }  // null unless the whole job runs on this machine; seats: ranks in exchange()
+  const std::vector<int>& own_seats() const { return own_seats_; }  // of the ranks of this program
+
  private:
   MPI_Comm own_ = MPI_COMM_NULL;
   MPI_Comm exchange_ = MPI_COMM_NULL;
   int rank_ = 0;
   int size_ = 1;
   int partner_root_ = -1;
+  std::unique_ptr<Doorbell> doorbell_;
+  std::vector<int> own_seats_;
 };
 
 // Throws PartnerError with MPI's own text unless code is MPI_SUCCESS.
@@ -44,18 +53,20 @@ void check_mpi(int code, const char* call);
 
 // Waiting without keeping a core busy: Open MPI's own blocking calls spin. Three quarters of a wait that is expected
 // to be long are slept through; then one looks again after 1/64 of the time waited so far, 5 to 500 microseconds: what is lost stays a
-// small part of every wait, and who looks seldom does not push the other program off its core.
+// small part of every wait, and who looks seldom does not push the other program off its core. A doorbell ends a nap when it rings, so that
+// with one the naps may last up to 5 milliseconds.
 class PoliteWait {
  public:
-  explicit PoliteWait(double expected_seconds = 0.0)
-      : expected_(expected_seconds), start_(std::chrono::steady_clock::now()) {}
+  explicit PoliteWait(const Doorbell* doorbell, double expected_seconds = 0.0)
+      : doorbell_(doorbell), expected_(expected_seconds), start_(std::chrono::steady_clock::now()) {}
   void nap();
 
  private:
-  double expected_;  // [s]
+  const Doorbell* doorbell_;  // may be null
+  double expected_;           // [s]
   std::chrono::steady_clock::time_point start_;
 };
-void wait_politely(MPI_Request& request);
+void wait_politely(MPI_Request& request, const Doorbell* doorbell);
 
 // Ends both programs at once with this exit code: the last resort, when the partner does not answer any more.
 [[noreturn]] void abort_both_programs(int exit_code);

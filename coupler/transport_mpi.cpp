@@ -15,6 +15,8 @@ TransportMpi::TransportMpi(const Communicator& communicator, std::string partner
       is_root_(communicator.is_root()),
       shared_(communicator.size() > 1),
       partner_root_(communicator.partner_root()),
+      doorbell_(communicator.doorbell()),
+      own_seats_(communicator.own_seats()),
       partner_(std::move(partner_name)) {
   FOOTFALL_DEMAND(communicator.has_partner());
 }
@@ -42,6 +44,7 @@ void TransportMpi::send(MessageKind kind, const Bytes& bytes) {
   check_mpi(MPI_Isend(sending_.data(), static_cast<int>(sending_.size()), MPI_BYTE, partner_root_,
                       static_cast<int>(kind), exchange_, &request_),
             "MPI_Isend");
+  if (doorbell_) doorbell_->ring(partner_root_);
 }
 
 bool TransportMpi::poll() {
@@ -66,17 +69,25 @@ MessageKind TransportMpi::receive(Bytes& bytes, double patience) {
   }
   MPI_Request request = MPI_REQUEST_NULL;
   check_mpi(MPI_Ibcast(head, 2, MPI_INT, 0, world_, &request), "MPI_Ibcast");
-  wait_politely(request);
+  wake_own_ranks();
+  wait_politely(request, doorbell_);
   bytes.resize(static_cast<std::size_t>(head[1]));
   check_mpi(MPI_Ibcast(bytes.data(), head[1], MPI_BYTE, 0, world_, &request), "MPI_Ibcast");
-  wait_politely(request);
+  wake_own_ranks();
+  wait_politely(request, doorbell_);
   if (head[0] == 0) throw PartnerError(std::string(bytes.begin(), bytes.end()));
   return static_cast<MessageKind>(head[0]);
 }
 
+// The root has handed something on.
+void TransportMpi::wake_own_ranks() const {
+  if (!doorbell_ || !is_root_) return;
+  for (std::size_t rank = 1; rank < own_seats_.size(); ++rank) doorbell_->ring(own_seats_[rank]);
+}
+
 MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
   const double start = MPI_Wtime();
-  PoliteWait wait(expected_wait_);
+  PoliteWait wait(doorbell_, expected_wait_);
   MPI_Status status;
   for (;;) {
     int waiting = 0;
@@ -103,7 +114,7 @@ MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
 // True once the last send has left. patience [s]: 0 waits for ever.
 bool TransportMpi::finish_last_send(double patience) {
   const double start = MPI_Wtime();
-  PoliteWait wait;
+  PoliteWait wait(doorbell_);
   for (;;) {
     int done = 0;
     check_mpi(MPI_Test(&request_, &done, MPI_STATUS_IGNORE), "MPI_Test");

@@ -3,6 +3,7 @@
 // would keep a core busy that the grains need.
 
 #include <string>
+#include <vector>
 
 #include "coupler/communicator.h"
 #include "coupler/transport.h"
@@ -29,6 +30,7 @@ class TransportMpi : public Transport {
 
  private:
   bool finish_last_send(double patience);
+  void wake_own_ranks() const;
   MessageKind receive_at_root(Bytes& bytes, double patience);
 
   MPI_Comm exchange_;
@@ -36,6 +38,8 @@ class TransportMpi : public Transport {
   bool is_root_;
   bool shared_;  // receive() hands its message to the other ranks
   int partner_root_;
+  const Doorbell* doorbell_;  // of the communicator; may be null
+  std::vector<int> own_seats_;
   std::string partner_;
   double expected_wait_ =
       0.0;  // the shorter of the last two for messages of one kind, as windows follow each other [s]
