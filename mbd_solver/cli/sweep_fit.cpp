@@ -43,6 +43,13 @@ std::string law_text(const SweepFit& fit, const PowerLaw& law) {
   return text;
 }
 
+// " with diameter 0.24": which runs are meant.
+std::string where_text(const SweepFit& fit) {
+  std::string text;
+  for (const auto& [parameter, value] : fit.where) text += (text.empty() ? " with " : ", ") + parameter + " " + value;
+  return text;
+}
+
 // Those who published, in the order of the file.
 std::vector<std::string> publishers(const SweepFit& fit) {
   std::vector<std::string> names;
@@ -82,7 +89,7 @@ struct FitResult {
 
 void write_page(std::ofstream& out, const SweepFit& fit, const FitResult& r) {
   const std::vector<std::string> names = publishers(fit);
-  out << "\n`" << law_text(fit, r.law) << "`: " << r.data.runs.size() << " runs, R^2 = " << number(r.law.r_squared, "%.4f") << ", scatter "
+  out << "\n`" << law_text(fit, r.law) << "`: " << r.data.runs.size() << " runs" << where_text(fit) << ", R^2 = " << number(r.law.r_squared, "%.4f") << ", scatter "
       << number(100.0 * r.law.scatter, "%.1f") << " %\n\n| exponent of | found | standard error | 95 % interval |";
   for (const std::string& who : names) out << ' ' << who << " |";
   out << "\n|---|---|---|---|";
@@ -151,7 +158,7 @@ std::string draw_fit(const SweepSpec& sweep, const SweepFit& fit, const std::vec
   for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= static_cast<int>(std::ceil(std::log10(high))); ++decade)
     for (const int digit : {1, 2, 3, 5}) tics += (tics.empty() ? "" : ", ") + number(digit * std::pow(10.0, decade));
   const std::string range = "[" + number(low / 1.2, "%.6g") + ":" + number(high * 1.2, "%.6g") + "]";
-  out << "set logscale xy\nset grid\nset size square\nset xtics (" << tics << ")\nset ytics (" << tics << ")\nset xrange " << range << "\nset yrange " << range << "\nset title \"" << sweep.title
+  out << "set logscale xy\nset grid\nset size square\nset xtics (" << tics << ")\nset ytics (" << tics << ")\nset xrange " << range << "\nset yrange " << range << "\nset title \"" << sweep.title << where_text(fit)
       << "\" noenhanced\nset xlabel \"" << law_text(fit, r.law) << "\" noenhanced\nset ylabel \"" << fit.figure << "\" noenhanced\nset key left top noenhanced\n"
       << "set terminal pngcairo size 760,720 font 'sans,11'\nset output '" << fit.name << ".png'\nplot x with lines lc rgb 'gray40' title \"the law\"" << curves
       << "\nset terminal svg size 760,720 font 'sans,11'\nset output '" << fit.name << ".svg'\nreplot\n";
@@ -166,6 +173,10 @@ void read_fit(TableReader& t, SweepFit& fit) {
   fit.label = fit.figure;
   t.take("label", fit.label);
   t.take("marks", fit.marks);
+  if (const ConfigNode* where = t.next("where")) {
+    TableReader values(t.file(), "fits.where", *where);
+    for (const auto& [parameter, value] : where->table) values.take(parameter, fit.where.emplace_back(parameter, "").second);
+  }
   t.take_list("factors", fit.factors, [](TableReader& f, SweepFitFactor& factor) {
     f.take("name", factor.name);
     f.require("name", !factor.name.empty());
@@ -194,6 +205,12 @@ void check_fits(const SweepSpec& sweep) {
   for (const SweepFit& fit : sweep.fits) {
     if (index_of(sweep.figures, fit.figure) < 0) fail(fit.line, "figure", "\"" + fit.figure + "\" is not one of [[figures]]");
     if (!fit.marks.empty() && index_of(sweep.parameters, fit.marks) < 0) fail(fit.line, "marks", "\"" + fit.marks + "\" is not one of [[parameters]]");
+    for (const auto& [name, value] : fit.where) {
+      const int parameter = index_of(sweep.parameters, name);
+      if (parameter < 0) fail(fit.line, "where", "\"" + name + "\" is not one of [[parameters]]");
+      if (index_of(sweep.parameters[static_cast<std::size_t>(parameter)].choices, value) < 0)
+        fail(fit.line, "where", "parameter \"" + name + "\" has no value \"" + value + "\"");
+    }
     for (const SweepFitFactor& factor : fit.factors) {
       for (const std::string& name : factor.sum) {
         if (index_of(sweep.figures, name) >= 0) continue;
@@ -209,8 +226,13 @@ void check_fits(const SweepSpec& sweep) {
 
 SweepFitData fit_data(const SweepSpec& sweep, const SweepFit& fit, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results) {
   SweepFitData data;
+  const auto is_meant = [&](const SweepRun& run) {
+    return std::all_of(fit.where.begin(), fit.where.end(), [&](const auto& entry) {
+      return run.values[static_cast<std::size_t>(index_of(sweep.parameters, entry.first))] == entry.second;
+    });
+  };
   for (std::size_t i = 0; i < runs.size(); ++i)
-    if (results[i].done) data.runs.push_back(static_cast<int>(i));
+    if (results[i].done && is_meant(runs[i])) data.runs.push_back(static_cast<int>(i));
   data.x = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(data.runs.size()), static_cast<Eigen::Index>(fit.factors.size()));
   data.y.resize(data.x.rows());
   const auto positive = [&](double value, const std::string& what, std::size_t run) {
@@ -258,7 +280,7 @@ std::vector<std::string> write_fits(const SweepSpec& sweep, const std::vector<Sw
   for (std::size_t f = 0; f < sweep.fits.size(); ++f) {
     const SweepFit& fit = sweep.fits[f];
     const FitResult& r = found[f];
-    std::printf("%s\n", law_text(fit, r.law).c_str());
+    std::printf("%s   (%zu runs%s)\n", law_text(fit, r.law).c_str(), r.data.runs.size(), where_text(fit).c_str());
     for (std::size_t k = 0; k < fit.factors.size(); ++k) {
       const auto i = static_cast<Eigen::Index>(k);
       std::printf("  exponent of %-16s %.3f +- %.3f, 95 %% in %.3f to %.3f", fit.factors[k].name.c_str(), r.law.exponents[i], r.law.errors[i], r.law.lower[i], r.law.upper[i]);

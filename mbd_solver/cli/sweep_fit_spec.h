@@ -6,6 +6,7 @@
 //     figure                           what is fitted: one of [[figures]]
 //     label                            how the law writes it (default: the figure's name)
 //     marks = "density"                a parameter whose values get symbols of their own in the picture; none: all alike
+//     where = { diameter = 0.24 }      only the runs with these values of parameters. Default: all
 //     [[fits.factors]]
 //       name                           how the law writes it
 //       sum = ["height", "depth [m]"]  parameters with numbers for values, and figures: the factor is their sum. Default: [name]
@@ -27,6 +28,7 @@ struct SweepFitFactor {
 struct SweepFit {
   int line = 0;
   std::string name, figure, label, marks;
+  std::vector<std::pair<std::string, std::string>> where;  // parameter, value
   std::vector<SweepFitFactor> factors;
 };
 

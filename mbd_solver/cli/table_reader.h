@@ -33,6 +33,7 @@ class TableReader {
     }
   }
   const ConfigNode* next(const std::string& key);  // marks the key as known; null when it is not there
+  const std::string& file() const { return file_; }
   int line() const { return node_.line; }       // of the table
   void require(const std::string& key, bool given) const;
   void done() const;  // complains about keys that nobody took

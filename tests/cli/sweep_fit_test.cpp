@@ -108,6 +108,14 @@ TEST_F(SweepFitTest, UnfinishedRunsAreLeftOut) {
   EXPECT_EQ(data.runs[3], 4);
 }
 
+TEST_F(SweepFitTest, WhereNamesTheRunsThatAreMeant) {
+  const SweepSpec sweep = read_with("label = \"d\"", "where = { density = 2000, colour = \"blue\" }");
+  const std::vector<SweepRun> runs = runs_of(sweep);
+  const SweepFitData data = fit_data(sweep, sweep.fits[0], runs, results_of(runs));
+  EXPECT_EQ(data.runs, (std::vector<int>{7, 9, 11}));
+  EXPECT_TRUE((data.x.col(0).array() == 2000.0).all());
+}
+
 TEST_F(SweepFitTest, TablesAndPictureAreWritten) {
   const SweepSpec sweep = read(kSweep + kFit);
   const std::vector<SweepRun> runs = runs_of(sweep);
@@ -132,6 +140,9 @@ TEST_F(SweepFitTest, WrongFilesAreTold) {
   expect("marks = \"density\"", "marks = \"size\"", "fits.marks: \"size\" is not one of [[parameters]]");
   expect("Walsh = 0.25", "Walsh = \"1/4\"", "published.Walsh: is text \"1/4\", expected a number");
   expect("{ Uehara = 0.5 }", "0.5", "published: is the number 0.5, expected { Name = exponent }");
+  expect("label = \"d\"", "where = { size = 1 }", "sweep.toml:17: fits.where: \"size\" is not one of [[parameters]]");
+  expect("label = \"d\"", "where = { density = 3 }", "fits.where: parameter \"density\" has no value \"3\"");
+  expect("label = \"d\"", "where = 5", "fits.where: is the number 5, expected a table");
   expect("label = \"d\"", "labels = \"d\"", "labels: is not known; did you mean \"label\"?");
 }
 
