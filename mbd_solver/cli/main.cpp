@@ -10,6 +10,7 @@
 #include "mbd_solver/cli/check_command.h"
 #include "mbd_solver/cli/child.h"
 #include "mbd_solver/cli/compare_command.h"
+#include "mbd_solver/cli/pictures_command.h"
 #include "mbd_solver/cli/positive.h"
 #include "mbd_solver/cli/programs.h"
 #include "mbd_solver/cli/report_command.h"
@@ -83,6 +84,18 @@ void add_compare(CLI::App& app, CompareArguments& a, std::function<int()>& actio
   compare->callback([&] { action = [&a] { return compare_command(a.run, a.other, a.quiet); }; });
 }
 
+void add_pictures(CLI::App& app, PicturesArguments& a, std::function<int()>& action) {
+  CLI::App* pictures = app.add_subcommand("pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures");
+  pictures->add_option("DIR", a.run, "Folder of a run that dumped its grains")->required();
+  pictures->add_option("--times", a.times, "Times [s], separated by commas; the nearest dumps are drawn")->delimiter(',')->capture_default_str();
+  pictures->add_option("--view", a.view, "Where the eye is: azimuth,elevation [deg] (default: -65,28; with a cut: -90,12)")->delimiter(',')->expected(2);
+  pictures->add_flag("--cut", a.cut, "Leave out the grains in front of the foremost coupled surface, to look into its crater");
+  pictures->add_option("--cut-at", a.cut_at, "Leave out the grains with y below this [m]")->expected(1);
+  pictures->add_option("--fastest", a.fastest, "Speed at the end of the colours [m/s] (default: from the grains)")->check(positive());
+  pictures->add_option("--width", a.width, "Width of the drawing [pixels]")->check(CLI::Range(100, 20000))->capture_default_str();
+  pictures->callback([&] { action = [&a] { return pictures_command(a); }; });
+}
+
 void add_report(CLI::App& app, std::string& folder, std::function<int()>& action) {
   CLI::App* report = app.add_subcommand("report", "One HTML page for a run or a sweep: DIR/report.html");
   report->add_option("DIR", folder, "Folder of a run or of a sweep")->required();
@@ -135,6 +148,8 @@ int main(int argc, char** argv) {
   add_sweep(app, sweep, action);
   CompareArguments compare;
   add_compare(app, compare, action);
+  PicturesArguments pictures;
+  add_pictures(app, pictures, action);
   std::string reported;
   add_report(app, reported, action);
   add_accuracy(app, accuracy, action);

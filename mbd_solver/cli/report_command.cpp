@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "coupler/errors.h"
+#include "mbd_solver/cli/results.h"
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/html_page.h"
 #include "mbd_solver/output/summary.h"
@@ -22,6 +23,8 @@ using Rows = std::vector<std::vector<std::string>>;
 namespace {
 
 const std::vector<std::string> kMarks = {"[A]", "(assumed"};  // how scenes and scripts mark what the paper does not print
+
+constexpr const char* kLedgerPicture = "ledger.png";   // stands in a section of its own
 
 std::string short_text(double value) {
   char text[40];
@@ -43,7 +46,8 @@ std::vector<fs::path> pictures_in(const fs::path& folder) {
   std::vector<fs::path> pictures;
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".png" && entry.path().stem() != "overview") pictures.push_back(entry.path());
+    if (entry.path().extension() == ".png" && entry.path().stem() != "overview" && entry.path().filename() != kLedgerPicture)
+      pictures.push_back(entry.path());
   std::sort(pictures.begin(), pictures.end());
   return pictures;
 }
@@ -95,32 +99,27 @@ void show_quality(const Json& summary, HtmlPage& page) {
   page.table(rows);
 }
 
-// Energies and work at the start and the end of the run, as history.csv holds them.
+// ledger.csv at the start and the end of the run, and its picture.
 void show_ledger(const fs::path& folder, HtmlPage& page) {
-  if (!fs::exists(folder / "history.csv")) return;
-  const History history = read_history((folder / "history.csv").string());
-  if (history.columns.empty() || history.columns[0].empty()) return;
+  if (!fs::exists(folder / "ledger.csv")) return;
+  const History ledger = read_history((folder / "ledger.csv").string());
+  if (ledger.columns.empty() || ledger.columns[0].empty()) return;
   Rows rows = {{"energy", "start [J]", "end [J]", "change [J]"}};
-  double left = 0.0;  // what the ledger does not account for [J]
-  for (std::size_t k = 0; k < history.names.size(); ++k) {
-    const std::string& name = history.names[k];
-    const bool belongs = name.rfind("energy.", 0) == 0 || name.rfind("dissipated.", 0) == 0 || name.rfind("work.", 0) == 0;
-    const std::vector<double>& column = history.columns[k];
+  for (std::size_t k = 0; k < ledger.names.size(); ++k) {
+    const std::vector<double>& column = ledger.columns[k];
     const bool nothing = std::all_of(column.begin(), column.end(), [](double v) { return v == 0.0; });
-    if (!belongs || nothing) continue;
-    std::string words = name;
+    if (ledger.units[k] != "J" || nothing) continue;
+    std::string words = ledger.names[k];
     std::replace(words.begin(), words.end(), '.', ' ');
     std::replace(words.begin(), words.end(), '_', ' ');
-    const double change = column.back() - column.front();
-    if (name == "energy.total" || name.rfind("dissipated.", 0) == 0) left += change;
-    if (name.rfind("work.", 0) == 0) left -= change;
-    rows.push_back({words, short_text(column.front()), short_text(column.back()), short_text(change)});
+    rows.push_back({words, short_text(column.front()), short_text(column.back()), short_text(column.back() - column.front())});
   }
-  if (rows.size() == 1) return;
-  rows.push_back({"total + dissipated - work", "", "", short_text(left)});
   page.section("Energy ledger");
-  page.paragraph("Stored and dissipated energies of the mechanism, and the work done on it. The last row would be zero without numerical errors.");
+  page.paragraph(
+      "Energy stored and dissipated in the mechanism, work it gave to the grains, and what they made of it. The sum would stay the same without numerical "
+      "errors. What the grains dissipated is the rest of the work they received; it holds the elastic energy in their contacts too, and may fall by that much.");
   page.table(rows);
+  if (fs::exists(folder / "plots" / kLedgerPicture)) page.picture((folder / "plots" / kLedgerPicture).string(), "Where the energy is");
 }
 
 // The scene file, the scenes it is built on, and the scripts of the grains.
@@ -191,6 +190,9 @@ void show_versions(const Json& summary, HtmlPage& page) {
 }
 
 std::string run_page(const fs::path& folder) {
+  // A run that was started by its plain line, or without plots, has none yet.
+  const bool ledger = fs::exists(folder / "ledger.csv") || write_ledger(folder.string());
+  if (ledger && !fs::exists(folder / "plots" / kLedgerPicture)) make_pictures(folder.string());
   const Json summary = read_summary((folder / "summary.json").string());
   const std::string title = summary.contains("scene") ? summary["scene"].value("title", "") : "";
   HtmlPage page(title.empty() ? folder.filename().string() : title);
@@ -200,6 +202,7 @@ std::string run_page(const fs::path& folder) {
   show_ledger(folder, page);
   show_pictures(folder / "plots", "Plots", page);
   show_pictures(folder, "Pictures", page);
+  show_pictures(folder / "pictures", "Grains and mechanism", page);
   if (fs::exists(folder / "compare/comparison.txt")) {
     page.section("Beside stock LIGGGHTS or another run");
     page.preformatted(contents(folder / "compare/comparison.txt"));

@@ -1,10 +1,13 @@
 #include "mbd_solver/cli/results.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
 #include "coupler/errors.h"
 #include "mbd_solver/cli/gnuplot.h"
+#include "mbd_solver/output/energy_ledger.h"
 #include "mbd_solver/output/plots.h"
 #include "mbd_solver/output/summary.h"
 
@@ -58,6 +61,10 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
   }
   row(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "%.4f %% of the initial energy");
   row(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0, "%.3f %% of the initial energy");
+  if (summary.contains("ledger")) {
+    row(summary["ledger"], "energy given to the grains", "energy_to_grains_J", 1e-3, "%.3f kJ");
+    row(summary["ledger"], "of it dissipated in the grains", "grains_dissipated_J", 1e-3, "%.3f kJ");
+  }
   row(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "%.2f %% of its radius");
   row(summary, "grains", "particles", 1.0, "%.0f");
   row(summary, "steps", "steps", 1.0, "%.0f");
@@ -67,10 +74,43 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
     for (const Json& warning : summary["warnings"]) std::printf("  warning: %s\n", warning.get<std::string>().c_str());
   }
   std::printf("Files: %s\n", (fs::path(out) / "history.csv").c_str());
-  for (const char* name : {"summary.json", "liggghts.log", "vtk"}) {
+  for (const char* name : {"summary.json", "ledger.csv", "liggghts.log", "vtk"}) {
     if (fs::exists(fs::path(out) / name)) std::printf("       %s\n", (fs::path(out) / name).c_str());
   }
   for (const std::string& picture : pictures) std::printf("       %s\n", picture.c_str());
+}
+
+bool write_ledger(const std::string& out) {
+  const fs::path folder(out);
+  try {
+    if (!fs::exists(folder / "history.csv")) return false;
+    const History run = read_history((folder / "history.csv").string());
+    if (run.find("energy.total") < 0 || run.column("time").empty()) return false;
+    const fs::path grains = folder / "grains_energy.txt";
+    const History ledger = energy_ledger(run, fs::exists(grains) ? read_grain_energies(grains.string()) : GrainEnergies{});
+    write_history((folder / "ledger.csv").string(), ledger);
+
+    const fs::path file = folder / "summary.json";
+    if (!fs::exists(file)) return true;
+    Json summary = read_summary(file.string());
+    Json figures;
+    double error = 0.0;
+    for (const double e : ledger.column("closing_error")) error = std::max(error, std::abs(e));
+    figures["closing_error_relative"] = error;
+    if (ledger.find("grains.dissipated") >= 0) {
+      const double work = ledger.column("work.to_grains").back();
+      figures["energy_to_grains_J"] = work;
+      const double initial = reference_energy(run);
+      if (initial > 0.0) figures["energy_to_grains_share"] = work / initial;
+      figures["grains_dissipated_J"] = ledger.column("grains.dissipated").back();
+    }
+    summary["ledger"] = figures;
+    write_summary(file.string(), summary);
+    return true;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "footfall: warning: no energy ledger: %s\n", e.what());
+  }
+  return false;
 }
 
 std::vector<std::string> make_pictures(const std::string& out) {
@@ -79,8 +119,10 @@ std::vector<std::string> make_pictures(const std::string& out) {
     const Json summary = read_summary((fs::path(out) / "summary.json").string());
     const std::string title = summary.contains("scene") ? summary["scene"].value("title", "") : "";
     const History history = read_history((fs::path(out) / "history.csv").string());
-    const std::vector<std::string> scripts =
-        write_plot_scripts(plots.string(), standard_figures(history, summary.value("observed_body", "")), title);
+    std::vector<Figure> figures = standard_figures(history, summary.value("observed_body", ""));
+    const fs::path ledger = fs::path(out) / "ledger.csv";
+    if (fs::exists(ledger)) figures.push_back(ledger_figure(read_history(ledger.string())));
+    const std::vector<std::string> scripts = write_plot_scripts(plots.string(), figures, title);
     return run_gnuplot(plots.string(), scripts);
   } catch (const InputError& e) {
     std::fprintf(stderr, "footfall: warning: no pictures: %s\n", e.what());

@@ -39,7 +39,9 @@ void clear_results(const std::string& out) {
   std::error_code error;
   fs::create_directories(out, error);
   if (error) throw InputError(out + ": cannot be made: " + error.message() + "; choose another folder with --out");
-  for (const char* name : {"summary.json", "history.csv", "checkpoint.txt", "liggghts.log", "plots", "vtk", "motion", "compare"}) fs::remove_all(fs::path(out) / name, error);
+  for (const char* name : {"summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "checkpoint.txt", "liggghts.log", "plots", "pictures", "vtk",
+                           "motion", "compare"})
+    fs::remove_all(fs::path(out) / name, error);
 }
 
 std::string number(double value) {
@@ -134,6 +136,7 @@ int run_command(const RunArguments& arguments) {
   }
   std::vector<std::string> pictures;
   const std::string status = status_of(out);
+  if (!status.empty()) write_ledger(out);
   if (!status.empty() && scene.output.plots) pictures = make_pictures(out);
   if (!status.empty() && !arguments.quiet) print_results(out, pictures);
   return exit_code(end, status);

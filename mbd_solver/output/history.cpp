@@ -91,4 +91,14 @@ History read_history(const std::string& path) {
   return history;
 }
 
+void write_history(const std::string& path, const History& history) {
+  HistoryWriter writer(path, history.names, history.units);
+  std::vector<double> row(history.names.size());
+  for (std::size_t k = 0; k < history.columns.front().size(); ++k) {
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = history.columns[i][k];
+    writer.write(row);
+  }
+  writer.flush();
+}
+
 }  // namespace footfall

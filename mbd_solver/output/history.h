@@ -33,5 +33,7 @@ struct History {
 };
 // Throws InputError "file:line: ...".
 History read_history(const std::string& path);
+// All of it at once; throws as HistoryWriter.
+void write_history(const std::string& path, const History& history);
 
 }  // namespace footfall

@@ -108,7 +108,7 @@ std::string data_blocks(const std::vector<Figure>& figures) {
   std::ostringstream text;
   for (const Figure& figure : figures) {
     for (std::size_t i = 0; i < figure.curves.size(); ++i) {
-      if (i % kBlockCurves == 0) text << "set table " << block_name(figure, i) << " separator tab\nplot '../history.csv' using (column(\"time\"))";
+      if (i % kBlockCurves == 0) text << "set table " << block_name(figure, i) << " separator tab\nplot '" << figure.file << "' using (column(\"time\"))";
       text << ":" << figure.curves[i].expression;
       if (i % kBlockCurves == kBlockCurves - 1 || i + 1 == figure.curves.size()) text << " with table\nunset table\n";
     }
@@ -117,25 +117,41 @@ std::string data_blocks(const std::vector<Figure>& figures) {
   return text.str();
 }
 
+std::string curve(const Figure& figure, std::size_t i) { return block_name(figure, i) + " using 1:" + std::to_string(i % kBlockCurves + 2); }
+
+// From the uppermost band to the lowest, so that each is painted over the rest of those above it.
+std::string bands(const Figure& figure) {
+  std::string text;
+  for (std::size_t i = figure.curves.size(); i > 0; --i)
+    text += (text.empty() ? "" : ", \\\n     ") + curve(figure, i - 1) + " with filledcurves y1=0 fs solid 1 noborder lc rgb \"" + figure.curves[i - 1].colour +
+            "\" title \"" + figure.curves[i - 1].title + "\"";
+  return text;
+}
+
+std::string lines(const Figure& figure) {
+  std::string text;
+  for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+    const std::size_t style = figure.curves[i].title == "total" ? kBlack : i + 1;
+    text += (i ? ", \\\n     " : "") + curve(figure, i) + " with lines lt " + std::to_string(style) + " title \"" + figure.curves[i].title + "\"";
+  }
+  return text;
+}
+
 std::string plot_command(const Figure& figure) {
   std::ostringstream text;
   text << "set title \"" << figure.title << "\" noenhanced\nset ylabel \"" << figure.axis << "\" noenhanced\n";
   text << (figure.curves.size() == 1 ? "unset key\n" : "set key outside right center samplen 1.5 noenhanced\n");
-  text << "plot ";
-  for (std::size_t i = 0; i < figure.curves.size(); ++i) {
-    const std::size_t style = figure.curves[i].title == "total" ? kBlack : i + 1;
-    text << (i ? ", \\\n     " : "") << block_name(figure, i) << " using 1:" << i % kBlockCurves + 2 << " with lines lt " << style << " title \"" << figure.curves[i].title
-         << "\"";
-  }
-  text << "\n";
+  if (figure.stacked) text << "set yrange [0:]\n";
+  text << "plot " << (figure.stacked ? bands(figure) : lines(figure)) << "\n";
+  if (figure.stacked) text << "set yrange [*:*]\n";
   return text.str();
 }
 
 // The same drawing on both terminals.
-std::string script(const std::string& name, const std::string& data, const std::string& drawing, int width, int height) {
+std::string script(const std::string& name, const std::string& file, const std::string& data, const std::string& drawing, int width, int height) {
   std::ostringstream text;
   const std::string size = "size " + std::to_string(width) + "," + std::to_string(height);
-  text << "# gnuplot " << name << ".gp draws " << name << ".png and " << name << ".svg from ../history.csv\n" << kStyle << data;
+  text << "# gnuplot " << name << ".gp draws " << name << ".png and " << name << ".svg from " << file << "\n" << kStyle << data;
   text << "set terminal pngcairo " << size << " font \"DejaVu Sans,11\"\nset output \"" << name << ".png\"\n" << drawing;
   text << "set terminal svg " << size << " font \"DejaVu Sans,11\" background rgb \"white\"\nset output \"" << name << ".svg\"\n" << drawing;
   return text.str();
@@ -164,6 +180,58 @@ std::vector<Figure> standard_figures(const History& history, const std::string& 
   return figures;
 }
 
+Figure ledger_figure(const History& ledger) {
+  constexpr double kVisible = 2e-3;  // of the largest
+  struct Band {
+    std::string title, colour;
+    std::vector<std::string> columns;
+  };
+  std::vector<Band> bands = {{"mechanism, kinetic", "#08519c", {"mechanism.kinetic"}},
+                             {"mechanism, gravity", "#4292c6", {"mechanism.gravity"}},
+                             {"mechanism, elastic", "#9ecae1", {"mechanism.strain", "mechanism.gas", "mechanism.contact"}}};
+  const std::vector<std::string> warm = {"#a63603", "#e6550d", "#fd8d3c", "#fdae6b", "#fdd0a2", "#feedde", "#c51b8a", "#fa9fb5"};
+  std::size_t next = 0;
+  for (const std::string& name : ledger.names)
+    if (name.rfind("dissipated.", 0) == 0) bands.push_back({"dissipated, " + words_after_dot(name), warm[next++ % warm.size()], {name}});
+  if (ledger.find("grains.kinetic") >= 0) {
+    bands.push_back({"grains, kinetic", "#00441b", {"grains.kinetic"}});
+    bands.push_back({"grains, gravity", "#41ab5d", {"grains.gravity"}});
+    bands.push_back({"grains, dissipated and elastic", "#c7e9c0", {"grains.dissipated"}});
+  } else if (ledger.find("work.to_grains") >= 0) {
+    bands.push_back({"taken by the grains", "#41ab5d", {"work.to_grains"}});
+  }
+  // Each band from its own lowest value: only changes of energy mean something, and then no band is negative.
+  const auto height = [&](const Band& band) {
+    std::vector<double> value(ledger.columns.front().size(), 0.0);
+    for (const std::string& name : band.columns) {
+      const std::vector<double>& column_values = ledger.column(name);
+      for (std::size_t k = 0; k < value.size(); ++k) value[k] += column_values[k];
+    }
+    return value;
+  };
+  double scale = 0.0;
+  std::vector<std::pair<double, double>> range;
+  for (const Band& band : bands) {
+    const std::vector<double> value = height(band);
+    const auto [low, high] = std::minmax_element(value.begin(), value.end());
+    range.emplace_back(*low, *high);
+    scale = std::max(scale, *high - *low);
+  }
+  std::string edge;  // upper edge of the band
+  Figure figure{"ledger", "Where the energy is, each part from its lowest value", "energy [kJ]", {}, "../ledger.csv", true};
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    if (!(range[i].second - range[i].first > kVisible * scale)) continue;
+    std::ostringstream expression;
+    expression.precision(12);
+    expression << "((";
+    for (std::size_t j = 0; j < bands[i].columns.size(); ++j) expression << (j ? "+" : "") << column(bands[i].columns[j]);
+    expression << "-(" << range[i].first << "))/1000)";
+    edge += (edge.empty() ? "" : "+") + expression.str();
+    figure.curves.push_back({bands[i].title, "(" + edge + ")", bands[i].colour});
+  }
+  return figure;
+}
+
 std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures, const std::string& title) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
@@ -178,7 +246,7 @@ std::vector<std::string> write_plot_scripts(const std::string& folder, const std
   };
   std::string page;
   for (const Figure& figure : figures) {
-    write(figure.name, script(figure.name, data_blocks({figure}), plot_command(figure), 900, 520));
+    write(figure.name, script(figure.name, figure.file, data_blocks({figure}), plot_command(figure), 900, 520));
     page += plot_command(figure);
   }
   if (figures.empty()) return names;
@@ -186,7 +254,7 @@ std::vector<std::string> write_plot_scripts(const std::string& folder, const std
   std::string quoted = title;
   std::replace(quoted.begin(), quoted.end(), '"', '\'');
   const std::string layout = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) + " title \"" + quoted + "\" noenhanced\n";
-  write("overview", script("overview", data_blocks(figures), layout + page + "unset multiplot\n", 1500, 380 * rows));
+  write("overview", script("overview", figures.front().file, data_blocks(figures), layout + page + "unset multiplot\n", 1500, 380 * rows));
   return names;
 }
 

@@ -1,7 +1,9 @@
 #include "mbd_solver/output/vtk_writer.h"
 
 #include <cstdio>
+#include <iterator>
 #include <pugixml.hpp>
+#include <sstream>
 
 #include "coupler/errors.h"
 
@@ -64,7 +66,56 @@ void save(const pugi::xml_document& document, const std::string& path) {
   if (!document.save_file(path.c_str(), " ")) throw InputError(path + ": cannot be written; choose another folder with --out");
 }
 
+pugi::xml_node loaded(pugi::xml_document& document, const std::string& path, const char* kind) {
+  const pugi::xml_parse_result result = document.load_file(path.c_str());
+  if (!result) throw InputError(path + ": cannot be read: " + result.description());
+  const pugi::xml_node node = document.child("VTKFile").child(kind);
+  if (!node) throw InputError(path + ": holds no " + kind + "; expected a file that a run with output.vtk = true wrote");
+  return node;
+}
+
+std::vector<double> numbers_in(pugi::xml_node parent, const char* name) {
+  std::istringstream text(parent.find_child_by_attribute("DataArray", "Name", name).text().get());
+  return {std::istream_iterator<double>(text), {}};
+}
+
 }  // namespace
+
+std::vector<std::pair<double, std::string>> read_vtk_series(const std::string& pvd) {
+  pugi::xml_document document;
+  std::vector<std::pair<double, std::string>> frames;
+  for (const pugi::xml_node entry : loaded(document, pvd, "Collection").children("DataSet"))
+    frames.emplace_back(entry.attribute("timestep").as_double(), entry.attribute("file").as_string());
+  return frames;
+}
+
+VtkFrame read_vtk_frame(const std::string& vtu) {
+  pugi::xml_document document;
+  const pugi::xml_node piece = loaded(document, vtu, "UnstructuredGrid").child("Piece");
+  VtkFrame frame;
+  const std::vector<double> x = numbers_in(piece.child("Points"), "Points");
+  frame.points = Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, static_cast<Eigen::Index>(x.size() / 3));
+  const std::vector<double> links = numbers_in(piece.child("Cells"), "connectivity");
+  std::size_t first = 0;
+  for (const double end : numbers_in(piece.child("Cells"), "offsets")) {
+    const auto last = static_cast<std::size_t>(end);
+    if (last > links.size() || last < first + 2) throw InputError(vtu + ": its cells do not fit together; was it cut off?");
+    const auto node = [&](std::size_t k) {
+      const int j = static_cast<int>(links[first + k]);
+      if (j < 0 || j >= frame.points.cols()) throw InputError(vtu + ": a cell names point " + std::to_string(j) + ", which is not there; was the file cut off?");
+      return j;
+    };
+    if (last - first == 3) frame.triangles.emplace_back(node(0), node(1), node(2));
+    if (last - first == 2) frame.lines.emplace_back(node(0), node(1));
+    first = last;
+  }
+  for (const pugi::xml_node array : piece.child("CellData").children("DataArray")) {
+    const std::vector<double> values = numbers_in(piece.child("CellData"), array.attribute("Name").as_string());
+    frame.cell_numbers.emplace_back(array.attribute("Name").as_string(),
+                                    Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+  }
+  return frame;
+}
 
 VtkSeries::VtkSeries(std::string folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
 

@@ -1,5 +1,5 @@
 #pragma once
-// Geometry over time for ParaView: one VTU file per frame and a .pvd that lists them with their times.
+// Geometry over time, for ParaView and our own pictures: one VTU file per frame and a .pvd that lists them with their times.
 
 #include <Eigen/Dense>
 #include <string>
@@ -29,5 +29,9 @@ class VtkSeries {
   std::string folder_, name_;
   std::vector<std::pair<double, std::string>> frames_;
 };
+
+// Read back what VtkSeries wrote: times and file names of a .pvd; one frame, without vectors of points. Throw InputError naming the file.
+std::vector<std::pair<double, std::string>> read_vtk_series(const std::string& pvd);
+VtkFrame read_vtk_frame(const std::string& vtu);
 
 }  // namespace footfall

@@ -2,9 +2,12 @@
 # report.sh FOOTFALL RUN: the page of a run holds its parts, loads nothing, and opens in a browser without network (where Chromium is installed).
 set -euo pipefail
 footfall=$1 run=$2
+"$footfall" pictures "$run" --times 0.02
 "$footfall" report "$run"
 page=$run/report.html
-for heading in Summary "How far to trust it" "Energy ledger" "Beside stock LIGGGHTS" "Scene and assumptions" Versions; do grep -q "$heading" "$page"; done
+for heading in Summary "How far to trust it" "Energy ledger" "Grains and mechanism" "Beside stock LIGGGHTS" "Scene and assumptions" Versions; do
+  grep -q "$heading" "$page"
+done
 grep -q "plate_on_grains.scene, as it is now" "$page"
 grep -q 'src="data:image/png;base64,' "$page"
 # Nothing is fetched: no source or style from elsewhere, no script.
@@ -14,3 +17,7 @@ profile=$(mktemp -d); trap 'rm -rf "$profile"' EXIT
 timeout 60 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$profile" --host-resolver-rules="MAP * ~NOTFOUND" --dump-dom "file://$page" > "$profile/dom" 2> "$profile/log"
 grep -q "<h1>Plate on grains</h1>" "$profile/dom"
 grep -q "omega H" "$profile/dom"
+# The browser shows both pictures: of the ledger, made for the report because the run made no plots, and of the grains.
+[[ -s $run/ledger.csv && -s $run/plots/ledger.png ]]
+for caption in "Where the energy is" "grains 0.0200s"; do grep -q "<figcaption>$caption</figcaption>" "$profile/dom"; done
+grep -q "work to grains" "$profile/dom"
