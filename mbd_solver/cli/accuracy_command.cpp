@@ -14,6 +14,7 @@
 #include "mbd_solver/cli/study_error.h"
 #include "mbd_solver/cli/study_plot.h"
 #include "mbd_solver/cli/study_run.h"
+#include "mbd_solver/cli/window_growth.h"
 
 namespace footfall {
 
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr double kGrowthMiss = 1e-2;  // of the growth per window: a motion of a few windows does not tell it better
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // All runs of one study, in order.
@@ -37,16 +39,13 @@ class StudyRunner {
     table.x_name = study_.x_name;
     for (const MeasureSpec& measure : study_.measures) table.measures.push_back(measure.name);
     std::vector<StudyRun> references;
-    if (study_.has_reference) {
-      references = all(study_.reference_scene, study_.reference, "", "reference", 1);
-      for (const StudyRun& reference : references)
-        if (reference.code != 0) throw NumericalError("the reference run ended with code " + std::to_string(reference.code) + ": " + reference.message);
-    }
+    if (study_.has_reference) references = reference_runs({}, "reference");
     for (const CurveSpec& curve : study_.curves) {
       table.curves.push_back(curve.name);
+      const std::vector<StudyRun> own = curve.reference.empty() ? references : reference_runs(curve.reference, curve.name + "_reference");
       for (const std::string& value : short_ ? curve.short_values : curve.values) {
         const std::vector<StudyRun> runs = all(curve.scene, curve.settings, value, curve.name + "_" + value, study_.repeats);
-        table.points.push_back(point(curve, value, runs, references));
+        table.points.push_back(point(curve, value, runs, own));
         table.grains = table.grains || table.points.back().dem > 0.0;
         say(table.points.back());
       }
@@ -55,6 +54,15 @@ class StudyRunner {
   }
 
  private:
+  std::vector<StudyRun> reference_runs(const std::vector<std::string>& more, const std::string& name) const {
+    std::vector<std::string> settings = study_.reference;
+    settings.insert(settings.end(), more.begin(), more.end());
+    std::vector<StudyRun> runs = all(study_.reference_scene, settings, "", name, 1);
+    for (const StudyRun& run : runs)
+      if (run.code != 0) throw NumericalError("the reference run ended with code " + std::to_string(run.code) + ": " + run.message);
+    return runs;
+  }
+
   std::vector<StudyRun> all(const std::string& scene, const std::vector<std::string>& settings, const std::string& value, const std::string& name,
                             int repeats) const {
     std::vector<StudyRun> runs;
@@ -173,6 +181,20 @@ int accuracy_command(const AccuracyArguments& arguments) {
   fs::create_directories(out, error);
   if (error) throw InputError(out + ": cannot be made: " + error.message() + "; choose another folder with --out");
 
+  if (!study.omega_h.empty()) {
+    const std::vector<GrowthPoint> points = growth_of_schemes(study.omega_h, study.substeps);
+    const std::string table = (fs::path(out) / (name + ".md")).string();
+    write_growth(table, study.title, points, study.substeps);
+    if (!arguments.table.empty()) write_growth(arguments.table, study.title, points, study.substeps);
+    bool all = true;
+    for (const GrowthPoint& p : points) {
+      const bool good = std::abs(p.measured - p.theory) <= kGrowthMiss * p.theory;
+      all = all && good;
+      std::printf("%-9s %-14s omega H %-6g growth %.6g, theory %.6g\n", good ? "ok" : "NOT SO", p.scheme.c_str(), p.omega_h, p.measured, p.theory);
+    }
+    std::printf("Files: %s\n", table.c_str());
+    return all ? kExitDone : kExitFailed;
+  }
   if (!study.cases.empty()) {
     const std::vector<Verdict> verdicts = run_map(study, arguments.only, out);
     const std::string table = (fs::path(out) / (name + ".md")).string();
@@ -185,6 +207,7 @@ int accuracy_command(const AccuracyArguments& arguments) {
   const StudyTable table = StudyRunner(study, out, arguments.short_form).run();
   const std::string csv = (fs::path(out) / (name + ".csv")).string();
   write_study_csv(csv, table);
+  if (!arguments.table.empty()) write_study_table(arguments.table, table);
   std::printf("Files: %s\n", csv.c_str());
   try {
     std::printf("       %s\n", draw_study(out, name, table).c_str());

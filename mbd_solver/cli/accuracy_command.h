@@ -9,7 +9,7 @@ struct AccuracyArguments {
   std::string file;
   std::string out;          // empty: runs/accuracy/NAME
   std::string only;         // of a map: this case alone
-  std::string table;        // of a map: also written to this file
+  std::string table;        // also written to this file, as Markdown
   bool short_form = false;  // of a study: the `short` values alone, and the expectations of the file decide the exit code
 };
 

@@ -112,7 +112,7 @@ void add_accuracy(CLI::App& app, AccuracyArguments& a, std::function<int()>& act
   accuracy->add_option("FILE", a.file, "Study file, as in inputs/accuracy")->required()->check(CLI::ExistingFile);
   accuracy->add_option("--out", a.out, "Folder for results (default: runs/accuracy/NAME)");
   accuracy->add_option("--case", a.only, "Of a stability map: this case alone");
-  accuracy->add_option("--table", a.table, "Of a stability map: write the table to this file as well");
+  accuracy->add_option("--table", a.table, "Write the table to this file as well, as Markdown");
   accuracy->add_flag("--short", a.short_form, "Of a study: its short form, as the tests run it");
   accuracy->callback([&] { action = [&a] { return accuracy_command(a); }; });
 }

@@ -1,6 +1,7 @@
 #include "mbd_solver/cli/study.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include "coupler/errors.h"
@@ -14,6 +15,7 @@ void read_curve(TableReader& t, CurveSpec& c) {
   t.take("name", c.name);
   t.take("scene", c.scene);
   t.take("settings", c.settings);
+  t.take("reference", c.reference);
   t.take("values", c.values);
   t.take("short", c.short_values);
   t.take("scale", c.scale);
@@ -113,7 +115,17 @@ StudySpec read_study(const std::string& file) {
   t.take_list("measures", s.measures, read_measure);
   t.take_list("expect", s.expect, read_expect);
   t.take_list("cases", s.cases, read_case);
+  std::vector<std::string> omega_h;
+  t.take("omega_h", omega_h);
+  t.take("substeps", s.substeps);
   t.done();
+  if (s.substeps < 1) t.fail(root, "substeps", "is " + std::to_string(s.substeps) + ", expected 1 or more");
+  for (const std::string& text : omega_h) {
+    char* end = nullptr;
+    s.omega_h.push_back(std::strtod(text.c_str(), &end));
+    if (*end != '\0' || !(s.omega_h.back() > 0.0)) t.fail(root, "omega_h", "has \"" + text + "\", expected numbers above 0");
+  }
+  if (!s.omega_h.empty() && s.curves.empty() && s.cases.empty()) return s;
   if (s.curves.empty() == s.cases.empty()) t.fail(root, "", "expected [[curves]] (a study) or [[cases]] (a stability map)");
   if (!s.curves.empty() && s.measures.empty()) t.fail(root, "measures", "is missing");
   for (const MeasureSpec& m : s.measures)

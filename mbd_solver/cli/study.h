@@ -4,12 +4,13 @@
 //   title = "..."                          scene = "scenes/lattice.toml" (relative to the file)
 //   settings = ["key=value", ...]          for every run                until = 0.1      repeats = 3 (run times: the shortest counts)
 //   [reference]  settings = [...]          what the others are compared with
-//   [[curves]]   name, settings with {value}, values = [...], short = [...] (for --short), scale (x = scale value), scene (its own)
+//   [[curves]]   name, settings with {value}, values = [...], short = [...] (for --short), scale (x = scale value), scene and reference (its own)
 //   [ensemble]   settings with {value}, values = [...]: every point is run for each of them; figures are means, and their spread is told
 //   [[measures]] name, kind = "rms" | "final" (columns of history.csv against the reference's), "figure" (key of summary.json against
 //                the reference's), "own" (key of summary.json that is an error itself)
 //   [[expect]]   curve, measure, order = [least, most] and/or error = most (at the smallest x)
-//   [[cases]]    of a stability map: see CaseSpec. A file has curves, or cases.
+//   [[cases]]    of a stability map: see CaseSpec. A file has curves, or cases, or
+//   omega_h = [...], substeps = 20   for growth per window: see window_growth.h
 
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct CurveSpec {
   std::string name;
   std::string scene;                   // empty: the study's
   std::vector<std::string> settings;   // "{value}" is replaced
+  std::vector<std::string> reference;  // settings of a reference of its own, besides those of [reference]; empty: the study's
   std::vector<std::string> values, short_values;
   double scale = 1.0;                  // x = scale * value, for values that are numbers
 };
@@ -71,6 +73,8 @@ struct StudySpec {
   std::vector<MeasureSpec> measures;
   std::vector<ExpectSpec> expect;
   std::vector<CaseSpec> cases;
+  std::vector<double> omega_h;               // growth per window instead of runs: see window_growth.h
+  int substeps = 20;                         // likewise, per window
 };
 
 // Throws InputError "file:line: key: what is wrong, what was expected".

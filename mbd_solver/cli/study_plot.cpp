@@ -71,6 +71,33 @@ void write_study_csv(const std::string& path, const StudyTable& table) {
   }
 }
 
+void write_study_table(const std::string& path, const StudyTable& table) {
+  std::ofstream out(path);
+  if (!out) throw InputError(path + ": cannot be written");
+  const bool spread = !table.points.empty() && !table.points.front().spreads.empty();
+  out << "# " << table.title << "\n\nErrors in percent of the reference" << (spread ? ", and their spread over the samples" : "") << "; run times in s.\n\n| curve | value |"
+      << (table.grains ? " windows |" : " steps |");
+  for (const std::string& measure : table.measures) out << ' ' << measure << " |";
+  out << (table.grains ? " mechanism + exchange | whole |\n|---|---|---|---|---|" : " run time |\n|---|---|---|---|");
+  for (std::size_t m = 0; m < table.measures.size(); ++m) out << "---|";
+  out << '\n';
+  for (const StudyPoint& point : table.points) {
+    out << "| " << point.curve << " | " << point.value << " | ";
+    if (point.code != 0) {
+      out << "ended with code " << point.code << " |\n";
+      continue;
+    }
+    out << number(table.grains ? point.windows : point.steps) << " |";
+    for (std::size_t m = 0; m < table.measures.size(); ++m) {
+      out << ' ' << (std::isfinite(point.errors[m]) ? number(100.0 * point.errors[m], "%.2g") : "");
+      if (spread) out << " (" << number(100.0 * point.spreads[m], "%.2g") << ')';
+      out << " |";
+    }
+    if (table.grains) out << ' ' << number(cost_of(point, true), "%.3g") << " |";
+    out << ' ' << number(point.wall, "%.3g") << " |\n";
+  }
+}
+
 std::string draw_study(const std::string& folder, const std::string& name, const StudyTable& table) {
   const std::string script = name + ".gp";
   std::ofstream out(fs::path(folder) / script);

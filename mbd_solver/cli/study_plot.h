@@ -31,6 +31,8 @@ struct StudyTable {
 double cost_of(const StudyPoint& point, bool grains);
 
 void write_study_csv(const std::string& path, const StudyTable& table);
+// The same as a Markdown table for the pages.
+void write_study_table(const std::string& path, const StudyTable& table);
 // Writes NAME.gp beside the CSV and draws NAME.png: one row per measure, error over x on the left (slopes: observed orders), over run time
 // on the right, all axes logarithmic. Returns the picture. Throws InputError when gnuplot is missing or fails.
 std::string draw_study(const std::string& folder, const std::string& name, const StudyTable& table);

@@ -36,6 +36,7 @@ CouplingWatch::CouplingWatch(std::vector<std::string> names, std::vector<double>
       limits_(limits),
       omega_h_(names_.size(), 0.0),
       largest_omega_h_(names_.size(), 0.0),
+      warn_omega_h_(names_.size(), limits.warn_omega_h),
       warned_(names_.size(), false),
       surplus_(names_.size(), Eigen::Vector3d::Zero()),
       given_(names_.size(), 0.0),
@@ -54,11 +55,11 @@ void CouplingWatch::window(double time, double H, int n, const Load& load, const
     // A body on contacts of stiffness K: omega = sqrt(K / m).
     omega_h_[i] = std::sqrt(std::max(0.0, body.contact_stiffness) / masses_[i]) * H;
     largest_omega_h_[i] = std::max(largest_omega_h_[i], omega_h_[i]);
-    if (!warned_[i] && omega_h_[i] > limits_.warn_omega_h) {
+    if (!warned_[i] && omega_h_[i] > warn_omega_h_[i]) {
       warned_[i] = true;
-      const int safe = std::max(1, static_cast<int>(std::floor(n * limits_.warn_omega_h / omega_h_[i])));
+      const int safe = std::max(1, static_cast<int>(std::floor(n * warn_omega_h_[i] / omega_h_[i])));
       warnings_.push_back("t = " + number(time) + " s: body " + names_[i] + " has omega H = " + number(omega_h_[i]) + " above " +
-                          number(limits_.warn_omega_h) + ": its contacts are stiff for windows of " + std::to_string(n) +
+                          number(warn_omega_h_[i]) + ": its contacts are stiff for windows of " + std::to_string(n) +
                           " substeps; use `every " + std::to_string(safe) + "` or less");
     }
     watch_chatter(i, body.mean.F_W, time, n);

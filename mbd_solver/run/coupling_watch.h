@@ -22,6 +22,9 @@ class CouplingWatch {
   void window(double time, double H, int n, const Load& load, const std::vector<double>& work_received, double reference_energy,
               double pending = 0.0);
 
+  // `every auto`: omega H above which body i is warned of, in place of warn_omega_h, from now on.
+  void allow(std::size_t i, double omega_h) { warn_omega_h_[i] = omega_h; }
+
   // Scheme `tangent`, per window: impulse that body i has felt beyond what the grains gave, and the size of what they gave [N s].
   void count_surplus(std::size_t i, double time, const Eigen::Vector3d& surplus, double given);
 
@@ -45,7 +48,7 @@ class CouplingWatch {
   double residual_ = 0.0, largest_residual_ = 0.0;  // [J]
   bool warned_of_gain_ = false, warned_of_overlap_ = false;
   double largest_overlap_ = 0.0, largest_force_ = 0.0;
-  std::vector<double> omega_h_, largest_omega_h_;
+  std::vector<double> omega_h_, largest_omega_h_, warn_omega_h_;
   std::vector<bool> warned_;
   std::vector<Eigen::Vector3d> surplus_;            // per body, since the start [N s]
   std::vector<double> given_;                       // likewise [N s]

@@ -13,12 +13,21 @@
 
 namespace footfall {
 
+// The ground under one boundary at the start, for the time of its flight: no grain stands higher within `stray` around its outline.
+struct LandingSite {
+  double height = 0.0;                                       // along up [m]
+  double stray = 0.0;                                        // so far its points may leave the outline [m]
+  Eigen::Vector3d r = Eigen::Vector3d::Zero();               // Bo and attitude of its body at the start
+  Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();
+};
+
 // The drawing frame D in the inertial frame W at the start: p_W = p_WD + R_WD p_D.
 struct Placement {
   Eigen::Matrix3d R_WD = Eigen::Matrix3d::Identity();
   Eigen::Vector3d p_WD = Eigen::Vector3d::Zero();  // [m]
   bool ground_known = false;                       // the scene says how high the ground stands
   double ground_height = 0.0;                      // of plane or highest grain under the boundaries, along up [m]
+  std::vector<LandingSite> sites;                  // per boundary, where the grains are known one by one; else empty
 
   Eigen::Vector3d point(const Eigen::Vector3d& p_D) const { return p_WD + R_WD * p_D; }
 };

@@ -58,6 +58,8 @@ double highest_under(const std::vector<Sphere>& grains, const Eigen::Vector3d& u
   return highest;
 }
 
+constexpr double kStray = 0.1;  // of a boundary's reach
+
 }  // namespace
 
 Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries, const std::vector<FlexibleBody>& flexible) {
@@ -111,7 +113,10 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
       smallest = std::min(smallest, gap / std::max(1e-6, spec.normal.dot(up)));
       continue;
     }
-    if (!grains.empty()) ground = highest_under(grains, up, r, reach);
+    if (!grains.empty()) {
+      ground = highest_under(grains, up, r, reach);
+      placement.sites.push_back({highest_under(grains, up, r, (1.0 + kStray) * reach), kStray * reach, r, R_WB});
+    }
     if (!std::isfinite(ground)) continue;  // no grain under this boundary
     highest_ground = std::max(highest_ground, ground);
     smallest = std::min(smallest, lowest - ground);
@@ -125,7 +130,9 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
     if (!std::isfinite(smallest))
       throw InputError(boundaries.empty() ? "initial.clearance: no boundary that could stand above the ground; add [[boundaries]]"
                                           : "initial.clearance: no grain under any boundary; check initial.position against the bed");
-    placement.p_WD += (*initial.clearance - smallest) * up;
+    const Eigen::Vector3d lift = (*initial.clearance - smallest) * up;
+    placement.p_WD += lift;
+    for (LandingSite& site : placement.sites) site.r += lift;
   }
   return placement;
 }

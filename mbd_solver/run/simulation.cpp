@@ -121,7 +121,9 @@ void Simulation::prepare_windows() {
 }
 
 // Falling at its present speed. 0 when it may touch a grain now, or when nobody said how high the grains stand.
-double Simulation::time_of_flight(const BodyBoundary& entry, const BodyMotion& motion) const {
+double Simulation::time_of_flight(std::size_t k, const BodyMotion& motion) const {
+  const auto boundary = static_cast<std::size_t>(partner_->coupled()[k]);
+  const BodyBoundary& entry = mechanism_.boundaries[boundary];
   if (!mechanism_.placement.ground_known) return 0.0;
   const Eigen::Vector3d up = up_direction(scene_.gravity);
   const Eigen::Matrix3Xd& rho0 = entry.boundary.rho0();
@@ -130,7 +132,15 @@ double Simulation::time_of_flight(const BodyBoundary& entry, const BodyMotion& m
   const double speed = motion.w.norm() * reach - up.dot(motion.dr);
   double radius = 0.0;  // of beams
   for (const BeamSegment& segment : entry.boundary.segments()) radius = std::max(radius, segment.radius);
-  const double height = lowest - radius - mechanism_.placement.ground_height;
+  double ground = mechanism_.placement.ground_height;
+  if (!mechanism_.placement.sites.empty() && watch_->largest_omega_h()[k] == 0.0) {
+    // Before its first contact it flies to the grains below it, as long as it stays above them.
+    const LandingSite& site = mechanism_.placement.sites[boundary];
+    const Eigen::Vector3d way = motion.r - site.r;
+    const double turned = Eigen::AngleAxisd(site.R_WB.transpose() * motion.rotation()).angle();
+    if ((way - up * up.dot(way)).norm() + turned * reach < site.stray && std::isfinite(site.height)) ground = site.height;
+  }
+  const double height = lowest - radius - ground;
   if (height <= 0.0) return 0.0;
   return speed > 0.0 ? height / speed : std::numeric_limits<double>::infinity();
 }
@@ -141,11 +151,12 @@ void Simulation::choose_window(bool first) {
     BodyMotion& motion = motion_.bodies[k];
     fill_motion(entry.body, motion);
     WindowChoice::Body& body = windows_of_bodies_[k];
-    body.flight = time_of_flight(entry, motion);
+    body.flight = time_of_flight(k, motion);
     if (first) continue;
     const BodyLoad& load = partner_->load().bodies[k];
     body.stiffness = load.contact_stiffness;
-    body.force = load.mean.F_W.norm();
+    body.force = load.mean.F_W;
+    body.place = predicted_[k].r_mean();
     const Vector6d gap = predicted_[k].gap(motion);
     body.gap = gap.head<3>().norm() + gap.tail<3>().norm() * entry.boundary.rho0().colwise().norm().maxCoeff();
   }
@@ -221,6 +232,8 @@ double Simulation::exchange_window() {
   motion_.window = window_;
   motion_.time = state_.time;
   int n = choice_ ? choice_->substeps() : partner_->substeps();
+  if (choice_)
+    for (std::size_t k = 0; k < motion_.bodies.size(); ++k) watch_->allow(k, choice_->allowed_omega_h(k));
   if (scheme_->wants_tangent() && window_ == 0) n = 1;  // to learn the slopes of contacts that stand already
   motion_.n = std::max(1, std::min(n, left));
   motion_.last_window = left <= motion_.n;

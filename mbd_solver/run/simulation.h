@@ -73,7 +73,7 @@ class Simulation {
   double pending_interface_work();   // after a window [J]
   void soften_paths(double H);       // of motion_, for the scheme `tangent`
   void choose_window(bool first);    // after a window: substeps of the next one
-  double time_of_flight(const BodyBoundary& boundary, const BodyMotion& motion) const;  // until it can meet a grain [s]
+  double time_of_flight(std::size_t k, const BodyMotion& motion) const;  // of coupled body k, until it can meet a grain [s]
   void update_contact();             // contact_ from loads or planes
   void check_finite() const;
 

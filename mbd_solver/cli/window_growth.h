@@ -1,0 +1,26 @@
+#pragma once
+// Growth per window of the coupling schemes on the simplest problem there is: one body of mass m on one linear contact of stiffness K with a
+// grain that stands, no damping, omega H = sqrt(K/m) H. Theory: spectral radius of the scheme's window map; measured: the coupling code itself
+// (path, mean load, tangent) on that contact, the body integrated exactly. theory: coupling (window maps).
+
+#include <string>
+#include <vector>
+
+namespace footfall {
+
+struct GrowthPoint {
+  std::string scheme;
+  double omega_h = 0.0;    // [-]
+  double theory = 0.0;     // spectral radius [-]
+  double measured = 0.0;   // growth of the motion per window [-]
+};
+
+double predicted_growth(const std::string& scheme, double omega_h, int n);
+double measured_growth(const std::string& scheme, double omega_h, int n);
+
+// Every scheme at every omega H with windows of n substeps.
+std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, int n);
+// As Markdown: one line per omega H, "measured / theory" per scheme.
+void write_growth(const std::string& path, const std::string& title, const std::vector<GrowthPoint>& points, int n);
+
+}  // namespace footfall
