@@ -6,10 +6,10 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 runs=${1:-runs/paper}
 page=docs/paper.md pictures=docs/paper
-sweeps=(validation_drop validation_sensitivity ground attitudes friction velocity bed)
+sweeps=(validation_drop validation_sensitivity ground attitudes friction velocity explanations bed)
 
 if [[ ${2-} != page ]]; then
-  ./footfall run --out "$runs/landing"
+  ./footfall run --out "$runs/landing" --set output.vtk=true --set output.vtk_interval=0.05
   ./footfall pictures "$runs/landing" --times 0.05,0.25,0.5,1.0
   for sweep in "${sweeps[@]}"; do ./footfall sweep "inputs/sweeps/$sweep.toml" --out "$runs/$sweep" || echo "make.sh: sweep $sweep is not complete" >&2; done
 else
@@ -55,7 +55,7 @@ TEXT
   picture "$runs/validation_drop/depth.png" table2_depth "Height of pad 1"
   cat docs/paper/reading_validation.md; echo
   tables validation_sensitivity
-  printf '## Figure 10: grains by speed\n\nMade by `./footfall run` and `./footfall pictures DIR`.\n\n'
+  printf '## Figure 10: grains by speed\n\nMade by `./footfall run --set output.vtk=true --set output.vtk_interval=0.05 --out DIR` and `./footfall pictures DIR`.\n\n'
   for file in "$runs"/landing/pictures/*.png; do [[ ! -f $file ]] || picture "$file" "figure10_$(basename "$file" .png)" "Grains and lander, $(basename "$file" .png)"; done
   printf '## Figure 11: the landing\n\nMade by `./footfall run`.\n\n'
   picture "$runs/landing/plots/overview.png" figure11 "Acceleration, velocity, descent, energy, strokes and forces"
@@ -69,6 +69,9 @@ TEXT
   studies friction 14 acceleration velocity energy
   printf '## Figure 15: velocity\n\n'
   studies velocity 15 acceleration energy
+  printf '## Explanations\n\n'
+  picture "$runs/explanations/acceleration.png" explanations "Cabin acceleration"
+  tables explanations
   printf '## Does the bed decide?\n\n'
   tables bed
   cat docs/paper/reading.md
