@@ -10,7 +10,7 @@ sweeps=(validation_drop validation_sensitivity ground attitudes friction velocit
 
 if [[ ${2-} != page ]]; then
   ./footfall run --out "$runs/landing" --set output.vtk=true --set output.vtk_interval=0.05
-  ./footfall pictures "$runs/landing" --times 0.05,0.25,0.5,1.0
+  ./footfall pictures "$runs/landing" --times 0.05,0.25,0.5,1.0 --width 1000
   for sweep in "${sweeps[@]}"; do ./footfall sweep "inputs/sweeps/$sweep.toml" --out "$runs/$sweep" || echo "make.sh: sweep $sweep is not complete" >&2; done
 else
   for sweep in "${sweeps[@]}"; do [[ ! -d $runs/$sweep/runs ]] || ./footfall sweep "inputs/sweeps/$sweep.toml" --out "$runs/$sweep" --merge >/dev/null || true; done
