@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "coupler/errors.h"
+#include "liggghts_fix/stay_on_core.h"
 
 namespace footfall {
 namespace {
@@ -139,7 +140,10 @@ void DemLink::begin_substep(std::int64_t step) {
 
 void DemLink::begin_window() {
   const double asked = wall_clock();
-  link_->receive(motion_);
+  {
+    const StayOnCore here;
+    link_->receive(motion_);
+  }
   waited_ = wall_clock() - asked;
   if (windows_ == 0) sent_ = asked;
   if (motion_.window != windows_ || motion_.bodies.size() != bodies_.size() || motion_.n < 1 ||
