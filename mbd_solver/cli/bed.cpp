@@ -146,10 +146,16 @@ std::string bed_key(const BedSpec& spec, const std::string& version) {
   return hash(text);
 }
 
+std::string bed_folder(const BedSpec& spec) {
+  static const std::string version = liggghts_version();
+  return (fs::path(cache_folder()) / "beds" / bed_key(spec, version)).string();
+}
+
+bool bed_is_made(const std::string& folder) { return fs::exists(fs::path(folder) / kRestart); }
+
 Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet) {
-  const fs::path beds = fs::path(cache_folder()) / "beds";
-  const fs::path target = beds / bed_key(spec, liggghts_version());
-  if (!fs::exists(target / kRestart)) {
+  const fs::path target = bed_folder(spec);
+  if (!bed_is_made(target)) {
     Draft draft(target.string() + ".part" + std::to_string(getpid()));
     make_bed(spec, ranks, quiet, draft);
     draft.keep(target);

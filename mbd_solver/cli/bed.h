@@ -17,6 +17,10 @@ struct Bed {
 // Throws InputError with LIGGGHTS' own message when the script fails, PartnerError when LIGGGHTS dies, Interrupted at Ctrl-C.
 Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet);
 
+// Where the bed is, or will be; whether it is there.
+std::string bed_folder(const BedSpec& spec);
+bool bed_is_made(const std::string& folder);
+
 // $FOOTFALL_CACHE, else $XDG_CACHE_HOME/footfall, else ~/.cache/footfall.
 std::string cache_folder();
 std::string bed_key(const BedSpec& spec, const std::string& liggghts_version);

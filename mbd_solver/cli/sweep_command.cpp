@@ -25,6 +25,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
+struct SweepNeeds {
+  int cores = 1;                   // of the largest run
+  std::vector<std::size_t> beds;   // one run for each bed that is not made yet
+};
+
 // The sweep, its runs and their folders.
 class Sweep {
  public:
@@ -42,17 +47,25 @@ class Sweep {
   const std::string& out() const { return out_; }
   std::string folder(std::size_t run) const { return (fs::path(out_) / "runs" / runs_[run].name).string(); }
 
-  // Every scene is read once before anything runs: a wrong setting stops the whole sweep, not its hundredth run. Beds are made here, one
-  // after the other, so that runs side by side find them. Returns the cores one run takes.
-  int prepare(bool make_beds) const {
-    int cores = 1;
-    for (const SweepRun& run : runs_) {
-      const Scene scene = read_scene(run.scene, run.settings);
+  // What the machine has to give the chosen runs. Every scene is read once before anything runs: a wrong setting stops the whole sweep, not
+  // its hundredth run.
+  SweepNeeds needs(const std::vector<std::size_t>& chosen) const {
+    SweepNeeds needs;
+    std::set<std::string> seen;
+    for (const std::size_t run : chosen) {
+      const Scene scene = read_scene(runs_[run].scene, runs_[run].settings);
       if (!scene.touches_particles()) continue;
-      cores = std::max(cores, scene.particles->ranks);
-      if (make_beds && scene.particles->bed) prepare_bed(*scene.particles->bed, scene.particles->ranks, false);
+      needs.cores = std::max(needs.cores, scene.particles->ranks);
+      if (!scene.particles->bed) continue;
+      const std::string bed = bed_folder(*scene.particles->bed);
+      if (seen.insert(bed).second && !bed_is_made(bed)) needs.beds.push_back(run);
     }
-    return cores;
+    return needs;
+  }
+
+  void make_bed_of(std::size_t run) const {
+    const Scene scene = read_scene(runs_[run].scene, runs_[run].settings);
+    if (scene.touches_particles() && scene.particles->bed) prepare_bed(*scene.particles->bed, scene.particles->ranks, false);
   }
 
   std::vector<std::string> words(std::size_t run) const {
@@ -91,8 +104,8 @@ class Sweep {
   std::string out_;
 };
 
-void list_runs(const Sweep& sweep) {
-  for (std::size_t i = 0; i < sweep.runs().size(); ++i) {
+void list_runs(const Sweep& sweep, const std::vector<std::size_t>& chosen) {
+  for (const std::size_t i : chosen) {
     std::printf("%zu  %s\n", i, sweep.runs()[i].name.c_str());
     for (const std::string& setting : sweep.runs()[i].settings) std::printf("     --set %s\n", setting.c_str());
   }
@@ -110,6 +123,31 @@ void write_slurm(const Sweep& sweep, const SweepArguments& a, int cores) {
       << "# Tables and plots at the end:                 " << footfall << " sweep " << file << " --out " << folder << " --merge\n"
       << footfall << " sweep " << file << " --out " << folder << " --only \"$SLURM_ARRAY_TASK_ID\"\n";
   std::printf("%s: %zu runs; submit with  sbatch %s\n", path.c_str(), sweep.runs().size(), path.c_str());
+}
+
+// Beds come first, several at once, each by a process of its own (--only RUN --list), so that runs side by side find them. Throws when one
+// cannot be made, with what its process said; Interrupted at a signal.
+void make_beds(const Sweep& sweep, const std::string& file, const std::vector<std::size_t>& runs, int jobs) {
+  if (runs.empty()) return;
+  fs::create_directories(fs::path(sweep.out()) / "runs");
+  std::vector<Command> commands;
+  for (const std::size_t run : runs)
+    commands.push_back({{built_program("footfall"), "sweep", file, "--out", sweep.out(), "--only", std::to_string(run), "--list"}, {}, sweep.folder(run) + ".bed.log", ""});
+  std::printf("%zu beds to make, %d at once\n", commands.size(), jobs);
+  std::fflush(stdout);
+  int failed = -1, failed_with = 0;
+  const bool interrupted = run_pool(commands, jobs, [&](int bed, int code) {
+    if (code != kExitDone && failed < 0) failed = bed, failed_with = code;
+  });
+  if (interrupted) throw Interrupted{};
+  if (failed < 0) return;
+  std::ostringstream output;
+  output << std::ifstream(commands[static_cast<std::size_t>(failed)].output).rdbuf();
+  const std::string said = output.str(), prefix = "footfall: ";
+  const std::size_t message = said.rfind(prefix);
+  const std::string reason = message == std::string::npos ? said : said.substr(message + prefix.size());
+  if (failed_with == kExitBadInput) throw InputError(reason);
+  throw PartnerError(reason);
 }
 
 // Tables, plots and the ranking. True when every run is done.
@@ -157,27 +195,32 @@ int sweep_command(const SweepArguments& a) {
   if (a.only >= count)
     throw InputError("--only " + std::to_string(a.only) + ": the sweep has runs 0 to " + std::to_string(count - 1));
   if (a.merge) return merge(sweep) ? kExitDone : kExitFailed;
-  const int cores = sweep.prepare(!a.slurm);
-  if (a.list) {
-    list_runs(sweep);
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < sweep.runs().size(); ++i)
+    if (a.only < 0 || static_cast<int>(i) == a.only) chosen.push_back(i);
+  const SweepNeeds needs = sweep.needs(chosen);
+  if (a.slurm) {
+    write_slurm(sweep, a, needs.cores);
     return kExitDone;
   }
-  if (a.slurm) {
-    write_slurm(sweep, a, cores);
+  const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int jobs = a.jobs > 0 ? a.jobs : std::max(1, machine / needs.cores);
+  if (a.only >= 0) sweep.make_bed_of(chosen.front());
+  else make_beds(sweep, a.file, needs.beds, jobs);
+  if (a.list) {
+    list_runs(sweep, chosen);
     return kExitDone;
   }
 
   fs::create_directories(fs::path(sweep.out()) / "runs");
   std::vector<Command> commands;
   std::vector<std::size_t> numbers;
-  for (std::size_t i = 0; i < sweep.runs().size(); ++i) {
-    if ((a.only >= 0 && static_cast<int>(i) != a.only) || sweep.is_done(i)) continue;
+  for (const std::size_t i : chosen) {
+    if (sweep.is_done(i)) continue;
     commands.push_back({sweep.words(i), {}, sweep.folder(i) + ".log", ""});
     numbers.push_back(i);
   }
-  const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int jobs = a.jobs > 0 ? a.jobs : std::max(1, machine / cores);
-  std::printf("%zu runs to do, %zu done before, %d at once\n", commands.size(), (a.only >= 0 ? 1 : sweep.runs().size()) - commands.size(), jobs);
+  std::printf("%zu runs to do, %zu done before, %d at once\n", commands.size(), chosen.size() - commands.size(), jobs);
   std::fflush(stdout);
   const bool interrupted = run_pool(commands, jobs, [&](int task, int code) {
     const std::size_t run = numbers[static_cast<std::size_t>(task)];

@@ -21,6 +21,9 @@ constexpr int kMostIterations = 10;
 constexpr double kNewtonTolerance =
     0.01;                      // of the error tolerance: Newton must not be seen by the error estimate
 constexpr double kSlow = 0.2;  // convergence rate above which the Jacobian is renewed before the next step
+// A rate that was measured once says less and less about a Jacobian that grows old: without this, stages that end after one iteration would
+// never measure it again (as in RADAU5 of Hairer and Wanner).
+constexpr double kForgetting = 0.8;
 constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
 
 }  // namespace
@@ -67,8 +70,8 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs) {
     if (outcome == Outcome::kAccepted) {
       accept(t, step, inputs, state);
       t = steps > 1.0 ? t + step : t_end;
-      if (options_.error_control)
-        h = step * std::clamp(kSafety / std::cbrt(std::max(error_, 1e-12)), kLeast, kMost);
+      // Without error control only Newton shortens steps: they grow again.
+      h = step * (options_.error_control ? std::clamp(kSafety / std::cbrt(std::max(error_, 1e-12)), kLeast, kMost) : 2.0);
       if (options_.max_step > 0.0) h = std::min(h, options_.max_step);
       continue;
     }
@@ -156,6 +159,7 @@ bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
   Eigen::VectorXd& Y = Y_[stage - 1];
   Ydot_.tail(rows).setZero();
   double last = 0.0;
+  rate_ = std::max(rate_, std::min(std::pow(rate_, kForgetting), kSlow));
   for (int i = 0; i < kMostIterations; ++i) {
     // Positions and rates of the present velocities and states.
     change_.head(q) = Y.head(q);
