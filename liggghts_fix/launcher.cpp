@@ -23,6 +23,7 @@
 #include "liggghts_fix/fix_couple_mbd.h"
 #include "liggghts_fix/fix_couple_mbd_geometry.h"
 #include "liggghts_fix/fix_wall_gran_beam.h"
+#include "liggghts_fix/last_words.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "liggghts_fix/program_world.h"
 #include "signal_handling.h"
@@ -48,14 +49,21 @@ void install_signal_handlers() {
   sigaction(SIGUSR1, &restart, nullptr);
 }
 
-// `-screen none` makes LIGGGHTS print through a null stream as soon as a script has a mesh: nowhere is then a
-// better place.
-void mend_screen_none(int argc, char** argv) {
-  static char nowhere[] = "/dev/null";
+// The value of LIGGGHTS' option, by its long or short name; nullptr when it is not given.
+char** option(int argc, char** argv, const char* name, const char* short_name) {
   for (int i = 1; i + 1 < argc; ++i)
-    if ((std::strcmp(argv[i], "-screen") == 0 || std::strcmp(argv[i], "-sc") == 0) &&
-        std::strcmp(argv[i + 1], "none") == 0)
-      argv[i + 1] = nowhere;
+    if (std::strcmp(argv[i], name) == 0 || std::strcmp(argv[i], short_name) == 0) return &argv[i + 1];
+  return nullptr;
+}
+
+// `-screen none` makes LIGGGHTS print through a null stream as soon as a script has a mesh: nowhere is then a
+// better place, until the screen is kept. True when the option is given.
+bool mend_screen_none(int argc, char** argv) {
+  static char nowhere[] = "/dev/null";
+  char** screen = option(argc, argv, "-screen", "-sc");
+  if (!screen || std::strcmp(*screen, "none") != 0) return false;
+  *screen = nowhere;
+  return true;
 }
 
 template <class FixStyle>
@@ -64,9 +72,14 @@ LAMMPS_NS::Fix* create_fix(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) {
 }
 
 int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_link) {
+  const bool silent = mend_screen_none(argc, argv);
   // Not owned by a pointer that deletes it on the way of an exception: a LIGGGHTS stopped in mid-step cannot
   // be taken down in order.
   auto* lmp = new LAMMPS_NS::LAMMPS(argc, argv, communicator.world());
+  if (silent) {
+    char** log = option(argc, argv, "-log", "-l");
+    if (std::FILE* kept = screen_kept_for_last_words(log ? *log : "log.liggghts")) lmp->screen = kept;
+  }
   attach_dem_link(lmp, dem_link);
   register_fix_style(lmp, "couple/mbd/geometry", create_fix<LAMMPS_NS::FixCoupleMbdGeometry>);
   register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
@@ -120,7 +133,6 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
 int main(int argc, char** argv) {
   install_signal_handlers();
   MPI_Init(&argc, &argv);
-  mend_screen_none(argc, argv);
   int code = kExitDone;
   try {
     const Communicator communicator;

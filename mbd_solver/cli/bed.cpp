@@ -103,6 +103,7 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
   command.words.insert(command.words.end(), {"-var", "bed", restart, "-log", log, "-screen", "none"});
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   if (!quiet) std::printf("Making the bed, once: %s\n", shell_line(command).c_str());
+  std::fflush(stdout);
   const auto show = [&] {
     if (quiet || !terminal) return;
     std::printf("\rbed: %-40s", log_progress(log).c_str());

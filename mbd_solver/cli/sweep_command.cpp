@@ -63,9 +63,9 @@ class Sweep {
     return needs;
   }
 
-  void make_bed_of(std::size_t run) const {
+  void make_bed_of(std::size_t run, bool quiet) const {
     const Scene scene = read_scene(runs_[run].scene, runs_[run].settings);
-    if (scene.touches_particles() && scene.particles->bed) prepare_bed(*scene.particles->bed, scene.particles->ranks, false);
+    if (scene.touches_particles() && scene.particles->bed) prepare_bed(*scene.particles->bed, scene.particles->ranks, quiet);
   }
 
   std::vector<std::string> words(std::size_t run) const {
@@ -141,13 +141,10 @@ void make_beds(const Sweep& sweep, const std::string& file, const std::vector<st
   });
   if (interrupted) throw Interrupted{};
   if (failed < 0) return;
-  std::ostringstream output;
-  output << std::ifstream(commands[static_cast<std::size_t>(failed)].output).rdbuf();
-  const std::string said = output.str(), prefix = "footfall: ";
-  const std::size_t message = said.rfind(prefix);
-  const std::string reason = message == std::string::npos ? said : said.substr(message + prefix.size());
-  if (failed_with == kExitBadInput) throw InputError(reason);
-  throw PartnerError(reason);
+  std::ostringstream reason;
+  reason << std::ifstream(commands[static_cast<std::size_t>(failed)].output).rdbuf();
+  if (failed_with == kExitBadInput) throw InputError(reason.str());
+  throw PartnerError(reason.str());
 }
 
 // Tables, plots and the ranking. True when every run is done.
@@ -205,7 +202,7 @@ int sweep_command(const SweepArguments& a) {
   }
   const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int jobs = a.jobs > 0 ? a.jobs : std::max(1, machine / needs.cores);
-  if (a.only >= 0) sweep.make_bed_of(chosen.front());
+  if (a.only >= 0) sweep.make_bed_of(chosen.front(), a.list);
   else make_beds(sweep, a.file, needs.beds, jobs);
   if (a.list) {
     list_runs(sweep, chosen);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "coupler/errors.h"
 #include "mbd_solver/model/strut.h"
@@ -153,6 +154,15 @@ FigureTaker::FigureTaker(Simulation& simulation) : simulation_(simulation), up_(
 }
 
 const std::string& FigureTaker::body_name() const { return simulation_.mechanism().model.body(body_).name(); }
+
+std::string FigureTaker::balance_warning() const {
+  if (figures_.energy_balance_relative() <= kGoodBalance) return "";
+  std::ostringstream text;
+  text.precision(3);
+  text << "the energy of the mechanism does not close by " << figures_.energy_balance << " J, " << 100.0 * figures_.energy_balance_relative()
+       << " % of the reference energy: its integration is not accurate; make solver.rtol and solver.atol, or solver.max_step, smaller";
+  return text.str();
+}
 
 double FigureTaker::lowest_boundary_point(const Sample& sample) {
   double lowest = std::numeric_limits<double>::infinity();

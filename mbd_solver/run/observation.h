@@ -42,6 +42,8 @@ class Observation {
   std::vector<double> row_;
 };
 
+inline constexpr double kGoodBalance = 0.01;  // of the reference energy: more than time integration with usual tolerances leaves open
+
 // Largest values over every window of a run, not only over the rows that are written.
 struct Figures {
   double peak_acceleration = 0.0;      // of the heaviest body [m/s2]
@@ -61,6 +63,8 @@ class FigureTaker {
   explicit FigureTaker(Simulation& simulation);
   void take(const Sample& sample);
   const Figures& figures() const { return figures_; }
+  // What to tell when the mechanism's energy did not close to kGoodBalance; empty otherwise.
+  std::string balance_warning() const;
   const std::string& body_name() const;  // the heaviest body, whose acceleration and descent are reported
 
  private:

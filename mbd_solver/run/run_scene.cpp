@@ -82,6 +82,7 @@ Json summary_of(const Simulation& simulation, const FigureTaker& taker, const Fl
     for (const std::string& text : watch->warnings()) warnings.push_back(text);
   }
   for (const std::string& text : flexible.warnings()) warnings.push_back(text);
+  if (const std::string text = taker.balance_warning(); !text.empty()) warnings.push_back(text);
   json["steps"] = statistics.steps;
   json["windows"] = statistics.windows;
   json["rejected_steps"] = statistics.rejected;
@@ -171,6 +172,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   progress.finish();
   history.flush();
   if (motion) motion->flush();
+  if (const std::string text = taker.balance_warning(); !text.empty()) std::fprintf(stderr, "mbd_solver: warning: %s\n", text.c_str());
   const bool done = simulation.finished();
   if (!done) {
     write_checkpoint(folder + "checkpoint.txt", simulation.state(), simulation.mechanism(), voltages);
