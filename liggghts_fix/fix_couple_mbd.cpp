@@ -346,12 +346,12 @@ void FixCoupleMbd::check_inside_box(const CoupledMesh& mesh) const {
   for (int j = 0; j < x.cols(); ++j)
     if (outside(x.col(j), 0.0)) {
       std::ostringstream message;
-      message << "mesh " << mesh.mesh_id << " (body \"" << link_.body_name(mesh.body)
+      message << "t = " << static_cast<double>(update->ntimestep) * update->dt << " s: mesh " << mesh.mesh_id << " (body \"" << link_.body_name(mesh.body)
               << "\") leaves the simulation box at step " << update->ntimestep << ": node at (" << x(0, j)
               << ", " << x(1, j) << ", " << x(2, j) << "), box from (" << domain->boxlo[0] << ", "
               << domain->boxlo[1] << ", " << domain->boxlo[2] << ") to (" << domain->boxhi[0] << ", "
               << domain->boxhi[1] << ", " << domain->boxhi[2] << "). Make the region of create_box larger";
-      throw InputError(message.str());
+      throw footfall::NumericalError(message.str());
     }
 }
 

@@ -48,7 +48,7 @@ bool mentions(const StudyRun& run, const std::string& pattern) {
 
 Verdict judge(const StudySpec& study, const CaseSpec& spec, std::size_t index, const std::string& out) {
   const std::string value = spec.values.empty() ? "" : spec.values[index];
-  Verdict verdict{spec.group, spec.name, value, spec.expect.size() == 1 ? spec.expect[0] : spec.expect[index], "", "", 0.0, false};
+  Verdict verdict{spec.group, spec.name, value, spec.expect.size() == 1 ? spec.expect[0] : spec.expect[index], "", "", 0.0, 0.0, false};
   StudyRunRequest request;
   request.scene = scene_path(study, spec.scene.empty() ? study.scene : spec.scene);
   request.settings = study.settings;
@@ -76,6 +76,7 @@ Verdict judge(const StudySpec& study, const CaseSpec& spec, std::size_t index, c
       const StudyRun reference = run_once(exact);
       if (reference.code != 0) throw NumericalError("case " + spec.name + " " + value + ": its reference fails: " + reference.message);
       error = history_error(run.history, reference.history, spec.columns, spec.at_end);
+      verdict.error = error;
       verdict.note = "error " + percent(error) + ", ";
     }
     verdict.note += "gain " + percent(run.gain);
@@ -92,6 +93,23 @@ Verdict judge(const StudySpec& study, const CaseSpec& spec, std::size_t index, c
   return verdict;
 }
 
+void write_line(std::ostream& out, const Verdict& v) {
+  out << "| " << v.name << " | " << v.value << " | " << v.found << (v.as_expected ? "" : " (expected: " + v.expected + ")") << " | " << v.note << " |\n";
+}
+
+// Of first order at most: beyond value order_beyond no error is larger than that of an earlier such value times the ratio of the values.
+void judge_order(const CaseSpec& spec, const std::vector<Verdict>& earlier, Verdict& verdict) {
+  const double x = std::atof(verdict.value.c_str());
+  if (spec.order_beyond <= 0.0 || x < spec.order_beyond) return;
+  for (const Verdict& v : earlier) {
+    const double y = std::atof(v.value.c_str());
+    if (v.name != verdict.name || y < spec.order_beyond || v.error <= 0.0 || verdict.error <= v.error * x / y) continue;
+    verdict.as_expected = false;
+    verdict.note += "; grew from " + percent(v.error) + " at " + v.value + ", faster than in proportion";
+    return;
+  }
+}
+
 }  // namespace
 
 std::vector<Verdict> run_map(const StudySpec& study, const std::string& only, const std::string& out) {
@@ -101,7 +119,9 @@ std::vector<Verdict> run_map(const StudySpec& study, const std::string& only, co
     names.push_back(spec.name);
     if (!only.empty() && spec.name != only) continue;
     for (std::size_t i = 0; i < std::max<std::size_t>(1, spec.values.size()); ++i) {
-      verdicts.push_back(judge(study, spec, i, out));
+      Verdict judged = judge(study, spec, i, out);
+      judge_order(spec, verdicts, judged);
+      verdicts.push_back(judged);
       const Verdict& v = verdicts.back();
       std::printf("%-9s %-28s %-10s %-9s %s\n", v.as_expected ? "ok" : "NOT SO", v.name.c_str(), v.value.c_str(), v.found.c_str(), v.note.c_str());
       std::fflush(stdout);
@@ -117,13 +137,13 @@ void write_map(const std::string& path, const StudySpec& study, const std::vecto
   out << "# " << study.title << "\n\nWritten by `footfall accuracy " << fs::path(study.file).filename().string()
       << "`; every line is a test. accurate: against its reference, or by its energy where none is named. warned: the run is done, its energy bounded,\n"
          "its error larger, and it said so. stopped: it ended itself with this message. refused: it did not start.\n";
-  std::string group;
-  for (const Verdict& v : verdicts) {
-    if (v.group != group || &v == &verdicts.front()) {
-      group = v.group;
-      out << "\n## " << group << "\n\n| case | value | verdict | what was seen |\n|---|---|---|---|\n";
-    }
-    out << "| " << v.name << " | " << v.value << " | " << v.found << (v.as_expected ? "" : " (expected: " + v.expected + ")") << " | " << v.note << " |\n";
+  std::vector<std::string> groups;
+  for (const Verdict& v : verdicts)
+    if (std::find(groups.begin(), groups.end(), v.group) == groups.end()) groups.push_back(v.group);
+  for (const std::string& group : groups) {
+    out << "\n## " << group << "\n\n| case | value | verdict | what was seen |\n|---|---|---|---|\n";
+    for (const Verdict& v : verdicts)
+      if (v.group == group) write_line(out, v);
   }
 }
 

@@ -12,6 +12,7 @@ struct Verdict {
   std::string group, name, value, expected, found;  // found: accurate, warned, stopped, refused, or what is wrong
   std::string note;                                 // error, gain, message
   double wall = 0.0;                                // [s]
+  double error = 0.0;                               // against its reference [-]; 0 without one, or when it was not done
   bool as_expected = false;
 };
 

@@ -70,6 +70,7 @@ void read_case(TableReader& t, CaseSpec& c) {
   t.take("columns", c.columns);
   t.take("at_end", c.at_end);
   t.take("tolerance", c.tolerance);
+  t.take("order_beyond", c.order_beyond);
   t.take("until", c.until);
   t.require("name", !c.name.empty());
   t.require("expect", !c.expect.empty());

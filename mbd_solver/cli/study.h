@@ -56,6 +56,7 @@ struct CaseSpec {
   std::vector<std::string> columns;          // of history.csv, compared
   bool at_end = false;                       // compare the last row only: where it comes to rest
   double tolerance = 0.02;                   // of the reference's swing [-]
+  double order_beyond = 0.0;                 // from this value on errors grow at most in proportion to the value; 0: not asked
   double until = 0.0;                        // [s]; 0: the scene's end time
 };
 

@@ -122,7 +122,7 @@ std::vector<Case> cases() {
        {"`patience` needs a positive number of seconds, not \"-1\""},
        "fix mbd all couple/mbd every 5 patience -1 mesh m plate\nrun 200\n"});
   add({"MeshLeavesTheBox",
-       2,
+       1,
        {"mesh m (body \"plate\") leaves the simulation box at step", "Make the region of create_box larger"},
        kCouple + "run 20000\n",
        "until 1.0",
