@@ -100,7 +100,7 @@ struct Load {
   static constexpr MessageKind kKind = MessageKind::kLoad;
   std::int64_t window = 0;       // the same k as the Motion it answers
   std::int64_t particles = 0;    // grains now
-  double wall_seconds = 0.0;     // of the DEM side since its last Load, output included, waiting excluded [s]
+  double wall_seconds = 0.0;     // of the DEM side since its last Load or Accept, set-up and output included, waiting excluded [s]
   std::vector<BodyLoad> bodies;  // order of Start
 };
 

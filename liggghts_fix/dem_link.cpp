@@ -110,6 +110,7 @@ void DemLink::start(double dt, int n, std::int64_t step) {
   start.bodies = names_;
   link_->send(start);
   link_->receive(accept_);
+  sent_ = wall_clock();
   scheme_ = make_scheme(accept_.scheme);
   for (const std::string& name : names_)
     bodies_.push_back(std::make_unique<DemBody>(scene_body(name, "si"), *scheme_));
@@ -145,7 +146,6 @@ void DemLink::begin_window() {
     link_->receive(motion_);
   }
   waited_ = wall_clock() - asked;
-  if (windows_ == 0) sent_ = asked;
   if (motion_.window != windows_ || motion_.bodies.size() != bodies_.size() || motion_.n < 1 ||
       (n_ > 0 && motion_.n > n_))
     throw ProtocolError("window " + std::to_string(windows_) + ": " + link_->partner() +

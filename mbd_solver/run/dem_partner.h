@@ -34,7 +34,7 @@ class DemPartner {
   const Load& load() const { return load_; }               // of the last window
   void close() { link_.close(); }
   void fail(const std::string& reason, Status status) noexcept { link_.fail(reason, status); }
-  double seconds_waited() const { return link_.seconds_waited(); }
+  double seconds_waited() const { return link_.seconds_waited() - seconds_before_; }  // since both agreed to start [s]
 
  private:
   void check(const DemTerms& terms) const;
@@ -44,6 +44,7 @@ class DemPartner {
   Start start_;
   std::vector<int> coupled_;
   Load load_;
+  double seconds_before_ = 0.0;  // waited until then: the script was being read [s]
 };
 
 }  // namespace footfall
