@@ -1,6 +1,7 @@
 #include "mbd_solver/cli/sweep_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -174,7 +175,7 @@ bool merge(const Sweep& sweep) {
     const std::vector<StatementVerdict> verdicts = verdicts_of(sweep.spec(), cases);
     write_statements(sweep.out(), sweep.spec(), verdicts);
     for (std::size_t i = 0; i < verdicts.size(); ++i)
-      std::printf("%s: %s (%.4g)\n", sweep.spec().statements[i].text.c_str(), verdicts[i].came_out ? "came out" : "did not come out", verdicts[i].judged);
+      std::printf("%s: %s (%.4g)\n", sweep.spec().statements[i].text.c_str(), std::isnan(verdicts[i].judged) ? "not run" : verdicts[i].came_out ? "came out" : "did not come out", verdicts[i].judged);
   }
   const std::vector<int> order = ranking(sweep.spec(), cases);
   if (!order.empty()) std::printf("best in %s within the limits: %s\n", sweep.spec().minimise.c_str(), cases[static_cast<std::size_t>(order.front())].name.c_str());

@@ -165,7 +165,7 @@ void write_statements(const std::string& folder, const SweepSpec& sweep, const s
     const SweepStatement& s = sweep.statements[i];
     const StatementVerdict& v = verdicts[i];
     csv << '"' << s.text << "\"," << quoted(s.figure) << ',' << quoted(s.of_case) << ',' << number(v.value) << ',' << quoted(s.against) << ',' << number(v.reference)
-        << ',' << number(v.judged) << ',' << number(s.least) << ',' << number(s.most) << ',' << (v.came_out ? "yes" : "no") << '\n';
+        << ',' << number(v.judged) << ',' << number(s.least) << ',' << number(s.most) << ',' << (std::isnan(v.judged) ? "not run" : v.came_out ? "yes" : "no") << '\n';
     page << "| " << s.text << " | " << s.figure << ": " << s.of_case << " " << rounded(v.value);
     if (!s.against.empty()) page << ", " << s.against << " " << rounded(v.reference) << ", ratio " << rounded(v.judged);
     page << " |";
