@@ -6,12 +6,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <map>
 
 #include "coupler/errors.h"
 #include "mbd_solver/cli/programs.h"
 #include "mbd_solver/cli/stability_map.h"
 #include "mbd_solver/cli/study.h"
 #include "mbd_solver/cli/study_error.h"
+#include "mbd_solver/cli/study_page.h"
 #include "mbd_solver/cli/study_plot.h"
 #include "mbd_solver/cli/study_run.h"
 #include "mbd_solver/cli/window_growth.h"
@@ -28,8 +30,9 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 // All runs of one study, in order.
 class StudyRunner {
  public:
-  StudyRunner(const StudySpec& study, const std::string& out, bool short_form) : study_(study), out_(out), short_(short_form) {
-    members_ = short_form && !study.ensemble_short.empty() ? study.ensemble_short : study.ensemble_values;
+  StudyRunner(const StudySpec& study, const std::string& out, const AccuracyArguments& arguments)
+      : study_(study), out_(out), short_(arguments.short_form), resume_(arguments.resume) {
+    members_ = short_ && !study.ensemble_short.empty() ? study.ensemble_short : study.ensemble_values;
     if (members_.empty()) members_ = {""};
   }
 
@@ -37,15 +40,17 @@ class StudyRunner {
     StudyTable table;
     table.title = study_.title;
     table.x_name = study_.x_name;
+    table.members = static_cast<int>(members_.size());
     for (const MeasureSpec& measure : study_.measures) table.measures.push_back(measure.name);
     std::vector<StudyRun> references;
-    if (study_.has_reference) references = reference_runs({}, "reference");
+    if (study_.has_reference) references = reference_runs({}, "reference", table);
     for (const CurveSpec& curve : study_.curves) {
       table.curves.push_back(curve.name);
-      const std::vector<StudyRun> own = curve.reference.empty() ? references : reference_runs(curve.reference, curve.name + "_reference");
+      table.defaults.push_back(curve.default_value);
+      const std::vector<StudyRun> own = curve.reference.empty() ? references : reference_runs(curve.reference, curve.name, table);
       for (const std::string& value : short_ ? curve.short_values : curve.values) {
-        const std::vector<StudyRun> runs = all(curve.scene, curve.settings, value, curve.name + "_" + value, study_.repeats);
-        table.points.push_back(point(curve, value, runs, own));
+        const std::vector<StudyRun> runs = all(curve.scene, settings_of(curve, value), curve.name + "_" + value, study_.repeats);
+        table.points.push_back(point(curve.name, value, curve.scale, runs, own));
         table.grains = table.grains || table.points.back().dem > 0.0;
         say(table.points.back());
       }
@@ -54,46 +59,59 @@ class StudyRunner {
   }
 
  private:
-  std::vector<StudyRun> reference_runs(const std::vector<std::string>& more, const std::string& name) const {
+  // `more`: what the reference of one curve has of its own.
+  std::vector<StudyRun> reference_runs(const std::vector<std::string>& more, const std::string& name, StudyTable& table) {
     std::vector<std::string> settings = study_.reference;
     settings.insert(settings.end(), more.begin(), more.end());
-    std::vector<StudyRun> runs = all(study_.reference_scene, settings, "", name, 1);
+    const std::vector<StudyRun> runs = all(study_.reference_scene, settings, more.empty() ? name : name + "_reference", 1);
     for (const StudyRun& run : runs)
       if (run.code != 0) throw NumericalError("the reference run ended with code " + std::to_string(run.code) + ": " + run.message);
+    table.references.push_back(point(name, "reference", 0.0, runs, runs));
+    say(table.references.back());
     return runs;
   }
 
-  std::vector<StudyRun> all(const std::string& scene, const std::vector<std::string>& settings, const std::string& value, const std::string& name,
-                            int repeats) const {
+  // One run per member of the ensemble. Curves share runs with the same settings.
+  std::vector<StudyRun> all(const std::string& scene, const std::vector<std::string>& settings, const std::string& name, int repeats) {
     std::vector<StudyRun> runs;
     for (const std::string& member : members_) {
       StudyRunRequest request;
       request.scene = (fs::path(study_.folder) / (scene.empty() ? study_.scene : scene)).lexically_normal().string();
-      request.out = (fs::path(out_) / (name + (member.empty() ? "" : "_" + member))).string();
+      std::string folder = name + (member.empty() ? "" : "_" + member);
+      std::replace(folder.begin(), folder.end(), ' ', '_');  // LIGGGHTS splits paths at blanks
+      request.out = (fs::path(out_) / folder).string();
       request.settings = study_.settings;
-      for (const std::string& setting : filled(settings, value)) request.settings.push_back(setting);
+      if (short_) request.settings.insert(request.settings.end(), study_.short_settings.begin(), study_.short_settings.end());
+      request.settings.insert(request.settings.end(), settings.begin(), settings.end());
       if (!member.empty())
         for (const std::string& setting : filled(study_.ensemble_settings, member)) request.settings.push_back(setting);
-      request.until = study_.until;
+      request.until = short_ && study_.short_until > 0.0 ? study_.short_until : study_.until;
       request.time_limit = study_.time_limit;
       request.repeats = repeats;
-      runs.push_back(run_once(request));
+      request.resume = resume_;
+      const std::string recipe = recipe_of(request);
+      const auto found = recipe.empty() ? done_.end() : done_.find({recipe, repeats});
+      runs.push_back(found == done_.end() ? run_once(request) : found->second);
+      done_[{recipe, repeats}] = runs.back();
     }
     return runs;
   }
 
-  StudyPoint point(const CurveSpec& curve, const std::string& value, const std::vector<StudyRun>& runs, const std::vector<StudyRun>& references) const {
+  StudyPoint point(const std::string& curve, const std::string& value, double scale, const std::vector<StudyRun>& runs,
+                   const std::vector<StudyRun>& references) const {
     StudyPoint p;
-    p.curve = curve.name;
+    p.curve = curve;
     p.value = value;
     char* end = nullptr;
     const double x = std::strtod(value.c_str(), &end);
-    p.x = *end == '\0' ? curve.scale * x : 0.0;
+    p.x = *end == '\0' ? scale * x : 0.0;
     p.errors.assign(study_.measures.size(), kNone);
+    if (members_.size() > 1) p.sampled.assign(study_.measures.size(), SampledFigure{kNone, kNone, kNone, kNone});
     for (const StudyRun& run : runs) {
       p.code = std::max(p.code, run.code);
       if (run.code != 0) {
-        std::printf("%s %s: ended with code %d: %s\n", curve.name.c_str(), value.c_str(), run.code, run.message.c_str());
+        p.message = run.message;
+        std::printf("%s %s: ended with code %d: %s\n", curve.c_str(), value.c_str(), run.code, run.message.c_str());
         return p;
       }
       const double share = 1.0 / static_cast<double>(runs.size());
@@ -101,40 +119,30 @@ class StudyRunner {
       p.dem += share * run.dem;
       p.mbd += share * run.mbd;
       p.exchange += share * run.exchange;
+      p.cpu += share * run.cpu;
       p.steps += share * run.summary.value("steps", 0.0);
       p.windows += share * run.summary.value("windows", 0.0);
     }
     const StudyRun none;
-    if (members_.size() > 1) p.spreads.assign(study_.measures.size(), 0.0);
     for (std::size_t m = 0; m < study_.measures.size(); ++m) {
-      if (members_.size() > 1 && study_.measures[m].kind == MeasureKind::kFigure) {
-        const auto [mean, spread] = mean_and_spread(runs, study_.measures[m].key);
-        const double expected = mean_and_spread(references, study_.measures[m].key).first;
-        p.errors[m] = std::abs(mean - expected) / std::abs(expected);
-        p.spreads[m] = spread / std::abs(mean);
+      const MeasureSpec& measure = study_.measures[m];
+      if (members_.size() > 1 && measure.kind == MeasureKind::kFigure) {
+        std::vector<double> mine, theirs;
+        for (const StudyRun& run : runs) mine.push_back(figure_of(measure, run));
+        for (const StudyRun& run : references) theirs.push_back(figure_of(measure, run));
+        p.sampled[m] = sampled_figure(mine, theirs);
+        p.errors[m] = p.sampled[m].error;
         continue;
       }
       double sum = 0.0;
-      for (std::size_t k = 0; k < runs.size(); ++k) sum += error_of(study_.measures[m], runs[k], references.empty() ? none : references[k]);
+      for (std::size_t k = 0; k < runs.size(); ++k) sum += error_of(measure, runs[k], references.empty() ? none : references[k]);
       p.errors[m] = sum / static_cast<double>(runs.size());
     }
     return p;
   }
 
-  // Mean and standard deviation of one figure of the summaries.
-  static std::pair<double, double> mean_and_spread(const std::vector<StudyRun>& runs, const std::string& key) {
-    double sum = 0.0, squares = 0.0;
-    for (const StudyRun& run : runs) {
-      const double value = run.summary.value(key, 0.0);
-      sum += value;
-      squares += value * value;
-    }
-    const double n = static_cast<double>(runs.size()), mean = sum / n;
-    return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean) * n / std::max(1.0, n - 1.0))};
-  }
-
   void say(const StudyPoint& p) const {
-    std::printf("%-16s %-8s wall %8.3f s (grains %.3f, mechanism %.3f, exchange %.3f)", p.curve.c_str(), p.value.c_str(), p.wall, p.dem, p.mbd, p.exchange);
+    std::printf("%-16s %-8s wall %8.3f s, CPU %8.3f s (grains %.3f, mechanism %.3f, exchange %.3f)", p.curve.c_str(), p.value.c_str(), p.wall, p.cpu, p.dem, p.mbd, p.exchange);
     for (std::size_t m = 0; m < p.errors.size(); ++m) std::printf("  %s %.3g", study_.measures[m].name.c_str(), p.errors[m]);
     std::printf("\n");
     std::fflush(stdout);
@@ -142,8 +150,9 @@ class StudyRunner {
 
   const StudySpec& study_;
   std::string out_;
-  bool short_;
+  bool short_, resume_;
   std::vector<std::string> members_;
+  std::map<std::pair<std::string, int>, StudyRun> done_;  // by recipe and repeats
 };
 
 // Says which expectations hold; true when all do.
@@ -204,10 +213,10 @@ int accuracy_command(const AccuracyArguments& arguments) {
     std::printf("%zu cases, %td not as expected: %s\n", verdicts.size(), bad, table.c_str());
     return bad == 0 ? kExitDone : kExitFailed;
   }
-  const StudyTable table = StudyRunner(study, out, arguments.short_form).run();
+  const StudyTable table = StudyRunner(study, out, arguments).run();
   const std::string csv = (fs::path(out) / (name + ".csv")).string();
   write_study_csv(csv, table);
-  if (!arguments.table.empty()) write_study_table(arguments.table, table);
+  if (!arguments.table.empty()) write_study_page(arguments.table, table, "./footfall accuracy " + arguments.file + " --table " + arguments.table);
   std::printf("Files: %s\n", csv.c_str());
   try {
     std::printf("       %s\n", draw_study(out, name, table).c_str());

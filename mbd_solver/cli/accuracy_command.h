@@ -10,6 +10,7 @@ struct AccuracyArguments {
   std::string out;          // empty: runs/accuracy/NAME
   std::string only;         // of a map: this case alone
   std::string table;        // also written to this file, as Markdown
+  bool resume = false;      // of a study: runs that were done with the same settings are kept
   bool short_form = false;  // of a study: the `short` values alone, and the expectations of the file decide the exit code
 };
 

@@ -113,6 +113,7 @@ void add_accuracy(CLI::App& app, AccuracyArguments& a, std::function<int()>& act
   accuracy->add_option("--out", a.out, "Folder for results (default: runs/accuracy/NAME)");
   accuracy->add_option("--case", a.only, "Of a stability map: this case alone");
   accuracy->add_option("--table", a.table, "Write the table to this file as well, as Markdown");
+  accuracy->add_flag("--resume", a.resume, "Of a study: keep the runs in the folder that were done with the same scene, settings and script");
   accuracy->add_flag("--short", a.short_form, "Of a study: its short form, as the tests run it");
   accuracy->callback([&] { action = [&a] { return accuracy_command(a); }; });
 }

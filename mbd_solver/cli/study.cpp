@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "coupler/errors.h"
+#include "mbd_solver/cli/figure_reader.h"
 #include "mbd_solver/cli/table_reader.h"
 #include "mbd_solver/scene/findings.h"
 
@@ -18,25 +19,36 @@ void read_curve(TableReader& t, CurveSpec& c) {
   t.take("reference", c.reference);
   t.take("values", c.values);
   t.take("short", c.short_values);
+  t.take("beside", c.beside);
+  t.take("default", c.default_value);
   t.take("scale", c.scale);
   t.require("name", !c.name.empty());
   t.require("values", !c.values.empty());
   if (c.short_values.empty()) c.short_values = {c.values.front()};
+  const auto known = [&](const std::string& value) { return std::find(c.values.begin(), c.values.end(), value) != c.values.end(); };
+  if (!c.beside.empty() && c.beside.size() != c.values.size())
+    t.fail(*t.next("beside"), "beside", "has " + std::to_string(c.beside.size()) + " entries, expected one for each of the " + std::to_string(c.values.size()) + " values");
+  if (!c.beside.empty() && !std::all_of(c.short_values.begin(), c.short_values.end(), known)) t.fail(*t.next("short"), "short", "expected some of the values");
+  if (!c.default_value.empty() && !known(c.default_value)) t.fail(*t.next("default"), "default", "is \"" + c.default_value + "\", expected one of the values");
 }
 
 void read_measure(TableReader& t, MeasureSpec& m) {
   std::string kind = "rms";
   t.take("name", m.name);
   t.take("kind", kind);
+  t.require("name", !m.name.empty());
+  if (kind == "figure") {
+    m.kind = MeasureKind::kFigure;
+    m.figure.name = m.name;
+    take_figure(t, m.figure);
+    return;
+  }
   t.take("columns", m.columns);
   t.take("key", m.key);
-  t.require("name", !m.name.empty());
   if (kind == "rms") {
     m.kind = MeasureKind::kRms;
   } else if (kind == "final") {
     m.kind = MeasureKind::kFinal;
-  } else if (kind == "figure") {
-    m.kind = MeasureKind::kFigure;
   } else if (kind == "own") {
     m.kind = MeasureKind::kOwn;
   } else {
@@ -95,6 +107,8 @@ StudySpec read_study(const std::string& file) {
   t.take("x_name", s.x_name);
   t.take("settings", s.settings);
   t.take("until", s.until);
+  t.take("short_settings", s.short_settings);
+  t.take("short_until", s.short_until);
   t.take("repeats", s.repeats);
   t.take("time_limit", s.time_limit);
   if (const ConfigNode* node = t.next("reference")) {
@@ -143,8 +157,13 @@ StudySpec read_study(const std::string& file) {
   return s;
 }
 
-std::vector<std::string> filled(std::vector<std::string> texts, const std::string& value) {
-  static const std::string mark = "{value}";
+std::vector<std::string> settings_of(const CurveSpec& curve, const std::string& value) {
+  const auto at = std::find(curve.values.begin(), curve.values.end(), value);
+  const std::vector<std::string> settings = filled(curve.settings, value);
+  return curve.beside.empty() || at == curve.values.end() ? settings : filled(settings, curve.beside[static_cast<std::size_t>(at - curve.values.begin())], "{beside}");
+}
+
+std::vector<std::string> filled(std::vector<std::string> texts, const std::string& value, const std::string& mark) {
   for (std::string& text : texts)
     for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size())) text.replace(at, mark.size(), value);
   return texts;

@@ -3,17 +3,23 @@
 //
 //   title = "..."                          scene = "scenes/lattice.toml" (relative to the file)
 //   settings = ["key=value", ...]          for every run                until = 0.1      repeats = 3 (run times: the shortest counts)
+//   short_until, short_settings = [...]    for --short, instead of until and besides settings
 //   [reference]  settings = [...]          what the others are compared with
 //   [[curves]]   name, settings with {value}, values = [...], short = [...] (for --short), scale (x = scale value), scene and reference (its own)
+//                beside = [...]: what {beside} stands for, one per value, where two numbers go together
+//                default: the one of the values that the scene has by itself; recommendations are measured by its run time
 //   [ensemble]   settings with {value}, values = [...]: every point is run for each of them; figures are means, and their spread is told
-//   [[measures]] name, kind = "rms" | "final" (columns of history.csv against the reference's), "figure" (key of summary.json against
-//                the reference's), "own" (key of summary.json that is an error itself)
+//   [[measures]] name, kind = "rms" | "final" (columns of history.csv against the reference's), "figure" (a number out of the run, against
+//                the reference's: key of summary.json, or columns with reduce, prominence, over, as in sweep.h),
+//                "own" (key of summary.json that is an error itself)
 //   [[expect]]   curve, measure, order = [least, most] and/or error = most (at the smallest x)
 //   [[cases]]    of a stability map: see CaseSpec. A file has curves, or cases, or
 //   omega_h = [...], substeps = 20   for growth per window: see window_growth.h
 
 #include <string>
 #include <vector>
+
+#include "mbd_solver/cli/sweep_figure.h"
 
 namespace footfall {
 
@@ -23,6 +29,8 @@ struct CurveSpec {
   std::vector<std::string> settings;   // "{value}" is replaced
   std::vector<std::string> reference;  // settings of a reference of its own, besides those of [reference]; empty: the study's
   std::vector<std::string> values, short_values;
+  std::vector<std::string> beside;     // as values; empty: none
+  std::string default_value;           // empty: none of them
   double scale = 1.0;                  // x = scale * value, for values that are numbers
 };
 
@@ -32,7 +40,8 @@ struct MeasureSpec {
   std::string name;
   MeasureKind kind = MeasureKind::kRms;
   std::vector<std::string> columns;    // rms, final
-  std::string key;                     // figure, own
+  std::string key;                     // own
+  SweepFigure figure;                  // figure
 };
 
 struct ExpectSpec {
@@ -66,7 +75,9 @@ struct StudySpec {
   std::vector<std::string> settings, reference;
   std::string reference_scene;
   bool has_reference = false;
-  double until = 0.0;
+  double until = 0.0;                        // [s]; 0: the scene's end time
+  std::vector<std::string> short_settings;   // besides settings
+  double short_until = 0.0;                  // instead of until; 0: that one
   int repeats = 1;
   int time_limit = 600;                      // per run [s]
   std::vector<CurveSpec> curves;
@@ -81,7 +92,9 @@ struct StudySpec {
 // Throws InputError "file:line: key: what is wrong, what was expected".
 StudySpec read_study(const std::string& file);
 
-// "{value}" in every text replaced.
-std::vector<std::string> filled(std::vector<std::string> texts, const std::string& value);
+// "{value}" in every text replaced, or another mark.
+std::vector<std::string> filled(std::vector<std::string> texts, const std::string& value, const std::string& mark = "{value}");
+// The settings of one value of the curve.
+std::vector<std::string> settings_of(const CurveSpec& curve, const std::string& value);
 
 }  // namespace footfall

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "coupler/errors.h"
 
@@ -15,8 +16,17 @@ double value_at(const std::vector<double>& times, const std::vector<double>& val
   return values[i] + u * (values[i + 1] - values[i]);
 }
 
+// Mean and standard deviation (0 for one value).
+std::pair<double, double> mean_and_spread(const std::vector<double>& values) {
+  const double n = static_cast<double>(values.size()), mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double squares = 0.0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return {mean, std::sqrt(squares / std::max(1.0, n - 1.0))};
+}
+
 double figure(const StudyRun& run, const std::string& key) {
-  if (!run.summary.contains(key) || !run.summary[key].is_number()) throw InputError("measure: summary.json has no number \"" + key + "\"");
+  if (!run.summary.contains(key) || !run.summary[key].is_number())
+    throw InputError("measure: summary.json has no number \"" + key + "\"");
   return run.summary[key];
 }
 
@@ -50,8 +60,20 @@ double error_of(const MeasureSpec& measure, const StudyRun& run, const StudyRun&
     case MeasureKind::kOwn: return std::abs(figure(run, measure.key));
     case MeasureKind::kFigure: break;
   }
-  const double expected = figure(reference, measure.key);
-  return std::abs(figure(run, measure.key) - expected) / (expected != 0.0 ? std::abs(expected) : 1.0);
+  return sampled_figure({figure_of(measure, run)}, {figure_of(measure, reference)}).error;
+}
+
+double figure_of(const MeasureSpec& measure, const StudyRun& run) {
+  return figures_of_run({measure.figure}, run.folder, "measure \"" + measure.name + "\"").front();
+}
+
+SampledFigure sampled_figure(const std::vector<double>& figures, const std::vector<double>& reference) {
+  std::vector<double> differences;
+  for (std::size_t k = 0; k < figures.size(); ++k) differences.push_back(figures[k] - reference[k]);
+  const auto [mean, spread] = mean_and_spread(figures);
+  const auto [difference, scatter] = mean_and_spread(differences);
+  const double expected = mean_and_spread(reference).first, size = expected != 0.0 ? std::abs(expected) : 1.0;
+  return {mean, spread, std::abs(difference) / size, scatter / std::sqrt(static_cast<double>(figures.size())) / size};
 }
 
 double observed_order(const std::vector<std::pair<double, double>>& points) {

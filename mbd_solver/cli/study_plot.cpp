@@ -42,59 +42,46 @@ std::vector<std::pair<double, double>> StudyTable::line(const std::string& curve
   return result;
 }
 
+std::vector<std::array<double, 3>> StudyTable::bars(const std::string& curve, std::size_t measure, bool over_cost) const {
+  std::vector<std::array<double, 3>> result;
+  for (const StudyPoint& point : points) {
+    if (point.curve != curve || point.code != 0 || point.sampled.empty()) continue;
+    const double x = over_cost ? cost_of(point, grains) : point.x, error = point.errors[measure], bar = point.sampled[measure].standard_error;
+    if (x > 0.0 && error > 0.0 && bar > 0.0) result.push_back({x, error, bar});
+  }
+  return result;
+}
+
 void write_study_csv(const std::string& path, const StudyTable& table) {
   std::ofstream out(path);
   if (!out) throw InputError(path + ": cannot be written");
-  out << "curve,value,x,exit_code,wall_s,dem_wall_s,mbd_wall_s,exchange_wall_s,steps,windows";
+  out << "curve,value,x,exit_code,wall_s,dem_wall_s,mbd_wall_s,exchange_wall_s,cpu_s,steps,windows";
   for (const std::string& measure : table.measures) out << ",error." << measure << ",order." << measure;
-  const bool spread = !table.points.empty() && !table.points.front().spreads.empty();
-  if (spread)
-    for (const std::string& measure : table.measures) out << ",spread." << measure;
+  if (table.members > 1)
+    for (const std::string& measure : table.measures) out << ",mean." << measure << ",spread." << measure << ",standard_error." << measure;
   out << '\n';
-  const StudyPoint* before = nullptr;
-  for (const StudyPoint& point : table.points) {
-    if (before && before->curve != point.curve) before = nullptr;
+  const auto finite = [](double value) { return std::isfinite(value) ? number(value) : std::string(); };
+  const auto write = [&](const StudyPoint& point, const StudyPoint* before) {
     out << point.curve << ',' << point.value << ',' << number(point.x) << ',' << point.code;
-    for (const double time : {point.wall, point.dem, point.mbd, point.exchange}) out << ',' << number(time, "%.4g");
+    for (const double time : {point.wall, point.dem, point.mbd, point.exchange, point.cpu}) out << ',' << number(time, "%.4g");
     out << ',' << number(point.steps) << ',' << number(point.windows);
     for (std::size_t m = 0; m < table.measures.size(); ++m) {
-      out << ',' << (std::isfinite(point.errors[m]) ? number(point.errors[m]) : "") << ',';
+      out << ',' << finite(point.errors[m]) << ',';
       if (before && before->code == 0 && point.code == 0) {
         const double order = observed_order({{before->x, before->errors[m]}, {point.x, point.errors[m]}});
         if (order != 0.0) out << number(order, "%.2f");
       }
     }
-    if (spread)
-      for (const double value : point.spreads) out << ',' << number(value);
+    for (const SampledFigure& f : point.sampled) out << ',' << finite(f.mean) << ',' << finite(f.spread) << ',' << finite(f.standard_error);
     out << '\n';
-    before = &point;
-  }
-}
-
-void write_study_table(const std::string& path, const StudyTable& table) {
-  std::ofstream out(path);
-  if (!out) throw InputError(path + ": cannot be written");
-  const bool spread = !table.points.empty() && !table.points.front().spreads.empty();
-  out << "# " << table.title << "\n\nErrors in percent of the reference" << (spread ? ", and their spread over the samples" : "") << "; run times in s.\n\n| curve | value |"
-      << (table.grains ? " windows |" : " steps |");
-  for (const std::string& measure : table.measures) out << ' ' << measure << " |";
-  out << (table.grains ? " mechanism + exchange | whole |\n|---|---|---|---|---|" : " run time |\n|---|---|---|---|");
-  for (std::size_t m = 0; m < table.measures.size(); ++m) out << "---|";
-  out << '\n';
+  };
+  if (table.members > 1)
+    for (const StudyPoint& reference : table.references) write(reference, nullptr);
+  const StudyPoint* before = nullptr;
   for (const StudyPoint& point : table.points) {
-    out << "| " << point.curve << " | " << point.value << " | ";
-    if (point.code != 0) {
-      out << "ended with code " << point.code << " |\n";
-      continue;
-    }
-    out << number(table.grains ? point.windows : point.steps) << " |";
-    for (std::size_t m = 0; m < table.measures.size(); ++m) {
-      out << ' ' << (std::isfinite(point.errors[m]) ? number(100.0 * point.errors[m], "%.2g") : "");
-      if (spread) out << " (" << number(100.0 * point.spreads[m], "%.2g") << ')';
-      out << " |";
-    }
-    if (table.grains) out << ' ' << number(cost_of(point, true), "%.3g") << " |";
-    out << ' ' << number(point.wall, "%.3g") << " |\n";
+    if (before && before->curve != point.curve) before = nullptr;
+    write(point, before);
+    before = &point;
   }
 }
 
@@ -120,6 +107,12 @@ std::string draw_study(const std::string& folder, const std::string& name, const
         if (const double order = over_cost ? 0.0 : observed_order(points); order != 0.0) title += "  order " + number(order, "%.1f");
         plot += (plot.empty() ? "plot " : ", ") + data + " using 1:2 with linespoints pt " + std::to_string(k + 3) + " lw 1.5 lc " + std::to_string(k) +
                 " title \"" + title + "\"";
+        const auto bars = table.bars(curve, m, over_cost);
+        if (bars.empty()) continue;
+        out << data << "b << EOD\n";
+        for (const auto& [x, y, bar] : bars) out << number(x) << ' ' << number(y) << ' ' << number(y + bar) << '\n';
+        out << "EOD\n";
+        plot += ", " + data + "b using 1:2:2:3 with yerrorbars pt 0 lc " + std::to_string(k) + " notitle";
       }
       if (plot.empty()) {
         out << "set multiplot next\n";

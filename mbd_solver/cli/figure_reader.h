@@ -1,0 +1,12 @@
+#pragma once
+// Reads what says a figure in the file of a study: key, or columns with reduce and prominence; and over.
+
+#include "mbd_solver/cli/sweep_figure.h"
+#include "mbd_solver/cli/table_reader.h"
+
+namespace footfall {
+
+// Throws InputError "file:line: key: what is wrong, what was expected".
+void take_figure(TableReader& table, SweepFigure& figure);
+
+}  // namespace footfall

@@ -1,0 +1,18 @@
+#pragma once
+// What a finished run was made from and what it cost, kept beside its folder (FOLDER.done.json): the same run need not be done again.
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace footfall {
+
+// The scene with all its values, the texts of its script and controllers (not of files that the script includes), and the end time [s]. Empty
+// when the scene cannot be read: such a run is never taken as done.
+std::string run_recipe(const std::string& scene_file, const std::vector<std::string>& settings, double until);
+
+// `cost` of the run in `folder`, when it was recorded with this recipe and its summary is still there; null otherwise.
+nlohmann::ordered_json recorded_cost(const std::string& folder, const std::string& recipe);
+void record_run(const std::string& folder, const std::string& recipe, const nlohmann::ordered_json& cost);
+
+}  // namespace footfall
