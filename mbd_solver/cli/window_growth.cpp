@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "coupler/errors.h"
 #include "coupler/load_average.h"
+#include "mbd_solver/cli/window_growth_run.h"
 #include "mbd_solver/run/predicted_window.h"
 #include "mbd_solver/run/tangent.h"
 
@@ -146,18 +148,26 @@ double measured_growth(const std::string& name, double omega_h, int n) {
   return std::exp((count * skl - sk * sl) / (count * skk - sk * sk));
 }
 
-std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, int n) {
+std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, int n, const std::string& scene, const std::string& out) {
   std::vector<GrowthPoint> points;
   for (const double w : omega_h)
-    for (const std::string& scheme : scheme_names()) points.push_back({scheme, w, predicted_growth(scheme, w, n), measured_growth(scheme, w, n)});
+    for (const std::string& scheme : scheme_names()) {
+      GrowthPoint point{scheme, w, predicted_growth(scheme, w, n), measured_growth(scheme, w, n)};
+      if (!scene.empty()) {
+        char name[64];
+        std::snprintf(name, sizeof name, "%s_%g", scheme.c_str(), w);
+        point.in_liggghts = growth_in_liggghts(scene, scheme, w, n, (std::filesystem::path(out) / name).string());
+      }
+      points.push_back(point);
+    }
   return points;
 }
 
 void write_growth(const std::string& path, const std::string& title, const std::vector<GrowthPoint>& points, int n) {
   std::ofstream out(path);
   if (!out) throw InputError(path + ": cannot be written");
-  out << "# " << title << "\n\nMeasured / theory: growth of the motion per window of " << n << " substeps, one body on one linear contact with a grain that stands, no damping\n"
-      << "([window maps](theory.md)). Above 1 the scheme makes energy.\n\n| omega H |";
+  out << "# " << title << "\n\nGrowth of the motion per window of " << n << " substeps, one body on linear contacts with grains that stand, no damping: in LIGGGHTS / by the coupling code\n"
+      << "alone / theory ([window maps](theory.md)). Above 1 the scheme makes energy.\n\n| omega H |";
   for (const std::string& scheme : scheme_names()) out << ' ' << scheme << " |";
   out << "\n|---|";
   for (std::size_t i = 0; i < scheme_names().size(); ++i) out << "---|";
@@ -169,7 +179,9 @@ void write_growth(const std::string& path, const std::string& title, const std::
       out << text;
       last = point.omega_h;
     }
-    std::snprintf(text, sizeof text, " %.5g / %.5g |", point.measured, point.theory);
+    std::snprintf(text, sizeof text, " %.5g", point.in_liggghts);
+    out << (std::isnan(point.in_liggghts) ? " -" : text);
+    std::snprintf(text, sizeof text, " / %.5g / %.5g |", point.measured, point.theory);
     out << text;
   }
   out << '\n';
