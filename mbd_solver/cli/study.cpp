@@ -45,6 +45,7 @@ void read_measure(TableReader& t, MeasureSpec& m) {
   }
   t.take("columns", m.columns);
   t.take("key", m.key);
+  t.take("until", m.until);
   if (kind == "rms") {
     m.kind = MeasureKind::kRms;
   } else if (kind == "final") {

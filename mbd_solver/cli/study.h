@@ -9,7 +9,7 @@
 //                beside = [...]: what {beside} stands for, one per value, where two numbers go together
 //                default: the one of the values that the scene has by itself; recommendations are measured by its run time
 //   [ensemble]   settings with {value}, values = [...]: every point is run for each of them; figures are means, and their spread is told
-//   [[measures]] name, kind = "rms" | "final" (columns of history.csv against the reference's), "figure" (a number out of the run, against
+//   [[measures]] name, kind = "rms" | "final" (columns of history.csv against the reference's, up to the time `until`), "figure" (a number out of the run, against
 //                the reference's: key of summary.json, or columns with reduce, prominence, over, as in sweep.h),
 //                "own" (key of summary.json that is an error itself)
 //   [[expect]]   curve, measure, order = [least, most] and/or error = most (at the smallest x)
@@ -41,6 +41,7 @@ struct MeasureSpec {
   MeasureKind kind = MeasureKind::kRms;
   std::vector<std::string> columns;    // rms, final
   std::string key;                     // own
+  double until = 0.0;                  // rms, final: rows up to this time [s]; 0: all
   SweepFigure figure;                  // figure
 };
 

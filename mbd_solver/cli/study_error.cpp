@@ -32,10 +32,12 @@ double figure(const StudyRun& run, const std::string& key) {
 
 }  // namespace
 
-double history_error(const History& run, const History& reference, const std::vector<std::string>& columns, bool at_end) {
+double history_error(const History& run, const History& reference, const std::vector<std::string>& columns, bool at_end, double until) {
   const std::vector<double>& times = run.column("time");
   const std::vector<double>& reference_times = reference.column("time");
   if (reference_times.size() < 2 || times.empty()) throw InputError("measure: a run without rows cannot be compared");
+  const auto end = until > 0.0 ? std::upper_bound(times.begin(), times.end(), until * (1.0 + 1e-9)) : times.end();
+  const std::size_t count = std::max<std::size_t>(1, static_cast<std::size_t>(end - times.begin()));
   double sum = 0.0;
   for (const std::string& name : columns) {
     const std::vector<double>& mine = run.column(name);
@@ -43,20 +45,20 @@ double history_error(const History& run, const History& reference, const std::ve
     const auto [low, high] = std::minmax_element(theirs.begin(), theirs.end());
     const double swing = *high > *low ? *high - *low : 1.0;
     double square = 0.0;
-    const std::size_t first = at_end ? times.size() - 1 : 0;
-    for (std::size_t i = first; i < times.size(); ++i) {
+    const std::size_t first = at_end ? count - 1 : 0;
+    for (std::size_t i = first; i < count; ++i) {
       const double difference = (mine[i] - value_at(reference_times, theirs, times[i])) / swing;
       square += difference * difference;
     }
-    sum += square / static_cast<double>(times.size() - first);
+    sum += square / static_cast<double>(count - first);
   }
   return std::sqrt(sum / static_cast<double>(columns.size()));
 }
 
 double error_of(const MeasureSpec& measure, const StudyRun& run, const StudyRun& reference) {
   switch (measure.kind) {
-    case MeasureKind::kRms: return history_error(run.history, reference.history, measure.columns, false);
-    case MeasureKind::kFinal: return history_error(run.history, reference.history, measure.columns, true);
+    case MeasureKind::kRms: return history_error(run.history, reference.history, measure.columns, false, measure.until);
+    case MeasureKind::kFinal: return history_error(run.history, reference.history, measure.columns, true, measure.until);
     case MeasureKind::kOwn: return std::abs(figure(run, measure.key));
     case MeasureKind::kFigure: break;
   }

@@ -11,8 +11,8 @@
 namespace footfall {
 
 // Root mean square over the columns of the difference to the reference (straight between its rows) over the run's rows, or at the run's
-// last row only; of the reference's own swing (largest minus smallest value) [-].
-double history_error(const History& run, const History& reference, const std::vector<std::string>& columns, bool at_end);
+// last row only; rows up to the time `until` [s], 0: all; of the reference's own swing (largest minus smallest value) [-].
+double history_error(const History& run, const History& reference, const std::vector<std::string>& columns, bool at_end, double until = 0.0);
 
 // What the measure says [-]. Throws InputError for unknown columns and keys.
 double error_of(const MeasureSpec& measure, const StudyRun& run, const StudyRun& reference);
