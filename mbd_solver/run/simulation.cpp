@@ -8,6 +8,7 @@
 #include "coupler/errors.h"
 #include "coupler/scheme.h"
 #include "mbd_solver/model/rigid_plane.h"
+#include "mbd_solver/run/fast_modes.h"
 #include "mbd_solver/run/tangent.h"
 
 namespace footfall {
@@ -241,6 +242,10 @@ double Simulation::exchange_window() {
     fill_motion(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body, motion_.bodies[k]);
   starts_ = motion_.bodies;
   if (scheme_->wants_tangent()) soften_paths(motion_.n * dt);
+  for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
+    const Body& body = mechanism_.model.body(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body);
+    if (body.mode_count() > 0) slow_down_fast_modes(starts_[k], body.modal()->stiffness, motion_.n * dt, motion_.bodies[k]);
+  }
   for (std::size_t k = 0; k < predicted_.size(); ++k) predicted_[k].begin(motion_.bodies[k], motion_.n, dt);
   const Load& load = partner_->exchange(motion_);
   times_.dem += load.wall_seconds;

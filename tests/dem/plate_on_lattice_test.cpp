@@ -10,6 +10,7 @@
 #include "mbd_solver/model/flexible/fe_analysis.h"
 #include "mbd_solver/model/flexible/mesh_generator.h"
 #include "mbd_solver/model/flexible/modal_basis.h"
+#include "mbd_solver/run/fast_modes.h"
 #include "mbd_solver/run/mechanism.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "tests/dem/coupled_run.h"
@@ -159,11 +160,13 @@ struct PlateRun {
     s.dr = table->vector(row, "vx", "vy", "vz");
     s.w = table->vector(row, "wx", "wy", "wz");
     s.da = modal_column("da", row);
+    s.dda = modal_column("dda", row);
     return s;
   }
-  // Where the boundary stands at the end of that window of length H.
+  // Where the boundary stands at the end of that window of length H, and the rates on the way.
   BodyMotion predicted(std::size_t row, double H) const {
     BodyMotion s = state(row);
+    slow_down_fast_modes(state(row), modal.stiffness, H, s);
     s.r += H * s.dr;
     s.L = turned(s.L, H * s.w);
     s.a += H * s.da;

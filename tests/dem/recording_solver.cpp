@@ -1,6 +1,6 @@
 // mbd_solver as it is, with every number of its coupled body written down in every window, with all digits.
 //   recording_solver SCENE TABLE.csv [key=value ...]
-// A row at the start and after every window: time, state of the body then (r, L, a, dr, w, da), what it got from the grains over the
+// A row at the start and after every window: time, state of the body then (r, L, a, dr, w, da, dda), what it got from the grains over the
 // window (F_W, T_B, Q_a), the work that they did on its boundary and the work that it received, both since the start.
 
 #include <mpi.h>
@@ -32,6 +32,7 @@ class Table {
     modal("a");
     for (const char* name : {"vx", "vy", "vz", "wx", "wy", "wz"}) file_ << "," << name;
     modal("da");
+    modal("dda");
     for (const char* name : {"fx", "fy", "fz", "mx", "my", "mz"}) file_ << "," << name;
     modal("q");
     file_ << ",work,received\n";
@@ -45,6 +46,7 @@ class Table {
     put(motion_.dr);
     put(motion_.w);
     put(motion_.da);
+    put(motion_.dda);
     const ExternalLoad& load = sample.inputs.loads[static_cast<std::size_t>(body_)];
     put(load.F_W);
     put(load.T_B);
