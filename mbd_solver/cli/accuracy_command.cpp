@@ -218,7 +218,7 @@ int accuracy_command(const AccuracyArguments& arguments) {
   const StudyTable table = StudyRunner(study, out, arguments).run();
   const std::string csv = (fs::path(out) / (name + ".csv")).string();
   write_study_csv(csv, table);
-  if (!arguments.table.empty()) write_study_page(arguments.table, table, "./footfall accuracy " + arguments.file + " --table " + arguments.table);
+  if (!arguments.table.empty()) write_study_page(arguments.table, table, "./footfall accuracy " + arguments.file);
   std::printf("Files: %s\n", csv.c_str());
   try {
     std::printf("       %s\n", draw_study(out, name, table).c_str());

@@ -32,11 +32,13 @@ void write_data(std::ofstream& out, const std::string& name, const std::vector<s
 
 double cost_of(const StudyPoint& point, bool grains) { return grains ? point.mbd + point.exchange : point.mbd; }
 
+double StudyTable::cost(const StudyPoint& point) const { return members > 1 ? point.cpu : cost_of(point, grains); }
+
 std::vector<std::pair<double, double>> StudyTable::line(const std::string& curve, std::size_t measure, bool over_cost) const {
   std::vector<std::pair<double, double>> result;
   for (const StudyPoint& point : points) {
     if (point.curve != curve || point.code != 0) continue;
-    const double x = over_cost ? cost_of(point, grains) : point.x, error = point.errors[measure];
+    const double x = over_cost ? cost(point) : point.x, error = point.errors[measure];
     if (x > 0.0 && error > 0.0) result.emplace_back(x, error);
   }
   return result;
@@ -46,7 +48,7 @@ std::vector<std::array<double, 3>> StudyTable::bars(const std::string& curve, st
   std::vector<std::array<double, 3>> result;
   for (const StudyPoint& point : points) {
     if (point.curve != curve || point.code != 0 || point.sampled.empty()) continue;
-    const double x = over_cost ? cost_of(point, grains) : point.x, error = point.errors[measure], bar = point.sampled[measure].standard_error;
+    const double x = over_cost ? cost(point) : point.x, error = point.errors[measure], bar = point.sampled[measure].standard_error;
     if (x > 0.0 && error > 0.0 && bar > 0.0) result.push_back({x, error, bar});
   }
   return result;
@@ -119,7 +121,7 @@ std::string draw_study(const std::string& folder, const std::string& name, const
         continue;
       }
       out << (over_cost ? "unset key\n" : "set key inside left top samplen 2 font 'sans,9'\n") << "set ylabel \"error: " << table.measures[m] << "\"\nset xlabel \""
-          << (over_cost ? (table.grains ? "run time of mechanism and exchange [s]" : "run time [s]") : table.x_name) << "\"\n"
+          << (over_cost ? (table.members > 1 ? "processor time [s]" : table.grains ? "run time of mechanism and exchange [s]" : "run time [s]") : table.x_name) << "\"\n"
           << plot << '\n';
     }
   }

@@ -30,6 +30,8 @@ struct StudyTable {
   int members = 1;                                  // of the ensemble
   bool grains = false;                              // run times are told without the grains' own share
 
+  // What errors are set over: of an ensemble, whose runs often share the machine, the processor time of all programs, else cost_of [s].
+  double cost(const StudyPoint& point) const;
   // (x, error) or (cost, error) of one curve and measure, where both are positive.
   std::vector<std::pair<double, double>> line(const std::string& curve, std::size_t measure, bool over_cost) const;
   // (x or cost, error) of the same points with their standard errors; empty without an ensemble.
@@ -41,7 +43,7 @@ double cost_of(const StudyPoint& point, bool grains);
 
 // With an ensemble, rows of the references come first, and every row has mean, spread and standard error (see SampledFigure) of every figure.
 void write_study_csv(const std::string& path, const StudyTable& table);
-// Writes NAME.gp beside the CSV and draws NAME.png: one row per measure, error over x on the left (slopes: observed orders), over run time
+// Writes NAME.gp beside the CSV and draws NAME.png: one row per measure, error over x on the left (slopes: observed orders), over cost
 // on the right, all axes logarithmic; bars go up by the standard error. Returns the picture. Throws InputError when gnuplot is missing or fails.
 std::string draw_study(const std::string& folder, const std::string& name, const StudyTable& table);
 
