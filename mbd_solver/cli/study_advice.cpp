@@ -15,11 +15,35 @@ Points points_of(const StudyTable& table, const std::string& curve) {
   return points;
 }
 
+constexpr std::size_t kNothing = static_cast<std::size_t>(-1);
+
 bool is_judged(const StudyPoint& point) {
   return point.code == 0 && std::all_of(point.errors.begin(), point.errors.end(), [](double e) { return std::isfinite(e); });
 }
 
-double largest_error(const StudyPoint& point) { return *std::max_element(point.errors.begin(), point.errors.end()); }
+// The measure with the largest error, but for one.
+std::size_t worst_measure(const StudyPoint& point, std::size_t apart) {
+  std::size_t worst = kNothing;
+  for (std::size_t m = 0; m < point.errors.size(); ++m)
+    if (m != apart && (worst == kNothing || point.errors[m] > point.errors[worst])) worst = m;
+  return worst;
+}
+
+double largest_error(const StudyPoint& point, std::size_t apart = kNothing) {
+  const std::size_t m = worst_measure(point, apart);
+  return m == kNothing ? 0.0 : point.errors[m];
+}
+
+// The first point from which on all are within the limit; null without.
+const StudyPoint* first_within(const Points& points, double limit, std::size_t apart) {
+  const StudyPoint* first = nullptr;
+  for (const StudyPoint* point : points) {
+    const bool within = is_judged(*point) && largest_error(*point, apart) <= limit;
+    if (!within) first = nullptr;
+    else if (!first) first = point;
+  }
+  return first;
+}
 
 // What the curve's run times are measured by.
 const StudyPoint* yardstick(const StudyTable& table, const std::string& curve, const std::string& default_value) {
@@ -34,16 +58,20 @@ const StudyPoint* yardstick(const StudyTable& table, const std::string& curve, c
 }
 
 // All but `value`.
-Advice told(const StudyTable& table, const StudyPoint& point, const std::string& default_value, double limit) {
+Advice told(const StudyTable& table, const StudyPoint& point, const std::string& default_value, double limit, std::size_t apart = kNothing) {
   Advice advice;
   advice.curve = point.curve;
   advice.best = point.value;
-  const auto m = static_cast<std::size_t>(std::max_element(point.errors.begin(), point.errors.end()) - point.errors.begin());
+  const std::size_t m = worst_measure(point, apart);
+  if (apart != kNothing) {
+    advice.apart = table.measures[apart];
+    advice.apart_error = point.errors[apart];
+  }
   advice.measure = table.measures[m];
   advice.error = point.errors[m];
   for (std::size_t k = 0; k < point.sampled.size(); ++k) {
     if (k == m && std::isfinite(point.sampled[k].standard_error)) advice.standard_error = point.sampled[k].standard_error;
-    if (point.sampled[k].standard_error > limit) advice.resolved = false;
+    if (k != apart && point.sampled[k].standard_error > limit) advice.resolved = false;
   }
   const StudyPoint* by = yardstick(table, point.curve, default_value);
   advice.time_ratio = by && by->cpu > 0.0 ? point.cpu / by->cpu : 0.0;
@@ -55,17 +83,22 @@ Advice told(const StudyTable& table, const StudyPoint& point, const std::string&
 std::vector<Advice> advice_of(const StudyTable& table, double limit) {
   std::vector<Advice> result;
   for (std::size_t c = 0; c < table.curves.size(); ++c) {
-    const StudyPoint *chosen = nullptr, *best = nullptr;
-    for (const StudyPoint* point : points_of(table, table.curves[c])) {
-      const bool within = is_judged(*point) && largest_error(*point) <= limit;
-      if (!within) chosen = nullptr;
-      else if (!chosen) chosen = point;
+    const Points points = points_of(table, table.curves[c]);
+    const StudyPoint* best = nullptr;
+    for (const StudyPoint* point : points)
       if (is_judged(*point) && (!best || largest_error(*point) < largest_error(*best))) best = point;
-    }
     Advice advice;
     advice.curve = table.curves[c];
-    if (best) advice = told(table, chosen ? *chosen : *best, table.defaults[c], limit);
-    if (chosen) advice.value = chosen->value;
+    if (best) {
+      std::size_t apart = kNothing;
+      const StudyPoint* chosen = first_within(points, limit, apart);
+      if (!chosen && best->errors.size() > 1) {
+        apart = worst_measure(*best, kNothing);
+        chosen = first_within(points, limit, apart);
+      }
+      advice = chosen ? told(table, *chosen, table.defaults[c], limit, apart) : told(table, *best, table.defaults[c], limit);
+      if (chosen) advice.value = chosen->value;
+    }
     result.push_back(advice);
   }
   return result;

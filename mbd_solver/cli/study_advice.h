@@ -12,6 +12,8 @@ struct Advice {
   std::string curve;
   std::string value;            // the first one, in the file's order from coarse to fine, from which on all errors are within the limit:
                                 // one that is within while a finer one is not was lucky. Empty: none is
+  std::string apart;            // where none is with all measures, but one is without this one, the worst of the best value: it
+  double apart_error = 0.0;     // has this error there [-]; then `measure`, `error` and the like are of the others
   std::string best;             // `value`, or where none is within the limit the one with the smallest largest error; empty: none was done
   std::string measure;          // with the largest error of `best`
   double error = 0.0;           // of that measure [-]

@@ -56,6 +56,7 @@ void write_row(std::ostream& out, const StudyTable& table, const StudyPoint& poi
 std::string advice_cells(const Advice& a) {
   if (a.best.empty()) return " none was done | | |";
   std::string text = a.value.empty() ? " none; best is " + a.best : " " + a.value;
+  if (!a.apart.empty()) text += ", but for " + a.apart + " (" + percent(a.apart_error) + " %)";
   if (!a.resolved) text += " (not resolved)";
   text += " | " + error_text(a.error, a.standard_error) + ", " + a.measure + " | ";
   return text + (a.time_ratio > 0.0 ? number(a.time_ratio, "%.2f") : "") + " |";
@@ -68,6 +69,7 @@ void write_recommendations(std::ostream& out, const StudyTable& table) {
          "that of the scene's own value, or of the reference where the curve has no such value.";
   if (table.members > 1)
     out << " ± is what " << table.members << " samples leave open: the deviation of the error from\nsample to sample over the root of their number; where it passes the limit, the value is not resolved.";
+  out << " Where no value keeps all figures within\nthe limit but one does without the worst of them, it is told with that one's error.";
   out << "\n\n| curve | within 1 % | largest error | time | within 5 % | largest error | time |\n|---|---|---|---|---|---|---|\n";
   const std::vector<Advice> fine = advice_of(table, 0.01), coarse = advice_of(table, 0.05);
   for (std::size_t c = 0; c < fine.size(); ++c) out << "| " << fine[c].curve << " |" << advice_cells(fine[c]) << advice_cells(coarse[c]) << '\n';
@@ -87,11 +89,11 @@ void write_recommendations(std::ostream& out, const StudyTable& table) {
       const SampledFigure& f = reference.sampled[m];
       if (!std::isfinite(f.mean) || f.mean == 0.0) continue;
       const double scatter = f.spread / std::abs(f.mean);
-      out << (first ? " " : "; ") << percent(scatter) << " % (" << table.measures[m] << "; " << percent(scatter / std::sqrt(static_cast<double>(table.members))) << " % of a mean of "
-          << table.members << ")";
+      out << (first ? " " : ", ") << percent(scatter) << " % (" << table.measures[m] << ")";
       first = false;
     }
-    out << ".\nErrors are told closer than that because run and reference start from the same samples.\n";
+    out << ";\nof a mean of " << table.members << " by " << number(1.0 / std::sqrt(static_cast<double>(table.members)), "%.2f")
+        << " times that. Errors are told closer because run and reference start from the same samples.\n";
   }
 }
 

@@ -104,6 +104,18 @@ TEST(Advice, SaysWhenNoneIsWithinAndWhenTheSamplesLeaveMoreOpen) {
   EXPECT_EQ(coarse[2].best, "");                // an error that is no number is not within
 }
 
+TEST(Advice, LeavesOutOneMeasureThatNoValueKeepsWithin) {
+  StudyTable table = known_table();
+  for (StudyPoint& p : table.points)
+    if (p.code == 0) p.errors[0] = 0.2;
+  const std::vector<Advice> coarse = advice_of(table, 0.05);
+  EXPECT_EQ(coarse[0].value, "10");
+  EXPECT_EQ(coarse[0].apart, "force");
+  EXPECT_DOUBLE_EQ(coarse[0].apart_error, 0.2);
+  EXPECT_EQ(coarse[0].measure, "depth");
+  EXPECT_DOUBLE_EQ(coarse[0].error, 0.009);
+}
+
 TEST(Advice, LinesOfThePage) {
   std::ostringstream page;
   write_recommendations(page, known_table());
@@ -111,7 +123,7 @@ TEST(Advice, LinesOfThePage) {
   EXPECT_THAT(page.str(), HasSubstr("| steps | none; best is 1e-4 | 3 ± 0.1 %, force | 0.80 | 2e-4 (not resolved) | 4 ± 1 %, depth | 0.60 |\n"));
   EXPECT_THAT(page.str(), HasSubstr("| rigid | none was done | | | none was done | | |\n"));
   EXPECT_THAT(page.str(), HasSubstr("the largest error is that of \"windows\": 2 ± 0.1 % of force at 5."));
-  EXPECT_THAT(page.str(), HasSubstr("scatter by 5 % (force; 2.5 % of a mean of 4)"));
+  EXPECT_THAT(page.str(), HasSubstr("scatter by 5 % (force), 5 % (depth);\nof a mean of 4 by 0.50 times that."));
 }
 
 // What read_study says of a file that ends in `tail`.
