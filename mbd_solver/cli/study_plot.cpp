@@ -112,15 +112,15 @@ std::string draw_study(const std::string& folder, const std::string& name, const
         const auto bars = table.bars(curve, m, over_cost);
         if (bars.empty()) continue;
         out << data << "b << EOD\n";
-        for (const auto& [x, y, bar] : bars) out << number(x) << ' ' << number(y) << ' ' << number(y + bar) << '\n';
+        for (const auto& [x, y, bar] : bars) out << number(x) << ' ' << number(y) << ' ' << number(bar) << '\n';
         out << "EOD\n";
-        plot += ", " + data + "b using 1:2:2:3 with yerrorbars pt 0 lc " + std::to_string(k) + " notitle";
+        plot += ", " + data + "b using 1:2:(0):3 with vectors nohead lw 1.5 lc " + std::to_string(k) + " notitle";
       }
       if (plot.empty()) {
         out << "set multiplot next\n";
         continue;
       }
-      out << (over_cost ? "unset key\n" : "set key inside left top samplen 2 font 'sans,9'\n") << "set ylabel \"error: " << table.measures[m] << "\"\nset xlabel \""
+      out << (over_cost && table.members == 1 ? "unset key\n" : "set key inside left top samplen 2 font 'sans,9'\n") << "set ylabel \"error: " << table.measures[m] << "\"\nset xlabel \""
           << (over_cost ? (table.members > 1 ? "processor time [s]" : table.grains ? "run time of mechanism and exchange [s]" : "run time [s]") : table.x_name) << "\"\n"
           << plot << '\n';
     }
