@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "coupler/errors.h"
+#include "mbd_solver/cli/csv_field.h"
 #include "mbd_solver/cli/gnuplot.h"
 #include "mbd_solver/cli/study_error.h"
 
@@ -58,13 +59,14 @@ void write_study_csv(const std::string& path, const StudyTable& table) {
   std::ofstream out(path);
   if (!out) throw InputError(path + ": cannot be written");
   out << "curve,value,x,exit_code,wall_s,dem_wall_s,mbd_wall_s,exchange_wall_s,cpu_s,steps,windows";
-  for (const std::string& measure : table.measures) out << ",error." << measure << ",order." << measure;
+  for (const std::string& measure : table.measures) out << ',' << csv_field("error." + measure) << ',' << csv_field("order." + measure);
   if (table.members > 1)
-    for (const std::string& measure : table.measures) out << ",mean." << measure << ",spread." << measure << ",standard_error." << measure;
+    for (const std::string& measure : table.measures)
+      for (const char* what : {"mean.", "spread.", "standard_error."}) out << ',' << csv_field(what + measure);
   out << '\n';
   const auto finite = [](double value) { return std::isfinite(value) ? number(value) : std::string(); };
   const auto write = [&](const StudyPoint& point, const StudyPoint* before) {
-    out << point.curve << ',' << point.value << ',' << number(point.x) << ',' << point.code;
+    out << csv_field(point.curve) << ',' << csv_field(point.value) << ',' << number(point.x) << ',' << point.code;
     for (const double time : {point.wall, point.dem, point.mbd, point.exchange, point.cpu}) out << ',' << number(time, "%.4g");
     out << ',' << number(point.steps) << ',' << number(point.windows);
     for (std::size_t m = 0; m < table.measures.size(); ++m) {
@@ -107,8 +109,10 @@ std::string draw_study(const std::string& folder, const std::string& name, const
         write_data(out, data, points);
         std::string title = curve;
         if (const double order = over_cost ? 0.0 : observed_order(points); order != 0.0) title += "  order " + number(order, "%.1f");
+        // On the right only of curves that have no place on the left, which are not over x.
+        if (over_cost && table.members == 1 && !table.line(curve, m, false).empty()) title.clear();
         plot += (plot.empty() ? "plot " : ", ") + data + " using 1:2 with linespoints pt " + std::to_string(k + 3) + " lw 1.5 lc " + std::to_string(k) +
-                " title \"" + title + "\"";
+                (title.empty() ? " notitle" : " title \"" + title + "\"");
         const auto bars = table.bars(curve, m, over_cost);
         if (bars.empty()) continue;
         out << data << "b << EOD\n";
@@ -120,7 +124,7 @@ std::string draw_study(const std::string& folder, const std::string& name, const
         out << "set multiplot next\n";
         continue;
       }
-      out << (over_cost && table.members == 1 ? "unset key\n" : "set key inside left top samplen 2 font 'sans,9'\n") << "set ylabel \"error: " << table.measures[m] << "\"\nset xlabel \""
+      out << "set key inside left top samplen 2 font 'sans,9'\nset ylabel \"error: " << table.measures[m] << "\"\nset xlabel \""
           << (over_cost ? (table.members > 1 ? "processor time [s]" : table.grains ? "run time of mechanism and exchange [s]" : "run time [s]") : table.x_name) << "\"\n"
           << plot << '\n';
     }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "coupler/errors.h"
+#include "mbd_solver/cli/csv_field.h"
 #include "mbd_solver/cli/gnuplot.h"
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
@@ -38,9 +39,6 @@ std::ofstream open(const std::string& path) {
   if (!out) throw InputError(path + ": cannot be written");
   return out;
 }
-
-// A value may hold a comma.
-std::string quoted(const std::string& text) { return text.find(',') == std::string::npos ? text : "\"" + text + "\""; }
 
 int figure_index(const SweepSpec& sweep, const std::string& name) {
   int k = 0;
@@ -92,13 +90,13 @@ std::vector<SweepCase> cases_of(const SweepSpec& sweep, const std::vector<SweepR
 void write_run_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results) {
   std::ofstream out = open(path);
   out << "run";
-  for (const SweepParameter& parameter : sweep.parameters) out << ',' << quoted(parameter.name);
+  for (const SweepParameter& parameter : sweep.parameters) out << ',' << csv_field(parameter.name);
   out << ",status";
-  for (const SweepFigure& figure : sweep.figures) out << ',' << quoted(figure.name);
+  for (const SweepFigure& figure : sweep.figures) out << ',' << csv_field(figure.name);
   out << '\n';
   for (std::size_t i = 0; i < runs.size(); ++i) {
     out << i;
-    for (const std::string& value : runs[i].values) out << ',' << quoted(value);
+    for (const std::string& value : runs[i].values) out << ',' << csv_field(value);
     out << ',' << results[i].status;
     for (const double value : results[i].figures) out << ',' << number(value);
     out << '\n';
@@ -108,10 +106,10 @@ void write_run_table(const std::string& path, const SweepSpec& sweep, const std:
 void write_case_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases) {
   std::ofstream out = open(path);
   out << "case,runs,within_limits";
-  for (const SweepFigure& figure : sweep.figures) out << ',' << quoted(figure.name) << ',' << quoted("spread of " + figure.name);
+  for (const SweepFigure& figure : sweep.figures) out << ',' << csv_field(figure.name) << ',' << csv_field("spread of " + figure.name);
   out << '\n';
   for (const SweepCase& c : cases) {
-    out << quoted(c.name) << ',' << c.runs.size() << ',' << (c.within_limits ? "yes" : "no");
+    out << csv_field(c.name) << ',' << c.runs.size() << ',' << (c.within_limits ? "yes" : "no");
     for (std::size_t k = 0; k < c.mean.size(); ++k) out << ',' << number(c.mean[k]) << ',' << number(c.spread[k]);
     out << '\n';
   }
@@ -164,7 +162,7 @@ void write_statements(const std::string& folder, const SweepSpec& sweep, const s
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const SweepStatement& s = sweep.statements[i];
     const StatementVerdict& v = verdicts[i];
-    csv << '"' << s.text << "\"," << quoted(s.figure) << ',' << quoted(s.of_case) << ',' << number(v.value) << ',' << quoted(s.against) << ',' << number(v.reference)
+    csv << csv_field(s.text) << ',' << csv_field(s.figure) << ',' << csv_field(s.of_case) << ',' << number(v.value) << ',' << csv_field(s.against) << ',' << number(v.reference)
         << ',' << number(v.judged) << ',' << number(s.least) << ',' << number(s.most) << ',' << (std::isnan(v.judged) ? "not run" : v.came_out ? "yes" : "no") << '\n';
     page << "| " << s.text << " | " << s.figure << ": " << s.of_case << " " << rounded(v.value);
     if (!s.against.empty()) page << ", " << s.against << " " << rounded(v.reference) << ", ratio " << rounded(v.judged);
