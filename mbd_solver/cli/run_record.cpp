@@ -18,18 +18,23 @@ std::string record_file(const std::string& folder) { return folder + ".done.json
 
 }  // namespace
 
+std::string made_from(const Scene& scene) {
+  std::ostringstream text;
+  text << scene_json(scene);
+  const auto add_file = [&](const std::string& file) {
+    if (!file.empty()) text << std::ifstream(file).rdbuf();
+  };
+  if (scene.particles) add_file(scene.particles->script);
+  for (const ControllerSpec& controller : scene.controllers)
+    if (controller.kind == ControllerKind::kFuzzy) add_file(controller.file);
+  return text.str();
+}
+
 std::string run_recipe(const std::string& scene_file, const std::vector<std::string>& settings, double until) {
   std::ostringstream text;
   text << "until " << until << '\n';
   try {
-    const Scene scene = read_scene(scene_file, settings);
-    text << scene_json(scene);
-    const auto add_file = [&](const std::string& file) {
-      if (!file.empty()) text << std::ifstream(file).rdbuf();
-    };
-    if (scene.particles) add_file(scene.particles->script);
-    for (const ControllerSpec& controller : scene.controllers)
-      if (controller.kind == ControllerKind::kFuzzy) add_file(controller.file);
+    text << made_from(read_scene(scene_file, settings));
   } catch (const InputError&) {
     return "";
   }

@@ -5,10 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/scene/scene.h"
+
 namespace footfall {
 
-// The scene with all its values, the texts of its script and controllers (not of files that the script includes), and the end time [s]. Empty
-// when the scene cannot be read: such a run is never taken as done.
+// What a run is made from: the scene with all its values, the texts of its script and controllers (not of files that the script includes).
+std::string made_from(const Scene& scene);
+
+// The same of a file and settings, and the end time [s]. Empty when the scene cannot be read: such a run is never taken as done.
 std::string run_recipe(const std::string& scene_file, const std::vector<std::string>& settings, double until);
 
 // `cost` of the run in `folder`, when it was recorded with this recipe and its summary is still there; null otherwise.

@@ -14,10 +14,10 @@
 #include "mbd_solver/cli/bed.h"
 #include "mbd_solver/cli/process_pool.h"
 #include "mbd_solver/cli/programs.h"
+#include "mbd_solver/cli/run_record.h"
 #include "mbd_solver/cli/sweep_fit.h"
 #include "mbd_solver/cli/sweep_table.h"
 #include "mbd_solver/scene/findings.h"
-#include "mbd_solver/scene/scene_json.h"
 #include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {
@@ -79,16 +79,9 @@ class Sweep {
   // What a run is made from: its command, its scene with all values, the texts of its script and controllers. When one of them has
   // changed, a finished run is done again.
   std::string recipe(std::size_t run) const {
-    const Scene scene = read_scene(runs_[run].scene, runs_[run].settings);
     std::ostringstream text;
     for (const std::string& word : words(run)) text << word << '\n';
-    text << scene_json(scene);
-    const auto add_file = [&](const std::string& file) {
-      if (!file.empty()) text << std::ifstream(file).rdbuf();
-    };
-    if (scene.particles) add_file(scene.particles->script);
-    for (const ControllerSpec& controller : scene.controllers)
-      if (controller.kind == ControllerKind::kFuzzy) add_file(controller.file);
+    text << made_from(read_scene(runs_[run].scene, runs_[run].settings));
     return text.str();
   }
   bool is_done(std::size_t run) const {
