@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "coupler/errors.h"
+#include "mbd_solver/cli/fingerprint.h"
 #include "mbd_solver/cli/programs.h"
 #include "mbd_solver/scene/script_text.h"
 
@@ -19,18 +20,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kRestart = "bed.restart";
-
-// FNV-1a, 64 bits, twice with different starts: enough to tell scripts apart.
-std::string hash(const std::string& text) {
-  std::ostringstream hex;
-  for (std::uint64_t value : {0xcbf29ce484222325ull, 0x84222325cbf29ce4ull}) {
-    for (unsigned char c : text) value = (value ^ c) * 0x100000001b3ull;
-    char digits[17];
-    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
-    hex << digits;
-  }
-  return hex.str();
-}
 
 // Debian's version of the library that liggghts_mbd uses; the file's size and date where there is no dpkg.
 std::string liggghts_version() {
@@ -144,7 +133,7 @@ std::string cache_folder() {
 std::string bed_key(const BedSpec& spec, const std::string& version) {
   std::string text = version + "\n" + ScriptText(spec.script, spec.variables).contents();
   for (const auto& [name, value] : spec.variables) text += name + "=" + value + "\n";
-  return hash(text);
+  return fingerprint(text);
 }
 
 std::string bed_folder(const BedSpec& spec) {

@@ -5,8 +5,11 @@
 #include <sstream>
 
 #include "coupler/errors.h"
+#include "mbd_solver/cli/fingerprint.h"
+#include "mbd_solver/output/whole_file.h"
 #include "mbd_solver/scene/scene_json.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/scene/script_text.h"
 
 namespace footfall {
 
@@ -16,17 +19,21 @@ namespace {
 
 std::string record_file(const std::string& folder) { return folder + ".done.json"; }
 
+// A line for every text in `value` that is the name of a file. Read as LIGGGHTS reads it: with the files it includes, if it has any.
+void add_files(const nlohmann::ordered_json& value, std::ostream& text) {
+  for (const auto& inner : value)
+    if (inner.is_structured()) add_files(inner, text);
+    else if (std::error_code ignored; inner.is_string() && fs::is_regular_file(inner.get<std::string>(), ignored))
+      text << inner.get<std::string>() << ' ' << fingerprint(ScriptText(inner.get<std::string>(), {}).contents()) << '\n';
+}
+
 }  // namespace
 
 std::string made_from(const Scene& scene) {
+  const std::string json = scene_json(scene);
   std::ostringstream text;
-  text << scene_json(scene);
-  const auto add_file = [&](const std::string& file) {
-    if (!file.empty()) text << std::ifstream(file).rdbuf();
-  };
-  if (scene.particles) add_file(scene.particles->script);
-  for (const ControllerSpec& controller : scene.controllers)
-    if (controller.kind == ControllerKind::kFuzzy) add_file(controller.file);
+  text << json << '\n';
+  add_files(nlohmann::ordered_json::parse(json), text);
   return text.str();
 }
 
@@ -50,7 +57,7 @@ nlohmann::ordered_json recorded_cost(const std::string& folder, const std::strin
 }
 
 void record_run(const std::string& folder, const std::string& recipe, const nlohmann::ordered_json& cost) {
-  if (!recipe.empty()) std::ofstream(record_file(folder)) << nlohmann::ordered_json{{"cost", cost}, {"recipe", recipe}}.dump(1) << '\n';
+  if (!recipe.empty()) write_whole_file(record_file(folder), nlohmann::ordered_json{{"cost", cost}, {"recipe", recipe}}.dump(1) + "\n");
 }
 
 }  // namespace footfall

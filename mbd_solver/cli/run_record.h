@@ -9,7 +9,8 @@
 
 namespace footfall {
 
-// What a run is made from: the scene with all its values, the texts of its script and controllers (not of files that the script includes).
+// What a run is made from: the scene with all its values, and a fingerprint of each file it names: scripts (with what they include),
+// meshes, controllers, tables.
 std::string made_from(const Scene& scene);
 
 // The same of a file and settings, and the end time [s]. Empty when the scene cannot be read: such a run is never taken as done.

@@ -17,6 +17,7 @@
 #include "mbd_solver/cli/run_record.h"
 #include "mbd_solver/cli/sweep_fit.h"
 #include "mbd_solver/cli/sweep_table.h"
+#include "mbd_solver/output/whole_file.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -76,8 +77,8 @@ class Sweep {
     return words;
   }
 
-  // What a run is made from: its command, its scene with all values, the texts of its script and controllers. When one of them has
-  // changed, a finished run is done again.
+  // What a run is made from: its command, its scene and the files it names (run_record.h). When one of them has changed, a finished run is
+  // done again.
   std::string recipe(std::size_t run) const {
     std::ostringstream text;
     for (const std::string& word : words(run)) text << word << '\n';
@@ -90,7 +91,7 @@ class Sweep {
     text << kept.rdbuf();
     return kept.good() && text.str() == recipe(run) && result_of(spec_, folder(run)).done;
   }
-  void keep_recipe(std::size_t run) const { std::ofstream(folder(run) + ".recipe") << recipe(run); }
+  void keep_recipe(std::size_t run) const { write_whole_file(folder(run) + ".recipe", recipe(run)); }
 
  private:
   SweepSpec spec_;

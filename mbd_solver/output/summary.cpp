@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 
 #include "coupler/errors.h"
+#include "mbd_solver/output/whole_file.h"
 
 namespace footfall {
 
@@ -22,16 +22,7 @@ void demand_finite(const nlohmann::ordered_json& value, const std::string& path)
 
 void write_summary(const std::string& path, const nlohmann::ordered_json& summary) {
   demand_finite(summary, "");
-  const std::string draft = path + ".part";
-  {
-    std::ofstream file(draft);
-    file << summary.dump(2) << '\n';
-    file.flush();
-    if (!file) throw InputError(path + ": cannot be written; choose another folder with --out");
-  }
-  std::error_code error;
-  std::filesystem::rename(draft, path, error);
-  if (error) throw InputError(path + ": cannot be written: " + error.message());
+  write_whole_file(path, summary.dump(2) + "\n");
 }
 
 nlohmann::ordered_json read_summary(const std::string& path) {

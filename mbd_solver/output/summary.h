@@ -1,5 +1,5 @@
 #pragma once
-// summary.json: the figures of a run. Written beside the target and renamed, so that a reader never sees half of it.
+// summary.json: the figures of a run, whole or not there (whole_file.h).
 
 #include <nlohmann/json.hpp>
 #include <string>
