@@ -13,7 +13,7 @@ namespace footfall {
 namespace {
 
 constexpr double kFirstContact = 0.1;  // span over which impulses are compared [s]
-constexpr int kRings = 30;             // of the crater's profile, each as wide as a grain
+constexpr int kRings = 30;             // of the crater's profile, each as wide as the smallest grain
 
 std::string text(const char* format, ...) {
   char buffer[600];
@@ -101,7 +101,7 @@ void compare_forces(const ComparedRun& a, const ComparedRun& b, const std::vecto
 
 void compare_profiles(const BedFrame& bed_a, const BedFrame& bed_b, const ComparedRun& a, const ComparedRun& b, const SurfacePath& surface, double t,
                       Comparison& result) {
-  const double width = 2.0 * *std::max_element(bed_a.radius.begin(), bed_a.radius.end());
+  const double width = 2.0 * *std::min_element(bed_a.radius.begin(), bed_a.radius.end());
   const Eigen::Vector2d centre = place_at(surface, t).head<2>();
   const std::vector<double> p_a = surface_profile(bed_a, centre, width, kRings), p_b = surface_profile(bed_b, centre, width, kRings);
   result.profile = "distance," + a.label + "," + b.label + "\n";

@@ -40,6 +40,7 @@ class Cells {
 };
 
 double largest_radius(const BedFrame& bed) { return bed.radius.empty() ? 0.0 : *std::max_element(bed.radius.begin(), bed.radius.end()); }
+double smallest_radius(const BedFrame& bed) { return bed.radius.empty() ? 0.0 : *std::min_element(bed.radius.begin(), bed.radius.end()); }
 double radius(const BedFrame& bed, int i) { return bed.radius[static_cast<std::size_t>(i)]; }
 
 }  // namespace
@@ -67,10 +68,10 @@ double coordination_number(const BedFrame& bed, double gap) {
   return 2.0 * static_cast<double>(pairs) / bed.count();
 }
 
-// Points on a grid a fifth of the largest radius apart; each grain marks those that it covers.
+// Points on a grid a fifth of the smallest radius apart; each grain marks those that it covers.
 double packing_fraction(const BedFrame& bed, const Eigen::Vector3d& top, double R, double depth) {
   if (bed.count() == 0) return 0.0;
-  const double step = 0.2 * largest_radius(bed);
+  const double step = 0.2 * smallest_radius(bed);
   const long n = static_cast<long>(R / step), m = std::max(1l, static_cast<long>(depth / step));
   const Eigen::Vector3d corner = top - Eigen::Vector3d(static_cast<double>(n) * step, static_cast<double>(n) * step, (static_cast<double>(m) - 0.5) * step);
   const long side = 2 * n + 1;
@@ -99,13 +100,21 @@ double packing_fraction(const BedFrame& bed, const Eigen::Vector3d& top, double 
 
 std::vector<double> surface_profile(const BedFrame& bed, const Eigen::Vector2d& centre, double width, int rings) {
   std::map<std::pair<long, long>, double> tops;  // of columns around the line
-  for (int i = 0; i < bed.count(); ++i) {
-    const Eigen::Vector2d d = (bed.x.col(i).head<2>() - centre) / width;
-    if (d.norm() > rings + 1.0) continue;
-    const std::pair<long, long> column{std::lround(std::floor(d.x())), std::lround(std::floor(d.y()))};
-    const double top = bed.x(2, i) + radius(bed, i);
-    const auto [entry, fresh] = tops.emplace(column, top);
+  const auto raise = [&](long i, long j, double top) {
+    const auto [entry, fresh] = tops.emplace(std::pair(i, j), top);
     if (!fresh) entry->second = std::max(entry->second, top);
+  };
+  for (int g = 0; g < bed.count(); ++g) {
+    const Eigen::Vector2d d = (bed.x.col(g).head<2>() - centre) / width;
+    const double r = radius(bed, g) / width, z = bed.x(2, g) / width;
+    if (d.norm() > rings + 1.0 + r) continue;
+    raise(std::lround(std::floor(d.x())), std::lround(std::floor(d.y())), (z + r) * width);
+    // A grain wider than a column stands in others too: there its height over the column's middle counts.
+    for (long i = std::lround(std::ceil(d.x() - r - 0.5)); static_cast<double>(i) + 0.5 < d.x() + r; ++i)
+      for (long j = std::lround(std::ceil(d.y() - r - 0.5)); static_cast<double>(j) + 0.5 < d.y() + r; ++j) {
+        const double beside = (d - Eigen::Vector2d(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5)).squaredNorm();
+        if (beside < r * r) raise(i, j, (z + std::sqrt(r * r - beside)) * width);
+      }
   }
   std::vector<double> sum(static_cast<std::size_t>(rings), 0.0);
   std::vector<int> count(static_cast<std::size_t>(rings), 0);

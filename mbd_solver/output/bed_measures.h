@@ -17,8 +17,8 @@ double coordination_number(const BedFrame& bed, double gap = 0.01);
 // Share of the upright cylinder of radius R [m] below `top` (a point on its axis) that grains fill, down to `depth` [m].
 double packing_fraction(const BedFrame& bed, const Eigen::Vector3d& top, double R, double depth);
 
-// Height of the bed's surface in rings of `width` [m] around a vertical line: the mean over columns of that width of the highest grain's top. NaN
-// where no column holds grains.
+// Height of the bed's surface in rings of `width` [m] around a vertical line: the mean over columns of that width of the highest grain's top,
+// or of its height over the column's middle where it reaches over from another. NaN where no column holds grains.
 std::vector<double> surface_profile(const BedFrame& bed, const Eigen::Vector2d& centre, double width, int rings);
 
 // How far apart the same grains are in two beds. Grains that only one of them holds are left out.

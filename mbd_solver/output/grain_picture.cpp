@@ -17,7 +17,7 @@ struct Stop {
   Colour colour;
 };
 constexpr Stop kSpeeds[] = {{0.0, {233, 223, 199}}, {0.1, {214, 178, 104}}, {0.3, {127, 174, 138}}, {0.65, {31, 111, 168}}, {1.0, {46, 20, 90}}};
-constexpr double kOverlap = 0.25;  // of a grain's radius: more than grains press into plates
+constexpr double kOverlap = 0.25;  // of the smallest grain's radius: more than grains press into plates
 constexpr Colour kPlates{205, 208, 214}, kTubes{192, 57, 43};
 
 Colour colour_of(double share) {
@@ -97,7 +97,7 @@ std::string write_grain_picture(const std::string& folder, const std::string& na
   for (Eigen::Index i = 0; i < bed.x.cols(); ++i)
     if (bed.x(1, i) >= view.cut) image.sphere(bed.x.col(i), bed.radius[static_cast<std::size_t>(i)], colour_of(speed(bed, i) / view.fastest));
   const auto point = [&](int j) { return Eigen::Vector3d(shape.frame.points.col(j)); };
-  const double lift = bed.radius.empty() ? 0.0 : kOverlap * bed.radius.front();
+  const double lift = bed.radius.empty() ? 0.0 : kOverlap * *std::min_element(bed.radius.begin(), bed.radius.end());
   for (const Eigen::Vector3i& t : shape.frame.triangles) image.triangle(point(t(0)), point(t(1)), point(t(2)), kPlates, lift);
   for (std::size_t k = 0; k < shape.frame.lines.size(); ++k)
     image.capsule(point(shape.frame.lines[k](0)), point(shape.frame.lines[k](1)), shape.line_radius[k], kTubes);

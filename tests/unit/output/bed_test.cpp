@@ -104,6 +104,20 @@ TEST(BedMeasures, ACraterShowsInTheProfile) {
   EXPECT_DOUBLE_EQ(profile[5], 24.0);
 }
 
+TEST(BedMeasures, ALargeGrainStandsInEveryColumnItReachesOver) {
+  BedFrame bed = lattice(12);
+  bed.x.conservativeResize(3, bed.x.cols() + 1);
+  bed.x.rightCols<1>() = Eigen::Vector3d(12, 12, 26);
+  bed.id.push_back(bed.id.back() + 1);
+  bed.radius.push_back(4.0);
+  const std::vector<double> profile = surface_profile(bed, {12.0, 12.0}, 2.0, 6);
+  EXPECT_DOUBLE_EQ(profile[0], (30.0 + 3.0 * (26.0 + std::sqrt(16.0 - 2.0))) / 4.0);
+  EXPECT_GT(profile[1], 28.0);
+  EXPECT_DOUBLE_EQ(profile[3], 24.0);
+  // As many points for the small ones as without it.
+  EXPECT_NEAR(packing_fraction(bed, {12.0, 12.0, 24.0}, 6.0, 16.0), M_PI / 6.0, 0.03 * M_PI / 6.0);
+}
+
 TEST(BedMeasures, SeparationCountsTheGrainsThatAreApart) {
   const BedFrame a = lattice(4);
   BedFrame b = a;
