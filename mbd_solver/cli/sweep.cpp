@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <set>
 
 #include "coupler/errors.h"
+#include "mbd_solver/cli/figure_reader.h"
 #include "mbd_solver/cli/sweep_fit.h"
 #include "mbd_solver/cli/table_reader.h"
 
@@ -52,21 +52,9 @@ void read_parameter(TableReader& t, SweepParameter& p) {
 }
 
 void read_figure(TableReader& t, SweepFigure& f) {
-  const std::map<std::string, Reduction> known = {
-      {"max", Reduction::kMax},         {"min", Reduction::kMin},     {"final", Reduction::kFinal},
-      {"largest", Reduction::kLargest}, {"peaks", Reduction::kPeaks}, {"variation", Reduction::kVariation}};
-  std::string reduce = "max";
   t.take("name", f.name);
-  t.take("key", f.key);
-  t.take("columns", f.columns);
-  t.take("reduce", reduce);
-  t.take("prominence", f.prominence);
-  t.take("over", f.over);
   t.require("name", !f.name.empty());
-  if (f.key.empty() == f.columns.empty()) t.fail("key", "expected either key (of summary.json) or columns (of history.csv)");
-  const auto found = known.find(reduce);
-  if (found == known.end()) t.fail("reduce", "is \"" + reduce + "\", expected max, min, final, largest, peaks or variation");
-  f.reduction = found->second;
+  take_figure(t, f);
 }
 
 void read_printed(TableReader& t, SweepPrinted& p) {

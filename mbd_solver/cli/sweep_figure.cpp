@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <numeric>
 
 #include "coupler/errors.h"
 #include "mbd_solver/output/history.h"
@@ -30,6 +31,7 @@ double reduced(const SweepFigure& figure, const std::vector<double>& x) {
     case Reduction::kMin: return *std::min_element(x.begin(), x.end());
     case Reduction::kFinal: return x.back();
     case Reduction::kLargest: return std::abs(*std::max_element(x.begin(), x.end(), smaller_size));
+    case Reduction::kDrop: return x.front() - *std::min_element(x.begin(), x.end());
     case Reduction::kPeaks: return count_peaks(x, figure.prominence * *std::max_element(x.begin(), x.end()));
     case Reduction::kVariation: return variation(x);
     case Reduction::kMax: break;
@@ -38,15 +40,15 @@ double reduced(const SweepFigure& figure, const std::vector<double>& x) {
 }
 
 double of_history(const SweepFigure& figure, const History& history) {
-  double result = kNone;
+  std::vector<double> values;  // of the columns
   for (const std::string& name : figure.columns) {
     const std::vector<double>& column = history.column(name);
-    if (column.empty()) continue;
-    const double value = reduced(figure, column);
-    if (std::isnan(result) || figure.reduction == Reduction::kFinal) result = value;
-    result = figure.reduction == Reduction::kMin ? std::min(result, value) : std::max(result, value);
+    if (!column.empty()) values.push_back(reduced(figure, column));
   }
-  return result;
+  if (values.empty()) return kNone;
+  if (figure.average) return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  if (figure.reduction == Reduction::kFinal) return values.back();
+  return figure.reduction == Reduction::kMin ? *std::min_element(values.begin(), values.end()) : *std::max_element(values.begin(), values.end());
 }
 
 }  // namespace

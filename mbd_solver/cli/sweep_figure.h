@@ -11,6 +11,7 @@ enum class Reduction {
   kMin,
   kFinal,
   kLargest,    // of the absolute values
+  kDrop,       // first value minus the least
   kPeaks,      // maxima that stand out: their prominence is at least `prominence` times the largest value
   kVariation,  // sum of |x_i+1 - x_i|: how much a curve goes up and down
 };
@@ -20,6 +21,7 @@ struct SweepFigure {
   std::string key;                   // of summary.json; else
   std::vector<std::string> columns;  // of history.csv: the reduction of all of them
   Reduction reduction = Reduction::kMax;
+  bool average = false;              // the mean of the columns' reductions, not the extreme of them
   double prominence = 0.3;           // of kPeaks
   std::string over;                  // a key of summary.json that the figure is divided by; empty: none
 };

@@ -36,6 +36,26 @@ TEST(CountPeaks, ShoulderIsNoPeakAndARiseAtTheEndIsOne) {
   EXPECT_EQ(count_peaks({}, 0.3), 0);
 }
 
+TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "footfall_sweep_figure_run";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "summary.json") << "{\"weight\": 2.0}";
+  std::ofstream(folder / "history.csv") << "# units: s,N,N\ntime,a,b\n0,1,5\n1,3,-1\n2,2,4\n";
+  const std::vector<std::string> both = {"a", "b"};
+  std::vector<SweepFigure> figures(7);
+  for (SweepFigure& figure : figures) figure.columns = both;
+  figures[1].average = true;
+  figures[2].reduction = Reduction::kMin;
+  figures[3].reduction = Reduction::kMin;
+  figures[3].average = true;
+  figures[4].reduction = Reduction::kFinal;
+  figures[5].average = true;
+  figures[5].over = "weight";
+  figures[6].reduction = Reduction::kDrop;
+  EXPECT_THAT(figures_of_run(figures, folder.string(), "sweep.toml"), ::testing::ElementsAre(5.0, 4.0, -1.0, 0.0, 4.0, 2.0, 6.0));
+  std::filesystem::remove_all(folder);
+}
+
 // What read_sweep says of a file that ends in `tail`.
 std::string complaint(const std::string& tail) {
   const std::string path = (std::filesystem::temp_directory_path() / "footfall_sweep_figure_test.toml").string();
@@ -61,7 +81,8 @@ TEST(ReadSweep, SaysWhatIsWrongWithStatementsAndPrintedFigures) {
   EXPECT_THAT(complaint("[[statements]]\ntext = \"t\"\nfigure = \"force\"\ncase = \"speed 1\"\nmost = 3\n"), HasSubstr("\"force\" is not one of [[figures]]"));
   EXPECT_THAT(complaint("[[printed]]\nname = \"p\"\nvalues = [1, 2]\n"), HasSubstr("more values than there are [[figures]]"));
   EXPECT_THAT(complaint("[[printed]]\nname = \"p\"\nvalues = [\"much\"]\n"), HasSubstr("\"much\" is not a number"));
-  EXPECT_THAT(complaint("[[figures]]\nname = \"f\"\ncolumns = [\"x\"]\nreduce = \"mean\"\n"), HasSubstr("expected max, min, final, largest, peaks or variation"));
+  EXPECT_THAT(complaint("[[figures]]\nname = \"f\"\ncolumns = [\"x\"]\nreduce = \"mean\"\n"), HasSubstr("expected max, min, final, largest, drop, peaks or variation"));
+  EXPECT_THAT(complaint("[[figures]]\nname = \"f\"\nkey = \"x\"\naverage = true\n"), HasSubstr("expected at least two columns"));
 }
 
 }  // namespace
