@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 runs=${1:-runs/paper}
 page=docs/paper.md pictures=docs/paper
-sweeps=(validation_drop validation_sensitivity ground attitudes friction velocity explanations bed)
+sweeps=(validation_drop validation_sensitivity ground attitudes friction velocity explanations bed bed_grains)
 
 if [[ ${2-} != page ]]; then
   ./footfall run --out "$runs/landing" --set output.vtk=true --set output.vtk_interval=0.05
@@ -74,6 +74,7 @@ TEXT
   tables explanations
   printf '## Does the bed decide?\n\n'
   tables bed
+  tables bed_grains
   cat docs/paper/reading.md
 } > "$page.new"
 mv "$page.new" "$page"

@@ -24,6 +24,9 @@ awk 'function v(k, i,   a) { if (k == 0) return "0 0 0"; a = 2 * 3.1415926535897
        print "endsolid pad" }' > "$work/pad.stl"
 
 seconds_of() { local start; start=$(date +%s.%N); "$@" > "$work/out" 2>&1 || { cat "$work/out" >&2; exit 1; }; awk -v a="$start" -v b="$(date +%s.%N)" 'BEGIN { print b - a }'; }
+# The pads start 5 mm above the highest grain under the first of them, as the lander does.
+height=$(awk '($1 - 1.2374)^2 + ($2 - 1.2374)^2 < 0.04 && $3 + $4 > top { top = $3 + $4 } END { print top + 0.005 }' "$bed.grains")
+
 cd "$work"
 for pair in $(seq "$pairs"); do
   ours=$(seconds_of $mpi "$build/bin/liggghts_mbd" -in "$root/inputs/landing_mr/in.regolith" -var here "$root/inputs/landing_mr" -var bed "$bed" -var frames 0 -log ours.log : \
@@ -44,7 +47,7 @@ for pair in $(seq "$pairs"); do
         printf "\n"
       }
     }' run/history.csv > motion.lammps
-  stock=$(seconds_of $mpi liggghts -in "$root/tests/bench/in.stock_landing" -var here "$root/inputs/landing_mr" -var bed "$bed" -var pad pad.stl -var steps "$steps" -log stock.log)
+  stock=$(seconds_of $mpi liggghts -in "$root/tests/bench/in.stock_landing" -var here "$root/inputs/landing_mr" -var bed "$bed" -var pad pad.stl -var height "$height" -var steps "$steps" -log stock.log)
   parts=$(grep -E '"(dem|mbd|exchange)_wall_s"' run/summary.json | tr -d ' \n"' | sed 's/_wall_s:/ /g')
   awk -v a="$ours" -v b="$stock" -v parts="$parts" -v lists="$(sed -n 's/Neighbor list builds = //p' ours.log)" -v stock_lists="$(sed -n 's/Neighbor list builds = //p' stock.log)" 'BEGIN { printf "coupled %.2f s  stock %.2f s  ratio %.3f  [s]: %s  neighbour lists %d and %d\n", a, b, a / b, parts, lists, stock_lists }'
 done
