@@ -147,7 +147,7 @@ TEST(ReadStudy, SaysWhatIsWrongWithCurvesAndFigures) {
   EXPECT_THAT(complaint(curve + "beside = [3]\n" + measure + "key = \"k\"\n"), HasSubstr("has 1 entries, expected one for each of the 2 values"));
   EXPECT_THAT(complaint(curve + "default = 7\n" + measure + "key = \"k\"\n"), HasSubstr("is \"7\", expected one of the values"));
   EXPECT_THAT(complaint(curve + measure), HasSubstr("expected either key (of summary.json) or columns (of history.csv)"));
-  EXPECT_THAT(complaint(curve + measure + "columns = [\"a\"]\nreduce = \"mean\"\n"), HasSubstr("is \"mean\", expected max, min, final, largest, peaks or variation"));
+  EXPECT_THAT(complaint(curve + measure + "columns = [\"a\"]\nreduce = \"mean\"\n"), HasSubstr("is \"mean\", expected max, min, final, largest, drop, peaks or variation"));
 }
 
 TEST(SettingsOf, FillsBothMarksOfAValue) {
