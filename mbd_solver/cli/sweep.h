@@ -9,8 +9,8 @@
 //     ensemble = true                  its runs are one case: figures become mean and spread (seeds of the bed)
 //   [[figures]]                        columns of the table
 //     name, key = "peak_acceleration_g" (of summary.json)
-//     or columns = ["cabin.vz"] (of history.csv), reduce = "max" | "min" | "final" | "largest" (absolute) | "drop" (first minus least) | "variation" (sum of all steps)
-//        | "peaks" (maxima that stand out by `prominence`, 0.3 of the largest value unless given)
+//     or columns = ["cabin.vz"] (of history.csv), reduce = "max" | "min" | "final" | "largest" (absolute) | "drop" (first minus least)
+//        | "variation" (sum of all steps) | "peaks" (maxima that stand out by `prominence`, 0.3 of the largest value unless given)
 //     average = true                   the mean of the columns; without it the largest of them (of "min" the least, of "final" the last)
 //     over = "reference_energy_J"      divided by this key of summary.json
 //   [[limits]] figure, most            cases beyond are out of the ranking
