@@ -5,13 +5,9 @@
 namespace footfall {
 namespace {
 
-Eigen::Quaterniond quaternion(const Eigen::Vector4d& L) {
-  return {L[0], L[1], L[2], L[3]};
-}
+Eigen::Quaterniond quaternion(const Eigen::Vector4d& L) { return {L[0], L[1], L[2], L[3]}; }
 
-Eigen::Vector4d components(const Eigen::Quaterniond& q) {
-  return {q.w(), q.x(), q.y(), q.z()};
-}
+Eigen::Vector4d components(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
 }  // namespace
 
@@ -21,13 +17,11 @@ void BodyMotion::resize(int modes) {
   dda.setZero(modes);
 }
 
-Eigen::Matrix3d BodyMotion::rotation() const {
-  return quaternion(L).toRotationMatrix();
-}
+Eigen::Matrix3d BodyMotion::rotation() const { return quaternion(L).toRotationMatrix(); }
 
 bool BodyMotion::all_finite() const {
-  return r.allFinite() && L.allFinite() && a.allFinite() && dr.allFinite() && w.allFinite() &&
-         da.allFinite() && ddr.allFinite() && dw.allFinite() && dda.allFinite();
+  return r.allFinite() && L.allFinite() && a.allFinite() && dr.allFinite() && w.allFinite() && da.allFinite() &&
+         ddr.allFinite() && dw.allFinite() && dda.allFinite();
 }
 
 void GeneralizedForce::set_zero() {

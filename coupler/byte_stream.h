@@ -71,10 +71,8 @@ class ByteReader {
     const auto cols = number<std::int64_t>();
     constexpr int kRows = Derived::RowsAtCompileTime, kCols = Derived::ColsAtCompileTime;
     const std::uint64_t most = left_ / sizeof(typename Derived::Scalar);
-    const bool too_large =
-        rows > 0 && static_cast<std::uint64_t>(cols) > most / static_cast<std::uint64_t>(rows);
-    const bool too_long =
-        static_cast<std::uint64_t>(rows) > kMostRows || static_cast<std::uint64_t>(cols) > kMostRows;
+    const bool too_large = rows > 0 && static_cast<std::uint64_t>(cols) > most / static_cast<std::uint64_t>(rows);
+    const bool too_long = static_cast<std::uint64_t>(rows) > kMostRows || static_cast<std::uint64_t>(cols) > kMostRows;
     if (rows < 0 || cols < 0 || too_large || too_long || (kRows != Eigen::Dynamic && rows != kRows) ||
         (kCols != Eigen::Dynamic && cols != kCols))
       throw ProtocolError("a matrix of " + std::to_string(rows) + " x " + std::to_string(cols) +

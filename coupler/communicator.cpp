@@ -37,7 +37,8 @@ void wait_politely(MPI_Request& request, const Doorbell* doorbell) {
 void PoliteWait::nap() {
   using Seconds = std::chrono::duration<double>;
   constexpr double kWorthSleeping = 10e-3, kPart = 0.75;  // [s]; share of the expected time slept in one go
-  constexpr double kShare = 1.0 / 64.0, kShortest = 5e-6, kLongest = 500e-6, kLongestWithBell = 5e-3;  // of the time waited; [s]
+  // of the time waited; [s]
+  constexpr double kShare = 1.0 / 64.0, kShortest = 5e-6, kLongest = 500e-6, kLongestWithBell = 5e-3;
   double nap = kPart * expected_;
   if (expected_ > kWorthSleeping) {
     expected_ = 0.0;
@@ -66,7 +67,8 @@ std::string name_of_job() {
 bool all_on_one_machine(int world_size) {
   MPI_Comm machine = MPI_COMM_NULL;
   int here = 0, fewest = 0;
-  check_mpi(MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine), "MPI_Comm_split_type");
+  check_mpi(MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine),
+            "MPI_Comm_split_type");
   MPI_Comm_size(machine, &here);
   MPI_Comm_free(&machine);
   check_mpi(MPI_Allreduce(&here, &fewest, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD), "MPI_Allreduce");
@@ -86,8 +88,8 @@ std::unique_ptr<Doorbell> hang_up_doorbell(int world_rank, int world_size) {
 }  // namespace
 
 void abort_both_programs(int exit_code) {
-  // Not MPI_Abort: when several ranks end at once, Open MPI's mpirun may crash or hang over its abort messages. A process that ends without
-  // MPI_Finalize is enough for mpirun to end all others, and its exit code becomes the job's.
+  // Not MPI_Abort: when several ranks end at once, Open MPI's mpirun may crash or hang over its abort messages. A
+  // process that ends without MPI_Finalize is enough for mpirun to end all others, and its exit code becomes the job's.
   std::fflush(nullptr);
   _exit(exit_code);
 }
@@ -105,9 +107,8 @@ Communicator::Communicator() {
   check_mpi(MPI_Allgather(&mine, 1, MPI_INT, apps.data(), 1, MPI_INT, MPI_COMM_WORLD), "MPI_Allgather");
   const std::size_t programs = std::set<int>(apps.begin(), apps.end()).size();
   if (programs > 2)
-    throw InputError(
-        "this mpirun started " + std::to_string(programs) +
-        " programs; footfall couples two: mpirun -np N liggghts_mbd -in SCRIPT : -np 1 mbd_solver SCENE");
+    throw InputError("this mpirun started " + std::to_string(programs) +
+                     " programs; footfall couples two: mpirun -np N liggghts_mbd -in SCRIPT : -np 1 mbd_solver SCENE");
 
   check_mpi(MPI_Comm_split(MPI_COMM_WORLD, mine, world_rank, &own_), "MPI_Comm_split");
   check_mpi(MPI_Comm_dup(MPI_COMM_WORLD, &exchange_), "MPI_Comm_dup");
@@ -156,17 +157,12 @@ void AbortGuard::install(const Communicator& communicator, std::function<bool()>
   guard().released = !communicator.has_partner() || !communicator.is_root();
   guard().last_words = std::move(last_words);
   int key = MPI_KEYVAL_INVALID;
-  check_mpi(MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, on_finalize, &key, nullptr),
-            "MPI_Comm_create_keyval");
+  check_mpi(MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, on_finalize, &key, nullptr), "MPI_Comm_create_keyval");
   check_mpi(MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr), "MPI_Comm_set_attr");
 }
 
-void AbortGuard::set_last_words(std::function<bool()> last_words) {
-  guard().last_words = std::move(last_words);
-}
+void AbortGuard::set_last_words(std::function<bool()> last_words) { guard().last_words = std::move(last_words); }
 
-void AbortGuard::release() {
-  guard().released = true;
-}
+void AbortGuard::release() { guard().released = true; }
 
 }  // namespace footfall

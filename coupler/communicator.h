@@ -30,12 +30,11 @@ class Communicator {
   int size() const { return size_; }
   bool is_root() const { return rank_ == 0; }
   bool has_partner() const { return partner_root_ >= 0; }
-  MPI_Comm exchange() const { return exchange_; }  // both programs, for transport_mpi alone
-  int partner_root() const {
-    return partner_root_;
-  }  // rank of the partner's rank 0 in exchange(); -1 without one
+  MPI_Comm exchange() const { return exchange_; }     // both programs, for transport_mpi alone
+  int partner_root() const { return partner_root_; }  // rank of the partner's rank 0 in exchange(); -1 without one
 
-  const Doorbell* doorbell() const { return doorbell_.get(); }  // null unless the whole job runs on this machine; seats: ranks in exchange()
+  // null unless the whole job runs on this machine; seats: ranks in exchange()
+  const Doorbell* doorbell() const { return doorbell_.get(); }
   const std::vector<int>& own_seats() const { return own_seats_; }  // of the ranks of this program
 
  private:
@@ -52,9 +51,9 @@ class Communicator {
 void check_mpi(int code, const char* call);
 
 // Waiting without keeping a core busy: Open MPI's own blocking calls spin. Three quarters of a wait that is expected
-// to be long are slept through; then one looks again after 1/64 of the time waited so far, 5 to 500 microseconds: what is lost stays a
-// small part of every wait, and who looks seldom does not push the other program off its core. A doorbell ends a nap when it rings, so that
-// with one the naps may last up to 5 milliseconds.
+// to be long are slept through; then one looks again after 1/64 of the time waited so far, 5 to 500 microseconds: what
+// is lost stays a small part of every wait, and who looks seldom does not push the other program off its core. A
+// doorbell ends a nap when it rings, so that with one the naps may last up to 5 milliseconds.
 class PoliteWait {
  public:
   explicit PoliteWait(const Doorbell* doorbell, double expected_seconds = 0.0)

@@ -33,7 +33,8 @@ struct Address {
 
 }  // namespace
 
-Doorbell::Doorbell(std::string job, int seat) : job_(std::move(job)), socket_(socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
+Doorbell::Doorbell(std::string job, int seat)
+    : job_(std::move(job)), socket_(socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
   const Address mine(job_, seat);
   if (socket_ >= 0 && bind(socket_, mine.get(), mine.size) != 0) {
     close(socket_);

@@ -12,7 +12,8 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The two programs disagree (version, dt, bodies, shape of a message). Exit code 2; both sides print it, naming both values.
+// The two programs disagree (version, dt, bodies, shape of a message). Exit code 2; both sides print it, naming both
+// values.
 class ProtocolError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -38,9 +39,9 @@ inline constexpr int kExitInterrupted = 3;
 }  // namespace footfall
 
 // Our own mistake, always on: a broken invariant of the program, never of its input.
-#define FOOTFALL_DEMAND(condition)                                                                        \
-  do {                                                                                                    \
-    if (!(condition))                                                                                     \
+#define FOOTFALL_DEMAND(condition)                                                                            \
+  do {                                                                                                        \
+    if (!(condition))                                                                                         \
       throw std::logic_error(std::string("footfall: internal error: ") + #condition + " (" + __FILE__ + ":" + \
-                             std::to_string(__LINE__) + ")");                                             \
+                             std::to_string(__LINE__) + ")");                                                 \
   } while (false)

@@ -24,8 +24,7 @@ void Link::receive_bytes(MessageKind expected, double patience) {
     if (partner_status_ == Status::kBadInput) throw ProtocolError(reason);
     throw PartnerError(reason);
   }
-  throw ProtocolError(partner() + " sent " + message_name(kind) + " where " + message_name(expected) +
-                      " was expected");
+  throw ProtocolError(partner() + " sent " + message_name(kind) + " where " + message_name(expected) + " was expected");
 }
 
 // The partner's Close is in in_: answers it and returns what it says.
@@ -37,12 +36,9 @@ std::string Link::take_close() {
   send(Close{});
   switch (close.status) {
     case Status::kFailed:
-    case Status::kBadInput:
-      return partner() + " stopped: " + close.reason;
-    case Status::kInterrupted:
-      return partner() + " was interrupted: " + close.reason;
-    case Status::kOk:
-      break;
+    case Status::kBadInput: return partner() + " stopped: " + close.reason;
+    case Status::kInterrupted: return partner() + " was interrupted: " + close.reason;
+    case Status::kOk: break;
   }
   return partner() + " ended the coupling before the last window";
 }
@@ -55,8 +51,7 @@ void Link::close() {
   const MessageKind kind = transport_.receive(in_, patience_);
   seconds_waited_ += seconds_since(start);
   if (kind != MessageKind::kClose)
-    throw ProtocolError(partner() + " sent " + message_name(kind) +
-                        " after the last window; Close was expected");
+    throw ProtocolError(partner() + " sent " + message_name(kind) + " after the last window; Close was expected");
   Close answer;
   unpack(in_, answer);
   partner_status_ = answer.status;

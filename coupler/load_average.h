@@ -21,8 +21,8 @@ struct MeanLoad {
   Eigen::VectorXd Q_a;                            // s
   double work = 0.0;       // done by the grains on the boundary along its path, jump included [J]
   double jump_work = 0.0;  // the part of `work` done by the jump at the window's start [J]
-  Eigen::Vector3d impulse_W =
-      Eigen::Vector3d::Zero();  // what Verlet really gave: half weights whatever the scheme [N s]
+  // what Verlet really gave: half weights whatever the scheme [N s]
+  Eigen::Vector3d impulse_W = Eigen::Vector3d::Zero();
 };
 
 // The load at t as the bodies feel it under a mean load: F_W, T_W = R_WB T_B, Q_a.

@@ -29,13 +29,11 @@ Head read_head(ByteReader& in, MessageKind expected) {
   const auto status = in.number<std::int32_t>();
   const bool readable = expected == MessageKind::kHello || expected == MessageKind::kClose;
   if (protocol != kProtocolVersion && !readable)
-    throw ProtocolError("the partner speaks protocol version " + std::to_string(protocol) +
-                        ", this program version " + std::to_string(kProtocolVersion) +
-                        ": build both from the same footfall");
+    throw ProtocolError("the partner speaks protocol version " + std::to_string(protocol) + ", this program version " +
+                        std::to_string(kProtocolVersion) + ": build both from the same footfall");
   if (kind != static_cast<std::int32_t>(expected))
     throw ProtocolError("got " + message_name(static_cast<MessageKind>(kind)) + " instead");
-  if (status < static_cast<std::int32_t>(Status::kOk) ||
-      status > static_cast<std::int32_t>(Status::kInterrupted))
+  if (status < static_cast<std::int32_t>(Status::kOk) || status > static_cast<std::int32_t>(Status::kInterrupted))
     throw ProtocolError("status word " + std::to_string(status) + " has no meaning");
   return {protocol, static_cast<Status>(status)};
 }
@@ -131,8 +129,8 @@ ModalBoundary read_boundary(ByteReader& in) {
   in.matrix(Phi);
   in.matrix(Psi);
   try {
-    return ModalBoundary(std::move(name), std::move(rho0), std::move(triangles), std::move(segments),
-                         std::move(Phi), std::move(Psi));
+    return ModalBoundary(std::move(name), std::move(rho0), std::move(triangles), std::move(segments), std::move(Phi),
+                         std::move(Psi));
   } catch (const InputError& error) {
     throw ProtocolError(error.what());
   }
@@ -142,29 +140,21 @@ ModalBoundary read_boundary(ByteReader& in) {
 
 std::string message_name(MessageKind kind) {
   switch (kind) {
-    case MessageKind::kHello:
-      return "Hello";
-    case MessageKind::kGeometry:
-      return "Geometry";
-    case MessageKind::kStart:
-      return "Start";
-    case MessageKind::kAccept:
-      return "Accept";
-    case MessageKind::kMotion:
-      return "Motion";
-    case MessageKind::kLoad:
-      return "Load";
-    case MessageKind::kClose:
-      return "Close";
+    case MessageKind::kHello: return "Hello";
+    case MessageKind::kGeometry: return "Geometry";
+    case MessageKind::kStart: return "Start";
+    case MessageKind::kAccept: return "Accept";
+    case MessageKind::kMotion: return "Motion";
+    case MessageKind::kLoad: return "Load";
+    case MessageKind::kClose: return "Close";
   }
   return "message of unknown kind " + std::to_string(static_cast<std::int32_t>(kind));
 }
 
 void check_partner(const std::string& partner, std::int32_t protocol, const std::string& version) {
   if (protocol != kProtocolVersion)
-    throw ProtocolError(partner + " speaks protocol version " + std::to_string(protocol) +
-                        ", this program version " + std::to_string(kProtocolVersion) +
-                        ": build both from the same footfall");
+    throw ProtocolError(partner + " speaks protocol version " + std::to_string(protocol) + ", this program version " +
+                        std::to_string(kProtocolVersion) + ": build both from the same footfall");
   if (version != kFootfallVersion)
     throw ProtocolError(partner + " is footfall " + version + ", this program footfall " + kFootfallVersion +
                         ": build both from the same footfall");
@@ -207,8 +197,7 @@ void unpack(const Bytes& bytes, Geometry& message) {
       read(in, initial);
       if (initial.mode_count() != boundary.mode_count())
         throw ProtocolError("body \"" + boundary.name() + "\" has " + std::to_string(boundary.mode_count()) +
-                            " mode shapes but " + std::to_string(initial.mode_count()) +
-                            " modal coordinates");
+                            " mode shapes but " + std::to_string(initial.mode_count()) + " modal coordinates");
       message.bodies.push_back({std::move(boundary), std::move(initial)});
     }
   });

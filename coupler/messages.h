@@ -89,18 +89,18 @@ struct ContactTangent {
 
 struct BodyLoad {
   MeanLoad mean;
-  std::int64_t contacts = 0;  // at the window's last substep
-  double contact_stiffness =
-      0.0;  // mean over the window of the sum of normal stiffnesses [N/m]; 0 when not estimated
+  std::int64_t contacts = 0;       // at the window's last substep
+  double contact_stiffness = 0.0;  // mean over the window of the sum of normal stiffnesses [N/m]; 0 when not estimated
   double max_overlap_over_radius = 0.0;  // largest in the window [-]
   std::vector<ContactTangent> tangent;   // empty, or one
 };
 
 struct Load {
   static constexpr MessageKind kKind = MessageKind::kLoad;
-  std::int64_t window = 0;       // the same k as the Motion it answers
-  std::int64_t particles = 0;    // grains now
-  double wall_seconds = 0.0;     // of the DEM side since its last Load or Accept, set-up and output included, waiting excluded [s]
+  std::int64_t window = 0;     // the same k as the Motion it answers
+  std::int64_t particles = 0;  // grains now
+  // of the DEM side since its last Load or Accept, set-up and output included, waiting excluded [s]
+  double wall_seconds = 0.0;
   std::vector<BodyLoad> bodies;  // order of Start
 };
 

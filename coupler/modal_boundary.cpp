@@ -24,25 +24,21 @@ ModalBoundary::ModalBoundary(std::string name, Eigen::Matrix3Xd rho0, std::vecto
   const int nodes = node_count();
   const auto is_node = [nodes](int j) { return j >= 0 && j < nodes; };
   if (nodes == 0) refuse(name_, "it has no nodes");
-  if (!rho0_.allFinite() || !Phi_.allFinite() || !Psi_.allFinite())
-    refuse(name_, "a node or mode shape is not finite");
+  if (!rho0_.allFinite() || !Phi_.allFinite() || !Psi_.allFinite()) refuse(name_, "a node or mode shape is not finite");
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const Eigen::Vector3i& t = triangles_[i];
     if (!is_node(t[0]) || !is_node(t[1]) || !is_node(t[2]))
-      refuse(name_,
-             "triangle " + std::to_string(i) + " names a node outside 0.." + std::to_string(nodes - 1));
+      refuse(name_, "triangle " + std::to_string(i) + " names a node outside 0.." + std::to_string(nodes - 1));
   }
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const BeamSegment& s = segments_[i];
     if (!is_node(s.start) || !is_node(s.end))
       refuse(name_, "segment " + std::to_string(i) + " names a node outside 0.." + std::to_string(nodes - 1));
     if (!(s.radius > 0.0)) refuse(name_, "segment " + std::to_string(i) + " has no radius");
-    if (rho0_.col(s.start) == rho0_.col(s.end))
-      refuse(name_, "segment " + std::to_string(i) + " has no length");
+    if (rho0_.col(s.start) == rho0_.col(s.end)) refuse(name_, "segment " + std::to_string(i) + " has no length");
   }
   if (Phi_.cols() > 0 && Phi_.rows() != 3 * nodes)
-    refuse(name_, "Phi has " + std::to_string(Phi_.rows()) + " rows; three per node are " +
-                      std::to_string(3 * nodes));
+    refuse(name_, "Phi has " + std::to_string(Phi_.rows()) + " rows; three per node are " + std::to_string(3 * nodes));
   if (Psi_.size() > 0 && (Psi_.rows() != 3 * nodes || Psi_.cols() != Phi_.cols()))
     refuse(name_, "Psi must be empty or of the size of Phi");
   if (Phi_.cols() == 0) Phi_.resize(3 * nodes, 0);
@@ -65,8 +61,7 @@ void ModalBoundary::node_velocities(const BodyMotion& motion, Eigen::Matrix3Xd& 
   const Eigen::Matrix3d A = motion.rotation();
   const Eigen::Vector3d w_B = A.transpose() * motion.w;
   if (mode_count() == 0) {
-    for (int j = 0; j < node_count(); ++j)
-      v_W.col(j) = motion.dr + A * w_B.cross(Eigen::Vector3d(rho0_.col(j)));
+    for (int j = 0; j < node_count(); ++j) v_W.col(j) = motion.dr + A * w_B.cross(Eigen::Vector3d(rho0_.col(j)));
     return;
   }
   Eigen::Map<Eigen::VectorXd>(v_W.data(), v_W.size()).noalias() = Phi_ * motion.da;
@@ -110,8 +105,8 @@ Eigen::Vector3d ModalBoundary::velocity(const BodyMotion& motion, const Boundary
   return v;
 }
 
-void ModalBoundary::add_point_force(const BodyMotion& motion, const BoundaryPoint& point,
-                                    const Eigen::Vector3d& f_W, GeneralizedForce& Q) const {
+void ModalBoundary::add_point_force(const BodyMotion& motion, const BoundaryPoint& point, const Eigen::Vector3d& f_W,
+                                    GeneralizedForce& Q) const {
   const Eigen::Matrix3d A = motion.rotation();
   Q.F_W += f_W;
   Q.T_W += (A * rho(motion, point)).cross(f_W);
@@ -130,8 +125,8 @@ Eigen::Vector3d ModalBoundary::angular_velocity(const BodyMotion& motion, const 
   return w;
 }
 
-void ModalBoundary::add_point_moment(const BodyMotion& motion, const BoundaryPoint& point,
-                                     const Eigen::Vector3d& m_W, GeneralizedForce& Q) const {
+void ModalBoundary::add_point_moment(const BodyMotion& motion, const BoundaryPoint& point, const Eigen::Vector3d& m_W,
+                                     GeneralizedForce& Q) const {
   Q.T_W += m_W;
   if (Psi_.size() == 0) return;
   const Eigen::Vector3d m_B = motion.rotation().transpose() * m_W;
@@ -139,8 +134,8 @@ void ModalBoundary::add_point_moment(const BodyMotion& motion, const BoundaryPoi
     Q.Q_a.noalias() += Psi_.middleRows<3>(3 * point.nodes[k]).transpose() * (point.weights[k] * m_B);
 }
 
-Eigen::Vector3d barycentric_weights(const Eigen::Vector3d& x0, const Eigen::Vector3d& x1,
-                                    const Eigen::Vector3d& x2, const Eigen::Vector3d& c) {
+Eigen::Vector3d barycentric_weights(const Eigen::Vector3d& x0, const Eigen::Vector3d& x1, const Eigen::Vector3d& x2,
+                                    const Eigen::Vector3d& c) {
   // c - x0 = b1 e1 + b2 e2 + (normal part): normal equations of this least-squares problem.
   const Eigen::Vector3d e1 = x1 - x0, e2 = x2 - x0, d = c - x0;
   const double e11 = e1.dot(e1), e12 = e1.dot(e2), e22 = e2.dot(e2);

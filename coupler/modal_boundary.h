@@ -84,7 +84,7 @@ class ModalBoundary {
 
 // Barycentric weights of the point c with respect to the triangle x0 x1 x2 (c projected on its plane); they
 // sum to 1. A triangle without area counts as its longer edge at x0.
-Eigen::Vector3d barycentric_weights(const Eigen::Vector3d& x0, const Eigen::Vector3d& x1,
-                                    const Eigen::Vector3d& x2, const Eigen::Vector3d& c);
+Eigen::Vector3d barycentric_weights(const Eigen::Vector3d& x0, const Eigen::Vector3d& x1, const Eigen::Vector3d& x2,
+                                    const Eigen::Vector3d& c);
 
 }  // namespace footfall

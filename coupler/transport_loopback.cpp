@@ -6,12 +6,11 @@
 
 namespace footfall {
 
-TransportLoopback::TransportLoopback(std::shared_ptr<Queue> in, std::shared_ptr<Queue> out,
-                                     std::string partner)
+TransportLoopback::TransportLoopback(std::shared_ptr<Queue> in, std::shared_ptr<Queue> out, std::string partner)
     : in_(std::move(in)), out_(std::move(out)), partner_(std::move(partner)) {}
 
-std::pair<std::unique_ptr<TransportLoopback>, std::unique_ptr<TransportLoopback>>
-TransportLoopback::make_pair(std::string first_name, std::string second_name) {
+std::pair<std::unique_ptr<TransportLoopback>, std::unique_ptr<TransportLoopback>> TransportLoopback::make_pair(
+    std::string first_name, std::string second_name) {
   auto there = std::make_shared<Queue>();
   auto back = std::make_shared<Queue>();
   std::unique_ptr<TransportLoopback> first(new TransportLoopback(back, there, std::move(second_name)));

@@ -105,9 +105,8 @@ MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
   int size = 0;
   check_mpi(MPI_Get_count(&status, MPI_BYTE, &size), "MPI_Get_count");
   bytes.resize(static_cast<std::size_t>(size));
-  check_mpi(
-      MPI_Recv(bytes.data(), size, MPI_BYTE, partner_root_, status.MPI_TAG, exchange_, MPI_STATUS_IGNORE),
-      "MPI_Recv");
+  check_mpi(MPI_Recv(bytes.data(), size, MPI_BYTE, partner_root_, status.MPI_TAG, exchange_, MPI_STATUS_IGNORE),
+            "MPI_Recv");
   return static_cast<MessageKind>(status.MPI_TAG);
 }
 

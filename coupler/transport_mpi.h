@@ -41,8 +41,8 @@ class TransportMpi : public Transport {
   const Doorbell* doorbell_;  // of the communicator; may be null
   std::vector<int> own_seats_;
   std::string partner_;
-  double expected_wait_ =
-      0.0;  // the shorter of the last two for messages of one kind, as windows follow each other [s]
+  // the shorter of the last two for messages of one kind, as windows follow each other [s]
+  double expected_wait_ = 0.0;
   double last_wait_ = 0.0;  // [s]
   int last_kind_ = 0;
   Bytes sending_;  // owned until the send is complete

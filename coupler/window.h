@@ -47,9 +47,7 @@ class BoundaryPath {
 
   const BodyMotion& pose() const { return pose_; }         // r, L, a, dr, w, da of the boundary now
   const BoundaryStep& last_step() const { return step_; }  // done by the last advance()
-  const BoundaryStep& jump() const {
-    return jump_;
-  }  // done by the last begin_window(); zero for a continuous path
+  const BoundaryStep& jump() const { return jump_; }  // done by the last begin_window(); zero for a continuous path
   // True when this window is a translation at constant velocity from where the boundary stands, to round-off:
   // nodes may then be moved by x += dr * dt per substep, exactly as LIGGGHTS' own `fix move/mesh linear`
   // does. pose() follows the same sums.

@@ -9,8 +9,7 @@
 namespace footfall {
 namespace {
 
-const std::vector<std::string> kModelKeywords = {"model", "tangential", "cohesion", "rolling_friction",
-                                                 "surface"};
+const std::vector<std::string> kModelKeywords = {"model", "tangential", "cohesion", "rolling_friction", "surface"};
 const std::vector<std::string> kForeignKeywords = {"primitive", "mesh", "n_meshes", "meshes", "shear"};
 const std::string kUsage =
     ". Expected: fix ID group wall/gran/beam model ... type T body NAME [chain C] [body ...] [keywords of "
@@ -44,8 +43,8 @@ BeamArguments::BeamArguments(int narg, const char* const* arg) {
   while (next < words.size()) {
     const std::string& word = words[next++];
     if (is_one_of(kForeignKeywords, word))
-      throw InputError(fix + ": keyword \"" + word +
-                       "\" belongs to fix wall/gran; the beams are those of the bodies" + kUsage);
+      throw InputError(fix + ": keyword \"" + word + "\" belongs to fix wall/gran; the beams are those of the bodies" +
+                       kUsage);
     if (word != "type" && word != "body" && word != "chain") {
       others.push_back(word);
       continue;
@@ -56,13 +55,11 @@ BeamArguments::BeamArguments(int narg, const char* const* arg) {
       beams.push_back({value});
     } else if (word == "type") {
       if (!type.empty())
-        throw InputError(fix + ": keyword \"type\" stands twice; beams of another material are another fix" +
-                         kUsage);
+        throw InputError(fix + ": keyword \"type\" stands twice; beams of another material are another fix" + kUsage);
       type = value;
     } else {
       if (beams.empty() || beams.back().chain >= 0)
-        throw InputError(fix + ": \"chain " + value + "\" does not follow a body, whose beam it would be" +
-                         kUsage);
+        throw InputError(fix + ": \"chain " + value + "\" does not follow a body, whose beam it would be" + kUsage);
       beams.back().chain = chain_number(fix, value);
     }
   }
@@ -74,19 +71,16 @@ BeamArguments::BeamArguments(int narg, const char* const* arg) {
           (beams[i].chain == beams[j].chain || beams[i].chain < 0 || beams[j].chain < 0))
         throw InputError(fix + ": the same beam of body \"" + beams[i].body +
                          "\" is asked for twice; its contacts would count twice" + kUsage);
-  for (const char* word : {"primitive", "type", type.c_str(), "zcylinder", "0", "0", "0"})
-    stock.emplace_back(word);
+  for (const char* word : {"primitive", "type", type.c_str(), "zcylinder", "0", "0", "0"}) stock.emplace_back(word);
   stock.insert(stock.end(), others.begin(), others.end());
 }
 
-std::vector<int> chosen_chains(const std::string& fix, const BeamChoice& choice,
-                               const ModalBoundary& boundary) {
+std::vector<int> chosen_chains(const std::string& fix, const BeamChoice& choice, const ModalBoundary& boundary) {
   std::set<int> chains;
   for (const BeamSegment& segment : boundary.segments()) chains.insert(segment.chain);
   if (chains.empty())
-    throw InputError(
-        fix + ": body \"" + boundary.name() +
-        "\" has no beams that grains may touch. Give it some in the scene, or name another body");
+    throw InputError(fix + ": body \"" + boundary.name() +
+                     "\" has no beams that grains may touch. Give it some in the scene, or name another body");
   if (choice.chain < 0) return {chains.begin(), chains.end()};
   if (chains.count(choice.chain) == 1) return {choice.chain};
   std::string known;

@@ -31,7 +31,6 @@ struct BeamArguments {
 
 // Numbers of the chains meant, in rising order. `fix` begins the message of the InputError that is thrown
 // when there is none.
-std::vector<int> chosen_chains(const std::string& fix, const BeamChoice& choice,
-                               const ModalBoundary& boundary);
+std::vector<int> chosen_chains(const std::string& fix, const BeamChoice& choice, const ModalBoundary& boundary);
 
 }  // namespace footfall

@@ -3,12 +3,7 @@
 namespace footfall {
 
 BeamMotion::BeamMotion(const ModalBoundary& boundary, const BeamChain& chain)
-    : boundary_(boundary),
-      chain_(chain),
-      v_(Eigen::Matrix3Xd::Zero(3, chain.node_count())),
-      w_(v_),
-      f_(v_),
-      m_(v_) {}
+    : boundary_(boundary), chain_(chain), v_(Eigen::Matrix3Xd::Zero(3, chain.node_count())), w_(v_), f_(v_), m_(v_) {}
 
 void BeamMotion::begin_step(const BodyMotion& motion) {
   for (int node = 0; node < chain_.node_count(); ++node) {

@@ -12,9 +12,7 @@ bool takes_part(const GrainView& grains, int i) {
   return grains.mask == nullptr || (grains.mask[i] & grains.group_bit) != 0;
 }
 
-Eigen::Vector3d place(const GrainView& grains, int i) {
-  return Eigen::Map<const Eigen::Vector3d>(grains.x[i]);
-}
+Eigen::Vector3d place(const GrainView& grains, int i) { return Eigen::Map<const Eigen::Vector3d>(grains.x[i]); }
 
 }  // namespace
 
@@ -33,8 +31,8 @@ void BeamNeighbours::grains_renumbered(const GrainExtent& grains) {
 }
 
 bool BeamNeighbours::update(const BeamChain& chain, const GrainView& grains) {
-  const bool nodes_moved = x_build_.cols() == 0 ||
-                           (chain.x() - x_build_).colwise().squaredNorm().maxCoeff() > 0.25 * skin_ * skin_;
+  const bool nodes_moved =
+      x_build_.cols() == 0 || (chain.x() - x_build_).colwise().squaredNorm().maxCoeff() > 0.25 * skin_ * skin_;
   if (!renumbered_ && !nodes_moved) return false;
   build(chain, grains);
   return true;
@@ -50,11 +48,10 @@ void BeamNeighbours::build(const BeamChain& chain, const GrainView& grains) {
 
   // Far from all grains: done. Grains stay within skin/2 of where they stood when their box was made.
   Eigen::AlignedBox3d chain_box;
-  for (int node = 0; node < chain.node_count(); ++node)
-    chain_box.extend(Eigen::Vector3d(chain.x().col(node)));
+  for (int node = 0; node < chain.node_count(); ++node) chain_box.extend(Eigen::Vector3d(chain.x().col(node)));
   const double far = chain.largest_radius() + 1.5 * skin_ + reach_ * extent_.largest_radius;
-  clearance_ = extent_.box.isEmpty() ? std::numeric_limits<double>::infinity()
-                                     : chain_box.exteriorDistance(extent_.box) - far;
+  clearance_ =
+      extent_.box.isEmpty() ? std::numeric_limits<double>::infinity() : chain_box.exteriorDistance(extent_.box) - far;
   if (clearance_ > 0.0) return;
   clearance_ = 0.0;
 
@@ -86,8 +83,7 @@ void BeamNeighbours::build_boxes(const BeamChain& chain, int box, int first, int
   here.extend(box_[static_cast<std::size_t>(2 * box + 2)]);
 }
 
-void BeamNeighbours::collect(const BeamChain& chain, int box, int first, int last, const Eigen::Vector3d& x,
-                             double r) {
+void BeamNeighbours::collect(const BeamChain& chain, int box, int first, int last, const Eigen::Vector3d& x, double r) {
   ++box_tests_;
   const double margin = 1.5 * skin_ + reach_ * r;
   const double limit = r + margin;

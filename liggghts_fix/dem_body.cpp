@@ -6,7 +6,8 @@
 namespace footfall {
 namespace {
 
-// Slopes change slowly beside forces, and multiply only what the prediction missed: a mean of so many substeps is as good as one of all.
+// Slopes change slowly beside forces, and multiply only what the prediction missed: a mean of so many substeps is as
+// good as one of all.
 constexpr int kSlopeSamples = 8;
 
 }  // namespace
@@ -60,8 +61,9 @@ void DemBody::count_contact(double overlap_over_radius, double stiffness) {
   ++contacts_now_;
 }
 
-// The point moves by J [dr; dtheta], J = [1, -rho~]; its force -k J dx acts on the body by J^T. With k = k_t 1 + (k_n - k_t) n n^T
-// J^T k J = (k_n - k_t) u u^T + k_t J^T J, u = J^T n = [n; rho x n]: a rank-one update, and nothing more while the contact slides.
+// The point moves by J [dr; dtheta], J = [1, -rho~]; its force -k J dx acts on the body by J^T. With k = k_t 1 + (k_n -
+// k_t) n n^T J^T k J = (k_n - k_t) u u^T + k_t J^T J, u = J^T n = [n; rho x n]: a rank-one update, and nothing more
+// while the contact slides.
 void DemBody::add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope) {
   const Eigen::Vector3d rho = point_W - path_.pose().r;
   Eigen::Matrix<double, 6, 1> u;
@@ -75,8 +77,9 @@ void DemBody::add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slop
     sum.diagonal().head<3>().array() += k_t;
     sum.bottomRightCorner<3, 3>() -= t * rho.transpose();
     sum.diagonal().tail<3>().array() += t.dot(rho);
-    for (const auto& [row, column, value] : {std::tuple(4, 2, -t.x()), std::tuple(5, 1, t.x()), std::tuple(3, 2, t.y()), std::tuple(5, 0, -t.y()),
-                                             std::tuple(3, 1, -t.z()), std::tuple(4, 0, t.z())}) {
+    for (const auto& [row, column, value] :
+         {std::tuple(4, 2, -t.x()), std::tuple(5, 1, t.x()), std::tuple(3, 2, t.y()), std::tuple(5, 0, -t.y()),
+          std::tuple(3, 1, -t.z()), std::tuple(4, 0, t.z())}) {
       sum(row, column) += value;
       sum(column, row) += value;
     }
@@ -85,9 +88,7 @@ void DemBody::add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slop
   add(slope.damping, slope.shear_damping, slopes_now_.C);
 }
 
-void DemBody::take_standing() {
-  average_.set_standing(now_, path_.pose());
-}
+void DemBody::take_standing() { average_.set_standing(now_, path_.pose()); }
 
 void DemBody::end_substep(double dt) {
   average_.add_step(now_, path_.pose(), path_.last_step(), dt);

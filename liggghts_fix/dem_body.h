@@ -43,8 +43,8 @@ class DemBody {
   // body, and each contact's figures.
   void add_load(const GeneralizedForce& Q);
   void count_contact(double overlap_over_radius, double stiffness);
-  // Does the scheme use contact slopes, and is this one of the substeps at which they are sampled? Then add_slope follows for every contact,
-  // at its point in W [m].
+  // Does the scheme use contact slopes, and is this one of the substeps at which they are sampled? Then add_slope
+  // follows for every contact, at its point in W [m].
   bool wants_slopes() const { return samples_slopes_; }
   void add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope);
   // The forces just evaluated stand before the next substep (a run was set up).
@@ -78,7 +78,7 @@ class DemBody {
   bool samples_slopes_ = false;
   int substep_ = 0, slope_stride_ = 1, slope_samples_ = 0;  // in the window
   ContactTangent slopes_now_, slopes_sum_;                  // sums over contacts; over samples as well
-  double overlap_ = 0.0;         // largest in the window over radius [-]
+  double overlap_ = 0.0;                                    // largest in the window over radius [-]
   BodyLoad load_;
 };
 

@@ -47,8 +47,7 @@ void DemLink::greet(const std::string& unit_style) {
         "couple/mbd: this LIGGGHTS runs without a multibody partner. Start both programs together: "
         "mpirun -np N liggghts_mbd -in SCRIPT : -np 1 mbd_solver SCENE");
   if (unit_style != "si")
-    throw InputError("couple/mbd: the script has \"units " + unit_style +
-                     "\"; footfall couples in \"units si\" only");
+    throw InputError("couple/mbd: the script has \"units " + unit_style + "\"; footfall couples in \"units si\" only");
   Hello hello;
   hello.unit_style = unit_style;
   link_->send(hello);
@@ -75,9 +74,8 @@ const CoupledBody& DemLink::scene_body(const std::string& name, const std::strin
       guess = candidate;
     }
   }
-  throw InputError("couple/mbd: the scene has no body \"" + name +
-                   "\" that grains may touch. Known bodies: " + (known.empty() ? "none" : known) + "." +
-                   (guess.empty() ? "" : " Did you mean \"" + guess + "\"?"));
+  throw InputError("couple/mbd: the scene has no body \"" + name + "\" that grains may touch. Known bodies: " +
+                   (known.empty() ? "none" : known) + "." + (guess.empty() ? "" : " Did you mean \"" + guess + "\"?"));
 }
 
 int DemLink::couple(const std::string& name, const std::string& unit_style) {
@@ -85,8 +83,7 @@ int DemLink::couple(const std::string& name, const std::string& unit_style) {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found != names_.end()) return static_cast<int>(found - names_.begin());
   if (started())
-    throw InputError("couple/mbd: body \"" + name +
-                     "\" cannot join after the first run; name it in the script before");
+    throw InputError("couple/mbd: body \"" + name + "\" cannot join after the first run; name it in the script before");
   names_.push_back(name);
   return static_cast<int>(names_.size()) - 1;
 }
@@ -94,9 +91,8 @@ int DemLink::couple(const std::string& name, const std::string& unit_style) {
 void DemLink::start(double dt, int n, std::int64_t step) {
   if (started()) {
     if (dt != dt_)
-      throw InputError(
-          "couple/mbd: the time step changed from " + number(dt_) + " to " + number(dt) +
-          " s between two runs; the windows of the coupling need one time step for the whole scene");
+      throw InputError("couple/mbd: the time step changed from " + number(dt_) + " to " + number(dt) +
+                       " s between two runs; the windows of the coupling need one time step for the whole scene");
     FOOTFALL_DEMAND(n == n_);
     return;
   }
@@ -112,8 +108,7 @@ void DemLink::start(double dt, int n, std::int64_t step) {
   link_->receive(accept_);
   sent_ = wall_clock();
   scheme_ = make_scheme(accept_.scheme);
-  for (const std::string& name : names_)
-    bodies_.push_back(std::make_unique<DemBody>(scene_body(name, "si"), *scheme_));
+  for (const std::string& name : names_) bodies_.push_back(std::make_unique<DemBody>(scene_body(name, "si"), *scheme_));
   load_.bodies.resize(names_.size());
 }
 
@@ -148,11 +143,10 @@ void DemLink::begin_window() {
   waited_ = wall_clock() - asked;
   if (motion_.window != windows_ || motion_.bodies.size() != bodies_.size() || motion_.n < 1 ||
       (n_ > 0 && motion_.n > n_))
-    throw ProtocolError("window " + std::to_string(windows_) + ": " + link_->partner() +
-                        " sent a Motion for window " + std::to_string(motion_.window) + " of " +
-                        std::to_string(motion_.n) + " substeps with " +
-                        std::to_string(motion_.bodies.size()) + " bodies; expected at most " +
-                        std::to_string(n_) + " substeps and " + std::to_string(bodies_.size()) + " bodies");
+    throw ProtocolError("window " + std::to_string(windows_) + ": " + link_->partner() + " sent a Motion for window " +
+                        std::to_string(motion_.window) + " of " + std::to_string(motion_.n) + " substeps with " +
+                        std::to_string(motion_.bodies.size()) + " bodies; expected at most " + std::to_string(n_) +
+                        " substeps and " + std::to_string(bodies_.size()) + " bodies");
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyMotion& start = motion_.bodies[i];
     if (start.mode_count() != bodies_[i]->boundary().mode_count())
@@ -201,8 +195,8 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks, std::int
     next += bodies_[i]->sum_count();
     const BodyLoad& load = bodies_[i]->load();
     if (!load.mean.F_W.allFinite() || !load.mean.T_B.allFinite() || !load.mean.Q_a.allFinite())
-      throw NumericalError("the load of the grains on body \"" + names_[i] +
-                           "\" after t = " + number(motion_.time) + " s is not finite");
+      throw NumericalError("the load of the grains on body \"" + names_[i] + "\" after t = " + number(motion_.time) +
+                           " s is not finite");
     load_.bodies[i] = load;
     window_work_ += load.mean.work;
     overlap_ = std::max(overlap_, load.max_overlap_over_radius);

@@ -66,9 +66,7 @@ class DemLink {
     return link_ == nullptr || link_->fail(reason, status);
   }
   bool has_partner() const { return link_ != nullptr; }
-  bool partner_interrupted() const {
-    return link_ != nullptr && link_->partner_status() == Status::kInterrupted;
-  }
+  bool partner_interrupted() const { return link_ != nullptr && link_->partner_status() == Status::kInterrupted; }
   // How long the partner may be silent before it counts as lost [s].
   void set_patience(double seconds);
 

@@ -25,30 +25,25 @@ namespace {
 using footfall::InputError;
 
 constexpr const char* kModule = "footfall_mbd";
-constexpr const char* kUsage =
-    "fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]";
+constexpr const char* kUsage = "fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]";
 
 using NodeVelocities = MultiVectorContainer<double, 3, 3>;
 
-NodeVelocities* node_velocities(TriMesh* mesh) {
-  return mesh->prop().getElementProperty<NodeVelocities>("v");
-}
+NodeVelocities* node_velocities(TriMesh* mesh) { return mesh->prop().getElementProperty<NodeVelocities>("v"); }
 
 }  // namespace
 
 FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
     : Fix(lmp_, narg, arg), link_(footfall::dem_link_of(lmp_)) {
   const std::string where = std::string("fix ") + id + " couple/mbd: ";
-  if (modify->n_fixes_style_strict(style) > 0)
-    throw InputError(where + "there is one already; name all meshes in it");
+  if (modify->n_fixes_style_strict(style) > 0) throw InputError(where + "there is one already; name all meshes in it");
   if (link_.started()) throw InputError(where + "the coupling has run already and cannot be set up anew");
   if (narg < 5 || std::strcmp(arg[3], "every") != 0) throw InputError(where + "expected: " + kUsage);
   if (std::strcmp(arg[4], "auto") != 0) {
     char* rest = nullptr;
     const long n = std::strtol(arg[4], &rest, 10);
     if (*rest != '\0' || n < 1 || n > 1000000)
-      throw InputError(where + "`every` needs a number of steps from 1 to 1000000 or `auto`, not \"" +
-                       arg[4] + "\"");
+      throw InputError(where + "`every` needs a number of steps from 1 to 1000000 or `auto`, not \"" + arg[4] + "\"");
     every_ = static_cast<int>(n);
   }
   int next = 5;
@@ -56,8 +51,7 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
     char* rest = nullptr;
     const double patience = std::strtod(arg[next + 1], &rest);
     if (*rest != '\0' || !(patience > 0.0))
-      throw InputError(where + "`patience` needs a positive number of seconds, not \"" + arg[next + 1] +
-                       "\"");
+      throw InputError(where + "`patience` needs a positive number of seconds, not \"" + arg[next + 1] + "\"");
     link_.set_patience(patience);
     next += 2;
   }
@@ -110,8 +104,7 @@ std::vector<footfall::CornerNodes> FixCoupleMbd::match(FixMeshSurface* mesh_fix,
     footfall::MeshTriangle& triangle = mine[static_cast<std::size_t>(i)];
     triangle.id = mesh->id(i);
     highest = std::max(highest, triangle.id);
-    for (std::size_t k = 0; k < 3; ++k)
-      triangle.corners[k] = Eigen::Vector3d(footfall::mesh_nodes(mesh)[i][k]);
+    for (std::size_t k = 0; k < 3; ++k) triangle.corners[k] = Eigen::Vector3d(footfall::mesh_nodes(mesh)[i][k]);
   }
   std::string failure;
   std::vector<footfall::CornerNodes> corners;
@@ -132,27 +125,23 @@ std::vector<footfall::CornerNodes> FixCoupleMbd::match(FixMeshSurface* mesh_fix,
   }
 
   MPI_Allreduce(MPI_IN_PLACE, &highest, 1, MPI_INT, MPI_MAX, world);
-  std::vector<footfall::CornerNodes> all(static_cast<std::size_t>(highest + 1),
-                                         footfall::CornerNodes{-1, -1, -1});
+  std::vector<footfall::CornerNodes> all(static_cast<std::size_t>(highest + 1), footfall::CornerNodes{-1, -1, -1});
   for (std::size_t i = 0; i < mine.size(); ++i) all[static_cast<std::size_t>(mine[i].id)] = corners[i];
   MPI_Allreduce(MPI_IN_PLACE, all.data(), 3 * (highest + 1), MPI_INT, MPI_MAX, world);
   if (all.size() != body.boundary.triangles().size())
     throw InputError("mesh " + mesh_id + " has " + std::to_string(all.size()) + " triangles, body \"" +
-                     body.boundary.name() + "\" of the scene has " +
-                     std::to_string(body.boundary.triangles().size()));
+                     body.boundary.name() + "\" of the scene has " + std::to_string(body.boundary.triangles().size()));
   return all;
 }
 
-int FixCoupleMbd::setmask() {
-  return FixConst::INITIAL_INTEGRATE | FixConst::FINAL_INTEGRATE;
-}
+int FixCoupleMbd::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::FINAL_INTEGRATE; }
 
 void FixCoupleMbd::post_create() {
   for (CoupledMesh& mesh : meshes_) {
     TriMesh* tri_mesh = mesh.fix->triMesh();
     tri_mesh->registerMove(false, true, true);
-    NodeVelocities* velocities = tri_mesh->prop().addElementProperty<NodeVelocities>(
-        "v", "comm_exchange_borders", "frame_invariant", "restart_no");
+    NodeVelocities* velocities = tri_mesh->prop().addElementProperty<NodeVelocities>("v", "comm_exchange_borders",
+                                                                                     "frame_invariant", "restart_no");
     velocities->setAll(0.0);
     footfall::attach_mesh_module(mesh.fix, kModule, mesh.module.get());
   }
@@ -170,11 +159,9 @@ void FixCoupleMbd::pre_delete(bool unfixed) {
 void FixCoupleMbd::init() {
   const std::string where = std::string("fix ") + id + " couple/mbd: ";
   if (std::strcmp(update->integrate_style, "verlet") != 0)
-    throw InputError(where + "run_style " + update->integrate_style +
-                     " is not supported; use run_style verlet");
+    throw InputError(where + "run_style " + update->integrate_style + " is not supported; use run_style verlet");
   if (modify->timing > 1)
-    throw InputError(where +
-                     "modify_timing verbose waits for all programs of the run and would hang here; use `on`");
+    throw InputError(where + "modify_timing verbose waits for all programs of the run and would hang here; use `on`");
   for (const CoupledMesh& mesh : meshes_)
     if (modify->find_fix_id(mesh.mesh_id.c_str()) != mesh.fix)
       throw InputError(where + "mesh " + mesh.mesh_id + " was removed by `unfix`; unfix " + id + " first");
@@ -332,10 +319,9 @@ void FixCoupleMbd::check_inside_box(const CoupledMesh& mesh) const {
   const auto outside = [this](const Eigen::Vector3d& x, double margin) {
     for (int c = 0; c < 3; ++c) {
       if (domain->periodicity[c]) continue;
-      const bool follows_low = domain->boundary[c][0] > 1,
-                 follows_high = domain->boundary[c][1] > 1;  // shrink-wrapped
-      if ((!follows_low && x[c] - margin < domain->boxlo[c]) ||
-          (!follows_high && x[c] + margin > domain->boxhi[c]))
+      // shrink-wrapped
+      const bool follows_low = domain->boundary[c][0] > 1, follows_high = domain->boundary[c][1] > 1;
+      if ((!follows_low && x[c] - margin < domain->boxlo[c]) || (!follows_high && x[c] + margin > domain->boxhi[c]))
         return true;
     }
     return false;
@@ -346,11 +332,12 @@ void FixCoupleMbd::check_inside_box(const CoupledMesh& mesh) const {
   for (int j = 0; j < x.cols(); ++j)
     if (outside(x.col(j), 0.0)) {
       std::ostringstream message;
-      message << "t = " << static_cast<double>(update->ntimestep) * update->dt << " s: mesh " << mesh.mesh_id << " (body \"" << link_.body_name(mesh.body)
-              << "\") leaves the simulation box at step " << update->ntimestep << ": node at (" << x(0, j)
-              << ", " << x(1, j) << ", " << x(2, j) << "), box from (" << domain->boxlo[0] << ", "
-              << domain->boxlo[1] << ", " << domain->boxlo[2] << ") to (" << domain->boxhi[0] << ", "
-              << domain->boxhi[1] << ", " << domain->boxhi[2] << "). Make the region of create_box larger";
+      message << "t = " << static_cast<double>(update->ntimestep) * update->dt << " s: mesh " << mesh.mesh_id
+              << " (body \"" << link_.body_name(mesh.body) << "\") leaves the simulation box at step "
+              << update->ntimestep << ": node at (" << x(0, j) << ", " << x(1, j) << ", " << x(2, j) << "), box from ("
+              << domain->boxlo[0] << ", " << domain->boxlo[1] << ", " << domain->boxlo[2] << ") to ("
+              << domain->boxhi[0] << ", " << domain->boxhi[1] << ", " << domain->boxhi[2]
+              << "). Make the region of create_box larger";
       throw footfall::NumericalError(message.str());
     }
 }
@@ -367,21 +354,15 @@ void FixCoupleMbd::final_integrate() {
 
 double FixCoupleMbd::compute_vector(int n) {
   switch (n) {
-    case 0:
-      return static_cast<double>(link_.windows());
-    case 1:
-      return link_.energy_residual();
-    case 2:
-      return link_.work();
-    case 3:
-      return link_.max_overlap_over_radius();
-    default:
-      break;
+    case 0: return static_cast<double>(link_.windows());
+    case 1: return link_.energy_residual();
+    case 2: return link_.work();
+    case 3: return link_.max_overlap_over_radius();
+    default: break;
   }
   double contacts = 0.0;
   if (link_.started())
-    for (int i = 0; i < link_.body_count(); ++i)
-      contacts += static_cast<double>(link_.body(i).load().contacts);
+    for (int i = 0; i < link_.body_count(); ++i) contacts += static_cast<double>(link_.body(i).load().contacts);
   return contacts;
 }
 

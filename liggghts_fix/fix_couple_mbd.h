@@ -1,14 +1,16 @@
 // fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]
-// Moves stock meshes with the bodies of a multibody scene and sends the mean contact load of every N steps back. The bodies of
-// fix wall/gran/beam take part without being named here. A partner that says nothing for SECONDS (600) counts as lost.
+// Moves stock meshes with the bodies of a multibody scene and sends the mean contact load of every N steps back. The
+// bodies of fix wall/gran/beam take part without being named here. A partner that says nothing for SECONDS (600) counts
+// as lost.
 //
-// Output: f_ID[1] windows done, [2] interface energy residual [J] (work of the grains on the boundaries minus the work received by the
-// multibody side, over all windows but the last), [3] work of the grains on the boundaries [J], [4] largest overlap over grain radius,
-// [5] contacts. f_ID[i][1..6]: mean force [N] and mean moment about Bo [N m], both in W, of the last window on the body of the i-th
-// `mesh` pair, positive ON the body; then on the bodies that only beams touch, in the order of their fixes.
+// Output: f_ID[1] windows done, [2] interface energy residual [J] (work of the grains on the boundaries minus the work
+// received by the multibody side, over all windows but the last), [3] work of the grains on the boundaries [J], [4]
+// largest overlap over grain radius, [5] contacts. f_ID[i][1..6]: mean force [N] and mean moment about Bo [N m], both
+// in W, of the last window on the body of the i-th `mesh` pair, positive ON the body; then on the bodies that only
+// beams touch, in the order of their fixes.
 
 #ifdef FIX_CLASS
-FixStyle(couple/mbd,FixCoupleMbd)
+FixStyle(couple / mbd, FixCoupleMbd)
 #else
 
 #ifndef FOOTFALL_FIX_COUPLE_MBD_H
@@ -24,7 +26,8 @@ FixStyle(couple/mbd,FixCoupleMbd)
 
 namespace LAMMPS_NS {
 
-// Errors leave as exceptions of footfall (the launcher catches them): the same on every rank, as every rank sees the same messages.
+// Errors leave as exceptions of footfall (the launcher catches them): the same on every rank, as every rank sees the
+// same messages.
 class FixCoupleMbd : public Fix {
  public:
   FixCoupleMbd(LAMMPS* lmp, int narg, char** arg);

@@ -11,18 +11,15 @@ namespace LAMMPS_NS {
 
 FixCoupleMbdGeometry::FixCoupleMbdGeometry(LAMMPS* lmp_, int narg, char** arg) : Fix(lmp_, narg, arg) {
   if (narg != 5 || std::strcmp(arg[3], "body") != 0)
-    throw footfall::InputError(std::string("fix ") + id +
-                               ": expected: fix ID all couple/mbd/geometry body NAME");
+    throw footfall::InputError(std::string("fix ") + id + ": expected: fix ID all couple/mbd/geometry body NAME");
   const footfall::CoupledBody& body = footfall::dem_link_of(lmp_).scene_body(arg[4], update->unit_style);
   if (body.boundary.triangles().empty())
-    throw footfall::InputError(std::string("fix ") + id + ": body \"" + arg[4] +
-                               "\" of the scene has no triangles");
+    throw footfall::InputError(std::string("fix ") + id + ": body \"" + arg[4] + "\" of the scene has no triangles");
 
   Eigen::Matrix3Xd x(3, body.boundary.node_count());
   body.boundary.node_positions(body.initial, x);
   for (const Eigen::Vector3i& triangle : body.boundary.triangles())
-    for (const int node : triangle)
-      corners_.insert(corners_.end(), x.col(node).data(), x.col(node).data() + 3);
+    for (const int node : triangle) corners_.insert(corners_.end(), x.col(node).data(), x.col(node).data() + 3);
   can_create_mesh_ = true;
 }
 

@@ -1,9 +1,9 @@
 // fix ID all couple/mbd/geometry body NAME
-// Hands the triangles of a body of the multibody scene, at its initial pose, to `fix mesh/surface fix ID type N`: the geometry stands in
-// one place only.
+// Hands the triangles of a body of the multibody scene, at its initial pose, to `fix mesh/surface fix ID type N`: the
+// geometry stands in one place only.
 
 #ifdef FIX_CLASS
-FixStyle(couple/mbd/geometry,FixCoupleMbdGeometry)
+FixStyle(couple / mbd / geometry, FixCoupleMbdGeometry)
 #else
 
 #ifndef FOOTFALL_FIX_COUPLE_MBD_GEOMETRY_H

@@ -48,19 +48,14 @@ BeamArguments with_known_material(BeamArguments arguments, int types) {
   char* end = nullptr;
   const long type = std::strtol(arguments.type.c_str(), &end, 10);
   if (*end != '\0' || type < 1 || type > types)
-    throw InputError(arguments.fix + ": no material is known for type " + arguments.type +
-                     ": the box has types 1 to " + std::to_string(types) +
-                     ". Use one of them, or give create_box and each property/global one more");
+    throw InputError(arguments.fix + ": no material is known for type " + arguments.type + ": the box has types 1 to " +
+                     std::to_string(types) + ". Use one of them, or give create_box and each property/global one more");
   return arguments;
 }
 
-void take(const Eigen::Vector3d& from, double* to) {
-  Eigen::Map<Eigen::Vector3d>(to, 3) = from;
-}
+void take(const Eigen::Vector3d& from, double* to) { Eigen::Map<Eigen::Vector3d>(to, 3) = from; }
 
-Eigen::Vector3d vector(const double* from) {
-  return Eigen::Map<const Eigen::Vector3d>(from);
-}
+Eigen::Vector3d vector(const double* from) { return Eigen::Map<const Eigen::Vector3d>(from); }
 
 }  // namespace
 
@@ -100,16 +95,15 @@ FixWallGranBeam::Beam::Beam(const ModalBoundary& boundary_, int body_, int numbe
 void FixWallGranBeam::post_create() {
   FixWallGran::post_create();
   if (store_force_contact_ && beams_.size() > 1)
-    throw InputError(
-        arguments_.fix +
-        ": store_force_contact keeps one contact per grain and fix; give each beam a fix of its own");
+    throw InputError(arguments_.fix +
+                     ": store_force_contact keeps one contact per grain and fix; give each beam a fix of its own");
   if (dnum() == 0) return;
   beams_[0]->history = fix_history_primitive_;
   for (std::size_t k = 1; k < beams_.size(); ++k) {
     const std::string name = std::string("history_") + id + "_" + std::to_string(k + 1);
     std::vector<std::string> words = {
-        name, "all", "property/atom", name, dnum() > 1 ? "vector" : "vector_one_entry", "yes",
-        "no", "no"};  // in restart files; not for ghosts, forth or back
+        // in restart files; not for ghosts, forth or back
+        name, "all", "property/atom", name, dnum() > 1 ? "vector" : "vector_one_entry", "yes", "no", "no"};
     words.insert(words.end(), static_cast<std::size_t>(dnum()), "0.");
     Words w(words);
     modify->add_fix(w.count(), w.data());
@@ -143,15 +137,14 @@ void FixWallGranBeam::check_segment_lengths() const {
   double edge[3], smallest[3];
   for (int d = 0; d < 3; ++d) edge[d] = domain->subhi[d] - domain->sublo[d];
   check_mpi(MPI_Allreduce(edge, smallest, 3, MPI_DOUBLE, MPI_MIN, world), "MPI_Allreduce");
-  double limit =
-      std::sqrt(domain->xprd * domain->xprd + domain->yprd * domain->yprd + domain->zprd * domain->zprd);
+  double limit = std::sqrt(domain->xprd * domain->xprd + domain->yprd * domain->yprd + domain->zprd * domain->zprd);
   for (int d = 0; d < 3; ++d)
     if (comm->procgrid[d] > 1) limit = std::min(limit, smallest[d]);
   for (const std::unique_ptr<Beam>& beam : beams_)
     for (int s = 0; s < beam->chain.segment_count(); ++s) {
       if (beam->chain.length(s) <= limit) continue;
-      throw InputError(arguments_.fix + ": segment " + std::to_string(s) + " of body \"" +
-                       beam->boundary.name() + "\" is " + std::to_string(beam->chain.length(s)) +
+      throw InputError(arguments_.fix + ": segment " + std::to_string(s) + " of body \"" + beam->boundary.name() +
+                       "\" is " + std::to_string(beam->chain.length(s)) +
                        " m long, longer than a subdomain of this run (" + std::to_string(limit) +
                        " m): divide the beam into more segments, or the box among fewer ranks " +
                        "(command `processors`)");
@@ -160,20 +153,15 @@ void FixWallGranBeam::check_segment_lengths() const {
 
 void FixWallGranBeam::setup(int vflag) {
   if (!link_.started())
-    throw InputError(arguments_.fix +
-                     ": nothing moves its beams. Add `fix ID all couple/mbd every N` to the script");
+    throw InputError(arguments_.fix + ": nothing moves its beams. Add `fix ID all couple/mbd every N` to the script");
   for (const std::unique_ptr<Beam>& beam : beams_)
     beam->neighbours = BeamNeighbours(neighbor->skin, neighbor->contactDistanceFactor - 1.0);
   FixWallGran::setup(vflag);
 }
 
-GrainView FixWallGranBeam::grains() const {
-  return {atom->nlocal, atom->x, atom->radius, atom->mask, groupbit};
-}
+GrainView FixWallGranBeam::grains() const { return {atom->nlocal, atom->x, atom->radius, atom->mask, groupbit}; }
 
-void FixWallGranBeam::pre_neighbor() {
-  renumbered_ = true;
-}
+void FixWallGranBeam::pre_neighbor() { renumbered_ = true; }
 
 void FixWallGranBeam::pre_force(int) {
   if (renumbered_) {

@@ -1,15 +1,19 @@
 // clang-format off
 // Wall of grains against the beams of coupled bodies: chains of capsules that fix couple/mbd moves and bends.
 //
-//   fix ID group wall/gran/beam model ... [tangential ...] [cohesion ...] [rolling_friction ...] type T body NAME [chain C] [body ...] [keywords]
+//   fix ID group wall/gran/beam model ... [tangential ...] [cohesion ...] [rolling_friction ...] type T body NAME
+//   [chain C] [body ...] [keywords]
 //
-// model ... and keywords (store_force, store_force_contact, temperature, contact_area, limitForce ...): as in stock fix wall/gran.
+// model ... and keywords (store_force, store_force_contact, temperature, contact_area, limitForce ...): as in stock fix
+// wall/gran.
 // T: material of the beams. NAME: a body of the scene with beams; all of them, or that of number C.
-// A grain has one contact and one history with each beam, which goes on from segment to segment. Two beams are two contacts.
+// A grain has one contact and one history with each beam, which goes on from segment to segment. Two beams are two
+// contacts.
 // The bodies are coupled by this fix, before or after fix couple/mbd, and the forces go where those of their meshes go.
 // Beams have no periodic images; they may stick out of the box.
-// Output, of the last step: f_ID[1-3] force on all beams in W [N], f_ID[4-6] its moment about the origin of W [N m], f_ID[7] contacts,
-// f_ID[8] largest overlap over grain radius; f_ID[i][1-8] the same of the i-th beam, its moment about its body's origin (in W).
+// Output, of the last step: f_ID[1-3] force on all beams in W [N], f_ID[4-6] its moment about the origin of W [N m],
+// f_ID[7] contacts, f_ID[8] largest overlap over grain radius; f_ID[i][1-8] the same of the i-th beam, its moment about
+// its body's origin (in W).
 
 #ifdef FIX_CLASS
 FixStyle(wall/gran/beam,FixWallGranBeam)
@@ -78,7 +82,7 @@ class FixWallGranBeam : public FixWallGran {
 
   footfall::DemLink& link_;
   const footfall::BeamArguments arguments_;
-  std::vector<std::unique_ptr<Beam>> beams_;  // parts of a beam refer to each other: it never moves
+  std::vector<std::unique_ptr<Beam> > beams_;  // parts of a beam refer to each other: it never moves
   bool renumbered_ = true;
   footfall::ContactSlope slope_;  // of the contact just computed; a grain that slides counts as one that sticks
   double stiffness_per_kn_ = 1.0;

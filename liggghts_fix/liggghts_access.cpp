@@ -85,21 +85,13 @@ void detach_mesh_module(FixMeshSurface* fix, const std::string& name) {
   order.erase(std::remove(order.begin(), order.end(), name), order.end());
 }
 
-double*** mesh_nodes(TriMesh* mesh) {
-  return OpenTriMesh::nodes(mesh);
-}
+double*** mesh_nodes(TriMesh* mesh) { return OpenTriMesh::nodes(mesh); }
 
-double** mesh_centers(TriMesh* mesh) {
-  return OpenTriMesh::centers(mesh);
-}
+double** mesh_centers(TriMesh* mesh) { return OpenTriMesh::centers(mesh); }
 
-void recalculate_mesh(TriMesh* mesh) {
-  OpenTriMesh::recalculate(mesh);
-}
+void recalculate_mesh(TriMesh* mesh) { OpenTriMesh::recalculate(mesh); }
 
-void attach_dem_link(LAMMPS* lmp, DemLink& link) {
-  links()[lmp] = &link;
-}
+void attach_dem_link(LAMMPS* lmp, DemLink& link) { links()[lmp] = &link; }
 
 DemLink& dem_link_of(LAMMPS* lmp) {
   const auto found = links().find(lmp);

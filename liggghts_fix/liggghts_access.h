@@ -21,8 +21,7 @@ using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
 void register_fix_style(LAMMPS_NS::LAMMPS* lmp, const std::string& style, FixCreator creator);
 
 // Appends a module to a stock mesh fix, which then hears of every contact; detach before it dies.
-void attach_mesh_module(LAMMPS_NS::FixMeshSurface* fix, const std::string& name,
-                        LAMMPS_NS::MeshModule* module);
+void attach_mesh_module(LAMMPS_NS::FixMeshSurface* fix, const std::string& name, LAMMPS_NS::MeshModule* module);
 void detach_mesh_module(LAMMPS_NS::FixMeshSurface* fix, const std::string& name);
 
 // What LIGGGHTS knows of a mesh's place: [element][corner][xyz] and [element][xyz], owned elements first,

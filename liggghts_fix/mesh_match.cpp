@@ -50,8 +50,8 @@ std::string text(const Eigen::Vector3d& p) {
 
 }  // namespace
 
-std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary& boundary,
-                                    const BodyMotion& pose, const std::vector<MeshTriangle>& triangles) {
+std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary& boundary, const BodyMotion& pose,
+                                    const std::vector<MeshTriangle>& triangles) {
   if (boundary.triangles().empty())
     throw InputError("mesh " + mesh + ": body \"" + boundary.name() + "\" of the scene has no triangles");
   Eigen::Matrix3Xd x(3, boundary.node_count());
@@ -60,12 +60,10 @@ std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary
   const double tolerance = kMeshTolerance * extent.norm();
   const NodeFinder finder(x, tolerance);
 
-  std::map<Places, std::pair<int, Places>>
-      by_places;  // sorted places -> triangle and its places in its own order
+  std::map<Places, std::pair<int, Places>> by_places;  // sorted places -> triangle and its places in its own order
   for (std::size_t t = 0; t < boundary.triangles().size(); ++t) {
     const Eigen::Vector3i& nodes = boundary.triangles()[t];
-    const Places places{finder.place(x.col(nodes[0])), finder.place(x.col(nodes[1])),
-                        finder.place(x.col(nodes[2]))};
+    const Places places{finder.place(x.col(nodes[0])), finder.place(x.col(nodes[1])), finder.place(x.col(nodes[2]))};
     by_places[sorted(places)] = {static_cast<int>(t), places};
   }
 
@@ -76,12 +74,11 @@ std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary
     for (std::size_t k = 0; k < 3; ++k) {
       places[k] = finder.place(triangle.corners[k]);
       if (places[k] < 0)
-        throw InputError(
-            "mesh " + mesh + ": corner " + text(triangle.corners[k]) + " of triangle " +
-            std::to_string(triangle.id) + " is no node of body \"" + boundary.name() +
-            "\" at its initial pose (within " + std::to_string(tolerance) +
-            " m). Move or scale the mesh to where the scene has the body, or take the triangles from the "
-            "scene: fix couple/mbd/geometry");
+        throw InputError("mesh " + mesh + ": corner " + text(triangle.corners[k]) + " of triangle " +
+                         std::to_string(triangle.id) + " is no node of body \"" + boundary.name() +
+                         "\" at its initial pose (within " + std::to_string(tolerance) +
+                         " m). Move or scale the mesh to where the scene has the body, or take the triangles from the "
+                         "scene: fix couple/mbd/geometry");
     }
     const auto found = by_places.find(sorted(places));
     if (found == by_places.end())

@@ -26,7 +26,7 @@ using CornerNodes = std::array<int, 3>;
 // in ASCII files carry six digits or so). Throws InputError naming mesh, body and place when a mesh triangle
 // is none of the boundary's.
 inline constexpr double kMeshTolerance = 1e-5;
-std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary& boundary,
-                                    const BodyMotion& pose, const std::vector<MeshTriangle>& triangles);
+std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary& boundary, const BodyMotion& pose,
+                                    const std::vector<MeshTriangle>& triangles);
 
 }  // namespace footfall

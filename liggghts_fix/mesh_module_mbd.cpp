@@ -15,14 +15,11 @@ constexpr double kSliding = 1.0 - 1e-6;  // of the Coulomb limit, to round-off
 
 int no_arguments = 0;  // the base class takes its position in an argument list by reference
 
-Eigen::Vector3d vector3(const double* x) {
-  return {x[0], x[1], x[2]};
-}
+Eigen::Vector3d vector3(const double* x) { return {x[0], x[1], x[2]}; }
 
 }  // namespace
 
-MeshModuleMbd::MeshModuleMbd(LAMMPS* lmp_, FixMeshSurface* mesh_fix,
-                             std::vector<footfall::CornerNodes> corners)
+MeshModuleMbd::MeshModuleMbd(LAMMPS* lmp_, FixMeshSurface* mesh_fix, std::vector<footfall::CornerNodes> corners)
     : MeshModule(lmp_, no_arguments, 0, nullptr, mesh_fix),
       corners_(std::move(corners)),
       behind_stress_(mesh_fix->get_module("stress") != nullptr) {}
@@ -44,8 +41,7 @@ void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta
   const Eigen::Vector3d weights =
       footfall::barycentric_weights(vector3(nodes[0]), vector3(nodes[1]), vector3(nodes[2]), c);
   const footfall::CornerNodes& corner = corners_[static_cast<std::size_t>(mesh->id(iTri))];
-  const footfall::BoundaryPoint point{{corner[0], corner[1], corner[2]},
-                                      {weights[0], weights[1], weights[2]}};
+  const footfall::BoundaryPoint point{{corner[0], corner[1], corner[2]}, {weights[0], weights[1], weights[2]}};
 
   const double radius = atom->radius[ip];
   const double distance = d.norm();
@@ -71,7 +67,8 @@ void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta
   const double shear = (f_W - pressure * slope.normal_W).norm();
   if (shear < kSliding * contact.friction * std::abs(pressure)) {
     slope.shear_stiffness = linear ? contact.linear_shear : 8.0 * contact.shear * s;
-    slope.shear_damping = linear ? contact.linear_shear_damping * mass : contact.damping * std::sqrt(slope.shear_stiffness * mass);
+    slope.shear_damping =
+        linear ? contact.linear_shear_damping * mass : contact.damping * std::sqrt(slope.shear_stiffness * mass);
   }
   body_->add_slope(c + arm_W, slope);
 }

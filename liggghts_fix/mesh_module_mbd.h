@@ -9,14 +9,15 @@
 
 namespace LAMMPS_NS {
 
-// Constants of one grain type against the wall: of Hertz-Mindlin, or of a linear spring when the script has kn (model hooke/stiffness; for
-// hertz/stiffness, kn is more than the stiffness at any overlap below 1 / radius). With s = sqrt(radius overlap): normal stiffness
-// 2 young s, shear stiffness 8 shear s; damping sqrt(stiffness grain-mass) times `damping` (LIGGGHTS).
+// Constants of one grain type against the wall: of Hertz-Mindlin, or of a linear spring when the script has kn (model
+// hooke/stiffness; for hertz/stiffness, kn is more than the stiffness at any overlap below 1 / radius). With s =
+// sqrt(radius overlap): normal stiffness 2 young s, shear stiffness 8 shear s; damping sqrt(stiffness grain-mass) times
+// `damping` (LIGGGHTS).
 struct WallContact {
-  double young = 0.0;     // E* [Pa]
-  double shear = 0.0;     // G* [Pa]
-  double damping = 0.0;   // -2 sqrt(5/6) beta, beta = ln e / sqrt(ln^2 e + pi^2) [-]
-  double friction = 0.0;  // [-]
+  double young = 0.0;                                       // E* [Pa]
+  double shear = 0.0;                                       // G* [Pa]
+  double damping = 0.0;                                     // -2 sqrt(5/6) beta, beta = ln e / sqrt(ln^2 e + pi^2) [-]
+  double friction = 0.0;                                    // [-]
   double linear = 0.0, linear_shear = 0.0;                  // kn, kt [N/m]; 0: Hertz-Mindlin
   double linear_damping = 0.0, linear_shear_damping = 0.0;  // gamma_n, gamma_t, per mass of the grain [1/s]
 

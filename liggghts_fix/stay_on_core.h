@@ -1,9 +1,10 @@
 #pragma once
 // Keeps a rank of LIGGGHTS on its core while it waits for the mechanism.
 //
-// While the ranks wait, mbd_solver computes on one of their cores. A rank that is woken then finds its own core taken and is put on another,
-// whose caches hold the grains of another rank: on two cores that made the grains 15 % slower. So a rank lets itself be moved only while it
-// works, when the machine may have reasons to move it, and not while it sleeps.
+// While the ranks wait, mbd_solver computes on one of their cores. A rank that is woken then finds its own core taken
+// and is put on another, whose caches hold the grains of another rank: on two cores that made the grains 15 % slower.
+// So a rank lets itself be moved only while it works, when the machine may have reasons to move it, and not while it
+// sleeps.
 
 #include <sched.h>
 

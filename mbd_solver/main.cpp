@@ -60,21 +60,25 @@ int say(const std::exception& error, int code) {
 int run_alone(const Arguments& arguments) {
   const Scene scene = read_scene(arguments.scene, arguments.settings);
   if (scene.touches_particles())
-    throw InputError(scene.file + ": ground.kind = \"particles\" needs LIGGGHTS: use `footfall run`, or start both programs:\n  mpirun -np " +
-                     std::to_string(scene.particles->ranks) + " liggghts_mbd -in " + scene.particles->script + " : -np 1 mbd_solver " +
-                     arguments.scene);
+    throw InputError(
+        scene.file +
+        ": ground.kind = \"particles\" needs LIGGGHTS: use `footfall run`, or start both programs:\n  mpirun -np " +
+        std::to_string(scene.particles->ranks) + " liggghts_mbd -in " + scene.particles->script +
+        " : -np 1 mbd_solver " + arguments.scene);
   return run_scene(scene, arguments.run, nullptr, g_interrupted);
 }
 
 // Everything that can go wrong is told to the partner, too: neither program outlives the other.
 int run_coupled(const Arguments& arguments, const Communicator& communicator) {
   if (communicator.size() != 1)
-    throw InputError("mbd_solver runs on one rank, got " + std::to_string(communicator.size()) + ": write `: -np 1 mbd_solver ...`");
+    throw InputError("mbd_solver runs on one rank, got " + std::to_string(communicator.size()) +
+                     ": write `: -np 1 mbd_solver ...`");
   TransportMpi transport(communicator, "liggghts_mbd");
   try {
     const Scene scene = read_scene(arguments.scene, arguments.settings);
     if (!scene.touches_particles())
-      throw InputError(scene.file + ": ground.kind is not \"particles\", but LIGGGHTS was started next to it: run `mbd_solver " +
+      throw InputError(scene.file +
+                       ": ground.kind is not \"particles\", but LIGGGHTS was started next to it: run `mbd_solver " +
                        arguments.scene + "` alone");
     return run_scene(scene, arguments.run, &transport, g_interrupted);
   } catch (const InputError& error) {

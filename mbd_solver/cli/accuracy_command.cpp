@@ -47,9 +47,11 @@ class StudyRunner {
     for (const CurveSpec& curve : study_.curves) {
       table.curves.push_back(curve.name);
       table.defaults.push_back(curve.default_value);
-      const std::vector<StudyRun> own = curve.reference.empty() ? references : reference_runs(curve.reference, curve.name, table);
+      const std::vector<StudyRun> own =
+          curve.reference.empty() ? references : reference_runs(curve.reference, curve.name, table);
       for (const std::string& value : short_ ? curve.short_values : curve.values) {
-        const std::vector<StudyRun> runs = all(curve.scene, settings_of(curve, value), curve.name + "_" + value, study_.repeats);
+        const std::vector<StudyRun> runs =
+            all(curve.scene, settings_of(curve, value), curve.name + "_" + value, study_.repeats);
         table.points.push_back(point(curve.name, value, curve.scale, runs, own));
         table.grains = table.grains || table.points.back().dem > 0.0;
         say(table.points.back());
@@ -60,19 +62,23 @@ class StudyRunner {
 
  private:
   // `more`: what the reference of one curve has of its own.
-  std::vector<StudyRun> reference_runs(const std::vector<std::string>& more, const std::string& name, StudyTable& table) {
+  std::vector<StudyRun> reference_runs(const std::vector<std::string>& more, const std::string& name,
+                                       StudyTable& table) {
     std::vector<std::string> settings = study_.reference;
     settings.insert(settings.end(), more.begin(), more.end());
-    const std::vector<StudyRun> runs = all(study_.reference_scene, settings, more.empty() ? name : name + "_reference", 1);
+    const std::vector<StudyRun> runs =
+        all(study_.reference_scene, settings, more.empty() ? name : name + "_reference", 1);
     for (const StudyRun& run : runs)
-      if (run.code != 0) throw NumericalError("the reference run ended with code " + std::to_string(run.code) + ": " + run.message);
+      if (run.code != 0)
+        throw NumericalError("the reference run ended with code " + std::to_string(run.code) + ": " + run.message);
     table.references.push_back(point(name, "reference", 0.0, runs, runs));
     say(table.references.back());
     return runs;
   }
 
   // One run per member of the ensemble. Curves share runs with the same settings.
-  std::vector<StudyRun> all(const std::string& scene, const std::vector<std::string>& settings, const std::string& name, int repeats) {
+  std::vector<StudyRun> all(const std::string& scene, const std::vector<std::string>& settings, const std::string& name,
+                            int repeats) {
     std::vector<StudyRun> runs;
     for (const std::string& member : members_) {
       StudyRunRequest request;
@@ -81,7 +87,8 @@ class StudyRunner {
       std::replace(folder.begin(), folder.end(), ' ', '_');  // LIGGGHTS splits paths at blanks
       request.out = (fs::path(out_) / folder).string();
       request.settings = study_.settings;
-      if (short_) request.settings.insert(request.settings.end(), study_.short_settings.begin(), study_.short_settings.end());
+      if (short_)
+        request.settings.insert(request.settings.end(), study_.short_settings.begin(), study_.short_settings.end());
       request.settings.insert(request.settings.end(), settings.begin(), settings.end());
       if (!member.empty())
         for (const std::string& setting : filled(study_.ensemble_settings, member)) request.settings.push_back(setting);
@@ -135,15 +142,18 @@ class StudyRunner {
         continue;
       }
       double sum = 0.0;
-      for (std::size_t k = 0; k < runs.size(); ++k) sum += error_of(measure, runs[k], references.empty() ? none : references[k]);
+      for (std::size_t k = 0; k < runs.size(); ++k)
+        sum += error_of(measure, runs[k], references.empty() ? none : references[k]);
       p.errors[m] = sum / static_cast<double>(runs.size());
     }
     return p;
   }
 
   void say(const StudyPoint& p) const {
-    std::printf("%-16s %-8s wall %8.3f s, CPU %8.3f s (grains %.3f, mechanism %.3f, exchange %.3f)", p.curve.c_str(), p.value.c_str(), p.wall, p.cpu, p.dem, p.mbd, p.exchange);
-    for (std::size_t m = 0; m < p.errors.size(); ++m) std::printf("  %s %.3g", study_.measures[m].name.c_str(), p.errors[m]);
+    std::printf("%-16s %-8s wall %8.3f s, CPU %8.3f s (grains %.3f, mechanism %.3f, exchange %.3f)", p.curve.c_str(),
+                p.value.c_str(), p.wall, p.cpu, p.dem, p.mbd, p.exchange);
+    for (std::size_t m = 0; m < p.errors.size(); ++m)
+      std::printf("  %s %.3g", study_.measures[m].name.c_str(), p.errors[m]);
     std::printf("\n");
     std::fflush(stdout);
   }
@@ -159,18 +169,22 @@ class StudyRunner {
 bool meets(const StudySpec& study, const StudyTable& table) {
   bool all = true;
   for (const ExpectSpec& expect : study.expect) {
-    const std::size_t m = static_cast<std::size_t>(std::find(table.measures.begin(), table.measures.end(), expect.measure) - table.measures.begin());
+    const std::size_t m = static_cast<std::size_t>(
+        std::find(table.measures.begin(), table.measures.end(), expect.measure) - table.measures.begin());
     const auto line = table.line(expect.curve, m, false);
     const auto report = [&](bool good, const char* what, double found, double least, double most) {
       all = all && good;
-      std::printf("%-9s %s, %s: %s %.4g, expected %.4g to %.4g\n", good ? "ok" : "NOT SO", expect.curve.c_str(), expect.measure.c_str(), what, found, least, most);
+      std::printf("%-9s %s, %s: %s %.4g, expected %.4g to %.4g\n", good ? "ok" : "NOT SO", expect.curve.c_str(),
+                  expect.measure.c_str(), what, found, least, most);
     };
     if (expect.least_order != 0.0 || expect.most_order != 0.0) {
       const double order = observed_order(line);
-      report(order >= expect.least_order && order <= expect.most_order, "order", order, expect.least_order, expect.most_order);
+      report(order >= expect.least_order && order <= expect.most_order, "order", order, expect.least_order,
+             expect.most_order);
     }
     if (expect.most_error > 0.0) {
-      // Of the last value run: files name values from coarse to fine. An error of zero is no point of a logarithmic line, but a good one.
+      // Of the last value run: files name values from coarse to fine. An error of zero is no point of a logarithmic
+      // line, but a good one.
       double error = kNone;
       for (const StudyPoint& point : table.points)
         if (point.curve == expect.curve) error = point.errors[m];
@@ -185,13 +199,15 @@ bool meets(const StudySpec& study, const StudyTable& table) {
 int accuracy_command(const AccuracyArguments& arguments) {
   const StudySpec study = read_study(arguments.file);
   const std::string name = fs::path(arguments.file).stem().string();
-  const std::string out = short_path(arguments.out.empty() ? (fs::path("runs") / "accuracy" / name).string() : arguments.out);
+  const std::string out =
+      short_path(arguments.out.empty() ? (fs::path("runs") / "accuracy" / name).string() : arguments.out);
   std::error_code error;
   fs::create_directories(out, error);
   if (error) throw InputError(out + ": cannot be made: " + error.message() + "; choose another folder with --out");
 
   if (!study.omega_h.empty()) {
-    const std::vector<GrowthPoint> points = growth_of_schemes(study.omega_h, study.substeps, study.scene.empty() ? "" : (fs::path(study.folder) / study.scene).string(), out);
+    const std::vector<GrowthPoint> points = growth_of_schemes(
+        study.omega_h, study.substeps, study.scene.empty() ? "" : (fs::path(study.folder) / study.scene).string(), out);
     const std::string table = (fs::path(out) / (name + ".md")).string();
     write_growth(table, study.title, points, study.substeps);
     if (!arguments.table.empty()) write_growth(arguments.table, study.title, points, study.substeps);
@@ -200,8 +216,8 @@ int accuracy_command(const AccuracyArguments& arguments) {
       const auto near = [&](double found) { return std::abs(found - p.theory) <= kGrowthMiss * p.theory; };
       const bool good = near(p.measured) && (study.scene.empty() || near(p.in_liggghts));
       all = all && good;
-      std::printf("%-9s %-14s omega H %-6g growth in LIGGGHTS %.6g, code alone %.6g, theory %.6g\n", good ? "ok" : "NOT SO", p.scheme.c_str(), p.omega_h, p.in_liggghts,
-                  p.measured, p.theory);
+      std::printf("%-9s %-14s omega H %-6g growth in LIGGGHTS %.6g, code alone %.6g, theory %.6g\n",
+                  good ? "ok" : "NOT SO", p.scheme.c_str(), p.omega_h, p.in_liggghts, p.measured, p.theory);
     }
     std::printf("Files: %s\n", table.c_str());
     return all ? kExitDone : kExitFailed;

@@ -62,7 +62,9 @@ class Draft {
   explicit Draft(fs::path folder) : folder_(std::move(folder)) {
     std::error_code error;
     fs::create_directories(folder_, error);
-    if (error) throw InputError(folder_.string() + ": cannot be made: " + error.message() + "; set FOOTFALL_CACHE to a folder that can be written");
+    if (error)
+      throw InputError(folder_.string() + ": cannot be made: " + error.message() +
+                       "; set FOOTFALL_CACHE to a folder that can be written");
   }
   ~Draft() {
     std::error_code ignored;
@@ -75,7 +77,8 @@ class Draft {
   void keep(const fs::path& target) {
     std::error_code error;
     fs::rename(folder_, target, error);
-    if (error && !fs::exists(target / kRestart)) throw InputError(target.string() + ": cannot be made: " + error.message());
+    if (error && !fs::exists(target / kRestart))
+      throw InputError(target.string() + ": cannot be made: " + error.message());
   }
 
  private:
@@ -106,10 +109,12 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
   if (end.code != 0) {
     std::ostringstream said;
     said << std::ifstream(command.output).rdbuf();
-    throw PartnerError("making the bed: LIGGGHTS ended with code " + std::to_string(end.code) + " on " + spec.script + "\n" + said.str());
+    throw PartnerError("making the bed: LIGGGHTS ended with code " + std::to_string(end.code) + " on " + spec.script +
+                       "\n" + said.str());
   }
   if (!fs::exists(restart))
-    throw InputError("the bed's script " + spec.script + " ended without writing the restart file; it must say: write_restart ${bed}");
+    throw InputError("the bed's script " + spec.script +
+                     " ended without writing the restart file; it must say: write_restart ${bed}");
 }
 
 }  // namespace

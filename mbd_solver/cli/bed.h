@@ -12,9 +12,11 @@ struct Bed {
   std::string grains;   // text dump x y z radius; empty when the script writes none
 };
 
-// Finds the bed in the cache, or makes it there with `ranks` LIGGGHTS processes (a progress line unless quiet). The key holds the text of
-// the script and of what it includes, all variables, and the version of LIGGGHTS; a bed that is there is complete.
-// Throws InputError with LIGGGHTS' own message when the script fails, PartnerError when LIGGGHTS dies, Interrupted at Ctrl-C.
+// Finds the bed in the cache, or makes it there with `ranks` LIGGGHTS processes (a progress line unless quiet). The key
+// holds the text of the script and of what it includes, all variables, and the version of LIGGGHTS; a bed that is there
+// is complete.
+// Throws InputError with LIGGGHTS' own message when the script fails, PartnerError when LIGGGHTS dies, Interrupted at
+// Ctrl-C.
 Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet);
 
 // Where the bed is, or will be; whether it is there.

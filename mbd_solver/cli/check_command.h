@@ -8,7 +8,8 @@
 
 namespace footfall {
 
-// Reads the scene and builds its mechanism once, so that everything a run would refuse (meshes, bases, controllers) is found now.
+// Reads the scene and builds its mechanism once, so that everything a run would refuse (meshes, bases, controllers) is
+// found now.
 // Warnings go to standard error. Throws InputError.
 Scene checked_scene(const std::string& argument, const std::vector<std::string>& settings);
 

@@ -19,9 +19,9 @@ namespace footfall {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::seconds kGrace(20);       // to write a checkpoint and end in order
-constexpr std::chrono::seconds kAfterEnd(1);     // from the end of the child to SIGTERM for what it left behind
-constexpr std::chrono::seconds kAfterTerm(2);    // from SIGTERM to SIGKILL
+constexpr std::chrono::seconds kGrace(20);     // to write a checkpoint and end in order
+constexpr std::chrono::seconds kAfterEnd(1);   // from the end of the child to SIGTERM for what it left behind
+constexpr std::chrono::seconds kAfterTerm(2);  // from SIGTERM to SIGKILL
 
 // Every process below this one.
 std::vector<pid_t> descendants() {
@@ -35,7 +35,8 @@ std::vector<pid_t> descendants() {
     const std::size_t end = line.rfind(')');  // the program's name may hold anything
     char state = '?';
     int parent = 0;
-    if (end == std::string::npos || std::sscanf(line.c_str() + end + 1, " %c %d", &state, &parent) != 2 || state == 'Z') continue;
+    if (end == std::string::npos || std::sscanf(line.c_str() + end + 1, " %c %d", &state, &parent) != 2 || state == 'Z')
+      continue;
     children[parent].push_back(std::stoi(name));
   }
   std::vector<pid_t> found = children[getpid()];
@@ -66,7 +67,8 @@ bool ask_gracefully(const std::string& graceful) {
   return asked;
 }
 
-// Collects every child that ended (orphans of the child come to us). True when `pid` is among them; `status` is then its status.
+// Collects every child that ended (orphans of the child come to us). True when `pid` is among them; `status` is then
+// its status.
 bool reap(pid_t pid, int& status) {
   bool ended = false;
   int s = 0;

@@ -1,5 +1,6 @@
 #pragma once
-// Reads what says a figure in the file of a sweep or study: key, or columns with reduce, average and prominence; and over.
+// Reads what says a figure in the file of a sweep or study: key, or columns with reduce, average and prominence; and
+// over.
 
 #include "mbd_solver/cli/sweep_figure.h"
 #include "mbd_solver/cli/table_reader.h"

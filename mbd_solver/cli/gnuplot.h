@@ -6,7 +6,8 @@
 
 namespace footfall {
 
-// Runs the scripts in `folder`, where each makes NAME.png; returns these pictures. Throws InputError when gnuplot is missing or fails.
+// Runs the scripts in `folder`, where each makes NAME.png; returns these pictures. Throws InputError when gnuplot is
+// missing or fails.
 std::vector<std::string> run_gnuplot(const std::string& folder, const std::vector<std::string>& scripts);
 
 }  // namespace footfall

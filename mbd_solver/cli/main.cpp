@@ -1,4 +1,5 @@
-// footfall: the front door. It only arranges mbd_solver and liggghts_mbd; whatever it does, the line it prints does too.
+// footfall: the front door. It only arranges mbd_solver and liggghts_mbd; whatever it does, the line it prints does
+// too.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -26,7 +27,8 @@ namespace {
 std::string default_scene() {
   const std::string name = "inputs/landing_mr";
   if (std::filesystem::exists(name)) return name;
-  const std::filesystem::path checkout = std::filesystem::path(built_program("footfall")).parent_path().parent_path().parent_path();
+  const std::filesystem::path checkout =
+      std::filesystem::path(built_program("footfall")).parent_path().parent_path().parent_path();
   const std::filesystem::path scene = checkout / name;
   return std::filesystem::exists(scene) ? scene.string() : name;
 }
@@ -37,7 +39,8 @@ void add_run(CLI::App& app, RunArguments& a, std::function<int()>& action) {
   run->add_option("--out", a.out, "Folder for results (default: runs/NAME, the first that is free)");
   run->add_option("--until", a.until, "End earlier than the scene says [s]")->check(positive());
   run->add_option("--ranks", a.ranks, "LIGGGHTS processes")->check(positive());
-  run->add_option("--set", a.settings, "key=value: change one value of the scene, for example solver.integrator=ida")->allow_extra_args(false);
+  run->add_option("--set", a.settings, "key=value: change one value of the scene, for example solver.integrator=ida")
+      ->allow_extra_args(false);
   run->add_option("--scheme", a.scheme, "Coupling scheme (coupling.scheme)");
   run->add_option("--integrator", a.integrator, "Integrator (solver.integrator)");
   run->add_flag("--quiet", a.quiet, "Only errors");
@@ -56,15 +59,19 @@ void add_surfaces(CLI::App& app, RunArguments& a, std::function<int()>& action) 
   surfaces->add_option("SCENE", a.scene, "Scene file, or folder with scene.toml")->capture_default_str();
   surfaces->add_option("--out", a.out, "Folder for the pictures (default: runs/surfaces)");
   surfaces->add_option("--set", a.settings, "key=value: change one value of the scene")->allow_extra_args(false);
-  surfaces->callback([&] { action = [&a] { return surfaces_command(a.scene, a.settings, a.out.empty() ? "runs/surfaces" : a.out); }; });
+  surfaces->callback([&] {
+    action = [&a] { return surfaces_command(a.scene, a.settings, a.out.empty() ? "runs/surfaces" : a.out); };
+  });
 }
 
 void add_sweep(CLI::App& app, SweepArguments& a, std::function<int()>& action) {
-  CLI::App* sweep = app.add_subcommand("sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted");
+  CLI::App* sweep = app.add_subcommand(
+      "sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted");
   sweep->add_option("FILE", a.file, "Sweep file, as in inputs/sweeps")->required()->check(CLI::ExistingFile);
   sweep->add_option("--out", a.out, "Folder for results (default: runs/sweeps/NAME)");
   sweep->add_option("--jobs", a.jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
-  sweep->add_option("--only", a.only, "This run alone, without tables (one element of a job array)")->check(CLI::Range(0, 1 << 30));
+  sweep->add_option("--only", a.only, "This run alone, without tables (one element of a job array)")
+      ->check(CLI::Range(0, 1 << 30));
   sweep->add_flag("--list", a.list, "Make the beds, list the runs, and stop");
   sweep->add_flag("--merge", a.merge, "Tables and plots of what is there");
   sweep->add_flag("--slurm", a.slurm, "Write sweep.sbatch, the sweep as a Slurm job array, and stop");
@@ -77,7 +84,8 @@ struct CompareArguments {
 };
 
 void add_compare(CLI::App& app, CompareArguments& a, std::function<int()>& action) {
-  CLI::App* compare = app.add_subcommand("compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run");
+  CLI::App* compare = app.add_subcommand(
+      "compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run");
   compare->add_option("DIR", a.run, "Folder of a run with grains")->required();
   compare->add_option("OTHER", a.other, "Folder of another run (default: stock LIGGGHTS replays the motion of DIR)");
   compare->add_flag("--quiet", a.quiet, "Only errors; the table stands in DIR/compare/comparison.txt");
@@ -85,14 +93,24 @@ void add_compare(CLI::App& app, CompareArguments& a, std::function<int()>& actio
 }
 
 void add_pictures(CLI::App& app, PicturesArguments& a, std::function<int()>& action) {
-  CLI::App* pictures = app.add_subcommand("pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures");
+  CLI::App* pictures =
+      app.add_subcommand("pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures");
   pictures->add_option("DIR", a.run, "Folder of a run that dumped its grains")->required();
-  pictures->add_option("--times", a.times, "Times [s], separated by commas; the nearest dumps are drawn")->delimiter(',')->capture_default_str();
-  pictures->add_option("--view", a.view, "Where the eye is: azimuth,elevation [deg] (default: -65,28; with a cut: -90,12)")->delimiter(',')->expected(2);
-  pictures->add_flag("--cut", a.cut, "Leave out the grains in front of the foremost coupled surface, to look into its crater");
+  pictures->add_option("--times", a.times, "Times [s], separated by commas; the nearest dumps are drawn")
+      ->delimiter(',')
+      ->capture_default_str();
+  pictures
+      ->add_option("--view", a.view, "Where the eye is: azimuth,elevation [deg] (default: -65,28; with a cut: -90,12)")
+      ->delimiter(',')
+      ->expected(2);
+  pictures->add_flag("--cut", a.cut,
+                     "Leave out the grains in front of the foremost coupled surface, to look into its crater");
   pictures->add_option("--cut-at", a.cut_at, "Leave out the grains with y below this [m]")->expected(1);
-  pictures->add_option("--fastest", a.fastest, "Speed at the end of the colours [m/s] (default: from the grains)")->check(positive());
-  pictures->add_option("--width", a.width, "Width of the drawing [pixels]")->check(CLI::Range(100, 20000))->capture_default_str();
+  pictures->add_option("--fastest", a.fastest, "Speed at the end of the colours [m/s] (default: from the grains)")
+      ->check(positive());
+  pictures->add_option("--width", a.width, "Width of the drawing [pixels]")
+      ->check(CLI::Range(100, 20000))
+      ->capture_default_str();
   pictures->callback([&] { action = [&a] { return pictures_command(a); }; });
 }
 
@@ -108,19 +126,22 @@ void add_report(CLI::App& app, std::string& folder, std::function<int()>& action
 }
 
 void add_accuracy(CLI::App& app, AccuracyArguments& a, std::function<int()>& action) {
-  CLI::App* accuracy = app.add_subcommand("accuracy", "Error against run time (a study), or a stability map: CSV, picture, table");
+  CLI::App* accuracy =
+      app.add_subcommand("accuracy", "Error against run time (a study), or a stability map: CSV, picture, table");
   accuracy->add_option("FILE", a.file, "Study file, as in inputs/accuracy")->required()->check(CLI::ExistingFile);
   accuracy->add_option("--out", a.out, "Folder for results (default: runs/accuracy/NAME)");
   accuracy->add_option("--case", a.only, "Of a stability map: this case alone");
   accuracy->add_option("--table", a.table, "Write the table to this file as well, as Markdown");
-  accuracy->add_flag("--resume", a.resume, "Of a study: keep the runs in the folder that were done with the same scene, settings and script");
+  accuracy->add_flag("--resume", a.resume,
+                     "Of a study: keep the runs in the folder that were done with the same scene, settings and script");
   accuracy->add_flag("--short", a.short_form, "Of a study: its short form, as the tests run it");
   accuracy->callback([&] { action = [&a] { return accuracy_command(a); }; });
 }
 
 void add_test(CLI::App& app, std::string& label, std::function<int()>& action) {
   CLI::App* test = app.add_subcommand("test", "Run the tests of this build (./footfall test builds them first)");
-  test->add_option("-L,--label", label, "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example, accuracy");
+  test->add_option("-L,--label", label,
+                   "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example, accuracy");
   test->callback([&] {
     action = [&label] {
       const std::string build = std::filesystem::path(built_program("footfall")).parent_path().parent_path().string();

@@ -11,7 +11,9 @@ inline CLI::Validator positive() {
   return CLI::Validator(
       [](const std::string& text) {
         double value = 0.0;
-        return CLI::detail::lexical_cast(text, value) && value > 0.0 && value <= 1e300 ? std::string() : "is \"" + text + "\", expected a number above zero";
+        return CLI::detail::lexical_cast(text, value) && value > 0.0 && value <= 1e300
+                   ? std::string()
+                   : "is \"" + text + "\", expected a number above zero";
       },
       "NUMBER > 0");
 }

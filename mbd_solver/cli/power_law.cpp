@@ -26,7 +26,8 @@ double student_probability(double theta, int n) {
 
 void demand_rows(Eigen::Index rows, Eigen::Index coefficients) {
   if (rows <= coefficients)
-    throw InputError(std::to_string(rows) + " values for " + std::to_string(coefficients) + " coefficients, expected more values than coefficients");
+    throw InputError(std::to_string(rows) + " values for " + std::to_string(coefficients) +
+                     " coefficients, expected more values than coefficients");
 }
 
 // Fills what follows from residuals e of log y about the law.
@@ -48,7 +49,9 @@ double student_t(double confidence, int degrees) {
   return std::sqrt(degrees) * std::tan(0.5 * (low + high));
 }
 
-double PowerLaw::at(const Eigen::VectorXd& x) const { return factor * std::exp(exponents.dot(x.array().log().matrix())); }
+double PowerLaw::at(const Eigen::VectorXd& x) const {
+  return factor * std::exp(exponents.dot(x.array().log().matrix()));
+}
 
 PowerLaw fit_power_law(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
   const Eigen::Index n = x.rows(), m = x.cols();
@@ -61,14 +64,16 @@ PowerLaw fit_power_law(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
   constexpr double kIndependent = 1e-8;  // of the largest pivot; logarithms read from files carry some six digits
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(X);
   qr.setThreshold(kIndependent);
-  if (qr.rank() < m) throw InputError("the quantities do not vary independently of each other; expected values in all combinations");
+  if (qr.rank() < m)
+    throw InputError("the quantities do not vary independently of each other; expected values in all combinations");
 
   PowerLaw law;
   law.exponents = qr.solve((log_y.array() - log_y.mean()).matrix());
   law.degrees_of_freedom = static_cast<int>(n - m) - 1;
   judge(law, log_y, (log_y.array() - log_y.mean()).matrix() - X * law.exponents);
   // Covariance of the exponents: scatter^2 (X^T X)^-1 with X P = Q R.
-  const Eigen::MatrixXd R_inverse = qr.matrixR().topLeftCorner(m, m).triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(m, m));
+  const Eigen::MatrixXd R_inverse =
+      qr.matrixR().topLeftCorner(m, m).triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(m, m));
   const Eigen::MatrixXd S = qr.colsPermutation() * R_inverse;
   const double t = student_t(kConfidence, law.degrees_of_freedom);
   law.errors = law.scatter * S.rowwise().norm();
@@ -90,7 +95,8 @@ PowerLaw fit_factor(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, const Ei
   law.errors = Eigen::VectorXd::Zero(exponents.size());
   law.degrees_of_freedom = static_cast<int>(x.rows()) - 1;
   judge(law, log_y, rest.array() - rest.mean());
-  const double error = student_t(kConfidence, law.degrees_of_freedom) * law.scatter / std::sqrt(static_cast<double>(x.rows()));
+  const double error =
+      student_t(kConfidence, law.degrees_of_freedom) * law.scatter / std::sqrt(static_cast<double>(x.rows()));
   law.factor = std::exp(rest.mean());
   law.factor_interval = {std::exp(rest.mean() - error), std::exp(rest.mean() + error)};
   return law;

@@ -26,8 +26,8 @@ class SignalsHeld {
 
 constexpr int kCannotStart = 127;  // exit code of a process whose program could not be started
 
-// Starts a command in a process group of its own, with SIGTERM for it when we die. Throws InputError when there can be no process; a
-// program that is not there ends with kCannotStart.
+// Starts a command in a process group of its own, with SIGTERM for it when we die. Throws InputError when there can be
+// no process; a program that is not there ends with kCannotStart.
 pid_t start_process(const Command& command, const SignalsHeld& signals);
 
 }  // namespace footfall

@@ -21,7 +21,8 @@ std::string built_program(const std::string& name) {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   const fs::path program = self.parent_path() / name;
-  if (!fs::exists(program, error)) throw InputError(program.string() + ": there is no such program; build footfall with ./footfall, or cmake --build");
+  if (!fs::exists(program, error))
+    throw InputError(program.string() + ": there is no such program; build footfall with ./footfall, or cmake --build");
   return program.string();
 }
 
@@ -37,8 +38,10 @@ Command mpirun() {
   return command;
 }
 
-std::vector<std::string> script_arguments(const std::string& script, const std::map<std::string, std::string>& variables) {
-  std::vector<std::string> words = {"-in", short_path(script), "-var", "here", short_path(fs::path(script).parent_path().string())};
+std::vector<std::string> script_arguments(const std::string& script,
+                                          const std::map<std::string, std::string>& variables) {
+  std::vector<std::string> words = {"-in", short_path(script), "-var", "here",
+                                    short_path(fs::path(script).parent_path().string())};
   for (const auto& [name, value] : variables) words.insert(words.end(), {"-var", name, value});
   return words;
 }

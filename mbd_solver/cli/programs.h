@@ -15,7 +15,8 @@ std::string built_program(const std::string& name);
 Command mpirun();
 
 // What the scene's -var options say, in the order LIGGGHTS gets them: here (folder of the script), then the variables.
-std::vector<std::string> script_arguments(const std::string& script, const std::map<std::string, std::string>& variables);
+std::vector<std::string> script_arguments(const std::string& script,
+                                          const std::map<std::string, std::string>& variables);
 
 // `path` from here when that is shorter, for lines that people read and copy.
 std::string short_path(const std::string& path);

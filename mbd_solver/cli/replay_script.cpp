@@ -52,7 +52,9 @@ std::vector<std::string> logical_lines(const std::string& path, const std::strin
     if (at != std::string::npos) included.replace(at, 7, here);
     if (!fs::is_regular_file(included)) continue;
     const std::vector<std::string> more = logical_lines(included, here, depth + 1);
-    const auto couples = [](const std::string& l) { return l.find("couple/mbd") != std::string::npos || l.find("wall/gran/beam") != std::string::npos; };
+    const auto couples = [](const std::string& l) {
+      return l.find("couple/mbd") != std::string::npos || l.find("wall/gran/beam") != std::string::npos;
+    };
     if (std::none_of(more.begin(), more.end(), couples)) continue;
     lines.pop_back();
     lines.insert(lines.end(), more.begin(), more.end());
@@ -68,7 +70,8 @@ std::string number(double value) {
 
 Eigen::Matrix3d rotation(const std::vector<double>& pose) {
   const Eigen::Vector3d r(pose[3], pose[4], pose[5]);
-  return r.norm() > 0.0 ? Eigen::AngleAxisd(r.norm(), r.normalized()).toRotationMatrix() : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  return r.norm() > 0.0 ? Eigen::AngleAxisd(r.norm(), r.normalized()).toRotationMatrix()
+                        : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
 // The pose at any time, straight between two recorded ones.
@@ -89,7 +92,8 @@ std::string variable(int mesh, int component) {
   return "replay" + std::to_string(mesh) + "_" + kNames[component];
 }
 
-// One velocity per line and span of `every` steps. Turned by the three movers one after the other, so that the spin counts.
+// One velocity per line and span of `every` steps. Turned by the three movers one after the other, so that the spin
+// counts.
 void write_velocities(const RecordedMotion& motion, int mesh, double span, int spans, Replay& replay) {
   std::string text[6];
   std::vector<double> before = pose_at(motion, 0.0);
@@ -107,11 +111,13 @@ void write_velocities(const RecordedMotion& motion, int mesh, double span, int s
 }
 
 // Takes the place of `fix couple/mbd`.
-std::string movers(const Words& coupling, const std::string& motion_folder, const std::string& out, double dt, Replay& replay) {
+std::string movers(const Words& coupling, const std::string& motion_folder, const std::string& out, double dt,
+                   Replay& replay) {
   std::vector<std::pair<std::string, RecordedMotion>> meshes;
   for (std::size_t i = 5; i + 2 < coupling.size(); ++i)
     if (coupling[i] == "mesh") meshes.emplace_back(coupling[i + 1], read_motion(motion_folder, coupling[i + 2]));
-  if (meshes.empty()) throw InputError("the run moved no mesh of its script; there is nothing that stock LIGGGHTS could replay");
+  if (meshes.empty())
+    throw InputError("the run moved no mesh of its script; there is nothing that stock LIGGGHTS could replay");
   const std::vector<double>& time = meshes.front().second.time;
   double shortest = time.back();
   for (std::size_t k = 1; k + 1 < time.size(); ++k) shortest = std::min(shortest, time[k] - time[k - 1]);
@@ -120,27 +126,30 @@ std::string movers(const Words& coupling, const std::string& motion_folder, cons
   const int spans = (replay.steps + replay.every - 1) / replay.every;
 
   std::ostringstream text;
-  text << "# The motion of the coupled run: velocities for every " << replay.every << " steps, by the movers that stock LIGGGHTS has.\n";
+  text << "# The motion of the coupled run: velocities for every " << replay.every
+       << " steps, by the movers that stock LIGGGHTS has.\n";
   std::string forces;
   int mesh = 0;
   for (const auto& [id, motion] : meshes) {
     ++mesh;
     write_velocities(motion, mesh, replay.every * dt, spans, replay);
     for (int c = 0; c < 6; ++c)
-      text << "variable " << variable(mesh, c) << " file " << (fs::path(out) / (variable(mesh, c) + ".txt")).string() << "\n";
+      text << "variable " << variable(mesh, c) << " file " << (fs::path(out) / (variable(mesh, c) + ".txt")).string()
+           << "\n";
     const std::vector<double>& start = motion.pose.front();
     const std::string move = "fix replay" + std::to_string(mesh);
-    text << move << "_move all move/mesh mesh " << id << " linear/variable v_" << variable(mesh, 0) << " v_" << variable(mesh, 1) << " v_"
-         << variable(mesh, 2) << "\n";
+    text << move << "_move all move/mesh mesh " << id << " linear/variable v_" << variable(mesh, 0) << " v_"
+         << variable(mesh, 1) << " v_" << variable(mesh, 2) << "\n";
     const char* const axes[3] = {"1 0 0", "0 1 0", "0 0 1"};
     for (int c = 0; c < 3; ++c)
-      text << move << "_turn" << c + 1 << " all move/mesh mesh " << id << " rotate/variable origin " << number(start[0]) << " " << number(start[1])
-           << " " << number(start[2]) << " axis " << axes[c] << " omega v_" << variable(mesh, 3 + c) << "\n";
+      text << move << "_turn" << c + 1 << " all move/mesh mesh " << id << " rotate/variable origin " << number(start[0])
+           << " " << number(start[1]) << " " << number(start[2]) << " axis " << axes[c] << " omega v_"
+           << variable(mesh, 3 + c) << "\n";
     for (int c = 1; c <= 3; ++c) forces += " f_" + id + "[" + std::to_string(c) + "]";
     replay.bodies.push_back(motion.body);
   }
-  text << "fix replay_forces all ave/time 1 " << replay.every << " " << replay.every << forces << " file " << (fs::path(out) / "forces.txt").string()
-       << "\nvariable replay_mass equal mass(all)";
+  text << "fix replay_forces all ave/time 1 " << replay.every << " " << replay.every << forces << " file "
+       << (fs::path(out) / "forces.txt").string() << "\nvariable replay_mass equal mass(all)";
   return text.str();
 }
 
@@ -148,12 +157,13 @@ std::string final_run(const Replay& replay) {
   std::string next = "next";
   for (std::size_t mesh = 1; mesh <= replay.bodies.size(); ++mesh)
     for (int c = 0; c < 6; ++c) next += " " + variable(static_cast<int>(mesh), c);
-  return "print \"replay: mass of the grains ${replay_mass}\"\nrun " + std::to_string(replay.steps) + " pre no post no every " +
-         std::to_string(replay.every) + " \"" + next + "\"";
+  return "print \"replay: mass of the grains ${replay_mass}\"\nrun " + std::to_string(replay.steps) +
+         " pre no post no every " + std::to_string(replay.every) + " \"" + next + "\"";
 }
 
 bool mentions(const std::string& line, const std::vector<std::string>& fixes) {
-  return std::any_of(fixes.begin(), fixes.end(), [&](const std::string& id) { return line.find("f_" + id + "[") != std::string::npos; });
+  return std::any_of(fixes.begin(), fixes.end(),
+                     [&](const std::string& id) { return line.find("f_" + id + "[") != std::string::npos; });
 }
 
 }  // namespace
@@ -170,7 +180,8 @@ RecordedMotion read_motion(const std::string& folder, const std::string& body) {
     std::vector<double>& force = motion.force.emplace_back();
     for (const char* name : {"fx", "fy", "fz"}) force.push_back(history.column(name)[k]);
   }
-  if (motion.time.size() < 2) throw InputError(folder + "/" + body + ".csv: holds fewer than two windows; there is nothing to replay");
+  if (motion.time.size() < 2)
+    throw InputError(folder + "/" + body + ".csv: holds fewer than two windows; there is nothing to replay");
   return motion;
 }
 
@@ -214,13 +225,15 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
       break;
     } else if (mentions(line, gone)) {
       if (w[0] != "thermo_style") continue;
-      w.erase(std::remove_if(w.begin(), w.end(), [&](const std::string& word) { return mentions(word, gone); }), w.end());
+      w.erase(std::remove_if(w.begin(), w.end(), [&](const std::string& word) { return mentions(word, gone); }),
+              w.end());
       text << joined(w) << "\n";
     } else {
       text << line << "\n";
     }
   }
-  if (!coupled) throw InputError(script + ": has no line \"fix ID all couple/mbd ...\"; only a coupled run can be replayed");
+  if (!coupled)
+    throw InputError(script + ": has no line \"fix ID all couple/mbd ...\"; only a coupled run can be replayed");
   replay.script = text.str();
   return replay;
 }

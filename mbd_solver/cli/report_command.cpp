@@ -22,9 +22,10 @@ using Rows = std::vector<std::vector<std::string>>;
 
 namespace {
 
-const std::vector<std::string> kMarks = {"[A]", "(assumed"};  // how scenes and scripts mark what the paper does not print
+// how scenes and scripts mark what the paper does not print
+const std::vector<std::string> kMarks = {"[A]", "(assumed"};
 
-constexpr const char* kLedgerPicture = "ledger.png";   // stands in a section of its own
+constexpr const char* kLedgerPicture = "ledger.png";  // stands in a section of its own
 
 std::string short_text(double value) {
   char text[40];
@@ -39,14 +40,16 @@ std::string contents(const fs::path& path) {
 
 // A figure of the summary times `factor`, when it is there.
 void figure(const Json& summary, const char* label, const char* key, double factor, const char* unit, Rows& rows) {
-  if (summary.contains(key) && summary[key].is_number()) rows.push_back({label, short_text(factor * summary[key].get<double>()), unit});
+  if (summary.contains(key) && summary[key].is_number())
+    rows.push_back({label, short_text(factor * summary[key].get<double>()), unit});
 }
 
 std::vector<fs::path> pictures_in(const fs::path& folder) {
   std::vector<fs::path> pictures;
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".png" && entry.path().stem() != "overview" && entry.path().filename() != kLedgerPicture)
+    if (entry.path().extension() == ".png" && entry.path().stem() != "overview" &&
+        entry.path().filename() != kLedgerPicture)
       pictures.push_back(entry.path());
   std::sort(pictures.begin(), pictures.end());
   return pictures;
@@ -62,7 +65,9 @@ void show_pictures(const fs::path& folder, const std::string& heading, HtmlPage&
 void show_summary(const Json& summary, HtmlPage& page) {
   page.section("Summary");
   const std::string status = summary.value("status", "unknown");
-  if (status != "done") page.warning("This run is not complete: " + status + (summary.contains("reason") ? ": " + summary["reason"].get<std::string>() : ""));
+  if (status != "done")
+    page.warning("This run is not complete: " + status +
+                 (summary.contains("reason") ? ": " + summary["reason"].get<std::string>() : ""));
   Rows rows = {{"figure", "value", "unit"}};
   figure(summary, "simulated time", "end_time_s", 1.0, "s", rows);
   figure(summary, "peak acceleration", "peak_acceleration_g", 1.0, "g", rows);
@@ -76,7 +81,8 @@ void show_summary(const Json& summary, HtmlPage& page) {
   figure(summary, "of it mechanism", "mbd_wall_s", 1.0, "s", rows);
   page.table(rows);
   std::string active;
-  for (const Json& part : summary.value("active", Json::array())) active += (active.empty() ? "" : ", ") + part.get<std::string>();
+  for (const Json& part : summary.value("active", Json::array()))
+    active += (active.empty() ? "" : ", ") + part.get<std::string>();
   if (!active.empty()) page.paragraph("Active parts: " + active + ".");
   for (const Json& text : summary.value("warnings", Json::array())) page.warning(text.get<std::string>());
 }
@@ -87,15 +93,19 @@ void show_quality(const Json& summary, HtmlPage& page) {
   figure(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "% of the initial energy", rows);
   figure(summary, "drift of the joints, position", "drift_position", 1.0, "m, rad", rows);
   figure(summary, "drift of the joints, velocity", "drift_velocity", 1.0, "m/s, rad/s", rows);
-  figure(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0, "% of the initial energy", rows);
+  figure(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0,
+         "% of the initial energy", rows);
   figure(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "% of its radius", rows);
   figure(summary, "time step of the grains", "dt_dem_s", 1.0, "s", rows);
   figure(summary, "windows", "windows", 1.0, "", rows);
   page.table(rows);
   if (!summary.contains("max_omega_h")) return;
-  page.paragraph("Largest omega H of each coupled body: its contact frequency times the window. Below one half the windows are small enough, above two they are unstable.");
+  page.paragraph(
+      "Largest omega H of each coupled body: its contact frequency times the window. Below one half the windows are "
+      "small enough, above two they are unstable.");
   rows = {{"body", "omega H"}};
-  for (const auto& [body, value] : summary["max_omega_h"].items()) rows.push_back({body, short_text(value.get<double>())});
+  for (const auto& [body, value] : summary["max_omega_h"].items())
+    rows.push_back({body, short_text(value.get<double>())});
   page.table(rows);
 }
 
@@ -112,14 +122,18 @@ void show_ledger(const fs::path& folder, HtmlPage& page) {
     std::string words = ledger.names[k];
     std::replace(words.begin(), words.end(), '.', ' ');
     std::replace(words.begin(), words.end(), '_', ' ');
-    rows.push_back({words, short_text(column.front()), short_text(column.back()), short_text(column.back() - column.front())});
+    rows.push_back(
+        {words, short_text(column.front()), short_text(column.back()), short_text(column.back() - column.front())});
   }
   page.section("Energy ledger");
   page.paragraph(
-      "Energy stored and dissipated in the mechanism, work it gave to the grains, and what they made of it. The sum would stay the same without numerical "
-      "errors. What the grains dissipated is the rest of the work they received; it holds the elastic energy in their contacts too, and may fall by that much.");
+      "Energy stored and dissipated in the mechanism, work it gave to the grains, and what they made of it. The sum "
+      "would stay the same without numerical "
+      "errors. What the grains dissipated is the rest of the work they received; it holds the elastic energy in their "
+      "contacts too, and may fall by that much.");
   page.table(rows);
-  if (fs::exists(folder / "plots" / kLedgerPicture)) page.picture((folder / "plots" / kLedgerPicture).string(), "Where the energy is");
+  if (fs::exists(folder / "plots" / kLedgerPicture))
+    page.picture((folder / "plots" / kLedgerPicture).string(), "Where the energy is");
 }
 
 // The scene file, the scenes it is built on, and the scripts of the grains.
@@ -148,7 +162,8 @@ std::vector<fs::path> sources_of(const Json& summary) {
     files.push_back(script);
     const ScriptText text(script.string(), {});
     for (const ScriptCommand& command : text.commands())
-      if (std::find(files.begin(), files.end(), fs::path(command.file)) == files.end()) files.emplace_back(command.file);
+      if (std::find(files.begin(), files.end(), fs::path(command.file)) == files.end())
+        files.emplace_back(command.file);
   }
   return files;
 }
@@ -171,12 +186,15 @@ void show_scene(const Json& summary, HtmlPage& page) {
     for (std::string line; std::getline(lines, line);) {
       ++number;
       if (line.rfind("#", 0) == 0) continue;  // explains the marks
-      if (std::none_of(kMarks.begin(), kMarks.end(), [&](const std::string& m) { return line.find(m) != std::string::npos; })) continue;
+      if (std::none_of(kMarks.begin(), kMarks.end(),
+                       [&](const std::string& m) { return line.find(m) != std::string::npos; }))
+        continue;
       rows.push_back({(file.parent_path().filename() / file.filename()).string() + ":" + std::to_string(number), line});
     }
   }
   if (rows.size() > 1) page.table(rows);
-  for (const fs::path& file : files) page.folded((file.parent_path().filename() / file.filename()).string() + ", as it is now", contents(file), kMarks);
+  for (const fs::path& file : files)
+    page.folded((file.parent_path().filename() / file.filename()).string() + ", as it is now", contents(file), kMarks);
   page.folded("the scene as it was run, with all defaults", summary["scene"].dump(2));
 }
 
@@ -184,7 +202,8 @@ void show_versions(const Json& summary, HtmlPage& page) {
   page.section("Versions");
   Rows rows;
   const Json versions = summary.value("versions", Json::object());
-  for (const auto& [name, version] : versions.items()) rows.push_back({name, version.is_string() ? version.get<std::string>() : version.dump()});
+  for (const auto& [name, version] : versions.items())
+    rows.push_back({name, version.is_string() ? version.get<std::string>() : version.dump()});
   rows.push_back({"integrator", summary.value("integrator", "unknown")});
   page.table(rows, false);
 }
@@ -228,14 +247,16 @@ Rows csv_rows(const fs::path& file) {
 std::string sweep_page(const fs::path& folder) {
   HtmlPage page("Sweep " + folder.filename().string());
   page.paragraph("Sweep " + folder.string());
-  for (const auto& [name, heading] : {std::pair<const char*, const char*>{"cases.csv", "Cases: means over ensembles"}, {"runs.csv", "Runs"}}) {
+  for (const auto& [name, heading] :
+       {std::pair<const char*, const char*>{"cases.csv", "Cases: means over ensembles"}, {"runs.csv", "Runs"}}) {
     if (!fs::exists(folder / name)) continue;
     page.section(heading);
     page.table(csv_rows(folder / name));
   }
   show_pictures(folder, "Plots", page);
   show_pictures(folder / "plots", "Plots", page);
-  Rows rows = {{"run", "status", "energy balance [%]", "interface [%]", "largest overlap [% of radius]", "wall time [s]"}};
+  Rows rows = {
+      {"run", "status", "energy balance [%]", "interface [%]", "largest overlap [% of radius]", "wall time [s]"}};
   std::vector<fs::path> runs;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
     if (entry.path().filename() == "summary.json") runs.push_back(entry.path().parent_path());
@@ -243,9 +264,13 @@ std::string sweep_page(const fs::path& folder) {
   Json last;
   for (const fs::path& run : runs) {
     last = read_summary((run / "summary.json").string());
-    const auto percent = [&](const char* key) { return last.contains(key) && last[key].is_number() ? short_text(100.0 * last[key].get<double>()) : std::string("-"); };
-    rows.push_back({fs::relative(run, folder).string(), last.value("status", "unknown"), percent("energy_balance_relative"),
-                    percent("coupling_energy_residual_relative"), percent("max_overlap_over_radius"), short_text(last.value("wall_s", 0.0))});
+    const auto percent = [&](const char* key) {
+      return last.contains(key) && last[key].is_number() ? short_text(100.0 * last[key].get<double>())
+                                                         : std::string("-");
+    };
+    rows.push_back({fs::relative(run, folder).string(), last.value("status", "unknown"),
+                    percent("energy_balance_relative"), percent("coupling_energy_residual_relative"),
+                    percent("max_overlap_over_radius"), short_text(last.value("wall_s", 0.0))});
   }
   if (runs.empty()) return page.text();
   page.section("How far to trust them");

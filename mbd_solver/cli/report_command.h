@@ -1,5 +1,6 @@
 #pragma once
-// footfall report DIR: one page for a run or a sweep, DIR/report.html, that can be read without network and sent to somebody.
+// footfall report DIR: one page for a run or a sweep, DIR/report.html, that can be read without network and sent to
+// somebody.
 
 #include <string>
 

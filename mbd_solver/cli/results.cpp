@@ -39,8 +39,8 @@ void print_times(const Json& summary) {
   const auto part = [&](const char* key) { return summary.value(key, 0.0); };
   std::printf("  %-38s %.1f s", "wall time", wall);
   if (part("dem_wall_s") > 0.0 && wall > 0.0) {
-    std::printf(" (grains %.1f s, mechanism %.1f s = %.1f %%, exchange %.2f s)", part("dem_wall_s"), part("mbd_wall_s"), 100.0 * part("mbd_wall_s") / wall,
-                part("exchange_wall_s"));
+    std::printf(" (grains %.1f s, mechanism %.1f s = %.1f %%, exchange %.2f s)", part("dem_wall_s"), part("mbd_wall_s"),
+                100.0 * part("mbd_wall_s") / wall, part("exchange_wall_s"));
   }
   std::printf("\n");
 }
@@ -60,7 +60,8 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
     row(summary, "largest contact force on one body", "max_contact_force_N", 1e-3, "%.2f kN");
   }
   row(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "%.4f %% of the initial energy");
-  row(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0, "%.3f %% of the initial energy");
+  row(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0,
+      "%.3f %% of the initial energy");
   if (summary.contains("ledger")) {
     row(summary["ledger"], "energy given to the grains", "energy_to_grains_J", 1e-3, "%.3f kJ");
     row(summary["ledger"], "of it dissipated in the grains", "grains_dissipated_J", 1e-3, "%.3f kJ");
@@ -87,7 +88,8 @@ bool write_ledger(const std::string& out) {
     const History run = read_history((folder / "history.csv").string());
     if (run.find("energy.total") < 0 || run.column("time").empty()) return false;
     const fs::path grains = folder / "grains_energy.txt";
-    const History ledger = energy_ledger(run, fs::exists(grains) ? read_grain_energies(grains.string()) : GrainEnergies{});
+    const History ledger =
+        energy_ledger(run, fs::exists(grains) ? read_grain_energies(grains.string()) : GrainEnergies{});
     write_history((folder / "ledger.csv").string(), ledger);
 
     const fs::path file = folder / "summary.json";

@@ -39,8 +39,8 @@ void clear_results(const std::string& out) {
   std::error_code error;
   fs::create_directories(out, error);
   if (error) throw InputError(out + ": cannot be made: " + error.message() + "; choose another folder with --out");
-  for (const char* name : {"summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "checkpoint.txt", "liggghts.log", "plots", "pictures", "vtk",
-                           "motion", "compare"})
+  for (const char* name : {"summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "checkpoint.txt",
+                           "liggghts.log", "plots", "pictures", "vtk", "motion", "compare"})
     fs::remove_all(fs::path(out) / name, error);
 }
 
@@ -68,7 +68,9 @@ Command coupled_command(const Scene& scene, const RunArguments& a, const std::st
   Bed bed;
   if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet);
   Command command = mpirun();
-  const auto append = [&](const std::vector<std::string>& words) { command.words.insert(command.words.end(), words.begin(), words.end()); };
+  const auto append = [&](const std::vector<std::string>& words) {
+    command.words.insert(command.words.end(), words.begin(), words.end());
+  };
   append({"-np", std::to_string(ranks), built_program("liggghts_mbd")});
   append(script_arguments(particles.script, particles.variables));
   append({"-var", "out", out});
@@ -85,8 +87,8 @@ std::string status_of(const std::string& out) {
   return fs::exists(summary) ? read_summary(summary.string()).value("status", "") : "";
 }
 
-// What the run's own exit code means to the user; says what nobody else could say. Of two programs that end differently mpirun gives
-// either code: after an interrupt the summary decides.
+// What the run's own exit code means to the user; says what nobody else could say. Of two programs that end differently
+// mpirun gives either code: after an interrupt the summary decides.
 int exit_code(const ChildEnd& end, const std::string& status) {
   if (end.interrupted && status == "interrupted") return kExitInterrupted;
   if (end.interrupted) {
@@ -95,8 +97,9 @@ int exit_code(const ChildEnd& end, const std::string& status) {
   }
   if (end.code <= kExitInterrupted) return end.code;
   if (end.code > 128) {
-    std::fprintf(stderr, "footfall: a program of the run was killed by signal %d (%s), from outside or for want of memory\n", end.code - 128,
-                 strsignal(end.code - 128));
+    std::fprintf(stderr,
+                 "footfall: a program of the run was killed by signal %d (%s), from outside or for want of memory\n",
+                 end.code - 128, strsignal(end.code - 128));
   } else {
     std::fprintf(stderr, "footfall: the run ended with the unknown exit code %d\n", end.code);
   }

@@ -19,12 +19,15 @@ namespace {
 
 std::string record_file(const std::string& folder) { return folder + ".done.json"; }
 
-// A line for every text in `value` that is the name of a file. Read as LIGGGHTS reads it: with the files it includes, if it has any.
+// A line for every text in `value` that is the name of a file. Read as LIGGGHTS reads it: with the files it includes,
+// if it has any.
 void add_files(const nlohmann::ordered_json& value, std::ostream& text) {
   for (const auto& inner : value)
-    if (inner.is_structured()) add_files(inner, text);
+    if (inner.is_structured())
+      add_files(inner, text);
     else if (std::error_code ignored; inner.is_string() && fs::is_regular_file(inner.get<std::string>(), ignored))
-      text << inner.get<std::string>() << ' ' << fingerprint(ScriptText(inner.get<std::string>(), {}).contents()) << '\n';
+      text << inner.get<std::string>() << ' ' << fingerprint(ScriptText(inner.get<std::string>(), {}).contents())
+           << '\n';
 }
 
 }  // namespace
@@ -57,7 +60,8 @@ nlohmann::ordered_json recorded_cost(const std::string& folder, const std::strin
 }
 
 void record_run(const std::string& folder, const std::string& recipe, const nlohmann::ordered_json& cost) {
-  if (!recipe.empty()) write_whole_file(record_file(folder), nlohmann::ordered_json{{"cost", cost}, {"recipe", recipe}}.dump(1) + "\n");
+  if (!recipe.empty())
+    write_whole_file(record_file(folder), nlohmann::ordered_json{{"cost", cost}, {"recipe", recipe}}.dump(1) + "\n");
 }
 
 }  // namespace footfall

@@ -27,13 +27,16 @@ std::string percent(double share) {
   return text;
 }
 
-std::string scene_path(const StudySpec& study, const std::string& scene) { return (fs::path(study.folder) / scene).lexically_normal().string(); }
+std::string scene_path(const StudySpec& study, const std::string& scene) {
+  return (fs::path(study.folder) / scene).lexically_normal().string();
+}
 
 // Longer messages are cut where a sentence or clause ends; files are named from the folder of the inputs on.
 std::string shortened(const StudySpec& study, std::string text) {
   constexpr std::size_t most = 110;
   const std::string inputs = fs::path(study.folder).parent_path().string() + "/";
-  for (std::size_t at = text.find(inputs); at != std::string::npos; at = text.find(inputs)) text.erase(at, inputs.size());
+  for (std::size_t at = text.find(inputs); at != std::string::npos; at = text.find(inputs))
+    text.erase(at, inputs.size());
   std::replace(text.begin(), text.end(), '|', '/');
   if (text.size() <= most) return text;
   const std::size_t end = text.find_last_of(":;,", most);
@@ -43,12 +46,14 @@ std::string shortened(const StudySpec& study, std::string text) {
 bool mentions(const StudyRun& run, const std::string& pattern) {
   const std::regex expression(pattern);
   if (std::regex_search(run.message, expression)) return true;
-  return std::any_of(run.warnings.begin(), run.warnings.end(), [&](const std::string& warning) { return std::regex_search(warning, expression); });
+  return std::any_of(run.warnings.begin(), run.warnings.end(),
+                     [&](const std::string& warning) { return std::regex_search(warning, expression); });
 }
 
 Verdict judge(const StudySpec& study, const CaseSpec& spec, std::size_t index, const std::string& out) {
   const std::string value = spec.values.empty() ? "" : spec.values[index];
-  Verdict verdict{spec.group, spec.name, value, spec.expect.size() == 1 ? spec.expect[0] : spec.expect[index], "", "", 0.0, 0.0, false};
+  Verdict verdict{spec.group, spec.name, value, spec.expect.size() == 1 ? spec.expect[0] : spec.expect[index], "", "",
+                  0.0,        0.0,       false};
   StudyRunRequest request;
   request.scene = scene_path(study, spec.scene.empty() ? study.scene : spec.scene);
   request.settings = study.settings;
@@ -74,7 +79,8 @@ Verdict judge(const StudySpec& study, const CaseSpec& spec, std::size_t index, c
       const std::vector<std::string> more = filled(spec.reference, value);
       exact.settings.insert(exact.settings.end(), more.begin(), more.end());
       const StudyRun reference = run_once(exact);
-      if (reference.code != 0) throw NumericalError("case " + spec.name + " " + value + ": its reference fails: " + reference.message);
+      if (reference.code != 0)
+        throw NumericalError("case " + spec.name + " " + value + ": its reference fails: " + reference.message);
       error = history_error(run.history, reference.history, spec.columns, spec.at_end);
       verdict.error = error;
       verdict.note = "error " + percent(error) + ", ";
@@ -94,10 +100,12 @@ Verdict judge(const StudySpec& study, const CaseSpec& spec, std::size_t index, c
 }
 
 void write_line(std::ostream& out, const Verdict& v) {
-  out << "| " << v.name << " | " << v.value << " | " << v.found << (v.as_expected ? "" : " (expected: " + v.expected + ")") << " | " << v.note << " |\n";
+  out << "| " << v.name << " | " << v.value << " | " << v.found
+      << (v.as_expected ? "" : " (expected: " + v.expected + ")") << " | " << v.note << " |\n";
 }
 
-// Of first order at most: beyond value order_beyond no error is larger than that of an earlier such value times the ratio of the values.
+// Of first order at most: beyond value order_beyond no error is larger than that of an earlier such value times the
+// ratio of the values.
 void judge_order(const CaseSpec& spec, const std::vector<Verdict>& earlier, Verdict& verdict) {
   const double x = std::atof(verdict.value.c_str());
   if (spec.order_beyond <= 0.0 || x < spec.order_beyond) return;
@@ -123,11 +131,13 @@ std::vector<Verdict> run_map(const StudySpec& study, const std::string& only, co
       judge_order(spec, verdicts, judged);
       verdicts.push_back(judged);
       const Verdict& v = verdicts.back();
-      std::printf("%-9s %-28s %-10s %-9s %s\n", v.as_expected ? "ok" : "NOT SO", v.name.c_str(), v.value.c_str(), v.found.c_str(), v.note.c_str());
+      std::printf("%-9s %-28s %-10s %-9s %s\n", v.as_expected ? "ok" : "NOT SO", v.name.c_str(), v.value.c_str(),
+                  v.found.c_str(), v.note.c_str());
       std::fflush(stdout);
     }
   }
-  if (verdicts.empty()) throw InputError(study.file + ": no case \"" + only + "\"." + known_names("cases", only, names));
+  if (verdicts.empty())
+    throw InputError(study.file + ": no case \"" + only + "\"." + known_names("cases", only, names));
   return verdicts;
 }
 
@@ -135,7 +145,8 @@ void write_map(const std::string& path, const StudySpec& study, const std::vecto
   std::ofstream out(path);
   if (!out) throw InputError(path + ": cannot be written");
   out << "# " << study.title << "\n\nWritten by `footfall accuracy " << fs::path(study.file).filename().string()
-      << "`; every line is a test. accurate: against its reference, or by its energy where none is named. warned: the run is done, its energy bounded,\n"
+      << "`; every line is a test. accurate: against its reference, or by its energy where none is named. warned: the "
+         "run is done, its energy bounded,\n"
          "its error larger, and it said so. stopped: it ended itself with this message. refused: it did not start.\n";
   std::vector<std::string> groups;
   for (const Verdict& v : verdicts)

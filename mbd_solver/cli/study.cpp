@@ -25,11 +25,17 @@ void read_curve(TableReader& t, CurveSpec& c) {
   t.require("name", !c.name.empty());
   t.require("values", !c.values.empty());
   if (c.short_values.empty()) c.short_values = {c.values.front()};
-  const auto known = [&](const std::string& value) { return std::find(c.values.begin(), c.values.end(), value) != c.values.end(); };
+  const auto known = [&](const std::string& value) {
+    return std::find(c.values.begin(), c.values.end(), value) != c.values.end();
+  };
   if (!c.beside.empty() && c.beside.size() != c.values.size())
-    t.fail(*t.next("beside"), "beside", "has " + std::to_string(c.beside.size()) + " entries, expected one for each of the " + std::to_string(c.values.size()) + " values");
-  if (!c.beside.empty() && !std::all_of(c.short_values.begin(), c.short_values.end(), known)) t.fail(*t.next("short"), "short", "expected some of the values");
-  if (!c.default_value.empty() && !known(c.default_value)) t.fail(*t.next("default"), "default", "is \"" + c.default_value + "\", expected one of the values");
+    t.fail(*t.next("beside"), "beside",
+           "has " + std::to_string(c.beside.size()) + " entries, expected one for each of the " +
+               std::to_string(c.values.size()) + " values");
+  if (!c.beside.empty() && !std::all_of(c.short_values.begin(), c.short_values.end(), known))
+    t.fail(*t.next("short"), "short", "expected some of the values");
+  if (!c.default_value.empty() && !known(c.default_value))
+    t.fail(*t.next("default"), "default", "is \"" + c.default_value + "\", expected one of the values");
 }
 
 void read_measure(TableReader& t, MeasureSpec& m) {
@@ -139,13 +145,16 @@ StudySpec read_study(const std::string& file) {
   for (const std::string& text : omega_h) {
     char* end = nullptr;
     s.omega_h.push_back(std::strtod(text.c_str(), &end));
-    if (*end != '\0' || !(s.omega_h.back() > 0.0)) t.fail(root, "omega_h", "has \"" + text + "\", expected numbers above 0");
+    if (*end != '\0' || !(s.omega_h.back() > 0.0))
+      t.fail(root, "omega_h", "has \"" + text + "\", expected numbers above 0");
   }
   if (!s.omega_h.empty() && s.curves.empty() && s.cases.empty()) return s;
-  if (s.curves.empty() == s.cases.empty()) t.fail(root, "", "expected [[curves]] (a study) or [[cases]] (a stability map)");
+  if (s.curves.empty() == s.cases.empty())
+    t.fail(root, "", "expected [[curves]] (a study) or [[cases]] (a stability map)");
   if (!s.curves.empty() && s.measures.empty()) t.fail(root, "measures", "is missing");
   for (const MeasureSpec& m : s.measures)
-    if (m.kind != MeasureKind::kOwn && !s.has_reference) t.fail(root, "reference", "is missing; measure \"" + m.name + "\" compares with it");
+    if (m.kind != MeasureKind::kOwn && !s.has_reference)
+      t.fail(root, "reference", "is missing; measure \"" + m.name + "\" compares with it");
   std::vector<std::string> curves, measures;
   for (const CurveSpec& c : s.curves) curves.push_back(c.name);
   for (const MeasureSpec& m : s.measures) measures.push_back(m.name);
@@ -153,7 +162,8 @@ StudySpec read_study(const std::string& file) {
     if (std::find(curves.begin(), curves.end(), e.curve) == curves.end())
       t.fail(root, "expect.curve", "unknown curve \"" + e.curve + "\"" + known_names("curves", e.curve, curves));
     if (std::find(measures.begin(), measures.end(), e.measure) == measures.end())
-      t.fail(root, "expect.measure", "unknown measure \"" + e.measure + "\"" + known_names("measures", e.measure, measures));
+      t.fail(root, "expect.measure",
+             "unknown measure \"" + e.measure + "\"" + known_names("measures", e.measure, measures));
   }
   return s;
 }
@@ -161,12 +171,15 @@ StudySpec read_study(const std::string& file) {
 std::vector<std::string> settings_of(const CurveSpec& curve, const std::string& value) {
   const auto at = std::find(curve.values.begin(), curve.values.end(), value);
   const std::vector<std::string> settings = filled(curve.settings, value);
-  return curve.beside.empty() || at == curve.values.end() ? settings : filled(settings, curve.beside[static_cast<std::size_t>(at - curve.values.begin())], "{beside}");
+  return curve.beside.empty() || at == curve.values.end()
+             ? settings
+             : filled(settings, curve.beside[static_cast<std::size_t>(at - curve.values.begin())], "{beside}");
 }
 
 std::vector<std::string> filled(std::vector<std::string> texts, const std::string& value, const std::string& mark) {
   for (std::string& text : texts)
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size())) text.replace(at, mark.size(), value);
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size()))
+      text.replace(at, mark.size(), value);
   return texts;
 }
 

@@ -18,7 +18,8 @@ Points points_of(const StudyTable& table, const std::string& curve) {
 constexpr std::size_t kNothing = static_cast<std::size_t>(-1);
 
 bool is_judged(const StudyPoint& point) {
-  return point.code == 0 && std::all_of(point.errors.begin(), point.errors.end(), [](double e) { return std::isfinite(e); });
+  return point.code == 0 &&
+         std::all_of(point.errors.begin(), point.errors.end(), [](double e) { return std::isfinite(e); });
 }
 
 // The measure with the largest error, but for one.
@@ -39,8 +40,10 @@ const StudyPoint* first_within(const Points& points, double limit, std::size_t a
   const StudyPoint* first = nullptr;
   for (const StudyPoint* point : points) {
     const bool within = is_judged(*point) && largest_error(*point, apart) <= limit;
-    if (!within) first = nullptr;
-    else if (!first) first = point;
+    if (!within)
+      first = nullptr;
+    else if (!first)
+      first = point;
   }
   return first;
 }
@@ -58,7 +61,8 @@ const StudyPoint* yardstick(const StudyTable& table, const std::string& curve, c
 }
 
 // All but `value`.
-Advice told(const StudyTable& table, const StudyPoint& point, const std::string& default_value, double limit, std::size_t apart = kNothing) {
+Advice told(const StudyTable& table, const StudyPoint& point, const std::string& default_value, double limit,
+            std::size_t apart = kNothing) {
   Advice advice;
   advice.curve = point.curve;
   advice.best = point.value;
@@ -70,7 +74,8 @@ Advice told(const StudyTable& table, const StudyPoint& point, const std::string&
   advice.measure = table.measures[m];
   advice.error = point.errors[m];
   for (std::size_t k = 0; k < point.sampled.size(); ++k) {
-    if (k == m && std::isfinite(point.sampled[k].standard_error)) advice.standard_error = point.sampled[k].standard_error;
+    if (k == m && std::isfinite(point.sampled[k].standard_error))
+      advice.standard_error = point.sampled[k].standard_error;
     if (k != apart && point.sampled[k].standard_error > limit) advice.resolved = false;
   }
   const StudyPoint* by = yardstick(table, point.curve, default_value);
@@ -96,7 +101,8 @@ std::vector<Advice> advice_of(const StudyTable& table, double limit) {
         apart = worst_measure(*best, kNothing);
         chosen = first_within(points, limit, apart);
       }
-      advice = chosen ? told(table, *chosen, table.defaults[c], limit, apart) : told(table, *best, table.defaults[c], limit);
+      advice =
+          chosen ? told(table, *chosen, table.defaults[c], limit, apart) : told(table, *best, table.defaults[c], limit);
       if (chosen) advice.value = chosen->value;
     }
     result.push_back(advice);

@@ -11,7 +11,8 @@ namespace {
 
 double value_at(const std::vector<double>& times, const std::vector<double>& values, double t) {
   const auto after = std::upper_bound(times.begin(), times.end(), t);
-  const std::size_t i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - times.begin() - 1, 0, static_cast<std::ptrdiff_t>(times.size()) - 2));
+  const std::size_t i = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(after - times.begin() - 1, 0, static_cast<std::ptrdiff_t>(times.size()) - 2));
   const double u = (t - times[i]) / (times[i + 1] - times[i]);
   return values[i] + u * (values[i + 1] - values[i]);
 }
@@ -32,7 +33,8 @@ double figure(const StudyRun& run, const std::string& key) {
 
 }  // namespace
 
-double history_error(const History& run, const History& reference, const std::vector<std::string>& columns, bool at_end, double until) {
+double history_error(const History& run, const History& reference, const std::vector<std::string>& columns, bool at_end,
+                     double until) {
   const std::vector<double>& times = run.column("time");
   const std::vector<double>& reference_times = reference.column("time");
   if (reference_times.size() < 2 || times.empty()) throw InputError("measure: a run without rows cannot be compared");
@@ -58,7 +60,8 @@ double history_error(const History& run, const History& reference, const std::ve
 double error_of(const MeasureSpec& measure, const StudyRun& run, const StudyRun& reference) {
   switch (measure.kind) {
     case MeasureKind::kRms: return history_error(run.history, reference.history, measure.columns, false, measure.until);
-    case MeasureKind::kFinal: return history_error(run.history, reference.history, measure.columns, true, measure.until);
+    case MeasureKind::kFinal:
+      return history_error(run.history, reference.history, measure.columns, true, measure.until);
     case MeasureKind::kOwn: return std::abs(figure(run, measure.key));
     case MeasureKind::kFigure: break;
   }

@@ -65,20 +65,28 @@ std::string advice_cells(const Advice& a) {
 }  // namespace
 
 void write_recommendations(std::ostream& out, const StudyTable& table) {
-  out << "\n## Recommended settings\n\nThe cheapest value of each curve from which on all errors are within 1 % and within 5 %, with its largest error and its processor time over\n"
+  out << "\n## Recommended settings\n\nThe cheapest value of each curve from which on all errors are within 1 % and "
+         "within 5 %, with its largest error and its processor time over\n"
          "that of the scene's own value, or of the reference where the curve has no such value.";
   if (table.members > 1)
-    out << " ± is what " << table.members << " samples leave open: the deviation of the error from\nsample to sample over the root of their number; where it passes the limit, the value is not resolved.";
-  out << " Where no value keeps all figures within\nthe limit but one does without the worst of them, it is told with that one's error.";
-  out << "\n\n| curve | within 1 % | largest error | time | within 5 % | largest error | time |\n|---|---|---|---|---|---|---|\n";
+    out << " ± is what " << table.members
+        << " samples leave open: the deviation of the error from\nsample to sample over the root of their number; "
+           "where it passes the limit, the value is not resolved.";
+  out << " Where no value keeps all figures within\nthe limit but one does without the worst of them, it is told with "
+         "that one's error.";
+  out << "\n\n| curve | within 1 % | largest error | time | within 5 % | largest error | time "
+         "|\n|---|---|---|---|---|---|---|\n";
   const std::vector<Advice> fine = advice_of(table, 0.01), coarse = advice_of(table, 0.05);
-  for (std::size_t c = 0; c < fine.size(); ++c) out << "| " << fine[c].curve << " |" << advice_cells(fine[c]) << advice_cells(coarse[c]) << '\n';
+  for (std::size_t c = 0; c < fine.size(); ++c)
+    out << "| " << fine[c].curve << " |" << advice_cells(fine[c]) << advice_cells(coarse[c]) << '\n';
 
   const std::vector<Advice> defaults = errors_of_defaults(table);
   if (!defaults.empty()) {
     out << "\nWith the scene's own values the largest error is that of \"" << defaults.front().curve << "\"";
     for (std::size_t k = 0; k < defaults.size(); ++k)
-      out << (k == 0 ? ": " : "; \"" + defaults[k].curve + "\": ") << error_text(defaults[k].error, defaults[k].standard_error) << " of " << defaults[k].measure << " at " << defaults[k].value;
+      out << (k == 0 ? ": " : "; \"" + defaults[k].curve + "\": ")
+          << error_text(defaults[k].error, defaults[k].standard_error) << " of " << defaults[k].measure << " at "
+          << defaults[k].value;
     out << ".\n";
   }
   if (table.members > 1 && !table.references.empty()) {
@@ -92,7 +100,8 @@ void write_recommendations(std::ostream& out, const StudyTable& table) {
       out << (first ? " " : ", ") << percent(scatter) << " % (" << table.measures[m] << ")";
       first = false;
     }
-    out << ";\nof a mean of " << table.members << " by " << number(1.0 / std::sqrt(static_cast<double>(table.members)), "%.2f")
+    out << ";\nof a mean of " << table.members << " by "
+        << number(1.0 / std::sqrt(static_cast<double>(table.members)), "%.2f")
         << " times that. Errors are told closer because run and reference start from the same samples.\n";
   }
 }
@@ -104,7 +113,8 @@ void write_study_page(const std::string& path, const StudyTable& table, const st
   out << "# " << table.title << "\n\n";
   if (samples) {
     out << "Mean and spread (standard deviation) over " << table.members
-        << " samples; then the error of the mean against the reference's of the same curve, and its standard error.\nRun times in s; processor time is that of all programs, without the bed.\n\n";
+        << " samples; then the error of the mean against the reference's of the same curve, and its standard "
+           "error.\nRun times in s; processor time is that of all programs, without the bed.\n\n";
   } else {
     out << "Errors in percent of the reference; run times in s.\n\n";
   }

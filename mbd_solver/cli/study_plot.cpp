@@ -35,7 +35,8 @@ double cost_of(const StudyPoint& point, bool grains) { return grains ? point.mbd
 
 double StudyTable::cost(const StudyPoint& point) const { return members > 1 ? point.cpu : cost_of(point, grains); }
 
-std::vector<std::pair<double, double>> StudyTable::line(const std::string& curve, std::size_t measure, bool over_cost) const {
+std::vector<std::pair<double, double>> StudyTable::line(const std::string& curve, std::size_t measure,
+                                                        bool over_cost) const {
   std::vector<std::pair<double, double>> result;
   for (const StudyPoint& point : points) {
     if (point.curve != curve || point.code != 0) continue;
@@ -45,11 +46,13 @@ std::vector<std::pair<double, double>> StudyTable::line(const std::string& curve
   return result;
 }
 
-std::vector<std::array<double, 3>> StudyTable::bars(const std::string& curve, std::size_t measure, bool over_cost) const {
+std::vector<std::array<double, 3>> StudyTable::bars(const std::string& curve, std::size_t measure,
+                                                    bool over_cost) const {
   std::vector<std::array<double, 3>> result;
   for (const StudyPoint& point : points) {
     if (point.curve != curve || point.code != 0 || point.sampled.empty()) continue;
-    const double x = over_cost ? cost(point) : point.x, error = point.errors[measure], bar = point.sampled[measure].standard_error;
+    const double x = over_cost ? cost(point) : point.x, error = point.errors[measure],
+                 bar = point.sampled[measure].standard_error;
     if (x > 0.0 && error > 0.0 && bar > 0.0) result.push_back({x, error, bar});
   }
   return result;
@@ -59,7 +62,8 @@ void write_study_csv(const std::string& path, const StudyTable& table) {
   std::ofstream out(path);
   if (!out) throw InputError(path + ": cannot be written");
   out << "curve,value,x,exit_code,wall_s,dem_wall_s,mbd_wall_s,exchange_wall_s,cpu_s,steps,windows";
-  for (const std::string& measure : table.measures) out << ',' << csv_field("error." + measure) << ',' << csv_field("order." + measure);
+  for (const std::string& measure : table.measures)
+    out << ',' << csv_field("error." + measure) << ',' << csv_field("order." + measure);
   if (table.members > 1)
     for (const std::string& measure : table.measures)
       for (const char* what : {"mean.", "spread.", "standard_error."}) out << ',' << csv_field(what + measure);
@@ -67,7 +71,8 @@ void write_study_csv(const std::string& path, const StudyTable& table) {
   const auto finite = [](double value) { return std::isfinite(value) ? number(value) : std::string(); };
   const auto write = [&](const StudyPoint& point, const StudyPoint* before) {
     out << csv_field(point.curve) << ',' << csv_field(point.value) << ',' << number(point.x) << ',' << point.code;
-    for (const double time : {point.wall, point.dem, point.mbd, point.exchange, point.cpu}) out << ',' << number(time, "%.4g");
+    for (const double time : {point.wall, point.dem, point.mbd, point.exchange, point.cpu})
+      out << ',' << number(time, "%.4g");
     out << ',' << number(point.steps) << ',' << number(point.windows);
     for (std::size_t m = 0; m < table.measures.size(); ++m) {
       out << ',' << finite(point.errors[m]) << ',';
@@ -76,7 +81,8 @@ void write_study_csv(const std::string& path, const StudyTable& table) {
         if (order != 0.0) out << number(order, "%.2f");
       }
     }
-    for (const SampledFigure& f : point.sampled) out << ',' << finite(f.mean) << ',' << finite(f.spread) << ',' << finite(f.standard_error);
+    for (const SampledFigure& f : point.sampled)
+      out << ',' << finite(f.mean) << ',' << finite(f.spread) << ',' << finite(f.standard_error);
     out << '\n';
   };
   if (table.members > 1)
@@ -94,7 +100,8 @@ std::string draw_study(const std::string& folder, const std::string& name, const
   std::ofstream out(fs::path(folder) / script);
   if (!out) throw InputError((fs::path(folder) / script).string() + ": cannot be written");
   const std::size_t rows = table.measures.size();
-  out << "set terminal pngcairo size 1300," << 430 * rows + 60 << " font 'sans,10' noenhanced\nset output '" << name << ".png'\n"
+  out << "set terminal pngcairo size 1300," << 430 * rows + 60 << " font 'sans,10' noenhanced\nset output '" << name
+      << ".png'\n"
       << "set multiplot layout " << rows << ",2 title \"" << table.title << "\" font 'sans,13'\n"
       << "set logscale xy\nset format y '%.0e'\nset format x '%.0e'\nset grid\n\n";
   for (std::size_t m = 0; m < rows; ++m) {
@@ -108,11 +115,12 @@ std::string draw_study(const std::string& folder, const std::string& name, const
         const std::string data = "$d" + std::to_string(m) + (over_cost ? "c" : "x") + std::to_string(k);
         write_data(out, data, points);
         std::string title = curve;
-        if (const double order = over_cost ? 0.0 : observed_order(points); order != 0.0) title += "  order " + number(order, "%.1f");
+        if (const double order = over_cost ? 0.0 : observed_order(points); order != 0.0)
+          title += "  order " + number(order, "%.1f");
         // On the right only of curves that have no place on the left, which are not over x.
         if (over_cost && table.members == 1 && !table.line(curve, m, false).empty()) title.clear();
-        plot += (plot.empty() ? "plot " : ", ") + data + " using 1:2 with linespoints pt " + std::to_string(k + 3) + " lw 1.5 lc " + std::to_string(k) +
-                (title.empty() ? " notitle" : " title \"" + title + "\"");
+        plot += (plot.empty() ? "plot " : ", ") + data + " using 1:2 with linespoints pt " + std::to_string(k + 3) +
+                " lw 1.5 lc " + std::to_string(k) + (title.empty() ? " notitle" : " title \"" + title + "\"");
         const auto bars = table.bars(curve, m, over_cost);
         if (bars.empty()) continue;
         out << data << "b << EOD\n";
@@ -124,8 +132,13 @@ std::string draw_study(const std::string& folder, const std::string& name, const
         out << "set multiplot next\n";
         continue;
       }
-      out << "set key inside left top samplen 2 font 'sans,9'\nset ylabel \"error: " << table.measures[m] << "\"\nset xlabel \""
-          << (over_cost ? (table.members > 1 ? "processor time [s]" : table.grains ? "run time of mechanism and exchange [s]" : "run time [s]") : table.x_name) << "\"\n"
+      out << "set key inside left top samplen 2 font 'sans,9'\nset ylabel \"error: " << table.measures[m]
+          << "\"\nset xlabel \""
+          << (over_cost ? (table.members > 1 ? "processor time [s]"
+                           : table.grains    ? "run time of mechanism and exchange [s]"
+                                             : "run time [s]")
+                        : table.x_name)
+          << "\"\n"
           << plot << '\n';
     }
   }

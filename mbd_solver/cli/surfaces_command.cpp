@@ -44,7 +44,8 @@ std::vector<std::string> write_scripts(const ControllerSpec& controller, const s
 
 }  // namespace
 
-int surfaces_command(const std::string& scene_argument, const std::vector<std::string>& settings, const std::string& out) {
+int surfaces_command(const std::string& scene_argument, const std::vector<std::string>& settings,
+                     const std::string& out) {
   const Scene scene = read_scene(scene_argument, settings);
   std::vector<std::string> scripts;
   for (const ControllerSpec& controller : scene.controllers) {
@@ -52,7 +53,8 @@ int surfaces_command(const std::string& scene_argument, const std::vector<std::s
     const std::vector<std::string> more = write_scripts(controller, out);
     scripts.insert(scripts.end(), more.begin(), more.end());
   }
-  if (scripts.empty()) throw InputError(scene.file + ": controllers: none is of kind \"fuzzy\"; there is no surface to show");
+  if (scripts.empty())
+    throw InputError(scene.file + ": controllers: none is of kind \"fuzzy\"; there is no surface to show");
   for (const std::string& picture : run_gnuplot(out, scripts)) std::printf("%s\n", short_path(picture).c_str());
   return kExitDone;
 }

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 namespace {
 
 void replace_all(std::string& text, const std::string& what, const std::string& by) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) text.replace(at, what.size(), by);
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
 }
 
 // As part of a folder's name.
@@ -42,13 +43,15 @@ void read_parameter(TableReader& t, SweepParameter& p) {
     c.require("name", !choice.name.empty());
   });
   t.require("name", !p.name.empty());
-  if (values.empty() == p.choices.empty()) t.fail("values", "expected either values with settings that hold {value}, or choices");
+  if (values.empty() == p.choices.empty())
+    t.fail("values", "expected either values with settings that hold {value}, or choices");
   for (const std::string& value : values) {
     SweepChoice choice{value, "", settings};
     for (std::string& setting : choice.settings) replace_all(setting, "{value}", value);
     p.choices.push_back(choice);
   }
-  if (!values.empty() && settings.empty()) t.fail("settings", "are missing; expected what {value} goes into, such as \"initial.velocity=[0,0,{value}]\"");
+  if (!values.empty() && settings.empty())
+    t.fail("settings", "are missing; expected what {value} goes into, such as \"initial.velocity=[0,0,{value}]\"");
 }
 
 void read_figure(TableReader& t, SweepFigure& f) {
@@ -65,7 +68,8 @@ void read_printed(TableReader& t, SweepPrinted& p) {
   for (const std::string& value : values) {
     char* end = nullptr;
     p.values.push_back(value.empty() ? std::nan("") : std::strtod(value.c_str(), &end));
-    if (end && *end != '\0') t.fail("values", "\"" + value + "\" is not a number; expected numbers, or \"\" for what is not printed");
+    if (end && *end != '\0')
+      t.fail("values", "\"" + value + "\" is not a number; expected numbers, or \"\" for what is not printed");
   }
 }
 
@@ -115,18 +119,22 @@ SweepSpec read_sweep(const std::string& file) {
   t.done();
   t.require("scene", !sweep.scene.empty());
   t.require("parameters", !sweep.parameters.empty());
-  const auto beside_file = [&](const std::string& scene) { return (fs::path(file).parent_path() / scene).lexically_normal().string(); };
+  const auto beside_file = [&](const std::string& scene) {
+    return (fs::path(file).parent_path() / scene).lexically_normal().string();
+  };
   sweep.scene = beside_file(sweep.scene);
   for (SweepParameter& parameter : sweep.parameters)
     for (SweepChoice& choice : parameter.choices)
       if (!choice.scene.empty()) choice.scene = beside_file(choice.scene);
   const auto known_figure = [&](const std::string& name) {
-    return std::any_of(sweep.figures.begin(), sweep.figures.end(), [&](const SweepFigure& f) { return f.name == name; });
+    return std::any_of(sweep.figures.begin(), sweep.figures.end(),
+                       [&](const SweepFigure& f) { return f.name == name; });
   };
   for (const SweepLimit& limit : sweep.limits)
     if (!known_figure(limit.figure)) t.fail("limits", "figure \"" + limit.figure + "\" is not one of [[figures]]");
   for (SweepPrinted& printed : sweep.printed) {
-    if (printed.values.size() > sweep.figures.size()) t.fail("printed", "\"" + printed.name + "\" has more values than there are [[figures]]");
+    if (printed.values.size() > sweep.figures.size())
+      t.fail("printed", "\"" + printed.name + "\" has more values than there are [[figures]]");
     printed.values.resize(sweep.figures.size(), std::nan(""));
   }
   std::set<std::string> cases;
@@ -134,9 +142,11 @@ SweepSpec read_sweep(const std::string& file) {
   for (const SweepStatement& s : sweep.statements) {
     if (!known_figure(s.figure)) t.fail("statements", "figure \"" + s.figure + "\" is not one of [[figures]]");
     for (const std::string& name : {s.of_case, s.against})
-      if (!name.empty() && !cases.count(name)) t.fail("statements", "the sweep has no case \"" + name + "\"; it has \"" + *cases.begin() + "\" and the like");
+      if (!name.empty() && !cases.count(name))
+        t.fail("statements", "the sweep has no case \"" + name + "\"; it has \"" + *cases.begin() + "\" and the like");
   }
-  if (!sweep.minimise.empty() && !known_figure(sweep.minimise)) t.fail("minimise", "\"" + sweep.minimise + "\" is not one of [[figures]]");
+  if (!sweep.minimise.empty() && !known_figure(sweep.minimise))
+    t.fail("minimise", "\"" + sweep.minimise + "\" is not one of [[figures]]");
   check_fits(sweep);
   return sweep;
 }

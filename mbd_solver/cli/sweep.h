@@ -5,21 +5,25 @@
 //   settings = ["key=value", ...]      for every run            until = 0.5 [s]; 0 or left out: the scene's end time
 //   [[parameters]]                     every combination of their values is one run; the last one turns fastest
 //     name, settings with {value}, values = [...]
-//     or [[parameters.choices]]        name, settings, scene: for values that need more than one number, or a scene of their own
-//     ensemble = true                  its runs are one case: figures become mean and spread (seeds of the bed)
+//     or [[parameters.choices]]        name, settings, scene: for values that need more than one number, or a scene of
+//     their own ensemble = true                  its runs are one case: figures become mean and spread (seeds of the
+//     bed)
 //   [[figures]]                        columns of the table
 //     name, key = "peak_acceleration_g" (of summary.json)
-//     or columns = ["cabin.vz"] (of history.csv), reduce = "max" | "min" | "final" | "largest" (absolute) | "drop" (first minus least)
-//        | "variation" (sum of all steps) | "peaks" (maxima that stand out by `prominence`, 0.3 of the largest value unless given)
-//     average = true                   the mean of the columns; without it the largest of them (of "min" the least, of "final" the last)
-//     over = "reference_energy_J"      divided by this key of summary.json
+//     or columns = ["cabin.vz"] (of history.csv), reduce = "max" | "min" | "final" | "largest" (absolute) | "drop"
+//     (first minus least)
+//        | "variation" (sum of all steps) | "peaks" (maxima that stand out by `prominence`, 0.3 of the largest value
+//        unless given)
+//     average = true                   the mean of the columns; without it the largest of them (of "min" the least, of
+//     "final" the last) over = "reference_energy_J"      divided by this key of summary.json
 //   [[limits]] figure, most            cases beyond are out of the ranking
 //   minimise = "figure"                ranks the cases that are left
 //   [[plots]] name, title, column, label   of history.csv over time, one curve per case
-//   [[printed]] name, values           figures that somebody else has published, in the order of [[figures]]: rows beside ours
-//   [[statements]]                     what should come out: statements.csv and .md say whether it did, with the numbers
-//     text, figure, case; least, most  bounds of the figure of that case (its mean), or of its ratio to that of the case `against`
-//     why                              told where it did not come out: the tested explanation
+//   [[printed]] name, values           figures that somebody else has published, in the order of [[figures]]: rows
+//   beside ours [[statements]]                     what should come out: statements.csv and .md say whether it did,
+//   with the numbers
+//     text, figure, case; least, most  bounds of the figure of that case (its mean), or of its ratio to that of the
+//     case `against` why                              told where it did not come out: the tested explanation
 //   [[fits]]                           a power law through all runs (sweep_fit.h)
 
 #include <limits>
@@ -81,8 +85,8 @@ struct SweepSpec {
 SweepSpec read_sweep(const std::string& file);
 
 struct SweepRun {
-  std::string name;                   // of its folder: the values, joined
-  std::vector<std::string> values;    // names of the choices, one per parameter
+  std::string name;                 // of its folder: the values, joined
+  std::vector<std::string> values;  // names of the choices, one per parameter
   std::string scene;
   std::string group;                  // the values without those of ensembles
   std::vector<std::string> settings;  // of the sweep and of the choices

@@ -28,8 +28,8 @@ namespace fs = std::filesystem;
 namespace {
 
 struct SweepNeeds {
-  int cores = 1;                   // of the largest run
-  std::vector<std::size_t> beds;   // one run for each bed that is not made yet
+  int cores = 1;                  // of the largest run
+  std::vector<std::size_t> beds;  // one run for each bed that is not made yet
 };
 
 // The sweep, its runs and their folders.
@@ -38,10 +38,12 @@ class Sweep {
   explicit Sweep(const SweepArguments& a)
       : spec_(read_sweep(a.file)),
         runs_(runs_of(spec_)),
-        out_(short_path(fs::absolute(a.out.empty() ? "runs/sweeps/" + fs::path(a.file).stem().string() : a.out).string())) {
+        out_(short_path(
+            fs::absolute(a.out.empty() ? "runs/sweeps/" + fs::path(a.file).stem().string() : a.out).string())) {
     std::set<std::string> names;
     for (const SweepRun& run : runs_)
-      if (!names.insert(run.name).second) throw InputError(spec_.file + ": two runs are named \"" + run.name + "\"; give their choices different names");
+      if (!names.insert(run.name).second)
+        throw InputError(spec_.file + ": two runs are named \"" + run.name + "\"; give their choices different names");
   }
 
   const std::vector<SweepRun>& runs() const { return runs_; }
@@ -49,8 +51,8 @@ class Sweep {
   const std::string& out() const { return out_; }
   std::string folder(std::size_t run) const { return (fs::path(out_) / "runs" / runs_[run].name).string(); }
 
-  // What the machine has to give the chosen runs. Every scene is read once before anything runs: a wrong setting stops the whole sweep, not
-  // its hundredth run.
+  // What the machine has to give the chosen runs. Every scene is read once before anything runs: a wrong setting stops
+  // the whole sweep, not its hundredth run.
   SweepNeeds needs(const std::vector<std::size_t>& chosen) const {
     SweepNeeds needs;
     std::set<std::string> seen;
@@ -67,18 +69,20 @@ class Sweep {
 
   void make_bed_of(std::size_t run, bool quiet) const {
     const Scene scene = read_scene(runs_[run].scene, runs_[run].settings);
-    if (scene.touches_particles() && scene.particles->bed) prepare_bed(*scene.particles->bed, scene.particles->ranks, quiet);
+    if (scene.touches_particles() && scene.particles->bed)
+      prepare_bed(*scene.particles->bed, scene.particles->ranks, quiet);
   }
 
   std::vector<std::string> words(std::size_t run) const {
-    std::vector<std::string> words = {built_program("footfall"), "run", runs_[run].scene, "--quiet", "--out", folder(run)};
+    std::vector<std::string> words = {
+        built_program("footfall"), "run", runs_[run].scene, "--quiet", "--out", folder(run)};
     if (spec_.until > 0.0) words.insert(words.end(), {"--until", short_number(spec_.until)});
     for (const std::string& setting : runs_[run].settings) words.insert(words.end(), {"--set", setting});
     return words;
   }
 
-  // What a run is made from: its command, its scene and the files it names (run_record.h). When one of them has changed, a finished run is
-  // done again.
+  // What a run is made from: its command, its scene and the files it names (run_record.h). When one of them has
+  // changed, a finished run is done again.
   std::string recipe(std::size_t run) const {
     std::ostringstream text;
     for (const std::string& word : words(run)) text << word << '\n';
@@ -111,23 +115,31 @@ void write_slurm(const Sweep& sweep, const SweepArguments& a, int cores) {
   const std::string path = (fs::path(sweep.out()) / "sweep.sbatch").string();
   std::ofstream out(path);
   if (!out) throw InputError(path + ": cannot be written");
-  const std::string footfall = built_program("footfall"), file = fs::absolute(a.file).string(), folder = fs::absolute(sweep.out()).string();
-  out << "#!/bin/bash\n#SBATCH --job-name=" << fs::path(a.file).stem().string() << "\n#SBATCH --array=0-" << sweep.runs().size() - 1
-      << "\n#SBATCH --nodes=1\n#SBATCH --ntasks=" << cores + 1 << "\n#SBATCH --output=" << folder << "/slurm_%a.txt\n"
-      << "# Beds first, on the machine you submit from:  " << footfall << " sweep " << file << " --out " << folder << " --list\n"
-      << "# Tables and plots at the end:                 " << footfall << " sweep " << file << " --out " << folder << " --merge\n"
+  const std::string footfall = built_program("footfall"), file = fs::absolute(a.file).string(),
+                    folder = fs::absolute(sweep.out()).string();
+  out << "#!/bin/bash\n#SBATCH --job-name=" << fs::path(a.file).stem().string() << "\n#SBATCH --array=0-"
+      << sweep.runs().size() - 1 << "\n#SBATCH --nodes=1\n#SBATCH --ntasks=" << cores + 1
+      << "\n#SBATCH --output=" << folder << "/slurm_%a.txt\n"
+      << "# Beds first, on the machine you submit from:  " << footfall << " sweep " << file << " --out " << folder
+      << " --list\n"
+      << "# Tables and plots at the end:                 " << footfall << " sweep " << file << " --out " << folder
+      << " --merge\n"
       << footfall << " sweep " << file << " --out " << folder << " --only \"$SLURM_ARRAY_TASK_ID\"\n";
   std::printf("%s: %zu runs; submit with  sbatch %s\n", path.c_str(), sweep.runs().size(), path.c_str());
 }
 
-// Beds come first, several at once, each by a process of its own (--only RUN --list), so that runs side by side find them. Throws when one
-// cannot be made, with what its process said; Interrupted at a signal.
+// Beds come first, several at once, each by a process of its own (--only RUN --list), so that runs side by side find
+// them. Throws when one cannot be made, with what its process said; Interrupted at a signal.
 void make_beds(const Sweep& sweep, const std::string& file, const std::vector<std::size_t>& runs, int jobs) {
   if (runs.empty()) return;
   fs::create_directories(fs::path(sweep.out()) / "runs");
   std::vector<Command> commands;
   for (const std::size_t run : runs)
-    commands.push_back({{built_program("footfall"), "sweep", file, "--out", sweep.out(), "--only", std::to_string(run), "--list"}, {}, sweep.folder(run) + ".bed.log", ""});
+    commands.push_back(
+        {{built_program("footfall"), "sweep", file, "--out", sweep.out(), "--only", std::to_string(run), "--list"},
+         {},
+         sweep.folder(run) + ".bed.log",
+         ""});
   std::printf("%zu beds to make, %d at once\n", commands.size(), jobs);
   std::fflush(stdout);
   int failed = -1, failed_with = 0;
@@ -153,7 +165,8 @@ bool merge(const Sweep& sweep) {
     complete = complete && results.back().done;
   }
   const std::vector<SweepCase> cases = cases_of(sweep.spec(), sweep.runs(), results);
-  const std::string runs_csv = (fs::path(sweep.out()) / "runs.csv").string(), cases_csv = (fs::path(sweep.out()) / "cases.csv").string();
+  const std::string runs_csv = (fs::path(sweep.out()) / "runs.csv").string(),
+                    cases_csv = (fs::path(sweep.out()) / "cases.csv").string();
   write_run_table(runs_csv, sweep.spec(), sweep.runs(), results);
   write_case_table(cases_csv, sweep.spec(), cases);
   write_case_page((fs::path(sweep.out()) / "cases.md").string(), sweep.spec(), cases);
@@ -169,13 +182,21 @@ bool merge(const Sweep& sweep) {
     const std::vector<StatementVerdict> verdicts = verdicts_of(sweep.spec(), cases);
     write_statements(sweep.out(), sweep.spec(), verdicts);
     for (std::size_t i = 0; i < verdicts.size(); ++i)
-      std::printf("%s: %s (%.4g)\n", sweep.spec().statements[i].text.c_str(), std::isnan(verdicts[i].judged) ? "not run" : verdicts[i].came_out ? "came out" : "did not come out", verdicts[i].judged);
+      std::printf("%s: %s (%.4g)\n", sweep.spec().statements[i].text.c_str(),
+                  std::isnan(verdicts[i].judged) ? "not run"
+                  : verdicts[i].came_out         ? "came out"
+                                                 : "did not come out",
+                  verdicts[i].judged);
   }
   const std::vector<int> order = ranking(sweep.spec(), cases);
-  if (!order.empty()) std::printf("best in %s within the limits: %s\n", sweep.spec().minimise.c_str(), cases[static_cast<std::size_t>(order.front())].name.c_str());
+  if (!order.empty())
+    std::printf("best in %s within the limits: %s\n", sweep.spec().minimise.c_str(),
+                cases[static_cast<std::size_t>(order.front())].name.c_str());
   std::printf("%s\n%s\n", runs_csv.c_str(), cases_csv.c_str());
-  for (const std::string& picture : draw_sweep(sweep.spec(), cases, folders, sweep.out())) std::printf("%s\n", picture.c_str());
-  for (const std::string& file : write_fits(sweep.spec(), sweep.runs(), results, sweep.out())) std::printf("%s\n", file.c_str());
+  for (const std::string& picture : draw_sweep(sweep.spec(), cases, folders, sweep.out()))
+    std::printf("%s\n", picture.c_str());
+  for (const std::string& file : write_fits(sweep.spec(), sweep.runs(), results, sweep.out()))
+    std::printf("%s\n", file.c_str());
   return complete;
 }
 
@@ -197,8 +218,10 @@ int sweep_command(const SweepArguments& a) {
   }
   const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int jobs = a.jobs > 0 ? a.jobs : std::max(1, machine / needs.cores);
-  if (a.only >= 0) sweep.make_bed_of(chosen.front(), a.list);
-  else make_beds(sweep, a.file, needs.beds, jobs);
+  if (a.only >= 0)
+    sweep.make_bed_of(chosen.front(), a.list);
+  else
+    make_beds(sweep, a.file, needs.beds, jobs);
   if (a.list) {
     list_runs(sweep, chosen);
     return kExitDone;
@@ -217,7 +240,11 @@ int sweep_command(const SweepArguments& a) {
   const bool interrupted = run_pool(commands, jobs, [&](int task, int code) {
     const std::size_t run = numbers[static_cast<std::size_t>(task)];
     if (code == kExitDone) sweep.keep_recipe(run);
-    std::printf("%s: %s\n", sweep.runs()[run].name.c_str(), code == kExitDone ? "done" : ("ended with code " + std::to_string(code) + ", see " + commands[static_cast<std::size_t>(task)].output).c_str());
+    std::printf("%s: %s\n", sweep.runs()[run].name.c_str(),
+                code == kExitDone ? "done"
+                                  : ("ended with code " + std::to_string(code) + ", see " +
+                                     commands[static_cast<std::size_t>(task)].output)
+                                        .c_str());
     std::fflush(stdout);
   });
   if (interrupted) {

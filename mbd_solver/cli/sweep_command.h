@@ -1,5 +1,6 @@
 #pragma once
-// footfall sweep FILE: all runs of a sweep, several at once; finished ones are not done again; tables and plots at the end.
+// footfall sweep FILE: all runs of a sweep, several at once; finished ones are not done again; tables and plots at the
+// end.
 
 #include <string>
 

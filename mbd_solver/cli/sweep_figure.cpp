@@ -48,13 +48,15 @@ double of_history(const SweepFigure& figure, const History& history) {
   if (values.empty()) return kNone;
   if (figure.average) return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   if (figure.reduction == Reduction::kFinal) return values.back();
-  return figure.reduction == Reduction::kMin ? *std::min_element(values.begin(), values.end()) : *std::max_element(values.begin(), values.end());
+  return figure.reduction == Reduction::kMin ? *std::min_element(values.begin(), values.end())
+                                             : *std::max_element(values.begin(), values.end());
 }
 
 }  // namespace
 
 int count_peaks(const std::vector<double>& values, double least) {
-  // From one valley to the next: a peak is told when the curve has risen by `least` to it and fallen by `least` from it.
+  // From one valley to the next: a peak is told when the curve has risen by `least` to it and fallen by `least` from
+  // it.
   int peaks = 0;
   bool climbing = true;  // since `lowest`; else falling since `highest`
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -78,7 +80,8 @@ int count_peaks(const std::vector<double>& values, double least) {
   return peaks + (climbing && std::isfinite(highest) ? 1 : 0);
 }
 
-std::vector<double> figures_of_run(const std::vector<SweepFigure>& figures, const std::string& folder, const std::string& file) {
+std::vector<double> figures_of_run(const std::vector<SweepFigure>& figures, const std::string& folder,
+                                   const std::string& file) {
   const std::string summary_file = (fs::path(folder) / "summary.json").string();
   const nlohmann::ordered_json summary = read_summary(summary_file);
   const auto of_summary = [&](const std::string& key) {
@@ -88,7 +91,8 @@ std::vector<double> figures_of_run(const std::vector<SweepFigure>& figures, cons
   History history;
   std::vector<double> values;
   for (const SweepFigure& figure : figures) {
-    if (figure.key.empty() && history.names.empty()) history = read_history((fs::path(folder) / "history.csv").string());
+    if (figure.key.empty() && history.names.empty())
+      history = read_history((fs::path(folder) / "history.csv").string());
     values.push_back(figure.key.empty() ? of_history(figure, history) : of_summary(figure.key));
     if (!figure.over.empty()) values.back() /= of_summary(figure.over);
   }

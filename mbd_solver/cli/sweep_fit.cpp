@@ -39,7 +39,8 @@ int index_of(const std::vector<Named>& list, const std::string& name) {
 // "d = 0.1 (rho)^0.50 (D)^0.67".
 std::string law_text(const SweepFit& fit, const PowerLaw& law) {
   std::string text = fit.label + " = " + number(law.factor);
-  for (std::size_t k = 0; k < fit.factors.size(); ++k) text += " (" + fit.factors[k].name + ")^" + number(law.exponents[static_cast<Eigen::Index>(k)], "%.2f");
+  for (std::size_t k = 0; k < fit.factors.size(); ++k)
+    text += " (" + fit.factors[k].name + ")^" + number(law.exponents[static_cast<Eigen::Index>(k)], "%.2f");
   return text;
 }
 
@@ -89,16 +90,18 @@ struct FitResult {
 
 void write_page(std::ofstream& out, const SweepFit& fit, const FitResult& r) {
   const std::vector<std::string> names = publishers(fit);
-  out << "\n`" << law_text(fit, r.law) << "`: " << r.data.runs.size() << " runs" << where_text(fit) << ", R^2 = " << number(r.law.r_squared, "%.4f") << ", scatter "
-      << number(100.0 * r.law.scatter, "%.1f") << " %\n\n| exponent of | found | standard error | 95 % interval |";
+  out << "\n`" << law_text(fit, r.law) << "`: " << r.data.runs.size() << " runs" << where_text(fit)
+      << ", R^2 = " << number(r.law.r_squared, "%.4f") << ", scatter " << number(100.0 * r.law.scatter, "%.1f")
+      << " %\n\n| exponent of | found | standard error | 95 % interval |";
   for (const std::string& who : names) out << ' ' << who << " |";
   out << "\n|---|---|---|---|";
   for (std::size_t k = 0; k < names.size(); ++k) out << "---|";
   out << '\n';
   for (std::size_t k = 0; k < fit.factors.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    out << "| " << fit.factors[k].name << " | " << number(r.law.exponents[i], "%.3f") << " | " << number(r.law.errors[i], "%.3f") << " | "
-        << number(r.law.lower[i], "%.3f") << " to " << number(r.law.upper[i], "%.3f") << " |";
+    out << "| " << fit.factors[k].name << " | " << number(r.law.exponents[i], "%.3f") << " | "
+        << number(r.law.errors[i], "%.3f") << " | " << number(r.law.lower[i], "%.3f") << " to "
+        << number(r.law.upper[i], "%.3f") << " |";
     for (const std::string& who : names) {
       const std::optional<double> exponent = published_by(fit.factors[k], who);
       out << ' ' << (exponent ? number(*exponent) : "") << " |";
@@ -106,15 +109,17 @@ void write_page(std::ofstream& out, const SweepFit& fit, const FitResult& r) {
     out << '\n';
   }
   for (const auto& [who, law] : r.published)
-    out << "\nWith the exponents of " << who << ": `" << law_text(fit, law) << "`, R^2 = " << number(law.r_squared, "%.4f") << ", scatter "
-        << number(100.0 * law.scatter, "%.1f") << " %\n";
+    out << "\nWith the exponents of " << who << ": `" << law_text(fit, law)
+        << "`, R^2 = " << number(law.r_squared, "%.4f") << ", scatter " << number(100.0 * law.scatter, "%.1f")
+        << " %\n";
 }
 
 void write_rows(std::ofstream& out, const SweepFit& fit, const FitResult& r) {
-  const auto row = [&](const std::string& law, const std::string& what, double value, double error, double low, double high, const PowerLaw& of) {
-    out << fit.name << ",\"" << law << "\",\"" << what << "\"," << number(value, "%.6g") << ',' << number(error, "%.6g") << ',' << number(low, "%.6g") << ','
-        << number(high, "%.6g") << ',' << r.data.runs.size() << ',' << of.degrees_of_freedom << ',' << number(of.r_squared, "%.6g") << ','
-        << number(of.scatter, "%.6g") << '\n';
+  const auto row = [&](const std::string& law, const std::string& what, double value, double error, double low,
+                       double high, const PowerLaw& of) {
+    out << fit.name << ",\"" << law << "\",\"" << what << "\"," << number(value, "%.6g") << ',' << number(error, "%.6g")
+        << ',' << number(low, "%.6g") << ',' << number(high, "%.6g") << ',' << r.data.runs.size() << ','
+        << of.degrees_of_freedom << ',' << number(of.r_squared, "%.6g") << ',' << number(of.scatter, "%.6g") << '\n';
   };
   const auto rows = [&](const std::string& name, const PowerLaw& law) {
     row(name, "factor", law.factor, std::nan(""), law.factor_interval.first, law.factor_interval.second, law);
@@ -128,14 +133,16 @@ void write_rows(std::ofstream& out, const SweepFit& fit, const FitResult& r) {
 }
 
 // Measured over fitted, one symbol per value of the parameter `marks`; the line is the law.
-std::string draw_fit(const SweepSpec& sweep, const SweepFit& fit, const std::vector<SweepRun>& runs, const FitResult& r, const std::string& folder) {
+std::string draw_fit(const SweepSpec& sweep, const SweepFit& fit, const std::vector<SweepRun>& runs, const FitResult& r,
+                     const std::string& folder) {
   std::ofstream out(fs::path(folder) / (fit.name + ".gp"));
   if (!out) throw InputError((fs::path(folder) / (fit.name + ".gp")).string() + ": cannot be written");
   const int marks = index_of(sweep.parameters, fit.marks);
   std::vector<std::string> values = {""};
   if (marks >= 0) {
     values.clear();
-    for (const SweepChoice& choice : sweep.parameters[static_cast<std::size_t>(marks)].choices) values.push_back(choice.name);
+    for (const SweepChoice& choice : sweep.parameters[static_cast<std::size_t>(marks)].choices)
+      values.push_back(choice.name);
   }
   std::string curves;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -143,24 +150,31 @@ std::string draw_fit(const SweepSpec& sweep, const SweepFit& fit, const std::vec
     out << data << " << EOD\n";
     bool any = false;
     for (std::size_t i = 0; i < r.data.runs.size(); ++i) {
-      if (marks >= 0 && runs[static_cast<std::size_t>(r.data.runs[i])].values[static_cast<std::size_t>(marks)] != values[k]) continue;
+      if (marks >= 0 &&
+          runs[static_cast<std::size_t>(r.data.runs[i])].values[static_cast<std::size_t>(marks)] != values[k])
+        continue;
       const auto row = static_cast<Eigen::Index>(i);
       out << number(r.law.at(r.data.x.row(row).transpose()), "%.6g") << ' ' << number(r.data.y[row], "%.6g") << '\n';
       any = true;
     }
     out << "EOD\n";
-    if (any) curves += ", " + data + " using 1:2 with points pt " + std::to_string(2 * k + 5) + " ps 1.3 lc " + std::to_string(k + 1) +
-                       (marks >= 0 ? " title \"" + fit.marks + " " + values[k] + "\"" : " notitle");
+    if (any)
+      curves += ", " + data + " using 1:2 with points pt " + std::to_string(2 * k + 5) + " ps 1.3 lc " +
+                std::to_string(k + 1) + (marks >= 0 ? " title \"" + fit.marks + " " + values[k] + "\"" : " notitle");
   }
   // Round numbers between the decades, so that every picture has more than one number on each axis.
   std::string tics;
   const double low = r.data.y.minCoeff(), high = r.data.y.maxCoeff();
-  for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= static_cast<int>(std::ceil(std::log10(high))); ++decade)
+  for (int decade = static_cast<int>(std::floor(std::log10(low)));
+       decade <= static_cast<int>(std::ceil(std::log10(high))); ++decade)
     for (const int digit : {1, 2, 3, 5}) tics += (tics.empty() ? "" : ", ") + number(digit * std::pow(10.0, decade));
   const std::string range = "[" + number(low / 1.2, "%.6g") + ":" + number(high * 1.2, "%.6g") + "]";
-  out << "set logscale xy\nset grid\nset size square\nset xtics (" << tics << ")\nset ytics (" << tics << ")\nset xrange " << range << "\nset yrange " << range << "\nset title \"" << sweep.title << where_text(fit)
-      << "\" noenhanced\nset xlabel \"" << law_text(fit, r.law) << "\" noenhanced\nset ylabel \"" << fit.figure << "\" noenhanced\nset key left top noenhanced\n"
-      << "set terminal pngcairo size 760,720 font 'sans,11'\nset output '" << fit.name << ".png'\nplot x with lines lc rgb 'gray40' title \"the law\"" << curves
+  out << "set logscale xy\nset grid\nset size square\nset xtics (" << tics << ")\nset ytics (" << tics
+      << ")\nset xrange " << range << "\nset yrange " << range << "\nset title \"" << sweep.title << where_text(fit)
+      << "\" noenhanced\nset xlabel \"" << law_text(fit, r.law) << "\" noenhanced\nset ylabel \"" << fit.figure
+      << "\" noenhanced\nset key left top noenhanced\n"
+      << "set terminal pngcairo size 760,720 font 'sans,11'\nset output '" << fit.name
+      << ".png'\nplot x with lines lc rgb 'gray40' title \"the law\"" << curves
       << "\nset terminal svg size 760,720 font 'sans,11'\nset output '" << fit.name << ".svg'\nreplot\n";
   return fit.name + ".gp";
 }
@@ -175,7 +189,8 @@ void read_fit(TableReader& t, SweepFit& fit) {
   t.take("marks", fit.marks);
   if (const ConfigNode* where = t.next("where")) {
     TableReader values(t.file(), "fits.where", *where);
-    for (const auto& [parameter, value] : where->table) values.take(parameter, fit.where.emplace_back(parameter, "").second);
+    for (const auto& [parameter, value] : where->table)
+      values.take(parameter, fit.where.emplace_back(parameter, "").second);
   }
   t.take_list("factors", fit.factors, [](TableReader& f, SweepFitFactor& factor) {
     f.take("name", factor.name);
@@ -186,9 +201,11 @@ void read_fit(TableReader& t, SweepFit& fit) {
     factor.line = f.line();
     const ConfigNode* published = f.next("published");
     if (!published) return;
-    if (published->kind != ConfigNode::Kind::kTable) f.fail(*published, "published", "is " + published->description() + ", expected { Name = exponent }");
+    if (published->kind != ConfigNode::Kind::kTable)
+      f.fail(*published, "published", "is " + published->description() + ", expected { Name = exponent }");
     for (const auto& [who, exponent] : published->table) {
-      if (!exponent.is_number()) f.fail(exponent, "published." + who, "is " + exponent.description() + ", expected a number");
+      if (!exponent.is_number())
+        f.fail(exponent, "published." + who, "is " + exponent.description() + ", expected a number");
       factor.published.emplace_back(who, exponent.number);
     }
   });
@@ -203,8 +220,10 @@ void check_fits(const SweepSpec& sweep) {
     throw InputError(sweep.file + ":" + std::to_string(line) + ": fits." + key + ": " + what);
   };
   for (const SweepFit& fit : sweep.fits) {
-    if (index_of(sweep.figures, fit.figure) < 0) fail(fit.line, "figure", "\"" + fit.figure + "\" is not one of [[figures]]");
-    if (!fit.marks.empty() && index_of(sweep.parameters, fit.marks) < 0) fail(fit.line, "marks", "\"" + fit.marks + "\" is not one of [[parameters]]");
+    if (index_of(sweep.figures, fit.figure) < 0)
+      fail(fit.line, "figure", "\"" + fit.figure + "\" is not one of [[figures]]");
+    if (!fit.marks.empty() && index_of(sweep.parameters, fit.marks) < 0)
+      fail(fit.line, "marks", "\"" + fit.marks + "\" is not one of [[parameters]]");
     for (const auto& [name, value] : fit.where) {
       const int parameter = index_of(sweep.parameters, name);
       if (parameter < 0) fail(fit.line, "where", "\"" + name + "\" is not one of [[parameters]]");
@@ -215,16 +234,19 @@ void check_fits(const SweepSpec& sweep) {
       for (const std::string& name : factor.sum) {
         if (index_of(sweep.figures, name) >= 0) continue;
         const int parameter = index_of(sweep.parameters, name);
-        if (parameter < 0) fail(factor.line, "factors.sum", "\"" + name + "\" is neither one of [[parameters]] nor one of [[figures]]");
+        if (parameter < 0)
+          fail(factor.line, "factors.sum", "\"" + name + "\" is neither one of [[parameters]] nor one of [[figures]]");
         for (const SweepChoice& choice : sweep.parameters[static_cast<std::size_t>(parameter)].choices)
           if (!number_in(choice.name))
-            fail(factor.line, "factors.sum", "parameter \"" + name + "\" has the value \"" + choice.name + "\", expected numbers in a power law");
+            fail(factor.line, "factors.sum",
+                 "parameter \"" + name + "\" has the value \"" + choice.name + "\", expected numbers in a power law");
       }
     }
   }
 }
 
-SweepFitData fit_data(const SweepSpec& sweep, const SweepFit& fit, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results) {
+SweepFitData fit_data(const SweepSpec& sweep, const SweepFit& fit, const std::vector<SweepRun>& runs,
+                      const std::vector<SweepResult>& results) {
   SweepFitData data;
   const auto is_meant = [&](const SweepRun& run) {
     return std::all_of(fit.where.begin(), fit.where.end(), [&](const auto& entry) {
@@ -233,18 +255,20 @@ SweepFitData fit_data(const SweepSpec& sweep, const SweepFit& fit, const std::ve
   };
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (results[i].done && is_meant(runs[i])) data.runs.push_back(static_cast<int>(i));
-  data.x = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(data.runs.size()), static_cast<Eigen::Index>(fit.factors.size()));
+  data.x =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(data.runs.size()), static_cast<Eigen::Index>(fit.factors.size()));
   data.y.resize(data.x.rows());
   const auto positive = [&](double value, const std::string& what, std::size_t run) {
     if (!(value > 0.0))
-      throw InputError(sweep.file + ":" + std::to_string(fit.line) + ": fits." + what + ": is " + number(value) + " in the run " + runs[run].name +
-                       ", expected more than 0 in a power law");
+      throw InputError(sweep.file + ":" + std::to_string(fit.line) + ": fits." + what + ": is " + number(value) +
+                       " in the run " + runs[run].name + ", expected more than 0 in a power law");
     return value;
   };
   for (Eigen::Index row = 0; row < data.x.rows(); ++row) {
     const auto run = static_cast<std::size_t>(data.runs[static_cast<std::size_t>(row)]);
     const auto value_of = [&](const std::string& name) {
-      if (const int figure = index_of(sweep.figures, name); figure >= 0) return results[run].figures[static_cast<std::size_t>(figure)];
+      if (const int figure = index_of(sweep.figures, name); figure >= 0)
+        return results[run].figures[static_cast<std::size_t>(figure)];
       return *number_in(runs[run].values[static_cast<std::size_t>(index_of(sweep.parameters, name))]);
     };
     data.y[row] = positive(value_of(fit.figure), "figure", run);
@@ -257,7 +281,8 @@ SweepFitData fit_data(const SweepSpec& sweep, const SweepFit& fit, const std::ve
   return data;
 }
 
-std::vector<std::string> write_fits(const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results, const std::string& folder) {
+std::vector<std::string> write_fits(const SweepSpec& sweep, const std::vector<SweepRun>& runs,
+                                    const std::vector<SweepResult>& results, const std::string& folder) {
   if (sweep.fits.empty()) return {};
   const std::string table = (fs::path(folder) / "fits.csv").string(), page = (fs::path(folder) / "fits.md").string();
   std::vector<FitResult> found;
@@ -283,7 +308,8 @@ std::vector<std::string> write_fits(const SweepSpec& sweep, const std::vector<Sw
     std::printf("%s   (%zu runs%s)\n", law_text(fit, r.law).c_str(), r.data.runs.size(), where_text(fit).c_str());
     for (std::size_t k = 0; k < fit.factors.size(); ++k) {
       const auto i = static_cast<Eigen::Index>(k);
-      std::printf("  exponent of %-16s %.3f +- %.3f, 95 %% in %.3f to %.3f", fit.factors[k].name.c_str(), r.law.exponents[i], r.law.errors[i], r.law.lower[i], r.law.upper[i]);
+      std::printf("  exponent of %-16s %.3f +- %.3f, 95 %% in %.3f to %.3f", fit.factors[k].name.c_str(),
+                  r.law.exponents[i], r.law.errors[i], r.law.lower[i], r.law.upper[i]);
       for (const auto& [who, exponent] : fit.factors[k].published) std::printf("; %s %.3g", who.c_str(), exponent);
       std::printf("\n");
     }

@@ -1,5 +1,6 @@
 #pragma once
-// Power laws through all finished runs of a sweep (sweep_fit_spec.h, power_law.h), beside exponents that others published.
+// Power laws through all finished runs of a sweep (sweep_fit_spec.h, power_law.h), beside exponents that others
+// published.
 
 #include <string>
 #include <vector>
@@ -21,10 +22,12 @@ struct SweepFitData {
   Eigen::VectorXd y;      // the figure
 };
 // Throws InputError when a run has a number that is not positive.
-SweepFitData fit_data(const SweepSpec& sweep, const SweepFit& fit, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results);
+SweepFitData fit_data(const SweepSpec& sweep, const SweepFit& fit, const std::vector<SweepRun>& runs,
+                      const std::vector<SweepResult>& results);
 
-// Prints every fit and writes fits.csv, fits.md, and NAME.png and NAME.svg (measured over fitted, logarithmic) into `folder`; returns the
-// files. Nothing without fits.
-std::vector<std::string> write_fits(const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results, const std::string& folder);
+// Prints every fit and writes fits.csv, fits.md, and NAME.png and NAME.svg (measured over fitted, logarithmic) into
+// `folder`; returns the files. Nothing without fits.
+std::vector<std::string> write_fits(const SweepSpec& sweep, const std::vector<SweepRun>& runs,
+                                    const std::vector<SweepResult>& results, const std::string& folder);
 
 }  // namespace footfall

@@ -5,12 +5,13 @@
 //     name                             of its picture
 //     figure                           what is fitted: one of [[figures]]
 //     label                            how the law writes it (default: the figure's name)
-//     marks = "density"                a parameter whose values get symbols of their own in the picture; none: all alike
-//     where = { diameter = 0.24 }      only the runs with these values of parameters. Default: all
+//     marks = "density"                a parameter whose values get symbols of their own in the picture; none: all
+//     alike where = { diameter = 0.24 }      only the runs with these values of parameters. Default: all
 //     [[fits.factors]]
 //       name                           how the law writes it
-//       sum = ["height", "depth [m]"]  parameters with numbers for values, and figures: the factor is their sum. Default: [name]
-//       published = { Uehara = 0.5 }   exponents that others found; who gives all of them gets a law with only A fitted
+//       sum = ["height", "depth [m]"]  parameters with numbers for values, and figures: the factor is their sum.
+//       Default: [name] published = { Uehara = 0.5 }   exponents that others found; who gives all of them gets a law
+//       with only A fitted
 
 #include <string>
 #include <utility>

@@ -64,7 +64,8 @@ SweepResult result_of(const SweepSpec& sweep, const std::string& folder) {
   return result;
 }
 
-std::vector<SweepCase> cases_of(const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results) {
+std::vector<SweepCase> cases_of(const SweepSpec& sweep, const std::vector<SweepRun>& runs,
+                                const std::vector<SweepResult>& results) {
   std::vector<SweepCase> cases;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     auto found = std::find_if(cases.begin(), cases.end(), [&](const SweepCase& c) { return c.name == runs[i].group; });
@@ -82,12 +83,14 @@ std::vector<SweepCase> cases_of(const SweepSpec& sweep, const std::vector<SweepR
       c.spread.push_back(n > 1.0 ? std::sqrt(squares / (n - 1.0)) : 0.0);
     }
     for (const SweepLimit& limit : sweep.limits)
-      c.within_limits = c.within_limits && c.mean[static_cast<std::size_t>(figure_index(sweep, limit.figure))] <= limit.most;
+      c.within_limits =
+          c.within_limits && c.mean[static_cast<std::size_t>(figure_index(sweep, limit.figure))] <= limit.most;
   }
   return cases;
 }
 
-void write_run_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results) {
+void write_run_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepRun>& runs,
+                     const std::vector<SweepResult>& results) {
   std::ofstream out = open(path);
   out << "run";
   for (const SweepParameter& parameter : sweep.parameters) out << ',' << csv_field(parameter.name);
@@ -106,7 +109,8 @@ void write_run_table(const std::string& path, const SweepSpec& sweep, const std:
 void write_case_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases) {
   std::ofstream out = open(path);
   out << "case,runs,within_limits";
-  for (const SweepFigure& figure : sweep.figures) out << ',' << csv_field(figure.name) << ',' << csv_field("spread of " + figure.name);
+  for (const SweepFigure& figure : sweep.figures)
+    out << ',' << csv_field(figure.name) << ',' << csv_field("spread of " + figure.name);
   out << '\n';
   for (const SweepCase& c : cases) {
     out << csv_field(c.name) << ',' << c.runs.size() << ',' << (c.within_limits ? "yes" : "no");
@@ -155,21 +159,33 @@ std::vector<StatementVerdict> verdicts_of(const SweepSpec& sweep, const std::vec
   return verdicts;
 }
 
-void write_statements(const std::string& folder, const SweepSpec& sweep, const std::vector<StatementVerdict>& verdicts) {
-  std::ofstream csv = open((fs::path(folder) / "statements.csv").string()), page = open((fs::path(folder) / "statements.md").string());
+void write_statements(const std::string& folder, const SweepSpec& sweep,
+                      const std::vector<StatementVerdict>& verdicts) {
+  std::ofstream csv = open((fs::path(folder) / "statements.csv").string()),
+                page = open((fs::path(folder) / "statements.md").string());
   csv << "statement,figure,case,value,against,reference,judged,least,most,came_out\n";
   page << "| statement | numbers | expected | came out |\n|---|---|---|---|\n";
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const SweepStatement& s = sweep.statements[i];
     const StatementVerdict& v = verdicts[i];
-    csv << csv_field(s.text) << ',' << csv_field(s.figure) << ',' << csv_field(s.of_case) << ',' << number(v.value) << ',' << csv_field(s.against) << ',' << number(v.reference)
-        << ',' << number(v.judged) << ',' << number(s.least) << ',' << number(s.most) << ',' << (std::isnan(v.judged) ? "not run" : v.came_out ? "yes" : "no") << '\n';
+    csv << csv_field(s.text) << ',' << csv_field(s.figure) << ',' << csv_field(s.of_case) << ',' << number(v.value)
+        << ',' << csv_field(s.against) << ',' << number(v.reference) << ',' << number(v.judged) << ','
+        << number(s.least) << ',' << number(s.most) << ','
+        << (std::isnan(v.judged) ? "not run"
+            : v.came_out         ? "yes"
+                                 : "no")
+        << '\n';
     page << "| " << s.text << " | " << s.figure << ": " << s.of_case << " " << rounded(v.value);
     if (!s.against.empty()) page << ", " << s.against << " " << rounded(v.reference) << ", ratio " << rounded(v.judged);
     page << " |";
     if (std::isfinite(s.least)) page << " at least " << rounded(s.least);
     if (std::isfinite(s.most)) page << " at most " << rounded(s.most);
-    page << " | " << (!std::isfinite(v.judged) ? "not run" : v.came_out ? "yes" : s.why.empty() ? "no" : "no: " + s.why) << " |\n";
+    page << " | "
+         << (!std::isfinite(v.judged) ? "not run"
+             : v.came_out             ? "yes"
+             : s.why.empty()          ? "no"
+                                      : "no: " + s.why)
+         << " |\n";
   }
 }
 
@@ -179,13 +195,14 @@ std::vector<int> ranking(const SweepSpec& sweep, const std::vector<SweepCase>& c
   const auto k = static_cast<std::size_t>(figure_index(sweep, sweep.minimise));
   for (std::size_t i = 0; i < cases.size(); ++i)
     if (cases[i].within_limits && !cases[i].runs.empty()) order.push_back(static_cast<int>(i));
-  std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return cases[static_cast<std::size_t>(a)].mean[k] < cases[static_cast<std::size_t>(b)].mean[k]; });
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return cases[static_cast<std::size_t>(a)].mean[k] < cases[static_cast<std::size_t>(b)].mean[k];
+  });
   return order;
 }
 
-std::vector<std::string> draw_sweep(const SweepSpec& sweep, const std::vector<SweepCase>& cases, const std::vector<std::string>& folders,
-                                    const std::string& folder) {
+std::vector<std::string> draw_sweep(const SweepSpec& sweep, const std::vector<SweepCase>& cases,
+                                    const std::vector<std::string>& folders, const std::string& folder) {
   std::vector<std::string> scripts;
   for (const SweepPlot& plot : sweep.plots) {
     std::ofstream script = open((fs::path(folder) / (plot.name + ".gp")).string());
@@ -195,19 +212,22 @@ std::vector<std::string> draw_sweep(const SweepSpec& sweep, const std::vector<Sw
       ++color;
       if (c.runs.empty()) continue;
       // The first run of an ensemble stands for it.
-      const History history = read_history((fs::path(folders[static_cast<std::size_t>(c.runs.front())]) / "history.csv").string());
+      const History history =
+          read_history((fs::path(folders[static_cast<std::size_t>(c.runs.front())]) / "history.csv").string());
       const std::vector<double>&time = history.column("time"), &values = history.column(plot.column);
       const std::string data = "$d" + std::to_string(color);
       script << data << " << EOD\n";
       for (std::size_t i = 0; i < time.size(); ++i) script << number(time[i]) << ' ' << number(values[i]) << '\n';
       script << "EOD\n";
-      curves += (curves.empty() ? "plot " : ", ") + data + " using 1:2 with lines lw 1.6 lc " + std::to_string(color) + " title \"" + c.name + "\"";
+      curves += (curves.empty() ? "plot " : ", ") + data + " using 1:2 with lines lw 1.6 lc " + std::to_string(color) +
+                " title \"" + c.name + "\"";
     }
     if (curves.empty()) continue;
-    script << "set grid\nset title \"" << plot.title << "\" noenhanced\nset xlabel \"time [s]\"\nset ylabel \"" << (plot.label.empty() ? plot.column : plot.label)
-           << "\" noenhanced\nset key outside right top noenhanced\n"
+    script << "set grid\nset title \"" << plot.title << "\" noenhanced\nset xlabel \"time [s]\"\nset ylabel \""
+           << (plot.label.empty() ? plot.column : plot.label) << "\" noenhanced\nset key outside right top noenhanced\n"
            << "set terminal pngcairo size 1000,560 font 'sans,11'\nset output '" << plot.name << ".png'\n"
-           << curves << "\nset terminal svg size 1000,560 font 'sans,11'\nset output '" << plot.name << ".svg'\nreplot\n";
+           << curves << "\nset terminal svg size 1000,560 font 'sans,11'\nset output '" << plot.name
+           << ".svg'\nreplot\n";
     scripts.push_back(plot.name + ".gp");
   }
   return scripts.empty() ? scripts : run_gnuplot(folder, scripts);

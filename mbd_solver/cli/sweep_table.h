@@ -24,10 +24,13 @@ struct SweepCase {
   std::vector<double> mean, spread;  // per figure; spread: standard deviation, 0 for one run
   bool within_limits = true;
 };
-std::vector<SweepCase> cases_of(const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results);
+std::vector<SweepCase> cases_of(const SweepSpec& sweep, const std::vector<SweepRun>& runs,
+                                const std::vector<SweepResult>& results);
 
-// runs.csv: one row per run. cases.csv: one row per case; cases.md the same as a table for a page, with the command that makes it.
-void write_run_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepRun>& runs, const std::vector<SweepResult>& results);
+// runs.csv: one row per run. cases.csv: one row per case; cases.md the same as a table for a page, with the command
+// that makes it.
+void write_run_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepRun>& runs,
+                     const std::vector<SweepResult>& results);
 void write_case_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases);
 void write_case_page(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases);
 struct StatementVerdict {
@@ -41,6 +44,7 @@ void write_statements(const std::string& folder, const SweepSpec& sweep, const s
 // The cases within the limits, best first; empty when nothing is minimised.
 std::vector<int> ranking(const SweepSpec& sweep, const std::vector<SweepCase>& cases);
 // NAME.png and NAME.svg in `folder` for every plot; returns the PNG files. `folders`: one per run.
-std::vector<std::string> draw_sweep(const SweepSpec& sweep, const std::vector<SweepCase>& cases, const std::vector<std::string>& folders, const std::string& folder);
+std::vector<std::string> draw_sweep(const SweepSpec& sweep, const std::vector<SweepCase>& cases,
+                                    const std::vector<std::string>& folders, const std::string& folder);
 
 }  // namespace footfall

@@ -32,7 +32,8 @@ void TableReader::take(const std::string& key, int& out) {
 void TableReader::take(const std::string& key, bool& out) {
   const ConfigNode* value = next(key);
   if (!value) return;
-  if (value->kind != ConfigNode::Kind::kFlag) fail(*value, key, "is " + value->description() + ", expected true or false");
+  if (value->kind != ConfigNode::Kind::kFlag)
+    fail(*value, key, "is " + value->description() + ", expected true or false");
   out = value->flag;
 }
 
@@ -65,13 +66,15 @@ void TableReader::done() const {
 }
 
 void TableReader::fail(const ConfigNode& at, const std::string& key, const std::string& what) const {
-  throw InputError(file_ + ":" + std::to_string(at.line) + ": " + (path_.empty() || key.empty() ? path_ : path_ + ".") + key + ": " + what);
+  throw InputError(file_ + ":" + std::to_string(at.line) + ": " + (path_.empty() || key.empty() ? path_ : path_ + ".") +
+                   key + ": " + what);
 }
 
 std::string TableReader::text(const std::string& key, const ConfigNode& value) const {
   if (value.kind == ConfigNode::Kind::kText) return value.text;
   if (!value.is_number()) fail(value, key, "is " + value.description() + ", expected a text or a number");
-  if (value.kind == ConfigNode::Kind::kInteger) return std::to_string(static_cast<long long>(value.number));  // seeds have many digits
+  if (value.kind == ConfigNode::Kind::kInteger)
+    return std::to_string(static_cast<long long>(value.number));  // seeds have many digits
   return short_number(value.number);
 }
 

@@ -13,7 +13,8 @@ class TableReader {
   // `path` of the table within the file, for messages; `file` and `node` must outlive the reader.
   TableReader(const std::string& file, const std::string& path, const ConfigNode& node);
 
-  // Each leaves `out` alone when the key is not there. Throws InputError "file:line: path.key: what is wrong, what was expected".
+  // Each leaves `out` alone when the key is not there. Throws InputError "file:line: path.key: what is wrong, what was
+  // expected".
   void take(const std::string& key, std::string& out);  // a number as a person writes it, too
   void take(const std::string& key, double& out);
   void take(const std::string& key, int& out);
@@ -34,7 +35,7 @@ class TableReader {
   }
   const ConfigNode* next(const std::string& key);  // marks the key as known; null when it is not there
   const std::string& file() const { return file_; }
-  int line() const { return node_.line; }       // of the table
+  int line() const { return node_.line; }  // of the table
   void require(const std::string& key, bool given) const;
   void done() const;  // complains about keys that nobody took
   [[noreturn]] void fail(const std::string& key, const std::string& what) const { fail(node_, key, what); }

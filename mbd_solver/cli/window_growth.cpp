@@ -50,8 +50,10 @@ double softened_velocity(double K, double v, double a) {
 // One window: z = [x, v, a (last acceleration sent), s (where the boundary stands), p (its velocity there)].
 Vector5d window_map(const std::string& scheme, double omega_h, int n, const Vector5d& z) {
   const double K = omega_h * omega_h, x = z[0], v = z[1], a = z[2], gap = z[3] - z[0], p = z[4];
-  const double end_step = scheme == "css" ? 0.5 / n : 0.0;          // the end step counts whole: mean f = trapezoid + (f(1) - f(0)) / 2n
-  const double mean_tau = 0.5 + end_step, mean_g = 0.5 / (n * n) - end_step, mean_tau2 = 1.0 / 3.0 + 1.0 / (6.0 * n * n) + end_step;
+  const double end_step =
+      scheme == "css" ? 0.5 / n : 0.0;  // the end step counts whole: mean f = trapezoid + (f(1) - f(0)) / 2n
+  const double mean_tau = 0.5 + end_step, mean_g = 0.5 / (n * n) - end_step,
+               mean_tau2 = 1.0 / 3.0 + 1.0 / (6.0 * n * n) + end_step;
   Vector5d out;
   if (scheme == "tangent") {
     const double D = window_damping(omega_h), path = softened_velocity(K, v, a);
@@ -62,7 +64,7 @@ Vector5d window_map(const std::string& scheme, double omega_h, int n, const Vect
   }
   const bool frozen = scheme == "frozen";
   const double velocity = frozen ? 0.0 : v, acceleration = scheme == "quadratic" ? a : 0.0;
-  const double standing = frozen ? 0.5 / n : mean_g;                // a frozen boundary jumps after the force that opens the window
+  const double standing = frozen ? 0.5 / n : mean_g;  // a frozen boundary jumps after the force that opens the window
   const double f = -K * (x + mean_tau * velocity + 0.5 * mean_tau2 * acceleration + standing * gap);
   out << x + v + 0.5 * f, v + f, f, x + velocity + 0.5 * acceleration, velocity + acceleration + 2.0 * gap;
   return out;
@@ -78,7 +80,8 @@ double predicted_growth(const std::string& scheme, double omega_h, int n) {
 
 double measured_growth(const std::string& name, double omega_h, int n) {
   constexpr int windows = 4000;
-  constexpr double least = 1e-9, most = 1e150;  // of the initial motion: beyond, round-off or overflow would be measured
+  // of the initial motion: beyond, round-off or overflow would be measured
+  constexpr double least = 1e-9, most = 1e150;
   const double K = omega_h * omega_h, dt = 1.0 / n;
   const std::unique_ptr<Scheme> scheme = make_scheme(name);
   const Body body("body", 1.0, Eigen::Matrix3d::Identity());
@@ -97,9 +100,11 @@ double measured_growth(const std::string& name, double omega_h, int n) {
   slope.K(2, 2) = K;
 
   std::vector<double> logs;
-  // All that the next window depends on, so that the size does not dip where position and velocity pass through zero together.
+  // All that the next window depends on, so that the size does not dip where position and velocity pass through zero
+  // together.
   const auto size = [&] {
-    return Eigen::Vector4d(omega_h * state.r.z(), state.dr.z(), state.ddr.z() / omega_h, omega_h * path.pose().r.z()).norm();
+    return Eigen::Vector4d(omega_h * state.r.z(), state.dr.z(), state.ddr.z() / omega_h, omega_h * path.pose().r.z())
+        .norm();
   };
   const double first = size();
   for (int k = 0; k < windows; ++k) {
@@ -148,7 +153,8 @@ double measured_growth(const std::string& name, double omega_h, int n) {
   return std::exp((count * skl - sk * sl) / (count * skk - sk * sk));
 }
 
-std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, int n, const std::string& scene, const std::string& out) {
+std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, int n, const std::string& scene,
+                                           const std::string& out) {
   std::vector<GrowthPoint> points;
   for (const double w : omega_h)
     for (const std::string& scheme : scheme_names()) {
@@ -166,7 +172,9 @@ std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, i
 void write_growth(const std::string& path, const std::string& title, const std::vector<GrowthPoint>& points, int n) {
   std::ofstream out(path);
   if (!out) throw InputError(path + ": cannot be written");
-  out << "# " << title << "\n\nGrowth of the motion per window of " << n << " substeps, one body on linear contacts with grains that stand, no damping: in LIGGGHTS / by the coupling code\n"
+  out << "# " << title << "\n\nGrowth of the motion per window of " << n
+      << " substeps, one body on linear contacts with grains that stand, no damping: in LIGGGHTS / by the coupling "
+         "code\n"
       << "alone / theory ([window maps](theory.md)). Above 1 the scheme makes energy.\n\n| omega H |";
   for (const std::string& scheme : scheme_names()) out << ' ' << scheme << " |";
   out << "\n|---|";

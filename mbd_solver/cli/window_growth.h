@@ -1,7 +1,8 @@
 #pragma once
-// Growth per window of the coupling schemes on the simplest problem there is: one body of mass m on one linear contact of stiffness K with a
-// grain that stands, no damping, omega H = sqrt(K/m) H. Theory: spectral radius of the scheme's window map; measured: the coupling code itself
-// (path, mean load, tangent) on that contact, the body integrated exactly; and the whole program with LIGGGHTS (window_growth_run.h).
+// Growth per window of the coupling schemes on the simplest problem there is: one body of mass m on one linear contact
+// of stiffness K with a grain that stands, no damping, omega H = sqrt(K/m) H. Theory: spectral radius of the scheme's
+// window map; measured: the coupling code itself (path, mean load, tangent) on that contact, the body integrated
+// exactly; and the whole program with LIGGGHTS (window_growth_run.h).
 // theory: coupling (window maps).
 
 #include <limits>
@@ -12,17 +13,19 @@ namespace footfall {
 
 struct GrowthPoint {
   std::string scheme;
-  double omega_h = 0.0;    // [-]
-  double theory = 0.0;     // spectral radius [-]
-  double measured = 0.0;   // growth of the motion per window [-]
+  double omega_h = 0.0;                                           // [-]
+  double theory = 0.0;                                            // spectral radius [-]
+  double measured = 0.0;                                          // growth of the motion per window [-]
   double in_liggghts = std::numeric_limits<double>::quiet_NaN();  // the same in a coupled run; NaN: not run
 };
 
 double predicted_growth(const std::string& scheme, double omega_h, int n);
 double measured_growth(const std::string& scheme, double omega_h, int n);
 
-// Every scheme at every omega H with windows of n substeps; in LIGGGHTS too unless scene is empty, with runs below `out`.
-std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, int n, const std::string& scene, const std::string& out);
+// Every scheme at every omega H with windows of n substeps; in LIGGGHTS too unless scene is empty, with runs below
+// `out`.
+std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, int n, const std::string& scene,
+                                           const std::string& out);
 // As Markdown: one line per omega H, "measured / theory" per scheme.
 void write_growth(const std::string& path, const std::string& title, const std::vector<GrowthPoint>& points, int n);
 

@@ -36,7 +36,8 @@ double growth_of_series(const std::vector<double>& v) {
   Eigen::MatrixX2d past(count - 2, 2);
   Eigen::VectorXd next(count - 2);
   for (std::size_t k = 0; k + 2 < count; ++k) {
-    const double scale = 1.0 / (std::abs(v[from + k]) + std::abs(v[from + k + 1]));  // every window counts alike while the motion decays
+    const double scale =
+        1.0 / (std::abs(v[from + k]) + std::abs(v[from + k + 1]));  // every window counts alike while the motion decays
     const auto row = static_cast<Eigen::Index>(k);
     past.row(row) << scale * v[from + k + 1], scale * v[from + k];
     next[row] = scale * v[from + k + 2];
@@ -46,22 +47,28 @@ double growth_of_series(const std::vector<double>& v) {
   return square < 0.0 ? std::sqrt(-ab[1]) : std::abs(half) + std::sqrt(square);
 }
 
-double growth_in_liggghts(const std::string& scene, const std::string& scheme, double omega_h, int n, const std::string& out) {
+double growth_in_liggghts(const std::string& scene, const std::string& scheme, double omega_h, int n,
+                          const std::string& out) {
   const double dt = omega_h / (kOmega * n), H = n * dt;
   const bool grows = predicted_growth(scheme, omega_h, n) > 1.2;
   const double push = grows ? 1e-11 : 1e-2;  // [m/s]
   StudyRunRequest request;
   request.scene = scene;
   request.out = out;
-  request.settings = {"coupling.scheme=" + scheme, "coupling.stop_on_energy_gain=false", "particles.variables.every=" + std::to_string(n),
-                      "particles.variables.dt=" + number(dt), "initial.velocity=[0,0," + number(-push) + "]", "output.interval=" + number(0.5 * H)};
+  request.settings = {"coupling.scheme=" + scheme,
+                      "coupling.stop_on_energy_gain=false",
+                      "particles.variables.every=" + std::to_string(n),
+                      "particles.variables.dt=" + number(dt),
+                      "initial.velocity=[0,0," + number(-push) + "]",
+                      "output.interval=" + number(0.5 * H)};
   request.settings.push_back("end_time=" + number((grows ? 40 : kWindows) * H));
   request.settings.push_back("particles.max_time_step=" + number(2.0 * dt));
   const StudyRun run = run_once(request);
   if (run.history.columns.empty()) return kNone;
   const std::vector<double>&z = run.history.column("pad.z"), &vz = run.history.column("pad.vz");
   std::size_t count = 0;
-  while (count < z.size() && std::abs(z[count] - z.front()) <= kClosed && std::abs(vz[count]) >= kDecayed * push) ++count;
+  while (count < z.size() && std::abs(z[count] - z.front()) <= kClosed && std::abs(vz[count]) >= kDecayed * push)
+    ++count;
   return growth_of_series({vz.begin(), vz.begin() + static_cast<std::ptrdiff_t>(count)});
 }
 

@@ -133,9 +133,9 @@ double attitude_cosine(const Joint& joint, const PairMotion& pair, double t) {
   double smallest = 1.0;
   if (joint.kind == "fixed" || joint.kind == "prismatic") {
     for (int k = 0; k < 3; ++k)
-      smallest = std::min(smallest, KinematicVector::axis(pair, 0, joint.m1, k)
-                                        .value()
-                                        .dot(KinematicVector::axis(pair, 1, joint.m2, k).value()));
+      smallest = std::min(
+          smallest,
+          KinematicVector::axis(pair, 0, joint.m1, k).value().dot(KinematicVector::axis(pair, 1, joint.m2, k).value()));
   }
   for (const ConstraintRow& row : joint.rows) {
     if (!row.rotation) continue;  // cos(angle - f) = sin(f) e_j1.e_i2 + cos(f) e_i1.e_i2
@@ -154,8 +154,7 @@ double attitude_cosine(const Joint& joint, const PairMotion& pair, double t) {
 }
 
 // Every joint that is open by more than the tolerance, all of them in one message.
-double check_gaps(const Model& model, const Layout& layout, const DenseRows& rows, double t,
-                  double tolerance) {
+double check_gaps(const Model& model, const Layout& layout, const DenseRows& rows, double t, double tolerance) {
   std::string findings;
   double largest = 0.0;
   for (int j = 0; j < model.joint_count(); ++j) {
@@ -176,12 +175,10 @@ double check_gaps(const Model& model, const Layout& layout, const DenseRows& row
     const std::string where =
         (findings.empty() ? "" : "\n") + std::string("joint \"") + joint.name + "\" (" + joint.kind + "): ";
     if (!(gap <= tolerance)) {
-      findings += where + "gap of " + number(gap) + " m in the initial position; at most " +
-                  number(tolerance) +
+      findings += where + "gap of " + number(gap) + " m in the initial position; at most " + number(tolerance) +
                   " m is closed silently. Check the positions of its bodies and its point.";
     } else if (!(angle <= tolerance)) {
-      findings += where + "its axes are off by " +
-                  number((angle > 1.0 ? M_PI : std::asin(angle)) * 180.0 / M_PI) +
+      findings += where + "its axes are off by " + number((angle > 1.0 ? M_PI : std::asin(angle)) * 180.0 / M_PI) +
                   " degrees in the initial position. Check the attitudes of its bodies and its axes.";
     }
   }
@@ -189,8 +186,8 @@ double check_gaps(const Model& model, const Layout& layout, const DenseRows& row
   return largest;
 }
 
-void check_contradiction(const Model& model, const Layout& layout, const Eigen::VectorXd& defect,
-                         double scale, const std::string& what, const std::string& unit) {
+void check_contradiction(const Model& model, const Layout& layout, const Eigen::VectorXd& defect, double scale,
+                         const std::string& what, const std::string& unit) {
   std::set<int> worst;
   double largest = 0.0;
   for (int row = 0; row < defect.size(); ++row) largest = std::max(largest, std::abs(defect[row]));
@@ -198,9 +195,8 @@ void check_contradiction(const Model& model, const Layout& layout, const Eigen::
   for (int row = 0; row < defect.size(); ++row) {
     if (std::abs(defect[row]) > 0.1 * largest) worst.insert(row);
   }
-  throw InputError("joints " + joint_names(model, layout, worst) + " contradict each other: " + what +
-                   " by " + number(largest) + " " + unit +
-                   ". Move one of them, or free one of its directions.");
+  throw InputError("joints " + joint_names(model, layout, worst) + " contradict each other: " + what + " by " +
+                   number(largest) + " " + unit + ". Move one of them, or free one of its directions.");
 }
 
 }  // namespace
@@ -209,8 +205,7 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   const Layout layout(model, all_rows_of(model));
   Assembly out;
   out.state = initial_state(model, layout);
-  if (!out.state.z.allFinite())
-    throw InputError("an inner state of a force element is not finite at the start.");
+  if (!out.state.z.allFinite()) throw InputError("an inner state of a force element is not finite at the start.");
   if (layout.all_rows == 0) return out;
   DenseRows rows(model, layout);
   rows.evaluate(out.state);
@@ -225,8 +220,7 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
     add_increment(layout, rows.correction(rows.phi, kClosingRank), out.state.q);
     rows.evaluate(out.state);
   }
-  check_contradiction(model, layout, rows.phi, 1.0, "together they cannot be closed; they stay open",
-                      "m or rad");
+  check_contradiction(model, layout, rows.phi, 1.0, "together they cannot be closed; they stay open", "m or rad");
 
   // Velocities: the smallest change that satisfies Phi_v v + Phi_t = 0. Twice, for round-off.
   const Eigen::VectorXd v_given = out.state.v;
@@ -235,8 +229,8 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
     rows.evaluate(out.state);
   }
   out.largest_speed_change = (out.state.v - v_given).lpNorm<Eigen::Infinity>();
-  check_contradiction(model, layout, rows.rate, 1.0 + out.state.v.lpNorm<Eigen::Infinity>(),
-                      "their speeds differ", "m/s or rad/s");
+  check_contradiction(model, layout, rows.rate, 1.0 + out.state.v.lpNorm<Eigen::Infinity>(), "their speeds differ",
+                      "m/s or rad/s");
 
   // Independent rows: the pivots of a QR of B^T. The others are combinations of them: R11 X = R12.
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
@@ -249,13 +243,12 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   if (rank == layout.all_rows) return out;
 
   const Eigen::MatrixXd R = qr.matrixR().topRows(rank);
-  const Eigen::MatrixXd X = R.leftCols(rank).triangularView<Eigen::Upper>().solve(
-      Eigen::MatrixXd(R.rightCols(layout.all_rows - rank)));
+  const Eigen::MatrixXd X =
+      R.leftCols(rank).triangularView<Eigen::Upper>().solve(Eigen::MatrixXd(R.rightCols(layout.all_rows - rank)));
   std::vector<int> dropped(static_cast<std::size_t>(model.joint_count()), 0);
   std::vector<std::set<int>> sources(static_cast<std::size_t>(model.joint_count()));
   for (Eigen::Index k = 0; k < X.cols(); ++k) {
-    const std::size_t joint =
-        static_cast<std::size_t>(layout.row_joint[static_cast<std::size_t>(order[rank + k])]);
+    const std::size_t joint = static_cast<std::size_t>(layout.row_joint[static_cast<std::size_t>(order[rank + k])]);
     ++dropped[joint];
     for (Eigen::Index i = 0; i < rank; ++i) {
       if (std::abs(X(i, k)) > 1e-6) sources[joint].insert(order[i]);
@@ -264,10 +257,9 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   for (int j = 0; j < model.joint_count(); ++j) {
     const std::size_t at = static_cast<std::size_t>(j);
     if (dropped[at] > 0)
-      out.notes.push_back("joint \"" + model.joint(j).name + "\": " + std::to_string(dropped[at]) +
-                          " of its " + std::to_string(model.joint(j).rows.size()) +
-                          " conditions follow from " + joint_names(model, layout, sources[at]) +
-                          " and are left out (redundant).");
+      out.notes.push_back("joint \"" + model.joint(j).name + "\": " + std::to_string(dropped[at]) + " of its " +
+                          std::to_string(model.joint(j).rows.size()) + " conditions follow from " +
+                          joint_names(model, layout, sources[at]) + " and are left out (redundant).");
   }
   return out;
 }

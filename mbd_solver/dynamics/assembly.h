@@ -16,11 +16,10 @@ struct AssemblyOptions {
 };
 
 struct Assembly {
-  State state;                 // closed to round-off, velocities consistent
-  std::vector<int> kept_rows;  // global numbers of the independent constraint rows, rising
-  std::vector<std::string>
-      notes;                 // one per joint with left-out conditions, naming the joints they follow from
-  double largest_gap = 0.0;  // before closing [m or rad]
+  State state;                        // closed to round-off, velocities consistent
+  std::vector<int> kept_rows;         // global numbers of the independent constraint rows, rising
+  std::vector<std::string> notes;     // one per joint with left-out conditions, naming the joints they follow from
+  double largest_gap = 0.0;           // before closing [m or rad]
   double largest_speed_change = 0.0;  // largest change by the projection [m/s or rad/s]
 };
 

@@ -44,8 +44,7 @@ Vector6d tangent_increment(const TangentLoad& t, const BodyKinematics& at, const
   Vector6d dx;
   dx.head<3>() = at.r - t.r_mean;
   dx.tail<3>().setZero();
-  for (int k = 0; k < 3; ++k)
-    dx.tail<3>() += 0.5 * Eigen::Vector3d(A_mean.col(k)).cross(Eigen::Vector3d(at.A.col(k)));
+  for (int k = 0; k < 3; ++k) dx.tail<3>() += 0.5 * Eigen::Vector3d(A_mean.col(k)).cross(Eigen::Vector3d(at.A.col(k)));
   return dx;
 }
 
@@ -59,8 +58,8 @@ InertiaScratch::InertiaScratch(int modes) {
   dg_da = Eigen::MatrixXd::Zero(n, modes);
 }
 
-void add_body_force(const Body& body, const BodyKinematics& at, const Eigen::Vector3d& gravity,
-                    InertiaScratch& s, Eigen::Ref<Eigen::VectorXd> F) {
+void add_body_force(const Body& body, const BodyKinematics& at, const Eigen::Vector3d& gravity, InertiaScratch& s,
+                    Eigen::Ref<Eigen::VectorXd> F) {
   if (at.modes == 0) {
     // [m (ddr - gravity); J_W dw + w x J_W w], the product J_W x taken in B
     F.head<3>() += body.mass() * (at.ddr - gravity);
@@ -81,8 +80,7 @@ void add_body_force(const Body& body, const BodyKinematics& at, const Eigen::Vec
   F.tail(at.modes) += s.g.tail(at.modes);
 }
 
-void body_mass_matrix(const Body& body, const BodyKinematics& at, InertiaScratch& s,
-                      Eigen::Ref<Eigen::MatrixXd> M) {
+void body_mass_matrix(const Body& body, const BodyKinematics& at, InertiaScratch& s, Eigen::Ref<Eigen::MatrixXd> M) {
   if (at.modes == 0) {
     M.setZero();
     M.diagonal().head<3>().setConstant(body.mass());
@@ -93,9 +91,8 @@ void body_mass_matrix(const Body& body, const BodyKinematics& at, InertiaScratch
   turn_matrix(at.A, s.M, M);
 }
 
-void body_derivatives(const Body& body, const BodyKinematics& at, InertiaScratch& s,
-                      Eigen::Ref<Eigen::MatrixXd> dF_dx, Eigen::Ref<Eigen::MatrixXd> dF_dv,
-                      Eigen::Ref<Eigen::MatrixXd> M) {
+void body_derivatives(const Body& body, const BodyKinematics& at, InertiaScratch& s, Eigen::Ref<Eigen::MatrixXd> dF_dx,
+                      Eigen::Ref<Eigen::MatrixXd> dF_dv, Eigen::Ref<Eigen::MatrixXd> M) {
   if (at.modes == 0) {
     // g = J dw + w x J w:  dg/dw = w~ J - (J w)~,  dg/dtheta = -g~ + (dg/dw) w~ + J dw~
     body_mass_matrix(body, at, s, M);

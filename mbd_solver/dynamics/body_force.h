@@ -20,8 +20,8 @@ struct InertiaScratch {
 };
 
 // F += M dv + h - [m gravity; 0; 0], with the accelerations of `at`. F: 6+s.
-void add_body_force(const Body& body, const BodyKinematics& at, const Eigen::Vector3d& gravity,
-                    InertiaScratch& scratch, Eigen::Ref<Eigen::VectorXd> F);
+void add_body_force(const Body& body, const BodyKinematics& at, const Eigen::Vector3d& gravity, InertiaScratch& scratch,
+                    Eigen::Ref<Eigen::VectorXd> F);
 
 // M in W: (6+s) x (6+s), overwritten.
 void body_mass_matrix(const Body& body, const BodyKinematics& at, InertiaScratch& scratch,

@@ -6,8 +6,7 @@
 
 namespace footfall {
 
-void Equations::energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs,
-                       EnergySample& out) {
+void Equations::energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs, EnergySample& out) {
   Workspace& w = *work_;
   w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size), w.empty);
   out.stored = {};
@@ -21,8 +20,7 @@ void Equations::energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, con
     const BodyKinematics& body = w.kinematics.of(i);
     const Eigen::Vector3d w_B = body.A.transpose() * body.w;
     if (body.modes == 0) {
-      out.stored.kinetic +=
-          0.5 * model.mass() * body.dr.squaredNorm() + 0.5 * w_B.dot(model.rigid_inertia() * w_B);
+      out.stored.kinetic += 0.5 * model.mass() * body.dr.squaredNorm() + 0.5 * w_B.dot(model.rigid_inertia() * w_B);
     } else {
       Eigen::Ref<Eigen::VectorXd> v_B = w.local.head(body.size());
       v_B.head<3>() = body.A.transpose() * body.dr;
@@ -43,8 +41,8 @@ void Equations::energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, con
   for (int i = 0; i < model_.force_count(); ++i) {
     const ForceElement& element = model_.force(i);
     const int z = layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)];
-    element.add_energy({w.force_pair(element), y.segment(z, element.state_count()), inputs.voltages},
-                       out.stored, out.power);
+    element.add_energy({w.force_pair(element), y.segment(z, element.state_count()), inputs.voltages}, out.stored,
+                       out.power);
   }
   // The joint forces -Phi_v^T lambda do work -lambda Phi_v v, which is zero but for prescribed motions.
   for_each_row(model_, layout_, w.kinematics, t, w.row,
@@ -66,8 +64,7 @@ Vector6d Equations::joint_wrench(int index, double t, const Eigen::Ref<const Eig
   Vector6d wrench = Vector6d::Zero();
   Eigen::Ref<Eigen::VectorXd> phi_v = w.row.head(pair.size());
   for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-    const int kept =
-        layout_.kept[static_cast<std::size_t>(layout_.joint_row[static_cast<std::size_t>(index)]) + k];
+    const int kept = layout_.kept[static_cast<std::size_t>(layout_.joint_row[static_cast<std::size_t>(index)]) + k];
     if (kept < 0) continue;
     evaluate_row(joint.rows[k], t, vectors, phi_v);
     wrench -= lambda[kept] * phi_v.segment<6>(pair.offset(slot));

@@ -26,40 +26,34 @@ Equations::~Equations() = default;
 void Equations::set_regularisation(const State& state) {
   Workspace& w = *work_;
   load(state);
-  for_each_row(
-      model_, layout_, w.kinematics, state.time, w.row,
-      [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-        const int kept = layout_.kept[static_cast<std::size_t>(row)];
-        if (kept < 0) return;
-        const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
-        const int bodies[2] = {joint.m1.body, joint.m2.body};
-        double size = 0.0;
-        for (int i = 0; i < 2; ++i) {
-          const int n = pair.body[i]->size();
-          if (n == 0) continue;
-          Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
-          body_mass_matrix(model_.body(bodies[i]), *pair.body[i],
-                           w.inertia[static_cast<std::size_t>(bodies[i])], M);
-          const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
-          size += part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
-        }
-        w.regularisation[kept] = kRegularisation * size;
-      });
+  for_each_row(model_, layout_, w.kinematics, state.time, w.row,
+               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
+                 if (kept < 0) return;
+                 const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
+                 const int bodies[2] = {joint.m1.body, joint.m2.body};
+                 double size = 0.0;
+                 for (int i = 0; i < 2; ++i) {
+                   const int n = pair.body[i]->size();
+                   if (n == 0) continue;
+                   Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
+                   body_mass_matrix(model_.body(bodies[i]), *pair.body[i],
+                                    w.inertia[static_cast<std::size_t>(bodies[i])], M);
+                   const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
+                   size += part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
+                 }
+                 w.regularisation[kept] = kRegularisation * size;
+               });
 }
 
-void Equations::load(const State& state) {
-  work_->kinematics.load(layout_, state.q, state.v, work_->empty);
-}
+void Equations::load(const State& state) { work_->kinematics.load(layout_, state.q, state.v, work_->empty); }
 
-const BodyKinematics& Equations::motion(int body) const {
-  return work_->kinematics.of(body);
-}
+const BodyKinematics& Equations::motion(int body) const { return work_->kinematics.of(body); }
 
 ElementInput Equations::element_input(int force, const State& state, const Inputs& inputs) const {
   const ForceElement& element = model_.force(force);
   return {work_->force_pair(element),
-          state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count()),
-          inputs.voltages};
+          state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count()), inputs.voltages};
 }
 
 void Equations::demand_fitting(const Inputs& inputs) const {
@@ -103,22 +97,21 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
 
   // Joints: Phi_v^T lambda into the forces, phi'' into their own rows.
   const double alpha2 = 2.0 * baumgarte_.alpha, beta2 = baumgarte_.beta * baumgarte_.beta;
-  for_each_row(
-      model_, layout_, w.kinematics, t, w.row,
-      [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue& value) {
-        const int kept = layout_.kept[static_cast<std::size_t>(row)];
-        if (kept < 0) return;
-        const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
-        const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
-        for (int i = 0; i < 2; ++i) {
-          const int n = pair.body[i]->size();
-          if (n > 0)
-            F.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n) +=
-                lambda[kept] * phi_v.segment(pair.offset(i), n);
-        }
-        F[layout_.lambda0() + kept] =
-            value.acc + alpha2 * value.rate + beta2 * value.phi - w.regularisation[kept] * lambda[kept];
-      });
+  for_each_row(model_, layout_, w.kinematics, t, w.row,
+               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue& value) {
+                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
+                 if (kept < 0) return;
+                 const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
+                 const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
+                 for (int i = 0; i < 2; ++i) {
+                   const int n = pair.body[i]->size();
+                   if (n > 0)
+                     F.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n) +=
+                         lambda[kept] * phi_v.segment(pair.offset(i), n);
+                 }
+                 F[layout_.lambda0() + kept] =
+                     value.acc + alpha2 * value.rate + beta2 * value.phi - w.regularisation[kept] * lambda[kept];
+               });
 
   // Force elements.
   for (int i = 0; i < model_.force_count(); ++i) {

@@ -42,9 +42,8 @@ class Equations {
   const Layout& layout() const { return layout_; }
 
   // F(t, y, ydot).
-  void residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
-                const Eigen::Ref<const Eigen::VectorXd>& ydot, const Inputs& inputs,
-                Eigen::Ref<Eigen::VectorXd> F);
+  void residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& ydot,
+                const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> F);
   // dF/dy + c dF/dydot: column-major, compressed, the same pattern for ever; values are rewritten in place.
   const Eigen::SparseMatrix<double>& jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                               const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
@@ -61,8 +60,8 @@ class Equations {
   // dx as v; out as [v; z; lambda].
   void subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> out) const;
   // dF/dydot * x at (t, y): what an error estimate is filtered with.
-  void apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x,
-                  double t, Eigen::Ref<Eigen::VectorXd> out);
+  void apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x, double t,
+                  Eigen::Ref<Eigen::VectorXd> out);
 
   // dv and lambda of a state, by a direct solve of [M, Phi_v^T; Phi_v, -eps]; also dq and dz: out is the
   // complete dy/dt with the multipliers in the place of their rates. Throws NumericalError naming time and
@@ -74,12 +73,12 @@ class Equations {
   // Quaternions are normalised.
   // Drift below 1e-10 m (and 2e-9 m/s) is left alone.
   struct Drift {
-    double position = 0.0;  // largest |phi| before [m or rad]
-    double velocity = 0.0;  // largest |phi'| before [m/s or rad/s]
+    double position = 0.0;       // largest |phi| before [m or rad]
+    double velocity = 0.0;       // largest |phi'| before [m/s or rad/s]
     double position_left = 0.0;  // the same two after
     double velocity_left = 0.0;
-    double dropped = 0.0;   // largest |phi| of the rows left out as redundant, after [m or rad]
-    int dropped_row = -1;   // which one of all rows
+    double dropped = 0.0;  // largest |phi| of the rows left out as redundant, after [m or rad]
+    int dropped_row = -1;  // which one of all rows
   };
   Drift project(State& state);
   Drift drift(const State& state);  // measured only
@@ -90,8 +89,8 @@ class Equations {
   // Unpacks a state for the output functions below.
   void load(const State& state);
   const BodyKinematics& motion(int body) const;
-  ElementInput element_input(int force, const State& state,
-                             const Inputs& inputs) const;  // valid after load()
+  // valid after load()
+  ElementInput element_input(int force, const State& state, const Inputs& inputs) const;
   // Force and moment [N, N m] that joint `joint` exerts on its body 2, about the point of marker 2, in W.
   // After load().
   Vector6d joint_wrench(int joint, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const;
@@ -100,8 +99,7 @@ class Equations {
   void forget();
 
   // y of a state (multipliers given) and back.
-  void pack(const State& state, const Eigen::Ref<const Eigen::VectorXd>& lambda,
-            Eigen::Ref<Eigen::VectorXd> y) const;
+  void pack(const State& state, const Eigen::Ref<const Eigen::VectorXd>& lambda, Eigen::Ref<Eigen::VectorXd> y) const;
   void unpack(const Eigen::Ref<const Eigen::VectorXd>& y, State& state) const;
   // Human name of an entry of y: `body "cabin": w.y`, `joint "hinge": condition 3`.
   std::string entry_name(int index) const;
@@ -116,8 +114,8 @@ class Equations {
   void add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda);
   void add_force_derivatives(int index, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs);
   bool factor_saddle(double t);  // at the loaded kinematics
-  Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi,
-                      Eigen::Ref<Eigen::VectorXd> rate);  // likewise
+  // likewise
+  Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate);
 
   const Model& model_;
   Layout layout_;

@@ -16,8 +16,7 @@ void add_columns(const SparseBlock& block, double* values, const Eigen::Ref<cons
 }
 
 // One column of a matrix as a vector of its stored values.
-Eigen::Map<const Eigen::VectorXd> stored(const Eigen::SparseMatrix<double>& pattern, const double* values,
-                                         int column) {
+Eigen::Map<const Eigen::VectorXd> stored(const Eigen::SparseMatrix<double>& pattern, const double* values, int column) {
   const int begin = pattern.outerIndexPtr()[column], end = pattern.outerIndexPtr()[column + 1];
   return {values + begin, end - begin};
 }
@@ -34,8 +33,7 @@ void Equations::add_body_derivatives(int index, double c, const Inputs& inputs) 
   const std::size_t at = static_cast<std::size_t>(index);
   const BodyKinematics& body = w.kinematics.of(index);
   const int n = body.size();
-  Eigen::Ref<Eigen::MatrixXd> K = w.K.topLeftCorner(n, n), D = w.D.topLeftCorner(n, n),
-                              M = w.M.topLeftCorner(n, n);
+  Eigen::Ref<Eigen::MatrixXd> K = w.K.topLeftCorner(n, n), D = w.D.topLeftCorner(n, n), M = w.M.topLeftCorner(n, n);
   body_derivatives(model_.body(index), body, w.inertia[at], K, D, M);
   if (!inputs.loads.empty()) {  // F_v takes -Q
     K = -K;
@@ -49,8 +47,7 @@ void Equations::add_body_derivatives(int index, double c, const Inputs& inputs) 
   add_columns(w.body_places[at].v_v, w.lower.valuePtr(), D);
 }
 
-void Equations::add_joint_derivatives(int index, double t, double c,
-                                      const Eigen::Ref<const Eigen::VectorXd>& lambda) {
+void Equations::add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda) {
   Workspace& w = *work_;
   const Joint& joint = model_.joint(index);
   const PairPlaces& places = w.joint_places[static_cast<std::size_t>(index)];
@@ -67,8 +64,7 @@ void Equations::add_joint_derivatives(int index, double t, double c,
   K.setZero();
   int local = 0;
   for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-    const int kept =
-        layout_.kept[static_cast<std::size_t>(layout_.joint_row[static_cast<std::size_t>(index)]) + k];
+    const int kept = layout_.kept[static_cast<std::size_t>(layout_.joint_row[static_cast<std::size_t>(index)]) + k];
     if (kept < 0) continue;
     evaluate_row(joint.rows[k], t, vectors, phi_v);
     row_derivatives(joint.rows[k], t, vectors, lambda[kept], rate_dx, acc_dx, acc_dv, K);
@@ -90,14 +86,12 @@ void Equations::add_joint_derivatives(int index, double t, double c,
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) {
       const int ni = pair.body[i]->size(), nj = pair.body[j]->size();
-      if (ni > 0 && nj > 0)
-        add_columns(places.v_v[i][j], stiffness, K.block(pair.offset(i), pair.offset(j), ni, nj));
+      if (ni > 0 && nj > 0) add_columns(places.v_v[i][j], stiffness, K.block(pair.offset(i), pair.offset(j), ni, nj));
     }
   }
 }
 
-void Equations::add_force_derivatives(int index, const Eigen::Ref<const Eigen::VectorXd>& z,
-                                      const Inputs& inputs) {
+void Equations::add_force_derivatives(int index, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs) {
   Workspace& w = *work_;
   const ForceElement& element = model_.force(index);
   const PairPlaces& places = w.force_places[static_cast<std::size_t>(index)];
@@ -105,13 +99,11 @@ void Equations::add_force_derivatives(int index, const Eigen::Ref<const Eigen::V
   ElementDerivatives& d = w.elements[static_cast<std::size_t>(index)];
   double* values = w.lower.valuePtr();
   double* stiffness = w.stiffness.data();
-  for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz})
-    part->setZero();
+  for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) part->setZero();
   if (!element.add_derivatives({pair, z, inputs.voltages}, d)) return;
 
   // F_v takes -Q, F_z takes -g.
-  for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz})
-    *part = -*part;
+  for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) *part = -*part;
   for (int j = 0; j < 2; ++j) {
     const int nj = pair.body[j]->size(), cj = pair.offset(j);
     if (nj == 0) continue;
@@ -130,8 +122,7 @@ void Equations::add_force_derivatives(int index, const Eigen::Ref<const Eigen::V
 }
 
 void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
-                                   const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
-                                   const Inputs& inputs) {
+                                   const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs) {
   Workspace& w = *work_;
   w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size),
                     ydot.segment(layout_.v0(), layout_.v_size));
@@ -142,18 +133,15 @@ void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::Vecto
   for (int place : w.z_z) w.lower.valuePtr()[place] += c;
   for (int i = 0; i < model_.force_count(); ++i)
     add_force_derivatives(
-        i,
-        y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], model_.force(i).state_count()),
+        i, y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], model_.force(i).state_count()),
         inputs);
 }
 
-const Eigen::SparseMatrix<double>& Equations::jacobian_pattern() const {
-  return work_->jacobian;
-}
+const Eigen::SparseMatrix<double>& Equations::jacobian_pattern() const { return work_->jacobian; }
 
 const Eigen::SparseMatrix<double>& Equations::jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
-                                                       const Eigen::Ref<const Eigen::VectorXd>& ydot,
-                                                       double c, const Inputs& inputs) {
+                                                       const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
+                                                       const Inputs& inputs) {
   Workspace& w = *work_;
   gather_derivatives(t, y, ydot, c, inputs);
   double* values = w.jacobian.valuePtr();
@@ -199,14 +187,11 @@ const Eigen::SparseMatrix<double>& Equations::jacobian(double t, const Eigen::Re
   return w.jacobian;
 }
 
-const Eigen::SparseMatrix<double>& Equations::reduced_pattern() const {
-  return work_->reduced;
-}
+const Eigen::SparseMatrix<double>& Equations::reduced_pattern() const { return work_->reduced; }
 
-const Eigen::SparseMatrix<double>& Equations::reduced_jacobian(double t,
-                                                               const Eigen::Ref<const Eigen::VectorXd>& y,
-                                                               const Eigen::Ref<const Eigen::VectorXd>& ydot,
-                                                               double c, const Inputs& inputs) {
+const Eigen::SparseMatrix<double>& Equations::reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
+                                                               const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
+                                                               const Inputs& inputs) {
   Workspace& w = *work_;
   gather_derivatives(t, y, ydot, c, inputs);
   Eigen::Map<Eigen::VectorXd> values(w.reduced.valuePtr(), w.reduced.nonZeros());
@@ -227,8 +212,7 @@ const Eigen::SparseMatrix<double>& Equations::reduced_jacobian(double t,
   return w.reduced;
 }
 
-void Equations::subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx,
-                                   Eigen::Ref<Eigen::VectorXd> out) const {
+void Equations::subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> out) const {
   const Workspace& w = *work_;
   const int* outer = w.lower.outerIndexPtr();
   const int* inner = w.lower.innerIndexPtr();

@@ -12,8 +12,7 @@ Kinematics::Kinematics(const Model& model) : bodies_(static_cast<std::size_t>(mo
 }
 
 void Kinematics::load(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q,
-                      const Eigen::Ref<const Eigen::VectorXd>& v,
-                      const Eigen::Ref<const Eigen::VectorXd>& dv) {
+                      const Eigen::Ref<const Eigen::VectorXd>& v, const Eigen::Ref<const Eigen::VectorXd>& dv) {
   for (std::size_t i = 0; i + 1 < bodies_.size(); ++i) {
     BodyKinematics& body = bodies_[i + 1];
     const int q0 = layout.body_q[i], v0 = layout.body_v[i];
@@ -53,8 +52,7 @@ void for_each_body(const Layout& layout, Visit visit) {
 
 }  // namespace
 
-void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& dx,
-                   Eigen::Ref<Eigen::VectorXd> q) {
+void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> q) {
   for_each_body(layout, [&](int q0, int v0, int s) {
     q.segment<3>(q0) += dx.segment<3>(v0);
     q.segment<4>(q0 + 3) = rotated(q.segment<4>(q0 + 3), dx.segment<3>(v0 + 3));

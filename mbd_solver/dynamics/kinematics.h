@@ -15,9 +15,7 @@ class Kinematics {
   // dv may be empty: then accelerations are zero.
   void load(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q,
             const Eigen::Ref<const Eigen::VectorXd>& v, const Eigen::Ref<const Eigen::VectorXd>& dv);
-  const BodyKinematics& of(int body) const {
-    return bodies_[static_cast<std::size_t>(body + 1)];
-  }  // kGround is -1
+  const BodyKinematics& of(int body) const { return bodies_[static_cast<std::size_t>(body + 1)]; }  // kGround is -1
   PairMotion pair(int body_1, int body_2) const { return {{&of(body_1), &of(body_2)}}; }
 
  private:
@@ -25,8 +23,7 @@ class Kinematics {
 };
 
 // q moved by increments dx = [dr; dtheta; da] per body.
-void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& dx,
-                   Eigen::Ref<Eigen::VectorXd> q);
+void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> q);
 
 // Positions of an implicit step: solves c (q - known) = N(q) v for q, exactly (the quaternion part is linear
 // in L).

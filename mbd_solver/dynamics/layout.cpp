@@ -26,8 +26,7 @@ Layout::Layout(const Model& model, const std::vector<int>& kept_rows) {
 std::vector<int> all_rows_of(const Model& model) {
   std::vector<int> rows;
   for (int i = 0; i < model.joint_count(); ++i) {
-    for (std::size_t k = 0; k < model.joint(i).rows.size(); ++k)
-      rows.push_back(static_cast<int>(rows.size()));
+    for (std::size_t k = 0; k < model.joint(i).rows.size(); ++k) rows.push_back(static_cast<int>(rows.size()));
   }
   return rows;
 }

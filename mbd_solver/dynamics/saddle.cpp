@@ -20,15 +20,11 @@ constexpr double kNoSpeedDrift = 2e-9;  // [m/s or rad/s]
 // by this has started in a singular position.
 constexpr double kDroppedTolerance = 1e-5;
 
-std::string at_time(double t) {
-  return "t = " + std::to_string(t) + " s: ";
-}
+std::string at_time(double t) { return "t = " + std::to_string(t) + " s: "; }
 
 }  // namespace
 
-void Equations::forget() {
-  work_->saddle_lu->forget();
-}
+void Equations::forget() { work_->saddle_lu->forget(); }
 
 bool Equations::factor_saddle(double t) {
   Workspace& w = *work_;
@@ -42,22 +38,21 @@ bool Equations::factor_saddle(double t) {
     for (int k = 0; k < n; ++k) w.saddle_mass[at].add_column(values, k, M.col(k));
   }
   int joint = -1, local = 0;
-  for_each_row(
-      model_, layout_, w.kinematics, t, w.row,
-      [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-        const int kept = layout_.kept[static_cast<std::size_t>(row)];
-        if (kept < 0) return;
-        local = layout_.row_joint[static_cast<std::size_t>(row)] == joint ? local + 1 : 0;
-        joint = layout_.row_joint[static_cast<std::size_t>(row)];
-        const PairPlaces& places = w.saddle_joint[static_cast<std::size_t>(joint)];
-        for (int i = 0; i < 2; ++i) {
-          const int n = pair.body[i]->size();
-          if (n == 0) continue;
-          places.v_extra[i].add_column(values, local, phi_v.segment(pair.offset(i), n));
-          for (int k = 0; k < n; ++k) places.extra_v[i].add(values, local, k, phi_v[pair.offset(i) + k]);
-        }
-        values[w.saddle_diagonal[static_cast<std::size_t>(kept)]] -= w.regularisation[kept];
-      });
+  for_each_row(model_, layout_, w.kinematics, t, w.row,
+               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
+                 if (kept < 0) return;
+                 local = layout_.row_joint[static_cast<std::size_t>(row)] == joint ? local + 1 : 0;
+                 joint = layout_.row_joint[static_cast<std::size_t>(row)];
+                 const PairPlaces& places = w.saddle_joint[static_cast<std::size_t>(joint)];
+                 for (int i = 0; i < 2; ++i) {
+                   const int n = pair.body[i]->size();
+                   if (n == 0) continue;
+                   places.v_extra[i].add_column(values, local, phi_v.segment(pair.offset(i), n));
+                   for (int k = 0; k < n; ++k) places.extra_v[i].add(values, local, k, phi_v[pair.offset(i) + k]);
+                 }
+                 values[w.saddle_diagonal[static_cast<std::size_t>(kept)]] -= w.regularisation[kept];
+               });
   return w.saddle_lu->factor();
 }
 
@@ -88,11 +83,9 @@ void Equations::accelerations(const State& state, const Inputs& inputs, Eigen::R
 
   for (Eigen::Index i = 0; i < w.y.size(); ++i) {
     if (!std::isfinite(w.y[i]) || !std::isfinite(out[i]))
-      throw NumericalError(at_time(state.time) + entry_name(static_cast<int>(i)) +
-                           " or its rate is not finite.");
+      throw NumericalError(at_time(state.time) + entry_name(static_cast<int>(i)) + " or its rate is not finite.");
   }
-  throw NumericalError(at_time(state.time) +
-                       "the equations of motion are singular; does every body have a mass?");
+  throw NumericalError(at_time(state.time) + "the equations of motion are singular; does every body have a mass?");
 }
 
 Equations::Drift Equations::drift(const State& state) {
@@ -101,8 +94,7 @@ Equations::Drift Equations::drift(const State& state) {
   return measure_drift(state.time, w.saddle_x.tail(layout_.row_count), w.phi_rate);
 }
 
-Equations::Drift Equations::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi,
-                                          Eigen::Ref<Eigen::VectorXd> rate) {
+Equations::Drift Equations::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate) {
   Workspace& w = *work_;
   Drift out;
   for_each_row(model_, layout_, w.kinematics, t, w.row,
@@ -189,9 +181,8 @@ Equations::Drift Equations::project(State& state) {
   return result;
 }
 
-void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y,
-                           const Eigen::Ref<const Eigen::VectorXd>& x, double t,
-                           Eigen::Ref<Eigen::VectorXd> out) {
+void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x,
+                           double t, Eigen::Ref<Eigen::VectorXd> out) {
   Workspace& w = *work_;
   w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size), w.empty);
   out = x;
@@ -213,8 +204,7 @@ void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y,
         for (int i = 0; i < 2; ++i) {
           const int n = pair.body[i]->size();
           if (n > 0)
-            sum += phi_v.segment(pair.offset(i), n)
-                       .dot(x.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n));
+            sum += phi_v.segment(pair.offset(i), n).dot(x.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n));
         }
         out[layout_.lambda0() + kept] = sum;
       });

@@ -73,8 +73,6 @@ void SparseLu::solve(Eigen::Ref<Eigen::VectorXd> x) const {
   klu_solve(k.symbolic, k.numeric, static_cast<int>(k.matrix.rows()), 1, x.data(), &k.common);
 }
 
-void SparseLu::forget() {
-  klu_free_numeric(&klu_->numeric, &klu_->common);
-}
+void SparseLu::forget() { klu_free_numeric(&klu_->numeric, &klu_->common); }
 
 }  // namespace footfall

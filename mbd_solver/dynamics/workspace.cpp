@@ -34,8 +34,7 @@ int kept_count(const Layout& layout, const Joint& joint, int joint_index, int& f
   int count = 0;
   first = 0;
   for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-    const int row =
-        layout.kept[static_cast<std::size_t>(layout.joint_row[static_cast<std::size_t>(joint_index)]) + k];
+    const int row = layout.kept[static_cast<std::size_t>(layout.joint_row[static_cast<std::size_t>(joint_index)]) + k];
     if (row < 0) continue;
     if (count == 0) first = row;
     ++count;
@@ -78,8 +77,7 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout) : kine
       const std::array<Range, 2> rows = velocities(layout, kinematics, joint.m1.body, joint.m2.body);
       int first = 0;
       const int count = kept_count(layout, joint, j, first);
-      visit_blocks(rows, {lambda0 + first, count}, true, joint_places[static_cast<std::size_t>(j)],
-                   lower_visit);
+      visit_blocks(rows, {lambda0 + first, count}, true, joint_places[static_cast<std::size_t>(j)], lower_visit);
       visit_blocks(rows, {layout.v_size + first, count}, false, saddle_joint[static_cast<std::size_t>(j)],
                    saddle_visit);
     }

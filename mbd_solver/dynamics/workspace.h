@@ -53,9 +53,8 @@ struct Equations::Workspace {
   std::vector<BodyPlaces> body_places;
   std::vector<PairPlaces> joint_places, force_places;
   std::vector<int> z_z, lambda_lambda;
-  Eigen::SparseMatrix<double>
-      jacobian;  // of the full system: columns of q, then as in `lower` with F_q on top
-  Eigen::SparseMatrix<double> reduced;  // pattern of `lower`
+  Eigen::SparseMatrix<double> jacobian;  // of the full system: columns of q, then as in `lower` with F_q on top
+  Eigen::SparseMatrix<double> reduced;   // pattern of `lower`
 
   // Saddle matrix [M, Phi_v^T; Phi_v, -eps] of accelerations and projections
   Eigen::SparseMatrix<double> saddle;

@@ -25,8 +25,7 @@ class ErrorNorm {
   }
   double operator()(const Eigen::Ref<const Eigen::VectorXd>& x) const {
     if (weight_.size() == 0) return 0.0;
-    return std::sqrt(x.head(weight_.size()).cwiseProduct(weight_).squaredNorm() /
-                     static_cast<double>(weight_.size()));
+    return std::sqrt(x.head(weight_.size()).cwiseProduct(weight_).squaredNorm() / static_cast<double>(weight_.size()));
   }
   // The entry that counts most; not finite counts most of all.
   int worst(const Eigen::Ref<const Eigen::VectorXd>& x) const {

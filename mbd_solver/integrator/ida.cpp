@@ -22,29 +22,22 @@ namespace {
 
 constexpr double kProjectAbove = 1e-9;       // drift [m or rad] that stays in a run that goes on
 constexpr double kProjectSpeedAbove = 5e-9;  // [m/s or rad/s]
-constexpr double kIgnored = 1e30;  // absolute tolerance of multipliers: they carry no error of their own
+constexpr double kIgnored = 1e30;            // absolute tolerance of multipliers: they carry no error of their own
 // Gauss-Legendre with three points, exact to fifth order as IDA is.
 const double kGaussNode[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
 constexpr double kGaussWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
 
-Eigen::Map<const Eigen::VectorXd> view(N_Vector x) {
-  return {N_VGetArrayPointer(x), N_VGetLength(x)};
-}
-Eigen::Map<Eigen::VectorXd> writable(N_Vector x) {
-  return {N_VGetArrayPointer(x), N_VGetLength(x)};
-}
+Eigen::Map<const Eigen::VectorXd> view(N_Vector x) { return {N_VGetArrayPointer(x), N_VGetLength(x)}; }
+Eigen::Map<Eigen::VectorXd> writable(N_Vector x) { return {N_VGetArrayPointer(x), N_VGetLength(x)}; }
 
-bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  return a.size() == b.size() && a == b;
-}
+bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return a.size() == b.size() && a == b; }
 
 bool same(const ExternalLoad& a, const ExternalLoad& b) {
-  if (a.F_W != b.F_W || a.T_B != b.T_B || !same(a.Q_a, b.Q_a) ||
-      a.tangent.has_value() != b.tangent.has_value())
+  if (a.F_W != b.F_W || a.T_B != b.T_B || !same(a.Q_a, b.Q_a) || a.tangent.has_value() != b.tangent.has_value())
     return false;
-  return !a.tangent || (a.tangent->K == b.tangent->K && a.tangent->C == b.tangent->C &&
-                        a.tangent->r_mean == b.tangent->r_mean && a.tangent->L_mean == b.tangent->L_mean &&
-                        a.tangent->v_mean == b.tangent->v_mean);
+  return !a.tangent ||
+         (a.tangent->K == b.tangent->K && a.tangent->C == b.tangent->C && a.tangent->r_mean == b.tangent->r_mean &&
+          a.tangent->L_mean == b.tangent->L_mean && a.tangent->v_mean == b.tangent->v_mean);
 }
 
 bool same(const Inputs& a, const Inputs& b) {
@@ -66,8 +59,8 @@ struct Ida::Sundials {
   void count(IntegratorStatistics& statistics);
 
   static int residual(realtype t, N_Vector y, N_Vector ydot, N_Vector F, void* self);
-  static int jacobian(realtype t, realtype c, N_Vector y, N_Vector ydot, N_Vector F, SUNMatrix J, void* self,
-                      N_Vector, N_Vector, N_Vector);
+  static int jacobian(realtype t, realtype c, N_Vector y, N_Vector ydot, N_Vector F, SUNMatrix J, void* self, N_Vector,
+                      N_Vector, N_Vector);
   static void message(int code, const char* module, const char* function, char* text, void* self);
   template <typename Work>
   int guarded(Work work);
@@ -87,8 +80,7 @@ struct Ida::Sundials {
   EnergySample energy;
   std::exception_ptr fatal;  // from inside a callback
   std::string complaint;
-  long counted[5] = {0, 0, 0, 0,
-                     0};  // steps, residuals, factorizations, rejected, failures: of the present start
+  long counted[5] = {0, 0, 0, 0, 0};  // steps, residuals, factorizations, rejected, failures: of the present start
   long jacobians = 0;
 };
 
@@ -103,8 +95,8 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o) : equations(e)
   const Eigen::SparseMatrix<double>& pattern = equations.jacobian_pattern();
   matrix = SUNSparseMatrix(n, n, pattern.nonZeros(), CSC_MAT, context);
   memory = IDACreate(context);
-  FOOTFALL_DEMAND(y != nullptr && ydot != nullptr && scratch != nullptr && scratch2 != nullptr &&
-                  matrix != nullptr && memory != nullptr);
+  FOOTFALL_DEMAND(y != nullptr && ydot != nullptr && scratch != nullptr && scratch2 != nullptr && matrix != nullptr &&
+                  memory != nullptr);
   std::copy_n(pattern.outerIndexPtr(), n + 1, SUNSparseMatrix_IndexPointers(matrix));
   std::copy_n(pattern.innerIndexPtr(), pattern.nonZeros(), SUNSparseMatrix_IndexValues(matrix));
   solver = SUNLinSol_KLU(y, matrix, context);
@@ -150,8 +142,7 @@ void Ida::Sundials::check(int flag, const char* function) {
   } else {
     // The entry with the largest weighted local error is where it hurts.
     int worst = 0;
-    if (IDAGetEstLocalErrors(memory, scratch) == IDA_SUCCESS &&
-        IDAGetErrWeights(memory, scratch2) == IDA_SUCCESS)
+    if (IDAGetEstLocalErrors(memory, scratch) == IDA_SUCCESS && IDAGetErrWeights(memory, scratch2) == IDA_SUCCESS)
       view(scratch)
           .head(equations.layout().lambda0())
           .cwiseProduct(view(scratch2).head(equations.layout().lambda0()))
@@ -181,18 +172,16 @@ int Ida::Sundials::guarded(Work work) {
 
 int Ida::Sundials::residual(realtype time, N_Vector y, N_Vector ydot, N_Vector F, void* self) {
   Sundials& s = *static_cast<Sundials*>(self);
-  const int flag =
-      s.guarded([&] { s.equations.residual(time, view(y), view(ydot), *s.inputs_now, writable(F)); });
+  const int flag = s.guarded([&] { s.equations.residual(time, view(y), view(ydot), *s.inputs_now, writable(F)); });
   if (flag != 0) return flag;
   return view(F).allFinite() ? 0 : 1;
 }
 
-int Ida::Sundials::jacobian(realtype time, realtype c, N_Vector y, N_Vector ydot, N_Vector, SUNMatrix J,
-                            void* self, N_Vector, N_Vector, N_Vector) {
+int Ida::Sundials::jacobian(realtype time, realtype c, N_Vector y, N_Vector ydot, N_Vector, SUNMatrix J, void* self,
+                            N_Vector, N_Vector, N_Vector) {
   Sundials& s = *static_cast<Sundials*>(self);
   return s.guarded([&] {
-    const Eigen::SparseMatrix<double>& values =
-        s.equations.jacobian(time, view(y), view(ydot), c, *s.inputs_now);
+    const Eigen::SparseMatrix<double>& values = s.equations.jacobian(time, view(y), view(ydot), c, *s.inputs_now);
     // The matrix is zeroed before each call, pattern included.
     std::copy_n(values.outerIndexPtr(), values.cols() + 1, SUNSparseMatrix_IndexPointers(J));
     std::copy_n(values.innerIndexPtr(), values.nonZeros(), SUNSparseMatrix_IndexValues(J));
@@ -250,15 +239,12 @@ Ida::Ida(Equations& equations, const IntegratorOptions& options)
 
 Ida::~Ida() = default;
 
-const Eigen::VectorXd& Ida::end_rates() const {
-  return ida_->rates;
-}
+const Eigen::VectorXd& Ida::end_rates() const { return ida_->rates; }
 
 void Ida::forget() {
   ida_->state_last = {};
   ida_->equations.forget();
-  ida_->check(SUNLinSol_KLUReInit(ida_->solver, ida_->matrix, SUNSparseMatrix_NNZ(ida_->matrix),
-                                  SUNKLU_REINIT_PARTIAL),
+  ida_->check(SUNLinSol_KLUReInit(ida_->solver, ida_->matrix, SUNSparseMatrix_NNZ(ida_->matrix), SUNKLU_REINIT_PARTIAL),
               "SUNLinSol_KLUReInit");
 }
 
@@ -268,8 +254,7 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs) {
   FOOTFALL_DEMAND(t_end > state.time);
   s.inputs_now = &inputs;
   const bool goes_on = state.time == s.state_last.time && same(state.q, s.state_last.q) &&
-                       same(state.v, s.state_last.v) && same(state.z, s.state_last.z) &&
-                       same(inputs, s.inputs_last);
+                       same(state.v, s.state_last.v) && same(state.z, s.state_last.z) && same(inputs, s.inputs_last);
   if (!goes_on) s.restart(state, inputs, statistics_);
   s.check(IDASetStopTime(s.memory, t_end), "IDASetStopTime");
   while (s.t < t_end) s.step(t_end, inputs, state);

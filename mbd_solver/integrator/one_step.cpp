@@ -18,11 +18,10 @@ const double kNode = 2.0 * kGamma;  // time of the middle stage
 const double kError[3] = {kW - (1.0 - kW) / 3.0, kW - (3.0 * kW + 1.0) / 3.0, 2.0 * kGamma / 3.0};
 
 constexpr int kMostIterations = 10;
-constexpr double kNewtonTolerance =
-    0.01;                      // of the error tolerance: Newton must not be seen by the error estimate
-constexpr double kSlow = 0.2;  // convergence rate above which the Jacobian is renewed before the next step
-// A rate that was measured once says less and less about a Jacobian that grows old: without this, stages that end after one iteration would
-// never measure it again (as in RADAU5 of Hairer and Wanner).
+constexpr double kNewtonTolerance = 0.01;  // of the error tolerance: Newton must not be seen by the error estimate
+constexpr double kSlow = 0.2;              // convergence rate above which the Jacobian is renewed before the next step
+// A rate that was measured once says less and less about a Jacobian that grows old: without this, stages that end after
+// one iteration would never measure it again (as in RADAU5 of Hairer and Wanner).
 constexpr double kForgetting = 0.8;
 constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
 
@@ -71,7 +70,8 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs) {
       accept(t, step, inputs, state);
       t = steps > 1.0 ? t + step : t_end;
       // Without error control only Newton shortens steps: they grow again.
-      h = step * (options_.error_control ? std::clamp(kSafety / std::cbrt(std::max(error_, 1e-12)), kLeast, kMost) : 2.0);
+      h = step *
+          (options_.error_control ? std::clamp(kSafety / std::cbrt(std::max(error_, 1e-12)), kLeast, kMost) : 2.0);
       if (options_.max_step > 0.0) h = std::min(h, options_.max_step);
       continue;
     }
@@ -168,8 +168,7 @@ bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
     Ydot_.head(m) = c * (Y - known_).head(m);
     try {
       equations_.residual(t, Y, Ydot_, inputs, F_);
-    } catch (
-        const NumericalError& error) {  // a law without a value there: a smaller step may stay clear of it
+    } catch (const NumericalError& error) {  // a law without a value there: a smaller step may stay clear of it
       complaint_ = error.what();
       return false;
     }

@@ -25,12 +25,10 @@ const Eigen::Matrix3d& checked(const std::string& name, double mass, const Eigen
   const Eigen::Vector3d principal =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(principal[0] > 0.0))
-    throw InputError(where + "smallest principal inertia is " + text(principal[0]) +
-                     " kg m2; it must be positive.");
+    throw InputError(where + "smallest principal inertia is " + text(principal[0]) + " kg m2; it must be positive.");
   if (principal[0] + principal[1] < principal[2] * (1.0 - 1e-9))
-    throw InputError(where + "no solid has principal inertias " + text(principal[0]) + ", " +
-                     text(principal[1]) + ", " + text(principal[2]) +
-                     " kg m2: the two smaller ones must add up to at least the largest.");
+    throw InputError(where + "no solid has principal inertias " + text(principal[0]) + ", " + text(principal[1]) +
+                     ", " + text(principal[2]) + " kg m2: the two smaller ones must add up to at least the largest.");
   return inertia;
 }
 

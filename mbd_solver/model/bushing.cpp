@@ -45,10 +45,7 @@ void add_angular_jacobian(const PairMotion& pair, int slot, const Marker& marker
 }  // namespace
 
 Bushing::Bushing(std::string name, Marker m1, Marker m2, const Parameters& parameters)
-    : ForceElement(std::move(name), m1.body, m2.body),
-      m1_(std::move(m1)),
-      m2_(std::move(m2)),
-      parameters_(parameters) {
+    : ForceElement(std::move(name), m1.body, m2.body), m1_(std::move(m1)), m2_(std::move(m2)), parameters_(parameters) {
   const Eigen::Vector3d& k = parameters_.rotational_stiffness;
   if (!(parameters_.stiffness >= 0.0 && parameters_.damping >= 0.0 && parameters_.rotational_damping >= 0.0 &&
         k.minCoeff() >= 0.0))
@@ -59,8 +56,7 @@ Bushing::Bushing(std::string name, Marker m1, Marker m2, const Parameters& param
   X_rate_.resize(3, n);
 }
 
-void Bushing::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
-                        Eigen::Ref<Eigen::VectorXd>) const {
+void Bushing::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const {
   if (parameters_.stiffness > 0.0 || parameters_.damping > 0.0) {
     const KinematicVector d = KinematicVector::difference(in.pair, m1_, m2_);
     d.add_transposed(-parameters_.stiffness * d.value() - parameters_.damping * d.rate(), Q);
@@ -73,8 +69,8 @@ void Bushing::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
     e2.add_transposed(0.5 * axis_weight_[i] * e1.value(), Q);
   }
   if (parameters_.rotational_damping > 0.0) {
-    const Eigen::Vector3d T = -parameters_.rotational_damping * (angular_velocity(*in.pair.body[1], m2_) -
-                                                                 angular_velocity(*in.pair.body[0], m1_));
+    const Eigen::Vector3d T = -parameters_.rotational_damping *
+                              (angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_));
     add_torque(in.pair, 1, m2_, T, Q);
     add_torque(in.pair, 0, m1_, -T, Q);
   }
@@ -116,8 +112,7 @@ bool Bushing::add_derivatives(const ElementInput& in, ElementDerivatives& out) c
     out.dQ_dx.noalias() -= c * X.transpose().lazyProduct(rate);
     out.dQ_dv.noalias() -= c * X.transpose().lazyProduct(X);
     // W^T at fixed T: d(Psi^T A^T T)/dtheta = Psi^T A^T T~
-    const Eigen::Vector3d T =
-        -c * (angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_));
+    const Eigen::Vector3d T = -c * (angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_));
     for (int slot = 0; slot < 2; ++slot) {
       const BodyKinematics& body = *in.pair.body[slot];
       const Eigen::Vector3d torque = slot == 1 ? T : Eigen::Vector3d(-T);
@@ -140,8 +135,7 @@ void Bushing::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipate
     const KinematicVector e2 = KinematicVector::axis(in.pair, 1, m2_, i);
     stored.strain += 0.5 * axis_weight_[i] * (1.0 - e1.value().dot(e2.value()));
   }
-  const Eigen::Vector3d relative =
-      angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_);
+  const Eigen::Vector3d relative = angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_);
   power[Dissipation::kDamper] += parameters_.rotational_damping * relative.squaredNorm();
 }
 

@@ -36,9 +36,7 @@ class ForceElement {
   const std::array<int, 2>& bodies() const { return bodies_; }  // body indices or kGround
 
   virtual int state_count() const { return 0; }
-  virtual int voltage_count() const {
-    return 0;
-  }  // ElementInput::voltages must have at least so many entries
+  virtual int voltage_count() const { return 0; }  // ElementInput::voltages must have at least so many entries
   virtual Eigen::VectorXd initial_state() const { return {}; }
   // Q += generalized force (n); dz = rate of the inner states (m, overwritten).
   virtual void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,

@@ -27,8 +27,8 @@ KinematicVector KinematicVector::difference(const PairMotion& pair, const Marker
   return out;
 }
 
-void KinematicVector::add_term(const PairMotion& pair, int slot, double sign, bool point,
-                               const Eigen::Vector3d& u0, const Eigen::Matrix3Xd& U) {
+void KinematicVector::add_term(const PairMotion& pair, int slot, double sign, bool point, const Eigen::Vector3d& u0,
+                               const Eigen::Matrix3Xd& U) {
   const BodyKinematics& b = *pair.body[slot];
   if (b.ground) {
     value_ += sign * u0;
@@ -151,10 +151,8 @@ void KinematicVector::add_product(const Eigen::Matrix3d& C, const KinematicVecto
         for (int k = 0; k < 3; ++k) {
           const Eigen::Vector3d local_r = t.body->A.transpose() * D.col(k);
           const Eigen::Vector3d local_theta = -(t.body->A.transpose() * (D * back.col(k)));
-          if (o.point)
-            K.block(t.offset + 6, o.offset + k, t.body->modes, 1).noalias() += t.U->transpose() * local_r;
-          K.block(t.offset + 6, o.offset + 3 + k, t.body->modes, 1).noalias() +=
-              t.U->transpose() * local_theta;
+          if (o.point) K.block(t.offset + 6, o.offset + k, t.body->modes, 1).noalias() += t.U->transpose() * local_r;
+          K.block(t.offset + 6, o.offset + 3 + k, t.body->modes, 1).noalias() += t.U->transpose() * local_theta;
         }
       }
     }

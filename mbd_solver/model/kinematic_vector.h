@@ -35,7 +35,7 @@ class KinematicVector {
 
   const Eigen::Vector3d& value() const { return value_; }  // alpha
   const Eigen::Vector3d& rate() const { return rate_; }    // alpha'
-  const Eigen::Vector3d& acc() const { return acc_; }  // alpha'' with the accelerations of the BodyKinematics
+  const Eigen::Vector3d& acc() const { return acc_; }      // alpha'' with the accelerations of the BodyKinematics
 
   // out += X^T f
   void add_transposed(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const;
@@ -46,8 +46,7 @@ class KinematicVector {
   // out += (d alpha'' / dv)^T f  (at fixed x, dv)
   void add_acc_by_velocity(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const;
   // K += X^T C X_other
-  void add_product(const Eigen::Matrix3d& C, const KinematicVector& other,
-                   Eigen::Ref<Eigen::MatrixXd> K) const;
+  void add_product(const Eigen::Matrix3d& C, const KinematicVector& other, Eigen::Ref<Eigen::MatrixXd> K) const;
   // out += X;  out += d alpha' / dx  (3 x n each), for laws that are easier to write with matrices
   void add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> out) const;
   void add_rate_jacobian(Eigen::Ref<Eigen::Matrix3Xd> out) const;

@@ -26,8 +26,7 @@ Marker body_marker(int index, const Body& body, const Eigen::Vector3d& p_B,
                    const Eigen::Matrix3d& axes_B = Eigen::Matrix3d::Identity());
 
 // At `offset` from node `node` of a flexible body, in B. Throws InputError when the body has no such node.
-Marker node_marker(int index, const Body& body, int node,
-                   const Eigen::Vector3d& offset_B = Eigen::Vector3d::Zero(),
+Marker node_marker(int index, const Body& body, int node, const Eigen::Vector3d& offset_B = Eigen::Vector3d::Zero(),
                    const Eigen::Matrix3d& axes_B = Eigen::Matrix3d::Identity());
 
 }  // namespace footfall

@@ -26,9 +26,7 @@ MassProperties along_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to
 }
 
 // Inertia of a mass concentrated at x, about the origin.
-Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& x) {
-  return -mass * skew(x) * skew(x);
-}
+Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& x) { return -mass * skew(x) * skew(x); }
 
 }  // namespace
 
@@ -38,13 +36,13 @@ MassProperties box_properties(const Eigen::Vector3d& size, double density) {
   MassProperties out;
   out.mass = density * size.prod();
   const Eigen::Vector3d s2 = size.cwiseAbs2();
-  out.inertia = (out.mass / 12.0) *
-                Eigen::Vector3d(s2[1] + s2[2], s2[2] + s2[0], s2[0] + s2[1]).asDiagonal().toDenseMatrix();
+  out.inertia =
+      (out.mass / 12.0) * Eigen::Vector3d(s2[1] + s2[2], s2[2] + s2[0], s2[0] + s2[1]).asDiagonal().toDenseMatrix();
   return out;
 }
 
-MassProperties tube_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter,
-                               double wall, double density) {
+MassProperties tube_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double wall,
+                               double density) {
   const double length = (to - from).norm();
   demand_positive(length, "length of a tube [m]");
   demand_positive(diameter, "diameter of a tube [m]");
@@ -59,8 +57,7 @@ MassProperties tube_properties(const Eigen::Vector3d& from, const Eigen::Vector3
   return along_line(from, to, mass, 0.5 * mass * r2, mass * (3.0 * r2 + length * length) / 12.0);
 }
 
-MassProperties rod_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter,
-                              double density) {
+MassProperties rod_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double density) {
   return tube_properties(from, to, diameter, 0.5 * diameter, density);
 }
 

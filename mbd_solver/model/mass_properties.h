@@ -14,10 +14,9 @@ struct MassProperties {
 // All throw InputError when a dimension or the density is not positive (or a wall thicker than the radius).
 MassProperties box_properties(const Eigen::Vector3d& size, double density);  // centred at the origin
 // Between two end points, both in drawing axes; outer diameter, wall thickness [m].
-MassProperties tube_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter,
-                               double wall, double density);
-MassProperties rod_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter,
-                              double density);
+MassProperties tube_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double wall,
+                               double density);
+MassProperties rod_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double density);
 // Flat round plate, centred at the origin, axis z.
 MassProperties disc_properties(double radius, double thickness, double density);
 MassProperties sphere_properties(double radius, double density);

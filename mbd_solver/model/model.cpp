@@ -26,8 +26,8 @@ int Model::add_body(Body body, const BodyState& initial) {
   if (state.a.size() == 0) state.a = Eigen::VectorXd::Zero(s);
   if (state.da.size() == 0) state.da = Eigen::VectorXd::Zero(s);
   FOOTFALL_DEMAND(state.a.size() == s && state.da.size() == s);
-  const bool finite = state.r.allFinite() && state.L.allFinite() && state.dr.allFinite() &&
-                      state.w.allFinite() && state.a.allFinite() && state.da.allFinite();
+  const bool finite = state.r.allFinite() && state.L.allFinite() && state.dr.allFinite() && state.w.allFinite() &&
+                      state.a.allFinite() && state.da.allFinite();
   if (!finite || !(state.L.norm() > 0.0))
     throw InputError("body \"" + body.name() + "\": its initial state is not finite.");
   state.L.normalize();
@@ -38,8 +38,7 @@ int Model::add_body(Body body, const BodyState& initial) {
 
 int Model::add_joint(Joint joint) {
   for (const Joint& other : joints_) {
-    if (other.name == joint.name)
-      throw InputError("joint \"" + joint.name + "\": there are two joints of this name.");
+    if (other.name == joint.name) throw InputError("joint \"" + joint.name + "\": there are two joints of this name.");
   }
   demand_known_body("joint \"" + joint.name + "\"", joint.m1.body, body_count());
   demand_known_body("joint \"" + joint.name + "\"", joint.m2.body, body_count());

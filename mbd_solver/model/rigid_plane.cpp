@@ -27,8 +27,7 @@ double restitution_defect(double u, double e) {
 }  // namespace
 
 double contact_damping_for_restitution(double e, double impact_speed) {
-  if (!(e > 0.0 && e <= 1.0))
-    throw InputError("restitution is " + std::to_string(e) + "; it must be in (0, 1].");
+  if (!(e > 0.0 && e <= 1.0)) throw InputError("restitution is " + std::to_string(e) + "; it must be in (0, 1].");
   if (!(impact_speed > 0.0)) throw InputError("the impact speed of a restitution must be positive.");
   if (e == 1.0) return 0.0;
   // The defect rises from 0 like (1 - e^2) u^2 / 2 and falls to minus infinity: bracket the zero, then halve.
@@ -70,8 +69,7 @@ RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const
   parameters_.normal.normalize();
   for (const ContactPoint& point : points_) {
     FOOTFALL_DEMAND(point.marker.body == bodies()[0] && point.marker.body != kGround);
-    if (!(point.radius >= 0.0))
-      throw InputError(where + "the radius of a contact point must not be negative.");
+    if (!(point.radius >= 0.0)) throw InputError(where + "the radius of a contact point must not be negative.");
     reach_ = std::max(reach_, point.marker.s0.norm() + point.radius);
     flexible_reach_ = std::max(flexible_reach_, point.marker.S.norm());
   }
@@ -91,8 +89,7 @@ bool RigidPlane::contact(const ElementInput& in, const ContactPoint& point, Cont
   out.overlap = point.radius - n.dot(out.p.value() - parameters_.point);
   if (out.overlap <= 0.0) return false;
   out.radius = point.radius;
-  const Eigen::Vector3d velocity =
-      out.p.rate() + point.radius * n.cross(in.pair.body[0]->w);  // w x (-radius n)
+  const Eigen::Vector3d velocity = out.p.rate() + point.radius * n.cross(in.pair.body[0]->w);  // w x (-radius n)
   out.closing = -n.dot(velocity);
   out.slip = velocity + out.closing * n;
 
@@ -102,14 +99,12 @@ bool RigidPlane::contact(const ElementInput& in, const ContactPoint& point, Cont
   out.normal_force = out.elastic * g.value;
   out.by_overlap = 1.5 * parameters_.stiffness * root * g.value;
   out.by_closing = out.elastic * parameters_.damping * g.slope;
-  out.inverse_speed =
-      1.0 / std::sqrt(out.slip.squaredNorm() + parameters_.slip_speed * parameters_.slip_speed);
+  out.inverse_speed = 1.0 / std::sqrt(out.slip.squaredNorm() + parameters_.slip_speed * parameters_.slip_speed);
   out.force = out.normal_force * (n - parameters_.friction * out.inverse_speed * out.slip);
   return true;
 }
 
-void RigidPlane::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
-                           Eigen::Ref<Eigen::VectorXd>) const {
+void RigidPlane::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const {
   if (far(*in.pair.body[0])) return;
   Contact at;
   for (const ContactPoint& point : points_) {
@@ -135,8 +130,7 @@ bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out
     const Eigen::Matrix3d slip_by_u =
         at.inverse_speed * tangent -
         (at.inverse_speed * at.inverse_speed * at.inverse_speed) * at.slip * at.slip.transpose();
-    const Eigen::Matrix3d by_u =
-        -at.by_closing * direction * n.transpose() - (mu * at.normal_force) * slip_by_u;
+    const Eigen::Matrix3d by_u = -at.by_closing * direction * n.transpose() - (mu * at.normal_force) * slip_by_u;
     const Eigen::Matrix3d by_p = -at.by_overlap * direction * n.transpose();
 
     X_.setZero();
@@ -163,8 +157,7 @@ void RigidPlane::add_energy(const ElementInput& in, StoredEnergy& stored, Dissip
     if (!contact(in, point, at)) continue;
     stored.contact += 0.4 * at.elastic * at.overlap;
     power[Dissipation::kContact] += (at.normal_force - at.elastic) * at.closing;
-    power[Dissipation::kFriction] +=
-        parameters_.friction * at.normal_force * at.inverse_speed * at.slip.squaredNorm();
+    power[Dissipation::kFriction] += parameters_.friction * at.normal_force * at.inverse_speed * at.slip.squaredNorm();
   }
 }
 

@@ -30,13 +30,12 @@ class RigidPlane : public ForceElement {
     double stiffness = 0.0;                             // k of each point [N/m^1.5] > 0
     double damping = 0.0;                               // d [s/m] >= 0
     double friction = 0.0;                              // mu >= 0
-    double slip_speed = 1e-3;  // v_s [m/s] > 0: friction reaches 71 % of mu f_n at this speed
+    double slip_speed = 1e-3;                           // v_s [m/s] > 0: friction reaches 71 % of mu f_n at this speed
   };
   // All points on one body, at least one. Throws InputError on values outside their range.
   RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters);
 
-  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
-                 Eigen::Ref<Eigen::VectorXd> dz) const override;
+  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
 
@@ -51,8 +50,8 @@ class RigidPlane : public ForceElement {
 
   std::vector<ContactPoint> points_;
   Parameters parameters_;
-  double reach_ = 0.0;           // radius about Bo that holds all undeformed spheres [m]
-  double flexible_reach_ = 0.0;  // largest |S| of a point: reach grows by this times |a| [m per unit of a]
+  double reach_ = 0.0;                 // radius about Bo that holds all undeformed spheres [m]
+  double flexible_reach_ = 0.0;        // largest |S| of a point: reach grows by this times |a| [m per unit of a]
   mutable Eigen::Matrix3Xd X_, by_x_;  // scratch, 3 x n
 };
 

@@ -37,7 +37,6 @@ Eigen::Vector4d rotated(const Eigen::Vector4d& L, const Eigen::Vector3d& dtheta)
 
 // Right-handed axes (columns x, y, z) whose z is `z` and whose x is as near as possible to `x_hint` (any axis
 // when parallel).
-Eigen::Matrix3d axes_with_z(const Eigen::Vector3d& z,
-                            const Eigen::Vector3d& x_hint = Eigen::Vector3d::UnitX());
+Eigen::Matrix3d axes_with_z(const Eigen::Vector3d& z, const Eigen::Vector3d& x_hint = Eigen::Vector3d::UnitX());
 
 }  // namespace footfall

@@ -30,8 +30,7 @@ Strut::Strut(std::string name, Marker m1, Marker m2, std::vector<std::unique_ptr
 Eigen::VectorXd Strut::initial_state() const {
   Eigen::VectorXd z(states_);
   for (std::size_t i = 0; i < laws_.size(); ++i) {
-    if (laws_[i]->state_count() > 0)
-      z.segment(first_state_[i], laws_[i]->state_count()) = laws_[i]->initial_state();
+    if (laws_[i]->state_count() > 0) z.segment(first_state_[i], laws_[i]->state_count()) = laws_[i]->initial_state();
   }
   return z;
 }
@@ -61,8 +60,7 @@ const StrutOutput& Strut::evaluate(const ElementInput& in, const Line& line, std
   return out_[law];
 }
 
-void Strut::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
-                      Eigen::Ref<Eigen::VectorXd> dz) const {
+void Strut::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const {
   const Line at = line(in.pair);
   double force = 0.0;
   for (std::size_t i = 0; i < laws_.size(); ++i) {
@@ -98,8 +96,7 @@ bool Strut::add_derivatives(const ElementInput& in, ElementDerivatives& out) con
       out.dQ_dz.col(row) += law.dforce_dz[j] * length_x;
       out.ddz_dx.row(row) -= (law.ddz_dstroke[j] * length_x + law.ddz_drate[j] * rate_x).transpose();
       out.ddz_dv.row(row) -= law.ddz_drate[j] * length_x.transpose();
-      for (int k = 0; k < laws_[i]->state_count(); ++k)
-        out.ddz_dz(row, first_state_[i] + k) += law.ddz_dz(j, k);
+      for (int k = 0; k < laws_[i]->state_count(); ++k) out.ddz_dz(row, first_state_[i] + k) += law.ddz_dz(j, k);
     }
   }
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -116,8 +113,7 @@ void Strut::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated&
   power_.clear();
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const StrutInput law = law_input(in, at, i);
-    (laws_[i]->stored_kind() == EnergyKind::kGas ? stored.gas : stored.strain) +=
-        laws_[i]->stored_energy(law);
+    (laws_[i]->stored_kind() == EnergyKind::kGas ? stored.gas : stored.strain) += laws_[i]->stored_energy(law);
     laws_[i]->dissipated_power(law, power_);
   }
   for (const StrutPower& p : power_) power[dissipation_of(p.kind)] += p.power;

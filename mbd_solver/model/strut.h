@@ -23,14 +23,13 @@ class Strut : public ForceElement {
   // undeformed_length [m] > 0: length at zero stroke. voltage_index: which controlled voltage drives it, or
   // -1 (then U = 0). Throws InputError when the length is not positive. Not to be evaluated from two threads
   // at once (it owns scratch).
-  Strut(std::string name, Marker m1, Marker m2, std::vector<std::unique_ptr<StrutLaw>> laws,
-        double undeformed_length, int voltage_index = -1);
+  Strut(std::string name, Marker m1, Marker m2, std::vector<std::unique_ptr<StrutLaw>> laws, double undeformed_length,
+        int voltage_index = -1);
 
   int state_count() const override { return states_; }
   int voltage_count() const override { return voltage_index_ + 1; }
   Eigen::VectorXd initial_state() const override;
-  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
-                 Eigen::Ref<Eigen::VectorXd> dz) const override;
+  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
 
@@ -47,8 +46,8 @@ class Strut : public ForceElement {
   };
   Line line(const PairMotion& pair) const;  // throws NumericalError when the two points coincide
   StrutInput law_input(const ElementInput& in, const Line& line, std::size_t law) const;
-  const StrutOutput& evaluate(const ElementInput& in, const Line& line,
-                              std::size_t law) const;  // puts the strut's name on errors
+  // puts the strut's name on errors
+  const StrutOutput& evaluate(const ElementInput& in, const Line& line, std::size_t law) const;
 
   Marker m1_, m2_;
   std::vector<std::unique_ptr<StrutLaw>> laws_;

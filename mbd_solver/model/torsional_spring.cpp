@@ -26,15 +26,13 @@ struct Angle {
 };
 
 // out += d(a.b)/dx = d(a.b)'/dv
-void add_dot(const KinematicVector& a, const KinematicVector& b, double factor,
-             Eigen::Ref<Eigen::VectorXd> out) {
+void add_dot(const KinematicVector& a, const KinematicVector& b, double factor, Eigen::Ref<Eigen::VectorXd> out) {
   a.add_transposed(factor * b.value(), out);
   b.add_transposed(factor * a.value(), out);
 }
 
 // out += d(a.b)'/dx
-void add_dot_rate(const KinematicVector& a, const KinematicVector& b, double factor,
-                  Eigen::Ref<Eigen::VectorXd> out) {
+void add_dot_rate(const KinematicVector& a, const KinematicVector& b, double factor, Eigen::Ref<Eigen::VectorXd> out) {
   a.add_rate_by_position(factor * b.value(), out);
   b.add_rate_by_position(factor * a.value(), out);
   a.add_transposed(factor * b.rate(), out);
@@ -42,8 +40,7 @@ void add_dot_rate(const KinematicVector& a, const KinematicVector& b, double fac
 }
 
 // K += d2(a.b)/dx2
-void add_dot_second(const KinematicVector& a, const KinematicVector& b, double factor,
-                    Eigen::Ref<Eigen::MatrixXd> K) {
+void add_dot_second(const KinematicVector& a, const KinematicVector& b, double factor, Eigen::Ref<Eigen::MatrixXd> K) {
   a.add_second(factor * b.value(), K);
   b.add_second(factor * a.value(), K);
   const Eigen::Matrix3d scaled = factor * Eigen::Matrix3d::Identity();
@@ -54,10 +51,7 @@ void add_dot_second(const KinematicVector& a, const KinematicVector& b, double f
 }  // namespace
 
 TorsionalSpring::TorsionalSpring(std::string name, Marker m1, Marker m2, const Parameters& parameters)
-    : ForceElement(std::move(name), m1.body, m2.body),
-      m1_(std::move(m1)),
-      m2_(std::move(m2)),
-      parameters_(parameters) {
+    : ForceElement(std::move(name), m1.body, m2.body), m1_(std::move(m1)), m2_(std::move(m2)), parameters_(parameters) {
   if (!(parameters_.stiffness >= 0.0 && parameters_.damping >= 0.0))
     throw InputError("spring \"" + this->name() + "\": stiffness and damping must not be negative.");
   const Eigen::Index n = 12 + m1_.S.cols() + m2_.S.cols();
@@ -70,8 +64,7 @@ void TorsionalSpring::add_force(const ElementInput& in, Eigen::Ref<Eigen::Vector
                                 Eigen::Ref<Eigen::VectorXd>) const {
   // Q = T dphi/dx,  dphi = (c ds - s dc) / rho
   const Angle at(in.pair, m1_, m2_);
-  const double T =
-      -parameters_.stiffness * (at.phi() - parameters_.free_angle) - parameters_.damping * at.rate();
+  const double T = -parameters_.stiffness * (at.phi() - parameters_.free_angle) - parameters_.damping * at.rate();
   add_dot(at.y1, at.x2, T * at.c / at.rho, Q);
   add_dot(at.x1, at.x2, -T * at.s / at.rho, Q);
 }
@@ -92,8 +85,7 @@ bool TorsionalSpring::add_derivatives(const ElementInput& in, ElementDerivatives
   row.setZero();
   add_dot_rate(at.y1, at.x2, at.c / at.rho, row);
   add_dot_rate(at.x1, at.x2, -at.s / at.rho, row);
-  row +=
-      (at.ds / at.rho - 2.0 * at.c * rate / at.rho) * C - (at.dc / at.rho + 2.0 * at.s * rate / at.rho) * S;
+  row += (at.ds / at.rho - 2.0 * at.c * rate / at.rho) * C - (at.dc / at.rho + 2.0 * at.s * rate / at.rho) * S;
   row *= -d;
   row += (-k * at.c / at.rho) * S + (k * at.s / at.rho) * C;
   for (Eigen::Index j = 0; j < n; ++j) {

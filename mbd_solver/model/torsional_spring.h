@@ -16,8 +16,7 @@ class TorsionalSpring : public ForceElement {
   };
   TorsionalSpring(std::string name, Marker m1, Marker m2, const Parameters& parameters);
 
-  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
-                 Eigen::Ref<Eigen::VectorXd> dz) const override;
+  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
   // phi [rad], phi' [rad/s], T [N m].

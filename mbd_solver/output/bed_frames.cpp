@@ -42,7 +42,8 @@ Columns read_text(std::ifstream& file, const std::string& path) {
     }
     for (const std::string& name : names) {
       double value = 0.0;
-      if (!(words >> value)) throw InputError(path + ": \"" + line + "\": expected a number for each column of ITEM: ATOMS");
+      if (!(words >> value))
+        throw InputError(path + ": \"" + line + "\": expected a number for each column of ITEM: ATOMS");
       columns.of[name].push_back(value);
     }
   }
@@ -67,7 +68,8 @@ Columns read_vtk(std::ifstream& file, const std::string& path) {
     std::string name, type;
     long components = 0, n = 0;
     if (!(words >> name)) continue;
-    if (name == "BINARY") throw InputError(path + ": is a binary VTK file; expected the ASCII one that dump custom/vtk writes");
+    if (name == "BINARY")
+      throw InputError(path + ": is a binary VTK file; expected the ASCII one that dump custom/vtk writes");
     if (name == "POINTS" && words >> n) {
       numbers({"x", "y", "z"}, n);
     } else if (name == "FIELD") {
@@ -116,7 +118,7 @@ BedFrame read_bed_frame(const std::string& path) {
   std::string prefix;
   parts_of(path, prefix, frame.step);
   const auto matrix = [&](const char* a, const char* b, const char* c) {
-    const std::vector<double>*const rows[3] = {&columns.get(path, a), &columns.get(path, b), &columns.get(path, c)};
+    const std::vector<double>* const rows[3] = {&columns.get(path, a), &columns.get(path, b), &columns.get(path, c)};
     Eigen::Matrix3Xd m(3, static_cast<Eigen::Index>(id.size()));
     for (int k = 0; k < 3; ++k) {
       if (rows[k]->size() != id.size()) throw InputError(path + ": its columns are of different lengths");

@@ -1,5 +1,6 @@
 #pragma once
-// Beds of grains as LIGGGHTS dumped them, one file per moment: PREFIX_STEP.vtk (dump custom/vtk, ASCII) or PREFIX_STEP.txt (dump custom).
+// Beds of grains as LIGGGHTS dumped them, one file per moment: PREFIX_STEP.vtk (dump custom/vtk, ASCII) or
+// PREFIX_STEP.txt (dump custom).
 
 #include <Eigen/Dense>
 #include <map>
@@ -10,16 +11,17 @@ namespace footfall {
 
 struct BedFrame {
   long step = 0;
-  std::vector<int> id;             // rising
-  Eigen::Matrix3Xd x, v;           // of the grains, in this order [m], [m/s]; v is empty when it was not dumped
-  std::vector<double> radius;      // [m]
+  std::vector<int> id;         // rising
+  Eigen::Matrix3Xd x, v;       // of the grains, in this order [m], [m/s]; v is empty when it was not dumped
+  std::vector<double> radius;  // [m]
   int count() const { return static_cast<int>(id.size()); }
 };
 
 // Reads one dump; it must hold id, x y z and radius. Throws InputError naming the file.
 BedFrame read_bed_frame(const std::string& path);
 
-// The dumps of grains in a folder, by step: those whose file can be read as a bed; of several prefixes the one with most steps.
+// The dumps of grains in a folder, by step: those whose file can be read as a bed; of several prefixes the one with
+// most steps.
 std::map<long, std::string> find_bed_frames(const std::string& folder);
 
 }  // namespace footfall

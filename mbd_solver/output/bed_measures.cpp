@@ -10,7 +10,8 @@
 namespace footfall {
 namespace {
 
-// Grains by cells of a grid whose edge is at least `reach`: all grains within `reach` of a point are in the 27 cells around it.
+// Grains by cells of a grid whose edge is at least `reach`: all grains within `reach` of a point are in the 27 cells
+// around it.
 class Cells {
  public:
   Cells(const BedFrame& bed, double reach) : edge_(reach) {
@@ -33,14 +34,19 @@ class Cells {
     return ((c[0] + 0x80000) << 40) + ((c[1] + 0x80000) << 20) + (c[2] + 0x80000);
   }
   std::array<long, 3> cell(const Eigen::Vector3d& x) const {
-    return {std::lround(std::floor(x.x() / edge_)), std::lround(std::floor(x.y() / edge_)), std::lround(std::floor(x.z() / edge_))};
+    return {std::lround(std::floor(x.x() / edge_)), std::lround(std::floor(x.y() / edge_)),
+            std::lround(std::floor(x.z() / edge_))};
   }
   double edge_;
   std::unordered_map<long, std::vector<int>> cells_;
 };
 
-double largest_radius(const BedFrame& bed) { return bed.radius.empty() ? 0.0 : *std::max_element(bed.radius.begin(), bed.radius.end()); }
-double smallest_radius(const BedFrame& bed) { return bed.radius.empty() ? 0.0 : *std::min_element(bed.radius.begin(), bed.radius.end()); }
+double largest_radius(const BedFrame& bed) {
+  return bed.radius.empty() ? 0.0 : *std::max_element(bed.radius.begin(), bed.radius.end());
+}
+double smallest_radius(const BedFrame& bed) {
+  return bed.radius.empty() ? 0.0 : *std::min_element(bed.radius.begin(), bed.radius.end());
+}
 double radius(const BedFrame& bed, int i) { return bed.radius[static_cast<std::size_t>(i)]; }
 
 }  // namespace
@@ -73,7 +79,8 @@ double packing_fraction(const BedFrame& bed, const Eigen::Vector3d& top, double 
   if (bed.count() == 0) return 0.0;
   const double step = 0.2 * smallest_radius(bed);
   const long n = static_cast<long>(R / step), m = std::max(1l, static_cast<long>(depth / step));
-  const Eigen::Vector3d corner = top - Eigen::Vector3d(static_cast<double>(n) * step, static_cast<double>(n) * step, (static_cast<double>(m) - 0.5) * step);
+  const Eigen::Vector3d corner = top - Eigen::Vector3d(static_cast<double>(n) * step, static_cast<double>(n) * step,
+                                                       (static_cast<double>(m) - 0.5) * step);
   const long side = 2 * n + 1;
   std::vector<char> covered(static_cast<std::size_t>(side * side * m), 0);
   for (int g = 0; g < bed.count(); ++g) {
@@ -84,7 +91,8 @@ double packing_fraction(const BedFrame& bed, const Eigen::Vector3d& top, double 
     for (long i = from(0); i <= to(0, side); ++i)
       for (long j = from(1); j <= to(1, side); ++j)
         for (long k = from(2); k <= to(2, m); ++k) {
-          const Eigen::Vector3d d(static_cast<double>(i) - c.x(), static_cast<double>(j) - c.y(), static_cast<double>(k) - c.z());
+          const Eigen::Vector3d d(static_cast<double>(i) - c.x(), static_cast<double>(j) - c.y(),
+                                  static_cast<double>(k) - c.z());
           if (d.squaredNorm() < r * r) covered[static_cast<std::size_t>((i * side + j) * m + k)] = 1;
         }
   }
@@ -112,19 +120,22 @@ std::vector<double> surface_profile(const BedFrame& bed, const Eigen::Vector2d& 
     // A grain wider than a column stands in others too: there its height over the column's middle counts.
     for (long i = std::lround(std::ceil(d.x() - r - 0.5)); static_cast<double>(i) + 0.5 < d.x() + r; ++i)
       for (long j = std::lround(std::ceil(d.y() - r - 0.5)); static_cast<double>(j) + 0.5 < d.y() + r; ++j) {
-        const double beside = (d - Eigen::Vector2d(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5)).squaredNorm();
+        const double beside =
+            (d - Eigen::Vector2d(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5)).squaredNorm();
         if (beside < r * r) raise(i, j, (z + std::sqrt(r * r - beside)) * width);
       }
   }
   std::vector<double> sum(static_cast<std::size_t>(rings), 0.0);
   std::vector<int> count(static_cast<std::size_t>(rings), 0);
   for (const auto& [column, top] : tops) {
-    const auto ring = static_cast<std::size_t>(std::hypot(static_cast<double>(column.first) + 0.5, static_cast<double>(column.second) + 0.5));
+    const auto ring = static_cast<std::size_t>(
+        std::hypot(static_cast<double>(column.first) + 0.5, static_cast<double>(column.second) + 0.5));
     if (ring >= sum.size()) continue;
     sum[ring] += top;
     ++count[ring];
   }
-  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = count[k] > 0 ? sum[k] / count[k] : std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; k < sum.size(); ++k)
+    sum[k] = count[k] > 0 ? sum[k] / count[k] : std::numeric_limits<double>::quiet_NaN();
   return sum;
 }
 

@@ -46,17 +46,22 @@ Eigen::Vector3d DepthImage::to_picture(const Eigen::Vector3d& x_W) const {
 }
 
 void DepthImage::put(int column, int row, double nearness, const Eigen::Vector3d& normal_E, const Colour& colour) {
-  const auto k = static_cast<std::size_t>(row) * static_cast<std::size_t>(fine_width_) + static_cast<std::size_t>(column);
+  const auto k =
+      static_cast<std::size_t>(row) * static_cast<std::size_t>(fine_width_) + static_cast<std::size_t>(column);
   if (static_cast<float>(nearness) <= nearness_[k]) return;
   nearness_[k] = static_cast<float>(nearness);
   const double light = brightness(normal_E);
   for (std::size_t c = 0; c < 3; ++c) colour_[k][c] = static_cast<std::uint8_t>(std::lround(light * colour[c]));
 }
 
-void DepthImage::sphere(const Eigen::Vector3d& x_W, double radius, const Colour& colour) { capsule(x_W, x_W, radius, colour); }
+void DepthImage::sphere(const Eigen::Vector3d& x_W, double radius, const Colour& colour) {
+  capsule(x_W, x_W, radius, colour);
+}
 
-// Along a line of sight at p: the point of the axis whose sphere is nearest to the eye is where nearness z(s) + sqrt(r^2 - |p - c(s)|^2) is largest.
-// With c(s) and z(s) linear in s and the axis at an angle whose cosine to the picture is k, it lies k-wards of the foot of p on the axis.
+// Along a line of sight at p: the point of the axis whose sphere is nearest to the eye is where nearness z(s) +
+// sqrt(r^2 - |p - c(s)|^2) is largest.
+// With c(s) and z(s) linear in s and the axis at an angle whose cosine to the picture is k, it lies k-wards of the foot
+// of p on the axis.
 void DepthImage::capsule(const Eigen::Vector3d& a_W, const Eigen::Vector3d& b_W, double radius, const Colour& colour) {
   const Eigen::Vector3d a = to_picture(a_W), b = to_picture(b_W), along = b - a;
   const double r = scale_ * radius, flat2 = along.head<2>().squaredNorm(), length2 = along.squaredNorm();
@@ -85,7 +90,8 @@ void DepthImage::capsule(const Eigen::Vector3d& a_W, const Eigen::Vector3d& b_W,
     }
 }
 
-void DepthImage::triangle(const Eigen::Vector3d& a_W, const Eigen::Vector3d& b_W, const Eigen::Vector3d& c_W, const Colour& colour, double lift) {
+void DepthImage::triangle(const Eigen::Vector3d& a_W, const Eigen::Vector3d& b_W, const Eigen::Vector3d& c_W,
+                          const Colour& colour, double lift) {
   const Eigen::Vector3d a = to_picture(a_W), u = to_picture(b_W) - a, v = to_picture(c_W) - a;
   const double area = u(0) * v(1) - u(1) * v(0);
   if (std::abs(area) < 1e-9) return;  // seen from its edge
@@ -113,7 +119,8 @@ Colour DepthImage::pixel(int column, int row) const {
     int sum = 0;
     for (int j = 0; j < kFine; ++j)
       for (int i = 0; i < kFine; ++i)
-        sum += colour_[static_cast<std::size_t>(kFine * row + j) * static_cast<std::size_t>(fine_width_) + static_cast<std::size_t>(kFine * column + i)][c];
+        sum += colour_[static_cast<std::size_t>(kFine * row + j) * static_cast<std::size_t>(fine_width_) +
+                       static_cast<std::size_t>(kFine * column + i)][c];
     mean[c] = static_cast<std::uint8_t>(sum / (kFine * kFine));
   }
   return mean;

@@ -1,6 +1,7 @@
 #pragma once
-// A small software renderer: spheres, capsules and triangles, seen from far away (parallel projection), each point of the picture showing what is
-// nearest to the eye. Exact for any order of drawing, needs no screen and no graphics library.
+// A small software renderer: spheres, capsules and triangles, seen from far away (parallel projection), each point of
+// the picture showing what is nearest to the eye. Exact for any order of drawing, needs no screen and no graphics
+// library.
 
 #include <Eigen/Dense>
 #include <array>
@@ -29,8 +30,10 @@ class DepthImage {
   // Points in the inertial frame [m]. Parts outside the picture are cut off.
   void sphere(const Eigen::Vector3d& x_W, double radius, const Colour& colour);
   void capsule(const Eigen::Vector3d& a_W, const Eigen::Vector3d& b_W, double radius, const Colour& colour);
-  // Both sides are lit. It counts as nearer to the eye by `lift` [m]: a plate that has no thickness covers the grains that press into it.
-  void triangle(const Eigen::Vector3d& a_W, const Eigen::Vector3d& b_W, const Eigen::Vector3d& c_W, const Colour& colour, double lift = 0.0);
+  // Both sides are lit. It counts as nearer to the eye by `lift` [m]: a plate that has no thickness covers the grains
+  // that press into it.
+  void triangle(const Eigen::Vector3d& a_W, const Eigen::Vector3d& b_W, const Eigen::Vector3d& c_W,
+                const Colour& colour, double lift = 0.0);
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -16,7 +16,8 @@ constexpr const char* kStored[] = {"kinetic", "gravity", "strain", "gas", "conta
 constexpr double kSameTime = 1e-6;  // grains_energy.txt holds six digits
 
 // The values of a column at rising times within its own, along straight lines.
-std::vector<double> at_times(const std::vector<double>& time, const std::vector<double>& value, const std::vector<double>& wanted) {
+std::vector<double> at_times(const std::vector<double>& time, const std::vector<double>& value,
+                             const std::vector<double>& wanted) {
   std::vector<double> result;
   std::size_t k = 0;
   for (const double t : wanted) {
@@ -50,10 +51,12 @@ GrainEnergies read_grain_energies(const std::string& path) {
     double step = 0.0, time = 0.0, kinetic = 0.0, rotation = 0.0, gravity = 0.0;
     if (!(words >> step >> time >> kinetic >> rotation >> gravity)) {
       if (file.peek() == std::ifstream::traits_type::eof()) break;
-      throw InputError(path + ":" + std::to_string(number) + ": \"" + line + "\": expected five numbers: step time kinetic rotation gravity");
+      throw InputError(path + ":" + std::to_string(number) + ": \"" + line +
+                       "\": expected five numbers: step time kinetic rotation gravity");
     }
     if (!grains.time.empty() && time <= grains.time.back())
-      throw InputError(path + ":" + std::to_string(number) + ": time " + std::to_string(time) + " s: expected one later than that of the row before");
+      throw InputError(path + ":" + std::to_string(number) + ": time " + std::to_string(time) +
+                       " s: expected one later than that of the row before");
     grains.time.push_back(time);
     grains.kinetic.push_back(kinetic + rotation);
     grains.gravity.push_back(gravity);
@@ -69,11 +72,14 @@ double reference_energy(const History& run) {
 
 History energy_ledger(const History& run, const GrainEnergies& grains) {
   const std::vector<double>& run_time = run.column("time");
-  if (run_time.empty() || run.find("energy.total") < 0) throw InputError("the history holds no energies; there is no ledger to make of it");
+  if (run_time.empty() || run.find("energy.total") < 0)
+    throw InputError("the history holds no energies; there is no ledger to make of it");
   std::size_t rows = 0;
   while (rows < grains.time.size() && grains.time[rows] <= run_time.back() * (1.0 + kSameTime)) ++rows;
   const bool both_sides = run.find(kResidual) >= 0 && rows > 0;
-  const std::vector<double> time = both_sides ? std::vector<double>(grains.time.begin(), grains.time.begin() + static_cast<std::ptrdiff_t>(rows)) : run_time;
+  const std::vector<double> time =
+      both_sides ? std::vector<double>(grains.time.begin(), grains.time.begin() + static_cast<std::ptrdiff_t>(rows))
+                 : run_time;
 
   History ledger;
   const auto add = [&](const std::string& name, const std::string& unit, std::vector<double> values) {
@@ -107,9 +113,11 @@ History energy_ledger(const History& run, const GrainEnergies& grains) {
     add("work.to_grains", "J", to_grains);
     add("interface", "J", interface);
     if (both_sides) {
-      const std::vector<double> kinetic = since_start(grains.kinetic, rows), gravity = since_start(grains.gravity, rows);
+      const std::vector<double> kinetic = since_start(grains.kinetic, rows),
+                                gravity = since_start(grains.gravity, rows);
       std::vector<double> dissipated;
-      for (std::size_t k = 0; k < rows; ++k) dissipated.push_back(to_grains[k] - interface[k] - kinetic[k] - gravity[k]);
+      for (std::size_t k = 0; k < rows; ++k)
+        dissipated.push_back(to_grains[k] - interface[k] - kinetic[k] - gravity[k]);
       add("grains.kinetic", "J", kinetic);
       add("grains.gravity", "J", gravity);
       add("grains.dissipated", "J", dissipated);

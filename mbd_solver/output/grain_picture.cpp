@@ -16,7 +16,11 @@ struct Stop {
   double share;  // of the fastest speed
   Colour colour;
 };
-constexpr Stop kSpeeds[] = {{0.0, {233, 223, 199}}, {0.1, {214, 178, 104}}, {0.3, {127, 174, 138}}, {0.65, {31, 111, 168}}, {1.0, {46, 20, 90}}};
+constexpr Stop kSpeeds[] = {{0.0, {233, 223, 199}},
+                            {0.1, {214, 178, 104}},
+                            {0.3, {127, 174, 138}},
+                            {0.65, {31, 111, 168}},
+                            {1.0, {46, 20, 90}}};
 constexpr double kOverlap = 0.25;  // of the smallest grain's radius: more than grains press into plates
 constexpr Colour kPlates{205, 208, 214}, kTubes{192, 57, 43};
 
@@ -26,7 +30,8 @@ Colour colour_of(double share) {
   while (k + 1 < std::size(kSpeeds) && kSpeeds[k].share < s) ++k;
   const double w = (s - kSpeeds[k - 1].share) / (kSpeeds[k].share - kSpeeds[k - 1].share);
   Colour c{};
-  for (std::size_t i = 0; i < 3; ++i) c[i] = static_cast<std::uint8_t>(std::lround((1.0 - w) * kSpeeds[k - 1].colour[i] + w * kSpeeds[k].colour[i]));
+  for (std::size_t i = 0; i < 3; ++i)
+    c[i] = static_cast<std::uint8_t>(std::lround((1.0 - w) * kSpeeds[k - 1].colour[i] + w * kSpeeds[k].colour[i]));
   return c;
 }
 
@@ -34,7 +39,8 @@ std::string palette() {
   std::string text = "set palette defined (";
   for (const Stop& stop : kSpeeds) {
     char entry[64];
-    std::snprintf(entry, sizeof entry, "%s%g \"#%02x%02x%02x\"", stop.share > 0.0 ? ", " : "", stop.share, stop.colour[0], stop.colour[1], stop.colour[2]);
+    std::snprintf(entry, sizeof entry, "%s%g \"#%02x%02x%02x\"", stop.share > 0.0 ? ", " : "", stop.share,
+                  stop.colour[0], stop.colour[1], stop.colour[2]);
     text += entry;
   }
   return text + ")\n";
@@ -50,7 +56,8 @@ double round_below(double value) {
 
 }  // namespace
 
-Eye eye_around(const std::vector<const BedFrame*>& beds, const std::vector<const MechanismShape*>& shapes, double cut, double azimuth, double elevation) {
+Eye eye_around(const std::vector<const BedFrame*>& beds, const std::vector<const MechanismShape*>& shapes, double cut,
+               double azimuth, double elevation) {
   Eye eye{eye_axes(azimuth, elevation), Eigen::Vector2d::Constant(1e300), Eigen::Vector2d::Constant(-1e300)};
   long grains = 0;
   const auto include = [&](const Eigen::Vector3d& x_W, double radius) {
@@ -91,14 +98,16 @@ double colour_range(const std::vector<const BedFrame*>& beds) {
   return 10.0 * below;
 }
 
-std::string write_grain_picture(const std::string& folder, const std::string& name, const std::string& title, const BedFrame& bed, const MechanismShape& shape,
-                                const GrainView& view) {
+std::string write_grain_picture(const std::string& folder, const std::string& name, const std::string& title,
+                                const BedFrame& bed, const MechanismShape& shape, const GrainView& view) {
   DepthImage image(view.eye, view.width);
   for (Eigen::Index i = 0; i < bed.x.cols(); ++i)
-    if (bed.x(1, i) >= view.cut) image.sphere(bed.x.col(i), bed.radius[static_cast<std::size_t>(i)], colour_of(speed(bed, i) / view.fastest));
+    if (bed.x(1, i) >= view.cut)
+      image.sphere(bed.x.col(i), bed.radius[static_cast<std::size_t>(i)], colour_of(speed(bed, i) / view.fastest));
   const auto point = [&](int j) { return Eigen::Vector3d(shape.frame.points.col(j)); };
   const double lift = bed.radius.empty() ? 0.0 : kOverlap * *std::min_element(bed.radius.begin(), bed.radius.end());
-  for (const Eigen::Vector3i& t : shape.frame.triangles) image.triangle(point(t(0)), point(t(1)), point(t(2)), kPlates, lift);
+  for (const Eigen::Vector3i& t : shape.frame.triangles)
+    image.triangle(point(t(0)), point(t(1)), point(t(2)), kPlates, lift);
   for (std::size_t k = 0; k < shape.frame.lines.size(); ++k)
     image.capsule(point(shape.frame.lines[k](0)), point(shape.frame.lines[k](1)), shape.line_radius[k], kTubes);
 
@@ -114,17 +123,23 @@ std::string write_grain_picture(const std::string& folder, const std::string& na
   const std::string file = (fs::path(folder) / (name + ".gp")).string();
   std::ofstream script(file);
   script << "# gnuplot " << name << ".gp draws " << name << ".png from " << name << ".rgb\n"
-         << "set terminal pngcairo size " << width << "," << height << " font \"DejaVu Sans,15\"\nset output \"" << name << ".png\"\n"
-         << "set encoding utf8\nset title \"" << title << "\" noenhanced offset 0,-0.4\nunset border\nunset tics\nunset key\n"
-         << "set lmargin at screen " << across(kLeft) << "\nset rmargin at screen " << across(kLeft + image.width()) << "\nset bmargin at screen " << up(kBottom)
-         << "\nset tmargin at screen " << up(kBottom + image.height()) << "\n"
-         << palette() << "set cbrange [0:" << view.fastest << "]\nset cbtics nomirror\nset cblabel \"speed of the grains [m/s]\"\n"
-         << "set colorbox user origin " << across(kLeft + image.width() + 15) << "," << up(kBottom + 0.15 * image.height()) << " size " << across(22) << ","
-         << up(0.7 * image.height()) << "\n"
+         << "set terminal pngcairo size " << width << "," << height << " font \"DejaVu Sans,15\"\nset output \"" << name
+         << ".png\"\n"
+         << "set encoding utf8\nset title \"" << title
+         << "\" noenhanced offset 0,-0.4\nunset border\nunset tics\nunset key\n"
+         << "set lmargin at screen " << across(kLeft) << "\nset rmargin at screen " << across(kLeft + image.width())
+         << "\nset bmargin at screen " << up(kBottom) << "\nset tmargin at screen " << up(kBottom + image.height())
+         << "\n"
+         << palette() << "set cbrange [0:" << view.fastest
+         << "]\nset cbtics nomirror\nset cblabel \"speed of the grains [m/s]\"\n"
+         << "set colorbox user origin " << across(kLeft + image.width() + 15) << ","
+         << up(kBottom + 0.15 * image.height()) << " size " << across(22) << "," << up(0.7 * image.height()) << "\n"
          << "set xrange [0:" << image.width() << "]\nset yrange [0:" << image.height() << "]\n"
-         << "set arrow from screen " << across(kLeft + 20) << "," << up(28) << " to screen " << across(kLeft + 20 + bar / metres * image.width()) << "," << up(28)
-         << " nohead lw 4\nset label \"" << bar << " m\" at screen " << across(kLeft + 35 + bar / metres * image.width()) << "," << up(28) << " left\n"
-         << "plot '" << name << ".rgb' binary array=(" << image.width() << "," << image.height() << ") flipy format='%uchar' using 1:2:3 with rgbimage, \\\n"
+         << "set arrow from screen " << across(kLeft + 20) << "," << up(28) << " to screen "
+         << across(kLeft + 20 + bar / metres * image.width()) << "," << up(28) << " nohead lw 4\nset label \"" << bar
+         << " m\" at screen " << across(kLeft + 35 + bar / metres * image.width()) << "," << up(28) << " left\n"
+         << "plot '" << name << ".rgb' binary array=(" << image.width() << "," << image.height()
+         << ") flipy format='%uchar' using 1:2:3 with rgbimage, \\\n"
          << "     '+' using (NaN):(NaN):(0) with points lc palette   # for the colour bar\n";
   if (!script.flush()) throw InputError(file + ": cannot be written; is the disk full?");
   return name + ".gp";

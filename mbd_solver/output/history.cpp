@@ -27,7 +27,8 @@ std::vector<std::string> split(const std::string& line) {
 
 }  // namespace
 
-HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::string>& names, const std::vector<std::string>& units)
+HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::string>& names,
+                             const std::vector<std::string>& units)
     : path_(path), names_(names), file_(path) {
   FOOTFALL_DEMAND(!names.empty() && names.size() == units.size());
   if (!file_) throw InputError(path + ": cannot be written; choose another folder with --out");
@@ -42,7 +43,8 @@ void HistoryWriter::write(const std::vector<double>& row) {
     if (!std::isfinite(row[i])) {
       file_.flush();
       std::snprintf(number, sizeof number, "%g", row[0]);
-      throw NumericalError("at t = " + std::string(number) + " s \"" + names_[i] + "\" is no longer finite; " + path_ + " ends before this row");
+      throw NumericalError("at t = " + std::string(number) + " s \"" + names_[i] + "\" is no longer finite; " + path_ +
+                           " ends before this row");
     }
     const int length = std::snprintf(number, sizeof number, "%.10g", row[i]);
     if (i > 0) line += ',';
@@ -81,11 +83,13 @@ History read_history(const std::string& path) {
   history.names = split(line);
   history.columns.resize(history.names.size());
   if (history.units.size() != history.names.size())
-    throw InputError(path + ":2: has " + std::to_string(history.names.size()) + " names for " + std::to_string(history.units.size()) + " units");
+    throw InputError(path + ":2: has " + std::to_string(history.names.size()) + " names for " +
+                     std::to_string(history.units.size()) + " units");
   for (int number = 3; std::getline(file, line); ++number) {
     const std::vector<std::string> cells = split(line);
     if (cells.size() != history.names.size())
-      throw InputError(path + ":" + std::to_string(number) + ": has " + std::to_string(cells.size()) + " values, expected " + std::to_string(history.names.size()));
+      throw InputError(path + ":" + std::to_string(number) + ": has " + std::to_string(cells.size()) +
+                       " values, expected " + std::to_string(history.names.size()));
     for (std::size_t i = 0; i < cells.size(); ++i) history.columns[i].push_back(std::stod(cells[i]));
   }
   return history;

@@ -1,5 +1,6 @@
 #pragma once
-// history.csv: one row of numbers per output time. First line "# units: s,m,...", second the column names, then the rows.
+// history.csv: one row of numbers per output time. First line "# units: s,m,...", second the column names, then the
+// rows.
 
 #include <fstream>
 #include <string>
@@ -12,7 +13,8 @@ class HistoryWriter {
   // One unit per name; the first column is time. Makes a new file. Throws InputError when it cannot be written.
   HistoryWriter(const std::string& path, const std::vector<std::string>& names, const std::vector<std::string>& units);
 
-  // One row, in the order of the names. Throws NumericalError, naming the column and time, when a value is not finite: a file never holds one.
+  // One row, in the order of the names. Throws NumericalError, naming the column and time, when a value is not finite:
+  // a file never holds one.
   void write(const std::vector<double>& row);
   // Everything written so far is on the disk's side. Throws InputError when the disk is full.
   void flush();
@@ -28,7 +30,7 @@ struct History {
   std::vector<std::string> names, units;
   std::vector<std::vector<double>> columns;  // one per name, all of the same length
 
-  int find(const std::string& name) const;                       // index, or -1
+  int find(const std::string& name) const;                           // index, or -1
   const std::vector<double>& column(const std::string& name) const;  // throws InputError with a list of the known names
 };
 // Throws InputError "file:line: ...".

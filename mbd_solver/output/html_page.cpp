@@ -14,9 +14,11 @@ namespace {
 constexpr const char* kStyle =
     "body{font:15px/1.5 sans-serif;color:#222;max-width:1000px;margin:2em auto;padding:0 1em}"
     "h1{font-size:1.7em}h2{margin-top:2em;border-bottom:1px solid #ccc}table{border-collapse:collapse;margin:1em 0}"
-    "td,th{padding:.2em .8em;border-bottom:1px solid #e4e4e4;text-align:left}td.n{text-align:right;font-variant-numeric:tabular-nums}"
+    "td,th{padding:.2em .8em;border-bottom:1px solid "
+    "#e4e4e4;text-align:left}td.n{text-align:right;font-variant-numeric:tabular-nums}"
     "pre{background:#f6f6f4;padding:.8em;overflow-x:auto;font-size:12.5px;line-height:1.4}mark{background:#ffe9a8}"
-    "figure{margin:1.2em 0}figure img{max-width:100%}figcaption{color:#666}.warning{background:#fff0e0;border-left:4px solid #d55e00;padding:.4em .8em}"
+    "figure{margin:1.2em 0}figure img{max-width:100%}figcaption{color:#666}.warning{background:#fff0e0;border-left:4px "
+    "solid #d55e00;padding:.4em .8em}"
     "nav a{margin-right:1em}summary{cursor:pointer}";
 
 std::string escaped(const std::string& text) {
@@ -51,7 +53,8 @@ std::string base64(const std::string& bytes) {
   std::string out;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t block = 0;
-    for (std::size_t k = 0; k < 3; ++k) block = (block << 8) | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 3; ++k)
+      block = (block << 8) | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
     for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? kDigits[(block >> (18 - 6 * k)) & 63u] : '=';
   }
   return out;
@@ -75,7 +78,8 @@ void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool hea
     const std::string cell = head && i == 0 ? "th" : "td";
     body_ += "<tr>";
     for (const std::string& text : rows[i])
-      body_ += "<" + cell + (cell == "td" && is_number(text) ? " class=\"n\"" : "") + ">" + escaped(text) + "</" + cell + ">";
+      body_ += "<" + cell + (cell == "td" && is_number(text) ? " class=\"n\"" : "") + ">" + escaped(text) + "</" +
+               cell + ">";
     body_ += "</tr>\n";
   }
   body_ += "</table>\n";
@@ -87,7 +91,8 @@ void HtmlPage::folded(const std::string& label, const std::string& text, const s
   body_ += "<details><summary>" + escaped(label) + "</summary><pre>";
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    const bool marked = std::any_of(marks.begin(), marks.end(), [&](const std::string& m) { return line.find(m) != std::string::npos; });
+    const bool marked = std::any_of(marks.begin(), marks.end(),
+                                    [&](const std::string& m) { return line.find(m) != std::string::npos; });
     body_ += (marked ? "<mark>" : "") + escaped(line) + (marked ? "</mark>" : "") + "\n";
   }
   body_ += "</pre></details>\n";
@@ -101,15 +106,16 @@ void HtmlPage::picture(const std::string& path, const std::string& caption) {
   const std::string kind = name.extension() == ".svg" ? "svg+xml" : "png";
   std::string words = caption.empty() ? name.stem().string() : caption;
   std::replace(words.begin(), words.end(), '_', ' ');
-  body_ += "<figure><img alt=\"" + escaped(words) + "\" src=\"data:image/" + kind + ";base64," + base64(bytes) + "\"/><figcaption>" + escaped(words) +
-           "</figcaption></figure>\n";
+  body_ += "<figure><img alt=\"" + escaped(words) + "\" src=\"data:image/" + kind + ";base64," + base64(bytes) +
+           "\"/><figcaption>" + escaped(words) + "</figcaption></figure>\n";
 }
 
 std::string HtmlPage::text() const {
-  return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+  return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
+         "charset=\"utf-8\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
-         escaped(title_) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + escaped(title_) + "</h1>\n<nav>" + contents_ + "</nav>\n" + body_ +
-         "</body>\n</html>\n";
+         escaped(title_) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + escaped(title_) +
+         "</h1>\n<nav>" + contents_ + "</nav>\n" + body_ + "</body>\n</html>\n";
 }
 
 }  // namespace footfall

@@ -19,7 +19,8 @@ class HtmlPage {
   void preformatted(const std::string& text);
   // Opened by a click. Lines that hold one of `marks` are marked.
   void folded(const std::string& label, const std::string& text, const std::vector<std::string>& marks = {});
-  // PNG or SVG file, put into the page; its name without ending is the caption unless one is given. Throws InputError when it cannot be read.
+  // PNG or SVG file, put into the page; its name without ending is the caption unless one is given. Throws InputError
+  // when it cannot be read.
   void picture(const std::string& path, const std::string& caption = "");
 
   std::string text() const;

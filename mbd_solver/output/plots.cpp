@@ -32,10 +32,12 @@ double largest(const History& history, const std::string& name) {
 }
 
 // Curves for every column that ends so, by the name before it.
-std::vector<Curve> curves_of(const History& history, const std::string& ending, const std::string& before, const std::string& after) {
+std::vector<Curve> curves_of(const History& history, const std::string& ending, const std::string& before,
+                             const std::string& after) {
   std::vector<Curve> curves;
   for (const std::string& name : history.names) {
-    if (ends_with(name, ending)) curves.push_back({name.substr(0, name.size() - ending.size()), "(" + before + column(name) + after + ")"});
+    if (ends_with(name, ending))
+      curves.push_back({name.substr(0, name.size() - ending.size()), "(" + before + column(name) + after + ")"});
   }
   return curves;
 }
@@ -52,7 +54,8 @@ std::vector<Curve> contact_curves(const History& history) {
   std::vector<Curve> curves;
   for (const Curve& z : curves_of(history, ".contact.fz", "", "")) {
     const std::string b = z.title + ".contact.f";
-    curves.push_back({z.title, "(sqrt(" + column(b + "x") + "**2+" + column(b + "y") + "**2+" + column(b + "z") + "**2)/1000)"});
+    curves.push_back(
+        {z.title, "(sqrt(" + column(b + "x") + "**2+" + column(b + "y") + "**2+" + column(b + "z") + "**2)/1000)"});
   }
   return curves;
 }
@@ -66,7 +69,8 @@ std::vector<Curve> energy_curves(const History& history, const std::string& star
     if (name.rfind(start, 0) == 0) scale = std::max(scale, largest(history, name));
   }
   for (const std::string& name : history.names) {
-    if (name.rfind(start, 0) == 0 && largest(history, name) > kVisible * scale) curves.push_back({words_after_dot(name), "(" + column(name) + "/1000)"});
+    if (name.rfind(start, 0) == 0 && largest(history, name) > kVisible * scale)
+      curves.push_back({words_after_dot(name), "(" + column(name) + "/1000)"});
   }
   return curves;
 }
@@ -74,7 +78,8 @@ std::vector<Curve> energy_curves(const History& history, const std::string& star
 std::vector<Curve> dissipation_curves(const History& history) {
   std::vector<Curve> curves = energy_curves(history, "dissipated.");
   const bool grains = history.find("coupling.energy_residual") >= 0;
-  if (grains && largest(history, "work.contact") > 0.0) curves.push_back({"taken by the grains", "(-" + column("work.contact") + "/1000)"});
+  if (grains && largest(history, "work.contact") > 0.0)
+    curves.push_back({"taken by the grains", "(-" + column("work.contact") + "/1000)"});
   return curves;
 }
 
@@ -99,16 +104,21 @@ set linetype cycle 9
 
 constexpr std::size_t kBlack = 7;  // line type
 
-// The curves of a figure stand in data blocks, $name_0, $name_1 ...: gnuplot reads the long rows of the history once a block, not once a curve.
+// The curves of a figure stand in data blocks, $name_0, $name_1 ...: gnuplot reads the long rows of the history once a
+// block, not once a curve.
 constexpr std::size_t kBlockCurves = 13;  // a `using` of gnuplot takes 14 columns, and the first is the time
 
-std::string block_name(const Figure& figure, std::size_t curve) { return "$" + figure.name + "_" + std::to_string(curve / kBlockCurves); }
+std::string block_name(const Figure& figure, std::size_t curve) {
+  return "$" + figure.name + "_" + std::to_string(curve / kBlockCurves);
+}
 
 std::string data_blocks(const std::vector<Figure>& figures) {
   std::ostringstream text;
   for (const Figure& figure : figures) {
     for (std::size_t i = 0; i < figure.curves.size(); ++i) {
-      if (i % kBlockCurves == 0) text << "set table " << block_name(figure, i) << " separator tab\nplot '" << figure.file << "' using (column(\"time\"))";
+      if (i % kBlockCurves == 0)
+        text << "set table " << block_name(figure, i) << " separator tab\nplot '" << figure.file
+             << "' using (column(\"time\"))";
       text << ":" << figure.curves[i].expression;
       if (i % kBlockCurves == kBlockCurves - 1 || i + 1 == figure.curves.size()) text << " with table\nunset table\n";
     }
@@ -117,14 +127,17 @@ std::string data_blocks(const std::vector<Figure>& figures) {
   return text.str();
 }
 
-std::string curve(const Figure& figure, std::size_t i) { return block_name(figure, i) + " using 1:" + std::to_string(i % kBlockCurves + 2); }
+std::string curve(const Figure& figure, std::size_t i) {
+  return block_name(figure, i) + " using 1:" + std::to_string(i % kBlockCurves + 2);
+}
 
 // From the uppermost band to the lowest, so that each is painted over the rest of those above it.
 std::string bands(const Figure& figure) {
   std::string text;
   for (std::size_t i = figure.curves.size(); i > 0; --i)
-    text += (text.empty() ? "" : ", \\\n     ") + curve(figure, i - 1) + " with filledcurves y1=0 fs solid 1 noborder lc rgb \"" + figure.curves[i - 1].colour +
-            "\" title \"" + figure.curves[i - 1].title + "\"";
+    text += (text.empty() ? "" : ", \\\n     ") + curve(figure, i - 1) +
+            " with filledcurves y1=0 fs solid 1 noborder lc rgb \"" + figure.curves[i - 1].colour + "\" title \"" +
+            figure.curves[i - 1].title + "\"";
   return text;
 }
 
@@ -132,7 +145,8 @@ std::string lines(const Figure& figure) {
   std::string text;
   for (std::size_t i = 0; i < figure.curves.size(); ++i) {
     const std::size_t style = figure.curves[i].title == "total" ? kBlack : i + 1;
-    text += (i ? ", \\\n     " : "") + curve(figure, i) + " with lines lt " + std::to_string(style) + " title \"" + figure.curves[i].title + "\"";
+    text += (i ? ", \\\n     " : "") + curve(figure, i) + " with lines lt " + std::to_string(style) + " title \"" +
+            figure.curves[i].title + "\"";
   }
   return text;
 }
@@ -148,12 +162,17 @@ std::string plot_command(const Figure& figure) {
 }
 
 // The same drawing on both terminals.
-std::string script(const std::string& name, const std::string& file, const std::string& data, const std::string& drawing, int width, int height) {
+std::string script(const std::string& name, const std::string& file, const std::string& data,
+                   const std::string& drawing, int width, int height) {
   std::ostringstream text;
   const std::string size = "size " + std::to_string(width) + "," + std::to_string(height);
-  text << "# gnuplot " << name << ".gp draws " << name << ".png and " << name << ".svg from " << file << "\n" << kStyle << data;
-  text << "set terminal pngcairo " << size << " font \"DejaVu Sans,11\"\nset output \"" << name << ".png\"\n" << drawing;
-  text << "set terminal svg " << size << " font \"DejaVu Sans,11\" background rgb \"white\"\nset output \"" << name << ".svg\"\n" << drawing;
+  text << "# gnuplot " << name << ".gp draws " << name << ".png and " << name << ".svg from " << file << "\n"
+       << kStyle << data;
+  text << "set terminal pngcairo " << size << " font \"DejaVu Sans,11\"\nset output \"" << name << ".png\"\n"
+       << drawing;
+  text << "set terminal svg " << size << " font \"DejaVu Sans,11\" background rgb \"white\"\nset output \"" << name
+       << ".svg\"\n"
+       << drawing;
   return text.str();
 }
 
@@ -167,16 +186,26 @@ std::vector<Figure> standard_figures(const History& history, const std::string& 
     std::ostringstream start;
     start.precision(12);
     start << history.column(body + ".z").front();
-    figures.push_back({"acceleration", "Acceleration of " + body, "vertical acceleration [g]", {{body, "(" + column(body + ".az") + "/9.80665)"}}});
-    figures.push_back({"velocity", "Velocity of " + body, "vertical velocity [m/s]", {{body, "(" + column(body + ".vz") + ")"}}});
-    figures.push_back({"descent", "Descent of " + body, "descent [m]", {{body, "(" + start.str() + "-" + column(body + ".z") + ")"}}});
+    figures.push_back({"acceleration",
+                       "Acceleration of " + body,
+                       "vertical acceleration [g]",
+                       {{body, "(" + column(body + ".az") + "/9.80665)"}}});
+    figures.push_back(
+        {"velocity", "Velocity of " + body, "vertical velocity [m/s]", {{body, "(" + column(body + ".vz") + ")"}}});
+    figures.push_back({"descent",
+                       "Descent of " + body,
+                       "descent [m]",
+                       {{body, "(" + start.str() + "-" + column(body + ".z") + ")"}}});
   }
   figures.push_back({"energy", "Mechanical energy and its parts", "energy [kJ]", energy_curves(history, "energy.")});
   figures.push_back({"dissipation", "Where the energy went", "energy [kJ]", dissipation_curves(history)});
-  figures.push_back({"strokes", "Strut strokes, compression positive", "stroke [m]", curves_of(history, ".stroke", "", "")});
-  figures.push_back({"strut_forces", "Strut forces, compression positive", "force [kN]", curves_of(history, ".force", "", "/1000")});
+  figures.push_back(
+      {"strokes", "Strut strokes, compression positive", "stroke [m]", curves_of(history, ".stroke", "", "")});
+  figures.push_back(
+      {"strut_forces", "Strut forces, compression positive", "force [kN]", curves_of(history, ".force", "", "/1000")});
   figures.push_back({"contact_forces", "Contact forces", "force on the body [kN]", contact_curves(history)});
-  figures.erase(std::remove_if(figures.begin(), figures.end(), [](const Figure& f) { return f.curves.empty(); }), figures.end());
+  figures.erase(std::remove_if(figures.begin(), figures.end(), [](const Figure& f) { return f.curves.empty(); }),
+                figures.end());
   return figures;
 }
 
@@ -186,13 +215,16 @@ Figure ledger_figure(const History& ledger) {
     std::string title, colour;
     std::vector<std::string> columns;
   };
-  std::vector<Band> bands = {{"mechanism, kinetic", "#08519c", {"mechanism.kinetic"}},
-                             {"mechanism, gravity", "#4292c6", {"mechanism.gravity"}},
-                             {"mechanism, elastic", "#9ecae1", {"mechanism.strain", "mechanism.gas", "mechanism.contact"}}};
-  const std::vector<std::string> warm = {"#a63603", "#e6550d", "#fd8d3c", "#fdae6b", "#fdd0a2", "#feedde", "#c51b8a", "#fa9fb5"};
+  std::vector<Band> bands = {
+      {"mechanism, kinetic", "#08519c", {"mechanism.kinetic"}},
+      {"mechanism, gravity", "#4292c6", {"mechanism.gravity"}},
+      {"mechanism, elastic", "#9ecae1", {"mechanism.strain", "mechanism.gas", "mechanism.contact"}}};
+  const std::vector<std::string> warm = {"#a63603", "#e6550d", "#fd8d3c", "#fdae6b",
+                                         "#fdd0a2", "#feedde", "#c51b8a", "#fa9fb5"};
   std::size_t next = 0;
   for (const std::string& name : ledger.names)
-    if (name.rfind("dissipated.", 0) == 0) bands.push_back({"dissipated, " + words_after_dot(name), warm[next++ % warm.size()], {name}});
+    if (name.rfind("dissipated.", 0) == 0)
+      bands.push_back({"dissipated, " + words_after_dot(name), warm[next++ % warm.size()], {name}});
   if (ledger.find("grains.kinetic") >= 0) {
     bands.push_back({"grains, kinetic", "#00441b", {"grains.kinetic"}});
     bands.push_back({"grains, gravity", "#41ab5d", {"grains.gravity"}});
@@ -218,13 +250,15 @@ Figure ledger_figure(const History& ledger) {
     scale = std::max(scale, *high - *low);
   }
   std::string edge;  // upper edge of the band
-  Figure figure{"ledger", "Where the energy is, each part from its lowest value", "energy [kJ]", {}, "../ledger.csv", true};
+  Figure figure{"ledger", "Where the energy is, each part from its lowest value", "energy [kJ]", {}, "../ledger.csv",
+                true};
   for (std::size_t i = 0; i < bands.size(); ++i) {
     if (!(range[i].second - range[i].first > kVisible * scale)) continue;
     std::ostringstream expression;
     expression.precision(12);
     expression << "((";
-    for (std::size_t j = 0; j < bands[i].columns.size(); ++j) expression << (j ? "+" : "") << column(bands[i].columns[j]);
+    for (std::size_t j = 0; j < bands[i].columns.size(); ++j)
+      expression << (j ? "+" : "") << column(bands[i].columns[j]);
     expression << "-(" << range[i].first << "))/1000)";
     edge += (edge.empty() ? "" : "+") + expression.str();
     figure.curves.push_back({bands[i].title, "(" + edge + ")", bands[i].colour});
@@ -232,7 +266,8 @@ Figure ledger_figure(const History& ledger) {
   return figure;
 }
 
-std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures, const std::string& title) {
+std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures,
+                                            const std::string& title) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   std::vector<std::string> names;
@@ -253,8 +288,10 @@ std::vector<std::string> write_plot_scripts(const std::string& folder, const std
   const int columns = 2, rows = (static_cast<int>(figures.size()) + columns - 1) / columns;
   std::string quoted = title;
   std::replace(quoted.begin(), quoted.end(), '"', '\'');
-  const std::string layout = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) + " title \"" + quoted + "\" noenhanced\n";
-  write("overview", script("overview", figures.front().file, data_blocks(figures), layout + page + "unset multiplot\n", 1500, 380 * rows));
+  const std::string layout = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) +
+                             " title \"" + quoted + "\" noenhanced\n";
+  write("overview", script("overview", figures.front().file, data_blocks(figures), layout + page + "unset multiplot\n",
+                           1500, 380 * rows));
   return names;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// gnuplot scripts for the pictures of a run, as [Lin25 Figure 11]: acceleration, velocity, descent, mechanical energy and its parts, strut
-// strokes, contact forces. Each script stands in DIR/plots, reads ../history.csv or ../ledger.csv and draws itself as PNG and
-// SVG; a user can edit and rerun it.
+// gnuplot scripts for the pictures of a run, as [Lin25 Figure 11]: acceleration, velocity, descent, mechanical energy
+// and its parts, strut strokes, contact forces. Each script stands in DIR/plots, reads ../history.csv or ../ledger.csv
+// and draws itself as PNG and SVG; a user can edit and rerun it.
 
 #include <string>
 #include <vector>
@@ -12,27 +12,30 @@ namespace footfall {
 
 struct Curve {
   std::string title;
-  std::string expression;  // of columns, as gnuplot takes it: (-column("cabin.vz"))
+  std::string expression;   // of columns, as gnuplot takes it: (-column("cabin.vz"))
   std::string colour = "";  // #rrggbb; empty: the next of the cycle
 };
 
 struct Figure {
-  std::string name;        // file name without ending
+  std::string name;  // file name without ending
   std::string title;
-  std::string axis;        // label of the vertical axis, with unit
+  std::string axis;  // label of the vertical axis, with unit
   std::vector<Curve> curves;
   std::string file = "../history.csv";  // from the script's folder
-  bool stacked = false;    // each curve is the upper edge of a band, which the one before bounds from below
+  bool stacked = false;  // each curve is the upper edge of a band, which the one before bounds from below
 };
 
-// The figures that a history with these columns can show. `observed`: the body whose motion is drawn; empty: the first with an acceleration.
+// The figures that a history with these columns can show. `observed`: the body whose motion is drawn; empty: the first
+// with an acceleration.
 std::vector<Figure> standard_figures(const History& history, const std::string& observed);
 
-// Where the energy is, as bands whose sum is constant; parts too small to be seen are left out. `ledger`: as energy_ledger makes it.
+// Where the energy is, as bands whose sum is constant; parts too small to be seen are left out. `ledger`: as
+// energy_ledger makes it.
 Figure ledger_figure(const History& ledger);
 
-// One script per figure and `overview.gp` with all of them on one page, in `folder`. Returns their file names. Throws InputError when the
-// folder cannot be written.
-std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures, const std::string& title);
+// One script per figure and `overview.gp` with all of them on one page, in `folder`. Returns their file names. Throws
+// InputError when the folder cannot be written.
+std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures,
+                                            const std::string& title);
 
 }  // namespace footfall

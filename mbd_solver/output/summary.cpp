@@ -13,7 +13,8 @@ namespace {
 
 // JSON has no word for NaN: the library would write null without complaint.
 void demand_finite(const nlohmann::ordered_json& value, const std::string& path) {
-  if (value.is_number_float() && !std::isfinite(value.get<double>())) throw NumericalError("summary: \"" + path + "\" is no longer finite");
+  if (value.is_number_float() && !std::isfinite(value.get<double>()))
+    throw NumericalError("summary: \"" + path + "\" is no longer finite");
   if (!value.is_structured()) return;
   for (const auto& [key, inner] : value.items()) demand_finite(inner, path.empty() ? key : path + "." + key);
 }

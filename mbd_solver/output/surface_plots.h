@@ -7,15 +7,15 @@
 namespace footfall {
 
 struct SurfacePicture {
-  std::string name;             // file name without ending
+  std::string name;  // file name without ending
   std::string title;
   std::string x_axis, y_axis, z_axis;
   Eigen::VectorXd x, y;
-  Eigen::MatrixXd z;            // x by y
+  Eigen::MatrixXd z;  // x by y
 };
 
-// NAME.dat and NAME.gp in `folder`; the script draws NAME.png and NAME.svg. Returns the script's file name. Throws InputError when the folder
-// cannot be written.
+// NAME.dat and NAME.gp in `folder`; the script draws NAME.png and NAME.svg. Returns the script's file name. Throws
+// InputError when the folder cannot be written.
 std::string write_surface_script(const std::string& folder, const SurfacePicture& picture);
 
 }  // namespace footfall

@@ -63,14 +63,16 @@ void add_cells(pugi::xml_node piece, const VtkFrame& frame) {
 }
 
 void save(const pugi::xml_document& document, const std::string& path) {
-  if (!document.save_file(path.c_str(), " ")) throw InputError(path + ": cannot be written; choose another folder with --out");
+  if (!document.save_file(path.c_str(), " "))
+    throw InputError(path + ": cannot be written; choose another folder with --out");
 }
 
 pugi::xml_node loaded(pugi::xml_document& document, const std::string& path, const char* kind) {
   const pugi::xml_parse_result result = document.load_file(path.c_str());
   if (!result) throw InputError(path + ": cannot be read: " + result.description());
   const pugi::xml_node node = document.child("VTKFile").child(kind);
-  if (!node) throw InputError(path + ": holds no " + kind + "; expected a file that a run with output.vtk = true wrote");
+  if (!node)
+    throw InputError(path + ": holds no " + kind + "; expected a file that a run with output.vtk = true wrote");
   return node;
 }
 
@@ -99,10 +101,13 @@ VtkFrame read_vtk_frame(const std::string& vtu) {
   std::size_t first = 0;
   for (const double end : numbers_in(piece.child("Cells"), "offsets")) {
     const auto last = static_cast<std::size_t>(end);
-    if (last > links.size() || last < first + 2) throw InputError(vtu + ": its cells do not fit together; was it cut off?");
+    if (last > links.size() || last < first + 2)
+      throw InputError(vtu + ": its cells do not fit together; was it cut off?");
     const auto node = [&](std::size_t k) {
       const int j = static_cast<int>(links[first + k]);
-      if (j < 0 || j >= frame.points.cols()) throw InputError(vtu + ": a cell names point " + std::to_string(j) + ", which is not there; was the file cut off?");
+      if (j < 0 || j >= frame.points.cols())
+        throw InputError(vtu + ": a cell names point " + std::to_string(j) +
+                         ", which is not there; was the file cut off?");
       return j;
     };
     if (last - first == 3) frame.triangles.emplace_back(node(0), node(1), node(2));
@@ -111,8 +116,9 @@ VtkFrame read_vtk_frame(const std::string& vtu) {
   }
   for (const pugi::xml_node array : piece.child("CellData").children("DataArray")) {
     const std::vector<double> values = numbers_in(piece.child("CellData"), array.attribute("Name").as_string());
-    frame.cell_numbers.emplace_back(array.attribute("Name").as_string(),
-                                    Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+    frame.cell_numbers.emplace_back(
+        array.attribute("Name").as_string(),
+        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
   }
   return frame;
 }
@@ -120,7 +126,8 @@ VtkFrame read_vtk_frame(const std::string& vtu) {
 VtkSeries::VtkSeries(std::string folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
 
 void VtkSeries::write(double time, const VtkFrame& frame) {
-  if (!frame.points.allFinite()) throw NumericalError("t = " + std::to_string(time) + " s: geometry of " + name_ + " is not finite");
+  if (!frame.points.allFinite())
+    throw NumericalError("t = " + std::to_string(time) + " s: geometry of " + name_ + " is not finite");
   pugi::xml_document document;
   pugi::xml_node piece = vtk_file(document, "UnstructuredGrid").append_child("UnstructuredGrid").append_child("Piece");
   piece.append_attribute("NumberOfPoints") = static_cast<int>(frame.points.cols());
@@ -128,9 +135,11 @@ void VtkSeries::write(double time, const VtkFrame& frame) {
   data_array(piece.append_child("Points"), "Float64", "Points", 3).text() = numbers(frame.points).c_str();
   add_cells(piece, frame);
   pugi::xml_node point_data = piece.append_child("PointData");
-  for (const auto& [name, values] : frame.point_vectors) data_array(point_data, "Float64", name, 3).text() = numbers(values).c_str();
+  for (const auto& [name, values] : frame.point_vectors)
+    data_array(point_data, "Float64", name, 3).text() = numbers(values).c_str();
   pugi::xml_node cell_data = piece.append_child("CellData");
-  for (const auto& [name, values] : frame.cell_numbers) data_array(cell_data, "Float64", name, 1).text() = numbers(values).c_str();
+  for (const auto& [name, values] : frame.cell_numbers)
+    data_array(cell_data, "Float64", name, 1).text() = numbers(values).c_str();
 
   char number[16];
   std::snprintf(number, sizeof number, "_%04zu.vtu", frames_.size());

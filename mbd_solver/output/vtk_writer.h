@@ -1,5 +1,6 @@
 #pragma once
-// Geometry over time, for ParaView and our own pictures: one VTU file per frame and a .pvd that lists them with their times.
+// Geometry over time, for ParaView and our own pictures: one VTU file per frame and a .pvd that lists them with their
+// times.
 
 #include <Eigen/Dense>
 #include <string>
@@ -9,9 +10,9 @@
 namespace footfall {
 
 struct VtkFrame {
-  Eigen::Matrix3Xd points;                  // 3 x N [m]
-  std::vector<Eigen::Vector3i> triangles;   // indices of points
-  std::vector<Eigen::Vector2i> lines;       // indices of points
+  Eigen::Matrix3Xd points;                 // 3 x N [m]
+  std::vector<Eigen::Vector3i> triangles;  // indices of points
+  std::vector<Eigen::Vector2i> lines;      // indices of points
   // Arrays by name: vectors of points, 3 x N; numbers of points, N; numbers of cells, triangles first, then lines.
   std::vector<std::pair<std::string, Eigen::Matrix3Xd>> point_vectors;
   std::vector<std::pair<std::string, Eigen::VectorXd>> cell_numbers;
@@ -21,8 +22,8 @@ class VtkSeries {
  public:
   // Files FOLDER/NAME_0000.vtu ... and FOLDER/NAME.pvd.
   VtkSeries(std::string folder, std::string name);
-  // Writes the frame and the list anew, so that a run that is looked at, or stopped, can be opened. Throws InputError when a file cannot
-  // be written, NumericalError when a number is not finite.
+  // Writes the frame and the list anew, so that a run that is looked at, or stopped, can be opened. Throws InputError
+  // when a file cannot be written, NumericalError when a number is not finite.
   void write(double time, const VtkFrame& frame);
 
  private:
@@ -30,7 +31,8 @@ class VtkSeries {
   std::vector<std::pair<double, std::string>> frames_;
 };
 
-// Read back what VtkSeries wrote: times and file names of a .pvd; one frame, without vectors of points. Throw InputError naming the file.
+// Read back what VtkSeries wrote: times and file names of a .pvd; one frame, without vectors of points. Throw
+// InputError naming the file.
 std::vector<std::pair<double, std::string>> read_vtk_series(const std::string& pvd);
 VtkFrame read_vtk_frame(const std::string& vtu);
 

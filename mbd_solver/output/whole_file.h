@@ -1,5 +1,6 @@
 #pragma once
-// A text file that is there whole or not at all: written beside the target and renamed, so that neither a reader nor a kill meets half of it.
+// A text file that is there whole or not at all: written beside the target and renamed, so that neither a reader nor a
+// kill meets half of it.
 
 #include <string>
 

@@ -33,7 +33,8 @@ ModalBoundary assemble(const std::string& name, const Nodes& nodes, std::vector<
       Psi.middleRows(3 * j, 3) = nodes.markers[i].Psi;
     }
   }
-  return ModalBoundary(name, std::move(rho0), std::move(triangles), std::move(segments), std::move(Phi), std::move(Psi));
+  return ModalBoundary(name, std::move(rho0), std::move(triangles), std::move(segments), std::move(Phi),
+                       std::move(Psi));
 }
 
 ModalBoundary build(const Scene& scene, const BodySpec& body, const BoundarySpec& spec, const FlexibleBody& flexible) {

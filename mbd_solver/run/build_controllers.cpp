@@ -16,7 +16,8 @@ std::unique_ptr<Controller> build(const ControllerSpec& spec, int outputs, std::
       ConstantControllerParameters p;
       p.period = spec.period;
       p.voltages.resize(outputs);
-      for (int k = 0; k < outputs; ++k) p.voltages(k) = spec.voltages[spec.voltages.size() == 1 ? 0 : static_cast<std::size_t>(k)];
+      for (int k = 0; k < outputs; ++k)
+        p.voltages(k) = spec.voltages[spec.voltages.size() == 1 ? 0 : static_cast<std::size_t>(k)];
       return std::make_unique<ConstantController>(p);
     }
     case ControllerKind::kFuzzy: {
@@ -65,13 +66,14 @@ void add_controllers(const Scene& scene, Mechanism& mechanism) {
     entry.name = spec.name;
     entry.controller = build(spec, outputs, mechanism.warnings);
     if (entry.controller->output_count() != outputs)
-      throw InputError(scene.file + ":" + std::to_string(spec.source.line_of("outputs")) + ": controllers." + spec.name + ": " +
-                       std::to_string(outputs) + " outputs, but the controller has " +
+      throw InputError(scene.file + ":" + std::to_string(spec.source.line_of("outputs")) + ": controllers." +
+                       spec.name + ": " + std::to_string(outputs) + " outputs, but the controller has " +
                        std::to_string(entry.controller->output_count()));
     entry.body = scene.body_index(spec.body);
     entry.touchdown_acceleration = spec.touchdown_acceleration;
     entry.touchdown_delay = spec.touchdown_delay;
-    if (spec.touchdown_acceleration == 0.0 || spec.kind == ControllerKind::kConstant) entry.wakes_at = -std::numeric_limits<double>::infinity();
+    if (spec.touchdown_acceleration == 0.0 || spec.kind == ControllerKind::kConstant)
+      entry.wakes_at = -std::numeric_limits<double>::infinity();
     entry.outputs = spec.outputs;
     entry.first_voltage = static_cast<int>(mechanism.voltages.size());
     entry.struts.assign(static_cast<std::size_t>(outputs), -1);

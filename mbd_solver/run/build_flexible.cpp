@@ -1,5 +1,5 @@
-// Flexible bodies of the scene: finite-element model from shape, mesh, frame or file, reduced to modes whose interface is
-// where joints, struts and springs attach.
+// Flexible bodies of the scene: finite-element model from shape, mesh, frame or file, reduced to modes whose interface
+// is where joints, struts and springs attach.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,8 @@ namespace {
 
 constexpr double kSameWeight = 0.01;  // relative: masses in scenes are rounded
 
-// A point of D at which something is attached to the body. Joints that hold an attitude need the rotations of their node.
+// A point of D at which something is attached to the body. Joints that hold an attitude need the rotations of their
+// node.
 struct Attachment {
   Eigen::Vector3d point;  // in D [m]
   bool turns;             // transmits moments
@@ -47,26 +48,31 @@ std::vector<Attachment> attachments(const Scene& scene, const std::string& body)
     for (std::size_t end = 0; end < 2; ++end)
       if (strut.bodies[end] == body) points.push_back({strut.points[end], false});
   for (const SpringSpec& spring : scene.springs)
-    if (spring.kind == SpringKind::kBushing && (spring.bodies[0] == body || spring.bodies[1] == body)) points.push_back({spring.point, true});
+    if (spring.kind == SpringKind::kBushing && (spring.bodies[0] == body || spring.bodies[1] == body))
+      points.push_back({spring.point, true});
   return points;
 }
 
 // Farther from every node than the nodes from each other, a point is no point of the body.
 double reach(const Eigen::Matrix3Xd& nodes) { return (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).norm(); }
 
-// The nodes nearest to the attachments: with all six motions as interface where one of theirs turns, else with displacement only.
+// The nodes nearest to the attachments: with all six motions as interface where one of theirs turns, else with
+// displacement only.
 void set_interface(const FeModel& model, const std::vector<Attachment>& attached, BasisOptions& options) {
   std::map<int, bool> turns;
   for (const Attachment& a : attached) turns[joint_node(model, a.point, reach(model.nodes), a.turns)] |= a.turns;
   for (const auto& [node, turning] : turns) (turning ? options.interface_nodes : options.pinned_nodes).push_back(node);
 }
 
-// A beam from `from` to `to` whose nodes include the feet of all attachments, in about `elements` elements of near-equal length.
-FeModel beam_along_shape(const ShapeSpec& shape, int elements, const std::vector<Attachment>& attached, const Material& material) {
+// A beam from `from` to `to` whose nodes include the feet of all attachments, in about `elements` elements of
+// near-equal length.
+FeModel beam_along_shape(const ShapeSpec& shape, int elements, const std::vector<Attachment>& attached,
+                         const Material& material) {
   const Eigen::Vector3d axis = shape.to - shape.from;
   const double length = axis.norm();
   std::vector<double> stations = {0.0, 1.0};
-  for (const Attachment& a : attached) stations.push_back(std::clamp((a.point - shape.from).dot(axis) / (length * length), 0.0, 1.0));
+  for (const Attachment& a : attached)
+    stations.push_back(std::clamp((a.point - shape.from).dot(axis) / (length * length), 0.0, 1.0));
   std::sort(stations.begin(), stations.end());
   const double shortest = 0.05 / elements;  // stations nearer than this share a node
   std::vector<double> kept = {0.0};
@@ -106,7 +112,8 @@ FeModel frame(const FlexibleSpec& spec, const Material& material) {
   for (const MemberSpec& m : spec.members) {
     int section = 0;
     while (spec.sections[static_cast<std::size_t>(section)].name != m.section) ++section;
-    const Eigen::Vector3d from = spec.nodes[static_cast<std::size_t>(m.first)], to = spec.nodes[static_cast<std::size_t>(m.second)];
+    const Eigen::Vector3d from = spec.nodes[static_cast<std::size_t>(m.first)],
+                          to = spec.nodes[static_cast<std::size_t>(m.second)];
     int last = m.first;
     for (int k = 1; k <= m.elements; ++k) {
       int next = m.second;
@@ -133,8 +140,10 @@ FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& ma
     return plate_model(mesh, thickness, material, spec.mesh);
   }
   const double edge = spec.mesh_size > 0.0 ? spec.mesh_size : shape.radius / 4.0;
-  const TriangleMesh flat = shape.kind == ShapeKind::kDish ? dish_mesh(shape.radius, shape.depth, edge) : disc_mesh(shape.radius, edge);
-  return plate_model(moved(flat, axes_with_z(shape.axis), shape.centre), thickness, material, "body \"" + body.name + "\"");
+  const TriangleMesh flat =
+      shape.kind == ShapeKind::kDish ? dish_mesh(shape.radius, shape.depth, edge) : disc_mesh(shape.radius, edge);
+  return plate_model(moved(flat, axes_with_z(shape.axis), shape.centre), thickness, material,
+                     "body \"" + body.name + "\"");
 }
 
 // A model of another code brings its own mass: units of grams or tonnes show here.
@@ -158,7 +167,8 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, std::vector<std::st
   ReducedBody reduced;
   if (!spec.file.empty()) {
     reduced = read_modal_body(spec.file, options, body.name);
-    for (const Attachment& a : attached) joint_node(reduced.body, a.point - reduced.p_DBo, reach(reduced.body.rho0), a.turns);
+    for (const Attachment& a : attached)
+      joint_node(reduced.body, a.point - reduced.p_DBo, reach(reduced.body.rho0), a.turns);
     check_weight(body, reduced.body.node_mass.sum(), spec.file);
   } else if (!spec.stiffness_matrix.empty()) {
     const FeModel model = read_matrix_market(spec.stiffness_matrix, spec.mass_matrix, spec.node_file);
@@ -169,9 +179,9 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, std::vector<std::st
     const MaterialSpec& m = scene.material(body.material);
     const Material material{m.density, m.young, m.poisson};
     const bool beam = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod);
-    FeModel model = !spec.nodes.empty()                 ? frame(spec, material)
-                    : spec.mesh.empty() && beam         ? beam_along_shape(*body.shape, spec.elements, attached, material)
-                                                        : plate(body, spec, material);
+    FeModel model = !spec.nodes.empty()         ? frame(spec, material)
+                    : spec.mesh.empty() && beam ? beam_along_shape(*body.shape, spec.elements, attached, material)
+                                                : plate(body, spec, material);
     model = with_mass(std::move(model), body.mass);
     set_interface(model, attached, options);
     reduced = reduce(model, options, body.name);

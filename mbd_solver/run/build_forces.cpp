@@ -11,9 +11,9 @@
 #include "mbd_solver/model/forces/mr_geometry.h"
 #include "mbd_solver/model/forces/table_law.h"
 #include "mbd_solver/model/rigid_plane.h"
+#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/model/strut.h"
 #include "mbd_solver/model/torsional_spring.h"
-#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/run/mechanism.h"
 
 namespace footfall {
@@ -73,7 +73,8 @@ std::vector<std::unique_ptr<StrutLaw>> laws_of(const StrutSpec& spec, double len
     p.stiffness = spec.stops->stiffness;
     p.dissipation = spec.stops->dissipation;
     p.toe = spec.stops->toe;
-    // A gas strut rests on its extended end under the preload: the stop yields by its penetration there, so it sits that much higher.
+    // A gas strut rests on its extended end under the preload: the stop yields by its penetration there, so it sits
+    // that much higher.
     if (spec.gas && p.smallest_stroke) {
       const double area = 0.25 * M_PI * spec.gas->piston_diameter * spec.gas->piston_diameter;
       p.smallest_stroke = *p.smallest_stroke + EndStop(p).penetration(spec.gas->pressure * area);
@@ -119,7 +120,8 @@ void add_struts(const Scene& scene, Mechanism& mechanism) {
           laws_of(spec, length), length, voltage);
       mechanism.struts.push_back({spec.name, mechanism.model.add_force(std::move(strut))});
     } catch (const InputError& error) {
-      throw InputError(scene.file + ":" + std::to_string(spec.source.line) + ": struts." + spec.name + ": " + error.what());
+      throw InputError(scene.file + ":" + std::to_string(spec.source.line) + ": struts." + spec.name + ": " +
+                       error.what());
     }
   }
 }
@@ -135,7 +137,8 @@ void add_springs(const Scene& scene, Mechanism& mechanism) {
       p.stiffness = spec.stiffness;
       p.damping = spec.damping;
       p.free_angle = spec.rest_angle;
-      model.add_force(std::make_unique<TorsionalSpring>(spec.name, model.marker_at(a, placement.point(spec.point), axes),
+      model.add_force(std::make_unique<TorsionalSpring>(spec.name,
+                                                        model.marker_at(a, placement.point(spec.point), axes),
                                                         model.marker_at(b, placement.point(spec.point), axes), p));
       continue;
     }
@@ -150,8 +153,10 @@ void add_springs(const Scene& scene, Mechanism& mechanism) {
       p.rotational_damping = spec.turning_damping;
     }
     // A centring spring turns only: its point is where it reads the attitude, the mass centre of b.
-    const Eigen::Vector3d p_W = spec.kind == SpringKind::kCentring && b != kGround ? model.initial(b).r : placement.point(spec.point);
-    model.add_force(std::make_unique<Bushing>(spec.name, model.marker_at(a, p_W, placement.R_WD), model.marker_at(b, p_W, placement.R_WD), p));
+    const Eigen::Vector3d p_W =
+        spec.kind == SpringKind::kCentring && b != kGround ? model.initial(b).r : placement.point(spec.point);
+    model.add_force(std::make_unique<Bushing>(spec.name, model.marker_at(a, p_W, placement.R_WD),
+                                              model.marker_at(b, p_W, placement.R_WD), p));
   }
 }
 
@@ -165,7 +170,8 @@ void add_plane(const Scene& scene, Mechanism& mechanism) {
   p.slip_speed = spec.friction_speed;
   // Hertz on a flat: k = 4/3 E* sqrt(R), E* = E / (1 - nu^2).
   p.stiffness = spec.stiffness ? *spec.stiffness
-                               : 4.0 / 3.0 * spec.young.value_or(0.0) / (1.0 - spec.poisson * spec.poisson) * std::sqrt(spec.contact_radius);
+                               : 4.0 / 3.0 * spec.young.value_or(0.0) / (1.0 - spec.poisson * spec.poisson) *
+                                     std::sqrt(spec.contact_radius);
   const double speed = spec.impact_speed.value_or(scene.initial.velocity.norm());
   p.damping = spec.damping       ? *spec.damping
               : spec.restitution ? contact_damping_for_restitution(*spec.restitution, speed > 0.0 ? speed : 1.0)
@@ -181,7 +187,8 @@ void add_plane(const Scene& scene, Mechanism& mechanism) {
         if (segment.start == j || segment.end == j) radius = std::max(radius, segment.radius);
       points.push_back({body_marker(entry.body, body, entry.boundary.rho0().col(j)), radius});
     }
-    mechanism.planes.push_back(mechanism.model.add_force(std::make_unique<RigidPlane>("ground/" + name, std::move(points), p)));
+    mechanism.planes.push_back(
+        mechanism.model.add_force(std::make_unique<RigidPlane>("ground/" + name, std::move(points), p)));
     mechanism.plane_bodies.push_back(entry.body);
   }
 }

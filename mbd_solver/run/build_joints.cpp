@@ -43,7 +43,8 @@ TimeFunctionPtr time_function(const TimeFunctionSpec& spec) {
   return sum;
 }
 
-// Displacements along x, y, z of the joint's frame (z = axis, x near axis2) and rotation about z; what is not given is free.
+// Displacements along x, y, z of the joint's frame (z = axis, x near axis2) and rotation about z; what is not given is
+// free.
 Joint prescribed(const JointSpec& spec, const Model& model, int a, int b, const Placement& placement) {
   const MotionSpec& motion = *spec.motion;
   PrescribedMotion prescribed;
@@ -61,7 +62,8 @@ Joint prescribed(const JointSpec& spec, const Model& model, int a, int b, const 
 Joint build(const JointSpec& spec, const Model& model, int a, int b, const Placement& placement) {
   const Eigen::Vector3d p_a = placement.point(spec.point_a), p_b = placement.point(spec.point_b);
   const auto markers = [&](const Eigen::Matrix3d& axes_a, const Eigen::Matrix3d& axes_b) {
-    return std::pair(model.marker_at(a, p_a, placement.R_WD * axes_a), model.marker_at(b, p_b, placement.R_WD * axes_b));
+    return std::pair(model.marker_at(a, p_a, placement.R_WD * axes_a),
+                     model.marker_at(b, p_b, placement.R_WD * axes_b));
   };
   const Eigen::Matrix3d along_z = axes_with_z(spec.axis);
   switch (spec.type) {
@@ -70,14 +72,12 @@ Joint build(const JointSpec& spec, const Model& model, int a, int b, const Place
       const auto [m1, m2] = markers(axes_with_z(across, spec.axis), axes_with_z(across, spec.axis2.cross(across)));
       return universal_joint(spec.name, m1, m2);
     }
-    case JointType::kPrescribed:
-      return prescribed(spec, model, a, b, placement);
+    case JointType::kPrescribed: return prescribed(spec, model, a, b, placement);
     case JointType::kDistance: {
       const auto [m1, m2] = markers(along_z, along_z);
       return distance_joint(spec.name, m1, m2, spec.length.value_or((spec.point_b - spec.point_a).norm()));
     }
-    default:
-      break;
+    default: break;
   }
   const auto [m1, m2] = markers(along_z, along_z);
   switch (spec.type) {
@@ -94,8 +94,8 @@ Joint build(const JointSpec& spec, const Model& model, int a, int b, const Place
 
 void add_joints(const Scene& scene, Mechanism& mechanism) {
   for (const JointSpec& spec : scene.joints)
-    mechanism.model.add_joint(build(spec, mechanism.model, scene.body_index(spec.bodies[0]), scene.body_index(spec.bodies[1]),
-                                    mechanism.placement));
+    mechanism.model.add_joint(build(spec, mechanism.model, scene.body_index(spec.bodies[0]),
+                                    scene.body_index(spec.bodies[1]), mechanism.placement));
 }
 
 }  // namespace footfall

@@ -26,7 +26,8 @@ void write(std::FILE* file, const char* name, const Eigen::VectorXd& values) {
 
 }  // namespace
 
-void write_checkpoint(const std::string& path, const State& state, const Mechanism& mechanism, const Eigen::VectorXd& voltages) {
+void write_checkpoint(const std::string& path, const State& state, const Mechanism& mechanism,
+                      const Eigen::VectorXd& voltages) {
   const std::string partial = path + ".partial";
   {
     const std::unique_ptr<std::FILE, Closer> file(std::fopen(partial.c_str(), "w"));
@@ -42,9 +43,11 @@ void write_checkpoint(const std::string& path, const State& state, const Mechani
     write(out, "motion_work", &state.motion_work, 1);
     write(out, "step", &state.step, 1);
     write(out, "voltages", voltages);
-    for (const ControllerEntry& entry : mechanism.controllers) write(out, ("controller/" + entry.name).c_str(), entry.controller->memory());
+    for (const ControllerEntry& entry : mechanism.controllers)
+      write(out, ("controller/" + entry.name).c_str(), entry.controller->memory());
   }
-  if (std::rename(partial.c_str(), path.c_str()) != 0) throw InputError(path + ": cannot be written: " + std::strerror(errno));
+  if (std::rename(partial.c_str(), path.c_str()) != 0)
+    throw InputError(path + ": cannot be written: " + std::strerror(errno));
 }
 
 }  // namespace footfall

@@ -3,12 +3,14 @@
 
 #include <string>
 
-#include "mbd_solver/run/mechanism.h"
 #include "mbd_solver/model/state.h"
+#include "mbd_solver/run/mechanism.h"
 
 namespace footfall {
 
-// Written beside the target and renamed, so that a reader never sees half of it. Throws InputError when the folder is not writable.
-void write_checkpoint(const std::string& path, const State& state, const Mechanism& mechanism, const Eigen::VectorXd& voltages);
+// Written beside the target and renamed, so that a reader never sees half of it. Throws InputError when the folder is
+// not writable.
+void write_checkpoint(const std::string& path, const State& state, const Mechanism& mechanism,
+                      const Eigen::VectorXd& voltages);
 
 }  // namespace footfall

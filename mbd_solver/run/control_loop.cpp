@@ -8,7 +8,8 @@
 
 namespace footfall {
 
-ControlLoop::ControlLoop(std::vector<ControllerEntry>& controllers, const std::vector<StrutEntry>& struts, const Eigen::Vector3d& up)
+ControlLoop::ControlLoop(std::vector<ControllerEntry>& controllers, const std::vector<StrutEntry>& struts,
+                         const Eigen::Vector3d& up)
     : controllers_(controllers), struts_(struts), up_(up), samples_(controllers.size(), 0) {}
 
 double ControlLoop::next_sample() const {

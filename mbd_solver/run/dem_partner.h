@@ -1,5 +1,6 @@
 #pragma once
-// The multibody side of the exchange with LIGGGHTS: opens it, trades one motion for one mean load per window, closes it.
+// The multibody side of the exchange with LIGGGHTS: opens it, trades one motion for one mean load per window, closes
+// it.
 
 #include <string>
 #include <vector>
@@ -11,27 +12,30 @@ namespace footfall {
 
 // What the scene fixes before LIGGGHTS speaks.
 struct DemTerms {
-  std::string scheme;                    // a name that make_scheme knows
-  double t_end = 0.0;                    // [s]
-  double max_dt = 0.0;                   // a larger DEM step is refused [s]; 0: any
-  double expected_dt = 0.0;              // stated by the scene for the script; 0: not stated [s]
-  int expected_n = 0;                    // likewise
-  int n_max = 1;                         // longest window when the script has `every auto`
+  std::string scheme;        // a name that make_scheme knows
+  double t_end = 0.0;        // [s]
+  double max_dt = 0.0;       // a larger DEM step is refused [s]; 0: any
+  double expected_dt = 0.0;  // stated by the scene for the script; 0: not stated [s]
+  int expected_n = 0;        // likewise
+  int n_max = 1;             // longest window when the script has `every auto`
 };
 
 class DemPartner {
  public:
-  // `bodies`: every body with a boundary, at its initial motion. The transport must outlive the partner. Waits for LIGGGHTS' first words as
-  // long as its script takes to get there. Throws ProtocolError when the two sides disagree, naming both values.
+  // `bodies`: every body with a boundary, at its initial motion. The transport must outlive the partner. Waits for
+  // LIGGGHTS' first words as long as its script takes to get there. Throws ProtocolError when the two sides disagree,
+  // naming both values.
   DemPartner(Transport& transport, std::vector<CoupledBody> bodies, const DemTerms& terms, double patience);
 
-  double dt() const { return start_.dt; }                   // substep of the grains [s]
-  int substeps() const { return start_.n; }                 // n of the script; 0: `every auto`
-  const std::vector<int>& coupled() const { return coupled_; }  // index in `bodies` of each body of Motion and Load, in their order
+  double dt() const { return start_.dt; }    // substep of the grains [s]
+  int substeps() const { return start_.n; }  // n of the script; 0: `every auto`
+  // index in `bodies` of each body of Motion and Load, in their order
+  const std::vector<int>& coupled() const { return coupled_; }
 
-  // One window: sends `motion` and returns the load that the grains gave over it. The reference holds until the next call.
+  // One window: sends `motion` and returns the load that the grains gave over it. The reference holds until the next
+  // call.
   const Load& exchange(const Motion& motion);
-  const Load& load() const { return load_; }               // of the last window
+  const Load& load() const { return load_; }  // of the last window
   void close() { link_.close(); }
   void fail(const std::string& reason, Status status) noexcept { link_.fail(reason, status); }
   double seconds_waited() const { return link_.seconds_waited() - seconds_before_; }  // since both agreed to start [s]

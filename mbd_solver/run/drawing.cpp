@@ -16,11 +16,12 @@ ModalBoundary from_modes(const std::string& name, const ModalBody& modal) {
   return ModalBoundary(name, modal.rho0, modal.triangles, std::move(segments), modal.Phi, modal.Psi);
 }
 
-ModalBoundary rigid(const std::string& name, const std::vector<Eigen::Vector3d>& points_D, std::vector<Eigen::Vector3i> triangles,
-                    std::vector<BeamSegment> segments, const BodySpec& body) {
+ModalBoundary rigid(const std::string& name, const std::vector<Eigen::Vector3d>& points_D,
+                    std::vector<Eigen::Vector3i> triangles, std::vector<BeamSegment> segments, const BodySpec& body) {
   Eigen::Matrix3Xd rho0(3, static_cast<Eigen::Index>(points_D.size()));
   const Eigen::Matrix3d R_BD = body.orientation.toRotationMatrix().transpose();
-  for (std::size_t j = 0; j < points_D.size(); ++j) rho0.col(static_cast<Eigen::Index>(j)) = R_BD * (points_D[j] - body.position);
+  for (std::size_t j = 0; j < points_D.size(); ++j)
+    rho0.col(static_cast<Eigen::Index>(j)) = R_BD * (points_D[j] - body.position);
   return ModalBoundary(name, std::move(rho0), std::move(triangles), std::move(segments));
 }
 
@@ -31,9 +32,12 @@ std::optional<ModalBoundary> from_shape(const BodySpec& body) {
   if (shape.kind == ShapeKind::kTube || shape.kind == ShapeKind::kRod)
     return rigid(body.name, {shape.from, shape.to}, {}, {{0, 1, 0.5 * shape.diameter, 0}}, body);
   TriangleMesh mesh;
-  if (shape.kind == ShapeKind::kBox) mesh = moved(box_mesh(shape.size, shape.size.maxCoeff()), body.orientation.toRotationMatrix(), shape.centre);
-  if (shape.kind == ShapeKind::kDisc) mesh = moved(disc_mesh(shape.radius, shape.radius / 3.0), axes_with_z(shape.axis), shape.centre);
-  if (shape.kind == ShapeKind::kDish) mesh = moved(dish_mesh(shape.radius, shape.depth, shape.radius / 3.0), axes_with_z(shape.axis), shape.centre);
+  if (shape.kind == ShapeKind::kBox)
+    mesh = moved(box_mesh(shape.size, shape.size.maxCoeff()), body.orientation.toRotationMatrix(), shape.centre);
+  if (shape.kind == ShapeKind::kDisc)
+    mesh = moved(disc_mesh(shape.radius, shape.radius / 3.0), axes_with_z(shape.axis), shape.centre);
+  if (shape.kind == ShapeKind::kDish)
+    mesh = moved(dish_mesh(shape.radius, shape.depth, shape.radius / 3.0), axes_with_z(shape.axis), shape.centre);
   if (mesh.triangles.empty()) return std::nullopt;
   return rigid(body.name, mesh.vertices, mesh.triangles, {}, body);
 }
@@ -57,7 +61,8 @@ Drawing::Drawing(Simulation& simulation) : simulation_(simulation) {
     points += parts_.back().shape.node_count();
   }
   for (const Part& part : parts_)
-    for (const BeamSegment& s : part.shape.segments()) frame_.lines.emplace_back(s.start + part.first_point, s.end + part.first_point);
+    for (const BeamSegment& s : part.shape.segments())
+      frame_.lines.emplace_back(s.start + part.first_point, s.end + part.first_point);
   frame_.points.resize(3, points);
   frame_.point_vectors = {{"displacement", Eigen::Matrix3Xd::Zero(3, points)}};
   const auto cells = static_cast<Eigen::Index>(frame_.triangles.size() + frame_.lines.size());

@@ -15,7 +15,7 @@ class Drawing {
  private:
   struct Part {
     int body;
-    ModalBoundary shape;       // nodes in B with their modes
+    ModalBoundary shape;  // nodes in B with their modes
     int first_point;
   };
 

@@ -31,7 +31,9 @@ int FlexibleBodies::find(int body) const {
   return found == bodies_.end() ? -1 : static_cast<int>(found - bodies_.begin());
 }
 
-const Body& FlexibleBodies::body(int k) const { return simulation_.mechanism().model.body(bodies_[static_cast<std::size_t>(k)]); }
+const Body& FlexibleBodies::body(int k) const {
+  return simulation_.mechanism().model.body(bodies_[static_cast<std::size_t>(k)]);
+}
 
 void FlexibleBodies::take(const Sample& sample) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -39,7 +41,8 @@ void FlexibleBodies::take(const Sample& sample) {
     const Eigen::Index first = simulation_.layout().body_q[static_cast<std::size_t>(bodies_[k])] + 7;
     const Eigen::VectorXd a = sample.state.q.segment(first, body.mode_count());
     now_[k] = {body.inertia().strain_energy(a), largest_deflection(*body.modal(), a), von_mises(*body.modal(), a),
-               sample.state.v.segment<3>(simulation_.layout().body_v[static_cast<std::size_t>(bodies_[k])] + 3).norm() / watch_[k].lowest};
+               sample.state.v.segment<3>(simulation_.layout().body_v[static_cast<std::size_t>(bodies_[k])] + 3).norm() /
+                   watch_[k].lowest};
     peak_[k].strain_energy = std::max(peak_[k].strain_energy, now_[k].strain_energy);
     peak_[k].deflection = std::max(peak_[k].deflection, now_[k].deflection);
     peak_[k].von_mises = std::max(peak_[k].von_mises, now_[k].von_mises);
@@ -67,14 +70,16 @@ void FlexibleBodies::warn(double time, int k) {
   if (!watch.spins && now.spin > kSpinRange)
     tell(watch.spins, " spins at " + number(now.spin) + " of its lowest elastic frequency (" + number(watch.lowest) +
                           " rad/s): beyond " + number(kSpinRange) +
-                          " linear modes, which centrifugal tension does not stiffen, err by more than 1 %; divide the body into several");
+                          " linear modes, which centrifugal tension does not stiffen, err by more than 1 %; divide the "
+                          "body into several");
   if (!watch.bends && now.deflection > kDeflectionRange * watch.extent)
     tell(watch.bends, " bends by " + number(now.deflection) + " m, " + number(now.deflection / watch.extent) +
                           " of its extent: beyond " + number(kDeflectionRange) +
                           " linear modes err by more than 1 %; divide the body into several");
   if (!watch.yields && watch.yield_stress > 0.0 && now.von_mises > watch.yield_stress)
-    tell(watch.yields, " has a von Mises stress of " + number(1e-6 * now.von_mises) + " MPa, more than the yield stress of its material, " +
-                           number(1e-6 * watch.yield_stress) + " MPa: it would stay bent, which elastic modes cannot show");
+    tell(watch.yields, " has a von Mises stress of " + number(1e-6 * now.von_mises) +
+                           " MPa, more than the yield stress of its material, " + number(1e-6 * watch.yield_stress) +
+                           " MPa: it would stay bent, which elastic modes cannot show");
 }
 
 }  // namespace footfall

@@ -1,6 +1,6 @@
 #pragma once
-// Strain energy, largest deflection and largest von Mises stress of every flexible body: now, and the largest so far; and whether
-// the body is still where linear modes hold.
+// Strain energy, largest deflection and largest von Mises stress of every flexible body: now, and the largest so far;
+// and whether the body is still where linear modes hold.
 
 #include <string>
 #include <vector>
@@ -21,11 +21,12 @@ class FlexibleBodies {
   explicit FlexibleBodies(const Simulation& simulation);
 
   void take(const Sample& sample);
-  // Told once per body and cause: it spins too fast or bends too far for linear modes (linear_range.h), or its material yields.
+  // Told once per body and cause: it spins too fast or bends too far for linear modes (linear_range.h), or its material
+  // yields.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
   int count() const { return static_cast<int>(bodies_.size()); }
-  int find(int body) const;                                  // place of a body of the model here, or -1: it is rigid
+  int find(int body) const;  // place of a body of the model here, or -1: it is rigid
   const Body& body(int k) const;
   const FlexibleFigures& now(int k) const { return now_[static_cast<std::size_t>(k)]; }
   const FlexibleFigures& peak(int k) const { return peak_[static_cast<std::size_t>(k)]; }  // of each figure by itself

@@ -13,11 +13,12 @@
 
 namespace footfall {
 
-// The ground under one boundary at the start, for the time of its flight: no grain stands higher within `stray` around its outline.
+// The ground under one boundary at the start, for the time of its flight: no grain stands higher within `stray` around
+// its outline.
 struct LandingSite {
-  double height = 0.0;                                       // along up [m]
-  double stray = 0.0;                                        // so far its points may leave the outline [m]
-  Eigen::Vector3d r = Eigen::Vector3d::Zero();               // Bo and attitude of its body at the start
+  double height = 0.0;                          // along up [m]
+  double stray = 0.0;                           // so far its points may leave the outline [m]
+  Eigen::Vector3d r = Eigen::Vector3d::Zero();  // Bo and attitude of its body at the start
   Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();
 };
 
@@ -46,13 +47,14 @@ struct StrutEntry {
 struct ControllerEntry {
   std::string name;
   std::unique_ptr<Controller> controller;
-  int body = 0;              // observed
-  // Asleep, at voltage 0, until `touchdown_delay` after the upward acceleration has first exceeded `touchdown_acceleration`.
-  double touchdown_acceleration = 0.0;  // [m/s2]
-  double touchdown_delay = 0.0;         // [s]
+  int body = 0;  // observed
+  // Asleep, at voltage 0, until `touchdown_delay` after the upward acceleration has first exceeded
+  // `touchdown_acceleration`.
+  double touchdown_acceleration = 0.0;                        // [m/s2]
+  double touchdown_delay = 0.0;                               // [s]
   double wakes_at = std::numeric_limits<double>::infinity();  // [s]; minus infinity: always awake
-  int first_voltage = 0;     // its outputs are voltages first_voltage ... in the Inputs
-  std::vector<int> struts;   // for each output the strut it drives (index into Mechanism::struts), -1 for none
+  int first_voltage = 0;    // its outputs are voltages first_voltage ... in the Inputs
+  std::vector<int> struts;  // for each output the strut it drives (index into Mechanism::struts), -1 for none
   std::vector<std::string> outputs;
 };
 
@@ -61,10 +63,10 @@ struct Mechanism {
   Model model;
   std::vector<BodyBoundary> boundaries;
   std::vector<StrutEntry> struts;
-  std::vector<int> planes;                    // force indices of rigid-plane contacts, one per touching body
-  std::vector<int> plane_bodies;              // their bodies
+  std::vector<int> planes;        // force indices of rigid-plane contacts, one per touching body
+  std::vector<int> plane_bodies;  // their bodies
   std::vector<ControllerEntry> controllers;
-  Eigen::VectorXd voltages;                   // at the start: constants of struts without controller, first outputs
+  Eigen::VectorXd voltages;  // at the start: constants of struts without controller, first outputs
   std::vector<std::string> warnings;
 };
 
@@ -85,7 +87,8 @@ std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<
 std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible);
 
 // R_WD and p_WD from [initial]: attitude about the total mass centre, then clearance above plane or grains.
-Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries, const std::vector<FlexibleBody>& flexible);
+Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
+                const std::vector<FlexibleBody>& flexible);
 
 void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism);
 void add_joints(const Scene& scene, Mechanism& mechanism);

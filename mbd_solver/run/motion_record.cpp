@@ -11,10 +11,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_stl(const std::string& path, const std::string& name, const Eigen::Matrix3Xd& x, const std::vector<Eigen::Vector3i>& triangles) {
+void write_stl(const std::string& path, const std::string& name, const Eigen::Matrix3Xd& x,
+               const std::vector<Eigen::Vector3i>& triangles) {
   std::ofstream out(path);
   out.precision(17);
-  const auto point = [&](const char* word, const Eigen::Vector3d& p) { out << word << " " << p.x() << " " << p.y() << " " << p.z() << "\n"; };
+  const auto point = [&](const char* word, const Eigen::Vector3d& p) {
+    out << word << " " << p.x() << " " << p.y() << " " << p.z() << "\n";
+  };
   out << "solid " << name << "\n";
   for (const Eigen::Vector3i& t : triangles) {
     const Eigen::Vector3d a = x.col(t(0)), b = x.col(t(1)), c = x.col(t(2));
@@ -43,8 +46,7 @@ RigidFit fit_rigid(const Eigen::Matrix3Xd& x0, const Eigen::Matrix3Xd& x) {
   return fit;
 }
 
-MotionRecord::MotionRecord(const Simulation& simulation, const std::string& folder)
-    : simulation_(simulation) {
+MotionRecord::MotionRecord(const Simulation& simulation, const std::string& folder) : simulation_(simulation) {
   const std::vector<std::string> names = {"time", "x", "y", "z", "rx", "ry", "rz", "bend", "fx", "fy", "fz"};
   const std::vector<std::string> units = {"s", "m", "m", "m", "rad", "rad", "rad", "m", "N", "N", "N"};
   for (const int i : simulation.partner()->coupled()) {
@@ -54,7 +56,8 @@ MotionRecord::MotionRecord(const Simulation& simulation, const std::string& fold
     if (surfaces_.empty()) {
       std::error_code error;
       fs::create_directories(folder, error);
-      if (error) throw InputError(folder + ": cannot be made: " + error.message() + "; choose another folder with --out");
+      if (error)
+        throw InputError(folder + ": cannot be made: " + error.message() + "; choose another folder with --out");
     }
     const std::string file = (fs::path(folder) / boundary.name()).string();
     const BodyMotion rest(boundary.mode_count());
@@ -81,7 +84,8 @@ void MotionRecord::write(const Sample& sample) {
     const Eigen::AngleAxisd turn(fit.R);
     const Eigen::Vector3d r = turn.angle() * turn.axis();
     const Eigen::Vector3d& f = sample.contact[static_cast<std::size_t>(body)].F_W;
-    surface.file->write({sample.state.time, fit.centre.x(), fit.centre.y(), fit.centre.z(), r.x(), r.y(), r.z(), fit.left_over, f.x(), f.y(), f.z()});
+    surface.file->write({sample.state.time, fit.centre.x(), fit.centre.y(), fit.centre.z(), r.x(), r.y(), r.z(),
+                         fit.left_over, f.x(), f.y(), f.z()});
   }
   time_ = sample.state.time;
   started_ = true;

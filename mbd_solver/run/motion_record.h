@@ -1,6 +1,6 @@
 #pragma once
-// How the surfaces that touch grains moved, window by window, so that a run's bed can be made again without the mechanism
-// (footfall compare): DIR/motion/BODY.csv and BODY.stl.
+// How the surfaces that touch grains moved, window by window, so that a run's bed can be made again without the
+// mechanism (footfall compare): DIR/motion/BODY.csv and BODY.stl.
 
 #include <memory>
 #include <string>
@@ -15,14 +15,17 @@ namespace footfall {
 struct RigidFit {
   Eigen::Vector3d centre0, centre;  // mean of the points before and after [m]
   Eigen::Matrix3d R;
-  double left_over;                 // largest distance that remains: how far the surface is bent [m]
+  double left_over;  // largest distance that remains: how far the surface is bent [m]
 };
 RigidFit fit_rigid(const Eigen::Matrix3Xd& x0, const Eigen::Matrix3Xd& x);
 
-// Of every body with triangles that LIGGGHTS asked for. BODY.stl: its surface at the start, in W. BODY.csv, a row per window:
-//   time; x y z of the mean of its nodes; rotation since the start as a vector rx ry rz (axis times angle, in W); bend: how far the farthest
-//   node is from where that rigid motion puts it; fx fy fz: mean force of the grains in the window that ends then, ON the body.
-// The nodes are where the grains met them: at the end of a window that is the scheme's prediction, not yet the computed state.
+// Of every body with triangles that LIGGGHTS asked for. BODY.stl: its surface at the start, in W. BODY.csv, a row per
+// window:
+//   time; x y z of the mean of its nodes; rotation since the start as a vector rx ry rz (axis times angle, in W); bend:
+//   how far the farthest node is from where that rigid motion puts it; fx fy fz: mean force of the grains in the window
+//   that ends then, ON the body.
+// The nodes are where the grains met them: at the end of a window that is the scheme's prediction, not yet the computed
+// state.
 class MotionRecord {
  public:
   // Makes the folder. Throws InputError when it cannot be written.

@@ -118,9 +118,11 @@ void Observation::add_controller(const ControllerEntry& controller) {
 }
 
 void Observation::add_energies() {
-  for (const char* name : {"energy.kinetic", "energy.gravity", "energy.strain", "energy.gas", "energy.contact", "energy.total"})
+  for (const char* name :
+       {"energy.kinetic", "energy.gravity", "energy.strain", "energy.gas", "energy.contact", "energy.total"})
     column(name, "J");
-  for (int k = 0; k < kDissipationCount; ++k) column("dissipated." + std::string(dissipation_name(static_cast<Dissipation>(k))), "J");
+  for (int k = 0; k < kDissipationCount; ++k)
+    column("dissipated." + std::string(dissipation_name(static_cast<Dissipation>(k))), "J");
   column("work.contact", "J");
   column("work.motion", "J");
   groups_.push_back([](const Sample& s, std::vector<double>& row) {
@@ -147,7 +149,8 @@ void Observation::add_coupling() {
   });
 }
 
-FigureTaker::FigureTaker(Simulation& simulation) : simulation_(simulation), up_(up_direction(simulation.scene().gravity)) {
+FigureTaker::FigureTaker(Simulation& simulation)
+    : simulation_(simulation), up_(up_direction(simulation.scene().gravity)) {
   const Model& model = simulation.mechanism().model;
   for (int i = 1; i < model.body_count(); ++i)
     if (model.body(i).mass() > model.body(body_).mass()) body_ = i;
@@ -159,8 +162,10 @@ std::string FigureTaker::balance_warning() const {
   if (figures_.energy_balance_relative() <= kGoodBalance) return "";
   std::ostringstream text;
   text.precision(3);
-  text << "the energy of the mechanism does not close by " << figures_.energy_balance << " J, " << 100.0 * figures_.energy_balance_relative()
-       << " % of the reference energy: its integration is not accurate; make solver.rtol and solver.atol, or solver.max_step, smaller";
+  text << "the energy of the mechanism does not close by " << figures_.energy_balance << " J, "
+       << 100.0 * figures_.energy_balance_relative()
+       << " % of the reference energy: its integration is not accurate; make solver.rtol and solver.atol, or "
+          "solver.max_step, smaller";
   return text.str();
 }
 
@@ -197,7 +202,8 @@ void FigureTaker::take(const Sample& sample) {
   }
   f.reference_energy = std::max(f.reference_energy, stored.kinetic);
   f.peak_acceleration =
-      std::max(f.peak_acceleration, sample.rates.segment<3>(layout.v0() + layout.body_v[static_cast<std::size_t>(body_)]).norm());
+      std::max(f.peak_acceleration,
+               sample.rates.segment<3>(layout.v0() + layout.body_v[static_cast<std::size_t>(body_)]).norm());
   f.max_descent = std::max(f.max_descent, start_height_ - height);
   Eigen::Vector3d total = Eigen::Vector3d::Zero();
   for (const GeneralizedForce& contact : sample.contact) {
@@ -206,7 +212,8 @@ void FigureTaker::take(const Sample& sample) {
   }
   f.contact_force = total.norm();
   if (simulation_.scene().ground.kind != GroundKind::kNone && !simulation_.mechanism().boundaries.empty())
-    f.max_penetration = std::max(f.max_penetration, simulation_.mechanism().placement.ground_height - lowest_boundary_point(sample));
+    f.max_penetration =
+        std::max(f.max_penetration, simulation_.mechanism().placement.ground_height - lowest_boundary_point(sample));
   const double balance =
       stored.total() - start_energy_ + sample.state.dissipated.total() - f.contact_work - sample.state.motion_work;
   f.energy_balance = std::max(f.energy_balance, std::abs(balance));

@@ -42,18 +42,19 @@ class Observation {
   std::vector<double> row_;
 };
 
-inline constexpr double kGoodBalance = 0.01;  // of the reference energy: more than time integration with usual tolerances leaves open
+// of the reference energy: more than time integration with usual tolerances leaves open
+inline constexpr double kGoodBalance = 0.01;
 
 // Largest values over every window of a run, not only over the rows that are written.
 struct Figures {
-  double peak_acceleration = 0.0;      // of the heaviest body [m/s2]
-  double max_descent = 0.0;            // of the heaviest body against gravity's direction, from the start [m]
-  double max_penetration = 0.0;        // of the lowest boundary point below the ground at the start [m]
-  double max_contact_force = 0.0;      // on one body [N]
-  double reference_energy = 0.0;       // initial mechanical energy without gravity; else the largest kinetic energy [J]
-  double energy_balance = 0.0;         // largest |E - E0 + dissipated - work of contact and motion| [J]
-  double contact_work = 0.0;           // done by the ground's grains on the mechanism so far [J]
-  double contact_force = 0.0;          // on all bodies now [N]
+  double peak_acceleration = 0.0;  // of the heaviest body [m/s2]
+  double max_descent = 0.0;        // of the heaviest body against gravity's direction, from the start [m]
+  double max_penetration = 0.0;    // of the lowest boundary point below the ground at the start [m]
+  double max_contact_force = 0.0;  // on one body [N]
+  double reference_energy = 0.0;   // initial mechanical energy without gravity; else the largest kinetic energy [J]
+  double energy_balance = 0.0;     // largest |E - E0 + dissipated - work of contact and motion| [J]
+  double contact_work = 0.0;       // done by the ground's grains on the mechanism so far [J]
+  double contact_force = 0.0;      // on all bodies now [N]
 
   double energy_balance_relative() const { return reference_energy > 0.0 ? energy_balance / reference_energy : 0.0; }
 };

@@ -19,7 +19,9 @@ struct Sphere {
 // Text dump of LIGGGHTS with columns x y z radius after a line "ITEM: ATOMS x y z radius".
 std::vector<Sphere> read_grains(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw InputError("particles.grains: cannot read " + path + "; it is written with the bed (dump custom x y z radius)");
+  if (!file)
+    throw InputError("particles.grains: cannot read " + path +
+                     "; it is written with the bed (dump custom x y z radius)");
   std::vector<Sphere> grains;
   std::string line;
   bool atoms = false;
@@ -44,11 +46,13 @@ std::vector<Sphere> read_grains(const std::string& path) {
 
 // Up along -gravity; z without gravity.
 Eigen::Vector3d up_direction(const Scene& scene) {
-  return scene.gravity.norm() > 0.0 ? Eigen::Vector3d(-scene.gravity.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+  return scene.gravity.norm() > 0.0 ? Eigen::Vector3d(-scene.gravity.normalized())
+                                    : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
 }
 
 // Height of the highest grain (its top) whose footprint overlaps the circle around one boundary, along `up`.
-double highest_under(const std::vector<Sphere>& grains, const Eigen::Vector3d& up, const Eigen::Vector3d& centre, double reach) {
+double highest_under(const std::vector<Sphere>& grains, const Eigen::Vector3d& up, const Eigen::Vector3d& centre,
+                     double reach) {
   double highest = -std::numeric_limits<double>::infinity();
   for (const Sphere& grain : grains) {
     const Eigen::Vector3d d = grain.centre - centre;
@@ -62,10 +66,12 @@ constexpr double kStray = 0.1;  // of a boundary's reach
 
 }  // namespace
 
-Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries, const std::vector<FlexibleBody>& flexible) {
+Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
+                const std::vector<FlexibleBody>& flexible) {
   Placement placement;
   const InitialSpec& initial = scene.initial;
-  placement.R_WD = (Eigen::AngleAxisd(initial.roll, Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(initial.pitch, Eigen::Vector3d::UnitY()) *
+  placement.R_WD = (Eigen::AngleAxisd(initial.roll, Eigen::Vector3d::UnitX()) *
+                    Eigen::AngleAxisd(initial.pitch, Eigen::Vector3d::UnitY()) *
                     Eigen::AngleAxisd(initial.yaw, Eigen::Vector3d::UnitZ()))
                        .toRotationMatrix();
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -125,11 +131,13 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
 
   if (initial.clearance) {
     if (particles && grains.empty() && !scene.particles->surface_height)
-      throw InputError("initial.clearance: the height of the grains is not known; give particles.grains (a dump of x y z radius) or "
-                       "particles.surface_height, or leave clearance out and use initial.position");
+      throw InputError(
+          "initial.clearance: the height of the grains is not known; give particles.grains (a dump of x y z radius) or "
+          "particles.surface_height, or leave clearance out and use initial.position");
     if (!std::isfinite(smallest))
-      throw InputError(boundaries.empty() ? "initial.clearance: no boundary that could stand above the ground; add [[boundaries]]"
-                                          : "initial.clearance: no grain under any boundary; check initial.position against the bed");
+      throw InputError(boundaries.empty()
+                           ? "initial.clearance: no boundary that could stand above the ground; add [[boundaries]]"
+                           : "initial.clearance: no grain under any boundary; check initial.position against the bed");
     const Eigen::Vector3d lift = (*initial.clearance - smallest) * up;
     placement.p_WD += lift;
     for (LandingSite& site : placement.sites) site.r += lift;

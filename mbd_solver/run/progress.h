@@ -13,7 +13,7 @@ class Progress {
   void finish();  // ends the line
 
  private:
-  double t_end_;     // [s]
+  double t_end_;  // [s]
   bool quiet_;
   bool terminal_;
   double started_;   // wall clock [s]

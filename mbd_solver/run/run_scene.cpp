@@ -26,7 +26,8 @@ std::vector<std::string> active_parts(const Simulation& simulation) {
   const Mechanism& mechanism = simulation.mechanism();
   std::vector<std::string> active = {"bodies"};
   bool flexible = false;
-  for (int i = 0; i < mechanism.model.body_count(); ++i) flexible = flexible || mechanism.model.body(i).mode_count() > 0;
+  for (int i = 0; i < mechanism.model.body_count(); ++i)
+    flexible = flexible || mechanism.model.body(i).mode_count() > 0;
   if (flexible) active.push_back("flexible");
   if (mechanism.model.joint_count() > 0) active.push_back("joints");
   if (!mechanism.struts.empty()) active.push_back("struts");
@@ -36,7 +37,8 @@ std::vector<std::string> active_parts(const Simulation& simulation) {
   return active;
 }
 
-Json summary_of(const Simulation& simulation, const FigureTaker& taker, const FlexibleBodies& flexible, const std::string& status, const std::string& reason) {
+Json summary_of(const Simulation& simulation, const FigureTaker& taker, const FlexibleBodies& flexible,
+                const std::string& status, const std::string& reason) {
   const Figures& figures = taker.figures();
   const IntegratorStatistics& statistics = simulation.integrator().statistics();
   const RunTimes& times = simulation.times();
@@ -78,7 +80,8 @@ Json summary_of(const Simulation& simulation, const FigureTaker& taker, const Fl
     } else {
       json["substeps_per_window"] = "auto";
     }
-    for (std::size_t i = 0; i < watch->names().size(); ++i) json["max_omega_h"][watch->names()[i]] = watch->largest_omega_h()[i];
+    for (std::size_t i = 0; i < watch->names().size(); ++i)
+      json["max_omega_h"][watch->names()[i]] = watch->largest_omega_h()[i];
     for (const std::string& text : watch->warnings()) warnings.push_back(text);
   }
   for (const std::string& text : flexible.warnings()) warnings.push_back(text);
@@ -121,13 +124,16 @@ void make_folder(const std::string& folder) {
 
 }  // namespace
 
-int run_scene(const Scene& scene, const RunOptions& options, Transport* transport, const volatile std::sig_atomic_t& interrupted) {
+int run_scene(const Scene& scene, const RunOptions& options, Transport* transport,
+              const volatile std::sig_atomic_t& interrupted) {
   const double t_end = options.until > 0.0 ? std::min(options.until, scene.end_time) : scene.end_time;
   Simulation simulation(scene, t_end, transport);
   make_folder(options.out);
   const std::string folder = options.out + "/";
-  for (const std::string& warning : simulation.mechanism().warnings) std::fprintf(stderr, "mbd_solver: warning: %s\n", warning.c_str());
-  for (const std::string& note : simulation.assembly().notes) std::fprintf(stderr, "mbd_solver: note: %s\n", note.c_str());
+  for (const std::string& warning : simulation.mechanism().warnings)
+    std::fprintf(stderr, "mbd_solver: warning: %s\n", warning.c_str());
+  for (const std::string& note : simulation.assembly().notes)
+    std::fprintf(stderr, "mbd_solver: note: %s\n", note.c_str());
 
   Observation observation(simulation);
   FigureTaker taker(simulation);
@@ -144,10 +150,13 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   const auto observe = [&](const Sample& sample) {
     taker.take(sample);
     voltages = sample.inputs.voltages;
-    if (due(sample.state.time, scene.output.interval, next_row) || simulation.finished()) history.write(observation.row(sample));
+    if (due(sample.state.time, scene.output.interval, next_row) || simulation.finished())
+      history.write(observation.row(sample));
     if (motion) motion->write(sample);
-    if (drawing && due(sample.state.time, scene.output.vtk_interval, next_picture)) pictures.write(sample.state.time, drawing->frame(sample));
-    if (scene.output.checkpoint_interval > 0.0 && due(sample.state.time, scene.output.checkpoint_interval, next_checkpoint))
+    if (drawing && due(sample.state.time, scene.output.vtk_interval, next_picture))
+      pictures.write(sample.state.time, drawing->frame(sample));
+    if (scene.output.checkpoint_interval > 0.0 &&
+        due(sample.state.time, scene.output.checkpoint_interval, next_checkpoint))
       write_checkpoint(folder + "checkpoint.txt", sample.state, simulation.mechanism(), voltages);
     progress.show(sample.state.time, sample.window, taker.figures().contact_force);
     for (; sample.coupling && warned < sample.coupling->warnings().size(); ++warned)
@@ -166,19 +175,22 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     if (simulation.partner()) simulation.partner()->fail(error.what(), mendable ? Status::kBadInput : Status::kFailed);
     if (simulation.state().q.allFinite() && simulation.state().v.allFinite())
       write_checkpoint(folder + "checkpoint.txt", simulation.state(), simulation.mechanism(), voltages);
-    write_summary(folder + "summary.json", summary_of(simulation, taker, observation.flexible(), "failed", error.what()));
+    write_summary(folder + "summary.json",
+                  summary_of(simulation, taker, observation.flexible(), "failed", error.what()));
     throw;
   }
   progress.finish();
   history.flush();
   if (motion) motion->flush();
-  if (const std::string text = taker.balance_warning(); !text.empty()) std::fprintf(stderr, "mbd_solver: warning: %s\n", text.c_str());
+  if (const std::string text = taker.balance_warning(); !text.empty())
+    std::fprintf(stderr, "mbd_solver: warning: %s\n", text.c_str());
   const bool done = simulation.finished();
   if (!done) {
     write_checkpoint(folder + "checkpoint.txt", simulation.state(), simulation.mechanism(), voltages);
     if (simulation.partner()) simulation.partner()->fail("interrupted by the user", Status::kInterrupted);
   }
-  write_summary(folder + "summary.json", summary_of(simulation, taker, observation.flexible(), done ? "done" : "interrupted", ""));
+  write_summary(folder + "summary.json",
+                summary_of(simulation, taker, observation.flexible(), done ? "done" : "interrupted", ""));
   return done ? kExitDone : kExitInterrupted;
 }
 

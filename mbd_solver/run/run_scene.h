@@ -17,6 +17,7 @@ struct RunOptions {
 
 // Runs the scene and writes its files. Returns the exit code: done or interrupted. `transport`: null without grains.
 // Throws what Simulation throws, after writing a summary that says `failed` and a last checkpoint; the partner is told.
-int run_scene(const Scene& scene, const RunOptions& options, Transport* transport, const volatile std::sig_atomic_t& interrupted);
+int run_scene(const Scene& scene, const RunOptions& options, Transport* transport,
+              const volatile std::sig_atomic_t& interrupted);
 
 }  // namespace footfall

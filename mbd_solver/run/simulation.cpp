@@ -14,9 +14,7 @@
 namespace footfall {
 namespace {
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 Eigen::Vector3d up_direction(const Eigen::Vector3d& gravity) {
   return gravity.norm() > 0.0 ? Eigen::Vector3d(-gravity.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
@@ -72,7 +70,8 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       rates_(Eigen::VectorXd::Zero(equations_->layout().size())),
       y_(Eigen::VectorXd::Zero(equations_->layout().size())) {
   const auto bodies = static_cast<std::size_t>(mechanism_.model.body_count());
-  for (std::size_t i = 0; i < bodies; ++i) contact_.emplace_back(mechanism_.model.body(static_cast<int>(i)).mode_count());
+  for (std::size_t i = 0; i < bodies; ++i)
+    contact_.emplace_back(mechanism_.model.body(static_cast<int>(i)).mode_count());
   inputs_.voltages = mechanism_.voltages;
   if (!partner_transport) return;
 
@@ -116,7 +115,8 @@ void Simulation::prepare_windows() {
   }
   if (!chosen) return;
   double weight = std::numeric_limits<double>::infinity();
-  for (const WindowChoice::Body& body : windows_of_bodies_) weight = std::min(weight, body.mass * scene_.gravity.norm());
+  for (const WindowChoice::Body& body : windows_of_bodies_)
+    weight = std::min(weight, body.mass * scene_.gravity.norm());
   choice_ = std::make_unique<WindowChoice>(scene_.coupling, partner_->dt(), weight);
   choose_window(true);
 }
@@ -139,7 +139,8 @@ double Simulation::time_of_flight(std::size_t k, const BodyMotion& motion) const
     const LandingSite& site = mechanism_.placement.sites[boundary];
     const Eigen::Vector3d way = motion.r - site.r;
     const double turned = Eigen::AngleAxisd(site.R_WB.transpose() * motion.rotation()).angle();
-    if ((way - up * up.dot(way)).norm() + turned * reach < site.stray && std::isfinite(site.height)) ground = site.height;
+    if ((way - up * up.dot(way)).norm() + turned * reach < site.stray && std::isfinite(site.height))
+      ground = site.height;
   }
   const double height = lowest - radius - ground;
   if (height <= 0.0) return 0.0;
@@ -207,8 +208,10 @@ double Simulation::pending_interface_work() {
     if (load.tangent.empty()) continue;
     const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
     const double H = motion_.n * partner_->dt();
-    watch_->count_surplus(k, state_.time, surplus_impulse(*inputs_.loads[static_cast<std::size_t>(body)].tangent, starts_[k], motion_.bodies[k], H),
-                          H * load.mean.F_W.norm());
+    watch_->count_surplus(
+        k, state_.time,
+        surplus_impulse(*inputs_.loads[static_cast<std::size_t>(body)].tangent, starts_[k], motion_.bodies[k], H),
+        H * load.mean.F_W.norm());
   }
   return work;
 }
@@ -217,7 +220,8 @@ double Simulation::pending_interface_work() {
 void Simulation::soften_paths(double H) {
   for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
     const std::vector<BodyLoad>& loads = partner_->load().bodies;
-    const ContactTangent slope = loads.empty() || loads[k].tangent.empty() ? ContactTangent{} : loads[k].tangent.front();
+    const ContactTangent slope =
+        loads.empty() || loads[k].tangent.empty() ? ContactTangent{} : loads[k].tangent.front();
     BodyMotion& motion = motion_.bodies[k];
     const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
     const Vector6d v = mean_velocity(mechanism_.model.body(body), motion, slope, H);
@@ -243,8 +247,10 @@ double Simulation::exchange_window() {
   starts_ = motion_.bodies;
   if (scheme_->wants_tangent()) soften_paths(motion_.n * dt);
   for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
-    const Body& body = mechanism_.model.body(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body);
-    if (body.mode_count() > 0) slow_down_fast_modes(starts_[k], body.modal()->stiffness, motion_.n * dt, motion_.bodies[k]);
+    const Body& body =
+        mechanism_.model.body(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body);
+    if (body.mode_count() > 0)
+      slow_down_fast_modes(starts_[k], body.modal()->stiffness, motion_.n * dt, motion_.bodies[k]);
   }
   for (std::size_t k = 0; k < predicted_.size(); ++k) predicted_[k].begin(motion_.bodies[k], motion_.n, dt);
   const Load& load = partner_->exchange(motion_);
@@ -255,14 +261,16 @@ double Simulation::exchange_window() {
     ExternalLoad& external = inputs_.loads[static_cast<std::size_t>(body)];
     const MeanLoad& mean = load.bodies[k].mean;
     if (!mean.F_W.allFinite() || !mean.T_B.allFinite() || !mean.Q_a.allFinite())
-      throw NumericalError("t = " + std::to_string(state_.time) + " s: the load of the grains on body " + watch_->names()[k] +
+      throw NumericalError("t = " + std::to_string(state_.time) + " s: the load of the grains on body " +
+                           watch_->names()[k] +
                            " is not finite: the bed has blown up; use a smaller timestep in the script");
     external.F_W = mean.F_W;
     external.T_B = mean.T_B;
     if (mean.Q_a.size() > 0) external.Q_a = mean.Q_a;
     if (load.bodies[k].tangent.empty()) continue;
     const double H = motion_.n * dt;
-    const double omega_h = std::sqrt(std::max(0.0, load.bodies[k].contact_stiffness) / mechanism_.model.body(body).mass()) * H;
+    const double omega_h =
+        std::sqrt(std::max(0.0, load.bodies[k].contact_stiffness) / mechanism_.model.body(body).mass()) * H;
     external.tangent = tangent_load(load.bodies[k].tangent.front(), predicted_[k], omega_h, H);
   }
   return motion_.last_window ? t_end_ : state_.time + motion_.n * dt;
@@ -296,7 +304,8 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     equations_->energy(state_.time, y_, inputs_, energy_);
     times_.total = now() - started;
     if (partner_) times_.waiting = partner_->seconds_waited();
-    observe({state_, energy_, rates_, contact_, inputs_, watch_.get(), window_, motion_.n, choice_ ? choice_->estimate() : 0.0});
+    observe({state_, energy_, rates_, contact_, inputs_, watch_.get(), window_, motion_.n,
+             choice_ ? choice_->estimate() : 0.0});
   };
   equations_->accelerations(state_, inputs_, rates_);
   report();
@@ -324,7 +333,8 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
         work_received[k] = state_.load_work(body) - work_before(body);
       }
       reference_energy = std::max(reference_energy, energy_.stored.kinetic);
-      watch_->window(state_.time, t1 - t0, motion_.n, partner_->load(), work_received, reference_energy, pending_interface_work());
+      watch_->window(state_.time, t1 - t0, motion_.n, partner_->load(), work_received, reference_energy,
+                     pending_interface_work());
       if (choice_) choose_window(false);
     }
     report();

@@ -23,21 +23,22 @@ namespace footfall {
 struct Sample {
   const State& state;
   const EnergySample& energy;
-  const Eigen::VectorXd& rates;                  // [dq; dv; dz; lambda] at state.time
-  const std::vector<GeneralizedForce>& contact;  // per body of the scene, F_W and T_W about Bo, of the window's ground contact
+  const Eigen::VectorXd& rates;  // [dq; dv; dz; lambda] at state.time
+  const std::vector<GeneralizedForce>&
+      contact;  // per body of the scene, F_W and T_W about Bo, of the window's ground contact
   const Inputs& inputs;
-  const CouplingWatch* coupling;                 // null without grains
-  long window;                                   // windows done
-  int substeps;                                  // of the last window, 0 without grains
-  double estimate;                               // of the last window's force error, when windows are chosen [-]
+  const CouplingWatch* coupling;  // null without grains
+  long window;                    // windows done
+  int substeps;                   // of the last window, 0 without grains
+  double estimate;                // of the last window's force error, when windows are chosen [-]
 };
 
 struct RunTimes {
-  double total = 0.0;     // wall time of the loop [s]
-  double dem = 0.0;       // spent by LIGGGHTS on its windows [s]
-  double mbd = 0.0;       // in the integrator [s]
-  double control = 0.0;   // in controllers [s]
-  double waiting = 0.0;   // for the partner, its work included [s]
+  double total = 0.0;    // wall time of the loop [s]
+  double dem = 0.0;      // spent by LIGGGHTS on its windows [s]
+  double mbd = 0.0;      // in the integrator [s]
+  double control = 0.0;  // in controllers [s]
+  double waiting = 0.0;  // for the partner, its work included [s]
 };
 
 class Simulation {
@@ -60,21 +61,22 @@ class Simulation {
   const DemPartner* partner() const { return partner_.get(); }
   DemPartner* partner() { return partner_.get(); }
   const CouplingWatch* watch() const { return watch_.get(); }  // null without grains
-  bool finished() const;             // the end time has been reached
+  bool finished() const;                                       // the end time has been reached
   long particles() const { return particles_; }
   double t_end() const { return t_end_; }
   const Scheme& scheme() const { return *scheme_; }      // only with grains
   void fill_motion(int body, BodyMotion& motion) const;  // as computed; `motion` is sized for the body's modes
 
  private:
-  double next_stop() const;          // end of the next window without grains
-  double exchange_window();          // with grains: trades motion for loads, returns the window's end
-  void prepare_windows();            // what the scheme and `every auto` need
-  double pending_interface_work();   // after a window [J]
-  void soften_paths(double H);       // of motion_, for the scheme `tangent`
-  void choose_window(bool first);    // after a window: substeps of the next one
-  double time_of_flight(std::size_t k, const BodyMotion& motion) const;  // of coupled body k, until it can meet a grain [s]
-  void update_contact();             // contact_ from loads or planes
+  double next_stop() const;         // end of the next window without grains
+  double exchange_window();         // with grains: trades motion for loads, returns the window's end
+  void prepare_windows();           // what the scheme and `every auto` need
+  double pending_interface_work();  // after a window [J]
+  void soften_paths(double H);      // of motion_, for the scheme `tangent`
+  void choose_window(bool first);   // after a window: substeps of the next one
+  // of coupled body k, until it can meet a grain [s]
+  double time_of_flight(std::size_t k, const BodyMotion& motion) const;
+  void update_contact();  // contact_ from loads or planes
   void check_finite() const;
 
   const Scene& scene_;

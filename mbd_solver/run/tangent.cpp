@@ -41,22 +41,26 @@ Eigen::Vector3d surplus_impulse(const TangentLoad& load, const BodyMotion& start
   // Means over the window of the cubic through both ends.
   Vector6d x, v;
   x << 0.5 * (start.r + end.r) + H / 12.0 * (start.dr - end.dr) - load.r_mean,
-      0.5 * (rotation_vector(load.L_mean, start.L) + rotation_vector(load.L_mean, end.L)) + H / 12.0 * (start.w - end.w);
+      0.5 * (rotation_vector(load.L_mean, start.L) + rotation_vector(load.L_mean, end.L)) +
+          H / 12.0 * (start.w - end.w);
   v << (end.r - start.r) / H, rotation_vector(start.L, end.L) / H;
   v -= load.v_mean;
   const Vector6d reaction = load.K * x + load.C * v;
   return -H * reaction.head<3>();
 }
 
-double pending_work(const MeanLoad& mean, const MeanLoad& before, double ratio, const PredictedWindow& predicted, const BodyMotion& computed) {
+double pending_work(const MeanLoad& mean, const MeanLoad& before, double ratio, const PredictedWindow& predicted,
+                    const BodyMotion& computed) {
   // Means stand for the windows' middles.
   const double share = ratio / (1.0 + ratio);
   Vector6d force;
-  force << mean.F_W + share * (mean.F_W - before.F_W), computed.rotation() * (mean.T_B + share * (mean.T_B - before.T_B));
+  force << mean.F_W + share * (mean.F_W - before.F_W),
+      computed.rotation() * (mean.T_B + share * (mean.T_B - before.T_B));
   return force.dot(predicted.gap(computed));
 }
 
-double pending_work(const MeanLoad& mean, const ContactTangent& slope, const PredictedWindow& predicted, const BodyMotion& computed) {
+double pending_work(const MeanLoad& mean, const ContactTangent& slope, const PredictedWindow& predicted,
+                    const BodyMotion& computed) {
   const Vector6d gap = predicted.gap(computed);
   Vector6d force;
   force << mean.F_W, computed.rotation() * mean.T_B;

@@ -6,16 +6,18 @@
 namespace footfall {
 namespace {
 
-constexpr double kSafety = 0.9;        // of the tolerance, and of the flight
-constexpr double kGrowth = 2.0;        // from one window to the next
-constexpr double kForget = 0.95;       // of the stiffness met, per window: contacts that close and open again must not be met unprepared
+constexpr double kSafety = 0.9;  // of the tolerance, and of the flight
+constexpr double kGrowth = 2.0;  // from one window to the next
+// of the stiffness met, per window: contacts that close and open again must not be met unprepared
+constexpr double kForget = 0.95;
 constexpr double kForgetAnswer = 0.9;  // of K_s, per window
 constexpr double kQuick = 3.0;         // answer to something quick over the answer to the way of a whole window
 constexpr double kStanding = 0.9;      // of the stiffness met: contacts stand
 
 }  // namespace
 
-WindowChoice::WindowChoice(const CouplingSpec& spec, double dt, double weight) : spec_(spec), dt_(dt), force_scale_(weight) {}
+WindowChoice::WindowChoice(const CouplingSpec& spec, double dt, double weight)
+    : spec_(spec), dt_(dt), force_scale_(weight) {}
 
 double WindowChoice::answer(const Body& body, Memory& memory) {
   const double way = (body.place - memory.place).norm(), change = (body.force - memory.force).norm();

@@ -42,13 +42,16 @@ class MentionFinder final : public TrackingVisitor {
 
 class Copier final : public TrackingVisitor {
  public:
-  Copier(std::string mark, int index, const Eigen::Quaterniond& turn) : mark_(std::move(mark)), number_(std::to_string(index)), turn_(turn) {}
+  Copier(std::string mark, int index, const Eigen::Quaterniond& turn)
+      : mark_(std::move(mark)), number_(std::to_string(index)), turn_(turn) {}
 
   void field(const std::string&, const FieldRef& ref, const Rule& rule) override {
     for_each_text(ref, [&](std::string& text) { replace_all(text, mark_, number_); });
     if (auto* const* source = std::get_if<Source*>(&ref)) replace_all((*source)->path, mark_, number_);
-    if (auto* const* orientation = std::get_if<Eigen::Quaterniond*>(&ref)) **orientation = (turn_ * **orientation).normalized();
-    const bool turns = rule.meaning == Meaning::kPoint || rule.meaning == Meaning::kDirection || rule.meaning == Meaning::kFree;
+    if (auto* const* orientation = std::get_if<Eigen::Quaterniond*>(&ref))
+      **orientation = (turn_ * **orientation).normalized();
+    const bool turns =
+        rule.meaning == Meaning::kPoint || rule.meaning == Meaning::kDirection || rule.meaning == Meaning::kFree;
     if (!turns) return;
     if (auto* const* v = std::get_if<Eigen::Vector3d*>(&ref)) turn(**v);
     if (auto* const* v = std::get_if<std::optional<Eigen::Vector3d>*>(&ref)) {
@@ -95,7 +98,8 @@ class NameExpander final : public TrackingVisitor {
 
 class LeftoverFinder final : public TrackingVisitor {
  public:
-  LeftoverFinder(std::vector<std::string> arrays, Findings& findings) : arrays_(std::move(arrays)), findings_(findings) {}
+  LeftoverFinder(std::vector<std::string> arrays, Findings& findings)
+      : arrays_(std::move(arrays)), findings_(findings) {}
   void field(const std::string& key, const FieldRef& ref, const Rule& rule) override {
     if (track(ref) || rule.meaning != Meaning::kName) return;
     for_each_text(ref, [&](const std::string& text) {

@@ -1,6 +1,6 @@
 #pragma once
-// Bodies and materials of a scene. After reading, mass, inertia, position and orientation of every body are numbers, whether
-// they were given or followed from shape and material.
+// Bodies and materials of a scene. After reading, mass, inertia, position and orientation of every body are numbers,
+// whether they were given or followed from shape and material.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -22,59 +22,60 @@ struct MaterialSpec {
 
 enum class ShapeKind { kBox, kTube, kRod, kDisc, kDish, kSphere, kPoints };
 
-// Geometry in D. Gives mass properties, a boundary surface, and the model of a flexible body (tube, rod: beam; disc, dish: plate).
+// Geometry in D. Gives mass properties, a boundary surface, and the model of a flexible body (tube, rod: beam; disc,
+// dish: plate).
 struct ShapeSpec {
   ShapeKind kind = ShapeKind::kBox;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();     // box, disc, sphere; dish: its lowest point [m]
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();      // disc, dish: normal; the dish opens along it [-]
-  Eigen::Vector3d from = Eigen::Vector3d::Zero();       // tube, rod: first end [m]
-  Eigen::Vector3d to = Eigen::Vector3d::Zero();         // tube, rod: second end [m]
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();       // box: edges along the body's axes [m]
-  double diameter = 0.0;                                // tube, rod: outer [m]
-  double wall = 0.0;                                    // tube [m]
-  double radius = 0.0;                                  // disc, dish (of the rim), sphere [m]
-  double thickness = 0.0;                               // disc, dish [m]
-  double depth = 0.0;                                   // dish: rim above the lowest point [m]
-  std::vector<Eigen::Vector3d> points;                  // points: equal point masses [m]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // box, disc, sphere; dish: its lowest point [m]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   // disc, dish: normal; the dish opens along it [-]
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();    // tube, rod: first end [m]
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();      // tube, rod: second end [m]
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();    // box: edges along the body's axes [m]
+  double diameter = 0.0;                             // tube, rod: outer [m]
+  double wall = 0.0;                                 // tube [m]
+  double radius = 0.0;                               // disc, dish (of the rim), sphere [m]
+  double thickness = 0.0;                            // disc, dish [m]
+  double depth = 0.0;                                // dish: rim above the lowest point [m]
+  std::vector<Eigen::Vector3d> points;               // points: equal point masses [m]
 };
 
 // Cross section of the members of a frame: tube (diameter, wall), or the four numbers themselves.
 struct SectionSpec {
   std::string name;
-  double diameter = 0.0;         // outer [m]; 0: the numbers below are given
-  double wall = 0.0;             // [m]; 0 with a diameter: solid
-  double area = 0.0;             // [m2]
-  double bending_y = 0.0;        // second moment of area about the member's y axis [m4]
-  double bending_z = 0.0;        // [m4]
-  double torsion = 0.0;          // torsion constant [m4]
+  double diameter = 0.0;   // outer [m]; 0: the numbers below are given
+  double wall = 0.0;       // [m]; 0 with a diameter: solid
+  double area = 0.0;       // [m2]
+  double bending_y = 0.0;  // second moment of area about the member's y axis [m4]
+  double bending_z = 0.0;  // [m4]
+  double torsion = 0.0;    // torsion constant [m4]
 };
 
 struct MemberSpec {
-  int first = 0;                 // index into FlexibleSpec::nodes, from 0
+  int first = 0;  // index into FlexibleSpec::nodes, from 0
   int second = 0;
   std::string section;
-  int elements = 1;              // the member is divided into so many beam elements
+  int elements = 1;  // the member is divided into so many beam elements
 };
 
 enum class ModalBasis { kCraigBampton, kFreeFree };
 
 struct FlexibleSpec {
-  bool enabled = true;                                // flexible = false, or the scene's switch: rigid
+  bool enabled = true;  // flexible = false, or the scene's switch: rigid
   ModalBasis basis = ModalBasis::kCraigBampton;
-  std::optional<int> modes;                           // how many are kept; 0: rigid; not given: all below max_frequency, or 10
-  std::optional<double> max_frequency;                // modes above it are left out [Hz]
-  double damping = 0.01;                              // modal damping ratio [-]
-  int elements = 8;                                   // tube, rod: beam elements along the axis
-  double mesh_size = 0.0;                             // disc, dish: edge length of triangles [m]; 0: radius / 4
-  std::string mesh;                                   // plate on this triangle mesh instead of the shape (STL, OBJ, PLY)
-  double mesh_scale = 1.0;                            // metres per unit of the mesh file [-]
-  double thickness = 0.0;                             // plate on a mesh [m]; 0: the shape's
-  std::string file;                                   // reduced model of another code (its own format), instead of shape and mesh
-  std::string stiffness_matrix;                       // full model of another code: K and M as MatrixMarket files, and their nodes,
-  std::string mass_matrix;                            // one "x y z" per line, in D
+  std::optional<int> modes;             // how many are kept; 0: rigid; not given: all below max_frequency, or 10
+  std::optional<double> max_frequency;  // modes above it are left out [Hz]
+  double damping = 0.01;                // modal damping ratio [-]
+  int elements = 8;                     // tube, rod: beam elements along the axis
+  double mesh_size = 0.0;               // disc, dish: edge length of triangles [m]; 0: radius / 4
+  std::string mesh;                     // plate on this triangle mesh instead of the shape (STL, OBJ, PLY)
+  double mesh_scale = 1.0;              // metres per unit of the mesh file [-]
+  double thickness = 0.0;               // plate on a mesh [m]; 0: the shape's
+  std::string file;                     // reduced model of another code (its own format), instead of shape and mesh
+  std::string stiffness_matrix;         // full model of another code: K and M as MatrixMarket files, and their nodes,
+  std::string mass_matrix;              // one "x y z" per line, in D
   std::string node_file;
-  std::vector<Eigen::Vector3d> nodes;                 // 3D frame of beams: nodes in D [m]
-  std::vector<MemberSpec> members;                    // 3D frame: members between nodes
+  std::vector<Eigen::Vector3d> nodes;  // 3D frame of beams: nodes in D [m]
+  std::vector<MemberSpec> members;     // 3D frame: members between nodes
   std::vector<SectionSpec> sections;
 };
 
@@ -82,14 +83,15 @@ struct BodySpec {
   Source source;
   std::string name;
   std::optional<ShapeSpec> shape;
-  std::string material;                               // name; needed by a shape without mass, and by flexible beams and plates
-  bool mass_is_remainder = false;                     // mass = "remainder": total_mass minus all others
+  std::string material;            // name; needed by a shape without mass, and by flexible beams and plates
+  bool mass_is_remainder = false;  // mass = "remainder": total_mass minus all others
   // Resolved for every body by scene_reader:
-  double mass = 0.0;                                  // [kg] > 0
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the mass centre, in body axes [kg m2]
-  Eigen::Vector3d position = Eigen::Vector3d::Zero(); // mass centre in D [m]
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  // R_DB: body axes in D (identity unless given; arrays turn it)
-  std::optional<FlexibleSpec> flexible;               // none, or enabled = false: rigid
+  double mass = 0.0;                                   // [kg] > 0
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();   // about the mass centre, in body axes [kg m2]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // mass centre in D [m]
+  // R_DB: body axes in D (identity unless given; arrays turn it)
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  std::optional<FlexibleSpec> flexible;  // none, or enabled = false: rigid
 };
 
 }  // namespace footfall

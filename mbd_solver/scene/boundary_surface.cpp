@@ -52,7 +52,8 @@ TriangleMesh cylinder_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& t
   for (int i = 0; i <= along; ++i) {
     for (int k = 0; k < around; ++k) {
       const double angle = 2.0 * kPi * k / around;
-      mesh.vertices.push_back(from + R * Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), length * i / along));
+      mesh.vertices.push_back(
+          from + R * Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), length * i / along));
     }
   }
   const int bottom = static_cast<int>(mesh.vertices.size()), top = bottom + 1, last = along * around;
@@ -75,19 +76,22 @@ TriangleMesh cylinder_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& t
 TriangleMesh sphere_mesh(double radius, double edge) {
   const double g = 0.5 * (1.0 + std::sqrt(5.0));
   TriangleMesh mesh;
-  const double points[12][3] = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                                {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+  const double points[12][3] = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                                {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
   for (const auto& p : points) mesh.vertices.push_back(radius * Eigen::Vector3d(p[0], p[1], p[2]).normalized());
-  const int faces[20][3] = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                            {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  const int faces[20][3] = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                            {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                            {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   for (const auto& f : faces) mesh.triangles.emplace_back(f[0], f[1], f[2]);
   double longest = (mesh.vertices[0] - mesh.vertices[11]).norm();
   for (; longest > edge; longest *= 0.5) {
     std::map<std::pair<int, int>, int> middles;
     const auto middle = [&](int a, int b) {
-      const auto [entry, fresh] = middles.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(mesh.vertices.size()));
+      const auto [entry, fresh] =
+          middles.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(mesh.vertices.size()));
       if (fresh) {
-        const Eigen::Vector3d sum = mesh.vertices[static_cast<std::size_t>(a)] + mesh.vertices[static_cast<std::size_t>(b)];
+        const Eigen::Vector3d sum =
+            mesh.vertices[static_cast<std::size_t>(a)] + mesh.vertices[static_cast<std::size_t>(b)];
         mesh.vertices.push_back(radius * sum.normalized());
       }
       return entry->second;
@@ -107,7 +111,8 @@ TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary) 
   const SurfaceSpec& surface = *boundary.surface;
   const BodySpec& body = scene.bodies[static_cast<std::size_t>(scene.body_index(boundary.body))];
   const bool from_file = !surface.file.empty();
-  const TriangleMesh mesh = from_file ? moved(read_mesh(surface.file, surface.scale), surface.orientation.toRotationMatrix(), surface.position)
+  const TriangleMesh mesh = from_file ? moved(read_mesh(surface.file, surface.scale),
+                                              surface.orientation.toRotationMatrix(), surface.position)
                                       : shape_surface(body, surface.element_size);
   MeshDemands demands;
   demands.closed = surface.closed;

@@ -8,12 +8,13 @@
 
 namespace footfall {
 
-// Triangles of the boundary's surface: its file, or the body's shape. Discs and dishes give their mid-surface (one layer: LIGGGHTS
-// meshes work from both sides), the other shapes a closed surface with normals outward. Checked: no degenerate or duplicate triangles,
-// closed where demanded. Empty without a surface. Throws InputError.
+// Triangles of the boundary's surface: its file, or the body's shape. Discs and dishes give their mid-surface (one
+// layer: LIGGGHTS meshes work from both sides), the other shapes a closed surface with normals outward. Checked: no
+// degenerate or duplicate triangles, closed where demanded. Empty without a surface. Throws InputError.
 TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary);
 
-// Surface of a tube or rod between two points (closed cylinder), and of a sphere about the origin; edge: longest edge wanted [m].
+// Surface of a tube or rod between two points (closed cylinder), and of a sphere about the origin; edge: longest edge
+// wanted [m].
 TriangleMesh cylinder_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double edge);
 TriangleMesh sphere_mesh(double radius, double edge);
 

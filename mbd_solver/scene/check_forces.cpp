@@ -11,14 +11,19 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 
 // U rising from 0 to 1, the second column not negative and never falling.
-void check_voltage_table(const Source& source, const std::string& key, const std::vector<Eigen::Vector2d>& table, Findings& findings) {
+void check_voltage_table(const Source& source, const std::string& key, const std::vector<Eigen::Vector2d>& table,
+                         Findings& findings) {
   if (table.empty()) return;
   if (table.front()[0] != 0.0 || table.back()[0] != 1.0)
-    findings.error(source, key, "runs from U = " + short_number(table.front()[0]) + " to " + short_number(table.back()[0]) + ", expected from 0 to 1");
+    findings.error(source, key,
+                   "runs from U = " + short_number(table.front()[0]) + " to " + short_number(table.back()[0]) +
+                       ", expected from 0 to 1");
   for (std::size_t i = 0; i < table.size(); ++i) {
     const double before = i ? table[i - 1][1] : 0.0;
     if (table[i][1] >= before) continue;
-    findings.error(source, key, "falls to " + short_number(table[i][1]) + " at U = " + short_number(table[i][0]) + ", expected values that never fall as U rises");
+    findings.error(source, key,
+                   "falls to " + short_number(table[i][1]) + " at U = " + short_number(table[i][0]) +
+                       ", expected values that never fall as U rises");
     return;
   }
 }
@@ -27,46 +32,62 @@ void check_mr(const Scene& scene, const StrutSpec& strut, Findings& findings) {
   const MrSpec& mr = *strut.mr;
   const Source& source = strut.source;
   const bool force = source.given("mr.yield_force") || source.given("mr.yield_table") || source.given("mr.viscous");
-  if (mr.geometry && force) findings.error(source, "mr.geometry", "stands beside yield_force, yield_table or viscous, which follow from it; keep one");
+  if (mr.geometry && force)
+    findings.error(source, "mr.geometry",
+                   "stands beside yield_force, yield_table or viscous, which follow from it; keep one");
   if (!mr.geometry) {
-    if (!source.given("mr.yield_force") && mr.yield_table.empty()) findings.error(source, "mr.yield_force", "is missing; give it, a yield_table, or geometry (unit N)");
-    if (!source.given("mr.viscous")) findings.error(source, "mr.viscous", "is missing; give it, or geometry (unit N s/m)");
+    if (!source.given("mr.yield_force") && mr.yield_table.empty())
+      findings.error(source, "mr.yield_force", "is missing; give it, a yield_table, or geometry (unit N)");
+    if (!source.given("mr.viscous"))
+      findings.error(source, "mr.viscous", "is missing; give it, or geometry (unit N s/m)");
   }
   check_voltage_table(source, "mr.yield_table", mr.yield_table, findings);
   if (mr.geometry) {
     check_voltage_table(source, "mr.geometry.yield_stress", mr.geometry->yield_stress, findings);
-    if (mr.geometry->d1 >= mr.geometry->D1) findings.error(source, "mr.geometry.d1", "is not less than D1; the core must fit into the bypass cylinder");
+    if (mr.geometry->d1 >= mr.geometry->D1)
+      findings.error(source, "mr.geometry.d1", "is not less than D1; the core must fit into the bypass cylinder");
   }
   if (mr.controller.empty()) return;
-  if (source.given("mr.voltage")) findings.error(source, "mr.voltage", "stands beside a controller, which gives the voltage; keep one");
+  if (source.given("mr.voltage"))
+    findings.error(source, "mr.voltage", "stands beside a controller, which gives the voltage; keep one");
   std::vector<std::string> outputs;
   for (const ControllerSpec& c : scene.controllers) {
     for (const std::string& output : c.outputs) outputs.push_back(c.name + "." + output);
   }
   if (std::find(outputs.begin(), outputs.end(), mr.controller) == outputs.end())
-    findings.error(source, "mr.controller", "there is no controller output \"" + mr.controller + "\"." + known_names("outputs", mr.controller, outputs));
+    findings.error(
+        source, "mr.controller",
+        "there is no controller output \"" + mr.controller + "\"." + known_names("outputs", mr.controller, outputs));
 }
 
 void check_honeycomb(const StrutSpec& strut, Findings& findings) {
   const HoneycombSpec& h = *strut.honeycomb;
-  if (h.stages.empty()) findings.error(strut.source, "honeycomb.stages", "are missing; expected at least one { force, length }");
-  if (!h.compression && !h.tension) findings.error(strut.source, "honeycomb", "works neither in compression nor in tension");
+  if (h.stages.empty())
+    findings.error(strut.source, "honeycomb.stages", "are missing; expected at least one { force, length }");
+  if (!h.compression && !h.tension)
+    findings.error(strut.source, "honeycomb", "works neither in compression nor in tension");
   for (std::size_t i = 1; i < h.stages.size(); ++i) {
     if (h.stages[i].force < h.stages[i - 1].force)
-      findings.error(strut.source, "honeycomb.stages", "stage " + std::to_string(i + 1) + " is softer than the one before; the softest crushes first, so list it first");
+      findings.error(strut.source, "honeycomb.stages",
+                     "stage " + std::to_string(i + 1) +
+                         " is softer than the one before; the softest crushes first, so list it first");
   }
   if (h.bottom_out_stiffness >= h.elastic_stiffness)
-    findings.error(strut.source, "honeycomb.bottom_out_stiffness", "is " + short_number(h.bottom_out_stiffness) + " N/m, expected less than elastic_stiffness, " + short_number(h.elastic_stiffness) + " N/m");
+    findings.error(strut.source, "honeycomb.bottom_out_stiffness",
+                   "is " + short_number(h.bottom_out_stiffness) + " N/m, expected less than elastic_stiffness, " +
+                       short_number(h.elastic_stiffness) + " N/m");
   for (const CrushStageSpec& stage : h.stages) {
     if (stage.length > 0.0 && stage.length < h.transition_length)
-      findings.error(strut.source, "honeycomb.transition_length", "is " + short_number(h.transition_length) + " m, expected no more than the shortest stage");
+      findings.error(strut.source, "honeycomb.transition_length",
+                     "is " + short_number(h.transition_length) + " m, expected no more than the shortest stage");
   }
 }
 
 void check_stops(const StrutSpec& strut, Findings& findings) {
   if (strut.stops) {
     const StopsSpec& s = *strut.stops;
-    if (!s.min && !s.max) findings.error(strut.source, "stops", "limit nothing; give min, max or both (strokes, compression positive)");
+    if (!s.min && !s.max)
+      findings.error(strut.source, "stops", "limit nothing; give min, max or both (strokes, compression positive)");
     if (s.min && s.max && *s.min >= *s.max) findings.error(strut.source, "stops.max", "is not above min");
   }
   if (!strut.gas || !(strut.gas->piston_diameter > 0.0)) return;
@@ -88,7 +109,9 @@ void check_struts(const Scene& scene, Findings& findings) {
     if (strut.source.given("points") && !((strut.points[1] - strut.points[0]).norm() > 0.0))
       findings.error(strut.source, "points", "are the same; a strut needs two, some way apart");
     const bool any = strut.gas || strut.mr || strut.honeycomb || strut.stops || strut.spring || strut.table;
-    if (!any) findings.error(strut.source, "", "has no force law; give at least one of gas, mr, honeycomb, stops, spring, table");
+    if (!any)
+      findings.error(strut.source, "",
+                     "has no force law; give at least one of gas, mr, honeycomb, stops, spring, table");
     if (strut.mr) check_mr(scene, strut, findings);
     if (strut.honeycomb) check_honeycomb(strut, findings);
     check_stops(strut, findings);
@@ -101,11 +124,18 @@ void check_springs(const Scene& scene, Findings& findings) {
     if (!spring.source.given("kind")) continue;
     check_pair(scene, spring.source, spring.bodies, findings);
     const bool torsion = spring.kind == SpringKind::kTorsion, bushing = spring.kind == SpringKind::kBushing;
-    if (torsion && !spring.source.given("axis")) findings.error(spring.source, "axis", "is missing; a torsion spring turns about it");
-    if (bushing && !spring.source.given("point")) findings.error(spring.source, "point", "is missing; a bushing sits at it");
-    const std::pair<const char*, bool> keys[] = {{"axis", torsion}, {"rest_angle", torsion}, {"point", bushing}, {"turning_stiffness", bushing}, {"turning_damping", bushing}};
+    if (torsion && !spring.source.given("axis"))
+      findings.error(spring.source, "axis", "is missing; a torsion spring turns about it");
+    if (bushing && !spring.source.given("point"))
+      findings.error(spring.source, "point", "is missing; a bushing sits at it");
+    const std::pair<const char*, bool> keys[] = {{"axis", torsion},
+                                                 {"rest_angle", torsion},
+                                                 {"point", bushing},
+                                                 {"turning_stiffness", bushing},
+                                                 {"turning_damping", bushing}};
     for (const auto& [key, used] : keys) {
-      if (!used && spring.source.written_together("kind", key)) findings.error(spring.source, key, "means nothing for this kind of spring; leave it out");
+      if (!used && spring.source.written_together("kind", key))
+        findings.error(spring.source, key, "means nothing for this kind of spring; leave it out");
     }
     if (spring.stiffness + spring.damping + spring.turning_stiffness + spring.turning_damping == 0.0)
       findings.error(spring.source, "", "has neither stiffness nor damping");
@@ -117,20 +147,40 @@ void check_controllers(const Scene& scene, Findings& findings) {
   for (const ControllerSpec& c : scene.controllers) {
     if (!c.source.given("kind")) continue;
     check_body_name(scene, c.source, "body", c.body, findings);
-    if (c.source.given("outputs") && c.outputs.empty()) findings.error(c.source, "outputs", "are empty; expected names such as [\"U1\", \"U2\"]");
+    if (c.source.given("outputs") && c.outputs.empty())
+      findings.error(c.source, "outputs", "are empty; expected names such as [\"U1\", \"U2\"]");
     for (auto it = c.outputs.begin(); it != c.outputs.end(); ++it) {
-      if (std::find(c.outputs.begin(), it, *it) != it) findings.error(c.source, "outputs", "name \"" + *it + "\" twice");
+      if (std::find(c.outputs.begin(), it, *it) != it)
+        findings.error(c.source, "outputs", "name \"" + *it + "\" twice");
     }
-    const bool fuzzy = c.kind == ControllerKind::kFuzzy, skyhook = c.kind == ControllerKind::kSkyhook, pid = c.kind == ControllerKind::kPid;
+    const bool fuzzy = c.kind == ControllerKind::kFuzzy, skyhook = c.kind == ControllerKind::kSkyhook,
+               pid = c.kind == ControllerKind::kPid;
     const bool constant = c.kind == ControllerKind::kConstant;
-    const std::pair<const char*, bool> keys[] = {{"voltages", constant}, {"touchdown_acceleration", !constant}, {"touchdown_delay", !constant}, {"file", fuzzy}, {"tabulated", fuzzy}, {"grid", fuzzy}, {"filter_frequency", fuzzy || pid},
-                                                 {"on", skyhook}, {"off", skyhook}, {"deadband", skyhook}, {"set_point", pid}, {"kp", pid}, {"ki", pid}, {"kd", pid}, {"bias", pid}};
+    const std::pair<const char*, bool> keys[] = {{"voltages", constant},
+                                                 {"touchdown_acceleration", !constant},
+                                                 {"touchdown_delay", !constant},
+                                                 {"file", fuzzy},
+                                                 {"tabulated", fuzzy},
+                                                 {"grid", fuzzy},
+                                                 {"filter_frequency", fuzzy || pid},
+                                                 {"on", skyhook},
+                                                 {"off", skyhook},
+                                                 {"deadband", skyhook},
+                                                 {"set_point", pid},
+                                                 {"kp", pid},
+                                                 {"ki", pid},
+                                                 {"kd", pid},
+                                                 {"bias", pid}};
     for (const auto& [key, used] : keys) {
-      if (!used && c.source.written_together("kind", key)) findings.warning(c.source, key, "means nothing for this kind of controller and is not used");
+      if (!used && c.source.written_together("kind", key))
+        findings.warning(c.source, key, "means nothing for this kind of controller and is not used");
     }
-    if (fuzzy && c.file.empty()) findings.error(c.source, "file", "is missing; a fuzzy controller is read from an .fll file");
+    if (fuzzy && c.file.empty())
+      findings.error(c.source, "file", "is missing; a fuzzy controller is read from an .fll file");
     if (constant && c.voltages.size() != 1 && c.voltages.size() != c.outputs.size())
-      findings.error(c.source, "voltages", "are " + std::to_string(c.voltages.size()) + " numbers, expected one, or one per output (" + std::to_string(c.outputs.size()) + ")");
+      findings.error(c.source, "voltages",
+                     "are " + std::to_string(c.voltages.size()) + " numbers, expected one, or one per output (" +
+                         std::to_string(c.outputs.size()) + ")");
     if (fuzzy && (c.grid.size() != 4 || *std::min_element(c.grid.begin(), c.grid.end()) < 2))
       findings.error(c.source, "grid", "expected four numbers of at least 2: points along a, da, alpha, beta");
     if (skyhook && c.off > c.on) findings.error(c.source, "off", "is above on");

@@ -9,12 +9,12 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-constexpr double kLargestGap = 1e-6;    // of the points of a joint in the drawing [m]; projection would move bodies by it
-constexpr double kLargestCosine = 1e-3; // of the two axes of a universal joint, as numbers of four digits give it
+constexpr double kLargestGap = 1e-6;  // of the points of a joint in the drawing [m]; projection would move bodies by it
+constexpr double kLargestCosine = 1e-3;  // of the two axes of a universal joint, as numbers of four digits give it
 
 bool needs_axis(JointType type) {
-  return type == JointType::kUniversal || type == JointType::kRevolute || type == JointType::kPrismatic || type == JointType::kCylindrical ||
-         type == JointType::kPointOnPlane;
+  return type == JointType::kUniversal || type == JointType::kRevolute || type == JointType::kPrismatic ||
+         type == JointType::kCylindrical || type == JointType::kPointOnPlane;
 }
 
 void check_points(const JointSpec& joint, Findings& findings) {
@@ -22,20 +22,25 @@ void check_points(const JointSpec& joint, Findings& findings) {
   const bool both = source.given("point_a") && source.given("point_b");
   const bool may_differ = joint.type == JointType::kDistance || joint.type == JointType::kPointOnPlane;
   if (!source.given("point") && !both) {
-    findings.error(source, "point", may_differ ? "is missing; give point_a and point_b in the drawing frame"
-                                               : "is missing; give the joint's point in the drawing frame (or point_a and point_b)");
+    findings.error(source, "point",
+                   may_differ ? "is missing; give point_a and point_b in the drawing frame"
+                              : "is missing; give the joint's point in the drawing frame (or point_a and point_b)");
     return;
   }
   const double gap = (joint.point_b - joint.point_a).norm();
   if (!may_differ && gap > kLargestGap) {
-    findings.error(source, "point_b", "the joint is open by " + short_number(gap) + " m between \"" + joint.bodies[0] + "\" and \"" + joint.bodies[1] +
-                                          "\"; expected points within " + short_number(kLargestGap) + " m in the design position");
+    findings.error(source, "point_b",
+                   "the joint is open by " + short_number(gap) + " m between \"" + joint.bodies[0] + "\" and \"" +
+                       joint.bodies[1] + "\"; expected points within " + short_number(kLargestGap) +
+                       " m in the design position");
   }
   if (joint.type != JointType::kDistance) return;
   if (gap == 0.0) {
     findings.error(source, "point_b", "is the same point as point_a; a distance joint needs two, some way apart");
   } else if (joint.length && std::abs(*joint.length - gap) > kLargestGap) {
-    findings.error(source, "length", "is " + short_number(*joint.length) + " m, but the points are " + short_number(gap) + " m apart in the drawing; leave it out or move them");
+    findings.error(source, "length",
+                   "is " + short_number(*joint.length) + " m, but the points are " + short_number(gap) +
+                       " m apart in the drawing; leave it out or move them");
   }
 }
 
@@ -45,9 +50,13 @@ void check_motion(const JointSpec& joint, Findings& findings) {
     return;
   }
   const bool any = joint.motion && (joint.motion->x || joint.motion->y || joint.motion->z || joint.motion->rotation);
-  if (!any) findings.error(joint.source, "motion", "prescribes nothing; expected at least one of x, y, z, rotation, for example motion = { z = { polynomial = [0, -0.1] } }");
+  if (!any)
+    findings.error(joint.source, "motion",
+                   "prescribes nothing; expected at least one of x, y, z, rotation, for example motion = { z = { "
+                   "polynomial = [0, -0.1] } }");
   if (joint.motion && joint.motion->hold_other_rotations && !joint.motion->rotation)
-    findings.error(joint.source, "motion.hold_other_rotations", "needs a prescribed rotation, for example rotation = { polynomial = [0] }");
+    findings.error(joint.source, "motion.hold_other_rotations",
+                   "needs a prescribed rotation, for example rotation = { polynomial = [0] }");
 }
 
 }  // namespace
@@ -59,17 +68,22 @@ void check_joints(const Scene& scene, Findings& findings) {
     check_pair(scene, joint.source, joint.bodies, findings);
     check_points(joint, findings);
     check_motion(joint, findings);
-    if (needs_axis(joint.type) && !joint.source.given("axis")) findings.error(joint.source, "axis", "is missing; this type of joint needs it");
+    if (needs_axis(joint.type) && !joint.source.given("axis"))
+      findings.error(joint.source, "axis", "is missing; this type of joint needs it");
     if (joint.type == JointType::kUniversal && !joint.source.given("axis2"))
-      findings.error(joint.source, "axis2", "is missing; a universal joint has a second axis, fixed in \"" + joint.bodies[1] + "\"");
+      findings.error(joint.source, "axis2",
+                     "is missing; a universal joint has a second axis, fixed in \"" + joint.bodies[1] + "\"");
     const bool two_axes = joint.type == JointType::kUniversal || joint.type == JointType::kPrescribed;
     const double cosine = std::abs(joint.axis.dot(joint.axis2));
     if (joint.type == JointType::kUniversal && cosine > kLargestCosine)
-      findings.error(joint.source, "axis2", "makes " + short_number(std::acos(std::min(1.0, cosine)) * 180.0 / kPi) +
-                                                " degrees with axis; expected 90 in the design position");
+      findings.error(joint.source, "axis2",
+                     "makes " + short_number(std::acos(std::min(1.0, cosine)) * 180.0 / kPi) +
+                         " degrees with axis; expected 90 in the design position");
     if (joint.type == JointType::kPrescribed && cosine > 0.999)
-      findings.error(joint.source, "axis2", "is parallel to axis; expected the x direction of the joint, across its z = axis");
-    if (!two_axes && joint.source.given("axis2")) findings.error(joint.source, "axis2", "means nothing for this type of joint; leave it out");
+      findings.error(joint.source, "axis2",
+                     "is parallel to axis; expected the x direction of the joint, across its z = axis");
+    if (!two_axes && joint.source.given("axis2"))
+      findings.error(joint.source, "axis2", "means nothing for this type of joint; leave it out");
     if (joint.type != JointType::kDistance && joint.source.given("length"))
       findings.error(joint.source, "length", "means nothing for this type of joint; leave it out");
   }

@@ -32,9 +32,10 @@ void check_script(const Scene& scene, Findings& findings) {
     double step = 0.0;
     if (w[0] == "timestep" && w.size() > 1 && as_number(w[1], step) && step > particles.max_time_step * (1.0 + 1e-9)) {
       findings.error(particles.source, "max_time_step",
-                     "the script's time step is " + short_number(step) + " s (" + command.file + ":" + std::to_string(command.line) +
-                         "), expected at most " + short_number(particles.max_time_step) +
-                         " s: on soil of this kind twice that runs without complaint and is wrong by tens of per cent; make the step smaller, or "
+                     "the script's time step is " + short_number(step) + " s (" + command.file + ":" +
+                         std::to_string(command.line) + "), expected at most " + short_number(particles.max_time_step) +
+                         " s: on soil of this kind twice that runs without complaint and is wrong by tens of per cent; "
+                         "make the step smaller, or "
                          "state a larger max_time_step if your grains are known to allow it");
     }
     if (is_fix && (w[3] == "couple/mbd/geometry" || w[3] == "wall/gran/beam")) {
@@ -43,15 +44,17 @@ void check_script(const Scene& scene, Findings& findings) {
       for (std::size_t i = 4; i + 1 < w.size(); ++i) {
         if (w[i] != "body" || w[i + 1].find("${") != std::string::npos) continue;
         if (std::find(names.begin(), names.end(), w[i + 1]) == names.end())
-          findings.error(particles.source, "script", command.file + ":" + std::to_string(command.line) + " asks for the body \"" + w[i + 1] +
-                                                         "\", which has no boundary in this scene." + known_names("boundaries", w[i + 1], names));
+          findings.error(particles.source, "script",
+                         command.file + ":" + std::to_string(command.line) + " asks for the body \"" + w[i + 1] +
+                             "\", which has no boundary in this scene." + known_names("boundaries", w[i + 1], names));
       }
     }
   }
   if (!couples) {
-    findings.error(particles.source, "script", "has no line \"fix ID all couple/mbd ...\" (in " + particles.script +
-                                                   " and the files it includes), so the mechanism would never meet the grains; add one, or set "
-                                                   "ground.kind to \"none\" or \"plane\"");
+    findings.error(particles.source, "script",
+                   "has no line \"fix ID all couple/mbd ...\" (in " + particles.script +
+                       " and the files it includes), so the mechanism would never meet the grains; add one, or set "
+                       "ground.kind to \"none\" or \"plane\"");
   }
 }
 

@@ -11,10 +11,10 @@ struct ConfigNode {
   enum class Kind { kTable, kList, kText, kInteger, kNumber, kFlag, kOther };
 
   Kind kind = Kind::kTable;
-  int line = 0;             // Source::kFromSet for what --set gave
-  std::string text;         // kText
-  double number = 0.0;      // kInteger, kNumber
-  bool flag = false;        // kFlag
+  int line = 0;                                           // Source::kFromSet for what --set gave
+  std::string text;                                       // kText
+  double number = 0.0;                                    // kInteger, kNumber
+  bool flag = false;                                      // kFlag
   std::vector<std::pair<std::string, ConfigNode>> table;  // kTable, by key
   std::vector<ConfigNode> list;                           // kList
 
@@ -31,8 +31,8 @@ class Findings;
 
 // Parses a TOML file. Throws InputError "file:line: ..." if it is no TOML or cannot be read.
 ConfigNode parse_toml_file(const std::string& file);
-// Parses "key=value" (value as TOML; a bare word counts as text) and puts the value at the dotted path; entries of lists of tables
-// are named by their name ("bodies.cabin.mass") or index. What is wrong goes to `findings`.
+// Parses "key=value" (value as TOML; a bare word counts as text) and puts the value at the dotted path; entries of
+// lists of tables are named by their name ("bodies.cabin.mass") or index. What is wrong goes to `findings`.
 void apply_setting(ConfigNode& root, const std::string& setting, Findings& findings);
 
 }  // namespace footfall

@@ -13,19 +13,19 @@ namespace footfall {
 
 // Triangles: generated from the body's shape, or read from a file.
 struct SurfaceSpec {
-  double element_size = 0.0;                          // edge length of generated triangles [m]; 0: a tenth of the shape's size
-  std::string file;                                   // STL, OBJ or PLY, drawn in D; empty: from the shape (or the flexible body's mesh)
-  double scale = 1.0;                                 // metres per unit of the file [-]
-  Eigen::Vector3d position = Eigen::Vector3d::Zero(); // of the file's origin in D [m]
+  double element_size = 0.0;  // edge length of generated triangles [m]; 0: a tenth of the shape's size
+  std::string file;           // STL, OBJ or PLY, drawn in D; empty: from the shape (or the flexible body's mesh)
+  double scale = 1.0;         // metres per unit of the file [-]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();               // of the file's origin in D [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  // of the file's axes in D
-  bool closed = false;                                // demand a watertight surface
+  bool closed = false;                                              // demand a watertight surface
 };
 
 // A chain of round segments along the body's axis (tube, rod), or along the given points.
 struct BeamsSpec {
-  double radius = 0.0;                                // [m]; 0: half the diameter of the shape
-  int segments = 1;                                   // along a shape's axis
-  std::vector<Eigen::Vector3d> points;                // chain in D [m]; empty: the shape's axis
+  double radius = 0.0;                  // [m]; 0: half the diameter of the shape
+  int segments = 1;                     // along a shape's axis
+  std::vector<Eigen::Vector3d> points;  // chain in D [m]; empty: the shape's axis
 };
 
 // One per body at most: surface, beams, or both.
@@ -38,8 +38,10 @@ struct BoundarySpec {
 
 enum class GroundKind { kNone, kPlane, kParticles };
 
-// Contact of every boundary node (theory 7): f_n = k delta^1.5 g(d delta'), friction mu f_n v_t / sqrt(v_t^2 + friction_speed^2).
-// k = stiffness, or by Hertz from young: 4/3 young / (1 - poisson^2) sqrt(contact_radius). d = damping, or from restitution.
+// Contact of every boundary node (theory 7): f_n = k delta^1.5 g(d delta'), friction mu f_n v_t / sqrt(v_t^2 +
+// friction_speed^2).
+// k = stiffness, or by Hertz from young: 4/3 young / (1 - poisson^2) sqrt(contact_radius). d = damping, or from
+// restitution.
 struct PlaneSpec {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    // in W [m]
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of the ground, unit vector in W
@@ -58,25 +60,25 @@ struct PlaneSpec {
 struct GroundSpec {
   Source source;
   GroundKind kind = GroundKind::kNone;
-  std::optional<PlaneSpec> plane;                     // needed by kind = "plane"; ignored (but checked) otherwise
+  std::optional<PlaneSpec> plane;  // needed by kind = "plane"; ignored (but checked) otherwise
 };
 
 // The bed: made once by a script of its own, kept as a restart file.
 struct BedSpec {
-  std::string script;                                 // LIGGGHTS script that writes the restart file ${bed}
-  std::map<std::string, std::string> variables;       // -var name value for that script
+  std::string script;                            // LIGGGHTS script that writes the restart file ${bed}
+  std::map<std::string, std::string> variables;  // -var name value for that script
 };
 
 struct ParticlesSpec {
   Source source;
-  std::string script;                                 // LIGGGHTS script of the coupled run; gets -var out DIR, -var bed FILE, and:
-  std::map<std::string, std::string> variables;       // -var name value
-  int ranks = 2;                                      // LIGGGHTS processes
-  std::optional<BedSpec> bed;                         // none: the script makes or reads its own particles
-  std::string grains;                                 // text dump (x y z radius) of the grains at the start; the front door sets it:
-                                                      // clearance counts from the highest grain under the boundaries
-  std::optional<double> surface_height;               // instead of grains: height of the bed's surface [m]
-  double max_time_step = 1e-4;                        // larger DEM steps are refused: wrong on this soil long before unstable [s]
+  std::string script;  // LIGGGHTS script of the coupled run; gets -var out DIR, -var bed FILE, and:
+  std::map<std::string, std::string> variables;  // -var name value
+  int ranks = 2;                                 // LIGGGHTS processes
+  std::optional<BedSpec> bed;                    // none: the script makes or reads its own particles
+  std::string grains;                    // text dump (x y z radius) of the grains at the start; the front door sets it:
+                                         // clearance counts from the highest grain under the boundaries
+  std::optional<double> surface_height;  // instead of grains: height of the bed's surface [m]
+  double max_time_step = 1e-4;           // larger DEM steps are refused: wrong on this soil long before unstable [s]
 };
 
 }  // namespace footfall

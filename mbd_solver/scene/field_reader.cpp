@@ -17,7 +17,8 @@ const ConfigNode& empty_table() {
 
 class FieldReader final : public FieldVisitor {
  public:
-  FieldReader(const ConfigNode& root, const std::string& folder, Findings& findings) : folder_(folder), findings_(findings) {
+  FieldReader(const ConfigNode& root, const std::string& folder, Findings& findings)
+      : folder_(folder), findings_(findings) {
     frames_.push_back({&root, "", "", nullptr, {}, {}});
   }
   void finish() { report_unknown_keys(); }
@@ -33,7 +34,8 @@ class FieldReader final : public FieldVisitor {
     const std::optional<Given> given = take(key, rule);
     if (!given) return;
     const ValueContext context{rule, given->factor, folder_};
-    const std::string problem = std::visit([&](auto* target) { return read_value(*given->node, context, *target); }, ref);
+    const std::string problem =
+        std::visit([&](auto* target) { return read_value(*given->node, context, *target); }, ref);
     if (!problem.empty()) report(given->written, given->node->line, problem);
   }
 
@@ -46,7 +48,9 @@ class FieldReader final : public FieldVisitor {
       switch_table_.table.emplace_back("enabled", *node);
       node = &switch_table_;
     } else if (given && node->kind != ConfigNode::Kind::kTable) {
-      report(key, node->line, "is " + node->description() + ", expected a table" + (presence == Presence::kSwitch ? ", true or false" : ""));
+      report(key, node->line,
+             "is " + node->description() + ", expected a table" +
+                 (presence == Presence::kSwitch ? ", true or false" : ""));
       node = &empty_table();
       present = presence == Presence::kAlways;
       if (!present) return false;
@@ -66,14 +70,17 @@ class FieldReader final : public FieldVisitor {
     if (!given) return 0;
     const ConfigNode& node = *given->node;
     const bool is_list = node.kind == ConfigNode::Kind::kList &&
-                         std::all_of(node.list.begin(), node.list.end(), [](const ConfigNode& n) { return n.kind == ConfigNode::Kind::kTable; });
+                         std::all_of(node.list.begin(), node.list.end(),
+                                     [](const ConfigNode& n) { return n.kind == ConfigNode::Kind::kTable; });
     const bool is_named = node.kind == ConfigNode::Kind::kTable &&
-                          std::all_of(node.table.begin(), node.table.end(), [](const auto& n) { return n.second.kind == ConfigNode::Kind::kTable; });
+                          std::all_of(node.table.begin(), node.table.end(),
+                                      [](const auto& n) { return n.second.kind == ConfigNode::Kind::kTable; });
     if (named ? !is_named : !is_list) {
       const std::string path = frames_.back().path.empty() ? key : frames_.back().path + "." + key;
       report(key, node.line,
              "is " + node.description() + ", expected " +
-                 (named ? "tables with names, [" + path + ".NAME]" : "a list of tables, [[" + path + "]] or [{...}, {...}]"));
+                 (named ? "tables with names, [" + path + ".NAME]"
+                        : "a list of tables, [[" + path + "]] or [{...}, {...}]"));
       return 0;
     }
     lists_.back().node = &node;
@@ -97,11 +104,11 @@ class FieldReader final : public FieldVisitor {
  private:
   struct Frame {
     const ConfigNode* node;
-    std::string path;    // for messages: "bodies.cabin.shape"
-    std::string local;   // before a key in source->lines: "shape."
-    Source* source;      // of the entry around
-    std::vector<std::string> known;   // every key asked for
-    std::vector<std::string> taken;   // every key found
+    std::string path;                // for messages: "bodies.cabin.shape"
+    std::string local;               // before a key in source->lines: "shape."
+    Source* source;                  // of the entry around
+    std::vector<std::string> known;  // every key asked for
+    std::vector<std::string> taken;  // every key found
   };
   struct List {
     const ConfigNode* node;
@@ -116,7 +123,8 @@ class FieldReader final : public FieldVisitor {
 
   void push(const std::string& key, const ConfigNode& node) {
     const Frame& outer = frames_.back();
-    frames_.push_back({&node, outer.path.empty() ? key : outer.path + "." + key, outer.local + key + ".", outer.source, {}, {}});
+    frames_.push_back(
+        {&node, outer.path.empty() ? key : outer.path + "." + key, outer.local + key + ".", outer.source, {}, {}});
   }
 
   void pop() {
@@ -147,9 +155,11 @@ class FieldReader final : public FieldVisitor {
       return std::nullopt;
     }
     for (const Given& g : found) frame.taken.push_back(g.written);
-    if (found.size() > 1) report(found[1].written, found[1].node->line, "is given twice, also as \"" + found[0].written + "\"; keep one");
+    if (found.size() > 1)
+      report(found[1].written, found[1].node->line, "is given twice, also as \"" + found[0].written + "\"; keep one");
     // The last word is that of --set.
-    const auto set = std::find_if(found.begin(), found.end(), [](const Given& g) { return g.node->line == Source::kFromSet; });
+    const auto set =
+        std::find_if(found.begin(), found.end(), [](const Given& g) { return g.node->line == Source::kFromSet; });
     const Given& chosen = set != found.end() ? *set : found.front();
     if (frame.source) frame.source->lines[frame.local + key] = chosen.node->line;
     return chosen;

@@ -1,6 +1,6 @@
 #pragma once
-// Tree of values -> Scene, by the description of the keys (field_visitor.h). Wrong types, units and ranges, missing and unknown
-// keys become findings; the scene keeps its defaults there.
+// Tree of values -> Scene, by the description of the keys (field_visitor.h). Wrong types, units and ranges, missing and
+// unknown keys become findings; the scene keeps its defaults there.
 
 #include "mbd_solver/scene/config_node.h"
 #include "mbd_solver/scene/findings.h"

@@ -1,6 +1,6 @@
 #pragma once
-// The keys of a scene, described once: visit_fields names every key, its member, unit, range and meaning. The TOML reader, the
-// copier of arrays, the JSON writer and the list of known keys are visitors of that one description.
+// The keys of a scene, described once: visit_fields names every key, its member, unit, range and meaning. The TOML
+// reader, the copier of arrays, the JSON writer and the list of known keys are visitors of that one description.
 
 #include <Eigen/Dense>
 #include <array>
@@ -16,14 +16,32 @@ namespace footfall {
 
 // Unit of a number in SI; the suffixes that the reader accepts for each stand in units.cpp.
 enum class Unit {
-  kNone, kLength, kArea, kArea2, kVolume, kAngle, kTime, kMass, kDensity, kInertia, kVelocity, kAngularVelocity, kAcceleration, kForce,
-  kPressure, kFrequency, kStiffness, kDamping, kTurningStiffness, kTurningDamping
+  kNone,
+  kLength,
+  kArea,
+  kArea2,
+  kVolume,
+  kAngle,
+  kTime,
+  kMass,
+  kDensity,
+  kInertia,
+  kVelocity,
+  kAngularVelocity,
+  kAcceleration,
+  kForce,
+  kPressure,
+  kFrequency,
+  kStiffness,
+  kDamping,
+  kTurningStiffness,
+  kTurningDamping
 };
 
 enum class Range { kAny, kPositive, kNotNegative, kUnitInterval };
 
-// What a vector or a string is. The copies of an array turn points, directions (unit vectors) and free vectors; names of entries
-// are copied with "{array}" replaced; paths are joined with the scene's folder and must exist.
+// What a vector or a string is. The copies of an array turn points, directions (unit vectors) and free vectors; names
+// of entries are copied with "{array}" replaced; paths are joined with the scene's folder and must exist.
 enum class Meaning { kPlain, kPoint, kDirection, kFree, kName, kPath };
 
 struct Rule {
@@ -33,22 +51,23 @@ struct Rule {
   bool required = false;
 };
 
-struct Choice {              // an enumeration by the names of its values, in order
+struct Choice {  // an enumeration by the names of its values, in order
   int value;
   std::vector<std::string> names;
 };
 
-struct NumberOrWord {        // mass = 900 or mass = "remainder"
+struct NumberOrWord {  // mass = 900 or mass = "remainder"
   double* number;
   std::string word;
   bool* is_word;
 };
 
 using FieldRef =
-    std::variant<double*, std::optional<double>*, int*, std::optional<int>*, bool*, std::string*, std::vector<std::string>*,
-                 std::array<std::string, 2>*, Eigen::Vector3d*, std::optional<Eigen::Vector3d>*, std::vector<Eigen::Vector3d>*,
-                 std::array<Eigen::Vector3d, 2>*, std::vector<double>*, std::vector<int>*, std::vector<Eigen::Vector2d>*,
-                 Eigen::Quaterniond*, Eigen::Matrix3d*, std::map<std::string, std::string>*, Choice*, NumberOrWord*, Source*>;
+    std::variant<double*, std::optional<double>*, int*, std::optional<int>*, bool*, std::string*,
+                 std::vector<std::string>*, std::array<std::string, 2>*, Eigen::Vector3d*,
+                 std::optional<Eigen::Vector3d>*, std::vector<Eigen::Vector3d>*, std::array<Eigen::Vector3d, 2>*,
+                 std::vector<double>*, std::vector<int>*, std::vector<Eigen::Vector2d>*, Eigen::Quaterniond*,
+                 Eigen::Matrix3d*, std::map<std::string, std::string>*, Choice*, NumberOrWord*, Source*>;
 
 enum class Presence { kAlways, kOptional, kSwitch };  // kSwitch: key = true / false, or a table
 
@@ -57,7 +76,8 @@ class FieldVisitor {
   virtual ~FieldVisitor() = default;
 
   virtual void field(const std::string& key, const FieldRef& ref, const Rule& rule) = 0;
-  // Enters the table `key`. `present`: in, whether the struct holds it; out, whether it shall. False: not entered, no end_section.
+  // Enters the table `key`. `present`: in, whether the struct holds it; out, whether it shall. False: not entered, no
+  // end_section.
   virtual bool begin_section(const std::string& key, Presence presence, bool& present) = 0;
   virtual void end_section() = 0;
   // A list of tables [[key]], or of named tables [key.NAME]; returns how many items there shall be.
@@ -74,9 +94,10 @@ class FieldVisitor {
     value = static_cast<E>(c.value);
   }
   template <class T>
-  void section(const std::string& key, T& value);                 // always there, defaults where the file is silent
+  void section(const std::string& key, T& value);  // always there, defaults where the file is silent
   template <class T>
-  void section(const std::string& key, std::optional<T>& value, Presence presence = Presence::kOptional);  // there only when given
+  // there only when given
+  void section(const std::string& key, std::optional<T>& value, Presence presence = Presence::kOptional);
   template <class T, class Describe>
   void section(const std::string& key, std::optional<T>& value, Presence presence, const Describe& describe);
   template <class T>
@@ -127,7 +148,8 @@ void FieldVisitor::section(const std::string& key, T& value) {
 }
 
 template <class T, class Describe>
-void FieldVisitor::section(const std::string& key, std::optional<T>& value, Presence presence, const Describe& describe) {
+void FieldVisitor::section(const std::string& key, std::optional<T>& value, Presence presence,
+                           const Describe& describe) {
   bool present = value.has_value();
   const bool entered = begin_section(key, presence, present);
   if (present && !value) value.emplace();

@@ -18,7 +18,8 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const std::size_t replace = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
       d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replace});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
     }
   }
   return d[a.size()][b.size()];
@@ -41,7 +42,8 @@ std::string closest_name(const std::string& word, const std::vector<std::string>
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     // A word that only lacks or adds an ending ("leg" for "leg_1") is as near as one edit.
-    const bool prefix = word.size() > 2 && (candidate.rfind(word, 0) == 0 || (candidate.size() > 2 && word.rfind(candidate, 0) == 0));
+    const bool prefix =
+        word.size() > 2 && (candidate.rfind(word, 0) == 0 || (candidate.size() > 2 && word.rfind(candidate, 0) == 0));
     const std::size_t distance = prefix ? 1 : edit_distance(word, candidate);
     if (distance < best_distance) {
       best = candidate;

@@ -12,41 +12,52 @@
 namespace footfall {
 
 enum class JointType {
-  kFixed, kSpherical, kUniversal, kRevolute, kPrismatic, kCylindrical, kDistance, kPointOnPlane, kPrescribed
+  kFixed,
+  kSpherical,
+  kUniversal,
+  kRevolute,
+  kPrismatic,
+  kCylindrical,
+  kDistance,
+  kPointOnPlane,
+  kPrescribed
 };
 
-// f(t) = sum_k c_k t^k + amplitude sin(2 pi frequency t + phase) + table(t). Unit: the one of what it moves ([m] or [rad]).
+// f(t) = sum_k c_k t^k + amplitude sin(2 pi frequency t + phase) + table(t). Unit: the one of what it moves ([m] or
+// [rad]).
 struct TimeFunctionSpec {
-  std::vector<double> polynomial;             // c_0, c_1, ... [unit / s^k]
-  double amplitude = 0.0;                     // [unit]
-  double frequency = 0.0;                     // [Hz]
-  double phase = 0.0;                         // [rad]
-  std::vector<Eigen::Vector2d> table;         // (t [s], value [unit]), t rising: a cubic spline through them
+  std::vector<double> polynomial;      // c_0, c_1, ... [unit / s^k]
+  double amplitude = 0.0;              // [unit]
+  double frequency = 0.0;              // [Hz]
+  double phase = 0.0;                  // [rad]
+  std::vector<Eigen::Vector2d> table;  // (t [s], value [unit]), t rising: a cubic spline through them
 };
 
-// Motion of body b relative to body a (or the ground), in the joint's frame, which turns with a: z = axis, x = axis2 (made
-// perpendicular to it), y = z cross x. A coordinate that is not given is free.
+// Motion of body b relative to body a (or the ground), in the joint's frame, which turns with a: z = axis, x = axis2
+// (made perpendicular to it), y = z cross x. A coordinate that is not given is free.
 struct MotionSpec {
-  std::optional<TimeFunctionSpec> x, y, z;    // displacement of the point on b from the point on a [m]
-  std::optional<TimeFunctionSpec> rotation;   // about z [rad]
-  bool hold_other_rotations = false;          // keeps z of both bodies parallel
+  std::optional<TimeFunctionSpec> x, y, z;   // displacement of the point on b from the point on a [m]
+  std::optional<TimeFunctionSpec> rotation;  // about z [rad]
+  bool hold_other_rotations = false;         // keeps z of both bodies parallel
 };
 
 struct JointSpec {
   Source source;
   std::string name;
   JointType type = JointType::kFixed;
-  std::array<std::string, 2> bodies;          // a, b; "ground" is allowed for one of them
-  std::optional<Eigen::Vector3d> point;       // gives both of the next two [m]
-  // The joint's point on a and on b in D [m], resolved by scene_reader. They may differ for distance and point_on_plane (a: a
-  // point of the plane) only; else the gap is checked.
+  std::array<std::string, 2> bodies;     // a, b; "ground" is allowed for one of them
+  std::optional<Eigen::Vector3d> point;  // gives both of the next two [m]
+  // The joint's point on a and on b in D [m], resolved by scene_reader. They may differ for distance and point_on_plane
+  // (a: a point of the plane) only; else the gap is checked.
   Eigen::Vector3d point_a = Eigen::Vector3d::Zero();
   Eigen::Vector3d point_b = Eigen::Vector3d::Zero();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();    // unit vector; revolute, prismatic, cylindrical, prescribed; universal: axis
-                                                      // fixed in a; point_on_plane: normal of the plane, fixed in a
-  Eigen::Vector3d axis2 = Eigen::Vector3d::UnitX();   // universal: axis fixed in b, perpendicular to `axis`; prescribed: x axis
-  std::optional<double> length;               // distance [m]; not given: that of the points
-  std::optional<MotionSpec> motion;           // prescribed
+  // unit vector; revolute, prismatic, cylindrical, prescribed; universal: axis
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  // fixed in a; point_on_plane: normal of the plane, fixed in a
+  // universal: axis fixed in b, perpendicular to `axis`; prescribed: x axis
+  Eigen::Vector3d axis2 = Eigen::Vector3d::UnitX();
+  std::optional<double> length;      // distance [m]; not given: that of the points
+  std::optional<MotionSpec> motion;  // prescribed
 };
 
 }  // namespace footfall

@@ -23,7 +23,8 @@ class PathResolver final : public TrackingVisitor {
     std::error_code ignored;
     if (!fs::is_regular_file(full, ignored)) {
       findings_.error(*source(), local(key),
-                      "there is no file \"" + **path + "\" (looked for " + full.string() + "); paths are relative to the scene's folder");
+                      "there is no file \"" + **path + "\" (looked for " + full.string() +
+                          "); paths are relative to the scene's folder");
     }
     **path = full.string();
   }
@@ -37,7 +38,8 @@ void resolve_joint_points(Scene& scene, Findings& findings) {
   for (JointSpec& joint : scene.joints) {
     if (!joint.point) continue;
     for (const char* key : {"point_a", "point_b"}) {
-      if (joint.source.given(key)) findings.error(joint.source, key, "is given beside \"point\", which stands for both; keep one");
+      if (joint.source.given(key))
+        findings.error(joint.source, key, "is given beside \"point\", which stands for both; keep one");
     }
     joint.point_a = joint.point_b = *joint.point;
   }

@@ -1,5 +1,6 @@
 #pragma once
-// Completes a scene that was read: copies of arrays, paths, points of joints, and mass, centre and inertia of every body.
+// Completes a scene that was read: copies of arrays, paths, points of joints, and mass, centre and inertia of every
+// body.
 
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene.h"
@@ -9,7 +10,8 @@ namespace footfall {
 // What cannot be completed becomes a finding.
 void resolve_scene(Scene& scene, Findings& findings);
 
-// Mass, mass centre and inertia of every body from what was given: explicit numbers, or shape and material; "remainder" last.
+// Mass, mass centre and inertia of every body from what was given: explicit numbers, or shape and material; "remainder"
+// last.
 void resolve_masses(Scene& scene, Findings& findings);
 
 // Mass centre of all bodies in D [m]; total mass [kg].

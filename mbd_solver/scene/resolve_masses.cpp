@@ -40,18 +40,24 @@ bool check_shape(const BodySpec& body, Findings& findings) {
     if (!has_default && !body.source.given("shape." + key))
       findings.error(body.source, "shape." + key, std::string("is missing; a ") + shape_name(shape.kind) + " needs it");
   }
-  for (const char* key : {"centre", "axis", "from", "to", "size", "diameter", "wall", "radius", "thickness", "depth", "points"}) {
+  for (const char* key :
+       {"centre", "axis", "from", "to", "size", "diameter", "wall", "radius", "thickness", "depth", "points"}) {
     if (body.source.given(std::string("shape.") + key) && std::find(needed.begin(), needed.end(), key) == needed.end())
-      findings.error(body.source, std::string("shape.") + key, std::string("means nothing for a ") + shape_name(shape.kind) + "; leave it out");
+      findings.error(body.source, std::string("shape.") + key,
+                     std::string("means nothing for a ") + shape_name(shape.kind) + "; leave it out");
   }
   const bool long_body = shape.kind == ShapeKind::kTube || shape.kind == ShapeKind::kRod;
-  if (long_body && !((shape.to - shape.from).norm() > 0.0)) findings.error(body.source, "shape.to", "is the same point as \"from\"");
+  if (long_body && !((shape.to - shape.from).norm() > 0.0))
+    findings.error(body.source, "shape.to", "is the same point as \"from\"");
   if (shape.kind == ShapeKind::kTube && 2.0 * shape.wall > shape.diameter)
-    findings.error(body.source, "shape.wall", "is " + short_number(shape.wall) + " m, expected at most half the diameter; for a solid bar use kind = \"rod\"");
+    findings.error(body.source, "shape.wall",
+                   "is " + short_number(shape.wall) +
+                       " m, expected at most half the diameter; for a solid bar use kind = \"rod\"");
   if (shape.kind == ShapeKind::kDish && shape.depth > shape.radius)
     findings.error(body.source, "shape.depth", "is " + short_number(shape.depth) + " m, expected at most the radius");
   if (shape.kind == ShapeKind::kPoints && shape.points.size() < 3)
-    findings.error(body.source, "shape.points", "are " + std::to_string(shape.points.size()) + ", expected at least three, not on one line");
+    findings.error(body.source, "shape.points",
+                   "are " + std::to_string(shape.points.size()) + ", expected at least three, not on one line");
   return findings.error_count() == before;
 }
 
@@ -62,8 +68,9 @@ MassProperties turned(MassProperties p, const Eigen::Vector3d& axis, const Eigen
   return p;
 }
 
-// Thin spherical cap of rim radius a and depth h, lowest point at the origin, opening along z. On a sphere of radius s = (a^2 + h^2) / (2h)
-// equal heights hold equal areas 2 pi s dz, so all moments are means over z in [0, h] with r^2 = 2 s z - z^2.
+// Thin spherical cap of rim radius a and depth h, lowest point at the origin, opening along z. On a sphere of radius s
+// = (a^2 + h^2) / (2h) equal heights hold equal areas 2 pi s dz, so all moments are means over z in [0, h] with r^2 = 2
+// s z - z^2.
 MassProperties dish_properties(const ShapeSpec& shape, double density) {
   const double a = shape.radius, h = shape.depth, s = (a * a + h * h) / (2.0 * h);
   MassProperties p;
@@ -83,7 +90,8 @@ MassProperties point_properties(const std::vector<Eigen::Vector3d>& points) {
   for (const Eigen::Vector3d& x : points) p.centre += x / static_cast<double>(points.size());
   for (const Eigen::Vector3d& x : points) {
     const Eigen::Vector3d d = x - p.centre;
-    p.inertia += (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose()) / static_cast<double>(points.size());
+    p.inertia +=
+        (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose()) / static_cast<double>(points.size());
   }
   return p;
 }
@@ -113,10 +121,12 @@ MassProperties shape_properties(const BodySpec& body, double density) {
 std::optional<double> density_of(const Scene& scene, const BodySpec& body, Findings& findings) {
   std::vector<std::string> names;
   for (const MaterialSpec& material : scene.materials) {
-    if (material.name == body.material) return material.density > 0.0 ? std::optional<double>(material.density) : std::nullopt;
+    if (material.name == body.material)
+      return material.density > 0.0 ? std::optional<double>(material.density) : std::nullopt;
     names.push_back(material.name);
   }
-  findings.error(body.source, "material", "there is no material \"" + body.material + "\"." + known_names("materials", body.material, names));
+  findings.error(body.source, "material",
+                 "there is no material \"" + body.material + "\"." + known_names("materials", body.material, names));
   return std::nullopt;
 }
 
@@ -128,7 +138,8 @@ void resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
     const std::string expected = "; give it, or give a shape (with a material, or with the mass)";
     if (!mass_given) findings.error(body.source, "mass", "is missing" + expected);
     if (!inertia_given) findings.error(body.source, "inertia", "is missing" + expected);
-    if (!body.source.given("position")) findings.error(body.source, "position", "of the mass centre is missing" + expected);
+    if (!body.source.given("position"))
+      findings.error(body.source, "position", "of the mass centre is missing" + expected);
     return;
   }
   if (!check_shape(body, findings)) return;
@@ -136,8 +147,10 @@ void resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
   double density = 1.0;
   if (!mass_given) {
     if (body.material.empty() || body.shape->kind == ShapeKind::kPoints) {
-      findings.error(body.source, "mass", std::string("is missing; give the mass") +
-                                              (body.shape->kind == ShapeKind::kPoints ? " (points have no volume)" : ", or a material for the shape"));
+      findings.error(
+          body.source, "mass",
+          std::string("is missing; give the mass") +
+              (body.shape->kind == ShapeKind::kPoints ? " (points have no volume)" : ", or a material for the shape"));
       return;
     }
     const std::optional<double> found = density_of(scene, body, findings);
@@ -166,25 +179,29 @@ void resolve_remainder(Scene& scene, Findings& findings) {
     if (!body.mass_is_remainder) {
       others += body.mass;
     } else if (rest) {
-      findings.error(body.source, "mass", "is the remainder, but so is that of \"" + rest->name + "\"; only one body can be");
+      findings.error(body.source, "mass",
+                     "is the remainder, but so is that of \"" + rest->name + "\"; only one body can be");
     } else {
       rest = &body;
     }
   }
   if (!rest) {
     if (scene.total_mass && std::abs(others - *scene.total_mass) > 1e-6 * *scene.total_mass && !findings.has_errors())
-      findings.error(scene.source, "total_mass", "is " + short_number(*scene.total_mass) + " kg, but the bodies weigh " + short_number(others) +
-                                                     " kg; leave it out, or let one body have mass = \"remainder\"");
+      findings.error(scene.source, "total_mass",
+                     "is " + short_number(*scene.total_mass) + " kg, but the bodies weigh " + short_number(others) +
+                         " kg; leave it out, or let one body have mass = \"remainder\"");
     return;
   }
   if (!scene.total_mass) {
-    findings.error(rest->source, "mass", "is the remainder of a total_mass that is not given; set total_mass at the top of the scene");
+    findings.error(rest->source, "mass",
+                   "is the remainder of a total_mass that is not given; set total_mass at the top of the scene");
     return;
   }
   const double mass = *scene.total_mass - others;
   if (!(mass > 0.0)) {
-    findings.error(rest->source, "mass", "is the remainder, but the other bodies already weigh " + short_number(others) + " kg of the total_mass of " +
-                                             short_number(*scene.total_mass) + " kg");
+    findings.error(rest->source, "mass",
+                   "is the remainder, but the other bodies already weigh " + short_number(others) +
+                       " kg of the total_mass of " + short_number(*scene.total_mass) + " kg");
     return;
   }
   rest->mass = mass;
@@ -195,11 +212,13 @@ void resolve_remainder(Scene& scene, Findings& findings) {
 void check_inertia(const BodySpec& body, Findings& findings) {
   const Eigen::Vector3d e = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.inertia).eigenvalues();
   if (!(e[0] > 0.0)) {
-    findings.error(body.source, "inertia", "is not positive definite (smallest principal value " + short_number(e[0]) +
-                                               " kg m2); expected [Ixx, Iyy, Izz] > 0, in kg m2 about the mass centre");
+    findings.error(body.source, "inertia",
+                   "is not positive definite (smallest principal value " + short_number(e[0]) +
+                       " kg m2); expected [Ixx, Iyy, Izz] > 0, in kg m2 about the mass centre");
   } else if (e[2] > (e[0] + e[1]) * (1.0 + 1e-9)) {
-    findings.error(body.source, "inertia", "belongs to no real body: the largest principal value " + short_number(e[2]) +
-                                               " kg m2 exceeds the sum of the other two, " + short_number(e[0] + e[1]) + " kg m2");
+    findings.error(body.source, "inertia",
+                   "belongs to no real body: the largest principal value " + short_number(e[2]) +
+                       " kg m2 exceeds the sum of the other two, " + short_number(e[0] + e[1]) + " kg m2");
   }
 }
 

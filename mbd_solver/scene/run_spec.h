@@ -10,16 +10,18 @@
 
 namespace footfall {
 
-// Velocity of one body instead of the mechanism's; must agree with the joints (the solver's first projection reports if not).
+// Velocity of one body instead of the mechanism's; must agree with the joints (the solver's first projection reports if
+// not).
 struct BodyVelocitySpec {
   Source source;
   std::string body;
-  std::optional<Eigen::Vector3d> velocity;            // of the mass centre, in W [m/s]
-  std::optional<Eigen::Vector3d> angular_velocity;    // in W [rad/s]
+  std::optional<Eigen::Vector3d> velocity;          // of the mass centre, in W [m/s]
+  std::optional<Eigen::Vector3d> angular_velocity;  // in W [rad/s]
 };
 
-// Places the drawing D in W: turned about the total mass centre by R_WD = Rz(yaw) Ry(pitch) Rx(roll), moved by position, then up or
-// down to the clearance. What is fixed to the ground by joints, struts or springs is drawn in D too and is placed with it.
+// Places the drawing D in W: turned about the total mass centre by R_WD = Rz(yaw) Ry(pitch) Rx(roll), moved by
+// position, then up or down to the clearance. What is fixed to the ground by joints, struts or springs is drawn in D
+// too and is placed with it.
 struct InitialSpec {
   Source source;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();          // [m]
@@ -36,25 +38,26 @@ struct ControllerSpec {
   Source source;
   std::string name;
   ControllerKind kind = ControllerKind::kConstant;
-  std::string body;                                   // observed
-  double period = 1e-3;                               // [s] > 0
-  std::vector<std::string> outputs;                   // names "U1" ...: a strut's mr.controller is "NAME.U1"
-  double touchdown_acceleration = 0.0;                // sleeps at voltage 0 until the upward acceleration first exceeds this [m/s2]; 0: never sleeps; not for constant
-  double touchdown_delay = 0.0;                       // and for so long after it: until the filter has settled [s]
-  double filter_frequency = 50.0;                     // fuzzy, pid: low-pass of the acceleration, 0 = none [Hz]
+  std::string body;                  // observed
+  double period = 1e-3;              // [s] > 0
+  std::vector<std::string> outputs;  // names "U1" ...: a strut's mr.controller is "NAME.U1"
+  // sleeps at voltage 0 until the upward acceleration first exceeds this [m/s2]; 0: never sleeps; not for constant
+  double touchdown_acceleration = 0.0;
+  double touchdown_delay = 0.0;    // and for so long after it: until the filter has settled [s]
+  double filter_frequency = 50.0;  // fuzzy, pid: low-pass of the acceleration, 0 = none [Hz]
   // constant
-  std::vector<double> voltages = {0.0};               // one per output, or one for all [-] in [0, 1]
+  std::vector<double> voltages = {0.0};  // one per output, or one for all [-] in [0, 1]
   // fuzzy
-  std::string file;                                   // .fll
-  bool tabulated = false;                             // computed once on a grid, then interpolated
-  std::vector<int> grid = {49, 17, 33, 33};           // points along a, da, alpha, beta
+  std::string file;                          // .fll
+  bool tabulated = false;                    // computed once on a grid, then interpolated
+  std::vector<int> grid = {49, 17, 33, 33};  // points along a, da, alpha, beta
   // skyhook, on-off
-  double on = 1.0, off = 0.0;                         // voltages [-] in [0, 1]
-  double deadband = 0.01;                             // [m/s] >= 0
+  double on = 1.0, off = 0.0;  // voltages [-] in [0, 1]
+  double deadband = 0.01;      // [m/s] >= 0
   // pid on acceleration: U = clamp(bias + kp e + ki int e dt - kd jerk), e = set_point - a
-  double set_point = 29.4;                            // wanted upward acceleration [m/s2] > 0
-  double kp = 0.03, ki = 0.5, kd = 0.0;               // [s2/m], [s/m], [s3/m]
-  double bias = 0.0;                                  // U without error [-]
+  double set_point = 29.4;               // wanted upward acceleration [m/s2] > 0
+  double kp = 0.03, ki = 0.5, kd = 0.0;  // [s2/m], [s/m], [s3/m]
+  double bias = 0.0;                     // U without error [-]
 };
 
 enum class IntegratorKind { kOneStep, kIda };
@@ -63,13 +66,13 @@ enum class DriftKind { kProjection, kBaumgarte };
 struct SolverSpec {
   Source source;
   IntegratorKind integrator = IntegratorKind::kOneStep;
-  double rtol = 1e-6;                                 // [-]
-  double atol = 1e-8;                                 // [m], [rad], [m/s] ...
-  double max_step = 1e-3;                             // [s]; one step never crosses a window
-  bool error_control = true;                          // one_step: false takes steps of max_step, whatever their error
+  double rtol = 1e-6;         // [-]
+  double atol = 1e-8;         // [m], [rad], [m/s] ...
+  double max_step = 1e-3;     // [s]; one step never crosses a window
+  bool error_control = true;  // one_step: false takes steps of max_step, whatever their error
   DriftKind drift = DriftKind::kProjection;
-  double baumgarte_velocity = 100.0;                  // alpha: ddPhi + 2 alpha dPhi + beta^2 Phi = 0 [1/s]
-  double baumgarte_position = 100.0;                  // beta [1/s]
+  double baumgarte_velocity = 100.0;  // alpha: ddPhi + 2 alpha dPhi + beta^2 Phi = 0 [1/s]
+  double baumgarte_position = 100.0;  // beta [1/s]
 };
 
 // Names as in theory: boundary path in the window / force to the mechanism.
@@ -78,25 +81,25 @@ enum class SchemeKind { kFrozen, kCss, kCssTrapezoid, kQuadratic, kTangent };
 struct CouplingSpec {
   Source source;
   SchemeKind scheme = SchemeKind::kCssTrapezoid;
-  // `every auto` in the script: substeps per window are chosen in [1, max_substeps] so that the force on a body misses by the
-  // tolerance's share of the force scale at the window's end.
-  double tolerance = 0.01;                            // [-]
+  // `every auto` in the script: substeps per window are chosen in [1, max_substeps] so that the force on a body misses
+  // by the tolerance's share of the force scale at the window's end.
+  double tolerance = 0.01;  // [-]
   int max_substeps = 100;
-  double warn_omega_h = 0.5;                          // warn above this estimate of omega H [-]
-  bool stop_on_energy_gain = true;                    // end the run when the interface pumps energy ...
-  double max_energy_residual = 0.1;                   // ... of more than this share of the initial mechanical energy [-]
-  bool stop_on_chatter = true;                        // end the run when the mean force alternates from window to window
-  double timeout = 300.0;                             // of silence of the partner within a run [s]
+  double warn_omega_h = 0.5;         // warn above this estimate of omega H [-]
+  bool stop_on_energy_gain = true;   // end the run when the interface pumps energy ...
+  double max_energy_residual = 0.1;  // ... of more than this share of the initial mechanical energy [-]
+  bool stop_on_chatter = true;       // end the run when the mean force alternates from window to window
+  double timeout = 300.0;            // of silence of the partner within a run [s]
 };
 
 struct OutputSpec {
   Source source;
-  double interval = 1e-3;                             // rows of history.csv [s]
-  std::vector<std::string> bodies;                    // whose motion is recorded; empty: all
-  bool vtk = false;                                   // deformed geometry, one file per frame
-  double vtk_interval = 0.01;                         // [s]
-  bool plots = true;                                  // gnuplot pictures at the end of `footfall run`
-  double checkpoint_interval = 0.0;                   // [s]; 0: only when interrupted
+  double interval = 1e-3;            // rows of history.csv [s]
+  std::vector<std::string> bodies;   // whose motion is recorded; empty: all
+  bool vtk = false;                  // deformed geometry, one file per frame
+  double vtk_interval = 0.01;        // [s]
+  bool plots = true;                 // gnuplot pictures at the end of `footfall run`
+  double checkpoint_interval = 0.0;  // [s]; 0: only when interrupted
 };
 
 }  // namespace footfall

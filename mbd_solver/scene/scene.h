@@ -1,7 +1,7 @@
 #pragma once
 // A scene as plain numbers: what the TOML file says, complete with defaults, SI units, and nothing else. Filled by
-// scene_reader, judged by scene_check, turned into a Model by the run part. All points and directions are in the drawing
-// frame D: the mechanism in its design position; [initial] places D in the inertial frame W.
+// scene_reader, judged by scene_check, turned into a Model by the run part. All points and directions are in the
+// drawing frame D: the mechanism in its design position; [initial] places D in the inertial frame W.
 
 #include <optional>
 #include <string>
@@ -16,20 +16,21 @@
 
 namespace footfall {
 
-// "{name}" in any string of an entry: the entry is copied `count` times, copy k (from 1) turned by start + (k - 1) step.
+// "{name}" in any string of an entry: the entry is copied `count` times, copy k (from 1) turned by start + (k - 1)
+// step.
 struct ArraySpec {
   Source source;
   std::string name;
   int count = 1;
-  double start = 0.0;                                // [rad]
-  double step = 0.0;                                 // [rad]
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   // through the origin of D [-]
+  double start = 0.0;                               // [rad]
+  double step = 0.0;                                // [rad]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // through the origin of D [-]
 };
 
 struct Scene {
-  Source source;                  // top-level keys
-  std::string file;               // the scene file as it was opened
-  std::string folder;             // its folder: every path in the scene is relative to it and stored joined with it
+  Source source;                      // top-level keys
+  std::string file;                   // the scene file as it was opened
+  std::string folder;                 // its folder: every path in the scene is relative to it and stored joined with it
   std::vector<std::string> settings;  // --set key=value, as given
   std::vector<std::string> warnings;  // findings that do not stop a run, formatted
 
@@ -39,7 +40,7 @@ struct Scene {
   std::optional<double> total_mass;                            // [kg]; needed by one body with mass = "remainder"
   bool flexible = true;                                        // false: every body is rigid
 
-  std::vector<ArraySpec> arrays;           // already applied: kept for the record
+  std::vector<ArraySpec> arrays;  // already applied: kept for the record
   std::vector<MaterialSpec> materials;
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;

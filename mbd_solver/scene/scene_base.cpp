@@ -14,8 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLongestChain = 8;  // bases of bases
-constexpr std::array<const char*, 10> kPathKeys = {"script",      "file",         "mesh",             "grains",      "table",
-                                                   "yield_table", "yield_stress", "stiffness_matrix", "mass_matrix", "node_file"};
+constexpr std::array<const char*, 10> kPathKeys = {"script",      "file",        "mesh",         "grains",
+                                                   "table",       "yield_table", "yield_stress", "stiffness_matrix",
+                                                   "mass_matrix", "node_file"};
 
 // Values of a base have no line in the file that is read, and their paths are seen from another folder.
 void move_to(ConfigNode& node, const fs::path& folder) {
@@ -33,11 +34,16 @@ void move_to(ConfigNode& node, const fs::path& folder) {
 void leave_out(ConfigNode& base, const ConfigNode& without, const std::string& file) {
   std::vector<std::string> known;
   for (const auto& entry : base.table) known.push_back(entry.first);
-  const auto wrong = [&](const std::string& what) { throw InputError(file + ":" + std::to_string(without.line) + ": without: " + what); };
-  if (without.kind != ConfigNode::Kind::kList) wrong("is " + without.description() + ", expected a list of keys of the base");
+  const auto wrong = [&](const std::string& what) {
+    throw InputError(file + ":" + std::to_string(without.line) + ": without: " + what);
+  };
+  if (without.kind != ConfigNode::Kind::kList)
+    wrong("is " + without.description() + ", expected a list of keys of the base");
   for (const ConfigNode& key : without.list) {
-    const auto found = std::find_if(base.table.begin(), base.table.end(), [&](const auto& entry) { return entry.first == key.text; });
-    if (found == base.table.end()) wrong("the base has no \"" + key.text + "\" here." + known_names("keys", key.text, known));
+    const auto found =
+        std::find_if(base.table.begin(), base.table.end(), [&](const auto& entry) { return entry.first == key.text; });
+    if (found == base.table.end())
+      wrong("the base has no \"" + key.text + "\" here." + known_names("keys", key.text, known));
     base.table.erase(found);
   }
 }
@@ -47,7 +53,8 @@ void lay_over(ConfigNode& base, const ConfigNode& own, const std::string& file) 
   const bool tables = base.kind == Kind::kTable && own.kind == Kind::kTable;
   const auto named = [](const ConfigNode& list) {
     return list.kind == Kind::kList && !list.list.empty() &&
-           std::all_of(list.list.begin(), list.list.end(), [](const ConfigNode& item) { return !item.entry_name().empty(); });
+           std::all_of(list.list.begin(), list.list.end(),
+                       [](const ConfigNode& item) { return !item.entry_name().empty(); });
   };
   if (tables) {
     base.line = own.line;
@@ -85,7 +92,9 @@ ConfigNode parse(const std::string& argument, int depth) {
   const std::string where = file + ":" + std::to_string(line) + ": base: ";
   if (base_key->kind != ConfigNode::Kind::kText)
     throw InputError(where + "is " + base_key->description() + ", expected the path of another scene, in quotes");
-  if (depth == kLongestChain) throw InputError(where + "more than " + std::to_string(kLongestChain) + " scenes built on each other; is one its own base?");
+  if (depth == kLongestChain)
+    throw InputError(where + "more than " + std::to_string(kLongestChain) +
+                     " scenes built on each other; is one its own base?");
   const fs::path target = fs::path(file).parent_path() / base_key->text;
   ConfigNode base;
   try {
@@ -94,8 +103,10 @@ ConfigNode parse(const std::string& argument, int depth) {
     throw InputError(where + error.what());
   }
   const fs::path base_folder = fs::path(scene_file(target.string())).parent_path();
-  move_to(base, fs::relative(base_folder, fs::path(file).parent_path().empty() ? fs::path(".") : fs::path(file).parent_path()));
-  own.table.erase(std::find_if(own.table.begin(), own.table.end(), [](const auto& entry) { return entry.first == "base"; }));
+  move_to(base, fs::relative(base_folder,
+                             fs::path(file).parent_path().empty() ? fs::path(".") : fs::path(file).parent_path()));
+  own.table.erase(
+      std::find_if(own.table.begin(), own.table.end(), [](const auto& entry) { return entry.first == "base"; }));
   lay_over(base, own, file);
   return base;
 }

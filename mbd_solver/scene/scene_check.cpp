@@ -14,7 +14,8 @@ int Scene::body_index(const std::string& name) const {
 }
 
 const MaterialSpec& Scene::material(const std::string& name) const {
-  const auto found = std::find_if(materials.begin(), materials.end(), [&](const MaterialSpec& m) { return m.name == name; });
+  const auto found =
+      std::find_if(materials.begin(), materials.end(), [&](const MaterialSpec& m) { return m.name == name; });
   FOOTFALL_DEMAND(found != materials.end());
   return *found;
 }
@@ -25,67 +26,90 @@ std::vector<std::string> body_names(const Scene& scene) {
   return names;
 }
 
-void check_body_name(const Scene& scene, const Source& source, const std::string& key, const std::string& name, Findings& findings) {
+void check_body_name(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
+                     Findings& findings) {
   const std::vector<std::string> names = body_names(scene);
   const bool known = std::find(names.begin(), names.end(), name) != names.end();
   if (name.empty() || known) return;
   findings.error(source, key, "unknown body \"" + name + "\"." + known_names("bodies", name, names));
 }
 
-void check_pair(const Scene& scene, const Source& source, const std::array<std::string, 2>& bodies, Findings& findings) {
+void check_pair(const Scene& scene, const Source& source, const std::array<std::string, 2>& bodies,
+                Findings& findings) {
   for (const std::string& name : bodies) {
     if (name != "ground") check_body_name(scene, source, "bodies", name, findings);
   }
-  if (!bodies[0].empty() && bodies[0] == bodies[1]) findings.error(source, "bodies", "are both \"" + bodies[0] + "\"; expected two that differ");
+  if (!bodies[0].empty() && bodies[0] == bodies[1])
+    findings.error(source, "bodies", "are both \"" + bodies[0] + "\"; expected two that differ");
 }
 
 void check_bodies(const Scene& scene, Findings& findings) {
-  if (scene.bodies.empty()) findings.error(scene.source, "bodies", "there are none; a scene needs at least one [[bodies]] entry");
+  if (scene.bodies.empty())
+    findings.error(scene.source, "bodies", "there are none; a scene needs at least one [[bodies]] entry");
   check_unique_names(scene.bodies, "body", findings);
   std::vector<std::string> materials;
   for (const MaterialSpec& m : scene.materials) {
     materials.push_back(m.name);
-    if (!(m.poisson > -1.0 && m.poisson < 0.5)) findings.error(m.source, "poisson", "is " + short_number(m.poisson) + ", expected more than -1 and less than 0.5");
+    if (!(m.poisson > -1.0 && m.poisson < 0.5))
+      findings.error(m.source, "poisson",
+                     "is " + short_number(m.poisson) + ", expected more than -1 and less than 0.5");
   }
   for (const BodySpec& body : scene.bodies) {
-    if (body.name == "ground") findings.error(body.source, "name", "\"ground\" means the inertial frame; choose another name");
+    if (body.name == "ground")
+      findings.error(body.source, "name", "\"ground\" means the inertial frame; choose another name");
     const bool known = std::find(materials.begin(), materials.end(), body.material) != materials.end();
     if (!body.material.empty() && !known)
-      findings.error(body.source, "material", "there is no material \"" + body.material + "\"." + known_names("materials", body.material, materials));
+      findings.error(
+          body.source, "material",
+          "there is no material \"" + body.material + "\"." + known_names("materials", body.material, materials));
     if (!body.flexible || !body.flexible->enabled) continue;
     const FlexibleSpec& f = *body.flexible;
-    const int matrices = (f.stiffness_matrix.empty() ? 0 : 1) + (f.mass_matrix.empty() ? 0 : 1) + (f.node_file.empty() ? 0 : 1);
+    const int matrices =
+        (f.stiffness_matrix.empty() ? 0 : 1) + (f.mass_matrix.empty() ? 0 : 1) + (f.node_file.empty() ? 0 : 1);
     if (matrices == 1 || matrices == 2)
-      findings.error(body.source, "flexible", "gives a part of stiffness_matrix, mass_matrix and node_file; a model in matrices needs all three");
-    const int models = (f.file.empty() ? 0 : 1) + (f.mesh.empty() ? 0 : 1) + (f.nodes.empty() ? 0 : 1) + (matrices > 0 ? 1 : 0);
-    if (models > 1) findings.error(body.source, "flexible", "names more than one of file, mesh, nodes and matrices; keep one");
+      findings.error(
+          body.source, "flexible",
+          "gives a part of stiffness_matrix, mass_matrix and node_file; a model in matrices needs all three");
+    const int models =
+        (f.file.empty() ? 0 : 1) + (f.mesh.empty() ? 0 : 1) + (f.nodes.empty() ? 0 : 1) + (matrices > 0 ? 1 : 0);
+    if (models > 1)
+      findings.error(body.source, "flexible", "names more than one of file, mesh, nodes and matrices; keep one");
     if (models == 0) {
       const bool can = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod ||
                                       body.shape->kind == ShapeKind::kDisc || body.shape->kind == ShapeKind::kDish);
-      if (!can) findings.error(body.source, "flexible", "this body has no shape that bends; expected a tube, rod, disc or dish, or flexible = { file, mesh, nodes or matrices }");
+      if (!can)
+        findings.error(body.source, "flexible",
+                       "this body has no shape that bends; expected a tube, rod, disc or dish, or flexible = { file, "
+                       "mesh, nodes or matrices }");
     }
     if (f.file.empty() && matrices == 0) {
       if (body.material.empty()) {
         findings.error(body.source, "material", "is missing; a flexible body needs density, young and poisson");
       } else if (known && !(scene.material(body.material).young > 0.0)) {
-        findings.error(scene.material(body.material).source, "young", "is missing; the flexible body \"" + body.name + "\" needs it");
+        findings.error(scene.material(body.material).source, "young",
+                       "is missing; the flexible body \"" + body.name + "\" needs it");
       }
     }
     if (!f.mesh.empty() && f.thickness <= 0.0 && !(body.shape && body.shape->thickness > 0.0))
       findings.error(body.source, "flexible.thickness", "is missing; a plate on a mesh needs it");
     for (const MemberSpec& m : f.members) {
       if (std::max(m.first, m.second) >= static_cast<int>(f.nodes.size()) || m.first == m.second)
-        findings.error(body.source, "flexible.members", "joins nodes " + std::to_string(m.first) + " and " + std::to_string(m.second) + ", expected two different ones from 0 to " +
-                                                            std::to_string(static_cast<int>(f.nodes.size()) - 1));
+        findings.error(body.source, "flexible.members",
+                       "joins nodes " + std::to_string(m.first) + " and " + std::to_string(m.second) +
+                           ", expected two different ones from 0 to " +
+                           std::to_string(static_cast<int>(f.nodes.size()) - 1));
       std::vector<std::string> sections;
       for (const SectionSpec& s : f.sections) sections.push_back(s.name);
       if (std::find(sections.begin(), sections.end(), m.section) == sections.end())
-        findings.error(body.source, "flexible.members", "there is no section \"" + m.section + "\"." + known_names("sections", m.section, sections));
+        findings.error(body.source, "flexible.members",
+                       "there is no section \"" + m.section + "\"." + known_names("sections", m.section, sections));
     }
-    if (!f.nodes.empty() && f.members.empty()) findings.error(body.source, "flexible.members", "are missing; nodes alone are no frame");
+    if (!f.nodes.empty() && f.members.empty())
+      findings.error(body.source, "flexible.members", "are missing; nodes alone are no frame");
   }
   for (const BodyVelocitySpec& v : scene.initial.bodies) check_body_name(scene, v.source, "body", v.body, findings);
-  for (const std::string& name : scene.output.bodies) check_body_name(scene, scene.output.source, "bodies", name, findings);
+  for (const std::string& name : scene.output.bodies)
+    check_body_name(scene, scene.output.source, "bodies", name, findings);
 }
 
 void check_scene(const Scene& scene, Findings& findings) {

@@ -1,5 +1,6 @@
 #pragma once
-// What a complete scene must obey beyond types, units and ranges: names that exist, joints that close, laws that make sense.
+// What a complete scene must obey beyond types, units and ranges: names that exist, joints that close, laws that make
+// sense.
 
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene.h"
@@ -22,15 +23,17 @@ void check_script(const Scene& scene, Findings& findings);
 std::vector<std::string> body_names(const Scene& scene);
 // "a" and "b" exist, at most one is the ground, and they differ; skipped where the names were not given.
 void check_pair(const Scene& scene, const Source& source, const std::array<std::string, 2>& bodies, Findings& findings);
-void check_body_name(const Scene& scene, const Source& source, const std::string& key, const std::string& name, Findings& findings);
+void check_body_name(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
+                     Findings& findings);
 
 template <class T>
 void check_unique_names(const std::vector<T>& items, const std::string& what, Findings& findings) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (items[i].name.empty() || items[i].name != items[j].name) continue;
-      findings.error(items[i].source, "name", "there is already a " + what + " of this name (line " +
-                                                  std::to_string(items[j].source.line) + "); names must differ");
+      findings.error(items[i].source, "name",
+                     "there is already a " + what + " of this name (line " + std::to_string(items[j].source.line) +
+                         "); names must differ");
       break;
     }
   }

@@ -1,10 +1,10 @@
 // The one file that knows the TOML library: text -> ConfigNode.
 #include "mbd_solver/scene/scene_reader.h"
 
+#include <toml++/toml.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "coupler/errors.h"
 #include "mbd_solver/scene/config_node.h"
@@ -93,7 +93,8 @@ ConfigNode parse_toml_file(const std::string& file) {
   try {
     return convert(toml::parse(text.str(), file));
   } catch (const toml::parse_error& e) {
-    throw InputError(file + ":" + std::to_string(e.source().begin.line) + ": this is not valid TOML: " + std::string(e.description()));
+    throw InputError(file + ":" + std::to_string(e.source().begin.line) +
+                     ": this is not valid TOML: " + std::string(e.description()));
   }
 }
 
@@ -135,11 +136,13 @@ std::string scene_file(const std::string& argument) {
   std::error_code ignored;
   if (fs::is_directory(argument, ignored)) {
     const fs::path file = fs::path(argument) / "scene.toml";
-    if (!fs::exists(file, ignored)) throw InputError(argument + ": this folder holds no scene.toml; give a scene file or such a folder");
+    if (!fs::exists(file, ignored))
+      throw InputError(argument + ": this folder holds no scene.toml; give a scene file or such a folder");
     return file.string();
   }
   if (!fs::exists(argument, ignored))
-    throw InputError(argument + ": no such file or folder; expected a scene file (TOML), or a folder that holds scene.toml");
+    throw InputError(argument +
+                     ": no such file or folder; expected a scene file (TOML), or a folder that holds scene.toml");
   return argument;
 }
 

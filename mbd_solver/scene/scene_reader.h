@@ -9,8 +9,8 @@
 
 namespace footfall {
 
-// `argument`: a scene file, or a folder that holds scene.toml. `settings`: "key=value" of --set, applied to the file before it
-// is read. Steps: parse, set, read, copy arrays, resolve (mass properties, paths, names), check.
+// `argument`: a scene file, or a folder that holds scene.toml. `settings`: "key=value" of --set, applied to the file
+// before it is read. Steps: parse, set, read, copy arrays, resolve (mass properties, paths, names), check.
 // Throws InputError, one finding per line: "file:line: key: what is wrong, what was expected, what to do".
 Scene read_scene(const std::string& argument, const std::vector<std::string>& settings = {});
 

@@ -10,7 +10,8 @@ namespace {
 constexpr int kDeepestInclude = 10;
 }
 
-ScriptText::ScriptText(const std::string& file, const std::map<std::string, std::string>& variables) : fixed_(variables) {
+ScriptText::ScriptText(const std::string& file, const std::map<std::string, std::string>& variables)
+    : fixed_(variables) {
   fixed_["here"] = std::filesystem::path(file).parent_path().string();
   read(file, 0);
 }
@@ -41,7 +42,8 @@ void ScriptText::add(const std::string& file, int line, const std::string& text,
   for (std::string word; stream >> word;) command.words.push_back(word);
   const std::vector<std::string>& w = command.words;
   if (w.empty()) return;
-  if (w[0] == "variable" && w.size() >= 4 && (w[2] == "index" || w[2] == "string" || w[2] == "equal")) own_.emplace(w[1], w[3]);
+  if (w[0] == "variable" && w.size() >= 4 && (w[2] == "index" || w[2] == "string" || w[2] == "equal"))
+    own_.emplace(w[1], w[3]);
   const bool include = w[0] == "include" && w.size() >= 2 && depth < kDeepestInclude;
   const std::string included = include ? (std::filesystem::path(fixed_.at("here")) / w[1]).string() : "";
   commands_.push_back(std::move(command));

@@ -1,6 +1,6 @@
 #pragma once
-// A LIGGGHTS script as text, with the files it includes and the variables that the scene gives it. No LIGGGHTS here: variables that
-// only LIGGGHTS can compute stay as ${name}.
+// A LIGGGHTS script as text, with the files it includes and the variables that the scene gives it. No LIGGGHTS here:
+// variables that only LIGGGHTS can compute stay as ${name}.
 
 #include <map>
 #include <string>
@@ -16,7 +16,8 @@ struct ScriptCommand {
 
 class ScriptText {
  public:
-  // `variables`: as -var on the command line; `here`, the script's folder, is added. Files that cannot be read count as empty.
+  // `variables`: as -var on the command line; `here`, the script's folder, is added. Files that cannot be read count as
+  // empty.
   ScriptText(const std::string& file, const std::map<std::string, std::string>& variables);
   const std::vector<ScriptCommand>& commands() const { return commands_; }
   // Contents of the script and of all files it includes, one after the other.

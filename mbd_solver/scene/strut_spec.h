@@ -1,5 +1,6 @@
 #pragma once
-// Force elements of a scene: struts (force along the line of two points, a sum of laws) and springs (turning, or centring).
+// Force elements of a scene: struts (force along the line of two points, a sum of laws) and springs (turning, or
+// centring).
 // Stroke x = length in the design position (or `length`) - present length: compression positive.
 
 #include <Eigen/Dense>
@@ -20,7 +21,8 @@ struct GasSpec {
   double exponent = 1.1;         // [-] > 0
 };
 
-// F_y = 3 pi L1 tau_y(U) (D1 + d1) / 2, c = (12 eta L1 / d^2 + 32 eta (L2/D2^2 + L3/D3^2 + L4/D4^2)) pi D3^2 / 4 [Lin25 14, 15]
+// F_y = 3 pi L1 tau_y(U) (D1 + d1) / 2, c = (12 eta L1 / d^2 + 32 eta (L2/D2^2 + L3/D3^2 + L4/D4^2)) pi D3^2 / 4 [Lin25
+// 14, 15]
 struct MrGeometrySpec {
   double D1 = 0.0, d1 = 0.0, D2 = 0.0, D3 = 0.0;  // bypass, core, first connecting and main cylinder: diameters [m]
   std::optional<double> D4;                       // second connecting cylinder; not given: D2 [m]
@@ -32,14 +34,15 @@ struct MrGeometrySpec {
 
 // F = U F_y tanh(v / v_s) + c v
 struct MrSpec {
-  double yield_force = 0.0;             // F_y at U = 1 [N]; from geometry when that is given
-  double viscous = 0.0;                 // c [N s/m]; likewise
-  std::vector<Eigen::Vector2d> yield_table;  // (U [-], F_y [N]) instead of yield_force; U rising from 0 to 1, F_y never falling
-  double regularisation_speed = 0.02;   // v_s [m/s] > 0
-  double coil_lag = 0.0;                // time constant of coil and driver [s] >= 0
-  double initial_voltage = 0.0;         // effective U at the start, with a coil lag [-] in [0, 1]
-  double voltage = 0.0;                 // constant U where no controller is named [-] in [0, 1]
-  std::string controller;               // "lander.U1": output of a controller; empty: constant
+  double yield_force = 0.0;  // F_y at U = 1 [N]; from geometry when that is given
+  double viscous = 0.0;      // c [N s/m]; likewise
+  std::vector<Eigen::Vector2d>
+      yield_table;  // (U [-], F_y [N]) instead of yield_force; U rising from 0 to 1, F_y never falling
+  double regularisation_speed = 0.02;  // v_s [m/s] > 0
+  double coil_lag = 0.0;               // time constant of coil and driver [s] >= 0
+  double initial_voltage = 0.0;        // effective U at the start, with a coil lag [-] in [0, 1]
+  double voltage = 0.0;                // constant U where no controller is named [-] in [0, 1]
+  std::string controller;              // "lander.U1": output of a controller; empty: constant
   std::optional<MrGeometrySpec> geometry;
 };
 
@@ -49,42 +52,42 @@ struct CrushStageSpec {
 };
 
 struct HoneycombSpec {
-  std::vector<CrushStageSpec> stages;    // at least one, softest first
-  bool compression = true;               // has a cartridge that crushes when pushed
-  bool tension = true;                   // has one that crushes when pulled
-  double elastic_stiffness = 5.0e6;      // loading and unloading [N/m] > 0
-  double bottom_out_stiffness = 2.5e6;   // past the last stage [N/m], in (0, elastic_stiffness)
-  double transition_length = 5.0e-3;     // over which the plateau passes from stage to stage [m] > 0
-  double toe = 1.0e-4;                   // smoothing of first contact [m] > 0
+  std::vector<CrushStageSpec> stages;   // at least one, softest first
+  bool compression = true;              // has a cartridge that crushes when pushed
+  bool tension = true;                  // has one that crushes when pulled
+  double elastic_stiffness = 5.0e6;     // loading and unloading [N/m] > 0
+  double bottom_out_stiffness = 2.5e6;  // past the last stage [N/m], in (0, elastic_stiffness)
+  double transition_length = 5.0e-3;    // over which the plateau passes from stage to stage [m] > 0
+  double toe = 1.0e-4;                  // smoothing of first contact [m] > 0
 };
 
 struct StopsSpec {
-  std::optional<double> min;             // smallest stroke, extended end [m]
-  std::optional<double> max;             // largest stroke, compressed end [m]; at least one is needed
-  double stiffness = 5.0e6;              // [N/m] > 0
-  double dissipation = 1.0;              // at approach speed v the force is 1 + dissipation v times the elastic one [s/m] >= 0
-  double toe = 5.0e-4;                   // smoothing of first contact [m] > 0
+  std::optional<double> min;  // smallest stroke, extended end [m]
+  std::optional<double> max;  // largest stroke, compressed end [m]; at least one is needed
+  double stiffness = 5.0e6;   // [N/m] > 0
+  double dissipation = 1.0;   // at approach speed v the force is 1 + dissipation v times the elastic one [s/m] >= 0
+  double toe = 5.0e-4;        // smoothing of first contact [m] > 0
 };
 
 // F = preload + stiffness (free_length - present length) + damping v
 struct LinearSpringSpec {
-  double stiffness = 0.0;               // [N/m] >= 0
-  double damping = 0.0;                 // [N s/m] >= 0
-  double preload = 0.0;                 // [N]
-  std::optional<double> free_length;    // [m]; not given: the strut's undeformed length (F = preload at x = 0)
+  double stiffness = 0.0;             // [N/m] >= 0
+  double damping = 0.0;               // [N s/m] >= 0
+  double preload = 0.0;               // [N]
+  std::optional<double> free_length;  // [m]; not given: the strut's undeformed length (F = preload at x = 0)
 };
 
 // Passive strut from measurements: force over stroke and rate.
 struct TableSpec {
-  std::string file;                     // CSV: first line a label, then rates [m/s]; further lines a stroke [m], then forces [N]
+  std::string file;  // CSV: first line a label, then rates [m/s]; further lines a stroke [m], then forces [N]
 };
 
 struct StrutSpec {
   Source source;
   std::string name;
-  std::array<std::string, 2> bodies;    // "ground" is allowed for one
+  std::array<std::string, 2> bodies;  // "ground" is allowed for one
   std::array<Eigen::Vector3d, 2> points{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  // in D [m]
-  std::optional<double> length;         // undeformed length [m]; not given: distance of the points in D
+  std::optional<double> length;  // undeformed length [m]; not given: distance of the points in D
   std::optional<GasSpec> gas;
   std::optional<MrSpec> mr;
   std::optional<HoneycombSpec> honeycomb;
@@ -94,9 +97,10 @@ struct StrutSpec {
 };
 
 enum class SpringKind {
-  kTorsion,  // about `axis`: stiffness [N m/rad] (angle - rest_angle), damping [N m s/rad]
-  kCentring, // turns b back to its design attitude relative to a, all axes alike: same units
-  kBushing   // at `point`, all directions alike: stiffness [N/m], damping [N s/m]; turning: turning_stiffness, turning_damping
+  kTorsion,   // about `axis`: stiffness [N m/rad] (angle - rest_angle), damping [N m s/rad]
+  kCentring,  // turns b back to its design attitude relative to a, all axes alike: same units
+  // at `point`, all directions alike: stiffness [N/m], damping [N s/m]; turning: turning_stiffness, turning_damping
+  kBushing
 };
 
 struct SpringSpec {
@@ -104,13 +108,13 @@ struct SpringSpec {
   std::string name;
   SpringKind kind = SpringKind::kTorsion;
   std::array<std::string, 2> bodies;
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();   // bushing [m]
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   // torsion; unit vector, fixed in a
-  double stiffness = 0.0;                            // see kind; >= 0
-  double damping = 0.0;                              // see kind; >= 0
-  double rest_angle = 0.0;                           // torsion [rad]
-  double turning_stiffness = 0.0;                    // bushing [N m/rad] >= 0
-  double turning_damping = 0.0;                      // bushing [N m s/rad] >= 0
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // bushing [m]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // torsion; unit vector, fixed in a
+  double stiffness = 0.0;                           // see kind; >= 0
+  double damping = 0.0;                             // see kind; >= 0
+  double rest_angle = 0.0;                          // torsion [rad]
+  double turning_stiffness = 0.0;                   // bushing [N m/rad] >= 0
+  double turning_damping = 0.0;                     // bushing [N m s/rad] >= 0
 };
 
 }  // namespace footfall

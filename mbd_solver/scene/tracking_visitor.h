@@ -33,9 +33,9 @@ class TrackingVisitor : public FieldVisitor {
     }
     return source != nullptr;
   }
-  Source* source() const { return stack_.back().source; }                              // of the entry around; null outside
+  Source* source() const { return stack_.back().source; }  // of the entry around; null outside
   std::string local(const std::string& key) const { return stack_.back().local + key; }  // key within that entry
-  std::string full(const std::string& key) const { return stack_.back().full + key; }    // key within the scene, by index
+  std::string full(const std::string& key) const { return stack_.back().full + key; }  // key within the scene, by index
 
  private:
   struct Place {

@@ -36,7 +36,8 @@ std::string check_range(double value, const Rule& rule) {
 }
 
 // Numbers of a list of known length (or any length: count 0), range-checked.
-std::string read_numbers(const ConfigNode& node, const ValueContext& c, std::size_t count, std::vector<double>& values) {
+std::string read_numbers(const ConfigNode& node, const ValueContext& c, std::size_t count,
+                         std::vector<double>& values) {
   const std::string expected =
       with_unit(count ? "a list of " + std::to_string(count) + " numbers" : std::string("a list of numbers"), c.rule);
   if (node.kind != ConfigNode::Kind::kList || (count && node.list.size() != count)) return is_expected(node, expected);
@@ -54,7 +55,8 @@ std::string read_numbers(const ConfigNode& node, const ValueContext& c, std::siz
 std::string named_axis(const ConfigNode& node, Eigen::Vector3d& axis) {
   const bool minus = !node.text.empty() && node.text[0] == '-';
   const std::string letter = node.text.substr(minus ? 1 : 0);
-  if (letter.size() != 1 || letter[0] < 'x' || letter[0] > 'z') return is_expected(node, "three numbers, or \"x\", \"y\", \"z\", \"-x\" ...");
+  if (letter.size() != 1 || letter[0] < 'x' || letter[0] > 'z')
+    return is_expected(node, "three numbers, or \"x\", \"y\", \"z\", \"-x\" ...");
   axis = (minus ? -1.0 : 1.0) * Eigen::Vector3d::Unit(letter[0] - 'x');
   return "";
 }
@@ -77,7 +79,8 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::optio
 }
 
 std::string read_value(const ConfigNode& node, const ValueContext& c, int& target) {
-  if (node.kind != ConfigNode::Kind::kInteger || std::abs(node.number) > 1e9) return is_expected(node, "a whole number");
+  if (node.kind != ConfigNode::Kind::kInteger || std::abs(node.number) > 1e9)
+    return is_expected(node, "a whole number");
   const std::string problem = check_range(node.number, c.rule);
   if (problem.empty()) target = static_cast<int>(node.number);
   return problem;
@@ -196,7 +199,8 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::vecto
     const std::string expected = "pairs [[x, y], [x, y], ...], or the name of a CSV file with two columns";
     if (node.kind != ConfigNode::Kind::kList) return is_expected(node, expected);
     for (const ConfigNode& item : node.list) {
-      if (item.kind != ConfigNode::Kind::kList || item.list.size() != 2 || !item.list[0].is_number() || !item.list[1].is_number())
+      if (item.kind != ConfigNode::Kind::kList || item.list.size() != 2 || !item.list[0].is_number() ||
+          !item.list[1].is_number())
         return "holds " + item.description() + ", expected " + expected;
       result.emplace_back(item.list[0].number, item.list[1].number * c.factor);
     }
@@ -213,7 +217,8 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::vecto
 
 // R = Rz(yaw) Ry(pitch) Rx(roll)
 std::string read_value(const ConfigNode& node, const ValueContext&, Eigen::Quaterniond& target) {
-  const std::string expected = "{ rpy_deg = [roll, pitch, yaw] }, { rpy = [...] } in rad, or { quaternion = [w, x, y, z] }";
+  const std::string expected =
+      "{ rpy_deg = [roll, pitch, yaw] }, { rpy = [...] } in rad, or { quaternion = [w, x, y, z] }";
   if (node.kind != ConfigNode::Kind::kTable || node.table.size() != 1) return is_expected(node, expected);
   const auto& [key, value] = node.table.front();
   std::vector<double> v;
@@ -256,7 +261,8 @@ std::string read_value(const ConfigNode& node, const ValueContext&, std::map<std
       result[key] = value.text;
     } else if (value.is_number()) {
       char buffer[40];
-      const auto end = std::to_chars(buffer, buffer + sizeof buffer, value.number).ptr;  // shortest text that reads back the same
+      // shortest text that reads back the same
+      const auto end = std::to_chars(buffer, buffer + sizeof buffer, value.number).ptr;
       result[key] = std::string(buffer, end);
     } else {
       return "variable \"" + key + "\" is " + value.description() + ", expected a number or text";
@@ -273,12 +279,14 @@ std::string read_value(const ConfigNode& node, const ValueContext&, Choice& targ
       return "";
     }
   }
-  return "is " + node.description() + ", which is none of the choices." + known_names("choices", node.text, target.names);
+  return "is " + node.description() + ", which is none of the choices." +
+         known_names("choices", node.text, target.names);
 }
 
 std::string read_value(const ConfigNode& node, const ValueContext& c, NumberOrWord& target) {
   if (node.kind == ConfigNode::Kind::kText) {
-    if (node.text != target.word) return is_expected(node, with_unit("a number", c.rule) + " or \"" + target.word + "\"");
+    if (node.text != target.word)
+      return is_expected(node, with_unit("a number", c.rule) + " or \"" + target.word + "\"");
     *target.is_word = true;
     return "";
   }

@@ -1,6 +1,6 @@
 #pragma once
-// One value of a scene file into one member of a struct, with its unit and range. Each read_value answers an empty text, or what is
-// wrong and what was expected; the member then keeps its default.
+// One value of a scene file into one member of a struct, with its unit and range. Each read_value answers an empty
+// text, or what is wrong and what was expected; the member then keeps its default.
 
 #include <string>
 

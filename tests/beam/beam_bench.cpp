@@ -44,14 +44,13 @@ void beam_and_mesh(int runs) {
   int id = 0;
   for (int s = 0; s < tube.segments; ++s)
     for (int k = 0; k < 96; ++k) {
-      const Eigen::Vector3d x =
-          tube.beside(s, 0.2 + 0.006 * k, 2.0 * M_PI * k / 96.0, tube.radius + r - overlap);
-      grains << "create_atoms 1 single " << x.transpose() << "\ngroup g id " << ++id
-             << "\nset group g diameter " << 2.0 * r << " density 2600\ngroup g delete\n";
+      const Eigen::Vector3d x = tube.beside(s, 0.2 + 0.006 * k, 2.0 * M_PI * k / 96.0, tube.radius + r - overlap);
+      grains << "create_atoms 1 single " << x.transpose() << "\ngroup g id " << ++id << "\nset group g diameter "
+             << 2.0 * r << " density 2600\ngroup g delete\n";
     }
   const std::string held = preamble("-0.1 0.2 -0.1 0.1 -0.1 0.2") +
-                           "neighbor 0.001 bin\ntimestep 1e-8\npair_style gran " + kModel +
-                           "\npair_coeff * *\n" + grains.str() + "neigh_modify exclude type 1 1\n";
+                           "neighbor 0.001 bin\ntimestep 1e-8\npair_style gran " + kModel + "\npair_coeff * *\n" +
+                           grains.str() + "neigh_modify exclude type 1 1\n";
   const std::string moving = "velocity 0.001 0.002 0\nspin 0.001 0 0\n",
                     end = "end " + std::to_string(steps * 1e-8) + "\nbody arm\n";
   tube.write_stl(folder.path("tube.stl"), around);
@@ -69,16 +68,15 @@ void beam_and_mesh(int runs) {
                    end + tube.surface_statements(around) + moving);
              },
              [&] {
-               return folder.stock(held +
-                                   "fix tube all mesh/surface file tube.stl type 2\nfix w all wall/gran " +
+               return folder.stock(held + "fix tube all mesh/surface file tube.stl type 2\nfix w all wall/gran " +
                                    kModel + " mesh n_meshes 1 meshes tube\n" + run);
              },
              [&] { return folder.stock(held + run); }});
   // What the grains cost without any wall is nobody's contact.
   const auto per_contact = [&](double t) { return 1e6 * (t - time[3]) / (static_cast<double>(steps) * id); };
   std::printf("bent tube, time per contact and step: moving beam %.3g us\n", per_contact(time[0]));
-  std::printf("  mesh of %d facets around, moving: %.3g us, %.1f times as much\n", around,
-              per_contact(time[1]), per_contact(time[1]) / per_contact(time[0]));
+  std::printf("  mesh of %d facets around, moving: %.3g us, %.1f times as much\n", around, per_contact(time[1]),
+              per_contact(time[1]) / per_contact(time[0]));
   std::printf("  the same mesh at rest, on stock LIGGGHTS: %.3g us, %.1f times\n", per_contact(time[2]),
               per_contact(time[2]) / per_contact(time[0]));
 }

@@ -42,10 +42,8 @@ std::string cloud() {
       ++id;
       text << "create_atoms 1 single " << -0.24 + 0.024 * i << " " << -0.03 + 0.06 * unit(engine) << " "
            << 0.045 + 0.02 * row << "\n";
-      text << "group g id " << id << "\nset group g diameter " << 0.02 + 0.02 * unit(engine)
-           << " density 2600\n";
-      text << "velocity g set " << -0.8 + 1.6 * unit(engine) << " 0 " << -0.6 * unit(engine)
-           << "\ngroup g delete\n";
+      text << "group g id " << id << "\nset group g diameter " << 0.02 + 0.02 * unit(engine) << " density 2600\n";
+      text << "velocity g set " << -0.8 + 1.6 * unit(engine) << " 0 " << -0.6 * unit(engine) << "\ngroup g delete\n";
     }
   text << "neigh_modify exclude type 1 1\n";
   return text.str();
@@ -55,14 +53,12 @@ std::string cloud() {
 std::string sweeping_beam() {
   std::vector<std::string> nodes;
   for (int i = 0; i <= 10; ++i) nodes.push_back(std::to_string(-0.25 + 0.05 * i) + " 0 0");
-  return "end 0.1\nbody tine\n" + chain(nodes, 0.02) +
-         "velocity 0 0 0.5\nspin 0.4 0.3 1.0\nsway 0 0.01 0.02 60\n";
+  return "end 0.1\nbody tine\n" + chain(nodes, 0.02) + "velocity 0 0 0.5\nspin 0.4 0.3 1.0\nsway 0 0.01 0.02 60\n";
 }
 
-std::string sweep(const std::string& settings, const Material& material = {},
-                  const std::string& dt = "2e-5") {
-  return settings + preamble("-0.6 0.6 -0.4 0.4 -0.3 0.6", material) + "timestep " + dt +
-         "\npair_style gran " + kModel + "\npair_coeff * *\n" + cloud() + beam_wall("tine");
+std::string sweep(const std::string& settings, const Material& material = {}, const std::string& dt = "2e-5") {
+  return settings + preamble("-0.6 0.6 -0.4 0.4 -0.3 0.6", material) + "timestep " + dt + "\npair_style gran " +
+         kModel + "\npair_coeff * *\n" + cloud() + beam_wall("tine");
 }
 
 // How many grains of a dump have a tangential history.
@@ -84,8 +80,7 @@ TEST(BeamHistory, DoesNotSeeTheJointsOfAStraightBeam) {
         "end 0.36\nbody tine\n" + chain(nodes, 0.055));
   };
   ASSERT_EQ(slide({"-0.4 0 0", "0.4 0 0"}, "one.txt").code, 0);
-  const Outcome many =
-      slide({"-0.4 0 0", "-0.19 0 0", "-0.1 0 0", "-0.09 0 0", "0.03 0 0", "0.4 0 0"}, "many.txt");
+  const Outcome many = slide({"-0.4 0 0", "-0.19 0 0", "-0.1 0 0", "-0.09 0 0", "0.03 0 0", "0.4 0 0"}, "many.txt");
   ASSERT_EQ(many.code, 0) << many.output;
   const Dump expected = folder.dump("one.txt");
   EXPECT_LT(relative_difference(expected, folder.dump("many.txt")), kRoundOff);
@@ -100,8 +95,8 @@ TEST(BeamRuns, AreTheSameOnOneTwoAndThreeRanks) {
   Rows loads;
   for (int ranks = 1; ranks <= 3; ++ranks) {
     const std::string file = "ranks" + std::to_string(ranks) + ".txt";
-    const Outcome outcome = folder.coupled(
-        sweep("processors * 1 1\n") + dump_command(file, 20, kColumns) + run(5000), sweeping_beam(), ranks);
+    const Outcome outcome = folder.coupled(sweep("processors * 1 1\n") + dump_command(file, 20, kColumns) + run(5000),
+                                           sweeping_beam(), ranks);
     ASSERT_EQ(outcome.code, 0) << outcome.output;
     const Dump dump = folder.dump(file);
     if (ranks == 1) {
@@ -139,8 +134,7 @@ TEST(BeamRuns, ABeamThatComesFromAfarIsNoticed) {
     std::string motion = sweeping_beam();
     motion.replace(motion.find("velocity 0 0 0.5"), 16, "at 0 0 -0.25\nvelocity 0 0 5");
     return folder.coupled(
-        sweep("") + "velocity all set 0 0 0\n" + lists + dump_command(file, 100, kColumns) + run(5000),
-        motion);
+        sweep("") + "velocity all set 0 0 0\n" + lists + dump_command(file, 100, kColumns) + run(5000), motion);
   };
   ASSERT_EQ(with("", "usual.txt").code, 0);
   ASSERT_EQ(with("neigh_modify every 1 delay 0 check no\n", "always.txt").code, 0);
@@ -191,8 +185,7 @@ TEST(BeamRuns, ThousandSpheresAmongFiftyBeamsFeelTheForcesOfABruteForceSearch) {
     const ModalBoundary beam = random_chain(random, 1 + k % 6);
     const Eigen::Vector3d turned = random.vector(1.5);
     motion << "body beam" << k << "\n";
-    for (Eigen::Index j = 0; j < beam.rho0().cols(); ++j)
-      motion << "node " << beam.rho0().col(j).transpose() << "\n";
+    for (Eigen::Index j = 0; j < beam.rho0().cols(); ++j) motion << "node " << beam.rho0().col(j).transpose() << "\n";
     const Eigen::AngleAxisd turn(turned.norm(), turned.normalized());
     const Eigen::Vector3d middle = beam.rho0().rowwise().mean();
     const Eigen::Vector3d at = random.vector(0.5) - turn * middle;
@@ -207,8 +200,7 @@ TEST(BeamRuns, ThousandSpheresAmongFiftyBeamsFeelTheForcesOfABruteForceSearch) {
 
   // Hertz' force of a flat wall [N]; both sides have E = 35 MPa and nu = 0.25.
   const double E = 35e6 / (2.0 * (1.0 - 0.25 * 0.25));
-  std::vector<Eigen::Vector3d> on_sphere(spheres, Eigen::Vector3d::Zero()),
-      on_beam(beams, Eigen::Vector3d::Zero());
+  std::vector<Eigen::Vector3d> on_sphere(spheres, Eigen::Vector3d::Zero()), on_beam(beams, Eigen::Vector3d::Zero());
   std::vector<int> count(beams, 0);
   int contacts = 0;
   double largest = 0.0;
@@ -236,12 +228,12 @@ TEST(BeamRuns, ThousandSpheresAmongFiftyBeamsFeelTheForcesOfABruteForceSearch) {
   const RunFolder folder("random");
   const std::string model = "model hertz tangential no_history";
   for (int ranks = 1; ranks <= 3; ++ranks) {
-    const Outcome outcome = folder.coupled(
-        "processors * 1 1\n" + preamble("-4 4 -4 4 -4 4") + "timestep 1e-6\npair_style gran " + model +
-            "\npair_coeff * *\n" + grains.str() + "neigh_modify exclude type 1 1\nfix w all wall/gran/beam " +
-            model + " type 2" + bodies + "\n" + dump_command("forces.txt", 1, "fx fy fz") +
-            "fix mbd all couple/mbd every 1\nrun 1\n",
-        motion.str(), ranks);
+    const Outcome outcome =
+        folder.coupled("processors * 1 1\n" + preamble("-4 4 -4 4 -4 4") + "timestep 1e-6\npair_style gran " + model +
+                           "\npair_coeff * *\n" + grains.str() +
+                           "neigh_modify exclude type 1 1\nfix w all wall/gran/beam " + model + " type 2" + bodies +
+                           "\n" + dump_command("forces.txt", 1, "fx fy fz") + "fix mbd all couple/mbd every 1\nrun 1\n",
+                       motion.str(), ranks);
     ASSERT_EQ(outcome.code, 0) << outcome.output;
     // Sums of a few dozen forces, directions to a round-off of 1e-15 over overlaps down to some micrometres.
     const double tolerance = 1e-11 * largest;
@@ -296,8 +288,7 @@ TEST(BeamHistory, SurvivesARestart) {
   };
   for (const int ranks : {1, 2}) {
     const Outcome whole = folder.coupled(
-        "processors * 1 1\n" + preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "timestep 2e-5\npair_style gran " +
-            kModel +
+        "processors * 1 1\n" + preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "timestep 2e-5\npair_style gran " + kModel +
             "\npair_coeff * *\ncreate_atoms 1 single -0.055 0 0.063432\ncreate_atoms 1 single 0.1 0 "
             "0.063432\nset group all diameter 0.04 density 2600\nvelocity all set 1.0 0.002 0\n" +
             wall("w") + dump_command("whole.txt", 2000, columns("w")) + run(2000) +
@@ -323,8 +314,7 @@ TEST(BeamHistory, SurvivesARestart) {
     // Not at step 2000: the set-up of a run evaluates friction once more without moving its springs, and a
     // dump then shows that.
     const auto end_of = [](const Dump& dump) { return Dump{{4000, dump.at(4000)}}; };
-    EXPECT_EQ(relative_difference(end_of(expected), end_of(folder.dump("resumed.txt"))), 0.0)
-        << ranks << " ranks";
+    EXPECT_EQ(relative_difference(end_of(expected), end_of(folder.dump("resumed.txt"))), 0.0) << ranks << " ranks";
     EXPECT_GT(relative_difference(end_of(expected), end_of(folder.dump("without_history.txt"))), 1e-6);
   }
 }
@@ -366,8 +356,8 @@ TEST_P(BeamMomentum, IsGivenAsItIsReceived) {
   std::string print, line = "${n}";
   for (int k = 1; k <= 14; ++k) {
     const std::string name = "v" + std::to_string(k);
-    print += "variable " + name + " equal f_w" +
-             (k <= 7 ? "[1][" + std::to_string(k) : "[" + std::to_string(k - 7)) + "]\n";
+    print +=
+        "variable " + name + " equal f_w" + (k <= 7 ? "[1][" + std::to_string(k) : "[" + std::to_string(k - 7)) + "]\n";
     line += " ${" + name + "}";
   }
   print += "variable n equal step\nfix out all print 1 \"" + line + "\" file beam.txt screen no\n";
@@ -449,8 +439,7 @@ ranks = 1
 interval = 1e-3
 plots = false
 )";
-  std::string script =
-      sweep("") + "set group all density 26000\n" + dump_command("grains.txt", 3000, kMomentumColumns);
+  std::string script = sweep("") + "set group all density 26000\n" + dump_command("grains.txt", 3000, kMomentumColumns);
   script.replace(script.find("body tine"), 9, "body rod");
   const Outcome outcome = folder.scene(script + run(3000), scene);
   ASSERT_EQ(outcome.code, 0) << outcome.output;
@@ -461,8 +450,7 @@ plots = false
   const char* const axis[3] = {"rod.vx", "rod.vy", "rod.vz"};
   for (int c = 0; c < 3; ++c) {
     const std::vector<double>& v = history.column(axis[c]);
-    EXPECT_NEAR(mass * (v.back() - v.front()), before.linear[c] - after.linear[c], 1e-10 * mass * 0.8)
-        << axis[c];
+    EXPECT_NEAR(mass * (v.back() - v.front()), before.linear[c] - after.linear[c], 1e-10 * mass * 0.8) << axis[c];
   }
   EXPECT_LT(history.column("rod.vz").back(), 0.7);  // it lost much of its own
 }
@@ -477,9 +465,9 @@ TEST(BeamEnergy, OfElasticGrainsIsTheWorkOfTheBeamToSecondOrder) {
   for (int k = 0; k < 3; ++k) {
     const int n = 5 << k, steps = 750 << k;
     const std::string file = std::string("grains") + dt[k] + ".txt";
-    const Outcome outcome = folder.coupled(
-        sweep("", elastic, dt[k]) + dump_command(file, steps, kMomentumColumns) + run(steps, n),
-        "end 0.12\n" + sweeping_beam().substr(sweeping_beam().find("body")));
+    const Outcome outcome =
+        folder.coupled(sweep("", elastic, dt[k]) + dump_command(file, steps, kMomentumColumns) + run(steps, n),
+                       "end 0.12\n" + sweeping_beam().substr(sweeping_beam().find("body")));
     ASSERT_EQ(outcome.code, 0) << outcome.output;
     const Dump grains = folder.dump(file);
     const double gain = momentum(grains.rbegin()->second).energy - momentum(grains.begin()->second).energy;

@@ -20,10 +20,9 @@ std::string held_grains(const BentTube& tube, double r, double overlap) {
   int id = 0;
   for (int s = 0; s < tube.segments; ++s)
     for (int k = 0; k < 12; ++k) {
-      const Eigen::Vector3d x =
-          tube.beside(s, 0.4 + 0.02 * k, 2.0 * M_PI * k / 12.0, tube.radius + r - overlap);
-      text << "create_atoms 1 single " << x.transpose() << "\ngroup g id " << ++id
-           << "\nset group g diameter " << 2.0 * r << " density 2600\ngroup g delete\n";
+      const Eigen::Vector3d x = tube.beside(s, 0.4 + 0.02 * k, 2.0 * M_PI * k / 12.0, tube.radius + r - overlap);
+      text << "create_atoms 1 single " << x.transpose() << "\ngroup g id " << ++id << "\nset group g diameter "
+           << 2.0 * r << " density 2600\ngroup g delete\n";
     }
   text << "neigh_modify exclude type 1 1\n";
   return text.str();
@@ -39,14 +38,13 @@ TEST(BentBeam, ForceOfAMeshConvergesToThatOfTheBeam) {
   const double r = 5e-4, overlap = 5e-5;  // the patch is 0.45 mm wide; 384 facets are 0.49 mm wide
   const RunFolder folder("bent");
   const auto hold = [&](const std::string& wall, const std::string& file) {
-    return preamble("-0.1 0.2 -0.1 0.1 -0.1 0.2") + "neighbor 0.001 bin\ntimestep 1e-7\npair_style gran " +
-           kModel + "\npair_coeff * *\n" + held_grains(tube, r, overlap) + wall +
-           dump_command(file, 1, "fx fy fz");
+    return preamble("-0.1 0.2 -0.1 0.1 -0.1 0.2") + "neighbor 0.001 bin\ntimestep 1e-7\npair_style gran " + kModel +
+           "\npair_coeff * *\n" + held_grains(tube, r, overlap) + wall + dump_command(file, 1, "fx fy fz");
   };
-  const Outcome beam = folder.coupled(
-      hold(std::string("fix w all wall/gran/beam ") + kModel + " type 2 body arm\n", "beam.txt") +
-          "fix mbd all couple/mbd every 1\nrun 1\n",
-      "end 1e-7\nbody arm\n" + chain(tube.nodes(), tube.radius));
+  const Outcome beam =
+      folder.coupled(hold(std::string("fix w all wall/gran/beam ") + kModel + " type 2 body arm\n", "beam.txt") +
+                         "fix mbd all couple/mbd every 1\nrun 1\n",
+                     "end 1e-7\nbody arm\n" + chain(tube.nodes(), tube.radius));
   ASSERT_EQ(beam.code, 0) << beam.output;
   const Rows expected = folder.dump("beam.txt").at(0);
   ASSERT_EQ(expected.size(), 48u);
@@ -56,17 +54,15 @@ TEST(BentBeam, ForceOfAMeshConvergesToThatOfTheBeam) {
     const std::string name = "mesh" + std::to_string(around);
     tube.write_stl(folder.path(name + ".stl"), around);
     const Outcome mesh =
-        folder.stock(hold("fix tube all mesh/surface file " + name + ".stl type 2\nfix w all wall/gran " +
-                              kModel + " mesh n_meshes 1 meshes tube\n",
+        folder.stock(hold("fix tube all mesh/surface file " + name + ".stl type 2\nfix w all wall/gran " + kModel +
+                              " mesh n_meshes 1 meshes tube\n",
                           name + ".txt") +
                      "run 0\n");
     ASSERT_EQ(mesh.code, 0) << mesh.output;
     const Rows found = folder.dump(name + ".txt").at(0);
     double worst = 0.0;
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      const auto force = [i](const Rows& rows) {
-        return Eigen::Vector3d(rows[i][1], rows[i][2], rows[i][3]);
-      };
+      const auto force = [i](const Rows& rows) { return Eigen::Vector3d(rows[i][1], rows[i][2], rows[i][3]); };
       ASSERT_GT(force(expected).norm(), 0.0);
       worst = std::max(worst, (force(found) - force(expected)).norm() / force(expected).norm());
     }

@@ -151,8 +151,7 @@ void play(const Plan& plan, Link& link, std::FILE* out) {
   Hello hello;
   link.receive_patiently(hello);
   Geometry geometry;
-  for (const ScriptedBody& body : plan.bodies)
-    geometry.bodies.push_back({body.boundary(), body.motion(plan.start)});
+  for (const ScriptedBody& body : plan.bodies) geometry.bodies.push_back({body.boundary(), body.motion(plan.start)});
   link.send(geometry);
   Start start;
   link.receive_patiently(start);

@@ -14,9 +14,7 @@
 namespace footfall::test {
 namespace {
 
-std::string quoted(const std::string& word) {
-  return "'" + word + "'";
-}
+std::string quoted(const std::string& word) { return "'" + word + "'"; }
 
 std::string text_of(const std::string& path) {
   std::ifstream file(path);
@@ -27,8 +25,7 @@ std::string text_of(const std::string& path) {
 
 }  // namespace
 
-RunFolder::RunFolder(const std::string& name)
-    : path_(std::string(FOOTFALL_BINARY_DIR) + "/tests/beam/runs/" + name) {
+RunFolder::RunFolder(const std::string& name) : path_(std::string(FOOTFALL_BINARY_DIR) + "/tests/beam/runs/" + name) {
   std::filesystem::remove_all(path_);
   std::filesystem::create_directories(path_);
 }
@@ -41,10 +38,9 @@ void RunFolder::write(const std::string& file, const std::string& text) const {
 
 Outcome RunFolder::run(const std::string& command) const {
   // Open MPI refuses root and more ranks than cores unless it is told that both are meant.
-  const std::string full =
-      "cd " + quoted(path_) +
-      " && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe " + command +
-      " > output.txt 2>&1";
+  const std::string full = "cd " + quoted(path_) +
+                           " && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe " +
+                           command + " > output.txt 2>&1";
   const int status = std::system(full.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(path("output.txt"))};
 }
@@ -154,8 +150,7 @@ std::string preamble(const std::string& region, const Material& material) {
   return "atom_style granular\natom_modify map array\nboundary f f f\nnewton off\ncommunicate single vel "
          "yes\nunits si\n"
          "region box block " +
-         region + " units box\ncreate_box 2 box\nneighbor 0.01 bin\nneigh_modify delay 0\n" +
-         materials(material);
+         region + " units box\ncreate_box 2 box\nneighbor 0.01 bin\nneigh_modify delay 0\n" + materials(material);
 }
 
 std::string materials(const Material& material) {

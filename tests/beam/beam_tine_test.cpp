@@ -69,8 +69,7 @@ plots = false
 std::string row_of_grains() {
   std::string text = preamble("-0.1 0.1 -0.1 0.2 -0.1 0.4", {0.4, 0.3, 0.1}) +
                      "timestep 2e-5\npair_style gran model hertz tangential history\npair_coeff * *\n";
-  for (int i = 0; i < 20; ++i)
-    text += "create_atoms 1 single 0.0165 " + std::to_string(-0.05 + 0.008 * i) + " 0.03\n";
+  for (int i = 0; i < 20; ++i) text += "create_atoms 1 single 0.0165 " + std::to_string(-0.05 + 0.008 * i) + " 0.03\n";
   return text +
          "set group all diameter 0.02 density 2600\nneigh_modify exclude type 1 1\n"
          "fix w all wall/gran/beam model hertz tangential history type 2 body tine\nfix mbd all couple/mbd "

@@ -46,14 +46,13 @@ struct BentTube {
   // open at both ends. The middles of its facets are at phi = 2 pi k / around. Corner k of node i has number
   // around * i + k.
   std::vector<Eigen::Vector3d> corners(int around) const {
-    const double mitre =
-        1.0 / std::cos(0.5 * angle / segments);  // cuts through node and arc's centre, at the ends too
+    const double mitre = 1.0 / std::cos(0.5 * angle / segments);  // cuts through node and arc's centre, at the ends too
     std::vector<Eigen::Vector3d> list;
     for (int i = 0; i <= segments; ++i)
       for (int k = 0; k < around; ++k) {
         const double phi = 2.0 * M_PI * (k + 0.5) / around;
-        list.push_back(node(i) + radius * (std::cos(phi) * mitre * radial(i) +
-                                           std::sin(phi) * Eigen::Vector3d::UnitY()));
+        list.push_back(node(i) +
+                       radius * (std::cos(phi) * mitre * radial(i) + std::sin(phi) * Eigen::Vector3d::UnitY()));
       }
     return list;
   }
@@ -75,8 +74,7 @@ struct BentTube {
     out << "solid tube\n";
     for (const Eigen::Vector3i& t : triangles(around)) {
       const auto at = [&](int c) { return x[static_cast<std::size_t>(t[c])]; };
-      out << "facet normal " << (at(1) - at(0)).cross(at(2) - at(0)).normalized().transpose()
-          << "\nouter loop\n";
+      out << "facet normal " << (at(1) - at(0)).cross(at(2) - at(0)).normalized().transpose() << "\nouter loop\n";
       for (int c = 0; c < 3; ++c) out << "vertex " << at(c).transpose() << "\n";
       out << "endloop\nendfacet\n";
     }

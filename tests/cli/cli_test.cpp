@@ -62,7 +62,8 @@ TEST_F(CliTest, NothingOfAChildSurvives) {
   EXPECT_EQ(kill(std::stoi(text("pid")), 0), -1) << "the grandchild is still there";
 }
 
-// The child sends the front door the signal that Ctrl-C sends; the graceful program among its descendants ends the others in order.
+// The child sends the front door the signal that Ctrl-C sends; the graceful program among its descendants ends the
+// others in order.
 TEST_F(CliTest, AnInterruptEndsInOrderThroughTheGracefulProgram) {
   const std::string program = std::filesystem::canonical("/bin/sh").filename();
   const ChildEnd end = run_child(shell("trap 'exit 3' INT; kill -INT $PPID; while :; do sleep 0.05; done"), program);

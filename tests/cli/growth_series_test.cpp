@@ -23,7 +23,8 @@ TEST(GrowthOfSeries, OscillationThatDecaysAlthoughItPassesThroughZero) {
 }
 
 TEST(GrowthOfSeries, AlternatingGrowthBesideADecayingPart) {
-  EXPECT_NEAR(growth_of_series(sampled(6, [](int k) { return std::pow(-97.0, k) + 5.0 * std::pow(0.5, k); })), 97.0, 1e-3);
+  EXPECT_NEAR(growth_of_series(sampled(6, [](int k) { return std::pow(-97.0, k) + 5.0 * std::pow(0.5, k); })), 97.0,
+              1e-3);
 }
 
 TEST(GrowthOfSeries, TooShortAMotionTellsNothing) { EXPECT_TRUE(std::isnan(growth_of_series({1.0, 2.0, 4.0}))); }

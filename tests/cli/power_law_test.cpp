@@ -25,7 +25,9 @@ Eigen::MatrixXd combinations() {
 
 const Eigen::Vector3d kExponents(1.0 / 2, 2.0 / 3, 1.0 / 3);
 
-Eigen::VectorXd law_of(const Eigen::MatrixXd& x, double factor) { return factor * (x.array().log().matrix() * kExponents).array().exp(); }
+Eigen::VectorXd law_of(const Eigen::MatrixXd& x, double factor) {
+  return factor * (x.array().log().matrix() * kExponents).array().exp();
+}
 
 TEST(PowerLaw, AnExactLawComesBackToTheLastDigits) {
   const Eigen::MatrixXd x = combinations();
@@ -60,10 +62,12 @@ TEST(PowerLaw, ErrorsOfAStraightLine) {
   EXPECT_NEAR(law.errors[0], scatter / std::sqrt(5.0), kRoundOff);
   EXPECT_NEAR(law.upper[0] - law.lower[0], 2 * 4.302653 * scatter / std::sqrt(5.0), 1e-6);
   EXPECT_NEAR(std::log(law.factor), 0.06, kRoundOff);
-  EXPECT_NEAR(std::log(law.factor_interval.second / law.factor), 4.302653 * scatter * std::sqrt(0.25 + 2.25 / 5.0), 1e-6);
+  EXPECT_NEAR(std::log(law.factor_interval.second / law.factor), 4.302653 * scatter * std::sqrt(0.25 + 2.25 / 5.0),
+              1e-6);
 }
 
-// Noise of 10 %, 4000 times: 95 of 100 intervals hold the truth. The share of n trials scatters by sqrt(0.95 0.05 / n) = 0.35 %; four times that.
+// Noise of 10 %, 4000 times: 95 of 100 intervals hold the truth. The share of n trials scatters by sqrt(0.95 0.05 / n)
+// = 0.35 %; four times that.
 TEST(PowerLaw, IntervalsHoldTheTruthAsOftenAsTheySay) {
   constexpr int kTrials = 4000;
   const Eigen::MatrixXd x = combinations();

@@ -47,7 +47,9 @@ bed = { script = "in.bed" }
   write("in.grains", "include more.grains\nfix mbd all couple/mbd every 1 mesh pad pad\n");
   write("more.grains", "# grains\n");
   write("in.bed", "write_restart ${bed}\n");
-  write("pad.stl", "solid pad\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid pad\n");
+  write("pad.stl",
+        "solid pad\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+        "0\nendloop\nendfacet\nendsolid pad\n");
   const auto recipe = [&] { return run_recipe(file("scene.toml"), {}, 0.1); };
   const std::string before = recipe();
   ASSERT_FALSE(before.empty());

@@ -50,7 +50,8 @@ TEST(FigureOf, ReadsReducedColumnsOverAKeyOfTheSummary) {
   fs::remove_all(folder);
 }
 
-StudyPoint point(const std::string& curve, const std::string& value, std::vector<double> errors, std::vector<double> standard_errors, double cpu) {
+StudyPoint point(const std::string& curve, const std::string& value, std::vector<double> errors,
+                 std::vector<double> standard_errors, double cpu) {
   StudyPoint p;
   p.curve = curve;
   p.value = value;
@@ -60,7 +61,8 @@ StudyPoint point(const std::string& curve, const std::string& value, std::vector
   return p;
 }
 
-// Windows: 20 fails, 10 is lucky at 1 %, 5 is not, 2 is. Steps: none is within 1 %, and the coarse one leaves more open than 5 %.
+// Windows: 20 fails, 10 is lucky at 1 %, 5 is not, 2 is. Steps: none is within 1 %, and the coarse one leaves more open
+// than 5 %.
 StudyTable known_table() {
   StudyTable table;
   table.title = "Known";
@@ -68,7 +70,8 @@ StudyTable known_table() {
   table.curves = {"windows", "steps", "rigid"};
   table.defaults = {"5", "", ""};
   table.measures = {"force", "depth"};
-  table.references = {point("reference", "reference", {0.0, 0.0}, {0.0, 0.0}, 80.0), point("steps", "reference", {0.0, 0.0}, {0.0, 0.0}, 50.0)};
+  table.references = {point("reference", "reference", {0.0, 0.0}, {0.0, 0.0}, 80.0),
+                      point("steps", "reference", {0.0, 0.0}, {0.0, 0.0}, 50.0)};
   StudyPoint failed = point("windows", "20", {0.0, 0.0}, {0.0, 0.0}, 1.0);
   failed.code = 2;
   failed.message = "it left the box";
@@ -120,7 +123,10 @@ TEST(Advice, LinesOfThePage) {
   std::ostringstream page;
   write_recommendations(page, known_table());
   EXPECT_THAT(page.str(), HasSubstr("| windows | 2 | 0.4 ± 0.2 %, depth | 2.50 | 10 | 0.9 ± 0.1 %, depth | 0.60 |\n"));
-  EXPECT_THAT(page.str(), HasSubstr("| steps | none; best is 1e-4 | 3 ± 0.1 %, force | 0.80 | 2e-4 (not resolved) | 4 ± 1 %, depth | 0.60 |\n"));
+  EXPECT_THAT(
+      page.str(),
+      HasSubstr(
+          "| steps | none; best is 1e-4 | 3 ± 0.1 %, force | 0.80 | 2e-4 (not resolved) | 4 ± 1 %, depth | 0.60 |\n"));
   EXPECT_THAT(page.str(), HasSubstr("| rigid | none was done | | | none was done | | |\n"));
   EXPECT_THAT(page.str(), HasSubstr("the largest error is that of \"windows\": 2 ± 0.1 % of force at 5."));
   EXPECT_THAT(page.str(), HasSubstr("scatter by 5 % (force), 5 % (depth);\nof a mean of 4 by 0.50 times that."));
@@ -143,11 +149,17 @@ std::string complaint(const std::string& tail) {
 TEST(ReadStudy, SaysWhatIsWrongWithCurvesAndFigures) {
   const std::string curve = "[[curves]]\nname = \"c\"\nsettings = [\"x={value}\", \"y={beside}\"]\nvalues = [1, 2]\n";
   const std::string measure = "[[measures]]\nname = \"m\"\nkind = \"figure\"\n";
-  EXPECT_EQ(complaint(curve + "beside = [3, 4]\ndefault = 2\n" + measure + "columns = [\"a.b\"]\nreduce = \"largest\"\nover = \"mass\"\n"), "");
-  EXPECT_THAT(complaint(curve + "beside = [3]\n" + measure + "key = \"k\"\n"), HasSubstr("has 1 entries, expected one for each of the 2 values"));
-  EXPECT_THAT(complaint(curve + "default = 7\n" + measure + "key = \"k\"\n"), HasSubstr("is \"7\", expected one of the values"));
-  EXPECT_THAT(complaint(curve + measure), HasSubstr("expected either key (of summary.json) or columns (of history.csv)"));
-  EXPECT_THAT(complaint(curve + measure + "columns = [\"a\"]\nreduce = \"mean\"\n"), HasSubstr("is \"mean\", expected max, min, final, largest, drop, peaks or variation"));
+  EXPECT_EQ(complaint(curve + "beside = [3, 4]\ndefault = 2\n" + measure +
+                      "columns = [\"a.b\"]\nreduce = \"largest\"\nover = \"mass\"\n"),
+            "");
+  EXPECT_THAT(complaint(curve + "beside = [3]\n" + measure + "key = \"k\"\n"),
+              HasSubstr("has 1 entries, expected one for each of the 2 values"));
+  EXPECT_THAT(complaint(curve + "default = 7\n" + measure + "key = \"k\"\n"),
+              HasSubstr("is \"7\", expected one of the values"));
+  EXPECT_THAT(complaint(curve + measure),
+              HasSubstr("expected either key (of summary.json) or columns (of history.csv)"));
+  EXPECT_THAT(complaint(curve + measure + "columns = [\"a\"]\nreduce = \"mean\"\n"),
+              HasSubstr("is \"mean\", expected max, min, final, largest, drop, peaks or variation"));
 }
 
 TEST(SettingsOf, FillsBothMarksOfAValue) {

@@ -52,16 +52,18 @@ TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
   figures[5].average = true;
   figures[5].over = "weight";
   figures[6].reduction = Reduction::kDrop;
-  EXPECT_THAT(figures_of_run(figures, folder.string(), "sweep.toml"), ::testing::ElementsAre(5.0, 4.0, -1.0, 0.0, 4.0, 2.0, 6.0));
+  EXPECT_THAT(figures_of_run(figures, folder.string(), "sweep.toml"),
+              ::testing::ElementsAre(5.0, 4.0, -1.0, 0.0, 4.0, 2.0, 6.0));
   std::filesystem::remove_all(folder);
 }
 
 // What read_sweep says of a file that ends in `tail`.
 std::string complaint(const std::string& tail) {
   const std::string path = (std::filesystem::temp_directory_path() / "footfall_sweep_figure_test.toml").string();
-  std::ofstream(path) << "scene = \"scene.toml\"\n[[parameters]]\nname = \"speed\"\nvalues = [1, 2]\nsettings = [\"x={value}\"]\n"
-                         "[[figures]]\nname = \"peak\"\nkey = \"peak_acceleration_g\"\n"
-                      << tail;
+  std::ofstream(path)
+      << "scene = \"scene.toml\"\n[[parameters]]\nname = \"speed\"\nvalues = [1, 2]\nsettings = [\"x={value}\"]\n"
+         "[[figures]]\nname = \"peak\"\nkey = \"peak_acceleration_g\"\n"
+      << tail;
   std::string what;
   try {
     read_sweep(path);
@@ -78,11 +80,15 @@ TEST(ReadSweep, SaysWhatIsWrongWithStatementsAndPrintedFigures) {
   EXPECT_EQ(complaint(statement + "case = \"speed 1\"\nmost = 3\n"), "");
   EXPECT_THAT(complaint(statement + "case = \"speed 1\"\n"), HasSubstr("expected least, most or both"));
   EXPECT_THAT(complaint(statement + "case = \"speed 7\"\nmost = 3\n"), HasSubstr("no case \"speed 7\""));
-  EXPECT_THAT(complaint("[[statements]]\ntext = \"t\"\nfigure = \"force\"\ncase = \"speed 1\"\nmost = 3\n"), HasSubstr("\"force\" is not one of [[figures]]"));
-  EXPECT_THAT(complaint("[[printed]]\nname = \"p\"\nvalues = [1, 2]\n"), HasSubstr("more values than there are [[figures]]"));
+  EXPECT_THAT(complaint("[[statements]]\ntext = \"t\"\nfigure = \"force\"\ncase = \"speed 1\"\nmost = 3\n"),
+              HasSubstr("\"force\" is not one of [[figures]]"));
+  EXPECT_THAT(complaint("[[printed]]\nname = \"p\"\nvalues = [1, 2]\n"),
+              HasSubstr("more values than there are [[figures]]"));
   EXPECT_THAT(complaint("[[printed]]\nname = \"p\"\nvalues = [\"much\"]\n"), HasSubstr("\"much\" is not a number"));
-  EXPECT_THAT(complaint("[[figures]]\nname = \"f\"\ncolumns = [\"x\"]\nreduce = \"mean\"\n"), HasSubstr("expected max, min, final, largest, drop, peaks or variation"));
-  EXPECT_THAT(complaint("[[figures]]\nname = \"f\"\nkey = \"x\"\naverage = true\n"), HasSubstr("expected at least two columns"));
+  EXPECT_THAT(complaint("[[figures]]\nname = \"f\"\ncolumns = [\"x\"]\nreduce = \"mean\"\n"),
+              HasSubstr("expected max, min, final, largest, drop, peaks or variation"));
+  EXPECT_THAT(complaint("[[figures]]\nname = \"f\"\nkey = \"x\"\naverage = true\n"),
+              HasSubstr("expected at least two columns"));
 }
 
 }  // namespace

@@ -81,7 +81,8 @@ double depth_of(double rho, double h) {
 
 std::vector<SweepResult> results_of(const std::vector<SweepRun>& runs) {
   std::vector<SweepResult> results;
-  for (const SweepRun& run : runs) results.push_back({true, "done", {depth_of(std::stod(run.values[0]), std::stod(run.values[1]))}});
+  for (const SweepRun& run : runs)
+    results.push_back({true, "done", {depth_of(std::stod(run.values[0]), std::stod(run.values[1]))}});
   return results;
 }
 
@@ -123,10 +124,12 @@ TEST_F(SweepFitTest, TablesAndPictureAreWritten) {
   for (const std::string& file : files) EXPECT_GT(std::filesystem::file_size(file), 100U) << file;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "law.svg"));
   EXPECT_THAT(written("fits.md"), HasSubstr("`d = 0.002 (rho)^0.50 (H)^0.33`: 18 runs, R^2 = 1.0000"));
-  EXPECT_THAT(written("fits.md"), HasSubstr("| exponent of | found | standard error | 95 % interval | Uehara | Walsh |"));
+  EXPECT_THAT(written("fits.md"),
+              HasSubstr("| exponent of | found | standard error | 95 % interval | Uehara | Walsh |"));
   EXPECT_THAT(written("fits.md"), HasSubstr("| rho | 0.500 | 0.000 | 0.500 to 0.500 | 0.5 |  |"));
   EXPECT_THAT(written("fits.md"), HasSubstr("With the exponents of Uehara: `d = 0.002 (rho)^0.50 (H)^0.33`"));
-  EXPECT_THAT(written("fits.md"), ::testing::Not(HasSubstr("With the exponents of Walsh")));  // who gives only one of two
+  // who gives only one of two
+  EXPECT_THAT(written("fits.md"), ::testing::Not(HasSubstr("With the exponents of Walsh")));
   EXPECT_THAT(written("fits.csv"), HasSubstr("\nlaw,\"fitted\",\"rho\",0.5,"));
 }
 
@@ -134,9 +137,12 @@ TEST_F(SweepFitTest, WrongFilesAreTold) {
   const auto expect = [&](const std::string& from, const std::string& to, const std::string& message) {
     EXPECT_THAT([&] { read_with(from, to); }, ThrowsMessage<InputError>(HasSubstr(message))) << to;
   };
-  expect("figure = \"depth [m]\"\nlabel", "figure = \"width\"\nlabel", "sweep.toml:17: fits.figure: \"width\" is not one of [[figures]]");
-  expect("sum = \"density\"", "sum = \"rho\"", "sweep.toml:22: fits.factors.sum: \"rho\" is neither one of [[parameters]] nor one of [[figures]]");
-  expect("sum = \"density\"", "sum = \"colour\"", "fits.factors.sum: parameter \"colour\" has the value \"red\", expected numbers in a power law");
+  expect("figure = \"depth [m]\"\nlabel", "figure = \"width\"\nlabel",
+         "sweep.toml:17: fits.figure: \"width\" is not one of [[figures]]");
+  expect("sum = \"density\"", "sum = \"rho\"",
+         "sweep.toml:22: fits.factors.sum: \"rho\" is neither one of [[parameters]] nor one of [[figures]]");
+  expect("sum = \"density\"", "sum = \"colour\"",
+         "fits.factors.sum: parameter \"colour\" has the value \"red\", expected numbers in a power law");
   expect("marks = \"density\"", "marks = \"size\"", "fits.marks: \"size\" is not one of [[parameters]]");
   expect("Walsh = 0.25", "Walsh = \"1/4\"", "published.Walsh: is text \"1/4\", expected a number");
   expect("{ Uehara = 0.5 }", "0.5", "published: is the number 0.5, expected { Name = exponent }");
@@ -152,16 +158,20 @@ TEST_F(SweepFitTest, NumbersWithoutALogarithmAreTold) {
   std::vector<SweepResult> results = results_of(runs);
   results[5].figures[0] = -0.01;
   EXPECT_THAT([&] { fit_data(sweep, sweep.fits[0], runs, results); },
-              ThrowsMessage<InputError>(HasSubstr("fits.figure: is -0.01 in the run density_1000__height_1.6__colour_blue, expected more than 0")));
+              ThrowsMessage<InputError>(HasSubstr(
+                  "fits.figure: is -0.01 in the run density_1000__height_1.6__colour_blue, expected more than 0")));
   results.assign(runs.size(), {false, "missing", {std::nan("")}});
-  EXPECT_THAT([&] { write_fits(sweep, runs, results, folder_.string()); }, ThrowsMessage<InputError>(HasSubstr("0 values for 3 coefficients")));
+  EXPECT_THAT([&] { write_fits(sweep, runs, results, folder_.string()); },
+              ThrowsMessage<InputError>(HasSubstr("0 values for 3 coefficients")));
 }
 
 // What the names of the choices say is what they set: the speed of a fall through the height, and half the diameter.
 TEST(DroppedSphere, SettingsFollowFromHeightsAndDiameters) {
   const SweepSpec sweep = read_sweep(std::string(FOOTFALL_SOURCE_DIR) + "/inputs/sweeps/dropped_sphere.toml");
   constexpr double kDigits = 1e-6;  // of the file
-  const auto number_after = [](const std::string& text, const std::string& what) { return std::stod(text.substr(text.find(what) + what.size())); };
+  const auto number_after = [](const std::string& text, const std::string& what) {
+    return std::stod(text.substr(text.find(what) + what.size()));
+  };
   int checked = 0;
   for (const SweepParameter& parameter : sweep.parameters) {
     for (const SweepChoice& choice : parameter.choices) {

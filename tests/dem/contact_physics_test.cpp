@@ -22,7 +22,7 @@ std::string text(double value) {
 
 struct Drop {
   static constexpr double m = 1.0, v = 0.5, R = 0.02;  // body [kg, m/s], grain radius [m]
-  static double E() {  // E* of soil (35 MPa, 0.25) against steel (207 GPa, 0.1) [Pa]
+  static double E() {                                  // E* of soil (35 MPa, 0.25) against steel (207 GPa, 0.1) [Pa]
     return 1.0 / ((1.0 - 0.25 * 0.25) / 35e6 + (1.0 - 0.1 * 0.1) / 207e9);
   }
   // Hertz: F = 4/3 E* sqrt(R) d^(3/2); energy 1/2 m v^2 = 8/15 E* sqrt(R) d^(5/2).
@@ -37,22 +37,20 @@ Table drop(const std::string& name, double dt, int n, double until, std::string*
   write_stl((folder.path() / "body.stl").string(), box({0.1, 0.1, 0.05}, 1));
   const double gap = 2.5e-4;
   // The grain is integrated by nobody: it stands still.
-  folder.write(
-      "in",
-      script_head("-0.1 0.1 -0.1 0.1 -0.1 0.1", "* * *", dt) +
-          "create_atoms 1 single 0.011 -0.007 -0.02 units box\nset group all diameter 0.04 density 2600\n"
-          "fix e all property/global coefficientRestitution peratomtypepair 2 1.0 1.0 1.0 1.0\n"
-          "fix geo all couple/mbd/geometry body pad\nfix m all mesh/surface fix geo type 2\n" +
-          mesh_wall() + "fix mbd all couple/mbd every " + std::to_string(n) + " mesh m pad\n" +
-          "thermo 100000\nrun " + std::to_string(std::lround(until / dt)) + "\n");
+  folder.write("in",
+               script_head("-0.1 0.1 -0.1 0.1 -0.1 0.1", "* * *", dt) +
+                   "create_atoms 1 single 0.011 -0.007 -0.02 units box\nset group all diameter 0.04 density 2600\n"
+                   "fix e all property/global coefficientRestitution peratomtypepair 2 1.0 1.0 1.0 1.0\n"
+                   "fix geo all couple/mbd/geometry body pad\nfix m all mesh/surface fix geo type 2\n" +
+                   mesh_wall() + "fix mbd all couple/mbd every " + std::to_string(n) + " mesh m pad\n" +
+                   "thermo 100000\nrun " + std::to_string(std::lround(until / dt)) + "\n");
   std::string script = folder.read("in");
   const std::size_t first = script.find("fix m3 ");  // the restitution of the bed
   script.erase(first, script.find('\n', first) + 1 - first);
   folder.write("in", script);
-  const Outcome outcome =
-      folder.coupled(1, "-in in",
-                     "until " + text(until) + " out table.csv body pad body.stl 0 0 " + text(0.025 + gap) +
-                         " free 1.0 0 0 0 " + text(-Drop::v) + " 0 0 0");
+  const Outcome outcome = folder.coupled(1, "-in in",
+                                         "until " + text(until) + " out table.csv body pad body.stl 0 0 " +
+                                             text(0.025 + gap) + " free 1.0 0 0 0 " + text(-Drop::v) + " 0 0 0");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   if (partner_says != nullptr) *partner_says = outcome.text;
   return Table(folder.path() / "table.csv");
@@ -71,8 +69,7 @@ TEST(HertzDrop, ForceOverlapAndDurationAreThoseOfTheClosedForm) {
     }
   }
   std::printf("force %.5g N (closed form %.5g), overlap %.5g mm (%.5g), duration %.5g ms (%.5g)\n", force,
-              Drop::force(), 1e3 * overlap, 1e3 * Drop::overlap(), 1e3 * (last - first),
-              1e3 * Drop::duration());
+              Drop::force(), 1e3 * overlap, 1e3 * Drop::overlap(), 1e3 * (last - first), 1e3 * Drop::duration());
   EXPECT_NEAR(force, Drop::force(), 0.005 * Drop::force());
   EXPECT_NEAR(overlap, Drop::overlap(), 0.005 * Drop::overlap());
   EXPECT_NEAR(last - first, Drop::duration(), 0.005 * Drop::duration());
@@ -87,8 +84,7 @@ TEST(HertzDrop, IsOfSecondOrderInTheWindow) {
     drop("order_" + std::to_string(n), dt, n, until, &said);
     const std::size_t at = said.find("body pad at");
     double x = 0, y = 0, z = 0, vx = 0, vy = 0, vz = 0;
-    EXPECT_EQ(std::sscanf(said.c_str() + at, "body pad at %lf %lf %lf velocity %lf %lf %lf", &x, &y, &z, &vx,
-                          &vy, &vz),
+    EXPECT_EQ(std::sscanf(said.c_str() + at, "body pad at %lf %lf %lf velocity %lf %lf %lf", &x, &y, &z, &vx, &vy, &vz),
               6);
     return Eigen::Vector2d(z / Drop::overlap(), vz / Drop::v);
   };
@@ -132,8 +128,8 @@ Eigen::Vector4d oscillator(const std::string& name, const std::string& scheme, d
        "fix p4 all property/global gammat peratomtypepair 1 0\n"
        "pair_style gran model hooke/stiffness tangential off\npair_coeff * *\ntimestep "
     << dt << "\ncreate_atoms 1 single 0.1 -0.05 " << anchor << " units box\nset group all diameter " << 2 * R
-    << " density " << TwoMass::m / (4.0 / 3.0 * M_PI * R * R * R) << "\nfix spring all spring/self "
-    << TwoMass::kp << "\ndisplace_atoms all move 0 0 " << -anchor << " units box\nfix integr all nve/sphere\n"
+    << " density " << TwoMass::m / (4.0 / 3.0 * M_PI * R * R * R) << "\nfix spring all spring/self " << TwoMass::kp
+    << "\ndisplace_atoms all move 0 0 " << -anchor << " units box\nfix integr all nve/sphere\n"
     << "fix geo all couple/mbd/geometry body pad\nfix m all mesh/surface fix geo type 1\n"
        "fix wm all wall/gran model hooke/stiffness tangential off mesh n_meshes 1 meshes m\n"
        "fix mbd all couple/mbd every "
@@ -143,20 +139,19 @@ Eigen::Vector4d oscillator(const std::string& name, const std::string& scheme, d
   folder.write("in", s.str());
   // At rest the body's face is R - d0 above the grain's centre.
   const double rest = R - d0 + 0.1;
-  const Outcome outcome =
-      folder.coupled(1, "-in in",
-                     "scheme " + scheme + " until " + text(T) + " body pad body.stl 0 0 " +
-                         text(rest - TwoMass::initial()[0]) + " free " + text(TwoMass::M) + " " +
-                         text(TwoMass::K) + " 0 0 " + text(-TwoMass::initial()[1]) + " 0 0 " +
-                         text(TwoMass::initial()[0] - TwoMass::kc * d0 / TwoMass::K),
-                     limit);
+  const Outcome outcome = folder.coupled(1, "-in in",
+                                         "scheme " + scheme + " until " + text(T) + " body pad body.stl 0 0 " +
+                                             text(rest - TwoMass::initial()[0]) + " free " + text(TwoMass::M) + " " +
+                                             text(TwoMass::K) + " 0 0 " + text(-TwoMass::initial()[1]) + " 0 0 " +
+                                             text(TwoMass::initial()[0] - TwoMass::kc * d0 / TwoMass::K),
+                                         limit);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   double x = 0, y = 0, z = 0, vx = 0, vy = 0, vz = 0;
   const std::size_t at = outcome.text.find("body pad at");
   EXPECT_NE(at, std::string::npos);
-  EXPECT_EQ(std::sscanf(outcome.text.c_str() + at, "body pad at %lf %lf %lf velocity %lf %lf %lf", &x, &y, &z,
-                        &vx, &vy, &vz),
-            6);
+  EXPECT_EQ(
+      std::sscanf(outcome.text.c_str() + at, "body pad at %lf %lf %lf velocity %lf %lf %lf", &x, &y, &z, &vx, &vy, &vz),
+      6);
   const std::vector<double> grain = read_dump(folder.read("end.dump")).at(0);
   return {rest - z, -vz, -grain[3], -grain[6]};
 }
@@ -164,9 +159,8 @@ Eigen::Vector4d oscillator(const std::string& name, const std::string& scheme, d
 TEST(TwoMassInLiggghts, CssTrapezoidIsOfSecondOrder) {
   const double dt = 1.25e-5, T = 0.2;
   const auto error = [&](double H) {
-    return TwoMass::error(
-        oscillator("order_" + std::to_string(std::lround(H / dt)), "css-trapezoid", H, dt, T, 60),
-        TwoMass::exact(T));
+    return TwoMass::error(oscillator("order_" + std::to_string(std::lround(H / dt)), "css-trapezoid", H, dt, T, 60),
+                          TwoMass::exact(T));
   };
   const double coarse = error(2e-3), fine = error(1e-3);
   std::printf("error %.3g at H = 2 ms, %.3g at 1 ms: order %.2f\n", coarse, fine, std::log2(coarse / fine));
@@ -184,8 +178,8 @@ TEST(TwoMassInLiggghts, EnergyIsKeptWithinTwoPercentForFiveSeconds) {
 TEST(TwoMassInLiggghts, FrozenBoundaryGrowsAsPredicted) {
   // Per window the energy grows by 1 + w^2 / 2 in each mode: after 1 s about 56^(1/5) = 2.2 times at H = 1 ms
   // (loopback: 5 s).
-  const double ratio = TwoMass::energy(oscillator("frozen", "frozen", 1e-3, 5e-5, 1.0, 60)) /
-                       TwoMass::energy(TwoMass::initial());
+  const double ratio =
+      TwoMass::energy(oscillator("frozen", "frozen", 1e-3, 5e-5, 1.0, 60)) / TwoMass::energy(TwoMass::initial());
   std::printf("frozen: energy after 1 s %.2f of the initial\n", ratio);
   EXPECT_GT(ratio, 1.5);
   EXPECT_LT(ratio, 5.0);

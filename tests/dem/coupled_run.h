@@ -46,8 +46,7 @@ class Table {
     return found->second;
   }
   std::size_t rows() const { return columns_.empty() ? 0 : columns_.begin()->second.size(); }
-  Eigen::Vector3d vector(std::size_t row, const std::string& x, const std::string& y,
-                         const std::string& z) const {
+  Eigen::Vector3d vector(std::size_t row, const std::string& x, const std::string& y, const std::string& z) const {
     return {(*this)[x][row], (*this)[y][row], (*this)[z][row]};
   }
 
@@ -60,8 +59,7 @@ class Table {
 class RunFolder {
  public:
   explicit RunFolder(const std::string& name)
-      : path_(std::filesystem::path(FOOTFALL_BINARY_DIR) / "dem_runs" /
-              (name + "_" + std::to_string(getpid()))) {
+      : path_(std::filesystem::path(FOOTFALL_BINARY_DIR) / "dem_runs" / (name + "_" + std::to_string(getpid()))) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
@@ -80,8 +78,8 @@ class RunFolder {
 
   Outcome command(const std::string& line, int limit_seconds) const {
     const auto start = std::chrono::steady_clock::now();
-    const std::string whole = "cd '" + path_.string() + "' && timeout -k 2 " + std::to_string(limit_seconds) +
-                              " " + line + " > output.txt 2>&1 < /dev/null";
+    const std::string whole = "cd '" + path_.string() + "' && timeout -k 2 " + std::to_string(limit_seconds) + " " +
+                              line + " > output.txt 2>&1 < /dev/null";
     const int status = std::system(whole.c_str());
     Outcome outcome;
     outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -89,17 +87,14 @@ class RunFolder {
     outcome.text = read("output.txt");
     return outcome;
   }
-  static std::string program(const std::string& name) {
-    return std::string(FOOTFALL_BINARY_DIR) + "/bin/" + name;
-  }
+  static std::string program(const std::string& name) { return std::string(FOOTFALL_BINARY_DIR) + "/bin/" + name; }
   // Stock LIGGGHTS, or ours without a partner.
   Outcome alone(const std::string& liggghts, int ranks, const std::string& arguments, int limit = 60) const {
-    return command("mpirun --oversubscribe -np " + std::to_string(ranks) + " " + liggghts + " " + arguments,
-                   limit);
+    return command("mpirun --oversubscribe -np " + std::to_string(ranks) + " " + liggghts + " " + arguments, limit);
   }
   Outcome coupled(int ranks, const std::string& arguments, const std::string& partner, int limit = 60) const {
-    return command("mpirun --oversubscribe -np " + std::to_string(ranks) + " " + program("liggghts_mbd") +
-                       " " + arguments + " : -np 1 " + program("scripted_partner") + " " + partner,
+    return command("mpirun --oversubscribe -np " + std::to_string(ranks) + " " + program("liggghts_mbd") + " " +
+                       arguments + " : -np 1 " + program("scripted_partner") + " " + partner,
                    limit);
   }
 
@@ -112,8 +107,7 @@ inline const char* const kStock = LIGGGHTS_EXECUTABLE;
 
 // Head of a script: a box, two materials (1 soil, 2 steel), Hertz contact with friction and rolling
 // resistance.
-inline std::string script_head(const std::string& box, const std::string& processors = "* * *",
-                               double dt = 5e-5) {
+inline std::string script_head(const std::string& box, const std::string& processors = "* * *", double dt = 5e-5) {
   std::ostringstream s;
   s << "atom_style granular\natom_modify map array\nboundary f f f\nnewton off\ncommunicate single vel "
        "yes\nunits si\n"
@@ -145,8 +139,8 @@ inline std::string small_bed(const std::string& processors = "* * *") {
 }
 
 inline std::string mesh_wall(const std::string& mesh = "m") {
-  return "fix wm all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes 1 meshes " +
-         mesh + "\n";
+  return "fix wm all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes 1 meshes " + mesh +
+         "\n";
 }
 
 // All state of all grains, every bit.

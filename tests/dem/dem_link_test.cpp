@@ -19,11 +19,7 @@ ModalBoundary unit_boundary(const std::string& name) {
 
 // The multibody side of a test runs on a thread of its own.
 struct Pair {
-  Pair()
-      : ends(TransportLoopback::make_pair()),
-        dem_link(*ends.first, 10.0),
-        mbd(*ends.second, 10.0),
-        dem(&dem_link) {}
+  Pair() : ends(TransportLoopback::make_pair()), dem_link(*ends.first, 10.0), mbd(*ends.second, 10.0), dem(&dem_link) {}
   ~Pair() {
     if (partner.joinable()) partner.join();
   }
@@ -71,8 +67,7 @@ TEST(DemLink, GuessesTheNameThatWasMeant) {
   pair.partner = std::thread([&] { pair.answer_hello({"leg_1_pad", "cabin"}); });
   const std::string said = message_of<InputError>([&] { pair.dem.couple("leg1_pad", "si"); });
   EXPECT_NE(said.find("Known bodies: leg_1_pad, cabin. Did you mean \"leg_1_pad\"?"), std::string::npos);
-  EXPECT_EQ(message_of<InputError>([&] { pair.dem.couple("xyz", "si"); }).find("Did you mean"),
-            std::string::npos);
+  EXPECT_EQ(message_of<InputError>([&] { pair.dem.couple("xyz", "si"); }).find("Did you mean"), std::string::npos);
 }
 
 TEST(DemLink, StartNamesTheBodiesInTheScriptsOrder) {
@@ -150,8 +145,7 @@ TEST(DemLink, AScriptThatEndsTooEarlySaysWhenAndHowManyStepsAreNeeded) {
     motion.bodies.resize(1);
     pair.mbd.send(motion);
     Load load;
-    heard = message_of<ProtocolError>(
-        [&] { pair.mbd.receive(load); });  // bad input on one side is bad input on both
+    heard = message_of<ProtocolError>([&] { pair.mbd.receive(load); });  // bad input on one side is bad input on both
   });
   pair.dem.couple("pad", "si");
   pair.dem.start(1e-4, 10, 0);

@@ -27,9 +27,7 @@ struct Case {
 const std::string kCouple = "fix mbd all couple/mbd every 5 mesh m plate\n";
 
 // How gtest shows a case.
-void PrintTo(const Case& one, std::ostream* out) {
-  *out << one.name;
-}
+void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
 std::vector<Case> cases() {
   std::vector<Case> all;
@@ -140,10 +138,7 @@ std::vector<Case> cases() {
        2,
        {"there is one already"},
        kCouple + "fix mbd2 all couple/mbd every 5 mesh m plate\nrun 200\n"});
-  add({"MeshRemoved",
-       2,
-       {"mesh m was removed by `unfix`"},
-       kCouple + "run 100\nunfix wm\nunfix m\nrun 100\n"});
+  add({"MeshRemoved", 2, {"mesh m was removed by `unfix`"}, kCouple + "run 100\nunfix wm\nunfix m\nrun 100\n"});
   add({"ScriptEndsTooEarly",
        2,
        {"the LIGGGHTS script ended at t = 0.005 s, before the end of the scene at t = 0.01 s",
@@ -163,10 +158,7 @@ std::vector<Case> cases() {
        1,
        {"ERROR: Unknown command: no_such_command", "LIGGGHTS ended with an error of its own"},
        kCouple + "run 100\nno_such_command\n"});
-  add({"LiggghtsAborts",
-       1,
-       {"random seed"},
-       kCouple + "run 100\ndisplace_atoms all random 0 0 0 12345 units box\n"});
+  add({"LiggghtsAborts", 1, {"random seed"}, kCouple + "run 100\ndisplace_atoms all random 0 0 0 12345 units box\n"});
   return all;
 }
 
@@ -199,8 +191,7 @@ TEST_P(Failure, IsToldByBothSidesAndEndsThem) {
   Surface half = read_stl((folder.path() / "plate.stl").string());
   half.triangles.resize(half.triangles.size() / 2);
   write_stl((folder.path() / "half.stl").string(), half);
-  folder.write(
-      "in", small_bed() + one.mesh + mesh_wall() + (one.script.empty() ? kCouple + "run 200\n" : one.script));
+  folder.write("in", small_bed() + one.mesh + mesh_wall() + (one.script.empty() ? kCouple + "run 200\n" : one.script));
   const Outcome outcome = folder.coupled(2, "-in in", one.partner + one.body, kLimit);
   EXPECT_NE(outcome.exit_code, 0) << outcome.text;
   EXPECT_NE(outcome.exit_code, 124) << "hangs:\n" << outcome.text;
@@ -223,21 +214,20 @@ TEST(Failure, ASignalToLiggghtsIsTheEndOfBothButNoFailure) {
                "p=$PPID\nwhile [ \"$(cat /proc/$p/comm)\" != liggghts_mbd ]; do p=$(cut -d' ' -f4 "
                "/proc/$p/stat); done\n"
                "kill -TERM $p\n");
-  folder.write("in", small_bed() + "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n" +
-                         mesh_wall() + kCouple + "run 103\nshell sh stop.sh\nrun 97\n");
+  folder.write("in", small_bed() + "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n" + mesh_wall() +
+                         kCouple + "run 103\nshell sh stop.sh\nrun 97\n");
   const Outcome outcome =
       folder.coupled(1, "-in in", "until 0.01 body plate plate.stl 0 0 0.24 prescribed 0 0 -1 0 0 0", kLimit);
   EXPECT_EQ(outcome.exit_code, 3) << outcome.text;
-  EXPECT_NE(outcome.text.find("liggghts_mbd was interrupted: LIGGGHTS was stopped by a signal"),
-            std::string::npos)
+  EXPECT_NE(outcome.text.find("liggghts_mbd was interrupted: LIGGGHTS was stopped by a signal"), std::string::npos)
       << outcome.text;
 }
 
 TEST(Failure, CouplingWithoutAPartnerIsRefused) {
   const RunFolder folder("failures_alone");
   write_stl((folder.path() / "plate.stl").string(), box({0.3, 0.3, 0.02}, 3));
-  folder.write("in", small_bed() + "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n" +
-                         mesh_wall() + kCouple + "run 10\n");
+  folder.write("in", small_bed() + "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n" + mesh_wall() +
+                         kCouple + "run 10\n");
   const Outcome outcome = folder.alone(RunFolder::program("liggghts_mbd"), 2, "-in in", kLimit);
   EXPECT_EQ(outcome.exit_code, 2) << outcome.text;
   EXPECT_NE(outcome.text.find("runs without a multibody partner. Start both programs together: mpirun"),
@@ -255,8 +245,7 @@ TEST(Failure, OtherUnitsAreRefused) {
   const Outcome outcome =
       folder.coupled(1, "-in in", "until 0.01 body plate plate.stl 0 0 0 prescribed 0 0 0 0 0 0", kLimit);
   EXPECT_NE(outcome.exit_code, 0);
-  EXPECT_NE(outcome.text.find("the script has \"units cgs\"; footfall couples in \"units si\" only"),
-            std::string::npos)
+  EXPECT_NE(outcome.text.find("the script has \"units cgs\"; footfall couples in \"units si\" only"), std::string::npos)
       << outcome.text;
 }
 

@@ -65,9 +65,8 @@ TEST(MeshMatch, NamesTheCornerThatIsElsewhere) {
   } catch (const InputError& error) {
     const std::string said = error.what();
     EXPECT_NE(said.find("mesh pad1: corner ("), std::string::npos);
-    EXPECT_NE(
-        said.find("of triangle " + std::to_string(mesh.triangles[3].id) + " is no node of body \"pad\""),
-        std::string::npos);
+    EXPECT_NE(said.find("of triangle " + std::to_string(mesh.triangles[3].id) + " is no node of body \"pad\""),
+              std::string::npos);
   }
 }
 

@@ -1,5 +1,6 @@
-// A body with a mode against fixed grains in LIGGGHTS, every contact dumped: what the coupling sends is what one gets by hand from the
-// contact forces and points, with friction. (A plate of the multibody side on such grains: plate_on_lattice_test.cpp.)
+// A body with a mode against fixed grains in LIGGGHTS, every contact dumped: what the coupling sends is what one gets
+// by hand from the contact forces and points, with friction. (A plate of the multibody side on such grains:
+// plate_on_lattice_test.cpp.)
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,8 @@
 namespace footfall::test {
 namespace {
 
-// The grains do not touch each other: the force on one that touches the boundary is the force of its one contact, friction included.
+// The grains do not touch each other: the force on one that touches the boundary is the force of its one contact,
+// friction included.
 struct Contact {
   Eigen::Vector3d force, centre;  // on the body [N]; of the grain [m]
 };
@@ -41,7 +43,8 @@ std::string dump_contacts(int every) {
 }
 
 // Weights of the corners for the foot of the perpendicular from p.
-Eigen::Vector3d barycentric(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+Eigen::Vector3d barycentric(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                            const Eigen::Vector3d& c) {
   Eigen::Matrix<double, 3, 2> edges;
   edges << b - a, c - a;
   const Eigen::Vector2d uv = edges.colPivHouseholderQr().solve(p - a);
@@ -54,23 +57,28 @@ TEST(ModalContacts, LoadAndPowerAreThoseOfTheDumpedForces) {
   const RunFolder folder("modal_contacts");
   const Surface pad = box({0.24, 0.2, 0.02}, 3);
   write_stl((folder.path() / "pad.stl").string(), pad);
-  folder.write("in", script_head("-0.4 0.4 -0.3 0.3 -0.2 0.2", "2 1 1", kDt) +
-                         "lattice sc 0.047\nregion grains block -0.1 0.1 -0.05 0.05 -0.001 0.001 units box\ncreate_atoms 1 region grains\n"
-                         "set group all diameter 0.04 density 2600\n"
-                         "fix geo all couple/mbd/geometry body pad\nfix pad all mesh/surface fix geo type 2\n"
-                         "fix wm all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes 1 meshes pad\n"
-                         "fix mbd all couple/mbd every 1 mesh pad pad\n" +
-                         dump_contacts(1) + "thermo 1000\nrun 100000\n");
+  folder.write(
+      "in", script_head("-0.4 0.4 -0.3 0.3 -0.2 0.2", "2 1 1", kDt) +
+                "lattice sc 0.047\nregion grains block -0.1 0.1 -0.05 0.05 -0.001 0.001 units box\ncreate_atoms 1 "
+                "region grains\n"
+                "set group all diameter 0.04 density 2600\n"
+                "fix geo all couple/mbd/geometry body pad\nfix pad all mesh/surface fix geo type 2\n"
+                "fix wm all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes 1 meshes pad\n"
+                "fix mbd all couple/mbd every 1 mesh pad pad\n" +
+                dump_contacts(1) + "thermo 1000\nrun 100000\n");
   const Eigen::Vector3d place(0.011, 0.007, 0.02995), v(0.3, -0.1, -0.02);
   const double rate = -0.4;  // of the mode, whose shape is x^2 + y^2 at the nodes
-  const Outcome outcome = folder.coupled(2, "-in in -log log", "until 0.005 out table.csv body pad pad.stl 0.011 0.007 0.02995 modal 0.3 -0.1 -0.02 bowl -0.4");
+  const Outcome outcome =
+      folder.coupled(2, "-in in -log log",
+                     "until 0.005 out table.csv body pad pad.stl 0.011 0.007 0.02995 modal 0.3 -0.1 -0.02 bowl -0.4");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
   const Table table(folder.path() / "table.csv");
   const std::vector<std::vector<Contact>> frames = read_contacts(folder.read("contacts.txt"));
   ASSERT_EQ(table.rows(), 100u);
   ASSERT_EQ(frames.size(), 101u);
 
-  // At each step by hand: force, modal force sum Phi(c) . f, and the power sum f . v(c) with the velocity of the boundary at the contact.
+  // At each step by hand: force, modal force sum Phi(c) . f, and the power sum f . v(c) with the velocity of the
+  // boundary at the contact.
   struct ByHand {
     Eigen::Vector3d F = Eigen::Vector3d::Zero();
     double q = 0.0, power = 0.0, size = 0.0;

@@ -13,12 +13,11 @@ constexpr double kMass = 2600.0 * 4.0 / 3.0 * M_PI * 8e-6;  // of a grain of rad
 
 // 100 grains without gravity and floor fly spinning at a plate; some touch it from the start.
 std::string cloud(const std::string& processors) {
-  std::string s =
-      script_head("-0.3 0.3 -0.3 0.3 -0.3 0.3", processors, kDt) +
-      "lattice sc 0.041\nregion grains block -0.1 0.1 -0.1 0.1 0.0 0.15 units box\ncreate_atoms 1 region "
-      "grains\n"
-      "set group all diameter 0.04 density 2600\nvelocity all set 0.3 -0.2 -1.5\n"
-      "displace_atoms all random 0.0004 0.0004 0.0004 15485863 units box\nfix integr all nve/sphere\n";
+  std::string s = script_head("-0.3 0.3 -0.3 0.3 -0.3 0.3", processors, kDt) +
+                  "lattice sc 0.041\nregion grains block -0.1 0.1 -0.1 0.1 0.0 0.15 units box\ncreate_atoms 1 region "
+                  "grains\n"
+                  "set group all diameter 0.04 density 2600\nvelocity all set 0.3 -0.2 -1.5\n"
+                  "displace_atoms all random 0.0004 0.0004 0.0004 15485863 units box\nfix integr all nve/sphere\n";
   // No rolling resistance: LIGGGHTS turns grains by it with couples that no wall feels.
   for (std::size_t at; (at = s.find(" rolling_friction cdt")) != std::string::npos;) s.erase(at, 21);
   return s;
@@ -42,18 +41,16 @@ Momentum momentum(const RunFolder& folder, int step) {
 class OnRanks : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Ranks, OnRanks, testing::Values(1, 2), testing::PrintToStringParamName());
 
-Table fly(const RunFolder& folder, int ranks, const std::string& motion, const std::string& mesh_style,
-          int steps) {
+Table fly(const RunFolder& folder, int ranks, const std::string& motion, const std::string& mesh_style, int steps) {
   write_stl((folder.path() / "plate.stl").string(), box({0.4, 0.4, 0.02}, 2));
   folder.write("in", cloud(ranks == 1 ? "1 1 1" : "2 1 1") + "fix m all " + mesh_style +
                          " file plate.stl type 2 move 0 0 -0.0295\n"
                          "fix wm all wall/gran model hertz tangential history mesh n_meshes 1 meshes m\n"
                          "fix mbd all couple/mbd every 10 mesh m plate\n" +
-                         dump_every(kEvery, "grains") + "thermo 1000\nrun 105\nrun " +
-                         std::to_string(steps - 105) + "\n");
+                         dump_every(kEvery, "grains") + "thermo 1000\nrun 105\nrun " + std::to_string(steps - 105) +
+                         "\n");
   std::ostringstream partner;
-  partner << "until " << steps * kDt << " out table.csv body plate plate.stl 0 0 -0.0295 prescribed "
-          << motion;
+  partner << "until " << steps * kDt << " out table.csv body plate plate.stl 0 0 -0.0295 prescribed " << motion;
   const Outcome outcome = folder.coupled(ranks, "-in in", partner.str());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   return Table(folder.path() / "table.csv");
@@ -67,8 +64,7 @@ TEST_P(OnRanks, ImpulseOnTheGrainsIsTheImpulseOnAMovingPlateInEveryWindow) {
   int loaded = 0;
   for (int k = 0; k < 40; ++k) {
     const auto row = static_cast<std::size_t>(k);
-    const Eigen::Vector3d lost =
-        momentum(folder, kEvery * k).linear - momentum(folder, kEvery * (k + 1)).linear;
+    const Eigen::Vector3d lost = momentum(folder, kEvery * k).linear - momentum(folder, kEvery * (k + 1)).linear;
     const Eigen::Vector3d impulse = kEvery * kDt * table.vector(row, "fx", "fy", "fz");
     EXPECT_LT((impulse - table.vector(row, "ix", "iy", "iz")).norm(), 1e-12 * impulse.norm() + 1e-300);
     // Round-off of the sums over 100 grains: 1e-15 of their momentum of 14 N s.
@@ -91,13 +87,11 @@ TEST_P(OnRanks, AngularMomentumOfTheGrainsIsTheMomentOnAFixedPlateInEveryWindow)
   double worst = 0.0;
   for (int k = 0; k < 40; ++k) {
     const auto row = static_cast<std::size_t>(k);
-    const Eigen::Vector3d lost =
-        momentum(folder, kEvery * k).angular - momentum(folder, kEvery * (k + 1)).angular;
+    const Eigen::Vector3d lost = momentum(folder, kEvery * k).angular - momentum(folder, kEvery * (k + 1)).angular;
     const Eigen::Vector3d r(0, 0, -0.0295);
     const Eigen::Vector3d F = table.vector(row, "fx", "fy", "fz"), T = table.vector(row, "mx", "my", "mz");
     const Eigen::Vector3d impulse = kEvery * kDt * (r.cross(F) + T);
-    const double scale =
-        kEvery * kDt * (0.1 * F.norm() + T.norm());  // single contacts nearly cancel in the sum
+    const double scale = kEvery * kDt * (0.1 * F.norm() + T.norm());  // single contacts nearly cancel in the sum
     EXPECT_LT((lost - impulse).norm(), 1e-10 * scale + 1e-15) << "window " << k;
     if (scale > 1e-4) worst = std::max(worst, (lost - impulse).norm() / scale);
   }

@@ -1,5 +1,6 @@
-// A flexible plate on a lattice of fixed grains, mbd_solver with its modes beside real LIGGGHTS. What LIGGGHTS says of each contact
-// (compute wall/gran/local) is projected by hand on force, moment and modes, and set beside what mbd_solver got.
+// A flexible plate on a lattice of fixed grains, mbd_solver with its modes beside real LIGGGHTS. What LIGGGHTS says of
+// each contact (compute wall/gran/local) is projected by hand on force, moment and modes, and set beside what
+// mbd_solver got.
 
 #include <gtest/gtest.h>
 
@@ -23,8 +24,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kGrain = 0.02, kPlate = 0.2, kThickness = 0.002;  // radii of grains and plate, its thickness [m]
-constexpr double kSpacing = 0.06;  // of the lattice [m]
-constexpr int kRings = 14;  // of the mesh of the plate at rest
+constexpr double kSpacing = 0.06;                                  // of the lattice [m]
+constexpr int kRings = 14;                                         // of the mesh of the plate at rest
 const Material kAluminium{2700.0, 70e9, 0.33};
 
 const char* const kScene = R"(
@@ -60,13 +61,15 @@ std::string lattice(const std::string& processors, double dt, int every, int dum
   for (int i = -1; i <= 1; ++i)
     for (int j = -1; j <= 1; ++j) {
       std::ostringstream line;
-      line << "create_atoms 1 single " << kSpacing * i + 0.013 << " " << kSpacing * j + 0.007 << " " << -kGrain << " units box\n";
+      line << "create_atoms 1 single " << kSpacing * i + 0.013 << " " << kSpacing * j + 0.007 << " " << -kGrain
+           << " units box\n";
       s += line.str();
     }
   s += "set group all diameter 0.04 density 2600\n"
        "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n" +
        mesh_wall() + "fix mbd all couple/mbd every " + std::to_string(every) +
-       " mesh m plate\ncompute touch all wall/gran/local pos vel id force\ndump c all local " + std::to_string(dump) + " contacts.dump";
+       " mesh m plate\ncompute touch all wall/gran/local pos vel id force\ndump c all local " + std::to_string(dump) +
+       " contacts.dump";
   std::string format;
   for (int k = 1; k <= 18; ++k) {
     s += " c_touch[" + std::to_string(k) + "]";
@@ -106,8 +109,9 @@ std::map<long, std::vector<std::vector<double>>> read_steps(const std::string& t
   return steps;
 }
 
-// compute wall/gran/local says what a contact would give if it were evaluated now, without moving its history on. Where it slides, that
-// is not what it gave: the force of a grain with one contact is the force that LIGGGHTS left on the grain.
+// compute wall/gran/local says what a contact would give if it were evaluated now, without moving its history on. Where
+// it slides, that is not what it gave: the force of a grain with one contact is the force that LIGGGHTS left on the
+// grain.
 std::map<long, std::vector<Contact>> read_contacts(const std::string& local, const std::string& grains) {
   std::map<long, std::vector<Contact>> steps;
   const auto forces = read_steps(grains);
@@ -115,7 +119,8 @@ std::map<long, std::vector<Contact>> read_contacts(const std::string& local, con
     std::vector<Contact>& contacts = steps[step];
     for (const std::vector<double>& row : rows) {
       const auto column = [&row](std::size_t k) { return Vector3d(row.at(k), row.at(k + 1), row.at(k + 2)); };
-      contacts.push_back({column(0), column(3), column(6), -column(15), static_cast<int>(row.at(13)), std::lround(row.at(14))});
+      contacts.push_back(
+          {column(0), column(3), column(6), -column(15), static_cast<int>(row.at(13)), std::lround(row.at(14))});
     }
     for (const std::vector<double>& row : forces.at(step)) {
       const auto same = [&row](const Contact& c) { return c.id == std::lround(row[0]); };
@@ -127,16 +132,17 @@ std::map<long, std::vector<Contact>> read_contacts(const std::string& local, con
 }
 
 struct PlateRun {
-  PlateRun(const std::string& name, int ranks, double dt, int every, int dump, const std::vector<std::string>& settings, int limit = 120)
+  PlateRun(const std::string& name, int ranks, double dt, int every, int dump, const std::vector<std::string>& settings,
+           int limit = 120)
       : folder("plate_" + name), modes(0) {
     folder.write("scene.toml", kScene);
     folder.write("in.lattice", lattice(ranks == 1 ? "1 1 1" : "2 1 1", dt, every, dump));
     std::string arguments = "scene.toml table.csv";
     for (const std::string& setting : settings) arguments += " '" + setting + "'";
-    const Outcome outcome =
-        folder.command("mpirun --oversubscribe -np " + std::to_string(ranks) + " " + RunFolder::program("liggghts_mbd") +
-                           " -in in.lattice : -np 1 " + RunFolder::program("recording_solver") + " " + arguments,
-                       limit);
+    const Outcome outcome = folder.command("mpirun --oversubscribe -np " + std::to_string(ranks) + " " +
+                                               RunFolder::program("liggghts_mbd") + " -in in.lattice : -np 1 " +
+                                               RunFolder::program("recording_solver") + " " + arguments,
+                                           limit);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
     const Scene scene = read_scene((folder.path() / "scene.toml").string(), settings);
     const Mechanism mechanism = build_mechanism(scene);
@@ -180,8 +186,8 @@ struct PlateRun {
   std::map<long, std::vector<Contact>> contacts;
 };
 
-// By hand, of one contact on the plate in this pose: force, moment about Bo in B, modal forces; and its power at the velocities of
-// `pose`, from point and material there. Nothing of the coupler is used.
+// By hand, of one contact on the plate in this pose: force, moment about Bo in B, modal forces; and its power at the
+// velocities of `pose`, from point and material there. Nothing of the coupler is used.
 struct ByHand {
   Vector3d F = Vector3d::Zero(), T_B = Vector3d::Zero();
   VectorXd Q;
@@ -233,8 +239,8 @@ ByHand project(const PlateRun& run, const std::vector<Contact>& contacts, const 
   return out;
 }
 
-// The plate comes down askew, sliding and turning. Windows of one step under the scheme whose mean is the force at the end of the
-// step: every row of the table is one set of contacts.
+// The plate comes down askew, sliding and turning. Windows of one step under the scheme whose mean is the force at the
+// end of the step: every row of the table is one set of contacts.
 const std::vector<std::string> kImpact = {"coupling.scheme=\"css\"", "initial.velocity=[0.1,0.05,-0.3]",
                                           "initial.angular_velocity=[0.5,-0.3,0.8]", "initial.position=[0,0,0.002]"};
 constexpr double kDt = 5e-5;
@@ -262,7 +268,8 @@ TEST(PlateOnLattice, ModalForcesAreThoseOfTheContactsThatLiggghtsReports) {
     ASSERT_LT((run.table->vector(k, "fx", "fy", "fz") - hand.F).norm(), 1e-10 * hand.F.norm());
     ASSERT_LT((run.table->vector(k, "mx", "my", "mz") - hand.T_B).norm(), 1e-10 * kPlate * hand.F.norm());
   }
-  std::printf("  %d loaded windows, largest modal force %.3g, largest relative error %.2g\n", loaded, largest_modal, worst);
+  std::printf("  %d loaded windows, largest modal force %.3g, largest relative error %.2g\n", loaded, largest_modal,
+              worst);
   EXPECT_GT(loaded, 100);
 }
 
@@ -286,7 +293,8 @@ TEST(PlateOnLattice, LiggghtsSeesTheDeformedTrianglesAndTheirNormals) {
     for (int i = -1; i <= 1; ++i)
       for (int j = -1; j <= 1; ++j) {
         ++grain;  // ids in the order of the script
-        const Vector3d p = pose.rotation().transpose() * (Vector3d(kSpacing * i + 0.013, kSpacing * j + 0.007, -kGrain) - pose.r);
+        const Vector3d p =
+            pose.rotation().transpose() * (Vector3d(kSpacing * i + 0.013, kSpacing * j + 0.007, -kGrain) - pose.r);
         double height = 1.0;
         Vector3d n_B = Vector3d::Zero();
         for (const Eigen::Vector3i& t : run.boundary->triangles()) {
@@ -299,7 +307,8 @@ TEST(PlateOnLattice, LiggghtsSeesTheDeformedTrianglesAndTheirNormals) {
           if (height < kGrain) largest_turn = std::max(largest_turn, n_B.cross(normal(flat, t)).norm());
         }
         ASSERT_LT(height, 1.0);
-        const auto found = std::find_if(contacts.begin(), contacts.end(), [&](const Contact& c) { return c.id == grain; });
+        const auto found =
+            std::find_if(contacts.begin(), contacts.end(), [&](const Contact& c) { return c.id == grain; });
         ASSERT_EQ(found != contacts.end(), height < kGrain) << "grain " << grain << " in window " << k;
         if (found == contacts.end()) continue;
         ++touching;
@@ -328,17 +337,21 @@ TEST(PlateOnLattice, VirtualWorkIsConservedOnTheContactsThatLiggghtsReports) {
     const ByHand hand = project(run, contacts, pose);
     worst = std::max(worst, std::abs(power_of_load(pose) - hand.power) / hand.scale);
     ASSERT_LT(std::abs(power_of_load(pose) - hand.power), 1e-12 * hand.scale) << "window " << k;
-    // At those of LIGGGHTS' wall: prediction, and the gap to where the boundary stood, which closes at the rate 2 / H at the window's end.
+    // At those of LIGGGHTS' wall: prediction, and the gap to where the boundary stood, which closes at the rate 2 / H
+    // at the window's end.
     BodyMotion path = pose;
     const BodyMotion before = k > 1 ? run.predicted(k - 2, kDt) : run.state(0), start = run.state(k - 1);
     path.dr += 2.0 / kDt * (before.r - start.r);
-    path.w += Eigen::AngleAxisd(kDt * start.w.norm(), start.w.normalized()) * (2.0 / kDt * rotation_vector(start.L, before.L));
+    path.w += Eigen::AngleAxisd(kDt * start.w.norm(), start.w.normalized()) *
+              (2.0 / kDt * rotation_vector(start.L, before.L));
     path.da += 2.0 / kDt * (before.a - start.a);
     const ByHand wall = project(run, contacts, path);
     worst_wall = std::max(worst_wall, std::abs(power_of_load(path) - wall.power_wall) / wall.scale);
-    ASSERT_LT(std::abs(power_of_load(path) - wall.power_wall), 1e-9 * wall.scale) << "window " << k;  // differences of round-off over dt
+    ASSERT_LT(std::abs(power_of_load(path) - wall.power_wall), 1e-9 * wall.scale)
+        << "window " << k;  // differences of round-off over dt
   }
-  std::printf("  largest relative error of virtual work: %.2g, with the velocities of LIGGGHTS' wall %.2g\n", worst, worst_wall);
+  std::printf("  largest relative error of virtual work: %.2g, with the velocities of LIGGGHTS' wall %.2g\n", worst,
+              worst_wall);
 }
 
 TEST(PlateOnLattice, TwoRanksAgreeWithOneToRoundOff) {
@@ -370,7 +383,10 @@ TEST(PlateOnLattice, TwoRanksAgreeWithOneToRoundOff) {
 // ---- at rest
 
 const PlateRun& rest() {
-  static const PlateRun run("rest", 1, kDt, 2, 100, {"end_time=0.5", "bodies.plate.flexible.mesh_size=0.0142857143", "initial.position=[0,0,0.0001]", "bodies.plate.flexible.modes=60", "bodies.plate.flexible.damping=1.0"});
+  static const PlateRun run(
+      "rest", 1, kDt, 2, 100,
+      {"end_time=0.5", "bodies.plate.flexible.mesh_size=0.0142857143", "initial.position=[0,0,0.0001]",
+       "bodies.plate.flexible.modes=60", "bodies.plate.flexible.damping=1.0"});
   return run;
 }
 
@@ -383,7 +399,8 @@ TEST(PlateOnLattice, AtRestTheMeanModalForceIsThatOfTheStandingContacts) {
   const ByHand hand = project(run, contacts, run.predicted(last - 1, 2 * kDt));
   const double error = (run.modal_column("q", last) - hand.Q).norm() / hand.Q_scale.norm();
   const double weight = 9.81 * run.modal.node_mass.sum();
-  std::printf("  %zu contacts, force %.10g N (weight %.10g N), relative error of the mean modal force %.2g\n", contacts.size(), hand.F.z(), weight, error);
+  std::printf("  %zu contacts, force %.10g N (weight %.10g N), relative error of the mean modal force %.2g\n",
+              contacts.size(), hand.F.z(), weight, error);
   EXPECT_LT(error, 1e-10);
   EXPECT_NEAR(hand.F.z(), weight, 1e-6 * weight);
   // And the modes carry it: K a = Q.
@@ -440,8 +457,8 @@ TEST(PlateOnLattice, AtRestBendsAsThePlateUnderTheReportedForces) {
   level(reference);
   const double largest = reference.cwiseAbs().maxCoeff();
   const double error = (coarse - reference).cwiseAbs().maxCoeff() / largest;
-  std::printf("  largest deflection %.5g mm (plate solution %.5g mm), largest difference %.2g of it\n", 1e3 * coarse.cwiseAbs().maxCoeff(),
-              1e3 * largest, error);
+  std::printf("  largest deflection %.5g mm (plate solution %.5g mm), largest difference %.2g of it\n",
+              1e3 * coarse.cwiseAbs().maxCoeff(), 1e3 * largest, error);
   EXPECT_NEAR(coarse.cwiseAbs().maxCoeff(), largest, 0.01 * largest);
   EXPECT_LT(error, 0.01);
 }
@@ -451,8 +468,8 @@ TEST(PlateOnLattice, AtRestBendsAsThePlateUnderTheReportedForces) {
 // |work done on the boundary - work received by the body| over the work, with windows of n steps.
 double interface_residual(const std::string& scheme, int n) {
   const PlateRun run("work_" + scheme + "_" + std::to_string(n), 1, 1e-5, n, 1000000,
-                     {"coupling.scheme=\"" + scheme + "\"", "initial.velocity=[0,0,-0.3]", "initial.position=[0,0,0.0005]", "end_time=0.004",
-                      "bodies.plate.flexible.modes=8"});
+                     {"coupling.scheme=\"" + scheme + "\"", "initial.velocity=[0,0,-0.3]",
+                      "initial.position=[0,0,0.0005]", "end_time=0.004", "bodies.plate.flexible.modes=8"});
   const std::size_t last = run.table->rows() - 1;
   double work = 0.0, modal = 0.0;
   for (std::size_t k = 1; k <= last; ++k) {
@@ -460,7 +477,8 @@ double interface_residual(const std::string& scheme, int n) {
     modal += std::abs(run.modal_column("q", k).dot(run.modal_column("a", k) - run.modal_column("a", k - 1)));
   }
   const double residual = std::abs((*run.table)["work"][last] - (*run.table)["received"][last]) / work;
-  std::printf("  %s, windows of %d steps: residual %.3e of the work; of the modes: %.2f of it\n", scheme.c_str(), n, residual, modal / work);
+  std::printf("  %s, windows of %d steps: residual %.3e of the work; of the modes: %.2f of it\n", scheme.c_str(), n,
+              residual, modal / work);
   EXPECT_GT(modal, 0.1 * work);
   return residual;
 }

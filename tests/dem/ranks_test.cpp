@@ -29,14 +29,13 @@ std::string pads_script(const std::string& processors) {
   std::string s = carpet(processors), names, pairs;
   for (int p = 1; p <= 4; ++p) {
     const std::string id = std::to_string(p);
-    s += "fix geo" + id + " all couple/mbd/geometry body pad_" + id + "\nfix pad" + id +
-         " all mesh/surface fix geo" + id + " type 2\n";
+    s += "fix geo" + id + " all couple/mbd/geometry body pad_" + id + "\nfix pad" + id + " all mesh/surface fix geo" +
+         id + " type 2\n";
     names += " pad" + id;
     pairs += " mesh pad" + id + " pad_" + id;
   }
-  return s +
-         "fix wm all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes 4 meshes" +
-         names + "\nfix mbd all couple/mbd every 20" + pairs +
+  return s + "fix wm all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes 4 meshes" + names +
+         "\nfix mbd all couple/mbd every 20" + pairs +
          "\nthermo_style custom step atoms f_mbd[1] f_mbd[2] f_mbd[3] f_mbd[5] f_mbd[1][3] "
          "f_mbd[4][5]\nthermo 400\n"
          "thermo_modify norm no format float %.15g\nrun 2000\n"
@@ -45,8 +44,7 @@ std::string pads_script(const std::string& processors) {
 
 std::string pads_partner(const std::string& motion) {
   std::string s = "until 0.1 out table.csv";
-  for (int p = 0; p < 4; ++p)
-    s += " body pad_" + std::to_string(p + 1) + " pad.stl " + kPadPlaces[p] + " " + motion;
+  for (int p = 0; p < 4; ++p) s += " body pad_" + std::to_string(p + 1) + " pad.stl " + kPadPlaces[p] + " " + motion;
   return s;
 }
 
@@ -63,8 +61,7 @@ Table run_pads(const RunFolder& folder, int ranks, const std::string& processors
 void expect_same_loads(const Table& a, const Table& b) {
   ASSERT_EQ(a.rows(), b.rows());
   double worst = 0.0;
-  for (const char* name :
-       {"fx", "fy", "fz", "mx", "my", "mz", "q", "work", "ix", "iy", "iz", "stiffness", "overlap"}) {
+  for (const char* name : {"fx", "fy", "fz", "mx", "my", "mz", "q", "work", "ix", "iy", "iz", "stiffness", "overlap"}) {
     double scale = 1e-300;
     for (const double value : a[name]) scale = std::max(scale, std::abs(value));
     for (std::size_t i = 0; i < a.rows(); ++i) {
@@ -82,8 +79,7 @@ const char* const kSliding = "prescribed 2.0 0.1 0.0 0.0 0.0 1.5";  // across th
 class PadsOn : public testing::TestWithParam<std::pair<int, const char*>> {};
 INSTANTIATE_TEST_SUITE_P(Ranks, PadsOn,
                          testing::Values(std::pair(2, "2 1 1"), std::pair(2, "1 2 1"), std::pair(3, "3 1 1"),
-                                         std::pair(4, "4 1 1"), std::pair(4, "2 2 1"),
-                                         std::pair(2, "1 1 2")));
+                                         std::pair(4, "4 1 1"), std::pair(4, "2 2 1"), std::pair(2, "1 1 2")));
 
 const Table& on_one_rank() {
   // Each test is a process of its own and may run beside the others.
@@ -126,8 +122,7 @@ TEST_P(MeshPlace, IsThatOfTheBodyAfterRigidMotion) {
   script.replace(script.find("run 0\n"), 6, "run 2000\n");
   script.replace(script.find("mesh/stl 1 "), 11, "mesh/stl 2000 ");
   folder.write("in", script);
-  const Outcome outcome =
-      folder.coupled(ranks, "-in in -log log", pads_partner("prescribed 2.0 0.1 0.0 1.0 -2.0 1.5"));
+  const Outcome outcome = folder.coupled(ranks, "-in in -log log", pads_partner("prescribed 2.0 0.1 0.0 1.0 -2.0 1.5"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
   // Where the nodes of pad 3 must be after 0.1 s.
   const Eigen::Vector3d w(1.0, -2.0, 1.5);
@@ -156,17 +151,15 @@ TEST_P(Modal, AModeThatShiftsAllNodesIsATranslation) {
   const int ranks = processors[0] - '0';
   const Table rigid = run_pads(RunFolder("ranks_shift_rigid_" + std::to_string(ranks)), ranks, processors,
                                "prescribed 0.5 0 -0.05 0 0 0");
-  const Table modal = run_pads(RunFolder("ranks_shift_modal_" + std::to_string(ranks)), ranks, processors,
-                               "modal 0.5 0 0 shift -0.05");
+  const Table modal =
+      run_pads(RunFolder("ranks_shift_modal_" + std::to_string(ranks)), ranks, processors, "modal 0.5 0 0 shift -0.05");
   ASSERT_EQ(rigid.rows(), modal.rows());
   double scale = 1e-300;
   for (const double f : rigid["fz"]) scale = std::max(scale, std::abs(f));
   for (std::size_t i = 0; i < rigid.rows(); ++i) {
     ASSERT_NEAR(rigid["fz"][i], modal["fz"][i], 1e-9 * scale) << "row " << i;
-    ASSERT_NEAR(modal["q"][i], modal["fz"][i], 1e-9 * scale)
-        << "row " << i;  // Phi = e_z: the modal force is the force
-    ASSERT_NEAR(rigid["work"][i], modal["work"][i], 1e-9 * scale * 1e-3)
-        << "row " << i;  // way of a window: 0.5 mm
+    ASSERT_NEAR(modal["q"][i], modal["fz"][i], 1e-9 * scale) << "row " << i;  // Phi = e_z: the modal force is the force
+    ASSERT_NEAR(rigid["work"][i], modal["work"][i], 1e-9 * scale * 1e-3) << "row " << i;  // way of a window: 0.5 mm
   }
   EXPECT_GT(scale, 10.0);
 }

@@ -1,7 +1,8 @@
 // mbd_solver as it is, with every number of its coupled body written down in every window, with all digits.
 //   recording_solver SCENE TABLE.csv [key=value ...]
-// A row at the start and after every window: time, state of the body then (r, L, a, dr, w, da, dda), what it got from the grains over the
-// window (F_W, T_B, Q_a), the work that they did on its boundary and the work that it received, both since the start.
+// A row at the start and after every window: time, state of the body then (r, L, a, dr, w, da, dda), what it got from
+// the grains over the window (F_W, T_B, Q_a), the work that they did on its boundary and the work that it received,
+// both since the start.
 
 #include <mpi.h>
 
@@ -89,7 +90,8 @@ int main(int argc, char** argv) {
     const Communicator communicator;
     AbortGuard::install(communicator);
     try {
-      if (argc < 3 || !communicator.has_partner()) throw InputError("recording_solver SCENE TABLE [key=value ...], with liggghts_mbd beside it");
+      if (argc < 3 || !communicator.has_partner())
+        throw InputError("recording_solver SCENE TABLE [key=value ...], with liggghts_mbd beside it");
       code = run(argc, argv, communicator);
     } catch (const std::exception& error) {
       std::fprintf(stderr, "recording_solver: ERROR: %s\n", error.what());

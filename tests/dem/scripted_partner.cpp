@@ -209,8 +209,8 @@ struct Output {
     file << "," << (body.mean.Q_a.size() > 0 ? body.mean.Q_a[0] : 0.0) << "," << body.mean.work << ","
          << body.mean.jump_work;
     put(body.mean.impulse_W);
-    file << "," << body.contacts << "," << body.contact_stiffness << "," << body.max_overlap_over_radius
-         << "," << load.particles << "\n";
+    file << "," << body.contacts << "," << body.contact_stiffness << "," << body.max_overlap_over_radius << ","
+         << load.particles << "\n";
   }
   std::ofstream file;
 };
@@ -285,9 +285,9 @@ void couple(const Options& options, TransportMpi& transport, Link& link) {
   std::printf("scripted_partner: windows %lld residual %.10g initial energy %.10g\n",
               static_cast<long long>(motion.window), residual, initial_energy);
   for (const Body* body : coupled)
-    std::printf("scripted_partner: body %s at %.15g %.15g %.15g velocity %.15g %.15g %.15g\n",
-                body->name.c_str(), body->state.r[0], body->state.r[1], body->state.r[2], body->state.dr[0],
-                body->state.dr[1], body->state.dr[2]);
+    std::printf("scripted_partner: body %s at %.15g %.15g %.15g velocity %.15g %.15g %.15g\n", body->name.c_str(),
+                body->state.r[0], body->state.r[1], body->state.r[2], body->state.dr[0], body->state.dr[1],
+                body->state.dr[2]);
 }
 
 int run(int argc, char** argv, const Communicator& communicator) {

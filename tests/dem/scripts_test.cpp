@@ -21,14 +21,11 @@ RunFolder plate_folder(const std::string& name) {
   return folder;
 }
 
-std::string couple(int every) {
-  return "fix mbd all couple/mbd every " + std::to_string(every) + " mesh m plate\n";
-}
+std::string couple(int every) { return "fix mbd all couple/mbd every " + std::to_string(every) + " mesh m plate\n"; }
 
 TEST(Script, SeveralRunsThatEndInMidWindowGiveTheBitsOfMoveMesh) {
   const RunFolder folder = plate_folder("several_runs");
-  const std::string runs =
-      "run 500\nrun 33\nrun 67\nrun 50 pre no\nrun 100 every 30 NULL\n";  // windows of 7 steps
+  const std::string runs = "run 500\nrun 33\nrun 67\nrun 50 pre no\nrun 100 every 30 NULL\n";  // windows of 7 steps
   const auto script = [&](const std::string& name, const std::string& mover) {
     return small_bed() + kMeshFromFile + mesh_wall() + mover + kThermo + dump_every(125, name) + runs;
   };
@@ -51,9 +48,8 @@ TEST(Script, TrianglesFromTheSceneAndFromAFileGiveTheSameBits) {
     return small_bed() + mesh + mesh_wall() + couple(5) + dump_every(500, name) + "run 500\n";
   };
   folder.write("in.file", script("file", kMeshFromFile));
-  folder.write(
-      "in.scene",
-      script("scene", "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n"));
+  folder.write("in.scene",
+               script("scene", "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n"));
   ASSERT_EQ(folder.coupled(1, "-in in.file", "until 0.025 out file.csv" + kFalling).exit_code, 0);
   ASSERT_EQ(folder.coupled(1, "-in in.scene", "until 0.025 out scene.csv" + kFalling).exit_code, 0);
   EXPECT_TRUE(folder.read("file.500") == folder.read("scene.500"));
@@ -72,8 +68,8 @@ TEST(Script, AMeshFileMayHaveAnyOrderOfTrianglesAndVertices) {
   write_stl((folder.path() / "shuffled.stl").string(), shuffled);
   const std::string turning = " body plate plate.stl 0 0 0.24 prescribed 0.1 -0.05 -1.0 0.5 0.5 0.5";
   const auto last_force = [&](const std::string& file) {
-    folder.write("in", small_bed() + "fix m all mesh/surface file " + file + " type 2 move 0 0 0.24\n" +
-                           mesh_wall() + couple(5) + "run 400\n");
+    folder.write("in", small_bed() + "fix m all mesh/surface file " + file + " type 2 move 0 0 0.24\n" + mesh_wall() +
+                           couple(5) + "run 400\n");
     const Outcome outcome = folder.coupled(1, "-in in", "until 0.02 out table.csv" + turning);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
     const Table table(folder.path() / "table.csv");
@@ -81,14 +77,14 @@ TEST(Script, AMeshFileMayHaveAnyOrderOfTrianglesAndVertices) {
   };
   const Eigen::Vector3d a = last_force("plate.stl"), b = last_force("shuffled.stl");
   EXPECT_GT(a.norm(), 100.0);
-  EXPECT_LT((a - b).norm(),
-            1e-7 * a.norm());  // other order of sums, 400 steps of a bed that multiplies round-off
+  // other order of sums, 400 steps of a bed that multiplies round-off
+  EXPECT_LT((a - b).norm(), 1e-7 * a.norm());
 }
 
 TEST(Script, TheEndOfTheSceneEndsARunThatWantsMore) {
   const RunFolder folder = plate_folder("long");
-  folder.write("in", small_bed() + kMeshFromFile + mesh_wall() + couple(5) + kThermo +
-                         "run 1000000\nprint \"never printed\"\n");
+  folder.write(
+      "in", small_bed() + kMeshFromFile + mesh_wall() + couple(5) + kThermo + "run 1000000\nprint \"never printed\"\n");
   const Outcome outcome = folder.coupled(2, "-in in -log log", "until 0.0103" + kFalling);  // 206 steps
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   EXPECT_EQ(thermo_lines(folder.read("log")).back()[0], "206");
@@ -107,8 +103,7 @@ TEST(Script, GoesOnAfterARunThatEndsWithTheScene) {
 
 TEST(Script, MaySettleItsBedFirst) {
   const RunFolder folder = plate_folder("settle");
-  folder.write(
-      "in", small_bed() + "run 100\n" + kMeshFromFile + mesh_wall() + "run 100\n" + couple(5) + "run 200\n");
+  folder.write("in", small_bed() + "run 100\n" + kMeshFromFile + mesh_wall() + "run 100\n" + couple(5) + "run 200\n");
   const Outcome outcome = folder.coupled(2, "-in in", "until 0.01 out table.csv" + kFalling);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   EXPECT_EQ(Table(folder.path() / "table.csv").rows(), 40U);
@@ -116,8 +111,8 @@ TEST(Script, MaySettleItsBedFirst) {
 
 TEST(Script, MayLeaveTheWindowToThePartner) {
   const RunFolder folder = plate_folder("auto");
-  folder.write("in", small_bed() + kMeshFromFile + mesh_wall() +
-                         "fix mbd all couple/mbd every auto mesh m plate\nrun 200\n");
+  folder.write("in",
+               small_bed() + kMeshFromFile + mesh_wall() + "fix mbd all couple/mbd every auto mesh m plate\nrun 200\n");
   const Outcome outcome = folder.coupled(1, "-in in", "until 0.01 n 8 out table.csv" + kFalling);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   EXPECT_EQ(Table(folder.path() / "table.csv").rows(), 25U);
@@ -164,15 +159,13 @@ TEST(Script, PeriodicBoxesKeepImagesOfAMeshWhereTheyAre) {
     for (int i = -6; i < 6; ++i)
       for (int j = -4; j <= 4; ++j)
         grains << "create_atoms 1 single " << 0.05 * i + 0.0125 << " " << 0.05 * j << " 0 units box\n";
-    folder.write("in",
-                 head + grains.str() +
-                     "set group all diameter 0.04 density 2600\nfix hold all spring/self 4000\nfix integr "
-                     "all nve/sphere\n"
-                     "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n" +
-                     mesh_wall() + "fix mbd all couple/mbd every 10 mesh m plate\nrun 400\n");
+    folder.write("in", head + grains.str() +
+                           "set group all diameter 0.04 density 2600\nfix hold all spring/self 4000\nfix integr "
+                           "all nve/sphere\n"
+                           "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n" +
+                           mesh_wall() + "fix mbd all couple/mbd every 10 mesh m plate\nrun 400\n");
     std::ostringstream partner;
-    partner << "until 0.02 out table.csv body plate plate.stl " << place
-            << " 0 0.031 prescribed 5 0 -0.1 0 0.3 0";
+    partner << "until 0.02 out table.csv body plate plate.stl " << place << " 0 0.031 prescribed 5 0 -0.1 0 0.3 0";
     const Outcome outcome = folder.coupled(2, "-in in", partner.str());
     EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
     const Table table(folder.path() / "table.csv");

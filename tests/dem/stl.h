@@ -45,8 +45,7 @@ inline void write_stl(const std::string& path, const Surface& surface) {
   for (const Eigen::Vector3i& t : surface.triangles) {
     out << " facet normal 0 0 1\n  outer loop\n";
     for (const int j : t)
-      out << "   vertex " << surface.nodes(0, j) << " " << surface.nodes(1, j) << " " << surface.nodes(2, j)
-          << "\n";
+      out << "   vertex " << surface.nodes(0, j) << " " << surface.nodes(1, j) << " " << surface.nodes(2, j) << "\n";
     out << "  endloop\n endfacet\n";
   }
   out << "endsolid body\n";

@@ -14,8 +14,8 @@ struct TwoMass {
   // y = (X, V, x, v) of body and grain.
   static Eigen::Vector4d initial() { return {0.01, 0.5, 0.0, 0.0}; }
   static double energy(const Eigen::Vector4d& y) {
-    return 0.5 * (M * y[1] * y[1] + K * y[0] * y[0] + m * y[3] * y[3] + kp * y[2] * y[2] +
-                  kc * std::pow(y[0] - y[2], 2));
+    return 0.5 *
+           (M * y[1] * y[1] + K * y[0] * y[0] + m * y[3] * y[3] + kp * y[2] * y[2] + kc * std::pow(y[0] - y[2], 2));
   }
   // State after t, by the exponential of the system matrix in normal modes (exact to round-off).
   static Eigen::Vector4d exact(double t) {
@@ -25,10 +25,8 @@ struct TwoMass {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(D);
     const Eigen::Vector2d scale(std::sqrt(M), std::sqrt(m));
     const Eigen::Vector4d y = initial();
-    const Eigen::Vector2d p =
-        modes.eigenvectors().transpose() * Eigen::Vector2d(scale[0] * y[0], scale[1] * y[2]);
-    const Eigen::Vector2d q =
-        modes.eigenvectors().transpose() * Eigen::Vector2d(scale[0] * y[1], scale[1] * y[3]);
+    const Eigen::Vector2d p = modes.eigenvectors().transpose() * Eigen::Vector2d(scale[0] * y[0], scale[1] * y[2]);
+    const Eigen::Vector2d q = modes.eigenvectors().transpose() * Eigen::Vector2d(scale[0] * y[1], scale[1] * y[3]);
     Eigen::Vector2d position, velocity;
     for (int k = 0; k < 2; ++k) {
       const double om = std::sqrt(modes.eigenvalues()[k]);

@@ -91,9 +91,8 @@ void body_side(Transport& transport, const std::string& scheme, double T, double
     link.send(motion);
     link.receive(load);
     const MeanLoad& mean = load.bodies[0].mean;
-    result.largest_impulse_error =
-        std::max(result.largest_impulse_error,
-                 (mean.F_W * H - mean.impulse_W).norm() / (mean.impulse_W.norm() + 1e-300));
+    result.largest_impulse_error = std::max(result.largest_impulse_error,
+                                            (mean.F_W * H - mean.impulse_W).norm() / (mean.impulse_W.norm() + 1e-300));
     const double F = mean.F_W[0], X = state.r[0], V = state.dr[0], rest = F / TwoMass::K;
     state.r[0] = rest + (X - rest) * c + V / om * s;
     state.dr[0] = -(X - rest) * om * s + V * c;
@@ -109,15 +108,13 @@ Result run(const std::string& scheme, double H, double dt, double T, double damp
   auto [dem_end, mbd_end] = TransportLoopback::make_pair();
   Result result;
   Transport& dem_transport = *dem_end;
-  std::thread grains(
-      [&] { grain_side(dem_transport, dt, static_cast<int>(std::lround(H / dt)), damping, result); });
+  std::thread grains([&] { grain_side(dem_transport, dt, static_cast<int>(std::lround(H / dt)), damping, result); });
   body_side(*mbd_end, scheme, T, damping, result);
   grains.join();
   return result;
 }
 
-constexpr double kFineDt =
-    3.125e-6;  // Verlet's own error is then below 1e-5: (omega dt)^2 / 24 over 7 periods
+constexpr double kFineDt = 3.125e-6;  // Verlet's own error is then below 1e-5: (omega dt)^2 / 24 over 7 periods
 double error_at(const std::string& scheme, double H) {
   return TwoMass::error(run(scheme, H, kFineDt, 0.2).state, TwoMass::exact(0.2));
 }
@@ -128,17 +125,11 @@ double observed_order(const std::string& scheme, double H) {
   return std::log2(coarse / fine);
 }
 
-TEST(TwoMassOscillator, CssTrapezoidIsOfSecondOrder) {
-  EXPECT_GE(observed_order("css-trapezoid", 1e-3), 1.9);
-}
+TEST(TwoMassOscillator, CssTrapezoidIsOfSecondOrder) { EXPECT_GE(observed_order("css-trapezoid", 1e-3), 1.9); }
 
-TEST(TwoMassOscillator, QuadraticIsOfSecondOrderOrMore) {
-  EXPECT_GE(observed_order("quadratic", 1e-3), 1.9);
-}
+TEST(TwoMassOscillator, QuadraticIsOfSecondOrderOrMore) { EXPECT_GE(observed_order("quadratic", 1e-3), 1.9); }
 
-TEST(TwoMassOscillator, FrozenIsOfFirstOrder) {
-  EXPECT_NEAR(observed_order("frozen", 1e-3), 1.0, 0.1);
-}
+TEST(TwoMassOscillator, FrozenIsOfFirstOrder) { EXPECT_NEAR(observed_order("frozen", 1e-3), 1.0, 0.1); }
 
 TEST(TwoMassOscillator, CssKeepsAFloorOfTheSubstep) {
   // The end step counts whole: a shift of dt / 2 in time, so at a fixed dt the error stops falling with H.
@@ -161,8 +152,7 @@ TEST(TwoMassOscillator, ContactDampingKeepsTheOrderOnTheContinuousPath) {
 }
 
 double energy_after_5_s(const std::string& scheme) {
-  const double ratio =
-      TwoMass::energy(run(scheme, 1e-3, 5e-5, 5.0).state) / TwoMass::energy(TwoMass::initial());
+  const double ratio = TwoMass::energy(run(scheme, 1e-3, 5e-5, 5.0).state) / TwoMass::energy(TwoMass::initial());
   std::printf("%s: energy after 5 s %.4f of the initial\n", scheme.c_str(), ratio);
   return ratio;
 }

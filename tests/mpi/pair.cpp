@@ -19,9 +19,7 @@ namespace {
 
 using namespace footfall;
 
-double cpu_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // Windows of a motion of this many modes; every rank of the grains' side must get the same.
 void exchange(Link& link, const Communicator& communicator, bool grains, int windows, int modes) {
@@ -71,8 +69,7 @@ int run(const std::string& role, const std::string& scenario, const Communicator
     if (grains) {
       const double before = cpu_seconds();
       link.receive(motion);
-      std::printf("grains rank %d used %.3f s of processor time\n", communicator.rank(),
-                  cpu_seconds() - before);
+      std::printf("grains rank %d used %.3f s of processor time\n", communicator.rank(), cpu_seconds() - before);
     } else {
       const struct timespec two = {2, 0};
       nanosleep(&two, nullptr);

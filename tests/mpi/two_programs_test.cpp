@@ -8,8 +8,7 @@ namespace footfall::test {
 namespace {
 
 Outcome run_pair(const std::string& scenario, int grains, bool body_first = false, int limit = 60) {
-  const RunFolder folder("mpi_" + scenario + "_" + std::to_string(grains) +
-                         (body_first ? "_body_first" : ""));
+  const RunFolder folder("mpi_" + scenario + "_" + std::to_string(grains) + (body_first ? "_body_first" : ""));
   const std::string program = RunFolder::program("mpi_pair");
   const std::string a = "-np " + std::to_string(grains) + " " + program + " grains " + scenario;
   const std::string b = "-np 1 " + program + " body " + scenario;
@@ -35,16 +34,15 @@ TEST(TwoPrograms, OneAloneHasNoPartner) {
   EXPECT_NE(outcome.text.find("grains rank 1 of 2 partner -1"), std::string::npos) << outcome.text;
   const Outcome without_mpirun = folder.command(RunFolder::program("mpi_pair") + " grains who", 60);
   EXPECT_EQ(without_mpirun.exit_code, 0);
-  EXPECT_NE(without_mpirun.text.find("grains rank 0 of 1 partner -1"), std::string::npos)
-      << without_mpirun.text;
+  EXPECT_NE(without_mpirun.text.find("grains rank 0 of 1 partner -1"), std::string::npos) << without_mpirun.text;
 }
 
 TEST(TwoPrograms, ThreeAreRefused) {
   const RunFolder folder("mpi_three");
   const std::string program = RunFolder::program("mpi_pair");
-  const Outcome outcome = folder.command("mpirun --oversubscribe -np 1 " + program + " a who : -np 1 " +
-                                             program + " b who : -np 1 " + program + " c who",
-                                         60);
+  const Outcome outcome = folder.command(
+      "mpirun --oversubscribe -np 1 " + program + " a who : -np 1 " + program + " b who : -np 1 " + program + " c who",
+      60);
   EXPECT_NE(outcome.exit_code, 0);
   EXPECT_NE(outcome.text.find("this mpirun started 3 programs; footfall couples two"), std::string::npos)
       << outcome.text;
@@ -58,8 +56,8 @@ TEST_P(OnRanks, EveryRankGetsEveryMotion) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
 }
 
-// Open MPI's mpirun itself crashes (139) or hangs after all its processes are gone (124) in a few of a hundred such ends on a busy machine,
-// with MPI_Abort as with a plain exit: then the claim about our programs is tried again.
+// Open MPI's mpirun itself crashes (139) or hangs after all its processes are gone (124) in a few of a hundred such
+// ends on a busy machine, with MPI_Abort as with a plain exit: then the claim about our programs is tried again.
 Outcome run_pair_until_mpirun_holds(const std::string& scenario, int grains) {
   Outcome outcome;
   for (int attempt = 0; attempt < 4; ++attempt) {
@@ -79,8 +77,7 @@ TEST_P(OnRanks, AVanishingProgramTakesTheOtherWithIt) {
 TEST_P(OnRanks, LastWordsReachThePartner) {
   const Outcome outcome = run_pair("last-words", GetParam());
   EXPECT_EQ(outcome.exit_code, 1) << outcome.text;
-  EXPECT_NE(outcome.text.find("body: grains stopped: the script is wrong"), std::string::npos)
-      << outcome.text;
+  EXPECT_NE(outcome.text.find("body: grains stopped: the script is wrong"), std::string::npos) << outcome.text;
   EXPECT_EQ(outcome.text.find("MPI_ABORT"), std::string::npos) << outcome.text;
   EXPECT_LT(outcome.seconds, 10.0);
 }

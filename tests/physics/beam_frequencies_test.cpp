@@ -19,8 +19,8 @@ using Eigen::VectorXd;
 
 const Material kSteel{7850.0, 207e9, 0.3};
 constexpr double kLength = 1.0;  // [m]
-constexpr double kDiameter =
-    0.002;  // slender: rotary inertia, which the model has and the theory has not, is below 0.01 %
+// slender: rotary inertia, which the model has and the theory has not, is below 0.01 %
+constexpr double kDiameter = 0.002;
 constexpr double kPi = 3.14159265358979323846;
 
 // Roots beta L of the frequency equations, by bisection near (k + 1/2) pi or (k - 1/2) pi.
@@ -33,16 +33,12 @@ double root(const std::function<double(double)>& f, double low, double high) {
 }
 
 double free_free_root(int k) {  // cos x cosh x = 1
-  return root([](double x) { return std::cos(x) - 1.0 / std::cosh(x); }, (k + 0.5) * kPi - 0.5,
-              (k + 0.5) * kPi + 0.5);
+  return root([](double x) { return std::cos(x) - 1.0 / std::cosh(x); }, (k + 0.5) * kPi - 0.5, (k + 0.5) * kPi + 0.5);
 }
 double cantilever_root(int k) {  // cos x cosh x = -1
-  return root([](double x) { return std::cos(x) + 1.0 / std::cosh(x); }, (k - 0.5) * kPi - 0.5,
-              (k - 0.5) * kPi + 0.5);
+  return root([](double x) { return std::cos(x) + 1.0 / std::cosh(x); }, (k - 0.5) * kPi - 0.5, (k - 0.5) * kPi + 0.5);
 }
-double pinned_root(int k) {
-  return k * kPi;
-}
+double pinned_root(int k) { return k * kPi; }
 
 enum class Support { kFree, kCantilever, kPinned };
 
@@ -50,8 +46,7 @@ double exact_frequency(Support support, int k, const BeamSection& s) {
   const double x = support == Support::kFree         ? free_free_root(k)
                    : support == Support::kCantilever ? cantilever_root(k)
                                                      : pinned_root(k);
-  return x * x / (2.0 * kPi * kLength * kLength) *
-         std::sqrt(kSteel.young * s.bending_y / (kSteel.density * s.area));
+  return x * x / (2.0 * kPi * kLength * kLength) * std::sqrt(kSteel.young * s.bending_y / (kSteel.density * s.area));
 }
 
 // The first five bending frequencies; every one comes twice, for y and z.
@@ -79,10 +74,9 @@ TEST(BeamFrequencies, OfFreeCantileverAndPinnedBeamsAreEulerBernoullis) {
     const VectorXd f = computed(support, 12, section);
     for (int k = 1; k <= 5; ++k) {
       const double exact = exact_frequency(support, k, section);
-      EXPECT_NEAR(f(k - 1), exact, tolerance * exact)
-          << "support " << static_cast<int>(support) << " mode " << k;
-      std::printf("  support %d mode %d: %.6g Hz, relative error %+.2e\n", static_cast<int>(support), k,
-                  f(k - 1), f(k - 1) / exact - 1.0);
+      EXPECT_NEAR(f(k - 1), exact, tolerance * exact) << "support " << static_cast<int>(support) << " mode " << k;
+      std::printf("  support %d mode %d: %.6g Hz, relative error %+.2e\n", static_cast<int>(support), k, f(k - 1),
+                  f(k - 1) / exact - 1.0);
     }
   }
 }
@@ -118,8 +112,7 @@ TEST(BeamFrequencies, ConvergeWithTheFourthPowerOfTheElementLength) {
 }
 
 TEST(BeamFrequencies, OfAxialAndTorsionalVibrationAreThoseOfTheRod) {
-  const FeModel model =
-      straight_beam(Vector3d::Zero(), Vector3d(kLength, 0, 0), 16, rod_section(0.02), kSteel);
+  const FeModel model = straight_beam(Vector3d::Zero(), Vector3d(kLength, 0, 0), 16, rod_section(0.02), kSteel);
   std::vector<int> bending;  // held, so that only stretch and twist are left
   for (int j = 0; j < model.node_count(); ++j)
     for (int dof : node_dofs(j, {1, 2, 4, 5})) bending.push_back(dof);
@@ -147,8 +140,7 @@ TEST(BeamDeflection, UnderPointLoadsIsExactAtTheNodes) {
   for (int dof : node_dofs(n, {1, 2})) pins.push_back(dof);
   load.setZero();
   load(6 * (n / 2) + 2) = P;
-  EXPECT_NEAR(static_solution(model, pins, load)(6 * (n / 2) + 2), P * L * L * L / (48.0 * EI),
-              round_off * P / EI);
+  EXPECT_NEAR(static_solution(model, pins, load)(6 * (n / 2) + 2), P * L * L * L / (48.0 * EI), round_off * P / EI);
 }
 
 // The load per length of its own weight, lumped at the nodes as the mass is: q L^4 / (8 EI) and 5 q L^4 /

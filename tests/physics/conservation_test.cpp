@@ -21,8 +21,8 @@ Momentum momentum(const Model& model, test::Run& run) {
     const BodyKinematics b = run.body(i);
     if (b.modes == 0) {
       out.linear += model.body(i).mass() * b.dr;
-      out.angular += model.body(i).mass() * b.r.cross(b.dr) +
-                     b.A * model.body(i).rigid_inertia() * b.A.transpose() * b.w;
+      out.angular +=
+          model.body(i).mass() * b.r.cross(b.dr) + b.A * model.body(i).rigid_inertia() * b.A.transpose() * b.w;
       continue;
     }
     const ModalBody& modal = *model.body(i).modal();
@@ -32,8 +32,8 @@ Momentum momentum(const Model& model, test::Run& run) {
       const Eigen::Vector3d dr = b.dr + b.w.cross(arm) + b.A * (modal.Phi.middleRows(3 * j, 3) * b.da);
       const Eigen::Vector3d w_B = b.A.transpose() * b.w + modal.Psi.middleRows(3 * j, 3) * b.da;
       out.linear += modal.node_mass[j] * dr;
-      out.angular += modal.node_mass[j] * (b.r + arm).cross(dr) +
-                     b.A * (modal.node_inertia[static_cast<std::size_t>(j)] * w_B);
+      out.angular +=
+          modal.node_mass[j] * (b.r + arm).cross(dr) + b.A * (modal.node_inertia[static_cast<std::size_t>(j)] * w_B);
     }
   }
   return out;

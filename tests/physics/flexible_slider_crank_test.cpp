@@ -1,5 +1,5 @@
-// A slider-crank whose connecting rod bends, against an independent solution: Euler-Bernoulli modes of the rod between its pins in
-// the frame of its chord, whose motion is that of the rigid mechanism.
+// A slider-crank whose connecting rod bends, against an independent solution: Euler-Bernoulli modes of the rod between
+// its pins in the frame of its chord, whose motion is that of the rigid mechanism.
 
 #include <cmath>
 #include <cstdio>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kCrank = 0.15, kRod = 0.3, kDiameter = 0.006;  // [m]
-constexpr double kGain = 5.0;                                    // crank angle kGain t^4 [rad]: a start without a jolt
+constexpr double kGain = 5.0;                                   // crank angle kGain t^4 [rad]: a start without a jolt
 constexpr int kElements = 8, kMiddle = 4;
 
 double crank_angle(double t) { return kGain * std::pow(t, 4); }
@@ -50,7 +50,8 @@ struct SliderCrank {
     model.add_joint(prescribed_joint("drive", ground_marker(Eigen::Vector3d::Zero(), axes),
                                      model.marker_at(crank, Eigen::Vector3d::Zero(), axes), drive));
     // Of a pin all but what the way holds already: the rod may not turn about itself.
-    const Eigen::Matrix3d cross = Eigen::AngleAxisd(-0.5 * kPi, Eigen::Vector3d::UnitY()).toRotationMatrix();  // x1 is W's z
+    // x1 is W's z
+    const Eigen::Matrix3d cross = Eigen::AngleAxisd(-0.5 * kPi, Eigen::Vector3d::UnitY()).toRotationMatrix();
     model.add_joint(universal_joint("pin", model.marker_at(crank, pin, cross), model.marker_at(rod, pin, cross)));
     model.add_joint(spherical_joint("wrist", model.marker_at(rod, wrist), model.marker_at(slider, wrist)));
     const Eigen::Matrix3d along_x = axes_with_z(Eigen::Vector3d::UnitX());
@@ -70,20 +71,24 @@ struct SliderCrank {
   std::shared_ptr<const ModalBody> modal;
 };
 
-// Transverse acceleration of the rod's points in the rigid mechanism: at the pin, and its rise per length along the rod.
+// Transverse acceleration of the rod's points in the rigid mechanism: at the pin, and its rise per length along the
+// rod.
 void rigid_load(double t, double* at_pin, double* per_length, double* spin) {
   const double theta = crank_angle(t), w = 4.0 * kGain * std::pow(t, 3), dw = 12.0 * kGain * t * t;
   // Rod at the angle phi: kRod sin phi = -kCrank sin theta.
   const double sin_phi = -kCrank / kRod * std::sin(theta), cos_phi = std::sqrt(1.0 - sin_phi * sin_phi);
   const double dphi = -kCrank / kRod * std::cos(theta) * w / cos_phi;
-  const double ddphi = (-kCrank / kRod * (std::cos(theta) * dw - std::sin(theta) * w * w) + sin_phi * dphi * dphi) / cos_phi;
-  const double ax = -kCrank * (std::sin(theta) * dw + std::cos(theta) * w * w), ay = kCrank * (std::cos(theta) * dw - std::sin(theta) * w * w);
+  const double ddphi =
+      (-kCrank / kRod * (std::cos(theta) * dw - std::sin(theta) * w * w) + sin_phi * dphi * dphi) / cos_phi;
+  const double ax = -kCrank * (std::sin(theta) * dw + std::cos(theta) * w * w),
+               ay = kCrank * (std::cos(theta) * dw - std::sin(theta) * w * w);
   *at_pin = -sin_phi * ax + cos_phi * ay;
   *per_length = ddphi;
   *spin = dphi;
 }
 
-// Mode n: shape sin(n pi x / L); q'' + (omega_n^2 - dphi^2) q = -(2/L) integral of (a + b x) sin(n pi x / L). Leapfrog, until t.
+// Mode n: shape sin(n pi x / L); q'' + (omega_n^2 - dphi^2) q = -(2/L) integral of (a + b x) sin(n pi x / L). Leapfrog,
+// until t.
 class ChordSolution {
  public:
   void to(double t_end) {
@@ -127,8 +132,8 @@ TEST(FlexibleSliderCrank, RodBendsAsInTheChordFrame) {
     error = std::max(error, std::abs(mechanism.deflection(run) - exact.middle()));
     modes = std::max(modes, std::abs(mechanism.deflection(run) - more.deflection(finer)));
   }
-  std::printf("  largest deflection %.5g mm; error %.2e of it, change with twice the modes %.2e\n", 1e3 * largest, error / largest,
-              modes / largest);
+  std::printf("  largest deflection %.5g mm; error %.2e of it, change with twice the modes %.2e\n", 1e3 * largest,
+              error / largest, modes / largest);
   EXPECT_GT(largest, 1e-5);
   // Axial force over the rod's buckling load, which neither solution holds in full, and the integrator's tolerance.
   EXPECT_LT(error, 2e-3 * largest);

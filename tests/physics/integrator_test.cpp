@@ -25,8 +25,8 @@ Model double_pendulum() {
   second.dr = second.w.cross(Eigen::Vector3d(0.0, 0.4, 0.0));
   model.add_body(Body("upper", 1.0, Eigen::Vector3d(0.02, 0.1, 0.11).asDiagonal()), first);
   model.add_body(Body("lower", 0.7, Eigen::Vector3d(0.08, 0.02, 0.09).asDiagonal()), second);
-  model.add_joint(spherical_joint("pivot", ground_marker(Eigen::Vector3d::Zero()),
-                                  model.marker_at(0, Eigen::Vector3d::Zero())));
+  model.add_joint(
+      spherical_joint("pivot", ground_marker(Eigen::Vector3d::Zero()), model.marker_at(0, Eigen::Vector3d::Zero())));
   model.add_joint(revolute_joint("elbow", model.marker_at(0, {1.0, 0.0, 0.0}, axes_with_z({0.0, 1.0, 0.0})),
                                  model.marker_at(1, {1.0, 0.0, 0.0}, axes_with_z({0.0, 1.0, 0.0}))));
   TorsionalSpring::Parameters damper;
@@ -129,8 +129,7 @@ TEST_P(Kind, BaumgarteBoundsTheDriftThatGrowsWithoutIt) {
   test::Run nothing(model, GetParam(), options), baumgarte(model, GetParam(), options, Baumgarte{20.0, 20.0});
   nothing.to(4.0, 40);
   baumgarte.to(4.0, 40);
-  EXPECT_LT(baumgarte.equations.drift(baumgarte.state).position,
-            0.1 * nothing.equations.drift(nothing.state).position);
+  EXPECT_LT(baumgarte.equations.drift(baumgarte.state).position, 0.1 * nothing.equations.drift(nothing.state).position);
 }
 
 TEST_P(Kind, ResumesToTheBit) {
@@ -185,15 +184,15 @@ TEST_P(Kind, LawWithoutAValueIsQuotedWhenNoStepIsSmallEnough) {
   BodyState state;
   state.r = {0.0, 0.0, 1.0};
   const int body = model.add_body(Body("piston", 1e5, Eigen::Matrix3d::Identity()), state);
-  model.add_joint(prismatic_joint("slide", model.marker_at(kGround, Eigen::Vector3d::Zero()),
-                                  model.marker_at(body, state.r)));
+  model.add_joint(
+      prismatic_joint("slide", model.marker_at(kGround, Eigen::Vector3d::Zero()), model.marker_at(body, state.r)));
   std::vector<std::unique_ptr<StrutLaw>> laws;
   GasSpringParameters gas;
   gas.exponent = 1.0;
   gas.initial_pressure = 1.0;
   laws.push_back(std::make_unique<GasSpring>(gas));
-  model.add_force(std::make_unique<Strut>("gas", ground_marker(Eigen::Vector3d::Zero()),
-                                          model.marker_at(body, state.r), std::move(laws), 1.0));
+  model.add_force(std::make_unique<Strut>("gas", ground_marker(Eigen::Vector3d::Zero()), model.marker_at(body, state.r),
+                                          std::move(laws), 1.0));
   test::Run run(model, GetParam());
   const std::string said = complaint(run, 0.04);  // falls 0.35 m in 0.026 s
   EXPECT_NE(said.find("t = "), std::string::npos) << said;

@@ -16,7 +16,8 @@ namespace {
 const Material kSteel{7850.0, 207e9, 0.3};
 constexpr double kLength = 1.0, kDiameter = 0.004;  // [m]
 
-// Tip of the elastica EI theta'' = -q (L - s) cos theta, theta(0) = theta'(L) = 0, q L^3 / EI = load; in units of L, downwards.
+// Tip of the elastica EI theta'' = -q (L - s) cos theta, theta(0) = theta'(L) = 0, q L^3 / EI = load; in units of L,
+// downwards.
 double elastica_tip(double load) {
   constexpr int kSteps = 2000;
   const auto shoot = [load](double curvature, double* tip) {
@@ -98,7 +99,8 @@ Bent bend(double load) {
 
 TEST(LargeDeflection, ReferenceIsLinearForSmallLoadsAndAgreesWithAChainOfBars) {
   EXPECT_NEAR(elastica_tip(1e-3), 1e-3 / 8.0, 1e-9);
-  // Holds the other way as well: the moment at the clamp turns the whole beam. Energy, by an independent sum of many short rigid bars.
+  // Holds the other way as well: the moment at the clamp turns the whole beam. Energy, by an independent sum of many
+  // short rigid bars.
   EXPECT_NEAR(elastica_tip(2.0), bars_tip(2.0), 1e-4);
 }
 
@@ -107,8 +109,8 @@ TEST(LargeDeflection, ErrsByOnePercentAtTheEndOfTheStatedRange) {
   for (double load : {0.1, 0.5, 0.58, 1.0, 2.0, 4.0}) {
     const Bent bent = bend(load);
     const double error = bent.tip / bent.exact - 1.0;
-    std::printf("  load %.2f: tip %.5f L, elastica %.5f L, error %+.4f; largest deflection from mean axes %.4f L\n", load, bent.tip,
-                bent.exact, error, bent.deflection);
+    std::printf("  load %.2f: tip %.5f L, elastica %.5f L, error %+.4f; largest deflection from mean axes %.4f L\n",
+                load, bent.tip, bent.exact, error, bent.deflection);
     if (bent.deflection <= kDeflectionRange) inside = std::max(inside, std::abs(error));
     if (bent.deflection > 1.5 * kDeflectionRange) beyond = std::min(beyond, std::abs(error));
   }

@@ -17,8 +17,8 @@ const Eigen::Matrix3d kAxesOfW = Eigen::Matrix3d::Identity();
 
 // A thin uniform rod of 1 kg between two points of the plane z = 0, with its angular velocity about z and the
 // velocity of `from`.
-int add_rod(Model& model, const std::string& name, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-            double w, const Eigen::Vector3d& v_from) {
+int add_rod(Model& model, const std::string& name, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double w,
+            const Eigen::Vector3d& v_from) {
   MassProperties rod = with_mass(rod_properties(from, to, 0.01, 1000.0), 1.0);
   BodyState state;
   state.r = rod.centre;
@@ -27,10 +27,8 @@ int add_rod(Model& model, const std::string& name, const Eigen::Vector3d& from, 
   return model.add_body(Body(name, rod.mass, rod.inertia), state);
 }
 
-Joint hinge(const Model& model, const std::string& name, int body_1, int body_2,
-            const Eigen::Vector3d& point) {
-  return revolute_joint(name, model.marker_at(body_1, point, kAxesOfW),
-                        model.marker_at(body_2, point, kAxesOfW));
+Joint hinge(const Model& model, const std::string& name, int body_1, int body_2, const Eigen::Vector3d& point) {
+  return revolute_joint(name, model.marker_at(body_1, point, kAxesOfW), model.marker_at(body_2, point, kAxesOfW));
 }
 
 class Kind : public ::testing::TestWithParam<const char*> {};
@@ -43,8 +41,7 @@ TEST_P(Kind, PendulumKeepsItsPeriod) {
   const Eigen::Vector3d tip(std::sin(amplitude), -std::cos(amplitude), 0.0);
   const int rod = add_rod(model, "rod", Eigen::Vector3d::Zero(), tip, 0.0, Eigen::Vector3d::Zero());
   model.add_joint(hinge(model, "pivot", kGround, rod, Eigen::Vector3d::Zero()));
-  const double stiffness_ratio =
-      std::sqrt(3.0 * g / 2.0 / (1.0 + 0.0));  // thin rod: J about the end = m l^2 / 3
+  const double stiffness_ratio = std::sqrt(3.0 * g / 2.0 / (1.0 + 0.0));  // thin rod: J about the end = m l^2 / 3
   const double period = 4.0 / stiffness_ratio * std::comp_ellint_1(std::sin(0.5 * amplitude));
   test::Run run(model, GetParam(), test::tight(1e-8));
   const Eigen::Vector3d start = run.body(rod).r;
@@ -54,8 +51,8 @@ TEST_P(Kind, PendulumKeepsItsPeriod) {
   // power.
   EXPECT_LT((run.body(rod).r - start).norm(), 1e-5);
   EXPECT_LT(run.body(rod).dr.norm(), 3e-4);
-  EXPECT_LT(std::abs(run.imbalance()),
-            1e-5 * g);  // tolerance times some thousand steps of the second-order method
+  // tolerance times some thousand steps of the second-order method
+  EXPECT_LT(std::abs(run.imbalance()), 1e-5 * g);
 }
 
 // A force constant in W at a point of a body.
@@ -63,8 +60,7 @@ class PointForce : public ForceElement {
  public:
   PointForce(Marker marker, const Eigen::Vector3d& force)
       : ForceElement("force", marker.body, kGround), marker_(std::move(marker)), force_(force) {}
-  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
-                 Eigen::Ref<Eigen::VectorXd>) const override {
+  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const override {
     KinematicVector::point(in.pair, 0, marker_).add_transposed(force_, Q);
   }
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override {
@@ -123,11 +119,10 @@ Model n_four_bar(int cells) {
   std::vector<int> posts, beams;
   const Eigen::Vector3d up = Eigen::Vector3d::UnitY(), right = Eigen::Vector3d::UnitX();
   for (int i = 0; i <= cells; ++i)
-    posts.push_back(add_rod(model, "post_" + std::to_string(i), i * right, i * right + up, -1.0,
-                            Eigen::Vector3d::Zero()));
+    posts.push_back(
+        add_rod(model, "post_" + std::to_string(i), i * right, i * right + up, -1.0, Eigen::Vector3d::Zero()));
   for (int i = 0; i < cells; ++i)
-    beams.push_back(
-        add_rod(model, "beam_" + std::to_string(i), i * right + up, (i + 1) * right + up, 0.0, right));
+    beams.push_back(add_rod(model, "beam_" + std::to_string(i), i * right + up, (i + 1) * right + up, 0.0, right));
   for (int i = 0; i <= cells; ++i) {
     const std::string number = std::to_string(i);
     const std::size_t at = static_cast<std::size_t>(i);
@@ -168,13 +163,11 @@ TEST(FourBar, ReactionsAreFiniteAndNamed) {
   // Forces on one post: both hinges and gravity make its acceleration.
   const Eigen::VectorXd rates = run.integrator->end_rates();
   const Layout& layout = run.equations.layout();
-  const Eigen::Vector3d foot =
-      run.equations.joint_wrench(0, run.state.time, rates.tail(layout.row_count)).head<3>();
-  const Eigen::Vector3d top =
-      -run.equations.joint_wrench(1, run.state.time, rates.tail(layout.row_count)).head<3>();
+  const Eigen::Vector3d foot = run.equations.joint_wrench(0, run.state.time, rates.tail(layout.row_count)).head<3>();
+  const Eigen::Vector3d top = -run.equations.joint_wrench(1, run.state.time, rates.tail(layout.row_count)).head<3>();
   const Eigen::Vector3d ddr = rates.segment<3>(layout.v0());
-  EXPECT_LT((foot + top + model.gravity() - ddr).norm(),
-            1e-7);  // N; drift removed after the rates were taken
+  // N; drift removed after the rates were taken
+  EXPECT_LT((foot + top + model.gravity() - ddr).norm(), 1e-7);
 }
 
 }  // namespace

@@ -24,13 +24,11 @@ constexpr double kThickness = 0.002;  // [m]
 constexpr double kPi = 3.14159265358979323846;
 
 double rigidity() {
-  return kAluminium.young * std::pow(kThickness, 3) /
-         (12.0 * (1.0 - kAluminium.poisson * kAluminium.poisson));
+  return kAluminium.young * std::pow(kThickness, 3) / (12.0 * (1.0 - kAluminium.poisson * kAluminium.poisson));
 }
 // Frequency [Hz] of the parameter lambda^2 = omega R^2 sqrt(rho t / D).
 double hertz(double lambda2) {
-  return lambda2 / (2.0 * kPi * kRadius * kRadius) *
-         std::sqrt(rigidity() / (kAluminium.density * kThickness));
+  return lambda2 / (2.0 * kPi * kRadius * kRadius) * std::sqrt(rigidity() / (kAluminium.density * kThickness));
 }
 
 // Bessel functions J_n and I_n with their derivatives.
@@ -85,9 +83,7 @@ std::vector<double> exact_parameters(const std::function<double(int, double)>& e
   return result;
 }
 
-FeModel plate(int rings) {
-  return plate_model(disc_mesh(kRadius, kRadius / rings), kThickness, kAluminium);
-}
+FeModel plate(int rings) { return plate_model(disc_mesh(kRadius, kRadius / rings), kThickness, kAluminium); }
 
 std::vector<int> clamped_rim(const FeModel& model, int rings) {
   std::vector<int> fixed;
@@ -118,8 +114,7 @@ TEST(PlateTheory, ReproducesLeissasTables) {
   for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(clamped[k] / table[k], 1.0, four_digits);
   const std::vector<double> free = exact_parameters(free_equation, 5);
   const double free_table[5] = {5.253, 9.084, 12.23, 20.52, 21.6};  // for nu = 0.33
-  for (std::size_t k = 0; k < 5; ++k)
-    EXPECT_NEAR(free[k] / free_table[k], 1.0, 4e-3) << "printed in mixed precision";
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(free[k] / free_table[k], 1.0, 4e-3) << "printed in mixed precision";
 }
 
 TEST(PlateFrequencies, OfTheClampedAndTheFreeRoundPlateAreWithinOnePercent) {
@@ -137,8 +132,8 @@ TEST(PlateFrequencies, OfTheClampedAndTheFreeRoundPlateAreWithinOnePercent) {
   for (int k = 0; k < 5; ++k) {
     const double exact_c = hertz(clamped[static_cast<std::size_t>(k)]),
                  exact_f = hertz(free[static_cast<std::size_t>(k)]);
-    std::printf("  mode %d: clamped %.5g Hz (%+.2e), free %.5g Hz (%+.2e)\n", k + 1, fc(k),
-                fc(k) / exact_c - 1.0, ff(k), ff(k) / exact_f - 1.0);
+    std::printf("  mode %d: clamped %.5g Hz (%+.2e), free %.5g Hz (%+.2e)\n", k + 1, fc(k), fc(k) / exact_c - 1.0,
+                ff(k), ff(k) / exact_f - 1.0);
     EXPECT_NEAR(fc(k), exact_c, tolerance * exact_c);
     EXPECT_NEAR(ff(k), exact_f, tolerance * exact_f);
   }
@@ -175,8 +170,7 @@ TEST(PlateDeflection, UnderPressureAndPointLoadIsThatOfTheClampedPlate) {
   const double pushed = static_solution(model, rim, load)(2);
   const double exact_pressed = p * std::pow(kRadius, 4) / (64.0 * D),
                exact_pushed = P * kRadius * kRadius / (16.0 * kPi * D);
-  std::printf("  pressure %+.2e, point load %+.2e\n", pressed / exact_pressed - 1.0,
-              pushed / exact_pushed - 1.0);
+  std::printf("  pressure %+.2e, point load %+.2e\n", pressed / exact_pressed - 1.0, pushed / exact_pushed - 1.0);
   const double discretisation = 0.01;
   EXPECT_NEAR(pressed, exact_pressed, discretisation * exact_pressed);
   EXPECT_NEAR(pushed, exact_pushed, discretisation * exact_pushed);

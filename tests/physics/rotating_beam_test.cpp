@@ -1,5 +1,6 @@
-// Spinning beams: what a floating frame with linear modes gets right, and how far. The exact frequencies of a rotating beam are
-// those of a Galerkin solution with its centrifugal tension (Wright, Smith, Thresher and Wang, J. Appl. Mech. 49 (1982), 197).
+// Spinning beams: what a floating frame with linear modes gets right, and how far. The exact frequencies of a rotating
+// beam are those of a Galerkin solution with its centrifugal tension (Wright, Smith, Thresher and Wang, J. Appl. Mech.
+// 49 (1982), 197).
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
@@ -24,7 +25,8 @@ double unit() { return std::sqrt(kSteel.young / kSteel.density) * kDiameter / 4.
 
 enum class Plane { kFlap, kLag };  // bending along the spin axis, and across it
 
-// ---- exact: beam from x0 to x0 + 1 of unit mass and stiffness per length, spinning at `eta` about an axis through x = 0 across it
+// ---- exact: beam from x0 to x0 + 1 of unit mass and stiffness per length, spinning at `eta` about an axis through x =
+// 0 across it
 
 // Legendre polynomials of 2 (x - x0) - 1 and their first two derivatives.
 struct Legendre {
@@ -41,7 +43,8 @@ Legendre legendre(int n, double s) {
   return {p1, 2.0 * d1, 4.0 * c1};
 }
 
-// Ascending squares of the frequencies. Tension T(x) = eta^2 / 2 (x_end^2 - x^2) stiffens; across the axis eta^2 softens.
+// Ascending squares of the frequencies. Tension T(x) = eta^2 / 2 (x_end^2 - x^2) stiffens; across the axis eta^2
+// softens.
 // clamped: w = x^2 q(x), else w = q(x); q of degree 11.
 Eigen::VectorXd exact_squares(double x0, double eta, Plane plane, bool clamped) {
   constexpr int kTerms = 12, kPoints = 400;
@@ -50,7 +53,8 @@ Eigen::VectorXd exact_squares(double x0, double eta, Plane plane, bool clamped) 
   for (int i = 0; i < kPoints; ++i) {
     // Three-point Gauss in each of the cells.
     for (int g = -1; g <= 1; ++g) {
-      const double share = (i + 0.5 + 0.5 * g * std::sqrt(0.6)) / kPoints, weight = (g == 0 ? 8.0 : 5.0) / 18.0 / kPoints;
+      const double share = (i + 0.5 + 0.5 * g * std::sqrt(0.6)) / kPoints,
+                   weight = (g == 0 ? 8.0 : 5.0) / 18.0 / kPoints;
       const double x = x0 + share;
       Eigen::Matrix<double, kTerms, 1> w, dw, ddw;
       for (int k = 0; k < kTerms; ++k) {
@@ -71,7 +75,7 @@ Eigen::VectorXd exact_squares(double x0, double eta, Plane plane, bool clamped) 
 
 TEST(RotatingBeam, ReferenceReproducesThePublishedFrequencies) {
   // Wright et al., Table 1: uniform cantilever, no hub, flapping; first and second frequency.
-  const double table[][3] = {{0, 3.5160, 22.0345}, {1, 3.6816, 22.1810}, {2, 4.1373, 22.6149}, {3, 4.7973, 23.3203},
+  const double table[][3] = {{0, 3.5160, 22.0345}, {1, 3.6816, 22.1810}, {2, 4.1373, 22.6149},  {3, 4.7973, 23.3203},
                              {4, 5.5850, 24.2733}, {6, 7.3604, 26.8091}, {12, 13.1702, 37.6031}};
   for (const auto& [eta, first, second] : table) {
     const Eigen::VectorXd f = exact_squares(0.0, eta, Plane::kFlap, true).cwiseSqrt();
@@ -96,8 +100,8 @@ struct Spinning {
   Spinning(double eta, Plane plane, bool clamped) : rate(eta * unit()), direction(plane == Plane::kFlap ? 2 : 1) {
     constexpr int kElements = 10;
     const double x0 = clamped ? 0.0 : -0.5;
-    const FeModel beam = straight_beam(Eigen::Vector3d(x0 * kLength, 0, 0), Eigen::Vector3d((x0 + 1.0) * kLength, 0, 0), kElements,
-                                       rod_section(kDiameter), kSteel);
+    const FeModel beam = straight_beam(Eigen::Vector3d(x0 * kLength, 0, 0), Eigen::Vector3d((x0 + 1.0) * kLength, 0, 0),
+                                       kElements, rod_section(kDiameter), kSteel);
     BasisOptions options;
     options.mode_count = 10;
     options.damping_ratio = {0.0};
@@ -176,10 +180,12 @@ struct Spinning {
 double error_at(double share, Plane plane, bool clamped) {
   const double lowest = exact_squares(-0.5, 0.0, plane, false).cwiseMax(0.0).cwiseSqrt()(2), eta = share * lowest;
   const double exact = exact_squares(clamped ? 0.0 : -0.5, eta, plane, clamped)(clamped ? 0 : 2);
-  const double error = std::sqrt(Spinning(eta, plane, clamped).frequency_square(std::sqrt(exact) * unit()) / exact) - 1.0;
-  std::printf("  %-13s %s, spin %.3f of the lowest free frequency (%.3f of its own at rest): exact %8.4f, error %+.4f\n",
-              clamped ? "clamped," : "free,", plane == Plane::kFlap ? "along the spin axis" : "across the spin axis", share,
-              eta / (clamped ? 3.51602 : lowest), std::sqrt(exact), error);
+  const double error =
+      std::sqrt(Spinning(eta, plane, clamped).frequency_square(std::sqrt(exact) * unit()) / exact) - 1.0;
+  std::printf(
+      "  %-13s %s, spin %.3f of the lowest free frequency (%.3f of its own at rest): exact %8.4f, error %+.4f\n",
+      clamped ? "clamped," : "free,", plane == Plane::kFlap ? "along the spin axis" : "across the spin axis", share,
+      eta / (clamped ? 3.51602 : lowest), std::sqrt(exact), error);
   return std::abs(error);
 }
 
@@ -198,8 +204,8 @@ TEST(RotatingBeam, FrequenciesErrByOnePercentAtTheEndOfTheStatedRange) {
   EXPECT_GT(beyond, 0.01);
 }
 
-// Mean axes turn with a clamped beam, and so carry most of its stiffening; a free one gets none: omega^2 = omega_0^2 + c eta^2 with
-// c = 0 along the spin axis, -1 across it.
+// Mean axes turn with a clamped beam, and so carry most of its stiffening; a free one gets none: omega^2 = omega_0^2 +
+// c eta^2 with c = 0 along the spin axis, -1 across it.
 TEST(RotatingBeam, LinearModesOfAFreeBeamFeelNoTension) {
   const double eta = 2.0;
   const double rest = Spinning(0.0, Plane::kFlap, false).frequency_square(22.37 * unit());
@@ -207,13 +213,15 @@ TEST(RotatingBeam, LinearModesOfAFreeBeamFeelNoTension) {
   EXPECT_NEAR((Spinning(eta, Plane::kLag, false).frequency_square(22.37 * unit()) - rest) / (eta * eta), -1.0, 0.15);
 }
 
-// ---- stretch: rho w^2 L^3 / (3 E) of a bar of length L about its end; a bar spinning about its middle is two of half the length
+// ---- stretch: rho w^2 L^3 / (3 E) of a bar of length L about its end; a bar spinning about its middle is two of half
+// the length
 
 TEST(SpinningBar, StretchesByItsCentrifugalLoad) {
   const double L = 0.8, w = 150.0;
   for (bool about_end : {true, false}) {
     const double x0 = about_end ? 0.0 : -0.5 * L;
-    const FeModel bar = straight_beam(Eigen::Vector3d(x0, 0, 0), Eigen::Vector3d(x0 + L, 0, 0), 8, rod_section(0.06), kSteel);
+    const FeModel bar =
+        straight_beam(Eigen::Vector3d(x0, 0, 0), Eigen::Vector3d(x0 + L, 0, 0), 8, rod_section(0.06), kSteel);
     BasisOptions options;
     options.mode_count = 12;
     options.damping_ratio = {0.7};  // so that it settles
@@ -239,12 +247,15 @@ TEST(SpinningBar, StretchesByItsCentrifugalLoad) {
     run.to(0.1, 10);
     const BodyKinematics b = run.body(0);
     const ModalBody& modal = *body.modal();
-    const auto at = [&](int node) { return Eigen::Vector3d(modal.rho0.col(node) + modal.Phi.middleRows(3 * node, 3) * b.a); };
+    const auto at = [&](int node) {
+      return Eigen::Vector3d(modal.rho0.col(node) + modal.Phi.middleRows(3 * node, 3) * b.a);
+    };
     const double stretch = (at(8) - at(0)).norm() - L;
     const double radius = about_end ? L : 0.5 * L, parts = about_end ? 1.0 : 2.0;
     const double spin = b.w.norm();  // of a free bar it falls as the bar grows
     const double exact = parts * kSteel.density * spin * spin * std::pow(radius, 3) / (3.0 * kSteel.young);
-    std::printf("  about its %s: stretch %.6g m, exact %.6g m (%+.2e)\n", about_end ? "end" : "middle", stretch, exact, stretch / exact - 1.0);
+    std::printf("  about its %s: stretch %.6g m, exact %.6g m (%+.2e)\n", about_end ? "end" : "middle", stretch, exact,
+                stretch / exact - 1.0);
     EXPECT_NEAR(stretch, exact, 0.005 * exact);
   }
 }

@@ -36,22 +36,20 @@ TEST_P(Kind, SymmetricTopNutatesAsInClosedForm) {
       rotation_matrix(quaternion_about(H, H.norm() / J1 * t)) * A0 *
       rotation_matrix(quaternion_about(Eigen::Vector3d::UnitZ(), w_B[2] * (1.0 - J3 / J1) * t));
   const BodyKinematics now = run.body(top);
-  EXPECT_LT((now.A - expected).norm(),
-            1e-5);  // second-order method at 1e-9 per step: steps of 2e-4 s, 1e4 of them
+  // second-order method at 1e-9 per step: steps of 2e-4 s, 1e4 of them
+  EXPECT_LT((now.A - expected).norm(), 1e-5);
   EXPECT_LT((now.A * J * now.A.transpose() * now.w - H).norm(), 1e-5 * H.norm());
   EXPECT_LT((now.r - t * state.dr).norm(), 1e-12);  // free flight is linear: exact
 }
 
 // A body that slides along z over the ground, tied to it by a strut of the given law; its free length is 1 m.
 struct Oscillator {
-  explicit Oscillator(std::unique_ptr<StrutLaw> spring, std::unique_ptr<StrutLaw> damper, double mass,
-                      double z0) {
+  explicit Oscillator(std::unique_ptr<StrutLaw> spring, std::unique_ptr<StrutLaw> damper, double mass, double z0) {
     BodyState state;
     state.r = {0.0, 0.0, 1.0 + z0};
     body = model.add_body(Body("mass", mass, Eigen::Matrix3d::Identity()), state);
     const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-    model.add_joint(
-        prismatic_joint("slide", model.marker_at(kGround, origin), model.marker_at(body, state.r)));
+    model.add_joint(prismatic_joint("slide", model.marker_at(kGround, origin), model.marker_at(body, state.r)));
     std::vector<std::unique_ptr<StrutLaw>> laws;
     laws.push_back(std::move(spring));
     laws.push_back(std::move(damper));
@@ -79,8 +77,8 @@ TEST_P(Kind, ViscousOscillatorDecaysAsInClosedForm) {
   EXPECT_NEAR(run.body(o.body).r.z() - 1.0, z, 1e-5 * z0);
   // Dissipated energy has its place, its name, and the size of what is missing.
   EXPECT_GT(run.state.dissipated[Dissipation::kDamper], 0.5);
-  EXPECT_LT(std::abs(run.imbalance()),
-            1e-5 * run.start_energy());  // second-order method, tolerance 1e-9 over 1e4 steps
+  // second-order method, tolerance 1e-9 over 1e4 steps
+  EXPECT_LT(std::abs(run.imbalance()), 1e-5 * run.start_energy());
 }
 
 TEST_P(Kind, CoulombOscillatorLosesTheSameAmplitudeEveryHalfPeriod) {
@@ -108,14 +106,12 @@ TEST_P(Kind, CoulombOscillatorLosesTheSameAmplitudeEveryHalfPeriod) {
 
 // A ball on the plane z = 0.
 struct Ball {
-  Ball(const RigidPlane::Parameters& plane, double radius, const BodyState& state,
-       const Eigen::Vector3d& gravity)
+  Ball(const RigidPlane::Parameters& plane, double radius, const BodyState& state, const Eigen::Vector3d& gravity)
       : model(gravity) {
     const MassProperties sphere = with_mass(sphere_properties(radius, 1.0), 2.0);
     body = model.add_body(Body("ball", sphere.mass, sphere.inertia), state);
     auto contact = std::make_unique<RigidPlane>(
-        "plane",
-        std::vector<ContactPoint>{{body_marker(body, model.body(body), Eigen::Vector3d::Zero()), radius}},
+        "plane", std::vector<ContactPoint>{{body_marker(body, model.body(body), Eigen::Vector3d::Zero()), radius}},
         plane);
     element = contact.get();
     model.add_force(std::move(contact));
@@ -219,11 +215,10 @@ TEST_P(Kind, ConstantLoadDoesForceTimesWay) {
   run.inputs.loads[0].F_W = {1.0, -2.0, 0.5};
   run.inputs.loads[0].T_B = {0.0, 0.0, 0.7};  // about a principal axis: w = T t / J
   run.to(1.5, 4);
-  EXPECT_LT((run.body(body).r - 0.5 * 1.5 * 1.5 * run.inputs.loads[0].F_W / 2.0).norm(),
-            1e-8);  // quadratic in t: exact for both
+  // quadratic in t: exact for both
+  EXPECT_LT((run.body(body).r - 0.5 * 1.5 * 1.5 * run.inputs.loads[0].F_W / 2.0).norm(), 1e-8);
   EXPECT_NEAR(run.body(body).w.z(), 0.7 * 1.5 / 2.5, 1e-8);
-  const double expected =
-      run.inputs.loads[0].F_W.dot(run.body(body).r) + 0.5 * 2.5 * run.body(body).w.squaredNorm();
+  const double expected = run.inputs.loads[0].F_W.dot(run.body(body).r) + 0.5 * 2.5 * run.body(body).w.squaredNorm();
   EXPECT_NEAR(run.state.load_work[0], expected, 1e-7);
 }
 

@@ -138,13 +138,15 @@ TEST_F(FlexibleOutput, PointsOfThePicturesAreTheNodesOfTheBodies) {
       return numbers(piece.child(part).find_child_by_attribute("DataArray", "Name", name));
     };
     const std::vector<double> points = array("Points", "Points"), displacement = array("PointData", "displacement"),
-                              body = array("CellData", "body"), corners = array("Cells", "connectivity"), ends = array("Cells", "offsets");
+                              body = array("CellData", "body"), corners = array("Cells", "connectivity"),
+                              ends = array("Cells", "offsets");
     for (int i = 0; i < mechanism.model.body_count(); ++i) {
       if (mechanism.model.body(i).mode_count() == 0) continue;
       std::set<std::size_t> own;  // in ascending order they are the nodes 0, 1, ...
       for (std::size_t c = 0; c < body.size(); ++c)
         if (static_cast<int>(body[c]) == i)
-          for (auto k = static_cast<std::size_t>(c == 0 ? 0.0 : ends[c - 1]); k < static_cast<std::size_t>(ends[c]); ++k)
+          for (auto k = static_cast<std::size_t>(c == 0 ? 0.0 : ends[c - 1]); k < static_cast<std::size_t>(ends[c]);
+               ++k)
             own.insert(static_cast<std::size_t>(corners[k]));
       const ModalBody& modal = *mechanism.model.body(i).modal();
       ASSERT_EQ(own.size(), static_cast<std::size_t>(modal.node_count()));
@@ -152,10 +154,12 @@ TEST_F(FlexibleOutput, PointsOfThePicturesAreTheNodesOfTheBodies) {
       const Eigen::Vector3d r(value(".x"), value(".y"), value(".z"));
       const Eigen::Matrix3d A = (Eigen::AngleAxisd(value(".yaw"), Eigen::Vector3d::UnitZ()) *
                                  Eigen::AngleAxisd(value(".pitch"), Eigen::Vector3d::UnitY()) *
-                                 Eigen::AngleAxisd(value(".roll"), Eigen::Vector3d::UnitX())).toRotationMatrix();
+                                 Eigen::AngleAxisd(value(".roll"), Eigen::Vector3d::UnitX()))
+                                    .toRotationMatrix();
       int j = 0;
       for (const std::size_t point : own) {
-        const Eigen::Vector3d x = Eigen::Map<const Eigen::Vector3d>(&points[3 * point]), u = Eigen::Map<const Eigen::Vector3d>(&displacement[3 * point]);
+        const Eigen::Vector3d x = Eigen::Map<const Eigen::Vector3d>(&points[3 * point]),
+                              u = Eigen::Map<const Eigen::Vector3d>(&displacement[3 * point]);
         EXPECT_LT((x - u - r - A * modal.rho0.col(j)).norm(), 1e-7) << mechanism.model.body(i).name() << " node " << j;
         ++j;
         bent = std::max(bent, u.norm());

@@ -1,4 +1,5 @@
-// Flexible bodies as a scene gives them: warnings where linear modes end, no modes as no flexibility, models of other codes.
+// Flexible bodies as a scene gives them: warnings where linear modes end, no modes as no flexibility, models of other
+// codes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +38,8 @@ class FlexibleScene : public ::testing::Test {
   }
   static int count(const nlohmann::ordered_json& summary, const std::string& part) {
     int found = 0;
-    for (const auto& warning : summary["warnings"]) found += warning.get<std::string>().find(part) != std::string::npos ? 1 : 0;
+    for (const auto& warning : summary["warnings"])
+      found += warning.get<std::string>().find(part) != std::string::npos ? 1 : 0;
     return found;
   }
 
@@ -65,7 +67,8 @@ plots = false
 TEST_F(FlexibleScene, ThatSpinsTooFastForLinearModesIsWarnedOfOnce) {
   write("scene.toml", kRod);
   const auto fast = run({"initial.angular_velocity=[0,0,20]"});
-  EXPECT_EQ(count(fast, "body rod spins at 0.0696 of its lowest elastic frequency (287 rad/s)"), 1) << fast["warnings"].dump(1);
+  EXPECT_EQ(count(fast, "body rod spins at 0.0696 of its lowest elastic frequency (287 rad/s)"), 1)
+      << fast["warnings"].dump(1);
   EXPECT_EQ(count(fast, "body rod"), 1);
   EXPECT_NEAR(fast["flexible_bodies"]["rod"]["max_spin_over_lowest_frequency"], 20.0 / 287.1, 1e-3);
   EXPECT_EQ(count(run({"initial.angular_velocity=[0,0,10]"}), "body rod"), 0);
@@ -85,12 +88,14 @@ TEST_F(FlexibleScene, ThatBendsTooFarOrYieldsIsWarnedOfOnceForEach) {
   EXPECT_EQ(count(bent, "body rod has a von Mises stress of "), 1);
   EXPECT_EQ(count(bent, "body rod"), 2);
   EXPECT_EQ(count(run({"gravity=[0,0,-1.6]", "end_time=0.2"}), "body rod"), 0);
-  EXPECT_EQ(count(run({"gravity=[0,0,-150]", "end_time=0.2", "materials.steel.yield_stress_MPa=0"}), "von Mises"), 0) << "not known";
+  EXPECT_EQ(count(run({"gravity=[0,0,-150]", "end_time=0.2", "materials.steel.yield_stress_MPa=0"}), "von Mises"), 0)
+      << "not known";
 }
 
 TEST_F(FlexibleScene, WithoutModesIsTheRigidOneToTheBit) {
   write("scene.toml", kRod);
-  const std::vector<std::string> tumbling = {"initial.angular_velocity=[5,3,2]", "initial.velocity=[1,2,3]", "gravity=[0,0,-9.81]"};
+  const std::vector<std::string> tumbling = {"initial.angular_velocity=[5,3,2]", "initial.velocity=[1,2,3]",
+                                             "gravity=[0,0,-9.81]"};
   const auto with = [&](const std::string& setting) {
     std::vector<std::string> settings = tumbling;
     settings.push_back(setting);
@@ -107,12 +112,15 @@ TEST_F(FlexibleScene, WithoutModesIsTheRigidOneToTheBit) {
 void write_matrix(const std::string& path, const Eigen::SparseMatrix<double>& matrix) {
   std::ofstream file(path);
   file.precision(17);
-  file << "%%MatrixMarket matrix coordinate real general\n" << matrix.rows() << ' ' << matrix.cols() << ' ' << matrix.nonZeros() << '\n';
+  file << "%%MatrixMarket matrix coordinate real general\n"
+       << matrix.rows() << ' ' << matrix.cols() << ' ' << matrix.nonZeros() << '\n';
   for (int j = 0; j < matrix.cols(); ++j)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, j); it; ++it) file << it.row() + 1 << ' ' << j + 1 << ' ' << it.value() << '\n';
+    for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, j); it; ++it)
+      file << it.row() + 1 << ' ' << j + 1 << ' ' << it.value() << '\n';
 }
 
-// The same rod once as a shape and once as the matrices of its finite-element model, and as the reduced model of a file.
+// The same rod once as a shape and once as the matrices of its finite-element model, and as the reduced model of a
+// file.
 TEST_F(FlexibleScene, FromMatricesOrFromAFileMovesAsTheOneFromItsShape) {
   const FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 8, rod_section(0.01), Material{7850.0, 207e9, 0.3});
   write_matrix(path("K.mtx"), model.stiffness);

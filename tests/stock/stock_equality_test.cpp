@@ -10,8 +10,7 @@ namespace {
 const Eigen::Vector3d kPlate(0.3, 0.3, 0.02);  // [m], starts above the bed and touches it
 
 std::string thermo(const std::string& columns = "f_m[1] f_m[2] f_m[3] f_m[4] f_m[5] f_m[6]") {
-  return "thermo_style custom step atoms " + columns +
-         "\nthermo 50\nthermo_modify norm no format float %.17g\n";
+  return "thermo_style custom step atoms " + columns + "\nthermo 50\nthermo_modify norm no format float %.17g\n";
 }
 
 void expect_same_dumps(const RunFolder& folder, const std::string& a, const std::string& b,
@@ -49,15 +48,14 @@ TEST_P(OnRanks, APlateInTranslationGivesTheBitsOfMoveMesh) {
   write_stl((folder.path() / "plate.stl").string(), box(kPlate, 3));
   const auto script = [&](const std::string& name, const std::string& mover) {
     return small_bed(ranks == 1 ? "1 1 1" : "2 1 1") +
-           "fix m all mesh/surface/stress file plate.stl type 2 move 0 0 0.24\n" + mesh_wall() + mover +
-           thermo() + dump_every(200, name) + "run 1000\n";
+           "fix m all mesh/surface/stress file plate.stl type 2 move 0 0 0.24\n" + mesh_wall() + mover + thermo() +
+           dump_every(200, name) + "run 1000\n";
   };
   folder.write("in.stock", script("stock", "fix c all move/mesh mesh m linear 0.1 -0.05 -1.0\n"));
   folder.write("in.ours", script("ours", "fix mbd all couple/mbd every 5 mesh m plate\n"));
   const Outcome stock = folder.alone(kStock, ranks, "-in in.stock -log log.stock");
-  const Outcome ours =
-      folder.coupled(ranks, "-in in.ours -log log.ours",
-                     "until 0.05 body plate plate.stl 0 0 0.24 prescribed 0.1 -0.05 -1.0 0 0 0");
+  const Outcome ours = folder.coupled(ranks, "-in in.ours -log log.ours",
+                                      "until 0.05 body plate plate.stl 0 0 0.24 prescribed 0.1 -0.05 -1.0 0 0 0");
   ASSERT_EQ(stock.exit_code, 0) << stock.text;
   ASSERT_EQ(ours.exit_code, 0) << ours.text;
   expect_same_dumps(folder, "stock", "ours", {0, 200, 400, 600, 800, 1000});
@@ -73,13 +71,12 @@ TEST_P(OnRanks, APlateInRotationGivesMoveMeshToRoundOff) {
   write_stl((folder.path() / "plate.stl").string(), box(kPlate, 3));
   const auto script = [&](const std::string& name, const std::string& mover) {
     return small_bed(ranks == 1 ? "1 1 1" : "2 1 1") +
-           "fix m all mesh/surface/stress file plate.stl type 2 move 0 0 0.2365\n" + mesh_wall() + mover +
-           thermo() + dump_every(100, name) + "run 200\n";
+           "fix m all mesh/surface/stress file plate.stl type 2 move 0 0 0.2365\n" + mesh_wall() + mover + thermo() +
+           dump_every(100, name) + "run 200\n";
   };
   constexpr double kPeriod = 3.0;  // [s]
-  folder.write(
-      "in.stock",
-      script("stock", "fix c all move/mesh mesh m rotate origin 0 0 0.2365 axis 0 1 0 period 3.0\n"));
+  folder.write("in.stock",
+               script("stock", "fix c all move/mesh mesh m rotate origin 0 0 0.2365 axis 0 1 0 period 3.0\n"));
   folder.write("in.ours", script("ours", "fix mbd all couple/mbd every 5 mesh m plate\n"));
   const Outcome stock = folder.alone(kStock, ranks, "-in in.stock -log log.stock");
   std::ostringstream partner;
@@ -97,21 +94,19 @@ TEST_P(OnRanks, APlateInRotationGivesMoveMeshToRoundOff) {
   std::printf("largest difference after 200 steps: %.2g m, %.2g m/s\n", position, velocity);
   EXPECT_LT(position, 1e-13);  // 200 steps of round-off (1e-17 m each at 0.2 m) through contacts of 1e6 N/m
   EXPECT_LT(velocity, 1e-10);
-  const auto stock_lines = thermo_lines(folder.read("log.stock")),
-             lines = thermo_lines(folder.read("log.ours"));
+  const auto stock_lines = thermo_lines(folder.read("log.stock")), lines = thermo_lines(folder.read("log.ours"));
   ASSERT_EQ(stock_lines.size(), lines.size());
   for (std::size_t i = 1; i < lines.size(); ++i)
     for (std::size_t c = 2; c < 8; ++c)
-      EXPECT_NEAR(std::stod(lines[i][c]), std::stod(stock_lines[i][c]), 1e-6)
-          << "column " << c << " line " << i;
+      EXPECT_NEAR(std::stod(lines[i][c]), std::stod(stock_lines[i][c]), 1e-6) << "column " << c << " line " << i;
   EXPECT_GT(std::stod(lines.back()[4]), 10.0);  // it does press on grains [N]
 }
 
 TEST(Launcher, ScreenNoneWorksWithAMesh) {
   const RunFolder folder("stock_screen_none");
   write_stl((folder.path() / "plate.stl").string(), box(kPlate, 3));
-  folder.write("in", small_bed() + "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n" +
-                         mesh_wall() + "run 1\n");
+  folder.write("in",
+               small_bed() + "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n" + mesh_wall() + "run 1\n");
   const Outcome ours = folder.alone(RunFolder::program("liggghts_mbd"), 1, "-in in -screen none -log log");
   EXPECT_EQ(ours.exit_code, 0) << ours.text;
   EXPECT_EQ(ours.text, "");

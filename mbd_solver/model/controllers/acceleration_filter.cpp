@@ -7,8 +7,7 @@
 
 namespace footfall {
 
-AccelerationFilter::AccelerationFilter(std::string_view owner, double frequency, double period)
-    : period_(period) {
+AccelerationFilter::AccelerationFilter(std::string_view owner, double frequency, double period) : period_(period) {
   constexpr double kTwoPi = 6.28318530717958647692;
   require_not_negative(owner, "filter_frequency", frequency, "Hz");
   require_positive(owner, "period", period, "s");

@@ -5,12 +5,10 @@
 
 namespace footfall {
 
-ConstantController::ConstantController(const ConstantControllerParameters& parameters)
-    : parameters_(parameters) {
+ConstantController::ConstantController(const ConstantControllerParameters& parameters) : parameters_(parameters) {
   const std::string who = "controller constant";
   require_positive(who, "period", parameters.period, "s");
-  if (parameters.voltages.size() == 0)
-    throw InputError(who + ": no voltages; expected one for each controlled strut.");
+  if (parameters.voltages.size() == 0) throw InputError(who + ": no voltages; expected one for each controlled strut.");
   for (Eigen::Index i = 0; i < parameters.voltages.size(); ++i)
     require_within(who, "voltage " + std::to_string(i + 1), parameters.voltages[i], 0.0, 1.0, "");
 }

@@ -10,24 +10,21 @@ namespace {
 std::size_t input_index(std::string_view name) {
   for (std::size_t i = 0; i < kFuzzyInputs; ++i)
     if (name == kFuzzyInputNames[i]) return i;
-  throw InputError("control surface: unknown input \"" + std::string(name) +
-                   "\". Known inputs: a, da, alpha, beta.");
+  throw InputError("control surface: unknown input \"" + std::string(name) + "\". Known inputs: a, da, alpha, beta.");
 }
 
 }  // namespace
 
-ControlSurface control_surface(const FuzzySystem& system, int output, std::string_view first,
-                               std::string_view second, int points, const FuzzyInput& held) {
+ControlSurface control_surface(const FuzzySystem& system, int output, std::string_view first, std::string_view second,
+                               int points, const FuzzyInput& held) {
   const std::size_t i = input_index(first), j = input_index(second);
   if (i == j)
-    throw InputError("control surface: both axes are \"" + std::string(first) +
-                     "\"; expected two different inputs.");
+    throw InputError("control surface: both axes are \"" + std::string(first) + "\"; expected two different inputs.");
   if (output < 0 || output >= system.output_count())
-    throw InputError("control surface: there is no output U" + std::to_string(output + 1) +
-                     "; expected U1 to U" + std::to_string(system.output_count()) + ".");
+    throw InputError("control surface: there is no output U" + std::to_string(output + 1) + "; expected U1 to U" +
+                     std::to_string(system.output_count()) + ".");
   if (points < 2)
-    throw InputError("control surface: " + std::to_string(points) +
-                     " points along an axis; expected at least 2.");
+    throw InputError("control surface: " + std::to_string(points) + " points along an axis; expected at least 2.");
   ControlSurface surface{Eigen::VectorXd::LinSpaced(points, system.lower()[i], system.upper()[i]),
                          Eigen::VectorXd::LinSpaced(points, system.lower()[j], system.upper()[j]),
                          Eigen::MatrixXd(points, points)};

@@ -17,8 +17,7 @@ struct ControlSurface {
 // output: 0 for U1. first, second: names of two different inputs ("a", "da", "alpha", "beta"), each over its
 // whole range on `points` points. held: the values of the other two inputs. Throws InputError for an unknown
 // name or output.
-ControlSurface control_surface(const FuzzySystem& system, int output, std::string_view first,
-                               std::string_view second, int points = 41,
-                               const FuzzyInput& held = {0.0, 0.0, 0.0, 0.0});
+ControlSurface control_surface(const FuzzySystem& system, int output, std::string_view first, std::string_view second,
+                               int points = 41, const FuzzyInput& held = {0.0, 0.0, 0.0, 0.0});
 
 }  // namespace footfall

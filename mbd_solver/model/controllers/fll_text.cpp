@@ -13,10 +13,9 @@ const std::map<std::string, std::vector<std::string>> kKeys = {
     {"Engine", {"description"}},
     {"InputVariable", {"description", "enabled", "range", "lock-range", "term"}},
     {"OutputVariable",
-     {"description", "enabled", "range", "lock-range", "aggregation", "defuzzifier", "default",
-      "lock-previous", "term"}},
-    {"RuleBlock",
-     {"description", "enabled", "conjunction", "disjunction", "implication", "activation", "rule"}},
+     {"description", "enabled", "range", "lock-range", "aggregation", "defuzzifier", "default", "lock-previous",
+      "term"}},
+    {"RuleBlock", {"description", "enabled", "conjunction", "disjunction", "implication", "activation", "rule"}},
 };
 
 std::string trimmed(const std::string& text) {
@@ -25,16 +24,13 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-std::string first_word(const std::string& text) {
-  return text.substr(0, text.find_first_of(" \t"));
-}
+std::string first_word(const std::string& text) { return text.substr(0, text.find_first_of(" \t")); }
 
 }  // namespace
 
 std::vector<FllBlock> read_fll_text(const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in)
-    throw InputError(file.string() + ": cannot be read. Expected a fuzzy controller (.fll); check the path.");
+  if (!in) throw InputError(file.string() + ": cannot be read. Expected a fuzzy controller (.fll); check the path.");
   std::vector<FllBlock> blocks;
   std::string text;
   for (int number = 1; std::getline(in, text); ++number) {
@@ -43,8 +39,7 @@ std::vector<FllBlock> read_fll_text(const std::filesystem::path& file) {
     if (line.empty()) continue;
     const auto colon = line.find(':');
     if (colon == std::string::npos)
-      throw InputError(where + "\"" + line +
-                       "\" has no colon; expected \"key: value\", for example \"range: 0 5\".");
+      throw InputError(where + "\"" + line + "\" has no colon; expected \"key: value\", for example \"range: 0 5\".");
     const FllLine entry{number, trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1))};
     if (kKeys.count(entry.key) > 0) {
       for (const FllBlock& other : blocks)
@@ -56,15 +51,14 @@ std::vector<FllBlock> read_fll_text(const std::filesystem::path& file) {
       continue;
     }
     if (blocks.empty())
-      throw InputError(where + "\"" + entry.key +
-                       "\" stands before any block; expected \"Engine: name\" first.");
+      throw InputError(where + "\"" + entry.key + "\" stands before any block; expected \"Engine: name\" first.");
     FllBlock& block = blocks.back();
     const std::vector<std::string>& known = kKeys.at(block.head.key);
     if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
       std::string list;
       for (const std::string& key : known) list += (list.empty() ? "" : ", ") + key;
-      throw InputError(where + "unknown key \"" + entry.key + "\" in " + block.head.key + " \"" +
-                       block.head.value + "\". Known keys: " + list + ".");
+      throw InputError(where + "unknown key \"" + entry.key + "\" in " + block.head.key + " \"" + block.head.value +
+                       "\". Known keys: " + list + ".");
     }
     if (entry.key == "term")
       for (const FllLine& other : block.lines)

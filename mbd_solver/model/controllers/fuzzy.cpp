@@ -41,19 +41,16 @@ void check_lines(const std::string& file, const FllBlock& block) {
   for (const FllLine& line : block.lines) {
     if (line.key == "rule") continue;
     try {
-      import("Engine: check\n" + block.head.key + ": " + block.head.value + "\n" + line.key + ": " +
-             line.value + "\n");
+      import("Engine: check\n" + block.head.key + ": " + block.head.value + "\n" + line.key + ": " + line.value + "\n");
     } catch (const fl::Exception& error) {
-      throw InputError(file + ":" + std::to_string(line.number) + ": \"" + line.key + ": " + line.value +
-                       "\" of " + block.head.key + " \"" + block.head.value +
-                       "\" is not understood: " + first_line(error));
+      throw InputError(file + ":" + std::to_string(line.number) + ": \"" + line.key + ": " + line.value + "\" of " +
+                       block.head.key + " \"" + block.head.value + "\" is not understood: " + first_line(error));
     }
   }
 }
 
 std::string without_brackets(std::string word) {
-  word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == '(' || c == ')'; }),
-             word.end());
+  word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == '(' || c == ')'; }), word.end());
   return word;
 }
 
@@ -90,8 +87,8 @@ void check_rule(const std::string& where, const std::string& text, const fl::Eng
 }
 
 // Where a key of a variable stands, or the variable if the key is not given.
-std::string where_is(const std::string& file, const std::vector<FllBlock>& blocks,
-                     const std::string& variable, const std::string& key) {
+std::string where_is(const std::string& file, const std::vector<FllBlock>& blocks, const std::string& variable,
+                     const std::string& key) {
   for (const FllBlock& block : blocks) {
     if (block.head.key.find("Variable") == std::string::npos || block.head.value != variable) continue;
     for (const FllLine& line : block.lines)
@@ -101,22 +98,18 @@ std::string where_is(const std::string& file, const std::vector<FllBlock>& block
   return file + ": ";
 }
 
-void check_range(const std::string& where, const fl::Variable& variable, bool valid,
-                 const std::string& expected) {
+void check_range(const std::string& where, const fl::Variable& variable, bool valid, const std::string& expected) {
   if (!valid || !std::isfinite(variable.range()))
-    throw InputError(where + "range of \"" + variable.getName() + "\" is " +
-                     number_text(variable.getMinimum()) + " to " + number_text(variable.getMaximum()) +
-                     "; expected " + expected + ".");
+    throw InputError(where + "range of \"" + variable.getName() + "\" is " + number_text(variable.getMinimum()) +
+                     " to " + number_text(variable.getMaximum()) + "; expected " + expected + ".");
 }
 
 // The term of an input that a plain rule asks for, gathered over "and" into `terms`; false if the antecedent
 // is anything else.
-bool gather(const fl::Expression* node, const std::vector<fl::InputVariable*>& inputs,
-            std::array<int, 4>& terms) {
+bool gather(const fl::Expression* node, const std::vector<fl::InputVariable*>& inputs, std::array<int, 4>& terms) {
   if (node->type() == fl::Expression::Operator) {
     const auto* op = static_cast<const fl::Operator*>(node);
-    return op->name == fl::Rule::andKeyword() && gather(op->left, inputs, terms) &&
-           gather(op->right, inputs, terms);
+    return op->name == fl::Rule::andKeyword() && gather(op->left, inputs, terms) && gather(op->right, inputs, terms);
   }
   const auto* p = static_cast<const fl::Proposition*>(node);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -154,8 +147,7 @@ struct FuzzySystem::Engine {
   void check_coverage(const std::string& file) const;
   std::optional<MamdaniSystem> plain_system() const;
   void set_inputs(const FuzzyInput& value) const {
-    for (std::size_t i = 0; i < kFuzzyInputs; ++i)
-      input[i]->setValue(std::clamp(value[i], lower[i], upper[i]));
+    for (std::size_t i = 0; i < kFuzzyInputs; ++i) input[i]->setValue(std::clamp(value[i], lower[i], upper[i]));
   }
 };
 
@@ -187,8 +179,8 @@ void FuzzySystem::Engine::take_variables(const std::string& file, const std::vec
       throw InputError(where_is(file, blocks, v->getName(), "") + "OutputVariable \"" + v->getName() +
                        "\" is output number " + std::to_string(i + 1) +
                        "; expected the outputs U1, U2, ... in this order.");
-    check_range(where_is(file, blocks, expected, "range"), *v,
-                v->getMinimum() == 0.0 && v->getMaximum() == 1.0, "0 to 1");
+    check_range(where_is(file, blocks, expected, "range"), *v, v->getMinimum() == 0.0 && v->getMaximum() == 1.0,
+                "0 to 1");
     if (v->isLockPreviousValue())
       throw InputError(where_is(file, blocks, expected, "lock-previous") + "\"" + expected +
                        "\" keeps its previous value; expected lock-previous: false, because a hidden memory "
@@ -196,8 +188,7 @@ void FuzzySystem::Engine::take_variables(const std::string& file, const std::vec
     output.push_back(v);
   }
   if (output.empty())
-    throw InputError(file +
-                     ": there is no OutputVariable; expected U1, U2, ...: one for each controlled strut.");
+    throw InputError(file + ": there is no OutputVariable; expected U1, U2, ...: one for each controlled strut.");
 }
 
 // The ends of an input's range and, rising between them, the corners of its terms. `complete` is false if a
@@ -209,8 +200,8 @@ std::vector<double> FuzzySystem::Engine::corners(std::size_t i, bool& complete) 
     if (const auto* triangle = dynamic_cast<const fl::Triangle*>(term))
       all.insert(all.end(), {triangle->getVertexA(), triangle->getVertexB(), triangle->getVertexC()});
     else if (const auto* trapezoid = dynamic_cast<const fl::Trapezoid*>(term))
-      all.insert(all.end(), {trapezoid->getVertexA(), trapezoid->getVertexB(), trapezoid->getVertexC(),
-                             trapezoid->getVertexD()});
+      all.insert(all.end(),
+                 {trapezoid->getVertexA(), trapezoid->getVertexB(), trapezoid->getVertexC(), trapezoid->getVertexD()});
     else if (const auto* ramp = dynamic_cast<const fl::Ramp*>(term))
       all.insert(all.end(), {ramp->getStart(), ramp->getEnd()});
     else if (const auto* rectangle = dynamic_cast<const fl::Rectangle*>(term))
@@ -219,11 +210,9 @@ std::vector<double> FuzzySystem::Engine::corners(std::size_t i, bool& complete) 
       complete = false;
   }
   std::sort(all.begin(), all.end());
-  std::vector<double>
-      inside;  // corners closer than a thousandth of the range are one (decimals written short)
+  std::vector<double> inside;  // corners closer than a thousandth of the range are one (decimals written short)
   for (const double c : all)
-    if (c >= lower[i] && c <= upper[i] &&
-        (inside.empty() || c - inside.back() > 1e-3 * (upper[i] - lower[i])))
+    if (c >= lower[i] && c <= upper[i] && (inside.empty() || c - inside.back() > 1e-3 * (upper[i] - lower[i])))
       inside.push_back(c);
   inside.back() = upper[i];
   return inside;
@@ -237,8 +226,7 @@ void FuzzySystem::Engine::check_coverage(const std::string& file) const {
   for (std::size_t i = 0; i < kFuzzyInputs; ++i) {
     bool complete = true;
     nodes[i] = corners(i, complete);
-    for (std::size_t k = nodes[i].size() - 1; k > 0; --k)
-      nodes[i].push_back(0.5 * (nodes[i][k] + nodes[i][k - 1]));
+    for (std::size_t k = nodes[i].size() - 1; k > 0; --k) nodes[i].push_back(0.5 * (nodes[i][k] + nodes[i][k - 1]));
     for (int k = 0; !complete && k <= 8; ++k) nodes[i].push_back(lower[i] + (upper[i] - lower[i]) * k / 8.0);
   }
   const auto check = [&](const FuzzyInput& x) {
@@ -248,10 +236,9 @@ void FuzzySystem::Engine::check_coverage(const std::string& file) const {
       if (rules->isEnabled()) rules->activate();
     for (const fl::OutputVariable* v : output)
       if (v->fuzzyOutput()->isEmpty())
-        throw InputError(
-            file + ": no rule fires for " + v->getName() + " at a = " + number_text(x[0]) + ", da = " +
-            number_text(x[1]) + ", alpha = " + number_text(x[2]) + ", beta = " + number_text(x[3]) +
-            "; expected rules that cover the whole input box. Add the missing rule, or widen the terms.");
+        throw InputError(file + ": no rule fires for " + v->getName() + " at a = " + number_text(x[0]) + ", da = " +
+                         number_text(x[1]) + ", alpha = " + number_text(x[2]) + ", beta = " + number_text(x[3]) +
+                         "; expected rules that cover the whole input box. Add the missing rule, or widen the terms.");
   };
   for (const double a : nodes[0])
     for (const double da : nodes[1])
@@ -266,8 +253,7 @@ std::optional<MamdaniSystem> FuzzySystem::Engine::plain_system() const {
     if (!centroid || !dynamic_cast<const fl::Maximum*>(v->fuzzyOutput()->getAggregation()) || !v->isEnabled())
       return {};
     const int samples = centroid->getResolution();
-    const Eigen::VectorXd x =
-        Eigen::VectorXd::LinSpaced(samples, 0.5 / samples, 1.0 - 0.5 / samples);  // range 0 to 1
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(samples, 0.5 / samples, 1.0 - 0.5 / samples);  // range 0 to 1
     const double without = v->getDefaultValue();
     system.outputs.push_back({0.0, 1.0, std::isnan(without) ? kNoRuleVoltage : without, memberships(*v, x)});
   }
@@ -302,8 +288,8 @@ FuzzySystem::FuzzySystem(const std::filesystem::path& path) : engine_(std::make_
   const std::string file = path.string();
   const std::vector<FllBlock> blocks = read_fll_text(path);
   fl::fuzzylite::setLogging(false);  // its complaints come as exceptions; it must not write into our output
-  std::string variables,
-      rules;  // the file's text in two parts, because rules can be checked only against variables
+  // the file's text in two parts, because rules can be checked only against variables
+  std::string variables, rules;
   for (const FllBlock& block : blocks) {
     check_lines(file, block);
     std::string& text = block.head.key == "RuleBlock" ? rules : variables;
@@ -322,8 +308,7 @@ FuzzySystem::FuzzySystem(const std::filesystem::path& path) : engine_(std::make_
   }
   engine_->take_variables(file, blocks);
   std::string status;
-  if (!engine_->engine->isReady(&status))
-    throw InputError(file + ": the controller is not complete: " + status);
+  if (!engine_->engine->isReady(&status)) throw InputError(file + ": the controller is not complete: " + status);
   engine_->check_coverage(file);
   engine_->plain = engine_->plain_system();
 }
@@ -332,15 +317,9 @@ FuzzySystem::~FuzzySystem() = default;
 FuzzySystem::FuzzySystem(FuzzySystem&&) noexcept = default;
 FuzzySystem& FuzzySystem::operator=(FuzzySystem&&) noexcept = default;
 
-int FuzzySystem::output_count() const {
-  return static_cast<int>(engine_->output.size());
-}
-const FuzzyInput& FuzzySystem::lower() const {
-  return engine_->lower;
-}
-const FuzzyInput& FuzzySystem::upper() const {
-  return engine_->upper;
-}
+int FuzzySystem::output_count() const { return static_cast<int>(engine_->output.size()); }
+const FuzzyInput& FuzzySystem::lower() const { return engine_->lower; }
+const FuzzyInput& FuzzySystem::upper() const { return engine_->upper; }
 
 std::vector<double> FuzzySystem::breakpoints(int input) const {
   bool complete = true;
@@ -362,8 +341,7 @@ void FuzzySystem::evaluate(const FuzzyInput& value, Eigen::Ref<Eigen::VectorXd> 
   }
 }
 
-std::vector<double> FuzzySystem::evaluate_on_grid(
-    const std::array<Eigen::VectorXd, kFuzzyInputs>& nodes) const {
+std::vector<double> FuzzySystem::evaluate_on_grid(const std::array<Eigen::VectorXd, kFuzzyInputs>& nodes) const {
   if (engine_->plain) {
     std::array<Eigen::MatrixXd, kFuzzyInputs> axis;
     for (std::size_t i = 0; i < kFuzzyInputs; ++i)

@@ -16,9 +16,8 @@ FuzzyController::FuzzyController(const FuzzyControllerParameters& parameters)
 void FuzzyController::sample(const ControllerMeasurement& m, Eigen::Ref<Eigen::VectorXd> voltages) {
   constexpr double kDegree = 180.0 / 3.14159265358979323846;
   filter_.sample(m.acceleration);
-  const FuzzyInput input = {filter_.acceleration() / kStandardGravity,
-                            filter_.jerk() * kJerkTime / kStandardGravity, m.pitch * kDegree,
-                            m.roll * kDegree};
+  const FuzzyInput input = {filter_.acceleration() / kStandardGravity, filter_.jerk() * kJerkTime / kStandardGravity,
+                            m.pitch * kDegree, m.roll * kDegree};
   if (table_)
     table_->evaluate(input, voltages);
   else
@@ -31,8 +30,6 @@ Eigen::VectorXd FuzzyController::memory() const {
   return memory;
 }
 
-void FuzzyController::restore(const Eigen::Ref<const Eigen::VectorXd>& memory) {
-  filter_.restore(memory);
-}
+void FuzzyController::restore(const Eigen::Ref<const Eigen::VectorXd>& memory) { filter_.restore(memory); }
 
 }  // namespace footfall

@@ -19,8 +19,7 @@ Eigen::VectorXd axis_nodes(const std::vector<double>& corners, int points, const
   const std::size_t intervals = corners.size() - 1;
   if (points < static_cast<int>(corners.size()))
     throw InputError("controller fuzzy: grid has " + std::to_string(points) + " points along " + name +
-                     "; expected at least " + std::to_string(corners.size()) +
-                     ", one for each corner of its terms.");
+                     "; expected at least " + std::to_string(corners.size()) + ", one for each corner of its terms.");
   std::vector<int> parts(intervals, 1);
   for (int left = points - 1 - static_cast<int>(intervals); left > 0;
        --left) {  // the next part goes to the longest parts

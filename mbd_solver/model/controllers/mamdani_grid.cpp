@@ -26,8 +26,7 @@ struct Sampled {
     for (Eigen::Index t = 0; t < level.size(); ++t) {
       if (level[t] <= 0.0) continue;
       const Eigen::Index from = begin[static_cast<std::size_t>(t)], n = count[static_cast<std::size_t>(t)];
-      y.segment(from, n) =
-          y.segment(from, n).max(output.membership.col(t).segment(from, n).array().min(level[t]));
+      y.segment(from, n) = y.segment(from, n).max(output.membership.col(t).segment(from, n).array().min(level[t]));
     }
     const double area = y.sum();
     return area > 0.0 ? (x * y).sum() / area : output.value_without_rule;
@@ -41,8 +40,7 @@ struct Sampled {
 
 }  // namespace
 
-std::vector<double> evaluate_on_grid(const MamdaniSystem& system,
-                                     const std::array<Eigen::MatrixXd, 4>& axis) {
+std::vector<double> evaluate_on_grid(const MamdaniSystem& system, const std::array<Eigen::MatrixXd, 4>& axis) {
   std::vector<Sampled> outputs(system.outputs.begin(), system.outputs.end());
   const auto membership = [&](const MamdaniRule& rule, std::size_t input, Eigen::Index node) {
     return rule.term[input] < 0 ? 1.0 : axis[input](node, rule.term[input]);
@@ -63,8 +61,7 @@ std::vector<double> evaluate_on_grid(const MamdaniSystem& system,
         for (Eigen::Index l = 0; l < axis[3].rows(); ++l) {
           for (Sampled& output : outputs) output.level.setZero();
           for (const auto& [rule, so_far] : active) {
-            const double degree =
-                rule->weight * std::min({so_far, membership(*rule, 2, k), membership(*rule, 3, l)});
+            const double degree = rule->weight * std::min({so_far, membership(*rule, 2, k), membership(*rule, 3, l)});
             for (const auto& [output, term] : rule->outcomes) {
               double& at = outputs[static_cast<std::size_t>(output)].level[term];
               at = std::max(at, degree);

@@ -27,9 +27,7 @@ void PidController::sample(const ControllerMeasurement& m, Eigen::Ref<Eigen::Vec
   const PidControllerParameters& p = parameters_;
   filter_.sample(m.acceleration);
   const double error = p.set_point - filter_.acceleration();
-  const auto wanted = [&](double integral) {
-    return p.bias + p.kp * error + p.ki * integral - p.kd * filter_.jerk();
-  };
+  const auto wanted = [&](double integral) { return p.bias + p.kp * error + p.ki * integral - p.kd * filter_.jerk(); };
   // The integral takes this sample's error unless that only drives a saturated U further, or the body does
   // not brake.
   const double next = integral_ + error * p.period;

@@ -73,8 +73,7 @@ BeamSection rectangle_section(double width, double height) {
   section.torsion_modulus = section.torsion / (b * (1.0 - 8.0 / (kPi * kPi) * shear));
   const double y = 0.5 * width;
   const double z = 0.5 * height;
-  section.fibres = {Eigen::Vector2d(y, z), Eigen::Vector2d(-y, z), Eigen::Vector2d(-y, -z),
-                    Eigen::Vector2d(y, -z)};
+  section.fibres = {Eigen::Vector2d(y, z), Eigen::Vector2d(-y, z), Eigen::Vector2d(-y, -z), Eigen::Vector2d(y, -z)};
   return section;
 }
 

@@ -36,8 +36,7 @@ Reduced solve_reduced(const MatrixXd& M, const MatrixXd& A) {
   const MatrixXd scaled_A = scale.asDiagonal() * A * scale.asDiagonal();
   const Eigen::LLT<MatrixXd> cholesky(scaled_A);
   if (cholesky.info() != Eigen::Success || !scale.allFinite())
-    throw InputError(
-        "stiffness is not positive definite: a motion stores no strain energy, or a negative one.");
+    throw InputError("stiffness is not positive definite: a motion stores no strain energy, or a negative one.");
   MatrixXd C = scale.asDiagonal() * M * scale.asDiagonal();
   cholesky.matrixL().solveInPlace(C);
   C = cholesky.matrixL().solve(C.transpose()).eval();
@@ -70,8 +69,7 @@ Modes subspace_modes(const Sparse& K, const Sparse& M, int count, double shift) 
   const Sparse A = K + shift * M;
   const Eigen::SimplicialLDLT<Sparse> factor(A);
   if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0))
-    throw InputError(
-        "stiffness is not positive definite: a motion stores no strain energy, or a negative one.");
+    throw InputError("stiffness is not positive definite: a motion stores no strain energy, or a negative one.");
   const Index n = A.rows();
   const Index width = std::min<Index>(mass_rank(M), std::max<Index>(2 * count, count + 8));
   std::mt19937 random(1);  // the same start every time: the same result every time
@@ -97,8 +95,8 @@ Modes subspace_modes(const Sparse& K, const Sparse& M, int count, double shift) 
       return modes_from(mu, X * reduced.y.leftCols(count), shift);
     last = mu;
   }
-  throw NumericalError("modes: subspace iteration for " + std::to_string(count) +
-                       " modes did not converge in " + std::to_string(kMaxIterations) + " iterations.");
+  throw NumericalError("modes: subspace iteration for " + std::to_string(count) + " modes did not converge in " +
+                       std::to_string(kMaxIterations) + " iterations.");
 }
 
 }  // namespace
@@ -121,8 +119,7 @@ int mass_rank(const Sparse& M) {
     for (std::size_t a = 0; a < block.size(); ++a)
       for (std::size_t b = 0; b < block.size(); ++b)
         dense(static_cast<Index>(a), static_cast<Index>(b)) = M.coeff(block[a], block[b]);
-    const VectorXd values =
-        Eigen::SelfAdjointEigenSolver<MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues();
+    const VectorXd values = Eigen::SelfAdjointEigenSolver<MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues();
     rank += static_cast<int>((values.array() > kRank * values.maxCoeff()).count());
   }
   return rank;
@@ -131,8 +128,8 @@ int mass_rank(const Sparse& M) {
 Modes lowest_modes(const Sparse& K, const Sparse& M, int count, double shift, EigenMethod method) {
   FOOTFALL_DEMAND(count >= 0 && K.rows() == M.rows());
   if (count > K.rows())
-    throw InputError(std::to_string(count) + " modes asked for, but there are only " +
-                     std::to_string(K.rows()) + " degrees of freedom.");
+    throw InputError(std::to_string(count) + " modes asked for, but there are only " + std::to_string(K.rows()) +
+                     " degrees of freedom.");
   if (count > mass_rank(M)) refuse_massless(count);
   if (count == 0) return {VectorXd(0), MatrixXd(K.rows(), 0)};
   const bool dense = method == EigenMethod::kDense ||

@@ -18,8 +18,8 @@ enum class EigenMethod { kAutomatic, kDense, kSubspace };
 // first elastic lambda for a free one. Dense for small problems, else subspace iteration on (K + shift M)^-1
 // M; both give the same modes. Throws InputError when M has fewer than `count` positive directions or K +
 // shift M is not positive definite, NumericalError when the iteration does not converge.
-Modes lowest_modes(const Eigen::SparseMatrix<double>& K, const Eigen::SparseMatrix<double>& M, int count,
-                   double shift, EigenMethod method = EigenMethod::kAutomatic);
+Modes lowest_modes(const Eigen::SparseMatrix<double>& K, const Eigen::SparseMatrix<double>& M, int count, double shift,
+                   EigenMethod method = EigenMethod::kAutomatic);
 
 // Number of independent motions with mass of a lumped (block-diagonal, blocks of at most 3) mass matrix.
 int mass_rank(const Eigen::SparseMatrix<double>& M);

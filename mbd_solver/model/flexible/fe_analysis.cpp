@@ -32,16 +32,15 @@ VectorXd static_solution(const FeModel& model, const std::vector<int>& fixed, co
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(K);
   const double largest = K.diagonal().cwiseAbs().maxCoeff();
   if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 1e-14 * largest))
-    throw InputError(
-        "static solution: the supports leave the body free to move. Fix more degrees of freedom.");
+    throw InputError("static solution: the supports leave the body free to move. Fix more degrees of freedom.");
   return scattered(factor.solve(gathered(load, free)), free, load.size());
 }
 
 VectorXd natural_frequencies(const FeModel& model, const std::vector<int>& fixed, int count) {
   const std::vector<int> free = other_dofs(active_dofs(model), fixed);
   const Eigen::SparseMatrix<double> M = lumped_mass_matrix(model);
-  const Modes modes = lowest_modes(selected(model.stiffness, free, free), selected(M, free, free), count,
-                                   elastic_scale(model));
+  const Modes modes =
+      lowest_modes(selected(model.stiffness, free, free), selected(M, free, free), count, elastic_scale(model));
   return modes.lambda.cwiseMax(0.0).cwiseSqrt() / (2.0 * std::acos(-1.0));
 }
 

@@ -15,8 +15,7 @@ Eigen::VectorXd pressure_load(const FeModel& model, double pressure);
 
 // 6N displacements [m, rad] under the load (6N), with the listed degrees of freedom (6 j + i) held at zero.
 // Throws InputError when the supports leave the body free to move.
-Eigen::VectorXd static_solution(const FeModel& model, const std::vector<int>& fixed,
-                                const Eigen::VectorXd& load);
+Eigen::VectorXd static_solution(const FeModel& model, const std::vector<int>& fixed, const Eigen::VectorXd& load);
 
 // The lowest natural frequencies on these supports [Hz]; a free body has six zeros first.
 Eigen::VectorXd natural_frequencies(const FeModel& model, const std::vector<int>& fixed, int count);

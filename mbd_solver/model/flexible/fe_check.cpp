@@ -17,10 +17,9 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr double kSymmetric = 1e-6;  // largest |K - K^T| over largest |K|: files print six digits or more
-constexpr double kUnsupported =
-    1e-6;  // force of a rigid-body motion over the sum of its parts' magnitudes, likewise
-constexpr double kRank = 1e-12;  // singular below this fraction of the largest eigenvalue
+constexpr double kSymmetric = 1e-6;    // largest |K - K^T| over largest |K|: files print six digits or more
+constexpr double kUnsupported = 1e-6;  // force of a rigid-body motion over the sum of its parts' magnitudes, likewise
+constexpr double kRank = 1e-12;        // singular below this fraction of the largest eigenvalue
 
 void check_mass(const FeModel& model, const std::string& who) {
   const std::string not_positive = who + ": mass matrix is not positive: ";
@@ -31,14 +30,12 @@ void check_mass(const FeModel& model, const std::string& who) {
     const Matrix3d& J = model.node_inertia[static_cast<std::size_t>(j)];
     const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(J, Eigen::EigenvaluesOnly).eigenvalues();
     if (!(moments.minCoeff() >= -kRank * moments.cwiseAbs().maxCoeff()))
-      throw InputError(not_positive + "node " + std::to_string(j) +
-                       " has a rotary inertia with the principal value " +
+      throw InputError(not_positive + "node " + std::to_string(j) + " has a rotary inertia with the principal value " +
                        std::to_string(moments.minCoeff()) + " kg m2, expected 0 or more.");
   }
   if (!(model.node_mass.sum() > 0.0)) throw InputError(not_positive + "the body has no mass.");
   const Vector3d moments =
-      Eigen::SelfAdjointEigenSolver<Matrix3d>(mass_properties(model).inertia, Eigen::EigenvaluesOnly)
-          .eigenvalues();
+      Eigen::SelfAdjointEigenSolver<Matrix3d>(mass_properties(model).inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(moments.minCoeff() > kRank * moments.maxCoeff()))
     throw InputError(not_positive +
                      "the body has no inertia about one of its axes, expected nodes that are not all in one "
@@ -75,9 +72,9 @@ void check_free(const FeModel& model, const std::string& who) {
     const double force = (model.stiffness * R.col(k)).norm();
     const double parts = (magnitude * R.col(k).cwiseAbs()).norm();
     if (!(force <= kUnsupported * parts))
-      throw InputError(who + ": the stiffness matrix resists " +
-                       (k < 3 ? "translation along " : "rotation about ") + std::string(1, "xyz"[k % 3]) +
-                       " of the whole body (relative force " + std::to_string(force / parts) +
+      throw InputError(who + ": the stiffness matrix resists " + (k < 3 ? "translation along " : "rotation about ") +
+                       std::string(1, "xyz"[k % 3]) + " of the whole body (relative force " +
+                       std::to_string(force / parts) +
                        "), expected a free body. Remove its supports; joints are given in the scene.");
   }
 }

@@ -63,8 +63,8 @@ void require_members(const std::vector<Vector3d>& nodes, const std::vector<BeamM
     const std::string who = "beam model: member " + std::to_string(e);
     for (int node : {member.first, member.second}) {
       if (node < 0 || node >= n)
-        throw InputError(who + ": unknown node " + std::to_string(node) + ", expected 0 to " +
-                         std::to_string(n - 1) + ".");
+        throw InputError(who + ": unknown node " + std::to_string(node) + ", expected 0 to " + std::to_string(n - 1) +
+                         ".");
       used[static_cast<std::size_t>(node)] = true;
     }
     if (member.section < 0 || member.section >= static_cast<int>(sections.size()))
@@ -75,8 +75,7 @@ void require_members(const std::vector<Vector3d>& nodes, const std::vector<BeamM
     if (!a.allFinite() || !b.allFinite() || !member.up.allFinite())
       throw InputError(who + ": the coordinates of its nodes or its up direction are not finite numbers.");
     if (!((b - a).norm() > 0.0))
-      throw InputError(who + ": its nodes " + std::to_string(member.first) + " and " +
-                       std::to_string(member.second) +
+      throw InputError(who + ": its nodes " + std::to_string(member.first) + " and " + std::to_string(member.second) +
                        " are at the same place, expected two different points.");
     piece[static_cast<std::size_t>(root(member.second))] = root(member.first);
   }
@@ -119,8 +118,8 @@ FeModel beam_model(const std::vector<Vector3d>& nodes, const std::vector<BeamMem
     const double mass = material.density * section.area * length;
     const Vector3d rotary(section.bending_y + section.bending_z, section.bending_y, section.bending_z);
     const Matrix3d inertia = material.density * length * R_DE * rotary.asDiagonal() * R_DE.transpose();
-    for (const auto& [node, weight] : {std::pair{member.first, 1.0 / 6.0}, std::pair{middle, 4.0 / 6.0},
-                                       std::pair{member.second, 1.0 / 6.0}}) {
+    for (const auto& [node, weight] :
+         {std::pair{member.first, 1.0 / 6.0}, std::pair{middle, 4.0 / 6.0}, std::pair{member.second, 1.0 / 6.0}}) {
       model.node_mass(node) += weight * mass;
       model.node_inertia[static_cast<std::size_t>(node)] += weight * inertia;
     }
@@ -130,14 +129,12 @@ FeModel beam_model(const std::vector<Vector3d>& nodes, const std::vector<BeamMem
     for (const Eigen::Vector2i& half :
          {Eigen::Vector2i(member.first, middle), Eigen::Vector2i(middle, member.second)}) {
       add_stiffness(K, {half(0), half(1)}, stiffness);
-      add_stress(S, 6 * kBeamStressPoints * static_cast<int>(model.segments.size()), {half(0), half(1)},
-                 stress);
+      add_stress(S, 6 * kBeamStressPoints * static_cast<int>(model.segments.size()), {half(0), half(1)}, stress);
       model.segments.push_back(half);
     }
   }
   model.stiffness = assembled(6 * count, 6 * count, stiffness);
-  model.stress =
-      assembled(6 * kBeamStressPoints * static_cast<int>(model.segments.size()), 6 * count, stress);
+  model.stress = assembled(6 * kBeamStressPoints * static_cast<int>(model.segments.size()), 6 * count, stress);
   return model;
 }
 
@@ -158,12 +155,10 @@ FeModel straight_beam(const Vector3d& from, const Vector3d& to, int n, const Bea
   return beam_model(nodes, members, {section}, material);
 }
 
-FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& material,
-                    const std::string& where) {
+FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& material, const std::string& where) {
   check(material);
   if (!(thickness > 0.0))
-    throw InputError(where + ": thickness is " + std::to_string(thickness) +
-                     " m, expected a positive number.");
+    throw InputError(where + ": thickness is " + std::to_string(thickness) + " m, expected a positive number.");
   MeshDemands demands;
   demands.connected = true;
   demands.oriented = true;
@@ -179,8 +174,8 @@ FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& 
   Triplets stiffness, stress;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     const Eigen::Vector3i& corner = mesh.triangles[static_cast<std::size_t>(t)];
-    const PlateElement element(model.nodes.col(corner(0)), model.nodes.col(corner(1)),
-                               model.nodes.col(corner(2)), thickness, material);
+    const PlateElement element(model.nodes.col(corner(0)), model.nodes.col(corner(1)), model.nodes.col(corner(2)),
+                               thickness, material);
     const std::vector<int> nodes = {corner(0), corner(1), corner(2)};
     add_stiffness(element.stiffness(), nodes, stiffness);
     add_stress(element.stress(), 12 * t, nodes, stress);
@@ -221,8 +216,7 @@ Eigen::SparseMatrix<double> lumped_mass_matrix(const FeModel& model) {
 }
 
 FeModel with_mass(FeModel model, double mass) {
-  if (!(mass > 0.0))
-    throw InputError("body: mass is " + std::to_string(mass) + " kg, expected a positive number.");
+  if (!(mass > 0.0)) throw InputError("body: mass is " + std::to_string(mass) + " kg, expected a positive number.");
   const double factor = mass / model.node_mass.sum();
   model.node_mass *= factor;
   for (Matrix3d& J : model.node_inertia) J *= factor;

@@ -21,10 +21,10 @@ struct FeModel {
   Eigen::SparseMatrix<double> stiffness;      // 6N x 6N, symmetric, both triangles stored
   Eigen::VectorXd node_mass;                  // N [kg]
   std::vector<Eigen::Matrix3d> node_inertia;  // N rotary inertias, in D [kg m2]
-  Eigen::SparseMatrix<double> stress;  // 6P x 6N: stress (xx yy zz xy yz zx, element axes) of P points [Pa]
-  std::vector<Eigen::Vector3i> triangles;  // points 2 t (top), 2 t + 1 (bottom) belong to triangle t
-  std::vector<Eigen::Vector2i> segments;   // points 8 e ... 8 e + 7 belong to segment e
-  bool rotations = true;                   // false: a solid model of a foreign code; nodes have no rotations
+  Eigen::SparseMatrix<double> stress;         // 6P x 6N: stress (xx yy zz xy yz zx, element axes) of P points [Pa]
+  std::vector<Eigen::Vector3i> triangles;     // points 2 t (top), 2 t + 1 (bottom) belong to triangle t
+  std::vector<Eigen::Vector2i> segments;      // points 8 e ... 8 e + 7 belong to segment e
+  bool rotations = true;                      // false: a solid model of a foreign code; nodes have no rotations
 
   int node_count() const { return static_cast<int>(nodes.cols()); }
 };
@@ -44,8 +44,8 @@ FeModel beam_model(const std::vector<Eigen::Vector3d>& nodes, const std::vector<
                    const std::vector<BeamSection>& sections, const Material& material);
 
 // Nodes 0..n from one end to the other, n + 1 ... 2 n the middles of the n elements.
-FeModel straight_beam(const Eigen::Vector3d& from, const Eigen::Vector3d& to, int n,
-                      const BeamSection& section, const Material& material);
+FeModel straight_beam(const Eigen::Vector3d& from, const Eigen::Vector3d& to, int n, const BeamSection& section,
+                      const Material& material);
 
 // Thin shell on any connected triangle mesh (its mid-surface); a third of each triangle's mass at each
 // corner, no rotary inertia.

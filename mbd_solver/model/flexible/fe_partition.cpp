@@ -43,8 +43,7 @@ std::vector<int> other_dofs(const std::vector<int>& all, const std::vector<int>&
 
 Sparse selected(const Sparse& matrix, const std::vector<int>& rows, const std::vector<int>& columns) {
   std::vector<int> number(static_cast<std::size_t>(matrix.rows()), -1);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    number[static_cast<std::size_t>(rows[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < rows.size(); ++i) number[static_cast<std::size_t>(rows[i])] = static_cast<int>(i);
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t j = 0; j < columns.size(); ++j)
     for (Sparse::InnerIterator it(matrix, columns[j]); it; ++it) {
@@ -126,8 +125,7 @@ double elastic_scale(const FeModel& model) {
       start /= std::sqrt(start.dot(M * start));
     }
     const double better = start.dot(K * start);
-    if (!(better > kScaleFloor * scale))
-      break;  // no strain energy but round-off: a mechanism, for others to find
+    if (!(better > kScaleFloor * scale)) break;  // no strain energy but round-off: a mechanism, for others to find
     const bool settled = better > 0.5 * scale;
     scale = std::min(scale, better);
     if (settled) break;

@@ -11,6 +11,8 @@ double lowest_frequency(const ModalBody& body) {
   return std::sqrt(body.stiffness.minCoeff());
 }
 
-double extent(const ModalBody& body) { return (body.rho0.rowwise().maxCoeff() - body.rho0.rowwise().minCoeff()).norm(); }
+double extent(const ModalBody& body) {
+  return (body.rho0.rowwise().maxCoeff() - body.rho0.rowwise().minCoeff()).norm();
+}
 
 }  // namespace footfall

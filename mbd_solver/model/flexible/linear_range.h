@@ -1,6 +1,7 @@
 #pragma once
-// Where the floating frame with linear modes holds. It has no geometric stiffening (centrifugal tension does not stiffen bending) and takes
-// deflections as small. Measured in tests/physics/rotating_beam_test.cpp and large_deflection_test.cpp; docs: theory, bodies.
+// Where the floating frame with linear modes holds. It has no geometric stiffening (centrifugal tension does not
+// stiffen bending) and takes deflections as small. Measured in tests/physics/rotating_beam_test.cpp and
+// large_deflection_test.cpp; docs: theory, bodies.
 
 #include <Eigen/Dense>
 
@@ -8,11 +9,11 @@
 
 namespace footfall {
 
-// |w| over the lowest elastic angular frequency of the free body: up to here bending frequencies err by less than one percent, held at an end
-// or free; the error grows with the square.
+// |w| over the lowest elastic angular frequency of the free body: up to here bending frequencies err by less than one
+// percent, held at an end or free; the error grows with the square.
 constexpr double kSpinRange = 0.04;
-// Largest deflection from mean axes over the extent of the body: up to here it errs by less than one percent; the error grows with the
-// square.
+// Largest deflection from mean axes over the extent of the body: up to here it errs by less than one percent; the error
+// grows with the square.
 constexpr double kDeflectionRange = 0.01;
 
 // Lowest elastic angular frequency of the free body [rad/s]; the body has modes.

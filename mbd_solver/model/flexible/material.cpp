@@ -14,8 +14,7 @@ void check(const Material& material) {
   if (!(material.young > 0.0) || !std::isfinite(material.young))
     message << "material: Young's modulus is " << material.young << " Pa, expected a positive number. ";
   if (!(material.poisson > -1.0 && material.poisson < 0.5))
-    message << "material: Poisson's ratio is " << material.poisson
-            << ", expected a number between -1 and 0.5. ";
+    message << "material: Poisson's ratio is " << material.poisson << ", expected a number between -1 and 0.5. ";
   if (!message.str().empty()) throw InputError(message.str());
 }
 

@@ -30,9 +30,8 @@ Sparse read_matrix(const std::string& path) {
   TextRecords header(path, '\0');
   header.require_next(expected);
   const std::vector<std::string>& w = header.words();
-  if (w.size() != 5 || lower(w[0]) != "%%matrixmarket" || lower(w[1]) != "matrix" ||
-      lower(w[2]) != "coordinate" || (lower(w[3]) != "real" && lower(w[3]) != "integer") ||
-      (lower(w[4]) != "symmetric" && lower(w[4]) != "general"))
+  if (w.size() != 5 || lower(w[0]) != "%%matrixmarket" || lower(w[1]) != "matrix" || lower(w[2]) != "coordinate" ||
+      (lower(w[3]) != "real" && lower(w[3]) != "integer") || (lower(w[4]) != "symmetric" && lower(w[4]) != "general"))
     header.fail("not a matrix that can be read, expected " + expected + ".");
   const bool symmetric = lower(w[4]) == "symmetric";
 
@@ -64,8 +63,7 @@ Sparse six_per_node(const Sparse& matrix, int per_node) {
   std::vector<Eigen::Triplet<double>> triplets;
   const auto dof = [per_node](Index i) { return static_cast<int>(6 * (i / per_node) + i % per_node); };
   for (Index j = 0; j < matrix.cols(); ++j)
-    for (Sparse::InnerIterator it(matrix, j); it; ++it)
-      triplets.emplace_back(dof(it.row()), dof(j), it.value());
+    for (Sparse::InnerIterator it(matrix, j); it; ++it) triplets.emplace_back(dof(it.row()), dof(j), it.value());
   const Index size = 6 * matrix.rows() / per_node;
   Sparse result(size, size);
   result.setFromTriplets(triplets.begin(), triplets.end());
@@ -85,8 +83,7 @@ void lump(const Sparse& M, const std::string& path, FeModel& model) {
   }
   const double mass = total.mean();
   if (!(diagonal.minCoeff() > 0.0 && total.minCoeff() > 0.0))
-    throw InputError(path + ": mass matrix is not positive: the total mass is " + std::to_string(mass) +
-                     " kg.");
+    throw InputError(path + ": mass matrix is not positive: the total mass is " + std::to_string(mass) + " kg.");
   if (!((total.array() - mass).abs().maxCoeff() <= 1e-6 * mass))
     throw InputError(path + ": the total mass differs along x, y and z (" + std::to_string(total.x()) + ", " +
                      std::to_string(total.y()) + ", " + std::to_string(total.z()) +
@@ -121,11 +118,11 @@ FeModel read_matrix_market(const std::string& stiffness_path, const std::string&
   const auto n = static_cast<Index>(nodes.size());
   if (K.rows() != 3 * n && K.rows() != 6 * n)
     throw InputError(stiffness_path + ": " + std::to_string(K.rows()) + " rows for the " + std::to_string(n) +
-                     " nodes of " + nodes_path + ", expected 3 or 6 per node: " + std::to_string(3 * n) +
-                     " or " + std::to_string(6 * n) + ".");
+                     " nodes of " + nodes_path + ", expected 3 or 6 per node: " + std::to_string(3 * n) + " or " +
+                     std::to_string(6 * n) + ".");
   if (M.rows() != K.rows())
-    throw InputError(mass_path + ": " + std::to_string(M.rows()) + " rows, expected " +
-                     std::to_string(K.rows()) + " as in " + stiffness_path + ".");
+    throw InputError(mass_path + ": " + std::to_string(M.rows()) + " rows, expected " + std::to_string(K.rows()) +
+                     " as in " + stiffness_path + ".");
   const int per_node = static_cast<int>(K.rows() / n);
   FeModel model;
   model.rotations = per_node == 6;

@@ -29,8 +29,7 @@ std::string triangles(const std::vector<int>& numbers) {
 
 int root(std::vector<int>& parent, int i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
-    parent[static_cast<std::size_t>(i)] =
-        parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
+    parent[static_cast<std::size_t>(i)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
     i = parent[static_cast<std::size_t>(i)];
   }
   return i;
@@ -47,8 +46,7 @@ std::vector<std::vector<int>> pieces(const TriangleMesh& mesh) {
     groups[root(parent, mesh.triangles[t](0))].push_back(static_cast<int>(t));
   std::vector<std::vector<int>> result;
   for (auto& group : groups) result.push_back(std::move(group.second));
-  std::stable_sort(result.begin(), result.end(),
-                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return result;
 }
 
@@ -65,16 +63,14 @@ std::vector<std::string> mesh_findings(const TriangleMesh& mesh, const MeshDeman
     const Eigen::Vector3i& corner = mesh.triangles[t];
     const int number = static_cast<int>(t);
     bool valid = corner.minCoeff() >= 0 && corner.maxCoeff() < static_cast<int>(mesh.vertices.size());
-    for (int i = 0; valid && i < 3; ++i)
-      valid = mesh.vertices[static_cast<std::size_t>(corner(i))].allFinite();
+    for (int i = 0; valid && i < 3; ++i) valid = mesh.vertices[static_cast<std::size_t>(corner(i))].allFinite();
     if (!valid) {
       invalid.push_back(number);
       continue;
     }
     double longest = 0.0;
     std::array<Eigen::Vector3d, 3> p;
-    for (int i = 0; i < 3; ++i)
-      p[static_cast<std::size_t>(i)] = mesh.vertices[static_cast<std::size_t>(corner(i))];
+    for (int i = 0; i < 3; ++i) p[static_cast<std::size_t>(i)] = mesh.vertices[static_cast<std::size_t>(corner(i))];
     for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (p[(i + 1) % 3] - p[i]).norm());
     if (!((p[1] - p[0]).cross(p[2] - p[0]).norm() > kDegenerate * longest * longest)) {
       degenerate.push_back(number);
@@ -103,9 +99,9 @@ std::vector<std::string> mesh_findings(const TriangleMesh& mesh, const MeshDeman
     const std::vector<std::vector<int>> found = pieces(mesh);
     if (found.size() > 1)
       findings.push_back("the mesh falls into " + std::to_string(found.size()) +
-                         " disconnected pieces, expected one. The largest has " +
-                         std::to_string(found[0].size()) + " triangles; the next consists of " +
-                         triangles(found[1]) + ". If they should touch, their common vertices differ.");
+                         " disconnected pieces, expected one. The largest has " + std::to_string(found[0].size()) +
+                         " triangles; the next consists of " + triangles(found[1]) +
+                         ". If they should touch, their common vertices differ.");
   }
   // An edge is open if only one triangle has it, and crowded if more than two have.
   std::vector<int> open, crowded, turned;
@@ -128,10 +124,9 @@ std::vector<std::string> mesh_findings(const TriangleMesh& mesh, const MeshDeman
     findings.push_back("the surface is not closed: " + triangles(crowded) +
                        " meet at an edge of more than two triangles, expected every edge to belong to two.");
   if (demands.oriented && !turned.empty())
-    findings.push_back(
-        triangles(turned) +
-        ": neighbours disagree on which side is outside, expected all corners counter-clockwise seen "
-        "from outside. Turn one of them round.");
+    findings.push_back(triangles(turned) +
+                       ": neighbours disagree on which side is outside, expected all corners counter-clockwise seen "
+                       "from outside. Turn one of them round.");
   return findings;
 }
 

@@ -17,20 +17,16 @@ constexpr double kMaxTriangles = 2e6;  // more is a mistake in a unit
 
 void require_positive(double value, const char* what) {
   if (!(value > 0.0) || !std::isfinite(value))
-    throw InputError(std::string("mesh: ") + what + " is " + std::to_string(value) +
-                     " m, expected a positive number.");
+    throw InputError(std::string("mesh: ") + what + " is " + std::to_string(value) + " m, expected a positive number.");
 }
 
 // Number of equal parts of a length so that none is longer than the edge.
-int parts(double length, double edge) {
-  return std::max(1, static_cast<int>(std::ceil(length / edge - 1e-9)));
-}
+int parts(double length, double edge) { return std::max(1, static_cast<int>(std::ceil(length / edge - 1e-9))); }
 
 void require_affordable(double triangles) {
   if (triangles > kMaxTriangles)
-    throw InputError("mesh: edge length asks for " + std::to_string(triangles) +
-                     " triangles, expected at most " + std::to_string(kMaxTriangles) +
-                     ". Use longer edges, in metres.");
+    throw InputError("mesh: edge length asks for " + std::to_string(triangles) + " triangles, expected at most " +
+                     std::to_string(kMaxTriangles) + ". Use longer edges, in metres.");
 }
 
 // Ring k has 6 k vertices; each of the six sectors between rings k-1 and k has k triangles pointing inward
@@ -39,9 +35,7 @@ void require_affordable(double triangles) {
 TriangleMesh ring_mesh(int rings, const std::function<Vector3d(double, double)>& place) {
   require_affordable(6.0 * rings * rings);
   TriangleMesh mesh;
-  const auto vertex = [](int ring, int i) {
-    return ring == 0 ? 0 : 3 * ring * (ring - 1) + 1 + i % (6 * ring);
-  };
+  const auto vertex = [](int ring, int i) { return ring == 0 ? 0 : 3 * ring * (ring - 1) + 1 + i % (6 * ring); };
   mesh.vertices.push_back(place(0.0, 0.0));
   for (int k = 1; k <= rings; ++k) {
     for (int i = 0; i < 6 * k; ++i)
@@ -73,8 +67,8 @@ TriangleMesh dish_mesh(double rim_radius, double depth, double edge) {
   require_positive(depth, "dish depth");
   require_positive(edge, "edge length");
   if (depth > rim_radius)
-    throw InputError("mesh: dish depth is " + std::to_string(depth) +
-                     " m, expected at most the radius of the rim, " + std::to_string(rim_radius) + " m.");
+    throw InputError("mesh: dish depth is " + std::to_string(depth) + " m, expected at most the radius of the rim, " +
+                     std::to_string(rim_radius) + " m.");
   const double sphere = (rim_radius * rim_radius + depth * depth) / (2.0 * depth);
   const double opening = std::atan2(rim_radius, sphere - depth);
   return ring_mesh(parts(sphere * opening, edge), [sphere, opening](double s, double phi) {

@@ -19,15 +19,13 @@ using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kTwoPi = 6.28318530717958647692;
-constexpr double kNoStiffness = 1e-8;  // lambda over elastic scale: less is motion without strain
-constexpr double kStaticShift = 1e-4;  // of the elastic scale; see static_shapes
-constexpr int kStaticPasses = 5;       // error 1e-4 to the sixth power, with a scale 100 times too high 1e-12
+constexpr double kNoStiffness = 1e-8;     // lambda over elastic scale: less is motion without strain
+constexpr double kStaticShift = 1e-4;     // of the elastic scale; see static_shapes
+constexpr int kStaticPasses = 5;          // error 1e-4 to the sixth power, with a scale 100 times too high 1e-12
 constexpr double kInterfaceMargin = 1.5;  // fixed-interface modes go up to 1.5 times the frequency limit
 constexpr int kFirstGuess = 16;           // modes asked for first when only a frequency limit is known
 
-double lambda_of(double frequency) {
-  return std::pow(kTwoPi * frequency, 2);
-}
+double lambda_of(double frequency) { return std::pow(kTwoPi * frequency, 2); }
 
 // What reduce() works on: stiffness and mass on the active degrees of freedom.
 struct Problem {
@@ -55,9 +53,8 @@ void require_six_rigid(const VectorXd& lambda, const Problem& problem) {
   const double zero = std::max(kNoStiffness * problem.scale, 10.0 * lambda.head<6>().cwiseAbs().maxCoeff());
   const Index rigid = (lambda.array() <= zero).count();
   if (rigid > 6)
-    throw InputError(
-        problem.name + ": the body can move without strain in " + std::to_string(rigid) +
-        " ways, expected the six rigid-body motions. Look for hinges or loose nodes in the model.");
+    throw InputError(problem.name + ": the body can move without strain in " + std::to_string(rigid) +
+                     " ways, expected the six rigid-body motions. Look for hinges or loose nodes in the model.");
 }
 
 // Elastic free-free modes, columns on the active degrees of freedom.
@@ -109,8 +106,7 @@ MatrixXd craig_bampton_basis(const Problem& problem, const std::vector<int>& hel
 
   const Sparse K_ii = selected(problem.K, inside, inside);
   const Sparse M_ii = selected(problem.M, inside, inside);
-  basis +=
-      scattered(static_shapes(K_ii, M_ii, selected(problem.K, inside, held), problem.scale), inside, size);
+  basis += scattered(static_shapes(K_ii, M_ii, selected(problem.K, inside, held), problem.scale), inside, size);
   const int rank = mass_rank(M_ii);
   Modes fixed;
   if (count) {
@@ -128,8 +124,8 @@ MatrixXd craig_bampton_basis(const Problem& problem, const std::vector<int>& hel
 MatrixXd craig_bampton_shapes(const Problem& problem, const std::vector<int>& held, std::optional<int> count,
                               double limit) {
   const MatrixXd basis = craig_bampton_basis(problem, held, count, limit);
-  const Modes modes = all_modes(basis.transpose() * (problem.K * basis),
-                                basis.transpose() * (problem.M * basis), problem.scale);
+  const Modes modes =
+      all_modes(basis.transpose() * (problem.K * basis), basis.transpose() * (problem.M * basis), problem.scale);
   require_six_rigid(modes.lambda, problem);
   const Index elastic = modes.lambda.size() - 6;
   return basis * modes.shapes.middleCols(6, std::min<Index>(elastic, count ? *count : elastic));
@@ -141,8 +137,7 @@ void check_options(const BasisOptions& options, const std::string& name) {
   if (options.max_frequency && !(*options.max_frequency > 0.0))
     throw InputError(name + ": maximum frequency is " + std::to_string(*options.max_frequency) +
                      " Hz, expected a positive number.");
-  if (options.damping_ratio.empty())
-    throw InputError(name + ": no damping ratio given, expected at least one.");
+  if (options.damping_ratio.empty()) throw InputError(name + ": no damping ratio given, expected at least one.");
   for (double zeta : options.damping_ratio)
     if (!(zeta >= 0.0) || !std::isfinite(zeta))
       throw InputError(name + ": damping ratio is " + std::to_string(zeta) + ", expected 0 or more.");
@@ -164,9 +159,8 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
                   mass_rank(M) - 6,
                   name};
   if (options.mode_count && *options.mode_count > problem.available)
-    throw InputError(name + ": " + std::to_string(*options.mode_count) +
-                     " modes asked for, but the model of " + std::to_string(model.node_count()) +
-                     " nodes has only " + std::to_string(problem.available) +
+    throw InputError(name + ": " + std::to_string(*options.mode_count) + " modes asked for, but the model of " +
+                     std::to_string(model.node_count()) + " nodes has only " + std::to_string(problem.available) +
                      " elastic degrees of freedom with mass. Ask for fewer modes or refine the mesh.");
   std::optional<int> count = options.mode_count;
   if (!count && !options.max_frequency) count = std::min(kDefaultModeCount, problem.available);
@@ -178,8 +172,8 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
   MatrixXd shapes(problem.K.rows(), 0);
   try {
     if (!count || *count > 0)
-      shapes = held.empty() ? free_free_shapes(problem, count, limit)
-                            : craig_bampton_shapes(problem, held, count, limit);
+      shapes =
+          held.empty() ? free_free_shapes(problem, count, limit) : craig_bampton_shapes(problem, held, count, limit);
   } catch (const InputError& error) {
     throw InputError(name + ": " + error.what());
   } catch (const NumericalError& error) {
@@ -206,8 +200,6 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
   return orthonormalised(std::move(raw), shapes.transpose() * (model.stiffness * shapes), kept);
 }
 
-VectorXd frequencies(const ModalBody& body) {
-  return body.stiffness.cwiseSqrt() / kTwoPi;
-}
+VectorXd frequencies(const ModalBody& body) { return body.stiffness.cwiseSqrt() / kTwoPi; }
 
 }  // namespace footfall

@@ -36,14 +36,13 @@ struct BasisOptions {
       0.01};  // zeta: one for all modes, or one per mode (the modes beyond use the last) [-]
   // Where joints and forces attach (Craig-Bampton only). A node in both lists counts as the first.
   std::vector<int> interface_nodes;  // joints that can transmit moments: six static shapes each
-  std::vector<int> pinned_nodes;  // spherical joints, struts, forces without moment: three static shapes each
+  std::vector<int> pinned_nodes;     // spherical joints, struts, forces without moment: three static shapes each
 };
 
 struct ReducedBody {
   ModalBody body;
-  Eigen::Vector3d p_DBo =
-      Eigen::Vector3d::Zero();        // centre of mass in the drawing frame D [m]; B has D's axes
-  std::vector<std::string> warnings;  // e.g. frequencies that suggest wrong units
+  Eigen::Vector3d p_DBo = Eigen::Vector3d::Zero();  // centre of mass in the drawing frame D [m]; B has D's axes
+  std::vector<std::string> warnings;                // e.g. frequencies that suggest wrong units
 };
 
 // Throws InputError, naming the body: more modes than degrees of freedom, an interface node that does not

@@ -21,8 +21,7 @@ constexpr int kMaxCount = 1000000;  // more nodes, modes or triangles than this 
 
 // Reads `keyword N`, returns N.
 int read_count(TextRecords& file, const std::string& keyword, int low) {
-  if (file.words()[0] != keyword)
-    file.fail("\"" + file.words()[0] + "\", expected \"" + keyword + " COUNT\".");
+  if (file.words()[0] != keyword) file.fail("\"" + file.words()[0] + "\", expected \"" + keyword + " COUNT\".");
   if (file.size() != 2) file.fail("expected \"" + keyword + "\" and one number.");
   return file.integer(1, low, kMaxCount);
 }
@@ -64,8 +63,8 @@ void read_modes(TextRecords& file, ModalBody& body) {
   const int s = read_count(file, "modes", 0);
   const int n = body.node_count();
   if (s > 6 * n - 6)
-    file.fail(std::to_string(s) + " modes, but " + std::to_string(n) + " nodes have only " +
-              std::to_string(6 * n - 6) + " elastic degrees of freedom.");
+    file.fail(std::to_string(s) + " modes, but " + std::to_string(n) + " nodes have only " + std::to_string(6 * n - 6) +
+              " elastic degrees of freedom.");
   std::vector<VectorXd> Phi, Psi;  // as they come, so that a wrong count does not ask for memory
   for (int k = 0; k < s; ++k) {
     file.require_next("\"mode " + std::to_string(k) + "\"");
@@ -146,8 +145,7 @@ void read_rest(TextRecords& file, ModalBody& body, BasisOptions& options) {
         for (Index k = 0; k < s; ++k) body.stress_modes(i, k) = file.number(static_cast<std::size_t>(k));
       }
     } else {
-      file.fail("\"" + keyword +
-                "\", expected one of damping, triangles, segments, stress (each once) or end.");
+      file.fail("\"" + keyword + "\", expected one of damping, triangles, segments, stress (each once) or end.");
     }
   }
   if (file.next()) file.fail("text after \"end\".");
@@ -159,8 +157,7 @@ ReducedBody read_modal_body(const std::string& path, const BasisOptions& given, 
   TextRecords file(path, '#');
   const std::string first = std::string("\"") + kFormat + " " + std::to_string(kVersion) + "\"";
   file.require_next(first);
-  if (file.words()[0] != kFormat || file.size() != 2)
-    file.fail("not a modal body file, expected " + first + ".");
+  if (file.words()[0] != kFormat || file.size() != 2) file.fail("not a modal body file, expected " + first + ".");
   file.integer(1, kVersion, kVersion);
   BasisOptions options = given;
   ModalBody body;
@@ -185,8 +182,7 @@ void write_modal_body(const std::string& path, const ModalBody& body, const Vect
     const Vector3d p = body.rho0.col(j) + p_DBo;
     file << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << body.node_mass(j);
     if (!J.isZero(0.0))
-      file << ' ' << J(0, 0) << ' ' << J(1, 1) << ' ' << J(2, 2) << ' ' << J(0, 1) << ' ' << J(1, 2) << ' '
-           << J(2, 0);
+      file << ' ' << J(0, 0) << ' ' << J(1, 1) << ' ' << J(2, 2) << ' ' << J(0, 1) << ' ' << J(1, 2) << ' ' << J(2, 0);
     file << '\n';
   }
   file << "modes " << body.mode_count() << '\n';
@@ -202,8 +198,7 @@ void write_modal_body(const std::string& path, const ModalBody& body, const Vect
   file << "stiffness\n";
   for (Index k = 0; k < body.mode_count(); ++k) file << body.stiffness(k) << '\n';
   file << "damping\n";
-  for (Index k = 0; k < body.mode_count(); ++k)
-    file << body.damping(k) / (2.0 * std::sqrt(body.stiffness(k))) << '\n';
+  for (Index k = 0; k < body.mode_count(); ++k) file << body.damping(k) / (2.0 * std::sqrt(body.stiffness(k))) << '\n';
   file << "triangles " << body.triangles.size() << '\n';
   for (const Eigen::Vector3i& t : body.triangles) file << t.transpose() << '\n';
   file << "segments " << body.segments.size() << '\n';
@@ -213,8 +208,7 @@ void write_modal_body(const std::string& path, const ModalBody& body, const Vect
          << body.stress_modes.format(Eigen::IOFormat(17, Eigen::DontAlignCols)) << '\n';
   file << "end\n";
   file.close();
-  if (!file)
-    throw InputError(path + ": the file cannot be written. Check that the folder exists and has room.");
+  if (!file) throw InputError(path + ": the file cannot be written. Check that the folder exists and has room.");
 }
 
 }  // namespace footfall

@@ -22,10 +22,8 @@ Matrix3d skew(const Vector3d& x) {
 // A body without inertia about some axis has a singular mass matrix: refuse it here, where its name is known.
 void require_positive(double mass, const Matrix3d& inertia, const std::string& body) {
   const std::string who = body.empty() ? "body" : "body \"" + body + "\"";
-  if (!(mass > 0.0))
-    throw InputError(who + ": mass is " + std::to_string(mass) + " kg, expected a positive number.");
-  const Vector3d moments =
-      Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+  if (!(mass > 0.0)) throw InputError(who + ": mass is " + std::to_string(mass) + " kg, expected a positive number.");
+  const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(moments.minCoeff() > 0.0) || !inertia.allFinite())
     throw InputError(who + ": smallest principal moment of inertia is " + std::to_string(moments.minCoeff()) +
                      " kg m2, expected a symmetric positive definite inertia about the centre of mass.");
@@ -50,11 +48,7 @@ ModalInertia::ModalInertia(double mass, const Matrix3d& inertia)
 }
 
 ModalInertia::ModalInertia(const ModalBody& body)
-    : modes_(body.mode_count()),
-      S0_(Vector3d::Zero()),
-      J0_(Matrix3d::Zero()),
-      K_(body.stiffness),
-      C_(body.damping) {
+    : modes_(body.mode_count()), S0_(Vector3d::Zero()), J0_(Matrix3d::Zero()), K_(body.stiffness), C_(body.damping) {
   const Index s = modes_;
   const Index nodes = body.node_count();
   FOOTFALL_DEMAND(body.node_mass.size() == nodes);
@@ -111,9 +105,7 @@ Vector3d ModalInertia::coupling(int k, const Vec& a) const {
   return C;
 }
 
-Matrix3d ModalInertia::gyration_rate(int l, int k) const {
-  return Eigen::Map<const Matrix3d>(&G1_(9 * k, l));
-}
+Matrix3d ModalInertia::gyration_rate(int l, int k) const { return Eigen::Map<const Matrix3d>(&G1_(9 * k, l)); }
 
 Matrix3d ModalInertia::gyration(int k, const Vec& a) const {
   Matrix3d G = Eigen::Map<const Matrix3d>(&G0_(0, k));
@@ -154,8 +146,7 @@ void ModalInertia::mass_matrix(const Vec& a, Eigen::Ref<Eigen::MatrixXd> M) cons
 // force:   2 w x (S1 da) + w x (w x S)
 // moment:  w x J w + 2 sum_k da_k G_k w + w x (P da)
 // modal k: -w^T G_k w + 2 sum_l da_l w . (sum m Phi_l x Phi_k) + C_k da_k + K_k a_k
-void ModalInertia::velocity_and_elastic_force(const Vec& a, const Vec& v,
-                                              Eigen::Ref<Eigen::VectorXd> h) const {
+void ModalInertia::velocity_and_elastic_force(const Vec& a, const Vec& v, Eigen::Ref<Eigen::VectorXd> h) const {
   FOOTFALL_DEMAND(a.size() == modes_ && v.size() == 6 + modes_ && h.size() == 6 + modes_);
   const Vector3d w = v.segment<3>(3);
   Matrix3d J = J0_;
@@ -182,8 +173,7 @@ void ModalInertia::derivatives(const Vec& a, const Vec& v, const Vec& dv, Eigen:
                                Eigen::Ref<Eigen::MatrixXd> dg_dv) const {
   const Index size = 6 + modes_;
   FOOTFALL_DEMAND(a.size() == modes_ && v.size() == size && dv.size() == size);
-  FOOTFALL_DEMAND(dg_da.rows() == size && dg_da.cols() == modes_ && dg_dv.rows() == size &&
-                  dg_dv.cols() == size);
+  FOOTFALL_DEMAND(dg_da.rows() == size && dg_da.cols() == modes_ && dg_dv.rows() == size && dg_dv.cols() == size);
   const Vector3d w = v.segment<3>(3);
   const Vector3d ddr = dv.head<3>();
   const Vector3d dw = dv.segment<3>(3);
@@ -243,16 +233,10 @@ double ModalInertia::kinetic_energy(const Vec& a, const Vec& v) const {
   return T;
 }
 
-double ModalInertia::strain_energy(const Vec& a) const {
-  return 0.5 * (K_.array() * a.array().square()).sum();
-}
+double ModalInertia::strain_energy(const Vec& a) const { return 0.5 * (K_.array() * a.array().square()).sum(); }
 
-double ModalInertia::damping_power(const Vec& da) const {
-  return (C_.array() * da.array().square()).sum();
-}
+double ModalInertia::damping_power(const Vec& da) const { return (C_.array() * da.array().square()).sum(); }
 
-Vector3d ModalInertia::centre_of_mass(const Vec& a) const {
-  return first_moment(a) / mass_;
-}
+Vector3d ModalInertia::centre_of_mass(const Vec& a) const { return first_moment(a) / mass_; }
 
 }  // namespace footfall

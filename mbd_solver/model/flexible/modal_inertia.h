@@ -27,15 +27,13 @@ class ModalInertia {
   void mass_matrix(const Eigen::Ref<const Eigen::VectorXd>& a, Eigen::Ref<Eigen::MatrixXd> M) const;
   // h(a, v): 6+s.
   void velocity_and_elastic_force(const Eigen::Ref<const Eigen::VectorXd>& a,
-                                  const Eigen::Ref<const Eigen::VectorXd>& v,
-                                  Eigen::Ref<Eigen::VectorXd> h) const;
+                                  const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::Ref<Eigen::VectorXd> h) const;
   // Derivatives of g = M(a) dv + h(a, v) at fixed dv: dg_da (6+s) x s, dg_dv (6+s) x (6+s). (dg_ddv is M.)
   void derivatives(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& v,
                    const Eigen::Ref<const Eigen::VectorXd>& dv, Eigen::Ref<Eigen::MatrixXd> dg_da,
                    Eigen::Ref<Eigen::MatrixXd> dg_dv) const;
   // 1/2 v^T M(a) v  and  1/2 a^T K a [J];  da^T C da [W].
-  double kinetic_energy(const Eigen::Ref<const Eigen::VectorXd>& a,
-                        const Eigen::Ref<const Eigen::VectorXd>& v) const;
+  double kinetic_energy(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& v) const;
   double strain_energy(const Eigen::Ref<const Eigen::VectorXd>& a) const;
   double damping_power(const Eigen::Ref<const Eigen::VectorXd>& da) const;
   // sum_j m_j rho_j(a) / m: centre of mass relative to Bo, in B [m] (zero for s = 0).

@@ -24,8 +24,8 @@ int joint_node(const Eigen::Matrix3Xd& nodes, bool rotations, const Vector3d& p,
   std::ostringstream message;
   if (!(distance <= tolerance)) {
     message << "no joint can attach at (" << p.transpose() << ") m: the nearest node, " << node << ", at ("
-            << nodes.col(node).transpose() << ") m, is " << distance << " m away, expected at most "
-            << tolerance << " m. Move the joint to a node, or put a node there.";
+            << nodes.col(node).transpose() << ") m, is " << distance << " m away, expected at most " << tolerance
+            << " m. Move the joint to a node, or put a node there.";
     throw InputError(message.str());
   }
   if (needs_rotation && !rotations) {
@@ -39,13 +39,9 @@ int joint_node(const Eigen::Matrix3Xd& nodes, bool rotations, const Vector3d& p,
 
 }  // namespace
 
-int nearest_node(const FeModel& model, const Vector3d& p_D) {
-  return nearest(model.nodes, p_D);
-}
+int nearest_node(const FeModel& model, const Vector3d& p_D) { return nearest(model.nodes, p_D); }
 
-int nearest_node(const ModalBody& body, const Vector3d& p_B) {
-  return nearest(body.rho0, p_B);
-}
+int nearest_node(const ModalBody& body, const Vector3d& p_B) { return nearest(body.rho0, p_B); }
 
 int joint_node(const FeModel& model, const Vector3d& p_D, double tolerance, bool needs_rotation) {
   return joint_node(model.nodes, model.rotations, p_D, tolerance, needs_rotation);

@@ -12,12 +12,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // Degrees of freedom of an element in its own axes: node i holds [u v w theta_x theta_y theta_z] at 6 i.
-int bending_dof(int i) {
-  return 6 * (i / 3) + 2 + i % 3;
-}  // w, theta_x, theta_y
-int membrane_dof(int i) {
-  return 6 * (i / 3) + (i % 3 == 2 ? 5 : i % 3);
-}  // u, v, theta_z
+int bending_dof(int i) { return 6 * (i / 3) + 2 + i % 3; }                  // w, theta_x, theta_y
+int membrane_dof(int i) { return 6 * (i / 3) + (i % 3 == 2 ? 5 : i % 3); }  // u, v, theta_z
 
 }  // namespace
 
@@ -104,8 +100,7 @@ PlateElement::MeanStrain PlateElement::mean_strain() const {
     e.col(3 * i) = Vector3d(y_ab, 0.0, x_ba);
     e.col(3 * i + 1) = Vector3d(0.0, x_ba, y_ab);
     e.col(3 * i + 2) =
-        kAlpha / 6.0 *
-        Vector3d(y_ab * (y_cb - y_ac), x_ba * (x_bc - x_ca), 2.0 * (x_bc * y_cb - x_ca * y_ac));
+        kAlpha / 6.0 * Vector3d(y_ab * (y_cb - y_ac), x_ba * (x_bc - x_ca), 2.0 * (x_bc * y_cb - x_ca * y_ac));
   }
   return e / (2.0 * area_);
 }
@@ -146,8 +141,7 @@ PlateElement::Matrix9d PlateElement::membrane_stiffness() const {
   Q3 << 1.0, -1.0, 0.0, -1.0, -2.0, -1.0, 2.0, 1.0, 1.0;
   const Matrix3d scale = (2.0 * area_ / 3.0 * l2.cwiseInverse()).asDiagonal();
   Matrix3d K_theta = Matrix3d::Zero();
-  for (const Matrix3d& Q :
-       {Matrix3d(0.5 * (Q1 + Q2)), Matrix3d(0.5 * (Q2 + Q3)), Matrix3d(0.5 * (Q3 + Q1))}) {
+  for (const Matrix3d& Q : {Matrix3d(0.5 * (Q1 + Q2)), Matrix3d(0.5 * (Q2 + Q3)), Matrix3d(0.5 * (Q3 + Q1))}) {
     const Matrix3d strain = scale * Q;
     K_theta += volume * strain.transpose() * E * strain;
   }
@@ -175,8 +169,7 @@ Matrix18d PlateElement::stiffness() const {
 }
 
 PlateStressMatrix PlateElement::stress() const {
-  const Eigen::Matrix<double, 3, 9> bending =
-      0.5 * thickness_ * plane_stress_ * curvature(1.0 / 3.0, 1.0 / 3.0);
+  const Eigen::Matrix<double, 3, 9> bending = 0.5 * thickness_ * plane_stress_ * curvature(1.0 / 3.0, 1.0 / 3.0);
   const Eigen::Matrix<double, 3, 9> membrane = plane_stress_ * mean_strain();
   constexpr int kRow[3] = {0, 1, 3};  // xx, yy, xy
   PlateStressMatrix S = PlateStressMatrix::Zero();

@@ -17,8 +17,8 @@ class PlateElement {
  public:
   // Corners in D [m], counter-clockwise seen from the side the normal points to; thickness [m]. The triangle
   // must not be degenerate.
-  PlateElement(const Eigen::Vector3d& p1, const Eigen::Vector3d& p2, const Eigen::Vector3d& p3,
-               double thickness, const Material& material);
+  PlateElement(const Eigen::Vector3d& p1, const Eigen::Vector3d& p2, const Eigen::Vector3d& p3, double thickness,
+               const Material& material);
 
   double area() const { return area_; }                    // [m2]
   Eigen::Vector3d normal() const { return R_DE_.col(2); }  // unit, in D

@@ -18,9 +18,8 @@ VectorXd von_mises_of_points(const ModalBody& body, const VectorXd& a) {
   VectorXd result(sigma.size() / 6);
   for (Index p = 0; p < result.size(); ++p) {
     const Eigen::Matrix<double, 6, 1> s = sigma.segment<6>(6 * p);
-    result(p) =
-        std::sqrt(0.5 * (std::pow(s(0) - s(1), 2) + std::pow(s(1) - s(2), 2) + std::pow(s(2) - s(0), 2)) +
-                  3.0 * s.tail<3>().squaredNorm());
+    result(p) = std::sqrt(0.5 * (std::pow(s(0) - s(1), 2) + std::pow(s(1) - s(2), 2) + std::pow(s(2) - s(0), 2)) +
+                          3.0 * s.tail<3>().squaredNorm());
   }
   return result;
 }
@@ -30,13 +29,11 @@ VectorXd von_mises_of_cells(const ModalBody& body, const VectorXd& a) {
   const Index per_triangle = 2, per_segment = 8;
   const auto triangles = static_cast<Index>(body.triangles.size());
   const auto segments = static_cast<Index>(body.segments.size());
-  if (points.size() == 0 || points.size() != per_triangle * triangles + per_segment * segments)
-    return VectorXd(0);
+  if (points.size() == 0 || points.size() != per_triangle * triangles + per_segment * segments) return VectorXd(0);
   VectorXd result(triangles + segments);
   for (Index t = 0; t < triangles; ++t) result(t) = points.segment(per_triangle * t, per_triangle).maxCoeff();
   for (Index e = 0; e < segments; ++e)
-    result(triangles + e) =
-        points.segment(per_triangle * triangles + per_segment * e, per_segment).maxCoeff();
+    result(triangles + e) = points.segment(per_triangle * triangles + per_segment * e, per_segment).maxCoeff();
   return result;
 }
 

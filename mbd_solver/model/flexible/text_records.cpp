@@ -9,8 +9,7 @@
 
 namespace footfall {
 
-TextRecords::TextRecords(const std::string& path, char comment)
-    : path_(path), comment_(comment), stream_(path) {
+TextRecords::TextRecords(const std::string& path, char comment) : path_(path), comment_(comment), stream_(path) {
   if (!stream_)
     throw InputError(path + ": the file cannot be opened. Check the name; it is relative to the scene file.");
 }
@@ -34,8 +33,7 @@ void TextRecords::require_next(const std::string& expected) {
 
 double TextRecords::number(std::size_t i) const {
   if (i >= words_.size())
-    fail("expected at least " + std::to_string(i + 1) + " numbers, found " + std::to_string(words_.size()) +
-         ".");
+    fail("expected at least " + std::to_string(i + 1) + " numbers, found " + std::to_string(words_.size()) + ".");
   char* end = nullptr;
   const double value = std::strtod(words_[i].c_str(), &end);
   if (end == words_[i].c_str() || *end != '\0' || !std::isfinite(value))
@@ -46,8 +44,8 @@ double TextRecords::number(std::size_t i) const {
 int TextRecords::integer(std::size_t i, int low, int high) const {
   const double value = number(i);
   if (value != std::floor(value) || value < low || value > high)
-    fail("\"" + words_[i] + "\", expected a whole number from " + std::to_string(low) + " to " +
-         std::to_string(high) + ".");
+    fail("\"" + words_[i] + "\", expected a whole number from " + std::to_string(low) + " to " + std::to_string(high) +
+         ".");
   return static_cast<int>(value);
 }
 

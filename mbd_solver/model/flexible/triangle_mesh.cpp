@@ -31,8 +31,7 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
           const auto cell = cells.find({home[0] + i, home[1] + j, home[2] + k});
           if (cell == cells.end()) continue;
           for (int candidate : cell->second)
-            if ((result.vertices[static_cast<std::size_t>(candidate)] - x).norm() <= tolerance)
-              return candidate;
+            if ((result.vertices[static_cast<std::size_t>(candidate)] - x).norm() <= tolerance) return candidate;
         }
     const int added = static_cast<int>(result.vertices.size());
     result.vertices.push_back(x);

@@ -7,9 +7,8 @@
 namespace footfall {
 
 struct TriangleMesh {
-  std::vector<Eigen::Vector3d> vertices;  // [m]
-  std::vector<Eigen::Vector3i>
-      triangles;  // indices into vertices, counter-clockwise seen from the normal's side
+  std::vector<Eigen::Vector3d> vertices;   // [m]
+  std::vector<Eigen::Vector3i> triangles;  // indices into vertices, counter-clockwise seen from the normal's side
 };
 
 // The mesh moved by x -> R x + p.

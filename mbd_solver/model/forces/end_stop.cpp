@@ -9,12 +9,8 @@ namespace footfall {
 namespace {
 
 // h(s) = 1 + s, exp(s) below 0: C1, positive, (h - 1) s >= 0.
-double damping_factor(double s) {
-  return s >= 0.0 ? 1.0 + s : std::exp(s);
-}
-double damping_slope(double s) {
-  return s >= 0.0 ? 1.0 : std::exp(s);
-}
+double damping_factor(double s) { return s >= 0.0 ? 1.0 + s : std::exp(s); }
+double damping_slope(double s) { return s >= 0.0 ? 1.0 : std::exp(s); }
 
 }  // namespace
 
@@ -62,8 +58,8 @@ void EndStop::dissipated_power(const StrutInput& in, std::vector<StrutPower>& ou
   double power = 0.0;
   const auto add = [&](double limit, double sign) {
     const double closing = sign * in.rate;
-    power += spring_.force(sign * (in.stroke - limit)) *
-             (damping_factor(parameters_.dissipation * closing) - 1.0) * closing;
+    power +=
+        spring_.force(sign * (in.stroke - limit)) * (damping_factor(parameters_.dissipation * closing) - 1.0) * closing;
   };
   if (parameters_.largest_stroke) add(*parameters_.largest_stroke, 1.0);
   if (parameters_.smallest_stroke) add(*parameters_.smallest_stroke, -1.0);

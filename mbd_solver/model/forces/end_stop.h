@@ -20,8 +20,8 @@ struct EndStopParameters {
   std::optional<double> smallest_stroke;  // lower limit (extended end); not given: none [m]
   std::optional<double> largest_stroke;   // upper limit (compressed end); not given: none [m]
   double stiffness = 5.0e6;               // > 0 [N/m]
-  double dissipation = 1.0;  // chi >= 0: approached at speed v, the force is 1 + chi v times g [s/m]
-  double toe = 5.0e-4;       // smoothing penetration > 0 [m]
+  double dissipation = 1.0;               // chi >= 0: approached at speed v, the force is 1 + chi v times g [s/m]
+  double toe = 5.0e-4;                    // smoothing penetration > 0 [m]
 };
 
 class EndStop final : public StrutLaw {

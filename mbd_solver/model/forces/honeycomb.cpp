@@ -35,10 +35,9 @@ void check(const HoneycombCartridge& data, const std::string& which) {
     require_positive(who, stage + "crush_force", data.stages[i].crush_force, "N");
     require_positive(who, stage + "crush_length", data.stages[i].crush_length, "m");
     if (data.stages[i].crush_force < last)
-      throw InputError(
-          who + ": " + stage + "crush_force " + number_text(data.stages[i].crush_force) +
-          " N is below that of the stage before, " + number_text(last) +
-          " N; expected rising forces. In a stack the softest stage crushes first: list it first.");
+      throw InputError(who + ": " + stage + "crush_force " + number_text(data.stages[i].crush_force) +
+                       " N is below that of the stage before, " + number_text(last) +
+                       " N; expected rising forces. In a stack the softest stage crushes first: list it first.");
     last = data.stages[i].crush_force;
     shortest = std::min(shortest, data.stages[i].crush_length);
   }
@@ -52,8 +51,7 @@ void check(const HoneycombCartridge& data, const std::string& which) {
                      " N/m; expected less, because the elastic spring is in series with it.");
   if (data.transition_length > shortest)
     throw InputError(who + ": transition_length " + number_text(data.transition_length) +
-                     " m is longer than the shortest stage, " + number_text(shortest) +
-                     " m; expected at most that.");
+                     " m is longer than the shortest stage, " + number_text(shortest) + " m; expected at most that.");
 }
 
 }  // namespace
@@ -61,9 +59,8 @@ void check(const HoneycombCartridge& data, const std::string& which) {
 Honeycomb::Honeycomb(const HoneycombParameters& parameters) {
   const auto add = [&](const HoneycombCartridge& data, double sign) {
     check(data, sign > 0.0 ? "compression" : "tension");
-    const double length =
-        std::accumulate(data.stages.begin(), data.stages.end(), 0.0,
-                        [](double sum, const HoneycombStage& s) { return sum + s.crush_length; });
+    const double length = std::accumulate(data.stages.begin(), data.stages.end(), 0.0,
+                                          [](double sum, const HoneycombStage& s) { return sum + s.crush_length; });
     // In series with the elastic spring k_e, a plastic slope h over the crush gives the slope k_e h / (k_e +
     // h) over the stroke.
     const double k_e = data.elastic_stiffness, k_b = data.bottom_out_stiffness;
@@ -72,8 +69,7 @@ Honeycomb::Honeycomb(const HoneycombParameters& parameters) {
   if (parameters.compression) add(*parameters.compression, 1.0);
   if (parameters.tension) add(*parameters.tension, -1.0);
   if (cartridges_.empty())
-    throw InputError(
-        "honeycomb: neither a compression nor a tension cartridge is given; expected at least one.");
+    throw InputError("honeycomb: neither a compression nor a tension cartridge is given; expected at least one.");
 }
 
 double Honeycomb::Cartridge::crush_force(double c, double& slope) const {

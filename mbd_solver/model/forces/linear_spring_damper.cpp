@@ -5,8 +5,7 @@
 
 namespace footfall {
 
-LinearSpringDamper::LinearSpringDamper(const LinearSpringDamperParameters& parameters)
-    : parameters_(parameters) {
+LinearSpringDamper::LinearSpringDamper(const LinearSpringDamperParameters& parameters) : parameters_(parameters) {
   require_not_negative(kind(), "stiffness", parameters.stiffness, "N/m");
   require_not_negative(kind(), "damping", parameters.damping, "N s/m");
   require_finite(kind(), "free_stroke", parameters.free_stroke, "m");

@@ -9,9 +9,7 @@
 namespace footfall {
 namespace {
 
-double clamp_voltage(double u) {
-  return std::clamp(u, 0.0, 1.0);
-}
+double clamp_voltage(double u) { return std::clamp(u, 0.0, 1.0); }
 
 MonotoneCurve checked_table(const std::vector<YieldPoint>& table) {
   std::vector<double> u, f;
@@ -21,8 +19,8 @@ MonotoneCurve checked_table(const std::vector<YieldPoint>& table) {
   }
   MonotoneCurve curve("mr_damper: yield_table", u, f);
   if (u.front() != 0.0 || u.back() != 1.0)
-    throw InputError("mr_damper: yield_table covers U from " + number_text(u.front()) + " to " +
-                     number_text(u.back()) + "; expected from 0 to 1 exactly.");
+    throw InputError("mr_damper: yield_table covers U from " + number_text(u.front()) + " to " + number_text(u.back()) +
+                     "; expected from 0 to 1 exactly.");
   require_not_negative("mr_damper", "the first force of yield_table", f.front(), "N");
   for (std::size_t i = 1; i < f.size(); ++i)
     if (f[i] < f[i - 1])
@@ -77,8 +75,8 @@ void MrDamper::evaluate(const StrutInput& in, StrutOutput& out) const {
 void MrDamper::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
   const double v = in.rate;
   out.push_back({EnergyKind::kMrViscous, parameters_.viscous_coefficient * v * v});
-  out.push_back({EnergyKind::kMrYield,
-                 yield_force(effective_voltage(in)) * std::tanh(v / parameters_.regularisation_speed) * v});
+  out.push_back(
+      {EnergyKind::kMrYield, yield_force(effective_voltage(in)) * std::tanh(v / parameters_.regularisation_speed) * v});
 }
 
 }  // namespace footfall

@@ -29,7 +29,7 @@ struct YieldPoint {
 };
 
 struct MrDamperParameters {
-  double yield_force = 8278.72;  // F_y at U = 1, >= 0 [N] [Lin25 Table 3]; unused when yield_table is given
+  double yield_force = 8278.72;          // F_y at U = 1, >= 0 [N] [Lin25 Table 3]; unused when yield_table is given
   double viscous_coefficient = 3651.19;  // c >= 0 [N s/m] [Lin25 Table 3]
   double regularisation_speed = 0.02;    // v_s > 0 [m/s]
   double coil_lag = 0.0;                 // tau >= 0, 0 = none [s]

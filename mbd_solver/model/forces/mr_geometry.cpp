@@ -19,8 +19,7 @@ MrDamperParameters mr_damper_from_geometry(const MrGeometry& g, MrDamperParamete
   require_positive(kWho, "eta", g.eta, "Pa s");
   if (g.d1 >= g.D1)
     throw InputError("mr_damper geometry: core diameter d1 = " + number_text(g.d1) +
-                     " m does not fit into the bypass cylinder D1 = " + number_text(g.D1) +
-                     " m; expected d1 < D1.");
+                     " m does not fit into the bypass cylinder D1 = " + number_text(g.D1) + " m; expected d1 < D1.");
   const double D4 = g.D4.value_or(g.D2), d = g.d.value_or(0.5 * (g.D1 - g.d1));
   require_positive(kWho, "D4", D4, "m");
   require_positive(kWho, "d", d, "m");
@@ -32,10 +31,9 @@ MrDamperParameters mr_damper_from_geometry(const MrGeometry& g, MrDamperParamete
   for (const YieldStress& p : g.tau_y)
     law.yield_table.push_back({p.voltage, 3.0 * kPi * g.L1 * p.stress * 0.5 * (g.D1 + g.d1)});  // [Lin25 14]
   law.yield_force = law.yield_table.back().force;
-  law.viscous_coefficient =
-      (12.0 * g.eta * g.L1 / (d * d) +
-       32.0 * g.eta * (g.L2 / (g.D2 * g.D2) + g.L3 / (g.D3 * g.D3) + g.L4 / (D4 * D4))) *
-      0.25 * kPi * g.D3 * g.D3;  // [Lin25 15]
+  law.viscous_coefficient = (12.0 * g.eta * g.L1 / (d * d) +
+                             32.0 * g.eta * (g.L2 / (g.D2 * g.D2) + g.L3 / (g.D3 * g.D3) + g.L4 / (D4 * D4))) *
+                            0.25 * kPi * g.D3 * g.D3;  // [Lin25 15]
   MrDamper check(law);  // the table's order and range, and the rest of the law, are judged in one place
   return law;
 }

@@ -6,20 +6,13 @@ namespace footfall {
 
 std::string_view energy_name(EnergyKind kind) {
   switch (kind) {
-    case EnergyKind::kGas:
-      return "gas";
-    case EnergyKind::kStrain:
-      return "strain";
-    case EnergyKind::kMrViscous:
-      return "mr_viscous";
-    case EnergyKind::kMrYield:
-      return "mr_yield";
-    case EnergyKind::kHoneycomb:
-      return "honeycomb";
-    case EnergyKind::kDamper:
-      return "damper";
-    case EnergyKind::kStop:
-      return "stop";
+    case EnergyKind::kGas: return "gas";
+    case EnergyKind::kStrain: return "strain";
+    case EnergyKind::kMrViscous: return "mr_viscous";
+    case EnergyKind::kMrYield: return "mr_yield";
+    case EnergyKind::kHoneycomb: return "honeycomb";
+    case EnergyKind::kDamper: return "damper";
+    case EnergyKind::kStop: return "stop";
   }
   FOOTFALL_DEMAND(false && "unknown EnergyKind");
 }

@@ -1,6 +1,7 @@
 #pragma once
-// The force law of a strut along its line, without any mechanism around it: force as a function of stroke, rate and inner
-// state. A strut of a scene is a list of such laws between two points; every law can be tested in closed form alone.
+// The force law of a strut along its line, without any mechanism around it: force as a function of stroke, rate and
+// inner state. A strut of a scene is a list of such laws between two points; every law can be tested in closed form
+// alone.
 
 #include <Eigen/Dense>
 #include <memory>
@@ -20,28 +21,33 @@ struct StrutInput {
 
 // What a law answers. Force positive in compression (it pushes the ends apart) [N].
 struct StrutOutput {
-  explicit StrutOutput(int states) : dforce_dz(states), dz(states), ddz_dstroke(states), ddz_drate(states), ddz_dz(states, states) {
+  explicit StrutOutput(int states)
+      : dforce_dz(states), dz(states), ddz_dstroke(states), ddz_drate(states), ddz_dz(states, states) {
     set_zero();
   }
   void set_zero() {
     force = dforce_dstroke = dforce_drate = 0.0;
-    dforce_dz.setZero(); dz.setZero(); ddz_dstroke.setZero(); ddz_drate.setZero(); ddz_dz.setZero();
+    dforce_dz.setZero();
+    dz.setZero();
+    ddz_dstroke.setZero();
+    ddz_drate.setZero();
+    ddz_dz.setZero();
   }
-  double force = 0.0;            // [N]
-  double dforce_dstroke = 0.0;   // [N/m]
-  double dforce_drate = 0.0;     // [N s/m]
-  Eigen::VectorXd dforce_dz;     // states
-  Eigen::VectorXd dz;            // rate of the inner states
+  double force = 0.0;           // [N]
+  double dforce_dstroke = 0.0;  // [N/m]
+  double dforce_drate = 0.0;    // [N s/m]
+  Eigen::VectorXd dforce_dz;    // states
+  Eigen::VectorXd dz;           // rate of the inner states
   Eigen::VectorXd ddz_dstroke;
   Eigen::VectorXd ddz_drate;
-  Eigen::MatrixXd ddz_dz;        // states x states
+  Eigen::MatrixXd ddz_dz;  // states x states
 };
 
 // Where power goes; the names of history.csv (dissipated.<name>, energy.<name>).
 enum class EnergyKind { kGas, kStrain, kMrViscous, kMrYield, kHoneycomb, kDamper, kStop };
 std::string_view energy_name(EnergyKind kind);
 
-struct StrutPower {   // dissipated power by kind, each >= 0 [W]
+struct StrutPower {  // dissipated power by kind, each >= 0 [W]
   EnergyKind kind;
   double power;
 };

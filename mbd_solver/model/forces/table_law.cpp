@@ -17,18 +17,15 @@ struct Place {
 };
 Place locate(const std::vector<double>& nodes, double value) {
   const auto above = std::upper_bound(nodes.begin(), nodes.end(), value) - nodes.begin();
-  const Eigen::Index cell =
-      std::clamp<Eigen::Index>(above - 1, 0, static_cast<Eigen::Index>(nodes.size()) - 2);
+  const Eigen::Index cell = std::clamp<Eigen::Index>(above - 1, 0, static_cast<Eigen::Index>(nodes.size()) - 2);
   const auto i = static_cast<std::size_t>(cell);
   const double width = nodes[i + 1] - nodes[i];
   return {cell, (value - nodes[i]) / width, width};
 }
 
-void check_rising(const TableLawParameters& p, const std::vector<double>& values, const char* what,
-                  const char* unit) {
+void check_rising(const TableLawParameters& p, const std::vector<double>& values, const char* what, const char* unit) {
   if (values.size() < 2)
-    throw InputError(p.source + ": " + std::to_string(values.size()) + " " + what +
-                     "(s); expected at least two.");
+    throw InputError(p.source + ": " + std::to_string(values.size()) + " " + what + "(s); expected at least two.");
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i]))
       throw InputError(p.source + ": " + what + " " + std::to_string(i + 1) + " is not a finite number.");
@@ -49,12 +46,11 @@ struct TableLaw::Split {
 TableLaw::TableLaw(const TableLawParameters& p) : stroke_(p.stroke), rate_(p.rate) {
   check_rising(p, stroke_, "stroke", "m");
   check_rising(p, rate_, "rate", "m/s");
-  const auto rows = static_cast<Eigen::Index>(stroke_.size()),
-             columns = static_cast<Eigen::Index>(rate_.size());
+  const auto rows = static_cast<Eigen::Index>(stroke_.size()), columns = static_cast<Eigen::Index>(rate_.size());
   if (p.force.rows() != rows || p.force.cols() != columns)
     throw InputError(p.source + ": the forces are a table of " + std::to_string(p.force.rows()) + " x " +
-                     std::to_string(p.force.cols()) + "; expected strokes x rates, " + std::to_string(rows) +
-                     " x " + std::to_string(columns) + ".");
+                     std::to_string(p.force.cols()) + "; expected strokes x rates, " + std::to_string(rows) + " x " +
+                     std::to_string(columns) + ".");
   const auto zero = std::find(rate_.begin(), rate_.end(), 0.0);
   if (zero == rate_.end())
     throw InputError(p.source +
@@ -65,17 +61,15 @@ TableLaw::TableLaw(const TableLawParameters& p) : stroke_(p.stroke), rate_(p.rat
   for (Eigen::Index i = 0; i < rows; ++i)
     for (Eigen::Index j = 0; j < columns; ++j) {
       const auto row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
-      const std::string where =
-          row < p.lines.size() ? p.source + ":" + std::to_string(p.lines[row]) : p.source;
+      const std::string where = row < p.lines.size() ? p.source + ":" + std::to_string(p.lines[row]) : p.source;
       const std::string entry = where + ": force " + number_text(p.force(i, j)) + " N at stroke " +
                                 number_text(stroke_[row]) + " m, rate " + number_text(rate_[column]) + " m/s";
       if (!std::isfinite(p.force(i, j))) throw InputError(entry + " is not a finite number.");
       if (dissipative_(i, j) * rate_[column] < 0.0)
-        throw InputError(
-            entry + (rate_[column] > 0.0 ? " is below" : " is above") + " the force at rest, " +
-            number_text(elastic_[i]) +
-            " N: the strut would deliver energy. Expected a passive table: forces " +
-            (rate_[column] > 0.0 ? "not below it for compression." : "not above it for extension."));
+        throw InputError(entry + (rate_[column] > 0.0 ? " is below" : " is above") + " the force at rest, " +
+                         number_text(elastic_[i]) +
+                         " N: the strut would deliver energy. Expected a passive table: forces " +
+                         (rate_[column] > 0.0 ? "not below it for compression." : "not above it for extension."));
     }
   stored_.assign(stroke_.size(), 0.0);
   for (std::size_t i = 1; i < stroke_.size(); ++i) {
@@ -118,9 +112,7 @@ void TableLaw::evaluate(const StrutInput& in, StrutOutput& out) const {
   out.dforce_drate = s.d_drate;
 }
 
-double TableLaw::stored_energy(const StrutInput& in) const {
-  return elastic_integral(in.stroke) - stored_at_zero_;
-}
+double TableLaw::stored_energy(const StrutInput& in) const { return elastic_integral(in.stroke) - stored_at_zero_; }
 
 void TableLaw::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
   out.push_back({EnergyKind::kDamper, split(in.stroke, in.rate).dissipative * in.rate});

@@ -11,14 +11,10 @@ const KinematicVector kDirections[3] = {KinematicVector::constant(Eigen::Vector3
 
 const KinematicVector& vector_of(const Factor& factor, MarkerVectors& vectors) {
   switch (factor.kind) {
-    case Factor::Kind::kWorldDirection:
-      return kDirections[factor.axis];
-    case Factor::Kind::kAxis1:
-      return vectors.axis(0, factor.axis);
-    case Factor::Kind::kAxis2:
-      return vectors.axis(1, factor.axis);
-    case Factor::Kind::kDifference:
-      break;
+    case Factor::Kind::kWorldDirection: return kDirections[factor.axis];
+    case Factor::Kind::kAxis1: return vectors.axis(0, factor.axis);
+    case Factor::Kind::kAxis2: return vectors.axis(1, factor.axis);
+    case Factor::Kind::kDifference: break;
   }
   return vectors.difference();
 }
@@ -48,8 +44,7 @@ Coefficients coefficients(const ConstraintRow& row, double t) {
 
 }  // namespace
 
-RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors,
-                      Eigen::Ref<Eigen::VectorXd> phi_v) {
+RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v) {
   // D = alpha.beta,  D' = alpha'.beta + alpha.beta',  D'' = alpha''.beta + 2 alpha'.beta' + alpha.beta''
   const Coefficients at = coefficients(row, t);
   RowValue out{-at.f.value, -at.f.rate, -at.f.accel, -at.f.rate};

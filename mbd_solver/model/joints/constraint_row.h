@@ -43,8 +43,7 @@ struct RowValue {
 };
 
 // phi, phi', phi'' and jacobian row Phi_v (n, overwritten).
-RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors,
-                      Eigen::Ref<Eigen::VectorXd> phi_v);
+RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v);
 
 // Derivatives, all overwritten but the last:
 //   rate_dx = d phi' / dx, acc_dx = d phi'' / dx, acc_dv = d phi'' / dv (n each)

@@ -30,8 +30,7 @@ ConstraintRow along(int i, double offset = 0.0) {
 
 void add_coincident(Joint& joint) {
   for (int k = 0; k < 3; ++k)
-    joint.rows.push_back(
-        row_of(ConstraintRow::Unit::kLength, {Kind::kWorldDirection, k}, {Kind::kDifference, 0}));
+    joint.rows.push_back(row_of(ConstraintRow::Unit::kLength, {Kind::kWorldDirection, k}, {Kind::kDifference, 0}));
 }
 
 // z axes parallel.
@@ -42,8 +41,7 @@ void add_parallel(Joint& joint) {
 
 Joint joint_of(std::string name, std::string kind, Marker m1, Marker m2) {
   if (m1.body == m2.body)
-    throw InputError("joint \"" + name +
-                     "\": it must connect two different bodies, or a body and the ground.");
+    throw InputError("joint \"" + name + "\": it must connect two different bodies, or a body and the ground.");
   Joint joint;
   joint.name = std::move(name);
   joint.kind = std::move(kind);
@@ -139,8 +137,7 @@ Joint prescribed_joint(std::string name, Marker m1, Marker m2, const PrescribedM
     joint.rows.push_back(row);
   }
   if (joint.rows.empty())
-    throw InputError("joint \"" + joint.name +
-                     "\": a prescribed motion must prescribe at least one coordinate.");
+    throw InputError("joint \"" + joint.name + "\": a prescribed motion must prescribe at least one coordinate.");
   return joint;
 }
 

@@ -29,8 +29,7 @@ class Polynomial : public TimeFunction {
 
 class Ramp : public TimeFunction {
  public:
-  Ramp(double from, double to, double t0, double duration)
-      : from_(from), to_(to), t0_(t0), duration_(duration) {}
+  Ramp(double from, double to, double t0, double duration) : from_(from), to_(to), t0_(t0), duration_(duration) {}
   TimeValue at(double t) const override {
     const double s = std::clamp((t - t0_) / duration_, 0.0, 1.0);
     const double height = to_ - from_;
@@ -88,16 +87,13 @@ class Spline : public TimeFunction {
   }
 
  private:
-  static TimeValue tangent(const TimeValue& end, double dt) {
-    return {end.value + end.rate * dt, end.rate, 0.0};
-  }
+  static TimeValue tangent(const TimeValue& end, double dt) { return {end.value + end.rate * dt, end.rate, 0.0}; }
   TimeValue inside(std::size_t i, double t) const {
     const double h = t_[i + 1] - t_[i];
     const double b = (t - t_[i]) / h, a = 1.0 - b;
-    return {
-        a * f_[i] + b * f_[i + 1] + ((a * a * a - a) * m_[i] + (b * b * b - b) * m_[i + 1]) * h * h / 6.0,
-        (f_[i + 1] - f_[i]) / h + ((1.0 - 3.0 * a * a) * m_[i] + (3.0 * b * b - 1.0) * m_[i + 1]) * h / 6.0,
-        a * m_[i] + b * m_[i + 1]};
+    return {a * f_[i] + b * f_[i + 1] + ((a * a * a - a) * m_[i] + (b * b * b - b) * m_[i + 1]) * h * h / 6.0,
+            (f_[i + 1] - f_[i]) / h + ((1.0 - 3.0 * a * a) * m_[i] + (3.0 * b * b - 1.0) * m_[i + 1]) * h / 6.0,
+            a * m_[i] + b * m_[i + 1]};
   }
 
   std::vector<double> t_, f_, m_;
@@ -140,8 +136,6 @@ TimeFunctionPtr table(std::vector<double> times, std::vector<double> values) {
   return std::make_shared<Spline>(std::move(times), std::move(values));
 }
 
-TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms) {
-  return std::make_shared<Sum>(std::move(terms));
-}
+TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms) { return std::make_shared<Sum>(std::move(terms)); }
 
 }  // namespace footfall

@@ -50,8 +50,8 @@ TEST(BeamContact, GapOfAKnownSphereAtTheSideAndBeyondTheEnds) {
 }
 
 // |x - p(mu)| is convex in mu: a golden-section search finds its minimum without the projection formula.
-double gap_by_search(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius,
-                     const Eigen::Vector3d& x, double r) {
+double gap_by_search(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius, const Eigen::Vector3d& x,
+                     double r) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
   const auto distance = [&](double mu) { return ((1.0 - mu) * a + mu * b - x).norm(); };
   double low = 0.0, high = 1.0;
@@ -71,13 +71,11 @@ TEST(BeamContact, ClosestPointIsTheOneASearchFinds) {
       const double r = random.between(0.01, 0.3);
       double expected = 1e300;
       for (const BeamSegment& s : chain.segments())
-        expected =
-            std::min(expected, gap_by_search(chain.x().col(s.start), chain.x().col(s.end), s.radius, x, r));
+        expected = std::min(expected, gap_by_search(chain.x().col(s.start), chain.x().col(s.end), s.radius, x, r));
       const BeamTouch touch = closest(chain, x, r);
       // The search stops 1e-9 from the minimum in mu, where a distance above 1e-3 is flat to the square of
       // that.
-      EXPECT_NEAR(touch.gap, expected, 1e-13)
-          << "seed " << random.seed() << " chain " << k << " sphere " << i;
+      EXPECT_NEAR(touch.gap, expected, 1e-13) << "seed " << random.seed() << " chain " << k << " sphere " << i;
       EXPECT_NEAR((x - touch.p).norm() - touch.radius - r, touch.gap, kRoundOff);
       EXPECT_NEAR((touch.p + touch.normal * (touch.gap + touch.radius + r) - x).norm(), 0.0, 1e-13);
     }
@@ -132,8 +130,8 @@ TEST(BeamContact, InTheInnerSideOfABendTheGapIsContinuous) {
   const double ds = 1e-3;
   for (double s = ds; s < 0.6; s += ds) {  // crosses the bisector of the corner
     const double gap = closest(chain, {-0.5 + s, 0.2 + 0.3 * s, 0.0}, 0.1).gap;
-    EXPECT_LE(std::abs(gap - before),
-              ds * std::sqrt(1.09) * (1 + 1e-9));  // a distance changes no faster than the sphere moves
+    // a distance changes no faster than the sphere moves
+    EXPECT_LE(std::abs(gap - before), ds * std::sqrt(1.09) * (1 + 1e-9));
     before = gap;
   }
 }

@@ -48,8 +48,8 @@ TEST(BeamMotion, ForcesAtContactPointsDoTheWorkThatTheBodyReceives) {
     }
     GeneralizedForce Q(modes);
     beam.project(motion, Q);
-    EXPECT_NEAR(power(Q, motion), expected,
-                1e-12 * std::abs(expected) + 1e-11);  // terms of order 10, thirty of them
+    // terms of order 10, thirty of them
+    EXPECT_NEAR(power(Q, motion), expected, 1e-12 * std::abs(expected) + 1e-11);
     EXPECT_TRUE(Q.T_W.isApprox(moment, 1e-13));
   }
 }
@@ -72,14 +72,12 @@ TEST(BeamMotion, NodesFollowTheBodyAndTravelNoFurtherThanTheirBound) {
     return motion;
   };
   for (int k = 0; k < 200; ++k) {
-    const BodyMotion from = motion_near(BodyMotion(modes), 1.0),
-                     to = motion_near(from, k % 2 == 0 ? 1.0 : 0.01);
+    const BodyMotion from = motion_near(BodyMotion(modes), 1.0), to = motion_near(from, k % 2 == 0 ? 1.0 : 0.01);
     chain.follow(from);
     const Eigen::Matrix3Xd before = chain.x();
     chain.follow(to);
     for (int node = 0; node < chain.node_count(); ++node)
-      EXPECT_NEAR((chain.x().col(node) - boundary.position(to, chain.boundary_point(node))).norm(), 0.0,
-                  1e-14);
+      EXPECT_NEAR((chain.x().col(node) - boundary.position(to, chain.boundary_point(node))).norm(), 0.0, 1e-14);
     const double travel = (chain.x() - before).colwise().norm().maxCoeff();
     EXPECT_LE(travel, chain.largest_travel(from, to));
     BodyMotion shifted = from;

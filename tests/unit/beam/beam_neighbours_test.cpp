@@ -38,16 +38,14 @@ std::vector<double> all_gaps(const BeamChain& chain, const Bed& bed) {
   std::vector<double> gaps;
   for (std::size_t i = 0; i < bed.x.size(); ++i) {
     double gap = 1e300;
-    for (int s = 0; s < chain.segment_count(); ++s)
-      gap = std::min(gap, chain.touch(s, bed.x[i], bed.radius[i]).gap);
+    for (int s = 0; s < chain.segment_count(); ++s) gap = std::min(gap, chain.touch(s, bed.x[i], bed.radius[i]).gap);
     gaps.push_back(gap);
   }
   return gaps;
 }
 
 // Every grain that touches is on the list exactly once, and with the same gap.
-int expect_all_touches(const BeamChain& chain, const Bed& bed, const BeamNeighbours& list,
-                       double reach = 0.0) {
+int expect_all_touches(const BeamChain& chain, const Bed& bed, const BeamNeighbours& list, double reach = 0.0) {
   const std::vector<double> gaps = all_gaps(chain, bed);
   std::vector<int> seen(bed.x.size(), 0);
   for (int k = 0; k < list.size(); ++k) {
@@ -199,8 +197,8 @@ TEST(BeamNeighbours, CostGrowsWithWhatIsTouchedNotWithTheNumberOfSegments) {
   near_many.update(many, bed.view());
   EXPECT_GT(near_few.size(), 10);
   EXPECT_EQ(near_many.pair_count(), near_few.pair_count());
-  EXPECT_LE(near_many.box_tests() - near_few.box_tests(),
-            500 * 2 * 5);  // two boxes for each of the five more levels
+  // two boxes for each of the five more levels
+  EXPECT_LE(near_many.box_tests() - near_few.box_tests(), 500 * 2 * 5);
 }
 
 TEST(BeamNeighbours, NoGrainsNoList) {

@@ -14,9 +14,7 @@ class Random {
  public:
   explicit Random(unsigned seed) : seed_(seed), engine_(seed) {}
   unsigned seed() const { return seed_; }
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
   // Each component between -size and size.
   Eigen::Vector3d vector(double size) {
     const double x = between(-size, size), y = between(-size, size), z = between(-size, size);

@@ -15,8 +15,7 @@ TEST(ControlSurface, IsTheControllerOverTwoInputs) {
   EXPECT_EQ(s.first[8], 5.0);
   EXPECT_EQ(s.second[0], -4.0);
   for (int i = 0; i < 9; ++i)
-    for (int j = 0; j < 9; ++j)
-      EXPECT_EQ(s.voltage(i, j), voltages(lander, {s.first[i], 3.0, s.second[j], 1.0})[2]);
+    for (int j = 0; j < 9; ++j) EXPECT_EQ(s.voltage(i, j), voltages(lander, {s.first[i], 3.0, s.second[j], 1.0})[2]);
 }
 
 TEST(ControlSurface, U3MirrorsU1InPitch) {

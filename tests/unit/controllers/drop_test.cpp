@@ -21,8 +21,8 @@ namespace {
 constexpr double kMass = 1250.0;   // [kg] [Lin25 Table 3]
 constexpr double kGravity = 1.63;  // [m/s2]
 constexpr double kSpeed = 3.8;     // at touchdown [m/s]
-constexpr double kSoil =
-    2.0e6;  // ground force of one pad at depth z: kSoil z^2 [N/m2], about the 17 to 20 kN at 0.1 m of the bed
+// ground force of one pad at depth z: kSoil z^2 [N/m2], about the 17 to 20 kN at 0.1 m of the bed
+constexpr double kSoil = 2.0e6;
 constexpr double kStroke = 0.32;  // end stop [m]
 constexpr double kStep = 1.0e-4;  // [s]
 
@@ -125,8 +125,8 @@ TEST(Drop, FuzzyHasASmallerPeakThanEveryConstantVoltageThatDoesNotJump) {
   int admissible = 0;
   for (int i = 0; i <= 10; ++i) {
     const Landing passive = constant(0.1 * i);
-    std::cout << "U = " << 0.1 * i << ": peak " << passive.peak << " g, stroke " << passive.stroke
-              << " m, rebound " << passive.rebound << " m/s\n";
+    std::cout << "U = " << 0.1 * i << ": peak " << passive.peak << " g, stroke " << passive.stroke << " m, rebound "
+              << passive.rebound << " m/s\n";
     if (passive.stroke >= kStroke || passive.rebound > kJump) continue;
     ++admissible;
     EXPECT_LT(controlled.peak, passive.peak) << "U = " << 0.1 * i;

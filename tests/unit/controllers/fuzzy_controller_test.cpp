@@ -68,12 +68,11 @@ TEST(FuzzyController, TabulatedStaysCloseAndSaysHowClose) {
   EXPECT_GT(stated, 0.0);
   Eigen::VectorXd u(4), v(4);
   for (int k = 0; k < 200; ++k) {
-    const ControllerMeasurement m =
-        measurement(25.0 * (1.0 - std::cos(0.03 * k)), 0.03 * std::sin(0.1 * k), 0.02);
+    const ControllerMeasurement m = measurement(25.0 * (1.0 - std::cos(0.03 * k)), 0.03 * std::sin(0.1 * k), 0.02);
     exact.sample(m, u);
     tabulated.sample(m, v);
-    EXPECT_LE((u - v).cwiseAbs().maxCoeff(),
-              1.5 * stated);  // the stated value is the largest of a random sample, not a bound
+    // the stated value is the largest of a random sample, not a bound
+    EXPECT_LE((u - v).cwiseAbs().maxCoeff(), 1.5 * stated);
   }
 }
 

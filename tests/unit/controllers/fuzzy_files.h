@@ -26,18 +26,15 @@ inline std::string lander_text() {
 // A .fll file that disappears with the test.
 struct TemporaryFll {
   explicit TemporaryFll(const std::string& text)
-      : path(std::filesystem::temp_directory_path() /
-             ("footfall_" + std::to_string(std::random_device{}()) + ".fll")) {
+      : path(std::filesystem::temp_directory_path() / ("footfall_" + std::to_string(std::random_device{}()) + ".fll")) {
     std::ofstream(path) << text;
   }
   ~TemporaryFll() { std::filesystem::remove(path); }
   std::filesystem::path path;
 };
 
-inline std::string replaced(std::string text, const std::string& what, const std::string& with,
-                            bool all = false) {
-  if (text.find(what) == std::string::npos)
-    throw std::logic_error("the controller's file no longer has: " + what);
+inline std::string replaced(std::string text, const std::string& what, const std::string& with, bool all = false) {
+  if (text.find(what) == std::string::npos) throw std::logic_error("the controller's file no longer has: " + what);
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
     text.replace(at, what.size(), with);
     if (!all) break;

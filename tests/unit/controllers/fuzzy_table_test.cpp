@@ -75,8 +75,7 @@ TEST(FuzzyTable, CostsFarLessThanFiftyMicrosecondsPerPeriod) {
   const double microseconds =
       std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count() /
       static_cast<double>(inputs.size());
-  std::cout << "one evaluation of the table: " << microseconds << " us (mean voltage " << sum / 5000.0
-            << ")\n";
+  std::cout << "one evaluation of the table: " << microseconds << " us (mean voltage " << sum / 5000.0 << ")\n";
   EXPECT_LT(microseconds, 50.0);  // measured below 1: the bound leaves room for a loaded machine
 }
 

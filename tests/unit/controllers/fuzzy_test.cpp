@@ -81,12 +81,12 @@ TEST(Fuzzy, MirroredAttitudeGivesMirroredVoltages) {
     const auto mirrored = [&](double pitch_sign, double roll_sign) {
       return voltages(lander(), {x[0], x[1], pitch_sign * x[2], roll_sign * x[3]});
     };
-    EXPECT_LT((mirrored(-1, -1) - Eigen::Vector4d(u[2], u[3], u[0], u[1])).cwiseAbs().maxCoeff(),
-              1e-12);  // 1 <-> 3, 2 <-> 4
-    EXPECT_LT((mirrored(-1, 1) - Eigen::Vector4d(u[1], u[0], u[3], u[2])).cwiseAbs().maxCoeff(),
-              1e-12);  // 1 <-> 2, 3 <-> 4
-    EXPECT_LT((mirrored(1, -1) - Eigen::Vector4d(u[3], u[2], u[1], u[0])).cwiseAbs().maxCoeff(),
-              1e-12);  // 1 <-> 4, 2 <-> 3
+    // 1 <-> 3, 2 <-> 4
+    EXPECT_LT((mirrored(-1, -1) - Eigen::Vector4d(u[2], u[3], u[0], u[1])).cwiseAbs().maxCoeff(), 1e-12);
+    // 1 <-> 2, 3 <-> 4
+    EXPECT_LT((mirrored(-1, 1) - Eigen::Vector4d(u[1], u[0], u[3], u[2])).cwiseAbs().maxCoeff(), 1e-12);
+    // 1 <-> 4, 2 <-> 3
+    EXPECT_LT((mirrored(1, -1) - Eigen::Vector4d(u[3], u[2], u[1], u[0])).cwiseAbs().maxCoeff(), 1e-12);
   }
 }
 
@@ -94,15 +94,13 @@ TEST(Fuzzy, MirroredAttitudeGivesMirroredVoltages) {
 // without jerk.
 TEST(Fuzzy, VoltageFallsWithAccelerationOnTheSurfacesOfFigure4) {
   for (int j = 0; j <= 20; ++j)
-    for (const FuzzyInput& held :
-         {FuzzyInput{0.0, -10.0 + j, 0.0, 0.0}, FuzzyInput{0.0, 0.0, -4.0 + 0.4 * j, 0.0}}) {
+    for (const FuzzyInput& held : {FuzzyInput{0.0, -10.0 + j, 0.0, 0.0}, FuzzyInput{0.0, 0.0, -4.0 + 0.4 * j, 0.0}}) {
       Eigen::VectorXd last = Eigen::VectorXd::Ones(4);
       for (int i = 0; i <= 100; ++i) {
         const Eigen::VectorXd u = voltages(lander(), {0.05 * i, held[1], held[2], held[3]});
         // A centroid of min/max inference may rise by the order of its sampling (1/140 of the range) on the
         // way down.
-        EXPECT_LE((u - last).maxCoeff(), 0.01)
-            << "a " << 0.05 * i << " da " << held[1] << " alpha " << held[2];
+        EXPECT_LE((u - last).maxCoeff(), 0.01) << "a " << 0.05 * i << " da " << held[1] << " alpha " << held[2];
         last = u;
       }
       EXPECT_LE(last.maxCoeff(), voltages(lander(), held).minCoeff());
@@ -147,8 +145,7 @@ void expect_grid_equals_points(const FuzzySystem& system) {
         for (double beta : nodes[3]) {
           const Eigen::VectorXd u = voltages(system, {a, da, alpha, beta});
           for (int i = 0; i < 4; ++i)
-            ASSERT_NEAR(grid[at++], u[i], 1e-12)
-                << "a " << a << " da " << da << " alpha " << alpha << " beta " << beta;
+            ASSERT_NEAR(grid[at++], u[i], 1e-12) << "a " << a << " da " << da << " alpha " << alpha << " beta " << beta;
         }
   EXPECT_EQ(at, grid.size());
 }
@@ -158,17 +155,15 @@ TEST(Fuzzy, GridEqualsPointByPointEvaluation) {
   // Weights and rules that leave inputs out are plain too; other operators are not, and take the general way.
   const TemporaryFll weighted(replaced(lander_text(), "U4 is SB\n", "U4 is SB with 0.3\n"));
   expect_grid_equals_points(FuzzySystem(weighted.path));
-  const TemporaryFll any(replaced(lander_text(), "alpha is P and beta is P then U1 is M ",
-                                  "alpha is any and beta is P then U1 is M "));
+  const TemporaryFll any(
+      replaced(lander_text(), "alpha is P and beta is P then U1 is M ", "alpha is any and beta is P then U1 is M "));
   expect_grid_equals_points(FuzzySystem(any.path));
-  const TemporaryFll product(
-      replaced(lander_text(), "conjunction: Minimum", "conjunction: AlgebraicProduct"));
+  const TemporaryFll product(replaced(lander_text(), "conjunction: Minimum", "conjunction: AlgebraicProduct"));
   expect_grid_equals_points(FuzzySystem(product.path));
 }
 
 TEST(Fuzzy, BreakpointsAreTheCornersOfTheTerms) {
-  const std::vector<double> a = lander().breakpoints(0), da = lander().breakpoints(1),
-                            alpha = lander().breakpoints(2);
+  const std::vector<double> a = lander().breakpoints(0), da = lander().breakpoints(1), alpha = lander().breakpoints(2);
   ASSERT_EQ(a.size(), 4u);
   EXPECT_NEAR(a[1], 5.0 / 3.0, 1e-4);
   EXPECT_EQ(da, (std::vector<double>{-10.0, 10.0}));

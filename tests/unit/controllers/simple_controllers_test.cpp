@@ -47,8 +47,8 @@ TEST(ConstantController, RefusesVoltagesOutsideZeroToOne) {
 TEST(SkyhookController, IsOnWhileTheStrutOpposesTheBody) {
   SkyhookController controller({});
   EXPECT_EQ(sample(controller, measurement(0.0, -3.0, 2.0))[0], 1.0);  // sinks, strut compresses: it brakes
-  EXPECT_EQ(sample(controller, measurement(0.0, 1.0, 2.0))[0],
-            0.0);  // rises, strut compresses: it would push on
+  // rises, strut compresses: it would push on
+  EXPECT_EQ(sample(controller, measurement(0.0, 1.0, 2.0))[0], 0.0);
   EXPECT_EQ(sample(controller, measurement(0.0, 1.0, -2.0))[0], 1.0);   // rises, strut extends: it holds back
   EXPECT_EQ(sample(controller, measurement(0.0, -1.0, -2.0))[0], 0.0);  // sinks, strut extends
 }
@@ -75,8 +75,8 @@ TEST(PidController, IsProportionalToTheFilteredError) {
   p.ki = 0.0;
   p.bias = 0.2;
   PidController controller(p);
-  EXPECT_NEAR(sample(controller, measurement(20.0))[0], 0.2 + 0.03 * (29.4 - 20.0),
-              1e-12);  // the first sample passes the filter
+  // the first sample passes the filter
+  EXPECT_NEAR(sample(controller, measurement(20.0))[0], 0.2 + 0.03 * (29.4 - 20.0), 1e-12);
 }
 
 TEST(PidController, IntegralRemovesTheErrorOfALinearPlant) {
@@ -109,8 +109,7 @@ TEST(PidController, VoltagesStayInRangeAndResumeToTheBit) {
   }
   two.restore(one.memory());
   for (int k = 200; k < 260; ++k)
-    EXPECT_EQ(sample(one, measurement(40.0 * std::sin(0.1 * k))),
-              sample(two, measurement(40.0 * std::sin(0.1 * k))));
+    EXPECT_EQ(sample(one, measurement(40.0 * std::sin(0.1 * k))), sample(two, measurement(40.0 * std::sin(0.1 * k))));
 }
 
 TEST(SimpleControllers, RefuseNonsense) {

@@ -94,8 +94,7 @@ TEST(Link, InterruptionIsNotFailure) {
   Pair pair;
   std::thread dem([&] { pair.dem.fail("stopped by hand", Status::kInterrupted); });
   Load load;
-  EXPECT_EQ(message_of<PartnerError>([&] { pair.mbd.receive(load); }),
-            "liggghts_mbd was interrupted: stopped by hand");
+  EXPECT_EQ(message_of<PartnerError>([&] { pair.mbd.receive(load); }), "liggghts_mbd was interrupted: stopped by hand");
   dem.join();
   EXPECT_EQ(pair.mbd.partner_status(), Status::kInterrupted);
 }

@@ -257,8 +257,7 @@ TEST(Messages, AnotherProtocolVersionIsRefusedNamingBoth) {
     FAIL();
   } catch (const ProtocolError& error) {
     EXPECT_NE(std::string(error.what()).find("999"), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find("version " + std::to_string(kProtocolVersion)),
-              std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("version " + std::to_string(kProtocolVersion)), std::string::npos);
   }
   EXPECT_THROW(check_partner("mbd_solver", 999, kFootfallVersion), ProtocolError);
   EXPECT_THROW(check_partner("mbd_solver", kProtocolVersion, "0.0.0"), ProtocolError);

@@ -26,8 +26,7 @@ TEST_P(ModalBoundaryOf, ConservesVirtualWork) {
                                              : boundary.segment_point(random.below(11), random.share());
       boundary.add_point_force(motion, point, f, Q);
       boundary.add_point_moment(motion, point, m, Q);
-      const double p =
-          f.dot(boundary.velocity(motion, point)) + m.dot(boundary.angular_velocity(motion, point));
+      const double p = f.dot(boundary.velocity(motion, point)) + m.dot(boundary.angular_velocity(motion, point));
       contact_power += p;
       scale += std::abs(p);
     }
@@ -89,14 +88,13 @@ TEST(ModalBoundary, RigidBodyTurnsAboutItsOrigin) {
 TEST(ModalBoundary, BarycentricWeightsGiveThePointBack) {
   Random random(14);
   for (int trial = 0; trial < 100; ++trial) {
-    const Eigen::Vector3d x0 = random.vector(), x1 = random.vector(), x2 = random.vector(),
-                          w = random.weights();
+    const Eigen::Vector3d x0 = random.vector(), x1 = random.vector(), x2 = random.vector(), w = random.weights();
     const Eigen::Vector3d c = w[0] * x0 + w[1] * x1 + w[2] * x2;
     const Eigen::Vector3d normal = (x1 - x0).cross(x2 - x0);
     const Eigen::Vector3d found = barycentric_weights(x0, x1, x2, c + 0.3 * normal);
     EXPECT_NEAR(found.sum(), 1.0, 1e-13);
-    EXPECT_LT((found[0] * x0 + found[1] * x1 + found[2] * x2 - c).norm(),
-              1e-10);  // random slivers: condition 1e4
+    // random slivers: condition 1e4
+    EXPECT_LT((found[0] * x0 + found[1] * x1 + found[2] * x2 - c).norm(), 1e-10);
   }
 }
 
@@ -114,8 +112,7 @@ TEST(ModalBoundary, RefusesWhatIsNoBoundary) {
   EXPECT_THROW(ModalBoundary("b", two, {}, {{0, 0, 0.1, 0}}), InputError);
   EXPECT_THROW(ModalBoundary("b", two, {}, {{0, 1, 0.0, 0}}), InputError);
   EXPECT_THROW(ModalBoundary("b", two, {}, {}, Eigen::MatrixXd::Zero(5, 1)), InputError);
-  EXPECT_THROW(ModalBoundary("b", two, {}, {}, Eigen::MatrixXd::Zero(6, 1), Eigen::MatrixXd::Zero(6, 2)),
-               InputError);
+  EXPECT_THROW(ModalBoundary("b", two, {}, {}, Eigen::MatrixXd::Zero(6, 1), Eigen::MatrixXd::Zero(6, 2)), InputError);
   two(1, 1) = std::numeric_limits<double>::infinity();
   EXPECT_THROW(ModalBoundary("b", two, {}), InputError);
 }

@@ -52,22 +52,21 @@ TEST(Assembly, ClosesSmallGapsToRoundOff) {
 TEST(Assembly, RefusesWhatIsFarFromClosedAndNamesAllOfIt) {
   Model model = pair_with_gap({0.012, 0.0, 0.0});
   model.add_joint(spherical_joint("hinge_3", at(model, 0, {0.5, 0.0, 0.0}), at(model, 1, {-0.5, 0.0, 0.0})));
-  model.add_joint(revolute_joint(
-      "tilted", ground_marker({0.0, 0.0, 0.0}, rotation_matrix(quaternion_about({1.0, 0.0, 0.0}, 0.1))),
-      at(model, 0, {0.0, 0.0, 0.0})));
+  model.add_joint(
+      revolute_joint("tilted", ground_marker({0.0, 0.0, 0.0}, rotation_matrix(quaternion_about({1.0, 0.0, 0.0}, 0.1))),
+                     at(model, 0, {0.0, 0.0, 0.0})));
   const std::string said = refusal(model);
   EXPECT_NE(said.find("joint \"hinge_3\" (spherical): gap of 0.012 m"), std::string::npos) << said;
-  EXPECT_NE(said.find("joint \"tilted\" (revolute): its axes are off by 5.73 degrees"), std::string::npos)
-      << said;
+  EXPECT_NE(said.find("joint \"tilted\" (revolute): its axes are off by 5.73 degrees"), std::string::npos) << said;
 }
 
 TEST(Assembly, SeesAHalfTurn) {
   // All sines of a prismatic joint vanish when body 2 is turned by 180 degrees about its axis.
   Model model = pair_with_gap(Eigen::Vector3d::Zero());
-  model.add_joint(prismatic_joint(
-      "slide", at(model, 0, {0.0, 0.0, 0.0}, axes_with_z({1.0, 0.0, 0.0})),
-      at(model, 1, {0.0, 0.0, 0.0},
-         rotation_matrix(quaternion_about({1.0, 0.0, 0.0}, M_PI)) * axes_with_z({1.0, 0.0, 0.0}))));
+  model.add_joint(
+      prismatic_joint("slide", at(model, 0, {0.0, 0.0, 0.0}, axes_with_z({1.0, 0.0, 0.0})),
+                      at(model, 1, {0.0, 0.0, 0.0},
+                         rotation_matrix(quaternion_about({1.0, 0.0, 0.0}, M_PI)) * axes_with_z({1.0, 0.0, 0.0}))));
   EXPECT_NE(refusal(model).find("180 degrees"), std::string::npos) << refusal(model);
 }
 
@@ -93,10 +92,10 @@ TEST(Assembly, LeavesOutRedundantConditionsAndSaysWhichFollowFromWhich) {
   // A door on two hinges: the second one repeats five conditions.
   Model model;
   const int door = model.add_body(Body("door", 20.0, Eigen::Vector3d(2.0, 1.0, 1.0).asDiagonal()), {});
-  model.add_joint(revolute_joint("upper", model.marker_at(kGround, {-0.5, 0.0, 0.7}),
-                                 model.marker_at(door, {-0.5, 0.0, 0.7})));
-  model.add_joint(revolute_joint("lower", model.marker_at(kGround, {-0.5, 0.0, -0.7}),
-                                 model.marker_at(door, {-0.5, 0.0, -0.7})));
+  model.add_joint(
+      revolute_joint("upper", model.marker_at(kGround, {-0.5, 0.0, 0.7}), model.marker_at(door, {-0.5, 0.0, 0.7})));
+  model.add_joint(
+      revolute_joint("lower", model.marker_at(kGround, {-0.5, 0.0, -0.7}), model.marker_at(door, {-0.5, 0.0, -0.7})));
   const Assembly assembly = assemble(model);
   EXPECT_EQ(assembly.kept_rows.size(), 5u);
   ASSERT_FALSE(assembly.notes.empty());
@@ -113,8 +112,7 @@ TEST(Assembly, RefusesJointsThatContradictEachOther) {
   Model model;
   const int door = model.add_body(Body("door", 20.0, Eigen::Vector3d(2.0, 1.0, 1.0).asDiagonal()), {});
   model.add_joint(revolute_joint("upper", ground_marker({0.0, 0.0, 0.7}), at(model, door, {0.0, 0.0, 0.7})));
-  model.add_joint(
-      prismatic_joint("lower", ground_marker({4e-4, 0.0, -0.7}), at(model, door, {0.0, 0.0, -0.7})));
+  model.add_joint(prismatic_joint("lower", ground_marker({4e-4, 0.0, -0.7}), at(model, door, {0.0, 0.0, -0.7})));
   const std::string said = refusal(model);
   EXPECT_NE(said.find("contradict"), std::string::npos) << said;
   EXPECT_NE(said.find("\"lower\""), std::string::npos) << said;
@@ -141,13 +139,12 @@ TEST(Assembly, NoticesWhenItStartedInASingularPosition) {
   rod.r = {1.0, 0.0, 0.0};
   model.add_body(Body("crank", 1.0, Eigen::Matrix3d::Identity()), {});
   model.add_body(Body("rod", 1.0, Eigen::Matrix3d::Identity()), rod);
-  model.add_joint(
-      revolute_joint("bearing", ground_marker(Eigen::Vector3d::Zero()), at(model, 0, {0.0, 0.0, 0.0})));
+  model.add_joint(revolute_joint("bearing", ground_marker(Eigen::Vector3d::Zero()), at(model, 0, {0.0, 0.0, 0.0})));
   model.add_joint(revolute_joint("pin", at(model, 0, {1.0, 0.0, 0.0}), at(model, 1, {0.0, 0.0, 0.0})));
-  model.add_joint(distance_joint("stay", ground_marker({0.0, 0.0, 0.0}), at(model, 1, {0.0, 0.0, 0.0}),
-                                 1.0));  // always redundant
-  model.add_joint(distance_joint("tie", ground_marker({-1.0, 0.0, 0.0}), at(model, 1, {0.0, 0.0, 0.0}),
-                                 2.0));  // only here
+  // always redundant
+  model.add_joint(distance_joint("stay", ground_marker({0.0, 0.0, 0.0}), at(model, 1, {0.0, 0.0, 0.0}), 1.0));
+  // only here
+  model.add_joint(distance_joint("tie", ground_marker({-1.0, 0.0, 0.0}), at(model, 1, {0.0, 0.0, 0.0}), 2.0));
   const Assembly assembly = assemble(model);
   Equations equations(model, assembly);
   State state = assembly.state;
@@ -167,8 +164,8 @@ TEST(Model, RefusesBodiesThatCannotExist) {
   EXPECT_THROW(Body("b", -1.0, Eigen::Matrix3d::Identity()), InputError);
   EXPECT_THROW(Body("b", std::nan(""), Eigen::Matrix3d::Identity()), InputError);
   EXPECT_THROW(Body("b", 1.0, Eigen::Matrix3d::Zero()), InputError);
-  EXPECT_THROW(Body("b", 1.0, Eigen::Vector3d(1.0, 1.0, 3.0).asDiagonal()),
-               InputError);  // triangle inequality
+  // triangle inequality
+  EXPECT_THROW(Body("b", 1.0, Eigen::Vector3d(1.0, 1.0, 3.0).asDiagonal()), InputError);
   Eigen::Matrix3d skewed = Eigen::Matrix3d::Identity();
   skewed(0, 1) = 0.2;
   EXPECT_THROW(Body("b", 1.0, skewed), InputError);
@@ -180,8 +177,7 @@ TEST(Model, RefusesNamesTwiceAndBodiesUnknown) {
   const Joint joint = spherical_joint("j", at(model, 0, {0.5, 0.0, 0.0}), at(model, 1, {-0.5, 0.0, 0.0}));
   model.add_joint(joint);
   EXPECT_THROW(model.add_joint(joint), InputError);
-  EXPECT_THROW(spherical_joint("k", at(model, 0, {0.5, 0.0, 0.0}), at(model, 0, {-0.5, 0.0, 0.0})),
-               InputError);
+  EXPECT_THROW(spherical_joint("k", at(model, 0, {0.5, 0.0, 0.0}), at(model, 0, {-0.5, 0.0, 0.0})), InputError);
   try {
     model.body_index("c");
     FAIL();

@@ -23,8 +23,7 @@ double stored_rate(const ForceElement& element, const Model& model, const Layout
     kinematics.load(layout, moved.q, moved.v, Eigen::VectorXd());
     StoredEnergy energy;
     Dissipated power;
-    element.add_energy({kinematics.pair(element.bodies()[0], element.bodies()[1]), state.z, voltages}, energy,
-                       power);
+    element.add_energy({kinematics.pair(element.bodies()[0], element.bodies()[1]), state.z, voltages}, energy, power);
     stored[side] = energy.total();
   }
   return (stored[1] - stored[0]) / (2.0 * dt);
@@ -43,8 +42,8 @@ TEST_P(ForceElementEnergy, WhatIsTakenIsStoredOrDissipated) {
   laws.push_back(std::make_unique<GasSpring>(GasSpringParameters{0.01, 1e5, 4e-4, 1.1, {}}));
   laws.push_back(std::make_unique<MrDamper>(MrDamperParameters{30.0, 2.0, 0.05, 0.0, 0.0, {}}));
   elements.push_back(std::make_unique<Strut>("real", test::random_marker(random, model, GetParam().first),
-                                             test::random_marker(random, model, GetParam().second),
-                                             std::move(laws), 1.1, 0));
+                                             test::random_marker(random, model, GetParam().second), std::move(laws),
+                                             1.1, 0));
   const Layout layout(model, {});
   State state = test::as_given(model).state;
   Kinematics kinematics(model);
@@ -57,8 +56,8 @@ TEST_P(ForceElementEnergy, WhatIsTakenIsStoredOrDissipated) {
     Eigen::VectorXd Q = Eigen::VectorXd::Zero(pair.size()), dz(element->state_count()), v(pair.size());
     for (std::size_t i = 0; i < 2; ++i) {
       if (element->bodies()[i] == kGround) continue;
-      v.segment(pair.offset(static_cast<int>(i)), pair.body[i]->size()) = state.v.segment(
-          layout.body_v[static_cast<std::size_t>(element->bodies()[i])], pair.body[i]->size());
+      v.segment(pair.offset(static_cast<int>(i)), pair.body[i]->size()) =
+          state.v.segment(layout.body_v[static_cast<std::size_t>(element->bodies()[i])], pair.body[i]->size());
     }
     element->add_force(in, Q, dz);
     StoredEnergy stored;
@@ -66,8 +65,7 @@ TEST_P(ForceElementEnergy, WhatIsTakenIsStoredOrDissipated) {
     element->add_energy(in, stored, power);
     const double taken = -Q.dot(v);
     const double given = stored_rate(*element, model, layout, state, voltages) + power.total();
-    EXPECT_NEAR(taken, given, 1e-7 * (std::abs(taken) + power.total()))
-        << element->name();  // error of the difference
+    EXPECT_NEAR(taken, given, 1e-7 * (std::abs(taken) + power.total())) << element->name();  // error of the difference
     for (double part : power.by_kind) EXPECT_GE(part, 0.0) << element->name();
   }
 }
@@ -85,8 +83,7 @@ TEST(RigidPlane, NeverPulls) {
   parameters.stiffness = 1e5;
   parameters.damping = 2.0;
   parameters.point = {0.0, 0.0, -0.9};
-  const RigidPlane plane("plane", {{body_marker(ball, model.body(ball), Eigen::Vector3d::Zero()), 1.0}},
-                         parameters);
+  const RigidPlane plane("plane", {{body_marker(ball, model.body(ball), Eigen::Vector3d::Zero()), 1.0}}, parameters);
   const Layout layout(model, {});
   Kinematics kinematics(model);
   State state = test::as_given(model).state;

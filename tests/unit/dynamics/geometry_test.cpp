@@ -32,8 +32,7 @@ TEST(Rotation, RateOfTheQuaternionTurnsTheMatrixAtItsAngularVelocity) {
   const Eigen::Vector4d L = random.quaternion();
   const Eigen::Vector3d w = random.vector(2.0);
   const Eigen::Vector4d dL = quaternion_rate(L, w);
-  const Eigen::Matrix3d difference =
-      (rotation_matrix(L + dt * dL) - rotation_matrix(L - dt * dL)) / (2.0 * dt);
+  const Eigen::Matrix3d difference = (rotation_matrix(L + dt * dL) - rotation_matrix(L - dt * dL)) / (2.0 * dt);
   EXPECT_LT((difference - skew(w) * rotation_matrix(L)).norm(), 1e-9);
   EXPECT_LT((2.0 * rate_matrix(L) * dL - w).norm(), kRoundOff);
 }
@@ -91,8 +90,7 @@ TEST(MassProperties, OfAWholeAreThoseOfItsParts) {
 TEST(MassProperties, RefuseWhatIsNotPositive) {
   EXPECT_THROW(box_properties({1.0, 0.0, 1.0}, 1.0), InputError);
   EXPECT_THROW(sphere_properties(1.0, -1.0), InputError);
-  EXPECT_THROW(tube_properties(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(), 0.1, 0.06, 1.0),
-               InputError);
+  EXPECT_THROW(tube_properties(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(), 0.1, 0.06, 1.0), InputError);
   EXPECT_THROW(rod_properties(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.1, 1.0), InputError);
 }
 
@@ -103,8 +101,7 @@ TEST(TimeFunction, DerivativesAreDerivatives) {
   const double dt = 1e-5;  // truncation dt^2, round-off 1e-16 / dt: both about 1e-10
   for (std::size_t i = 0; i < functions.size(); ++i) {
     for (double t : {-0.5, 0.1, 0.5, 1.2, 2.0}) {
-      const TimeValue now = functions[i]->at(t), next = functions[i]->at(t + dt),
-                      last = functions[i]->at(t - dt);
+      const TimeValue now = functions[i]->at(t), next = functions[i]->at(t + dt), last = functions[i]->at(t - dt);
       EXPECT_NEAR(now.rate, (next.value - last.value) / (2.0 * dt), 1e-8) << i << " at " << t;
       EXPECT_NEAR(now.accel, (next.rate - last.rate) / (2.0 * dt), 1e-7) << i << " at " << t;
     }

@@ -29,8 +29,7 @@ double jacobian_error(Equations& equations, const Eigen::VectorXd& y, const Eige
     const double error = (column - analytic.col(j)).cwiseAbs().maxCoeff(&row);
     if (error > largest) {
       largest = error;
-      *where =
-          equations.entry_name(static_cast<int>(row)) + " by " + equations.entry_name(static_cast<int>(j));
+      *where = equations.entry_name(static_cast<int>(row)) + " by " + equations.entry_name(static_cast<int>(j));
     }
   }
   return largest / analytic.cwiseAbs().maxCoeff();

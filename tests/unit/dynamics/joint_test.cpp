@@ -20,8 +20,7 @@ Motion later(const Layout& layout, const Motion& at, double dt) {
   for (std::size_t i = 0; i < layout.body_q.size(); ++i) {
     const int q = layout.body_q[i];
     Eigen::Vector4d L = at.q.segment<4>(q + 3);
-    const Eigen::Vector3d w0 = at.v.segment<3>(layout.body_v[i] + 3),
-                          dw = at.dv.segment<3>(layout.body_v[i] + 3);
+    const Eigen::Vector3d w0 = at.v.segment<3>(layout.body_v[i] + 3), dw = at.dv.segment<3>(layout.body_v[i] + 3);
     const auto rate = [&](const Eigen::Vector4d& x, double s) { return quaternion_rate(x, w0 + s * dw); };
     const Eigen::Vector4d k1 = rate(L, 0.0), k2 = rate(L + 0.5 * dt * k1, 0.5 * dt),
                           k3 = rate(L + 0.5 * dt * k2, 0.5 * dt), k4 = rate(L + dt * k3, dt);
@@ -30,8 +29,7 @@ Motion later(const Layout& layout, const Motion& at, double dt) {
     const int end = i + 1 < layout.body_q.size() ? layout.body_v[i + 1] : layout.v_size;
     out.q.segment<3>(q) += dx.segment<3>(layout.body_v[i]);
     out.q.segment<4>(q + 3) = L;
-    out.q.segment(q + 7, end - layout.body_v[i] - 6) +=
-        dx.segment(layout.body_v[i] + 6, end - layout.body_v[i] - 6);
+    out.q.segment(q + 7, end - layout.body_v[i] - 6) += dx.segment(layout.body_v[i] + 6, end - layout.body_v[i] - 6);
   }
   return out;
 }
@@ -67,9 +65,8 @@ class EveryJoint : public ::testing::TestWithParam<std::pair<int, int>> {
 };
 
 TEST_P(EveryJoint, RatesAreTimeDerivatives) {
-  const double
-      t = 0.4,
-      dt = 1e-5;  // truncation dt^2 = 1e-10, round-off 1e-16 / dt = 1e-11, times derivatives of some hundred
+  // truncation dt^2 = 1e-10, round-off 1e-16 / dt = 1e-11, times derivatives of some hundred
+  const double t = 0.4, dt = 1e-5;
   const double tolerance = 1e-7;
   for (const Joint& joint : joints_) {
     for (const ConstraintRow& row : joint.rows) {
@@ -92,12 +89,10 @@ TEST_P(EveryJoint, JacobianRowIsTheRatePerVelocity) {
       for (int body : {joint.m1.body, joint.m2.body}) {
         if (body == kGround) continue;
         const int n = 6 + model_.body(body).mode_count();
-        rate +=
-            phi_v.segment(offset, n).dot(at_.v.segment(layout_->body_v[static_cast<std::size_t>(body)], n));
+        rate += phi_v.segment(offset, n).dot(at_.v.segment(layout_->body_v[static_cast<std::size_t>(body)], n));
         offset += n;
       }
-      EXPECT_NEAR(rate, now.rate, 1e-13 * (1.0 + std::abs(rate)))
-          << joint.name;  // two ways to the same sum: round-off
+      EXPECT_NEAR(rate, now.rate, 1e-13 * (1.0 + std::abs(rate))) << joint.name;  // two ways to the same sum: round-off
     }
   }
 }

@@ -26,8 +26,7 @@ struct LanderStart {
   double slope = 0.0;                        // of the plane, about y [rad]
 };
 
-inline int add_solid(Model& model, const std::string& name, const MassProperties& solid,
-                     const LanderStart& start) {
+inline int add_solid(Model& model, const std::string& name, const MassProperties& solid, const LanderStart& start) {
   BodyState state;
   state.r = solid.centre;
   state.dr = start.velocity;
@@ -46,10 +45,9 @@ inline std::unique_ptr<ForceElement> pad_on_plane(const Model& model, const std:
   std::vector<ContactPoint> points;
   for (int i = 0; i < 8; ++i) {
     const double angle = i * M_PI / 4.0;
-    points.push_back(
-        {model.marker_at(pad, model.initial(pad).r +
-                                  Eigen::Vector3d(0.2 * std::cos(angle), 0.2 * std::sin(angle), -0.004)),
-         0.0});
+    points.push_back({model.marker_at(pad, model.initial(pad).r +
+                                               Eigen::Vector3d(0.2 * std::cos(angle), 0.2 * std::sin(angle), -0.004)),
+                      0.0});
   }
   return std::make_unique<RigidPlane>(name, points, plane);
 }
@@ -69,11 +67,8 @@ inline Model lander(const LanderStart& start = {}) {
 
   for (int leg = 0; leg < 4; ++leg) {
     const std::string tail = "_" + std::to_string(leg + 1);
-    const Eigen::Matrix3d R =
-        Eigen::AngleAxisd(0.5 * M_PI * leg, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    const auto at = [&](double x, double y, double z) {
-      return Eigen::Vector3d(R * Eigen::Vector3d(x, y, z));
-    };
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(0.5 * M_PI * leg, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const auto at = [&](double x, double y, double z) { return Eigen::Vector3d(R * Eigen::Vector3d(x, y, z)); };
     const Eigen::Vector3d up = at(1.0, 0.0, 1.35), pivot = at(1.75, 0.0, 0.08), side = at(0.0, 1.0, 0.0);
     const Eigen::Vector3d e = (pivot - up).normalized(), lower = up + 0.9 * e;
     const Eigen::Matrix3d along = axes_with_z(e, side);
@@ -87,10 +82,9 @@ inline Model lander(const LanderStart& start = {}) {
     // Universal at the cabin: first axis sideways on the cabin, second one across on the strut.
     model.add_joint(universal_joint("hip" + tail, model.marker_at(cabin, up, axes_with_z(e, side)),
                                     model.marker_at(outer, up, along)));
-    model.add_joint(prismatic_joint("slide" + tail, model.marker_at(outer, up, along),
-                                    model.marker_at(rod, pivot, along)));
     model.add_joint(
-        spherical_joint("ankle" + tail, model.marker_at(rod, pivot), model.marker_at(pad, pivot)));
+        prismatic_joint("slide" + tail, model.marker_at(outer, up, along), model.marker_at(rod, pivot, along)));
+    model.add_joint(spherical_joint("ankle" + tail, model.marker_at(rod, pivot), model.marker_at(pad, pivot)));
     Bushing::Parameters centring;
     centring.rotational_stiffness = Eigen::Vector3d::Constant(200.0);
     centring.rotational_damping = 10.0;
@@ -103,9 +97,8 @@ inline Model lander(const LanderStart& start = {}) {
     stops.smallest_stroke = 0.0;
     stops.largest_stroke = 0.32;
     primary.push_back(std::make_unique<EndStop>(stops));
-    model.add_force(std::make_unique<Strut>("primary" + tail, model.marker_at(outer, up),
-                                            model.marker_at(rod, pivot), std::move(primary),
-                                            (pivot - up).norm(), leg));
+    model.add_force(std::make_unique<Strut>("primary" + tail, model.marker_at(outer, up), model.marker_at(rod, pivot),
+                                            std::move(primary), (pivot - up).norm(), leg));
     model.add_force(pad_on_plane(model, "ground" + tail, pad, start));
 
     for (int s = -1; s <= 1; s += 2) {
@@ -113,16 +106,15 @@ inline Model lander(const LanderStart& start = {}) {
       const Eigen::Vector3d hip = at(0.85, 0.55 * s, 0.55), d = (lower - hip).normalized();
       const double length = (lower - hip).norm();
       const Eigen::Matrix3d axes = axes_with_z(d, Eigen::Vector3d::UnitZ());
-      const int aux_outer =
-          part("aux_outer" + name, tube_properties(hip, hip + 0.6 * length * d, 0.06, 0.004, steel));
+      const int aux_outer = part("aux_outer" + name, tube_properties(hip, hip + 0.6 * length * d, 0.06, 0.004, steel));
       const int aux_inner =
           part("aux_inner" + name, tube_properties(lower - 0.6 * length * d, lower, 0.05, 0.004, steel));
-      model.add_joint(universal_joint("aux_hip" + name, model.marker_at(cabin, hip, axes),
-                                      model.marker_at(aux_outer, hip, axes)));
+      model.add_joint(
+          universal_joint("aux_hip" + name, model.marker_at(cabin, hip, axes), model.marker_at(aux_outer, hip, axes)));
       model.add_joint(prismatic_joint("aux_slide" + name, model.marker_at(aux_outer, hip, axes),
                                       model.marker_at(aux_inner, lower, axes)));
-      model.add_joint(spherical_joint("aux_knee" + name, model.marker_at(aux_inner, lower),
-                                      model.marker_at(outer, lower)));
+      model.add_joint(
+          spherical_joint("aux_knee" + name, model.marker_at(aux_inner, lower), model.marker_at(outer, lower)));
       std::vector<std::unique_ptr<StrutLaw>> crush;
       crush.push_back(std::make_unique<Honeycomb>(HoneycombParameters{}));
       model.add_force(std::make_unique<Strut>("aux" + name, model.marker_at(aux_outer, hip),

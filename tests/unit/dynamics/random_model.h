@@ -22,9 +22,7 @@ namespace footfall::test {
 
 class Random {
  public:
-  explicit Random(unsigned seed) : engine_(seed) {
-    ::testing::Test::RecordProperty("seed", static_cast<int>(seed));
-  }
+  explicit Random(unsigned seed) : engine_(seed) { ::testing::Test::RecordProperty("seed", static_cast<int>(seed)); }
   double number(double low = -1.0, double high = 1.0) {
     return std::uniform_real_distribution<double>(low, high)(engine_);
   }
@@ -34,9 +32,7 @@ class Random {
     for (Eigen::Index i = 0; i < n; ++i) x[i] = size * number();
     return x;
   }
-  Eigen::Vector4d quaternion() {
-    return Eigen::Vector4d(number(), number(), number(), number() + 1.5).normalized();
-  }
+  Eigen::Vector4d quaternion() { return Eigen::Vector4d(number(), number(), number(), number() + 1.5).normalized(); }
   Eigen::Matrix3d axes() { return rotation_matrix(quaternion()); }
   Eigen::Matrix3d inertia(double size = 1.0) {
     const Eigen::Matrix3d A = axes();
@@ -50,8 +46,8 @@ class Random {
 
 // A few masses with rotary inertia held together by a random elastic law that knows no rigid-body strain.
 // Exact in all properties a ModalBody promises: mean axes, mass-orthonormal modes, Bo at the mass centre.
-inline std::shared_ptr<ModalBody> hand_made_body(Random& random, int nodes, int modes,
-                                                 double stiffness = 500.0, double damping_ratio = 0.0) {
+inline std::shared_ptr<ModalBody> hand_made_body(Random& random, int nodes, int modes, double stiffness = 500.0,
+                                                 double damping_ratio = 0.0) {
   auto body = std::make_shared<ModalBody>();
   body->name = "hand made";
   body->rho0.resize(3, nodes);
@@ -78,11 +74,9 @@ inline std::shared_ptr<ModalBody> hand_made_body(Random& random, int nodes, int 
       Eigen::MatrixXd::Identity(n, n) - R * (R.transpose() * M * R).ldlt().solve(R.transpose() * M);
   Eigen::MatrixXd X(n, n);
   for (int i = 0; i < n; ++i) X.col(i) = random.vector_x(n);
-  const Eigen::MatrixXd K =
-      stiffness * P.transpose() * (X * X.transpose() + Eigen::MatrixXd::Identity(n, n)) * P;
+  const Eigen::MatrixXd K = stiffness * P.transpose() * (X * X.transpose() + Eigen::MatrixXd::Identity(n, n)) * P;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (K + K.transpose()), M);
-  const Eigen::MatrixXd shapes =
-      eigen.eigenvectors().middleCols(6, modes);  // the six zero frequencies come first
+  const Eigen::MatrixXd shapes = eigen.eigenvectors().middleCols(6, modes);  // the six zero frequencies come first
   body->stiffness = eigen.eigenvalues().segment(6, modes);
   body->damping = 2.0 * damping_ratio * body->stiffness.cwiseSqrt();
   body->Phi.resize(3 * nodes, modes);
@@ -201,8 +195,7 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
   plane.friction = 0.3;
   plane.slip_speed = 0.2;
   out.push_back(std::make_unique<RigidPlane>(
-      "plane" + tail, std::vector<ContactPoint>{{m(standing), 0.0}, {m(standing), 0.25}, {m(standing), 0.1}},
-      plane));
+      "plane" + tail, std::vector<ContactPoint>{{m(standing), 0.0}, {m(standing), 0.25}, {m(standing), 0.1}}, plane));
   return out;
 }
 
@@ -229,11 +222,10 @@ inline Assembly as_given(const Model& model) {
   out.state.z.resize(layout.z_size);
   for (int i = 0; i < model.body_count(); ++i) {
     const BodyState& body = model.initial(i);
-    out.state.q.segment(layout.body_q[static_cast<std::size_t>(i)], 7 + model.body(i).mode_count()) << body.r,
-        body.L, body.a;
-    out.state.v.segment(layout.body_v[static_cast<std::size_t>(i)], 6 + model.body(i).mode_count())
-        << body.dr,
-        body.w, body.da;
+    out.state.q.segment(layout.body_q[static_cast<std::size_t>(i)], 7 + model.body(i).mode_count()) << body.r, body.L,
+        body.a;
+    out.state.v.segment(layout.body_v[static_cast<std::size_t>(i)], 6 + model.body(i).mode_count()) << body.dr, body.w,
+        body.da;
   }
   for (int i = 0; i < model.force_count(); ++i)
     out.state.z.segment(layout.force_z[static_cast<std::size_t>(i)], model.force(i).state_count()) =

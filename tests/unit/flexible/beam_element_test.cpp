@@ -18,8 +18,7 @@ constexpr double kPi = 3.14159265358979323846;
 const Material kSteel{7850.0, 207e9, 0.3};
 
 // Displacements of the free end of a cantilever (first end held) under forces and moments there.
-Eigen::Matrix<double, 6, 1> tip(double length, const BeamSection& section,
-                                const Eigen::Matrix<double, 6, 1>& load) {
+Eigen::Matrix<double, 6, 1> tip(double length, const BeamSection& section, const Eigen::Matrix<double, 6, 1>& load) {
   const Eigen::Matrix<double, 6, 6> K = beam_stiffness(length, section, kSteel).bottomRightCorner<6, 6>();
   return K.ldlt().solve(load);
 }
@@ -34,10 +33,8 @@ TEST(BeamElement, CantileverBendsStretchesAndTwistsAsTheTextbookSays) {
     const Eigen::Matrix<double, 6, 1> u = tip(L, s, load);
     Eigen::Matrix<double, 6, 1> exact = Eigen::Matrix<double, 6, 1>::Zero();
     if (axis == 0) exact(0) = P * L / (E * s.area);
-    if (axis == 1)
-      exact(1) = P * L * L * L / (3.0 * E * s.bending_z), exact(5) = P * L * L / (2.0 * E * s.bending_z);
-    if (axis == 2)
-      exact(2) = P * L * L * L / (3.0 * E * s.bending_y), exact(4) = -P * L * L / (2.0 * E * s.bending_y);
+    if (axis == 1) exact(1) = P * L * L * L / (3.0 * E * s.bending_z), exact(5) = P * L * L / (2.0 * E * s.bending_z);
+    if (axis == 2) exact(2) = P * L * L * L / (3.0 * E * s.bending_y), exact(4) = -P * L * L / (2.0 * E * s.bending_y);
     if (axis == 3) exact(3) = P * L / (G * s.torsion);
     if (axis == 4) exact(4) = P * L / (E * s.bending_y), exact(2) = -P * L * L / (2.0 * E * s.bending_y);
     if (axis == 5) exact(5) = P * L / (E * s.bending_z), exact(1) = P * L * L / (2.0 * E * s.bending_z);
@@ -97,8 +94,7 @@ TEST(BeamElement, StressOfTheOuterFibreIsMomentOverSectionModulus) {
     const double shear = std::hypot(sigma(6 * point + 3), sigma(6 * point + 5));
     EXPECT_NEAR(shear, T / (2.0 * W), kRoundOff * T / W);
   }
-  for (int point = 4; point < 8; ++point)
-    EXPECT_NEAR(sigma(6 * point), axial, kRoundOff * P * L / W) << "free end";
+  for (int point = 4; point < 8; ++point) EXPECT_NEAR(sigma(6 * point), axial, kRoundOff * P * L / W) << "free end";
   // Torsion about +x moves material at +y towards +z.
   EXPECT_GT(sigma(5), 0.0);
 }
@@ -112,8 +108,8 @@ TEST(BeamSection, TubesAndRodsHaveTheClosedFormConstants) {
 }
 
 TEST(BeamSection, RectangularTorsionMatchesTheTable) {
-  const double four_digits =
-      5e-4;  // Timoshenko's table: side ratio 1 (0.1406, 0.208), 2 (0.229, 0.246), 10 (0.312, 0.312)
+  // Timoshenko's table: side ratio 1 (0.1406, 0.208), 2 (0.229, 0.246), 10 (0.312, 0.312)
+  const double four_digits = 5e-4;
   const double b = 0.02;
   for (const auto& [ratio, alpha, beta] :
        {std::tuple{1.0, 0.1406, 0.208}, std::tuple{2.0, 0.229, 0.246}, std::tuple{10.0, 0.312, 0.312}})

@@ -66,8 +66,7 @@ TEST(LowestModes, OfAFreePlateAgreeBetweenTheMethods) {
   const Modes dense = lowest_modes(model.stiffness, M, count, shift, EigenMethod::kDense);
   const Modes subspace = lowest_modes(model.stiffness, M, count, shift, EigenMethod::kSubspace);
   const double round_off = 1e-7;  // of lambda: the membrane is 1e6 times as stiff as bending
-  for (int k = 6; k < count; ++k)
-    EXPECT_NEAR(subspace.lambda(k), dense.lambda(k), round_off * dense.lambda(k));
+  for (int k = 6; k < count; ++k) EXPECT_NEAR(subspace.lambda(k), dense.lambda(k), round_off * dense.lambda(k));
   for (int k = 0; k < 6; ++k) EXPECT_LT(std::abs(subspace.lambda(k)), round_off * dense.lambda(6));
   // The same space: mass products of the two sets of elastic modes are an orthogonal matrix (pairs may be
   // turned).

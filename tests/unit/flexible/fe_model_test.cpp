@@ -39,16 +39,13 @@ std::string refusal(const Call& call) {
   return "(accepted)";
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(StraightBeam, HasTheExactMassPropertiesOfACylinder) {
   const double d = 0.05, L = 0.8;
   const Vector3d from(0.1, 0.2, 0.3), axis = Vector3d(1, -2, 0.5).normalized();
   for (int n : {1, 2, 5}) {
-    const MassProperties body =
-        mass_properties(straight_beam(from, from + L * axis, n, rod_section(d), kSteel));
+    const MassProperties body = mass_properties(straight_beam(from, from + L * axis, n, rod_section(d), kSteel));
     const double m = kSteel.density * kPi / 4.0 * d * d * L;
     const double along = m * d * d / 8.0, across = m * (d * d / 16.0 + L * L / 12.0);
     const Matrix3d J = across * Matrix3d::Identity() + (along - across) * axis * axis.transpose();
@@ -67,8 +64,7 @@ TEST(PlateModel, WeighsAreaTimesThicknessAndWithMassWhatIsWanted) {
   EXPECT_NEAR(body.mass, kSteel.density * t * polygon, kRoundOff * body.mass);
   EXPECT_LT(body.centre.norm(), kRoundOff);
   const double disc = 0.5 * body.mass * R * R;  // about the axis
-  EXPECT_NEAR(body.inertia(2, 2), disc, 0.01 * disc)
-      << "lumping at corners adds (edge/radius)^2, the polygon takes";
+  EXPECT_NEAR(body.inertia(2, 2), disc, 0.01 * disc) << "lumping at corners adds (edge/radius)^2, the polygon takes";
   const MassProperties heavier = mass_properties(with_mass(model, 20.0));
   EXPECT_NEAR(heavier.mass, 20.0, kRoundOff * 20.0);
   EXPECT_LT((heavier.inertia - 20.0 / body.mass * body.inertia).norm(), kRoundOff * heavier.inertia.norm());
@@ -80,14 +76,12 @@ TEST(Frame, OfTwoMembersAtARightAngleDeflectsAsWorkedOutByHand) {
   // P b^3/(3 EI) + P h/(EA).
   const double h = 0.6, b = 0.4, P = 50.0;
   const BeamSection section = tube_section(0.04, 0.003);
-  const FeModel model =
-      beam_model({{0, 0, 0}, {0, 0, h}, {b, 0, h}}, {member(0, 1), member(1, 2)}, {section}, kSteel);
+  const FeModel model = beam_model({{0, 0, 0}, {0, 0, h}, {b, 0, h}}, {member(0, 1), member(1, 2)}, {section}, kSteel);
   VectorXd load = VectorXd::Zero(6 * model.node_count());
   load(6 * 2 + 2) = -P;
   const VectorXd u = static_solution(model, node_dofs(0), load);
   const double EI = kSteel.young * section.bending_y;
-  const double exact =
-      P * b * b * h / EI + P * b * b * b / (3.0 * EI) + P * h / (kSteel.young * section.area);
+  const double exact = P * b * b * h / EI + P * b * b * b / (3.0 * EI) + P * h / (kSteel.young * section.area);
   EXPECT_NEAR(-u(6 * 2 + 2), exact, 1e-9 * exact);
   EXPECT_NEAR(u(6 * 1 + 0), P * b * h * h / (2.0 * EI), 1e-9 * exact);
 }

@@ -17,8 +17,8 @@ constexpr double kPi = 3.14159265358979323846;
 
 Vector3d area_vector(const TriangleMesh& mesh, const Eigen::Vector3i& t) {
   const Vector3d& p = mesh.vertices[static_cast<std::size_t>(t(0))];
-  return 0.5 * (mesh.vertices[static_cast<std::size_t>(t(1))] - p)
-                   .cross(mesh.vertices[static_cast<std::size_t>(t(2))] - p);
+  return 0.5 *
+         (mesh.vertices[static_cast<std::size_t>(t(1))] - p).cross(mesh.vertices[static_cast<std::size_t>(t(2))] - p);
 }
 
 double area(const TriangleMesh& mesh) {
@@ -42,9 +42,7 @@ std::string finding(const TriangleMesh& mesh, const MeshDemands& wanted) {
   return findings.empty() ? "" : findings[0];
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(DiscMesh, HasSymmetricRingsOfNearUniformTriangles) {
   const double R = 0.2;
@@ -58,9 +56,9 @@ TEST(DiscMesh, HasSymmetricRingsOfNearUniformTriangles) {
   for (const Eigen::Vector3i& t : mesh.triangles) {
     EXPECT_GT(area_vector(mesh, t).z(), 0.0) << "normals along z";
     for (int i = 0; i < 3; ++i) {
-      const double edge = (mesh.vertices[static_cast<std::size_t>(t(i))] -
-                           mesh.vertices[static_cast<std::size_t>(t((i + 1) % 3))])
-                              .norm();
+      const double edge =
+          (mesh.vertices[static_cast<std::size_t>(t(i))] - mesh.vertices[static_cast<std::size_t>(t((i + 1) % 3))])
+              .norm();
       shortest = std::min(shortest, edge);
       longest = std::max(longest, edge);
     }
@@ -91,8 +89,7 @@ TEST(DishMesh, LiesOnItsSphereAndOpensUpwards) {
   EXPECT_NEAR(mesh.vertices.back().head<2>().norm(), a, kRoundOff) << "the last ring is the rim";
   for (const Eigen::Vector3i& t : mesh.triangles) EXPECT_GT(area_vector(mesh, t).z(), 0.0);
   EXPECT_TRUE(mesh_findings(mesh, demands(false, true, true)).empty());
-  EXPECT_NEAR(area(mesh), kPi * (a * a + d * d), 0.01 * kPi * a * a)
-      << "cap area pi (a^2 + d^2), less the facets'";
+  EXPECT_NEAR(area(mesh), kPi * (a * a + d * d), 0.01 * kPi * a * a) << "cap area pi (a^2 + d^2), less the facets'";
   EXPECT_NEAR(dish_mesh(a, a, 0.02).vertices.back().z(), a, kRoundOff) << "a half sphere";
 }
 
@@ -145,8 +142,7 @@ TEST(MeshCheck, NamesTheTrianglesOfEveryDefect) {
   mesh.triangles.erase(mesh.triangles.begin() + 5);
   std::string text = finding(mesh, demands(true, true, true));
   EXPECT_TRUE(has(text, "not closed") && has(text, "triangles ")) << text;
-  EXPECT_TRUE(mesh_findings(mesh, demands(false, true, true)).empty())
-      << "not closed matters only where asked";
+  EXPECT_TRUE(mesh_findings(mesh, demands(false, true, true)).empty()) << "not closed matters only where asked";
 
   mesh = good;
   mesh.triangles.push_back(Eigen::Vector3i(mesh.triangles[3](1), mesh.triangles[3](0), mesh.triangles[3](2)));
@@ -184,8 +180,7 @@ TEST(MeshCheck, NamesTheTrianglesOfEveryDefect) {
 
   mesh = good;  // a fin on an edge
   mesh.vertices.push_back(Vector3d(2, 2, 2));
-  mesh.triangles.emplace_back(mesh.triangles[0](0), mesh.triangles[0](1),
-                              static_cast<int>(mesh.vertices.size()) - 1);
+  mesh.triangles.emplace_back(mesh.triangles[0](0), mesh.triangles[0](1), static_cast<int>(mesh.vertices.size()) - 1);
   EXPECT_GE(mesh_findings(mesh, demands(true, false, false)).size(), 1u);
   EXPECT_TRUE(mesh_findings(mesh, demands(false, true, false)).empty());
 
@@ -201,8 +196,7 @@ TEST(MeshCheck, ThrowsWithTheNameOfTheFile) {
     FAIL() << "accepted";
   } catch (const InputError& error) {
     const std::string text = error.what();
-    EXPECT_TRUE(has(text, "pad.stl: triangle 24:") && has(text, "pad.stl: triangle 25:"))
-        << "all at once: " << text;
+    EXPECT_TRUE(has(text, "pad.stl: triangle 24:") && has(text, "pad.stl: triangle 25:")) << "all at once: " << text;
   }
 }
 

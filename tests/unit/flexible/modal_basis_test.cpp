@@ -22,15 +22,9 @@ using Eigen::VectorXd;
 
 const Material kSteel{7850.0, 207e9, 0.3};
 
-FeModel strut() {
-  return straight_beam({0.2, 0.1, 0.0}, {0.7, 0.4, 1.0}, 8, tube_section(0.05, 0.008), kSteel);
-}
-FeModel pad() {
-  return plate_model(disc_mesh(0.2, 0.05), 0.008, kSteel);
-}
-FeModel dish() {
-  return plate_model(dish_mesh(0.2, 0.04, 0.05), 0.004, kSteel);
-}
+FeModel strut() { return straight_beam({0.2, 0.1, 0.0}, {0.7, 0.4, 1.0}, 8, tube_section(0.05, 0.008), kSteel); }
+FeModel pad() { return plate_model(disc_mesh(0.2, 0.05), 0.008, kSteel); }
+FeModel dish() { return plate_model(dish_mesh(0.2, 0.04, 0.05), 0.004, kSteel); }
 
 BeamMember member(int first, int second) {
   BeamMember result;
@@ -64,9 +58,7 @@ std::string refusal(const Call& call) {
   return "(accepted)";
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 // The contract of modal_body.h, to round-off.
 void expect_contract(const ModalBody& body) {
@@ -113,8 +105,7 @@ TEST(ModalBasis, KeepsTheContractForEveryModelAndBasis) {
 }
 
 TEST(ModalBasis, FreeFreeModesAreTheNaturalFrequenciesOfTheModel) {
-  const double tolerance =
-      1e-7;  // round-off of stiffness: short elements are 1e7 times as stiff as the first mode
+  const double tolerance = 1e-7;  // round-off of stiffness: short elements are 1e7 times as stiff as the first mode
   for (const FeModel& model : {strut(), pad(), dish()}) {
     const VectorXd f = natural_frequencies(model, {}, 14).tail(8);
     const ReducedBody reduced = reduce(model, free_free(8), "body");
@@ -174,8 +165,7 @@ TEST(ModalBasis, ReducedBodyHeldAtItsJointVibratesAsTheClampedModel) {
     N.block<3, 1>(3, k) = w;
   }
   N.bottomRows(s).setIdentity();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(N.transpose() * K * N,
-                                                                 N.transpose() * M * N);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(N.transpose() * K * N, N.transpose() * M * N);
   const VectorXd f = eigen.eigenvalues().cwiseSqrt().head(4) / (2.0 * std::acos(-1.0));
   EXPECT_LT((f - exact).cwiseQuotient(exact).cwiseAbs().maxCoeff(), 1e-6)
       << "the fixed-interface modes are in the basis";
@@ -198,8 +188,7 @@ TEST(ModalBasis, ManagesWiresAndThinShells) {
   const double d = 0.0005, L = 2.0;
   const FeModel wire = straight_beam({0, 0, 0}, {L, 0, 0}, 64, rod_section(d), kSteel);
   const double x = 4.730040745;  // cos x cosh x = 1
-  const double exact =
-      x * x / (2.0 * std::acos(-1.0) * L * L) * std::sqrt(kSteel.young / kSteel.density) * d / 4.0;
+  const double exact = x * x / (2.0 * std::acos(-1.0) * L * L) * std::sqrt(kSteel.young / kSteel.density) * d / 4.0;
   for (const BasisOptions& options : {free_free(6), craig_bampton(12, {0, 64})}) {
     const ModalBody body = reduce(wire, options, "wire").body;
     const double truncation = options.kind == BasisKind::kFreeFree ? 1e-5 : 1e-3;  // of six held modes
@@ -368,8 +357,7 @@ TEST(ModalBasis, WarnsWhenUnitsAreOffByAThousand) {
   ReducedBody reduced = reduce(soft, free_free(2), "leg");
   ASSERT_EQ(reduced.warnings.size(), 1u);
   EXPECT_TRUE(has(reduced.warnings[0], "body \"leg\"") && has(reduced.warnings[0], "units off by 1000"));
-  const FeModel small =
-      straight_beam({0, 0, 0}, {1e-3, 0, 0}, 8, rod_section(1e-3), Material{7.85, 207e9, 0.3});
+  const FeModel small = straight_beam({0, 0, 0}, {1e-3, 0, 0}, 8, rod_section(1e-3), Material{7.85, 207e9, 0.3});
   EXPECT_EQ(reduce(small, free_free(2), "leg").warnings.size(), 1u);
   EXPECT_TRUE(reduce(strut(), free_free(2), "leg").warnings.empty());
 }
@@ -380,8 +368,8 @@ TEST(OrthonormalModes, OfDependentOrRigidShapesAreRefused) {
   ModalBody dependent = raw;
   dependent.Phi.col(2) = dependent.Phi.col(0) + dependent.Phi.col(1);
   dependent.Psi.col(2) = dependent.Psi.col(0) + dependent.Psi.col(1);
-  EXPECT_TRUE(has(refusal([&] { orthonormalised(dependent, K, BasisOptions{}); }),
-                  "mass matrix of the basis is not positive"));
+  EXPECT_TRUE(
+      has(refusal([&] { orthonormalised(dependent, K, BasisOptions{}); }), "mass matrix of the basis is not positive"));
   ModalBody rigid = raw;
   for (int j = 0; j < rigid.node_count(); ++j) rigid.Phi.block<3, 1>(3 * j, 1) = Vector3d(1, 2, 3);
   rigid.Psi.col(1).setZero();
@@ -404,8 +392,7 @@ TEST(OrthonormalModes, DoNotDependOnTheShapesThatSpanThem) {
     raw.Psi.block<3, 1>(3 * j, 2) += w;
   }
   raw.rho0.colwise() += good.p_DBo;
-  const ReducedBody again =
-      orthonormalised(raw, Y.transpose() * good.body.stiffness.asDiagonal() * Y, free_free(4));
+  const ReducedBody again = orthonormalised(raw, Y.transpose() * good.body.stiffness.asDiagonal() * Y, free_free(4));
   expect_contract(again.body);
   EXPECT_LT((again.p_DBo - good.p_DBo).norm(), 1e-12);
   EXPECT_LT((frequencies(again.body) - frequencies(good.body)).norm(), 1e-8 * frequencies(good.body).norm());

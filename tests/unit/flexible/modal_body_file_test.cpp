@@ -25,8 +25,8 @@ class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& text = "") {
     static int number = 0;
-    path_ = ::testing::TempDir() + "footfall_modal_" + std::to_string(::getpid()) + "_" +
-            std::to_string(number++) + ".txt";
+    path_ =
+        ::testing::TempDir() + "footfall_modal_" + std::to_string(::getpid()) + "_" + std::to_string(number++) + ".txt";
     std::ofstream(path_) << text;
   }
   ~TemporaryFile() { std::remove(path_.c_str()); }
@@ -48,9 +48,7 @@ std::string refusal(const Call& call) {
   return "(accepted)";
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 BeamMember member(int first, int second) {
   BeamMember result;
@@ -186,8 +184,7 @@ std::string matrix_market(const Eigen::SparseMatrix<double>& matrix, bool symmet
       body << it.row() + 1 << ' ' << j + 1 << ' ' << it.value() << '\n';
       ++entries;
     }
-  text << "%%MatrixMarket matrix coordinate real " << (symmetric ? "symmetric" : "general")
-       << "\n% a comment\n"
+  text << "%%MatrixMarket matrix coordinate real " << (symmetric ? "symmetric" : "general") << "\n% a comment\n"
        << matrix.rows() << ' ' << matrix.cols() << ' ' << entries << '\n'
        << body.str();
   return text.str();
@@ -223,8 +220,7 @@ TEST(MatrixMarket, OfASolidWithConsistentMassIsLumpedAndReduced) {
   for (int i = 0; i < 8; ++i)
     for (int j = 0; j < 8; ++j) {
       // Trilinear brick of 8 kg: 8/27 on the diagonal, halved with each edge between two nodes.
-      const double distance2 =
-          (p[static_cast<std::size_t>(i)] - p[static_cast<std::size_t>(j)]).squaredNorm();
+      const double distance2 = (p[static_cast<std::size_t>(i)] - p[static_cast<std::size_t>(j)]).squaredNorm();
       for (int k = 0; k < 3; ++k) M(3 * i + k, 3 * j + k) = 8.0 / 27.0 * std::pow(0.5, distance2);
       if (i == j) continue;
       const Vector3d e = (p[static_cast<std::size_t>(i)] - p[static_cast<std::size_t>(j)]).normalized();
@@ -242,8 +238,7 @@ TEST(MatrixMarket, OfASolidWithConsistentMassIsLumpedAndReduced) {
   BasisOptions options = modes(18);
   options.pinned_nodes = {0, 7};
   const ReducedBody reduced = reduce(model, options, "cube");
-  EXPECT_LT((reduced.body.stiffness - exact.eigenvalues().tail(18)).norm(),
-            1e-9 * exact.eigenvalues().norm());
+  EXPECT_LT((reduced.body.stiffness - exact.eigenvalues().tail(18)).norm(), 1e-9 * exact.eigenvalues().norm());
   EXPECT_TRUE(reduced.body.Psi.isZero(0.0));
   options.mode_count = 19;
   EXPECT_TRUE(has(refusal([&] { reduce(model, options, "cube"); }), "only 18 elastic degrees of freedom"));
@@ -251,8 +246,7 @@ TEST(MatrixMarket, OfASolidWithConsistentMassIsLumpedAndReduced) {
 
 TEST(MatrixMarket, NamesFileAndLineOfWhatIsWrong) {
   const FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 1, rod_section(0.02), kSteel);
-  const std::string K = matrix_market(model.stiffness, true),
-                    M = matrix_market(lumped_mass_matrix(model), true);
+  const std::string K = matrix_market(model.stiffness, true), M = matrix_market(lumped_mass_matrix(model), true);
   const std::string nodes = node_list(model);
   const auto read = [&](const std::string& k, const std::string& m, const std::string& n) {
     const TemporaryFile kf(k), mf(m), nf(n);
@@ -260,19 +254,17 @@ TEST(MatrixMarket, NamesFileAndLineOfWhatIsWrong) {
   };
   EXPECT_EQ(read(K, M, nodes), "(accepted)");
   EXPECT_TRUE(has(read("1 2 3\n" + K, M, nodes), ":1: not a matrix that can be read"));
-  EXPECT_TRUE(
-      has(read("%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n4\n", M, nodes), ":1: not a matrix"));
+  EXPECT_TRUE(has(read("%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n4\n", M, nodes), ":1: not a matrix"));
   EXPECT_TRUE(has(read(K + "1 1 5\n", M, nodes), "more entries than"));
   EXPECT_TRUE(has(read(K.substr(0, K.size() - 30), M, nodes), "expected"));
   EXPECT_TRUE(has(read("%%MatrixMarket matrix coordinate real general\n18 18 1\n19 1 1.0\n", M, nodes),
                   ":3: \"19\", expected a whole number from 1 to 18"));
-  EXPECT_TRUE(has(read(K, "%%MatrixMarket matrix coordinate real general\n12 12 1\n1 1 1.0\n", nodes),
-                  "12 rows, expected 18"));
+  EXPECT_TRUE(
+      has(read(K, "%%MatrixMarket matrix coordinate real general\n12 12 1\n1 1 1.0\n", nodes), "12 rows, expected 18"));
   EXPECT_TRUE(has(read(K, "%%MatrixMarket matrix coordinate real general\n18 18 1\n1 1 -1.0\n", nodes),
                   "mass matrix is not positive"));
-  EXPECT_TRUE(has(
-      read(K, "%%MatrixMarket matrix coordinate real general\n18 18 3\n1 1 1.0\n2 2 1.0\n3 3 2.0\n", nodes),
-      "differs along x, y and z"));
+  EXPECT_TRUE(has(read(K, "%%MatrixMarket matrix coordinate real general\n18 18 3\n1 1 1.0\n2 2 1.0\n3 3 2.0\n", nodes),
+                  "differs along x, y and z"));
   EXPECT_TRUE(has(read(K, M, nodes + "1 2\n"), ":5: 2 numbers, expected three"));
   EXPECT_TRUE(has(read(K, M, nodes + "1 2 3\n"), "expected 3 or 6 per node: 12 or 24"));
   EXPECT_TRUE(has(read(K, M, "# nothing\n"), "no nodes"));

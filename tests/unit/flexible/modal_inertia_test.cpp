@@ -53,8 +53,7 @@ ModalBody random_body(int nodes, int modes, unsigned seed) {
 
 struct RandomState {
   VectorXd a, v, dv;
-  explicit RandomState(int s)
-      : a(VectorXd::Random(s)), v(VectorXd::Random(6 + s)), dv(VectorXd::Random(6 + s)) {}
+  explicit RandomState(int s) : a(VectorXd::Random(s)), v(VectorXd::Random(6 + s)), dv(VectorXd::Random(6 + s)) {}
 };
 
 // M and h as the theory writes them: sums over nodes of B_j^T (...) with B_j = [I, -rho_j~, Phi_j].
@@ -104,8 +103,7 @@ TEST(ModalInertia, EqualsTheSumsOverNodesAtRandomStates) {
       EXPECT_LT((h - h_direct).norm(), kRoundOff * h_direct.norm() + kRoundOff);
       EXPECT_EQ((M - M.transpose()).norm(), 0.0);
       EXPECT_EQ(M.llt().info(), Eigen::Success);
-      EXPECT_NEAR(inertia.kinetic_energy(x.a, x.v), 0.5 * x.v.dot(M_direct * x.v),
-                  kRoundOff * M_direct.norm());
+      EXPECT_NEAR(inertia.kinetic_energy(x.a, x.v), 0.5 * x.v.dot(M_direct * x.v), kRoundOff * M_direct.norm());
       const Vector3d c = M_direct.block<3, 3>(3, 0)(2, 1) * Vector3d::UnitX() +
                          M_direct.block<3, 3>(3, 0)(0, 2) * Vector3d::UnitY() +
                          M_direct.block<3, 3>(3, 0)(1, 0) * Vector3d::UnitZ();
@@ -154,8 +152,7 @@ TEST(ModalInertia, FirstSixRowsAreTheRatesOfMomentum) {
     const VectorXd p = momentum(0.0);
     const VectorXd dp = (momentum(step) - momentum(-step)) / (2.0 * step);
     const Vector3d force = dp.head<3>() + w.cross(Vector3d(p.head<3>()));
-    const Vector3d moment =
-        dp.segment<3>(3) + w.cross(Vector3d(p.segment<3>(3))) + dr.cross(Vector3d(p.head<3>()));
+    const Vector3d moment = dp.segment<3>(3) + w.cross(Vector3d(p.segment<3>(3))) + dr.cross(Vector3d(p.head<3>()));
     const VectorXd g = residual(inertia, x.a, x.v, x.dv);
     EXPECT_LT((g.head<3>() - force).norm(), tolerance * 100.0);
     EXPECT_LT((g.segment<3>(3) - moment).norm(), tolerance * 100.0);
@@ -217,8 +214,7 @@ TEST(ModalInertia, EvaluatesWithoutTheHeap) {
   inertia.mass_matrix(x.a, M);
   inertia.velocity_and_elastic_force(x.a, x.v, h);
   inertia.derivatives(x.a, x.v, x.dv, dg_da, dg_dv);
-  const double energy =
-      inertia.kinetic_energy(x.a, x.v) + inertia.strain_energy(x.a) + inertia.damping_power(da);
+  const double energy = inertia.kinetic_energy(x.a, x.v) + inertia.strain_energy(x.a) + inertia.damping_power(da);
   const Vector3d c = inertia.centre_of_mass(x.a);
   const long at_end = heap_requests;
   EXPECT_EQ(at_end, at_start);

@@ -30,8 +30,7 @@ TEST(PlateElement, OnlyTheSixRigidMotionsMeetNoForce) {
   for (int k = 0; k < 6; ++k) {
     Vector18d u = Vector18d::Zero();
     for (int i = 0; i < 3; ++i) {
-      u.segment<3>(6 * i) =
-          k < 3 ? Vector3d(Vector3d::Unit(k)) : Vector3d(Vector3d::Unit(k - 3).cross(kCorner[i]));
+      u.segment<3>(6 * i) = k < 3 ? Vector3d(Vector3d::Unit(k)) : Vector3d(Vector3d::Unit(k - 3).cross(kCorner[i]));
       if (k >= 3) u(6 * i + k) = 1.0;
     }
     EXPECT_LT((K * u).norm(), kRoundOff * K.norm());
@@ -96,8 +95,8 @@ TEST(PlateElement, PassesThePatchTestOfConstantCurvatureAndConstantStrain) {
     strain << e - z * a, g - z * c, g - z * c, f - z * b;
     exact = E / (1.0 - nu * nu) * ((1.0 - nu) * strain + nu * strain.trace() * Eigen::Matrix2d::Identity());
     const Eigen::Vector3i corner = model.triangles[static_cast<std::size_t>(point / 2)];
-    const PlateElement element(model.nodes.col(corner(0)), model.nodes.col(corner(1)),
-                               model.nodes.col(corner(2)), kThickness, kAluminium);
+    const PlateElement element(model.nodes.col(corner(0)), model.nodes.col(corner(1)), model.nodes.col(corner(2)),
+                               kThickness, kAluminium);
     const Eigen::VectorXd s = sigma.segment(6 * point, 6);
     Matrix3d own;
     own << s(0), s(3), s(5), s(3), s(1), s(4), s(5), s(4), s(2);

@@ -27,8 +27,7 @@ TEST(VonMises, OfABeamInThreePointBendingIsMomentOverSectionModulus) {
   options.interface_nodes = {0, 2, 4};
   options.mode_count = 12;  // the static shapes of three nodes
   const ModalBody body = reduce(model, options, "beam").body;
-  const VectorXd Q =
-      P * (0.5 * body.Phi.row(2) - body.Phi.row(3 * 2 + 2) + 0.5 * body.Phi.row(3 * 4 + 2)).transpose();
+  const VectorXd Q = P * (0.5 * body.Phi.row(2) - body.Phi.row(3 * 2 + 2) + 0.5 * body.Phi.row(3 * 4 + 2)).transpose();
   const VectorXd a = Q.cwiseQuotient(body.stiffness);
   const double exact = P * L / 4.0 / (kPi * d * d * d / 32.0);
   const double round_off = 1e-7;  // of stiffness; the static shapes are exact

@@ -47,8 +47,7 @@ TEST(EndStop, MassLosesWhatTheStopDissipates) {
   };
   int bounces = 0;
   bool inside = true;
-  for (int i = 0; i < 100000;
-       ++i) {  // 2 s, classical Runge-Kutta; lost power by Simpson's rule of the same stages
+  for (int i = 0; i < 100000; ++i) {  // 2 s, classical Runge-Kutta; lost power by Simpson's rule of the same stages
     const double k1x = v, k1v = acceleration(x, v), p1 = dissipated(law, {x, v, 0.0, kNoState});
     const double x2 = x + h / 2 * k1x, v2 = v + h / 2 * k1v, k2v = acceleration(x2, v2),
                  p2 = dissipated(law, {x2, v2, 0.0, kNoState});
@@ -94,8 +93,7 @@ TEST(EndStop, DissipatesWhatItTakes) {
 
 TEST(EndStop, YieldsByItsPenetrationUnderAStaticForce) {
   const EndStop law(both());
-  for (double f : {100.0, 1250.0, 1590.0, 50000.0})
-    EXPECT_NEAR(force(law, 0.32 + law.penetration(f)), f, 1e-9 * f);
+  for (double f : {100.0, 1250.0, 1590.0, 50000.0}) EXPECT_NEAR(force(law, 0.32 + law.penetration(f)), f, 1e-9 * f);
 }
 
 TEST(EndStop, RefusesNonsense) {

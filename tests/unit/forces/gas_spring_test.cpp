@@ -71,8 +71,7 @@ TEST(GasSpring, RefusesNonsense) {
                   "gas_spring: initial_volume is -1 m3; expected a number above 0");
   p = {};
   p.exponent = 0.9;
-  expect_contains(message_of<InputError>([&] { GasSpring{p}; }),
-                  "exponent is 0.9; expected a number from 1 to 2");
+  expect_contains(message_of<InputError>([&] { GasSpring{p}; }), "exponent is 0.9; expected a number from 1 to 2");
   p = {};
   p.piston_diameter = std::nan("");
   EXPECT_THROW(GasSpring{p}, InputError);

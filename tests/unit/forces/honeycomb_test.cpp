@@ -18,9 +18,7 @@ Along crush(const Honeycomb& law, double x0, double x1, const Eigen::VectorXd& z
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(x1 - x0) / 5e-6)));
   return drive(law, ramp(x0, rate), 0.0, time, steps, 0.0, z);
 }
-double force_at(const Honeycomb& law, double x, const Eigen::VectorXd& z) {
-  return force(law, x, 0.0, 0.0, z);
-}
+double force_at(const Honeycomb& law, double x, const Eigen::VectorXd& z) { return force(law, x, 0.0, 0.0, z); }
 
 TEST(Honeycomb, PlateausAreTheStagesCrushForces) {
   const Honeycomb law({});
@@ -65,8 +63,8 @@ TEST(Honeycomb, UnloadsElasticallyAndReloadsToThePointReached) {
   const double f = force_at(law, 0.06, loaded.z);
   const Along unloaded = crush(law, 0.06, 0.05, loaded.z);
   EXPECT_EQ(unloaded.z[0], loaded.z[0]);  // no crush on the way back
-  EXPECT_NEAR(-unloaded.work, loaded.stored,
-              1e-6 * loaded.stored);                // and all the elastic energy comes back, no more
+  // and all the elastic energy comes back, no more
+  EXPECT_NEAR(-unloaded.work, loaded.stored, 1e-6 * loaded.stored);
   EXPECT_EQ(force_at(law, 0.05, unloaded.z), 0.0);  // free play
   const Along reloaded = crush(law, 0.05, 0.06, unloaded.z);
   // Crushing sets in again at 95 % of the crush force: at the point reached before, the force is between that
@@ -108,8 +106,8 @@ TEST(Honeycomb, NeverGivesBackMoreThanItsElasticEnergyAndCrushNeverShrinks) {
   const Honeycomb law({});
   for (unsigned seed : {1u, 4u}) {
     const Motion motion = random_motion(seed, 0.02, 0.2);
-    const double t0 = 0.0,
-                 t1 = 0.6;  // 150 000 steps of at most 20 um: a third of the crush rate's response length
+    // 150 000 steps of at most 20 um: a third of the crush rate's response length
+    const double t0 = 0.0, t1 = 0.6;
     Eigen::VectorXd last = law.initial_state();
     double most_work = 0.0, stored_then = 0.0;
     const double start = law.stored_energy({motion.stroke(t0), 0.0, 0.0, last});
@@ -126,8 +124,7 @@ TEST(Honeycomb, NeverGivesBackMoreThanItsElasticEnergyAndCrushNeverShrinks) {
         });
     // 1e-5: every passage of toe, onset and reversal is a kink that lowers the order of Runge-Kutta for one
     // step.
-    EXPECT_NEAR(run.work, run.dissipated + run.stored - run.stored_start,
-                1e-5 * (run.work + run.stored_start))
+    EXPECT_NEAR(run.work, run.dissipated + run.stored - run.stored_start, 1e-5 * (run.work + run.stored_start))
         << "seed " << seed;
     EXPECT_GT(run.z.sum(), 0.01) << "seed " << seed << " does not crush, the test says nothing";
   }
@@ -175,13 +172,10 @@ TEST(Honeycomb, ReportsCrushPerStage) {
 }
 
 TEST(Honeycomb, RefusesNonsense) {
-  const auto message = [](const HoneycombParameters& p) {
-    return message_of<InputError>([&] { Honeycomb{p}; });
-  };
+  const auto message = [](const HoneycombParameters& p) { return message_of<InputError>([&] { Honeycomb{p}; }); };
   HoneycombParameters p;
   p.compression->stages = {{6000.0, 0.1}, {3000.0, 0.1}};
-  expect_contains(message(p),
-                  "honeycomb: compression: stage 2 crush_force 3000 N is below that of the stage before");
+  expect_contains(message(p), "honeycomb: compression: stage 2 crush_force 3000 N is below that of the stage before");
   p = {};
   p.tension->stages.clear();
   expect_contains(message(p), "tension: no stages");

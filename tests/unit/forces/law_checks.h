@@ -15,8 +15,7 @@
 
 namespace footfall::law_checks {
 
-inline double force(const StrutLaw& law, double stroke, double rate, double voltage,
-                    const Eigen::VectorXd& z) {
+inline double force(const StrutLaw& law, double stroke, double rate, double voltage, const Eigen::VectorXd& z) {
   StrutOutput out(law.state_count());
   law.evaluate({stroke, rate, voltage, z}, out);
   return out.force;
@@ -30,8 +29,8 @@ inline double dissipated(const StrutLaw& law, const StrutInput& in) {
   law.dissipated_power(in, powers);
   double sum = 0.0;
   for (const StrutPower& p : powers) {
-    EXPECT_GE(p.power, 0.0) << law.kind() << " " << energy_name(p.kind) << " at stroke " << in.stroke
-                            << ", rate " << in.rate;
+    EXPECT_GE(p.power, 0.0) << law.kind() << " " << energy_name(p.kind) << " at stroke " << in.stroke << ", rate "
+                            << in.rate;
     sum += p.power;
   }
   return sum;
@@ -48,8 +47,8 @@ inline void expect_derivatives(const StrutLaw& law, double stroke, double rate, 
   law.evaluate({stroke, rate, voltage, z}, at);
   const auto compare = [&](double analytic, double difference, double scale, const char* what) {
     EXPECT_NEAR(analytic, difference, kTolerance * (std::abs(difference) + scale))
-        << law.kind() << " " << what << " at stroke " << stroke << ", rate " << rate << ", voltage "
-        << voltage << ", z " << z.transpose();
+        << law.kind() << " " << what << " at stroke " << stroke << ", rate " << rate << ", voltage " << voltage
+        << ", z " << z.transpose();
   };
   const double hx = 1e-6 * stroke_scale, hv = 1e-6 * rate_scale;
   // Round-off of the differences of a force of this size.
@@ -62,8 +61,7 @@ inline void expect_derivatives(const StrutLaw& law, double stroke, double rate, 
   law.evaluate({stroke, rate + hv, voltage, z}, plus);
   law.evaluate({stroke, rate - hv, voltage, z}, minus);
   compare(at.dforce_drate, (plus.force - minus.force) / (2 * hv), force_noise / hv, "dforce_drate");
-  for (int i = 0; i < n; ++i)
-    compare(at.ddz_drate[i], (plus.dz[i] - minus.dz[i]) / (2 * hv), 1e-8 / hv, "ddz_drate");
+  for (int i = 0; i < n; ++i) compare(at.ddz_drate[i], (plus.dz[i] - minus.dz[i]) / (2 * hv), 1e-8 / hv, "ddz_drate");
   for (int k = 0; k < n; ++k) {
     const double hz = 1e-6 * stroke_scale;
     Eigen::VectorXd zp = z, zm = z;
@@ -72,8 +70,7 @@ inline void expect_derivatives(const StrutLaw& law, double stroke, double rate, 
     law.evaluate({stroke, rate, voltage, zp}, plus);
     law.evaluate({stroke, rate, voltage, zm}, minus);
     compare(at.dforce_dz[k], (plus.force - minus.force) / (2 * hz), force_noise / hz, "dforce_dz");
-    for (int i = 0; i < n; ++i)
-      compare(at.ddz_dz(i, k), (plus.dz[i] - minus.dz[i]) / (2 * hz), 1e-8 / hz, "ddz_dz");
+    for (int i = 0; i < n; ++i) compare(at.ddz_dz(i, k), (plus.dz[i] - minus.dz[i]) / (2 * hz), 1e-8 / hz, "ddz_dz");
   }
 }
 
@@ -112,8 +109,7 @@ struct Along {
 };
 // visit(t, z, work) after every step; may be empty.
 inline Along drive(const StrutLaw& law, const Motion& motion, double t0, double t1, int steps, double voltage,
-                   Eigen::VectorXd z,
-                   const std::function<void(double, const Eigen::VectorXd&, double)>& visit = {}) {
+                   Eigen::VectorXd z, const std::function<void(double, const Eigen::VectorXd&, double)>& visit = {}) {
   const int n = law.state_count();
   StrutOutput out(n);
   Eigen::VectorXd y(n + 2);

@@ -36,8 +36,7 @@ TEST(LinearSpringDamper, DissipatesWhatItTakes) {
 }
 
 TEST(LinearSpringDamper, RefusesNonsense) {
-  expect_contains(message_of<InputError>([] { LinearSpringDamper{LinearSpringDamperParameters{}}; }),
-                  "all 0");
+  expect_contains(message_of<InputError>([] { LinearSpringDamper{LinearSpringDamperParameters{}}; }), "all 0");
   expect_contains(message_of<InputError>([] {
                     LinearSpringDamper{LinearSpringDamperParameters{-1.0, 0.0, 0.0, 0.0}};
                   }),

@@ -43,8 +43,7 @@ TEST(MrDamper, SawToothLoopHasTheAreaOfItsRectangle) {
     const Motion up{[&](double t) { return -A + v0 * t; }, [&](double) { return v0; }};
     const Motion down{[&](double t) { return A - v0 * t; }, [&](double) { return -v0; }};
     const double T = 2.0 * A / v0;
-    const Along first = drive(law, up, 0.0, T, 50, u, kNoState),
-                second = drive(law, down, 0.0, T, 50, u, kNoState);
+    const Along first = drive(law, up, 0.0, T, 50, u, kNoState), second = drive(law, down, 0.0, T, 50, u, kNoState);
     const double area = 4.0 * A * (u * 8278.72 * std::tanh(v0 / 0.02) + 3651.19 * v0);
     EXPECT_NEAR(first.work + second.work, area, 1e-8 * area);
     EXPECT_NEAR(first.dissipated + second.dissipated, area, 1e-8 * area);
@@ -111,9 +110,8 @@ TEST(MrDamper, CoilLagIsFirstOrder) {
   const MrDamper law(p);
   const Motion rest{[](double) { return 0.0; }, [](double) { return 0.0; }};
   // Step from 0.1 to 0.9: U(t) = 0.9 - 0.8 exp(-t / tau). Runge-Kutta with h = tau / 200 is exact to 1e-11.
-  drive(law, rest, 0.0, 0.01, 1000, 0.9, law.initial_state(), [](double t, const Eigen::VectorXd& z, double) {
-    EXPECT_NEAR(z[0], 0.9 - 0.8 * std::exp(-t / 0.002), 1e-9);
-  });
+  drive(law, rest, 0.0, 0.01, 1000, 0.9, law.initial_state(),
+        [](double t, const Eigen::VectorXd& z, double) { EXPECT_NEAR(z[0], 0.9 - 0.8 * std::exp(-t / 0.002), 1e-9); });
 }
 
 // A ramp sampled every T and held (first-order hold theory of sampled control): the staircase follows the
@@ -158,8 +156,7 @@ TEST(MrDamper, GeometryGivesEquations14And15) {
 
 TEST(MrDamper, BothWaysOfGivingParametersAgree) {
   MrGeometry g = geometry();
-  g.tau_y = {
-      {0.0, 0.0}, {0.25, 9000.0}, {1.0, 36000.0}};  // proportional to U: the table is then U yield_force
+  g.tau_y = {{0.0, 0.0}, {0.25, 9000.0}, {1.0, 36000.0}};  // proportional to U: the table is then U yield_force
   const MrDamperParameters from_geometry = mr_damper_from_geometry(g);
   MrDamperParameters direct;
   direct.yield_force = from_geometry.yield_force;
@@ -176,9 +173,7 @@ TEST(MrDamper, YieldForceRisesWithVoltageBetweenTheTablesPoints) {
 }
 
 TEST(MrDamper, RefusesNonsense) {
-  const auto message = [](const MrDamperParameters& p) {
-    return message_of<InputError>([&] { MrDamper{p}; });
-  };
+  const auto message = [](const MrDamperParameters& p) { return message_of<InputError>([&] { MrDamper{p}; }); };
   MrDamperParameters p;
   p.yield_table = {{0.0, 0.0}, {0.5, 5000.0}, {1.0, 4000.0}};
   expect_contains(message(p), "yield_table falls from 5000 N at U = 0.5 to 4000 N at U = 1");
@@ -199,8 +194,7 @@ TEST(MrDamper, RefusesNonsense) {
   expect_contains(message(p), "initial_voltage is 2; expected a number from 0 to 1");
   MrGeometry g = geometry();
   g.d1 = 0.05;
-  expect_contains(message_of<InputError>([&] { mr_damper_from_geometry(g); }),
-                  "does not fit into the bypass cylinder");
+  expect_contains(message_of<InputError>([&] { mr_damper_from_geometry(g); }), "does not fit into the bypass cylinder");
   g = geometry();
   g.tau_y[2].stress = 100.0;
   expect_contains(message_of<InputError>([&] { mr_damper_from_geometry(g); }), "never falls with U");

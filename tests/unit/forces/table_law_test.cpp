@@ -38,8 +38,8 @@ TEST(TableLaw, IsExactAtItsEntriesAndLinearBetween) {
   const TableLawParameters p = example();
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 5; ++j)
-      EXPECT_NEAR(force(law, p.stroke[static_cast<std::size_t>(i)], p.rate[static_cast<std::size_t>(j)]),
-                  p.force(i, j), 1e-9);
+      EXPECT_NEAR(force(law, p.stroke[static_cast<std::size_t>(i)], p.rate[static_cast<std::size_t>(j)]), p.force(i, j),
+                  1e-9);
   EXPECT_NEAR(force(law, 0.05, 0.05), 0.25 * (0 + 600 + 400 + 1000), 1e-9);
 }
 
@@ -59,14 +59,13 @@ TEST(TableLaw, ReproducesABilinearLaw) {
   p.force.resize(4, 5);
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 5; ++j)
-      p.force(i, j) =
-          5000.0 * p.stroke[static_cast<std::size_t>(i)] + 300.0 * p.rate[static_cast<std::size_t>(j)];
+      p.force(i, j) = 5000.0 * p.stroke[static_cast<std::size_t>(i)] + 300.0 * p.rate[static_cast<std::size_t>(j)];
   const TableLaw law(p);
   for (double x : {-0.19, -0.01, 0.05, 0.15})
     for (double v : {-2.9, -0.3, 0.4, 2.0}) {
       EXPECT_NEAR(force(law, x, v), 5000.0 * x + 300.0 * v, 1e-9);
-      EXPECT_NEAR(law.stored_energy({x, v, 0.0, kNoState}), 2500.0 * x * x,
-                  0.25 * 2500.0 * 0.2 * 0.2);  // trapezoids of the nodes
+      // trapezoids of the nodes
+      EXPECT_NEAR(law.stored_energy({x, v, 0.0, kNoState}), 2500.0 * x * x, 0.25 * 2500.0 * 0.2 * 0.2);
     }
 }
 

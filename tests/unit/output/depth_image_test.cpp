@@ -55,7 +55,8 @@ TEST(DepthImage, ASphereCoversItsDisc) {
   EXPECT_GT(covered, kPi * 25 * 25);
 }
 
-// An inclined capsule is the hull of its spheres: drawn as many spheres, the picture is the same, but for rounding at edges between them.
+// An inclined capsule is the hull of its spheres: drawn as many spheres, the picture is the same, but for rounding at
+// edges between them.
 TEST(DepthImage, ACapsuleIsARowOfSpheres) {
   const Eigen::Vector3d a(-0.8, -0.5, -0.3), b(0.9, 0.4, 0.5);
   DepthImage capsule = from_ahead(), spheres = from_ahead();
@@ -64,7 +65,8 @@ TEST(DepthImage, ACapsuleIsARowOfSpheres) {
   for (int k = 0; k <= kSpheres; ++k) spheres.sphere(a + (b - a) * k / kSpheres, 0.2, kRed);
   int different = 0;
   for (int row = 0; row < 100; ++row)
-    for (int column = 0; column < 100; ++column) different += std::abs(capsule.pixel(column, row)[0] - spheres.pixel(column, row)[0]) > 3;
+    for (int column = 0; column < 100; ++column)
+      different += std::abs(capsule.pixel(column, row)[0] - spheres.pixel(column, row)[0]) > 3;
   EXPECT_EQ(different, 0);
 }
 

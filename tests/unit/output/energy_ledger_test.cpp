@@ -49,13 +49,15 @@ TEST(EnergyLedger, TheRestOfTheWorkIsDissipatedInTheGrains) {
 
 TEST(EnergyLedger, AMechanismThatDoesNotCloseIsSeen) {
   History h = run(true);
-  for (const char* name : {"energy.kinetic", "energy.total"}) h.columns[static_cast<std::size_t>(h.find(name))][2] += 0.9;
+  for (const char* name : {"energy.kinetic", "energy.total"})
+    h.columns[static_cast<std::size_t>(h.find(name))][2] += 0.9;
   EXPECT_NEAR(energy_ledger(h, {}).column("closing_error").back(), 0.01, 1e-12);  // of 90 J
 }
 
 TEST(EnergyLedger, WithoutGrainsThereAreNoColumnsOfThem) {
   const History ledger = energy_ledger(run(false), {});
-  for (const char* name : {"work.to_grains", "interface", "grains.kinetic", "grains.dissipated"}) EXPECT_LT(ledger.find(name), 0) << name;
+  for (const char* name : {"work.to_grains", "interface", "grains.kinetic", "grains.dissipated"})
+    EXPECT_LT(ledger.find(name), 0) << name;
   EXPECT_EQ(ledger.column("time").size(), 3u);
 }
 
@@ -91,7 +93,9 @@ TEST_F(GrainFile, KineticIsOfTranslationAndRotation) {
   EXPECT_EQ(grains.gravity, (std::vector<double>{7, 6}));
 }
 
-TEST_F(GrainFile, ARowThatAKilledRunCutOffIsLeftOut) { EXPECT_EQ(read_grain_energies(write("0 0 1 0 7\n50 0.005 2")).time.size(), 1u); }
+TEST_F(GrainFile, ARowThatAKilledRunCutOffIsLeftOut) {
+  EXPECT_EQ(read_grain_energies(write("0 0 1 0 7\n50 0.005 2")).time.size(), 1u);
+}
 
 TEST_F(GrainFile, ABrokenRowIsNamedWithItsLine) {
   const std::string path = write("0 0 1 0 7\n50 0.005 2\n100 0.01 1 0 7\n");
@@ -99,7 +103,9 @@ TEST_F(GrainFile, ABrokenRowIsNamedWithItsLine) {
     read_grain_energies(path);
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("grains_energy.txt:2: \"50 0.005 2\": expected five numbers"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("grains_energy.txt:2: \"50 0.005 2\": expected five numbers"),
+              std::string::npos)
+        << e.what();
   }
 }
 

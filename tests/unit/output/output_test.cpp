@@ -54,7 +54,8 @@ TEST_F(OutputTest, HistoryReadsBackWhatWasWritten) {
   }
   const History history = read_history(file("h.csv"));
   ASSERT_EQ(history.column("v").size(), values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(history.column("v")[i], values[i], kTenDigits * std::abs(values[i]));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    EXPECT_NEAR(history.column("v")[i], values[i], kTenDigits * std::abs(values[i]));
 }
 
 TEST_F(OutputTest, HistoryNeverHoldsANumberThatIsNotFinite) {
@@ -74,12 +75,14 @@ TEST_F(OutputTest, HistoryNeverHoldsANumberThatIsNotFinite) {
 
 TEST_F(OutputTest, HistoryOfAnUnknownColumnNamesTheKnownOnes) {
   HistoryWriter(file("h.csv"), {"time", "cabin.z"}, {"s", "m"}).write({0.0, 1.0});
-  EXPECT_NE(input_error([&] { read_history(file("h.csv")).column("cabin.w"); }).find("it has time,cabin.z"), std::string::npos);
+  EXPECT_NE(input_error([&] { read_history(file("h.csv")).column("cabin.w"); }).find("it has time,cabin.z"),
+            std::string::npos);
 }
 
 TEST_F(OutputTest, BrokenHistoryIsNamedWithItsLine) {
   std::ofstream(file("h.csv")) << "# units: s,m\ntime,z\n0,1\n1\n";
-  EXPECT_NE(input_error([&] { read_history(file("h.csv")); }).find("h.csv:4: has 1 values, expected 2"), std::string::npos);
+  EXPECT_NE(input_error([&] { read_history(file("h.csv")); }).find("h.csv:4: has 1 values, expected 2"),
+            std::string::npos);
 }
 
 TEST_F(OutputTest, SummaryIsWholeOrAbsent) {
@@ -92,12 +95,16 @@ TEST_F(OutputTest, SummaryIsWholeOrAbsent) {
 }
 
 TEST_F(OutputTest, SummaryThatCannotBeWrittenSaysWhatToDo) {
-  EXPECT_NE(input_error([] { write_summary("/nowhere/s.json", {{"status", "done"}}); }).find("choose another folder with --out"), std::string::npos);
+  EXPECT_NE(input_error([] {
+              write_summary("/nowhere/s.json", {{"status", "done"}});
+            }).find("choose another folder with --out"),
+            std::string::npos);
 }
 
 History lander_history() {
   History h;
-  h.names = {"time", "cabin.z", "cabin.vz", "cabin.az", "pad.contact.fx", "pad.contact.fy", "pad.contact.fz", "leg.stroke", "energy.kinetic", "energy.strain"};
+  h.names = {"time",           "cabin.z",        "cabin.vz",   "cabin.az",       "pad.contact.fx",
+             "pad.contact.fy", "pad.contact.fz", "leg.stroke", "energy.kinetic", "energy.strain"};
   h.units.assign(h.names.size(), "-");
   for (std::size_t i = 0; i < h.names.size(); ++i) h.columns.push_back({i == 9 ? 0.0 : 1.0, i == 9 ? 0.0 : 2.0});
   return h;
@@ -114,7 +121,8 @@ TEST(Figures, ShowWhatTheHistoryHoldsAndLeaveOutTheRest) {
       EXPECT_EQ(figure.curves[0].expression, "(1-column(\"cabin.z\"))");
     }
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"acceleration", "velocity", "descent", "energy", "strokes", "contact_forces"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"acceleration", "velocity", "descent", "energy", "strokes", "contact_forces"}));
 }
 
 TEST_F(OutputTest, ScriptsDrawWithGnuplotAsPngAndSvg) {
@@ -126,7 +134,8 @@ TEST_F(OutputTest, ScriptsDrawWithGnuplotAsPngAndSvg) {
     writer.write(values);
   }
   writer.flush();
-  const std::vector<std::string> scripts = write_plot_scripts(file("plots"), standard_figures(history, "cabin"), "A \"lander\"");
+  const std::vector<std::string> scripts =
+      write_plot_scripts(file("plots"), standard_figures(history, "cabin"), "A \"lander\"");
   std::string command = "cd '" + file("plots") + "' && gnuplot";
   for (const std::string& script : scripts) command += " " + script;
   ASSERT_EQ(std::system((command + " 2>gnuplot.log").c_str()), 0) << text("plots/gnuplot.log");

@@ -30,7 +30,8 @@ TEST(FastModes, PathHasTheMeanOfTheFreeSwing) {
   double mean = 0.0;
   for (int k = 0; k <= parts; ++k) {
     const double tau = H * k / parts;
-    mean += (k == 0 || k == parts ? 0.5 : 1.0) / parts * (a_s + (a - a_s) * std::cos(Omega * tau) + da / Omega * std::sin(Omega * tau));
+    mean += (k == 0 || k == parts ? 0.5 : 1.0) / parts *
+            (a_s + (a - a_s) * std::cos(Omega * tau) + da / Omega * std::sin(Omega * tau));
   }
   const BodyMotion path = slowed(one_mode(a, da, Omega * Omega * (a_s - a)), Omega, H);
   EXPECT_NEAR(a + path.da[0] * H / 2.0, mean, 1e-5);
@@ -48,8 +49,8 @@ TEST(FastModes, SlowModesAndRigidBodiesKeepTheirPath) {
   EXPECT_EQ(path.dr, rigid.dr);
 }
 
-// Largest growth per window of a mode (Omega = theta, H = 1) that pushes on grains of kappa Omega^2, without damping; the path starts where the boundary
-// stands, s, and the mode gets the mean force. State [a, da, dda, s].
+// Largest growth per window of a mode (Omega = theta, H = 1) that pushes on grains of kappa Omega^2, without damping;
+// the path starts where the boundary stands, s, and the mode gets the mean force. State [a, da, dda, s].
 double growth(double theta, double kappa, bool slowing) {
   const double stiffness = theta * theta;
   Eigen::Matrix4d map;

@@ -9,9 +9,7 @@
 namespace footfall {
 namespace {
 
-Body ball() {
-  return Body("ball", 10.0, Eigen::Vector3d(0.1, 0.2, 0.3).asDiagonal());
-}
+Body ball() { return Body("ball", 10.0, Eigen::Vector3d(0.1, 0.2, 0.3).asDiagonal()); }
 
 ContactTangent along_z(double k) {
   ContactTangent slope;
@@ -57,7 +55,9 @@ TEST(TangentLoad, DampsOnlyWhatTheWindowDoesNotResolve) {
   const std::unique_ptr<Scheme> scheme = make_scheme("tangent");
   const PredictedWindow predicted(*scheme, BodyMotion());
   // Damping ratio C omega / (2 K) with omega = omega_h / H.
-  const auto ratio = [&](double omega_h) { return tangent_load(along_z(1e5), predicted, omega_h, 0.01).C(2, 2) * omega_h / 0.01 / 2e5; };
+  const auto ratio = [&](double omega_h) {
+    return tangent_load(along_z(1e5), predicted, omega_h, 0.01).C(2, 2) * omega_h / 0.01 / 2e5;
+  };
   EXPECT_NEAR(ratio(0.2), std::pow(0.1, 7) / 2.0, 1e-12);
   EXPECT_NEAR(ratio(20.0), 5.0, 1e-4);
 }

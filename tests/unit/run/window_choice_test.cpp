@@ -20,9 +20,7 @@ CouplingSpec spec() {
 }
 
 // 10 kg on 1e5 N/m: omega = 100 1/s, so omega H = 0.5 is a window of 50 substeps.
-WindowChoice::Body pressed(double gap) {
-  return {10.0, 1e5, gap, 0.0, {0.0, 0.0, 100.0}};
-}
+WindowChoice::Body pressed(double gap) { return {10.0, 1e5, gap, 0.0, {0.0, 0.0, 100.0}}; }
 
 TEST(WindowChoice, FliesInTheLongestWindowsAndLandsBeforeItsTime) {
   WindowChoice choice(spec(), kDt, 1.0);
@@ -80,7 +78,8 @@ TEST(WindowChoice, TheStiffestBodyDecides) {
   EXPECT_EQ(choice.substeps(), 5);
 }
 
-// A body that sinks by 1 cm per window while its force rises by 1 N: K_s = 3 x 100 N/m, where the contacts have 1e5 N/m.
+// A body that sinks by 1 cm per window while its force rises by 1 N: K_s = 3 x 100 N/m, where the contacts have 1e5
+// N/m.
 WindowChoice::Body sinking(int window, double gap) {
   WindowChoice::Body body = pressed(gap);
   body.force.z() += window;
@@ -114,7 +113,7 @@ TEST(WindowChoice, OnGrainsThatGiveWayOmegaHMayBeLargerWhileContactsStand) {
   WindowChoice::Body opening = sinking(k, 0.0);
   opening.stiffness = 5e4;
   choice.observe(choice.substeps(), {opening});
-  EXPECT_LE(choice.substeps(), 52);   // omega H = 0.5 of the contacts that it had, less what is forgotten in one window
+  EXPECT_LE(choice.substeps(), 52);  // omega H = 0.5 of the contacts that it had, less what is forgotten in one window
 }
 
 TEST(WindowChoice, BeforeItsFirstContactABodyTakesTheStiffnessThatOthersHaveMet) {

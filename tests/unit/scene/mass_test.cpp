@@ -22,7 +22,9 @@ BodySpec body_of(const std::string& entry) {
 }
 
 TEST(SceneMasses, TubeOfAMaterialWeighsItsVolume) {
-  const BodySpec b = body_of("material = \"steel\"\nshape = { kind = \"tube\", from = [1, 0, 1], to = [1, 0, 3], diameter = 0.1, wall = 0.01 }\n");
+  const BodySpec b = body_of(
+      "material = \"steel\"\nshape = { kind = \"tube\", from = [1, 0, 1], to = [1, 0, 3], diameter = 0.1, wall = 0.01 "
+      "}\n");
   const double area = kPi / 4 * (0.1 * 0.1 - 0.08 * 0.08);
   EXPECT_NEAR(b.mass, 7850 * area * 2, kRoundOff * b.mass);
   EXPECT_NEAR((b.position - Eigen::Vector3d(1, 0, 2)).norm(), 0.0, kRoundOff);
@@ -32,17 +34,21 @@ TEST(SceneMasses, TubeOfAMaterialWeighsItsVolume) {
 }
 
 TEST(SceneMasses, BoxTurnsWithItsBodyAndKeepsItsInertiaThere) {
-  const BodySpec b = body_of("mass = 12\nshape = { kind = \"box\", size = [1, 2, 3], centre = [0, 0, 5] }\norientation = { rpy_deg = [90, 0, 0] }\n");
+  const BodySpec b = body_of(
+      "mass = 12\nshape = { kind = \"box\", size = [1, 2, 3], centre = [0, 0, 5] }\norientation = { rpy_deg = [90, 0, "
+      "0] }\n");
   EXPECT_NEAR((b.inertia - Eigen::Matrix3d(Eigen::Vector3d(13, 10, 5).asDiagonal())).norm(), 0.0, 1e-10);
   EXPECT_NEAR((b.orientation * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm(), 0.0, kRoundOff);
 }
 
 // The closed form of the thin cap against the same surface cut into triangles: second order in their size.
 TEST(SceneMasses, DishAgreesWithItsOwnSurface) {
-  const std::string entry = "mass = 3\nshape = { kind = \"dish\", centre = [0, 0, 1], radius = 0.3, depth = 0.2, thickness = 0.01 }\n";
+  const std::string entry =
+      "mass = 3\nshape = { kind = \"dish\", centre = [0, 0, 1], radius = 0.3, depth = 0.2, thickness = 0.01 }\n";
   const BodySpec b = body_of(entry);
   const SceneText text;
-  Scene scene = text.read("end_time = 1\n[[bodies]]\nname = \"b\"\n" + entry + "[[boundaries]]\nbody = \"b\"\nsurface = { element_size = 0.01 }\n");
+  Scene scene = text.read("end_time = 1\n[[bodies]]\nname = \"b\"\n" + entry +
+                          "[[boundaries]]\nbody = \"b\"\nsurface = { element_size = 0.01 }\n");
   const TriangleMesh mesh = boundary_surface(scene, scene.boundaries[0]);
   double area = 0.0;
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
@@ -84,7 +90,8 @@ shape = { kind = "sphere", radius = 0.5, centre = [0, 0, 5] }
   EXPECT_NEAR(scene.bodies[0].inertia(0, 0), 1.0, kRoundOff);  // 6 (1 + 1) / 12
   EXPECT_NEAR(mass_centre(scene).z(), 2.0, kRoundOff);
   EXPECT_THAT(text.findings(toml, {"bodies.pad.mass=11"}), HasSubstr("the other bodies already weigh 11 kg"));
-  EXPECT_THAT(text.findings(toml, {"bodies.cabin.mass=5"}), HasSubstr("total_mass: is 10 kg, but the bodies weigh 9 kg"));
+  EXPECT_THAT(text.findings(toml, {"bodies.cabin.mass=5"}),
+              HasSubstr("total_mass: is 10 kg, but the bodies weigh 9 kg"));
 }
 
 TEST(SceneMasses, InertiaMustBelongToARealBody) {
@@ -98,7 +105,9 @@ TEST(SceneMasses, InertiaMustBelongToARealBody) {
 
 TEST(SceneMasses, AShapeSaysWhatItNeedsAndWhatMeansNothing) {
   const SceneText text;
-  const std::string toml = "end_time = 1\n[[bodies]]\nname = \"b\"\nmass = 1\nshape = { kind = \"rod\", from = [0, 0, 0], to = [0, 0, 1], radius = 0.1 }\n";
+  const std::string toml =
+      "end_time = 1\n[[bodies]]\nname = \"b\"\nmass = 1\nshape = { kind = \"rod\", from = [0, 0, 0], to = [0, 0, 1], "
+      "radius = 0.1 }\n";
   EXPECT_THAT(text.findings(toml), HasSubstr("bodies.b.shape.diameter: is missing; a rod needs it"));
   EXPECT_THAT(text.findings(toml), HasSubstr("bodies.b.shape.radius: means nothing for a rod"));
 }

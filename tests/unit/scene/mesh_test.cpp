@@ -30,7 +30,9 @@ const std::string kPly =
 Eigen::Vector3d area_vector(const TriangleMesh& mesh) {
   Eigen::Vector3d area = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3i& t : mesh.triangles) {
-    const Eigen::Vector3d &a = mesh.vertices[static_cast<std::size_t>(t[0])], &b = mesh.vertices[static_cast<std::size_t>(t[1])], &c = mesh.vertices[static_cast<std::size_t>(t[2])];
+    const Eigen::Vector3d &a = mesh.vertices[static_cast<std::size_t>(t[0])],
+                          &b = mesh.vertices[static_cast<std::size_t>(t[1])],
+                          &c = mesh.vertices[static_cast<std::size_t>(t[2])];
     area += 0.5 * (b - a).cross(c - a);
   }
   return area;
@@ -39,7 +41,9 @@ Eigen::Vector3d area_vector(const TriangleMesh& mesh) {
 double volume(const TriangleMesh& mesh) {
   double sum = 0.0;
   for (const Eigen::Vector3i& t : mesh.triangles)
-    sum += mesh.vertices[static_cast<std::size_t>(t[0])].dot(mesh.vertices[static_cast<std::size_t>(t[1])].cross(mesh.vertices[static_cast<std::size_t>(t[2])])) / 6.0;
+    sum += mesh.vertices[static_cast<std::size_t>(t[0])].dot(
+               mesh.vertices[static_cast<std::size_t>(t[1])].cross(mesh.vertices[static_cast<std::size_t>(t[2])])) /
+           6.0;
   return sum;
 }
 
@@ -65,9 +69,12 @@ TEST(MeshReader, ReadsBinaryStl) {
 
 TEST(MeshReader, NamesTheFileAndWhatIsWrongWithIt) {
   const SceneText text;
-  EXPECT_THAT([&] { read_mesh("nowhere.stl"); }, ThrowsMessage<InputError>(HasSubstr("nowhere.stl: there is no such mesh file")));
-  EXPECT_THAT([&] { read_mesh(text.write("a.step", "x")); }, ThrowsMessage<InputError>(HasSubstr("ends in .stl, .obj or .ply")));
-  EXPECT_THAT([&] { read_mesh(text.write("a.ply", "nothing of the kind")); }, ThrowsMessage<InputError>(HasSubstr("a.ply: cannot be read as a mesh")));
+  EXPECT_THAT([&] { read_mesh("nowhere.stl"); },
+              ThrowsMessage<InputError>(HasSubstr("nowhere.stl: there is no such mesh file")));
+  EXPECT_THAT([&] { read_mesh(text.write("a.step", "x")); },
+              ThrowsMessage<InputError>(HasSubstr("ends in .stl, .obj or .ply")));
+  EXPECT_THAT([&] { read_mesh(text.write("a.ply", "nothing of the kind")); },
+              ThrowsMessage<InputError>(HasSubstr("a.ply: cannot be read as a mesh")));
 }
 
 TEST(GeneratedSurface, CylinderIsClosedAndFillsItsVolume) {
@@ -87,10 +94,12 @@ TEST(GeneratedSurface, SphereIsClosedAndItsVolumeConvergesQuadratically) {
 TEST(BoundarySurface, RefusesAMeshThatIsOpenWhereItMustBeClosed) {
   const SceneText text;
   text.write("a.stl", kStl);
-  const std::string toml = kPendulum + "[[boundaries]]\nbody = \"bob\"\nsurface = { file = \"a.stl\", closed = true }\n";
+  const std::string toml =
+      kPendulum + "[[boundaries]]\nbody = \"bob\"\nsurface = { file = \"a.stl\", closed = true }\n";
   const Scene scene = text.read(toml);
   EXPECT_THAT([&] { boundary_surface(scene, scene.boundaries[0]); }, ThrowsMessage<InputError>(HasSubstr("a.stl")));
-  const Scene open = text.read(toml, {"boundaries.bob.surface.closed=false", "boundaries.bob.surface.position=[0, 0, 7]"});
+  const Scene open =
+      text.read(toml, {"boundaries.bob.surface.closed=false", "boundaries.bob.surface.position=[0, 0, 7]"});
   EXPECT_NEAR(boundary_surface(open, open.boundaries[0]).vertices[0].z(), 7.0, kSinglePrecision);
 }
 

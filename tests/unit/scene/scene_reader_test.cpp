@@ -91,7 +91,8 @@ spring = { preload_kN = 2 }
 
 TEST(SceneReader, RefusesTwoUnitsOfOneKey) {
   const SceneText text;
-  EXPECT_THAT(text.findings(kPendulum + "[solver]\nmax_step = 1e-3\nmax_step_ms = 1\n"), HasSubstr("solver.max_step_ms: is given twice"));
+  EXPECT_THAT(text.findings(kPendulum + "[solver]\nmax_step = 1e-3\nmax_step_ms = 1\n"),
+              HasSubstr("solver.max_step_ms: is given twice"));
 }
 
 TEST(SceneReader, NamesFileLineAndKeyOfAnUnknownKeyAndGuessesTheRightOne) {
@@ -126,7 +127,8 @@ bodies = ["ground", "bub"]
 TEST(SceneReader, GuessesTheBodyThatWasMeant) {
   const SceneText text;
   const std::string findings = text.findings(kPendulum + "[output]\nbodies = [\"bop\"]\n");
-  EXPECT_THAT(findings, HasSubstr(":14: output.bodies: unknown body \"bop\". Known bodies: bob. Did you mean \"bob\"?"));
+  EXPECT_THAT(findings,
+              HasSubstr(":14: output.bodies: unknown body \"bop\". Known bodies: bob. Did you mean \"bob\"?"));
 }
 
 TEST(SceneReader, RefusesWhatIsNotToml) {
@@ -136,7 +138,8 @@ TEST(SceneReader, RefusesWhatIsNotToml) {
 
 TEST(SceneReader, RefusesNumbersThatAreNotFinite) {
   const SceneText text;
-  EXPECT_THAT(text.findings(kPendulum + "[initial]\nroll = nan\nvelocity = [0, inf, 0]\n"), HasSubstr("expected a finite number"));
+  EXPECT_THAT(text.findings(kPendulum + "[initial]\nroll = nan\nvelocity = [0, inf, 0]\n"),
+              HasSubstr("expected a finite number"));
 }
 
 TEST(SceneReader, RefusesAZeroAxis) {
@@ -154,7 +157,8 @@ TEST(SceneReader, NamesAMissingFileWithTheFolderItLookedIn) {
 
 TEST(SceneSettings, ChangeValuesByPathAndByNameOfTheEntry) {
   const SceneText text;
-  const Scene scene = text.read(kPendulum, {"bodies.bob.mass=5", "solver.integrator=ida", "initial.velocity=[0, 0, -3]", "flexible=false", "title=two words"});
+  const Scene scene = text.read(kPendulum, {"bodies.bob.mass=5", "solver.integrator=ida", "initial.velocity=[0, 0, -3]",
+                                            "flexible=false", "title=two words"});
   EXPECT_EQ(scene.bodies[0].mass, 5.0);
   EXPECT_EQ(scene.solver.integrator, IntegratorKind::kIda);
   EXPECT_EQ(scene.initial.velocity, Eigen::Vector3d(0, 0, -3));
@@ -166,12 +170,14 @@ TEST(SceneSettings, WinOverTheSameKeyInAnotherUnit) {
   const SceneText text;
   const std::string findings = text.findings(kPendulum + "[initial]\nroll_deg = 10\n", {"initial.roll=0.5"});
   EXPECT_THAT(findings, HasSubstr("is given twice"));
-  EXPECT_NEAR(text.read(kPendulum + "[initial]\nroll_deg = 10\n", {"initial.roll_deg=20"}).initial.roll, kPi / 9, kRoundOff);
+  EXPECT_NEAR(text.read(kPendulum + "[initial]\nroll_deg = 10\n", {"initial.roll_deg=20"}).initial.roll, kPi / 9,
+              kRoundOff);
 }
 
 TEST(SceneSettings, RefuseUnknownPathsWithAGuess) {
   const SceneText text;
-  EXPECT_THAT(text.findings(kPendulum, {"bodies.bop.mass=5"}), HasSubstr("--set bodies.bop.mass: there is no entry \"bop\". Known entries: bob. Did you mean \"bob\"?"));
+  EXPECT_THAT(text.findings(kPendulum, {"bodies.bop.mass=5"}),
+              HasSubstr("--set bodies.bop.mass: there is no entry \"bop\". Known entries: bob. Did you mean \"bob\"?"));
   EXPECT_THAT(text.findings(kPendulum, {"solver.rtoll=5"}), HasSubstr("--set solver.rtoll: unknown key."));
   EXPECT_THAT(text.findings(kPendulum, {"solvr.rtol=5"}), HasSubstr("Did you mean \"solver\"?"));
   EXPECT_THAT(text.findings(kPendulum, {"solver.rtol"}), HasSubstr("expected key=value"));
@@ -211,12 +217,14 @@ bodies = ["leg_{leg}"]
   EXPECT_NEAR((scene.joints[1].axis - Eigen::Vector3d(-c, -c, 0)).norm(), 0.0, kRoundOff);
   // Body axes turn with the copy, so all copies have the same inertia in their own axes.
   EXPECT_NEAR((scene.bodies[1].inertia - scene.bodies[4].inertia).norm(), 0.0, kRoundOff);
-  EXPECT_NEAR((scene.bodies[2].orientation * Eigen::Vector3d::UnitX() - Eigen::Vector3d(-c, c, 0)).norm(), 0.0, kRoundOff);
+  EXPECT_NEAR((scene.bodies[2].orientation * Eigen::Vector3d::UnitX() - Eigen::Vector3d(-c, c, 0)).norm(), 0.0,
+              kRoundOff);
 }
 
 TEST(SceneArrays, NameThatBelongsToNoArrayIsAFinding) {
   const SceneText text;
-  EXPECT_THAT(text.findings(kPendulum + "[arrays.leg]\ncount = 2\n[[springs]]\nname = \"s_{lag}\"\nkind = \"centring\"\nbodies = [\"ground\", \"bob\"]\nstiffness = 1\n"),
+  EXPECT_THAT(text.findings(kPendulum + "[arrays.leg]\ncount = 2\n[[springs]]\nname = \"s_{lag}\"\nkind = "
+                                        "\"centring\"\nbodies = [\"ground\", \"bob\"]\nstiffness = 1\n"),
               HasSubstr("\"s_{lag}\" names no array. Known arrays: leg. Did you mean \"leg\"?"));
 }
 
@@ -225,7 +233,8 @@ TEST(SceneBase, ChangesAddsAndLeavesOut) {
   text.write("base.toml", kPendulum + "[arrays.leg]\ncount = 2\n[[materials.x]]\n");
   text.write("base.toml", kPendulum);
   const Scene whole = text.read(kPendulum);
-  const Scene changed = text.read("base = \"base.toml\"\nwithout = [\"joints\"]\n[[bodies]]\nname = \"bob\"\nmass = 7\n");
+  const Scene changed =
+      text.read("base = \"base.toml\"\nwithout = [\"joints\"]\n[[bodies]]\nname = \"bob\"\nmass = 7\n");
   ASSERT_EQ(changed.bodies.size(), whole.bodies.size());
   EXPECT_EQ(changed.bodies[0].mass, 7.0);
   EXPECT_EQ(changed.bodies[0].inertia, whole.bodies[0].inertia);

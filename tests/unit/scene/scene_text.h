@@ -27,7 +27,9 @@ class SceneText {
     std::ofstream(file) << text;
     return file;
   }
-  Scene read(const std::string& toml, const std::vector<std::string>& settings = {}) const { return read_scene(write("scene.toml", toml), settings); }
+  Scene read(const std::string& toml, const std::vector<std::string>& settings = {}) const {
+    return read_scene(write("scene.toml", toml), settings);
+  }
   // The findings, or "no findings".
   std::string findings(const std::string& toml, const std::vector<std::string>& settings = {}) const {
     try {
