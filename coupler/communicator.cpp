@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "coupler/messages.h"
 #include "coupler/transport.h"
 

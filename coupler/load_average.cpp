@@ -1,6 +1,6 @@
 #include "coupler/load_average.h"
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 

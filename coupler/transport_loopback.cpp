@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {

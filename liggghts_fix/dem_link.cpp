@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "liggghts_fix/stay_on_core.h"
 
 namespace footfall {

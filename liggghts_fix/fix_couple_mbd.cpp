@@ -9,7 +9,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "coupler/communicator.h"
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "domain.h"
 #include "fix_mesh_surface.h"
 #include "fix_property_global.h"

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "update.h"

@@ -11,7 +11,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "coupler/communicator.h"
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "domain.h"
 #include "fix_property_atom.h"
 #include "lammps.h"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "coupler/communicator.h"
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "coupler/link.h"
 #include "coupler/transport_mpi.h"
 #include "input.h"

@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "fix.h"
 #include "fix_mesh_surface.h"
 #include "lammps.h"

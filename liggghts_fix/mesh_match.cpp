@@ -4,7 +4,7 @@
 #include <map>
 #include <sstream>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {

@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "coupler/communicator.h"
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "coupler/link.h"
 #include "coupler/transport_mpi.h"
 #include "mbd_solver/cli/positive.h"

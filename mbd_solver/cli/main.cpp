@@ -6,18 +6,18 @@
 #include <filesystem>
 #include <functional>
 
-#include "coupler/errors.h"
-#include "mbd_solver/cli/accuracy_command.h"
-#include "mbd_solver/cli/check_command.h"
-#include "mbd_solver/cli/child.h"
-#include "mbd_solver/cli/compare_command.h"
-#include "mbd_solver/cli/pictures_command.h"
+#include "coupler/base/errors.h"
+#include "mbd_solver/cli/experiments/accuracy_command.h"
+#include "mbd_solver/cli/launch/check_command.h"
+#include "mbd_solver/cli/launch/child.h"
+#include "mbd_solver/cli/analysis/compare_command.h"
+#include "mbd_solver/cli/analysis/pictures_command.h"
 #include "mbd_solver/cli/positive.h"
-#include "mbd_solver/cli/programs.h"
-#include "mbd_solver/cli/report_command.h"
-#include "mbd_solver/cli/run_command.h"
-#include "mbd_solver/cli/surfaces_command.h"
-#include "mbd_solver/cli/sweep_command.h"
+#include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/analysis/report_command.h"
+#include "mbd_solver/cli/launch/run_command.h"
+#include "mbd_solver/cli/analysis/surfaces_command.h"
+#include "mbd_solver/cli/experiments/sweep_command.h"
 
 using namespace footfall;
 

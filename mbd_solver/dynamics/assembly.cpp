@@ -5,7 +5,7 @@
 #include <set>
 #include <sstream>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/body_force.h"
 #include "mbd_solver/dynamics/kinematics.h"
 

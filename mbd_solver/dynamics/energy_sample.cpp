@@ -1,6 +1,6 @@
 // Energies, powers and joint forces: what Equations can say about one instant.
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/dynamics/workspace.h"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/workspace.h"
 
 namespace footfall {

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <utility>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/work_integral.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/integrator/ida.h"
 #include "mbd_solver/integrator/one_step.h"
 

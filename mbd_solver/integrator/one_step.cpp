@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/integrator/work_integral.h"
 

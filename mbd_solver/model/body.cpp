@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "mbd_solver/model/flexible/modal_body.h"
-#include "mbd_solver/model/flexible/modal_inertia.h"
+#include "mbd_solver/model/modal_body.h"
+#include "mbd_solver/model/modal_inertia.h"
 
 namespace footfall {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "mbd_solver/model/forces/strut_law.h"
+#include "mbd_solver/model/laws/strut_law.h"
 
 namespace footfall {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {

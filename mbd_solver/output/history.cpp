@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <fstream>
 
-#include "coupler/errors.h"
-#include "mbd_solver/output/whole_file.h"
+#include "coupler/base/errors.h"
+#include "coupler/base/whole_file.h"
 
 namespace footfall {
 

@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <memory>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {

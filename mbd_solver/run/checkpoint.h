@@ -4,7 +4,7 @@
 #include <string>
 
 #include "mbd_solver/model/state.h"
-#include "mbd_solver/run/mechanism.h"
+#include "mbd_solver/build/mechanism.h"
 
 namespace footfall {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "coupler/errors.h"
-#include "mbd_solver/model/strut.h"
+#include "coupler/base/errors.h"
+#include "mbd_solver/model/elements/strut.h"
 
 namespace footfall {
 

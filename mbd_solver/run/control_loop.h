@@ -2,7 +2,7 @@
 // Sampled control: at its period each controller sees the mechanism and sets voltages, constant until its next sample.
 
 #include "mbd_solver/dynamics/equations.h"
-#include "mbd_solver/run/mechanism.h"
+#include "mbd_solver/build/mechanism.h"
 
 namespace footfall {
 

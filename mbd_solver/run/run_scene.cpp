@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/run/checkpoint.h"
-#include "mbd_solver/run/drawing.h"
-#include "mbd_solver/run/motion_record.h"
-#include "mbd_solver/run/observation.h"
+#include "mbd_solver/observe/drawing.h"
+#include "mbd_solver/observe/motion_record.h"
+#include "mbd_solver/observe/observation.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/scene/scene_json.h"
 

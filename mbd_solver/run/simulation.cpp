@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "coupler/scheme.h"
-#include "mbd_solver/model/rigid_plane.h"
-#include "mbd_solver/run/fast_modes.h"
-#include "mbd_solver/run/tangent.h"
+#include "mbd_solver/model/elements/rigid_plane.h"
+#include "mbd_solver/coupling/fast_modes.h"
+#include "mbd_solver/coupling/tangent.h"
 
 namespace footfall {
 namespace {

@@ -11,11 +11,11 @@
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/integrator/integrator.h"
 #include "mbd_solver/run/control_loop.h"
-#include "mbd_solver/run/coupling_watch.h"
-#include "mbd_solver/run/dem_partner.h"
-#include "mbd_solver/run/mechanism.h"
-#include "mbd_solver/run/predicted_window.h"
-#include "mbd_solver/run/window_choice.h"
+#include "mbd_solver/coupling/coupling_watch.h"
+#include "mbd_solver/coupling/dem_partner.h"
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/coupling/predicted_window.h"
+#include "mbd_solver/coupling/window_choice.h"
 
 namespace footfall {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "mbd_solver/model/flexible/mesh_check.h"
-#include "mbd_solver/model/flexible/mesh_generator.h"
+#include "mbd_solver/fe/mesh_check.h"
+#include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/mesh_reader.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mbd_solver/model/flexible/triangle_mesh.h"
+#include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {

@@ -8,7 +8,7 @@
 #include <cctype>
 #include <filesystem>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 

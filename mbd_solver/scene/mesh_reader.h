@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mbd_solver/model/flexible/triangle_mesh.h"
+#include "mbd_solver/fe/triangle_mesh.h"
 
 namespace footfall {
 

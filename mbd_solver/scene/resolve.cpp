@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/scene/arrays.h"
 #include "mbd_solver/scene/tracking_visitor.h"
 

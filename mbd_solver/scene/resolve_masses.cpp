@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/scene/resolve.h"
 

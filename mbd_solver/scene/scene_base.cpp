@@ -4,7 +4,7 @@
 #include <array>
 #include <filesystem>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/scene/config_node.h"
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/findings.h"

@@ -1,7 +1,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/scene/field_reader.h"
 
 namespace footfall {

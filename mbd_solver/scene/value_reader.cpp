@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/findings.h"
 

@@ -9,7 +9,7 @@
 
 #include "mbd_solver/output/history.h"
 #include "tests/beam/beam_run.h"
-#include "tests/unit/beam/random_beams.h"
+#include "tests/unit/liggghts_fix/random_beams.h"
 
 namespace footfall::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "tests/dem/stl.h"
 
 namespace footfall {

@@ -11,7 +11,7 @@
 #include <fstream>
 
 #include "coupler/communicator.h"
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "coupler/transport_mpi.h"
 #include "mbd_solver/run/simulation.h"
 #include "mbd_solver/scene/scene_reader.h"

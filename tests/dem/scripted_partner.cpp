@@ -36,7 +36,7 @@
 #include <vector>
 
 #include "coupler/communicator.h"
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "coupler/link.h"
 #include "coupler/transport_mpi.h"
 #include "tests/dem/stl.h"

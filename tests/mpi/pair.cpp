@@ -11,7 +11,7 @@
 #include <string>
 
 #include "coupler/communicator.h"
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "coupler/link.h"
 #include "coupler/transport_mpi.h"
 

@@ -8,8 +8,8 @@
 #include <functional>
 #include <vector>
 
-#include "mbd_solver/model/flexible/fe_analysis.h"
-#include "mbd_solver/model/flexible/modal_basis.h"
+#include "mbd_solver/fe/fe_analysis.h"
+#include "mbd_solver/fe/modal_basis.h"
 
 namespace footfall {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mbd_solver/model/forces/linear_spring_damper.h"
+#include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
-#include "coupler/errors.h"
-#include "mbd_solver/model/forces/gas_spring.h"
-#include "mbd_solver/model/forces/linear_spring_damper.h"
+#include "coupler/base/errors.h"
+#include "mbd_solver/model/laws/gas_spring.h"
+#include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "tests/unit/dynamics/lander_mechanism.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"

@@ -9,9 +9,9 @@
 #include <functional>
 #include <vector>
 
-#include "mbd_solver/model/flexible/fe_analysis.h"
-#include "mbd_solver/model/flexible/mesh_generator.h"
-#include "mbd_solver/model/flexible/modal_basis.h"
+#include "mbd_solver/fe/fe_analysis.h"
+#include "mbd_solver/fe/mesh_generator.h"
+#include "mbd_solver/fe/modal_basis.h"
 
 namespace footfall {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mbd_solver/model/flexible/linear_range.h"
-#include "mbd_solver/model/flexible/modal_basis.h"
+#include "mbd_solver/model/linear_range.h"
+#include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"

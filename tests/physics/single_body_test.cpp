@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "mbd_solver/model/forces/linear_spring_damper.h"
-#include "mbd_solver/model/forces/mr_damper.h"
+#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/laws/mr_damper.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "mbd_solver/model/flexible/modal_body_file.h"
+#include "mbd_solver/fe/modal_body_file.h"
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/run/run_scene.h"

@@ -21,6 +21,6 @@ door 'mpi\.h' 'coupler/communicator.h' 'coupler/transport_mpi.*' 'mbd_solver/mai
 door '(lammps|fix|fix_mesh_surface|mesh_module|atom|modify|fix_wall_gran|neighbor|comm|domain|update|error)\.h' 'liggghts_fix/fix_*' 'liggghts_fix/mesh_module_*' 'liggghts_fix/liggghts_access.*' 'liggghts_fix/launcher.cpp'
 if grep -rnE '^#include "(mbd_solver|liggghts_fix)/' coupler; then echo "coupler must not know the two programs"; failed=1; fi
 if grep -rnE '^#include "mbd_solver/' liggghts_fix; then echo "liggghts_fix must not know mbd_solver"; failed=1; fi
-if grep -rnE '^#include "mbd_solver/(scene|run|output|cli)/' mbd_solver/model mbd_solver/dynamics mbd_solver/integrator; then
-  echo "model, dynamics and integrator must not know scene, run, output or cli"; failed=1; fi
+if grep -rnE '^#include "mbd_solver/(scene|build|coupling|observe|run|output|cli)/' mbd_solver/fe mbd_solver/model mbd_solver/dynamics mbd_solver/integrator; then
+  echo "fe, model, dynamics and integrator must not know scene, build, coupling, observe, run, output or cli"; failed=1; fi
 exit $failed

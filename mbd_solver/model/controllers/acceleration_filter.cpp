@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "coupler/errors.h"
-#include "mbd_solver/model/forces/parameter_check.h"
+#include "coupler/base/errors.h"
+#include "mbd_solver/model/laws/parameter_check.h"
 
 namespace footfall {
 

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <map>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {

@@ -9,10 +9,10 @@
 #include <sstream>
 #include <string>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/model/controllers/fll_text.h"
 #include "mbd_solver/model/controllers/mamdani_grid.h"
-#include "mbd_solver/model/forces/parameter_check.h"
+#include "mbd_solver/model/laws/parameter_check.h"
 
 namespace footfall {
 namespace {

@@ -1,6 +1,6 @@
 #include "mbd_solver/model/controllers/fuzzy_controller.h"
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 

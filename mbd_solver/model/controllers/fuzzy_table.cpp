@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "fuzzy_files.h"
 
 namespace footfall {

@@ -11,9 +11,9 @@
 #include "fuzzy_files.h"
 #include "mbd_solver/model/controllers/constant_controller.h"
 #include "mbd_solver/model/controllers/fuzzy_controller.h"
-#include "mbd_solver/model/forces/end_stop.h"
-#include "mbd_solver/model/forces/gas_spring.h"
-#include "mbd_solver/model/forces/mr_damper.h"
+#include "mbd_solver/model/laws/end_stop.h"
+#include "mbd_solver/model/laws/gas_spring.h"
+#include "mbd_solver/model/laws/mr_damper.h"
 
 namespace footfall {
 namespace {

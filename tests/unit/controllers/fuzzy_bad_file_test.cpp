@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "fuzzy_files.h"
 
 namespace footfall {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "fuzzy_files.h"
 
 namespace footfall {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "fuzzy_files.h"
 
 namespace footfall {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/model/controllers/constant_controller.h"
 #include "mbd_solver/model/controllers/pid_controller.h"
 #include "mbd_solver/model/controllers/skyhook_controller.h"

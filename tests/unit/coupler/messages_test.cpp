@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "tests/unit/coupler/random_boundary.h"
 
 namespace footfall {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "tests/unit/coupler/random_boundary.h"
 
 namespace footfall {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "tests/unit/dynamics/random_model.h"
 

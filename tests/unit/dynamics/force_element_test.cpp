@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/kinematics.h"
-#include "mbd_solver/model/forces/gas_spring.h"
-#include "mbd_solver/model/forces/mr_damper.h"
+#include "mbd_solver/model/laws/gas_spring.h"
+#include "mbd_solver/model/laws/mr_damper.h"
 #include "tests/unit/dynamics/random_model.h"
 
 namespace footfall {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/body_force.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "tests/unit/dynamics/random_model.h"

@@ -7,16 +7,16 @@
 #include <memory>
 #include <string>
 
-#include "mbd_solver/model/bushing.h"
-#include "mbd_solver/model/forces/end_stop.h"
-#include "mbd_solver/model/forces/gas_spring.h"
-#include "mbd_solver/model/forces/honeycomb.h"
-#include "mbd_solver/model/forces/mr_damper.h"
+#include "mbd_solver/model/elements/bushing.h"
+#include "mbd_solver/model/laws/end_stop.h"
+#include "mbd_solver/model/laws/gas_spring.h"
+#include "mbd_solver/model/laws/honeycomb.h"
+#include "mbd_solver/model/laws/mr_damper.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/model/model.h"
-#include "mbd_solver/model/rigid_plane.h"
+#include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/rotation.h"
-#include "mbd_solver/model/strut.h"
+#include "mbd_solver/model/elements/strut.h"
 
 namespace footfall::test {
 

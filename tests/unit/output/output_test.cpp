@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <limits>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/output/history.h"
-#include "mbd_solver/output/plots.h"
+#include "mbd_solver/cli/analysis/plots.h"
 #include "mbd_solver/output/summary.h"
 
 namespace footfall {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mbd_solver/model/flexible/mesh_check.h"
+#include "mbd_solver/fe/mesh_check.h"
 #include "mbd_solver/scene/boundary_surface.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "tests/unit/scene/scene_text.h"

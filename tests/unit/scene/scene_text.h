@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "coupler/errors.h"
+#include "coupler/base/errors.h"
 #include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {

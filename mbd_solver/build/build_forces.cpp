@@ -1,0 +1,196 @@
+// Struts, springs and the rigid plane of the scene.
+
+#include <cmath>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/model/elements/bushing.h"
+#include "mbd_solver/model/laws/end_stop.h"
+#include "mbd_solver/model/laws/gas_spring.h"
+#include "mbd_solver/model/laws/honeycomb.h"
+#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/laws/mr_geometry.h"
+#include "mbd_solver/model/laws/table_law.h"
+#include "mbd_solver/model/elements/rigid_plane.h"
+#include "mbd_solver/model/rotation.h"
+#include "mbd_solver/model/elements/strut.h"
+#include "mbd_solver/model/elements/torsional_spring.h"
+#include "mbd_solver/build/mechanism.h"
+
+namespace footfall {
+namespace {
+
+std::unique_ptr<StrutLaw> gas_spring(const GasSpec& spec, const std::optional<StopsSpec>& stops) {
+  GasSpringParameters p;
+  p.piston_diameter = spec.piston_diameter;
+  p.initial_pressure = spec.pressure;
+  p.initial_volume = spec.volume;
+  p.exponent = spec.exponent;
+  if (stops) p.largest_stroke = stops->max;
+  return std::make_unique<GasSpring>(p);
+}
+
+std::unique_ptr<StrutLaw> mr_damper(const MrSpec& spec) {
+  MrDamperParameters p;
+  p.yield_force = spec.yield_force;
+  p.viscous_coefficient = spec.viscous;
+  p.regularisation_speed = spec.regularisation_speed;
+  p.coil_lag = spec.coil_lag;
+  p.initial_voltage = spec.controller.empty() ? spec.voltage : spec.initial_voltage;
+  for (const Eigen::Vector2d& row : spec.yield_table) p.yield_table.push_back({row.x(), row.y()});
+  if (spec.geometry) {
+    const MrGeometrySpec& g = *spec.geometry;
+    MrGeometry geometry{g.D1, g.d1, g.D2, g.D3, g.D4, g.d, g.L1, g.L2, g.L3, g.L4, g.viscosity, {}};
+    for (const Eigen::Vector2d& row : g.yield_stress) geometry.tau_y.push_back({row.x(), row.y()});
+    p = mr_damper_from_geometry(geometry, p);
+  }
+  return std::make_unique<MrDamper>(p);
+}
+
+std::unique_ptr<StrutLaw> honeycomb(const HoneycombSpec& spec) {
+  HoneycombCartridge cartridge;
+  cartridge.stages.clear();
+  for (const CrushStageSpec& stage : spec.stages) cartridge.stages.push_back({stage.force, stage.length});
+  cartridge.elastic_stiffness = spec.elastic_stiffness;
+  cartridge.bottom_out_stiffness = spec.bottom_out_stiffness;
+  cartridge.transition_length = spec.transition_length;
+  cartridge.toe = spec.toe;
+  HoneycombParameters p;
+  p.compression = spec.compression ? std::optional(cartridge) : std::nullopt;
+  p.tension = spec.tension ? std::optional(cartridge) : std::nullopt;
+  return std::make_unique<Honeycomb>(p);
+}
+
+// Laws of one strut; InputErrors get the strut's name in front.
+std::vector<std::unique_ptr<StrutLaw>> laws_of(const StrutSpec& spec, double length) {
+  std::vector<std::unique_ptr<StrutLaw>> laws;
+  if (spec.gas) laws.push_back(gas_spring(*spec.gas, spec.stops));
+  if (spec.mr) laws.push_back(mr_damper(*spec.mr));
+  if (spec.honeycomb) laws.push_back(honeycomb(*spec.honeycomb));
+  if (spec.stops) {
+    EndStopParameters p;
+    p.smallest_stroke = spec.stops->min;
+    p.largest_stroke = spec.stops->max;
+    p.stiffness = spec.stops->stiffness;
+    p.dissipation = spec.stops->dissipation;
+    p.toe = spec.stops->toe;
+    // A gas strut rests on its extended end under the preload: the stop yields by its penetration there, so it sits
+    // that much higher.
+    if (spec.gas && p.smallest_stroke) {
+      const double area = 0.25 * M_PI * spec.gas->piston_diameter * spec.gas->piston_diameter;
+      p.smallest_stroke = *p.smallest_stroke + EndStop(p).penetration(spec.gas->pressure * area);
+    }
+    laws.push_back(std::make_unique<EndStop>(p));
+  }
+  if (spec.spring) {
+    LinearSpringDamperParameters p;
+    p.stiffness = spec.spring->stiffness;
+    p.damping = spec.spring->damping;
+    p.preload = spec.spring->preload;
+    if (spec.spring->free_length) p.free_stroke = length - *spec.spring->free_length;
+    laws.push_back(std::make_unique<LinearSpringDamper>(p));
+  }
+  if (spec.table) laws.push_back(std::make_unique<TableLaw>(read_table_law(spec.table->file)));
+  return laws;
+}
+
+}  // namespace
+
+void add_struts(const Scene& scene, Mechanism& mechanism) {
+  for (std::size_t i = 0; i < scene.struts.size(); ++i) {
+    const StrutSpec& spec = scene.struts[i];
+    // The voltage of the strut: an output of its controller, or a constant of its own.
+    int voltage = -1;
+    if (spec.mr && !spec.mr->controller.empty()) {
+      for (const ControllerEntry& controller : mechanism.controllers)
+        for (std::size_t k = 0; k < controller.outputs.size(); ++k)
+          if (controller.name + "." + controller.outputs[k] == spec.mr->controller)
+            voltage = controller.first_voltage + static_cast<int>(k);
+      FOOTFALL_DEMAND(voltage >= 0);
+    } else if (spec.mr) {
+      voltage = static_cast<int>(mechanism.voltages.size());
+      mechanism.voltages.conservativeResize(voltage + 1);
+      mechanism.voltages(voltage) = spec.mr->voltage;
+    }
+    const double length = spec.length.value_or((spec.points[1] - spec.points[0]).norm());
+    const Model& model = mechanism.model;
+    try {
+      auto strut = std::make_unique<Strut>(
+          spec.name, model.marker_at(scene.body_index(spec.bodies[0]), mechanism.placement.point(spec.points[0])),
+          model.marker_at(scene.body_index(spec.bodies[1]), mechanism.placement.point(spec.points[1])),
+          laws_of(spec, length), length, voltage);
+      mechanism.struts.push_back({spec.name, mechanism.model.add_force(std::move(strut))});
+    } catch (const InputError& error) {
+      throw InputError(scene.file + ":" + std::to_string(spec.source.line) + ": struts." + spec.name + ": " +
+                       error.what());
+    }
+  }
+}
+
+void add_springs(const Scene& scene, Mechanism& mechanism) {
+  const Placement& placement = mechanism.placement;
+  for (const SpringSpec& spec : scene.springs) {
+    const int a = scene.body_index(spec.bodies[0]), b = scene.body_index(spec.bodies[1]);
+    Model& model = mechanism.model;
+    if (spec.kind == SpringKind::kTorsion) {
+      const Eigen::Matrix3d axes = placement.R_WD * axes_with_z(spec.axis);
+      TorsionalSpring::Parameters p;
+      p.stiffness = spec.stiffness;
+      p.damping = spec.damping;
+      p.free_angle = spec.rest_angle;
+      model.add_force(std::make_unique<TorsionalSpring>(spec.name,
+                                                        model.marker_at(a, placement.point(spec.point), axes),
+                                                        model.marker_at(b, placement.point(spec.point), axes), p));
+      continue;
+    }
+    Bushing::Parameters p;
+    if (spec.kind == SpringKind::kCentring) {
+      p.rotational_stiffness.setConstant(spec.stiffness);
+      p.rotational_damping = spec.damping;
+    } else {
+      p.stiffness = spec.stiffness;
+      p.damping = spec.damping;
+      p.rotational_stiffness.setConstant(spec.turning_stiffness);
+      p.rotational_damping = spec.turning_damping;
+    }
+    // A centring spring turns only: its point is where it reads the attitude, the mass centre of b.
+    const Eigen::Vector3d p_W =
+        spec.kind == SpringKind::kCentring && b != kGround ? model.initial(b).r : placement.point(spec.point);
+    model.add_force(std::make_unique<Bushing>(spec.name, model.marker_at(a, p_W, placement.R_WD),
+                                              model.marker_at(b, p_W, placement.R_WD), p));
+  }
+}
+
+void add_plane(const Scene& scene, Mechanism& mechanism) {
+  if (scene.ground.kind != GroundKind::kPlane) return;
+  const PlaneSpec& spec = *scene.ground.plane;
+  RigidPlane::Parameters p;
+  p.point = spec.point;
+  p.normal = spec.normal;
+  p.friction = spec.friction;
+  p.slip_speed = spec.friction_speed;
+  // Hertz on a flat: k = 4/3 E* sqrt(R), E* = E / (1 - nu^2).
+  p.stiffness = spec.stiffness ? *spec.stiffness
+                               : 4.0 / 3.0 * spec.young.value_or(0.0) / (1.0 - spec.poisson * spec.poisson) *
+                                     std::sqrt(spec.contact_radius);
+  const double speed = spec.impact_speed.value_or(scene.initial.velocity.norm());
+  p.damping = spec.damping       ? *spec.damping
+              : spec.restitution ? contact_damping_for_restitution(*spec.restitution, speed > 0.0 ? speed : 1.0)
+                                 : 0.0;
+  for (const BodyBoundary& entry : mechanism.boundaries) {
+    const std::string& name = entry.boundary.name();
+    if (!spec.bodies.empty() && std::find(spec.bodies.begin(), spec.bodies.end(), name) == spec.bodies.end()) continue;
+    const Body& body = mechanism.model.body(entry.body);
+    std::vector<ContactPoint> points;
+    for (Eigen::Index j = 0; j < entry.boundary.rho0().cols(); ++j) {
+      double radius = 0.0;
+      for (const BeamSegment& segment : entry.boundary.segments())
+        if (segment.start == j || segment.end == j) radius = std::max(radius, segment.radius);
+      points.push_back({body_marker(entry.body, body, entry.boundary.rho0().col(j)), radius});
+    }
+    mechanism.planes.push_back(
+        mechanism.model.add_force(std::make_unique<RigidPlane>("ground/" + name, std::move(points), p)));
+    mechanism.plane_bodies.push_back(entry.body);
+  }
+}
+
+}  // namespace footfall

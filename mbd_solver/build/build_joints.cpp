@@ -1,0 +1,101 @@
+// Joints of the scene, drawn in D, as markers on the bodies.
+
+#include <cmath>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/model/rotation.h"
+#include "mbd_solver/build/mechanism.h"
+
+namespace footfall {
+namespace {
+
+// sum_i f_i(t)
+class Sum final : public TimeFunction {
+ public:
+  void add(TimeFunctionPtr function) { parts_.push_back(std::move(function)); }
+  TimeValue at(double t) const override {
+    TimeValue sum;
+    for (const TimeFunctionPtr& function : parts_) {
+      const TimeValue part = function->at(t);
+      sum.value += part.value;
+      sum.rate += part.rate;
+      sum.accel += part.accel;
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<TimeFunctionPtr> parts_;
+};
+
+TimeFunctionPtr time_function(const TimeFunctionSpec& spec) {
+  auto sum = std::make_shared<Sum>();
+  sum->add(polynomial(spec.polynomial.empty() ? std::vector<double>{0.0} : spec.polynomial));
+  if (spec.amplitude != 0.0) sum->add(sine(spec.amplitude, spec.frequency, spec.phase));
+  if (!spec.table.empty()) {
+    std::vector<double> times, values;
+    for (const Eigen::Vector2d& row : spec.table) {
+      times.push_back(row.x());
+      values.push_back(row.y());
+    }
+    sum->add(table(std::move(times), std::move(values)));
+  }
+  return sum;
+}
+
+// Displacements along x, y, z of the joint's frame (z = axis, x near axis2) and rotation about z; what is not given is
+// free.
+Joint prescribed(const JointSpec& spec, const Model& model, int a, int b, const Placement& placement) {
+  const MotionSpec& motion = *spec.motion;
+  PrescribedMotion prescribed;
+  if (motion.x) prescribed.translation[0] = time_function(*motion.x);
+  if (motion.y) prescribed.translation[1] = time_function(*motion.y);
+  if (motion.z) prescribed.translation[2] = time_function(*motion.z);
+  if (motion.rotation) prescribed.rotation = time_function(*motion.rotation);
+  prescribed.rotation_axis = 2;
+  prescribed.hold_other_rotations = motion.hold_other_rotations;
+  const Eigen::Matrix3d axes_W = placement.R_WD * axes_with_z(spec.axis, spec.axis2);
+  return prescribed_joint(spec.name, model.marker_at(a, placement.point(spec.point_a), axes_W),
+                          model.marker_at(b, placement.point(spec.point_b), axes_W), prescribed);
+}
+
+Joint build(const JointSpec& spec, const Model& model, int a, int b, const Placement& placement) {
+  const Eigen::Vector3d p_a = placement.point(spec.point_a), p_b = placement.point(spec.point_b);
+  const auto markers = [&](const Eigen::Matrix3d& axes_a, const Eigen::Matrix3d& axes_b) {
+    return std::pair(model.marker_at(a, p_a, placement.R_WD * axes_a),
+                     model.marker_at(b, p_b, placement.R_WD * axes_b));
+  };
+  const Eigen::Matrix3d along_z = axes_with_z(spec.axis);
+  switch (spec.type) {
+    case JointType::kUniversal: {
+      const Eigen::Vector3d across = spec.axis.cross(spec.axis2);  // x of a along `axis`, y of b along `axis2`
+      const auto [m1, m2] = markers(axes_with_z(across, spec.axis), axes_with_z(across, spec.axis2.cross(across)));
+      return universal_joint(spec.name, m1, m2);
+    }
+    case JointType::kPrescribed: return prescribed(spec, model, a, b, placement);
+    case JointType::kDistance: {
+      const auto [m1, m2] = markers(along_z, along_z);
+      return distance_joint(spec.name, m1, m2, spec.length.value_or((spec.point_b - spec.point_a).norm()));
+    }
+    default: break;
+  }
+  const auto [m1, m2] = markers(along_z, along_z);
+  switch (spec.type) {
+    case JointType::kFixed: return fixed_joint(spec.name, m1, m2);
+    case JointType::kSpherical: return spherical_joint(spec.name, m1, m2);
+    case JointType::kRevolute: return revolute_joint(spec.name, m1, m2);
+    case JointType::kPrismatic: return prismatic_joint(spec.name, m1, m2);
+    case JointType::kCylindrical: return cylindrical_joint(spec.name, m1, m2);
+    default: return point_on_plane_joint(spec.name, m1, m2);
+  }
+}
+
+}  // namespace
+
+void add_joints(const Scene& scene, Mechanism& mechanism) {
+  for (const JointSpec& spec : scene.joints)
+    mechanism.model.add_joint(build(spec, mechanism.model, scene.body_index(spec.bodies[0]),
+                                    scene.body_index(spec.bodies[1]), mechanism.placement));
+}
+
+}  // namespace footfall

@@ -1,0 +1,62 @@
+#include "mbd_solver/build/mechanism.h"
+
+#include <cmath>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/model/rotation.h"
+
+namespace footfall {
+
+Eigen::Vector3d origin_D(const BodySpec& body, const FlexibleBody& flexible) {
+  return flexible.modal ? flexible.p_DBo : body.position;
+}
+
+Eigen::Matrix3d axes_D(const BodySpec& body, const FlexibleBody& flexible) {
+  return flexible.modal ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : body.orientation.toRotationMatrix();
+}
+
+void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism) {
+  const Placement& placement = mechanism.placement;
+  Eigen::Vector3d centre_D = Eigen::Vector3d::Zero();
+  double mass = 0.0;
+  for (const BodySpec& spec : scene.bodies) {
+    centre_D += spec.mass * spec.position;
+    mass += spec.mass;
+  }
+  const Eigen::Vector3d p_WC = placement.point(centre_D / mass);
+
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const BodySpec& spec = scene.bodies[i];
+    BodyState state;
+    state.r = placement.point(origin_D(spec, flexible[i]));
+    const Eigen::Quaterniond L(placement.R_WD * axes_D(spec, flexible[i]));
+    state.L << L.w(), L.x(), L.y(), L.z();
+    state.w = scene.initial.angular_velocity;
+    state.dr = scene.initial.velocity + state.w.cross(state.r - p_WC);
+    for (const BodyVelocitySpec& own : scene.initial.bodies) {
+      if (own.body != spec.name) continue;
+      if (own.velocity) state.dr = *own.velocity;
+      if (own.angular_velocity) state.w = *own.angular_velocity;
+    }
+    mechanism.model.add_body(
+        flexible[i].modal ? Body(spec.name, flexible[i].modal) : Body(spec.name, spec.mass, spec.inertia), state);
+  }
+}
+
+Mechanism build_mechanism(const Scene& scene) {
+  std::vector<std::string> warnings = scene.warnings;
+  const std::vector<FlexibleBody> flexible = build_flexible_bodies(scene, warnings);
+  std::vector<BodyBoundary> boundaries = build_boundaries(scene, flexible);
+  Mechanism mechanism{place(scene, boundaries, flexible), Model(scene.gravity), {}, {}, {}, {}, {}, {}, {}};
+  mechanism.boundaries = std::move(boundaries);
+  mechanism.warnings = std::move(warnings);
+  add_bodies(scene, flexible, mechanism);
+  add_joints(scene, mechanism);
+  add_controllers(scene, mechanism);
+  add_struts(scene, mechanism);
+  add_springs(scene, mechanism);
+  add_plane(scene, mechanism);
+  return mechanism;
+}
+
+}  // namespace footfall

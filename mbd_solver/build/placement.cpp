@@ -1,0 +1,148 @@
+// Where the mechanism starts: attitude about its mass centre, then moved, then set to its clearance above the ground.
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/build/mechanism.h"
+
+namespace footfall {
+namespace {
+
+struct Sphere {
+  Eigen::Vector3d centre;  // [m]
+  double radius;           // [m]
+};
+
+// Text dump of LIGGGHTS with columns x y z radius after a line "ITEM: ATOMS x y z radius".
+std::vector<Sphere> read_grains(const std::string& path) {
+  std::ifstream file(path);
+  if (!file)
+    throw InputError("particles.grains: cannot read " + path +
+                     "; it is written with the bed (dump custom x y z radius)");
+  std::vector<Sphere> grains;
+  std::string line;
+  bool atoms = false;
+  int number = 0;
+  while (std::getline(file, line)) {
+    ++number;
+    if (line.rfind("ITEM:", 0) == 0) {
+      atoms = line.rfind("ITEM: ATOMS", 0) == 0;
+      if (atoms) grains.clear();  // the last frame counts
+      continue;
+    }
+    if (!atoms) continue;
+    std::istringstream values(line);
+    Sphere grain;
+    if (!(values >> grain.centre.x() >> grain.centre.y() >> grain.centre.z() >> grain.radius))
+      throw InputError(path + ":" + std::to_string(number) + ": \"" + line + "\": expected x y z radius");
+    grains.push_back(grain);
+  }
+  if (grains.empty()) throw InputError(path + ": holds no grains; expected a dump of x y z radius");
+  return grains;
+}
+
+// Up along -gravity; z without gravity.
+Eigen::Vector3d up_direction(const Scene& scene) {
+  return scene.gravity.norm() > 0.0 ? Eigen::Vector3d(-scene.gravity.normalized())
+                                    : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+}
+
+// Height of the highest grain (its top) whose footprint overlaps the circle around one boundary, along `up`.
+double highest_under(const std::vector<Sphere>& grains, const Eigen::Vector3d& up, const Eigen::Vector3d& centre,
+                     double reach) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Sphere& grain : grains) {
+    const Eigen::Vector3d d = grain.centre - centre;
+    const double across = (d - up * up.dot(d)).norm();
+    if (across < reach + grain.radius) highest = std::max(highest, up.dot(grain.centre) + grain.radius);
+  }
+  return highest;
+}
+
+constexpr double kStray = 0.1;  // of a boundary's reach
+
+}  // namespace
+
+Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
+                const std::vector<FlexibleBody>& flexible) {
+  Placement placement;
+  const InitialSpec& initial = scene.initial;
+  placement.R_WD = (Eigen::AngleAxisd(initial.roll, Eigen::Vector3d::UnitX()) *
+                    Eigen::AngleAxisd(initial.pitch, Eigen::Vector3d::UnitY()) *
+                    Eigen::AngleAxisd(initial.yaw, Eigen::Vector3d::UnitZ()))
+                       .toRotationMatrix();
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double mass = 0.0;
+  for (const BodySpec& body : scene.bodies) {
+    centre += body.mass * body.position;
+    mass += body.mass;
+  }
+  centre /= mass;
+  placement.p_WD = centre - placement.R_WD * centre + initial.position;
+
+  const Eigen::Vector3d up = up_direction(scene);
+  const bool plane = scene.ground.kind == GroundKind::kPlane;
+  std::vector<Sphere> grains;
+  const bool particles = scene.touches_particles();
+  if (particles && !scene.particles->grains.empty()) grains = read_grains(scene.particles->grains);
+  if (plane) placement.ground_height = up.dot(scene.ground.plane->point);
+  if (particles && scene.particles->surface_height) placement.ground_height = *scene.particles->surface_height;
+
+  placement.ground_known = plane || !grains.empty() || (particles && scene.particles->surface_height);
+
+  // Per boundary: how far its lowest point stands above the ground under it.
+  double smallest = std::numeric_limits<double>::infinity();
+  double highest_ground = -std::numeric_limits<double>::infinity();
+  for (const BodyBoundary& entry : boundaries) {
+    const auto i = static_cast<std::size_t>(entry.body);
+    const Eigen::Matrix3d R_WB = placement.R_WD * axes_D(scene.bodies[i], flexible[i]);
+    const Eigen::Vector3d r = placement.point(origin_D(scene.bodies[i], flexible[i]));
+    double lowest = std::numeric_limits<double>::infinity();
+    double reach = 0.0;
+    for (Eigen::Index j = 0; j < entry.boundary.rho0().cols(); ++j) {
+      const Eigen::Vector3d offset = R_WB * entry.boundary.rho0().col(j);
+      double radius = 0.0;
+      for (const BeamSegment& segment : entry.boundary.segments())
+        if (segment.start == j || segment.end == j) radius = std::max(radius, segment.radius);
+      lowest = std::min(lowest, up.dot(r + offset) - radius);
+      reach = std::max(reach, (offset - up * up.dot(offset)).norm() + radius);
+    }
+    double ground = placement.ground_height;
+    if (plane) {  // a sloping plane: the point of the boundary nearest to it counts
+      const PlaneSpec& spec = *scene.ground.plane;
+      double gap = std::numeric_limits<double>::infinity();
+      for (Eigen::Index j = 0; j < entry.boundary.rho0().cols(); ++j)
+        gap = std::min(gap, spec.normal.dot(r + R_WB * entry.boundary.rho0().col(j) - spec.point));
+      smallest = std::min(smallest, gap / std::max(1e-6, spec.normal.dot(up)));
+      continue;
+    }
+    if (!grains.empty()) {
+      ground = highest_under(grains, up, r, reach);
+      placement.sites.push_back({highest_under(grains, up, r, (1.0 + kStray) * reach), kStray * reach, r, R_WB});
+    }
+    if (!std::isfinite(ground)) continue;  // no grain under this boundary
+    highest_ground = std::max(highest_ground, ground);
+    smallest = std::min(smallest, lowest - ground);
+  }
+  if (particles && std::isfinite(highest_ground)) placement.ground_height = highest_ground;
+
+  if (initial.clearance) {
+    if (particles && grains.empty() && !scene.particles->surface_height)
+      throw InputError(
+          "initial.clearance: the height of the grains is not known; give particles.grains (a dump of x y z radius) or "
+          "particles.surface_height, or leave clearance out and use initial.position");
+    if (!std::isfinite(smallest))
+      throw InputError(boundaries.empty()
+                           ? "initial.clearance: no boundary that could stand above the ground; add [[boundaries]]"
+                           : "initial.clearance: no grain under any boundary; check initial.position against the bed");
+    const Eigen::Vector3d lift = (*initial.clearance - smallest) * up;
+    placement.p_WD += lift;
+    for (LandingSite& site : placement.sites) site.r += lift;
+  }
+  return placement;
+}
+
+}  // namespace footfall

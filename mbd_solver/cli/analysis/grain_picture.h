@@ -1,0 +1,40 @@
+#pragma once
+// Pictures of grains coloured by speed together with the mechanism, as [Lin25 Figure 10]: drawn by DepthImage, set on a
+// page with title, colour bar and scale by gnuplot.
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/cli/analysis/bed_frames.h"
+#include "mbd_solver/cli/analysis/depth_image.h"
+#include "mbd_solver/output/vtk_writer.h"
+
+namespace footfall {
+
+// The mechanism at one moment.
+struct MechanismShape {
+  VtkFrame frame;                   // points [m], triangles, lines
+  std::vector<double> line_radius;  // of each line [m]
+};
+
+struct GrainView {
+  Eye eye;
+  int width = 1600;      // of the drawing [pixels]
+  double fastest = 1.0;  // speed at the upper end of the colours; faster grains have its colour [m/s]
+  double cut = -1e300;   // grains with y below this are left out [m]
+};
+
+// The eye from which all that is given can be seen. `azimuth`, `elevation` [rad].
+Eye eye_around(const std::vector<const BedFrame*>& beds, const std::vector<const MechanismShape*>& shapes, double cut,
+               double azimuth, double elevation);
+
+// The speed that all but one in a thousand grains of the fastest of these frames stay below, rounded up to 1, 2 or 5
+// times a power of ten [m/s].
+double colour_range(const std::vector<const BedFrame*>& beds);
+
+// NAME.rgb (what was drawn) and NAME.gp in `folder`; the script draws NAME.png. Returns the script's file name. Throws
+// InputError when the folder cannot be written.
+std::string write_grain_picture(const std::string& folder, const std::string& name, const std::string& title,
+                                const BedFrame& bed, const MechanismShape& shape, const GrainView& view);
+
+}  // namespace footfall

@@ -1,0 +1,121 @@
+#include "mbd_solver/cli/analysis/html_page.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+namespace {
+
+constexpr const char* kStyle =
+    "body{font:15px/1.5 sans-serif;color:#222;max-width:1000px;margin:2em auto;padding:0 1em}"
+    "h1{font-size:1.7em}h2{margin-top:2em;border-bottom:1px solid #ccc}table{border-collapse:collapse;margin:1em 0}"
+    "td,th{padding:.2em .8em;border-bottom:1px solid "
+    "#e4e4e4;text-align:left}td.n{text-align:right;font-variant-numeric:tabular-nums}"
+    "pre{background:#f6f6f4;padding:.8em;overflow-x:auto;font-size:12.5px;line-height:1.4}mark{background:#ffe9a8}"
+    "figure{margin:1.2em 0}figure img{max-width:100%}figcaption{color:#666}.warning{background:#fff0e0;border-left:4px "
+    "solid #d55e00;padding:.4em .8em}"
+    "nav a{margin-right:1em}summary{cursor:pointer}";
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '&') {
+      out += "&amp;";
+    } else if (c == '<') {
+      out += "&lt;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else if (c == '"') {
+      out += "&quot;";
+    } else if (code >= 0x20 || c == '\n' || c == '\t') {
+      out += c;
+    }
+  }
+  return out;
+}
+
+bool is_number(const std::string& text) {
+  std::istringstream in(text);
+  double value = 0.0;
+  return static_cast<bool>(in >> value);
+}
+
+}  // namespace
+
+std::string base64(const std::string& bytes) {
+  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t block = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      block = (block << 8) | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? kDigits[(block >> (18 - 6 * k)) & 63u] : '=';
+  }
+  return out;
+}
+
+HtmlPage::HtmlPage(const std::string& title) : title_(title) {}
+
+void HtmlPage::section(const std::string& heading) {
+  const std::string id = "s" + std::to_string(++sections_);
+  contents_ += "<a href=\"#" + id + "\">" + escaped(heading) + "</a> ";
+  body_ += "<h2 id=\"" + id + "\">" + escaped(heading) + "</h2>\n";
+}
+
+void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + escaped(text) + "</p>\n"; }
+
+void HtmlPage::warning(const std::string& text) { body_ += "<p class=\"warning\">" + escaped(text) + "</p>\n"; }
+
+void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool head) {
+  body_ += "<table>\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string cell = head && i == 0 ? "th" : "td";
+    body_ += "<tr>";
+    for (const std::string& text : rows[i])
+      body_ += "<" + cell + (cell == "td" && is_number(text) ? " class=\"n\"" : "") + ">" + escaped(text) + "</" +
+               cell + ">";
+    body_ += "</tr>\n";
+  }
+  body_ += "</table>\n";
+}
+
+void HtmlPage::preformatted(const std::string& text) { body_ += "<pre>" + escaped(text) + "</pre>\n"; }
+
+void HtmlPage::folded(const std::string& label, const std::string& text, const std::vector<std::string>& marks) {
+  body_ += "<details><summary>" + escaped(label) + "</summary><pre>";
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const bool marked = std::any_of(marks.begin(), marks.end(),
+                                    [&](const std::string& m) { return line.find(m) != std::string::npos; });
+    body_ += (marked ? "<mark>" : "") + escaped(line) + (marked ? "</mark>" : "") + "\n";
+  }
+  body_ += "</pre></details>\n";
+}
+
+void HtmlPage::picture(const std::string& path, const std::string& caption) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (bytes.empty()) throw InputError(path + ": cannot be read; expected a picture");
+  const std::filesystem::path name(path);
+  const std::string kind = name.extension() == ".svg" ? "svg+xml" : "png";
+  std::string words = caption.empty() ? name.stem().string() : caption;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  body_ += "<figure><img alt=\"" + escaped(words) + "\" src=\"data:image/" + kind + ";base64," + base64(bytes) +
+           "\"/><figcaption>" + escaped(words) + "</figcaption></figure>\n";
+}
+
+std::string HtmlPage::text() const {
+  return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
+         "charset=\"utf-8\"/>\n"
+         "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
+         escaped(title_) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + escaped(title_) +
+         "</h1>\n<nav>" + contents_ + "</nav>\n" + body_ + "</body>\n</html>\n";
+}
+
+}  // namespace footfall

@@ -1,0 +1,187 @@
+#include "mbd_solver/cli/analysis/pictures_command.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/cli/analysis/gnuplot.h"
+#include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/analysis/replay_script.h"
+#include "mbd_solver/cli/analysis/grain_picture.h"
+#include "mbd_solver/output/summary.h"
+#include "mbd_solver/scene/mesh_reader.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr double kThinLine = 0.006;  // radius of a line whose body has no diameter [m]
+constexpr double kDegree = M_PI / 180.0;
+
+std::size_t nearest(const std::vector<double>& times, double t) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (std::abs(times[k] - t) < std::abs(times[best] - t)) best = k;
+  return best;
+}
+
+// Radii of the tubes and rods, by the number of the body.
+std::vector<double> radii_of(const Json& summary) {
+  std::vector<double> radii;
+  for (const Json& body : summary["scene"].value("bodies", Json::array())) {
+    const double diameter =
+        body.contains("shape") && body["shape"].is_object() ? body["shape"].value("diameter", 0.0) : 0.0;
+    radii.push_back(diameter > 0.0 ? 0.5 * diameter : kThinLine);
+  }
+  return radii;
+}
+
+// The shape that the run drew, nearest to this time.
+MechanismShape drawn_shape(const fs::path& folder, const std::vector<std::pair<double, std::string>>& frames, double t,
+                           const std::vector<double>& radii) {
+  std::vector<double> times;
+  for (const auto& [time, file] : frames) times.push_back(time);
+  MechanismShape shape;
+  shape.frame = read_vtk_frame((folder / frames[nearest(times, t)].second).string());
+  Eigen::VectorXd body;
+  for (const auto& [name, values] : shape.frame.cell_numbers)
+    if (name == "body") body = values;
+  const std::size_t triangles = shape.frame.triangles.size();
+  for (std::size_t k = 0; k < shape.frame.lines.size(); ++k) {
+    const auto cell = static_cast<Eigen::Index>(triangles + k);
+    const std::size_t i = cell < body.size() ? static_cast<std::size_t>(body(cell)) : radii.size();
+    shape.line_radius.push_back(i < radii.size() ? radii[i] : kThinLine);
+  }
+  return shape;
+}
+
+// The coupled surfaces alone, moved rigidly.
+MechanismShape recorded_shape(const fs::path& motion, double t) {
+  MechanismShape shape;
+  std::vector<Eigen::Vector3d> points;
+  for (const std::string& body : recorded_bodies(motion.string())) {
+    const RecordedMotion record = read_motion(motion.string(), body);
+    const TriangleMesh mesh = read_mesh((motion / (body + ".stl")).string());
+    const std::vector<double>&from = record.pose.front(), &to = record.pose[nearest(record.time, t)];
+    const Eigen::Vector3d x0(from[0], from[1], from[2]), x(to[0], to[1], to[2]), turn(to[3], to[4], to[5]);
+    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+    if (turn.norm() > 0.0) R = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+    for (const Eigen::Vector3i& triangle : mesh.triangles)
+      shape.frame.triangles.emplace_back(triangle.array() + static_cast<int>(points.size()));
+    for (const Eigen::Vector3d& vertex : mesh.vertices) points.push_back(x + R * (vertex - x0));
+  }
+  shape.frame.points.resize(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t j = 0; j < points.size(); ++j) shape.frame.points.col(static_cast<Eigen::Index>(j)) = points[j];
+  return shape;
+}
+
+// Where the foremost coupled surface is [m]; without any, the middle of the bed.
+double foremost(const fs::path& motion, const BedFrame& bed, double t) {
+  double y = std::numeric_limits<double>::infinity();
+  for (const std::string& body : recorded_bodies(motion.string())) {
+    const RecordedMotion record = read_motion(motion.string(), body);
+    y = std::min(y, record.pose[nearest(record.time, t)][1]);
+  }
+  return std::isfinite(y) ? y : 0.5 * (bed.x.row(1).minCoeff() + bed.x.row(1).maxCoeff());
+}
+
+struct Moment {
+  double time;  // [s]
+  BedFrame bed;
+  MechanismShape shape;
+};
+
+std::vector<Moment> read_moments(const PicturesArguments& a, const Json& summary) {
+  const fs::path folder(a.run);
+  const std::map<long, std::string> frames = find_bed_frames(a.run);
+  if (frames.empty() || !summary.contains("dt_dem_s"))
+    throw InputError(a.run +
+                     ": holds no dumps of grains; run the scene with frames, as --set particles.variables.frames=0.05 "
+                     "does for inputs/landing_mr");
+  const double dt = summary["dt_dem_s"];
+  std::vector<double> times;
+  std::vector<std::string> files;
+  for (const auto& [step, file] : frames) {
+    times.push_back(static_cast<double>(step) * dt);
+    files.push_back(file);
+  }
+  std::set<std::size_t> chosen;
+  for (const double t : a.times) {
+    if (!(t >= 0.0))
+      throw InputError("--times: is " + std::to_string(t) + ", expected times of the run, from 0 to " +
+                       std::to_string(times.back()) + " s");
+    chosen.insert(nearest(times, t));
+  }
+  const bool drawn = fs::exists(folder / "bodies.pvd");
+  if (!drawn)
+    std::fprintf(
+        stderr,
+        "footfall: the run drew no bodies (--set output.vtk=true does); only what touches the grains is shown\n");
+  const auto drawings =
+      drawn ? read_vtk_series((folder / "bodies.pvd").string()) : std::vector<std::pair<double, std::string>>{};
+  const std::vector<double> radii = radii_of(summary);
+  std::vector<Moment> moments;
+  for (const std::size_t k : chosen)
+    moments.push_back({times[k], read_bed_frame(files[k]),
+                       drawings.empty() ? recorded_shape(folder / "motion", times[k])
+                                        : drawn_shape(folder, drawings, times[k], radii)});
+  return moments;
+}
+
+}  // namespace
+
+int pictures_command(const PicturesArguments& a) {
+  const fs::path folder(a.run);
+  if (!fs::exists(folder / "summary.json"))
+    throw InputError(a.run + ": holds no summary.json; expected the folder of a run");
+  if (!a.view.empty() && a.view.size() != 2)
+    throw InputError("--view: expected two angles: azimuth,elevation in degrees");
+  const Json summary = read_summary((folder / "summary.json").string());
+  const std::vector<Moment> moments = read_moments(a, summary);
+
+  GrainView view;
+  view.width = a.width;
+  const bool cut = a.cut || !a.cut_at.empty();
+  if (cut)
+    view.cut =
+        a.cut_at.empty() ? foremost(folder / "motion", moments.front().bed, moments.front().time) : a.cut_at.front();
+  std::vector<const BedFrame*> beds;
+  std::vector<const MechanismShape*> shapes;
+  for (const Moment& moment : moments) {
+    beds.push_back(&moment.bed);
+    shapes.push_back(&moment.shape);
+  }
+  const std::vector<double> angles = !a.view.empty() ? a.view
+                                     : cut           ? std::vector<double>{-90, 12}
+                                                     : std::vector<double>{-65, 28};
+  view.eye = eye_around({beds.front()}, shapes, view.cut, angles[0] * kDegree, angles[1] * kDegree);
+  view.fastest = a.fastest > 0.0 ? a.fastest : colour_range(beds);
+
+  const std::string out = (folder / "pictures").string();
+  const std::string title = summary.contains("scene") ? summary["scene"].value("title", "") : "";
+  std::vector<std::string> scripts;
+  for (const Moment& moment : moments) {
+    char name[64], words[160];
+    std::snprintf(name, sizeof name, "%s_%.4fs", cut ? "cut" : "grains", moment.time);
+    std::snprintf(words, sizeof words, "%s%st = %.4g s", title.substr(0, 100).c_str(), title.empty() ? "" : ", ",
+                  moment.time);
+    std::string said = words;
+    std::replace(said.begin(), said.end(), '"', '\'');
+    if (cut) {
+      std::snprintf(words, sizeof words, ", cut at y = %.3g m", view.cut);
+      said += words;
+    }
+    scripts.push_back(write_grain_picture(out, name, said, moment.bed, moment.shape, view));
+  }
+  for (const std::string& picture : run_gnuplot(out, scripts)) std::printf("%s\n", short_path(picture).c_str());
+  return kExitDone;
+}
+
+}  // namespace footfall

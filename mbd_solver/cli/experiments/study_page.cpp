@@ -1,0 +1,134 @@
+#include "mbd_solver/cli/experiments/study_page.h"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/cli/experiments/study_advice.h"
+
+namespace footfall {
+namespace {
+
+std::string number(double value, const char* format) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+// Enough of a message for a cell.
+std::string one_line(const std::string& message) {
+  constexpr std::size_t kMost = 90;
+  const std::string line = message.substr(0, message.find('\n'));
+  return line.size() <= kMost ? line : line.substr(0, kMost) + "...";
+}
+
+std::string percent(double share) { return number(100.0 * share, "%.2g"); }
+
+// "12 ± 3 %"
+std::string error_text(double error, double standard_error) {
+  return percent(error) + (standard_error > 0.0 ? " ± " + percent(standard_error) : "") + " %";
+}
+
+std::string cell(const StudyTable& table, const StudyPoint& point, std::size_t m) {
+  if (!std::isfinite(point.errors[m])) return "";
+  if (table.members == 1) return percent(point.errors[m]);
+  const SampledFigure& f = point.sampled[m];
+  if (!std::isfinite(f.mean)) return percent(point.errors[m]) + " %";  // a measure of whole curves: no figure
+  const std::string figure = number(f.mean, "%.4g") + " ± " + number(f.spread, "%.2g");
+  return point.value == "reference" ? figure : figure + "; " + error_text(f.error, f.standard_error);
+}
+
+void write_row(std::ostream& out, const StudyTable& table, const StudyPoint& point) {
+  out << "| " << point.curve << " | " << point.value << " | ";
+  if (point.code != 0) {
+    out << "ended with code " << point.code << ": " << one_line(point.message) << " |\n";
+    return;
+  }
+  out << number(table.grains ? point.windows : point.steps, "%.6g") << " |";
+  for (std::size_t m = 0; m < table.measures.size(); ++m) out << ' ' << cell(table, point, m) << " |";
+  if (table.grains) out << ' ' << number(cost_of(point, true), "%.3g") << " |";
+  out << ' ' << number(table.members > 1 ? point.cpu : point.wall, "%.3g") << " |\n";
+}
+
+// Value, its largest error and its run time: three cells.
+std::string advice_cells(const Advice& a) {
+  if (a.best.empty()) return " none was done | | |";
+  std::string text = a.value.empty() ? " none; best is " + a.best : " " + a.value;
+  if (!a.apart.empty()) text += ", but for " + a.apart + " (" + percent(a.apart_error) + " %)";
+  if (!a.resolved) text += " (not resolved)";
+  text += " | " + error_text(a.error, a.standard_error) + ", " + a.measure + " | ";
+  return text + (a.time_ratio > 0.0 ? number(a.time_ratio, "%.2f") : "") + " |";
+}
+
+}  // namespace
+
+void write_recommendations(std::ostream& out, const StudyTable& table) {
+  out << "\n## Recommended settings\n\nThe cheapest value of each curve from which on all errors are within 1 % and "
+         "within 5 %, with its largest error and its processor time over\n"
+         "that of the scene's own value, or of the reference where the curve has no such value.";
+  if (table.members > 1)
+    out << " ± is what " << table.members
+        << " samples leave open: the deviation of the error from\nsample to sample over the root of their number; "
+           "where it passes the limit, the value is not resolved.";
+  out << " Where no value keeps all figures within\nthe limit but one does without the worst of them, it is told with "
+         "that one's error.";
+  out << "\n\n| curve | within 1 % | largest error | time | within 5 % | largest error | time "
+         "|\n|---|---|---|---|---|---|---|\n";
+  const std::vector<Advice> fine = advice_of(table, 0.01), coarse = advice_of(table, 0.05);
+  for (std::size_t c = 0; c < fine.size(); ++c)
+    out << "| " << fine[c].curve << " |" << advice_cells(fine[c]) << advice_cells(coarse[c]) << '\n';
+
+  const std::vector<Advice> defaults = errors_of_defaults(table);
+  if (!defaults.empty()) {
+    out << "\nWith the scene's own values the largest error is that of \"" << defaults.front().curve << "\"";
+    for (std::size_t k = 0; k < defaults.size(); ++k)
+      out << (k == 0 ? ": " : "; \"" + defaults[k].curve + "\": ")
+          << error_text(defaults[k].error, defaults[k].standard_error) << " of " << defaults[k].measure << " at "
+          << defaults[k].value;
+    out << ".\n";
+  }
+  if (table.members > 1 && !table.references.empty()) {
+    out << "\nFrom sample to sample the figures of the reference scatter by";
+    const StudyPoint& reference = table.references.front();
+    bool first = true;
+    for (std::size_t m = 0; m < table.measures.size(); ++m) {
+      const SampledFigure& f = reference.sampled[m];
+      if (!std::isfinite(f.mean) || f.mean == 0.0) continue;
+      const double scatter = f.spread / std::abs(f.mean);
+      out << (first ? " " : ", ") << percent(scatter) << " % (" << table.measures[m] << ")";
+      first = false;
+    }
+    out << ";\nof a mean of " << table.members << " by "
+        << number(1.0 / std::sqrt(static_cast<double>(table.members)), "%.2f")
+        << " times that. Errors are told closer because run and reference start from the same samples.\n";
+  }
+}
+
+void write_study_page(const std::string& path, const StudyTable& table, const std::string& command) {
+  std::ofstream out(path);
+  if (!out) throw InputError(path + ": cannot be written");
+  const bool samples = table.members > 1;
+  out << "# " << table.title << "\n\n";
+  if (samples) {
+    out << "Mean and spread (standard deviation) over " << table.members
+        << " samples; then the error of the mean against the reference's of the same curve, and its standard "
+           "error.\nRun times in s; processor time is that of all programs, without the bed.\n\n";
+  } else {
+    out << "Errors in percent of the reference; run times in s.\n\n";
+  }
+  if (samples) out << "Made by `" << command << "`.\n\n";
+  out << "| curve | value |" << (table.grains ? " windows |" : " steps |");
+  for (const std::string& measure : table.measures) out << ' ' << measure << " |";
+  if (table.grains) out << " mechanism + exchange |";
+  out << (samples ? " processor time |\n" : table.grains ? " whole |\n" : " run time |\n") << "|---|---|---|---|";
+  for (std::size_t m = 0; m < table.measures.size() + (table.grains ? 1 : 0); ++m) out << "---|";
+  out << '\n';
+  if (samples)
+    for (const StudyPoint& reference : table.references) write_row(out, table, reference);
+  for (const StudyPoint& point : table.points) write_row(out, table, point);
+  if (samples) write_recommendations(out, table);
+}
+
+}  // namespace footfall

@@ -1,0 +1,81 @@
+#include "mbd_solver/cli/experiments/table_reader.h"
+
+#include <algorithm>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/scene/findings.h"
+
+namespace footfall {
+
+TableReader::TableReader(const std::string& file, const std::string& path, const ConfigNode& node)
+    : file_(file), path_(path), node_(node) {
+  if (node.kind != ConfigNode::Kind::kTable) fail(node, "", "is " + node.description() + ", expected a table");
+}
+
+void TableReader::take(const std::string& key, std::string& out) {
+  if (const ConfigNode* value = next(key)) out = text(key, *value);
+}
+
+void TableReader::take(const std::string& key, double& out) {
+  const ConfigNode* value = next(key);
+  if (!value) return;
+  if (!value->is_number()) fail(*value, key, "is " + value->description() + ", expected a number");
+  out = value->number;
+}
+
+void TableReader::take(const std::string& key, int& out) {
+  double number = out;
+  take(key, number);
+  out = static_cast<int>(number);
+}
+
+void TableReader::take(const std::string& key, bool& out) {
+  const ConfigNode* value = next(key);
+  if (!value) return;
+  if (value->kind != ConfigNode::Kind::kFlag)
+    fail(*value, key, "is " + value->description() + ", expected true or false");
+  out = value->flag;
+}
+
+void TableReader::take(const std::string& key, std::vector<std::string>& out) {
+  const ConfigNode* value = next(key);
+  if (!value) return;
+  out.clear();
+  if (value->kind != ConfigNode::Kind::kList) {
+    out.push_back(text(key, *value));
+    return;
+  }
+  for (const ConfigNode& entry : value->list) out.push_back(text(key, entry));
+}
+
+const ConfigNode* TableReader::next(const std::string& key) {
+  known_.push_back(key);
+  return node_.find(key);
+}
+
+void TableReader::require(const std::string& key, bool given) const {
+  if (!given) fail(key, "is missing");
+}
+
+void TableReader::done() const {
+  for (const auto& [key, value] : node_.table) {
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    const std::string guess = closest_name(key, known_);
+    fail(value, key, "is not known" + (guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
+  }
+}
+
+void TableReader::fail(const ConfigNode& at, const std::string& key, const std::string& what) const {
+  throw InputError(file_ + ":" + std::to_string(at.line) + ": " + (path_.empty() || key.empty() ? path_ : path_ + ".") +
+                   key + ": " + what);
+}
+
+std::string TableReader::text(const std::string& key, const ConfigNode& value) const {
+  if (value.kind == ConfigNode::Kind::kText) return value.text;
+  if (!value.is_number()) fail(value, key, "is " + value.description() + ", expected a text or a number");
+  if (value.kind == ConfigNode::Kind::kInteger)
+    return std::to_string(static_cast<long long>(value.number));  // seeds have many digits
+  return short_number(value.number);
+}
+
+}  // namespace footfall

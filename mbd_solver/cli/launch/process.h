@@ -1,0 +1,33 @@
+#pragma once
+// Starting processes, and taking the signals that come while they run one by one.
+
+#include <signal.h>
+#include <sys/types.h>
+
+#include "mbd_solver/cli/launch/child.h"
+
+namespace footfall {
+
+// While one of these lives, SIGINT, SIGTERM and SIGCHLD are taken one by one instead of interrupting us.
+class SignalsHeld {
+ public:
+  SignalsHeld();
+  ~SignalsHeld();
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+  const sigset_t& old_mask() const { return old_; }
+  // Waits for at most one tick (a fifth of a second). True for SIGINT or SIGTERM.
+  bool wait() const;
+
+ private:
+  sigset_t held_, old_;
+};
+
+constexpr int kCannotStart = 127;  // exit code of a process whose program could not be started
+
+// Starts a command in a process group of its own, with SIGTERM for it when we die. Throws InputError when there can be
+// no process; a program that is not there ends with kCannotStart.
+pid_t start_process(const Command& command, const SignalsHeld& signals);
+
+}  // namespace footfall

@@ -1,0 +1,16 @@
+#pragma once
+// Several commands at once, each with its output in a file.
+
+#include <functional>
+#include <vector>
+
+#include "mbd_solver/cli/launch/child.h"
+
+namespace footfall {
+
+// Runs all commands, at most `jobs` at once, in their order. `ended(index, exit code)` is called after each; 128 +
+// signal when a signal ended it. At SIGINT or SIGTERM no new one is started, those at work get SIGINT and are waited
+// for; true says so.
+bool run_pool(const std::vector<Command>& commands, int jobs, const std::function<void(int, int)>& ended);
+
+}  // namespace footfall

@@ -1,0 +1,24 @@
+#pragma once
+// Where the other programs are, and how Open MPI starts them here.
+
+#include <string>
+
+#include "mbd_solver/cli/launch/child.h"
+#include "mbd_solver/scene/scene.h"
+
+namespace footfall {
+
+// A program built with footfall (beside it), as a path. Throws InputError when it is not there.
+std::string built_program(const std::string& name);
+
+// mpirun with what this machine needs: permission for root, more processes than cores, no binding of ranks to cores.
+Command mpirun();
+
+// What the scene's -var options say, in the order LIGGGHTS gets them: here (folder of the script), then the variables.
+std::vector<std::string> script_arguments(const std::string& script,
+                                          const std::map<std::string, std::string>& variables);
+
+// `path` from here when that is shorter, for lines that people read and copy.
+std::string short_path(const std::string& path);
+
+}  // namespace footfall

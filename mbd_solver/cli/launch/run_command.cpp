@@ -1,0 +1,148 @@
+#include "mbd_solver/cli/launch/run_command.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/cli/launch/bed.h"
+#include "mbd_solver/cli/launch/check_command.h"
+#include "mbd_solver/cli/launch/child.h"
+#include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/analysis/results.h"
+#include "mbd_solver/output/summary.h"
+#include "mbd_solver/scene/scene_reader.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// "inputs/landing_mr/scene.toml" -> "landing_mr", "drop.toml" -> "drop".
+std::string scene_name(const std::string& file) {
+  const fs::path path = fs::absolute(file).lexically_normal();
+  return path.filename() == "scene.toml" ? path.parent_path().filename().string() : path.stem().string();
+}
+
+// runs/NAME, runs/NAME-2, ...: no run is ever overwritten without being asked to.
+std::string free_folder(const std::string& name) {
+  fs::path folder = fs::path("runs") / name;
+  for (int k = 2; fs::exists(folder); ++k) folder = fs::path("runs") / (name + "-" + std::to_string(k));
+  return folder.string();
+}
+
+// What an earlier run left in a folder that is used again must not be taken for ours.
+void clear_results(const std::string& out) {
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error) throw InputError(out + ": cannot be made: " + error.message() + "; choose another folder with --out");
+  for (const char* name : {"summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "checkpoint.txt",
+                           "liggghts.log", "plots", "pictures", "vtk", "motion", "compare"})
+    fs::remove_all(fs::path(out) / name, error);
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.12g", value);
+  return text;
+}
+
+std::vector<std::string> solver_words(const RunArguments& a, const std::string& out, const std::string& grains) {
+  std::vector<std::string> words = {built_program("mbd_solver"), short_path(a.scene), "--out", out};
+  if (a.until > 0.0) words.insert(words.end(), {"--until", number(a.until)});
+  if (!a.scheme.empty()) words.insert(words.end(), {"--scheme", a.scheme});
+  if (!a.integrator.empty()) words.insert(words.end(), {"--integrator", a.integrator});
+  for (const std::string& setting : a.settings) words.insert(words.end(), {"--set", setting});
+  if (!grains.empty()) words.insert(words.end(), {"--set", "particles.grains=\"" + grains + "\""});
+  if (a.quiet) words.push_back("--quiet");
+  return words;
+}
+
+// mpirun ... liggghts_mbd ... : -np 1 mbd_solver ...
+Command coupled_command(const Scene& scene, const RunArguments& a, const std::string& out) {
+  const ParticlesSpec& particles = *scene.particles;
+  const int ranks = a.ranks > 0 ? a.ranks : particles.ranks;
+  Bed bed;
+  if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet);
+  Command command = mpirun();
+  const auto append = [&](const std::vector<std::string>& words) {
+    command.words.insert(command.words.end(), words.begin(), words.end());
+  };
+  append({"-np", std::to_string(ranks), built_program("liggghts_mbd")});
+  append(script_arguments(particles.script, particles.variables));
+  append({"-var", "out", out});
+  if (!bed.restart.empty()) append({"-var", "bed", bed.restart});
+  append({"-log", (fs::path(out) / "liggghts.log").string(), "-screen", "none"});
+  append({":", "-np", "1"});
+  // A scene that names its own grains keeps them.
+  append(solver_words(a, out, particles.grains.empty() ? bed.grains : ""));
+  return command;
+}
+
+std::string status_of(const std::string& out) {
+  const fs::path summary = fs::path(out) / "summary.json";
+  return fs::exists(summary) ? read_summary(summary.string()).value("status", "") : "";
+}
+
+// What the run's own exit code means to the user; says what nobody else could say. Of two programs that end differently
+// mpirun gives either code: after an interrupt the summary decides.
+int exit_code(const ChildEnd& end, const std::string& status) {
+  if (end.interrupted && status == "interrupted") return kExitInterrupted;
+  if (end.interrupted) {
+    std::fprintf(stderr, "footfall: interrupted before there was anything to keep\n");
+    return kExitFailed;
+  }
+  if (end.code <= kExitInterrupted) return end.code;
+  if (end.code > 128) {
+    std::fprintf(stderr,
+                 "footfall: a program of the run was killed by signal %d (%s), from outside or for want of memory\n",
+                 end.code - 128, strsignal(end.code - 128));
+  } else {
+    std::fprintf(stderr, "footfall: the run ended with the unknown exit code %d\n", end.code);
+  }
+  return kExitFailed;
+}
+
+}  // namespace
+
+int run_command(const RunArguments& arguments) {
+  std::vector<std::string> settings = arguments.settings;
+  if (!arguments.scheme.empty()) settings.push_back("coupling.scheme=\"" + arguments.scheme + "\"");
+  if (!arguments.integrator.empty()) settings.push_back("solver.integrator=\"" + arguments.integrator + "\"");
+  const Scene scene = checked_scene(arguments.scene, settings);
+  const std::string out = short_path(arguments.out.empty() ? free_folder(scene_name(scene.file)) : arguments.out);
+  clear_results(out);
+
+  Command command;
+  try {
+    if (scene.touches_particles()) {
+      command = coupled_command(scene, arguments, out);
+    } else {
+      command.words = solver_words(arguments, out, "");
+    }
+  } catch (const Interrupted&) {
+    std::fprintf(stderr, "footfall: interrupted while making the bed; nothing is kept\n");
+    return kExitFailed;
+  }
+  if (!arguments.quiet) std::printf("%s\n", shell_line(command).c_str());
+  std::fflush(stdout);
+  if (isatty(STDOUT_FILENO) == 1) command.environment["FOOTFALL_TERMINAL"] = "1";
+
+  const ChildEnd end = run_child(command, "mbd_solver");
+  const std::string errors = liggghts_errors((fs::path(out) / "liggghts.log").string());
+  if (!errors.empty()) {
+    std::fprintf(stderr, "footfall: LIGGGHTS stopped on %s:\n%s\n", scene.particles->script.c_str(), errors.c_str());
+    return kExitBadInput;
+  }
+  std::vector<std::string> pictures;
+  const std::string status = status_of(out);
+  if (!status.empty()) write_ledger(out);
+  if (!status.empty() && scene.output.plots) pictures = make_pictures(out);
+  if (!status.empty() && !arguments.quiet) print_results(out, pictures);
+  return exit_code(end, status);
+}
+
+}  // namespace footfall

@@ -1,0 +1,92 @@
+#include "mbd_solver/coupling/dem_partner.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+namespace {
+
+std::string number(double x) {
+  std::ostringstream out;
+  out.precision(6);
+  out << x;
+  return out.str();
+}
+
+}  // namespace
+
+DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, const DemTerms& terms, double patience)
+    : link_(transport, patience), bodies_(std::move(bodies)) {
+  try {
+    Hello hello;
+    link_.receive_patiently(hello);
+    if (hello.protocol != kProtocolVersion)
+      throw ProtocolError("liggghts_mbd speaks protocol " + std::to_string(hello.protocol) + " (footfall " +
+                          hello.footfall_version + "), mbd_solver speaks " + std::to_string(kProtocolVersion) +
+                          " (footfall " + kFootfallVersion + "): use two programs of one build");
+    if (hello.unit_style != "si")
+      throw ProtocolError("the LIGGGHTS script has units " + hello.unit_style +
+                          ", the scene is in SI: write `units si`");
+    Geometry geometry;
+    geometry.bodies = bodies_;
+    link_.send(geometry);
+    link_.receive_patiently(start_);
+    check(terms);
+    for (const std::string& name : start_.bodies)
+      for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (bodies_[i].boundary.name() == name) coupled_.push_back(static_cast<int>(i));
+    FOOTFALL_DEMAND(coupled_.size() == start_.bodies.size());
+    Accept accept;
+    accept.scheme = terms.scheme;
+    accept.t_end = terms.t_end;
+    accept.n_max = start_.n > 0 ? start_.n : terms.n_max;
+    link_.send(accept);
+    seconds_before_ = link_.seconds_waited();
+  } catch (const ProtocolError& error) {
+    link_.fail(error.what(), Status::kBadInput);
+    throw;
+  }
+}
+
+void DemPartner::check(const DemTerms& terms) const {
+  if (!(start_.dt > 0.0) || start_.n < 0)
+    throw ProtocolError("fix couple/mbd: timestep " + number(start_.dt) + " s and every " + std::to_string(start_.n) +
+                        ", expected a positive time step and 1 or more substeps, or auto");
+  if (terms.max_dt > 0.0 && start_.dt > terms.max_dt * (1.0 + 1e-9))
+    throw ProtocolError(
+        "the LIGGGHTS script has timestep " + number(start_.dt) + " s, the scene allows at most " +
+        number(terms.max_dt) +
+        " s (particles.max_time_step): larger steps falsify the contact forces long before they become unstable");
+  if (terms.expected_dt > 0.0 && std::abs(start_.dt - terms.expected_dt) > 1e-9 * terms.expected_dt)
+    throw ProtocolError("the LIGGGHTS script has timestep " + number(start_.dt) +
+                        " s, the scene says particles.variables.dt = " + number(terms.expected_dt) +
+                        " s: make them agree, or drop the variable from the scene");
+  if (terms.expected_n > 0 && start_.n != terms.expected_n)
+    throw ProtocolError("fix couple/mbd has every " + (start_.n > 0 ? std::to_string(start_.n) : "auto") +
+                        ", the scene says particles.variables.every = " + std::to_string(terms.expected_n) +
+                        ": make them agree, or drop the variable from the scene");
+  for (const std::string& name : start_.bodies) {
+    bool known = false;
+    for (const CoupledBody& body : bodies_) known = known || body.boundary.name() == name;
+    if (!known) {
+      std::string names;
+      for (const CoupledBody& body : bodies_) names += (names.empty() ? "" : ", ") + body.boundary.name();
+      throw ProtocolError("fix couple/mbd asks for body \"" + name +
+                          "\", which has no boundary in the scene. Bodies with one: " + names);
+    }
+  }
+}
+
+const Load& DemPartner::exchange(const Motion& motion) {
+  link_.send(motion);
+  link_.receive(load_);
+  if (load_.window != motion.window || load_.bodies.size() != motion.bodies.size())
+    throw ProtocolError("load of window " + std::to_string(load_.window) + " with " +
+                        std::to_string(load_.bodies.size()) + " bodies, expected window " +
+                        std::to_string(motion.window) + " with " + std::to_string(motion.bodies.size()));
+  return load_;
+}
+
+}  // namespace footfall

@@ -1,0 +1,63 @@
+#pragma once
+// A finite-element model of one unsupported body: nodes of six degrees of freedom, sparse stiffness, lumped
+// mass.
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/fe/beam_section.h"
+#include "mbd_solver/fe/material.h"
+#include "mbd_solver/fe/triangle_mesh.h"
+#include "mbd_solver/model/mass_properties.h"
+
+namespace footfall {
+
+// Degree of freedom 6 j + i: displacement i = 0..2 [m] or rotation i - 3 = 0..2 [rad] of node j, along the
+// drawing's axes D.
+struct FeModel {
+  Eigen::Matrix3Xd nodes;                     // 3 x N, in D [m]
+  Eigen::SparseMatrix<double> stiffness;      // 6N x 6N, symmetric, both triangles stored
+  Eigen::VectorXd node_mass;                  // N [kg]
+  std::vector<Eigen::Matrix3d> node_inertia;  // N rotary inertias, in D [kg m2]
+  Eigen::SparseMatrix<double> stress;         // 6P x 6N: stress (xx yy zz xy yz zx, element axes) of P points [Pa]
+  std::vector<Eigen::Vector3i> triangles;     // points 2 t (top), 2 t + 1 (bottom) belong to triangle t
+  std::vector<Eigen::Vector2i> segments;      // points 8 e ... 8 e + 7 belong to segment e
+  bool rotations = true;                      // false: a solid model of a foreign code; nodes have no rotations
+
+  int node_count() const { return static_cast<int>(nodes.cols()); }
+};
+
+struct BeamMember {
+  int first = 0, second = 0;                     // node indices
+  int section = 0;                               // index into the sections
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();  // see beam_axes
+};
+
+// 3D frame. Every member gets a node in its middle: nodes 0..N-1 are the given ones, N + e is the middle of
+// member e, and its two halves, one element each, are the segments 2 e and 2 e + 1. Mass, also the
+// rotary inertia of the cross sections, is lumped by Simpson's rule (1/6, 4/6, 1/6), so mass, centre and
+// inertia of a straight member are exact and frequencies converge with h^4. Throws InputError: no such node
+// or section, member of no length, node without member, disconnected frame.
+FeModel beam_model(const std::vector<Eigen::Vector3d>& nodes, const std::vector<BeamMember>& members,
+                   const std::vector<BeamSection>& sections, const Material& material);
+
+// Nodes 0..n from one end to the other, n + 1 ... 2 n the middles of the n elements.
+FeModel straight_beam(const Eigen::Vector3d& from, const Eigen::Vector3d& to, int n, const BeamSection& section,
+                      const Material& material);
+
+// Thin shell on any connected triangle mesh (its mid-surface); a third of each triangle's mass at each
+// corner, no rotary inertia.
+FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& material,
+                    const std::string& where = "plate");
+
+MassProperties mass_properties(const FeModel& model);
+
+// 6N x 6N, block-diagonal.
+Eigen::SparseMatrix<double> lumped_mass_matrix(const FeModel& model);
+
+// The model with all masses multiplied, so that it weighs `mass` [kg].
+FeModel with_mass(FeModel model, double mass);
+
+}  // namespace footfall

@@ -1,0 +1,140 @@
+#include "mbd_solver/fe/mesh_check.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kDegenerate = 1e-6;  // height over longest edge
+constexpr std::size_t kListed = 10;   // numbers told in one finding
+
+using Edge = std::pair<int, int>;
+
+std::string list(const std::vector<int>& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(numbers.size(), kListed); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
+  if (numbers.size() > kListed) text += " and " + std::to_string(numbers.size() - kListed) + " more";
+  return text;
+}
+
+std::string triangles(const std::vector<int>& numbers) {
+  return (numbers.size() == 1 ? "triangle " : "triangles ") + list(numbers);
+}
+
+int root(std::vector<int>& parent, int i) {
+  while (parent[static_cast<std::size_t>(i)] != i) {
+    parent[static_cast<std::size_t>(i)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
+    i = parent[static_cast<std::size_t>(i)];
+  }
+  return i;
+}
+
+// Triangles that share a vertex are one piece; returns one list of triangles per piece, largest first.
+std::vector<std::vector<int>> pieces(const TriangleMesh& mesh) {
+  std::vector<int> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const Eigen::Vector3i& t : mesh.triangles)
+    for (int i = 1; i < 3; ++i) parent[static_cast<std::size_t>(root(parent, t(i)))] = root(parent, t(0));
+  std::map<int, std::vector<int>> groups;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    groups[root(parent, mesh.triangles[t](0))].push_back(static_cast<int>(t));
+  std::vector<std::vector<int>> result;
+  for (auto& group : groups) result.push_back(std::move(group.second));
+  std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> mesh_findings(const TriangleMesh& mesh, const MeshDemands& demands) {
+  std::vector<std::string> findings;
+  if (mesh.triangles.empty()) return {"the mesh has no triangles, expected at least one."};
+
+  std::vector<int> invalid, degenerate, duplicate;
+  std::map<std::array<int, 3>, int> seen;
+  std::map<Edge, std::vector<int>> forward;  // directed edges: which triangles run along them
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Eigen::Vector3i& corner = mesh.triangles[t];
+    const int number = static_cast<int>(t);
+    bool valid = corner.minCoeff() >= 0 && corner.maxCoeff() < static_cast<int>(mesh.vertices.size());
+    for (int i = 0; valid && i < 3; ++i) valid = mesh.vertices[static_cast<std::size_t>(corner(i))].allFinite();
+    if (!valid) {
+      invalid.push_back(number);
+      continue;
+    }
+    double longest = 0.0;
+    std::array<Eigen::Vector3d, 3> p;
+    for (int i = 0; i < 3; ++i) p[static_cast<std::size_t>(i)] = mesh.vertices[static_cast<std::size_t>(corner(i))];
+    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (p[(i + 1) % 3] - p[i]).norm());
+    if (!((p[1] - p[0]).cross(p[2] - p[0]).norm() > kDegenerate * longest * longest)) {
+      degenerate.push_back(number);
+      continue;
+    }
+    std::array<int, 3> key = {corner(0), corner(1), corner(2)};
+    std::sort(key.begin(), key.end());
+    if (!seen.emplace(key, number).second) {
+      duplicate.push_back(number);
+      continue;
+    }
+    for (int i = 0; i < 3; ++i) forward[{corner(i), corner((i + 1) % 3)}].push_back(number);
+  }
+  if (!invalid.empty())
+    return {triangles(invalid) + ": corner numbers or coordinates are not valid, expected numbers below " +
+            std::to_string(mesh.vertices.size()) + " and finite coordinates."};
+  if (!degenerate.empty())
+    findings.push_back(triangles(degenerate) +
+                       ": no area (a degenerate triangle), expected three corners apart. Remove it or "
+                       "repair the mesh.");
+  if (!duplicate.empty())
+    findings.push_back(triangles(duplicate) +
+                       ": the same corners as an earlier triangle (a duplicate), expected each "
+                       "triangle once.");
+  if (demands.connected) {
+    const std::vector<std::vector<int>> found = pieces(mesh);
+    if (found.size() > 1)
+      findings.push_back("the mesh falls into " + std::to_string(found.size()) +
+                         " disconnected pieces, expected one. The largest has " + std::to_string(found[0].size()) +
+                         " triangles; the next consists of " + triangles(found[1]) +
+                         ". If they should touch, their common vertices differ.");
+  }
+  // An edge is open if only one triangle has it, and crowded if more than two have.
+  std::vector<int> open, crowded, turned;
+  for (const auto& [edge, users] : forward) {
+    const auto opposite = forward.find({edge.second, edge.first});
+    const std::size_t others = opposite == forward.end() ? 0 : opposite->second.size();
+    if (users.size() == 1 && others == 0) open.push_back(users[0]);
+    if (users.size() + others > 2) crowded.insert(crowded.end(), users.begin(), users.end());
+    if (users.size() > 1) turned.insert(turned.end(), users.begin(), users.end());
+  }
+  for (std::vector<int>* numbers : {&open, &crowded, &turned}) {
+    std::sort(numbers->begin(), numbers->end());
+    numbers->erase(std::unique(numbers->begin(), numbers->end()), numbers->end());
+  }
+  if (demands.closed && !open.empty())
+    findings.push_back("the surface is not closed: " + triangles(open) +
+                       " border on a hole, expected every edge to belong to two triangles. Close the hole or "
+                       "weld vertices.");
+  if (demands.closed && !crowded.empty())
+    findings.push_back("the surface is not closed: " + triangles(crowded) +
+                       " meet at an edge of more than two triangles, expected every edge to belong to two.");
+  if (demands.oriented && !turned.empty())
+    findings.push_back(triangles(turned) +
+                       ": neighbours disagree on which side is outside, expected all corners counter-clockwise seen "
+                       "from outside. Turn one of them round.");
+  return findings;
+}
+
+void check_mesh(const TriangleMesh& mesh, const MeshDemands& demands, const std::string& where) {
+  std::string message;
+  for (const std::string& finding : mesh_findings(mesh, demands))
+    message += (message.empty() ? "" : "\n") + where + ": " + finding;
+  if (!message.empty()) throw InputError(message);
+}
+
+}  // namespace footfall

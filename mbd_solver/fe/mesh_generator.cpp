@@ -1,0 +1,112 @@
+#include "mbd_solver/fe/mesh_generator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kMaxTriangles = 2e6;  // more is a mistake in a unit
+
+void require_positive(double value, const char* what) {
+  if (!(value > 0.0) || !std::isfinite(value))
+    throw InputError(std::string("mesh: ") + what + " is " + std::to_string(value) + " m, expected a positive number.");
+}
+
+// Number of equal parts of a length so that none is longer than the edge.
+int parts(double length, double edge) { return std::max(1, static_cast<int>(std::ceil(length / edge - 1e-9))); }
+
+void require_affordable(double triangles) {
+  if (triangles > kMaxTriangles)
+    throw InputError("mesh: edge length asks for " + std::to_string(triangles) + " triangles, expected at most " +
+                     std::to_string(kMaxTriangles) + ". Use longer edges, in metres.");
+}
+
+// Ring k has 6 k vertices; each of the six sectors between rings k-1 and k has k triangles pointing inward
+// and k-1 pointing outward. place(s, phi): position at the fraction s of the way from centre to rim, and
+// angle phi.
+TriangleMesh ring_mesh(int rings, const std::function<Vector3d(double, double)>& place) {
+  require_affordable(6.0 * rings * rings);
+  TriangleMesh mesh;
+  const auto vertex = [](int ring, int i) { return ring == 0 ? 0 : 3 * ring * (ring - 1) + 1 + i % (6 * ring); };
+  mesh.vertices.push_back(place(0.0, 0.0));
+  for (int k = 1; k <= rings; ++k) {
+    for (int i = 0; i < 6 * k; ++i)
+      mesh.vertices.push_back(place(static_cast<double>(k) / rings, 2.0 * kPi * i / (6.0 * k)));
+    for (int sector = 0; sector < 6; ++sector)
+      for (int i = 0; i < k; ++i) {
+        const int outer = sector * k + i;
+        const int inner = sector * (k - 1) + i;
+        mesh.triangles.emplace_back(vertex(k - 1, inner), vertex(k, outer), vertex(k, outer + 1));
+        if (i + 1 < k)
+          mesh.triangles.emplace_back(vertex(k - 1, inner), vertex(k, outer + 1), vertex(k - 1, inner + 1));
+      }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TriangleMesh disc_mesh(double radius, double edge) {
+  require_positive(radius, "disc radius");
+  require_positive(edge, "edge length");
+  return ring_mesh(parts(radius, edge), [radius](double s, double phi) {
+    return Vector3d(s * radius * std::cos(phi), s * radius * std::sin(phi), 0.0);
+  });
+}
+
+TriangleMesh dish_mesh(double rim_radius, double depth, double edge) {
+  require_positive(rim_radius, "dish radius");
+  require_positive(depth, "dish depth");
+  require_positive(edge, "edge length");
+  if (depth > rim_radius)
+    throw InputError("mesh: dish depth is " + std::to_string(depth) + " m, expected at most the radius of the rim, " +
+                     std::to_string(rim_radius) + " m.");
+  const double sphere = (rim_radius * rim_radius + depth * depth) / (2.0 * depth);
+  const double opening = std::atan2(rim_radius, sphere - depth);
+  return ring_mesh(parts(sphere * opening, edge), [sphere, opening](double s, double phi) {
+    const double theta = s * opening;
+    const double r = sphere * std::sin(theta);
+    return Vector3d(r * std::cos(phi), r * std::sin(phi), 2.0 * sphere * std::pow(std::sin(0.5 * theta), 2));
+  });
+}
+
+// Six faces of right-angled triangles, their common edges welded.
+TriangleMesh box_mesh(const Vector3d& size, double edge) {
+  for (int i = 0; i < 3; ++i) require_positive(size(i), "box edge");
+  require_positive(edge, "edge length");
+  require_affordable(4.0 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()) / (edge * edge));
+  TriangleMesh faces;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      const int u = (axis + (side > 0.0 ? 1 : 2)) % 3;  // u x v points outward
+      const int v = (axis + (side > 0.0 ? 2 : 1)) % 3;
+      const int nu = parts(size(u), edge);
+      const int nv = parts(size(v), edge);
+      const int first = static_cast<int>(faces.vertices.size());
+      for (int j = 0; j <= nv; ++j)
+        for (int i = 0; i <= nu; ++i) {
+          Vector3d x;
+          x(axis) = 0.5 * side * size(axis);
+          x(u) = size(u) * (static_cast<double>(i) / nu - 0.5);
+          x(v) = size(v) * (static_cast<double>(j) / nv - 0.5);
+          faces.vertices.push_back(x);
+        }
+      for (int j = 0; j < nv; ++j)
+        for (int i = 0; i < nu; ++i) {
+          const int corner = first + j * (nu + 1) + i;
+          faces.triangles.emplace_back(corner, corner + 1, corner + nu + 2);
+          faces.triangles.emplace_back(corner, corner + nu + 2, corner + nu + 1);
+        }
+    }
+  return welded(faces, 1e-9 * size.minCoeff());
+}
+
+}  // namespace footfall

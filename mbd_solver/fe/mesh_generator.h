@@ -1,0 +1,20 @@
+#pragma once
+// Meshes of simple shapes, with near-uniform triangles. All throw InputError on lengths that are no shape.
+
+#include "mbd_solver/fe/triangle_mesh.h"
+
+namespace footfall {
+
+// Disc in the xy plane about the origin, normals along z. Vertex 0 is the centre, ring k holds 6 k vertices;
+// sixfold symmetric. The rim is a polygon on the circle: its area is smaller than the circle's by the factor
+// 1 - (pi / (3 n))^2 / 6 for n rings.
+TriangleMesh disc_mesh(double radius, double edge);
+
+// Spherical cap: lowest point (vertex 0) at the origin, rim of the given radius at height `depth`, opening
+// along z; normals point to the inside (+z at the lowest point). depth <= rim radius.
+TriangleMesh dish_mesh(double rim_radius, double depth, double edge);
+
+// Closed surface of a box about the origin, edges along the axes, normals outward.
+TriangleMesh box_mesh(const Eigen::Vector3d& size, double edge);
+
+}  // namespace footfall

@@ -1,0 +1,187 @@
+#include "mbd_solver/model/elements/rigid_plane.h"
+
+#include <cmath>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+namespace {
+
+// g(u) and its derivative, see the header.
+struct Approach {
+  double value, slope;
+};
+Approach approach(double u) {
+  if (u >= 0.0) return {1.0 + u, 1.0};
+  const double e = std::exp(u);
+  return {e, e};
+}
+
+// Energy per k/m taken up by a damped approach at u = d v, minus that given back when leaving at w = d e v
+// (times d^2).
+double restitution_defect(double u, double e) {
+  const double w = e * u;
+  return (u - std::log1p(u)) - ((w - 1.0) * std::exp(w) + 1.0);
+}
+
+}  // namespace
+
+double contact_damping_for_restitution(double e, double impact_speed) {
+  if (!(e > 0.0 && e <= 1.0)) throw InputError("restitution is " + std::to_string(e) + "; it must be in (0, 1].");
+  if (!(impact_speed > 0.0)) throw InputError("the impact speed of a restitution must be positive.");
+  if (e == 1.0) return 0.0;
+  // The defect rises from 0 like (1 - e^2) u^2 / 2 and falls to minus infinity: bracket the zero, then halve.
+  double low = 1e-9, high = 1.0;
+  while (restitution_defect(high, e) > 0.0) high *= 2.0;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    (restitution_defect(middle, e) > 0.0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high) / impact_speed;
+}
+
+// One point in contact: everything the force and its derivatives need.
+struct RigidPlane::Contact {
+  KinematicVector p;
+  double radius = 0.0;
+  double overlap = 0.0;                             // delta [m]
+  double elastic = 0.0;                             // k delta^1.5 [N]
+  double normal_force = 0.0;                        // f_n [N]
+  double by_overlap = 0.0;                          // d f_n / d delta
+  double by_closing = 0.0;                          // d f_n / d delta'
+  double closing = 0.0;                             // delta' [m/s]
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();   // v_t [m/s]
+  double inverse_speed = 0.0;                       // 1 / sqrt(v_t^2 + v_s^2)
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the body [N]
+};
+
+RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters)
+    : ForceElement(std::move(name), points.empty() ? kGround : points.front().marker.body, kGround),
+      points_(std::move(points)),
+      parameters_(parameters) {
+  const std::string where = "rigid plane of \"" + this->name() + "\": ";
+  if (points_.empty()) throw InputError(where + "no contact points given.");
+  if (!(parameters_.normal.norm() > 0.0)) throw InputError(where + "the normal must not be zero.");
+  if (!(parameters_.stiffness > 0.0)) throw InputError(where + "stiffness must be positive.");
+  if (!(parameters_.damping >= 0.0 && parameters_.friction >= 0.0))
+    throw InputError(where + "damping and friction must not be negative.");
+  if (!(parameters_.slip_speed > 0.0)) throw InputError(where + "slip_speed must be positive.");
+  parameters_.normal.normalize();
+  for (const ContactPoint& point : points_) {
+    FOOTFALL_DEMAND(point.marker.body == bodies()[0] && point.marker.body != kGround);
+    if (!(point.radius >= 0.0)) throw InputError(where + "the radius of a contact point must not be negative.");
+    reach_ = std::max(reach_, point.marker.s0.norm() + point.radius);
+    flexible_reach_ = std::max(flexible_reach_, point.marker.S.norm());
+  }
+  const Eigen::Index n = 6 + points_.front().marker.S.cols();
+  X_.resize(3, n);
+  by_x_.resize(3, n);
+}
+
+bool RigidPlane::far(const BodyKinematics& body) const {
+  const double reach = body.modes == 0 ? reach_ : reach_ + flexible_reach_ * body.a.norm();
+  return parameters_.normal.dot(body.r - parameters_.point) > reach;
+}
+
+bool RigidPlane::contact(const ElementInput& in, const ContactPoint& point, Contact& out) const {
+  const Eigen::Vector3d& n = parameters_.normal;
+  out.p = KinematicVector::point(in.pair, 0, point.marker);
+  out.overlap = point.radius - n.dot(out.p.value() - parameters_.point);
+  if (out.overlap <= 0.0) return false;
+  out.radius = point.radius;
+  const Eigen::Vector3d velocity = out.p.rate() + point.radius * n.cross(in.pair.body[0]->w);  // w x (-radius n)
+  out.closing = -n.dot(velocity);
+  out.slip = velocity + out.closing * n;
+
+  const double root = std::sqrt(out.overlap);
+  const Approach g = approach(parameters_.damping * out.closing);
+  out.elastic = parameters_.stiffness * out.overlap * root;
+  out.normal_force = out.elastic * g.value;
+  out.by_overlap = 1.5 * parameters_.stiffness * root * g.value;
+  out.by_closing = out.elastic * parameters_.damping * g.slope;
+  out.inverse_speed = 1.0 / std::sqrt(out.slip.squaredNorm() + parameters_.slip_speed * parameters_.slip_speed);
+  out.force = out.normal_force * (n - parameters_.friction * out.inverse_speed * out.slip);
+  return true;
+}
+
+void RigidPlane::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const {
+  if (far(*in.pair.body[0])) return;
+  Contact at;
+  for (const ContactPoint& point : points_) {
+    if (!contact(in, point, at)) continue;
+    at.p.add_transposed(at.force, Q);
+    Q.segment<3>(3) -= at.radius * parameters_.normal.cross(at.force);
+  }
+}
+
+bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
+  if (far(*in.pair.body[0])) return false;
+  // Force f(delta, u), u = velocity of the contact point:  df = f_delta ddelta + f_u du
+  //   ddelta/dx = -n^T X,  du/dx = p'_x,  du/dv = X_c = X + [0, radius n~, 0]
+  const Eigen::Vector3d& n = parameters_.normal;
+  const double mu = parameters_.friction;
+  bool any = false;
+  Contact at;
+  for (const ContactPoint& point : points_) {
+    if (!contact(in, point, at)) continue;
+    any = true;
+    const Eigen::Vector3d direction = n - mu * at.inverse_speed * at.slip;
+    const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - n * n.transpose();
+    const Eigen::Matrix3d slip_by_u =
+        at.inverse_speed * tangent -
+        (at.inverse_speed * at.inverse_speed * at.inverse_speed) * at.slip * at.slip.transpose();
+    const Eigen::Matrix3d by_u = -at.by_closing * direction * n.transpose() - (mu * at.normal_force) * slip_by_u;
+    const Eigen::Matrix3d by_p = -at.by_overlap * direction * n.transpose();
+
+    X_.setZero();
+    by_x_.setZero();
+    at.p.add_jacobian(X_);
+    at.p.add_rate_jacobian(by_x_);
+    for (Eigen::Index j = 0; j < X_.cols(); ++j) {  // df/dx
+      const Eigen::Vector3d column = by_u * by_x_.col(j) + by_p * X_.col(j);
+      by_x_.col(j) = column;
+    }
+    X_.block<3, 3>(0, 3) += at.radius * skew(n);  // X_c
+    out.dQ_dx.noalias() += X_.transpose().lazyProduct(by_x_);
+    by_x_.noalias() = by_u.lazyProduct(X_);  // df/dv
+    out.dQ_dv.noalias() += X_.transpose().lazyProduct(by_x_);
+    at.p.add_second(at.force, out.dQ_dx);
+  }
+  return any;
+}
+
+void RigidPlane::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
+  if (far(*in.pair.body[0])) return;
+  Contact at;
+  for (const ContactPoint& point : points_) {
+    if (!contact(in, point, at)) continue;
+    stored.contact += 0.4 * at.elastic * at.overlap;
+    power[Dissipation::kContact] += (at.normal_force - at.elastic) * at.closing;
+    power[Dissipation::kFriction] += parameters_.friction * at.normal_force * at.inverse_speed * at.slip.squaredNorm();
+  }
+}
+
+Eigen::Matrix<double, 6, 1> RigidPlane::wrench(const ElementInput& in) const {
+  Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
+  if (far(*in.pair.body[0])) return out;
+  Contact at;
+  for (const ContactPoint& point : points_) {
+    if (!contact(in, point, at)) continue;
+    const Eigen::Vector3d arm = at.p.value() - in.pair.body[0]->r - at.radius * parameters_.normal;
+    out.head<3>() += at.force;
+    out.tail<3>() += arm.cross(at.force);
+  }
+  return out;
+}
+
+double RigidPlane::largest_overlap(const ElementInput& in) const {
+  if (far(*in.pair.body[0])) return 0.0;
+  double largest = 0.0;
+  Contact at;
+  for (const ContactPoint& point : points_) {
+    if (contact(in, point, at)) largest = std::max(largest, at.overlap);
+  }
+  return largest;
+}
+
+}  // namespace footfall

@@ -1,0 +1,53 @@
+#include "mbd_solver/model/laws/gas_spring.h"
+
+#include <cmath>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/model/laws/parameter_check.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+}  // namespace
+
+GasSpring::GasSpring(const GasSpringParameters& parameters)
+    : parameters_(parameters), area_(0.25 * kPi * parameters.piston_diameter * parameters.piston_diameter) {
+  require_positive(kind(), "piston_diameter", parameters.piston_diameter, "m");
+  require_positive(kind(), "initial_pressure", parameters.initial_pressure, "Pa");
+  require_positive(kind(), "initial_volume", parameters.initial_volume, "m3");
+  require_within(kind(), "exponent", parameters.exponent, 1.0, 2.0, "");
+  if (parameters.largest_stroke && !(*parameters.largest_stroke < stroke_limit()))
+    throw InputError("gas_spring: a stroke of " + number_text(*parameters.largest_stroke) +
+                     " m uses up the gas volume, which ends at V0 / A_p = " + number_text(stroke_limit()) +
+                     " m; expected an end stop before that. Raise initial_volume, or reduce the stroke or "
+                     "piston_diameter.");
+}
+
+double GasSpring::volume(double stroke) const {
+  const double v = parameters_.initial_volume - area_ * stroke;
+  if (!(v > 0.0))  // also catches a stroke that is not a number
+    throw NumericalError("gas_spring: stroke " + number_text(stroke) +
+                         " m has used up the gas volume (limit V0 / A_p = " + number_text(stroke_limit()) +
+                         " m). The strut needs an end stop that acts earlier or is stiffer.");
+  return v;
+}
+
+void GasSpring::evaluate(const StrutInput& in, StrutOutput& out) const {
+  out.set_zero();
+  const double v = volume(in.stroke);
+  const double n = parameters_.exponent;
+  out.force = area_ * parameters_.initial_pressure * std::pow(parameters_.initial_volume / v, n);
+  out.dforce_dstroke = n * area_ * out.force / v;
+}
+
+double GasSpring::stored_energy(const StrutInput& in) const {
+  const double log_ratio = std::log(parameters_.initial_volume / volume(in.stroke));
+  const double work0 = parameters_.initial_pressure * parameters_.initial_volume;
+  const double m = parameters_.exponent - 1.0;
+  // expm1 keeps all digits for n close to 1, where the formula becomes the logarithm.
+  return m > 0.0 ? work0 * std::expm1(m * log_ratio) / m : work0 * log_ratio;
+}
+
+}  // namespace footfall

@@ -1,0 +1,44 @@
+#include "mbd_solver/model/laws/parameter_check.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+namespace {
+
+[[noreturn]] void refuse(std::string_view law, std::string_view name, double value, std::string_view unit,
+                         const std::string& expected) {
+  const std::string suffix = unit.empty() ? std::string() : " " + std::string(unit);
+  throw InputError(std::string(law) + ": " + std::string(name) + " is " + number_text(value) + suffix + "; expected " +
+                   expected + suffix + ".");
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+void require_positive(std::string_view law, std::string_view name, double value, std::string_view unit) {
+  if (!(std::isfinite(value) && value > 0.0)) refuse(law, name, value, unit, "a number above 0");
+}
+
+void require_not_negative(std::string_view law, std::string_view name, double value, std::string_view unit) {
+  if (!(std::isfinite(value) && value >= 0.0)) refuse(law, name, value, unit, "a number not below 0");
+}
+
+void require_finite(std::string_view law, std::string_view name, double value, std::string_view unit) {
+  if (!std::isfinite(value)) refuse(law, name, value, unit, "a finite number");
+}
+
+void require_within(std::string_view law, std::string_view name, double value, double low, double high,
+                    std::string_view unit) {
+  if (!(value >= low && value <= high))
+    refuse(law, name, value, unit, "a number from " + number_text(low) + " to " + number_text(high));
+}
+
+}  // namespace footfall

@@ -1,0 +1,242 @@
+#include "mbd_solver/model/modal_inertia.h"
+
+#include <Eigen/Eigenvalues>
+#include <string>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+namespace {
+
+using Vec = Eigen::Ref<const Eigen::VectorXd>;
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Matrix3d skew(const Vector3d& x) {
+  Matrix3d m;
+  m << 0.0, -x.z(), x.y(), x.z(), 0.0, -x.x(), -x.y(), x.x(), 0.0;
+  return m;
+}
+
+// A body without inertia about some axis has a singular mass matrix: refuse it here, where its name is known.
+void require_positive(double mass, const Matrix3d& inertia, const std::string& body) {
+  const std::string who = body.empty() ? "body" : "body \"" + body + "\"";
+  if (!(mass > 0.0)) throw InputError(who + ": mass is " + std::to_string(mass) + " kg, expected a positive number.");
+  const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+  if (!(moments.minCoeff() > 0.0) || !inertia.allFinite())
+    throw InputError(who + ": smallest principal moment of inertia is " + std::to_string(moments.minCoeff()) +
+                     " kg m2, expected a symmetric positive definite inertia about the centre of mass.");
+}
+
+}  // namespace
+
+ModalInertia::ModalInertia(double mass, const Matrix3d& inertia)
+    : mass_(mass),
+      S0_(Vector3d::Zero()),
+      S1_(3, 0),
+      J0_(0.5 * (inertia + inertia.transpose())),
+      P_(3, 0),
+      C0_(3, 0),
+      C1_(0, 0),
+      G0_(9, 0),
+      G1_(0, 0),
+      Mff_(0, 0),
+      K_(0),
+      C_(0) {
+  require_positive(mass_, J0_, "");
+}
+
+ModalInertia::ModalInertia(const ModalBody& body)
+    : modes_(body.mode_count()), S0_(Vector3d::Zero()), J0_(Matrix3d::Zero()), K_(body.stiffness), C_(body.damping) {
+  const Index s = modes_;
+  const Index nodes = body.node_count();
+  FOOTFALL_DEMAND(body.node_mass.size() == nodes);
+  FOOTFALL_DEMAND(static_cast<Index>(body.node_inertia.size()) == nodes);
+  FOOTFALL_DEMAND(body.Phi.rows() == 3 * nodes && body.Phi.cols() == s);
+  FOOTFALL_DEMAND(body.Psi.rows() == 3 * nodes && body.Psi.cols() == s);
+  FOOTFALL_DEMAND(body.damping.size() == s);
+  S1_.setZero(3, s);
+  P_.setZero(3, s);
+  C0_.setZero(3, s);
+  C1_.setZero(3 * s, s);
+  G0_.setZero(9, s);
+  G1_.setZero(9 * s, s);
+  Mff_.setZero(s, s);
+
+  for (Index j = 0; j < nodes; ++j) {
+    const double m = body.node_mass(j);
+    const Matrix3d& J = body.node_inertia[static_cast<std::size_t>(j)];
+    const Matrix3d rho = skew(body.rho0.col(j));
+    const Eigen::Matrix3Xd Phi = body.Phi.middleRows(3 * j, 3);
+    const Eigen::Matrix3Xd Psi = body.Psi.middleRows(3 * j, 3);
+    mass_ += m;
+    S0_ += m * body.rho0.col(j);
+    S1_ += m * Phi;
+    J0_ += J - m * rho * rho;
+    P_ += J * Psi;
+    C0_ += m * rho * Phi + J * Psi;
+    Mff_ += m * Phi.transpose() * Phi + Psi.transpose() * J * Psi;
+    if (m == 0.0) continue;
+    for (Index k = 0; k < s; ++k) {
+      const Matrix3d phi_k = skew(Phi.col(k));
+      Eigen::Map<Matrix3d>(G0_.col(k).data()) -= m * rho * phi_k;
+      for (Index l = 0; l < s; ++l) {
+        const Vector3d phi_l = Phi.col(l);
+        C1_.block<3, 1>(3 * k, l) += m * phi_l.cross(Phi.col(k));
+        Eigen::Map<Matrix3d>(&G1_(9 * k, l)) -= m * skew(phi_l) * phi_k;
+      }
+    }
+  }
+  Mff_ = 0.5 * (Mff_ + Mff_.transpose()).eval();
+  const Vector3d c = S0_ / (mass_ > 0.0 ? mass_ : 1.0);
+  require_positive(mass_, J0_ + mass_ * skew(c) * skew(c), body.name);
+}
+
+Vector3d ModalInertia::first_moment(const Vec& a) const {
+  Vector3d S = S0_;
+  for (Index k = 0; k < modes_; ++k) S += a(k) * S1_.col(k);
+  return S;
+}
+
+Vector3d ModalInertia::coupling(int k, const Vec& a) const {
+  Vector3d C = C0_.col(k);
+  for (int l = 0; l < modes_; ++l) C += a(l) * coupling_rate(l, k);
+  return C;
+}
+
+Matrix3d ModalInertia::gyration_rate(int l, int k) const { return Eigen::Map<const Matrix3d>(&G1_(9 * k, l)); }
+
+Matrix3d ModalInertia::gyration(int k, const Vec& a) const {
+  Matrix3d G = Eigen::Map<const Matrix3d>(&G0_(0, k));
+  for (int l = 0; l < modes_; ++l) G += a(l) * Eigen::Map<const Matrix3d>(&G1_(9 * k, l));
+  return G;
+}
+
+// J = J0 + sum_k a_k (G0_k + G0_k^T) + sum_kl a_l a_k G1_lk = J0 + sum_k a_k (G0_k^T + G_k(a)); the sum is
+// symmetric.
+Matrix3d ModalInertia::inertia(const Vec& a) const {
+  if (modes_ == 0) return J0_;
+  Matrix3d J = J0_;
+  for (int k = 0; k < modes_; ++k) {
+    const Matrix3d G0 = Eigen::Map<const Matrix3d>(&G0_(0, k));
+    J += a(k) * (G0.transpose() + gyration(k, a));
+  }
+  return 0.5 * (J + J.transpose());
+}
+
+// M = [m I, -S~, S1; S~, J, C; S1^T, C^T, Mff]
+void ModalInertia::mass_matrix(const Vec& a, Eigen::Ref<Eigen::MatrixXd> M) const {
+  FOOTFALL_DEMAND(a.size() == modes_ && M.rows() == 6 + modes_ && M.cols() == 6 + modes_);
+  const Matrix3d S = skew(first_moment(a));
+  M.topLeftCorner<3, 3>() = mass_ * Matrix3d::Identity();
+  M.block<3, 3>(0, 3) = -S;
+  M.block<3, 3>(3, 0) = S;
+  M.block<3, 3>(3, 3) = inertia(a);
+  for (int k = 0; k < modes_; ++k) {
+    const Vector3d C = coupling(k, a);
+    M.block<3, 1>(0, 6 + k) = S1_.col(k);
+    M.block<3, 1>(3, 6 + k) = C;
+    M.block<1, 3>(6 + k, 0) = S1_.col(k).transpose();
+    M.block<1, 3>(6 + k, 3) = C.transpose();
+  }
+  M.bottomRightCorner(modes_, modes_) = Mff_;
+}
+
+// force:   2 w x (S1 da) + w x (w x S)
+// moment:  w x J w + 2 sum_k da_k G_k w + w x (P da)
+// modal k: -w^T G_k w + 2 sum_l da_l w . (sum m Phi_l x Phi_k) + C_k da_k + K_k a_k
+void ModalInertia::velocity_and_elastic_force(const Vec& a, const Vec& v, Eigen::Ref<Eigen::VectorXd> h) const {
+  FOOTFALL_DEMAND(a.size() == modes_ && v.size() == 6 + modes_ && h.size() == 6 + modes_);
+  const Vector3d w = v.segment<3>(3);
+  Matrix3d J = J0_;
+  Vector3d force = w.cross(w.cross(first_moment(a)));
+  Vector3d moment = Vector3d::Zero();
+  for (int k = 0; k < modes_; ++k) {
+    const double da = v(6 + k);
+    const Matrix3d G0 = Eigen::Map<const Matrix3d>(&G0_(0, k));
+    const Matrix3d G = gyration(k, a);
+    const Vector3d Gw = G * w;
+    J += a(k) * (G0.transpose() + G);
+    force += 2.0 * da * w.cross(S1_.col(k));
+    moment += da * (2.0 * Gw + w.cross(P_.col(k)));
+    Vector3d coriolis = Vector3d::Zero();
+    for (int l = 0; l < modes_; ++l) coriolis += v(6 + l) * coupling_rate(l, k);
+    h(6 + k) = -w.dot(Gw) + 2.0 * w.dot(coriolis) + C_(k) * da + K_(k) * a(k);
+  }
+  h.head<3>() = force;
+  h.segment<3>(3) = moment + w.cross(J * w);
+}
+
+// Row by row the derivatives of g = M(a) dv + h(a, v), with dv = [ddr; dw; dda]; see the two functions above.
+void ModalInertia::derivatives(const Vec& a, const Vec& v, const Vec& dv, Eigen::Ref<Eigen::MatrixXd> dg_da,
+                               Eigen::Ref<Eigen::MatrixXd> dg_dv) const {
+  const Index size = 6 + modes_;
+  FOOTFALL_DEMAND(a.size() == modes_ && v.size() == size && dv.size() == size);
+  FOOTFALL_DEMAND(dg_da.rows() == size && dg_da.cols() == modes_ && dg_dv.rows() == size && dg_dv.cols() == size);
+  const Vector3d w = v.segment<3>(3);
+  const Vector3d ddr = dv.head<3>();
+  const Vector3d dw = dv.segment<3>(3);
+  const Matrix3d wx = skew(w);
+  const Vector3d S = first_moment(a);
+  Matrix3d J = J0_;
+  Vector3d S1da = Vector3d::Zero();
+  Vector3d Pda = Vector3d::Zero();
+  Matrix3d Gda = Matrix3d::Zero();
+  for (int k = 0; k < modes_; ++k) {
+    const double da = v(6 + k);
+    const Matrix3d G0 = Eigen::Map<const Matrix3d>(&G0_(0, k));
+    const Matrix3d G = gyration(k, a);
+    const Matrix3d dJ = G + G.transpose();
+    const Vector3d S1 = S1_.col(k);
+    const Vector3d P = P_.col(k);
+    J += a(k) * (G0.transpose() + G);
+    S1da += da * S1;
+    Pda += da * P;
+    Gda += da * G;
+    Vector3d C1dda = Vector3d::Zero();     // (dC/da_k) dda
+    Matrix3d dGda = Matrix3d::Zero();      // sum_l da_l dG_l/da_k
+    Vector3d coriolis = Vector3d::Zero();  // sum_l da_l (sum m Phi_l x Phi_k)
+    for (int l = 0; l < modes_; ++l) {
+      const Vector3d c_lk = coupling_rate(l, k);
+      const Matrix3d G1_lk = gyration_rate(l, k);
+      C1dda -= dv(6 + l) * c_lk;             // c_kl = -c_lk
+      dGda += v(6 + l) * G1_lk.transpose();  // G1_kl = G1_lk^T
+      coriolis += v(6 + l) * c_lk;
+      dg_da(6 + k, l) = dw.dot(c_lk) - w.dot(G1_lk * w);
+      dg_dv(6 + k, 6 + l) = 2.0 * w.dot(c_lk);
+    }
+    dg_da(6 + k, k) += K_(k);
+    dg_dv(6 + k, 6 + k) += C_(k);
+    dg_da.block<3, 1>(0, k) = dw.cross(S1) + w.cross(w.cross(S1));
+    dg_da.block<3, 1>(3, k) = S1.cross(ddr) + dJ * dw + C1dda + w.cross(dJ * w) + 2.0 * (dGda * w);
+    dg_dv.block<3, 1>(0, 6 + k) = 2.0 * w.cross(S1);
+    dg_dv.block<3, 1>(3, 6 + k) = 2.0 * (G * w) + w.cross(P);
+    dg_dv.block<1, 3>(6 + k, 3) = (2.0 * coriolis - dJ * w).transpose();
+  }
+  dg_dv.leftCols<3>().setZero();
+  dg_dv.block<3, 3>(0, 3) = -2.0 * skew(S1da) - skew(w.cross(S)) - wx * skew(S);
+  dg_dv.block<3, 3>(3, 3) = wx * J - skew(J * w) + 2.0 * Gda - skew(Pda);
+}
+
+double ModalInertia::kinetic_energy(const Vec& a, const Vec& v) const {
+  FOOTFALL_DEMAND(a.size() == modes_ && v.size() == 6 + modes_);
+  const Vector3d dr = v.head<3>();
+  const Vector3d w = v.segment<3>(3);
+  double T = 0.5 * mass_ * dr.squaredNorm() + dr.dot(w.cross(first_moment(a))) + 0.5 * w.dot(inertia(a) * w);
+  for (int k = 0; k < modes_; ++k) {
+    const double da = v(6 + k);
+    double Mda = 0.0;
+    for (int l = 0; l < modes_; ++l) Mda += Mff_(l, k) * v(6 + l);
+    T += da * (dr.dot(S1_.col(k)) + w.dot(coupling(k, a)) + 0.5 * Mda);
+  }
+  return T;
+}
+
+double ModalInertia::strain_energy(const Vec& a) const { return 0.5 * (K_.array() * a.array().square()).sum(); }
+
+double ModalInertia::damping_power(const Vec& da) const { return (C_.array() * da.array().square()).sum(); }
+
+Vector3d ModalInertia::centre_of_mass(const Vec& a) const { return first_moment(a) / mass_; }
+
+}  // namespace footfall

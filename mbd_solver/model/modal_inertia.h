@@ -1,0 +1,65 @@
+#pragma once
+// Inertia of one body in its own frame B, rigid (s = 0) or flexible, at a cost of O(s^2) per evaluation:
+// the sums over nodes are done once, at construction (inertia shape integrals).
+
+#include <Eigen/Dense>
+
+#include "mbd_solver/model/modal_body.h"
+
+namespace footfall {
+
+// All components in B:  v = [dr; w; da] (6+s), dv = its components' rates as used in theory:
+//   ddr_j = ddr + dw x rho_j + Phi_j dda + w_j,   w_j = 2 w x (Phi_j da) + w x (w x rho_j).
+//   M(a) dv + h(a, v) = applied generalized force,  h = sum_j m_j B_j^T w_j + rotary terms of J_j + [0; 0; C
+//   da + K a].
+// Elastic and damping forces are part of h. For s = 0: M = diag(m I, J), h = [m w x (w x c); w x J w] with c
+// = 0.
+class ModalInertia {
+ public:
+  // Rigid body: mass [kg], inertia about the centre of mass in B [kg m2].
+  ModalInertia(double mass, const Eigen::Matrix3d& inertia);
+  explicit ModalInertia(const ModalBody& body);
+
+  int mode_count() const { return modes_; }
+  double mass() const { return mass_; }
+
+  // M(a): (6+s) x (6+s), symmetric positive definite.
+  void mass_matrix(const Eigen::Ref<const Eigen::VectorXd>& a, Eigen::Ref<Eigen::MatrixXd> M) const;
+  // h(a, v): 6+s.
+  void velocity_and_elastic_force(const Eigen::Ref<const Eigen::VectorXd>& a,
+                                  const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::Ref<Eigen::VectorXd> h) const;
+  // Derivatives of g = M(a) dv + h(a, v) at fixed dv: dg_da (6+s) x s, dg_dv (6+s) x (6+s). (dg_ddv is M.)
+  void derivatives(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& v,
+                   const Eigen::Ref<const Eigen::VectorXd>& dv, Eigen::Ref<Eigen::MatrixXd> dg_da,
+                   Eigen::Ref<Eigen::MatrixXd> dg_dv) const;
+  // 1/2 v^T M(a) v  and  1/2 a^T K a [J];  da^T C da [W].
+  double kinetic_energy(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& v) const;
+  double strain_energy(const Eigen::Ref<const Eigen::VectorXd>& a) const;
+  double damping_power(const Eigen::Ref<const Eigen::VectorXd>& da) const;
+  // sum_j m_j rho_j(a) / m: centre of mass relative to Bo, in B [m] (zero for s = 0).
+  Eigen::Vector3d centre_of_mass(const Eigen::Ref<const Eigen::VectorXd>& a) const;
+
+ private:
+  Eigen::Vector3d first_moment(const Eigen::Ref<const Eigen::VectorXd>& a) const;          // S(a)
+  Eigen::Vector3d coupling(int k, const Eigen::Ref<const Eigen::VectorXd>& a) const;       // column k of C(a)
+  Eigen::Matrix3d gyration(int k, const Eigen::Ref<const Eigen::VectorXd>& a) const;       // G_k(a)
+  Eigen::Matrix3d inertia(const Eigen::Ref<const Eigen::VectorXd>& a) const;               // J(a)
+  Eigen::Matrix3d gyration_rate(int l, int k) const;                                       // dG_k/da_l
+  Eigen::Vector3d coupling_rate(int l, int k) const { return C1_.block<3, 1>(3 * k, l); }  // dC_k/da_l
+
+  // Shape integrals, all in B; x~ is the skew matrix of x, sums over nodes j.
+  int modes_ = 0;
+  double mass_ = 0.0;      // sum m [kg]
+  Eigen::Vector3d S0_;     // sum m rho0 [kg m]
+  Eigen::Matrix3Xd S1_;    // 3 x s: sum m Phi
+  Eigen::Matrix3d J0_;     // -sum m rho0~ rho0~ + sum J_j [kg m2]
+  Eigen::Matrix3Xd P_;     // 3 x s: sum J_j Psi_j
+  Eigen::Matrix3Xd C0_;    // 3 x s: sum m rho0~ Phi + J_j Psi_j
+  Eigen::MatrixXd C1_;     // 3s x s: rows 3k.., column l: sum m Phi_l x Phi_k
+  Eigen::MatrixXd G0_;     // 9 x s: column k holds -sum m rho0~ Phi_k~, column by column
+  Eigen::MatrixXd G1_;     // 9s x s: rows 9k.., column l: -sum m Phi_l~ Phi_k~
+  Eigen::MatrixXd Mff_;    // s x s: sum m Phi^T Phi + Psi^T J_j Psi
+  Eigen::VectorXd K_, C_;  // s: diagonal modal stiffness [1/s2] and damping [1/s]
+};
+
+}  // namespace footfall

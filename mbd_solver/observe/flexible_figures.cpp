@@ -1,0 +1,85 @@
+#include "mbd_solver/observe/flexible_figures.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "mbd_solver/model/linear_range.h"
+#include "mbd_solver/model/stress_recovery.h"
+
+namespace footfall {
+
+FlexibleBodies::FlexibleBodies(const Simulation& simulation) : simulation_(simulation) {
+  const Model& model = simulation.mechanism().model;
+  for (int i = 0; i < model.body_count(); ++i)
+    if (model.body(i).mode_count() > 0) bodies_.push_back(i);
+  now_.resize(bodies_.size());
+  peak_.resize(bodies_.size());
+  const Scene& scene = simulation.scene();
+  for (const int i : bodies_) {
+    const ModalBody& modal = *model.body(i).modal();
+    Watch watch;
+    watch.lowest = lowest_frequency(modal);
+    watch.extent = extent(modal);
+    const std::string& material = scene.bodies[static_cast<std::size_t>(i)].material;
+    if (!material.empty()) watch.yield_stress = scene.material(material).yield_stress;
+    watch_.push_back(watch);
+  }
+}
+
+int FlexibleBodies::find(int body) const {
+  const auto found = std::find(bodies_.begin(), bodies_.end(), body);
+  return found == bodies_.end() ? -1 : static_cast<int>(found - bodies_.begin());
+}
+
+const Body& FlexibleBodies::body(int k) const {
+  return simulation_.mechanism().model.body(bodies_[static_cast<std::size_t>(k)]);
+}
+
+void FlexibleBodies::take(const Sample& sample) {
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const Body& body = simulation_.mechanism().model.body(bodies_[k]);
+    const Eigen::Index first = simulation_.layout().body_q[static_cast<std::size_t>(bodies_[k])] + 7;
+    const Eigen::VectorXd a = sample.state.q.segment(first, body.mode_count());
+    now_[k] = {body.inertia().strain_energy(a), largest_deflection(*body.modal(), a), von_mises(*body.modal(), a),
+               sample.state.v.segment<3>(simulation_.layout().body_v[static_cast<std::size_t>(bodies_[k])] + 3).norm() /
+                   watch_[k].lowest};
+    peak_[k].strain_energy = std::max(peak_[k].strain_energy, now_[k].strain_energy);
+    peak_[k].deflection = std::max(peak_[k].deflection, now_[k].deflection);
+    peak_[k].von_mises = std::max(peak_[k].von_mises, now_[k].von_mises);
+    peak_[k].spin = std::max(peak_[k].spin, now_[k].spin);
+    warn(sample.state.time, static_cast<int>(k));
+  }
+}
+
+void FlexibleBodies::warn(double time, int k) {
+  Watch& watch = watch_[static_cast<std::size_t>(k)];
+  const FlexibleFigures& now = this->now(k);
+  std::ostringstream text;
+  text.precision(3);
+  text << "t = " << time << " s: body " << body(k).name();
+  const auto tell = [&](bool& told, const std::string& what) {
+    told = true;
+    warnings_.push_back(text.str() + what);
+  };
+  const auto number = [](double x) {
+    std::ostringstream out;
+    out.precision(3);
+    out << x;
+    return out.str();
+  };
+  if (!watch.spins && now.spin > kSpinRange)
+    tell(watch.spins, " spins at " + number(now.spin) + " of its lowest elastic frequency (" + number(watch.lowest) +
+                          " rad/s): beyond " + number(kSpinRange) +
+                          " linear modes, which centrifugal tension does not stiffen, err by more than 1 %; divide the "
+                          "body into several");
+  if (!watch.bends && now.deflection > kDeflectionRange * watch.extent)
+    tell(watch.bends, " bends by " + number(now.deflection) + " m, " + number(now.deflection / watch.extent) +
+                          " of its extent: beyond " + number(kDeflectionRange) +
+                          " linear modes err by more than 1 %; divide the body into several");
+  if (!watch.yields && watch.yield_stress > 0.0 && now.von_mises > watch.yield_stress)
+    tell(watch.yields, " has a von Mises stress of " + number(1e-6 * now.von_mises) +
+                           " MPa, more than the yield stress of its material, " + number(1e-6 * watch.yield_stress) +
+                           " MPa: it would stay bent, which elastic modes cannot show");
+}
+
+}  // namespace footfall

@@ -1,0 +1,98 @@
+#include "mbd_solver/observe/motion_record.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_stl(const std::string& path, const std::string& name, const Eigen::Matrix3Xd& x,
+               const std::vector<Eigen::Vector3i>& triangles) {
+  std::ofstream out(path);
+  out.precision(17);
+  const auto point = [&](const char* word, const Eigen::Vector3d& p) {
+    out << word << " " << p.x() << " " << p.y() << " " << p.z() << "\n";
+  };
+  out << "solid " << name << "\n";
+  for (const Eigen::Vector3i& t : triangles) {
+    const Eigen::Vector3d a = x.col(t(0)), b = x.col(t(1)), c = x.col(t(2));
+    point("facet normal", (b - a).cross(c - a).normalized());
+    out << "outer loop\n";
+    for (const Eigen::Vector3d& corner : {a, b, c}) point("vertex", corner);
+    out << "endloop\nendfacet\n";
+  }
+  out << "endsolid " << name << "\n";
+  if (!out.flush()) throw InputError(path + ": cannot be written; is the disk full?");
+}
+
+}  // namespace
+
+// Kabsch: R from the singular value decomposition of the points' covariance, without reflection.
+RigidFit fit_rigid(const Eigen::Matrix3Xd& x0, const Eigen::Matrix3Xd& x) {
+  RigidFit fit;
+  fit.centre0 = x0.rowwise().mean();
+  fit.centre = x.rowwise().mean();
+  const Eigen::Matrix3d covariance = (x.colwise() - fit.centre) * (x0.colwise() - fit.centre0).transpose();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Vector3d signs(1.0, 1.0, (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0);
+  fit.R = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  const Eigen::Matrix3Xd moved = (fit.R * (x0.colwise() - fit.centre0)).colwise() + fit.centre;
+  fit.left_over = (x - moved).colwise().norm().maxCoeff();
+  return fit;
+}
+
+MotionRecord::MotionRecord(const Simulation& simulation, const std::string& folder) : simulation_(simulation) {
+  const std::vector<std::string> names = {"time", "x", "y", "z", "rx", "ry", "rz", "bend", "fx", "fy", "fz"};
+  const std::vector<std::string> units = {"s", "m", "m", "m", "rad", "rad", "rad", "m", "N", "N", "N"};
+  for (const int i : simulation.partner()->coupled()) {
+    const BodyBoundary& entry = simulation.mechanism().boundaries[static_cast<std::size_t>(i)];
+    const ModalBoundary& boundary = entry.boundary;
+    if (boundary.triangles().empty()) continue;
+    if (surfaces_.empty()) {
+      std::error_code error;
+      fs::create_directories(folder, error);
+      if (error)
+        throw InputError(folder + ": cannot be made: " + error.message() + "; choose another folder with --out");
+    }
+    const std::string file = (fs::path(folder) / boundary.name()).string();
+    const BodyMotion rest(boundary.mode_count());
+    const Eigen::Matrix3Xd unset(3, boundary.node_count());
+    Surface surface{&entry, rest, rest, unset, unset, std::make_unique<HistoryWriter>(file + ".csv", names, units)};
+    simulation.fill_motion(entry.body, surface.motion);
+    boundary.node_positions(surface.motion, surface.x0);
+    write_stl(file + ".stl", boundary.name(), surface.x0, boundary.triangles());
+    surfaces_.push_back(std::move(surface));
+  }
+}
+
+void MotionRecord::write(const Sample& sample) {
+  const double H = sample.state.time - time_;
+  for (Surface& surface : surfaces_) {
+    const int body = surface.boundary->body;
+    surface.predicted = surface.motion;
+    if (started_) simulation_.scheme().predict(surface.motion, H, surface.predicted);
+    simulation_.fill_motion(body, surface.motion);
+    // Scheme tangent lets the grains see the motion that it expects to compute.
+    const bool expects = simulation_.scheme().wants_tangent();
+    surface.boundary->boundary.node_positions(expects ? surface.motion : surface.predicted, surface.x);
+    const RigidFit fit = fit_rigid(surface.x0, surface.x);
+    const Eigen::AngleAxisd turn(fit.R);
+    const Eigen::Vector3d r = turn.angle() * turn.axis();
+    const Eigen::Vector3d& f = sample.contact[static_cast<std::size_t>(body)].F_W;
+    surface.file->write({sample.state.time, fit.centre.x(), fit.centre.y(), fit.centre.z(), r.x(), r.y(), r.z(),
+                         fit.left_over, f.x(), f.y(), f.z()});
+  }
+  time_ = sample.state.time;
+  started_ = true;
+}
+
+void MotionRecord::flush() {
+  for (const Surface& surface : surfaces_) surface.file->flush();
+}
+
+}  // namespace footfall

@@ -1,0 +1,97 @@
+// The stock script that replays a run's motion, as text.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/cli/analysis/replay_script.h"
+
+namespace footfall {
+namespace {
+
+class ReplayTest : public ::testing::Test {
+ protected:
+  ReplayTest() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "footfall_replay_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    std::filesystem::create_directories(folder_ / "motion");
+  }
+  ~ReplayTest() override { std::filesystem::remove_all(folder_); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+  Replay replay(const std::string& script) const {
+    return stock_replay(write("in.coupled", script), (folder_ / "motion").string(), (folder_ / "out").string(), 1e-3);
+  }
+  // Falls at 2 m/s, then faster, and turns about z at 5 rad/s; windows of 2 steps.
+  void record_pad() const {
+    write(
+        "motion/pad.csv",
+        "# units: s,m,m,m,rad,rad,rad,m,N,N,N\ntime,x,y,z,rx,ry,rz,bend,fx,fy,fz\n0,1,2,3,0,0,0,0,0,0,0\n"
+        "0.002,1,2,2.996,0,0,0.01,0,0,0,0\n0.004,1,2,2.990,0,0,0.02,0.001,0,0,7\n0.005,1,2,2.987,0,0,0.025,0,0,0,9\n");
+  }
+  std::filesystem::path folder_;
+};
+
+const char* const kScript =
+    "timestep 1e-3\nfix geo all couple/mbd/geometry body pad\nfix mesh all mesh/surface fix geo type 2\n"
+    "fix wall all wall/gran model hertz mesh n_meshes 1 meshes mesh\nfix rod all wall/gran/beam model hertz &\n  type "
+    "2 body rod\n"
+    "fix mbd all couple/mbd every 2 mesh mesh pad\nthermo_style custom step f_mbd[1] f_rod[1] &\n cpu\nfix p all print "
+    "10 \"f_mbd[2]\"\n"
+    "dump grains all custom 2 ${out}/grains_*.txt id x y z radius\nrun 1000000\nprint after\n";
+
+TEST_F(ReplayTest, TakesTheCouplingOutAndPutsMoversIn) {
+  record_pad();
+  const Replay r = replay(kScript);
+  EXPECT_EQ(r.script.find("couple/mbd"), std::string::npos) << r.script;
+  EXPECT_EQ(r.script.find("gran/beam"), std::string::npos);
+  EXPECT_EQ(r.script.find("f_mbd"), std::string::npos);
+  EXPECT_NE(r.script.find("fix mesh all mesh/surface/stress file " + (folder_ / "motion/pad.stl").string() + " type 2"),
+            std::string::npos);
+  EXPECT_NE(r.script.find("fix wall all wall/gran model hertz mesh n_meshes 1 meshes mesh"), std::string::npos);
+  EXPECT_NE(
+      r.script.find("fix replay1_move all move/mesh mesh mesh linear/variable v_replay1_vx v_replay1_vy v_replay1_vz"),
+      std::string::npos);
+  EXPECT_NE(r.script.find("rotate/variable origin 1 2 3 axis 0 0 1 omega v_replay1_wz"), std::string::npos);
+  EXPECT_NE(r.script.find("thermo_style custom step cpu\n"), std::string::npos);
+  EXPECT_NE(r.script.find("dump grains all custom 2 ${out}/grains_*.txt id x y z radius"), std::string::npos);
+  EXPECT_NE(r.script.find("run 5 pre no post no every 2 \"next "), std::string::npos);
+  EXPECT_EQ(r.bodies, std::vector<std::string>{"pad"});
+  ASSERT_EQ(r.notes.size(), 1u);
+  EXPECT_NE(r.notes[0].find("fix rod"), std::string::npos);
+}
+
+TEST_F(ReplayTest, VelocitiesAreThoseOfTheWindows) {
+  record_pad();
+  const Replay r = replay(kScript);
+  EXPECT_EQ(r.steps, 5);
+  EXPECT_EQ(r.every, 2);
+  const auto numbers = [&](const std::string& name) {
+    std::istringstream text(r.files.at(name));
+    std::vector<double> values;
+    for (double value; text >> value;) values.push_back(value);
+    return values;
+  };
+  const std::vector<double> vz = numbers("replay1_vz.txt"), wz = numbers("replay1_wz.txt"),
+                            vx = numbers("replay1_vx.txt");
+  ASSERT_EQ(vz.size(), 4u);  // three spans of two steps, and one line for the last `next`
+  EXPECT_NEAR(vz[0], -2.0, 1e-9);
+  EXPECT_NEAR(vz[1], -3.0, 1e-9);
+  EXPECT_NEAR(wz[0], 5.0, 1e-9);
+  EXPECT_NEAR(wz[1], 5.0, 1e-9);
+  EXPECT_EQ(vx[0], 0.0);
+}
+
+TEST_F(ReplayTest, SaysWhatItCannotReplay) {
+  EXPECT_THROW(replay("run 100\n"), InputError);                                 // no coupling
+  EXPECT_THROW(replay(kScript), InputError);                                     // the motion was not recorded
+  EXPECT_THROW(replay("fix mbd all couple/mbd every 2\nrun 10\n"), InputError);  // no mesh
+}
+
+}  // namespace
+}  // namespace footfall

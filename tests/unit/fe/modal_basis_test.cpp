@@ -1,0 +1,402 @@
+#include "mbd_solver/fe/modal_basis.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/fe/fe_analysis.h"
+#include "mbd_solver/fe/fe_partition.h"
+#include "mbd_solver/fe/mesh_generator.h"
+#include "mbd_solver/model/modal_inertia.h"
+#include "mbd_solver/model/stress_recovery.h"
+
+namespace footfall {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+const Material kSteel{7850.0, 207e9, 0.3};
+
+FeModel strut() { return straight_beam({0.2, 0.1, 0.0}, {0.7, 0.4, 1.0}, 8, tube_section(0.05, 0.008), kSteel); }
+FeModel pad() { return plate_model(disc_mesh(0.2, 0.05), 0.008, kSteel); }
+FeModel dish() { return plate_model(dish_mesh(0.2, 0.04, 0.05), 0.004, kSteel); }
+
+BeamMember member(int first, int second) {
+  BeamMember result;
+  result.first = first;
+  result.second = second;
+  return result;
+}
+
+BasisOptions craig_bampton(int modes, std::vector<int> interface, std::vector<int> pinned = {}) {
+  BasisOptions options;
+  options.mode_count = modes;
+  options.interface_nodes = std::move(interface);
+  options.pinned_nodes = std::move(pinned);
+  return options;
+}
+
+BasisOptions free_free(int modes) {
+  BasisOptions options;
+  options.kind = BasisKind::kFreeFree;
+  options.mode_count = modes;
+  return options;
+}
+
+template <typename Call>
+std::string refusal(const Call& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "(accepted)";
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// The contract of modal_body.h, to round-off.
+void expect_contract(const ModalBody& body) {
+  const int s = body.mode_count();
+  Vector3d S0 = Vector3d::Zero();
+  MatrixXd S1 = MatrixXd::Zero(3, s), C0 = MatrixXd::Zero(3, s), Mff = MatrixXd::Zero(s, s);
+  double size = 0.0;
+  for (int j = 0; j < body.node_count(); ++j) {
+    const MatrixXd Phi = body.Phi.middleRows(3 * j, 3), Psi = body.Psi.middleRows(3 * j, 3);
+    const Vector3d rho = body.rho0.col(j);
+    const Matrix3d& J = body.node_inertia[static_cast<std::size_t>(j)];
+    S0 += body.node_mass(j) * rho;
+    S1 += body.node_mass(j) * Phi;
+    for (int k = 0; k < s; ++k) C0.col(k) += body.node_mass(j) * rho.cross(Vector3d(Phi.col(k)));
+    C0 += J * Psi;
+    Mff += body.node_mass(j) * Phi.transpose() * Phi + Psi.transpose() * J * Psi;
+    size = std::max(size, rho.norm());
+  }
+  const double mass = body.node_mass.sum();
+  const double round_off = 1e-13;
+  EXPECT_LT(S0.norm(), round_off * mass * size);
+  EXPECT_LT(S1.norm(), round_off * std::sqrt(mass * s)) << "orthonormal shapes are of the size 1/sqrt(mass)";
+  EXPECT_LT(C0.norm(), round_off * std::sqrt(mass * s) * size);
+  EXPECT_LT((Mff - MatrixXd::Identity(s, s)).norm(), round_off * 10.0 * s);
+  for (int k = 0; k < s; ++k) {
+    EXPECT_GT(body.stiffness(k), k == 0 ? 0.0 : body.stiffness(k - 1) * (1.0 - 1e-9)) << "ascending";
+  }
+}
+
+TEST(ModalBasis, KeepsTheContractForEveryModelAndBasis) {
+  const FeModel beam = strut(), plate = pad(), shell = dish();
+  const FeModel frame = beam_model({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.3, 0.2, 0.8}},
+                                   {member(0, 1), member(1, 2), member(2, 3), member(3, 0), member(1, 3)},
+                                   {tube_section(0.03, 0.002)}, kSteel);
+  expect_contract(reduce(beam, craig_bampton(10, {0, 8}), "strut").body);
+  expect_contract(reduce(beam, craig_bampton(3, {0, 8}), "strut").body);
+  expect_contract(reduce(beam, craig_bampton(8, {0}, {8}), "strut").body);
+  expect_contract(reduce(beam, free_free(8), "strut").body);
+  expect_contract(reduce(frame, craig_bampton(20, {0, 2, 3}), "frame").body);
+  expect_contract(reduce(plate, craig_bampton(8, {}, {0}), "pad").body);
+  expect_contract(reduce(plate, craig_bampton(12, {0, 40}), "pad").body);
+  expect_contract(reduce(shell, craig_bampton(10, {0}), "dish").body);
+  expect_contract(reduce(shell, free_free(10), "dish").body);
+}
+
+TEST(ModalBasis, FreeFreeModesAreTheNaturalFrequenciesOfTheModel) {
+  const double tolerance = 1e-7;  // round-off of stiffness: short elements are 1e7 times as stiff as the first mode
+  for (const FeModel& model : {strut(), pad(), dish()}) {
+    const VectorXd f = natural_frequencies(model, {}, 14).tail(8);
+    const ReducedBody reduced = reduce(model, free_free(8), "body");
+    EXPECT_LT((frequencies(reduced.body) - f).cwiseQuotient(f).cwiseAbs().maxCoeff(), tolerance);
+    // Without interface Craig-Bampton is the same.
+    const ReducedBody same = reduce(model, craig_bampton(8, {}), "body");
+    EXPECT_LT((frequencies(same.body) - f).cwiseQuotient(f).cwiseAbs().maxCoeff(), tolerance);
+  }
+}
+
+// Compliance of self-equilibrated loads at the interface: sum over modes of (Phi^T F)^2 / omega^2 against the
+// model's F . u.
+TEST(ModalBasis, CraigBamptonAnswersJointForcesExactly) {
+  const FeModel model = strut();
+  const Vector3d p0 = model.nodes.col(0), p1 = model.nodes.col(8);
+  const double tolerance = 1e-8;  // round-off of stiffness
+  for (int modes : {6, 10}) {
+    const ReducedBody reduced = reduce(model, craig_bampton(modes, {0, 8}), "strut");
+    for (int k = 0; k < 6; ++k) {
+      VectorXd load = VectorXd::Zero(6 * model.node_count());
+      const Vector3d force = k < 3 ? Vector3d(Vector3d::Unit(k)) : Vector3d::Zero();
+      const Vector3d moment = k < 3 ? Vector3d::Zero() : Vector3d(Vector3d::Unit(k - 3));
+      load.segment<3>(48) = force;
+      load.segment<3>(51) = moment;
+      load.segment<3>(0) = -force;
+      load.segment<3>(3) = -moment - (p1 - p0).cross(force);
+      const double exact = load.dot(static_solution(model, node_dofs(0), load));
+      const ModalBody& body = reduced.body;
+      const VectorXd Q = body.Phi.middleRows(24, 3).transpose() * load.segment<3>(48) +
+                         body.Phi.topRows(3).transpose() * load.segment<3>(0) +
+                         body.Psi.middleRows(24, 3).transpose() * load.segment<3>(51) +
+                         body.Psi.topRows(3).transpose() * load.segment<3>(3);
+      EXPECT_NEAR(Q.cwiseAbs2().cwiseQuotient(body.stiffness).sum(), exact, tolerance * exact)
+          << modes << " modes, load " << k;
+    }
+  }
+}
+
+// Holding the interface node of the reduced free body gives the clamped body: the constraint dr = 0, w + Psi
+// da = 0 at that node.
+TEST(ModalBasis, ReducedBodyHeldAtItsJointVibratesAsTheClampedModel) {
+  const FeModel model = strut();
+  const VectorXd exact = natural_frequencies(model, node_dofs(0), 4);
+  const ReducedBody reduced = reduce(model, craig_bampton(10, {0}), "strut");
+  const ModalBody& body = reduced.body;
+  const int s = body.mode_count();
+  MatrixXd M(6 + s, 6 + s);
+  ModalInertia(body).mass_matrix(VectorXd::Zero(s), M);
+  MatrixXd K = MatrixXd::Zero(6 + s, 6 + s);
+  K.bottomRightCorner(s, s) = body.stiffness.asDiagonal();
+  // v = N da: w = -Psi da, dr = -Phi da - w x rho.
+  MatrixXd N(6 + s, s);
+  const Vector3d rho = body.rho0.col(0);
+  for (int k = 0; k < s; ++k) {
+    const Vector3d w = -body.Psi.block<3, 1>(0, k);
+    N.block<3, 1>(0, k) = -body.Phi.block<3, 1>(0, k) - w.cross(rho);
+    N.block<3, 1>(3, k) = w;
+  }
+  N.bottomRows(s).setIdentity();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(N.transpose() * K * N, N.transpose() * M * N);
+  const VectorXd f = eigen.eigenvalues().cwiseSqrt().head(4) / (2.0 * std::acos(-1.0));
+  EXPECT_LT((f - exact).cwiseQuotient(exact).cwiseAbs().maxCoeff(), 1e-6)
+      << "the fixed-interface modes are in the basis";
+}
+
+TEST(ModalBasis, PinnedInterfaceSpendsNoModesOnLocalKinks) {
+  const FeModel model = pad();
+  const VectorXd exact = frequencies(reduce(model, free_free(9), "pad").body);
+  const VectorXd pinned = frequencies(reduce(model, craig_bampton(12, {}, {0}), "pad").body).head(9);
+  // Modes that leave the centre at rest are in the basis; the one that lifts it is approximated by static
+  // shape and held modes.
+  EXPECT_LT((pinned - exact).cwiseQuotient(exact).cwiseAbs().maxCoeff(), 2e-3);
+  const VectorXd clamped = frequencies(reduce(model, craig_bampton(12, {0}), "pad").body).head(9);
+  EXPECT_GT((clamped - exact).cwiseQuotient(exact).cwiseAbs().maxCoeff(), 1e-1) << "what the pin avoids";
+}
+
+// Stiffness spans ten decades: axial over bending of a wire 4000 times as long as thick; a box has many modes
+// near each other.
+TEST(ModalBasis, ManagesWiresAndThinShells) {
+  const double d = 0.0005, L = 2.0;
+  const FeModel wire = straight_beam({0, 0, 0}, {L, 0, 0}, 64, rod_section(d), kSteel);
+  const double x = 4.730040745;  // cos x cosh x = 1
+  const double exact = x * x / (2.0 * std::acos(-1.0) * L * L) * std::sqrt(kSteel.young / kSteel.density) * d / 4.0;
+  for (const BasisOptions& options : {free_free(6), craig_bampton(12, {0, 64})}) {
+    const ModalBody body = reduce(wire, options, "wire").body;
+    const double truncation = options.kind == BasisKind::kFreeFree ? 1e-5 : 1e-3;  // of six held modes
+    EXPECT_NEAR(frequencies(body)(0), exact, truncation * exact);
+    expect_contract(body);
+  }
+  const FeModel box = plate_model(box_mesh(Vector3d(0.4, 0.3, 0.2), 0.1), 0.003, kSteel);
+  expect_contract(reduce(box, craig_bampton(10, {}, {0}), "box").body);
+}
+
+TEST(ElasticScale, IsTheSizeOfTheFirstElasticLambda) {
+  for (const FeModel& model : {strut(), pad(), dish()}) {
+    const double first = reduce(model, free_free(1), "body").body.stiffness(0);
+    EXPECT_GT(elastic_scale(model), 0.99 * first);
+    EXPECT_LT(elastic_scale(model), 2.0 * first);
+  }
+}
+
+TEST(ModalBasis, FrequencyLimitLeavesOutHigherModes) {
+  const FeModel model = pad();
+  const VectorXd all = frequencies(reduce(model, free_free(20), "pad").body);
+  BasisOptions options;
+  options.max_frequency = 0.5 * (all(8) + all(9));
+  options.kind = BasisKind::kFreeFree;
+  EXPECT_EQ(reduce(model, options, "pad").body.mode_count(), 9);
+  options.kind = BasisKind::kCraigBampton;
+  options.pinned_nodes = {0};
+  EXPECT_EQ(reduce(model, options, "pad").body.mode_count(), 9);
+  options.mode_count = 4;
+  EXPECT_EQ(reduce(model, options, "pad").body.mode_count(), 4) << "both limits hold";
+  options.mode_count.reset();
+  options.max_frequency = 0.5 * all(0);
+  const ReducedBody rigid = reduce(model, options, "pad");
+  EXPECT_EQ(rigid.body.mode_count(), 0);
+  ASSERT_EQ(rigid.warnings.size(), 1u);
+  EXPECT_TRUE(has(rigid.warnings[0], "the body is rigid"));
+  EXPECT_EQ(reduce(model, BasisOptions{}, "pad").body.mode_count(), kDefaultModeCount);
+}
+
+TEST(ModalBasis, ZeroModesGiveTheRigidBodyOfTheModel) {
+  const FeModel model = strut();
+  const MassProperties exact = mass_properties(model);
+  const ReducedBody reduced = reduce(model, craig_bampton(0, {0, 8}), "strut");
+  EXPECT_EQ(reduced.body.mode_count(), 0);
+  EXPECT_TRUE(reduced.warnings.empty());
+  EXPECT_LT((reduced.p_DBo - exact.centre).norm(), 1e-14);
+  const ModalInertia inertia(reduced.body);
+  MatrixXd M(6, 6);
+  inertia.mass_matrix(VectorXd(0), M);
+  EXPECT_LT((M.bottomRightCorner<3, 3>() - exact.inertia).norm(), 1e-13 * exact.inertia.norm());
+  EXPECT_NEAR(inertia.mass(), exact.mass, 1e-13 * exact.mass);
+  EXPECT_EQ(von_mises(reduced.body, VectorXd(0)), 0.0);
+  EXPECT_EQ(largest_deflection(reduced.body, VectorXd(0)), 0.0);
+}
+
+TEST(ModalBasis, DampingIsTwoZetaOmega) {
+  BasisOptions options = free_free(4);
+  options.damping_ratio = {0.01, 0.03};
+  const ModalBody body = reduce(strut(), options, "strut").body;
+  const VectorXd omega = body.stiffness.cwiseSqrt();
+  EXPECT_NEAR(body.damping(0), 0.02 * omega(0), 1e-12 * omega(0));
+  for (int k = 1; k < 4; ++k) EXPECT_NEAR(body.damping(k), 0.06 * omega(k), 1e-12 * omega(k));
+}
+
+TEST(ModalBasis, TakesAllModesThereAreButNotOneMore) {
+  const FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 1, tube_section(0.05, 0.005), kSteel);
+  const int available = 6 * 3 - 6;  // three nodes with rotary inertia
+  for (const BasisOptions& options : {free_free(available), craig_bampton(available, {0, 1})}) {
+    EXPECT_EQ(reduce(model, options, "rod").body.mode_count(), available);
+    BasisOptions more = options;
+    more.mode_count = available + 1;
+    const std::string text = refusal([&] { reduce(model, more, "rod"); });
+    EXPECT_TRUE(has(text, "13 modes asked for") && has(text, "only 12")) << text;
+  }
+  const FeModel plate = plate_model(disc_mesh(0.2, 0.2), 0.01, kSteel);
+  const int plate_modes = 3 * 7 - 6;  // no rotary inertia
+  EXPECT_EQ(reduce(plate, free_free(plate_modes), "pad").body.mode_count(), plate_modes);
+  EXPECT_TRUE(has(refusal([&] { reduce(plate, free_free(plate_modes + 1), "pad"); }), "only 15"));
+}
+
+TEST(ModalBasis, RefusesModelsThatAreNoFreeBody) {
+  const FeModel good = strut();
+  const BasisOptions options = craig_bampton(6, {0, 8});
+  const auto with = [&](const FeModel& model) { return refusal([&] { reduce(model, options, "leg"); }); };
+
+  FeModel model = good;
+  model.node_mass(3) = -0.1;
+  EXPECT_TRUE(has(with(model), "body \"leg\": mass matrix is not positive: node 3")) << with(model);
+  model = good;
+  model.node_mass.setZero();
+  EXPECT_TRUE(has(with(model), "no mass"));
+  model = good;
+  model.node_inertia[2](0, 0) = -1.0;
+  EXPECT_TRUE(has(with(model), "mass matrix is not positive: node 2")) << with(model);
+  model = straight_beam({0, 0, 0}, {1, 0, 0}, 8, rod_section(0.02), kSteel);
+  for (Matrix3d& J : model.node_inertia) J.setZero();
+  EXPECT_TRUE(has(with(model), "no inertia about one of its axes")) << with(model);
+  model = good;
+  model.stiffness.coeffRef(2, 2) *= 1.01;
+  EXPECT_TRUE(has(with(model), "resists translation")) << with(model);
+  model = good;
+  model.stiffness.coeffRef(0, 6 * 9) *= 1.01;
+  EXPECT_TRUE(has(with(model), "not symmetric")) << with(model);
+
+  model = good;  // a negative spring along the line between two nodes, stiffer than the tube between them
+  const Vector3d e = Vector3d(model.nodes.col(1) - model.nodes.col(0)).normalized();
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      const double spring = -2e9 * e(i) * e(k);
+      model.stiffness.coeffRef(i, k) += spring;
+      model.stiffness.coeffRef(6 + i, 6 + k) += spring;
+      model.stiffness.coeffRef(i, 6 + k) -= spring;
+      model.stiffness.coeffRef(6 + i, k) -= spring;
+    }
+  EXPECT_TRUE(has(with(model), "body \"leg\": stiffness is not positive definite")) << with(model);
+
+  EXPECT_TRUE(has(refusal([&] {
+                    reduce(good, craig_bampton(6, {0, 99}), "leg");
+                  }),
+                  "interface node 99 does not exist"));
+  EXPECT_TRUE(has(refusal([&] { reduce(good, craig_bampton(-1, {0}), "leg"); }), "modes is -1"));
+  BasisOptions bad = options;
+  bad.damping_ratio = {-0.01};
+  EXPECT_TRUE(has(refusal([&] { reduce(good, bad, "leg"); }), "damping ratio"));
+}
+
+// Two struts in one model with a common ball joint: connected by stiffness, but free to fold.
+TEST(ModalBasis, RefusesAMechanism) {
+  const FeModel a = straight_beam({0, 0, 0}, {1, 0, 0}, 2, rod_section(0.02), kSteel);
+  const FeModel b = straight_beam({1, 0, 0}, {1, 1, 0}, 2, rod_section(0.02), kSteel);
+  const int n = a.node_count();
+  FeModel both;
+  both.nodes.resize(3, 2 * n);
+  both.nodes << a.nodes, b.nodes;
+  both.node_mass.resize(2 * n);
+  both.node_mass << a.node_mass, b.node_mass;
+  both.node_inertia = a.node_inertia;
+  both.node_inertia.insert(both.node_inertia.end(), b.node_inertia.begin(), b.node_inertia.end());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int part = 0; part < 2; ++part) {
+    const Eigen::SparseMatrix<double>& K = part == 0 ? a.stiffness : b.stiffness;
+    for (int j = 0; j < K.cols(); ++j)
+      for (Eigen::SparseMatrix<double>::InnerIterator it(K, j); it; ++it)
+        entries.emplace_back(6 * n * part + it.row(), 6 * n * part + j, it.value());
+  }
+  both.stiffness.resize(12 * n, 12 * n);
+  both.stiffness.setFromTriplets(entries.begin(), entries.end());
+  both.stress.resize(0, 12 * n);
+  EXPECT_TRUE(has(refusal([&] { reduce(both, free_free(5), "leg"); }), "disconnected pieces"));
+  for (int i = 0; i < 3; ++i) {
+    const double k = 1e8;
+    entries.emplace_back(12 + i, 12 + i, k);  // node 2, the end of a
+    entries.emplace_back(6 * n + i, 6 * n + i, k);
+    entries.emplace_back(12 + i, 6 * n + i, -k);
+    entries.emplace_back(6 * n + i, 12 + i, -k);
+  }
+  both.stiffness.setFromTriplets(entries.begin(), entries.end());
+  const std::string text = refusal([&] { reduce(both, free_free(5), "leg"); });
+  EXPECT_TRUE(has(text, "without strain in 9 ways")) << text;
+  EXPECT_TRUE(has(refusal([&] { reduce(both, craig_bampton(8, {0}), "leg"); }), "without strain"));
+}
+
+TEST(ModalBasis, WarnsWhenUnitsAreOffByAThousand) {
+  const BeamSection section = rod_section(0.02);
+  const FeModel soft = straight_beam({0, 0, 0}, {50.0, 0, 0}, 8, section, Material{7850.0, 207e3, 0.3});
+  ReducedBody reduced = reduce(soft, free_free(2), "leg");
+  ASSERT_EQ(reduced.warnings.size(), 1u);
+  EXPECT_TRUE(has(reduced.warnings[0], "body \"leg\"") && has(reduced.warnings[0], "units off by 1000"));
+  const FeModel small = straight_beam({0, 0, 0}, {1e-3, 0, 0}, 8, rod_section(1e-3), Material{7.85, 207e9, 0.3});
+  EXPECT_EQ(reduce(small, free_free(2), "leg").warnings.size(), 1u);
+  EXPECT_TRUE(reduce(strut(), free_free(2), "leg").warnings.empty());
+}
+
+TEST(OrthonormalModes, OfDependentOrRigidShapesAreRefused) {
+  ModalBody raw = reduce(strut(), free_free(3), "leg").body;
+  const MatrixXd K = raw.stiffness.asDiagonal();
+  ModalBody dependent = raw;
+  dependent.Phi.col(2) = dependent.Phi.col(0) + dependent.Phi.col(1);
+  dependent.Psi.col(2) = dependent.Psi.col(0) + dependent.Psi.col(1);
+  EXPECT_TRUE(
+      has(refusal([&] { orthonormalised(dependent, K, BasisOptions{}); }), "mass matrix of the basis is not positive"));
+  ModalBody rigid = raw;
+  for (int j = 0; j < rigid.node_count(); ++j) rigid.Phi.block<3, 1>(3 * j, 1) = Vector3d(1, 2, 3);
+  rigid.Psi.col(1).setZero();
+  EXPECT_TRUE(has(refusal([&] { orthonormalised(rigid, K, BasisOptions{}); }), "mode 1 moves no mass"));
+  EXPECT_TRUE(has(refusal([&] { orthonormalised(raw, -K, BasisOptions{}); }), "stiffness is not positive"));
+}
+
+// Shapes with rigid motion added and mixed with each other, about another origin, describe the same flexible
+// body.
+TEST(OrthonormalModes, DoNotDependOnTheShapesThatSpanThem) {
+  const ReducedBody good = reduce(strut(), free_free(4), "leg");
+  ModalBody raw = good.body;
+  MatrixXd Y(4, 4);
+  Y << 2, 1, 0, 0, 0, 3, 1, 0, 0, 0, 1, 4, 1, 0, 0, 5;
+  raw.Phi = (raw.Phi * Y).eval();
+  raw.Psi = (raw.Psi * Y).eval();
+  for (int j = 0; j < raw.node_count(); ++j) {
+    const Vector3d w(0.3, -0.2, 0.5);
+    raw.Phi.block<3, 1>(3 * j, 2) += Vector3d(1, 2, 3) + w.cross(Vector3d(raw.rho0.col(j)));
+    raw.Psi.block<3, 1>(3 * j, 2) += w;
+  }
+  raw.rho0.colwise() += good.p_DBo;
+  const ReducedBody again = orthonormalised(raw, Y.transpose() * good.body.stiffness.asDiagonal() * Y, free_free(4));
+  expect_contract(again.body);
+  EXPECT_LT((again.p_DBo - good.p_DBo).norm(), 1e-12);
+  EXPECT_LT((frequencies(again.body) - frequencies(good.body)).norm(), 1e-8 * frequencies(good.body).norm());
+}
+
+}  // namespace
+}  // namespace footfall

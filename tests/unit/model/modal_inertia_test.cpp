@@ -1,0 +1,263 @@
+#include "mbd_solver/model/modal_inertia.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+#include "coupler/base/errors.h"
+
+// Counts heap requests of the whole program, so that a test can claim that there were none.
+static long heap_requests = 0;
+extern "C" void* __libc_malloc(std::size_t);
+extern "C" void* malloc(std::size_t size) {
+  ++heap_requests;
+  return __libc_malloc(size);
+}
+
+namespace footfall {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kRoundOff = 1e-13;  // relative; sums of some 100 terms of either sign
+
+Matrix3d skew(const Vector3d& x) {
+  Matrix3d m;
+  m << 0, -x.z(), x.y(), x.z(), 0, -x.x(), -x.y(), x.x(), 0;
+  return m;
+}
+
+// Any shapes, not even mean axes or orthonormal: the shape integrals must not rely on either.
+ModalBody random_body(int nodes, int modes, unsigned seed) {
+  std::srand(seed);
+  ModalBody body;
+  body.name = "random";
+  body.rho0 = Eigen::Matrix3Xd::Random(3, nodes);
+  body.node_mass = VectorXd::Random(nodes).cwiseAbs();
+  for (int j = 0; j < nodes; ++j) {
+    const Matrix3d r = Matrix3d::Random();
+    body.node_inertia.push_back(0.1 * r * r.transpose());
+  }
+  body.Phi = 0.3 * MatrixXd::Random(3 * nodes, modes);
+  body.Psi = 0.3 * MatrixXd::Random(3 * nodes, modes);
+  body.stiffness = 40.0 * VectorXd::Random(modes).cwiseAbs();
+  body.damping = VectorXd::Random(modes).cwiseAbs();
+  return body;
+}
+
+struct RandomState {
+  VectorXd a, v, dv;
+  explicit RandomState(int s) : a(VectorXd::Random(s)), v(VectorXd::Random(6 + s)), dv(VectorXd::Random(6 + s)) {}
+};
+
+// M and h as the theory writes them: sums over nodes of B_j^T (...) with B_j = [I, -rho_j~, Phi_j].
+void direct_sums(const ModalBody& body, const VectorXd& a, const VectorXd& v, MatrixXd& M, VectorXd& h) {
+  const int s = body.mode_count();
+  M.setZero(6 + s, 6 + s);
+  h.setZero(6 + s);
+  const Vector3d w = v.segment<3>(3);
+  for (int j = 0; j < body.node_count(); ++j) {
+    const MatrixXd Phi = body.Phi.middleRows(3 * j, 3);
+    const Vector3d rho = body.rho0.col(j) + Phi * a;
+    const Vector3d u = Phi * v.tail(s);
+    MatrixXd B(3, 6 + s), R = MatrixXd::Zero(3, 6 + s);
+    B << Matrix3d::Identity(), -skew(rho), Phi;
+    R.middleCols(3, 3) = Matrix3d::Identity();
+    R.rightCols(s) = body.Psi.middleRows(3 * j, 3);
+    const Matrix3d& J = body.node_inertia[static_cast<std::size_t>(j)];
+    const Vector3d Omega = R * v;
+    M += body.node_mass(j) * B.transpose() * B + R.transpose() * J * R;
+    h += body.node_mass(j) * B.transpose() * (2.0 * w.cross(u) + w.cross(w.cross(rho)));
+    h.segment<3>(3) += w.cross(J * Omega);
+  }
+  h.tail(s) += body.damping.cwiseProduct(v.tail(s)) + body.stiffness.cwiseProduct(a);
+}
+
+VectorXd residual(const ModalInertia& inertia, const VectorXd& a, const VectorXd& v, const VectorXd& dv) {
+  const Eigen::Index n = v.size();
+  MatrixXd M(n, n);
+  VectorXd h(n);
+  inertia.mass_matrix(a, M);
+  inertia.velocity_and_elastic_force(a, v, h);
+  return M * dv + h;
+}
+
+TEST(ModalInertia, EqualsTheSumsOverNodesAtRandomStates) {
+  for (int s : {0, 1, 2, 7}) {
+    const ModalBody body = random_body(12, s, 7u + static_cast<unsigned>(s));
+    const ModalInertia inertia(body);
+    for (int i = 0; i < 20; ++i) {
+      const RandomState x(s);
+      MatrixXd M(6 + s, 6 + s), M_direct;
+      VectorXd h(6 + s), h_direct;
+      inertia.mass_matrix(x.a, M);
+      inertia.velocity_and_elastic_force(x.a, x.v, h);
+      direct_sums(body, x.a, x.v, M_direct, h_direct);
+      EXPECT_LT((M - M_direct).norm(), kRoundOff * M_direct.norm());
+      EXPECT_LT((h - h_direct).norm(), kRoundOff * h_direct.norm() + kRoundOff);
+      EXPECT_EQ((M - M.transpose()).norm(), 0.0);
+      EXPECT_EQ(M.llt().info(), Eigen::Success);
+      EXPECT_NEAR(inertia.kinetic_energy(x.a, x.v), 0.5 * x.v.dot(M_direct * x.v), kRoundOff * M_direct.norm());
+      const Vector3d c = M_direct.block<3, 3>(3, 0)(2, 1) * Vector3d::UnitX() +
+                         M_direct.block<3, 3>(3, 0)(0, 2) * Vector3d::UnitY() +
+                         M_direct.block<3, 3>(3, 0)(1, 0) * Vector3d::UnitZ();
+      EXPECT_LT((inertia.centre_of_mass(x.a) * inertia.mass() - c).norm(), kRoundOff * M_direct.norm());
+    }
+  }
+}
+
+// Power balance: v . (M dv + h) = dT/dt + d(strain)/dt + damping power. Components of dr in B turn with B, so
+// the rate of those components is ddr - w x dr.
+TEST(ModalInertia, PowerOfTheResidualIsTheRateOfEnergy) {
+  const int s = 6;
+  const ModalInertia inertia(random_body(12, s, 3));
+  const double step = 1e-5;  // central difference: error step^2, round-off 1e-16 / step
+  const double tolerance = 1e-8;
+  for (int i = 0; i < 20; ++i) {
+    const RandomState x(s);
+    VectorXd rate = x.dv;
+    rate.head<3>() -= Vector3d(x.v.segment<3>(3)).cross(Vector3d(x.v.head<3>()));
+    const VectorXd da = x.v.tail(s);
+    const auto energy = [&](double t) {
+      return inertia.kinetic_energy(x.a + t * da, x.v + t * rate) + inertia.strain_energy(x.a + t * da);
+    };
+    const double rate_of_energy = (energy(step) - energy(-step)) / (2.0 * step);
+    EXPECT_NEAR(x.v.dot(residual(inertia, x.a, x.v, x.dv)), rate_of_energy + inertia.damping_power(da),
+                tolerance * 100.0);
+  }
+}
+
+// With elastic forces taken away, the force and moment rows are the rates of momentum and of angular momentum
+// about Bo.
+TEST(ModalInertia, FirstSixRowsAreTheRatesOfMomentum) {
+  const int s = 5;
+  const ModalInertia inertia(random_body(10, s, 11));
+  const double step = 1e-5, tolerance = 1e-8;
+  for (int i = 0; i < 20; ++i) {
+    const RandomState x(s);
+    const Vector3d w = x.v.segment<3>(3), dr = x.v.head<3>();
+    VectorXd rate = x.dv;
+    rate.head<3>() -= w.cross(dr);
+    const auto momentum = [&](double t) {
+      MatrixXd M(6 + s, 6 + s);
+      inertia.mass_matrix(x.a + t * x.v.tail(s), M);
+      return VectorXd(M * (x.v + t * rate));
+    };
+    const VectorXd p = momentum(0.0);
+    const VectorXd dp = (momentum(step) - momentum(-step)) / (2.0 * step);
+    const Vector3d force = dp.head<3>() + w.cross(Vector3d(p.head<3>()));
+    const Vector3d moment = dp.segment<3>(3) + w.cross(Vector3d(p.segment<3>(3))) + dr.cross(Vector3d(p.head<3>()));
+    const VectorXd g = residual(inertia, x.a, x.v, x.dv);
+    EXPECT_LT((g.head<3>() - force).norm(), tolerance * 100.0);
+    EXPECT_LT((g.segment<3>(3) - moment).norm(), tolerance * 100.0);
+  }
+}
+
+TEST(ModalInertia, DerivativesAgreeWithCentralDifferences) {
+  for (int s : {0, 1, 6}) {
+    const ModalInertia inertia(random_body(12, s, 21u + static_cast<unsigned>(s)));
+    // g is a quadratic in a and in v, so central differences are exact but for round-off 1e-16 / step.
+    const double step = 1e-3, tolerance = 1e-11;
+    for (int i = 0; i < 10; ++i) {
+      const RandomState x(s);
+      MatrixXd dg_da(6 + s, s), dg_dv(6 + s, 6 + s);
+      inertia.derivatives(x.a, x.v, x.dv, dg_da, dg_dv);
+      for (int k = 0; k < s; ++k) {
+        const VectorXd d = step * VectorXd::Unit(s, k);
+        const VectorXd difference =
+            (residual(inertia, x.a + d, x.v, x.dv) - residual(inertia, x.a - d, x.v, x.dv)) / (2.0 * step);
+        EXPECT_LT((difference - dg_da.col(k)).norm(), tolerance * (1.0 + difference.norm()));
+      }
+      for (int k = 0; k < 6 + s; ++k) {
+        const VectorXd d = step * VectorXd::Unit(6 + s, k);
+        const VectorXd difference =
+            (residual(inertia, x.a, x.v + d, x.dv) - residual(inertia, x.a, x.v - d, x.dv)) / (2.0 * step);
+        EXPECT_LT((difference - dg_dv.col(k)).norm(), tolerance * (1.0 + difference.norm()));
+      }
+    }
+  }
+}
+
+TEST(ModalInertia, WithoutModesIsTheRigidBody) {
+  ModalBody body = random_body(8, 0, 5);
+  const Vector3d com = body.rho0 * body.node_mass / body.node_mass.sum();
+  body.rho0.colwise() -= com;
+  Matrix3d J = Matrix3d::Zero();
+  for (int j = 0; j < body.node_count(); ++j)
+    J += body.node_inertia[static_cast<std::size_t>(j)] -
+         body.node_mass(j) * skew(body.rho0.col(j)) * skew(body.rho0.col(j));
+  const ModalInertia flexible(body), rigid(body.node_mass.sum(), J);
+  ASSERT_EQ(rigid.mode_count(), 0);
+  const RandomState x(0);
+  const Vector3d w = x.v.segment<3>(3);
+  const VectorXd g = residual(rigid, x.a, x.v, x.dv);
+  VectorXd euler(6);
+  euler << body.node_mass.sum() * x.dv.head<3>(), J * x.dv.tail<3>() + w.cross(J * w);
+  EXPECT_LT((g - euler).norm(), kRoundOff);
+  EXPECT_LT((residual(flexible, x.a, x.v, x.dv) - euler).norm(), kRoundOff * 10.0);
+}
+
+TEST(ModalInertia, EvaluatesWithoutTheHeap) {
+  const int s = 9;
+  const ModalInertia inertia(random_body(12, s, 2));
+  const RandomState x(s);
+  MatrixXd M(6 + s, 6 + s), dg_da(6 + s, s), dg_dv(6 + s, 6 + s);
+  VectorXd h(6 + s);
+  const VectorXd da = x.v.tail(s);
+  const long at_start = heap_requests;
+  inertia.mass_matrix(x.a, M);
+  inertia.velocity_and_elastic_force(x.a, x.v, h);
+  inertia.derivatives(x.a, x.v, x.dv, dg_da, dg_dv);
+  const double energy = inertia.kinetic_energy(x.a, x.v) + inertia.strain_energy(x.a) + inertia.damping_power(da);
+  const Vector3d c = inertia.centre_of_mass(x.a);
+  const long at_end = heap_requests;
+  EXPECT_EQ(at_end, at_start);
+  EXPECT_GT(energy, 0.0);
+  EXPECT_TRUE(c.allFinite());
+  const VectorXd allocated = VectorXd::Zero(10000);
+  EXPECT_GT(heap_requests, at_end) << "the counter itself must count";
+  EXPECT_EQ(allocated.sum(), 0.0);
+}
+
+// Shortest of some timings [s] of everything that an integrator asks for.
+double seconds(int nodes, int s) {
+  const ModalInertia inertia(random_body(nodes, s, 3));
+  const RandomState x(s);
+  MatrixXd M(6 + s, 6 + s), dg_da(6 + s, s), dg_dv(6 + s, 6 + s);
+  VectorXd h(6 + s);
+  double shortest = 1e300;
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < 20; ++i) {
+      inertia.mass_matrix(x.a, M);
+      inertia.velocity_and_elastic_force(x.a, x.v, h);
+      inertia.derivatives(x.a, x.v, x.dv, dg_da, dg_dv);
+    }
+    shortest = std::min(shortest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return shortest;
+}
+
+TEST(ModalInertia, CostsTheSquareOfTheModesWhateverTheNodes) {
+  const double few = seconds(12, 16), many = seconds(6000, 16), modes = seconds(12, 64);
+  std::printf("  500 times the nodes: %.2f times the time; 4 times the modes: %.1f\n", many / few, modes / few);
+  EXPECT_LT(many, 3.0 * few);    // one, and what else runs on the machine
+  EXPECT_LT(modes, 32.0 * few);  // 16; a cube would be 64
+}
+
+TEST(ModalInertia, RefusesABodyWithoutInertia) {
+  EXPECT_THROW(ModalInertia(0.0, Matrix3d::Identity()), InputError);
+  EXPECT_THROW(ModalInertia(1.0, Matrix3d(Vector3d(1.0, 1.0, 0.0).asDiagonal())), InputError);
+  ModalBody body = random_body(4, 1, 1);
+  body.node_mass.setZero();
+  EXPECT_THROW(ModalInertia{body}, InputError);
+}
+
+}  // namespace
+}  // namespace footfall
