@@ -2,9 +2,10 @@
 
 #include <optional>
 
+#include "mbd_solver/coupling/fill_motion.h"
 #include "mbd_solver/fe/mesh_generator.h"
-#include "mbd_solver/model/stress_recovery.h"
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/model/stress_recovery.h"
 
 namespace footfall {
 namespace {
@@ -44,17 +45,17 @@ std::optional<ModalBoundary> from_shape(const BodySpec& body) {
 
 }  // namespace
 
-Drawing::Drawing(Simulation& simulation) : simulation_(simulation) {
-  const Mechanism& mechanism = simulation.mechanism();
+Drawing::Drawing(const Subject& subject) : model_(subject.mechanism.model) {
+  const Mechanism& mechanism = subject.mechanism;
   int points = 0;
-  for (int i = 0; i < mechanism.model.body_count(); ++i) {
-    const Body& body = mechanism.model.body(i);
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const Body& body = model_.body(i);
     std::optional<ModalBoundary> shape;
     const bool connected = body.modal() && !(body.modal()->triangles.empty() && body.modal()->segments.empty());
     if (connected) shape = from_modes(body.name(), *body.modal());
     for (const BodyBoundary& entry : mechanism.boundaries)
       if (!shape && entry.body == i) shape = entry.boundary;
-    if (!shape) shape = from_shape(simulation.scene().bodies[static_cast<std::size_t>(i)]);
+    if (!shape) shape = from_shape(subject.scene.bodies[static_cast<std::size_t>(i)]);
     if (!shape) continue;
     for (const Eigen::Vector3i& t : shape->triangles()) frame_.triangles.emplace_back(t.array() + points);
     parts_.push_back({i, std::move(*shape), points});
@@ -70,16 +71,12 @@ Drawing::Drawing(Simulation& simulation) : simulation_(simulation) {
 }
 
 const VtkFrame& Drawing::frame(const Sample& sample) {
-  const Layout& layout = simulation_.equations().layout();
   auto triangle = Eigen::Index{0};
   auto line = static_cast<Eigen::Index>(frame_.triangles.size());
   for (const Part& part : parts_) {
-    const auto i = static_cast<std::size_t>(part.body);
-    const Eigen::Index s = part.shape.mode_count(), q = layout.body_q[i];
+    const Eigen::Index s = part.shape.mode_count();
     BodyMotion motion(static_cast<int>(s));
-    motion.r = sample.state.q.segment<3>(q);
-    motion.L = sample.state.q.segment<4>(q + 3);
-    if (s > 0) motion.a = sample.state.q.segment(q + 7, s);
+    fill_motion(sample.kinematics.of(part.body), motion);
     Eigen::Matrix3Xd x(3, part.shape.node_count());
     part.shape.node_positions(motion, x);
     frame_.points.middleCols(part.first_point, x.cols()) = x;
@@ -90,7 +87,7 @@ const VtkFrame& Drawing::frame(const Sample& sample) {
     }
     const auto triangles = static_cast<Eigen::Index>(part.shape.triangles().size());
     const auto lines = static_cast<Eigen::Index>(part.shape.segments().size());
-    const ModalBody* modal = simulation_.mechanism().model.body(part.body).modal();
+    const ModalBody* modal = model_.body(part.body).modal();
     if (s > 0 && modal) {
       const Eigen::VectorXd stress = von_mises_of_cells(*modal, motion.a);
       if (stress.size() == triangles + lines) {

@@ -1,15 +1,16 @@
 #pragma once
 // The mechanism as a picture: the deformed surfaces and axes of all bodies, with displacement and stress.
 
+#include "mbd_solver/observe/sample.h"
 #include "mbd_solver/output/vtk_writer.h"
-#include "mbd_solver/run/simulation.h"
 
 namespace footfall {
 
 class Drawing {
  public:
-  explicit Drawing(Simulation& simulation);
-  // The frame of the state that the equations hold. The reference holds until the next call.
+  // What the subject views must outlive this.
+  explicit Drawing(const Subject& subject);
+  // The reference holds until the next call.
   const VtkFrame& frame(const Sample& sample);
 
  private:
@@ -19,7 +20,7 @@ class Drawing {
     int first_point;
   };
 
-  Simulation& simulation_;
+  const Model& model_;
   std::vector<Part> parts_;
   VtkFrame frame_;
 };

@@ -8,15 +8,14 @@
 
 namespace footfall {
 
-FlexibleBodies::FlexibleBodies(const Simulation& simulation) : simulation_(simulation) {
-  const Model& model = simulation.mechanism().model;
-  for (int i = 0; i < model.body_count(); ++i)
-    if (model.body(i).mode_count() > 0) bodies_.push_back(i);
+FlexibleBodies::FlexibleBodies(const Subject& subject) : model_(subject.mechanism.model) {
+  for (int i = 0; i < model_.body_count(); ++i)
+    if (model_.body(i).mode_count() > 0) bodies_.push_back(i);
   now_.resize(bodies_.size());
   peak_.resize(bodies_.size());
-  const Scene& scene = simulation.scene();
+  const Scene& scene = subject.scene;
   for (const int i : bodies_) {
-    const ModalBody& modal = *model.body(i).modal();
+    const ModalBody& modal = *model_.body(i).modal();
     Watch watch;
     watch.lowest = lowest_frequency(modal);
     watch.extent = extent(modal);
@@ -31,18 +30,14 @@ int FlexibleBodies::find(int body) const {
   return found == bodies_.end() ? -1 : static_cast<int>(found - bodies_.begin());
 }
 
-const Body& FlexibleBodies::body(int k) const {
-  return simulation_.mechanism().model.body(bodies_[static_cast<std::size_t>(k)]);
-}
+const Body& FlexibleBodies::body(int k) const { return model_.body(bodies_[static_cast<std::size_t>(k)]); }
 
 void FlexibleBodies::take(const Sample& sample) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    const Body& body = simulation_.mechanism().model.body(bodies_[k]);
-    const Eigen::Index first = simulation_.layout().body_q[static_cast<std::size_t>(bodies_[k])] + 7;
-    const Eigen::VectorXd a = sample.state.q.segment(first, body.mode_count());
-    now_[k] = {body.inertia().strain_energy(a), largest_deflection(*body.modal(), a), von_mises(*body.modal(), a),
-               sample.state.v.segment<3>(simulation_.layout().body_v[static_cast<std::size_t>(bodies_[k])] + 3).norm() /
-                   watch_[k].lowest};
+    const Body& body = model_.body(bodies_[k]);
+    const BodyKinematics& at = sample.kinematics.of(bodies_[k]);
+    now_[k] = {body.inertia().strain_energy(at.a), largest_deflection(*body.modal(), at.a),
+               von_mises(*body.modal(), at.a), at.w.norm() / watch_[k].lowest};
     peak_[k].strain_energy = std::max(peak_[k].strain_energy, now_[k].strain_energy);
     peak_[k].deflection = std::max(peak_[k].deflection, now_[k].deflection);
     peak_[k].von_mises = std::max(peak_[k].von_mises, now_[k].von_mises);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/run/simulation.h"
+#include "mbd_solver/observe/sample.h"
 
 namespace footfall {
 
@@ -18,7 +18,8 @@ struct FlexibleFigures {
 
 class FlexibleBodies {
  public:
-  explicit FlexibleBodies(const Simulation& simulation);
+  // What the subject views must outlive this.
+  explicit FlexibleBodies(const Subject& subject);
 
   void take(const Sample& sample);
   // Told once per body and cause: it spins too fast or bends too far for linear modes (linear_range.h), or its material
@@ -41,7 +42,7 @@ class FlexibleBodies {
   };
   void warn(double time, int k);
 
-  const Simulation& simulation_;
+  const Model& model_;
   std::vector<int> bodies_;  // in the model
   std::vector<FlexibleFigures> now_, peak_;
   std::vector<Watch> watch_;

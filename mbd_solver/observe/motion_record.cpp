@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/coupling/fill_motion.h"
 
 namespace footfall {
 namespace {
@@ -46,11 +47,12 @@ RigidFit fit_rigid(const Eigen::Matrix3Xd& x0, const Eigen::Matrix3Xd& x) {
   return fit;
 }
 
-MotionRecord::MotionRecord(const Simulation& simulation, const std::string& folder) : simulation_(simulation) {
+MotionRecord::MotionRecord(const Subject& subject, const Kinematics& start, const std::string& folder)
+    : scheme_(*subject.agreement->scheme) {
   const std::vector<std::string> names = {"time", "x", "y", "z", "rx", "ry", "rz", "bend", "fx", "fy", "fz"};
   const std::vector<std::string> units = {"s", "m", "m", "m", "rad", "rad", "rad", "m", "N", "N", "N"};
-  for (const int i : simulation.partner()->coupled()) {
-    const BodyBoundary& entry = simulation.mechanism().boundaries[static_cast<std::size_t>(i)];
+  for (const int i : subject.agreement->boundaries) {
+    const BodyBoundary& entry = subject.mechanism.boundaries[static_cast<std::size_t>(i)];
     const ModalBoundary& boundary = entry.boundary;
     if (boundary.triangles().empty()) continue;
     if (surfaces_.empty()) {
@@ -63,7 +65,7 @@ MotionRecord::MotionRecord(const Simulation& simulation, const std::string& fold
     const BodyMotion rest(boundary.mode_count());
     const Eigen::Matrix3Xd unset(3, boundary.node_count());
     Surface surface{&entry, rest, rest, unset, unset, std::make_unique<HistoryWriter>(file + ".csv", names, units)};
-    simulation.fill_motion(entry.body, surface.motion);
+    fill_motion(start.of(entry.body), surface.motion);
     boundary.node_positions(surface.motion, surface.x0);
     write_stl(file + ".stl", boundary.name(), surface.x0, boundary.triangles());
     surfaces_.push_back(std::move(surface));
@@ -75,10 +77,10 @@ void MotionRecord::write(const Sample& sample) {
   for (Surface& surface : surfaces_) {
     const int body = surface.boundary->body;
     surface.predicted = surface.motion;
-    if (started_) simulation_.scheme().predict(surface.motion, H, surface.predicted);
-    simulation_.fill_motion(body, surface.motion);
+    if (started_) scheme_.predict(surface.motion, H, surface.predicted);
+    fill_motion(sample.kinematics.of(body), surface.motion);
     // Scheme tangent lets the grains see the motion that it expects to compute.
-    const bool expects = simulation_.scheme().wants_tangent();
+    const bool expects = scheme_.wants_tangent();
     surface.boundary->boundary.node_positions(expects ? surface.motion : surface.predicted, surface.x);
     const RigidFit fit = fit_rigid(surface.x0, surface.x);
     const Eigen::AngleAxisd turn(fit.R);

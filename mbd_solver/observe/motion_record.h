@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/observe/sample.h"
 #include "mbd_solver/output/history.h"
-#include "mbd_solver/run/simulation.h"
 
 namespace footfall {
 
@@ -28,8 +28,9 @@ RigidFit fit_rigid(const Eigen::Matrix3Xd& x0, const Eigen::Matrix3Xd& x);
 // state.
 class MotionRecord {
  public:
-  // Makes the folder. Throws InputError when it cannot be written.
-  MotionRecord(const Simulation& simulation, const std::string& folder);
+  // Of a coupled run; start: its kinematics then. Makes the folder. What the subject views must outlive this. Throws
+  // InputError when the folder cannot be written.
+  MotionRecord(const Subject& subject, const Kinematics& start, const std::string& folder);
   void write(const Sample& sample);
   void flush();
 
@@ -43,7 +44,7 @@ class MotionRecord {
     std::unique_ptr<HistoryWriter> file;
   };
 
-  const Simulation& simulation_;
+  const Scheme& scheme_;
   double time_ = 0.0;  // of the last window's end [s]
   bool started_ = false;
   std::vector<Surface> surfaces_;

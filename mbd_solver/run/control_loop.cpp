@@ -3,14 +3,16 @@
 #include <cmath>
 #include <limits>
 
-#include "coupler/base/errors.h"
+#include "mbd_solver/build/up_direction.h"
 #include "mbd_solver/model/elements/strut.h"
 
 namespace footfall {
 
-ControlLoop::ControlLoop(std::vector<ControllerEntry>& controllers, const std::vector<StrutEntry>& struts,
-                         const Eigen::Vector3d& up)
-    : controllers_(controllers), struts_(struts), up_(up), samples_(controllers.size(), 0) {}
+ControlLoop::ControlLoop(std::vector<ControllerEntry>& controllers, const Subject& subject)
+    : controllers_(controllers),
+      subject_(subject),
+      up_(up_direction(subject.scene.gravity)),
+      samples_(controllers.size(), 0) {}
 
 double ControlLoop::next_sample() const {
   double next = std::numeric_limits<double>::infinity();
@@ -19,14 +21,11 @@ double ControlLoop::next_sample() const {
   return next;
 }
 
-ControllerMeasurement ControlLoop::measure(const ControllerEntry& entry, const State& state, Equations& equations,
-                                           const Eigen::VectorXd& rates, const Inputs& inputs) const {
-  const BodyKinematics& body = equations.motion(entry.body);
-  const Layout& layout = equations.layout();
-  const Eigen::Vector3d ddr = rates.segment<3>(layout.v0() + layout.body_v[static_cast<std::size_t>(entry.body)]);
+ControllerMeasurement ControlLoop::measure(const ControllerEntry& entry, const Sample& sample) const {
+  const BodyKinematics& body = sample.kinematics.of(entry.body);
   ControllerMeasurement m;
-  m.time = state.time;
-  m.acceleration = up_.dot(ddr);
+  m.time = sample.state.time;
+  m.acceleration = up_.dot(body.ddr);
   m.velocity = up_.dot(body.dr);
   // Signs of controller.h: positive when the side of positive x (pitch) or positive y (roll) sinks.
   m.pitch = -std::asin(std::clamp(up_.dot(body.A.col(0)), -1.0, 1.0));
@@ -34,29 +33,27 @@ ControllerMeasurement ControlLoop::measure(const ControllerEntry& entry, const S
   m.strut_rate.setZero(static_cast<Eigen::Index>(entry.struts.size()));
   for (std::size_t k = 0; k < entry.struts.size(); ++k) {
     if (entry.struts[k] < 0) continue;
-    const int force = struts_[static_cast<std::size_t>(entry.struts[k])].force;
-    const auto& strut = static_cast<const Strut&>(equations.model().force(force));
-    m.strut_rate(static_cast<Eigen::Index>(k)) = strut.sample(equations.element_input(force, state, inputs)).rate;
+    const int force = subject_.mechanism.struts[static_cast<std::size_t>(entry.struts[k])].force;
+    const auto& strut = static_cast<const Strut&>(subject_.mechanism.model.force(force));
+    m.strut_rate(static_cast<Eigen::Index>(k)) = strut.sample(element_input(subject_, sample, force)).rate;
   }
   return m;
 }
 
-void ControlLoop::sample_due(const State& state, Equations& equations, const Eigen::VectorXd& rates, Inputs& inputs) {
-  bool loaded = false;
+void ControlLoop::sample_due(const Sample& sample, Inputs& inputs) {
+  const double time = sample.state.time;
   for (std::size_t i = 0; i < controllers_.size(); ++i) {
     ControllerEntry& entry = controllers_[i];
     const double period = entry.controller->period();
-    if (state.time < (static_cast<double>(samples_[i]) - 1e-6) * period) continue;
-    if (!loaded) equations.load(state);
-    loaded = true;
+    if (time < (static_cast<double>(samples_[i]) - 1e-6) * period) continue;
     const auto outputs = static_cast<Eigen::Index>(entry.outputs.size());
     Eigen::Ref<Eigen::VectorXd> voltages = inputs.voltages.segment(entry.first_voltage, outputs);
-    const ControllerMeasurement measurement = measure(entry, state, equations, rates, inputs);
+    const ControllerMeasurement measurement = measure(entry, sample);
     if (measurement.acceleration > entry.touchdown_acceleration)
-      entry.wakes_at = std::min(entry.wakes_at, state.time + entry.touchdown_delay);
+      entry.wakes_at = std::min(entry.wakes_at, time + entry.touchdown_delay);
     entry.controller->sample(measurement, voltages);  // asleep too: its filter follows
-    if (state.time < entry.wakes_at - 1e-9) voltages.setZero();
-    samples_[i] = static_cast<long>(std::floor(state.time / period + 1e-6)) + 1;
+    if (time < entry.wakes_at - 1e-9) voltages.setZero();
+    samples_[i] = static_cast<long>(std::floor(time / period + 1e-6)) + 1;
   }
 }
 

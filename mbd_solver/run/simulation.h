@@ -1,49 +1,33 @@
 #pragma once
-// The run of one scene: windows of the mechanism, with grains or alone, and everything that is observed on the way.
-// Data runs one way: Scene -> Mechanism -> State -> window (motion out, load in) -> Sample -> files.
+// The run of one scene, a window at a time. Data runs one way:
+//   Scene -> Mechanism -> State -> window (with grains: motion out, load in) -> Sample -> whoever observes
+// While it runs: controllers set voltages, the window's end is found, the mechanism moves to it, its state is checked,
+// the sample is observed.
 
 #include <csignal>
 #include <functional>
 #include <memory>
-#include <string>
-#include <vector>
 
+#include "coupler/transport.h"
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/coupling/coupled_run.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/integrator/integrator.h"
+#include "mbd_solver/observe/sampler.h"
 #include "mbd_solver/run/control_loop.h"
-#include "mbd_solver/coupling/coupling_watch.h"
-#include "mbd_solver/coupling/dem_partner.h"
-#include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/coupling/predicted_window.h"
-#include "mbd_solver/coupling/window_choice.h"
 
 namespace footfall {
 
-// What is known at the end of a window: all that history, summary and progress are made of.
-struct Sample {
-  const State& state;
-  const EnergySample& energy;
-  const Eigen::VectorXd& rates;  // [dq; dv; dz; lambda] at state.time
-  const std::vector<GeneralizedForce>&
-      contact;  // per body of the scene, F_W and T_W about Bo, of the window's ground contact
-  const Inputs& inputs;
-  const CouplingWatch* coupling;  // null without grains
-  long window;                    // windows done
-  int substeps;                   // of the last window, 0 without grains
-  double estimate;                // of the last window's force error, when windows are chosen [-]
-};
-
 struct RunTimes {
   double total = 0.0;    // wall time of the loop [s]
-  double dem = 0.0;      // spent by LIGGGHTS on its windows [s]
   double mbd = 0.0;      // in the integrator [s]
   double control = 0.0;  // in controllers [s]
-  double waiting = 0.0;  // for the partner, its work included [s]
 };
 
 class Simulation {
  public:
-  // `partner_transport`: null when the scene touches no grains. Throws InputError, ProtocolError.
+  // `partner_transport`: null when the scene touches no grains; then nothing of the coupling is made. The scene must
+  // outlive this. Throws InputError, ProtocolError.
   Simulation(const Scene& scene, double t_end, Transport* partner_transport);
 
   // Runs to the end, or until `interrupted` is set. Calls `observe` for the start and after every window.
@@ -52,59 +36,35 @@ class Simulation {
 
   const Scene& scene() const { return scene_; }
   const Mechanism& mechanism() const { return mechanism_; }
-  Equations& equations() { return *equations_; }
-  const Layout& layout() const { return equations_->layout(); }
   const Assembly& assembly() const { return assembly_; }
   const State& state() const { return state_; }
   const Integrator& integrator() const { return *integrator_; }
   const RunTimes& times() const { return times_; }
-  const DemPartner* partner() const { return partner_.get(); }
-  DemPartner* partner() { return partner_.get(); }
-  const CouplingWatch* watch() const { return watch_.get(); }  // null without grains
-  bool finished() const;                                       // the end time has been reached
-  long particles() const { return particles_; }
-  double t_end() const { return t_end_; }
-  const Scheme& scheme() const { return *scheme_; }      // only with grains
-  void fill_motion(int body, BodyMotion& motion) const;  // as computed; `motion` is sized for the body's modes
+  bool finished() const;  // the end time has been reached
+  Subject subject() const;
+  Kinematics kinematics() const;                    // of the present state, accelerations zero
+  CoupledRun* coupled() { return coupled_.get(); }  // null without grains
+  const CoupledRun* coupled() const { return coupled_.get(); }
 
  private:
-  double next_stop() const;         // end of the next window without grains
-  double exchange_window();         // with grains: trades motion for loads, returns the window's end
-  void prepare_windows();           // what the scheme and `every auto` need
-  double pending_interface_work();  // after a window [J]
-  void soften_paths(double H);      // of motion_, for the scheme `tangent`
-  void choose_window(bool first);   // after a window: substeps of the next one
-  // of coupled body k, until it can meet a grain [s]
-  double time_of_flight(std::size_t k, const BodyMotion& motion) const;
-  void update_contact();  // contact_ from loads or planes
+  double next_stop() const;  // end of the next window without grains [s]
   void check_finite() const;
+  void take_sample() { sampler_.take(window_, finished(), coupled_ ? &coupled_->sample() : nullptr); }
 
   const Scene& scene_;
-  double t_end_;
+  double t_end_;  // [s]
   Mechanism mechanism_;
   Assembly assembly_;
-  std::unique_ptr<Equations> equations_;
+  Equations equations_;
   std::unique_ptr<Integrator> integrator_;
-  std::unique_ptr<DemPartner> partner_;
-  std::unique_ptr<CouplingWatch> watch_;
-  ControlLoop control_;
   State state_;
-  Inputs inputs_;
-  Eigen::VectorXd rates_;
-  Eigen::VectorXd y_;
-  EnergySample energy_;
-  std::vector<GeneralizedForce> contact_;
-  Motion motion_;
-  std::unique_ptr<Scheme> scheme_;
-  std::vector<PredictedWindow> predicted_;  // per coupled body
-  std::vector<BodyMotion> starts_;          // computed states at the window's start, likewise
-  std::vector<MeanLoad> last_loads_;        // of the window before, likewise
-  int last_substeps_ = 0;                   // of the window before
-  std::unique_ptr<WindowChoice> choice_;    // null when the script fixes n
-  std::vector<WindowChoice::Body> windows_of_bodies_;
+  Inputs inputs_;          // of the window
+  Eigen::VectorXd rates_;  // [dq; dv; dz; lambda] at state_.time
+  long window_ = 0;        // windows done
+  ControlLoop control_;
+  Sampler sampler_;
+  std::unique_ptr<CoupledRun> coupled_;
   RunTimes times_;
-  long window_ = 0;
-  long particles_ = 0;
 };
 
 }  // namespace footfall

@@ -10,9 +10,10 @@
 #include <cstdio>
 #include <fstream>
 
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
+#include "coupler/communicator.h"
 #include "coupler/transport_mpi.h"
+#include "mbd_solver/coupling/fill_motion.h"
 #include "mbd_solver/run/simulation.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -39,7 +40,7 @@ class Table {
     file_ << ",work,received\n";
   }
   void write(const Sample& sample) {
-    simulation_.fill_motion(body_, motion_);
+    fill_motion(sample.kinematics.of(body_), motion_);
     file_ << sample.state.time;
     put(motion_.r);
     put(motion_.L);
@@ -52,7 +53,7 @@ class Table {
     put(load.F_W);
     put(load.T_B);
     put(load.Q_a.size() > 0 ? load.Q_a : Eigen::VectorXd(Eigen::VectorXd::Zero(motion_.mode_count())));
-    if (sample.window > 0) work_ += simulation_.partner()->load().bodies.at(0).mean.work;
+    if (sample.window > 0) work_ += simulation_.coupled()->load().bodies.at(0).mean.work;
     file_ << "," << work_ << "," << sample.state.load_work(body_) << "\n";
   }
 

@@ -1,0 +1,89 @@
+#pragma once
+// The half of a coupled run that belongs to the mechanism: in every window, motion out and load in. It exists only in
+// runs that touch grains. theory: coupling.
+//
+// Window k, of n substeps, H = n dt:
+//   begin_window   n; the motion at t_k, as the scheme lets the grains see it, goes out; the mean load comes in
+//   (the mechanism moves from t_k to t_k + H under that load)
+//   end_window     work that arrived, gap between computed and predicted motion: watch, and n of the next window
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/coupling/coupling_sample.h"
+#include "mbd_solver/coupling/coupling_watch.h"
+#include "mbd_solver/coupling/dem_partner.h"
+#include "mbd_solver/coupling/predicted_window.h"
+#include "mbd_solver/coupling/window_choice.h"
+#include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/model/energy.h"
+#include "mbd_solver/model/external_load.h"
+#include "mbd_solver/model/state.h"
+
+namespace footfall {
+
+class CoupledRun {
+ public:
+  // Shakes hands with LIGGGHTS. start: of the mechanism. mechanism and transport must outlive this.
+  // Throws ProtocolError, PartnerError.
+  CoupledRun(const Scene& scene, const Mechanism& mechanism, const Kinematics& start, double t_end,
+             Transport& transport);
+
+  // Sends the motion, waits for the load, writes it into inputs.loads (one per body of the model, sized by the caller).
+  // kinematics: with accelerations. Returns the window's end [s]. Throws NumericalError for a load that is not finite,
+  // PartnerError.
+  double begin_window(const State& state, const Kinematics& kinematics, const StoredEnergy& stored, Inputs& inputs);
+  // The mechanism has come to the window's end. inputs: as begin_window left them. Throws NumericalError when the
+  // coupling pumps energy or chatters (CouplingWatch).
+  void end_window(const State& state, const Kinematics& kinematics, const Inputs& inputs);
+
+  void close() { partner_.close(); }  // after the last window
+  void fail(const std::string& reason, Status status) noexcept { partner_.fail(reason, status); }
+
+  const Agreement& agreement() const { return agreement_; }
+  const CouplingSample& sample() const { return sample_; }  // of the last window
+  const CouplingWatch& watch() const { return *watch_; }
+  const Load& load() const { return partner_.load(); }  // likewise
+  double dem_seconds() const { return dem_seconds_; }   // spent by LIGGGHTS on its windows [s]
+  double seconds_waited() const { return waited_; }  // for LIGGGHTS, its work included, until the last window's end [s]
+
+ private:
+  // One body that the script couples.
+  struct Coupled {
+    const BodyBoundary& entry;
+    const Body& body;
+    const LandingSite* site;    // under it at the start; null when not known
+    PredictedWindow predicted;  // what its boundary does in the window
+    BodyMotion start, end;      // computed, at both ends of the window
+    MeanLoad last_load;         // of the window before
+    double reach;               // largest |rho0| [m]
+  };
+
+  int wanted_substeps() const;
+  void choose_paths(double H);  // motion_.bodies, from the states at the window's start
+  void receive(const Load& load, double H, Inputs& inputs) const;
+  double pending_interface_work(double time, double H, const Inputs& inputs);  // after a window [J]
+  void choose_window();                                                        // likewise: n of the next one
+
+  const Mechanism& mechanism_;
+  double t_end_;        // [s]
+  Eigen::Vector3d up_;  // unit vector against gravity, in W
+  std::unique_ptr<Scheme> scheme_;
+  DemPartner partner_;
+  Agreement agreement_;
+  std::vector<Coupled> bodies_;  // in the order of Motion and Load
+  Motion motion_;                // of this window, as sent
+  std::unique_ptr<CouplingWatch> watch_;
+  std::unique_ptr<WindowChoice> choice_;  // null when the script fixes n
+  std::vector<WindowChoice::Body> choice_bodies_;
+  CouplingSample sample_;
+  int last_substeps_ = 0;                    // of the window before
+  double reference_energy_ = 0.0;            // scale of energy errors [J]
+  Eigen::VectorXd work_before_;              // State::load_work at the window's start [J]
+  std::vector<double> work_received_;        // in the window, per coupled body [J]
+  double dem_seconds_ = 0.0, waited_ = 0.0;  // [s]
+};
+
+}  // namespace footfall

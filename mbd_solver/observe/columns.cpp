@@ -1,0 +1,173 @@
+#include "mbd_solver/observe/columns.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mbd_solver/model/elements/strut.h"
+
+namespace footfall {
+namespace {
+
+// One column of each thing of a kind; `value` reads it from what the thing is at the sample's instant.
+template <class Thing>
+struct Entry {
+  const char* pattern;
+  const char* unit;
+  double (*value)(const Thing&);
+};
+
+// Roll, pitch, yaw of A = Rz(yaw) Ry(pitch) Rx(roll) [rad].
+double roll(const Eigen::Matrix3d& A) { return std::atan2(A(2, 1), A(2, 2)); }
+double pitch(const Eigen::Matrix3d& A) { return -std::asin(std::clamp(A(2, 0), -1.0, 1.0)); }
+double yaw(const Eigen::Matrix3d& A) { return std::atan2(A(1, 0), A(0, 0)); }
+
+double itself(const double& x) { return x; }
+
+// ---- the registry: an entry here and a line in docs/history.md make a column ----
+
+constexpr Entry<Sample> kTime[] = {{"time", "s", [](const Sample& s) { return s.state.time; }}};
+
+constexpr Entry<BodyKinematics> kBody[] = {{"<body>.x", "m", [](const BodyKinematics& b) { return b.r.x(); }},
+                                           {"<body>.y", "m", [](const BodyKinematics& b) { return b.r.y(); }},
+                                           {"<body>.z", "m", [](const BodyKinematics& b) { return b.r.z(); }},
+                                           {"<body>.vx", "m/s", [](const BodyKinematics& b) { return b.dr.x(); }},
+                                           {"<body>.vy", "m/s", [](const BodyKinematics& b) { return b.dr.y(); }},
+                                           {"<body>.vz", "m/s", [](const BodyKinematics& b) { return b.dr.z(); }},
+                                           {"<body>.ax", "m/s2", [](const BodyKinematics& b) { return b.ddr.x(); }},
+                                           {"<body>.ay", "m/s2", [](const BodyKinematics& b) { return b.ddr.y(); }},
+                                           {"<body>.az", "m/s2", [](const BodyKinematics& b) { return b.ddr.z(); }},
+                                           {"<body>.roll", "rad", [](const BodyKinematics& b) { return roll(b.A); }},
+                                           {"<body>.pitch", "rad", [](const BodyKinematics& b) { return pitch(b.A); }},
+                                           {"<body>.yaw", "rad", [](const BodyKinematics& b) { return yaw(b.A); }}};
+
+constexpr Entry<FlexibleFigures> kFlexible[] = {
+    {"<body>.strain_energy", "J", [](const FlexibleFigures& f) { return f.strain_energy; }},
+    {"<body>.deflection", "m", [](const FlexibleFigures& f) { return f.deflection; }},
+    {"<body>.von_mises", "Pa", [](const FlexibleFigures& f) { return f.von_mises; }}};
+
+constexpr Entry<GeneralizedForce> kContact[] = {
+    {"<body>.contact.fx", "N", [](const GeneralizedForce& Q) { return Q.F_W.x(); }},
+    {"<body>.contact.fy", "N", [](const GeneralizedForce& Q) { return Q.F_W.y(); }},
+    {"<body>.contact.fz", "N", [](const GeneralizedForce& Q) { return Q.F_W.z(); }},
+    {"<body>.contact.mx", "N m", [](const GeneralizedForce& Q) { return Q.T_W.x(); }},
+    {"<body>.contact.my", "N m", [](const GeneralizedForce& Q) { return Q.T_W.y(); }},
+    {"<body>.contact.mz", "N m", [](const GeneralizedForce& Q) { return Q.T_W.z(); }}};
+
+constexpr Entry<StrutSample> kStrut[] = {{"<strut>.stroke", "m", [](const StrutSample& s) { return s.stroke; }},
+                                         {"<strut>.rate", "m/s", [](const StrutSample& s) { return s.rate; }},
+                                         {"<strut>.force", "N", [](const StrutSample& s) { return s.force; }}};
+
+constexpr Entry<double> kVoltage[] = {{"<controller>.<output>", "-", itself}};
+
+constexpr Entry<StoredEnergy> kEnergy[] = {{"energy.kinetic", "J", [](const StoredEnergy& E) { return E.kinetic; }},
+                                           {"energy.gravity", "J", [](const StoredEnergy& E) { return E.gravity; }},
+                                           {"energy.strain", "J", [](const StoredEnergy& E) { return E.strain; }},
+                                           {"energy.gas", "J", [](const StoredEnergy& E) { return E.gas; }},
+                                           {"energy.contact", "J", [](const StoredEnergy& E) { return E.contact; }},
+                                           {"energy.total", "J", [](const StoredEnergy& E) { return E.total(); }}};
+
+constexpr Entry<double> kDissipated[] = {{"dissipated.<kind>", "J", itself}};
+
+constexpr Entry<State> kWork[] = {{"work.contact", "J", [](const State& s) { return s.load_work.sum(); }},
+                                  {"work.motion", "J", [](const State& s) { return s.motion_work; }}};
+
+constexpr Entry<CouplingSample> kCoupling[] = {
+    {"coupling.energy_residual", "J", [](const CouplingSample& c) { return c.energy_residual; }},
+    {"coupling.substeps", "-", [](const CouplingSample& c) { return static_cast<double>(c.substeps); }}};
+
+constexpr Entry<CouplingSample> kChosenWindows[] = {
+    {"coupling.estimate", "-", [](const CouplingSample& c) { return c.estimate; }}};
+
+constexpr Entry<double> kOmegaH[] = {{"coupling.omega_h.<body>", "-", itself}};
+
+template <class Visit>
+void for_each_table(Visit visit) {
+  visit(kTime), visit(kBody), visit(kFlexible), visit(kContact), visit(kStrut), visit(kVoltage), visit(kEnergy);
+  visit(kDissipated), visit(kWork), visit(kCoupling), visit(kChosenWindows), visit(kOmegaH);
+}
+
+// ---- from the registry to the columns of a scene ----
+
+std::string dissipation(int kind) { return std::string(dissipation_name(static_cast<Dissipation>(kind))); }
+
+// The pattern with <...> replaced, in its order, by these names.
+std::string with_names(std::string pattern, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const std::size_t first = pattern.find('<');
+    pattern.replace(first, pattern.find('>') - first + 1, name);
+  }
+  return pattern;
+}
+
+class Columns {
+ public:
+  // A column per entry; thing(sample) is what the entries read.
+  template <class Thing, std::size_t count, class Get>
+  void add(const Entry<Thing> (&entries)[count], const std::vector<std::string>& names, Get thing) {
+    for (const Entry<Thing>& entry : entries)
+      columns.push_back({with_names(entry.pattern, names), entry.unit, entry.pattern,
+                         [thing, value = entry.value](const Sample& s) { return value(thing(s)); }});
+  }
+  std::vector<Column> columns;
+};
+
+bool recorded(const OutputSpec& output, const std::string& body) {
+  return output.bodies.empty() || std::find(output.bodies.begin(), output.bodies.end(), body) != output.bodies.end();
+}
+
+void add_coupling(const Subject& subject, Columns& out) {
+  const auto coupling = [](const Sample& s) -> const CouplingSample& { return *s.coupling; };
+  out.add(kCoupling, {}, coupling);
+  if (subject.agreement->substeps == 0) out.add(kChosenWindows, {}, coupling);
+  for (std::size_t k = 0; k < subject.agreement->boundaries.size(); ++k) {
+    const auto boundary = static_cast<std::size_t>(subject.agreement->boundaries[k]);
+    out.add(kOmegaH, {subject.mechanism.boundaries[boundary].boundary.name()},
+            [k](const Sample& s) { return s.coupling->omega_h[k]; });
+  }
+}
+
+}  // namespace
+
+std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible) {
+  const Mechanism& mechanism = subject.mechanism;
+  Columns out;
+  out.add(kTime, {}, [](const Sample& s) -> const Sample& { return s; });
+  for (int i = 0; i < mechanism.model.body_count(); ++i) {
+    const std::string& name = mechanism.model.body(i).name();
+    if (!recorded(subject.scene.output, name)) continue;
+    out.add(kBody, {name}, [i](const Sample& s) -> const BodyKinematics& { return s.kinematics.of(i); });
+    if (const int k = flexible.find(i); k >= 0)
+      out.add(kFlexible, {name}, [k, &flexible](const Sample&) -> const FlexibleFigures& { return flexible.now(k); });
+  }
+  if (subject.scene.ground.kind != GroundKind::kNone)
+    for (const BodyBoundary& entry : mechanism.boundaries)
+      out.add(kContact, {entry.boundary.name()},
+              [i = static_cast<std::size_t>(entry.body)](const Sample& s) -> const GeneralizedForce& {
+                return s.contact[i];
+              });
+  for (const StrutEntry& strut : mechanism.struts)
+    out.add(kStrut, {strut.name}, [subject, force = strut.force](const Sample& s) {
+      return static_cast<const Strut&>(subject.mechanism.model.force(force)).sample(element_input(subject, s, force));
+    });
+  for (const ControllerEntry& controller : mechanism.controllers)
+    for (std::size_t k = 0; k < controller.outputs.size(); ++k)
+      out.add(kVoltage, {controller.name, controller.outputs[k]},
+              [i = controller.first_voltage + static_cast<int>(k)](const Sample& s) { return s.inputs.voltages(i); });
+  out.add(kEnergy, {}, [](const Sample& s) -> const StoredEnergy& { return s.energy.stored; });
+  for (int kind = 0; kind < kDissipationCount; ++kind)
+    out.add(kDissipated, {dissipation(kind)},
+            [kind](const Sample& s) { return s.state.dissipated[static_cast<Dissipation>(kind)]; });
+  out.add(kWork, {}, [](const Sample& s) -> const State& { return s.state; });
+  if (subject.agreement) add_coupling(subject, out);
+  return out.columns;
+}
+
+std::vector<ColumnPattern> column_patterns() {
+  std::vector<ColumnPattern> patterns;
+  for_each_table([&](const auto& entries) {
+    for (const auto& entry : entries) patterns.push_back({entry.pattern, entry.unit});
+  });
+  return patterns;
+}
+
+}  // namespace footfall

@@ -1,0 +1,31 @@
+#pragma once
+// The columns of history.csv: one registry of name, unit and value. docs/history.md lists it for users.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/observe/flexible_figures.h"
+#include "mbd_solver/observe/sample.h"
+
+namespace footfall {
+
+struct Column {
+  std::string name;     // `footpad_1.x`
+  std::string unit;     // SI; "-" for a plain number
+  std::string pattern;  // its name in the registry: `<body>.x`
+  std::function<double(const Sample&)> value;
+};
+
+// Those that this scene has, in the order of the file. flexible: has taken the sample before a value is asked for; it
+// and the subject's parts must outlive the columns.
+std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible);
+
+// The whole registry: what any scene can have.
+struct ColumnPattern {
+  std::string pattern;
+  std::string unit;
+};
+std::vector<ColumnPattern> column_patterns();
+
+}  // namespace footfall

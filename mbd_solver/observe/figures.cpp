@@ -1,0 +1,77 @@
+#include "mbd_solver/observe/figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "mbd_solver/build/up_direction.h"
+
+namespace footfall {
+
+FigureTaker::FigureTaker(const Subject& subject) : subject_(subject), up_(up_direction(subject.scene.gravity)) {
+  const Model& model = subject.mechanism.model;
+  for (int i = 1; i < model.body_count(); ++i)
+    if (model.body(i).mass() > model.body(body_).mass()) body_ = i;
+}
+
+const std::string& FigureTaker::body_name() const { return subject_.mechanism.model.body(body_).name(); }
+
+std::string FigureTaker::balance_warning() const {
+  if (figures_.energy_balance_relative() <= kGoodBalance) return "";
+  std::ostringstream text;
+  text.precision(3);
+  text << "the energy of the mechanism does not close by " << figures_.energy_balance << " J, "
+       << 100.0 * figures_.energy_balance_relative()
+       << " % of the reference energy: its integration is not accurate; make solver.rtol and solver.atol, or "
+          "solver.max_step, smaller";
+  return text.str();
+}
+
+double FigureTaker::lowest_boundary_point(const Sample& sample) const {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const BodyBoundary& entry : subject_.mechanism.boundaries) {
+    const BodyKinematics& body = sample.kinematics.of(entry.body);
+    const Eigen::Vector3d up_B = body.A.transpose() * up_;
+    const double height = up_.dot(body.r);
+    const Eigen::Matrix3Xd& rho0 = entry.boundary.rho0();
+    const bool bends = entry.boundary.mode_count() > 0;
+    for (Eigen::Index j = 0; j < rho0.cols(); ++j) {
+      double node = height + up_B.dot(rho0.col(j));
+      if (bends) node += up_B.dot(entry.boundary.Phi().middleRows<3>(3 * j) * body.a);
+      lowest = std::min(lowest, node);
+    }
+  }
+  return lowest;
+}
+
+void FigureTaker::take(const Sample& sample) {
+  Figures& f = figures_;
+  const StoredEnergy& stored = sample.energy.stored;
+  const BodyKinematics& body = sample.kinematics.of(body_);
+  const double height = up_.dot(body.r);
+  f.contact_work = sample.state.load_work.sum();
+  if (!started_) {
+    started_ = true;
+    start_height_ = height;
+    start_energy_ = stored.total();
+    f.reference_energy = stored.total() - stored.gravity;
+  }
+  f.reference_energy = std::max(f.reference_energy, stored.kinetic);
+  f.peak_acceleration = std::max(f.peak_acceleration, body.ddr.norm());
+  f.max_descent = std::max(f.max_descent, start_height_ - height);
+  Eigen::Vector3d total = Eigen::Vector3d::Zero();
+  for (const GeneralizedForce& contact : sample.contact) {
+    f.max_contact_force = std::max(f.max_contact_force, contact.F_W.norm());
+    total += contact.F_W;
+  }
+  f.contact_force = total.norm();
+  if (subject_.scene.ground.kind != GroundKind::kNone && !subject_.mechanism.boundaries.empty())
+    f.max_penetration =
+        std::max(f.max_penetration, subject_.mechanism.placement.ground_height - lowest_boundary_point(sample));
+  const double balance =
+      stored.total() - start_energy_ + sample.state.dissipated.total() - f.contact_work - sample.state.motion_work;
+  f.energy_balance = std::max(f.energy_balance, std::abs(balance));
+}
+
+}  // namespace footfall

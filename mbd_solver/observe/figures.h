@@ -1,0 +1,49 @@
+#pragma once
+// The figures of summary.json that are peaks of a run: largest values over every window, not only over the rows that
+// are written.
+
+#include <string>
+
+#include "mbd_solver/observe/sample.h"
+
+namespace footfall {
+
+// of the reference energy: more than time integration with usual tolerances leaves open
+inline constexpr double kGoodBalance = 0.01;
+
+struct Figures {
+  double peak_acceleration = 0.0;  // of the heaviest body [m/s2]
+  double max_descent = 0.0;        // of the heaviest body against gravity's direction, from the start [m]
+  double max_penetration = 0.0;    // of the lowest boundary point below the ground at the start [m]
+  double max_contact_force = 0.0;  // on one body [N]
+  double reference_energy = 0.0;   // initial mechanical energy without gravity; else the largest kinetic energy [J]
+  double energy_balance = 0.0;     // largest |E - E0 + dissipated - work of contact and motion| [J]
+  double contact_work = 0.0;       // done by the ground's grains on the mechanism so far [J]
+  double contact_force = 0.0;      // on all bodies now [N]
+
+  double energy_balance_relative() const { return reference_energy > 0.0 ? energy_balance / reference_energy : 0.0; }
+};
+
+class FigureTaker {
+ public:
+  // What the subject views must outlive this.
+  explicit FigureTaker(const Subject& subject);
+  void take(const Sample& sample);
+  const Figures& figures() const { return figures_; }
+  // What to tell when the mechanism's energy did not close to kGoodBalance; empty otherwise.
+  std::string balance_warning() const;
+  const std::string& body_name() const;  // the heaviest body, whose acceleration and descent are reported
+
+ private:
+  double lowest_boundary_point(const Sample& sample) const;  // along up [m]
+
+  Subject subject_;
+  Figures figures_;
+  Eigen::Vector3d up_;
+  int body_ = 0;
+  double start_height_ = 0.0;  // [m]
+  double start_energy_ = 0.0;  // [J]
+  bool started_ = false;
+};
+
+}  // namespace footfall

@@ -1,0 +1,122 @@
+#include "mbd_solver/run/run_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "mbd_solver/scene/scene_json.h"
+
+namespace footfall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// What was constructed for this scene, and nothing else.
+std::vector<std::string> active_parts(const Simulation& simulation, const FlexibleBodies& flexible) {
+  const Mechanism& mechanism = simulation.mechanism();
+  std::vector<std::string> active = {"bodies"};
+  if (flexible.count() > 0) active.push_back("flexible");
+  if (mechanism.model.joint_count() > 0) active.push_back("joints");
+  if (!mechanism.struts.empty()) active.push_back("struts");
+  if (!mechanism.controllers.empty()) active.push_back("controllers");
+  if (!mechanism.planes.empty()) active.push_back("plane");
+  if (simulation.coupled()) active.push_back("particles");
+  return active;
+}
+
+void add_flexible_bodies(const FlexibleBodies& flexible, Json& json) {
+  for (int k = 0; k < flexible.count(); ++k) {
+    Json& body = json["flexible_bodies"][flexible.body(k).name()];
+    body["modes"] = flexible.body(k).mode_count();
+    body["lowest_frequency_Hz"] = std::sqrt(flexible.body(k).modal()->stiffness.minCoeff()) / (2.0 * EIGEN_PI);
+    body["max_strain_energy_J"] = flexible.peak(k).strain_energy;
+    body["max_deflection_m"] = flexible.peak(k).deflection;
+    body["max_von_mises_Pa"] = flexible.peak(k).von_mises;
+    body["max_spin_over_lowest_frequency"] = flexible.peak(k).spin;
+  }
+}
+
+void add_coupling(const CoupledRun& coupled, double reference_energy, Json& json) {
+  const CouplingWatch& watch = coupled.watch();
+  json["coupling_energy_residual_relative"] =
+      reference_energy > 0.0 ? watch.largest_energy_residual() / reference_energy : 0.0;
+  json["max_overlap_over_radius"] = watch.largest_overlap();
+  json["particles"] = coupled.load().particles;
+  json["dt_dem_s"] = coupled.agreement().dt;
+  if (const int n = coupled.agreement().substeps; n > 0) {
+    json["substeps_per_window"] = n;
+  } else {
+    json["substeps_per_window"] = "auto";
+  }
+  for (std::size_t i = 0; i < watch.names().size(); ++i)
+    json["max_omega_h"][watch.names()[i]] = watch.largest_omega_h()[i];
+}
+
+Json warnings_of(const Simulation& simulation, const FigureTaker& taker, const FlexibleBodies& flexible) {
+  Json warnings = Json::array();
+  const auto add = [&warnings](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) warnings.push_back(text);
+  };
+  add(simulation.mechanism().warnings);
+  add(simulation.assembly().notes);
+  if (simulation.coupled()) add(simulation.coupled()->watch().warnings());
+  add(flexible.warnings());
+  if (const std::string text = taker.balance_warning(); !text.empty()) warnings.push_back(text);
+  return warnings;
+}
+
+void add_costs(const Simulation& simulation, Json& json) {
+  const IntegratorStatistics& statistics = simulation.integrator().statistics();
+  json["steps"] = statistics.steps;
+  json["windows"] = statistics.windows;
+  json["rejected_steps"] = statistics.rejected;
+  json["newton_failures"] = statistics.newton_failures;
+  json["residuals"] = statistics.residuals;
+  json["jacobians"] = statistics.jacobians;
+  json["factorizations"] = statistics.factorizations;
+  const RunTimes& times = simulation.times();
+  const double dem = simulation.coupled() ? simulation.coupled()->dem_seconds() : 0.0;
+  const double waited = simulation.coupled() ? simulation.coupled()->seconds_waited() : 0.0;
+  json["wall_s"] = times.total;
+  json["dem_wall_s"] = dem;
+  json["mbd_wall_s"] = times.mbd;
+  json["control_wall_s"] = times.control;
+  // What the exchange costs beyond the partner's own work.
+  json["exchange_wall_s"] = std::max(0.0, waited - dem);
+}
+
+}  // namespace
+
+Json run_summary(const Simulation& simulation, const FigureTaker& taker, const FlexibleBodies& flexible,
+                 const std::string& status, const std::string& reason) {
+  const Figures& figures = taker.figures();
+  const IntegratorStatistics& statistics = simulation.integrator().statistics();
+  Json json;
+  json["status"] = status;
+  if (!reason.empty()) json["reason"] = reason;
+  json["end_time_s"] = simulation.state().time;
+  json["observed_body"] = taker.body_name();
+  json["peak_acceleration_g"] = figures.peak_acceleration / 9.80665;
+  json["max_descent_m"] = figures.max_descent;
+  json["max_penetration_m"] = figures.max_penetration;
+  json["max_contact_force_N"] = figures.max_contact_force;
+  json["reference_energy_J"] = figures.reference_energy;
+  json["energy_balance_relative"] = figures.energy_balance_relative();
+  json["drift_position"] = statistics.drift_position;
+  json["drift_velocity"] = statistics.drift_velocity;
+  json["drift_removed_position"] = statistics.removed_position;
+  json["drift_removed_velocity"] = statistics.removed_velocity;
+  add_flexible_bodies(flexible, json);
+  if (simulation.coupled()) add_coupling(*simulation.coupled(), figures.reference_energy, json);
+  add_costs(simulation, json);
+  json["integrator"] = simulation.integrator().name();
+  json["active"] = active_parts(simulation, flexible);
+  json["warnings"] = warnings_of(simulation, taker, flexible);
+  json["versions"]["footfall"] = FOOTFALL_VERSION;
+  json["scene_file"] = std::filesystem::absolute(simulation.scene().file).lexically_normal().string();
+  json["settings"] = simulation.scene().settings;
+  json["scene"] = Json::parse(scene_json(simulation.scene()));
+  return json;
+}
+
+}  // namespace footfall

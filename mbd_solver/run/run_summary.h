@@ -1,0 +1,18 @@
+#pragma once
+// summary.json of a run: what became of it, its figures, its costs, its scene.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "mbd_solver/observe/figures.h"
+#include "mbd_solver/observe/flexible_figures.h"
+#include "mbd_solver/run/simulation.h"
+
+namespace footfall {
+
+// status: "done", "interrupted" or "failed"; reason: of a failure, else empty.
+nlohmann::ordered_json run_summary(const Simulation& simulation, const FigureTaker& taker,
+                                   const FlexibleBodies& flexible, const std::string& status,
+                                   const std::string& reason);
+
+}  // namespace footfall

@@ -1,0 +1,209 @@
+// The registry of the columns of history.csv: whole, told to users, and right.
+
+#include "mbd_solver/observe/columns.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "mbd_solver/observe/observation.h"
+#include "tests/unit/observe/small_machine.h"
+
+namespace footfall {
+namespace {
+
+using test::Bench;
+using test::kSmallMachine;
+
+// The small machine, as if LIGGGHTS had asked for its leg with `every auto`.
+class HistoryColumns : public ::testing::Test {
+ protected:
+  HistoryColumns() : bench(kSmallMachine), flexible(bench.subject()) {
+    agreement.boundaries = {0};
+    coupling.substeps = 7;
+    coupling.estimate = 0.01;
+    coupling.energy_residual = -0.5;
+    coupling.omega_h = {0.3};
+    Subject subject{bench.scene, bench.mechanism, bench.equations.layout(), &agreement};
+    columns = history_columns(subject, flexible);
+  }
+  double value(const std::string& name) {
+    const Sample& sample = bench.take(1, &coupling);
+    flexible.take(sample);
+    for (const Column& column : columns)
+      if (column.name == name) return column.value(sample);
+    ADD_FAILURE() << "no column " << name;
+    return std::nan("");
+  }
+
+  Bench bench;
+  Agreement agreement;
+  CouplingSample coupling;
+  FlexibleBodies flexible;
+  std::vector<Column> columns;
+};
+
+// Lines of the table in docs/history.md: pattern -> unit, and pattern -> meaning.
+std::map<std::string, std::pair<std::string, std::string>> documented() {
+  std::map<std::string, std::pair<std::string, std::string>> lines;
+  std::ifstream page(FOOTFALL_SOURCE_DIR "/docs/history.md");
+  EXPECT_TRUE(page) << "docs/history.md";
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind("| `", 0) != 0) continue;
+    const std::size_t name_end = line.find("` | "), unit_end = line.find(" | ", name_end + 4);
+    EXPECT_NE(unit_end, std::string::npos) << line;
+    if (unit_end == std::string::npos) continue;
+    const std::string name = line.substr(3, name_end - 3);
+    EXPECT_EQ(lines.count(name), 0u) << name << " stands twice in docs/history.md";
+    lines[name] = {line.substr(name_end + 4, unit_end - name_end - 4), line.substr(unit_end + 3)};
+  }
+  return lines;
+}
+
+TEST_F(HistoryColumns, HaveANameOfTheirOwnAUnitAndAFiniteValue) {
+  const Sample& sample = bench.take(1, &coupling);
+  flexible.take(sample);
+  std::set<std::string> names;
+  for (const Column& column : columns) {
+    EXPECT_TRUE(names.insert(column.name).second) << column.name << " stands twice";
+    EXPECT_EQ(column.name.find_first_of("<>, "), std::string::npos) << column.name;
+    EXPECT_FALSE(column.unit.empty()) << column.name;
+    EXPECT_TRUE(std::isfinite(column.value(sample))) << column.name;
+  }
+}
+
+TEST_F(HistoryColumns, OfASceneWithEverythingAreTheWholeRegistry) {
+  std::map<std::string, std::string> registry, seen;
+  for (const ColumnPattern& entry : column_patterns()) {
+    EXPECT_EQ(registry.count(entry.pattern), 0u) << entry.pattern << " stands twice";
+    registry[entry.pattern] = entry.unit;
+  }
+  for (const Column& column : columns) seen[column.pattern] = column.unit;
+  EXPECT_EQ(registry, seen);
+}
+
+TEST_F(HistoryColumns, AreThoseOfThePageForUsers) {
+  const auto page = documented();
+  std::set<std::string> registry;
+  for (const ColumnPattern& entry : column_patterns()) {
+    registry.insert(entry.pattern);
+    const auto line = page.find(entry.pattern);
+    if (line == page.end()) {
+      ADD_FAILURE() << "docs/history.md has no line for " << entry.pattern << " [" << entry.unit << "]";
+      continue;
+    }
+    EXPECT_EQ(line->second.first, entry.unit) << entry.pattern << ": unit in docs/history.md";
+    EXPECT_GT(line->second.second.size(), 5u) << entry.pattern << ": meaning in docs/history.md";
+  }
+  for (const auto& line : page)
+    EXPECT_EQ(registry.count(line.first), 1u) << "docs/history.md tells of " << line.first << ", which is no column";
+}
+
+TEST_F(HistoryColumns, EveryKindOfDissipationIsToldToUsers) {
+  const std::string meaning = documented()["dissipated.<kind>"].second;
+  for (int kind = 0; kind < kDissipationCount; ++kind) {
+    const std::string name(dissipation_name(static_cast<Dissipation>(kind)));
+    EXPECT_NE(meaning.find("`" + name + "`"), std::string::npos) << name;
+  }
+}
+
+TEST_F(HistoryColumns, WithoutGrainsNoneSpeaksOfTheCoupling) {
+  for (const Column& column : history_columns(bench.subject(), flexible))
+    EXPECT_NE(column.name.rfind("coupling.", 0), 0u) << column.name;
+}
+
+TEST_F(HistoryColumns, OfFixedWindowsHaveNoEstimate) {
+  agreement.substeps = 5;
+  const Subject subject{bench.scene, bench.mechanism, bench.equations.layout(), &agreement};
+  for (const Column& column : history_columns(subject, flexible)) EXPECT_NE(column.name, "coupling.estimate");
+}
+
+TEST_F(HistoryColumns, ShowTheCouplingsSample) {
+  EXPECT_EQ(value("coupling.substeps"), 7.0);
+  EXPECT_EQ(value("coupling.estimate"), 0.01);
+  EXPECT_EQ(value("coupling.energy_residual"), -0.5);
+  EXPECT_EQ(value("coupling.omega_h.leg"), 0.3);
+}
+
+TEST_F(HistoryColumns, ShowPositionVelocityAndFreeFall) {
+  const double tolerance = 1e-10;  // of the linear solve behind the accelerations
+  EXPECT_DOUBLE_EQ(value("cabin.x"), 0.0);
+  EXPECT_DOUBLE_EQ(value("cabin.z"), 1.2);
+  EXPECT_DOUBLE_EQ(value("cabin.vx"), 0.1);
+  EXPECT_DOUBLE_EQ(value("cabin.vy"), 0.2);
+  EXPECT_DOUBLE_EQ(value("cabin.vz"), -1.0);
+  EXPECT_NEAR(value("cabin.az"), -1.62, tolerance);
+  EXPECT_NEAR(value("leg.az"), -1.62, tolerance);
+}
+
+TEST_F(HistoryColumns, ShowTheVoltagesOfTheWindow) {
+  bench.inputs.voltages(0) = 0.625;
+  EXPECT_EQ(value("brain.U1"), 0.625);
+}
+
+// Turned by yaw, pitch and roll, in this order about moving axes.
+TEST_F(HistoryColumns, ShowTheAttitudeAsRollPitchYaw) {
+  const double roll = 0.3, pitch = -0.7, yaw = 2.1;
+  const Eigen::Quaterniond L = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
+                               Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+                               Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
+  bench.state.q.segment<4>(3) << L.w(), L.x(), L.y(), L.z();
+  const double round_off = 1e-14;
+  EXPECT_NEAR(value("cabin.roll"), roll, round_off);
+  EXPECT_NEAR(value("cabin.pitch"), pitch, round_off);
+  EXPECT_NEAR(value("cabin.yaw"), yaw, round_off);
+}
+
+// The strut's rate is the derivative of its stroke; its force is that of its laws.
+TEST_F(HistoryColumns, ShowTheStrutsStrokeRateAndForce) {
+  bench.inputs.voltages(0) = 0.5;
+  bench.state.v(2) = -1.5;  // the cabin sinks onto the leg at 0.5 m/s
+  const double before = value("damper.stroke"), rate = value("damper.rate");
+  const double h = 1e-6;  // [s]
+  bench.state.q(2) += -1.5 * h;
+  const int leg = bench.equations.layout().body_q[1];
+  bench.state.q(leg + 2) += -1.0 * h;
+  const double difference = 1e-9;  // round-off of positions of 1 m over h, and the curvature of the way
+  EXPECT_NEAR(rate, 0.5, difference);
+  EXPECT_NEAR((value("damper.stroke") - before) / h, rate, 1e3 * difference);
+  // U F_y tanh(v / v_s) + c v = 10 N + 8 N s/m 0.5 m/s, tanh(25) = 1
+  EXPECT_NEAR(value("damper.force"), 14.0, 1e-8);
+}
+
+TEST_F(HistoryColumns, TotalEnergyIsTheSumOfItsParts) {
+  double sum = 0.0;
+  for (const char* part : {"kinetic", "gravity", "strain", "gas", "contact"})
+    sum += value(std::string("energy.") + part);
+  EXPECT_DOUBLE_EQ(value("energy.total"), sum);
+  EXPECT_GT(value("energy.kinetic"), 0.5 * 10.0);  // of the cabin alone at 1 m/s
+}
+
+// A leg pushed into the plane is pushed out.
+TEST_F(HistoryColumns, ShowTheForceOfThePlane) {
+  EXPECT_EQ(value("leg.contact.fz"), 0.0);
+  const int leg = bench.equations.layout().body_q[1];
+  bench.state.q(leg + 2) -= 0.101;
+  EXPECT_GT(value("leg.contact.fz"), 1.0);
+  EXPECT_EQ(value("leg.contact.fz"), bench.take().contact[1].F_W.z());
+}
+
+TEST(Observation, RowHoldsAValueForEveryNameAndUnit) {
+  Bench bench(kSmallMachine);
+  Observation observation(bench.subject());
+  const std::vector<double>& row = observation.row(bench.take());
+  EXPECT_EQ(row.size(), observation.names().size());
+  EXPECT_EQ(row.size(), observation.units().size());
+  EXPECT_EQ(observation.names().front(), "time");
+  EXPECT_EQ(row.front(), 0.0);
+}
+
+TEST(Observation, LeavesOutBodiesThatTheSceneDoesNotRecord) {
+  Bench bench(kSmallMachine, {"output.bodies=[\"leg\"]"});
+  for (const std::string& name : Observation(bench.subject()).names()) EXPECT_NE(name.rfind("cabin.", 0), 0u) << name;
+}
+
+}  // namespace
+}  // namespace footfall

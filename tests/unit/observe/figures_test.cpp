@@ -1,0 +1,98 @@
+// Peaks of a run for its summary, from samples made by hand.
+
+#include "mbd_solver/observe/figures.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/observe/small_machine.h"
+
+namespace footfall {
+namespace {
+
+using test::Bench;
+using test::kSmallMachine;
+
+TEST(FigureTaker, ObservesTheHeaviestBody) {
+  Bench bench(kSmallMachine);
+  EXPECT_EQ(FigureTaker(bench.subject()).body_name(), "cabin");
+}
+
+TEST(FigureTaker, KeepsTheDeepestDescentNotTheLast) {
+  Bench bench(kSmallMachine);
+  FigureTaker taker(bench.subject());
+  const double start = bench.state.q(2);
+  for (const double way : {0.0, 0.25, 0.5, 0.125}) {
+    bench.state.q(2) = start - way;
+    taker.take(bench.take());
+  }
+  EXPECT_DOUBLE_EQ(taker.figures().max_descent, 0.5);
+}
+
+// Against gravity, wherever that points.
+TEST(FigureTaker, MeasuresDescentAgainstGravity) {
+  Bench bench(kSmallMachine, {"gravity=[-1.62,0,0]"});
+  FigureTaker taker(bench.subject());
+  taker.take(bench.take());
+  bench.state.q(0) -= 0.5;
+  bench.state.q(2) -= 3.0;
+  taker.take(bench.take());
+  EXPECT_DOUBLE_EQ(taker.figures().max_descent, 0.5);
+}
+
+TEST(FigureTaker, PenetrationIsOfTheLowestNodeBelowTheGround) {
+  Bench bench(kSmallMachine);
+  FigureTaker taker(bench.subject());
+  taker.take(bench.take());
+  EXPECT_LT(taker.figures().max_penetration, 1e-15);  // the leg ends 0.1 m above the plane
+  const int leg = bench.equations.layout().body_q[1];
+  bench.state.q(leg + 2) -= 0.13;
+  taker.take(bench.take());
+  EXPECT_NEAR(taker.figures().max_penetration, 0.03, 1e-14);
+}
+
+TEST(FigureTaker, ReferenceEnergyIsThatOfTheStartOrTheLargestKinetic) {
+  Bench bench(kSmallMachine);
+  FigureTaker taker(bench.subject());
+  const double start = bench.take().energy.stored.kinetic;
+  taker.take(bench.take());
+  EXPECT_DOUBLE_EQ(taker.figures().reference_energy, start);
+  bench.state.v *= 0.5;
+  taker.take(bench.take());
+  EXPECT_DOUBLE_EQ(taker.figures().reference_energy, start);
+  bench.state.v *= 4.0;
+  taker.take(bench.take());
+  EXPECT_NEAR(taker.figures().reference_energy, 4.0 * start, 1e-12 * start);
+}
+
+// Energy that appears from nowhere is told; energy that was dissipated, or came from grains or motions, is not.
+TEST(FigureTaker, WarnsOfEnergyThatDoesNotClose) {
+  Bench bench(kSmallMachine);
+  FigureTaker taker(bench.subject());
+  taker.take(bench.take());
+  const double E = taker.figures().reference_energy;
+  bench.state.v *= 0.5;
+  bench.state.dissipated[Dissipation::kStop] = E;  // of which a quarter is left
+  bench.state.motion_work = 0.25 * E;
+  taker.take(bench.take());
+  EXPECT_LT(taker.figures().energy_balance_relative(), 1e-12);
+  EXPECT_EQ(taker.balance_warning(), "");
+  bench.state.dissipated[Dissipation::kStop] = 0.98 * E;
+  taker.take(bench.take());
+  EXPECT_NEAR(taker.figures().energy_balance_relative(), 0.02, 1e-12);
+  EXPECT_NE(taker.balance_warning().find("does not close"), std::string::npos);
+}
+
+TEST(FigureTaker, KeepsTheLargestForceOnABodyAndTellsThePresentOneOnAll) {
+  Bench bench(kSmallMachine);
+  FigureTaker taker(bench.subject());
+  bench.inputs.loads.resize(2);
+  for (const double force : {40.0, 30.0}) {
+    bench.inputs.loads[0].F_W = Eigen::Vector3d(0, 0, force);
+    taker.take(bench.take());
+  }
+  EXPECT_DOUBLE_EQ(taker.figures().max_contact_force, 40.0);
+  EXPECT_DOUBLE_EQ(taker.figures().contact_force, 30.0);
+}
+
+}  // namespace
+}  // namespace footfall

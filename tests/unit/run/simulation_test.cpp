@@ -1,0 +1,304 @@
+// The loop: windows with and without grains, on one ball whose motion is known.
+
+#include "mbd_solver/run/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "mbd_solver/observe/observation.h"
+#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/run_scene.h"
+#include "tests/unit/coupling/loopback_grains.h"
+#include "tests/unit/scene/scene_text.h"
+
+namespace footfall {
+namespace {
+
+using test::LoopbackGrains;
+
+constexpr double kMass = 2.0, kGravity = 1.5, kEnd = 0.0123;  // [kg], [m/s2], [s]: no multiple of a window
+constexpr double kDt = 1e-4;
+constexpr int kSubsteps = 4;
+const volatile std::sig_atomic_t kNever = 0;
+
+const std::string kBall = R"(end_time = 0.0123
+gravity = [0, 0, -1.5]
+[[bodies]]
+name = "ball"
+mass = 2.0
+inertia = [0.1, 0.1, 0.1]
+position = [0, 0, 3]
+[initial]
+velocity = [0.5, 0, -1.0]
+[output]
+interval = 1e-3
+)";
+const std::string kOnGrains = kBall + R"(
+[[boundaries]]
+body = "ball"
+[boundaries.beams]
+points = [[-0.1, 0, 3], [0.1, 0, 3]]
+radius = 0.05
+[ground]
+kind = "particles"
+[particles]
+script = "in.grains"
+)";
+
+// A scene on grains, its folder with a script that LIGGGHTS never reads.
+struct GrainScene {
+  explicit GrainScene(const std::vector<std::string>& settings = {})
+      : script(folder.write("in.grains", "timestep 1e-4\nfix mbd all couple/mbd every 4 mesh m ball\n")),
+        scene(folder.read(kOnGrains, settings)) {}
+  SceneText folder;
+  std::string script;
+  Scene scene;
+};
+
+Start start(int substeps = kSubsteps) {
+  Start start;
+  start.dt = kDt;
+  start.n = substeps;
+  start.bodies = {"ball"};
+  return start;
+}
+
+LoopbackGrains::Answer pushes(const Eigen::Vector3d& F) {
+  return [F](const Motion&, Load& load) { load.bodies[0].mean.F_W = F; };
+}
+
+// What one sees of a sample of the ball.
+struct Row {
+  double time, x, z, vx, vz;
+  long window;
+  bool last;
+};
+Row row_of(const Sample& s) {
+  const BodyKinematics& ball = s.kinematics.of(0);
+  return {s.state.time, ball.r.x(), ball.r.z(), ball.dr.x(), ball.dr.z(), s.window, s.last};
+}
+std::vector<Row> rows_of(Simulation& simulation) {
+  std::vector<Row> rows;
+  simulation.run([&rows](const Sample& s) { rows.push_back(row_of(s)); }, kNever);
+  return rows;
+}
+
+constexpr double kRoundOff = 1e-12;  // constant forces: the one-step method is exact
+
+TEST(Simulation, OfAFreeBodyIsTheParabola) {
+  const Scene scene = SceneText().read(kBall);
+  Simulation simulation(scene, scene.end_time, nullptr);
+  for (const Row& row : rows_of(simulation)) {
+    EXPECT_NEAR(row.x, 0.5 * row.time, kRoundOff);
+    EXPECT_NEAR(row.z, 3.0 - row.time - 0.5 * kGravity * row.time * row.time, kRoundOff);
+    EXPECT_NEAR(row.vz, -1.0 - kGravity * row.time, kRoundOff);
+  }
+  EXPECT_TRUE(simulation.finished());
+}
+
+TEST(Simulation, ObservesTheStartEveryRowAndTheEndOnce) {
+  const Scene scene = SceneText().read(kBall);
+  Simulation simulation(scene, scene.end_time, nullptr);
+  const std::vector<Row> rows = rows_of(simulation);
+  ASSERT_EQ(rows.size(), 14u);  // 0, 1, ... 12 ms, and 12.3 ms
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    EXPECT_EQ(rows[k].window, static_cast<long>(k));
+    EXPECT_EQ(rows[k].last, k + 1 == rows.size());
+    EXPECT_NEAR(rows[k].time, std::min(1e-3 * static_cast<double>(k), kEnd), kRoundOff);
+  }
+  EXPECT_EQ(rows.back().time, kEnd);
+}
+
+TEST(Simulation, StopsForTheSamplesOfControllers) {
+  const std::string controller = R"(
+[[controllers]]
+name = "hold"
+kind = "pid"
+body = "ball"
+outputs = ["U1"]
+period_ms = 0.4
+)";
+  const Scene scene = SceneText().read(kBall + controller);
+  Simulation simulation(scene, 2e-3, nullptr);
+  std::vector<double> times;
+  for (const Row& row : rows_of(simulation)) times.push_back(row.time);
+  const std::vector<double> expected = {0.0, 0.4e-3, 0.8e-3, 1.0e-3, 1.2e-3, 1.6e-3, 2.0e-3};
+  ASSERT_EQ(times.size(), expected.size());
+  for (std::size_t k = 0; k < times.size(); ++k) EXPECT_NEAR(times[k], expected[k], kRoundOff);
+}
+
+TEST(Simulation, ThatIsInterruptedEndsWithItsWindow) {
+  const Scene scene = SceneText().read(kBall);
+  Simulation simulation(scene, scene.end_time, nullptr);
+  volatile std::sig_atomic_t interrupted = 0;
+  long windows = 0;
+  simulation.run(
+      [&](const Sample& sample) {
+        windows = sample.window;
+        if (sample.window == 3) interrupted = 1;
+      },
+      interrupted);
+  EXPECT_EQ(windows, 3);
+  EXPECT_FALSE(simulation.finished());
+}
+
+// Nothing of the coupling: not constructed, not sent, not sampled, not written.
+TEST(Simulation, WithoutGrainsMakesNothingOfTheCoupling) {
+  const Scene scene = SceneText().read(kBall);
+  Simulation simulation(scene, scene.end_time, nullptr);
+  EXPECT_EQ(simulation.coupled(), nullptr);
+  EXPECT_EQ(simulation.subject().agreement, nullptr);
+  simulation.run(
+      [](const Sample& sample) {
+        EXPECT_EQ(sample.coupling, nullptr);
+        EXPECT_TRUE(sample.inputs.loads.empty());
+      },
+      kNever);
+  for (const std::string& name : Observation(simulation.subject()).names())
+    EXPECT_NE(name.rfind("coupling.", 0), 0u) << name;
+}
+
+TEST(Simulation, WithGrainsGainsTheImpulseThatTheyGive) {
+  const GrainScene on;
+  const Eigen::Vector3d F(3.0, 0.0, 20.0);  // [N]
+  LoopbackGrains grains(start(), pushes(F));
+  Simulation simulation(on.scene, on.scene.end_time, &grains.transport());
+  const std::vector<Row> rows = rows_of(simulation);
+  EXPECT_EQ(grains.join(), "");
+  const Row& end = rows.back();
+  EXPECT_EQ(end.time, kEnd);
+  EXPECT_NEAR(kMass * (end.vx - 0.5), F.x() * kEnd, kRoundOff);
+  EXPECT_NEAR(kMass * (end.vz + 1.0), (F.z() - kMass * kGravity) * kEnd, kRoundOff);
+}
+
+// A constant load is a change of gravity: two routes to one motion.
+TEST(Simulation, WithGrainsThatPushForEverFallsAsInOtherGravity) {
+  const GrainScene on;
+  LoopbackGrains grains(start(), pushes({0.0, 0.0, 1.0}));
+  Simulation pushed(on.scene, on.scene.end_time, &grains.transport());
+  const Row end = rows_of(pushed).back();
+  const Scene other = SceneText().read(kBall, {"gravity=[0,0,-1.0]"});
+  Simulation free(other, other.end_time, nullptr);
+  const Row expected = rows_of(free).back();
+  EXPECT_NEAR(end.z, expected.z, kRoundOff);
+  EXPECT_NEAR(end.vz, expected.vz, kRoundOff);
+}
+
+TEST(Simulation, SendsTheMotionOfEveryWindowsStart) {
+  const GrainScene on;
+  LoopbackGrains grains(start(), pushes({0.0, 0.0, 5.0}));
+  Simulation simulation(on.scene, on.scene.end_time, &grains.transport());
+  const std::vector<Row> rows = rows_of(simulation);
+  EXPECT_EQ(grains.join(), "");
+  const std::vector<Motion>& sent = grains.motions();
+  ASSERT_EQ(sent.size() + 1, rows.size());
+  for (std::size_t k = 0; k < sent.size(); ++k) {
+    EXPECT_EQ(sent[k].window, static_cast<std::int64_t>(k));
+    EXPECT_EQ(sent[k].time, rows[k].time);
+    EXPECT_EQ(sent[k].bodies[0].r.z(), rows[k].z);
+    EXPECT_EQ(sent[k].bodies[0].dr.z(), rows[k].vz);
+    const bool last = k + 1 == sent.size();
+    EXPECT_EQ(sent[k].last_window, last);
+    EXPECT_EQ(sent[k].n, last ? 3 : kSubsteps);  // 123 substeps
+  }
+}
+
+TEST(Simulation, SamplesWhatTheCouplingTells) {
+  const GrainScene on;
+  LoopbackGrains grains(start(), [](const Motion& motion, Load& load) {
+    load.bodies[0].contact_stiffness = 800.0;  // [N/m]: omega = 20 rad/s
+    load.bodies[0].mean.work = 0.01 * static_cast<double>(motion.window == 0);
+  });
+  Simulation simulation(on.scene, 8e-4, &grains.transport());
+  simulation.run(
+      [](const Sample& sample) {
+        ASSERT_NE(sample.coupling, nullptr);
+        EXPECT_EQ(sample.coupling->substeps, sample.window > 0 ? kSubsteps : 0);
+        ASSERT_EQ(sample.coupling->omega_h.size(), 1u);
+        EXPECT_NEAR(sample.coupling->omega_h[0], sample.window > 0 ? 20.0 * kSubsteps * kDt : 0.0, kRoundOff);
+        EXPECT_NEAR(sample.coupling->energy_residual, sample.window > 0 ? 0.01 : 0.0, kRoundOff);
+      },
+      kNever);
+  EXPECT_EQ(simulation.coupled()->load().particles, 1000);
+}
+
+TEST(Simulation, WithEveryAutoFliesInLongWindows) {
+  const GrainScene on({"particles.surface_height=0", "coupling.max_substeps=50"});
+  LoopbackGrains grains(start(0), pushes({0.0, 0.0, 0.0}));
+  Simulation simulation(on.scene, 0.01, &grains.transport());
+  rows_of(simulation);
+  EXPECT_EQ(grains.join(), "");
+  EXPECT_EQ(grains.accept().n_max, 50);
+  ASSERT_EQ(grains.motions().size(), 2u);  // 100 substeps
+  EXPECT_EQ(grains.motions()[0].n, 50);
+}
+
+TEST(Simulation, RefusesALoadThatIsNotFinite) {
+  const GrainScene on;
+  LoopbackGrains grains(start(), [](const Motion& motion, Load& load) {
+    if (motion.window == 2) load.bodies[0].mean.F_W.z() = std::numeric_limits<double>::quiet_NaN();
+  });
+  Simulation simulation(on.scene, on.scene.end_time, &grains.transport());
+  try {
+    rows_of(simulation);
+    FAIL() << "no refusal";
+  } catch (const NumericalError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("t = 0.0008"), std::string::npos) << text;
+    EXPECT_NE(text.find("body ball"), std::string::npos) << text;
+  }
+}
+
+TEST(Simulation, TwiceIsTheSameToTheBit) {
+  std::vector<Row> runs[2];
+  for (std::vector<Row>& rows : runs) {
+    const GrainScene on;
+    LoopbackGrains grains(start(), [](const Motion& motion, Load& load) {
+      load.bodies[0].mean.F_W.z() = 1e3 * (3.0 - motion.bodies[0].r.z());
+    });
+    Simulation simulation(on.scene, on.scene.end_time, &grains.transport());
+    rows = rows_of(simulation);
+  }
+  ASSERT_EQ(runs[0].size(), runs[1].size());
+  for (std::size_t k = 0; k < runs[0].size(); ++k) {
+    EXPECT_EQ(runs[0][k].z, runs[1][k].z);
+    EXPECT_EQ(runs[0][k].vz, runs[1][k].vz);
+  }
+}
+
+TEST(RunScene, WithoutGrainsWritesNothingOfTheCoupling) {
+  const SceneText folder;
+  const Scene scene = folder.read(kBall);
+  RunOptions options;
+  options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();
+  options.quiet = true;
+  EXPECT_EQ(run_scene(scene, options, nullptr, kNever), kExitDone);
+  EXPECT_FALSE(std::filesystem::exists(options.out + "/motion"));
+  const nlohmann::ordered_json summary = read_summary(options.out + "/summary.json");
+  EXPECT_EQ(summary["active"], nlohmann::ordered_json({"bodies"}));
+  for (const auto& [key, value] : summary.items())
+    for (const char* part : {"coupling", "dt_dem", "substeps", "particles", "omega"})
+      EXPECT_EQ(key.find(part), std::string::npos) << key;
+}
+
+TEST(RunScene, OnGrainsTellsOfBothSides) {
+  const GrainScene on;
+  LoopbackGrains grains(start(), pushes({0.0, 0.0, 5.0}));
+  RunOptions options;
+  options.out = (std::filesystem::path(on.scene.file).parent_path() / "out").string();
+  options.quiet = true;
+  EXPECT_EQ(run_scene(on.scene, options, &grains.transport(), kNever), kExitDone);
+  EXPECT_EQ(grains.join(), "");
+  const nlohmann::ordered_json summary = read_summary(options.out + "/summary.json");
+  EXPECT_EQ(summary["status"], "done");
+  EXPECT_EQ(summary["particles"], 1000);
+  EXPECT_EQ(summary["substeps_per_window"], kSubsteps);
+  EXPECT_EQ(summary["windows"], 31);
+  EXPECT_EQ(summary["active"], nlohmann::ordered_json({"bodies", "particles"}));
+}
+
+}  // namespace
+}  // namespace footfall
