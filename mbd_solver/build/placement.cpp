@@ -7,6 +7,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/model/up_direction.h"
 
 namespace footfall {
 namespace {
@@ -44,12 +45,6 @@ std::vector<Sphere> read_grains(const std::string& path) {
   return grains;
 }
 
-// Up along -gravity; z without gravity.
-Eigen::Vector3d up_direction(const Scene& scene) {
-  return scene.gravity.norm() > 0.0 ? Eigen::Vector3d(-scene.gravity.normalized())
-                                    : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
-}
-
 // Height of the highest grain (its top) whose footprint overlaps the circle around one boundary, along `up`.
 double highest_under(const std::vector<Sphere>& grains, const Eigen::Vector3d& up, const Eigen::Vector3d& centre,
                      double reach) {
@@ -83,7 +78,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
   centre /= mass;
   placement.p_WD = centre - placement.R_WD * centre + initial.position;
 
-  const Eigen::Vector3d up = up_direction(scene);
+  const Eigen::Vector3d up = up_direction(scene.gravity);
   const bool plane = scene.ground.kind == GroundKind::kPlane;
   std::vector<Sphere> grains;
   const bool particles = scene.touches_particles();

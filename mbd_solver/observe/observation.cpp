@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/model/elements/strut.h"
+#include "mbd_solver/model/up_direction.h"
 
 namespace footfall {
 namespace {
@@ -20,10 +21,6 @@ void push(const Eigen::Vector3d& x, std::vector<double>& row) { row.insert(row.e
 // Roll, pitch, yaw of A = Rz(yaw) Ry(pitch) Rx(roll) [rad].
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& A) {
   return {std::atan2(A(2, 1), A(2, 2)), -std::asin(std::clamp(A(2, 0), -1.0, 1.0)), std::atan2(A(1, 0), A(0, 0))};
-}
-
-Eigen::Vector3d up_direction(const Eigen::Vector3d& gravity) {
-  return gravity.norm() > 0.0 ? Eigen::Vector3d(-gravity.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
 }
 
 }  // namespace
@@ -160,13 +157,10 @@ const std::string& FigureTaker::body_name() const { return simulation_.mechanism
 
 std::string FigureTaker::balance_warning() const {
   if (figures_.energy_balance_relative() <= kGoodBalance) return "";
-  std::ostringstream text;
-  text.precision(3);
-  text << "the energy of the mechanism does not close by " << figures_.energy_balance << " J, "
-       << 100.0 * figures_.energy_balance_relative()
-       << " % of the reference energy: its integration is not accurate; make solver.rtol and solver.atol, or "
-          "solver.max_step, smaller";
-  return text.str();
+  return "the energy of the mechanism does not close by " + number_text(figures_.energy_balance, 3) + " J, " +
+         number_text(100.0 * figures_.energy_balance_relative(), 3) +
+         " % of the reference energy: its integration is not accurate; make solver.rtol and solver.atol, or "
+         "solver.max_step, smaller";
 }
 
 double FigureTaker::lowest_boundary_point(const Sample& sample) {

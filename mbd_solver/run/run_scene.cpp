@@ -7,12 +7,14 @@
 #include <optional>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/output/history.h"
-#include "mbd_solver/output/summary.h"
-#include "mbd_solver/run/checkpoint.h"
+#include "coupler/base/folder.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/observe/drawing.h"
 #include "mbd_solver/observe/motion_record.h"
 #include "mbd_solver/observe/observation.h"
+#include "mbd_solver/output/history.h"
+#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/scene/scene_json.h"
 
@@ -60,7 +62,7 @@ Json summary_of(const Simulation& simulation, const FigureTaker& taker, const Fl
   for (int k = 0; k < flexible.count(); ++k) {
     Json& body = json["flexible_bodies"][flexible.body(k).name()];
     body["modes"] = flexible.body(k).mode_count();
-    body["lowest_frequency_Hz"] = std::sqrt(flexible.body(k).modal()->stiffness.minCoeff()) / (2.0 * EIGEN_PI);
+    body["lowest_frequency_Hz"] = std::sqrt(flexible.body(k).modal()->stiffness.minCoeff()) / (2.0 * kPi);
     body["max_strain_energy_J"] = flexible.peak(k).strain_energy;
     body["max_deflection_m"] = flexible.peak(k).deflection;
     body["max_von_mises_Pa"] = flexible.peak(k).von_mises;
@@ -114,12 +116,6 @@ bool due(double time, double interval, double& next) {
   if (time < next - 1e-9 * interval) return false;
   next = (std::floor(time / interval + 1e-9) + 1.0) * interval;
   return true;
-}
-
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder + ": cannot be made: " + error.message() + "; choose another folder with --out");
 }
 
 }  // namespace

@@ -1,24 +1,19 @@
 #include "mbd_solver/run/simulation.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
+#include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/scheme.h"
-#include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/coupling/fast_modes.h"
 #include "mbd_solver/coupling/tangent.h"
+#include "mbd_solver/model/elements/rigid_plane.h"
+#include "mbd_solver/model/up_direction.h"
 
 namespace footfall {
 namespace {
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-Eigen::Vector3d up_direction(const Eigen::Vector3d& gravity) {
-  return gravity.norm() > 0.0 ? Eigen::Vector3d(-gravity.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
-}
 
 Baumgarte baumgarte(const SolverSpec& spec) {
   if (spec.drift == DriftKind::kProjection) return {};
@@ -297,12 +292,12 @@ void Simulation::check_finite() const {
 }
 
 void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted) {
-  const double started = now();
+  const double started = wall_clock();
   const auto report = [&] {
     update_contact();
     equations_->pack(state_, rates_.tail(equations_->layout().row_count), y_);
     equations_->energy(state_.time, y_, inputs_, energy_);
-    times_.total = now() - started;
+    times_.total = wall_clock() - started;
     if (partner_) times_.waiting = partner_->seconds_waited();
     observe({state_, energy_, rates_, contact_, inputs_, watch_.get(), window_, motion_.n,
              choice_ ? choice_->estimate() : 0.0});
@@ -314,17 +309,17 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
 
   std::vector<double> work_received(motion_.bodies.size());
   while (!finished() && interrupted == 0) {
-    const double control_started = now();
+    const double control_started = wall_clock();
     if (!control_.empty()) control_.sample_due(state_, *equations_, rates_, inputs_);
-    times_.control += now() - control_started;
+    times_.control += wall_clock() - control_started;
 
     const double t0 = state_.time;
     const Eigen::VectorXd work_before = state_.load_work;
     const double t1 = partner_ ? exchange_window() : next_stop();
-    const double mbd_started = now();
+    const double mbd_started = wall_clock();
     integrator_->advance(state_, t1, inputs_);
     rates_ = integrator_->end_rates();
-    times_.mbd += now() - mbd_started;
+    times_.mbd += wall_clock() - mbd_started;
     check_finite();
     ++window_;
     if (partner_) {
