@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "mbd_solver/fe/mesh_generator.h"
-#include "mbd_solver/model/stress_recovery.h"
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/model/stress_recovery.h"
 
 namespace footfall {
 namespace {

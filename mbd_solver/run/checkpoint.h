@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "mbd_solver/model/state.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/model/state.h"
 
 namespace footfall {
 

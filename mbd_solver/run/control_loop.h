@@ -1,8 +1,8 @@
 #pragma once
 // Sampled control: at its period each controller sees the mechanism and sets voltages, constant until its next sample.
 
-#include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/dynamics/equations.h"
 
 namespace footfall {
 

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/coupling/coupling_watch.h"
+#include "mbd_solver/coupling/dem_partner.h"
+#include "mbd_solver/coupling/predicted_window.h"
+#include "mbd_solver/coupling/window_choice.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/integrator/integrator.h"
 #include "mbd_solver/run/control_loop.h"
-#include "mbd_solver/coupling/coupling_watch.h"
-#include "mbd_solver/coupling/dem_partner.h"
-#include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/coupling/predicted_window.h"
-#include "mbd_solver/coupling/window_choice.h"
 
 namespace footfall {
 

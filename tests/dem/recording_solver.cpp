@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <fstream>
 
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
+#include "coupler/communicator.h"
 #include "coupler/transport_mpi.h"
 #include "mbd_solver/run/simulation.h"
 #include "mbd_solver/scene/scene_reader.h"
