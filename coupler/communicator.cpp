@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 
 namespace footfall {
@@ -43,7 +44,7 @@ void PoliteWait::nap() {
   if (expected_ > kWorthSleeping) {
     expected_ = 0.0;
   } else {
-    const double waited = Seconds(std::chrono::steady_clock::now() - start_).count();
+    const double waited = wall_clock() - start_;
     nap = std::clamp(kShare * waited, kShortest, doorbell_ ? kLongestWithBell : kLongest);
   }
   if (doorbell_)

@@ -4,11 +4,11 @@
 
 #include <mpi.h>
 
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <vector>
 
+#include "coupler/base/clock.h"
 #include "coupler/doorbell.h"
 
 namespace footfall {
@@ -57,13 +57,13 @@ void check_mpi(int code, const char* call);
 class PoliteWait {
  public:
   explicit PoliteWait(const Doorbell* doorbell, double expected_seconds = 0.0)
-      : doorbell_(doorbell), expected_(expected_seconds), start_(std::chrono::steady_clock::now()) {}
+      : doorbell_(doorbell), expected_(expected_seconds), start_(wall_clock()) {}
   void nap();
 
  private:
   const Doorbell* doorbell_;  // may be null
   double expected_;           // [s]
-  std::chrono::steady_clock::time_point start_;
+  double start_;              // [s]
 };
 void wait_politely(MPI_Request& request, const Doorbell* doorbell);
 

@@ -1,23 +1,19 @@
 #include "coupler/link.h"
 
-#include <chrono>
+#include "coupler/base/clock.h"
 
 namespace footfall {
 namespace {
 
 constexpr double kMoment = 2.0;  // how long a failing side waits for the partner's answer [s]
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 void Link::receive_bytes(MessageKind expected, double patience) {
   FOOTFALL_DEMAND(!closed_);
-  const auto start = std::chrono::steady_clock::now();
+  const double start = wall_clock();
   const MessageKind kind = transport_.receive(in_, patience);
-  seconds_waited_ += seconds_since(start);
+  seconds_waited_ += wall_clock() - start;
   if (kind == expected) return;
   if (kind == MessageKind::kClose) {
     const std::string reason = take_close();
@@ -47,9 +43,9 @@ void Link::close() {
   FOOTFALL_DEMAND(!closed_);
   send(Close{});
   closed_ = true;
-  const auto start = std::chrono::steady_clock::now();
+  const double start = wall_clock();
   const MessageKind kind = transport_.receive(in_, patience_);
-  seconds_waited_ += seconds_since(start);
+  seconds_waited_ += wall_clock() - start;
   if (kind != MessageKind::kClose)
     throw ProtocolError(partner() + " sent " + message_name(kind) + " after the last window; Close was expected");
   Close answer;
@@ -64,8 +60,8 @@ bool Link::fail(const std::string& reason, Status status) noexcept {
   closed_ = true;
   try {
     send(Close{status, reason});
-    const auto start = std::chrono::steady_clock::now();
-    for (double left = kMoment; left > 0.0; left = kMoment - seconds_since(start))
+    const double start = wall_clock();
+    for (double left = kMoment; left > 0.0; left = start + kMoment - wall_clock())
       if (transport_.receive(in_, left) == MessageKind::kClose) return true;
   } catch (const std::exception&) {  // the partner is gone: there is nobody left to tell
   }

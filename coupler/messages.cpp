@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "coupler/base/byte_stream.h"
+#include "coupler/byte_stream.h"
 
 namespace footfall {
 namespace {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 
 namespace footfall {
@@ -86,18 +87,18 @@ void TransportMpi::wake_own_ranks() const {
 }
 
 MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
-  const double start = MPI_Wtime();
+  const double start = wall_clock();
   PoliteWait wait(doorbell_, expected_wait_);
   MPI_Status status;
   for (;;) {
     int waiting = 0;
     check_mpi(MPI_Iprobe(partner_root_, MPI_ANY_TAG, exchange_, &waiting, &status), "MPI_Iprobe");
     if (waiting) break;
-    if (patience > 0.0 && MPI_Wtime() - start > patience)
+    if (patience > 0.0 && wall_clock() - start > patience)
       throw PartnerError(partner_ + " has said nothing for " + std::to_string(patience) + " s");
     wait.nap();
   }
-  const double waited = MPI_Wtime() - start;
+  const double waited = wall_clock() - start;
   constexpr double kLongestSleep = 1.0;  // a Close must not wait longer to be heard [s]
   expected_wait_ = status.MPI_TAG == last_kind_ ? std::min({waited, last_wait_, kLongestSleep}) : 0.0;
   last_wait_ = waited;
@@ -112,13 +113,13 @@ MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
 
 // True once the last send has left. patience [s]: 0 waits for ever.
 bool TransportMpi::finish_last_send(double patience) {
-  const double start = MPI_Wtime();
+  const double start = wall_clock();
   PoliteWait wait(doorbell_);
   for (;;) {
     int done = 0;
     check_mpi(MPI_Test(&request_, &done, MPI_STATUS_IGNORE), "MPI_Test");
     if (done) return true;
-    if (patience > 0.0 && MPI_Wtime() - start > patience) return false;
+    if (patience > 0.0 && wall_clock() - start > patience) return false;
     wait.nap();
   }
 }

@@ -1,42 +1,18 @@
 #include "liggghts_fix/dem_link.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <sstream>
 
+#include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/nearest_name.h"
+#include "coupler/base/text.h"
 #include "liggghts_fix/stay_on_core.h"
 
 namespace footfall {
 namespace {
 
-double wall_clock() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-std::string number(double value) {
-  std::ostringstream out;
-  out.precision(10);
-  out << value;
-  return out.str();
-}
-
-// Edits that make one word the other.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replace = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replace});
-    }
-  }
-  return row[b.size()];
-}
+std::string number(double value) { return number_text(value, 10); }
 
 }  // namespace
 
@@ -62,20 +38,15 @@ void DemLink::set_patience(double seconds) {
 
 const CoupledBody& DemLink::scene_body(const std::string& name, const std::string& unit_style) {
   greet(unit_style);
-  std::string known, guess;
-  std::size_t nearest = 1 + name.size() / 2;  // a guess shares more than half of the name
+  std::vector<std::string> known;
   for (const CoupledBody& body : geometry_.bodies) {
-    const std::string& candidate = body.boundary.name();
-    if (candidate == name) return body;
-    known += (known.empty() ? "" : ", ") + candidate;
-    const std::size_t distance = edit_distance(candidate, name);
-    if (distance < nearest) {
-      nearest = distance;
-      guess = candidate;
-    }
+    if (body.boundary.name() == name) return body;
+    known.push_back(body.boundary.name());
   }
-  throw InputError("couple/mbd: the scene has no body \"" + name + "\" that grains may touch. Known bodies: " +
-                   (known.empty() ? "none" : known) + "." + (guess.empty() ? "" : " Did you mean \"" + guess + "\"?"));
+  const std::string guess = nearest_name(name, known);
+  throw InputError("couple/mbd: the scene has no body \"" + name +
+                   "\" that grains may touch. Known bodies: " + (known.empty() ? "none" : joined(known)) + "." +
+                   (guess.empty() ? "" : " Did you mean \"" + guess + "\"?"));
 }
 
 int DemLink::couple(const std::string& name, const std::string& unit_style) {

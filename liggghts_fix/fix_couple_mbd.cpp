@@ -8,8 +8,9 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
+#include "coupler/communicator.h"
 #include "domain.h"
 #include "fix_mesh_surface.h"
 #include "fix_property_global.h"
@@ -23,6 +24,7 @@ namespace LAMMPS_NS {
 namespace {
 
 using footfall::InputError;
+using footfall::kPi;
 
 constexpr const char* kModule = "footfall_mbd";
 constexpr const char* kUsage = "fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]";
@@ -227,7 +229,7 @@ std::vector<WallContact> FixCoupleMbd::wall_contacts(int wall_type) const {
     if (friction != nullptr) contact.friction = friction->compute_array(type - 1, wall_type - 1);
     if (restitution == nullptr) continue;
     const double log_e = std::log(restitution->compute_array(type - 1, wall_type - 1));
-    contact.damping = -2.0 * std::sqrt(5.0 / 6.0) * log_e / std::sqrt(log_e * log_e + M_PI * M_PI);
+    contact.damping = -2.0 * std::sqrt(5.0 / 6.0) * log_e / std::sqrt(log_e * log_e + kPi * kPi);
   }
   return result;
 }

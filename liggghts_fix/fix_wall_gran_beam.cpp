@@ -10,8 +10,8 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
+#include "coupler/communicator.h"
 #include "domain.h"
 #include "fix_property_atom.h"
 #include "lammps.h"

@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <memory>
 
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
+#include "coupler/communicator.h"
 #include "coupler/link.h"
 #include "coupler/transport_mpi.h"
 #include "mbd_solver/cli/positive.h"

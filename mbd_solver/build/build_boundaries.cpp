@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/marker.h"
 #include "mbd_solver/model/rotation.h"
-#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/scene/boundary_surface.h"
 
 namespace footfall {

@@ -1,11 +1,11 @@
 // Controllers of the scene and the struts they drive.
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/controllers/constant_controller.h"
 #include "mbd_solver/model/controllers/fuzzy_controller.h"
 #include "mbd_solver/model/controllers/pid_controller.h"
 #include "mbd_solver/model/controllers/skyhook_controller.h"
-#include "mbd_solver/build/mechanism.h"
 
 namespace footfall {
 namespace {

@@ -7,13 +7,14 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
+#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/fe/mesh_check.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/fe/modal_body_file.h"
 #include "mbd_solver/fe/node_lookup.h"
 #include "mbd_solver/model/rotation.h"
-#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/scene/mesh_reader.h"
 
 namespace footfall {
@@ -104,7 +105,7 @@ FeModel frame(const FlexibleSpec& spec, const Material& material) {
     if (s.diameter > 0.0) {
       sections.push_back(s.wall > 0.0 ? tube_section(s.diameter, s.wall) : rod_section(s.diameter));
     } else {
-      sections.push_back(general_section(s.area, s.bending_y, s.bending_z, s.torsion, std::sqrt(s.area / M_PI)));
+      sections.push_back(general_section(s.area, s.bending_y, s.bending_z, s.torsion, std::sqrt(s.area / kPi)));
     }
   }
   std::vector<Eigen::Vector3d> nodes = spec.nodes;

@@ -3,18 +3,19 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
+#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/elements/bushing.h"
+#include "mbd_solver/model/elements/rigid_plane.h"
+#include "mbd_solver/model/elements/strut.h"
+#include "mbd_solver/model/elements/torsional_spring.h"
 #include "mbd_solver/model/laws/end_stop.h"
 #include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/honeycomb.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "mbd_solver/model/laws/mr_geometry.h"
 #include "mbd_solver/model/laws/table_law.h"
-#include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/rotation.h"
-#include "mbd_solver/model/elements/strut.h"
-#include "mbd_solver/model/elements/torsional_spring.h"
-#include "mbd_solver/build/mechanism.h"
 
 namespace footfall {
 namespace {
@@ -76,7 +77,7 @@ std::vector<std::unique_ptr<StrutLaw>> laws_of(const StrutSpec& spec, double len
     // A gas strut rests on its extended end under the preload: the stop yields by its penetration there, so it sits
     // that much higher.
     if (spec.gas && p.smallest_stroke) {
-      const double area = 0.25 * M_PI * spec.gas->piston_diameter * spec.gas->piston_diameter;
+      const double area = 0.25 * kPi * spec.gas->piston_diameter * spec.gas->piston_diameter;
       p.smallest_stroke = *p.smallest_stroke + EndStop(p).penetration(spec.gas->pressure * area);
     }
     laws.push_back(std::make_unique<EndStop>(p));

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/build/up_direction.h"
+#include "mbd_solver/model/up_direction.h"
 
 namespace footfall {
 namespace {

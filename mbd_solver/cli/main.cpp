@@ -7,17 +7,17 @@
 #include <functional>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/experiments/accuracy_command.h"
-#include "mbd_solver/cli/launch/check_command.h"
-#include "mbd_solver/cli/launch/child.h"
 #include "mbd_solver/cli/analysis/compare_command.h"
 #include "mbd_solver/cli/analysis/pictures_command.h"
-#include "mbd_solver/cli/positive.h"
-#include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/analysis/report_command.h"
-#include "mbd_solver/cli/launch/run_command.h"
 #include "mbd_solver/cli/analysis/surfaces_command.h"
+#include "mbd_solver/cli/experiments/accuracy_command.h"
 #include "mbd_solver/cli/experiments/sweep_command.h"
+#include "mbd_solver/cli/launch/check_command.h"
+#include "mbd_solver/cli/launch/child.h"
+#include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/positive.h"
+#include "mbd_solver/cli/run_command.h"
 
 using namespace footfall;
 

@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/build/up_direction.h"
 #include "mbd_solver/coupling/fast_modes.h"
 #include "mbd_solver/coupling/fill_motion.h"
 #include "mbd_solver/coupling/flight_time.h"
 #include "mbd_solver/coupling/tangent.h"
+#include "mbd_solver/model/up_direction.h"
 
 namespace footfall {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 namespace {
@@ -16,12 +16,7 @@ constexpr int kSurplusWindows = 10;    // bodies times windows
 constexpr double kWarnGain = 0.2;      // of the gain that ends the run
 constexpr double kChatterForceShare = 0.2;  // of the largest force of the run: smaller ones may swing
 
-std::string number(double x) {
-  std::ostringstream out;
-  out.precision(3);
-  out << x;
-  return out.str();
-}
+std::string number(double x) { return number_text(x, 3); }
 
 // What to do against windows that are too long.
 std::string smaller_windows(int n) {

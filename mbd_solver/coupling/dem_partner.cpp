@@ -1,21 +1,12 @@
 #include "mbd_solver/coupling/dem_partner.h"
 
 #include <cmath>
-#include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
-namespace {
-
-std::string number(double x) {
-  std::ostringstream out;
-  out.precision(6);
-  out << x;
-  return out.str();
-}
-
-}  // namespace
+namespace {}  // namespace
 
 DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, const DemTerms& terms, double patience)
     : link_(transport, patience), bodies_(std::move(bodies)) {
@@ -52,16 +43,16 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
 
 void DemPartner::check(const DemTerms& terms) const {
   if (!(start_.dt > 0.0) || start_.n < 0)
-    throw ProtocolError("fix couple/mbd: timestep " + number(start_.dt) + " s and every " + std::to_string(start_.n) +
-                        ", expected a positive time step and 1 or more substeps, or auto");
+    throw ProtocolError("fix couple/mbd: timestep " + number_text(start_.dt) + " s and every " +
+                        std::to_string(start_.n) + ", expected a positive time step and 1 or more substeps, or auto");
   if (terms.max_dt > 0.0 && start_.dt > terms.max_dt * (1.0 + 1e-9))
     throw ProtocolError(
-        "the LIGGGHTS script has timestep " + number(start_.dt) + " s, the scene allows at most " +
-        number(terms.max_dt) +
+        "the LIGGGHTS script has timestep " + number_text(start_.dt) + " s, the scene allows at most " +
+        number_text(terms.max_dt) +
         " s (particles.max_time_step): larger steps falsify the contact forces long before they become unstable");
   if (terms.expected_dt > 0.0 && std::abs(start_.dt - terms.expected_dt) > 1e-9 * terms.expected_dt)
-    throw ProtocolError("the LIGGGHTS script has timestep " + number(start_.dt) +
-                        " s, the scene says particles.variables.dt = " + number(terms.expected_dt) +
+    throw ProtocolError("the LIGGGHTS script has timestep " + number_text(start_.dt) +
+                        " s, the scene says particles.variables.dt = " + number_text(terms.expected_dt) +
                         " s: make them agree, or drop the variable from the scene");
   if (terms.expected_n > 0 && start_.n != terms.expected_n)
     throw ProtocolError("fix couple/mbd has every " + (start_.n > 0 ? std::to_string(start_.n) : "auto") +

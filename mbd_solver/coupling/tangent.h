@@ -3,9 +3,9 @@
 // load that reacts within the window. theory: coupling.
 
 #include "coupler/messages.h"
+#include "mbd_solver/coupling/predicted_window.h"
 #include "mbd_solver/model/body.h"
 #include "mbd_solver/model/external_load.h"
-#include "mbd_solver/coupling/predicted_window.h"
 
 namespace footfall {
 

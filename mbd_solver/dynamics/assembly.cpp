@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/dynamics/body_force.h"
 #include "mbd_solver/dynamics/kinematics.h"
 
@@ -111,12 +112,7 @@ State initial_state(const Model& model, const Layout& layout) {
   return state;
 }
 
-std::string number(double x) {
-  std::ostringstream out;
-  out.precision(3);
-  out << x;
-  return out.str();
-}
+std::string number(double x) { return number_text(x, 3); }
 
 // Names of the joints that own the given rows, each once, quoted.
 std::string joint_names(const Model& model, const Layout& layout, const std::set<int>& rows) {
@@ -169,7 +165,7 @@ double check_gaps(const Model& model, const Layout& layout, const DenseRows& row
       }
     }
     const PairMotion pair = rows.kinematics().pair(joint.m1.body, joint.m2.body);
-    if (attitude_cosine(joint, pair, t) < 0.0) angle = M_PI;  // a half turn, which the sines above do not see
+    if (attitude_cosine(joint, pair, t) < 0.0) angle = kPi;  // a half turn, which the sines above do not see
     const double gap = std::sqrt(gap2);
     largest = std::max({largest, gap, angle});
     const std::string where =
@@ -178,7 +174,7 @@ double check_gaps(const Model& model, const Layout& layout, const DenseRows& row
       findings += where + "gap of " + number(gap) + " m in the initial position; at most " + number(tolerance) +
                   " m is closed silently. Check the positions of its bodies and its point.";
     } else if (!(angle <= tolerance)) {
-      findings += where + "its axes are off by " + number((angle > 1.0 ? M_PI : std::asin(angle)) * 180.0 / M_PI) +
+      findings += where + "its axes are off by " + number((angle > 1.0 ? kPi : std::asin(angle)) * 180.0 / kPi) +
                   " degrees in the initial position. Check the attitudes of its bodies and its axes.";
     }
   }

@@ -5,11 +5,10 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 
 namespace footfall {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 void require_positive(double value, const char* what) {
   if (!(value > 0.0) || !std::isfinite(value))

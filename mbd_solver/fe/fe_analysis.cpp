@@ -1,10 +1,10 @@
 #include "mbd_solver/fe/fe_analysis.h"
 
 #include <Eigen/SparseCholesky>
-#include <cmath>
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/eigen_solver.h"
 #include "mbd_solver/fe/fe_partition.h"
 
@@ -41,7 +41,7 @@ VectorXd natural_frequencies(const FeModel& model, const std::vector<int>& fixed
   const Eigen::SparseMatrix<double> M = lumped_mass_matrix(model);
   const Modes modes =
       lowest_modes(selected(model.stiffness, free, free), selected(M, free, free), count, elastic_scale(model));
-  return modes.lambda.cwiseMax(0.0).cwiseSqrt() / (2.0 * std::acos(-1.0));
+  return modes.lambda.cwiseMax(0.0).cwiseSqrt() / (2.0 * kPi);
 }
 
 std::vector<int> node_dofs(int node, const std::vector<int>& components) {

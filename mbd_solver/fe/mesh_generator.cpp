@@ -6,13 +6,13 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 
 namespace footfall {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMaxTriangles = 2e6;  // more is a mistake in a unit
 
 void require_positive(double value, const char* what) {

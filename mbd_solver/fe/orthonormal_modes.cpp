@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/modal_basis.h"
 
 namespace footfall {
@@ -120,7 +121,7 @@ ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const Bas
                        std::to_string(eigen.eigenvalues()(0)) + " 1/s2. Every mode must store strain energy.");
     Index kept = options.mode_count ? *options.mode_count : s;
     if (options.max_frequency) {
-      const double limit = std::pow(2.0 * std::acos(-1.0) * *options.max_frequency, 2);
+      const double limit = std::pow(2.0 * kPi * *options.max_frequency, 2);
       kept = std::min<Index>(kept, (eigen.eigenvalues().array() <= limit).count());
     }
     transform(body, eigen.eigenvectors().leftCols(kept));

@@ -1,34 +1,30 @@
 #include "mbd_solver/model/body.h"
 
 #include <cmath>
-#include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 namespace {
-
-std::string text(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
 
 // A mass and an inertia that some solid can have: positive, symmetric, positive definite, triangle
 // inequality.
 const Eigen::Matrix3d& checked(const std::string& name, double mass, const Eigen::Matrix3d& inertia) {
   const std::string where = "body \"" + name + "\": ";
   if (!(std::isfinite(mass) && mass > 0.0))
-    throw InputError(where + "mass is " + text(mass) + " kg; it must be positive.");
+    throw InputError(where + "mass is " + number_text(mass) + " kg; it must be positive.");
   if (!inertia.allFinite() || (inertia - inertia.transpose()).norm() > 1e-9 * inertia.norm())
     throw InputError(where + "the inertia matrix must be finite and symmetric.");
   const Eigen::Vector3d principal =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(principal[0] > 0.0))
-    throw InputError(where + "smallest principal inertia is " + text(principal[0]) + " kg m2; it must be positive.");
+    throw InputError(where + "smallest principal inertia is " + number_text(principal[0]) +
+                     " kg m2; it must be positive.");
   if (principal[0] + principal[1] < principal[2] * (1.0 - 1e-9))
-    throw InputError(where + "no solid has principal inertias " + text(principal[0]) + ", " + text(principal[1]) +
-                     ", " + text(principal[2]) + " kg m2: the two smaller ones must add up to at least the largest.");
+    throw InputError(where + "no solid has principal inertias " + number_text(principal[0]) + ", " +
+                     number_text(principal[1]) + ", " + number_text(principal[2]) +
+                     " kg m2: the two smaller ones must add up to at least the largest.");
   return inertia;
 }
 

@@ -3,12 +3,11 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 void demand_positive(double value, const std::string& what) {
   if (!(value > 0.0)) throw InputError(what + " is " + std::to_string(value) + "; it must be positive.");

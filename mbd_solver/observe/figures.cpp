@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
-#include "mbd_solver/build/up_direction.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/model/up_direction.h"
 
 namespace footfall {
 
@@ -19,13 +19,10 @@ const std::string& FigureTaker::body_name() const { return subject_.mechanism.mo
 
 std::string FigureTaker::balance_warning() const {
   if (figures_.energy_balance_relative() <= kGoodBalance) return "";
-  std::ostringstream text;
-  text.precision(3);
-  text << "the energy of the mechanism does not close by " << figures_.energy_balance << " J, "
-       << 100.0 * figures_.energy_balance_relative()
-       << " % of the reference energy: its integration is not accurate; make solver.rtol and solver.atol, or "
-          "solver.max_step, smaller";
-  return text.str();
+  return "the energy of the mechanism does not close by " + number_text(figures_.energy_balance, 3) + " J, " +
+         number_text(100.0 * figures_.energy_balance_relative(), 3) +
+         " % of the reference energy: its integration is not accurate; make solver.rtol and solver.atol, or "
+         "solver.max_step, smaller";
 }
 
 double FigureTaker::lowest_boundary_point(const Sample& sample) const {

@@ -1,8 +1,8 @@
 #include "mbd_solver/observe/flexible_figures.h"
 
 #include <algorithm>
-#include <sstream>
 
+#include "coupler/base/text.h"
 #include "mbd_solver/model/linear_range.h"
 #include "mbd_solver/model/stress_recovery.h"
 
@@ -49,18 +49,11 @@ void FlexibleBodies::take(const Sample& sample) {
 void FlexibleBodies::warn(double time, int k) {
   Watch& watch = watch_[static_cast<std::size_t>(k)];
   const FlexibleFigures& now = this->now(k);
-  std::ostringstream text;
-  text.precision(3);
-  text << "t = " << time << " s: body " << body(k).name();
+  const auto number = [](double x) { return number_text(x, 3); };
+  const std::string where = "t = " + number(time) + " s: body " + body(k).name();
   const auto tell = [&](bool& told, const std::string& what) {
     told = true;
-    warnings_.push_back(text.str() + what);
-  };
-  const auto number = [](double x) {
-    std::ostringstream out;
-    out.precision(3);
-    out << x;
-    return out.str();
+    warnings_.push_back(where + what);
   };
   if (!watch.spins && now.spin > kSpinRange)
     tell(watch.spins, " spins at " + number(now.spin) + " of its lowest elastic frequency (" + number(watch.lowest) +

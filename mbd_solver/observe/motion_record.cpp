@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
 #include "mbd_solver/coupling/fill_motion.h"
 
 namespace footfall {
@@ -55,12 +56,7 @@ MotionRecord::MotionRecord(const Subject& subject, const Kinematics& start, cons
     const BodyBoundary& entry = subject.mechanism.boundaries[static_cast<std::size_t>(i)];
     const ModalBoundary& boundary = entry.boundary;
     if (boundary.triangles().empty()) continue;
-    if (surfaces_.empty()) {
-      std::error_code error;
-      fs::create_directories(folder, error);
-      if (error)
-        throw InputError(folder + ": cannot be made: " + error.message() + "; choose another folder with --out");
-    }
+    if (surfaces_.empty()) make_folder(folder);
     const std::string file = (fs::path(folder) / boundary.name()).string();
     const BodyMotion rest(boundary.mode_count());
     const Eigen::Matrix3Xd unset(3, boundary.node_count());

@@ -2,28 +2,15 @@
 
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 
 namespace {
 
 const std::string kUnitsMark = "# units: ";
-
-std::string joined(const std::vector<std::string>& texts) {
-  std::string line;
-  for (const std::string& text : texts) line += (line.empty() ? "" : ",") + text;
-  return line;
-}
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
-}
 
 }  // namespace
 
@@ -32,7 +19,7 @@ HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::str
     : path_(path), names_(names), file_(path) {
   FOOTFALL_DEMAND(!names.empty() && names.size() == units.size());
   if (!file_) throw InputError(path + ": cannot be written; choose another folder with --out");
-  file_ << kUnitsMark << joined(units) << '\n' << joined(names) << '\n';
+  file_ << kUnitsMark << joined(units, ",") << '\n' << joined(names, ",") << '\n';
 }
 
 void HistoryWriter::write(const std::vector<double>& row) {
@@ -42,8 +29,7 @@ void HistoryWriter::write(const std::vector<double>& row) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (!std::isfinite(row[i])) {
       file_.flush();
-      std::snprintf(number, sizeof number, "%g", row[0]);
-      throw NumericalError("at t = " + std::string(number) + " s \"" + names_[i] + "\" is no longer finite; " + path_ +
+      throw NumericalError("at t = " + number_text(row[0]) + " s \"" + names_[i] + "\" is no longer finite; " + path_ +
                            " ends before this row");
     }
     const int length = std::snprintf(number, sizeof number, "%.10g", row[i]);
@@ -67,7 +53,7 @@ int History::find(const std::string& name) const {
 
 const std::vector<double>& History::column(const std::string& name) const {
   const int index = find(name);
-  if (index < 0) throw InputError("the history has no column \"" + name + "\"; it has " + joined(names));
+  if (index < 0) throw InputError("the history has no column \"" + name + "\"; it has " + joined(names, ","));
   return columns[static_cast<std::size_t>(index)];
 }
 
@@ -78,15 +64,15 @@ History read_history(const std::string& path) {
   std::string line;
   std::getline(file, line);
   if (line.rfind(kUnitsMark, 0) != 0) throw InputError(path + ":1: expected \"" + kUnitsMark + "...\"");
-  history.units = split(line.substr(kUnitsMark.size()));
+  history.units = split(line.substr(kUnitsMark.size()), ',');
   std::getline(file, line);
-  history.names = split(line);
+  history.names = split(line, ',');
   history.columns.resize(history.names.size());
   if (history.units.size() != history.names.size())
     throw InputError(path + ":2: has " + std::to_string(history.names.size()) + " names for " +
                      std::to_string(history.units.size()) + " units");
   for (int number = 3; std::getline(file, line); ++number) {
-    const std::vector<std::string> cells = split(line);
+    const std::vector<std::string> cells = split(line, ',');
     if (cells.size() != history.names.size())
       throw InputError(path + ":" + std::to_string(number) + ": has " + std::to_string(cells.size()) +
                        " values, expected " + std::to_string(history.names.size()));

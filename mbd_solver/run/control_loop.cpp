@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mbd_solver/build/up_direction.h"
 #include "mbd_solver/model/elements/strut.h"
+#include "mbd_solver/model/up_direction.h"
 
 namespace footfall {
 

@@ -2,13 +2,12 @@
 
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdlib>
+
+#include "coupler/base/clock.h"
 
 namespace footfall {
 namespace {
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 constexpr double kTerminalPause = 0.2;  // between two versions of the line [s]
 constexpr double kFilePause = 5.0;      // between two lines in a file [s]
@@ -23,11 +22,11 @@ bool on_terminal() {
 }  // namespace
 
 Progress::Progress(double t_end, bool quiet)
-    : t_end_(t_end), quiet_(quiet), terminal_(on_terminal()), started_(now()) {}
+    : t_end_(t_end), quiet_(quiet), terminal_(on_terminal()), started_(wall_clock()) {}
 
 void Progress::show(double time, long windows, double contact_force) {
   if (quiet_) return;
-  const double wall = now();
+  const double wall = wall_clock();
   if (wall - last_ < (terminal_ ? kTerminalPause : kFilePause)) return;
   last_ = wall;
   const double spent = wall - started_;

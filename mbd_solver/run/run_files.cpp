@@ -1,9 +1,9 @@
 #include "mbd_solver/run/run_files.h"
 
 #include <cmath>
-#include <filesystem>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
 #include "mbd_solver/run/checkpoint.h"
 
 namespace footfall {
@@ -17,9 +17,7 @@ bool due(double time, double interval, double& next) {
 }
 
 const std::string& made(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder + ": cannot be made: " + error.message() + "; choose another folder with --out");
+  make_folder(folder);
   return folder;
 }
 

@@ -1,4 +1,5 @@
 #include "mbd_solver/run/run_summary.h"
+#include "coupler/base/pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ void add_flexible_bodies(const FlexibleBodies& flexible, Json& json) {
   for (int k = 0; k < flexible.count(); ++k) {
     Json& body = json["flexible_bodies"][flexible.body(k).name()];
     body["modes"] = flexible.body(k).mode_count();
-    body["lowest_frequency_Hz"] = std::sqrt(flexible.body(k).modal()->stiffness.minCoeff()) / (2.0 * EIGEN_PI);
+    body["lowest_frequency_Hz"] = std::sqrt(flexible.body(k).modal()->stiffness.minCoeff()) / (2.0 * kPi);
     body["max_strain_energy_J"] = flexible.peak(k).strain_energy;
     body["max_deflection_m"] = flexible.peak(k).deflection;
     body["max_von_mises_Pa"] = flexible.peak(k).von_mises;

@@ -1,15 +1,13 @@
 #include "mbd_solver/run/simulation.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 Baumgarte baumgarte(const SolverSpec& spec) {
   if (spec.drift == DriftKind::kProjection) return {};
@@ -75,7 +73,7 @@ void Simulation::check_finite() const {
 }
 
 void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted) {
-  const double started = now();
+  const double started = wall_clock();
   const Sample& at = sampler_.sample();  // always of the last window's end
   equations_.accelerations(state_, inputs_, rates_);
   take_sample();
@@ -83,26 +81,26 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
 
   while (!finished() && interrupted == 0) {
     // Control: the voltages of the window.
-    const double control_started = now();
+    const double control_started = wall_clock();
     control_.sample_due(at, inputs_);
-    times_.control += now() - control_started;
+    times_.control += wall_clock() - control_started;
 
     // Window: with grains motion goes out and the mean load comes in, without it goes to the next stop.
     const double t_end =
         coupled_ ? coupled_->begin_window(state_, at.kinematics, at.energy.stored, inputs_) : next_stop();
 
     // Integrate, and check.
-    const double mbd_started = now();
+    const double mbd_started = wall_clock();
     integrator_->advance(state_, t_end, inputs_);
     rates_ = integrator_->end_rates();
-    times_.mbd += now() - mbd_started;
+    times_.mbd += wall_clock() - mbd_started;
     check_finite();
     ++window_;
 
     // Observe.
     take_sample();
     if (coupled_) coupled_->end_window(state_, at.kinematics, inputs_);
-    times_.total = now() - started;
+    times_.total = wall_clock() - started;
     observe(at);
   }
   if (coupled_ && finished()) coupled_->close();

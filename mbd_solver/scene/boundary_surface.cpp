@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/mesh_check.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/model/rotation.h"
@@ -14,7 +15,6 @@ namespace footfall {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kDefaultElements = 10.0;  // elements along the largest size of a shape, when no element size is given
 
 double largest_size(const ShapeSpec& s) {

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupler/base/nearest_name.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
@@ -56,7 +58,7 @@ void check_plane(const Scene& scene, Findings& findings) {
                    "is missing; restitution holds at one speed, and initial.velocity gives none");
   if (!(plane.poisson > -1.0 && plane.poisson < 0.5))
     findings.error(source, "plane.poisson",
-                   "is " + short_number(plane.poisson) + ", expected more than -1 and less than 0.5");
+                   "is " + number_text(plane.poisson) + ", expected more than -1 and less than 0.5");
   std::vector<std::string> names;
   for (const BoundarySpec& b : scene.boundaries) names.push_back(b.body);
   for (const std::string& name : plane.bodies) {

@@ -2,13 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupler/base/nearest_name.h"
+#include "coupler/base/pi.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // U rising from 0 to 1, the second column not negative and never falling.
 void check_voltage_table(const Source& source, const std::string& key, const std::vector<Eigen::Vector2d>& table,
@@ -16,13 +17,13 @@ void check_voltage_table(const Source& source, const std::string& key, const std
   if (table.empty()) return;
   if (table.front()[0] != 0.0 || table.back()[0] != 1.0)
     findings.error(source, key,
-                   "runs from U = " + short_number(table.front()[0]) + " to " + short_number(table.back()[0]) +
+                   "runs from U = " + number_text(table.front()[0]) + " to " + number_text(table.back()[0]) +
                        ", expected from 0 to 1");
   for (std::size_t i = 0; i < table.size(); ++i) {
     const double before = i ? table[i - 1][1] : 0.0;
     if (table[i][1] >= before) continue;
     findings.error(source, key,
-                   "falls to " + short_number(table[i][1]) + " at U = " + short_number(table[i][0]) +
+                   "falls to " + number_text(table[i][1]) + " at U = " + number_text(table[i][0]) +
                        ", expected values that never fall as U rises");
     return;
   }
@@ -74,12 +75,12 @@ void check_honeycomb(const StrutSpec& strut, Findings& findings) {
   }
   if (h.bottom_out_stiffness >= h.elastic_stiffness)
     findings.error(strut.source, "honeycomb.bottom_out_stiffness",
-                   "is " + short_number(h.bottom_out_stiffness) + " N/m, expected less than elastic_stiffness, " +
-                       short_number(h.elastic_stiffness) + " N/m");
+                   "is " + number_text(h.bottom_out_stiffness) + " N/m, expected less than elastic_stiffness, " +
+                       number_text(h.elastic_stiffness) + " N/m");
   for (const CrushStageSpec& stage : h.stages) {
     if (stage.length > 0.0 && stage.length < h.transition_length)
       findings.error(strut.source, "honeycomb.transition_length",
-                     "is " + short_number(h.transition_length) + " m, expected no more than the shortest stage");
+                     "is " + number_text(h.transition_length) + " m, expected no more than the shortest stage");
   }
 }
 
@@ -92,11 +93,11 @@ void check_stops(const StrutSpec& strut, Findings& findings) {
   }
   if (!strut.gas || !(strut.gas->piston_diameter > 0.0)) return;
   const double limit = strut.gas->volume / (0.25 * kPi * strut.gas->piston_diameter * strut.gas->piston_diameter);
-  const std::string text = "the gas is used up at a stroke of " + short_number(limit) + " m (volume / piston area)";
+  const std::string text = "the gas is used up at a stroke of " + number_text(limit) + " m (volume / piston area)";
   if (!strut.stops || !strut.stops->max) {
     findings.error(strut.source, "stops.max", "is missing; " + text + ", so the strut needs a stop before it");
   } else if (*strut.stops->max >= limit) {
-    findings.error(strut.source, "stops.max", "is " + short_number(*strut.stops->max) + " m, but " + text);
+    findings.error(strut.source, "stops.max", "is " + number_text(*strut.stops->max) + " m, but " + text);
   }
 }
 

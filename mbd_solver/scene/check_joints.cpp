@@ -1,13 +1,13 @@
 // Joints: two bodies, the points and axes their type needs, and no gap.
 #include <cmath>
 
+#include "coupler/base/pi.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 constexpr double kLargestGap = 1e-6;  // of the points of a joint in the drawing [m]; projection would move bodies by it
 constexpr double kLargestCosine = 1e-3;  // of the two axes of a universal joint, as numbers of four digits give it
@@ -30,8 +30,8 @@ void check_points(const JointSpec& joint, Findings& findings) {
   const double gap = (joint.point_b - joint.point_a).norm();
   if (!may_differ && gap > kLargestGap) {
     findings.error(source, "point_b",
-                   "the joint is open by " + short_number(gap) + " m between \"" + joint.bodies[0] + "\" and \"" +
-                       joint.bodies[1] + "\"; expected points within " + short_number(kLargestGap) +
+                   "the joint is open by " + number_text(gap) + " m between \"" + joint.bodies[0] + "\" and \"" +
+                       joint.bodies[1] + "\"; expected points within " + number_text(kLargestGap) +
                        " m in the design position");
   }
   if (joint.type != JointType::kDistance) return;
@@ -39,7 +39,7 @@ void check_points(const JointSpec& joint, Findings& findings) {
     findings.error(source, "point_b", "is the same point as point_a; a distance joint needs two, some way apart");
   } else if (joint.length && std::abs(*joint.length - gap) > kLargestGap) {
     findings.error(source, "length",
-                   "is " + short_number(*joint.length) + " m, but the points are " + short_number(gap) +
+                   "is " + number_text(*joint.length) + " m, but the points are " + number_text(gap) +
                        " m apart in the drawing; leave it out or move them");
   }
 }
@@ -77,7 +77,7 @@ void check_joints(const Scene& scene, Findings& findings) {
     const double cosine = std::abs(joint.axis.dot(joint.axis2));
     if (joint.type == JointType::kUniversal && cosine > kLargestCosine)
       findings.error(joint.source, "axis2",
-                     "makes " + short_number(std::acos(std::min(1.0, cosine)) * 180.0 / kPi) +
+                     "makes " + number_text(std::acos(std::min(1.0, cosine)) * 180.0 / kPi) +
                          " degrees with axis; expected 90 in the design position");
     if (joint.type == JointType::kPrescribed && cosine > 0.999)
       findings.error(joint.source, "axis2",

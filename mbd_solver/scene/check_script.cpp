@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "coupler/base/nearest_name.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/scene/scene_check.h"
 #include "mbd_solver/scene/script_text.h"
 
@@ -32,8 +34,8 @@ void check_script(const Scene& scene, Findings& findings) {
     double step = 0.0;
     if (w[0] == "timestep" && w.size() > 1 && as_number(w[1], step) && step > particles.max_time_step * (1.0 + 1e-9)) {
       findings.error(particles.source, "max_time_step",
-                     "the script's time step is " + short_number(step) + " s (" + command.file + ":" +
-                         std::to_string(command.line) + "), expected at most " + short_number(particles.max_time_step) +
+                     "the script's time step is " + number_text(step) + " s (" + command.file + ":" +
+                         std::to_string(command.line) + "), expected at most " + number_text(particles.max_time_step) +
                          " s: on soil of this kind twice that runs without complaint and is wrong by tens of per cent; "
                          "make the step smaller, or "
                          "state a larger max_time_step if your grains are known to allow it");

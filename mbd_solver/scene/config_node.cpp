@@ -1,5 +1,6 @@
 #include "mbd_solver/scene/config_node.h"
 
+#include "coupler/base/text.h"
 #include "mbd_solver/scene/findings.h"
 
 namespace footfall {
@@ -29,7 +30,7 @@ std::string ConfigNode::description() const {
     case Kind::kList: return "a list of " + std::to_string(list.size());
     case Kind::kText: return "text \"" + text + "\"";
     case Kind::kInteger:
-    case Kind::kNumber: return "the number " + short_number(number);
+    case Kind::kNumber: return "the number " + number_text(number);
     case Kind::kFlag: return flag ? "true" : "false";
     case Kind::kOther: break;
   }

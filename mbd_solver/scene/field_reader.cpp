@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupler/base/nearest_name.h"
 #include "mbd_solver/scene/field_visitor.h"
 #include "mbd_solver/scene/value_reader.h"
 

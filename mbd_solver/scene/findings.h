@@ -36,11 +36,4 @@ class Findings {
   std::vector<std::string> warnings_;
 };
 
-// The candidate nearest to `word` by edit distance, or empty when none is near.
-std::string closest_name(const std::string& word, const std::vector<std::string>& candidates);
-// ' Known bodies: a, b. Did you mean "b"?' for an unknown name; long lists are cut.
-std::string known_names(const std::string& what, const std::string& word, const std::vector<std::string>& candidates);
-// "1.5", "-900": a number as a person writes it.
-std::string short_number(double value);
-
 }  // namespace footfall

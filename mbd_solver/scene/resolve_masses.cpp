@@ -3,14 +3,15 @@
 #include <optional>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/nearest_name.h"
+#include "coupler/base/pi.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/scene/resolve.h"
 
 namespace footfall {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 const char* shape_name(ShapeKind kind) {
   constexpr const char* kNames[] = {"box", "tube", "rod", "disc", "dish", "sphere", "points"};
@@ -50,11 +51,11 @@ bool check_shape(const BodySpec& body, Findings& findings) {
   if (long_body && !((shape.to - shape.from).norm() > 0.0))
     findings.error(body.source, "shape.to", "is the same point as \"from\"");
   if (shape.kind == ShapeKind::kTube && 2.0 * shape.wall > shape.diameter)
-    findings.error(body.source, "shape.wall",
-                   "is " + short_number(shape.wall) +
-                       " m, expected at most half the diameter; for a solid bar use kind = \"rod\"");
+    findings.error(
+        body.source, "shape.wall",
+        "is " + number_text(shape.wall) + " m, expected at most half the diameter; for a solid bar use kind = \"rod\"");
   if (shape.kind == ShapeKind::kDish && shape.depth > shape.radius)
-    findings.error(body.source, "shape.depth", "is " + short_number(shape.depth) + " m, expected at most the radius");
+    findings.error(body.source, "shape.depth", "is " + number_text(shape.depth) + " m, expected at most the radius");
   if (shape.kind == ShapeKind::kPoints && shape.points.size() < 3)
     findings.error(body.source, "shape.points",
                    "are " + std::to_string(shape.points.size()) + ", expected at least three, not on one line");
@@ -188,7 +189,7 @@ void resolve_remainder(Scene& scene, Findings& findings) {
   if (!rest) {
     if (scene.total_mass && std::abs(others - *scene.total_mass) > 1e-6 * *scene.total_mass && !findings.has_errors())
       findings.error(scene.source, "total_mass",
-                     "is " + short_number(*scene.total_mass) + " kg, but the bodies weigh " + short_number(others) +
+                     "is " + number_text(*scene.total_mass) + " kg, but the bodies weigh " + number_text(others) +
                          " kg; leave it out, or let one body have mass = \"remainder\"");
     return;
   }
@@ -200,8 +201,8 @@ void resolve_remainder(Scene& scene, Findings& findings) {
   const double mass = *scene.total_mass - others;
   if (!(mass > 0.0)) {
     findings.error(rest->source, "mass",
-                   "is the remainder, but the other bodies already weigh " + short_number(others) +
-                       " kg of the total_mass of " + short_number(*scene.total_mass) + " kg");
+                   "is the remainder, but the other bodies already weigh " + number_text(others) +
+                       " kg of the total_mass of " + number_text(*scene.total_mass) + " kg");
     return;
   }
   rest->mass = mass;
@@ -213,12 +214,12 @@ void check_inertia(const BodySpec& body, Findings& findings) {
   const Eigen::Vector3d e = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.inertia).eigenvalues();
   if (!(e[0] > 0.0)) {
     findings.error(body.source, "inertia",
-                   "is not positive definite (smallest principal value " + short_number(e[0]) +
+                   "is not positive definite (smallest principal value " + number_text(e[0]) +
                        " kg m2); expected [Ixx, Iyy, Izz] > 0, in kg m2 about the mass centre");
   } else if (e[2] > (e[0] + e[1]) * (1.0 + 1e-9)) {
     findings.error(body.source, "inertia",
-                   "belongs to no real body: the largest principal value " + short_number(e[2]) +
-                       " kg m2 exceeds the sum of the other two, " + short_number(e[0] + e[1]) + " kg m2");
+                   "belongs to no real body: the largest principal value " + number_text(e[2]) +
+                       " kg m2 exceeds the sum of the other two, " + number_text(e[0] + e[1]) + " kg m2");
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/nearest_name.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 
@@ -51,8 +53,7 @@ void check_bodies(const Scene& scene, Findings& findings) {
   for (const MaterialSpec& m : scene.materials) {
     materials.push_back(m.name);
     if (!(m.poisson > -1.0 && m.poisson < 0.5))
-      findings.error(m.source, "poisson",
-                     "is " + short_number(m.poisson) + ", expected more than -1 and less than 0.5");
+      findings.error(m.source, "poisson", "is " + number_text(m.poisson) + ", expected more than -1 and less than 0.5");
   }
   for (const BodySpec& body : scene.bodies) {
     if (body.name == "ground")

@@ -1,9 +1,11 @@
 // The one file that knows the TOML library: text -> ConfigNode.
 #include "mbd_solver/scene/scene_reader.h"
+#include "coupler/base/nearest_name.h"
+#include "coupler/base/whole_file.h"
 
 #include <toml++/toml.h>
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "coupler/base/errors.h"
@@ -86,12 +88,10 @@ ConfigNode* list_entry(ConfigNode& list, const std::string& name, const std::str
 }  // namespace
 
 ConfigNode parse_toml_file(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file + ": cannot be read; expected a scene file (TOML)");
-  std::ostringstream text;
-  text << stream.rdbuf();
+  const std::optional<std::string> text = read_whole_file(file);
+  if (!text) throw InputError(file + ": cannot be read; expected a scene file (TOML)");
   try {
-    return convert(toml::parse(text.str(), file));
+    return convert(toml::parse(*text, file));
   } catch (const toml::parse_error& e) {
     throw InputError(file + ":" + std::to_string(e.source().begin.line) +
                      ": this is not valid TOML: " + std::string(e.description()));

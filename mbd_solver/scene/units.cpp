@@ -2,10 +2,11 @@
 
 #include <map>
 
+#include "coupler/base/pi.h"
+
 namespace footfall {
 
 namespace {
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kStandardGravity = 9.80665;  // [m/s2]
 
 struct UnitEntry {

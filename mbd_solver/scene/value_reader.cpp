@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/nearest_name.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/findings.h"
 
@@ -24,7 +26,7 @@ std::string with_unit(const std::string& what, const Rule& rule) {
 // In SI; what is out of range is described in SI as well.
 std::string check_range(double value, const Rule& rule) {
   const std::string unit = unit_name(rule.unit);
-  const std::string is = "is " + short_number(value) + (unit.empty() ? "" : " " + unit);
+  const std::string is = "is " + number_text(value) + (unit.empty() ? "" : " " + unit);
   if (!std::isfinite(value)) return is + ", expected a finite number";
   switch (rule.range) {
     case Range::kAny: break;
@@ -208,8 +210,8 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::vecto
   if (result.size() < 2) return "has " + std::to_string(result.size()) + " rows, expected at least two";
   for (std::size_t i = 1; i < result.size(); ++i) {
     if (!(result[i][0] > result[i - 1][0]))
-      return "does not rise: row " + std::to_string(i + 1) + " starts with " + short_number(result[i][0]) + " after " +
-             short_number(result[i - 1][0]);
+      return "does not rise: row " + std::to_string(i + 1) + " starts with " + number_text(result[i][0]) + " after " +
+             number_text(result[i - 1][0]);
   }
   target = result;
   return "";
@@ -227,7 +229,7 @@ std::string read_value(const ConfigNode& node, const ValueContext&, Eigen::Quate
     const std::string problem = read_numbers(value, {rule, 1.0, ""}, 4, v);
     if (!problem.empty()) return "quaternion " + problem;
     const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
-    if (std::abs(q.norm() - 1.0) > 1e-3) return "quaternion has length " + short_number(q.norm()) + ", expected 1";
+    if (std::abs(q.norm() - 1.0) > 1e-3) return "quaternion has length " + number_text(q.norm()) + ", expected 1";
     target = q.normalized();
     return "";
   }

@@ -23,8 +23,8 @@
 #include <string>
 #include <vector>
 
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
+#include "coupler/communicator.h"
 #include "coupler/link.h"
 #include "coupler/transport_mpi.h"
 

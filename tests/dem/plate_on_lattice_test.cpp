@@ -8,11 +8,11 @@
 #include <cmath>
 
 #include "coupler/body_motion.h"
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/coupling/fast_modes.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"
-#include "mbd_solver/coupling/fast_modes.h"
-#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "tests/dem/coupled_run.h"
 

@@ -10,8 +10,8 @@
 #include <memory>
 #include <string>
 
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
+#include "coupler/communicator.h"
 #include "coupler/link.h"
 #include "coupler/transport_mpi.h"
 

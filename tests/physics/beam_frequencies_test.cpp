@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/modal_basis.h"
 
@@ -21,7 +22,6 @@ const Material kSteel{7850.0, 207e9, 0.3};
 constexpr double kLength = 1.0;  // [m]
 // slender: rotary inertia, which the model has and the theory has not, is below 0.01 %
 constexpr double kDiameter = 0.002;
-constexpr double kPi = 3.14159265358979323846;
 
 // Roots beta L of the frequency equations, by bisection near (k + 1/2) pi or (k - 1/2) pi.
 double root(const std::function<double(double)>& f, double low, double high) {

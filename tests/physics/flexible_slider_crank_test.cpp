@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "tests/unit/dynamics/random_model.h"
@@ -12,7 +13,6 @@
 namespace footfall {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kCrank = 0.15, kRod = 0.3, kDiameter = 0.006;  // [m]
 constexpr double kGain = 5.0;                                   // crank angle kGain t^4 [rad]: a start without a jolt
 constexpr int kElements = 8, kMiddle = 4;

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "mbd_solver/model/linear_range.h"
 #include "mbd_solver/fe/modal_basis.h"
+#include "mbd_solver/model/linear_range.h"
 #include "mbd_solver/model/stress_recovery.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"

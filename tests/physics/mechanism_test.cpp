@@ -3,16 +3,16 @@
 #include <cmath>
 #include <vector>
 
+#include "coupler/base/pi.h"
+#include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "mbd_solver/model/mass_properties.h"
-#include "mbd_solver/model/elements/strut.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"
 
 namespace footfall {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 const Eigen::Matrix3d kAxesOfW = Eigen::Matrix3d::Identity();
 
 // A thin uniform rod of 1 kg between two points of the plane z = 0, with its angular velocity about z and the

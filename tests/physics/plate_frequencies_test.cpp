@@ -9,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"
@@ -21,7 +22,6 @@ using Eigen::VectorXd;
 const Material kAluminium{2700.0, 70e9, 0.33};
 constexpr double kRadius = 0.2;       // [m]
 constexpr double kThickness = 0.002;  // [m]
-constexpr double kPi = 3.14159265358979323846;
 
 double rigidity() {
   return kAluminium.young * std::pow(kThickness, 3) / (12.0 * (1.0 - kAluminium.poisson * kAluminium.poisson));

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mbd_solver/model/linear_range.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/modal_basis.h"
+#include "mbd_solver/model/linear_range.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"
@@ -15,7 +16,6 @@
 namespace footfall {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 const Material kSteel{7850.0, 207e9, 0.3};
 constexpr double kLength = 1.0;     // [m]
 constexpr double kDiameter = 0.01;  // [m]

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "mbd_solver/model/laws/mr_damper.h"
 #include "mbd_solver/model/mass_properties.h"
@@ -88,7 +89,7 @@ TEST_P(Kind, CoulombOscillatorLosesTheSameAmplitudeEveryHalfPeriod) {
   Oscillator o(spring(k), std::make_unique<MrDamper>(MrDamperParameters{F, 0.0, 1e-5, 0.0, 0.0, {}}), m, z0);
   test::Run run(o.model, GetParam(), test::tight(1e-8));
   run.inputs.voltages = Eigen::VectorXd::Ones(1);
-  const double half_period = M_PI * std::sqrt(m / k);
+  const double half_period = kPi * std::sqrt(m / k);
   for (int i = 1; i <= 4; ++i) {
     run.to(i * half_period, 3);
     const double expected = (i % 2 == 0 ? 1.0 : -1.0) * (z0 - i * 2.0 * F / k);
@@ -201,7 +202,7 @@ TEST_P(Kind, PrescribedMotionDoesTheWorkItReports) {
   EXPECT_NEAR(now.r.z(), height.value, 1e-12);  // position constraint, projected
   EXPECT_NEAR(now.dr.z(), height.rate, 1e-12);
   EXPECT_NEAR(now.r.y(), 0.3, 1e-12);
-  EXPECT_NEAR(std::atan2(now.A(1, 0), now.A(0, 0)), std::remainder(angle.value, 2.0 * M_PI), 1e-12);
+  EXPECT_NEAR(std::atan2(now.A(1, 0), now.A(0, 0)), std::remainder(angle.value, 2.0 * kPi), 1e-12);
   EXPECT_NEAR(now.w.z(), angle.rate, 1e-11);
   EXPECT_GT(run.state.motion_work, 1.0);
   EXPECT_LT(std::abs(run.imbalance()), 1e-5 * run.state.motion_work);

@@ -9,9 +9,9 @@
 #include <set>
 #include <sstream>
 
+#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
-#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
 

@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
-# One door per foreign library, and dependencies one way: mbd_solver -> coupler <- liggghts_fix; model and dynamics know nothing of scene, run, output.
+# The house as its includes draw it: one door per foreign library; which room may look into which; every header by its
+# full path; every unit test says which source it mirrors.
 set -u
 cd "$(dirname "$0")/../.."
 failed=0
+complain() { echo "$*"; failed=1; }
+
 # door PATTERN ALLOWED...: only these files may include what matches.
 door() {
   local pattern=$1 file; shift
   while IFS= read -r file; do
     local allowed=0 name
     for name in "$@"; do [[ $file == $name ]] && allowed=1; done
-    if ((!allowed)); then echo "$file includes $pattern; only $* may"; failed=1; fi
+    ((allowed)) || complain "$file includes $pattern; only $* may"
   done < <(grep -rlE "^#include [<\"]$pattern" coupler mbd_solver liggghts_fix --include=*.h --include=*.cpp)
 }
 door '(ida|sundials|nvector|sunmatrix|sunlinsol)/' 'mbd_solver/integrator/ida*'
@@ -17,10 +20,83 @@ door 'toml\+\+' 'mbd_solver/scene/scene_reader.cpp'
 door 'fl/' 'mbd_solver/model/controllers/fuzzy.cpp'
 door 'assimp/' 'mbd_solver/scene/mesh_reader.cpp'
 door 'pugixml' 'mbd_solver/output/vtk_writer.cpp'
-door 'mpi\.h' 'coupler/communicator.h' 'coupler/transport_mpi.*' 'mbd_solver/main.cpp' 'liggghts_fix/*'
-door '(lammps|fix|fix_mesh_surface|mesh_module|atom|modify|fix_wall_gran|neighbor|comm|domain|update|error)\.h' 'liggghts_fix/fix_*' 'liggghts_fix/mesh_module_*' 'liggghts_fix/liggghts_access.*' 'liggghts_fix/launcher.cpp'
-if grep -rnE '^#include "(mbd_solver|liggghts_fix)/' coupler; then echo "coupler must not know the two programs"; failed=1; fi
-if grep -rnE '^#include "mbd_solver/' liggghts_fix; then echo "liggghts_fix must not know mbd_solver"; failed=1; fi
-if grep -rnE '^#include "mbd_solver/(scene|build|coupling|observe|run|output|cli)/' mbd_solver/fe mbd_solver/model mbd_solver/dynamics mbd_solver/integrator; then
-  echo "fe, model, dynamics and integrator must not know scene, build, coupling, observe, run, output or cli"; failed=1; fi
+door 'mpi\.h' 'coupler/communicator.*' 'coupler/doorbell.*' 'coupler/transport_mpi.*' 'mbd_solver/main.cpp' \
+  'liggghts_fix/launcher.cpp' 'liggghts_fix/program_world.*' 'liggghts_fix/last_words.cpp' \
+  'liggghts_fix/liggghts_access.cpp' 'liggghts_fix/fix_*'
+door '(coupler/(communicator|doorbell|transport_mpi)\.h)' 'coupler/communicator.*' 'coupler/doorbell.*' \
+  'coupler/transport_mpi.*' 'mbd_solver/main.cpp' 'liggghts_fix/launcher.cpp' 'liggghts_fix/fix_*'
+door '(lammps|fix|fix_[a-z_]*|mesh_module|atom|modify|neighbor|comm|domain|update|error|input|tri_mesh|signal_handling)\.h' \
+  'liggghts_fix/fix_*' 'liggghts_fix/mesh_module_*' 'liggghts_fix/liggghts_access.*' 'liggghts_fix/launcher.cpp'
+while IFS=: read -r file include; do
+  complain "$file: $include: coupler/base is plain C++"
+done < <(grep -rE '^#include <[A-Za-z_]*[/.]' coupler/base --include=*.h --include=*.cpp)
+
+# The rooms, from the ground up: a room may include its own headers, those of the rooms that its row names, and those
+# that these may include.
+declare -A may=(
+  [coupler/base]=''
+  [coupler]='coupler/base'
+  [liggghts_fix]='coupler'
+  [mbd_solver/model/laws]='coupler/base'
+  [mbd_solver/model/controllers]='coupler/base'
+  [mbd_solver/model]='mbd_solver/model/laws coupler'  # with its joints and elements
+  [mbd_solver/fe]='mbd_solver/model'
+  [mbd_solver/dynamics]='mbd_solver/model'
+  [mbd_solver/integrator]='mbd_solver/dynamics'
+  [mbd_solver/scene]='mbd_solver/fe'
+  [mbd_solver/build]='mbd_solver/scene mbd_solver/model/controllers'
+  [mbd_solver/coupling]='mbd_solver/build mbd_solver/dynamics'
+  [mbd_solver/output]='coupler/base'
+  [mbd_solver/observe]='mbd_solver/coupling mbd_solver/output mbd_solver/run'  # run: to be cut
+  [mbd_solver/run]='mbd_solver/observe mbd_solver/integrator'
+  [mbd_solver]='mbd_solver/run mbd_solver/cli'  # main.cpp; of cli only the check of an option
+  [mbd_solver/cli/launch]='mbd_solver/build'
+  [mbd_solver/cli/analysis]='mbd_solver/cli/launch mbd_solver/output'
+  [mbd_solver/cli/experiments]='mbd_solver/cli/analysis mbd_solver/coupling'
+  [mbd_solver/cli]='mbd_solver/cli/experiments'
+)
+# room FILE: the nearest folder around it that the table knows.
+room() {
+  room=${1%/*}
+  until [[ -v may[$room] || $room != */* ]]; do room=${room%/*}; done
+}
+# reach ROOM: all that it may include, in `reached`.
+reach() {
+  local next
+  [[ $reached == *" $1 "* ]] && return
+  reached+="$1 "
+  for next in ${may[$1]}; do reach "$next"; done
+}
+declare -A reached_from=()
+for room in "${!may[@]}"; do
+  reached=' '
+  reach "$room"
+  reached_from[$room]=$reached
+done
+while IFS=: read -r file include; do
+  header=${include#*\"}
+  header=${header%%\"*}
+  room "$file"; from=$room
+  room "$header"; to=$room
+  [[ -v may[$from] ]] || { complain "$file stands in no room of the table in tests/structure/one_door.sh"; continue; }
+  [[ ${reached_from[$from]} == *" $to "* ]] || complain "$file includes $header: $from may not look into $to"
+done < <(grep -rE '^#include "(coupler|mbd_solver|liggghts_fix)/' coupler mbd_solver liggghts_fix --include=*.h --include=*.cpp)
+
+# Full paths, from the root of the checkout. liggghts_fix sees LIGGGHTS' headers as LIGGGHTS names them.
+while IFS=: read -r file include; do
+  complain "$file: $include: expected the header's full path"
+done < <(grep -rE '^#include "' coupler mbd_solver tests --include=*.h --include=*.cpp |
+         grep -vE '^[^:]*:#include "(coupler|mbd_solver|liggghts_fix|tests)/')
+while IFS=: read -r file include; do
+  header=${include#*\"}
+  [[ -f liggghts_fix/${header%%\"*} ]] && complain "$file: $include: expected the header's full path"
+done < <(grep -rE '^#include "[^/"]*"' liggghts_fix --include=*.h --include=*.cpp)
+
+# tests/unit/ROOM/NAME_test.cpp tests NAME.h, or its first comment names the sources with their paths.
+for file in tests/unit/*/*_test.cpp; do
+  name=${file##*/}
+  grep -qE "^#include \"(coupler|mbd_solver|liggghts_fix)/([a-z_]*/)*${name%_test.cpp}\.h\"" "$file" && continue
+  source=$(sed -n '1,/^[^/]/{/^\/\//p}' "$file" | grep -oE '(coupler|mbd_solver|liggghts_fix)/[a-z_/]*\.(h|cpp)' | head -n 1)
+  [[ -n $source && -f $source ]] || complain "$file: neither includes ${name%_test.cpp}.h nor names the path of its source in its first comment"
+done
 exit $failed

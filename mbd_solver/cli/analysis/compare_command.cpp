@@ -7,11 +7,12 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/launch/bed.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/analysis/bed_comparison.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
-#include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/analysis/replay_script.h"
+#include "mbd_solver/cli/launch/bed.h"
+#include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/mesh_reader.h"
 
@@ -23,9 +24,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 void write(const fs::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw InputError(file.string() + ": cannot be written; is the disk full?");
+  write_whole_file(file.string(), text, "is the disk full?");
 }
 
 // The summary of a coupled run that recorded its motion.

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/whole_file.h"
 
 namespace footfall {
 namespace {
@@ -99,8 +99,7 @@ void HtmlPage::folded(const std::string& label, const std::string& text, const s
 }
 
 void HtmlPage::picture(const std::string& path, const std::string& caption) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::string bytes = read_whole_file(path).value_or("");
   if (bytes.empty()) throw InputError(path + ": cannot be read; expected a picture");
   const std::filesystem::path name(path);
   const std::string kind = name.extension() == ".svg" ? "svg+xml" : "png";

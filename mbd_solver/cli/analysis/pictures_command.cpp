@@ -8,10 +8,11 @@
 #include <set>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
-#include "mbd_solver/cli/launch/programs.h"
-#include "mbd_solver/cli/analysis/replay_script.h"
 #include "mbd_solver/cli/analysis/grain_picture.h"
+#include "mbd_solver/cli/analysis/replay_script.h"
+#include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/mesh_reader.h"
 
@@ -23,7 +24,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr double kThinLine = 0.006;  // radius of a line whose body has no diameter [m]
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kDegree = kPi / 180.0;
 
 std::size_t nearest(const std::vector<double>& times, double t) {
   std::size_t best = 0;

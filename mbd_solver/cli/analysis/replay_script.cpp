@@ -3,12 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/output/history.h"
 
 namespace footfall {
@@ -24,12 +24,6 @@ Words words_of(const std::string& line) {
   Words words;
   for (std::string word; in >> word;) words.push_back(word);
   return words;
-}
-
-std::string joined(const Words& words) {
-  std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
-  return line;
 }
 
 // Lines of a script, those that end with & joined with the next; files that it includes only where they couple.
@@ -62,11 +56,7 @@ std::vector<std::string> logical_lines(const std::string& path, const std::strin
   return lines;
 }
 
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.15g", value);
-  return text;
-}
+std::string number(double value) { return number_text(value, 15); }
 
 Eigen::Matrix3d rotation(const std::vector<double>& pose) {
   const Eigen::Vector3d r(pose[3], pose[4], pose[5]);
@@ -212,7 +202,7 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
         w[4] = "file";
         w[5] = (fs::path(motion) / (geometry[w[5]] + ".stl")).string();
       }
-      text << joined(w) << "\n";
+      text << joined(w, " ") << "\n";
     } else if (style == "couple/mbd") {
       gone.push_back(w[1]);
       coupled = true;
@@ -227,7 +217,7 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
       if (w[0] != "thermo_style") continue;
       w.erase(std::remove_if(w.begin(), w.end(), [&](const std::string& word) { return mentions(word, gone); }),
               w.end());
-      text << joined(w) << "\n";
+      text << joined(w, " ") << "\n";
     } else {
       text << line << "\n";
     }

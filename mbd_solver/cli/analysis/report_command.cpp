@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "coupler/base/whole_file.h"
+#include "mbd_solver/cli/analysis/html_page.h"
 #include "mbd_solver/cli/analysis/results.h"
 #include "mbd_solver/output/history.h"
-#include "mbd_solver/cli/analysis/html_page.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/script_text.h"
 
@@ -27,16 +28,9 @@ const std::vector<std::string> kMarks = {"[A]", "(assumed"};
 
 constexpr const char* kLedgerPicture = "ledger.png";  // stands in a section of its own
 
-std::string short_text(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.5g", value);
-  return text;
-}
+std::string short_text(double value) { return number_text(value, 5); }
 
-std::string contents(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+std::string contents(const fs::path& path) { return read_whole_file(path.string()).value_or(""); }
 
 // A figure of the summary times `factor`, when it is there.
 void figure(const Json& summary, const char* label, const char* key, double factor, const char* unit, Rows& rows) {
@@ -294,9 +288,7 @@ std::string write_report(const std::string& folder) {
     throw InputError(folder + ": holds neither summary.json nor runs.csv; expected the folder of a run or of a sweep");
   }
   const fs::path file = path / "report.html";
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw InputError(file.string() + ": cannot be written; is the disk full?");
+  write_whole_file(file.string(), text, "is the disk full?");
   return file.string();
 }
 

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/analysis/gnuplot.h"
 #include "mbd_solver/cli/analysis/energy_ledger.h"
+#include "mbd_solver/cli/analysis/gnuplot.h"
 #include "mbd_solver/cli/analysis/plots.h"
 #include "mbd_solver/output/summary.h"
 

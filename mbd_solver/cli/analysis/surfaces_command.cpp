@@ -4,9 +4,9 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
+#include "mbd_solver/cli/analysis/surface_plots.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/model/controllers/control_surface.h"
-#include "mbd_solver/cli/analysis/surface_plots.h"
 #include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {

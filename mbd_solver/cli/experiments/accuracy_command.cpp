@@ -9,7 +9,7 @@
 #include <map>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/launch/programs.h"
+#include "coupler/base/folder.h"
 #include "mbd_solver/cli/experiments/stability_map.h"
 #include "mbd_solver/cli/experiments/study.h"
 #include "mbd_solver/cli/experiments/study_error.h"
@@ -17,6 +17,7 @@
 #include "mbd_solver/cli/experiments/study_plot.h"
 #include "mbd_solver/cli/experiments/study_run.h"
 #include "mbd_solver/cli/experiments/window_growth.h"
+#include "mbd_solver/cli/launch/programs.h"
 
 namespace footfall {
 
@@ -201,9 +202,7 @@ int accuracy_command(const AccuracyArguments& arguments) {
   const std::string name = fs::path(arguments.file).stem().string();
   const std::string out =
       short_path(arguments.out.empty() ? (fs::path("runs") / "accuracy" / name).string() : arguments.out);
-  std::error_code error;
-  fs::create_directories(out, error);
-  if (error) throw InputError(out + ": cannot be made: " + error.message() + "; choose another folder with --out");
+  make_folder(out);
 
   if (!study.omega_h.empty()) {
     const std::vector<GrowthPoint> points = growth_of_schemes(

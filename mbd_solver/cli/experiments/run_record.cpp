@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/launch/fingerprint.h"
 #include "coupler/base/whole_file.h"
+#include "mbd_solver/cli/launch/fingerprint.h"
 #include "mbd_solver/scene/scene_json.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/script_text.h"

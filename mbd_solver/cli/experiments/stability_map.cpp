@@ -8,6 +8,9 @@
 #include <regex>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/nearest_name.h"
+#include "coupler/base/text.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/experiments/study_error.h"
 #include "mbd_solver/cli/experiments/study_run.h"
 #include "mbd_solver/scene/findings.h"
@@ -21,11 +24,7 @@ namespace {
 // More than this, of the reference energy, is a gain: the coupling warns of as much.
 constexpr double kGain = 2e-2;
 
-std::string percent(double share) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100.0 * share);
-  return text;
-}
+std::string percent(double share) { return number_text(100.0 * share, 2) + " %"; }
 
 std::string scene_path(const StudySpec& study, const std::string& scene) {
   return (fs::path(study.folder) / scene).lexically_normal().string();
@@ -142,8 +141,7 @@ std::vector<Verdict> run_map(const StudySpec& study, const std::string& only, co
 }
 
 void write_map(const std::string& path, const StudySpec& study, const std::vector<Verdict>& verdicts) {
-  std::ofstream out(path);
-  if (!out) throw InputError(path + ": cannot be written");
+  std::ofstream out = open_to_write(path);
   out << "# " << study.title << "\n\nWritten by `footfall accuracy " << fs::path(study.file).filename().string()
       << "`; every line is a test. accurate: against its reference, or by its energy where none is named. warned: the "
          "run is done, its energy bounded,\n"

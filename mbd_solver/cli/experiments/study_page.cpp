@@ -1,21 +1,15 @@
 #include "mbd_solver/cli/experiments/study_page.h"
 
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <string>
 
-#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/experiments/study_advice.h"
 
 namespace footfall {
 namespace {
-
-std::string number(double value, const char* format) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 // Enough of a message for a cell.
 std::string one_line(const std::string& message) {
@@ -24,7 +18,7 @@ std::string one_line(const std::string& message) {
   return line.size() <= kMost ? line : line.substr(0, kMost) + "...";
 }
 
-std::string percent(double share) { return number(100.0 * share, "%.2g"); }
+std::string percent(double share) { return number_text(100.0 * share, 2); }
 
 // "12 ± 3 %"
 std::string error_text(double error, double standard_error) {
@@ -36,7 +30,7 @@ std::string cell(const StudyTable& table, const StudyPoint& point, std::size_t m
   if (table.members == 1) return percent(point.errors[m]);
   const SampledFigure& f = point.sampled[m];
   if (!std::isfinite(f.mean)) return percent(point.errors[m]) + " %";  // a measure of whole curves: no figure
-  const std::string figure = number(f.mean, "%.4g") + " ± " + number(f.spread, "%.2g");
+  const std::string figure = number_text(f.mean, 4) + " ± " + number_text(f.spread, 2);
   return point.value == "reference" ? figure : figure + "; " + error_text(f.error, f.standard_error);
 }
 
@@ -46,10 +40,10 @@ void write_row(std::ostream& out, const StudyTable& table, const StudyPoint& poi
     out << "ended with code " << point.code << ": " << one_line(point.message) << " |\n";
     return;
   }
-  out << number(table.grains ? point.windows : point.steps, "%.6g") << " |";
+  out << number_text(table.grains ? point.windows : point.steps) << " |";
   for (std::size_t m = 0; m < table.measures.size(); ++m) out << ' ' << cell(table, point, m) << " |";
-  if (table.grains) out << ' ' << number(cost_of(point, true), "%.3g") << " |";
-  out << ' ' << number(table.members > 1 ? point.cpu : point.wall, "%.3g") << " |\n";
+  if (table.grains) out << ' ' << number_text(cost_of(point, true), 3) << " |";
+  out << ' ' << number_text(table.members > 1 ? point.cpu : point.wall, 3) << " |\n";
 }
 
 // Value, its largest error and its run time: three cells.
@@ -59,7 +53,7 @@ std::string advice_cells(const Advice& a) {
   if (!a.apart.empty()) text += ", but for " + a.apart + " (" + percent(a.apart_error) + " %)";
   if (!a.resolved) text += " (not resolved)";
   text += " | " + error_text(a.error, a.standard_error) + ", " + a.measure + " | ";
-  return text + (a.time_ratio > 0.0 ? number(a.time_ratio, "%.2f") : "") + " |";
+  return text + (a.time_ratio > 0.0 ? fixed_text(a.time_ratio, 2) : "") + " |";
 }
 
 }  // namespace
@@ -101,14 +95,13 @@ void write_recommendations(std::ostream& out, const StudyTable& table) {
       first = false;
     }
     out << ";\nof a mean of " << table.members << " by "
-        << number(1.0 / std::sqrt(static_cast<double>(table.members)), "%.2f")
+        << fixed_text(1.0 / std::sqrt(static_cast<double>(table.members)), 2)
         << " times that. Errors are told closer because run and reference start from the same samples.\n";
   }
 }
 
 void write_study_page(const std::string& path, const StudyTable& table, const std::string& command) {
-  std::ofstream out(path);
-  if (!out) throw InputError(path + ": cannot be written");
+  std::ofstream out = open_to_write(path);
   const bool samples = table.members > 1;
   out << "# " << table.title << "\n\n";
   if (samples) {

@@ -1,13 +1,14 @@
 #include "mbd_solver/cli/experiments/study_plot.h"
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/experiments/csv_field.h"
+#include "coupler/base/text.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
+#include "mbd_solver/cli/experiments/csv_field.h"
 #include "mbd_solver/cli/experiments/study_error.h"
 
 namespace footfall {
@@ -16,16 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string number(double value, const char* format = "%.6g") {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 // The block of data of one curve, inline in the script.
 void write_data(std::ofstream& out, const std::string& name, const std::vector<std::pair<double, double>>& points) {
   out << name << " << EOD\n";
-  for (const auto& [x, y] : points) out << number(x) << ' ' << number(y) << '\n';
+  for (const auto& [x, y] : points) out << number_text(x) << ' ' << number_text(y) << '\n';
   out << "EOD\n";
 }
 
@@ -59,8 +54,7 @@ std::vector<std::array<double, 3>> StudyTable::bars(const std::string& curve, st
 }
 
 void write_study_csv(const std::string& path, const StudyTable& table) {
-  std::ofstream out(path);
-  if (!out) throw InputError(path + ": cannot be written");
+  std::ofstream out = open_to_write(path);
   out << "curve,value,x,exit_code,wall_s,dem_wall_s,mbd_wall_s,exchange_wall_s,cpu_s,steps,windows";
   for (const std::string& measure : table.measures)
     out << ',' << csv_field("error." + measure) << ',' << csv_field("order." + measure);
@@ -68,17 +62,17 @@ void write_study_csv(const std::string& path, const StudyTable& table) {
     for (const std::string& measure : table.measures)
       for (const char* what : {"mean.", "spread.", "standard_error."}) out << ',' << csv_field(what + measure);
   out << '\n';
-  const auto finite = [](double value) { return std::isfinite(value) ? number(value) : std::string(); };
+  const auto finite = [](double value) { return std::isfinite(value) ? number_text(value) : std::string(); };
   const auto write = [&](const StudyPoint& point, const StudyPoint* before) {
-    out << csv_field(point.curve) << ',' << csv_field(point.value) << ',' << number(point.x) << ',' << point.code;
+    out << csv_field(point.curve) << ',' << csv_field(point.value) << ',' << number_text(point.x) << ',' << point.code;
     for (const double time : {point.wall, point.dem, point.mbd, point.exchange, point.cpu})
-      out << ',' << number(time, "%.4g");
-    out << ',' << number(point.steps) << ',' << number(point.windows);
+      out << ',' << number_text(time, 4);
+    out << ',' << number_text(point.steps) << ',' << number_text(point.windows);
     for (std::size_t m = 0; m < table.measures.size(); ++m) {
       out << ',' << finite(point.errors[m]) << ',';
       if (before && before->code == 0 && point.code == 0) {
         const double order = observed_order({{before->x, before->errors[m]}, {point.x, point.errors[m]}});
-        if (order != 0.0) out << number(order, "%.2f");
+        if (order != 0.0) out << fixed_text(order, 2);
       }
     }
     for (const SampledFigure& f : point.sampled)
@@ -116,7 +110,7 @@ std::string draw_study(const std::string& folder, const std::string& name, const
         write_data(out, data, points);
         std::string title = curve;
         if (const double order = over_cost ? 0.0 : observed_order(points); order != 0.0)
-          title += "  order " + number(order, "%.1f");
+          title += "  order " + fixed_text(order, 1);
         // On the right only of curves that have no place on the left, which are not over x.
         if (over_cost && table.members == 1 && !table.line(curve, m, false).empty()) title.clear();
         plot += (plot.empty() ? "plot " : ", ") + data + " using 1:2 with linespoints pt " + std::to_string(k + 3) +
@@ -124,7 +118,8 @@ std::string draw_study(const std::string& folder, const std::string& name, const
         const auto bars = table.bars(curve, m, over_cost);
         if (bars.empty()) continue;
         out << data << "b << EOD\n";
-        for (const auto& [x, y, bar] : bars) out << number(x) << ' ' << number(y) << ' ' << number(bar) << '\n';
+        for (const auto& [x, y, bar] : bars)
+          out << number_text(x) << ' ' << number_text(y) << ' ' << number_text(bar) << '\n';
         out << "EOD\n";
         plot += ", " + data + "b using 1:2:(0):3 with vectors nohead lw 1.5 lc " + std::to_string(k) + " notitle";
       }

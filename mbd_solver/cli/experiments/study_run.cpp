@@ -7,10 +7,11 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/cli/experiments/run_record.h"
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/child.h"
 #include "mbd_solver/cli/launch/programs.h"
-#include "mbd_solver/cli/experiments/run_record.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
@@ -83,7 +84,7 @@ void make_bed_of(const StudyRunRequest& request) {
 // What follows `footfall run SCENE`, but for the folder.
 std::vector<std::string> options_of(const StudyRunRequest& request) {
   std::vector<std::string> words = {"--quiet", "--set", "output.plots=false"};
-  if (request.until > 0.0) words.insert(words.end(), {"--until", short_number(request.until)});
+  if (request.until > 0.0) words.insert(words.end(), {"--until", number_text(request.until)});
   for (const std::string& setting : request.settings) words.insert(words.end(), {"--set", setting});
   return words;
 }

@@ -6,18 +6,20 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <thread>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/launch/bed.h"
-#include "mbd_solver/cli/launch/process_pool.h"
-#include "mbd_solver/cli/launch/programs.h"
+#include "coupler/base/text.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/experiments/run_record.h"
 #include "mbd_solver/cli/experiments/sweep_fit.h"
 #include "mbd_solver/cli/experiments/sweep_table.h"
-#include "coupler/base/whole_file.h"
+#include "mbd_solver/cli/launch/bed.h"
+#include "mbd_solver/cli/launch/process_pool.h"
+#include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -76,7 +78,7 @@ class Sweep {
   std::vector<std::string> words(std::size_t run) const {
     std::vector<std::string> words = {
         built_program("footfall"), "run", runs_[run].scene, "--quiet", "--out", folder(run)};
-    if (spec_.until > 0.0) words.insert(words.end(), {"--until", short_number(spec_.until)});
+    if (spec_.until > 0.0) words.insert(words.end(), {"--until", number_text(spec_.until)});
     for (const std::string& setting : runs_[run].settings) words.insert(words.end(), {"--set", setting});
     return words;
   }
@@ -90,10 +92,8 @@ class Sweep {
     return text.str();
   }
   bool is_done(std::size_t run) const {
-    std::ifstream kept(folder(run) + ".recipe");
-    std::ostringstream text;
-    text << kept.rdbuf();
-    return kept.good() && text.str() == recipe(run) && result_of(spec_, folder(run)).done;
+    const std::optional<std::string> kept = read_whole_file(folder(run) + ".recipe");
+    return kept && *kept == recipe(run) && result_of(spec_, folder(run)).done;
   }
   void keep_recipe(std::size_t run) const { write_whole_file(folder(run) + ".recipe", recipe(run)); }
 
@@ -113,8 +113,7 @@ void list_runs(const Sweep& sweep, const std::vector<std::size_t>& chosen) {
 void write_slurm(const Sweep& sweep, const SweepArguments& a, int cores) {
   fs::create_directories(sweep.out());
   const std::string path = (fs::path(sweep.out()) / "sweep.sbatch").string();
-  std::ofstream out(path);
-  if (!out) throw InputError(path + ": cannot be written");
+  std::ofstream out = open_to_write(path);
   const std::string footfall = built_program("footfall"), file = fs::absolute(a.file).string(),
                     folder = fs::absolute(sweep.out()).string();
   out << "#!/bin/bash\n#SBATCH --job-name=" << fs::path(a.file).stem().string() << "\n#SBATCH --array=0-"
@@ -148,10 +147,9 @@ void make_beds(const Sweep& sweep, const std::string& file, const std::vector<st
   });
   if (interrupted) throw Interrupted{};
   if (failed < 0) return;
-  std::ostringstream reason;
-  reason << std::ifstream(commands[static_cast<std::size_t>(failed)].output).rdbuf();
-  if (failed_with == kExitBadInput) throw InputError(reason.str());
-  throw PartnerError(reason.str());
+  const std::string reason = read_whole_file(commands[static_cast<std::size_t>(failed)].output).value_or("");
+  if (failed_with == kExitBadInput) throw InputError(reason);
+  throw PartnerError(reason);
 }
 
 // Tables, plots and the ranking. True when every run is done.

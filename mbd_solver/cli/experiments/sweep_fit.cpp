@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
 
 namespace footfall {
@@ -16,12 +17,6 @@ namespace footfall {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string number(double value, const char* format = "%.3g") {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 std::optional<double> number_in(const std::string& text) {
   char* end = nullptr;
@@ -38,9 +33,9 @@ int index_of(const std::vector<Named>& list, const std::string& name) {
 
 // "d = 0.1 (rho)^0.50 (D)^0.67".
 std::string law_text(const SweepFit& fit, const PowerLaw& law) {
-  std::string text = fit.label + " = " + number(law.factor);
+  std::string text = fit.label + " = " + number_text(law.factor, 3);
   for (std::size_t k = 0; k < fit.factors.size(); ++k)
-    text += " (" + fit.factors[k].name + ")^" + number(law.exponents[static_cast<Eigen::Index>(k)], "%.2f");
+    text += " (" + fit.factors[k].name + ")^" + fixed_text(law.exponents[static_cast<Eigen::Index>(k)], 2);
   return text;
 }
 
@@ -91,7 +86,7 @@ struct FitResult {
 void write_page(std::ofstream& out, const SweepFit& fit, const FitResult& r) {
   const std::vector<std::string> names = publishers(fit);
   out << "\n`" << law_text(fit, r.law) << "`: " << r.data.runs.size() << " runs" << where_text(fit)
-      << ", R^2 = " << number(r.law.r_squared, "%.4f") << ", scatter " << number(100.0 * r.law.scatter, "%.1f")
+      << ", R^2 = " << fixed_text(r.law.r_squared, 4) << ", scatter " << fixed_text(100.0 * r.law.scatter, 1)
       << " %\n\n| exponent of | found | standard error | 95 % interval |";
   for (const std::string& who : names) out << ' ' << who << " |";
   out << "\n|---|---|---|---|";
@@ -99,27 +94,26 @@ void write_page(std::ofstream& out, const SweepFit& fit, const FitResult& r) {
   out << '\n';
   for (std::size_t k = 0; k < fit.factors.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    out << "| " << fit.factors[k].name << " | " << number(r.law.exponents[i], "%.3f") << " | "
-        << number(r.law.errors[i], "%.3f") << " | " << number(r.law.lower[i], "%.3f") << " to "
-        << number(r.law.upper[i], "%.3f") << " |";
+    out << "| " << fit.factors[k].name << " | " << fixed_text(r.law.exponents[i], 3) << " | "
+        << fixed_text(r.law.errors[i], 3) << " | " << fixed_text(r.law.lower[i], 3) << " to "
+        << fixed_text(r.law.upper[i], 3) << " |";
     for (const std::string& who : names) {
       const std::optional<double> exponent = published_by(fit.factors[k], who);
-      out << ' ' << (exponent ? number(*exponent) : "") << " |";
+      out << ' ' << (exponent ? number_text(*exponent, 3) : "") << " |";
     }
     out << '\n';
   }
   for (const auto& [who, law] : r.published)
     out << "\nWith the exponents of " << who << ": `" << law_text(fit, law)
-        << "`, R^2 = " << number(law.r_squared, "%.4f") << ", scatter " << number(100.0 * law.scatter, "%.1f")
-        << " %\n";
+        << "`, R^2 = " << fixed_text(law.r_squared, 4) << ", scatter " << fixed_text(100.0 * law.scatter, 1) << " %\n";
 }
 
 void write_rows(std::ofstream& out, const SweepFit& fit, const FitResult& r) {
   const auto row = [&](const std::string& law, const std::string& what, double value, double error, double low,
                        double high, const PowerLaw& of) {
-    out << fit.name << ",\"" << law << "\",\"" << what << "\"," << number(value, "%.6g") << ',' << number(error, "%.6g")
-        << ',' << number(low, "%.6g") << ',' << number(high, "%.6g") << ',' << r.data.runs.size() << ','
-        << of.degrees_of_freedom << ',' << number(of.r_squared, "%.6g") << ',' << number(of.scatter, "%.6g") << '\n';
+    out << fit.name << ",\"" << law << "\",\"" << what << "\"," << number_text(value) << ',' << number_text(error)
+        << ',' << number_text(low) << ',' << number_text(high) << ',' << r.data.runs.size() << ','
+        << of.degrees_of_freedom << ',' << number_text(of.r_squared) << ',' << number_text(of.scatter) << '\n';
   };
   const auto rows = [&](const std::string& name, const PowerLaw& law) {
     row(name, "factor", law.factor, std::nan(""), law.factor_interval.first, law.factor_interval.second, law);
@@ -154,7 +148,7 @@ std::string draw_fit(const SweepSpec& sweep, const SweepFit& fit, const std::vec
           runs[static_cast<std::size_t>(r.data.runs[i])].values[static_cast<std::size_t>(marks)] != values[k])
         continue;
       const auto row = static_cast<Eigen::Index>(i);
-      out << number(r.law.at(r.data.x.row(row).transpose()), "%.6g") << ' ' << number(r.data.y[row], "%.6g") << '\n';
+      out << number_text(r.law.at(r.data.x.row(row).transpose())) << ' ' << number_text(r.data.y[row]) << '\n';
       any = true;
     }
     out << "EOD\n";
@@ -167,8 +161,9 @@ std::string draw_fit(const SweepSpec& sweep, const SweepFit& fit, const std::vec
   const double low = r.data.y.minCoeff(), high = r.data.y.maxCoeff();
   for (int decade = static_cast<int>(std::floor(std::log10(low)));
        decade <= static_cast<int>(std::ceil(std::log10(high))); ++decade)
-    for (const int digit : {1, 2, 3, 5}) tics += (tics.empty() ? "" : ", ") + number(digit * std::pow(10.0, decade));
-  const std::string range = "[" + number(low / 1.2, "%.6g") + ":" + number(high * 1.2, "%.6g") + "]";
+    for (const int digit : {1, 2, 3, 5})
+      tics += (tics.empty() ? "" : ", ") + number_text(digit * std::pow(10.0, decade), 3);
+  const std::string range = "[" + number_text(low / 1.2) + ":" + number_text(high * 1.2) + "]";
   out << "set logscale xy\nset grid\nset size square\nset xtics (" << tics << ")\nset ytics (" << tics
       << ")\nset xrange " << range << "\nset yrange " << range << "\nset title \"" << sweep.title << where_text(fit)
       << "\" noenhanced\nset xlabel \"" << law_text(fit, r.law) << "\" noenhanced\nset ylabel \"" << fit.figure
@@ -260,8 +255,9 @@ SweepFitData fit_data(const SweepSpec& sweep, const SweepFit& fit, const std::ve
   data.y.resize(data.x.rows());
   const auto positive = [&](double value, const std::string& what, std::size_t run) {
     if (!(value > 0.0))
-      throw InputError(sweep.file + ":" + std::to_string(fit.line) + ": fits." + what + ": is " + number(value) +
-                       " in the run " + runs[run].name + ", expected more than 0 in a power law");
+      throw InputError(sweep.file + ":" + std::to_string(fit.line) + ": fits." + what + ": is " +
+                       number_text(value, 3) + " in the run " + runs[run].name +
+                       ", expected more than 0 in a power law");
     return value;
   };
   for (Eigen::Index row = 0; row < data.x.rows(); ++row) {

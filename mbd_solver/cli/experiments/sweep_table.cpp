@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 
-#include "coupler/base/errors.h"
-#include "mbd_solver/cli/experiments/csv_field.h"
+#include "coupler/base/text.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
+#include "mbd_solver/cli/experiments/csv_field.h"
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
 
@@ -19,25 +19,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string number(double value) {
-  if (!std::isfinite(value)) return "";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
+std::string number(double value) { return std::isfinite(value) ? number_text(value) : ""; }
 
 // As in a table that people read.
 std::string rounded(double value) {
-  if (!std::isfinite(value)) return "";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", std::abs(value) < 1e-9 ? 0.0 : value);
-  return text;
-}
-
-std::ofstream open(const std::string& path) {
-  std::ofstream out(path);
-  if (!out) throw InputError(path + ": cannot be written");
-  return out;
+  return std::isfinite(value) ? number_text(std::abs(value) < 1e-9 ? 0.0 : value, 3) : "";
 }
 
 int figure_index(const SweepSpec& sweep, const std::string& name) {
@@ -91,7 +77,7 @@ std::vector<SweepCase> cases_of(const SweepSpec& sweep, const std::vector<SweepR
 
 void write_run_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepRun>& runs,
                      const std::vector<SweepResult>& results) {
-  std::ofstream out = open(path);
+  std::ofstream out = open_to_write(path);
   out << "run";
   for (const SweepParameter& parameter : sweep.parameters) out << ',' << csv_field(parameter.name);
   out << ",status";
@@ -107,7 +93,7 @@ void write_run_table(const std::string& path, const SweepSpec& sweep, const std:
 }
 
 void write_case_table(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases) {
-  std::ofstream out = open(path);
+  std::ofstream out = open_to_write(path);
   out << "case,runs,within_limits";
   for (const SweepFigure& figure : sweep.figures)
     out << ',' << csv_field(figure.name) << ',' << csv_field("spread of " + figure.name);
@@ -120,7 +106,7 @@ void write_case_table(const std::string& path, const SweepSpec& sweep, const std
 }
 
 void write_case_page(const std::string& path, const SweepSpec& sweep, const std::vector<SweepCase>& cases) {
-  std::ofstream out = open(path);
+  std::ofstream out = open_to_write(path);
   out << "Made by `./footfall sweep " << sweep.file << "`.\n\n| " << sweep.title << " |";
   for (const SweepFigure& figure : sweep.figures) out << ' ' << figure.name << " |";
   out << (sweep.limits.empty() ? "\n|---|" : " within the limits |\n|---|");
@@ -161,8 +147,8 @@ std::vector<StatementVerdict> verdicts_of(const SweepSpec& sweep, const std::vec
 
 void write_statements(const std::string& folder, const SweepSpec& sweep,
                       const std::vector<StatementVerdict>& verdicts) {
-  std::ofstream csv = open((fs::path(folder) / "statements.csv").string()),
-                page = open((fs::path(folder) / "statements.md").string());
+  std::ofstream csv = open_to_write((fs::path(folder) / "statements.csv").string()),
+                page = open_to_write((fs::path(folder) / "statements.md").string());
   csv << "statement,figure,case,value,against,reference,judged,least,most,came_out\n";
   page << "| statement | numbers | expected | came out |\n|---|---|---|---|\n";
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
@@ -205,7 +191,7 @@ std::vector<std::string> draw_sweep(const SweepSpec& sweep, const std::vector<Sw
                                     const std::vector<std::string>& folders, const std::string& folder) {
   std::vector<std::string> scripts;
   for (const SweepPlot& plot : sweep.plots) {
-    std::ofstream script = open((fs::path(folder) / (plot.name + ".gp")).string());
+    std::ofstream script = open_to_write((fs::path(folder) / (plot.name + ".gp")).string());
     std::string curves;
     int color = 0;
     for (const SweepCase& c : cases) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/nearest_name.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/scene/findings.h"
 
 namespace footfall {
@@ -60,7 +62,7 @@ void TableReader::require(const std::string& key, bool given) const {
 void TableReader::done() const {
   for (const auto& [key, value] : node_.table) {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-    const std::string guess = closest_name(key, known_);
+    const std::string guess = nearest_name(key, known_);
     fail(value, key, "is not known" + (guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
   }
 }
@@ -75,7 +77,7 @@ std::string TableReader::text(const std::string& key, const ConfigNode& value) c
   if (!value.is_number()) fail(value, key, "is " + value.description() + ", expected a text or a number");
   if (value.kind == ConfigNode::Kind::kInteger)
     return std::to_string(static_cast<long long>(value.number));  // seeds have many digits
-  return short_number(value.number);
+  return number_text(value.number);
 }
 
 }  // namespace footfall

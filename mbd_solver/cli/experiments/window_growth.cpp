@@ -8,7 +8,7 @@
 #include <fstream>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "coupler/base/errors.h"
+#include "coupler/base/whole_file.h"
 #include "coupler/load_average.h"
 #include "mbd_solver/cli/experiments/window_growth_run.h"
 #include "mbd_solver/coupling/predicted_window.h"
@@ -170,8 +170,7 @@ std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, i
 }
 
 void write_growth(const std::string& path, const std::string& title, const std::vector<GrowthPoint>& points, int n) {
-  std::ofstream out(path);
-  if (!out) throw InputError(path + ": cannot be written");
+  std::ofstream out = open_to_write(path);
   out << "# " << title << "\n\nGrowth of the motion per window of " << n
       << " substeps, one body on linear contacts with grains that stand, no damping: in LIGGGHTS / by the coupling "
          "code\n"

@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "coupler/base/text.h"
 #include "mbd_solver/cli/experiments/study_run.h"
 
 namespace footfall {
@@ -19,11 +19,7 @@ constexpr double kSettled = 0.1;                     // and by which two such ra
 constexpr double kDecayed = 1e-7;                    // of the first velocity: below, tolerances would be measured
 constexpr int kWindows = 200;
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", x);
-  return text;
-}
+std::string number(double x) { return number_text(x, 10); }
 
 }  // namespace
 

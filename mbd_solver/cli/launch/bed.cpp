@@ -6,9 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/launch/fingerprint.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/scene/script_text.h"
@@ -60,11 +61,7 @@ Bed bed_in(const fs::path& folder) {
 class Draft {
  public:
   explicit Draft(fs::path folder) : folder_(std::move(folder)) {
-    std::error_code error;
-    fs::create_directories(folder_, error);
-    if (error)
-      throw InputError(folder_.string() + ": cannot be made: " + error.message() +
-                       "; set FOOTFALL_CACHE to a folder that can be written");
+    make_folder(folder_.string(), "set FOOTFALL_CACHE to a folder that can be written");
   }
   ~Draft() {
     std::error_code ignored;
@@ -107,10 +104,8 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
   const std::string errors = liggghts_errors(log);
   if (!errors.empty()) throw InputError("the bed's script " + spec.script + " failed in LIGGGHTS:\n" + errors);
   if (end.code != 0) {
-    std::ostringstream said;
-    said << std::ifstream(command.output).rdbuf();
     throw PartnerError("making the bed: LIGGGHTS ended with code " + std::to_string(end.code) + " on " + spec.script +
-                       "\n" + said.str());
+                       "\n" + read_whole_file(command.output).value_or(""));
   }
   if (!fs::exists(restart))
     throw InputError("the bed's script " + spec.script +

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/laws/parameter_check.h"
+#include "coupler/base/parameter_check.h"
 
 namespace footfall {
 

@@ -1,7 +1,7 @@
 #include "mbd_solver/model/controllers/constant_controller.h"
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/laws/parameter_check.h"
+#include "coupler/base/parameter_check.h"
 
 namespace footfall {
 

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 namespace {
@@ -17,12 +18,6 @@ const std::map<std::string, std::vector<std::string>> kKeys = {
       "term"}},
     {"RuleBlock", {"description", "enabled", "conjunction", "disjunction", "implication", "activation", "rule"}},
 };
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::string first_word(const std::string& text) { return text.substr(0, text.find_first_of(" \t")); }
 

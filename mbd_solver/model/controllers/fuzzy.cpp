@@ -1,5 +1,7 @@
 // The only file that includes FuzzyLite.
 #include "mbd_solver/model/controllers/fuzzy.h"
+#include "coupler/base/parameter_check.h"
+#include "coupler/base/text.h"
 
 #include <fl/Headers.h>
 
@@ -12,7 +14,6 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/controllers/fll_text.h"
 #include "mbd_solver/model/controllers/mamdani_grid.h"
-#include "mbd_solver/model/laws/parameter_check.h"
 
 namespace footfall {
 namespace {

@@ -1,6 +1,7 @@
 #include "mbd_solver/model/controllers/fuzzy_controller.h"
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 
 namespace footfall {
 
@@ -14,7 +15,7 @@ FuzzyController::FuzzyController(const FuzzyControllerParameters& parameters)
 }
 
 void FuzzyController::sample(const ControllerMeasurement& m, Eigen::Ref<Eigen::VectorXd> voltages) {
-  constexpr double kDegree = 180.0 / 3.14159265358979323846;
+  constexpr double kDegree = 180.0 / kPi;
   filter_.sample(m.acceleration);
   const FuzzyInput input = {filter_.acceleration() / kStandardGravity, filter_.jerk() * kJerkTime / kStandardGravity,
                             m.pitch * kDegree, m.roll * kDegree};

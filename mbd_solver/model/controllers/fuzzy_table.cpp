@@ -6,6 +6,7 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 
 namespace footfall {
 namespace {
@@ -15,7 +16,6 @@ constexpr double kMostValues = 2.0e7;  // 160 MB
 // The points of one axis: all corners, and the intervals between them divided in proportion to their length,
 // at least once.
 Eigen::VectorXd axis_nodes(const std::vector<double>& corners, int points, const std::string& name) {
-  constexpr double kPi = 3.14159265358979323846;
   const std::size_t intervals = corners.size() - 1;
   if (points < static_cast<int>(corners.size()))
     throw InputError("controller fuzzy: grid has " + std::to_string(points) + " points along " + name +

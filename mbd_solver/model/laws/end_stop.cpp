@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/laws/parameter_check.h"
+#include "coupler/base/parameter_check.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 namespace {

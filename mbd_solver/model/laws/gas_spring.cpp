@@ -3,14 +3,12 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/laws/parameter_check.h"
+#include "coupler/base/parameter_check.h"
+#include "coupler/base/pi.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
+namespace {}  // namespace
 
 GasSpring::GasSpring(const GasSpringParameters& parameters)
     : parameters_(parameters), area_(0.25 * kPi * parameters.piston_diameter * parameters.piston_diameter) {

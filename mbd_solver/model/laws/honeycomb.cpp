@@ -4,7 +4,8 @@
 #include <numeric>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/laws/parameter_check.h"
+#include "coupler/base/parameter_check.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 namespace {

@@ -1,12 +1,13 @@
 #include "mbd_solver/model/laws/mr_geometry.h"
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/laws/parameter_check.h"
+#include "coupler/base/parameter_check.h"
+#include "coupler/base/pi.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 
 MrDamperParameters mr_damper_from_geometry(const MrGeometry& g, MrDamperParameters law) {
-  constexpr double kPi = 3.14159265358979323846;
   constexpr std::string_view kWho = "mr_damper geometry";
   require_positive(kWho, "D1", g.D1, "m");
   require_positive(kWho, "d1", g.d1, "m");

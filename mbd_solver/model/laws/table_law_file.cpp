@@ -5,16 +5,11 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/model/laws/table_law.h"
 
 namespace footfall {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> result;

@@ -1,4 +1,5 @@
-// Beds of grains: dumps read back, and their figures against beds whose figures are known.
+// mbd_solver/cli/analysis/bed_frames.h and bed_measures.h:
+// dumps read back, and their figures against beds whose figures are known.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,6 +7,7 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/cli/analysis/bed_frames.h"
 #include "mbd_solver/cli/analysis/bed_measures.h"
 
@@ -92,7 +94,7 @@ TEST(BedMeasures, OfACubicLatticeAreKnown) {
   // 3 n^2 (n - 1) pairs touch.
   EXPECT_DOUBLE_EQ(coordination_number(bed), 6.0 * (n - 1) / n);
   // pi/6, up to the grains that the cylinder cuts.
-  EXPECT_NEAR(packing_fraction(bed, {8.0, 8.0, 16.0}, 6.0, 16.0), M_PI / 6.0, 0.03 * M_PI / 6.0);
+  EXPECT_NEAR(packing_fraction(bed, {8.0, 8.0, 16.0}, 6.0, 16.0), kPi / 6.0, 0.03 * kPi / 6.0);
   EXPECT_EQ(packing_fraction(bed, {8.0, 8.0, 30.0}, 6.0, 10.0), 0.0);  // above the bed
   for (const double z : surface_profile(bed, {8.0, 8.0}, 2.0, 3)) EXPECT_DOUBLE_EQ(z, 16.0);
   bed.v.row(1).setConstant(3.0);
@@ -119,7 +121,7 @@ TEST(BedMeasures, ALargeGrainStandsInEveryColumnItReachesOver) {
   EXPECT_GT(profile[1], 28.0);
   EXPECT_DOUBLE_EQ(profile[3], 24.0);
   // As many points for the small ones as without it.
-  EXPECT_NEAR(packing_fraction(bed, {12.0, 12.0, 24.0}, 6.0, 16.0), M_PI / 6.0, 0.03 * M_PI / 6.0);
+  EXPECT_NEAR(packing_fraction(bed, {12.0, 12.0, 24.0}, 6.0, 16.0), kPi / 6.0, 0.03 * kPi / 6.0);
 }
 
 TEST(BedMeasures, SeparationCountsTheGrainsThatAreApart) {

@@ -1,4 +1,4 @@
-// Children of the front door, and the key of a bed.
+// mbd_solver/cli/launch/child.h and bed.h: children of the front door, and the key of a bed.
 #include <gtest/gtest.h>
 #include <signal.h>
 

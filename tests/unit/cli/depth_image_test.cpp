@@ -1,5 +1,6 @@
 // The renderer: what is nearer hides what is behind it, whatever was drawn first.
 #include "mbd_solver/cli/analysis/depth_image.h"
+#include "coupler/base/pi.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,6 @@ namespace footfall {
 namespace {
 
 constexpr Colour kRed{255, 0, 0}, kBlue{0, 0, 255}, kWhite{255, 255, 255};
-constexpr double kPi = 3.14159265358979323846;
 
 // 2 m wide, seen along -x: y to the right, z up. 100 pixels.
 DepthImage from_ahead() { return DepthImage({eye_axes(0.0, 0.0), {-1, -1}, {1, 1}}, 100); }

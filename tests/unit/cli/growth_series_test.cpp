@@ -1,4 +1,4 @@
-// Growth per window from the values of a motion.
+// mbd_solver/cli/experiments/window_growth_run.h: growth per window from the values of a motion.
 #include <gtest/gtest.h>
 
 #include <cmath>

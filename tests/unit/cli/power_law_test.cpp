@@ -1,5 +1,6 @@
 // Exponents from measured values: exact laws, known quantiles, and how often an interval holds the truth.
 #include "mbd_solver/cli/experiments/power_law.h"
+#include "coupler/base/pi.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +44,7 @@ TEST(PowerLaw, AnExactLawComesBackToTheLastDigits) {
 // Whole tables have t to four or five digits (two-sided 95 %); one and two degrees are known in closed form.
 TEST(PowerLaw, QuantilesOfStudent) {
   constexpr double kOfTheTable = 5e-5;
-  EXPECT_NEAR(student_t(0.95, 1), std::tan(0.95 * std::acos(-1.0) / 2), 1e-9);
+  EXPECT_NEAR(student_t(0.95, 1), std::tan(0.95 * kPi / 2), 1e-9);
   EXPECT_NEAR(student_t(0.95, 2), 0.95 * std::sqrt(2.0 / (1 - 0.95 * 0.95)), 1e-12);
   EXPECT_NEAR(student_t(0.95, 3), 3.18245, kOfTheTable);
   EXPECT_NEAR(student_t(0.95, 10), 2.22814, kOfTheTable);

@@ -1,4 +1,4 @@
-// The stock script that replays a run's motion, as text.
+// mbd_solver/cli/analysis/replay_script.h: the stock script that replays a run's motion, as text.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/cli/experiments/sweep.h"
 #include "mbd_solver/cli/experiments/sweep_figure.h"
 
@@ -16,7 +17,7 @@ namespace {
 std::vector<double> humps(std::initializer_list<double> heights, double ripple) {
   std::vector<double> x;
   for (const double height : heights)
-    for (int i = 0; i < 100; ++i) x.push_back(height * std::sin(M_PI * i / 100.0) + ripple * (i % 2));
+    for (int i = 0; i < 100; ++i) x.push_back(height * std::sin(kPi * i / 100.0) + ripple * (i % 2));
   return x;
 }
 

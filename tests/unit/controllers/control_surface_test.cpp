@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "coupler/base/errors.h"
-#include "fuzzy_files.h"
+#include "tests/unit/controllers/fuzzy_files.h"
 
 namespace footfall {
 namespace {

@@ -1,4 +1,5 @@
-// What a controller does to a landing, in the smallest model that shows it: a rigid mass on four equal MR
+// mbd_solver/model/controllers/controller.h:
+// what a controller does to a landing, in the smallest model that shows it: a rigid mass on four equal MR
 // struts (gas spring, damper with coil lag, end stop) above ground that yields like regolith. One degree of
 // freedom, sampled control, closed loop.
 #include <gtest/gtest.h>
@@ -8,12 +9,12 @@
 #include <iostream>
 #include <memory>
 
-#include "fuzzy_files.h"
 #include "mbd_solver/model/controllers/constant_controller.h"
 #include "mbd_solver/model/controllers/fuzzy_controller.h"
 #include "mbd_solver/model/laws/end_stop.h"
 #include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/mr_damper.h"
+#include "tests/unit/controllers/fuzzy_files.h"
 
 namespace footfall {
 namespace {

@@ -1,10 +1,11 @@
-// Every kind of broken .fll file must be named with its line, what was expected and what to do.
+// mbd_solver/model/controllers/fll_text.h:
+// every kind of broken .fll file must be named with its line, what was expected and what to do.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "coupler/base/errors.h"
-#include "fuzzy_files.h"
+#include "tests/unit/controllers/fuzzy_files.h"
 
 namespace footfall {
 namespace {

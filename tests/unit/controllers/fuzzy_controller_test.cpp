@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "fuzzy_files.h"
+#include "coupler/base/pi.h"
+#include "tests/unit/controllers/fuzzy_files.h"
 
 namespace footfall {
 namespace {
@@ -29,7 +30,7 @@ TEST(FuzzyController, FeedsTheUnitsOfTheFile) {
   p.filter_frequency = 0.0;  // no filter: the jerk is the plain difference
   FuzzyController controller(p);
   Eigen::VectorXd u(4);
-  const double degree = std::acos(-1.0) / 180.0;
+  const double degree = kPi / 180.0;
   controller.sample(measurement(2.0 * 9.80665, 1.5 * degree, -0.5 * degree), u);
   EXPECT_LT((u - voltages(controller.system(), {2.0, 0.0, 1.5, -0.5})).cwiseAbs().maxCoeff(), 1e-12);
   // 0.04 g more after 1 ms: 4 g per 0.1 s.

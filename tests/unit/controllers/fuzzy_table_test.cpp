@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "coupler/base/errors.h"
-#include "fuzzy_files.h"
+#include "tests/unit/controllers/fuzzy_files.h"
 
 namespace footfall {
 namespace {

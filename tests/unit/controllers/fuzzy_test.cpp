@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "fuzzy_files.h"
+#include "tests/unit/controllers/fuzzy_files.h"
 
 namespace footfall {
 namespace {

@@ -1,3 +1,4 @@
+// mbd_solver/model/controllers/constant_controller.h, pid_controller.h and skyhook_controller.h.
 #include <gtest/gtest.h>
 
 #include <cmath>

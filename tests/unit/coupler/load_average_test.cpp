@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "coupler/base/pi.h"
 #include "tests/unit/coupler/random_boundary.h"
 
 namespace footfall {
@@ -166,7 +167,7 @@ TEST(LoadAverage, MeanActsInWAndTurnsItsMomentWithTheBody) {
   mean.T_B = {0, 0, 1};
   mean.Q_a[0] = 4;
   BodyMotion motion(1);
-  motion.L = turned(motion.L, {M_PI / 2, 0, 0});
+  motion.L = turned(motion.L, {kPi / 2, 0, 0});
   GeneralizedForce Q(1);
   apply(mean, motion, Q);
   EXPECT_EQ(Q.F_W, mean.F_W);

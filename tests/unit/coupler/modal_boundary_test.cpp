@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 #include "tests/unit/coupler/random_boundary.h"
 
 namespace footfall {
@@ -72,7 +73,7 @@ TEST(ModalBoundary, RigidBodyTurnsAboutItsOrigin) {
   const ModalBoundary boundary("unit", rho0, {{0, 1, 2}});
   BodyMotion motion;
   motion.r = {10, 20, 30};
-  motion.L = turned(motion.L, Eigen::Vector3d(0, 0, M_PI / 2));
+  motion.L = turned(motion.L, Eigen::Vector3d(0, 0, kPi / 2));
   motion.w = {0, 0, 3};
   Eigen::Matrix3Xd x(3, 3), v(3, 3);
   boundary.node_positions(motion, x);

@@ -1,6 +1,7 @@
 // From a model to a consistent start.
 
 #include "mbd_solver/dynamics/assembly.h"
+#include "coupler/base/pi.h"
 
 #include <cmath>
 
@@ -66,7 +67,7 @@ TEST(Assembly, SeesAHalfTurn) {
   model.add_joint(
       prismatic_joint("slide", at(model, 0, {0.0, 0.0, 0.0}, axes_with_z({1.0, 0.0, 0.0})),
                       at(model, 1, {0.0, 0.0, 0.0},
-                         rotation_matrix(quaternion_about({1.0, 0.0, 0.0}, M_PI)) * axes_with_z({1.0, 0.0, 0.0}))));
+                         rotation_matrix(quaternion_about({1.0, 0.0, 0.0}, kPi)) * axes_with_z({1.0, 0.0, 0.0}))));
   EXPECT_NE(refusal(model).find("180 degrees"), std::string::npos) << refusal(model);
 }
 

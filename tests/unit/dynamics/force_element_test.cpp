@@ -1,4 +1,5 @@
-// Energy of every force element: what it takes from the motion is stored or dissipated.
+// mbd_solver/model/force_element.h:
+// energy of every force element: what it takes from the motion is stored or dissipated.
 
 #include <cmath>
 

@@ -1,4 +1,5 @@
-// Rotations, mass properties, functions of time, external loads: small parts against their definitions.
+// mbd_solver/model/rotation.h, mass_properties.h, joints/time_function.h, dynamics/body_force.h: small parts against
+// their definitions.
 
 #include <cmath>
 

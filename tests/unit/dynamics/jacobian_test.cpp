@@ -1,4 +1,4 @@
-// The analytic Jacobian of the whole system against differences of its residual.
+// mbd_solver/dynamics/jacobian.cpp: the analytic Jacobian of the whole system against differences of its residual.
 
 #include "mbd_solver/dynamics/equations.h"
 #include "tests/unit/dynamics/random_model.h"

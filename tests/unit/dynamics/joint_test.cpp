@@ -1,4 +1,5 @@
-// Every condition of every joint: value, rate, acceleration and Jacobian row against differences along a
+// mbd_solver/model/joints/joint.h:
+// every condition of every joint: value, rate, acceleration and Jacobian row against differences along a
 // random motion.
 
 #include "mbd_solver/dynamics/kinematics.h"

@@ -7,16 +7,17 @@
 #include <memory>
 #include <string>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/model/elements/bushing.h"
+#include "mbd_solver/model/elements/rigid_plane.h"
+#include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/laws/end_stop.h"
 #include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/honeycomb.h"
 #include "mbd_solver/model/laws/mr_damper.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/model/model.h"
-#include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/rotation.h"
-#include "mbd_solver/model/elements/strut.h"
 
 namespace footfall::test {
 
@@ -44,7 +45,7 @@ inline std::unique_ptr<ForceElement> pad_on_plane(const Model& model, const std:
   plane.slip_speed = 0.01;
   std::vector<ContactPoint> points;
   for (int i = 0; i < 8; ++i) {
-    const double angle = i * M_PI / 4.0;
+    const double angle = i * kPi / 4.0;
     points.push_back({model.marker_at(pad, model.initial(pad).r +
                                                Eigen::Vector3d(0.2 * std::cos(angle), 0.2 * std::sin(angle), -0.004)),
                       0.0});
@@ -67,7 +68,7 @@ inline Model lander(const LanderStart& start = {}) {
 
   for (int leg = 0; leg < 4; ++leg) {
     const std::string tail = "_" + std::to_string(leg + 1);
-    const Eigen::Matrix3d R = Eigen::AngleAxisd(0.5 * M_PI * leg, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(0.5 * kPi * leg, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     const auto at = [&](double x, double y, double z) { return Eigen::Vector3d(R * Eigen::Vector3d(x, y, z)); };
     const Eigen::Vector3d up = at(1.0, 0.0, 1.35), pivot = at(1.75, 0.0, 0.08), side = at(0.0, 1.0, 0.0);
     const Eigen::Vector3d e = (pivot - up).normalized(), lower = up + 0.9 * e;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 
 namespace footfall {
 namespace {
@@ -14,7 +15,6 @@ using Eigen::Vector3d;
 using Vector12d = Eigen::Matrix<double, 12, 1>;
 
 constexpr double kRoundOff = 1e-12;  // relative
-constexpr double kPi = 3.14159265358979323846;
 const Material kSteel{7850.0, 207e9, 0.3};
 
 // Displacements of the free end of a cantilever (first end held) under forces and moments there.

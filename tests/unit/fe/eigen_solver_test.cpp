@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/fe_model.h"
 #include "mbd_solver/fe/fe_partition.h"
 #include "mbd_solver/fe/mesh_generator.h"
@@ -33,7 +34,7 @@ TEST(LowestModes, OfAChainAreTheExactOnesByEitherMethod) {
   for (EigenMethod method : {EigenMethod::kDense, EigenMethod::kSubspace}) {
     const Modes modes = lowest_modes(K, M, count, 0.0, method);
     for (int k = 0; k < count; ++k) {
-      const double omega = 2.0 * std::sin((k + 1) * std::acos(-1.0) / (2.0 * (n + 1)));
+      const double omega = 2.0 * std::sin((k + 1) * kPi / (2.0 * (n + 1)));
       EXPECT_NEAR(modes.lambda(k), omega * omega, 1e-10 * omega * omega);
     }
     const Eigen::MatrixXd orthonormal = modes.shapes.transpose() * M * modes.shapes;

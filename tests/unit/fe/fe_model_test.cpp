@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/node_lookup.h"
@@ -17,7 +18,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kRoundOff = 1e-12;  // relative
-constexpr double kPi = 3.14159265358979323846;
 const Material kSteel{7850.0, 207e9, 0.3};
 
 BeamMember member(int first, int second, int section = 0) {

@@ -1,9 +1,11 @@
+// mbd_solver/fe/mesh_generator.h and mesh_check.h.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/mesh_check.h"
 #include "mbd_solver/fe/mesh_generator.h"
 
@@ -13,7 +15,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kRoundOff = 1e-12;
-constexpr double kPi = 3.14159265358979323846;
 
 Vector3d area_vector(const TriangleMesh& mesh, const Eigen::Vector3i& t) {
   const Vector3d& p = mesh.vertices[static_cast<std::size_t>(t(0))];

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/fe_partition.h"
 #include "mbd_solver/fe/mesh_generator.h"
@@ -166,7 +167,7 @@ TEST(ModalBasis, ReducedBodyHeldAtItsJointVibratesAsTheClampedModel) {
   }
   N.bottomRows(s).setIdentity();
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(N.transpose() * K * N, N.transpose() * M * N);
-  const VectorXd f = eigen.eigenvalues().cwiseSqrt().head(4) / (2.0 * std::acos(-1.0));
+  const VectorXd f = eigen.eigenvalues().cwiseSqrt().head(4) / (2.0 * kPi);
   EXPECT_LT((f - exact).cwiseQuotient(exact).cwiseAbs().maxCoeff(), 1e-6)
       << "the fixed-interface modes are in the basis";
 }
@@ -188,7 +189,7 @@ TEST(ModalBasis, ManagesWiresAndThinShells) {
   const double d = 0.0005, L = 2.0;
   const FeModel wire = straight_beam({0, 0, 0}, {L, 0, 0}, 64, rod_section(d), kSteel);
   const double x = 4.730040745;  // cos x cosh x = 1
-  const double exact = x * x / (2.0 * std::acos(-1.0) * L * L) * std::sqrt(kSteel.young / kSteel.density) * d / 4.0;
+  const double exact = x * x / (2.0 * kPi * L * L) * std::sqrt(kSteel.young / kSteel.density) * d / 4.0;
   for (const BasisOptions& options : {free_free(6), craig_bampton(12, {0, 64})}) {
     const ModalBody body = reduce(wire, options, "wire").body;
     const double truncation = options.kind == BasisKind::kFreeFree ? 1e-5 : 1e-3;  // of six held modes

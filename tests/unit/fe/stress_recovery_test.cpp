@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"
@@ -16,7 +17,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 const Material kSteel{7850.0, 207e9, 0.3};
-constexpr double kPi = 3.14159265358979323846;
 
 // A beam pulled at three points, P/2 up at the ends and P down in the middle: four sections, moment P L / 4
 // in the middle, W = pi d^3/32.

@@ -1,7 +1,7 @@
 #include "mbd_solver/model/laws/end_stop.h"
 
 #include "coupler/base/errors.h"
-#include "law_checks.h"
+#include "tests/unit/laws/law_checks.h"
 
 namespace footfall {
 namespace {

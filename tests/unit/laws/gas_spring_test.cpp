@@ -1,13 +1,13 @@
 #include "mbd_solver/model/laws/gas_spring.h"
 
 #include "coupler/base/errors.h"
-#include "law_checks.h"
+#include "coupler/base/pi.h"
+#include "tests/unit/laws/law_checks.h"
 
 namespace footfall {
 namespace {
 
 using namespace law_checks;
-constexpr double kPi = 3.14159265358979323846;
 const Eigen::VectorXd kNoState;
 
 TEST(GasSpring, FollowsEquation13) {

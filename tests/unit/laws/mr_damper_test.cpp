@@ -1,14 +1,14 @@
 #include "mbd_solver/model/laws/mr_damper.h"
 
 #include "coupler/base/errors.h"
-#include "law_checks.h"
+#include "coupler/base/pi.h"
 #include "mbd_solver/model/laws/mr_geometry.h"
+#include "tests/unit/laws/law_checks.h"
 
 namespace footfall {
 namespace {
 
 using namespace law_checks;
-constexpr double kPi = 3.14159265358979323846;
 const Eigen::VectorXd kNoState;
 
 MrGeometry geometry() {

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
-#include "law_checks.h"
+#include "tests/unit/laws/law_checks.h"
 
 namespace footfall {
 namespace {

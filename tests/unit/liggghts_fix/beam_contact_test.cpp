@@ -1,6 +1,7 @@
 // A sphere against a chain of capsules: against an independent search for the closest point, at joints, and
 // virtual work.
 #include "liggghts_fix/beam_contact.h"
+#include "coupler/base/pi.h"
 
 #include <gtest/gtest.h>
 
@@ -104,7 +105,7 @@ TEST(BeamContact, AroundTheOuterSideOfABendGapAndNormalAreContinuous) {
   // down the other.
   const double distance = 0.25, r = 0.15;
   const auto path = [&](double s) -> Eigen::Vector3d {
-    const double arc = 0.5 * M_PI * distance;
+    const double arc = 0.5 * kPi * distance;
     if (s < 0.0) return {s, distance, 0.0};
     if (s > arc) return {distance, -(s - arc), 0.0};
     return {distance * std::sin(s / distance), distance * std::cos(s / distance), 0.0};

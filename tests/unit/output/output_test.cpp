@@ -1,3 +1,4 @@
+// mbd_solver/output/history.h, summary.h and cli/analysis/plots.h:
 // history.csv, summary.json and the scripts of the pictures.
 #include <gtest/gtest.h>
 
@@ -7,8 +8,8 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/output/history.h"
 #include "mbd_solver/cli/analysis/plots.h"
+#include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
 
 namespace footfall {

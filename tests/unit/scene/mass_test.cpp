@@ -1,9 +1,10 @@
-// Mass, centre and inertia of bodies given by shapes.
+// mbd_solver/scene/resolve.h: mass, centre and inertia of bodies given by shapes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/scene/boundary_surface.h"
 #include "mbd_solver/scene/resolve.h"
 #include "tests/unit/scene/scene_text.h"
@@ -13,7 +14,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kRoundOff = 1e-12;  // relative
 
 BodySpec body_of(const std::string& entry) {

@@ -1,9 +1,10 @@
-// Mesh files and generated surfaces.
+// mbd_solver/scene/mesh_reader.h and boundary_surface.h: mesh files and generated surfaces.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/fe/mesh_check.h"
 #include "mbd_solver/scene/boundary_surface.h"
 #include "mbd_solver/scene/mesh_reader.h"
@@ -15,7 +16,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kSinglePrecision = 1e-6;  // coordinates of mesh files are read as 32-bit numbers
 
 // A square of side 2 in two triangles.

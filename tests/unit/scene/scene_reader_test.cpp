@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/scene/scene_json.h"
 #include "tests/unit/scene/scene_text.h"
 
@@ -15,7 +16,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kRoundOff = 1e-12;  // values here are of order one
 
 std::set<std::string> difference(const std::set<std::string>& a, const std::set<std::string>& b) {

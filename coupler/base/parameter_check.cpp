@@ -1,9 +1,8 @@
-#include "mbd_solver/model/laws/parameter_check.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 namespace {
@@ -16,12 +15,6 @@ namespace {
 }
 
 }  // namespace
-
-std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 void require_positive(std::string_view law, std::string_view name, double value, std::string_view unit) {
   if (!(std::isfinite(value) && value > 0.0)) refuse(law, name, value, unit, "a number above 0");

@@ -2,7 +2,6 @@
 // Range checks of the parameters of laws and controllers. Each throws InputError: "<law>: <name> is <value>
 // <unit>; expected ...".
 
-#include <string>
 #include <string_view>
 
 namespace footfall {
@@ -12,8 +11,5 @@ void require_not_negative(std::string_view law, std::string_view name, double va
 void require_finite(std::string_view law, std::string_view name, double value, std::string_view unit);
 void require_within(std::string_view law, std::string_view name, double value, double low, double high,
                     std::string_view unit);
-
-// A number as a person writes it: 6 significant digits, no trailing zeros.
-std::string number_text(double value);
 
 }  // namespace footfall

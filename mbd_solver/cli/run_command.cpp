@@ -1,4 +1,4 @@
-#include "mbd_solver/cli/launch/run_command.h"
+#include "mbd_solver/cli/run_command.h"
 
 #include <unistd.h>
 
@@ -7,11 +7,13 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/cli/analysis/results.h"
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
 #include "mbd_solver/cli/launch/programs.h"
-#include "mbd_solver/cli/analysis/results.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -36,23 +38,16 @@ std::string free_folder(const std::string& name) {
 
 // What an earlier run left in a folder that is used again must not be taken for ours.
 void clear_results(const std::string& out) {
+  make_folder(out);
   std::error_code error;
-  fs::create_directories(out, error);
-  if (error) throw InputError(out + ": cannot be made: " + error.message() + "; choose another folder with --out");
   for (const char* name : {"summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "checkpoint.txt",
                            "liggghts.log", "plots", "pictures", "vtk", "motion", "compare"})
     fs::remove_all(fs::path(out) / name, error);
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.12g", value);
-  return text;
-}
-
 std::vector<std::string> solver_words(const RunArguments& a, const std::string& out, const std::string& grains) {
   std::vector<std::string> words = {built_program("mbd_solver"), short_path(a.scene), "--out", out};
-  if (a.until > 0.0) words.insert(words.end(), {"--until", number(a.until)});
+  if (a.until > 0.0) words.insert(words.end(), {"--until", number_text(a.until, 12)});
   if (!a.scheme.empty()) words.insert(words.end(), {"--scheme", a.scheme});
   if (!a.integrator.empty()) words.insert(words.end(), {"--integrator", a.integrator});
   for (const std::string& setting : a.settings) words.insert(words.end(), {"--set", setting});

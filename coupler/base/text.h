@@ -1,0 +1,21 @@
+#pragma once
+// Numbers to text, and the few cuts and joins that messages and tables need.
+
+#include <string>
+#include <vector>
+
+namespace footfall {
+
+// As a person writes it: so many significant digits, no trailing zeros ("1.5", "-900", "1e-06").
+std::string number_text(double value, int digits = 6);
+// So many digits behind the point: "0.50".
+std::string fixed_text(double value, int decimals);
+
+// "a, b, c".
+std::string joined(const std::vector<std::string>& texts, const std::string& between = ", ");
+// The cells of a line; nothing stands behind a mark at its end.
+std::vector<std::string> split(const std::string& line, char mark);
+// Without blanks, tabs and carriage returns at both ends.
+std::string trimmed(const std::string& text);
+
+}  // namespace footfall

@@ -1,0 +1,73 @@
+#include "coupler/base/whole_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WholeFile : public ::testing::Test {
+ protected:
+  WholeFile() {
+    std::string pattern = (fs::temp_directory_path() / "footfall_file_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~WholeFile() override { fs::remove_all(folder_); }
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+  fs::path folder_;
+};
+
+TEST_F(WholeFile, ReadsBackWhatWasWrittenByteByByte) {
+  const std::string text("a\r\nb\0c\n", 7);
+  write_whole_file(file("a"), text);
+  EXPECT_EQ(read_whole_file(file("a")), text);
+  write_whole_file(file("a"), "");
+  EXPECT_EQ(read_whole_file(file("a")), "") << "an empty file is there; it takes the place of the old one";
+}
+
+TEST_F(WholeFile, NothingIsReadWhereNothingStands) { EXPECT_FALSE(read_whole_file(file("missing"))); }
+
+TEST_F(WholeFile, LeavesNoDraftBehind) {
+  write_whole_file(file("a"), "text");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(WholeFile, SaysWhichFileAndWhatToDo) {
+  const std::string path = file("no folder/a");
+  try {
+    write_whole_file(path, "text", "is the disk full?");
+    FAIL() << "written into a folder that is not there";
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.what(), path + ": cannot be written; is the disk full?");
+  }
+  EXPECT_THROW(open_to_write(path), InputError);
+}
+
+TEST_F(WholeFile, MakeFolderMakesThoseAroundItToo) {
+  make_folder(file("x/y/z"));
+  make_folder(file("x/y/z"));
+  EXPECT_TRUE(fs::is_directory(file("x/y/z")));
+}
+
+TEST_F(WholeFile, MakeFolderSaysWhereItCannot) {
+  write_whole_file(file("a"), "a file stands in the way");
+  try {
+    make_folder(file("a/b"), "choose another one");
+    FAIL() << "a folder inside a file";
+  } catch (const InputError& e) {
+    const std::string said = e.what();
+    EXPECT_EQ(said.rfind(file("a/b") + ": cannot be made: ", 0), 0u) << said;
+    EXPECT_NE(said.find("; choose another one"), std::string::npos) << said;
+  }
+}
+
+}  // namespace
+}  // namespace footfall
