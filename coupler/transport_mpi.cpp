@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "coupler/base/errors.h"
+#include "coupler/mpi_check.h"
+#include "coupler/polite_wait.h"
 
 namespace footfall {
 

@@ -8,7 +8,7 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "coupler/communicator.h"
+#include "coupler/mpi_check.h"
 #include "coupler/base/errors.h"
 #include "domain.h"
 #include "fix_mesh_surface.h"

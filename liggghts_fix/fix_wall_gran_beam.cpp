@@ -10,7 +10,7 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "coupler/communicator.h"
+#include "coupler/mpi_check.h"
 #include "coupler/base/errors.h"
 #include "domain.h"
 #include "fix_property_atom.h"

@@ -13,8 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "coupler/communicator.h"
+#include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
+#include "coupler/communicator.h"
 #include "coupler/link.h"
 #include "coupler/transport_mpi.h"
 #include "input.h"

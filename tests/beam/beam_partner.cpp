@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/abort_guard.h"
 #include "coupler/communicator.h"
 #include "coupler/base/errors.h"
 #include "coupler/link.h"

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "coupler/abort_guard.h"
 #include "coupler/communicator.h"
 #include "coupler/base/errors.h"
 #include "coupler/transport_mpi.h"

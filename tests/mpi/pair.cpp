@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "coupler/abort_guard.h"
 #include "coupler/communicator.h"
 #include "coupler/base/errors.h"
 #include "coupler/link.h"

@@ -17,7 +17,7 @@ door 'toml\+\+' 'mbd_solver/scene/scene_reader.cpp'
 door 'fl/' 'mbd_solver/model/controllers/fuzzy.cpp'
 door 'assimp/' 'mbd_solver/scene/mesh_reader.cpp'
 door 'pugixml' 'mbd_solver/output/vtk_writer.cpp'
-door 'mpi\.h' 'coupler/communicator.h' 'coupler/transport_mpi.*' 'mbd_solver/main.cpp' 'liggghts_fix/*'
+door 'mpi\.h' 'coupler/communicator.h' 'coupler/polite_wait.h' 'coupler/mpi_check.cpp' 'coupler/abort_guard.cpp' 'coupler/transport_mpi.*' 'mbd_solver/main.cpp' 'liggghts_fix/*'
 door '(lammps|fix|fix_mesh_surface|mesh_module|atom|modify|fix_wall_gran|neighbor|comm|domain|update|error)\.h' 'liggghts_fix/fix_*' 'liggghts_fix/mesh_module_*' 'liggghts_fix/liggghts_access.*' 'liggghts_fix/launcher.cpp'
 if grep -rnE '^#include "(mbd_solver|liggghts_fix)/' coupler; then echo "coupler must not know the two programs"; failed=1; fi
 if grep -rnE '^#include "mbd_solver/' liggghts_fix; then echo "liggghts_fix must not know mbd_solver"; failed=1; fi
