@@ -2,57 +2,15 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <set>
 #include <string>
-#include <thread>
-#include <utility>
-#include <vector>
 
-#include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/mpi_check.h"
 
 namespace footfall {
-
-void check_mpi(int code, const char* call) {
-  if (code == MPI_SUCCESS) return;
-  char text[MPI_MAX_ERROR_STRING];
-  int length = 0;
-  MPI_Error_string(code, text, &length);
-  throw PartnerError(std::string(call) + ": " + std::string(text, static_cast<std::size_t>(length)));
-}
-
-void wait_politely(MPI_Request& request, const Doorbell* doorbell) {
-  PoliteWait wait(doorbell);
-  for (;;) {
-    int done = 0;
-    check_mpi(MPI_Test(&request, &done, MPI_STATUS_IGNORE), "MPI_Test");
-    if (done) return;
-    wait.nap();
-  }
-}
-
-void PoliteWait::nap() {
-  using Seconds = std::chrono::duration<double>;
-  constexpr double kWorthSleeping = 10e-3, kPart = 0.75;  // [s]; share of the expected time slept in one go
-  // of the time waited; [s]
-  constexpr double kShare = 1.0 / 64.0, kShortest = 5e-6, kLongest = 500e-6, kLongestWithBell = 5e-3;
-  double nap = kPart * expected_;
-  if (expected_ > kWorthSleeping) {
-    expected_ = 0.0;
-  } else {
-    const double waited = wall_clock() - start_;
-    nap = std::clamp(kShare * waited, kShortest, doorbell_ ? kLongestWithBell : kLongest);
-  }
-  if (doorbell_)
-    doorbell_->wait(nap);
-  else
-    std::this_thread::sleep_for(Seconds(nap));
-}
-
 namespace {
 
 // A name that no other job on this machine has, the same on all ranks: process and time of rank 0. Collective.
@@ -87,13 +45,6 @@ std::unique_ptr<Doorbell> hang_up_doorbell(int world_rank, int world_size) {
 }
 
 }  // namespace
-
-void abort_both_programs(int exit_code) {
-  // Not MPI_Abort: when several ranks end at once, Open MPI's mpirun may crash or hang over its abort messages. A
-  // process that ends without MPI_Finalize is enough for mpirun to end all others, and its exit code becomes the job's.
-  std::fflush(nullptr);
-  _exit(exit_code);
-}
 
 Communicator::Communicator() {
   int world_rank = 0, world_size = 1;
@@ -130,40 +81,5 @@ Communicator::~Communicator() {
   MPI_Comm_free(&own_);
   MPI_Comm_free(&exchange_);
 }
-
-namespace {
-
-// One per process, as MPI_COMM_SELF is.
-struct Guard {
-  bool released = false;
-  std::function<bool()> last_words;
-};
-
-Guard& guard() {
-  static Guard one;
-  return one;
-}
-
-int on_finalize(MPI_Comm, int, void*, void*) {
-  if (guard().released) return MPI_SUCCESS;
-  guard().released = true;
-  const bool heard = guard().last_words && guard().last_words();
-  if (!heard) abort_both_programs(kExitFailed);
-  return MPI_SUCCESS;
-}
-
-}  // namespace
-
-void AbortGuard::install(const Communicator& communicator, std::function<bool()> last_words) {
-  guard().released = !communicator.has_partner() || !communicator.is_root();
-  guard().last_words = std::move(last_words);
-  int key = MPI_KEYVAL_INVALID;
-  check_mpi(MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, on_finalize, &key, nullptr), "MPI_Comm_create_keyval");
-  check_mpi(MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr), "MPI_Comm_set_attr");
-}
-
-void AbortGuard::set_last_words(std::function<bool()> last_words) { guard().last_words = std::move(last_words); }
-
-void AbortGuard::release() { guard().released = true; }
 
 }  // namespace footfall

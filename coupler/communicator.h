@@ -1,14 +1,11 @@
 #pragma once
-// Who runs with whom under one mpirun: splits MPI_COMM_WORLD into the two programs, and makes sure that
-// neither outlives the other.
+// Who runs with whom under one mpirun: splits MPI_COMM_WORLD into the two programs.
 
 #include <mpi.h>
 
-#include <functional>
 #include <memory>
 #include <vector>
 
-#include "coupler/base/clock.h"
 #include "coupler/doorbell.h"
 
 namespace footfall {
@@ -45,43 +42,6 @@ class Communicator {
   int partner_root_ = -1;
   std::unique_ptr<Doorbell> doorbell_;
   std::vector<int> own_seats_;
-};
-
-// Throws PartnerError with MPI's own text unless code is MPI_SUCCESS.
-void check_mpi(int code, const char* call);
-
-// Waiting without keeping a core busy: Open MPI's own blocking calls spin. Three quarters of a wait that is expected
-// to be long are slept through; then one looks again after 1/64 of the time waited so far, 5 to 500 microseconds: what
-// is lost stays a small part of every wait, and who looks seldom does not push the other program off its core. A
-// doorbell ends a nap when it rings, so that with one the naps may last up to 5 milliseconds.
-class PoliteWait {
- public:
-  explicit PoliteWait(const Doorbell* doorbell, double expected_seconds = 0.0)
-      : doorbell_(doorbell), expected_(expected_seconds), start_(wall_clock()) {}
-  void nap();
-
- private:
-  const Doorbell* doorbell_;  // may be null
-  double expected_;           // [s]
-  double start_;              // [s]
-};
-void wait_politely(MPI_Request& request, const Doorbell* doorbell);
-
-// Ends both programs at once with this exit code: the last resort, when the partner does not answer any more.
-[[noreturn]] void abort_both_programs(int exit_code);
-
-// Abort guard. Some code ends a program with MPI_Finalize and exit, and the partner would wait for ever.
-// MPI_Finalize first frees the attributes of MPI_COMM_SELF: there the guard looks whether the program was
-// released. If not, it calls `last_words` (which may still send a message and says whether the partner has
-// heard it); if that is not so, it aborts both programs with status 1.
-class AbortGuard {
- public:
-  // Call once, after MPI_Init. It watches the root of a program with a partner; elsewhere it is released from
-  // the start.
-  static void install(const Communicator& communicator, std::function<bool()> last_words = {});
-  static void set_last_words(std::function<bool()> last_words);
-  // From here on MPI_Finalize is a normal end.
-  static void release();
 };
 
 }  // namespace footfall

@@ -1,36 +1,142 @@
 #include "coupler/messages.h"
 
+#include <type_traits>
 #include <utility>
 
 #include "coupler/byte_stream.h"
+#include "coupler/byte_stream.h"
+#include "coupler/message_fields.h"
 
 namespace footfall {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x4c465446;  // "FTFL"
 
-// Head of every message: magic, kind, protocol, status. Its layout never changes between protocol versions.
-void write_head(ByteWriter& out, MessageKind kind, std::int32_t protocol, Status status) {
-  out.number(kMagic);
-  out.number(static_cast<std::int32_t>(kind));
-  out.number(protocol);
-  out.number(static_cast<std::int32_t>(status));
+template <class T>
+inline constexpr bool kIsMatrix = std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
+
+template <class T>
+inline constexpr bool kIsVector = false;
+template <class Item>
+inline constexpr bool kIsVector<std::vector<Item>> = true;
+
+// Values: numbers, true or false as one byte, texts, matrices; items behind their count; fields in the order of their
+// list.
+template <class T>
+void write(ByteWriter& out, const T& value) {
+  if constexpr (std::is_same_v<T, bool>) {
+    out.number<std::uint8_t>(value ? 1 : 0);
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    out.number(value);
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    out.text(value);
+  } else if constexpr (std::is_same_v<T, ModalBoundary>) {
+    write(out, taken_apart(value));
+  } else if constexpr (kIsVector<T>) {
+    out.number<std::uint64_t>(value.size());
+    for (const auto& item : value) write(out, item);
+  } else if constexpr (kIsMatrix<T>) {
+    out.matrix(value);
+  } else {
+    for_each_field<T>([&](const auto& field) {
+      if constexpr (!kInHead<std::decay_t<decltype(field)>>) write(out, value.*field.member);
+    });
+  }
 }
 
-struct Head {
-  std::int32_t protocol;
-  Status status;
-};
+// No value takes fewer bytes.
+template <class T>
+constexpr std::size_t fewest_bytes() {
+  if constexpr (std::is_same_v<T, bool>) {
+    return sizeof(std::uint8_t);
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    return sizeof(T);
+  } else if constexpr (kHasFields<T>) {
+    std::size_t sum = 0;
+    for_each_field<T>([&](const auto& field) {
+      if constexpr (!kInHead<std::decay_t<decltype(field)>>)
+        sum += fewest_bytes<std::decay_t<decltype(std::declval<T&>().*field.member)>>();
+    });
+    return sum;
+  } else if constexpr (std::is_same_v<T, ModalBoundary>) {
+    return fewest_bytes<BoundaryParts>();
+  } else if constexpr (kIsMatrix<T>) {
+    constexpr bool kFixed = T::SizeAtCompileTime != Eigen::Dynamic;
+    return 2 * sizeof(std::int64_t) +
+           (kFixed ? static_cast<std::size_t>(T::SizeAtCompileTime) * sizeof(typename T::Scalar) : 0);
+  } else {
+    return sizeof(std::uint64_t);  // the count of a text or a list
+  }
+}
+// What the bytes are read into, where there is no default.
+template <class T>
+T blank() {
+  return T();
+}
+template <>
+CoupledBody blank() {
+  return {ModalBoundary("", Eigen::Matrix3Xd::Zero(3, 1), {}), BodyMotion()};
+}
 
-Head read_head(ByteReader& in, MessageKind expected) {
+// Fields that must fit each other.
+template <class T>
+void check_fit(const T&) {}
+void check_fit(const BodyMotion& m) {
+  if (m.da.size() != m.a.size() || m.dda.size() != m.a.size())
+    throw ProtocolError("a body has " + std::to_string(m.a.size()) + " modal coordinates but " +
+                        std::to_string(m.da.size()) + " rates");
+}
+void check_fit(const CoupledBody& body) {
+  if (body.initial.mode_count() != body.boundary.mode_count())
+    throw ProtocolError("body \"" + body.boundary.name() + "\" has " + std::to_string(body.boundary.mode_count()) +
+                        " mode shapes but " + std::to_string(body.initial.mode_count()) + " modal coordinates");
+}
+
+template <class T>
+void read(ByteReader& in, T& value) {
+  if constexpr (std::is_same_v<T, bool>) {
+    value = in.number<std::uint8_t>() != 0;
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    value = in.number<T>();
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    in.text(value);
+  } else if constexpr (std::is_same_v<T, ModalBoundary>) {
+    BoundaryParts parts;
+    read(in, parts);
+    value = put_together(std::move(parts));
+  } else if constexpr (kIsVector<T>) {
+    using Item = typename T::value_type;
+    value.resize(in.count(fewest_bytes<Item>()), blank<Item>());
+    for (Item& item : value) read(in, item);
+  } else if constexpr (kIsMatrix<T>) {
+    in.matrix(value);
+  } else {
+    for_each_field<T>([&](const auto& field) {
+      if constexpr (!kInHead<std::decay_t<decltype(field)>>) read(in, value.*field.member);
+    });
+    check_fit(value);
+  }
+}
+
+void write_head(ByteWriter& out, MessageKind kind, const MessageHead& head) {
+  out.number(kMagic);
+  out.number(static_cast<std::int32_t>(kind));
+  out.number(head.protocol);
+  out.number(static_cast<std::int32_t>(head.status));
+}
+
+std::string foreign_protocol(const std::string& partner, std::int32_t protocol) {
+  return partner + " speaks protocol version " + std::to_string(protocol) + ", this program version " +
+         std::to_string(kProtocolVersion) + ": build both from the same footfall";
+}
+
+MessageHead read_head(ByteReader& in, MessageKind expected) {
   if (in.number<std::uint32_t>() != kMagic) throw ProtocolError("these are not bytes of footfall");
   const auto kind = in.number<std::int32_t>();
   const auto protocol = in.number<std::int32_t>();
   const auto status = in.number<std::int32_t>();
   const bool readable = expected == MessageKind::kHello || expected == MessageKind::kClose;
-  if (protocol != kProtocolVersion && !readable)
-    throw ProtocolError("the partner speaks protocol version " + std::to_string(protocol) + ", this program version " +
-                        std::to_string(kProtocolVersion) + ": build both from the same footfall");
+  if (protocol != kProtocolVersion && !readable) throw ProtocolError(foreign_protocol("the partner", protocol));
   if (kind != static_cast<std::int32_t>(expected))
     throw ProtocolError("got " + message_name(static_cast<MessageKind>(kind)) + " instead");
   if (status < static_cast<std::int32_t>(Status::kOk) || status > static_cast<std::int32_t>(Status::kInterrupted))
@@ -38,105 +144,20 @@ Head read_head(ByteReader& in, MessageKind expected) {
   return {protocol, static_cast<Status>(status)};
 }
 
-// Reads a whole message with `body(reader)`; every ProtocolError names the message.
-template <class Body>
-void read(const Bytes& bytes, MessageKind kind, Body body) {
+}  // namespace
+
+BoundaryParts taken_apart(const ModalBoundary& b) {
+  return {b.name(), b.rho0(), b.triangles(), b.segments(), b.Phi(), b.Psi()};
+}
+
+ModalBoundary put_together(BoundaryParts parts) {
   try {
-    ByteReader in(bytes.data(), bytes.size());
-    body(in, read_head(in, kind));
-    in.finish();
-  } catch (const ProtocolError& error) {
-    throw ProtocolError("message " + message_name(kind) + ": " + error.what());
-  }
-}
-
-void write(ByteWriter& out, const BodyMotion& m) {
-  out.matrix(m.r);
-  out.matrix(m.L);
-  out.matrix(m.a);
-  out.matrix(m.dr);
-  out.matrix(m.w);
-  out.matrix(m.da);
-  out.matrix(m.ddr);
-  out.matrix(m.dw);
-  out.matrix(m.dda);
-}
-
-void read(ByteReader& in, BodyMotion& m) {
-  in.matrix(m.r);
-  in.matrix(m.L);
-  in.matrix(m.a);
-  in.matrix(m.dr);
-  in.matrix(m.w);
-  in.matrix(m.da);
-  in.matrix(m.ddr);
-  in.matrix(m.dw);
-  in.matrix(m.dda);
-  if (m.da.size() != m.a.size() || m.dda.size() != m.a.size())
-    throw ProtocolError("a body has " + std::to_string(m.a.size()) + " modal coordinates but " +
-                        std::to_string(m.da.size()) + " rates");
-}
-
-void write(ByteWriter& out, const MeanLoad& load) {
-  out.matrix(load.F_W);
-  out.matrix(load.T_B);
-  out.matrix(load.Q_a);
-  out.number(load.work);
-  out.number(load.jump_work);
-  out.matrix(load.impulse_W);
-}
-
-void read(ByteReader& in, MeanLoad& load) {
-  in.matrix(load.F_W);
-  in.matrix(load.T_B);
-  in.matrix(load.Q_a);
-  load.work = in.number<double>();
-  load.jump_work = in.number<double>();
-  in.matrix(load.impulse_W);
-}
-
-void write(ByteWriter& out, const ModalBoundary& b) {
-  out.text(b.name());
-  out.matrix(b.rho0());
-  out.number<std::uint64_t>(b.triangles().size());
-  for (const Eigen::Vector3i& t : b.triangles()) out.matrix(t);
-  out.number<std::uint64_t>(b.segments().size());
-  for (const BeamSegment& s : b.segments()) {
-    out.number(s.start);
-    out.number(s.end);
-    out.number(s.radius);
-    out.number(s.chain);
-  }
-  out.matrix(b.Phi());
-  out.matrix(b.Psi());
-}
-
-ModalBoundary read_boundary(ByteReader& in) {
-  std::string name;
-  in.text(name);
-  Eigen::Matrix3Xd rho0;
-  in.matrix(rho0);
-  std::vector<Eigen::Vector3i> triangles(in.count(sizeof(int) * 3));
-  for (Eigen::Vector3i& t : triangles) in.matrix(t);
-  std::vector<BeamSegment> segments(in.count(sizeof(double)));
-  for (BeamSegment& s : segments) {
-    s.start = in.number<int>();
-    s.end = in.number<int>();
-    s.radius = in.number<double>();
-    s.chain = in.number<int>();
-  }
-  Eigen::MatrixXd Phi, Psi;
-  in.matrix(Phi);
-  in.matrix(Psi);
-  try {
-    return ModalBoundary(std::move(name), std::move(rho0), std::move(triangles), std::move(segments), std::move(Phi),
-                         std::move(Psi));
+    return ModalBoundary(std::move(parts.name), std::move(parts.rho0), std::move(parts.triangles),
+                         std::move(parts.segments), std::move(parts.Phi), std::move(parts.Psi));
   } catch (const InputError& error) {
     throw ProtocolError(error.what());
   }
 }
-
-}  // namespace
 
 std::string message_name(MessageKind kind) {
   switch (kind) {
@@ -152,168 +173,52 @@ std::string message_name(MessageKind kind) {
 }
 
 void check_partner(const std::string& partner, std::int32_t protocol, const std::string& version) {
-  if (protocol != kProtocolVersion)
-    throw ProtocolError(partner + " speaks protocol version " + std::to_string(protocol) + ", this program version " +
-                        std::to_string(kProtocolVersion) + ": build both from the same footfall");
+  if (protocol != kProtocolVersion) throw ProtocolError(foreign_protocol(partner, protocol));
   if (version != kFootfallVersion)
     throw ProtocolError(partner + " is footfall " + version + ", this program footfall " + kFootfallVersion +
                         ": build both from the same footfall");
 }
 
-void pack(const Hello& message, Bytes& bytes) {
-  ByteWriter out(bytes);
-  write_head(out, MessageKind::kHello, message.protocol, Status::kOk);
-  out.text(message.footfall_version);
-  out.text(message.unit_style);
-}
-
-void unpack(const Bytes& bytes, Hello& message) {
-  read(bytes, MessageKind::kHello, [&](ByteReader& in, const Head& head) {
-    message.protocol = head.protocol;
-    in.text(message.footfall_version);
-    in.text(message.unit_style);
+template <class Message>
+void pack(const Message& message, Bytes& bytes) {
+  MessageHead head;
+  for_each_field<Message>([&](const auto& field) {
+    if constexpr (kInHead<std::decay_t<decltype(field)>>) head.*field.in_head = message.*field.member;
   });
+  ByteWriter out(bytes);
+  write_head(out, Message::kKind, head);
+  write(out, message);
 }
 
-void pack(const Geometry& message, Bytes& bytes) {
-  ByteWriter out(bytes);
-  write_head(out, MessageKind::kGeometry, kProtocolVersion, Status::kOk);
-  out.text(message.footfall_version);
-  out.number<std::uint64_t>(message.bodies.size());
-  for (const CoupledBody& body : message.bodies) {
-    write(out, body.boundary);
-    write(out, body.initial);
+template <class Message>
+void unpack(const Bytes& bytes, Message& message) {
+  try {
+    ByteReader in(bytes.data(), bytes.size());
+    const MessageHead head = read_head(in, Message::kKind);
+    for_each_field<Message>([&](const auto& field) {
+      if constexpr (kInHead<std::decay_t<decltype(field)>>) message.*field.member = head.*field.in_head;
+    });
+    read(in, message);
+    in.finish();
+  } catch (const ProtocolError& error) {
+    throw ProtocolError("message " + message_name(Message::kKind) + ": " + error.what());
   }
 }
 
-void unpack(const Bytes& bytes, Geometry& message) {
-  read(bytes, MessageKind::kGeometry, [&](ByteReader& in, const Head&) {
-    in.text(message.footfall_version);
-    message.bodies.clear();
-    const std::size_t bodies = in.count(sizeof(double));
-    for (std::size_t i = 0; i < bodies; ++i) {
-      ModalBoundary boundary = read_boundary(in);
-      BodyMotion initial(boundary.mode_count());
-      read(in, initial);
-      if (initial.mode_count() != boundary.mode_count())
-        throw ProtocolError("body \"" + boundary.name() + "\" has " + std::to_string(boundary.mode_count()) +
-                            " mode shapes but " + std::to_string(initial.mode_count()) + " modal coordinates");
-      message.bodies.push_back({std::move(boundary), std::move(initial)});
-    }
-  });
-}
+template void pack(const Hello&, Bytes&);
+template void pack(const Geometry&, Bytes&);
+template void pack(const Start&, Bytes&);
+template void pack(const Accept&, Bytes&);
+template void pack(const Motion&, Bytes&);
+template void pack(const Load&, Bytes&);
+template void pack(const Close&, Bytes&);
 
-void pack(const Start& message, Bytes& bytes) {
-  ByteWriter out(bytes);
-  write_head(out, MessageKind::kStart, kProtocolVersion, Status::kOk);
-  out.number(message.dt);
-  out.number(message.n);
-  out.number(message.step);
-  out.number<std::uint64_t>(message.bodies.size());
-  for (const std::string& name : message.bodies) out.text(name);
-}
-
-void unpack(const Bytes& bytes, Start& message) {
-  read(bytes, MessageKind::kStart, [&](ByteReader& in, const Head&) {
-    message.dt = in.number<double>();
-    message.n = in.number<std::int32_t>();
-    message.step = in.number<std::int64_t>();
-    message.bodies.resize(in.count(sizeof(std::uint64_t)));
-    for (std::string& name : message.bodies) in.text(name);
-  });
-}
-
-void pack(const Accept& message, Bytes& bytes) {
-  ByteWriter out(bytes);
-  write_head(out, MessageKind::kAccept, kProtocolVersion, Status::kOk);
-  out.text(message.scheme);
-  out.number(message.t_end);
-  out.number(message.t_start);
-  out.number(message.n_max);
-}
-
-void unpack(const Bytes& bytes, Accept& message) {
-  read(bytes, MessageKind::kAccept, [&](ByteReader& in, const Head&) {
-    in.text(message.scheme);
-    message.t_end = in.number<double>();
-    message.t_start = in.number<double>();
-    message.n_max = in.number<std::int32_t>();
-  });
-}
-
-void pack(const Motion& message, Bytes& bytes) {
-  ByteWriter out(bytes);
-  write_head(out, MessageKind::kMotion, kProtocolVersion, Status::kOk);
-  out.number(message.window);
-  out.number(message.time);
-  out.number(message.n);
-  out.number<std::uint8_t>(message.last_window ? 1 : 0);
-  out.number<std::uint64_t>(message.bodies.size());
-  for (const BodyMotion& body : message.bodies) write(out, body);
-}
-
-void unpack(const Bytes& bytes, Motion& message) {
-  read(bytes, MessageKind::kMotion, [&](ByteReader& in, const Head&) {
-    message.window = in.number<std::int64_t>();
-    message.time = in.number<double>();
-    message.n = in.number<std::int32_t>();
-    message.last_window = in.number<std::uint8_t>() != 0;
-    message.bodies.resize(in.count(sizeof(double)));
-    for (BodyMotion& body : message.bodies) read(in, body);
-  });
-}
-
-void pack(const Load& message, Bytes& bytes) {
-  ByteWriter out(bytes);
-  write_head(out, MessageKind::kLoad, kProtocolVersion, Status::kOk);
-  out.number(message.window);
-  out.number(message.particles);
-  out.number(message.wall_seconds);
-  out.number<std::uint64_t>(message.bodies.size());
-  for (const BodyLoad& body : message.bodies) {
-    write(out, body.mean);
-    out.number(body.contacts);
-    out.number(body.contact_stiffness);
-    out.number(body.max_overlap_over_radius);
-    out.number<std::uint64_t>(body.tangent.size());
-    for (const ContactTangent& tangent : body.tangent) {
-      out.matrix(tangent.K);
-      out.matrix(tangent.C);
-    }
-  }
-}
-
-void unpack(const Bytes& bytes, Load& message) {
-  read(bytes, MessageKind::kLoad, [&](ByteReader& in, const Head&) {
-    message.window = in.number<std::int64_t>();
-    message.particles = in.number<std::int64_t>();
-    message.wall_seconds = in.number<double>();
-    message.bodies.resize(in.count(sizeof(double)));
-    for (BodyLoad& body : message.bodies) {
-      read(in, body.mean);
-      body.contacts = in.number<std::int64_t>();
-      body.contact_stiffness = in.number<double>();
-      body.max_overlap_over_radius = in.number<double>();
-      body.tangent.resize(in.count(sizeof(ContactTangent)));
-      for (ContactTangent& tangent : body.tangent) {
-        in.matrix(tangent.K);
-        in.matrix(tangent.C);
-      }
-    }
-  });
-}
-
-void pack(const Close& message, Bytes& bytes) {
-  ByteWriter out(bytes);
-  write_head(out, MessageKind::kClose, kProtocolVersion, message.status);
-  out.text(message.reason);
-}
-
-void unpack(const Bytes& bytes, Close& message) {
-  read(bytes, MessageKind::kClose, [&](ByteReader& in, const Head& head) {
-    message.status = head.status;
-    in.text(message.reason);
-  });
-}
+template void unpack(const Bytes&, Hello&);
+template void unpack(const Bytes&, Geometry&);
+template void unpack(const Bytes&, Start&);
+template void unpack(const Bytes&, Accept&);
+template void unpack(const Bytes&, Motion&);
+template void unpack(const Bytes&, Load&);
+template void unpack(const Bytes&, Close&);
 
 }  // namespace footfall

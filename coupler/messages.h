@@ -1,5 +1,6 @@
 #pragma once
-// Every message between the two programs, in one place: struct, pack and unpack are used by both.
+// Every message between the two programs, in one place: struct, pack and unpack are used by both. The members of each
+// struct are listed in message_fields.h.
 //
 //   DEM side                         multibody side
 //   Hello  (first fix of ours)   ->  checks versions and units
@@ -80,8 +81,7 @@ struct Motion {
   std::vector<BodyMotion> bodies;  // order of Start
 };
 
-// Window means of the contacts' tangent stiffness and damping on (r, theta, of W), for linearly implicit
-// schemes.
+// Window means of the contacts' tangent stiffness and damping on (r, theta, of W), for linearly implicit schemes.
 struct ContactTangent {
   Eigen::Matrix<double, 6, 6> K = Eigen::Matrix<double, 6, 6>::Zero();  // [N/m, N, N m]
   Eigen::Matrix<double, 6, 6> C = Eigen::Matrix<double, 6, 6>::Zero();  // [N s/m, ...]
@@ -114,23 +114,14 @@ struct Close {
 // protocol and version are ours.
 void check_partner(const std::string& partner, std::int32_t protocol, const std::string& version);
 
-// One buffer per link is reused: packing a Motion or Load of unchanged shape does not allocate.
-void pack(const Hello& message, Bytes& out);
-void pack(const Geometry& message, Bytes& out);
-void pack(const Start& message, Bytes& out);
-void pack(const Accept& message, Bytes& out);
-void pack(const Motion& message, Bytes& out);
-void pack(const Load& message, Bytes& out);
-void pack(const Close& message, Bytes& out);
+// For every message; the bytes follow from the lists in message_fields.h. One buffer per link is reused: packing a Motion
+// or Load of unchanged shape does not allocate.
+template <class Message>
+void pack(const Message& message, Bytes& out);
 
-// Throw ProtocolError for anything but a whole message of that kind and of a protocol version that is
-// understood. For Motion and Load, bodies whose sizes already fit are overwritten in place.
-void unpack(const Bytes& bytes, Hello& message);
-void unpack(const Bytes& bytes, Geometry& message);
-void unpack(const Bytes& bytes, Start& message);
-void unpack(const Bytes& bytes, Accept& message);
-void unpack(const Bytes& bytes, Motion& message);
-void unpack(const Bytes& bytes, Load& message);
-void unpack(const Bytes& bytes, Close& message);
+// Throws ProtocolError for anything but a whole message of that kind and of a protocol version that is understood. For
+// Motion and Load, bodies whose sizes already fit are overwritten in place.
+template <class Message>
+void unpack(const Bytes& bytes, Message& message);
 
 }  // namespace footfall

@@ -7,6 +7,8 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/mpi_check.h"
+#include "coupler/polite_wait.h"
 
 namespace footfall {
 

@@ -1,10 +1,10 @@
 #include "liggghts_fix/beam_arguments.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <set>
 
 #include "coupler/base/errors.h"
+#include "liggghts_fix/words.h"
 
 namespace footfall {
 namespace {
@@ -15,17 +15,17 @@ const std::string kUsage =
     ". Expected: fix ID group wall/gran/beam model ... type T body NAME [chain C] [body ...] [keywords of "
     "wall/gran]";
 
+constexpr int kHighestChain = 1000000;
+
 bool is_one_of(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 // The C of `chain C`.
 int chain_number(const std::string& fix, const std::string& word) {
-  char* end = nullptr;
-  const long number = std::strtol(word.c_str(), &end, 10);
-  if (*end != '\0' || number < 0 || number > 1000000)
-    throw InputError(fix + ": \"chain " + word + "\" is not the number of a beam, 0, 1, 2 ...");
-  return static_cast<int>(number);
+  const std::optional<int> number = whole_number(word, 0, kHighestChain);
+  if (!number) throw InputError(fix + ": \"chain " + word + "\" is not the number of a beam, 0, 1, 2 ...");
+  return *number;
 }
 
 }  // namespace

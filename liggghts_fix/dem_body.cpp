@@ -1,13 +1,12 @@
 #include "liggghts_fix/dem_body.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace footfall {
 namespace {
 
-// Slopes change slowly beside forces, and multiply only what the prediction missed: a mean of so many substeps is as
-// good as one of all.
+// Slopes change slowly beside forces, and multiply only what the prediction missed: a mean of so many substeps is as good
+// as one of all.
 constexpr int kSlopeSamples = 8;
 
 }  // namespace
@@ -17,9 +16,10 @@ DemBody::DemBody(const CoupledBody& scene_body, const Scheme& scheme)
       path_(scheme, scene_body.initial),
       average_(scheme, scene_body.boundary.mode_count()),
       now_(scene_body.boundary.mode_count()),
-      wants_slopes_(scheme.wants_tangent()) {
-  load_.mean = MeanLoad(boundary_.mode_count());
-  if (wants_slopes_) load_.tangent.resize(1);
+      scheme_wants_slopes_(scheme.wants_tangent()) {
+  share_.mean = MeanLoad(boundary_.mode_count());
+  if (scheme_wants_slopes_) share_.tangent.resize(1);
+  load_ = share_;
 }
 
 void DemBody::begin_window(const BodyMotion& start, int n, double dt) {
@@ -36,7 +36,7 @@ void DemBody::begin_window(const BodyMotion& start, int n, double dt) {
 
 void DemBody::clear_contacts() {
   now_.set_zero();
-  samples_slopes_ = wants_slopes_ && substep_ % slope_stride_ == slope_stride_ / 2;
+  samples_slopes_ = scheme_wants_slopes_ && substep_ % slope_stride_ == slope_stride_ / 2;
   if (samples_slopes_) slopes_now_ = {};
   stiffness_now_ = 0.0;
   contacts_now_ = 0;
@@ -61,31 +61,8 @@ void DemBody::count_contact(double overlap_over_radius, double stiffness) {
   ++contacts_now_;
 }
 
-// The point moves by J [dr; dtheta], J = [1, -rho~]; its force -k J dx acts on the body by J^T. With k = k_t 1 + (k_n -
-// k_t) n n^T J^T k J = (k_n - k_t) u u^T + k_t J^T J, u = J^T n = [n; rho x n]: a rank-one update, and nothing more
-// while the contact slides.
 void DemBody::add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope) {
-  const Eigen::Vector3d rho = point_W - path_.pose().r;
-  Eigen::Matrix<double, 6, 1> u;
-  u << slope.normal_W, rho.cross(slope.normal_W);
-  const auto add = [&](double k_n, double k_t, Eigen::Matrix<double, 6, 6>& sum) {
-    if (k_n == 0.0) return;  // elastic: no damping
-    const Eigen::Matrix<double, 6, 1> scaled = (k_n - k_t) * u;
-    for (int column = 0; column < 6; ++column) sum.col(column) += u[column] * scaled;
-    if (k_t == 0.0) return;
-    const Eigen::Vector3d t = k_t * rho;
-    sum.diagonal().head<3>().array() += k_t;
-    sum.bottomRightCorner<3, 3>() -= t * rho.transpose();
-    sum.diagonal().tail<3>().array() += t.dot(rho);
-    for (const auto& [row, column, value] :
-         {std::tuple(4, 2, -t.x()), std::tuple(5, 1, t.x()), std::tuple(3, 2, t.y()), std::tuple(5, 0, -t.y()),
-          std::tuple(3, 1, -t.z()), std::tuple(4, 0, t.z())}) {
-      sum(row, column) += value;
-      sum(column, row) += value;
-    }
-  };
-  add(slope.stiffness, slope.shear_stiffness, slopes_now_.K);
-  add(slope.damping, slope.shear_damping, slopes_now_.C);
+  footfall::add_slope(slope, point_W - path_.pose().r, slopes_now_);
 }
 
 void DemBody::take_standing() { average_.set_standing(now_, path_.pose()); }
@@ -102,53 +79,17 @@ void DemBody::end_substep(double dt) {
   time_ += dt;
 }
 
-void DemBody::write_sums(double* out) {
-  const MeanLoad& mean = average_.finish();
-  const auto put = [&out](const auto& vector) {
-    for (Eigen::Index i = 0; i < vector.size(); ++i) *out++ = vector[i];
-  };
-  put(mean.F_W);
-  put(mean.T_B);
-  put(mean.Q_a);
-  put(mean.impulse_W);
-  *out++ = mean.work;
-  *out++ = mean.jump_work;
-  *out++ = static_cast<double>(contacts_now_);
-  *out++ = stiffness_time_ / time_;
-  if (wants_slopes_) {
-    const double share = 1.0 / std::max(1, slope_samples_);
-    put((share * slopes_sum_.K).reshaped().eval());
-    put((share * slopes_sum_.C).reshaped().eval());
+void DemBody::append_share(std::vector<double>& row) {
+  share_.mean = average_.finish();
+  share_.contacts = contacts_now_;
+  share_.contact_stiffness = stiffness_time_ / time_;
+  share_.max_overlap_over_radius = overlap_;
+  const double per_sample = 1.0 / std::max(1, slope_samples_);
+  for (ContactTangent& tangent : share_.tangent) {
+    tangent.K = per_sample * slopes_sum_.K;
+    tangent.C = per_sample * slopes_sum_.C;
   }
-  *out = overlap_;
-}
-
-void DemBody::fold_sums(const double* rows, int ranks, std::size_t stride) {
-  load_.mean.set_zero();
-  double contacts = 0.0;
-  load_.contact_stiffness = 0.0;
-  load_.max_overlap_over_radius = 0.0;
-  if (wants_slopes_) load_.tangent.front() = {};
-  for (int rank = 0; rank < ranks; ++rank) {
-    const double* in = rows + static_cast<std::size_t>(rank) * stride;
-    const auto add = [&in](auto& vector) {
-      for (Eigen::Index i = 0; i < vector.size(); ++i) vector[i] += *in++;
-    };
-    add(load_.mean.F_W);
-    add(load_.mean.T_B);
-    add(load_.mean.Q_a);
-    add(load_.mean.impulse_W);
-    load_.mean.work += *in++;
-    load_.mean.jump_work += *in++;
-    contacts += *in++;
-    load_.contact_stiffness += *in++;
-    if (wants_slopes_) {
-      for (double& k : load_.tangent.front().K.reshaped()) k += *in++;
-      for (double& c : load_.tangent.front().C.reshaped()) c += *in++;
-    }
-    load_.max_overlap_over_radius = std::max(load_.max_overlap_over_radius, *in);
-  }
-  load_.contacts = static_cast<std::int64_t>(contacts);
+  footfall::append_share(share_, row);
 }
 
 double DemBody::work_between(const BodyMotion& from, const BodyMotion& to) const {

@@ -3,24 +3,19 @@
 // LIGGGHTS headers.
 
 #include <cstdint>
+#include <vector>
 
 #include "coupler/load_average.h"
 #include "coupler/messages.h"
 #include "coupler/modal_boundary.h"
 #include "coupler/window.h"
+#include "liggghts_fix/contact_slope.h"
+#include "liggghts_fix/rank_shares.h"
 
 namespace footfall {
 
-// What a contact does to a small motion of the body at its point: stiffness [N/m] and damping [N s/m] along
-// the normal and across it (across: 0 while it slides).
-struct ContactSlope {
-  Eigen::Vector3d normal_W = Eigen::Vector3d::UnitZ();
-  double stiffness = 0.0, shear_stiffness = 0.0;
-  double damping = 0.0, shear_damping = 0.0;
-};
-
-// Life of a window: begin_window, then per substep advance, clear_contacts, add_contact for every contact of
-// this rank, end_substep. Sums are of this rank alone until fold_sums has added those of all ranks.
+// Life of a window: begin_window, then per substep advance, clear_contacts, add_contact for every contact of this rank,
+// end_substep; then append_share, and add_share for every rank.
 class DemBody {
  public:
   // Both must outlive the body.
@@ -45,20 +40,21 @@ class DemBody {
   void count_contact(double overlap_over_radius, double stiffness);
   // Does the scheme use contact slopes, and is this one of the substeps at which they are sampled? Then add_slope
   // follows for every contact, at its point in W [m].
-  bool wants_slopes() const { return samples_slopes_; }
+  bool samples_slopes() const { return samples_slopes_; }
   void add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope);
   // The forces just evaluated stand before the next substep (a run was set up).
   void take_standing();
   void end_substep(double dt);
 
-  // What the ranks add up at the end of a window, as a plain row of numbers; the last is a maximum, the
-  // others are sums.
-  int sum_count() const { return 14 + boundary_.mode_count() + (wants_slopes_ ? 72 : 0); }
-  void write_sums(double* out);
-  // rows: the rows of all ranks, `stride` numbers apart.
-  void fold_sums(const double* rows, int ranks, std::size_t stride);
+  // At the end of a window: appends what the grains of this rank did to its row (rank_shares.h).
+  void append_share(std::vector<double>& row);
+  std::size_t share_size() const { return footfall::share_size(load_); }
+  // Then, with the rows of all ranks: clear_load, and add_share for every rank. add_share returns where the next share
+  // of the row begins.
+  void clear_load() { clear(load_); }
+  const double* add_share(const double* row) { return footfall::add_share(row, load_); }
 
-  // Valid after fold_sums.
+  // Complete when the shares of all ranks are added.
   const BodyLoad& load() const { return load_; }
   // Mean moment about Bo in W at the end of the window [N m].
   Eigen::Vector3d mean_moment_W() const { return pose().rotation() * load_.mean.T_B; }
@@ -74,12 +70,13 @@ class DemBody {
   std::int64_t contacts_now_ = 0;
   double stiffness_time_ = 0.0;  // integral over the window [N s/m]
   double time_ = 0.0;            // of the window [s]
-  bool wants_slopes_;
+  bool scheme_wants_slopes_;
   bool samples_slopes_ = false;
   int substep_ = 0, slope_stride_ = 1, slope_samples_ = 0;  // in the window
   ContactTangent slopes_now_, slopes_sum_;                  // sums over contacts; over samples as well
   double overlap_ = 0.0;                                    // largest in the window over radius [-]
-  BodyLoad load_;
+  BodyLoad share_;                                          // of this rank, in the last window
+  BodyLoad load_;                                           // of all ranks
 };
 
 }  // namespace footfall

@@ -142,28 +142,21 @@ bool DemLink::end_substep() {
   return --substeps_left_ == 0;
 }
 
-std::size_t DemLink::sum_count() const {
-  int count = 0;
-  for (const auto& body : bodies_) count += body->sum_count();
-  return static_cast<std::size_t>(count);
-}
-
-void DemLink::write_sums(std::vector<double>& out) {
-  out.resize(sum_count());
-  double* next = out.data();
-  for (const auto& body : bodies_) {
-    body->write_sums(next);
-    next += body->sum_count();
-  }
+void DemLink::write_shares(std::vector<double>& row) {
+  row.clear();
+  for (const auto& body : bodies_) body->append_share(row);
 }
 
 void DemLink::finish_window(const std::vector<double>& rows, int ranks, std::int64_t particles) {
-  const std::size_t stride = sum_count();
-  FOOTFALL_DEMAND(rows.size() == stride * static_cast<std::size_t>(ranks));
+  std::size_t row_size = 0;
+  for (const auto& body : bodies_) row_size += body->share_size();
+  FOOTFALL_DEMAND(rows.size() == row_size * static_cast<std::size_t>(ranks));
+  for (const auto& body : bodies_) body->clear_load();
   const double* next = rows.data();
+  for (int rank = 0; rank < ranks; ++rank)
+    for (const auto& body : bodies_) next = body->add_share(next);
+
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    bodies_[i]->fold_sums(next, ranks, stride);
-    next += bodies_[i]->sum_count();
     const BodyLoad& load = bodies_[i]->load();
     if (!load.mean.F_W.allFinite() || !load.mean.T_B.allFinite() || !load.mean.Q_a.allFinite())
       throw NumericalError("the load of the grains on body \"" + names_[i] + "\" after t = " + number(motion_.time) +

@@ -44,10 +44,11 @@ class DemLink {
   void begin_substep(std::int64_t step);
   // True during the last substep of the scene.
   bool in_last_substep() const { return last_window_ && substeps_left_ == 1; }
-  // After it. True when the window is complete: then write_sums, gather, and finish_window follow.
+  // After it. True when the window is complete: then write_shares, gather, and finish_window follow.
   bool end_substep();
-  std::size_t sum_count() const;  // numbers per rank
-  void write_sums(std::vector<double>& out);
+  // One row of numbers: what the grains of this rank did to the bodies in the window.
+  void write_shares(std::vector<double>& row);
+  // rows: those of all ranks, one behind the other.
   void finish_window(const std::vector<double>& rows, int ranks, std::int64_t particles);
 
   // For thermo output.

@@ -17,12 +17,12 @@ FixStyle(couple / mbd, FixCoupleMbd)
 #define FOOTFALL_FIX_COUPLE_MBD_H
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "fix.h"
+#include "liggghts_fix/couple_mbd_arguments.h"
 #include "liggghts_fix/dem_link.h"
-#include "liggghts_fix/mesh_module_mbd.h"
+#include "liggghts_fix/fix_couple_mbd_mesh.h"
 
 namespace LAMMPS_NS {
 
@@ -42,31 +42,11 @@ class FixCoupleMbd : public Fix {
   double compute_array(int i, int j) override;
 
  private:
-  // A mesh of the script and the body it belongs to.
-  struct CoupledMesh {
-    FixMeshSurface* fix;
-    std::string mesh_id;
-    int body;  // index in the link
-    std::unique_ptr<MeshModuleMbd> module;
-    Eigen::Matrix3Xd x_W, v_W;  // nodes of the body's boundary
-    double reach;               // no node is farther from Bo, undeformed [m]
-  };
-
-  CoupledMesh couple(const std::string& mesh_id, const std::string& body);
-  std::vector<footfall::CornerNodes> match(FixMeshSurface* mesh_fix, const std::string& mesh_id,
-                                           const footfall::CoupledBody& body) const;
-  std::vector<WallContact> wall_contacts(int wall_type) const;
-  void move(CoupledMesh& mesh);
-  void translate(TriMesh* mesh, const Eigen::Vector3d& velocity) const;
-  double nearest_image(double place, double before, int direction) const;
-  void turn_properties(CoupledMesh& mesh, const footfall::BoundaryStep& step);
-  void check_inside_box(const CoupledMesh& mesh) const;
-
   footfall::DemLink& link_;
-  int every_ = 0;  // substeps per window; 0: the multibody side chooses
-  std::vector<CoupledMesh> meshes_;
+  const footfall::CoupleMbdArguments arguments_;
+  std::vector<std::unique_ptr<CoupledMesh>> meshes_;
   std::vector<int> rows_of_output_;  // body of each row of f_ID: those of meshes_, then the others
-  std::vector<double> sums_, rows_;
+  std::vector<double> row_, rows_;  // of this rank, of all ranks
 };
 
 }  // namespace LAMMPS_NS

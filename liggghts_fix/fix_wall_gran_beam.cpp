@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -12,11 +11,13 @@
 #include "comm.h"
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
+#include "coupler/mpi_check.h"
 #include "domain.h"
 #include "fix_property_atom.h"
 #include "lammps.h"
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/words.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "update.h"
@@ -45,9 +46,7 @@ class Words {
 
 // Materials are known by atom type: property/global has one value for each type of the box.
 BeamArguments with_known_material(BeamArguments arguments, int types) {
-  char* end = nullptr;
-  const long type = std::strtol(arguments.type.c_str(), &end, 10);
-  if (*end != '\0' || type < 1 || type > types)
+  if (!whole_number(arguments.type, 1, types))
     throw InputError(arguments.fix + ": no material is known for type " + arguments.type + ": the box has types 1 to " +
                      std::to_string(types) + ". Use one of them, or give create_box and each property/global one more");
   return arguments;
@@ -205,7 +204,7 @@ void FixWallGranBeam::touch_grains(Beam& beam) {
     if (!counts || closest.gap > 0.0) continue;
     const double overlap = -closest.gap / radius_[i];
     body.count_contact(overlap, stiffness);
-    if (body.wants_slopes()) body.add_slope(closest.contact_point(), slope_);
+    if (body.samples_slopes()) body.add_slope(closest.contact_point(), slope_);
     ++beam.contacts;
     beam.overlap = std::max(beam.overlap, overlap);
   }

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"

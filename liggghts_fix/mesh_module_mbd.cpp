@@ -11,8 +11,6 @@
 namespace LAMMPS_NS {
 namespace {
 
-constexpr double kSliding = 1.0 - 1e-6;  // of the Coulomb limit, to round-off
-
 int no_arguments = 0;  // the base class takes its position in an argument list by reference
 
 Eigen::Vector3d vector3(const double* x) { return {x[0], x[1], x[2]}; }
@@ -51,26 +49,10 @@ void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta
     body_->add_contact(point, f_W, arm_W.cross(f_W), overlap / radius, 0.0);
     return;
   }
-  const WallContact& contact = contacts_[static_cast<std::size_t>(atom->type[ip])];
+  const footfall::WallContact& contact = contacts_[static_cast<std::size_t>(atom->type[ip])];
   const double s = std::sqrt(radius * overlap);
-  const double stiffness = contact.stiffness(s);
-  body_->add_contact(point, f_W, arm_W.cross(f_W), overlap / radius, stiffness);
-  if (!body_->wants_slopes()) return;
-
-  footfall::ContactSlope slope;
-  slope.normal_W = d / distance;
-  slope.stiffness = stiffness;
-  const double mass = atom->rmass[ip];
-  const bool linear = contact.linear > 0.0;
-  slope.damping = linear ? contact.linear_damping * mass : contact.damping * std::sqrt(stiffness * mass);
-  const double pressure = f_W.dot(slope.normal_W);
-  const double shear = (f_W - pressure * slope.normal_W).norm();
-  if (shear < kSliding * contact.friction * std::abs(pressure)) {
-    slope.shear_stiffness = linear ? contact.linear_shear : 8.0 * contact.shear * s;
-    slope.shear_damping =
-        linear ? contact.linear_shear_damping * mass : contact.damping * std::sqrt(slope.shear_stiffness * mass);
-  }
-  body_->add_slope(c + arm_W, slope);
+  body_->add_contact(point, f_W, arm_W.cross(f_W), overlap / radius, contact.stiffness(s));
+  if (body_->samples_slopes()) body_->add_slope(c + arm_W, contact.slope(d / distance, f_W, s, atom->rmass[ip]));
 }
 
 }  // namespace LAMMPS_NS

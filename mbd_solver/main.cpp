@@ -11,6 +11,8 @@
 #include <cstdlib>
 #include <memory>
 
+#include "coupler/abort_guard.h"
+#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/scene/scene_json.h"
 
 namespace footfall {

@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <fstream>
 
+#include "coupler/abort_guard.h"
+#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/transport_mpi.h"

@@ -35,6 +35,8 @@
 #include <string>
 #include <vector>
 
+#include "coupler/abort_guard.h"
+#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"

@@ -10,6 +10,8 @@
 #include <memory>
 #include <string>
 
+#include "coupler/abort_guard.h"
+#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"

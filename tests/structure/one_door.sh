@@ -20,10 +20,11 @@ door 'toml\+\+' 'mbd_solver/scene/scene_reader.cpp'
 door 'fl/' 'mbd_solver/model/controllers/fuzzy.cpp'
 door 'assimp/' 'mbd_solver/scene/mesh_reader.cpp'
 door 'pugixml' 'mbd_solver/output/vtk_writer.cpp'
-door 'mpi\.h' 'coupler/communicator.*' 'coupler/doorbell.*' 'coupler/transport_mpi.*' 'mbd_solver/main.cpp' \
+door 'mpi\.h' 'coupler/communicator.*' 'coupler/doorbell.*' 'coupler/polite_wait.*' 'coupler/mpi_check.*' 'coupler/abort_guard.*' 'coupler/transport_mpi.*' 'mbd_solver/main.cpp' \
   'liggghts_fix/launcher.cpp' 'liggghts_fix/program_world.*' 'liggghts_fix/last_words.cpp' \
   'liggghts_fix/liggghts_access.cpp' 'liggghts_fix/fix_*'
-door '(coupler/(communicator|doorbell|transport_mpi)\.h)' 'coupler/communicator.*' 'coupler/doorbell.*' \
+door '(coupler/(communicator|doorbell|polite_wait|mpi_check|abort_guard|transport_mpi)\.h)' 'coupler/communicator.*' 'coupler/doorbell.*' \
+  'coupler/polite_wait.*' 'coupler/mpi_check.*' 'coupler/abort_guard.*' \
   'coupler/transport_mpi.*' 'mbd_solver/main.cpp' 'liggghts_fix/launcher.cpp' 'liggghts_fix/fix_*'
 door '(lammps|fix|fix_[a-z_]*|mesh_module|atom|modify|neighbor|comm|domain|update|error|input|tri_mesh|signal_handling)\.h' \
   'liggghts_fix/fix_*' 'liggghts_fix/mesh_module_*' 'liggghts_fix/liggghts_access.*' 'liggghts_fix/launcher.cpp'
@@ -47,7 +48,7 @@ declare -A may=(
   [mbd_solver/build]='mbd_solver/scene mbd_solver/model/controllers'
   [mbd_solver/coupling]='mbd_solver/build mbd_solver/dynamics'
   [mbd_solver/output]='coupler/base'
-  [mbd_solver/observe]='mbd_solver/coupling mbd_solver/output mbd_solver/run'  # run: to be cut
+  [mbd_solver/observe]='mbd_solver/coupling mbd_solver/output'
   [mbd_solver/run]='mbd_solver/observe mbd_solver/integrator'
   [mbd_solver]='mbd_solver/run mbd_solver/cli'  # main.cpp; of cli only the check of an option
   [mbd_solver/cli/launch]='mbd_solver/build'

@@ -1,4 +1,4 @@
-// Where the mechanism starts.
+// Where the mechanism starts: mbd_solver/build/placement.cpp, by its steps in mbd_solver/build/mechanism.h.
 
 #include <gtest/gtest.h>
 

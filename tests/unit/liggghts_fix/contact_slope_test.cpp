@@ -1,4 +1,4 @@
-// Slopes of contacts, projected on a body.
+// Slopes of contacts, projected on a body: liggghts_fix/dem_body.h.
 
 #include <gtest/gtest.h>
 
@@ -26,9 +26,10 @@ ContactTangent slopes_of(const CoupledBody& body, const Eigen::Vector3d& point, 
     dem.add_slope(point, slope);
     dem.end_substep(1e-3);
   }
-  std::vector<double> row(static_cast<std::size_t>(dem.sum_count()));
-  dem.write_sums(row.data());
-  dem.fold_sums(row.data(), 1, row.size());
+  std::vector<double> row;
+  dem.append_share(row);
+  dem.clear_load();
+  dem.add_share(row.data());
   return dem.load().tangent.at(0);
 }
 
@@ -63,9 +64,9 @@ TEST(ContactSlope, IsNotCollectedForSchemesThatDoNotAsk) {
   const CoupledBody body = triangle();
   const std::unique_ptr<Scheme> scheme = make_scheme("css-trapezoid");
   const DemBody dem(body, *scheme);
-  EXPECT_FALSE(dem.wants_slopes());
+  EXPECT_FALSE(dem.samples_slopes());
   EXPECT_TRUE(dem.load().tangent.empty());
-  EXPECT_EQ(dem.sum_count(), 14);
+  EXPECT_EQ(dem.share_size(), 14U);  // F, T, impulse: 3 each; two works, contacts, stiffness, overlap
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
   push(2.0);
   ASSERT_TRUE(pair.dem.end_substep());
   std::vector<double> sums;
-  pair.dem.write_sums(sums);
+  pair.dem.write_shares(sums);
   std::vector<double> both = sums;  // two ranks with the same forces
   both.insert(both.end(), sums.begin(), sums.end());
   pair.dem.finish_window(both, 2, 77);

@@ -1,0 +1,56 @@
+#include "coupler/abort_guard.h"
+
+#include <mpi.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+#include "coupler/base/errors.h"
+#include "coupler/communicator.h"
+#include "coupler/mpi_check.h"
+
+namespace footfall {
+namespace {
+
+// One per process, as MPI_COMM_SELF is.
+struct Guard {
+  bool released = false;
+  std::function<bool()> last_words;
+};
+
+Guard& guard() {
+  static Guard one;
+  return one;
+}
+
+int on_finalize(MPI_Comm, int, void*, void*) {
+  if (guard().released) return MPI_SUCCESS;
+  guard().released = true;
+  const bool heard = guard().last_words && guard().last_words();
+  if (!heard) abort_both_programs(kExitFailed);
+  return MPI_SUCCESS;
+}
+
+}  // namespace
+
+void abort_both_programs(int exit_code) {
+  // Not MPI_Abort: when several ranks end at once, Open MPI's mpirun may crash or hang over its abort messages. A
+  // process that ends without MPI_Finalize is enough for mpirun to end all others, and its exit code becomes the job's.
+  std::fflush(nullptr);
+  _exit(exit_code);
+}
+
+void AbortGuard::install(const Communicator& communicator, std::function<bool()> last_words) {
+  guard().released = !communicator.has_partner() || !communicator.is_root();
+  guard().last_words = std::move(last_words);
+  int key = MPI_KEYVAL_INVALID;
+  check_mpi(MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, on_finalize, &key, nullptr), "MPI_Comm_create_keyval");
+  check_mpi(MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr), "MPI_Comm_set_attr");
+}
+
+void AbortGuard::set_last_words(std::function<bool()> last_words) { guard().last_words = std::move(last_words); }
+
+void AbortGuard::release() { guard().released = true; }
+
+}  // namespace footfall

@@ -1,0 +1,69 @@
+#pragma once
+// The fields of a struct, named once. Whoever needs all of them (writer, reader, comparison) walks the same list, so that
+// none is forgotten in one direction:
+//
+//   template <>
+//   inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt}, Field{"n", &Start::n}};
+//
+// A list that is shorter or longer than its struct does not compile.
+
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+
+namespace footfall {
+
+template <class Struct, class Type>
+struct Field {
+  const char* name;
+  Type Struct::*member;
+};
+template <class Struct, class Type>
+Field(const char*, Type Struct::*) -> Field<Struct, Type>;
+
+// The list of a struct, a tuple of fields; structs without a list have none.
+template <class Struct>
+inline constexpr std::nullptr_t kFields = nullptr;
+
+template <class Struct>
+inline constexpr bool kHasFields = !std::is_same_v<decltype(kFields<Struct>), const std::nullptr_t>;
+
+// Compiles only if the struct has as many members as its list.
+template <class Struct>
+void demand_every_member(const Struct& s) {
+  constexpr std::size_t kCount = std::tuple_size_v<std::remove_const_t<decltype(kFields<Struct>)>>;
+  static_assert(kCount >= 2 && kCount <= 9, "one more case is needed here");
+  if constexpr (kCount == 2) {
+    [[maybe_unused]] const auto& [a, b] = s;
+  }
+  if constexpr (kCount == 3) {
+    [[maybe_unused]] const auto& [a, b, c] = s;
+  }
+  if constexpr (kCount == 4) {
+    [[maybe_unused]] const auto& [a, b, c, d] = s;
+  }
+  if constexpr (kCount == 5) {
+    [[maybe_unused]] const auto& [a, b, c, d, e] = s;
+  }
+  if constexpr (kCount == 6) {
+    [[maybe_unused]] const auto& [a, b, c, d, e, f] = s;
+  }
+  if constexpr (kCount == 7) {
+    [[maybe_unused]] const auto& [a, b, c, d, e, f, g] = s;
+  }
+  if constexpr (kCount == 8) {
+    [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h] = s;
+  }
+  if constexpr (kCount == 9) {
+    [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i] = s;
+  }
+}
+
+// Calls visit(field) for every field of Struct, in the order of the list. The field of an object s: s.*field.member.
+template <class Struct, class Visit>
+constexpr void for_each_field(Visit&& visit) {
+  (void)&demand_every_member<Struct>;
+  std::apply([&](const auto&... field) { (visit(field), ...); }, kFields<Struct>);
+}
+
+}  // namespace footfall

@@ -1,0 +1,120 @@
+#pragma once
+// The fields of every message, in the order of their bytes. pack and unpack walk these lists, and so do the tests.
+// A change of a list that is already in use changes the bytes: kProtocolVersion must then rise.
+
+#include <tuple>
+
+#include "coupler/base/field_list.h"
+#include "coupler/messages.h"
+
+namespace footfall {
+
+using AllMessages = std::tuple<Hello, Geometry, Start, Accept, Motion, Load, Close>;
+
+// What every message begins with, four bytes each: magic, kind, protocol, status. Its layout never changes between
+// protocol versions.
+struct MessageHead {
+  std::int32_t protocol = kProtocolVersion;
+  Status status = Status::kOk;
+};
+
+// A field of a message that stands in its head instead of behind it.
+template <class Message, class Type>
+struct HeadField {
+  const char* name;
+  Type Message::*member;
+  Type MessageHead::*in_head;
+};
+template <class Message, class Type>
+HeadField(const char*, Type Message::*, Type MessageHead::*) -> HeadField<Message, Type>;
+
+template <class AnyField>
+inline constexpr bool kInHead = false;
+template <class Message, class Type>
+inline constexpr bool kInHead<HeadField<Message, Type>> = true;
+
+template <>
+inline constexpr auto kFields<Hello> =
+    std::tuple{HeadField{"protocol", &Hello::protocol, &MessageHead::protocol},
+               Field{"footfall_version", &Hello::footfall_version}, Field{"unit_style", &Hello::unit_style}};
+
+template <>
+inline constexpr auto kFields<Geometry> =
+    std::tuple{Field{"footfall_version", &Geometry::footfall_version}, Field{"bodies", &Geometry::bodies}};
+
+template <>
+inline constexpr auto kFields<CoupledBody> =
+    std::tuple{Field{"boundary", &CoupledBody::boundary}, Field{"initial", &CoupledBody::initial}};
+
+// A ModalBoundary taken apart: what its constructor takes.
+struct BoundaryParts {
+  std::string name;
+  Eigen::Matrix3Xd rho0;
+  std::vector<Eigen::Vector3i> triangles;
+  std::vector<BeamSegment> segments;
+  Eigen::MatrixXd Phi, Psi;
+};
+BoundaryParts taken_apart(const ModalBoundary& boundary);
+// Throws ProtocolError for parts that fit no boundary.
+ModalBoundary put_together(BoundaryParts parts);
+
+template <>
+inline constexpr auto kFields<BoundaryParts> = std::tuple{Field{"name", &BoundaryParts::name},
+                                                          Field{"rho0", &BoundaryParts::rho0},
+                                                          Field{"triangles", &BoundaryParts::triangles},
+                                                          Field{"segments", &BoundaryParts::segments},
+                                                          Field{"Phi", &BoundaryParts::Phi},
+                                                          Field{"Psi", &BoundaryParts::Psi}};
+
+template <>
+inline constexpr auto kFields<BeamSegment> =
+    std::tuple{Field{"start", &BeamSegment::start}, Field{"end", &BeamSegment::end},
+               Field{"radius", &BeamSegment::radius}, Field{"chain", &BeamSegment::chain}};
+
+template <>
+inline constexpr auto kFields<BodyMotion> =
+    std::tuple{Field{"r", &BodyMotion::r},     Field{"L", &BodyMotion::L},   Field{"a", &BodyMotion::a},
+               Field{"dr", &BodyMotion::dr},   Field{"w", &BodyMotion::w},   Field{"da", &BodyMotion::da},
+               Field{"ddr", &BodyMotion::ddr}, Field{"dw", &BodyMotion::dw}, Field{"dda", &BodyMotion::dda}};
+
+template <>
+inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt}, Field{"n", &Start::n},
+                                                  Field{"step", &Start::step}, Field{"bodies", &Start::bodies}};
+
+template <>
+inline constexpr auto kFields<Accept> = std::tuple{Field{"scheme", &Accept::scheme}, Field{"t_end", &Accept::t_end},
+                                                   Field{"t_start", &Accept::t_start}, Field{"n_max", &Accept::n_max}};
+
+template <>
+inline constexpr auto kFields<Motion> =
+    std::tuple{Field{"window", &Motion::window}, Field{"time", &Motion::time}, Field{"n", &Motion::n},
+               Field{"last_window", &Motion::last_window}, Field{"bodies", &Motion::bodies}};
+
+template <>
+inline constexpr auto kFields<Load> =
+    std::tuple{Field{"window", &Load::window}, Field{"particles", &Load::particles},
+               Field{"wall_seconds", &Load::wall_seconds}, Field{"bodies", &Load::bodies}};
+
+template <>
+inline constexpr auto kFields<BodyLoad> = std::tuple{
+    Field{"mean", &BodyLoad::mean}, Field{"contacts", &BodyLoad::contacts},
+    Field{"contact_stiffness", &BodyLoad::contact_stiffness},
+    Field{"max_overlap_over_radius", &BodyLoad::max_overlap_over_radius}, Field{"tangent", &BodyLoad::tangent}};
+
+template <>
+inline constexpr auto kFields<MeanLoad> = std::tuple{Field{"F_W", &MeanLoad::F_W},
+                                                     Field{"T_B", &MeanLoad::T_B},
+                                                     Field{"Q_a", &MeanLoad::Q_a},
+                                                     Field{"work", &MeanLoad::work},
+                                                     Field{"jump_work", &MeanLoad::jump_work},
+                                                     Field{"impulse_W", &MeanLoad::impulse_W}};
+
+template <>
+inline constexpr auto kFields<ContactTangent> =
+    std::tuple{Field{"K", &ContactTangent::K}, Field{"C", &ContactTangent::C}};
+
+template <>
+inline constexpr auto kFields<Close> =
+    std::tuple{HeadField{"status", &Close::status, &MessageHead::status}, Field{"reason", &Close::reason}};
+
+}  // namespace footfall

@@ -1,0 +1,32 @@
+#pragma once
+// Waiting for a message without keeping a core busy, which the other program may need: Open MPI's own blocking calls
+// spin.
+
+#include <mpi.h>
+
+#include <chrono>
+
+#include "coupler/doorbell.h"
+
+namespace footfall {
+
+// The naps between two looks. Three quarters of a wait that is expected to be long are slept through; then one looks
+// again after 1/64 of the time waited so far, 5 to 500 microseconds: what is lost stays a small part of every wait, and
+// who looks seldom does not push the other program off its core. A doorbell ends a nap when it rings, so that with one
+// the naps may last up to 5 milliseconds.
+class PoliteWait {
+ public:
+  explicit PoliteWait(const Doorbell* doorbell, double expected_seconds = 0.0)
+      : doorbell_(doorbell), expected_(expected_seconds), start_(std::chrono::steady_clock::now()) {}
+  void nap();
+
+ private:
+  const Doorbell* doorbell_;  // may be null
+  double expected_;           // [s]
+  std::chrono::steady_clock::time_point start_;
+};
+
+// Returns when the request is complete.
+void wait_politely(MPI_Request& request, const Doorbell* doorbell);
+
+}  // namespace footfall

@@ -1,0 +1,172 @@
+#include "liggghts_fix/fix_couple_mbd_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "atom.h"
+#include "coupler/base/errors.h"
+#include "domain.h"
+#include "fix_mesh_surface.h"
+#include "liggghts_fix/fix_couple_mbd_match.h"
+#include "liggghts_fix/fix_couple_mbd_materials.h"
+#include "liggghts_fix/liggghts_access.h"
+#include "modify.h"
+#include "tri_mesh.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+namespace {
+
+using footfall::InputError;
+
+constexpr const char* kModule = "footfall_mbd";
+constexpr const char* kVelocity = "v";  // element property that LIGGGHTS' contacts read
+
+using NodeVelocities = MultiVectorContainer<double, 3, 3>;
+
+NodeVelocities* node_velocities(TriMesh* mesh) { return mesh->prop().getElementProperty<NodeVelocities>(kVelocity); }
+
+}  // namespace
+
+CoupledMesh::CoupledMesh(LAMMPS* lmp_, const std::string& asker, const footfall::MeshOfBody& pair,
+                         footfall::DemLink& link)
+    : Pointers(lmp_), link_(link), mesh_id_(pair.mesh) {
+  const std::string where = asker + "mesh " + mesh_id_ + ": ";
+  fix_ = dynamic_cast<FixMeshSurface*>(modify->find_fix_id(mesh_id_.c_str()));
+  if (fix_ == nullptr) throw InputError(where + "no fix mesh/surface of this id stands before this line");
+  if (fix_->triMesh()->isMoving() || fix_->triMesh()->isDeforming())
+    throw InputError(where + "another fix or a servo moves it already");
+  if (fix_->surfaceVel())
+    throw InputError(where + "it has a surface velocity of its own (surface_vel, surface_ang_vel)");
+  body_ = link_.couple(pair.body, update->unit_style);
+  const footfall::CoupledBody& scene_body = link_.scene_body(pair.body, update->unit_style);
+  module_ = std::make_unique<MeshModuleMbd>(lmp, fix_, match_over_ranks(fix_->triMesh(), mesh_id_, scene_body, world));
+  x_W_.resize(3, scene_body.boundary.node_count());
+  v_W_.resize(3, scene_body.boundary.node_count());
+  reach_ = scene_body.boundary.rho0().colwise().norm().maxCoeff();
+}
+
+void CoupledMesh::attach() {
+  TriMesh* mesh = fix_->triMesh();
+  mesh->registerMove(false, true, true);
+  mesh->prop()
+      .addElementProperty<NodeVelocities>(kVelocity, "comm_exchange_borders", "frame_invariant", "restart_no")
+      ->setAll(0.0);
+  footfall::attach_mesh_module(fix_, kModule, module_.get());
+}
+
+void CoupledMesh::detach() {
+  footfall::detach_mesh_module(fix_, kModule);
+  fix_->triMesh()->prop().removeElementProperty(kVelocity);
+  fix_->triMesh()->unregisterMove(false, true, true);
+}
+
+bool CoupledMesh::is_there() const { return modify->find_fix_id(mesh_id_.c_str()) == fix_; }
+
+void CoupledMesh::begin_run(const char* style) {
+  module_->set_body(&link_.body(body_));
+  module_->set_contacts(wall_contacts(*modify, atom->ntypes, fix_->atomTypeWall(), style));
+}
+
+// Owned and ghost triangles alike: LIGGGHTS copies neither positions nor velocities to ghosts between two
+// re-neighbourings.
+void CoupledMesh::move() {
+  const footfall::DemBody& body = link_.body(body_);
+  TriMesh* tri_mesh = fix_->triMesh();
+  if (body.path().steady_translation()) {
+    translate(body.pose().dr);
+    return;
+  }
+  body.boundary().node_positions(body.pose(), x_W_);
+  body.boundary().node_velocities(body.pose(), v_W_);
+  const std::vector<footfall::CornerNodes>& corners = module_->corners();
+  double*** x = footfall::mesh_nodes(tri_mesh);
+  double** center = footfall::mesh_centers(tri_mesh);
+  double*** v = node_velocities(tri_mesh)->begin();
+  for (int i = 0; i < tri_mesh->size(); ++i) {
+    const footfall::CornerNodes& corner = corners[static_cast<std::size_t>(tri_mesh->id(i))];
+    for (int k = 0; k < 3; ++k) {
+      const int node = corner[static_cast<std::size_t>(k)];
+      std::copy_n(v_W_.col(node).data(), 3, v[i][k]);
+      for (int c = 0; c < 3; ++c) x[i][k][c] = nearest_image(x_W_(c, node), x[i][k][c], c);
+    }
+    for (int c = 0; c < 3; ++c) center[i][c] = (x[i][0][c] + x[i][1][c] + x[i][2][c]) / 3.0;
+  }
+  if (body.path().first_substep()) turn_properties(body.path().jump());
+  turn_properties(body.path().last_step());
+  if (body.boundary().mode_count() > 0) footfall::recalculate_mesh(tri_mesh);
+}
+
+// The same sums as fix move/mesh linear, so that the same motion gives the same bits.
+void CoupledMesh::translate(const Eigen::Vector3d& velocity) {
+  TriMesh* mesh = fix_->triMesh();
+  double dx[3];
+  for (int c = 0; c < 3; ++c) dx[c] = velocity[c] * update->dt;
+  double*** x = footfall::mesh_nodes(mesh);
+  double** center = footfall::mesh_centers(mesh);
+  double*** v = node_velocities(mesh)->begin();
+  for (int i = 0; i < mesh->size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      for (int c = 0; c < 3; ++c) x[i][k][c] += dx[c];
+      std::copy_n(velocity.data(), 3, v[i][k]);
+    }
+    for (int c = 0; c < 3; ++c) center[i][c] += dx[c];
+  }
+  mesh->prop().move(dx);
+}
+
+// In a periodic direction a triangle may stand one or more boxes away from its body's own place: it stays
+// there.
+double CoupledMesh::nearest_image(double place, double before, int direction) const {
+  if (!domain->periodicity[direction]) return place;
+  const double box = domain->boxhi[direction] - domain->boxlo[direction];
+  return place + box * std::round((before - place) / box);
+}
+
+// Normals and edges turn with the body, the mesh's reference point (fix mesh/surface/stress) moves with it;
+// areas and lengths stay. LIGGGHTS computes all of them anew from the nodes at every re-neighbouring, so
+// round-off does not add up for long.
+void CoupledMesh::turn_properties(const footfall::BoundaryStep& step) {
+  CustomValueTracker& properties = fix_->triMesh()->prop();
+  if (step.theta_W.isZero(0.0)) {
+    if (!step.r.isZero(0.0)) properties.move(step.r.data());
+    return;
+  }
+  const footfall::BodyMotion& pose = link_.body(body_).pose();
+  const Eigen::Vector3d from_Bo = step.r - pose.r;  // minus Bo before the step
+  const Eigen::Vector4d turn = footfall::turned(Eigen::Vector4d(1.0, 0.0, 0.0, 0.0), step.theta_W);
+  properties.move(from_Bo.data());
+  properties.rotate(turn.data());
+  properties.move(pose.r.data());
+}
+
+// LIGGGHTS loses triangles that leave the box. Every rank looks at the same pose and comes to the same end.
+void CoupledMesh::check_inside_box() const {
+  const footfall::DemBody& body = link_.body(body_);
+  const auto outside = [this](const Eigen::Vector3d& x, double margin) {
+    for (int c = 0; c < 3; ++c) {
+      if (domain->periodicity[c]) continue;
+      // shrink-wrapped
+      const bool follows_low = domain->boundary[c][0] > 1, follows_high = domain->boundary[c][1] > 1;
+      if ((!follows_low && x[c] - margin < domain->boxlo[c]) || (!follows_high && x[c] + margin > domain->boxhi[c]))
+        return true;
+    }
+    return false;
+  };
+  if (body.boundary().mode_count() == 0 && !outside(body.pose().r, reach_)) return;
+  Eigen::Matrix3Xd x(3, body.boundary().node_count());
+  body.boundary().node_positions(body.pose(), x);
+  for (int j = 0; j < x.cols(); ++j)
+    if (outside(x.col(j), 0.0)) {
+      std::ostringstream message;
+      message << "t = " << static_cast<double>(update->ntimestep) * update->dt << " s: mesh " << mesh_id_ << " (body \""
+              << link_.body_name(body_) << "\") leaves the simulation box at step " << update->ntimestep
+              << ": node at (" << x(0, j) << ", " << x(1, j) << ", " << x(2, j) << "), box from (" << domain->boxlo[0]
+              << ", " << domain->boxlo[1] << ", " << domain->boxlo[2] << ") to (" << domain->boxhi[0] << ", "
+              << domain->boxhi[1] << ", " << domain->boxhi[2] << "). Make the region of create_box larger";
+      throw footfall::NumericalError(message.str());
+    }
+}
+
+}  // namespace LAMMPS_NS

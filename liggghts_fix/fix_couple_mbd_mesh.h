@@ -1,0 +1,49 @@
+#pragma once
+// A stock LIGGGHTS mesh that moves with a body of the scene and tells it of its contacts.
+
+#include <memory>
+#include <string>
+
+#include "liggghts_fix/couple_mbd_arguments.h"
+#include "liggghts_fix/dem_link.h"
+#include "liggghts_fix/mesh_module_mbd.h"
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+class CoupledMesh : protected Pointers {
+ public:
+  // `asker` begins the messages. Throws InputError when there is no such mesh, something else moves it, or its triangles
+  // are not those of the body. Collective, as every fix command.
+  CoupledMesh(LAMMPS* lmp, const std::string& asker, const footfall::MeshOfBody& pair, footfall::DemLink& link);
+
+  // The mesh learns that it moves and whom its contacts concern; and forgets it again.
+  void attach();
+  void detach();
+
+  const std::string& id() const { return mesh_id_; }
+  int body() const { return body_; }  // index in the link
+  bool is_there() const;              // false when the script has removed the mesh
+  // After the coupling has started. `style`: of the fix, for LIGGGHTS' own messages.
+  void begin_run(const char* style);
+
+  // Throws NumericalError when a node leaves the box: LIGGGHTS loses such triangles.
+  void check_inside_box() const;
+  // To where the body's path is now.
+  void move();
+
+ private:
+  void translate(const Eigen::Vector3d& velocity);
+  double nearest_image(double place, double before, int direction) const;
+  void turn_properties(const footfall::BoundaryStep& step);
+
+  footfall::DemLink& link_;
+  std::string mesh_id_;
+  FixMeshSurface* fix_ = nullptr;
+  int body_ = 0;
+  std::unique_ptr<MeshModuleMbd> module_;
+  Eigen::Matrix3Xd x_W_, v_W_;  // nodes of the body's boundary [m], [m/s]
+  double reach_ = 0.0;          // no node is farther from Bo, undeformed [m]
+};
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,78 @@
+#include "liggghts_fix/couple_mbd_arguments.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+namespace {
+
+CoupleMbdArguments parsed(const std::string& after_style) {
+  std::istringstream in("m all couple/mbd " + after_style);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  return {static_cast<int>(pointers.size()), pointers.data()};
+}
+
+// What the user reads, without the beginning that all messages share.
+std::string complaint(const std::string& after_style) {
+  const std::string begin = "fix m couple/mbd: ";
+  try {
+    parsed(after_style);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.substr(0, begin.size()), begin);
+    return message.substr(begin.size());
+  }
+  return "nothing is wrong";
+}
+
+const std::string kUsage = "expected: fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]";
+
+TEST(CoupleMbdArguments, TakeWhatTheCommandSays) {
+  const CoupleMbdArguments all = parsed("every 5 patience 0.5 mesh pad1 foot_1 mesh pad2 foot_2");
+  EXPECT_EQ(all.every, 5);
+  EXPECT_EQ(all.patience, 0.5);
+  ASSERT_EQ(all.meshes.size(), 2U);
+  EXPECT_EQ(all.meshes[0].mesh, "pad1");
+  EXPECT_EQ(all.meshes[1].body, "foot_2");
+}
+
+TEST(CoupleMbdArguments, LeaveOutWhatIsNotSaid) {
+  const CoupleMbdArguments least = parsed("every auto");
+  EXPECT_EQ(least.every, 0);
+  EXPECT_FALSE(least.patience);
+  EXPECT_TRUE(least.meshes.empty());
+}
+
+TEST(CoupleMbdArguments, SayWhatIsExpectedWhereAWordIsMissingOrWrong) {
+  for (const char* words : {"", "every", "evry 5"}) EXPECT_EQ(complaint(words), kUsage) << words;
+  EXPECT_EQ(complaint("every 5 mash pad1 foot_1"), "at \"mash\" " + kUsage);
+  EXPECT_EQ(complaint("every 5 mesh pad1"), "at \"mesh\" " + kUsage);
+  EXPECT_EQ(complaint("every 5 patience"), "at \"patience\" " + kUsage);
+  EXPECT_EQ(complaint("every 5 mesh pad1 foot_1 patience 3"), "at \"patience\" " + kUsage);
+}
+
+TEST(CoupleMbdArguments, RefuseWindowsThatAreNoNumberOfSteps) {
+  for (const char* n : {"0", "-1", "1000001", "5x", "1.5", "many"})
+    EXPECT_EQ(complaint(std::string("every ") + n),
+              std::string("`every` needs a number of steps from 1 to 1000000 or `auto`, not \"") + n + "\"");
+  EXPECT_EQ(complaint("every 1000000"), "nothing is wrong");
+}
+
+TEST(CoupleMbdArguments, RefusePatienceThatIsNoTime) {
+  for (const char* time : {"0", "-2", "5s", "nan", "long"})
+    EXPECT_EQ(complaint(std::string("every 5 patience ") + time),
+              std::string("`patience` needs a positive number of seconds, not \"") + time + "\"");
+}
+
+TEST(CoupleMbdArguments, RefuseASecondMeshForABody) {
+  EXPECT_EQ(complaint("every 5 mesh pad1 foot mesh pad2 foot"), "mesh pad2: body \"foot\" has a mesh already");
+}
+
+}  // namespace
+}  // namespace footfall
