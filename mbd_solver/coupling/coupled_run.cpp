@@ -120,6 +120,46 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   return motion_.last_window ? t_end_ : state.time + H;
 }
 
+void CoupledRun::end_window(const State& state, const Kinematics& kinematics, const Inputs& inputs) {
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const int body = bodies_[k].entry.body;
+    fill_motion(kinematics.of(body), bodies_[k].end);
+    work_received_[k] = state.load_work(body) - work_before_(body);
+  }
+  const double pending = pending_interface_work(state.time, motion_.n * agreement_.dt, inputs);
+  watch_->window(state.time, state.time - motion_.time, motion_.n, partner_.load(), work_received_, reference_energy_,
+                 pending);
+  if (choice_) choose_window();
+  sample_.substeps = motion_.n;
+  sample_.estimate = choice_ ? choice_->estimate() : 0.0;
+  sample_.energy_residual = watch_->energy_residual();
+  sample_.omega_h = watch_->omega_h();
+  waited_ = partner_.seconds_waited();
+  last_substeps_ = motion_.n;
+  ++motion_.window;
+}
+
+// n of the next window, and up to which omega H it needs no warning.
+void CoupledRun::choose_window() {
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const Coupled& body = bodies_[k];
+    const BodyLoad& load = partner_.load().bodies[k];
+    // Before its first contact it flies to the grains below it.
+    const LandingSite* site = watch_->largest_omega_h()[k] == 0.0 ? body.site : nullptr;
+    const Vector6d gap = body.predicted.gap(body.end);
+    WindowChoice::Body& seen = choice_bodies_[k];
+    seen.flight = flight_time(body.end, body.entry.boundary, mechanism_.placement, up_, site);
+    seen.stiffness = load.contact_stiffness;
+    seen.force = load.mean.F_W;
+    seen.place = body.predicted.r_mean();
+    seen.gap = gap.head<3>().norm() + gap.tail<3>().norm() * body.reach;
+  }
+  choice_->observe(motion_.n, choice_bodies_);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) watch_->allow(k, choice_->allowed_omega_h(k));
+}
+
+// ---- what depends on the scheme ----
+
 int CoupledRun::wanted_substeps() const {
   if (scheme_->wants_tangent() && motion_.window == 0) return 1;  // to learn the slopes of contacts that stand already
   return choice_ ? choice_->substeps() : agreement_.substeps;
@@ -163,25 +203,6 @@ void CoupledRun::receive(const Load& load, double H, Inputs& inputs) const {
   }
 }
 
-void CoupledRun::end_window(const State& state, const Kinematics& kinematics, const Inputs& inputs) {
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    const int body = bodies_[k].entry.body;
-    fill_motion(kinematics.of(body), bodies_[k].end);
-    work_received_[k] = state.load_work(body) - work_before_(body);
-  }
-  const double pending = pending_interface_work(state.time, motion_.n * agreement_.dt, inputs);
-  watch_->window(state.time, state.time - motion_.time, motion_.n, partner_.load(), work_received_, reference_energy_,
-                 pending);
-  if (choice_) choose_window();
-  sample_.substeps = motion_.n;
-  sample_.estimate = choice_ ? choice_->estimate() : 0.0;
-  sample_.energy_residual = watch_->energy_residual();
-  sample_.omega_h = watch_->omega_h();
-  waited_ = partner_.seconds_waited();
-  last_substeps_ = motion_.n;
-  ++motion_.window;
-}
-
 double CoupledRun::pending_interface_work(double time, double H, const Inputs& inputs) {
   const double ratio = last_substeps_ > 0 ? static_cast<double>(motion_.n) / last_substeps_ : 0.0;
   double work = 0.0;
@@ -198,25 +219,6 @@ double CoupledRun::pending_interface_work(double time, double H, const Inputs& i
     body.last_load = load.mean;
   }
   return work;
-}
-
-// n of the next window, and up to which omega H it needs no warning.
-void CoupledRun::choose_window() {
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    const Coupled& body = bodies_[k];
-    const BodyLoad& load = partner_.load().bodies[k];
-    // Before its first contact it flies to the grains below it.
-    const LandingSite* site = watch_->largest_omega_h()[k] == 0.0 ? body.site : nullptr;
-    const Vector6d gap = body.predicted.gap(body.end);
-    WindowChoice::Body& seen = choice_bodies_[k];
-    seen.flight = flight_time(body.end, body.entry.boundary, mechanism_.placement, up_, site);
-    seen.stiffness = load.contact_stiffness;
-    seen.force = load.mean.F_W;
-    seen.place = body.predicted.r_mean();
-    seen.gap = gap.head<3>().norm() + gap.tail<3>().norm() * body.reach;
-  }
-  choice_->observe(motion_.n, choice_bodies_);
-  for (std::size_t k = 0; k < bodies_.size(); ++k) watch_->allow(k, choice_->allowed_omega_h(k));
 }
 
 }  // namespace footfall

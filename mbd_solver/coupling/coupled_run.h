@@ -44,9 +44,9 @@ class CoupledRun {
 
   const Agreement& agreement() const { return agreement_; }
   const CouplingSample& sample() const { return sample_; }  // of the last window
+  const Load& load() const { return partner_.load(); }      // likewise; empty before the first
   const CouplingWatch& watch() const { return *watch_; }
-  const Load& load() const { return partner_.load(); }  // likewise
-  double dem_seconds() const { return dem_seconds_; }   // spent by LIGGGHTS on its windows [s]
+  double dem_seconds() const { return dem_seconds_; }  // spent by LIGGGHTS on its windows [s]
   double seconds_waited() const { return waited_; }  // for LIGGGHTS, its work included, until the last window's end [s]
 
  private:
@@ -61,11 +61,12 @@ class CoupledRun {
     double reach;               // largest |rho0| [m]
   };
 
+  void choose_window();  // n of the next window, after one
+  // What depends on the scheme:
   int wanted_substeps() const;
   void choose_paths(double H);  // motion_.bodies, from the states at the window's start
   void receive(const Load& load, double H, Inputs& inputs) const;
   double pending_interface_work(double time, double H, const Inputs& inputs);  // after a window [J]
-  void choose_window();                                                        // likewise: n of the next one
 
   const Mechanism& mechanism_;
   double t_end_;        // [s]
@@ -73,6 +74,7 @@ class CoupledRun {
   std::unique_ptr<Scheme> scheme_;
   DemPartner partner_;
   Agreement agreement_;
+  // Memory from window to window:
   std::vector<Coupled> bodies_;  // in the order of Motion and Load
   Motion motion_;                // of this window, as sent
   std::unique_ptr<CouplingWatch> watch_;

@@ -19,9 +19,9 @@ class RunFiles {
   // Makes the folder. The simulation must outlive this. Throws InputError when it cannot be written.
   RunFiles(const Simulation& simulation, const std::string& folder);
 
-  void write(const Sample& sample);  // what is due
-  void flush();                      // rows are on the disk's side
-  void write_checkpoint_of(const State& state) const;
+  void write(const Sample& sample);                    // what is due
+  void flush();                                        // rows are on the disk's side
+  void write_checkpoint_of(const State& state) const;  // with the voltages of the last sample
   const FlexibleBodies& flexible() const { return observation_.flexible(); }
 
  private:
