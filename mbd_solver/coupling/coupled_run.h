@@ -1,6 +1,6 @@
 #pragma once
 // The half of a coupled run that belongs to the mechanism: in every window, motion out and load in. It exists only in
-// runs that touch grains. theory: coupling.
+// runs that touch grains. theory 7.
 //
 // Window k, of n substeps, H = n dt:
 //   begin_window   n; the motion at t_k, as the scheme lets the grains see it, goes out; the mean load comes in

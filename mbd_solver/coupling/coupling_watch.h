@@ -1,6 +1,6 @@
 #pragma once
 // How well the two programs fit together, measured in every window: energy that the interface makes or loses, omega H
-// of each body, forces that chatter. theory: coupling (quality measures of every run).
+// of each body, forces that chatter. theory 7.9.
 
 #include <string>
 #include <vector>
