@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 namespace {
@@ -95,9 +96,8 @@ std::unique_ptr<Scheme> make_scheme(std::string_view name) {
   if (name == "quadratic") return std::make_unique<Quadratic>();
   if (name == "tangent") return std::make_unique<Tangent>();
   if (name == "frozen") return std::make_unique<Frozen>();
-  std::string known;
-  for (const std::string& one : scheme_names()) known += (known.empty() ? "" : ", ") + one;
-  throw InputError("unknown coupling scheme \"" + std::string(name) + "\". Known schemes: " + known + ".");
+  throw InputError("unknown coupling scheme \"" + std::string(name) + "\". Known schemes: " + joined(scheme_names()) +
+                   ".");
 }
 
 const std::vector<std::string>& scheme_names() {

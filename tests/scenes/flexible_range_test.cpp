@@ -12,18 +12,13 @@
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
 
-class FlexibleScene : public ::testing::Test {
+class FlexibleScene : public ::testing::Test, protected TemporaryFolder {
  protected:
-  FlexibleScene() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "footfall_scene_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~FlexibleScene() override { std::filesystem::remove_all(folder_); }
-  void write(const std::string& file, const std::string& text) const { std::ofstream(folder_ / file) << text; }
   std::string path(const std::string& file) const { return (folder_ / file).string(); }
 
   // Runs scene.toml with these settings; the summary.
@@ -42,8 +37,6 @@ class FlexibleScene : public ::testing::Test {
       found += warning.get<std::string>().find(part) != std::string::npos ? 1 : 0;
     return found;
   }
-
-  std::filesystem::path folder_;
 };
 
 // A rod of 1 m on its own; its lowest frequency is 22.37 sqrt(EI / (m L^4)) = 287 rad/s.

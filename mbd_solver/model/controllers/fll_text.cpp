@@ -49,12 +49,9 @@ std::vector<FllBlock> read_fll_text(const std::filesystem::path& file) {
       throw InputError(where + "\"" + entry.key + "\" stands before any block; expected \"Engine: name\" first.");
     FllBlock& block = blocks.back();
     const std::vector<std::string>& known = kKeys.at(block.head.key);
-    if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
-      std::string list;
-      for (const std::string& key : known) list += (list.empty() ? "" : ", ") + key;
+    if (std::find(known.begin(), known.end(), entry.key) == known.end())
       throw InputError(where + "unknown key \"" + entry.key + "\" in " + block.head.key + " \"" + block.head.value +
-                       "\". Known keys: " + list + ".");
-    }
+                       "\". Known keys: " + joined(known) + ".");
     if (entry.key == "term")
       for (const FllLine& other : block.lines)
         if (other.key == "term" && first_word(other.value) == first_word(entry.value))

@@ -1,28 +1,20 @@
 #include "coupler/base/whole_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
 
 namespace fs = std::filesystem;
 
-class WholeFile : public ::testing::Test {
+class WholeFile : public ::testing::Test, protected TemporaryFolder {
  protected:
-  WholeFile() {
-    std::string pattern = (fs::temp_directory_path() / "footfall_file_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~WholeFile() override { fs::remove_all(folder_); }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-
-  fs::path folder_;
 };
 
 TEST_F(WholeFile, ReadsBackWhatWasWrittenByteByByte) {

@@ -10,22 +10,13 @@
 #include "coupler/base/pi.h"
 #include "mbd_solver/cli/analysis/bed_frames.h"
 #include "mbd_solver/cli/analysis/bed_measures.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
 
-class BedFiles : public ::testing::Test {
+class BedFiles : public ::testing::Test, protected TemporaryFolder {
  protected:
-  BedFiles() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "footfall_bed_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~BedFiles() override { std::filesystem::remove_all(folder_); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
-  }
-  std::filesystem::path folder_;
 };
 
 const char* const kVtk =

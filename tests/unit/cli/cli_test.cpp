@@ -9,27 +9,13 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/child.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
 
-class CliTest : public ::testing::Test {
+class CliTest : public ::testing::Test, protected TemporaryFolder {
  protected:
-  CliTest() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "footfall_cli_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~CliTest() override { std::filesystem::remove_all(folder_); }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(file(name)) << text;
-    return file(name);
-  }
-  std::string text(const std::string& name) const {
-    std::ifstream stream(file(name));
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-  std::filesystem::path folder_;
 };
 
 Command shell(const std::string& script) { return {{"sh", "-c", script}, {}, "", ""}; }

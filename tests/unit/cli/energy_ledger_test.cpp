@@ -9,6 +9,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/cli/analysis/plots.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
@@ -72,19 +73,13 @@ TEST(EnergyLedger, BandsOfItsPictureAreNeverNegative) {
   EXPECT_TRUE(figure.stacked);
 }
 
-class GrainFile : public ::testing::Test {
+class GrainFile : public ::testing::Test, protected TemporaryFolder {
  protected:
-  GrainFile() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "footfall_grains_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~GrainFile() override { std::filesystem::remove_all(folder_); }
   std::string write(const std::string& text) const {
     const std::string path = (folder_ / "grains_energy.txt").string();
     std::ofstream(path) << text;
     return path;
   }
-  std::filesystem::path folder_;
 };
 
 TEST_F(GrainFile, KineticIsOfTranslationAndRotation) {

@@ -8,22 +8,14 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/cli/analysis/replay_script.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
 
-class ReplayTest : public ::testing::Test {
+class ReplayTest : public ::testing::Test, protected TemporaryFolder {
  protected:
-  ReplayTest() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "footfall_replay_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-    std::filesystem::create_directories(folder_ / "motion");
-  }
-  ~ReplayTest() override { std::filesystem::remove_all(folder_); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
-  }
+  ReplayTest() { std::filesystem::create_directories(folder_ / "motion"); }
   Replay replay(const std::string& script) const {
     return stock_replay(write("in.coupled", script), (folder_ / "motion").string(), (folder_ / "out").string(), 1e-3);
   }
@@ -34,7 +26,6 @@ class ReplayTest : public ::testing::Test {
         "# units: s,m,m,m,rad,rad,rad,m,N,N,N\ntime,x,y,z,rx,ry,rz,bend,fx,fy,fz\n0,1,2,3,0,0,0,0,0,0,0\n"
         "0.002,1,2,2.996,0,0,0.01,0,0,0,0\n0.004,1,2,2.990,0,0,0.02,0.001,0,0,7\n0.005,1,2,2.987,0,0,0.025,0,0,0,9\n");
   }
-  std::filesystem::path folder_;
 };
 
 const char* const kScript =

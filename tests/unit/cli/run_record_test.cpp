@@ -5,25 +5,17 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/experiments/run_record.h"
 #include "coupler/base/whole_file.h"
+#include "mbd_solver/cli/experiments/run_record.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
 
 namespace fs = std::filesystem;
 
-class RunRecordTest : public ::testing::Test {
+class RunRecordTest : public ::testing::Test, protected TemporaryFolder {
  protected:
-  RunRecordTest() {
-    std::string pattern = (fs::temp_directory_path() / "footfall_record_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~RunRecordTest() override { fs::remove_all(folder_); }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(file(name)) << text; }
-
-  fs::path folder_;
 };
 
 TEST_F(RunRecordTest, KnowsARunByEveryFileThatItsSceneNames) {

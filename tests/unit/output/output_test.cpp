@@ -11,25 +11,15 @@
 #include "mbd_solver/cli/analysis/plots.h"
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
 
 constexpr double kTenDigits = 1e-9;  // relative: what a number of ten digits keeps
 
-class OutputTest : public ::testing::Test {
+class OutputTest : public ::testing::Test, protected TemporaryFolder {
  protected:
-  OutputTest() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "footfall_output_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~OutputTest() override { std::filesystem::remove_all(folder_); }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  std::string text(const std::string& name) const {
-    std::ifstream stream(file(name));
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-  std::filesystem::path folder_;
 };
 
 template <class Action>

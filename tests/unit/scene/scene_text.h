@@ -9,24 +9,13 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 
-class SceneText {
+class SceneText : TemporaryFolder {
  public:
-  SceneText() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "footfall_scene_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~SceneText() { std::filesystem::remove_all(folder_); }
-  SceneText(const SceneText&) = delete;
-  SceneText& operator=(const SceneText&) = delete;
-
-  std::string write(const std::string& name, const std::string& text) const {
-    const std::string file = (std::filesystem::path(folder_) / name).string();
-    std::ofstream(file) << text;
-    return file;
-  }
+  using TemporaryFolder::write;
   Scene read(const std::string& toml, const std::vector<std::string>& settings = {}) const {
     return read_scene(write("scene.toml", toml), settings);
   }
@@ -41,7 +30,6 @@ class SceneText {
   }
 
  private:
-  std::string folder_;
 };
 
 // A scene that is good as it stands.
