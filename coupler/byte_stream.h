@@ -1,6 +1,6 @@
 #pragma once
-// Numbers, texts and matrices to bytes and back. Both programs run on the same kind of machine under one MPI:
-// native byte order.
+// Numbers, texts and matrices to bytes and back. Both programs run on the same kind of machine under one MPI: native
+// byte order.
 
 #include <Eigen/Dense>
 #include <cstdint>

@@ -9,6 +9,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/mpi_check.h"
+#include "coupler/programs.h"
 
 namespace footfall {
 namespace {
@@ -60,7 +61,7 @@ Communicator::Communicator() {
   const std::size_t programs = std::set<int>(apps.begin(), apps.end()).size();
   if (programs > 2)
     throw InputError("this mpirun started " + std::to_string(programs) +
-                     " programs; footfall couples two: mpirun -np N liggghts_mbd -in SCRIPT : -np 1 mbd_solver SCENE");
+                     " programs; footfall couples two: " + kStartBoth);
 
   check_mpi(MPI_Comm_split(MPI_COMM_WORLD, mine, world_rank, &own_), "MPI_Comm_split");
   check_mpi(MPI_Comm_dup(MPI_COMM_WORLD, &exchange_), "MPI_Comm_dup");

@@ -13,8 +13,8 @@ namespace footfall {
 // Splits the world by MPI_APPNUM, the number of the program on mpirun's command line
 //   mpirun -np 2 liggghts_mbd ... : -np 1 mbd_solver ...
 // With one program only there is no partner and world() is a duplicate of MPI_COMM_WORLD. Collective over
-// MPI_COMM_WORLD: both programs construct one right after MPI_Init. Throws InputError when there are more
-// than two programs.
+// MPI_COMM_WORLD: both programs construct one right after MPI_Init. Throws InputError when there are more than two
+// programs.
 class Communicator {
  public:
   Communicator();

@@ -17,9 +17,8 @@ class Doorbell {
   Doorbell(const Doorbell&) = delete;
   Doorbell& operator=(const Doorbell&) = delete;
 
-  bool works() const {
-    return socket_ >= 0;
-  }                                 // false where the machine gives no local socket: waits last their whole time
+  // False where the machine gives no local socket: waits last their whole time.
+  bool works() const { return socket_ >= 0; }
   void ring(int seat) const;        // never blocks and never fails
   void wait(double seconds) const;  // until rung, or so long; a ring since the last wait counts
 

@@ -5,8 +5,6 @@
 namespace footfall {
 namespace {
 
-constexpr double kMoment = 2.0;  // how long a failing side waits for the partner's answer [s]
-
 }  // namespace
 
 void Link::receive_bytes(MessageKind expected, double patience) {
@@ -61,7 +59,7 @@ bool Link::fail(const std::string& reason, Status status) noexcept {
   try {
     send(Close{status, reason});
     const double start = wall_clock();
-    for (double left = kMoment; left > 0.0; left = start + kMoment - wall_clock())
+    for (double left = kParting; left > 0.0; left = start + kParting - wall_clock())
       if (transport_.receive(in_, left) == MessageKind::kClose) return true;
   } catch (const std::exception&) {  // the partner is gone: there is nobody left to tell
   }

@@ -1,6 +1,5 @@
 #pragma once
-// Typed messages over a transport, and the one place that says how a run ends: in order, by failure, or
-// interrupted.
+// Typed messages over a transport, and the one place that says how a run ends: in order, by failure, or interrupted.
 
 #include <string>
 
@@ -10,13 +9,13 @@
 
 namespace footfall {
 
-// Both sides hold one. Every receive() may meet the partner's Close instead of what was expected; it then
-// throws PartnerError with the partner's name and reason (ProtocolError when the partner met bad input: both
-// programs then end with the same exit code). Nothing here prints.
+// Both sides hold one. Every receive() may meet the partner's Close instead of what was expected; it then throws
+// PartnerError with the partner's name and reason (ProtocolError when the partner met bad input: both programs then end
+// with the same exit code). Nothing here prints.
 class Link {
  public:
-  // patience [s]: how long receive() waits before it calls the partner lost; 0: for ever. The transport must
-  // outlive the link.
+  // patience [s]: how long receive() waits before it calls the partner lost; 0: for ever. The transport must outlive
+  // the link.
   explicit Link(Transport& transport, double patience = 0.0) : transport_(transport), patience_(patience) {}
 
   template <class Message>
@@ -25,8 +24,8 @@ class Link {
     transport_.send(Message::kKind, out_);
   }
 
-  // Next message, which must be of this kind: ProtocolError if it is another, PartnerError if the partner
-  // closed or is gone.
+  // Next message, which must be of this kind: ProtocolError if it is another, PartnerError if the partner closed or is
+  // gone.
   template <class Message>
   void receive(Message& message) {
     receive_bytes(Message::kKind, patience_);
@@ -39,11 +38,10 @@ class Link {
     unpack(in_, message);
   }
 
-  // Orderly end: says Close(ok) and waits for the partner's. Throws PartnerError if the partner closes with a
-  // failure.
+  // Orderly end: says Close(ok) and waits for the partner's. Throws PartnerError if the partner closes with a failure.
   void close();
-  // This side stops: sends Close(status, reason) once and waits at most two seconds for the partner's answer.
-  // Never throws. True if the partner has heard it (or the link was closed before).
+  // This side stops: sends Close(status, reason) once and waits at most kParting for the partner's answer. Never
+  // throws. True if the partner has heard it (or the link was closed before).
   bool fail(const std::string& reason, Status status = Status::kFailed) noexcept;
   // True after close(), fail(), or the partner's Close: nothing more may be sent.
   bool closed() const { return closed_; }

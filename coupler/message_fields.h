@@ -1,6 +1,6 @@
 #pragma once
-// The fields of every message, in the order of their bytes. pack and unpack walk these lists, and so do the tests.
-// A change of a list that is already in use changes the bytes: kProtocolVersion must then rise.
+// The fields of every message, in the order of their bytes. pack and unpack walk these lists, and so do the tests. A
+// change of a list that is already in use changes the bytes: kProtocolVersion must then rise.
 
 #include <tuple>
 

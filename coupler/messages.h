@@ -25,23 +25,26 @@ namespace footfall {
 inline constexpr std::int32_t kProtocolVersion = 1;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
+// LIGGGHTS' name of the units that both programs use.
+inline constexpr const char* kUnitStyle = "si";
+
 // Also the MPI tag of the message.
 enum class MessageKind : std::int32_t { kHello = 1, kGeometry, kStart, kAccept, kMotion, kLoad, kClose };
 std::string message_name(MessageKind kind);
 
-// The status word: stands in the head of every message, bytes 12..15 after magic, kind and protocol version
-// (four bytes each). Values as the exit codes of the programs, so that both end with the same one.
+// The status word: stands in the head of every message, bytes 12..15 after magic, kind and protocol version (four bytes
+// each). Values as the exit codes of the programs, so that both end with the same one.
 enum class Status : std::int32_t { kOk = 0, kFailed = 1, kBadInput = 2, kInterrupted = 3 };
 
 using Bytes = std::vector<std::uint8_t>;
 
-// `protocol` is what the sender speaks; unpack refuses a foreign one (except in Hello and Close, which every
-// version must read).
+// `protocol` is what the sender speaks; unpack refuses a foreign one (except in Hello and Close, which every version
+// must read).
 struct Hello {
   static constexpr MessageKind kKind = MessageKind::kHello;
   std::int32_t protocol = kProtocolVersion;
   std::string footfall_version = kFootfallVersion;
-  std::string unit_style;  // must be "si"
+  std::string unit_style;  // must be kUnitStyle
 };
 
 struct CoupledBody {
@@ -110,12 +113,12 @@ struct Close {
   std::string reason;  // empty when kOk
 };
 
-// For the two that say who they are (Hello, Geometry): throws ProtocolError, naming both values, unless
-// protocol and version are ours.
+// For the two that say who they are (Hello, Geometry): throws ProtocolError, naming both values, unless protocol and
+// version are ours.
 void check_partner(const std::string& partner, std::int32_t protocol, const std::string& version);
 
-// For every message; the bytes follow from the lists in message_fields.h. One buffer per link is reused: packing a Motion
-// or Load of unchanged shape does not allocate.
+// For every message; the bytes follow from the lists in message_fields.h. One buffer per link is reused: packing a
+// Motion or Load of unchanged shape does not allocate.
 template <class Message>
 void pack(const Message& message, Bytes& out);
 

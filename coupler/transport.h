@@ -1,12 +1,14 @@
 #pragma once
-// How bytes get to the partner program. Two kinds: MPI between two programs, loopback between two threads of
-// one.
+// How bytes get to the partner program. Two kinds: MPI between two programs, loopback between two threads of one.
 
 #include <string>
 
 #include "coupler/messages.h"
 
 namespace footfall {
+
+// How long a side that ends waits for the other: for its answer, or for the last message to leave [s].
+inline constexpr double kParting = 2.0;
 
 class Transport {
  public:

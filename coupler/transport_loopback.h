@@ -1,6 +1,6 @@
 #pragma once
-// Two ends of a pair of queues inside one process: the whole exchange without MPI. Used by tests and accuracy
-// studies with the two sides on two threads, or on one thread that sends before it receives.
+// Two ends of a pair of queues inside one process: the whole exchange without MPI. Used by tests and accuracy studies
+// with the two sides on two threads, or on one thread that sends before it receives.
 
 #include <condition_variable>
 #include <deque>
@@ -8,6 +8,7 @@
 #include <mutex>
 #include <utility>
 
+#include "coupler/programs.h"
 #include "coupler/transport.h"
 
 namespace footfall {
@@ -16,7 +17,7 @@ class TransportLoopback : public Transport {
  public:
   // The two ends. Destroying one end makes receive() at the other throw PartnerError once its queue is empty.
   static std::pair<std::unique_ptr<TransportLoopback>, std::unique_ptr<TransportLoopback>> make_pair(
-      std::string first_name = "liggghts_mbd", std::string second_name = "mbd_solver");
+      std::string first_name = kGrainsProgram, std::string second_name = kMechanismProgram);
   ~TransportLoopback() override;
 
   void send(MessageKind kind, const Bytes& bytes) override;

@@ -29,7 +29,7 @@ TransportMpi::~TransportMpi() {
   MPI_Finalized(&finalized);
   if (finalized || request_ == MPI_REQUEST_NULL) return;
   try {
-    if (finish_last_send(2.0)) return;
+    if (finish_last_send(kParting)) return;
   } catch (const PartnerError&) {  // the partner is gone, and the message with it
   }
   // The partner never read it. MPI may still look at the bytes, so they stay with the process.

@@ -1,6 +1,6 @@
 #pragma once
-// Messages to the partner program over MPI. Waiting means polling with short sleeps: a blocking MPI receive
-// would keep a core busy that the grains need.
+// Messages to the partner program over MPI. Waiting means polling with short sleeps: a blocking MPI receive would keep
+// a core busy that the grains need.
 
 #include <string>
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace footfall {
 
-// Every rank of a program constructs one, and send() and receive() are called by all of them: the root alone
-// talks to the partner, the others get a copy of what it receives, and of its PartnerError. The communicator
-// must outlive it. Precondition: has_partner().
+// Every rank of a program constructs one, and send() and receive() are called by all of them: the root alone talks to
+// the partner, the others get a copy of what it receives, and of its PartnerError. The communicator must outlive it.
+// Precondition: has_partner().
 class TransportMpi : public Transport {
  public:
   TransportMpi(const Communicator& communicator, std::string partner_name);
-  // Waits until what was sent has left, at most two seconds.
+  // Waits until what was sent has left, at most kParting.
   ~TransportMpi() override;
 
   void send(MessageKind kind, const Bytes& bytes) override;
@@ -24,8 +24,7 @@ class TransportMpi : public Transport {
   MessageKind receive(Bytes& bytes, double patience) override;
   std::string partner() const override { return partner_; }
 
-  // From here on the root sends and receives by itself: for last words, when the other ranks no longer take
-  // part.
+  // From here on the root sends and receives by itself: for last words, when the other ranks no longer take part.
   void root_speaks_alone() { shared_ = false; }
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 // The words after `fix ID group wall/gran/beam`, taken apart without LIGGGHTS headers:
-//   model ... [tangential ...] [cohesion ...] [rolling_friction ...] [surface ...]  type T  body NAME [chain
-//   C] [body NAME [chain C]] ...  [stock keywords]
+//   model ... [tangential ...] [cohesion ...] [rolling_friction ...] [surface ...]
+//   type T  body NAME [chain C] [body NAME [chain C]] ...  [stock keywords]
 
 #include <string>
 #include <vector>
@@ -23,14 +23,14 @@ struct BeamArguments {
   std::string fix;                // "fix ID wall/gran/beam", for messages
   std::string type;               // material of the beams, a number for stock LIGGGHTS to check
   std::vector<BeamChoice> beams;  // at least one, none twice
-  // The same words for stock `fix wall/gran`, which brings contact models, history, heat and stored forces. A
-  // wall needs a shape, and gets the primitive that claims to be near every grain (per-contact storage asks
-  // it) and is never asked for a contact.
+  // The same words for stock `fix wall/gran`, which brings contact models, history, heat and stored forces. A wall
+  // needs a shape, and gets the primitive that claims to be near every grain (per-contact storage asks it) and is never
+  // asked for a contact.
   std::vector<std::string> stock;
 };
 
-// Numbers of the chains meant, in rising order. `fix` begins the message of the InputError that is thrown
-// when there is none.
+// Numbers of the chains meant, in rising order. `fix` begins the message of the InputError that is thrown when there is
+// none.
 std::vector<int> chosen_chains(const std::string& fix, const BeamChoice& choice, const ModalBoundary& boundary);
 
 }  // namespace footfall

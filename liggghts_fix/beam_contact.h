@@ -2,12 +2,13 @@
 // A sphere against a chain of capsules. theory: contact with the lander (sphere-beam).
 //
 // Segment p_s p_e with radius R, sphere at x with radius r:
-//   mu = (x - p_s).(p_e - p_s) / |p_e - p_s|^2 clamped to [0, 1],   p = (1 - mu) p_s + mu p_e,   gap = |x -
-//   p| - R - r.
-// The chain is the union of its capsules: its gap is the smallest of its segments' gaps. So a sphere touches
-// a chain once; at a node that two segments share both give the same point, hence neither a double force nor
-// a hole. On the inner side of a bend the touch changes segment where both gaps are equal: the gap is
-// continuous there, the normal turns by the angle of the bend.
+//   mu = (x - p_s).(p_e - p_s) / |p_e - p_s|^2, clamped to [0, 1]
+//   p = (1 - mu) p_s + mu p_e
+//   gap = |x - p| - R - r
+// The chain is the union of its capsules: its gap is the smallest of its segments' gaps. So a sphere touches a chain
+// once; at a node that two segments share both give the same point, hence neither a double force nor a hole. On the
+// inner side of a bend the touch changes segment where both gaps are equal: the gap is continuous there, the normal
+// turns by the angle of the bend.
 
 #include <Eigen/Dense>
 #include <vector>
@@ -25,18 +26,17 @@ struct BeamTouch {
   Eigen::Vector3d p;       // on the axis [m]
   Eigen::Vector3d normal;  // unit vector from p to the sphere's centre
 
-  // From p to where the forces act: the middle of the overlap, as in LIGGGHTS' torques on grains; the surface
-  // where there is no overlap [m].
+  // From p to where the forces act: the middle of the overlap, as in LIGGGHTS' torques on grains; the surface where
+  // there is no overlap [m].
   Eigen::Vector3d arm() const { return (gap < 0.0 ? radius + 0.5 * gap : radius) * normal; }
   Eigen::Vector3d contact_point() const { return p + arm(); }
 };
 
-// One beam: segments between nodes, numbered 0 .. node_count()-1 within the chain, and where the nodes are
-// now.
+// One beam: segments between nodes, numbered 0 .. node_count()-1 within the chain, and where the nodes are now.
 class BeamChain {
  public:
-  // Those segments of the boundary whose chain number is `chain`, in their order; nodes stand at their
-  // undeformed places rho0. Throws InputError when there are none.
+  // Those segments of the boundary whose chain number is `chain`, in their order; nodes stand at their undeformed
+  // places rho0. Throws InputError when there are none.
   BeamChain(const ModalBoundary& boundary, int chain);
 
   int node_count() const { return static_cast<int>(x_.cols()); }

@@ -1,12 +1,12 @@
 #pragma once
-// Which grains may touch a chain, and which of its segments: a list that stays true for a while, so that a
-// step looks only at pairs that are near. A chain far from the grains costs a comparison of two boxes when
-// the list is made, and none of its nodes needs to be looked at until one may have come near.
+// Which grains may touch a chain, and which of its segments: a list that stays true for a while, so that a step looks
+// only at pairs that are near. A chain far from the grains costs a comparison of two boxes when the list is made, and
+// none of its nodes needs to be looked at until one may have come near.
 //
 // A pair is on the list when its gap is below
 //   margin = 1.5 skin + what the contact model asks for beyond touch.
-// LIGGGHTS lets no grain go further than skin/2 from where it last re-neighboured, that is skin from anywhere
-// it was since; nodes may go skin/2 before the list is made anew. Together 1.5 skin: no touch is missed.
+// LIGGGHTS lets no grain go further than skin/2 from where it last re-neighboured, that is skin from anywhere it was
+// since; nodes may go skin/2 before the list is made anew. Together 1.5 skin: no touch is missed.
 
 #include <Eigen/Geometry>
 #include <vector>
@@ -34,19 +34,18 @@ struct GrainExtent {
 
 class BeamNeighbours {
  public:
-  // skin [m]; reach: contact models with forces over a gap (liquid bridges) see gaps up to reach * radius of
-  // the grain.
+  // skin [m]; reach: contact models with forces over a gap (liquid bridges) see gaps up to reach * radius of the grain.
   BeamNeighbours(double skin, double reach = 0.0) : skin_(skin), reach_(reach) {}
 
   // The grains have new numbers or places for which LIGGGHTS made new lists: the next update() makes ours.
   void grains_renumbered(const GrainExtent& grains);
-  // Makes the list if the grains were renumbered or a node went further than skin/2 since it was made; true
-  // if it did. Call after the nodes moved, at every step but those that clearance() allows to leave out; the
-  // grains must be those of the last grains_renumbered(), at their present places.
+  // Makes the list if the grains were renumbered or a node went further than skin/2 since it was made; true if it did.
+  // Call after the nodes moved, at every step but those that clearance() allows to leave out; the grains must be those
+  // of the last grains_renumbered(), at their present places.
   bool update(const BeamChain& chain, const GrainView& grains);
 
-  // As long as no node went this far since the list was made, no grain can touch the chain, and there is
-  // nothing to be updated [m]; 0 when that cannot be told.
+  // As long as no node went this far since the list was made, no grain can touch the chain, and there is nothing to be
+  // updated [m]; 0 when that cannot be told.
   double clearance() const { return renumbered_ ? 0.0 : clearance_; }
 
   int size() const { return static_cast<int>(grain_.size()); }            // grains on the list

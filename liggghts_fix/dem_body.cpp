@@ -5,8 +5,8 @@
 namespace footfall {
 namespace {
 
-// Slopes change slowly beside forces, and multiply only what the prediction missed: a mean of so many substeps is as good
-// as one of all.
+// Slopes change slowly beside forces, and multiply only what the prediction missed: a mean of so many substeps is as
+// good as one of all.
 constexpr int kSlopeSamples = 8;
 
 }  // namespace

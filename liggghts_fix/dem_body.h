@@ -1,6 +1,6 @@
 #pragma once
-// One coupled body on the grains' side: where its boundary is, and what the grains of this rank do to it. No
-// LIGGGHTS headers.
+// One coupled body on the grains' side: where its boundary is, and what the grains of this rank do to it. No LIGGGHTS
+// headers.
 
 #include <cstdint>
 #include <vector>
@@ -29,13 +29,13 @@ class DemBody {
   void advance() { path_.advance(); }
 
   void clear_contacts();
-  // A contact: force f_W [N] ON the body at the boundary point and moment m_W [N m] about that point
-  // (contacts beside the axis of a beam, or in the middle of the overlap; rolling friction), overlap over
-  // grain radius [-], normal stiffness [N/m] (0: unknown).
+  // A contact: force f_W [N] ON the body at the boundary point and moment m_W [N m] about that point (contacts beside
+  // the axis of a beam, or in the middle of the overlap; rolling friction), overlap over grain radius [-], normal
+  // stiffness [N/m] (0: unknown).
   void add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_W,
                    double overlap_over_radius, double stiffness);
-  // The same in two parts, for who projects many contacts at once (beams): their generalized force ON the
-  // body, and each contact's figures.
+  // The same in two parts, for who projects many contacts at once (beams): their generalized force ON the body, and
+  // each contact's figures.
   void add_load(const GeneralizedForce& Q);
   void count_contact(double overlap_over_radius, double stiffness);
   // Does the scheme use contact slopes, and is this one of the substeps at which they are sampled? Then add_slope

@@ -7,6 +7,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
+#include "coupler/programs.h"
 #include "liggghts_fix/stay_on_core.h"
 
 namespace footfall {
@@ -20,9 +21,9 @@ void DemLink::greet(const std::string& unit_style) {
   if (greeted_) return;
   if (link_ == nullptr)
     throw InputError(
-        "couple/mbd: this LIGGGHTS runs without a multibody partner. Start both programs together: "
-        "mpirun -np N liggghts_mbd -in SCRIPT : -np 1 mbd_solver SCENE");
-  if (unit_style != "si")
+        std::string("couple/mbd: this LIGGGHTS runs without a multibody partner. Start both programs together: ") +
+        kStartBoth);
+  if (unit_style != kUnitStyle)
     throw InputError("couple/mbd: the script has \"units " + unit_style + "\"; footfall couples in \"units si\" only");
   Hello hello;
   hello.unit_style = unit_style;
@@ -79,7 +80,8 @@ void DemLink::start(double dt, int n, std::int64_t step) {
   link_->receive(accept_);
   sent_ = wall_clock();
   scheme_ = make_scheme(accept_.scheme);
-  for (const std::string& name : names_) bodies_.push_back(std::make_unique<DemBody>(scene_body(name, "si"), *scheme_));
+  for (const std::string& name : names_)
+    bodies_.push_back(std::make_unique<DemBody>(scene_body(name, kUnitStyle), *scheme_));
   load_.bodies.resize(names_.size());
 }
 
@@ -182,9 +184,8 @@ void DemLink::script_ended() {
   std::string why;
   if (!started()) {
     why =
-        "the LIGGGHTS script ended without running `fix couple/mbd`; the scene expects grains. Add the fix "
-        "and a `run`, or run the "
-        "scene without LIGGGHTS";
+        "the LIGGGHTS script ended without running `fix couple/mbd`; the scene expects grains. Add the fix and a "
+        "`run`, or run the scene without LIGGGHTS";
   } else {
     const double t = motion_.time + dt_ * (motion_.n - substeps_left_);
     why = "the LIGGGHTS script ended at t = " + number(t) +

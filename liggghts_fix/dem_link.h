@@ -1,7 +1,6 @@
 #pragma once
-// The grains' side of the coupling, without LIGGGHTS and without MPI: handshake, windows, and how a run ends.
-// Every rank holds one and calls it in step with the others; the link's transport makes them all hear the
-// same.
+// The grains' side of the coupling, without LIGGGHTS and without MPI: handshake, windows, and how a run ends. Every
+// rank holds one and calls it in step with the others; the link's transport makes them all hear the same.
 
 #include <cstdint>
 #include <memory>
@@ -18,15 +17,15 @@ class DemLink {
   // Null when this program runs alone: any use then throws InputError that says how to start both.
   explicit DemLink(Link* link) : link_(link) {}
 
-  // A body of the scene; the first call makes the handshake. Throws InputError for a name that the scene does
-  // not know, with a guess.
+  // A body of the scene; the first call makes the handshake. Throws InputError for a name that the scene does not know,
+  // with a guess.
   const CoupledBody& scene_body(const std::string& name, const std::string& unit_style);
-  // The body will be moved and loaded here; returns its index, also to all who ask again. Throws InputError
-  // for a new one after start().
+  // The body will be moved and loaded here; returns its index, also to all who ask again. Throws InputError for a new
+  // one after start().
   int couple(const std::string& name, const std::string& unit_style);
 
-  // dt [s], n substeps per window (0: the partner chooses each time), LIGGGHTS' step number. First call:
-  // Start and Accept. Later calls (further runs) check that nothing has changed: InputError.
+  // dt [s], n substeps per window (0: the partner chooses each time), LIGGGHTS' step number. First call: Start and
+  // Accept. Later calls (further runs) check that nothing has changed: InputError.
   void start(double dt, int n, std::int64_t step);
   bool started() const { return scheme_ != nullptr; }
   bool finished() const { return finished_; }  // the last window is done and both sides have closed
@@ -35,12 +34,10 @@ class DemLink {
   DemBody& body(int index) { return *bodies_[static_cast<std::size_t>(index)]; }
   const std::string& body_name(int index) const { return names_[static_cast<std::size_t>(index)]; }
 
-  // A run is set up: LIGGGHTS evaluates all forces anew, and they stand before the next substep. After
-  // start().
+  // A run is set up: LIGGGHTS evaluates all forces anew, and they stand before the next substep. After start().
   void expect_set_up();
-  // Before the grains' substep `step`: opens a window if none is open (receives Motion), advances every
-  // boundary, and forgets the contacts of the last step. Every fix that needs the new poses calls it; the
-  // first one of a step acts.
+  // Before the grains' substep `step`: opens a window if none is open (receives Motion), advances every boundary, and
+  // forgets the contacts of the last step. Every fix that needs the new poses calls it; the first one of a step acts.
   void begin_substep(std::int64_t step);
   // True during the last substep of the scene.
   bool in_last_substep() const { return last_window_ && substeps_left_ == 1; }
@@ -53,14 +50,12 @@ class DemLink {
 
   // For thermo output.
   std::int64_t windows() const { return windows_; }  // completed
-  double energy_residual() const {
-    return work_given_ - work_received_;
-  }                                      // over all windows whose next state is known [J]
+  // Over all windows whose next state is known [J].
+  double energy_residual() const { return work_given_ - work_received_; }
   double work() const { return work_; }  // of the grains on all boundaries [J]
   double max_overlap_over_radius() const { return overlap_; }
 
-  // The script has ended. If the scene has not, tells the partner and throws InputError: too early, or never
-  // started.
+  // The script has ended. If the scene has not, tells the partner and throws InputError: too early, or never started.
   void script_ended();
   // This side failed: the partner hears why. True if it has.
   bool fail(const std::string& reason, Status status = Status::kFailed) noexcept {

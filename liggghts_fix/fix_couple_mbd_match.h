@@ -1,5 +1,6 @@
 #pragma once
-// Which boundary nodes of a body stand at the corners of a stock LIGGGHTS mesh whose triangles are spread over the ranks.
+// Which boundary nodes of a body stand at the corners of a stock LIGGGHTS mesh whose triangles are spread over the
+// ranks.
 
 #include <mpi.h>
 

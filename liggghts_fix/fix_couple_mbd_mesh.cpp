@@ -116,17 +116,16 @@ void CoupledMesh::translate(const Eigen::Vector3d& velocity) {
   mesh->prop().move(dx);
 }
 
-// In a periodic direction a triangle may stand one or more boxes away from its body's own place: it stays
-// there.
+// In a periodic direction a triangle may stand one or more boxes away from its body's own place: it stays there.
 double CoupledMesh::nearest_image(double place, double before, int direction) const {
   if (!domain->periodicity[direction]) return place;
   const double box = domain->boxhi[direction] - domain->boxlo[direction];
   return place + box * std::round((before - place) / box);
 }
 
-// Normals and edges turn with the body, the mesh's reference point (fix mesh/surface/stress) moves with it;
-// areas and lengths stay. LIGGGHTS computes all of them anew from the nodes at every re-neighbouring, so
-// round-off does not add up for long.
+// Normals and edges turn with the body, the mesh's reference point (fix mesh/surface/stress) moves with it; areas and
+// lengths stay. LIGGGHTS computes all of them anew from the nodes at every re-neighbouring, so round-off does not add
+// up for long.
 void CoupledMesh::turn_properties(const footfall::BoundaryStep& step) {
   CustomValueTracker& properties = fix_->triMesh()->prop();
   if (step.theta_W.isZero(0.0)) {

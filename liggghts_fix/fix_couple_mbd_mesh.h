@@ -13,8 +13,8 @@ namespace LAMMPS_NS {
 
 class CoupledMesh : protected Pointers {
  public:
-  // `asker` begins the messages. Throws InputError when there is no such mesh, something else moves it, or its triangles
-  // are not those of the body. Collective, as every fix command.
+  // `asker` begins the messages. Throws InputError when there is no such mesh, something else moves it, or its
+  // triangles are not those of the body. Collective, as every fix command.
   CoupledMesh(LAMMPS* lmp, const std::string& asker, const footfall::MeshOfBody& pair, footfall::DemLink& link);
 
   // The mesh learns that it moves and whom its contacts concern; and forgets it again.

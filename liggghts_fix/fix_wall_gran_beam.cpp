@@ -27,8 +27,8 @@ namespace {
 
 using namespace footfall;
 
-// A grain whose centre lies on the beam's surface has no direction for LIGGGHTS, which divides by this
-// distance [of the radius].
+// A grain whose centre lies on the beam's surface has no direction for LIGGGHTS, which divides by this distance [of the
+// radius].
 constexpr double kSmallestDistance = 1e-9;
 
 // LIGGGHTS wants its words as char**.
@@ -89,8 +89,8 @@ FixWallGranBeam::Beam::Beam(const ModalBoundary& boundary_, int body_, int numbe
       at_list(boundary_.mode_count()),
       load(boundary_.mode_count()) {}
 
-// Stock LIGGGHTS keeps one history per grain and wall, which the first beam takes. Each further one gets a
-// like place, which goes with its grain from rank to rank and into restart files.
+// Stock LIGGGHTS keeps one history per grain and wall, which the first beam takes. Each further one gets a like place,
+// which goes with its grain from rank to rank and into restart files.
 void FixWallGranBeam::post_create() {
   FixWallGran::post_create();
   if (store_force_contact_ && beams_.size() > 1)
@@ -129,9 +129,9 @@ void FixWallGranBeam::init() {
   check_segment_lengths();
 }
 
-// Every rank holds the whole chain and looks for its own grains near it; segments that pass through many
-// ranks would make all of them look. In directions that are not divided between ranks only a segment longer
-// than the box is refused: a wrong unit, most likely.
+// Every rank holds the whole chain and looks for its own grains near it; segments that pass through many ranks would
+// make all of them look. In directions that are not divided between ranks only a segment longer than the box is
+// refused: a wrong unit, most likely.
 void FixWallGranBeam::check_segment_lengths() const {
   double edge[3], smallest[3];
   for (int d = 0; d < 3; ++d) edge[d] = domain->subhi[d] - domain->sublo[d];
@@ -213,8 +213,8 @@ void FixWallGranBeam::touch_grains(Beam& beam) {
   body.add_load(beam.load);
 }
 
-// One contact: stock LIGGGHTS puts force and torque on the grain, and their reaction acts on the beam.
-// Returns the normal stiffness [N/m].
+// One contact: stock LIGGGHTS puts force and torque on the grain, and their reaction acts on the beam. Returns the
+// normal stiffness [N/m].
 double FixWallGranBeam::touch(Beam& beam, int i, const BeamTouch& touch, double* history) {
   const double r = radius_[i];
   const Eigen::Vector3d x = vector(x_[i]);

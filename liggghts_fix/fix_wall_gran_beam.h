@@ -1,8 +1,8 @@
 // clang-format off
 // Wall of grains against the beams of coupled bodies: chains of capsules that fix couple/mbd moves and bends.
 //
-//   fix ID group wall/gran/beam model ... [tangential ...] [cohesion ...] [rolling_friction ...] type T body NAME
-//   [chain C] [body ...] [keywords]
+//   fix ID group wall/gran/beam model ... [tangential ...] [cohesion ...] [rolling_friction ...]
+//     type T body NAME [chain C] [body ...] [keywords]
 //
 // model ... and keywords (store_force, store_force_contact, temperature, contact_area, limitForce ...): as in stock fix
 // wall/gran.

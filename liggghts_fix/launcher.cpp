@@ -1,6 +1,6 @@
-// liggghts_mbd: Debian's unmodified LIGGGHTS plus the fix styles of footfall. Same command line, same output,
-// same exit code as liggghts; alone it is LIGGGHTS, and next to mbd_solver under one mpirun it is the grains'
-// side of a coupled run:
+// liggghts_mbd: Debian's unmodified LIGGGHTS plus the fix styles of footfall. Same command line, same output, same exit
+// code as liggghts; alone it is LIGGGHTS, and next to mbd_solver under one mpirun it is the grains' side of a coupled
+// run:
 //   mpirun -np 2 liggghts_mbd -in in.script : -np 1 mbd_solver scene.toml
 
 #include <mpi.h>
@@ -17,6 +17,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"
+#include "coupler/programs.h"
 #include "coupler/transport_mpi.h"
 #include "input.h"
 #include "lammps.h"
@@ -33,8 +34,7 @@ namespace {
 
 using namespace footfall;
 
-// How long a partner may be silent before it counts as lost [s]. One window of the multibody side takes
-// milliseconds.
+// How long a partner may be silent before it counts as lost [s]. One window of the multibody side takes milliseconds.
 constexpr double kPatience = 600.0;
 
 // As LIGGGHTS' own main: SIGINT and SIGTERM end the run after the step, SIGUSR1 asks for a restart file.
@@ -57,8 +57,8 @@ char** option(int argc, char** argv, const char* name, const char* short_name) {
   return nullptr;
 }
 
-// `-screen none` makes LIGGGHTS print through a null stream as soon as a script has a mesh: nowhere is then a
-// better place, until the screen is kept. True when the option is given.
+// `-screen none` makes LIGGGHTS print through a null stream as soon as a script has a mesh: nowhere is then a better
+// place, until the screen is kept. True when the option is given.
 bool mend_screen_none(int argc, char** argv) {
   static char nowhere[] = "/dev/null";
   char** screen = option(argc, argv, "-screen", "-sc");
@@ -74,8 +74,8 @@ LAMMPS_NS::Fix* create_fix(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) {
 
 int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_link) {
   const bool silent = mend_screen_none(argc, argv);
-  // Not owned by a pointer that deletes it on the way of an exception: a LIGGGHTS stopped in mid-step cannot
-  // be taken down in order.
+  // Not owned by a pointer that deletes it on the way of an exception: a LIGGGHTS stopped in mid-step cannot be taken
+  // down in order.
   auto* lmp = new LAMMPS_NS::LAMMPS(argc, argv, communicator.world());
   if (silent) {
     char** log = option(argc, argv, "-log", "-l");
@@ -142,7 +142,7 @@ int main(int argc, char** argv) {
     std::unique_ptr<TransportMpi> transport;
     std::unique_ptr<Link> link;
     if (communicator.has_partner()) {
-      transport = std::make_unique<TransportMpi>(communicator, "mbd_solver");
+      transport = std::make_unique<TransportMpi>(communicator, kMechanismProgram);
       link = std::make_unique<Link>(*transport, kPatience);
     }
     DemLink dem_link(link.get());

@@ -1,5 +1,5 @@
-// How: an explicit template instantiation may name a private member (access is not checked there), which
-// hands out a pointer to member; a derived class may name a protected one as &Derived::member.
+// How: an explicit template instantiation may name a private member (access is not checked there), which hands out a
+// pointer to member; a derived class may name a protected one as &Derived::member.
 
 #include "liggghts_fix/liggghts_access.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// The one place that reaches private and protected members of LIGGGHTS 3.8.0 (see notes in the source).
-// Everything else uses its public interface. CMake refuses other versions.
+// The one place that reaches private and protected members of LIGGGHTS 3.8.0 (see notes in the source). Everything else
+// uses its public interface. CMake refuses other versions.
 
 #include <string>
 
@@ -24,16 +24,15 @@ void register_fix_style(LAMMPS_NS::LAMMPS* lmp, const std::string& style, FixCre
 void attach_mesh_module(LAMMPS_NS::FixMeshSurface* fix, const std::string& name, LAMMPS_NS::MeshModule* module);
 void detach_mesh_module(LAMMPS_NS::FixMeshSurface* fix, const std::string& name);
 
-// What LIGGGHTS knows of a mesh's place: [element][corner][xyz] and [element][xyz], owned elements first,
-// then ghosts.
+// What LIGGGHTS knows of a mesh's place: [element][corner][xyz] and [element][xyz], owned elements first, then ghosts.
 double*** mesh_nodes(LAMMPS_NS::TriMesh* mesh);
 double** mesh_centers(LAMMPS_NS::TriMesh* mesh);
-// After nodes of a deforming mesh were written: centres, bounding radii, areas, edges and normals of owned
-// and ghost elements.
+// After nodes of a deforming mesh were written: centres, bounding radii, areas, edges and normals of owned and ghost
+// elements.
 void recalculate_mesh(LAMMPS_NS::TriMesh* mesh);
 
-// LIGGGHTS creates fixes by (lmp, narg, arg) alone: this is how they find the coupling that the launcher made
-// for their LIGGGHTS.
+// LIGGGHTS creates fixes by (lmp, narg, arg) alone: this is how they find the coupling that the launcher made for their
+// LIGGGHTS.
 void attach_dem_link(LAMMPS_NS::LAMMPS* lmp, DemLink& link);
 DemLink& dem_link_of(LAMMPS_NS::LAMMPS* lmp);
 

@@ -9,8 +9,8 @@
 namespace footfall {
 namespace {
 
-// Nodes sorted by x, so that those near a point are found among few. Nodes at one place share the number of
-// the first of them.
+// Nodes sorted by x, so that those near a point are found among few. Nodes at one place share the number of the first
+// of them.
 class NodeFinder {
  public:
   NodeFinder(const Eigen::Matrix3Xd& x, double tolerance) : x_(x), tolerance_(tolerance) {

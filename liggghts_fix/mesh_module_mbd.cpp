@@ -22,10 +22,10 @@ MeshModuleMbd::MeshModuleMbd(LAMMPS* lmp_, FixMeshSurface* mesh_fix, std::vector
       corners_(std::move(corners)),
       behind_stress_(mesh_fix->get_module("stress") != nullptr) {}
 
-// c = x_ip + delta lies on the element; delta points from the grain's centre to it. LIGGGHTS' torque on the
-// grain has the arm radius - overlap / 2, the middle of the overlap: the force on the body acts there too, so
-// that moments are action and reaction. (Rolling resistance turns the grain by a couple of which LIGGGHTS
-// tells nobody: the body does not feel it.)
+// c = x_ip + delta lies on the element; delta points from the grain's centre to it. LIGGGHTS' torque on the grain has
+// the arm radius - overlap / 2, the middle of the overlap: the force on the body acts there too, so that moments are
+// action and reaction. (Rolling resistance turns the grain by a couple of which LIGGGHTS tells nobody: the body does
+// not feel it.)
 void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta, int iTri, double*) {
   if (body_ == nullptr) return;
   const bool on_body = behind_stress_ && (atom->mask[ip] & fix_mesh->get_groupbit());

@@ -10,9 +10,9 @@
 
 namespace LAMMPS_NS {
 
-// Attached to a `fix mesh/surface` or `mesh/surface/stress` behind the modules it has. Sign: the wall hands
-// out the force on the GRAIN; the module `stress`, which hears first, has turned it round in place for grains
-// of the mesh fix's group.
+// Attached to a `fix mesh/surface` or `mesh/surface/stress` behind the modules it has. Sign: the wall hands out the
+// force on the GRAIN; the module `stress`, which hears first, has turned it round in place for grains of the mesh fix's
+// group.
 class MeshModuleMbd final : public MeshModule {
  public:
   // corners: boundary nodes by mesh element id.

@@ -13,8 +13,8 @@ namespace footfall {
 
 enum class Together { kSum, kLargest };
 
-// Calls visit(member, how the ranks' values of it come together) for every member of the load. `Load`: BodyLoad, const or
-// not. A member that is new and not named here does not compile.
+// Calls visit(member, how the ranks' values of it come together) for every member of the load. `Load`: BodyLoad, const
+// or not. A member that is new and not named here does not compile.
 template <class Load, class Visit>
 void visit_shares(Load& load, const Visit& visit) {
   auto& [mean, contacts, contact_stiffness, max_overlap_over_radius, tangent] = load;

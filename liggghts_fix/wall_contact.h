@@ -1,6 +1,6 @@
 #pragma once
-// How stiff and how damped a grain's contact with a stock mesh is: LIGGGHTS applies the law, and the multibody side asks
-// for its slopes. No LIGGGHTS headers.
+// How stiff and how damped a grain's contact with a stock mesh is: LIGGGHTS applies the law, and the multibody side
+// asks for its slopes. No LIGGGHTS headers.
 
 #include <Eigen/Dense>
 
@@ -14,8 +14,8 @@ struct ElasticConstants {
 };
 
 // Constants of one grain type against the wall: of Hertz-Mindlin, or of a linear spring when the script has kn (model
-// hooke/stiffness; for hertz/stiffness, kn is more than the stiffness at any overlap below 1 / radius).
-// Hertz-Mindlin as in LIGGGHTS, with s = sqrt(radius overlap) and the grain's mass m:
+// hooke/stiffness; for hertz/stiffness, kn is more than the stiffness at any overlap below 1 / radius). Hertz-Mindlin
+// as in LIGGGHTS, with s = sqrt(radius overlap) and the grain's mass m:
 //   k_n = 2 E* s,   k_t = 8 G* s,   c = damping sqrt(k m).
 struct WallContact {
   double young = 0.0;                                       // E* [Pa]

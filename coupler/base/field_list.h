@@ -1,6 +1,6 @@
 #pragma once
-// The fields of a struct, named once. Whoever needs all of them (writer, reader, comparison) walks the same list, so that
-// none is forgotten in one direction:
+// The fields of a struct, named once. Whoever needs all of them (writer, reader, comparison) walks the same list, so
+// that none is forgotten in one direction:
 //
 //   template <>
 //   inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt}, Field{"n", &Start::n}};
