@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/schemes/registry.h"
 #include "liggghts_fix/stay_on_core.h"
 
 namespace footfall {

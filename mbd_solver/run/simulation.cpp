@@ -6,10 +6,8 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
-#include "coupler/scheme.h"
+#include "coupler/schemes/registry.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
-#include "mbd_solver/coupling/fast_modes.h"
-#include "mbd_solver/coupling/tangent.h"
 
 namespace footfall {
 namespace {
@@ -34,16 +32,6 @@ IntegratorOptions integrator_options(const SolverSpec& spec) {
   options.error_control = spec.error_control;
   options.projection = spec.drift == DriftKind::kProjection;
   return options;
-}
-
-std::string scheme_name(SchemeKind kind) {
-  switch (kind) {
-    case SchemeKind::kFrozen: return "frozen";
-    case SchemeKind::kCss: return "css";
-    case SchemeKind::kQuadratic: return "quadratic";
-    case SchemeKind::kTangent: return "tangent";
-    default: return std::string(kDefaultScheme);
-  }
 }
 
 // A number that the scene states for the script, 0 when it does not.
@@ -83,7 +71,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
     coupled.push_back({entry.boundary, motion});
   }
   DemTerms terms;
-  terms.scheme = scheme_name(scene.coupling.scheme);
+  terms.scheme = scene.coupling.scheme;
   terms.t_end = t_end_;
   terms.n_max = scene.coupling.max_substeps;
   terms.max_dt = scene.particles->max_time_step;
@@ -103,13 +91,12 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
 }
 
 void Simulation::prepare_windows() {
-  scheme_ = make_scheme(scheme_name(scene_.coupling.scheme));
+  scheme_ = make_scheme(scene_.coupling.scheme);
   const bool chosen = partner_->substeps() == 0;
   for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
     const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
     fill_motion(body, motion_.bodies[k]);
-    predicted_.emplace_back(*scheme_, motion_.bodies[k]);
-    last_loads_.emplace_back(motion_.bodies[k].mode_count());
+    windows_.emplace_back(*scheme_, mechanism_.model.body(body), motion_.bodies[k]);
     windows_of_bodies_.emplace_back();
     windows_of_bodies_.back().mass = mechanism_.model.body(body).mass();
   }
@@ -158,8 +145,8 @@ void Simulation::choose_window(bool first) {
     const BodyLoad& load = partner_->load().bodies[k];
     body.stiffness = load.contact_stiffness;
     body.force = load.mean.F_W;
-    body.place = predicted_[k].r_mean();
-    const Vector6d gap = predicted_[k].gap(motion);
+    body.place = windows_[k].path().r_mean;
+    const Vector6d gap = windows_[k].path().gap(motion);
     body.gap = gap.head<3>().norm() + gap.tail<3>().norm() * entry.boundary.rho0().colwise().norm().maxCoeff();
   }
   if (first) {
@@ -197,38 +184,15 @@ void Simulation::fill_motion(int body, BodyMotion& motion) const {
 
 double Simulation::pending_interface_work() {
   double work = 0.0;
-  const double ratio = last_substeps_ > 0 ? static_cast<double>(motion_.n) / last_substeps_ : 0.0;
-  last_substeps_ = motion_.n;
   for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
-    fill_motion(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body, motion_.bodies[k]);
-    const BodyLoad& load = partner_->load().bodies[k];
-    work += load.tangent.empty() ? pending_work(load.mean, last_loads_[k], ratio, predicted_[k], motion_.bodies[k])
-                                 : pending_work(load.mean, load.tangent.front(), predicted_[k], motion_.bodies[k]);
-    last_loads_[k] = load.mean;
-    if (load.tangent.empty()) continue;
-    const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
-    const double H = motion_.n * partner_->dt();
-    watch_->count_surplus(
-        k, state_.time,
-        surplus_impulse(*inputs_.loads[static_cast<std::size_t>(body)].tangent, starts_[k], motion_.bodies[k], H),
-        H * load.mean.F_W.norm());
+    BodyMotion& motion = motion_.bodies[k];
+    fill_motion(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body, motion);
+    work += windows_[k].pending_work(motion);
+    if (const std::optional<Eigen::Vector3d> surplus = windows_[k].surplus_impulse(motion))
+      watch_->count_surplus(k, state_.time, *surplus,
+                            windows_[k].length() * partner_->load().bodies[k].mean.F_W.norm());
   }
   return work;
-}
-
-// The path of scheme `tangent` runs at the velocity that the window is expected to have in the mean.
-void Simulation::soften_paths(double H) {
-  for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
-    const std::vector<BodyLoad>& loads = partner_->load().bodies;
-    const ContactTangent slope =
-        loads.empty() || loads[k].tangent.empty() ? ContactTangent{} : loads[k].tangent.front();
-    BodyMotion& motion = motion_.bodies[k];
-    const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
-    const Vector6d v = mean_velocity(mechanism_.model.body(body), motion, slope, H);
-    motion.dr = v.head<3>();
-    motion.w = v.tail<3>();
-    if (motion.mode_count() > 0) motion.da += 0.5 * H * motion.dda;
-  }
 }
 
 double Simulation::exchange_window() {
@@ -236,42 +200,26 @@ double Simulation::exchange_window() {
   const int left = static_cast<int>(std::lround((t_end_ - state_.time) / dt));
   motion_.window = window_;
   motion_.time = state_.time;
-  int n = choice_ ? choice_->substeps() : partner_->substeps();
+  const int n = choice_ ? choice_->substeps() : partner_->substeps();
   if (choice_)
     for (std::size_t k = 0; k < motion_.bodies.size(); ++k) watch_->allow(k, choice_->allowed_omega_h(k));
-  if (scheme_->wants_tangent() && window_ == 0) n = 1;  // to learn the slopes of contacts that stand already
-  motion_.n = std::max(1, std::min(n, left));
+  motion_.n = std::max(1, std::min(scheme_->substeps(n, window_), left));
   motion_.last_window = left <= motion_.n;
-  for (std::size_t k = 0; k < motion_.bodies.size(); ++k)
-    fill_motion(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body, motion_.bodies[k]);
-  starts_ = motion_.bodies;
-  if (scheme_->wants_tangent()) soften_paths(motion_.n * dt);
   for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
-    const Body& body =
-        mechanism_.model.body(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body);
-    if (body.mode_count() > 0)
-      slow_down_fast_modes(starts_[k], body.modal()->stiffness, motion_.n * dt, motion_.bodies[k]);
+    fill_motion(mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body, motion_.bodies[k]);
+    windows_[k].begin(motion_.n, dt, motion_.bodies[k]);
   }
-  for (std::size_t k = 0; k < predicted_.size(); ++k) predicted_[k].begin(motion_.bodies[k], motion_.n, dt);
   const Load& load = partner_->exchange(motion_);
   times_.dem += load.wall_seconds;
   particles_ = static_cast<long>(load.particles);
   for (std::size_t k = 0; k < motion_.bodies.size(); ++k) {
     const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
-    ExternalLoad& external = inputs_.loads[static_cast<std::size_t>(body)];
     const MeanLoad& mean = load.bodies[k].mean;
     if (!mean.F_W.allFinite() || !mean.T_B.allFinite() || !mean.Q_a.allFinite())
       throw NumericalError("t = " + std::to_string(state_.time) + " s: the load of the grains on body " +
                            watch_->names()[k] +
                            " is not finite: the bed has blown up; use a smaller timestep in the script");
-    external.F_W = mean.F_W;
-    external.T_B = mean.T_B;
-    if (mean.Q_a.size() > 0) external.Q_a = mean.Q_a;
-    if (load.bodies[k].tangent.empty()) continue;
-    const double H = motion_.n * dt;
-    const double omega_h =
-        std::sqrt(std::max(0.0, load.bodies[k].contact_stiffness) / mechanism_.model.body(body).mass()) * H;
-    external.tangent = tangent_load(load.bodies[k].tangent.front(), predicted_[k], omega_h, H);
+    windows_[k].answer(load.bodies[k], inputs_.loads[static_cast<std::size_t>(body)]);
   }
   return motion_.last_window ? t_end_ : state_.time + motion_.n * dt;
 }

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/coupling/body_window.h"
+#include "mbd_solver/coupling/coupling_watch.h"
+#include "mbd_solver/coupling/dem_partner.h"
+#include "mbd_solver/coupling/window_choice.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/integrator/integrator.h"
 #include "mbd_solver/run/control_loop.h"
-#include "mbd_solver/coupling/coupling_watch.h"
-#include "mbd_solver/coupling/dem_partner.h"
-#include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/coupling/predicted_window.h"
-#include "mbd_solver/coupling/window_choice.h"
 
 namespace footfall {
 
@@ -72,7 +72,6 @@ class Simulation {
   double exchange_window();         // with grains: trades motion for loads, returns the window's end
   void prepare_windows();           // what the scheme and `every auto` need
   double pending_interface_work();  // after a window [J]
-  void soften_paths(double H);      // of motion_, for the scheme `tangent`
   void choose_window(bool first);   // after a window: substeps of the next one
   // of coupled body k, until it can meet a grain [s]
   double time_of_flight(std::size_t k, const BodyMotion& motion) const;
@@ -96,11 +95,8 @@ class Simulation {
   std::vector<GeneralizedForce> contact_;
   Motion motion_;
   std::unique_ptr<Scheme> scheme_;
-  std::vector<PredictedWindow> predicted_;  // per coupled body
-  std::vector<BodyMotion> starts_;          // computed states at the window's start, likewise
-  std::vector<MeanLoad> last_loads_;        // of the window before, likewise
-  int last_substeps_ = 0;                   // of the window before
-  std::unique_ptr<WindowChoice> choice_;    // null when the script fixes n
+  std::vector<BodyWindow> windows_;       // per coupled body
+  std::unique_ptr<WindowChoice> choice_;  // null when the script fixes n
   std::vector<WindowChoice::Body> windows_of_bodies_;
   RunTimes times_;
   long window_ = 0;

@@ -35,9 +35,10 @@
 #include <string>
 #include <vector>
 
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
+#include "coupler/communicator.h"
 #include "coupler/link.h"
+#include "coupler/schemes/registry.h"
 #include "coupler/transport_mpi.h"
 #include "tests/dem/stl.h"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "coupler/schemes/registry.h"
 #include "tests/unit/coupler/random_boundary.h"
 
 namespace footfall {
