@@ -3,9 +3,7 @@
 #include "coupler/base/clock.h"
 
 namespace footfall {
-namespace {
 
-}  // namespace
 
 void Link::receive_bytes(MessageKind expected, double patience) {
   FOOTFALL_DEMAND(!closed_);

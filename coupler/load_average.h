@@ -3,15 +3,15 @@
 // (wrench frame).
 
 #include "coupler/body_motion.h"
-#include "coupler/scheme.h"
+#include "coupler/schemes/scheme.h"
 #include "coupler/window.h"
 
 namespace footfall {
 
 // Convention, the same on both sides of the exchange:
-//   F_W  mean force in W            -> the linear impulse F_W * H is exact, however the body turns;
-//   T_B  mean moment about Bo, in B -> it turns with the body, so the result does not depend on H through
-//   rotation; Q_a  mean modal force.
+//   F_W  mean force in W:            the linear impulse F_W H is exact, however the body turns
+//   T_B  mean moment about Bo, in B: it turns with the body, so the result does not depend on H through rotation
+//   Q_a  mean modal force
 struct MeanLoad {
   explicit MeanLoad(int modes = 0) : Q_a(Eigen::VectorXd::Zero(modes)) {}
   void set_zero();
@@ -21,8 +21,7 @@ struct MeanLoad {
   Eigen::VectorXd Q_a;                            // s
   double work = 0.0;       // done by the grains on the boundary along its path, jump included [J]
   double jump_work = 0.0;  // the part of `work` done by the jump at the window's start [J]
-  // what Verlet really gave: half weights whatever the scheme [N s]
-  Eigen::Vector3d impulse_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d impulse_W = Eigen::Vector3d::Zero();  // what Verlet really gave: half weights in every scheme [N s]
 };
 
 // The load at t as the bodies feel it under a mean load: F_W, T_W = R_WB T_B, Q_a.

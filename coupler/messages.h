@@ -7,7 +7,7 @@
 //                                <-  Geometry (boundaries, modes and initial poses of all coupled bodies)
 //   Start  (first run: dt, n)    ->  checks dt, n, names
 //                                <-  Accept (scheme, end time)
-//   then per window              <-  Motion (states at t_k)
+//   then per window              <-  Motion (place at t_k, rates of the path from there)
 //   Load   (means over window)   ->
 //   until a Motion says last_window; after its Load both sides send Close. A side that fails sends Close with
 //   its reason at any time.
@@ -75,13 +75,19 @@ struct Accept {
   std::int32_t n_max = 0;  // largest n that any Motion will ask for
 };
 
+// What a body's BodyMotion carries here:
+//   r, L, a          the computed state at t_k
+//   dr, w, da        rates of the path in this window: the computed ones, except that scheme `tangent` sends the mean
+//                    rates that it expects, and that every scheme slows down elastic modes that swing within the window
+//   ddr, dw, dda     the computed accelerations; dda is taken away from such modes
+// So r, L, a may be read as the state; dr, w, da and dda may not.
 struct Motion {
   static constexpr MessageKind kKind = MessageKind::kMotion;
   std::int64_t window = 0;  // k, counts from 0
   double time = 0.0;        // t_k [s]
   std::int32_t n = 0;       // substeps of this window (the last one may be shorter)
   bool last_window = false;
-  std::vector<BodyMotion> bodies;  // order of Start
+  std::vector<BodyMotion> bodies;  // order of Start; see above
 };
 
 // Window means of the contacts' tangent stiffness and damping on (r, theta, of W), for linearly implicit schemes.

@@ -5,7 +5,8 @@
 // Jump. At the end of a window the prediction misses the computed state by a gap e of O(H^2). Moving a loaded
 // boundary by e at once does work on nobody's account. A continuous path starts where the boundary stands and
 // closes the gap within the window:
-//   x(tau) = prediction(tau) + e g(u),  u = tau / H,  g(u) = 1 - 4 u + 3 u^2.
+//   x(tau) = prediction(tau) + e g(u),  u = tau / H
+//   g(u) = 1 - 4 u + 3 u^2
 // g has zero mean, so that the mean position over the window stays that of the prediction, and with it the
 // elastic load: for a body on an elastic contact the amplification stays 1 up to omega H = 2. (Closing it by
 // 1 - u shifts the mean by e/2: it grows at any H.) The mean velocity becomes that of the prediction - e / H,
@@ -18,7 +19,7 @@
 // The velocity that contact damping sees is the derivative of the path.
 
 #include "coupler/body_motion.h"
-#include "coupler/scheme.h"
+#include "coupler/schemes/scheme.h"
 
 namespace footfall {
 
@@ -32,22 +33,22 @@ struct BoundaryStep {
 };
 
 // One body. Both programs may hold one: the DEM side to move nodes, the multibody side to know the mean
-// predicted pose. Window: begin_window(state at t_k, n, dt), then advance() n times; after each, pose() is
-// the path at t_k + i dt.
+// predicted pose. Window: begin_window(motion sent for t_k, n, dt), then advance() n times; after each, pose()
+// is the path at t_k + i dt.
 class BoundaryPath {
  public:
   // The boundary stands at `initial` until the first window. The scheme must outlive the path.
   BoundaryPath(const Scheme& scheme, const BodyMotion& initial);
 
-  // New window of n substeps of dt [s] from the computed state `start`. If the path jumps, pose() jumps here
-  // and jump() tells by how much.
+  // New window of n substeps of dt [s] from `start`: place at t_k and rates of the path. If the path jumps, pose()
+  // jumps here and jump() tells by how much.
   void begin_window(const BodyMotion& start, int n, double dt);
   // One substep on. Precondition: fewer than n calls since begin_window.
   void advance();
 
   const BodyMotion& pose() const { return pose_; }         // r, L, a, dr, w, da of the boundary now
   const BoundaryStep& last_step() const { return step_; }  // done by the last advance()
-  const BoundaryStep& jump() const { return jump_; }  // done by the last begin_window(); zero for a continuous path
+  const BoundaryStep& jump() const { return jump_; }       // by the last begin_window(); zero for a continuous path
   // True when this window is a translation at constant velocity from where the boundary stands, to round-off:
   // nodes may then be moved by x += dr * dt per substep, exactly as LIGGGHTS' own `fix move/mesh linear`
   // does. pose() follows the same sums.
@@ -59,13 +60,13 @@ class BoundaryPath {
   void set_pose_at(double tau);
 
   const Scheme& scheme_;
-  BodyMotion start_;    // computed state at t_k
+  BodyMotion start_;    // the motion sent: place at t_k, rates of the path
   BodyMotion pose_;     // the path now
   BodyMotion before_;   // the path one substep ago
   BodyMotion shifted_;  // start_ moved by what is left of the gap
   BoundaryStep step_;
   BoundaryStep jump_;
-  BoundaryStep gap_;        // from the state at t_k to where the boundary stood
+  BoundaryStep gap_;        // from the place at t_k to where the boundary stood
   double travelled_ = 0.0;  // largest |r| met, the scale of round-off in r [m]
   double amplitude_ = 0.0;  // largest |a| met, likewise
   int n_ = 0;               // substeps of this window

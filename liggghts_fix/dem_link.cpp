@@ -8,6 +8,7 @@
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
 #include "coupler/programs.h"
+#include "coupler/schemes/registry.h"
 #include "liggghts_fix/stay_on_core.h"
 
 namespace footfall {

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/coupling/body_window.h"
 #include "mbd_solver/coupling/coupling_sample.h"
 #include "mbd_solver/coupling/coupling_watch.h"
 #include "mbd_solver/coupling/dem_partner.h"
-#include "mbd_solver/coupling/predicted_window.h"
 #include "mbd_solver/coupling/window_choice.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/model/energy.h"
@@ -35,9 +35,9 @@ class CoupledRun {
   // kinematics: with accelerations. Returns the window's end [s]. Throws NumericalError for a load that is not finite,
   // PartnerError.
   double begin_window(const State& state, const Kinematics& kinematics, const StoredEnergy& stored, Inputs& inputs);
-  // The mechanism has come to the window's end. inputs: as begin_window left them. Throws NumericalError when the
-  // coupling pumps energy or chatters (CouplingWatch).
-  void end_window(const State& state, const Kinematics& kinematics, const Inputs& inputs);
+  // The mechanism has come to the window's end. Throws NumericalError when the coupling pumps energy or chatters
+  // (CouplingWatch).
+  void end_window(const State& state, const Kinematics& kinematics);
 
   void close() { partner_.close(); }  // after the last window
   void fail(const std::string& reason, Status status) noexcept { partner_.fail(reason, status); }
@@ -54,19 +54,15 @@ class CoupledRun {
   struct Coupled {
     const BodyBoundary& entry;
     const Body& body;
-    const LandingSite* site;    // under it at the start; null when not known
-    PredictedWindow predicted;  // what its boundary does in the window
-    BodyMotion start, end;      // computed, at both ends of the window
-    MeanLoad last_load;         // of the window before
-    double reach;               // largest |rho0| [m]
+    const LandingSite* site;  // under it at the start; null when not known
+    BodyWindow window;        // what the scheme makes of it
+    BodyMotion end;           // computed, at the window's end
+    double reach;             // largest |rho0| [m]
   };
 
   void choose_window();  // n of the next window, after one
-  // What depends on the scheme:
-  int wanted_substeps() const;
-  void choose_paths(double H);  // motion_.bodies, from the states at the window's start
-  void receive(const Load& load, double H, Inputs& inputs) const;
-  double pending_interface_work(double time, double H, const Inputs& inputs);  // after a window [J]
+  void receive(const Load& load, Inputs& inputs);
+  double pending_interface_work(double time);  // after a window [J]
 
   const Mechanism& mechanism_;
   double t_end_;        // [s]
@@ -81,7 +77,6 @@ class CoupledRun {
   std::unique_ptr<WindowChoice> choice_;  // null when the script fixes n
   std::vector<WindowChoice::Body> choice_bodies_;
   CouplingSample sample_;
-  int last_substeps_ = 0;                    // of the window before
   double reference_energy_ = 0.0;            // scale of energy errors [J]
   Eigen::VectorXd work_before_;              // State::load_work at the window's start [J]
   std::vector<double> work_received_;        // in the window, per coupled body [J]

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "coupler/scheme.h"
+#include "coupler/schemes/scheme.h"
 
 namespace footfall {
 

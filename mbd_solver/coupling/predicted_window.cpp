@@ -2,12 +2,18 @@
 
 namespace footfall {
 
+PredictedWindow::PredictedWindow(const Scheme& scheme, const BodyMotion& initial)
+    : scheme_(scheme), walk_(scheme, initial) {
+  path_.r_mean = path_.r_end = initial.r;
+  path_.L_mean = path_.L_end = initial.L;
+}
+
 void PredictedWindow::begin(const BodyMotion& start, int n, double dt) {
   const StepWeights weights = scheme_.weights();
   Eigen::Vector3d r = Eigen::Vector3d::Zero(), theta = Eigen::Vector3d::Zero();  // from the start of the window
   Vector6d v = Vector6d::Zero();
   const auto add = [&](double weight) {
-    const BodyMotion& pose = path_.pose();
+    const BodyMotion& pose = walk_.pose();
     r += weight * (pose.r - start.r);
     theta += weight * rotation_vector(start.L, pose.L);
     v.head<3>() += weight * pose.dr;
@@ -15,26 +21,16 @@ void PredictedWindow::begin(const BodyMotion& start, int n, double dt) {
   };
   // The force that opens the window stands since the last substep of the window before.
   add(weights.opening);
-  path_.begin_window(start, n, dt);
+  walk_.begin_window(start, n, dt);
   for (int i = 1; i <= n; ++i) {
-    path_.advance();
+    walk_.advance();
     add(i < n ? 1.0 : weights.closing);
   }
-  r_mean_ = start.r + r / n;
-  L_mean_ = turned(start.L, theta / n);
-  v_mean_ = v / n;
-}
-
-Vector6d PredictedWindow::gap(const BodyMotion& computed) const {
-  Vector6d gap;
-  gap << computed.r - path_.pose().r, rotation_vector(path_.pose().L, computed.L);
-  return gap;
-}
-
-Vector6d PredictedWindow::end_from_mean() const {
-  Vector6d way;
-  way << path_.pose().r - r_mean_, rotation_vector(L_mean_, path_.pose().L);
-  return way;
+  path_.r_mean = start.r + r / n;
+  path_.L_mean = turned(start.L, theta / n);
+  path_.v_mean = v / n;
+  path_.r_end = walk_.pose().r;
+  path_.L_end = walk_.pose().L;
 }
 
 }  // namespace footfall

@@ -99,7 +99,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
 
     // Observe.
     take_sample();
-    if (coupled_) coupled_->end_window(state_, at.kinematics, inputs_);
+    if (coupled_) coupled_->end_window(state_, at.kinematics);
     times_.total = wall_clock() - started;
     observe(at);
   }

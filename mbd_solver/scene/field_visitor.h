@@ -3,6 +3,7 @@
 // reader, the copier of arrays, the JSON writer and the list of known keys are visitors of that one description.
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "coupler/base/errors.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {
@@ -93,6 +95,8 @@ class FieldVisitor {
     field(key, &c, rule);
     value = static_cast<E>(c.value);
   }
+  // A word out of a list that stands elsewhere; `value` is one of its words.
+  void choice(const std::string& key, std::string& value, const std::vector<std::string>& words, const Rule& rule = {});
   template <class T>
   void section(const std::string& key, T& value);  // always there, defaults where the file is silent
   template <class T>
@@ -138,6 +142,15 @@ void visit_fields(FieldVisitor& v, BodyVelocitySpec& velocity);
 void visit_fields(FieldVisitor& v, SolverSpec& solver);
 void visit_fields(FieldVisitor& v, CouplingSpec& coupling);
 void visit_fields(FieldVisitor& v, OutputSpec& output);
+
+inline void FieldVisitor::choice(const std::string& key, std::string& value, const std::vector<std::string>& words,
+                                 const Rule& rule) {
+  const auto found = std::find(words.begin(), words.end(), value);
+  FOOTFALL_DEMAND(found != words.end());
+  Choice c{static_cast<int>(found - words.begin()), words};
+  field(key, &c, rule);
+  value = words[static_cast<std::size_t>(c.value)];
+}
 
 template <class T>
 void FieldVisitor::section(const std::string& key, T& value) {

@@ -60,7 +60,7 @@ void visit_fields(FieldVisitor& v, SolverSpec& s) {
 
 void visit_fields(FieldVisitor& v, CouplingSpec& c) {
   v.field("", &c.source, {});
-  v.choice("scheme", c.scheme, {"frozen", "css", "css-trapezoid", "quadratic", "tangent"});
+  v.choice("scheme", c.scheme, scheme_names());
   v.field("tolerance", &c.tolerance, {Unit::kNone, Range::kPositive});
   v.field("max_substeps", &c.max_substeps, {Unit::kNone, Range::kPositive});
   v.field("warn_omega_h", &c.warn_omega_h, {Unit::kNone, Range::kPositive});

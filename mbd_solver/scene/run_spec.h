@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/schemes/registry.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
@@ -75,12 +76,9 @@ struct SolverSpec {
   double baumgarte_position = 100.0;  // beta [1/s]
 };
 
-// Names as in theory: boundary path in the window / force to the mechanism.
-enum class SchemeKind { kFrozen, kCss, kCssTrapezoid, kQuadratic, kTangent };
-
 struct CouplingSpec {
   Source source;
-  SchemeKind scheme = SchemeKind::kCssTrapezoid;
+  std::string scheme{kDefaultScheme};  // one of scheme_names()
   // `every auto` in the script: substeps per window are chosen in [1, max_substeps] so that the force on a body misses
   // by the tolerance's share of the force scale at the window's end.
   double tolerance = 0.01;  // [-]

@@ -36,10 +36,10 @@
 #include <vector>
 
 #include "coupler/abort_guard.h"
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"
+#include "coupler/schemes/registry.h"
 #include "coupler/transport_mpi.h"
 #include "tests/dem/stl.h"
 

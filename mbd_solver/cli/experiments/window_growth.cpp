@@ -6,76 +6,17 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "coupler/base/whole_file.h"
 #include "coupler/load_average.h"
+#include "coupler/schemes/registry.h"
 #include "mbd_solver/cli/experiments/window_growth_run.h"
-#include "mbd_solver/coupling/predicted_window.h"
-#include "mbd_solver/coupling/tangent.h"
+#include "mbd_solver/coupling/body_window.h"
 
 namespace footfall {
-namespace {
-
-using Vector5d = Eigen::Matrix<double, 5, 1>;
-using Matrix5d = Eigen::Matrix<double, 5, 5>;
-
-// m = 1, H = 1, so that K = (omega H)^2.
-struct Flow {
-  double x = 0.0, v = 0.0;
-};
-
-// Exact solution after a time 1 of x'' = -K x - D v + f.
-Flow flow(double K, double D, double f, const Flow& start) {
-  Eigen::Matrix3d A;
-  A << 0.0, 1.0, 0.0, -K, -D, f, 0.0, 0.0, 0.0;
-  const Eigen::Vector3d end = A.exp() * Eigen::Vector3d(start.x, start.v, 1.0);
-  return {end[0], end[1]};
-}
-
-double window_damping(double omega_h) {
-  const double w6 = std::pow(0.5 * omega_h, 6);
-  return 0.5 * w6 / (1.0 + w6) * omega_h * omega_h;
-}
-
-// Mean velocity of the path of `tangent`: two equal implicit stages of g.
-double softened_velocity(double K, double v, double a) {
-  const double g = 1.0 - std::sqrt(0.5);
-  const auto stage = [&](double d_0, double v_0) { return (v_0 + g * (a - K * d_0)) / (1.0 + g * g * K); };
-  const double V_1 = stage(0.0, v);
-  const double d_2 = (1.0 - g) * V_1, v_2 = v + (1.0 - g) / g * (V_1 - v);
-  return d_2 + g * stage(d_2, v_2);
-}
-
-// One window: z = [x, v, a (last acceleration sent), s (where the boundary stands), p (its velocity there)].
-Vector5d window_map(const std::string& scheme, double omega_h, int n, const Vector5d& z) {
-  const double K = omega_h * omega_h, x = z[0], v = z[1], a = z[2], gap = z[3] - z[0], p = z[4];
-  const double end_step =
-      scheme == "css" ? 0.5 / n : 0.0;  // the end step counts whole: mean f = trapezoid + (f(1) - f(0)) / 2n
-  const double mean_tau = 0.5 + end_step, mean_g = 0.5 / (n * n) - end_step,
-               mean_tau2 = 1.0 / 3.0 + 1.0 / (6.0 * n * n) + end_step;
-  Vector5d out;
-  if (scheme == "tangent") {
-    const double D = window_damping(omega_h), path = softened_velocity(K, v, a);
-    const double v_mean = path - gap + 0.5 / n * (p - (path - 4.0 * gap));
-    const Flow end = flow(K, D, D * v_mean, {x, v});
-    out << end.x, end.v, -K * end.x - D * (end.v - v_mean), x + path, path + 2.0 * gap;
-    return out;
-  }
-  const bool frozen = scheme == "frozen";
-  const double velocity = frozen ? 0.0 : v, acceleration = scheme == "quadratic" ? a : 0.0;
-  const double standing = frozen ? 0.5 / n : mean_g;  // a frozen boundary jumps after the force that opens the window
-  const double f = -K * (x + mean_tau * velocity + 0.5 * mean_tau2 * acceleration + standing * gap);
-  out << x + v + 0.5 * f, v + f, f, x + velocity + 0.5 * acceleration, velocity + acceleration + 2.0 * gap;
-  return out;
-}
-
-}  // namespace
 
 double predicted_growth(const std::string& scheme, double omega_h, int n) {
-  Matrix5d map;
-  for (int k = 0; k < 5; ++k) map.col(k) = window_map(scheme, omega_h, n, Vector5d::Unit(k));
-  return map.eigenvalues().cwiseAbs().maxCoeff();
+  return predicted_growth(*make_scheme(scheme), omega_h, n);
 }
 
 double measured_growth(const std::string& name, double omega_h, int n) {
@@ -90,14 +31,16 @@ double measured_growth(const std::string& name, double omega_h, int n) {
   state.dr.z() = 0.3 * omega_h;
   state.ddr.z() = -K;
   BoundaryPath path(*scheme, state);
-  PredictedWindow predicted(*scheme, state);
   LoadAverage average(*scheme, 0);
   GeneralizedForce contact;
   const auto touch = [&] { contact.F_W.z() = -K * path.pose().r.z(); };
   touch();
   average.set_standing(contact, path.pose());
-  ContactTangent slope;
-  slope.K(2, 2) = K;
+  BodyLoad answer;
+  answer.contact_stiffness = K;
+  if (scheme->wants_tangent()) answer.tangent.emplace_back().K(2, 2) = K;
+  BodyWindow window(*scheme, body, state, answer);
+  ExternalLoad felt;
 
   std::vector<double> logs;
   // All that the next window depends on, so that the size does not dip where position and velocity pass through zero
@@ -109,11 +52,7 @@ double measured_growth(const std::string& name, double omega_h, int n) {
   const double first = size();
   for (int k = 0; k < windows; ++k) {
     BodyMotion sent = state;
-    if (scheme->wants_tangent()) {
-      const Vector6d v = mean_velocity(body, state, slope, 1.0);
-      sent.dr = v.head<3>();
-    }
-    predicted.begin(sent, n, dt);
+    window.begin(n, dt, sent);
     path.begin_window(sent, n, dt);
     average.begin_window(path.jump(), path.pose());
     for (int i = 0; i < n; ++i) {
@@ -121,17 +60,18 @@ double measured_growth(const std::string& name, double omega_h, int n) {
       touch();
       average.add_step(contact, path.pose(), path.last_step(), dt);
     }
-    const double f = average.finish().F_W.z();
-    const Flow start{state.r.z(), state.dr.z()};
-    Flow end;
-    if (scheme->wants_tangent()) {
-      const TangentLoad load = tangent_load(slope, predicted, omega_h, 1.0);
-      const double standing = f + load.K(2, 2) * load.r_mean.z() + load.C(2, 2) * load.v_mean[2];
-      end = flow(load.K(2, 2), load.C(2, 2), standing, start);
-      state.ddr.z() = standing - load.K(2, 2) * end.x - load.C(2, 2) * end.v;
-    } else {
-      end = {start.x + start.v + 0.5 * f, start.v + f};
-      state.ddr.z() = f;
+    answer.mean = average.finish();
+    window.answer(answer, felt);
+    const double f = felt.F_W.z();
+    const PointMotion start{state.r.z(), state.dr.z()};
+    PointMotion end{start.x + start.v + 0.5 * f, start.v + f};
+    state.ddr.z() = f;
+    if (felt.tangent) {
+      const TangentLoad& load = *felt.tangent;
+      const double K_felt = load.K(2, 2), C_felt = load.C(2, 2);
+      const double standing = f + K_felt * load.r_mean.z() + C_felt * load.v_mean[2];
+      end = exact_flow(K_felt, C_felt, standing, start);
+      state.ddr.z() = standing - K_felt * end.x - C_felt * end.v;
     }
     state.r.z() = end.x;
     state.dr.z() = end.v;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/schemes/registry.h"
 #include "tests/unit/coupler/random_boundary.h"
 
 namespace footfall {

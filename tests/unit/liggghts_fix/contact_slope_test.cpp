@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "coupler/schemes/registry.h"
 #include "liggghts_fix/dem_body.h"
 
 namespace footfall {

@@ -62,7 +62,7 @@ TEST(SceneReader, FillsDefaultsWhereTheFileIsSilent) {
   const Scene scene = text.read(kPendulum);
   EXPECT_EQ(scene.gravity, Eigen::Vector3d(0, 0, -9.81));
   EXPECT_EQ(scene.solver.integrator, IntegratorKind::kOneStep);
-  EXPECT_EQ(scene.coupling.scheme, SchemeKind::kCssTrapezoid);
+  EXPECT_EQ(scene.coupling.scheme, kDefaultScheme);
   EXPECT_EQ(scene.ground.kind, GroundKind::kNone);
   EXPECT_FALSE(scene.bodies[0].flexible.has_value());
 }

@@ -1,0 +1,29 @@
+#pragma once
+// What the schemes share whose body feels the mean load of the grains and nothing else during the window.
+
+#include "coupler/schemes/scheme.h"
+
+namespace footfall {
+
+class ConstantLoadScheme : public Scheme {
+ public:
+  bool wants_tangent() const override { return false; }
+  // The path is sent with the rates of the computed state.
+  void set_path_rates(const Matrix6d&, const BodyLoad&, double, BodyMotion&) const override {}
+  std::optional<TangentLoad> reaction(const Matrix6d&, const BodyLoad&, const PredictedPath&, double) const override {
+    return std::nullopt;
+  }
+  // By the mean loads of this window and of the one before, followed to the window's end.
+  double pending_work(const AnsweredLoads& loads, const PredictedPath& path, const BodyMotion& computed) const override;
+
+  // f is the mean over the window of -K s(tau), tau = i/n:
+  //   f = -K (x + mean_tau v + mean_tau2 a / 2 + standing (s - x))
+  //   x' = x + v + f/2,  v' = v + f,  a' = f
+  MapState window_map(double omega_h, int n, const MapState& z) const override;
+
+ private:
+  // Highest power of tau in the path: 0 rests, 1 has the velocity, 2 the acceleration too.
+  virtual int path_degree() const = 0;
+};
+
+}  // namespace footfall

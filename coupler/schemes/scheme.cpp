@@ -1,0 +1,17 @@
+#include "coupler/schemes/scheme.h"
+
+namespace footfall {
+
+Vector6d PredictedPath::gap(const BodyMotion& computed) const {
+  Vector6d gap;
+  gap << computed.r - r_end, rotation_vector(L_end, computed.L);
+  return gap;
+}
+
+Vector6d PredictedPath::end_from_mean() const {
+  Vector6d way;
+  way << r_end - r_mean, rotation_vector(L_mean, L_end);
+  return way;
+}
+
+}  // namespace footfall
