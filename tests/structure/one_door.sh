@@ -14,7 +14,7 @@ door() {
 }
 door '(ida|sundials|nvector|sunmatrix|sunlinsol)/' 'mbd_solver/integrator/ida*'
 door 'toml\+\+' 'mbd_solver/scene/scene_reader.cpp'
-door 'fl/' 'mbd_solver/model/controllers/fuzzy.cpp'
+door 'fl/' 'mbd_solver/model/controllers/fuzzy_engine.h'
 door 'assimp/' 'mbd_solver/scene/mesh_reader.cpp'
 door 'pugixml' 'mbd_solver/output/vtk_writer.cpp'
 door 'mpi\.h' 'coupler/communicator.h' 'coupler/transport_mpi.*' 'mbd_solver/main.cpp' 'liggghts_fix/*'
