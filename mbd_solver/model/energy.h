@@ -1,39 +1,60 @@
 #pragma once
-// Where energy is and where it goes, by the names of history.csv.
+// Where energy is and where it goes. The names are those of history.csv: energy.<name>, dissipated.<name>.
 
 #include <array>
 #include <string_view>
 
-#include "mbd_solver/model/laws/strut_law.h"
+#include "mbd_solver/model/kinds.h"
 
 namespace footfall {
 
-// [J]. energy.<name>
-struct StoredEnergy {
-  double kinetic = 0.0;
-  double gravity = 0.0;  // zero where r = 0
-  double strain = 0.0;   // modes, springs, elastic part of honeycombs and stops
-  double gas = 0.0;
-  double contact = 0.0;  // elastic energy of rigid-plane contacts
-  double total() const { return kinetic + gravity + strain + gas + contact; }
+enum class Stored {
+  kKinetic,
+  kGravity,  // zero where r = 0
+  kStrain,   // modes, springs, elastic part of honeycombs and stops
+  kGas,
+  kContact  // elastic energy of rigid-plane contacts
 };
+constexpr std::string_view name_of(Stored kind) {
+  switch (kind) {
+    case Stored::kKinetic: return "kinetic";
+    case Stored::kGravity: return "gravity";
+    case Stored::kStrain: return "strain";
+    case Stored::kGas: return "gas";
+    case Stored::kContact: return "contact";
+  }
+  return {};
+}
 
-// dissipated.<name>
 enum class Dissipation { kMrViscous, kMrYield, kHoneycomb, kDamper, kStop, kModal, kFriction, kContact };
-inline constexpr int kDissipationCount = 8;
-std::string_view dissipation_name(Dissipation kind);
-Dissipation dissipation_of(EnergyKind kind);  // of a strut law; demands a kind that can dissipate
+constexpr std::string_view name_of(Dissipation kind) {
+  switch (kind) {
+    case Dissipation::kMrViscous: return "mr_viscous";
+    case Dissipation::kMrYield: return "mr_yield";
+    case Dissipation::kHoneycomb: return "honeycomb";
+    case Dissipation::kDamper: return "damper";
+    case Dissipation::kStop: return "stop";
+    case Dissipation::kModal: return "modal";
+    case Dissipation::kFriction: return "friction";
+    case Dissipation::kContact: return "contact";
+  }
+  return {};
+}
 
-// Power [W] or work [J] by kind, each >= 0.
-struct Dissipated {
-  std::array<double, kDissipationCount> by_kind{};
-  double& operator[](Dissipation kind) { return by_kind[static_cast<std::size_t>(kind)]; }
-  double operator[](Dissipation kind) const { return by_kind[static_cast<std::size_t>(kind)]; }
+// One number for each kind.
+template <class Kind>
+struct ByKind {
+  std::array<double, static_cast<std::size_t>(count_of<Kind>())> by_kind{};
+  double& operator[](Kind kind) { return by_kind[static_cast<std::size_t>(kind)]; }
+  double operator[](Kind kind) const { return by_kind[static_cast<std::size_t>(kind)]; }
   double total() const {
     double sum = 0.0;
-    for (double value : by_kind) sum += value;
+    for (const double value : by_kind) sum += value;
     return sum;
   }
 };
+
+using StoredEnergy = ByKind<Stored>;     // [J]
+using Dissipated = ByKind<Dissipation>;  // power [W] or work [J], each >= 0
 
 }  // namespace footfall

@@ -118,16 +118,15 @@ void Observation::add_controller(const ControllerEntry& controller) {
 }
 
 void Observation::add_energies() {
-  for (const char* name :
-       {"energy.kinetic", "energy.gravity", "energy.strain", "energy.gas", "energy.contact", "energy.total"})
-    column(name, "J");
-  for (int k = 0; k < kDissipationCount; ++k)
-    column("dissipated." + std::string(dissipation_name(static_cast<Dissipation>(k))), "J");
+  for (const std::string& name : names_of<Stored>()) column("energy." + name, "J");
+  column("energy.total", "J");
+  for (const std::string& name : names_of<Dissipation>()) column("dissipated." + name, "J");
   column("work.contact", "J");
   column("work.motion", "J");
   groups_.push_back([](const Sample& s, std::vector<double>& row) {
     const StoredEnergy& stored = s.energy.stored;
-    row.insert(row.end(), {stored.kinetic, stored.gravity, stored.strain, stored.gas, stored.contact, stored.total()});
+    row.insert(row.end(), stored.by_kind.begin(), stored.by_kind.end());
+    row.push_back(stored.total());
     for (const double work : s.state.dissipated.by_kind) row.push_back(work);
     row.push_back(s.state.load_work.sum());
     row.push_back(s.state.motion_work);
@@ -198,9 +197,9 @@ void FigureTaker::take(const Sample& sample) {
     started_ = true;
     start_height_ = height;
     start_energy_ = stored.total();
-    f.reference_energy = stored.total() - stored.gravity;
+    f.reference_energy = stored.total() - stored[Stored::kGravity];
   }
-  f.reference_energy = std::max(f.reference_energy, stored.kinetic);
+  f.reference_energy = std::max(f.reference_energy, stored[Stored::kKinetic]);
   f.peak_acceleration =
       std::max(f.peak_acceleration,
                sample.rates.segment<3>(layout.v0() + layout.body_v[static_cast<std::size_t>(body_)]).norm());

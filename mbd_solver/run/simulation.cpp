@@ -7,9 +7,9 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/scheme.h"
-#include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/coupling/fast_modes.h"
 #include "mbd_solver/coupling/tangent.h"
+#include "mbd_solver/model/elements/rigid_plane.h"
 
 namespace footfall {
 namespace {
@@ -63,7 +63,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       mechanism_(build_mechanism(scene)),
       assembly_(assemble(mechanism_.model)),
       equations_(std::make_unique<Equations>(mechanism_.model, assembly_, baumgarte(scene.solver))),
-      integrator_(make_integrator(scene.solver.integrator == IntegratorKind::kIda ? "ida" : "one_step", *equations_,
+      integrator_(make_integrator(std::string(name_of(scene.solver.integrator)), *equations_,
                                   integrator_options(scene.solver))),
       control_(mechanism_.controllers, mechanism_.struts, up_direction(scene.gravity)),
       state_(assembly_.state),
@@ -309,7 +309,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
   };
   equations_->accelerations(state_, inputs_, rates_);
   report();
-  const double start_energy = energy_.stored.total() - energy_.stored.gravity;
+  const double start_energy = energy_.stored.total() - energy_.stored[Stored::kGravity];
   double reference_energy = start_energy;  // of a mechanism that starts at rest: the largest kinetic energy so far
 
   std::vector<double> work_received(motion_.bodies.size());
@@ -332,7 +332,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
         const int body = mechanism_.boundaries[static_cast<std::size_t>(partner_->coupled()[k])].body;
         work_received[k] = state_.load_work(body) - work_before(body);
       }
-      reference_energy = std::max(reference_energy, energy_.stored.kinetic);
+      reference_energy = std::max(reference_energy, energy_.stored[Stored::kKinetic]);
       watch_->window(state_.time, t1 - t0, motion_.n, partner_->load(), work_received, reference_energy,
                      pending_interface_work());
       if (choice_) choose_window(false);

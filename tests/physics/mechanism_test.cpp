@@ -3,9 +3,9 @@
 #include <cmath>
 #include <vector>
 
+#include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "mbd_solver/model/mass_properties.h"
-#include "mbd_solver/model/elements/strut.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"
 
@@ -68,7 +68,7 @@ class PointForce : public ForceElement {
     return true;
   }
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated&) const override {
-    stored.strain -= force_.dot(KinematicVector::point(in.pair, 0, marker_).value());
+    stored[Stored::kStrain] -= force_.dot(KinematicVector::point(in.pair, 0, marker_).value());
   }
 
  private:
