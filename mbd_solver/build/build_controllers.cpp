@@ -42,7 +42,7 @@ std::unique_ptr<Controller> build(const ControllerSpec& spec, int outputs, std::
       p.deadband = spec.deadband;
       return std::make_unique<SkyhookController>(p);
     }
-    default: {
+    case ControllerKind::kPid: {
       PidControllerParameters p;
       p.outputs = outputs;
       p.period = spec.period;
@@ -55,6 +55,7 @@ std::unique_ptr<Controller> build(const ControllerSpec& spec, int outputs, std::
       return std::make_unique<PidController>(p);
     }
   }
+  FOOTFALL_DEMAND(false);
 }
 
 }  // namespace

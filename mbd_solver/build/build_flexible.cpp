@@ -29,27 +29,35 @@ struct Attachment {
   bool turns;             // transmits moments
 };
 
-bool holds_attitude(JointType type) {
-  switch (type) {
-    case JointType::kSpherical:
-    case JointType::kUniversal:
-    case JointType::kDistance:
-    case JointType::kPointOnPlane: return false;
-    default: return true;
+BasisKind basis_kind(ModalBasis basis) {
+  switch (basis) {
+    case ModalBasis::kCraigBampton: return BasisKind::kCraigBampton;
+    case ModalBasis::kFreeFree: return BasisKind::kFreeFree;
   }
+  FOOTFALL_DEMAND(false);
+}
+
+// Whether it pushes and turns the body at its point; the others only turn it, by the attitude of the whole body.
+bool acts_at_a_point(SpringKind kind) {
+  switch (kind) {
+    case SpringKind::kTorsion:
+    case SpringKind::kCentring: return false;
+    case SpringKind::kBushing: return true;
+  }
+  FOOTFALL_DEMAND(false);
 }
 
 std::vector<Attachment> attachments(const Scene& scene, const std::string& body) {
   std::vector<Attachment> points;
   for (const JointSpec& joint : scene.joints) {
-    if (joint.bodies[0] == body) points.push_back({joint.point_a, holds_attitude(joint.type)});
-    if (joint.bodies[1] == body) points.push_back({joint.point_b, holds_attitude(joint.type)});
+    if (joint.bodies[0] == body) points.push_back({joint.point_a, traits_of(joint.type).holds_attitude});
+    if (joint.bodies[1] == body) points.push_back({joint.point_b, traits_of(joint.type).holds_attitude});
   }
   for (const StrutSpec& strut : scene.struts)
     for (std::size_t end = 0; end < 2; ++end)
       if (strut.bodies[end] == body) points.push_back({strut.points[end], false});
   for (const SpringSpec& spring : scene.springs)
-    if (spring.kind == SpringKind::kBushing && (spring.bodies[0] == body || spring.bodies[1] == body))
+    if (acts_at_a_point(spring.kind) && (spring.bodies[0] == body || spring.bodies[1] == body))
       points.push_back({spring.point, true});
   return points;
 }
@@ -159,7 +167,7 @@ void check_weight(const BodySpec& body, double mass, const std::string& file) {
 FlexibleBody build(const Scene& scene, const BodySpec& body, std::vector<std::string>& warnings) {
   const FlexibleSpec& spec = *body.flexible;
   BasisOptions options;
-  options.kind = spec.basis == ModalBasis::kFreeFree ? BasisKind::kFreeFree : BasisKind::kCraigBampton;
+  options.kind = basis_kind(spec.basis);
   options.mode_count = spec.modes;
   options.max_frequency = spec.max_frequency;
   options.damping_ratio = {spec.damping};

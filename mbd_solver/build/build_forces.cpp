@@ -20,17 +20,19 @@
 namespace footfall {
 namespace {
 
-std::unique_ptr<StrutLaw> gas_spring(const GasSpec& spec, const std::optional<StopsSpec>& stops) {
+// build(spec, strut, length): the law of one section, within its strut of undeformed length `length` [m].
+
+std::unique_ptr<StrutLaw> build(const GasSpec& spec, const StrutSpec& strut, double) {
   GasSpringParameters p;
   p.piston_diameter = spec.piston_diameter;
   p.initial_pressure = spec.pressure;
   p.initial_volume = spec.volume;
   p.exponent = spec.exponent;
-  if (stops) p.largest_stroke = stops->max;
+  if (strut.stops) p.largest_stroke = strut.stops->max;
   return std::make_unique<GasSpring>(p);
 }
 
-std::unique_ptr<StrutLaw> mr_damper(const MrSpec& spec) {
+std::unique_ptr<StrutLaw> build(const MrSpec& spec, const StrutSpec&, double) {
   MrDamperParameters p;
   p.yield_force = spec.yield_force;
   p.viscous_coefficient = spec.viscous;
@@ -47,7 +49,7 @@ std::unique_ptr<StrutLaw> mr_damper(const MrSpec& spec) {
   return std::make_unique<MrDamper>(p);
 }
 
-std::unique_ptr<StrutLaw> honeycomb(const HoneycombSpec& spec) {
+std::unique_ptr<StrutLaw> build(const HoneycombSpec& spec, const StrutSpec&, double) {
   HoneycombCartridge cartridge;
   cartridge.stages.clear();
   for (const CrushStageSpec& stage : spec.stages) cartridge.stages.push_back({stage.force, stage.length});
@@ -61,36 +63,40 @@ std::unique_ptr<StrutLaw> honeycomb(const HoneycombSpec& spec) {
   return std::make_unique<Honeycomb>(p);
 }
 
-// Laws of one strut; InputErrors get the strut's name in front.
-std::vector<std::unique_ptr<StrutLaw>> laws_of(const StrutSpec& spec, double length) {
+std::unique_ptr<StrutLaw> build(const StopsSpec& spec, const StrutSpec& strut, double) {
+  EndStopParameters p;
+  p.smallest_stroke = spec.min;
+  p.largest_stroke = spec.max;
+  p.stiffness = spec.stiffness;
+  p.dissipation = spec.dissipation;
+  p.toe = spec.toe;
+  // A gas strut rests on its extended end under the preload: the stop yields by its penetration there, so it sits that
+  // much higher.
+  if (strut.gas && p.smallest_stroke) {
+    const double area = 0.25 * kPi * strut.gas->piston_diameter * strut.gas->piston_diameter;
+    p.smallest_stroke = *p.smallest_stroke + EndStop(p).penetration(strut.gas->pressure * area);
+  }
+  return std::make_unique<EndStop>(p);
+}
+
+std::unique_ptr<StrutLaw> build(const LinearSpringSpec& spec, const StrutSpec&, double length) {
+  LinearSpringDamperParameters p;
+  p.stiffness = spec.stiffness;
+  p.damping = spec.damping;
+  p.preload = spec.preload;
+  if (spec.free_length) p.free_stroke = length - *spec.free_length;
+  return std::make_unique<LinearSpringDamper>(p);
+}
+
+std::unique_ptr<StrutLaw> build(const TableSpec& spec, const StrutSpec&, double) {
+  return std::make_unique<TableLaw>(read_table_law(spec.file));
+}
+
+std::vector<std::unique_ptr<StrutLaw>> laws_of(const StrutSpec& strut, double length) {
   std::vector<std::unique_ptr<StrutLaw>> laws;
-  if (spec.gas) laws.push_back(gas_spring(*spec.gas, spec.stops));
-  if (spec.mr) laws.push_back(mr_damper(*spec.mr));
-  if (spec.honeycomb) laws.push_back(honeycomb(*spec.honeycomb));
-  if (spec.stops) {
-    EndStopParameters p;
-    p.smallest_stroke = spec.stops->min;
-    p.largest_stroke = spec.stops->max;
-    p.stiffness = spec.stops->stiffness;
-    p.dissipation = spec.stops->dissipation;
-    p.toe = spec.stops->toe;
-    // A gas strut rests on its extended end under the preload: the stop yields by its penetration there, so it sits
-    // that much higher.
-    if (spec.gas && p.smallest_stroke) {
-      const double area = 0.25 * kPi * spec.gas->piston_diameter * spec.gas->piston_diameter;
-      p.smallest_stroke = *p.smallest_stroke + EndStop(p).penetration(spec.gas->pressure * area);
-    }
-    laws.push_back(std::make_unique<EndStop>(p));
-  }
-  if (spec.spring) {
-    LinearSpringDamperParameters p;
-    p.stiffness = spec.spring->stiffness;
-    p.damping = spec.spring->damping;
-    p.preload = spec.spring->preload;
-    if (spec.spring->free_length) p.free_stroke = length - *spec.spring->free_length;
-    laws.push_back(std::make_unique<LinearSpringDamper>(p));
-  }
-  if (spec.table) laws.push_back(std::make_unique<TableLaw>(read_table_law(spec.table->file)));
+  each_law(strut, [&](const char*, const auto& law) {
+    if (law) laws.push_back(build(*law, strut, length));
+  });
   return laws;
 }
 
@@ -127,38 +133,49 @@ void add_struts(const Scene& scene, Mechanism& mechanism) {
   }
 }
 
-void add_springs(const Scene& scene, Mechanism& mechanism) {
+namespace {
+
+std::unique_ptr<ForceElement> build(const SpringSpec& spec, const Scene& scene, const Mechanism& mechanism) {
   const Placement& placement = mechanism.placement;
-  for (const SpringSpec& spec : scene.springs) {
-    const int a = scene.body_index(spec.bodies[0]), b = scene.body_index(spec.bodies[1]);
-    Model& model = mechanism.model;
-    if (spec.kind == SpringKind::kTorsion) {
+  const Model& model = mechanism.model;
+  const int a = scene.body_index(spec.bodies[0]), b = scene.body_index(spec.bodies[1]);
+  const auto bushing = [&](const Eigen::Vector3d& p_W, const Bushing::Parameters& p) {
+    return std::make_unique<Bushing>(spec.name, model.marker_at(a, p_W, placement.R_WD),
+                                     model.marker_at(b, p_W, placement.R_WD), p);
+  };
+  switch (spec.kind) {
+    case SpringKind::kTorsion: {
       const Eigen::Matrix3d axes = placement.R_WD * axes_with_z(spec.axis);
       TorsionalSpring::Parameters p;
       p.stiffness = spec.stiffness;
       p.damping = spec.damping;
       p.free_angle = spec.rest_angle;
-      model.add_force(std::make_unique<TorsionalSpring>(spec.name,
-                                                        model.marker_at(a, placement.point(spec.point), axes),
-                                                        model.marker_at(b, placement.point(spec.point), axes), p));
-      continue;
+      return std::make_unique<TorsionalSpring>(spec.name, model.marker_at(a, placement.point(spec.point), axes),
+                                               model.marker_at(b, placement.point(spec.point), axes), p);
     }
-    Bushing::Parameters p;
-    if (spec.kind == SpringKind::kCentring) {
+    case SpringKind::kCentring: {
+      Bushing::Parameters p;
       p.rotational_stiffness.setConstant(spec.stiffness);
       p.rotational_damping = spec.damping;
-    } else {
+      // It turns only: its point is where it reads the attitude, the mass centre of b.
+      return bushing(b != kGround ? model.initial(b).r : placement.point(spec.point), p);
+    }
+    case SpringKind::kBushing: {
+      Bushing::Parameters p;
       p.stiffness = spec.stiffness;
       p.damping = spec.damping;
       p.rotational_stiffness.setConstant(spec.turning_stiffness);
       p.rotational_damping = spec.turning_damping;
+      return bushing(placement.point(spec.point), p);
     }
-    // A centring spring turns only: its point is where it reads the attitude, the mass centre of b.
-    const Eigen::Vector3d p_W =
-        spec.kind == SpringKind::kCentring && b != kGround ? model.initial(b).r : placement.point(spec.point);
-    model.add_force(std::make_unique<Bushing>(spec.name, model.marker_at(a, p_W, placement.R_WD),
-                                              model.marker_at(b, p_W, placement.R_WD), p));
   }
+  FOOTFALL_DEMAND(false);
+}
+
+}  // namespace
+
+void add_springs(const Scene& scene, Mechanism& mechanism) {
+  for (const SpringSpec& spec : scene.springs) mechanism.model.add_force(build(spec, scene, mechanism));
 }
 
 void add_plane(const Scene& scene, Mechanism& mechanism) {

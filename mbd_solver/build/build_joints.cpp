@@ -66,7 +66,16 @@ Joint build(const JointSpec& spec, const Model& model, int a, int b, const Place
                      model.marker_at(b, p_b, placement.R_WD * axes_b));
   };
   const Eigen::Matrix3d along_z = axes_with_z(spec.axis);
+  const auto along_axis = [&](Joint (*joint)(std::string, Marker, Marker)) {
+    const auto [m1, m2] = markers(along_z, along_z);
+    return joint(spec.name, m1, m2);
+  };
   switch (spec.type) {
+    case JointType::kFixed: return along_axis(fixed_joint);
+    case JointType::kSpherical: return along_axis(spherical_joint);
+    case JointType::kRevolute: return along_axis(revolute_joint);
+    case JointType::kPrismatic: return along_axis(prismatic_joint);
+    case JointType::kCylindrical: return along_axis(cylindrical_joint);
     case JointType::kUniversal: {
       const Eigen::Vector3d across = spec.axis.cross(spec.axis2);  // x of a along `axis`, y of b along `axis2`
       const auto [m1, m2] = markers(axes_with_z(across, spec.axis), axes_with_z(across, spec.axis2.cross(across)));
@@ -77,17 +86,12 @@ Joint build(const JointSpec& spec, const Model& model, int a, int b, const Place
       const auto [m1, m2] = markers(along_z, along_z);
       return distance_joint(spec.name, m1, m2, spec.length.value_or((spec.point_b - spec.point_a).norm()));
     }
-    default: break;
+    case JointType::kPointOnPlane: {
+      const auto [m1, m2] = markers(along_z, along_z);
+      return point_on_plane_joint(spec.name, m1, m2);
+    }
   }
-  const auto [m1, m2] = markers(along_z, along_z);
-  switch (spec.type) {
-    case JointType::kFixed: return fixed_joint(spec.name, m1, m2);
-    case JointType::kSpherical: return spherical_joint(spec.name, m1, m2);
-    case JointType::kRevolute: return revolute_joint(spec.name, m1, m2);
-    case JointType::kPrismatic: return prismatic_joint(spec.name, m1, m2);
-    case JointType::kCylindrical: return cylindrical_joint(spec.name, m1, m2);
-    default: return point_on_plane_joint(spec.name, m1, m2);
-  }
+  FOOTFALL_DEMAND(false);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <memory>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/cli/analysis/compare_command.h"
@@ -33,124 +34,139 @@ std::string default_scene() {
   return std::filesystem::exists(scene) ? scene.string() : name;
 }
 
-void add_run(CLI::App& app, RunArguments& a, std::function<int()>& action) {
-  CLI::App* run = app.add_subcommand("run", "Run a scene: bed, both programs, summary, pictures");
-  run->add_option("SCENE", a.scene, "Scene file, or folder with scene.toml")->capture_default_str();
-  run->add_option("--out", a.out, "Folder for results (default: runs/NAME, the first that is free)");
-  run->add_option("--until", a.until, "End earlier than the scene says [s]")->check(positive());
-  run->add_option("--ranks", a.ranks, "LIGGGHTS processes")->check(positive());
-  run->add_option("--set", a.settings, "key=value: change one value of the scene, for example solver.integrator=ida")
+using Action = std::function<int()>;
+
+// ---- the options of each subcommand, and what it does once they are read ----
+
+Action run(CLI::App& command) {
+  const auto a = std::make_shared<RunArguments>();
+  a->scene = default_scene();
+  command.add_option("SCENE", a->scene, "Scene file, or folder with scene.toml")->capture_default_str();
+  command.add_option("--out", a->out, "Folder for results (default: runs/NAME, the first that is free)");
+  command.add_option("--until", a->until, "End earlier than the scene says [s]")->check(positive());
+  command.add_option("--ranks", a->ranks, "LIGGGHTS processes")->check(positive());
+  command
+      .add_option("--set", a->settings, "key=value: change one value of the scene, for example solver.integrator=ida")
       ->allow_extra_args(false);
-  run->add_option("--scheme", a.scheme, "Coupling scheme (coupling.scheme)");
-  run->add_option("--integrator", a.integrator, "Integrator (solver.integrator)");
-  run->add_flag("--quiet", a.quiet, "Only errors");
-  run->callback([&] { action = [&a] { return run_command(a); }; });
+  command.add_option("--scheme", a->scheme, "Coupling scheme (coupling.scheme)");
+  command.add_option("--integrator", a->integrator, "Integrator (solver.integrator)");
+  command.add_flag("--quiet", a->quiet, "Only errors");
+  return [a] { return run_command(*a); };
 }
 
-void add_check(CLI::App& app, RunArguments& a, std::function<int()>& action) {
-  CLI::App* check = app.add_subcommand("check", "Check a scene: every finding as file:line: key: what is wrong");
-  check->add_option("SCENE", a.scene, "Scene file, or folder with scene.toml")->capture_default_str();
-  check->add_option("--set", a.settings, "key=value: change one value of the scene")->allow_extra_args(false);
-  check->callback([&] { action = [&a] { return check_command(a.scene, a.settings); }; });
+Action check(CLI::App& command) {
+  const auto a = std::make_shared<RunArguments>();
+  a->scene = default_scene();
+  command.add_option("SCENE", a->scene, "Scene file, or folder with scene.toml")->capture_default_str();
+  command.add_option("--set", a->settings, "key=value: change one value of the scene")->allow_extra_args(false);
+  return [a] { return check_command(a->scene, a->settings); };
 }
 
-void add_surfaces(CLI::App& app, RunArguments& a, std::function<int()>& action) {
-  CLI::App* surfaces = app.add_subcommand("surfaces", "Draw the control surfaces of a scene's fuzzy controllers");
-  surfaces->add_option("SCENE", a.scene, "Scene file, or folder with scene.toml")->capture_default_str();
-  surfaces->add_option("--out", a.out, "Folder for the pictures (default: runs/surfaces)");
-  surfaces->add_option("--set", a.settings, "key=value: change one value of the scene")->allow_extra_args(false);
-  surfaces->callback([&] {
-    action = [&a] { return surfaces_command(a.scene, a.settings, a.out.empty() ? "runs/surfaces" : a.out); };
-  });
+Action surfaces(CLI::App& command) {
+  const auto a = std::make_shared<RunArguments>();
+  a->scene = default_scene();
+  command.add_option("SCENE", a->scene, "Scene file, or folder with scene.toml")->capture_default_str();
+  command.add_option("--out", a->out, "Folder for the pictures (default: runs/surfaces)");
+  command.add_option("--set", a->settings, "key=value: change one value of the scene")->allow_extra_args(false);
+  return [a] { return surfaces_command(a->scene, a->settings, a->out.empty() ? "runs/surfaces" : a->out); };
 }
 
-void add_sweep(CLI::App& app, SweepArguments& a, std::function<int()>& action) {
-  CLI::App* sweep = app.add_subcommand(
-      "sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted");
-  sweep->add_option("FILE", a.file, "Sweep file, as in inputs/sweeps")->required()->check(CLI::ExistingFile);
-  sweep->add_option("--out", a.out, "Folder for results (default: runs/sweeps/NAME)");
-  sweep->add_option("--jobs", a.jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
-  sweep->add_option("--only", a.only, "This run alone, without tables (one element of a job array)")
+Action sweep(CLI::App& command) {
+  const auto a = std::make_shared<SweepArguments>();
+  command.add_option("FILE", a->file, "Sweep file, as in inputs/sweeps")->required()->check(CLI::ExistingFile);
+  command.add_option("--out", a->out, "Folder for results (default: runs/sweeps/NAME)");
+  command.add_option("--jobs", a->jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
+  command.add_option("--only", a->only, "This run alone, without tables (one element of a job array)")
       ->check(CLI::Range(0, 1 << 30));
-  sweep->add_flag("--list", a.list, "Make the beds, list the runs, and stop");
-  sweep->add_flag("--merge", a.merge, "Tables and plots of what is there");
-  sweep->add_flag("--slurm", a.slurm, "Write sweep.sbatch, the sweep as a Slurm job array, and stop");
-  sweep->callback([&] { action = [&a] { return sweep_command(a); }; });
+  command.add_flag("--list", a->list, "Make the beds, list the runs, and stop");
+  command.add_flag("--merge", a->merge, "Tables and plots of what is there");
+  command.add_flag("--slurm", a->slurm, "Write sweep.sbatch, the sweep as a Slurm job array, and stop");
+  return [a] { return sweep_command(*a); };
 }
 
-struct CompareArguments {
-  std::string run, other;
-  bool quiet = false;
-};
-
-void add_compare(CLI::App& app, CompareArguments& a, std::function<int()>& action) {
-  CLI::App* compare = app.add_subcommand(
-      "compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run");
-  compare->add_option("DIR", a.run, "Folder of a run with grains")->required();
-  compare->add_option("OTHER", a.other, "Folder of another run (default: stock LIGGGHTS replays the motion of DIR)");
-  compare->add_flag("--quiet", a.quiet, "Only errors; the table stands in DIR/compare/comparison.txt");
-  compare->callback([&] { action = [&a] { return compare_command(a.run, a.other, a.quiet); }; });
+Action compare(CLI::App& command) {
+  struct Arguments {
+    std::string run, other;
+    bool quiet = false;
+  };
+  const auto a = std::make_shared<Arguments>();
+  command.add_option("DIR", a->run, "Folder of a run with grains")->required();
+  command.add_option("OTHER", a->other, "Folder of another run (default: stock LIGGGHTS replays the motion of DIR)");
+  command.add_flag("--quiet", a->quiet, "Only errors; the table stands in DIR/compare/comparison.txt");
+  return [a] { return compare_command(a->run, a->other, a->quiet); };
 }
 
-void add_pictures(CLI::App& app, PicturesArguments& a, std::function<int()>& action) {
-  CLI::App* pictures =
-      app.add_subcommand("pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures");
-  pictures->add_option("DIR", a.run, "Folder of a run that dumped its grains")->required();
-  pictures->add_option("--times", a.times, "Times [s], separated by commas; the nearest dumps are drawn")
+Action pictures(CLI::App& command) {
+  const auto a = std::make_shared<PicturesArguments>();
+  command.add_option("DIR", a->run, "Folder of a run that dumped its grains")->required();
+  command.add_option("--times", a->times, "Times [s], separated by commas; the nearest dumps are drawn")
       ->delimiter(',')
       ->capture_default_str();
-  pictures
-      ->add_option("--view", a.view, "Where the eye is: azimuth,elevation [deg] (default: -65,28; with a cut: -90,12)")
+  command
+      .add_option("--view", a->view, "Where the eye is: azimuth,elevation [deg] (default: -65,28; with a cut: -90,12)")
       ->delimiter(',')
       ->expected(2);
-  pictures->add_flag("--cut", a.cut,
-                     "Leave out the grains in front of the foremost coupled surface, to look into its crater");
-  pictures->add_option("--cut-at", a.cut_at, "Leave out the grains with y below this [m]")->expected(1);
-  pictures->add_option("--fastest", a.fastest, "Speed at the end of the colours [m/s] (default: from the grains)")
+  command.add_flag("--cut", a->cut,
+                   "Leave out the grains in front of the foremost coupled surface, to look into its crater");
+  command.add_option("--cut-at", a->cut_at, "Leave out the grains with y below this [m]")->expected(1);
+  command.add_option("--fastest", a->fastest, "Speed at the end of the colours [m/s] (default: from the grains)")
       ->check(positive());
-  pictures->add_option("--width", a.width, "Width of the drawing [pixels]")
+  command.add_option("--width", a->width, "Width of the drawing [pixels]")
       ->check(CLI::Range(100, 20000))
       ->capture_default_str();
-  pictures->callback([&] { action = [&a] { return pictures_command(a); }; });
+  return [a] { return pictures_command(*a); };
 }
 
-void add_report(CLI::App& app, std::string& folder, std::function<int()>& action) {
-  CLI::App* report = app.add_subcommand("report", "One HTML page for a run or a sweep: DIR/report.html");
-  report->add_option("DIR", folder, "Folder of a run or of a sweep")->required();
-  report->callback([&] {
-    action = [&folder] {
-      std::printf("%s\n", short_path(write_report(folder)).c_str());
-      return kExitDone;
-    };
-  });
+Action report(CLI::App& command) {
+  const auto folder = std::make_shared<std::string>();
+  command.add_option("DIR", *folder, "Folder of a run or of a sweep")->required();
+  return [folder] {
+    std::printf("%s\n", short_path(write_report(*folder)).c_str());
+    return kExitDone;
+  };
 }
 
-void add_accuracy(CLI::App& app, AccuracyArguments& a, std::function<int()>& action) {
-  CLI::App* accuracy =
-      app.add_subcommand("accuracy", "Error against run time (a study), or a stability map: CSV, picture, table");
-  accuracy->add_option("FILE", a.file, "Study file, as in inputs/accuracy")->required()->check(CLI::ExistingFile);
-  accuracy->add_option("--out", a.out, "Folder for results (default: runs/accuracy/NAME)");
-  accuracy->add_option("--case", a.only, "Of a stability map: this case alone");
-  accuracy->add_option("--table", a.table, "Write the table to this file as well, as Markdown");
-  accuracy->add_flag("--resume", a.resume,
-                     "Of a study: keep the runs in the folder that were done with the same scene, settings and script");
-  accuracy->add_flag("--short", a.short_form, "Of a study: its short form, as the tests run it");
-  accuracy->callback([&] { action = [&a] { return accuracy_command(a); }; });
+Action accuracy(CLI::App& command) {
+  const auto a = std::make_shared<AccuracyArguments>();
+  command.add_option("FILE", a->file, "Study file, as in inputs/accuracy")->required()->check(CLI::ExistingFile);
+  command.add_option("--out", a->out, "Folder for results (default: runs/accuracy/NAME)");
+  command.add_option("--case", a->only, "Of a stability map: this case alone");
+  command.add_option("--table", a->table, "Write the table to this file as well, as Markdown");
+  command.add_flag("--resume", a->resume,
+                   "Of a study: keep the runs in the folder that were done with the same scene, settings and script");
+  command.add_flag("--short", a->short_form, "Of a study: its short form, as the tests run it");
+  return [a] { return accuracy_command(*a); };
 }
 
-void add_test(CLI::App& app, std::string& label, std::function<int()>& action) {
-  CLI::App* test = app.add_subcommand("test", "Run the tests of this build (./footfall test builds them first)");
-  test->add_option("-L,--label", label,
-                   "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example, accuracy");
-  test->callback([&] {
-    action = [&label] {
-      const std::string build = std::filesystem::path(built_program("footfall")).parent_path().parent_path().string();
-      Command command{{"ctest", "--test-dir", build, "--output-on-failure", "-j2"}, {}, "", ""};
-      if (!label.empty()) command.words.insert(command.words.end(), {"-L", label});
-      return run_child(command).code == 0 ? kExitDone : kExitFailed;
-    };
-  });
+Action test(CLI::App& command) {
+  const auto label = std::make_shared<std::string>();
+  command.add_option("-L,--label", *label,
+                     "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example, accuracy");
+  return [label] {
+    const std::string build = std::filesystem::path(built_program("footfall")).parent_path().parent_path().string();
+    Command ctest{{"ctest", "--test-dir", build, "--output-on-failure", "-j2"}, {}, "", ""};
+    if (!label->empty()) ctest.words.insert(ctest.words.end(), {"-L", *label});
+    return run_child(ctest).code == 0 ? kExitDone : kExitFailed;
+  };
 }
+
+// The subcommands, as --help shows them; docs/commands.md has a line for each.
+struct Subcommand {
+  const char* name;
+  const char* what;
+  Action (*prepare)(CLI::App& command);
+};
+constexpr Subcommand kSubcommands[] = {
+    {"run", "Run a scene: bed, both programs, summary, pictures", run},
+    {"check", "Check a scene: every finding as file:line: key: what is wrong", check},
+    {"surfaces", "Draw the control surfaces of a scene's fuzzy controllers", surfaces},
+    {"sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted", sweep},
+    {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},
+    {"pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures", pictures},
+    {"report", "One HTML page for a run or a sweep: DIR/report.html", report},
+    {"accuracy", "Error against run time (a study), or a stability map: CSV, picture, table", accuracy},
+    {"test", "Run the tests of this build (./footfall test builds them first)", test},
+};
 
 }  // namespace
 
@@ -158,24 +174,11 @@ int main(int argc, char** argv) {
   CLI::App app{"footfall: a flexible multibody mechanism with controlled dampers touches a bed of particles"};
   app.set_version_flag("--version", std::string("footfall ") + FOOTFALL_VERSION);
   app.require_subcommand(1);
-  RunArguments arguments;
-  arguments.scene = default_scene();
-  SweepArguments sweep;
-  AccuracyArguments accuracy;
-  std::string label;
-  std::function<int()> action;
-  add_run(app, arguments, action);
-  add_check(app, arguments, action);
-  add_surfaces(app, arguments, action);
-  add_sweep(app, sweep, action);
-  CompareArguments compare;
-  add_compare(app, compare, action);
-  PicturesArguments pictures;
-  add_pictures(app, pictures, action);
-  std::string reported;
-  add_report(app, reported, action);
-  add_accuracy(app, accuracy, action);
-  add_test(app, label, action);
+  Action action;
+  for (const Subcommand& subcommand : kSubcommands) {
+    CLI::App* command = app.add_subcommand(subcommand.name, subcommand.what);
+    command->callback([&action, act = subcommand.prepare(*command)] { action = act; });
+  }
   try {
     app.parse(argc, argv);
     return action();

@@ -95,8 +95,8 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   motion_.last_window = left <= motion_.n;
 
   // The energy at the start; of a mechanism that starts at rest the largest kinetic energy so far.
-  if (motion_.window == 0) reference_energy_ = stored.total() - stored.gravity;
-  reference_energy_ = std::max(reference_energy_, stored.kinetic);
+  if (motion_.window == 0) reference_energy_ = stored.total() - stored[Stored::kGravity];
+  reference_energy_ = std::max(reference_energy_, stored[Stored::kKinetic]);
   work_before_ = state.load_work;
 
   for (std::size_t k = 0; k < bodies_.size(); ++k) {

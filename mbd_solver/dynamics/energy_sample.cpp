@@ -20,17 +20,18 @@ void Equations::energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, con
     const BodyKinematics& body = w.kinematics.of(i);
     const Eigen::Vector3d w_B = body.A.transpose() * body.w;
     if (body.modes == 0) {
-      out.stored.kinetic += 0.5 * model.mass() * body.dr.squaredNorm() + 0.5 * w_B.dot(model.rigid_inertia() * w_B);
+      out.stored[Stored::kKinetic] +=
+          0.5 * model.mass() * body.dr.squaredNorm() + 0.5 * w_B.dot(model.rigid_inertia() * w_B);
     } else {
       Eigen::Ref<Eigen::VectorXd> v_B = w.local.head(body.size());
       v_B.head<3>() = body.A.transpose() * body.dr;
       v_B.segment<3>(3) = w_B;
       v_B.tail(body.modes) = body.da;
-      out.stored.kinetic += model.inertia().kinetic_energy(body.a, v_B);
-      out.stored.strain += model.inertia().strain_energy(body.a);
+      out.stored[Stored::kKinetic] += model.inertia().kinetic_energy(body.a, v_B);
+      out.stored[Stored::kStrain] += model.inertia().strain_energy(body.a);
       out.power[Dissipation::kModal] += model.inertia().damping_power(body.da);
     }
-    out.stored.gravity -= model.mass() * model_.gravity().dot(body.r);
+    out.stored[Stored::kGravity] -= model.mass() * model_.gravity().dot(body.r);
     if (!inputs.loads.empty()) {
       Eigen::Ref<Eigen::VectorXd> Q = w.local.head(body.size());
       Q.setZero();

@@ -27,13 +27,14 @@ namespace footfall {
 enum class BasisKind { kCraigBampton, kFreeFree };
 
 constexpr int kDefaultModeCount = 10;  // when neither count nor frequency is given, or all there are
+constexpr double kDefaultDampingRatio = 0.01;
 
 struct BasisOptions {
   BasisKind kind = BasisKind::kCraigBampton;
   std::optional<int> mode_count;        // s; 0 gives a rigid body with the model's mass properties
   std::optional<double> max_frequency;  // modes above it are left out [Hz]
-  std::vector<double> damping_ratio = {
-      0.01};  // zeta: one for all modes, or one per mode (the modes beyond use the last) [-]
+  // zeta: one for all modes, or one per mode (the modes beyond use the last) [-]
+  std::vector<double> damping_ratio = {kDefaultDampingRatio};
   // Where joints and forces attach (Craig-Bampton only). A node in both lists counts as the first.
   std::vector<int> interface_nodes;  // joints that can transmit moments: six static shapes each
   std::vector<int> pinned_nodes;     // spherical joints, struts, forces without moment: three static shapes each

@@ -9,13 +9,14 @@
 namespace footfall {
 
 struct IntegratorOptions {
-  double rtol = 1e-5;           // relative tolerance of every coordinate
-  double atol = 1e-7;           // absolute tolerance of q and z [m, -]
-  double atol_velocity = 1e-5;  // absolute tolerance of v [m/s, rad/s]
-  double max_step = 0.0;        // [s]; 0: the window is the only limit
-  bool error_control = true;    // one_step: false takes steps of max_step, whatever their error
-  double min_step = 1e-12;      // [s]; below: NumericalError naming time and the worst body or joint
-  bool projection = true;       // remove drift after every window (else Baumgarte, or nothing)
+  // The tolerances have no default here: the scene's stand in SolverSpec, a test states its own.
+  double rtol = 0.0;           // relative tolerance of every coordinate > 0
+  double atol = 0.0;           // absolute tolerance of q and z > 0 [m, -]
+  double atol_velocity = 0.0;  // absolute tolerance of v > 0 [m/s, rad/s]
+  double max_step = 0.0;       // [s]; 0: the window is the only limit
+  bool error_control = true;   // one_step: false takes steps of max_step, whatever their error
+  double min_step = 1e-12;     // [s]; below: NumericalError naming time and the worst body or joint
+  bool projection = true;      // remove drift after every window (else Baumgarte, or nothing)
 };
 
 struct IntegratorStatistics {
@@ -53,6 +54,6 @@ class Integrator {
 // kind: "one_step" (default, L-stable TR-BDF2, needs no restart) or "ida" (SUNDIALS). InputError on any
 // other. `equations` must outlive the integrator.
 std::unique_ptr<Integrator> make_integrator(const std::string& kind, Equations& equations,
-                                            const IntegratorOptions& options = {});
+                                            const IntegratorOptions& options);
 
 }  // namespace footfall

@@ -8,8 +8,8 @@
 #include <array>
 #include <string>
 
-#include "mbd_solver/model/energy.h"
 #include "mbd_solver/model/kinematic_vector.h"
+#include "mbd_solver/model/laws/energy.h"
 
 namespace footfall {
 

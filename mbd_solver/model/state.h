@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-#include "mbd_solver/model/energy.h"
+#include "mbd_solver/model/laws/energy.h"
 
 namespace footfall {
 

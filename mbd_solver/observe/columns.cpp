@@ -59,12 +59,8 @@ constexpr Entry<StrutSample> kStrut[] = {{"<strut>.stroke", "m", [](const StrutS
 
 constexpr Entry<double> kVoltage[] = {{"<controller>.<output>", "-", itself}};
 
-constexpr Entry<StoredEnergy> kEnergy[] = {{"energy.kinetic", "J", [](const StoredEnergy& E) { return E.kinetic; }},
-                                           {"energy.gravity", "J", [](const StoredEnergy& E) { return E.gravity; }},
-                                           {"energy.strain", "J", [](const StoredEnergy& E) { return E.strain; }},
-                                           {"energy.gas", "J", [](const StoredEnergy& E) { return E.gas; }},
-                                           {"energy.contact", "J", [](const StoredEnergy& E) { return E.contact; }},
-                                           {"energy.total", "J", [](const StoredEnergy& E) { return E.total(); }}};
+constexpr Entry<double> kStored[] = {{"energy.<form>", "J", itself}};
+constexpr Entry<StoredEnergy> kEnergyTotal[] = {{"energy.total", "J", [](const StoredEnergy& E) { return E.total(); }}};
 
 constexpr Entry<double> kDissipated[] = {{"dissipated.<kind>", "J", itself}};
 
@@ -82,13 +78,12 @@ constexpr Entry<double> kOmegaH[] = {{"coupling.omega_h.<body>", "-", itself}};
 
 template <class Visit>
 void for_each_table(Visit visit) {
-  visit(kTime), visit(kBody), visit(kFlexible), visit(kContact), visit(kStrut), visit(kVoltage), visit(kEnergy);
+  visit(kTime), visit(kBody), visit(kFlexible), visit(kContact), visit(kStrut), visit(kVoltage), visit(kStored),
+      visit(kEnergyTotal);
   visit(kDissipated), visit(kWork), visit(kCoupling), visit(kChosenWindows), visit(kOmegaH);
 }
 
 // ---- from the registry to the columns of a scene ----
-
-std::string dissipation(int kind) { return std::string(dissipation_name(static_cast<Dissipation>(kind))); }
 
 // The pattern with <...> replaced, in its order, by these names.
 std::string with_names(std::string pattern, const std::vector<std::string>& names) {
@@ -153,10 +148,15 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
     for (std::size_t k = 0; k < controller.outputs.size(); ++k)
       out.add(kVoltage, {controller.name, controller.outputs[k]},
               [i = controller.first_voltage + static_cast<int>(k)](const Sample& s) { return s.inputs.voltages(i); });
-  out.add(kEnergy, {}, [](const Sample& s) -> const StoredEnergy& { return s.energy.stored; });
-  for (int kind = 0; kind < kDissipationCount; ++kind)
-    out.add(kDissipated, {dissipation(kind)},
-            [kind](const Sample& s) { return s.state.dissipated[static_cast<Dissipation>(kind)]; });
+  for (int k = 0; k < count_of<Stored>(); ++k) {
+    const auto form = static_cast<Stored>(k);
+    out.add(kStored, {std::string(name_of(form))}, [form](const Sample& s) { return s.energy.stored[form]; });
+  }
+  out.add(kEnergyTotal, {}, [](const Sample& s) -> const StoredEnergy& { return s.energy.stored; });
+  for (int k = 0; k < count_of<Dissipation>(); ++k) {
+    const auto kind = static_cast<Dissipation>(k);
+    out.add(kDissipated, {std::string(name_of(kind))}, [kind](const Sample& s) { return s.state.dissipated[kind]; });
+  }
   out.add(kWork, {}, [](const Sample& s) -> const State& { return s.state; });
   if (subject.agreement) add_coupling(subject, out);
   return out.columns;

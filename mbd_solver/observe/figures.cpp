@@ -52,9 +52,9 @@ void FigureTaker::take(const Sample& sample) {
     started_ = true;
     start_height_ = height;
     start_energy_ = stored.total();
-    f.reference_energy = stored.total() - stored.gravity;
+    f.reference_energy = stored.total() - stored[Stored::kGravity];
   }
-  f.reference_energy = std::max(f.reference_energy, stored.kinetic);
+  f.reference_energy = std::max(f.reference_energy, stored[Stored::kKinetic]);
   f.peak_acceleration = std::max(f.peak_acceleration, body.ddr.norm());
   f.max_descent = std::max(f.max_descent, start_height_ - height);
   Eigen::Vector3d total = Eigen::Vector3d::Zero();

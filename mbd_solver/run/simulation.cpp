@@ -5,6 +5,10 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/scheme.h"
+#include "mbd_solver/coupling/fast_modes.h"
+#include "mbd_solver/coupling/tangent.h"
+#include "mbd_solver/model/elements/rigid_plane.h"
 
 namespace footfall {
 namespace {
@@ -25,8 +29,6 @@ IntegratorOptions integrator_options(const SolverSpec& spec) {
   return options;
 }
 
-std::string integrator_name(IntegratorKind kind) { return kind == IntegratorKind::kIda ? "ida" : "one_step"; }
-
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_transport)
@@ -36,7 +38,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       assembly_(assemble(mechanism_.model)),
       equations_(mechanism_.model, assembly_, baumgarte(scene.solver)),
       integrator_(
-          make_integrator(integrator_name(scene.solver.integrator), equations_, integrator_options(scene.solver))),
+          make_integrator(std::string(name_of(scene.solver.integrator)), equations_, integrator_options(scene.solver))),
       state_(assembly_.state),
       rates_(Eigen::VectorXd::Zero(equations_.layout().size())),
       control_(mechanism_.controllers, {scene_, mechanism_, equations_.layout()}),

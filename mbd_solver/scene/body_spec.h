@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "coupler/base/kinds.h"
+#include "mbd_solver/fe/material.h"
+#include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
@@ -14,13 +17,25 @@ namespace footfall {
 struct MaterialSpec {
   Source source;
   std::string name;
-  double density = 0.0;       // [kg/m3] > 0
-  double young = 0.0;         // [Pa] > 0
-  double poisson = 0.3;       // [-] in (-1, 0.5)
-  double yield_stress = 0.0;  // [Pa]; 0: not known, no warning when it is passed
+  double density = 0.0;                 // [kg/m3] > 0
+  double young = 0.0;                   // [Pa] > 0
+  double poisson = Material{}.poisson;  // [-] in (-1, 0.5)
+  double yield_stress = 0.0;            // [Pa]; 0: not known, no warning when it is passed
 };
 
 enum class ShapeKind { kBox, kTube, kRod, kDisc, kDish, kSphere, kPoints };
+constexpr std::string_view name_of(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::kBox: return "box";
+    case ShapeKind::kTube: return "tube";
+    case ShapeKind::kRod: return "rod";
+    case ShapeKind::kDisc: return "disc";
+    case ShapeKind::kDish: return "dish";
+    case ShapeKind::kSphere: return "sphere";
+    case ShapeKind::kPoints: return "points";
+  }
+  return {};
+}
 
 // Geometry in D. Gives mass properties, a boundary surface, and the model of a flexible body (tube, rod: beam; disc,
 // dish: plate).
@@ -58,21 +73,28 @@ struct MemberSpec {
 };
 
 enum class ModalBasis { kCraigBampton, kFreeFree };
+constexpr std::string_view name_of(ModalBasis kind) {
+  switch (kind) {
+    case ModalBasis::kCraigBampton: return "craig_bampton";
+    case ModalBasis::kFreeFree: return "free_free";
+  }
+  return {};
+}
 
 struct FlexibleSpec {
   bool enabled = true;  // flexible = false, or the scene's switch: rigid
   ModalBasis basis = ModalBasis::kCraigBampton;
-  std::optional<int> modes;             // how many are kept; 0: rigid; not given: all below max_frequency, or 10
-  std::optional<double> max_frequency;  // modes above it are left out [Hz]
-  double damping = 0.01;                // modal damping ratio [-]
-  int elements = 8;                     // tube, rod: beam elements along the axis
-  double mesh_size = 0.0;               // disc, dish: edge length of triangles [m]; 0: radius / 4
-  std::string mesh;                     // plate on this triangle mesh instead of the shape (STL, OBJ, PLY)
-  double mesh_scale = 1.0;              // metres per unit of the mesh file [-]
-  double thickness = 0.0;               // plate on a mesh [m]; 0: the shape's
-  std::string file;                     // reduced model of another code (its own format), instead of shape and mesh
-  std::string stiffness_matrix;         // full model of another code: K and M as MatrixMarket files, and their nodes,
-  std::string mass_matrix;              // one "x y z" per line, in D
+  std::optional<int> modes;               // how many are kept; 0: rigid; not given: all below max_frequency, or 10
+  std::optional<double> max_frequency;    // modes above it are left out [Hz]
+  double damping = kDefaultDampingRatio;  // modal damping ratio [-]
+  int elements = 8;                       // tube, rod: beam elements along the axis
+  double mesh_size = 0.0;                 // disc, dish: edge length of triangles [m]; 0: radius / 4
+  std::string mesh;                       // plate on this triangle mesh instead of the shape (STL, OBJ, PLY)
+  double mesh_scale = 1.0;                // metres per unit of the mesh file [-]
+  double thickness = 0.0;                 // plate on a mesh [m]; 0: the shape's
+  std::string file;                       // reduced model of another code (its own format), instead of shape and mesh
+  std::string stiffness_matrix;           // full model of another code: K and M as MatrixMarket files, and their nodes,
+  std::string mass_matrix;                // one "x y z" per line, in D
   std::string node_file;
   std::vector<Eigen::Vector3d> nodes;  // 3D frame of beams: nodes in D [m]
   std::vector<MemberSpec> members;     // 3D frame: members between nodes

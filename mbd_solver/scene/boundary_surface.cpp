@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
 #include "mbd_solver/fe/mesh_check.h"
 #include "mbd_solver/fe/mesh_generator.h"
@@ -22,8 +23,12 @@ double largest_size(const ShapeSpec& s) {
     case ShapeKind::kBox: return s.size.maxCoeff();
     case ShapeKind::kTube:
     case ShapeKind::kRod: return (s.to - s.from).norm();
-    default: return 2.0 * s.radius;
+    case ShapeKind::kDisc:
+    case ShapeKind::kDish:
+    case ShapeKind::kSphere:
+    case ShapeKind::kPoints: return 2.0 * s.radius;
   }
+  FOOTFALL_DEMAND(false);
 }
 
 TriangleMesh shape_surface(const BodySpec& body, double element_size) {

@@ -5,6 +5,7 @@
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/pi.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/scene/kind_keys.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
@@ -109,10 +110,13 @@ void check_struts(const Scene& scene, Findings& findings) {
     check_pair(scene, strut.source, strut.bodies, findings);
     if (strut.source.given("points") && !((strut.points[1] - strut.points[0]).norm() > 0.0))
       findings.error(strut.source, "points", "are the same; a strut needs two, some way apart");
-    const bool any = strut.gas || strut.mr || strut.honeycomb || strut.stops || strut.spring || strut.table;
-    if (!any)
-      findings.error(strut.source, "",
-                     "has no force law; give at least one of gas, mr, honeycomb, stops, spring, table");
+    bool any = false;
+    std::string sections;
+    each_law(strut, [&](const char* key, const auto& law) {
+      any = any || law;
+      sections += (sections.empty() ? "" : ", ") + std::string(key);
+    });
+    if (!any) findings.error(strut.source, "", "has no force law; give at least one of " + sections);
     if (strut.mr) check_mr(scene, strut, findings);
     if (strut.honeycomb) check_honeycomb(strut, findings);
     check_stops(strut, findings);
@@ -129,15 +133,9 @@ void check_springs(const Scene& scene, Findings& findings) {
       findings.error(spring.source, "axis", "is missing; a torsion spring turns about it");
     if (bushing && !spring.source.given("point"))
       findings.error(spring.source, "point", "is missing; a bushing sits at it");
-    const std::pair<const char*, bool> keys[] = {{"axis", torsion},
-                                                 {"rest_angle", torsion},
-                                                 {"point", bushing},
-                                                 {"turning_stiffness", bushing},
-                                                 {"turning_damping", bushing}};
-    for (const auto& [key, used] : keys) {
-      if (!used && spring.source.written_together("kind", key))
+    for (const std::string& key : foreign_keys(spring.kind))
+      if (spring.source.written_together("kind", key))
         findings.error(spring.source, key, "means nothing for this kind of spring; leave it out");
-    }
     if (spring.stiffness + spring.damping + spring.turning_stiffness + spring.turning_damping == 0.0)
       findings.error(spring.source, "", "has neither stiffness nor damping");
   }
@@ -154,28 +152,11 @@ void check_controllers(const Scene& scene, Findings& findings) {
       if (std::find(c.outputs.begin(), it, *it) != it)
         findings.error(c.source, "outputs", "name \"" + *it + "\" twice");
     }
-    const bool fuzzy = c.kind == ControllerKind::kFuzzy, skyhook = c.kind == ControllerKind::kSkyhook,
-               pid = c.kind == ControllerKind::kPid;
-    const bool constant = c.kind == ControllerKind::kConstant;
-    const std::pair<const char*, bool> keys[] = {{"voltages", constant},
-                                                 {"touchdown_acceleration", !constant},
-                                                 {"touchdown_delay", !constant},
-                                                 {"file", fuzzy},
-                                                 {"tabulated", fuzzy},
-                                                 {"grid", fuzzy},
-                                                 {"filter_frequency", fuzzy || pid},
-                                                 {"on", skyhook},
-                                                 {"off", skyhook},
-                                                 {"deadband", skyhook},
-                                                 {"set_point", pid},
-                                                 {"kp", pid},
-                                                 {"ki", pid},
-                                                 {"kd", pid},
-                                                 {"bias", pid}};
-    for (const auto& [key, used] : keys) {
-      if (!used && c.source.written_together("kind", key))
+    for (const std::string& key : foreign_keys(c.kind))
+      if (c.source.written_together("kind", key))
         findings.warning(c.source, key, "means nothing for this kind of controller and is not used");
-    }
+    const bool constant = c.kind == ControllerKind::kConstant, fuzzy = c.kind == ControllerKind::kFuzzy,
+               skyhook = c.kind == ControllerKind::kSkyhook;
     if (fuzzy && c.file.empty())
       findings.error(c.source, "file", "is missing; a fuzzy controller is read from an .fll file");
     if (constant && c.voltages.size() != 1 && c.voltages.size() != c.outputs.size())

@@ -12,15 +12,10 @@ namespace {
 constexpr double kLargestGap = 1e-6;  // of the points of a joint in the drawing [m]; projection would move bodies by it
 constexpr double kLargestCosine = 1e-3;  // of the two axes of a universal joint, as numbers of four digits give it
 
-bool needs_axis(JointType type) {
-  return type == JointType::kUniversal || type == JointType::kRevolute || type == JointType::kPrismatic ||
-         type == JointType::kCylindrical || type == JointType::kPointOnPlane;
-}
-
 void check_points(const JointSpec& joint, Findings& findings) {
   const Source& source = joint.source;
   const bool both = source.given("point_a") && source.given("point_b");
-  const bool may_differ = joint.type == JointType::kDistance || joint.type == JointType::kPointOnPlane;
+  const bool may_differ = traits_of(joint.type).points_may_differ;
   if (!source.given("point") && !both) {
     findings.error(source, "point",
                    may_differ ? "is missing; give point_a and point_b in the drawing frame"
@@ -45,7 +40,7 @@ void check_points(const JointSpec& joint, Findings& findings) {
 }
 
 void check_motion(const JointSpec& joint, Findings& findings) {
-  if (joint.type != JointType::kPrescribed) {
+  if (traits_of(joint.type).motion == KeyUse::kUnused) {
     if (joint.motion) findings.error(joint.source, "motion", "belongs to joints of type \"prescribed\" only");
     return;
   }
@@ -68,12 +63,13 @@ void check_joints(const Scene& scene, Findings& findings) {
     check_pair(scene, joint.source, joint.bodies, findings);
     check_points(joint, findings);
     check_motion(joint, findings);
-    if (needs_axis(joint.type) && !joint.source.given("axis"))
+    const JointTraits traits = traits_of(joint.type);
+    if (traits.axis == KeyUse::kRequired && !joint.source.given("axis"))
       findings.error(joint.source, "axis", "is missing; this type of joint needs it");
-    if (joint.type == JointType::kUniversal && !joint.source.given("axis2"))
+    if (traits.axis2 == KeyUse::kRequired && !joint.source.given("axis2"))
       findings.error(joint.source, "axis2",
-                     "is missing; a universal joint has a second axis, fixed in \"" + joint.bodies[1] + "\"");
-    const bool two_axes = joint.type == JointType::kUniversal || joint.type == JointType::kPrescribed;
+                     "is missing; a " + std::string(traits.name) + " joint has a second axis, fixed in \"" +
+                         joint.bodies[1] + "\"");
     const double cosine = std::abs(joint.axis.dot(joint.axis2));
     if (joint.type == JointType::kUniversal && cosine > kLargestCosine)
       findings.error(joint.source, "axis2",
@@ -82,9 +78,9 @@ void check_joints(const Scene& scene, Findings& findings) {
     if (joint.type == JointType::kPrescribed && cosine > 0.999)
       findings.error(joint.source, "axis2",
                      "is parallel to axis; expected the x direction of the joint, across its z = axis");
-    if (!two_axes && joint.source.given("axis2"))
+    if (traits.axis2 == KeyUse::kUnused && joint.source.given("axis2"))
       findings.error(joint.source, "axis2", "means nothing for this type of joint; leave it out");
-    if (joint.type != JointType::kDistance && joint.source.given("length"))
+    if (traits.length == KeyUse::kUnused && joint.source.given("length"))
       findings.error(joint.source, "length", "means nothing for this type of joint; leave it out");
   }
 }

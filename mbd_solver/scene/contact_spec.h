@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "coupler/base/kinds.h"
+#include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
@@ -37,24 +39,32 @@ struct BoundarySpec {
 };
 
 enum class GroundKind { kNone, kPlane, kParticles };
+constexpr std::string_view name_of(GroundKind kind) {
+  switch (kind) {
+    case GroundKind::kNone: return "none";
+    case GroundKind::kPlane: return "plane";
+    case GroundKind::kParticles: return "particles";
+  }
+  return {};
+}
 
 // Contact of every boundary node (theory 7): f_n = k delta^1.5 g(d delta'), friction mu f_n v_t / sqrt(v_t^2 +
 // friction_speed^2).
 // k = stiffness, or by Hertz from young: 4/3 young / (1 - poisson^2) sqrt(contact_radius). d = damping, or from
 // restitution.
 struct PlaneSpec {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();    // in W [m]
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of the ground, unit vector in W
-  std::optional<double> young;                        // [Pa]
-  double poisson = 0.3;                               // [-]
-  double contact_radius = 0.02;                       // of each node [m]
-  std::optional<double> stiffness;                    // k of each node, instead of young [N/m^1.5]
-  std::optional<double> restitution;                  // [-] in (0, 1], at impact_speed
-  std::optional<double> impact_speed;                 // [m/s] > 0; not given: that of the initial velocity
-  std::optional<double> damping;                      // d, instead of restitution [s/m]
-  double friction = 0.3;                              // [-] >= 0
-  double friction_speed = 0.01;                       // [m/s] > 0
-  std::vector<std::string> bodies;                    // which boundaries touch it; empty: all
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();              // in W [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();            // out of the ground, unit vector in W
+  std::optional<double> young;                                  // [Pa]
+  double poisson = 0.3;                                         // [-]
+  double contact_radius = 0.02;                                 // of each node [m]
+  std::optional<double> stiffness;                              // k of each node, instead of young [N/m^1.5]
+  std::optional<double> restitution;                            // [-] in (0, 1], at impact_speed
+  std::optional<double> impact_speed;                           // [m/s] > 0; not given: that of the initial velocity
+  std::optional<double> damping;                                // d, instead of restitution [s/m]
+  double friction = RigidPlane::Parameters{}.friction;          // [-] >= 0
+  double friction_speed = RigidPlane::Parameters{}.slip_speed;  // [m/s] > 0
+  std::vector<std::string> bodies;                              // which boundaries touch it; empty: all
 };
 
 struct GroundSpec {

@@ -89,6 +89,10 @@ class FieldVisitor {
   virtual void end_list() = 0;
 
   // Conveniences for the descriptions.
+  template <class Kind>  // by the names that name_of gives
+  void choice(const std::string& key, Kind& kind, const Rule& rule = {}) {
+    choice(key, kind, names_of<Kind>(), rule);
+  }
   template <class E>
   void choice(const std::string& key, E& value, std::vector<std::string> names, const Rule& rule = {}) {
     Choice c{static_cast<int>(value), std::move(names)};

@@ -12,8 +12,7 @@ void visit_fields(FieldVisitor& v, MaterialSpec& m) {
 }
 
 void visit_fields(FieldVisitor& v, ShapeSpec& s) {
-  v.choice("kind", s.kind, {"box", "tube", "rod", "disc", "dish", "sphere", "points"},
-           {Unit::kNone, Range::kAny, Meaning::kPlain, true});
+  v.choice("kind", s.kind, {Unit::kNone, Range::kAny, Meaning::kPlain, true});
   v.field("centre", &s.centre, {Unit::kLength, Range::kAny, Meaning::kPoint});
   v.field("axis", &s.axis, {Unit::kNone, Range::kAny, Meaning::kDirection});
   v.field("from", &s.from, {Unit::kLength, Range::kAny, Meaning::kPoint});
@@ -45,7 +44,7 @@ void visit_fields(FieldVisitor& v, MemberSpec& m) {
 
 void visit_fields(FieldVisitor& v, FlexibleSpec& f) {
   v.field("enabled", &f.enabled, {});
-  v.choice("basis", f.basis, {"craig_bampton", "free_free"});
+  v.choice("basis", f.basis);
   v.field("modes", &f.modes, {Unit::kNone, Range::kNotNegative});
   v.field("max_frequency", &f.max_frequency, {Unit::kFrequency, Range::kPositive});
   v.field("damping", &f.damping, {Unit::kNone, Range::kNotNegative});

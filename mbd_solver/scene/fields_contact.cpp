@@ -42,7 +42,7 @@ void visit_fields(FieldVisitor& v, PlaneSpec& p) {
 
 void visit_fields(FieldVisitor& v, GroundSpec& g) {
   v.field("", &g.source, {});
-  v.choice("kind", g.kind, {"none", "plane", "particles"});
+  v.choice("kind", g.kind);
   v.section("plane", g.plane);
 }
 

@@ -78,18 +78,13 @@ void visit_fields(FieldVisitor& v, StrutSpec& s) {
   v.field("bodies", &s.bodies, {Unit::kNone, Range::kAny, Meaning::kName, true});
   v.field("points", &s.points, {Unit::kLength, Range::kAny, Meaning::kPoint, true});
   v.field("length", &s.length, {Unit::kLength, Range::kPositive});
-  v.section("gas", s.gas);
-  v.section("mr", s.mr);
-  v.section("honeycomb", s.honeycomb);
-  v.section("stops", s.stops);
-  v.section("spring", s.spring);
-  v.section("table", s.table);
+  each_law(s, [&](const char* key, auto& law) { v.section(key, law); });
 }
 
 void visit_fields(FieldVisitor& v, SpringSpec& s) {
   v.field("", &s.source, {});
   v.field("name", &s.name, {Unit::kNone, Range::kAny, Meaning::kName, true});
-  v.choice("kind", s.kind, {"torsion", "centring", "bushing"}, {Unit::kNone, Range::kAny, Meaning::kPlain, true});
+  v.choice("kind", s.kind, {Unit::kNone, Range::kAny, Meaning::kPlain, true});
   v.field("bodies", &s.bodies, {Unit::kNone, Range::kAny, Meaning::kName, true});
   v.field("point", &s.point, {Unit::kLength, Range::kAny, Meaning::kPoint});
   v.field("axis", &s.axis, {Unit::kNone, Range::kAny, Meaning::kDirection});

@@ -24,10 +24,7 @@ void visit_fields(FieldVisitor& v, MotionSpec& m) {
 void visit_fields(FieldVisitor& v, JointSpec& j) {
   v.field("", &j.source, {});
   v.field("name", &j.name, {Unit::kNone, Range::kAny, Meaning::kName, true});
-  v.choice("type", j.type,
-           {"fixed", "spherical", "universal", "revolute", "prismatic", "cylindrical", "distance", "point_on_plane",
-            "prescribed"},
-           {Unit::kNone, Range::kAny, Meaning::kPlain, true});
+  v.choice("type", j.type, {Unit::kNone, Range::kAny, Meaning::kPlain, true});
   v.field("bodies", &j.bodies, {Unit::kNone, Range::kAny, Meaning::kName, true});
   v.field("point", &j.point, {Unit::kLength, Range::kAny, Meaning::kPoint});
   v.field("point_a", &j.point_a, {Unit::kLength, Range::kAny, Meaning::kPoint});

@@ -25,7 +25,7 @@ void visit_fields(FieldVisitor& v, InitialSpec& i) {
 void visit_fields(FieldVisitor& v, ControllerSpec& c) {
   v.field("", &c.source, {});
   v.field("name", &c.name, {Unit::kNone, Range::kAny, Meaning::kName, true});
-  v.choice("kind", c.kind, {"constant", "fuzzy", "skyhook", "pid"}, {Unit::kNone, Range::kAny, Meaning::kPlain, true});
+  v.choice("kind", c.kind, {Unit::kNone, Range::kAny, Meaning::kPlain, true});
   v.field("body", &c.body, {Unit::kNone, Range::kAny, Meaning::kName, true});
   v.field("period", &c.period, {Unit::kTime, Range::kPositive});
   v.field("outputs", &c.outputs, {Unit::kNone, Range::kAny, Meaning::kName, true});
@@ -48,12 +48,12 @@ void visit_fields(FieldVisitor& v, ControllerSpec& c) {
 
 void visit_fields(FieldVisitor& v, SolverSpec& s) {
   v.field("", &s.source, {});
-  v.choice("integrator", s.integrator, {"one_step", "ida"});
+  v.choice("integrator", s.integrator);
   v.field("rtol", &s.rtol, {Unit::kNone, Range::kPositive});
   v.field("atol", &s.atol, {Unit::kNone, Range::kPositive});
   v.field("max_step", &s.max_step, {Unit::kTime, Range::kPositive});
   v.field("error_control", &s.error_control, {});
-  v.choice("drift", s.drift, {"projection", "baumgarte"});
+  v.choice("drift", s.drift);
   v.field("baumgarte_velocity", &s.baumgarte_velocity, {Unit::kNone, Range::kPositive});
   v.field("baumgarte_position", &s.baumgarte_position, {Unit::kNone, Range::kPositive});
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/base/kinds.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
@@ -22,6 +23,36 @@ enum class JointType {
   kPointOnPlane,
   kPrescribed
 };
+
+enum class KeyUse { kUnused, kOptional, kRequired };
+
+// What each type of joint is, for the reader (its name), the checks (its keys beside name, bodies and points) and the
+// builder of flexible bodies.
+struct JointTraits {
+  std::string_view name;
+  KeyUse axis;
+  KeyUse axis2;
+  KeyUse length;
+  KeyUse motion;
+  bool points_may_differ;  // in the drawing
+  bool holds_attitude;     // transmits moments
+};
+constexpr JointTraits traits_of(JointType type) {
+  constexpr KeyUse no = KeyUse::kUnused, may = KeyUse::kOptional, must = KeyUse::kRequired;
+  switch (type) {  //                                                axis  axis2 length motion differ attitude
+    case JointType::kFixed: return {"fixed", may, no, no, no, false, true};
+    case JointType::kSpherical: return {"spherical", may, no, no, no, false, false};
+    case JointType::kUniversal: return {"universal", must, must, no, no, false, false};
+    case JointType::kRevolute: return {"revolute", must, no, no, no, false, true};
+    case JointType::kPrismatic: return {"prismatic", must, no, no, no, false, true};
+    case JointType::kCylindrical: return {"cylindrical", must, no, no, no, false, true};
+    case JointType::kDistance: return {"distance", may, no, may, no, true, false};
+    case JointType::kPointOnPlane: return {"point_on_plane", must, no, no, no, true, false};
+    case JointType::kPrescribed: return {"prescribed", may, may, no, must, false, true};
+  }
+  return {};
+}
+constexpr std::string_view name_of(JointType type) { return traits_of(type).name; }
 
 // f(t) = sum_k c_k t^k + amplitude sin(2 pi frequency t + phase) + table(t). Unit: the one of what it moves ([m] or
 // [rad]).

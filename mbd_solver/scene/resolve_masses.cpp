@@ -13,11 +13,6 @@ namespace footfall {
 
 namespace {
 
-const char* shape_name(ShapeKind kind) {
-  constexpr const char* kNames[] = {"box", "tube", "rod", "disc", "dish", "sphere", "points"};
-  return kNames[static_cast<int>(kind)];
-}
-
 // Which keys a shape needs; all others of the shape must stay away.
 std::vector<std::string> needed_keys(ShapeKind kind) {
   switch (kind) {
@@ -39,13 +34,13 @@ bool check_shape(const BodySpec& body, Findings& findings) {
   for (const std::string& key : needed) {
     const bool has_default = key == "axis" || key == "centre";
     if (!has_default && !body.source.given("shape." + key))
-      findings.error(body.source, "shape." + key, std::string("is missing; a ") + shape_name(shape.kind) + " needs it");
+      findings.error(body.source, "shape." + key, "is missing; a " + std::string(name_of(shape.kind)) + " needs it");
   }
   for (const char* key :
        {"centre", "axis", "from", "to", "size", "diameter", "wall", "radius", "thickness", "depth", "points"}) {
     if (body.source.given(std::string("shape.") + key) && std::find(needed.begin(), needed.end(), key) == needed.end())
       findings.error(body.source, std::string("shape.") + key,
-                     std::string("means nothing for a ") + shape_name(shape.kind) + "; leave it out");
+                     "means nothing for a " + std::string(name_of(shape.kind)) + "; leave it out");
   }
   const bool long_body = shape.kind == ShapeKind::kTube || shape.kind == ShapeKind::kRod;
   if (long_body && !((shape.to - shape.from).norm() > 0.0))

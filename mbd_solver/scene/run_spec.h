@@ -6,7 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "coupler/base/kinds.h"
 #include "coupler/schemes/registry.h"
+#include "mbd_solver/model/controllers/fuzzy_controller.h"
+#include "mbd_solver/model/controllers/pid_controller.h"
+#include "mbd_solver/model/controllers/skyhook_controller.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
@@ -34,35 +38,62 @@ struct InitialSpec {
 };
 
 enum class ControllerKind { kConstant, kFuzzy, kSkyhook, kPid };
+constexpr std::string_view name_of(ControllerKind kind) {
+  switch (kind) {
+    case ControllerKind::kConstant: return "constant";
+    case ControllerKind::kFuzzy: return "fuzzy";
+    case ControllerKind::kSkyhook: return "skyhook";
+    case ControllerKind::kPid: return "pid";
+  }
+  return {};
+}
 
 struct ControllerSpec {
   Source source;
   std::string name;
   ControllerKind kind = ControllerKind::kConstant;
-  std::string body;                  // observed
-  double period = 1e-3;              // [s] > 0
-  std::vector<std::string> outputs;  // names "U1" ...: a strut's mr.controller is "NAME.U1"
+  std::string body;                          // observed
+  double period = kDefaultControllerPeriod;  // [s] > 0
+  std::vector<std::string> outputs;          // names "U1" ...: a strut's mr.controller is "NAME.U1"
   // sleeps at voltage 0 until the upward acceleration first exceeds this [m/s2]; 0: never sleeps; not for constant
   double touchdown_acceleration = 0.0;
-  double touchdown_delay = 0.0;    // and for so long after it: until the filter has settled [s]
-  double filter_frequency = 50.0;  // fuzzy, pid: low-pass of the acceleration, 0 = none [Hz]
+  double touchdown_delay = 0.0;                       // and for so long after it: until the filter has settled [s]
+  double filter_frequency = kDefaultFilterFrequency;  // fuzzy, pid: low-pass of the acceleration, 0 = none [Hz]
   // constant
   std::vector<double> voltages = {0.0};  // one per output, or one for all [-] in [0, 1]
   // fuzzy
-  std::string file;                          // .fll
-  bool tabulated = false;                    // computed once on a grid, then interpolated
-  std::vector<int> grid = {49, 17, 33, 33};  // points along a, da, alpha, beta
+  std::string file;        // .fll
+  bool tabulated = false;  // computed once on a grid, then interpolated
+  // points along a, da, alpha, beta
+  std::vector<int> grid = {kDefaultFuzzyGrid.begin(), kDefaultFuzzyGrid.end()};
   // skyhook, on-off
-  double on = 1.0, off = 0.0;  // voltages [-] in [0, 1]
-  double deadband = 0.01;      // [m/s] >= 0
+  double on = SkyhookControllerParameters{}.on, off = SkyhookControllerParameters{}.off;  // voltages [-] in [0, 1]
+  double deadband = SkyhookControllerParameters{}.deadband;                               // [m/s] >= 0
   // pid on acceleration: U = clamp(bias + kp e + ki int e dt - kd jerk), e = set_point - a
-  double set_point = 29.4;               // wanted upward acceleration [m/s2] > 0
-  double kp = 0.03, ki = 0.5, kd = 0.0;  // [s2/m], [s/m], [s3/m]
-  double bias = 0.0;                     // U without error [-]
+  double set_point = PidControllerParameters{}.set_point;  // wanted upward acceleration [m/s2] > 0
+  double kp = PidControllerParameters{}.kp;                // [s2/m]
+  double ki = PidControllerParameters{}.ki;                // [s/m]
+  double kd = PidControllerParameters{}.kd;                // [s3/m]
+  double bias = PidControllerParameters{}.bias;            // U without error [-]
 };
 
 enum class IntegratorKind { kOneStep, kIda };
+constexpr std::string_view name_of(IntegratorKind kind) {
+  switch (kind) {
+    case IntegratorKind::kOneStep: return "one_step";
+    case IntegratorKind::kIda: return "ida";
+  }
+  return {};
+}
+
 enum class DriftKind { kProjection, kBaumgarte };
+constexpr std::string_view name_of(DriftKind kind) {
+  switch (kind) {
+    case DriftKind::kProjection: return "projection";
+    case DriftKind::kBaumgarte: return "baumgarte";
+  }
+  return {};
+}
 
 struct SolverSpec {
   Source source;

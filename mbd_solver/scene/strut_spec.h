@@ -2,6 +2,7 @@
 // Force elements of a scene: struts (force along the line of two points, a sum of laws) and springs (turning, or
 // centring).
 // Stroke x = length in the design position (or `length`) - present length: compression positive.
+// Defaults are those of the laws.
 
 #include <Eigen/Dense>
 #include <array>
@@ -9,16 +10,22 @@
 #include <string>
 #include <vector>
 
+#include "coupler/base/kinds.h"
+#include "mbd_solver/model/laws/end_stop.h"
+#include "mbd_solver/model/laws/gas_spring.h"
+#include "mbd_solver/model/laws/honeycomb.h"
+#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/laws/mr_damper.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
 
 // F = A_p P0 (V0 / (V0 - A_p x))^exponent [Lin25 13]
 struct GasSpec {
-  double piston_diameter = 0.0;  // d_p, A_p = pi d_p^2 / 4 [m] > 0
-  double pressure = 0.0;         // P0 at x = 0 [Pa] > 0
-  double volume = 0.0;           // V0 at x = 0 [m3] > 0
-  double exponent = 1.1;         // [-] > 0
+  double piston_diameter = 0.0;                      // d_p, A_p = pi d_p^2 / 4 [m] > 0
+  double pressure = 0.0;                             // P0 at x = 0 [Pa] > 0
+  double volume = 0.0;                               // V0 at x = 0 [m3] > 0
+  double exponent = GasSpringParameters{}.exponent;  // [-] > 0
 };
 
 // F_y = 3 pi L1 tau_y(U) (D1 + d1) / 2, c = (12 eta L1 / d^2 + 32 eta (L2/D2^2 + L3/D3^2 + L4/D4^2)) pi D3^2 / 4 [Lin25
@@ -38,11 +45,12 @@ struct MrSpec {
   double viscous = 0.0;      // c [N s/m]; likewise
   std::vector<Eigen::Vector2d>
       yield_table;  // (U [-], F_y [N]) instead of yield_force; U rising from 0 to 1, F_y never falling
-  double regularisation_speed = 0.02;  // v_s [m/s] > 0
-  double coil_lag = 0.0;               // time constant of coil and driver [s] >= 0
-  double initial_voltage = 0.0;        // effective U at the start, with a coil lag [-] in [0, 1]
-  double voltage = 0.0;                // constant U where no controller is named [-] in [0, 1]
-  std::string controller;              // "lander.U1": output of a controller; empty: constant
+  double regularisation_speed = MrDamperParameters{}.regularisation_speed;  // v_s [m/s] > 0
+  double coil_lag = MrDamperParameters{}.coil_lag;                          // time constant of coil and driver [s] >= 0
+  // effective U at the start, with a coil lag [-] in [0, 1]
+  double initial_voltage = MrDamperParameters{}.initial_voltage;
+  double voltage = 0.0;    // constant U where no controller is named [-] in [0, 1]
+  std::string controller;  // "lander.U1": output of a controller; empty: constant
   std::optional<MrGeometrySpec> geometry;
 };
 
@@ -52,28 +60,31 @@ struct CrushStageSpec {
 };
 
 struct HoneycombSpec {
-  std::vector<CrushStageSpec> stages;   // at least one, softest first
-  bool compression = true;              // has a cartridge that crushes when pushed
-  bool tension = true;                  // has one that crushes when pulled
-  double elastic_stiffness = 5.0e6;     // loading and unloading [N/m] > 0
-  double bottom_out_stiffness = 2.5e6;  // past the last stage [N/m], in (0, elastic_stiffness)
-  double transition_length = 5.0e-3;    // over which the plateau passes from stage to stage [m] > 0
-  double toe = 1.0e-4;                  // smoothing of first contact [m] > 0
+  std::vector<CrushStageSpec> stages;                                 // at least one, softest first
+  bool compression = true;                                            // has a cartridge that crushes when pushed
+  bool tension = true;                                                // has one that crushes when pulled
+  double elastic_stiffness = HoneycombCartridge{}.elastic_stiffness;  // loading and unloading [N/m] > 0
+  // past the last stage [N/m], in (0, elastic_stiffness)
+  double bottom_out_stiffness = HoneycombCartridge{}.bottom_out_stiffness;
+  // over which the plateau passes from stage to stage [m] > 0
+  double transition_length = HoneycombCartridge{}.transition_length;
+  double toe = HoneycombCartridge{}.toe;  // smoothing of first contact [m] > 0
 };
 
 struct StopsSpec {
-  std::optional<double> min;  // smallest stroke, extended end [m]
-  std::optional<double> max;  // largest stroke, compressed end [m]; at least one is needed
-  double stiffness = 5.0e6;   // [N/m] > 0
-  double dissipation = 1.0;   // at approach speed v the force is 1 + dissipation v times the elastic one [s/m] >= 0
-  double toe = 5.0e-4;        // smoothing of first contact [m] > 0
+  std::optional<double> min;                         // smallest stroke, extended end [m]
+  std::optional<double> max;                         // largest stroke, compressed end [m]; at least one is needed
+  double stiffness = EndStopParameters{}.stiffness;  // [N/m] > 0
+  // at approach speed v the force is 1 + dissipation v times the elastic one [s/m] >= 0
+  double dissipation = EndStopParameters{}.dissipation;
+  double toe = EndStopParameters{}.toe;  // smoothing of first contact [m] > 0
 };
 
 // F = preload + stiffness (free_length - present length) + damping v
 struct LinearSpringSpec {
-  double stiffness = 0.0;             // [N/m] >= 0
-  double damping = 0.0;               // [N s/m] >= 0
-  double preload = 0.0;               // [N]
+  double stiffness = LinearSpringDamperParameters{}.stiffness;  // [N/m] >= 0
+  double damping = LinearSpringDamperParameters{}.damping;      // [N s/m] >= 0
+  double preload = LinearSpringDamperParameters{}.preload;      // [N]
   std::optional<double> free_length;  // [m]; not given: the strut's undeformed length (F = preload at x = 0)
 };
 
@@ -82,6 +93,7 @@ struct TableSpec {
   std::string file;  // CSV: first line a label, then rates [m/s]; further lines a stroke [m], then forces [N]
 };
 
+// A law is a member with its section's name and a line in each_law.
 struct StrutSpec {
   Source source;
   std::string name;
@@ -96,12 +108,33 @@ struct StrutSpec {
   std::optional<TableSpec> table;
 };
 
+// Calls visit("gas", strut.gas), visit("mr", strut.mr), ...: the one list of laws, in the order in which a strut adds
+// them up. The binding names every member of the struct, so that a law forgotten here does not compile.
+template <class Strut, class Visit>
+void each_law(Strut& strut, Visit&& visit) {
+  auto& [source, name, bodies, points, length, gas, mr, honeycomb, stops, spring, table] = strut;
+  visit("gas", gas);
+  visit("mr", mr);
+  visit("honeycomb", honeycomb);
+  visit("stops", stops);
+  visit("spring", spring);
+  visit("table", table);
+}
+
 enum class SpringKind {
   kTorsion,   // about `axis`: stiffness [N m/rad] (angle - rest_angle), damping [N m s/rad]
   kCentring,  // turns b back to its design attitude relative to a, all axes alike: same units
   // at `point`, all directions alike: stiffness [N/m], damping [N s/m]; turning: turning_stiffness, turning_damping
   kBushing
 };
+constexpr std::string_view name_of(SpringKind kind) {
+  switch (kind) {
+    case SpringKind::kTorsion: return "torsion";
+    case SpringKind::kCentring: return "centring";
+    case SpringKind::kBushing: return "bushing";
+  }
+  return {};
+}
 
 struct SpringSpec {
   Source source;

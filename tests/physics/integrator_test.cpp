@@ -135,7 +135,7 @@ TEST_P(Kind, BaumgarteBoundsTheDriftThatGrowsWithoutIt) {
 TEST_P(Kind, ResumesToTheBit) {
   // A checkpoint is the State; forget() makes both sides start from it alone.
   const Model model = test::lander();
-  IntegratorOptions options;
+  const IntegratorOptions options = test::usual();
   test::Run whole(model, GetParam(), options);
   whole.inputs.voltages = Eigen::VectorXd::Constant(4, 0.3);
   whole.to(0.004, 8);
@@ -208,7 +208,7 @@ TEST(Lander, BalancesItsEnergyAndComesToRest) {
   // 29 bodies with gas, MR, honeycomb, stops, plane contact with friction, in windows of 5e-4 s. Required:
   // 0.1 % of the initial energy.
   const Model model = test::lander();
-  IntegratorOptions options;
+  const IntegratorOptions options = test::usual();
   test::Run run(model, "one_step", options);
   run.inputs.voltages = Eigen::VectorXd::Constant(4, 0.5);
   double peak = 0.0;

@@ -68,7 +68,7 @@ class PointForce : public ForceElement {
     return true;
   }
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated&) const override {
-    stored.strain -= force_.dot(KinematicVector::point(in.pair, 0, marker_).value());
+    stored[Stored::kStrain] -= force_.dot(KinematicVector::point(in.pair, 0, marker_).value());
   }
 
  private:

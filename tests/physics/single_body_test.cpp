@@ -125,6 +125,7 @@ struct Ball {
 TEST_P(Kind, ElasticImpactHasHertzDepthAndDuration) {
   RigidPlane::Parameters plane;
   plane.stiffness = 1e6;
+  plane.friction = 0.0;
   const double radius = 0.1, v = 2.0, m = 2.0;
   BodyState state;
   state.r = {0.0, 0.0, radius + 1e-9};
@@ -150,6 +151,7 @@ TEST_P(Kind, BounceHasItsRestitution) {
   for (double e : {0.3, 0.8}) {
     RigidPlane::Parameters plane;
     plane.stiffness = 1e6;
+    plane.friction = 0.0;
     const double radius = 0.1, v = 2.0;
     plane.damping = contact_damping_for_restitution(e, v);
     BodyState state;

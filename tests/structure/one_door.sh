@@ -17,7 +17,7 @@ door() {
 }
 door '(ida|sundials|nvector|sunmatrix|sunlinsol)/' 'mbd_solver/integrator/ida*'
 door 'toml\+\+' 'mbd_solver/scene/scene_reader.cpp'
-door 'fl/' 'mbd_solver/model/controllers/fuzzy.cpp'
+door 'fl/' 'mbd_solver/model/controllers/fuzzy_engine.h'
 door 'assimp/' 'mbd_solver/scene/mesh_reader.cpp'
 door 'pugixml' 'mbd_solver/output/vtk_writer.cpp'
 door 'mpi\.h' 'coupler/communicator.*' 'coupler/doorbell.*' 'coupler/polite_wait.*' 'coupler/mpi_check.*' 'coupler/abort_guard.*' 'coupler/transport_mpi.*' 'mbd_solver/main.cpp' \
@@ -44,7 +44,7 @@ declare -A may=(
   [mbd_solver/fe]='mbd_solver/model'
   [mbd_solver/dynamics]='mbd_solver/model'
   [mbd_solver/integrator]='mbd_solver/dynamics'
-  [mbd_solver/scene]='mbd_solver/fe'
+  [mbd_solver/scene]='mbd_solver/fe mbd_solver/model/controllers'
   [mbd_solver/build]='mbd_solver/scene mbd_solver/model/controllers'
   [mbd_solver/coupling]='mbd_solver/build mbd_solver/dynamics'
   [mbd_solver/output]='coupler/base'

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/laws/energy.h"
 
 namespace footfall {
 
@@ -12,7 +13,6 @@ namespace {
 
 const std::string kDissipated = "dissipated.";
 constexpr const char* kResidual = "coupling.energy_residual";
-constexpr const char* kStored[] = {"kinetic", "gravity", "strain", "gas", "contact"};
 constexpr double kSameTime = 1e-6;  // grains_energy.txt holds six digits
 
 // The values of a column at rising times within its own, along straight lines.
@@ -94,8 +94,8 @@ History energy_ledger(const History& run, const GrainEnergies& grains) {
   const auto from_run = [&](const std::string& name) { return at_times(run_time, run.column(name), time); };
 
   add("time", "s", time);
-  for (const char* part : kStored) {
-    add("mechanism." + std::string(part), "J", from_run("energy." + std::string(part)));
+  for (const std::string& part : names_of<Stored>()) {
+    add("mechanism." + part, "J", from_run("energy." + part));
     count(ledger.columns.back(), 1.0);
   }
   for (const std::string& name : run.names) {

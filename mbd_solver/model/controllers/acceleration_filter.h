@@ -9,6 +9,8 @@
 
 namespace footfall {
 
+inline constexpr double kDefaultFilterFrequency = 50.0;  // [Hz]
+
 class AccelerationFilter {
  public:
   // frequency f: corner [Hz], > 0, or 0 for no filter (y = a). period T > 0 [s]. Throws InputError, naming

@@ -6,8 +6,8 @@
 namespace footfall {
 
 struct ConstantControllerParameters {
-  Eigen::VectorXd voltages;  // one per controlled strut, each in [0, 1] [-]; at least one
-  double period = 1.0e-3;    // > 0 [s]
+  Eigen::VectorXd voltages;                  // one per controlled strut, each in [0, 1] [-]; at least one
+  double period = kDefaultControllerPeriod;  // > 0 [s]
 };
 
 class ConstantController final : public Controller {

@@ -9,6 +9,8 @@
 
 namespace footfall {
 
+inline constexpr double kDefaultControllerPeriod = 1.0e-3;  // [s]
+
 // What is measured on the observed body (the cabin), already in the controller's own terms. Frames: inertial W, z up.
 struct ControllerMeasurement {
   double time = 0.0;           // [s]

@@ -1,6 +1,6 @@
 #pragma once
 // A fuzzy system read from a FuzzyLite (.fll) file and evaluated by FuzzyLite [Lin25 section 2.2.2];
-// fuzzy.cpp is the only file that knows the library. No time, filter or memory here: those are the
+// fuzzy_engine.h is the door to the library. No time, filter or memory here: those are the
 // FuzzyController's.
 //
 // What the file must hold, else InputError "file:line: ...":

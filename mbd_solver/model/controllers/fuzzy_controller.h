@@ -12,11 +12,11 @@
 namespace footfall {
 
 struct FuzzyControllerParameters {
-  std::filesystem::path file;          // the .fll file
-  double period = 1.0e-3;              // > 0 [s]
-  double filter_frequency = 50.0;      // corner of the acceleration filter, 0 = none [Hz]
-  bool tabulated = false;              // true: compute on `grid` at the start, then interpolate
-  FuzzyGrid grid = kDefaultFuzzyGrid;  // used when tabulated
+  std::filesystem::path file;                         // the .fll file
+  double period = kDefaultControllerPeriod;           // > 0 [s]
+  double filter_frequency = kDefaultFilterFrequency;  // corner of the acceleration filter, 0 = none [Hz]
+  bool tabulated = false;                             // true: compute on `grid` at the start, then interpolate
+  FuzzyGrid grid = kDefaultFuzzyGrid;                 // used when tabulated
 };
 
 class FuzzyController final : public Controller {

@@ -12,14 +12,14 @@
 namespace footfall {
 
 struct PidControllerParameters {
-  int outputs = 4;                 // controlled struts >= 1
-  double period = 1.0e-3;          // > 0 [s]
-  double filter_frequency = 50.0;  // corner of the acceleration filter, 0 = none [Hz]
-  double set_point = 29.4;         // wanted upward acceleration > 0 (3 g) [m/s2]
-  double kp = 0.03;                // >= 0 [s2/m]
-  double ki = 0.5;                 // >= 0 [s/m]
-  double kd = 0.0;                 // >= 0 [s3/m]
-  double bias = 0.0;               // U without error, in [0, 1] [-]
+  int outputs = 4;                                    // controlled struts >= 1
+  double period = kDefaultControllerPeriod;           // > 0 [s]
+  double filter_frequency = kDefaultFilterFrequency;  // corner of the acceleration filter, 0 = none [Hz]
+  double set_point = 29.4;                            // wanted upward acceleration > 0 (3 g) [m/s2]
+  double kp = 0.03;                                   // >= 0 [s2/m]
+  double ki = 0.5;                                    // >= 0 [s/m]
+  double kd = 0.0;                                    // >= 0 [s3/m]
+  double bias = 0.0;                                  // U without error, in [0, 1] [-]
 };
 
 class PidController final : public Controller {

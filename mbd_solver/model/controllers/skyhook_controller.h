@@ -10,11 +10,11 @@
 namespace footfall {
 
 struct SkyhookControllerParameters {
-  int outputs = 4;         // controlled struts >= 1
-  double period = 1.0e-3;  // > 0 [s]
-  double on = 1.0;         // voltage in [0, 1] [-]
-  double off = 0.0;        // voltage in [0, on] [-]; also the value before the first decision
-  double deadband = 0.01;  // >= 0 [m/s]
+  int outputs = 4;                           // controlled struts >= 1
+  double period = kDefaultControllerPeriod;  // > 0 [s]
+  double on = 1.0;                           // voltage in [0, 1] [-]
+  double off = 0.0;                          // voltage in [0, on] [-]; also the value before the first decision
+  double deadband = 0.01;                    // >= 0 [m/s]
 };
 
 class SkyhookController final : public Controller {

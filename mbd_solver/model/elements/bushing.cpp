@@ -128,12 +128,12 @@ bool Bushing::add_derivatives(const ElementInput& in, ElementDerivatives& out) c
 
 void Bushing::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
   const KinematicVector d = KinematicVector::difference(in.pair, m1_, m2_);
-  stored.strain += 0.5 * parameters_.stiffness * d.value().squaredNorm();
+  stored[Stored::kStrain] += 0.5 * parameters_.stiffness * d.value().squaredNorm();
   power[Dissipation::kDamper] += parameters_.damping * d.rate().squaredNorm();
   for (int i = 0; i < 3; ++i) {
     const KinematicVector e1 = KinematicVector::axis(in.pair, 0, m1_, i);
     const KinematicVector e2 = KinematicVector::axis(in.pair, 1, m2_, i);
-    stored.strain += 0.5 * axis_weight_[i] * (1.0 - e1.value().dot(e2.value()));
+    stored[Stored::kStrain] += 0.5 * axis_weight_[i] * (1.0 - e1.value().dot(e2.value()));
   }
   const Eigen::Vector3d relative = angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_);
   power[Dissipation::kDamper] += parameters_.rotational_damping * relative.squaredNorm();

@@ -155,7 +155,7 @@ void RigidPlane::add_energy(const ElementInput& in, StoredEnergy& stored, Dissip
   Contact at;
   for (const ContactPoint& point : points_) {
     if (!contact(in, point, at)) continue;
-    stored.contact += 0.4 * at.elastic * at.overlap;
+    stored[Stored::kContact] += 0.4 * at.elastic * at.overlap;
     power[Dissipation::kContact] += (at.normal_force - at.elastic) * at.closing;
     power[Dissipation::kFriction] += parameters_.friction * at.normal_force * at.inverse_speed * at.slip.squaredNorm();
   }

@@ -29,8 +29,8 @@ class RigidPlane : public ForceElement {
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // n, out of the ground
     double stiffness = 0.0;                             // k of each point [N/m^1.5] > 0
     double damping = 0.0;                               // d [s/m] >= 0
-    double friction = 0.0;                              // mu >= 0
-    double slip_speed = 1e-3;                           // v_s [m/s] > 0: friction reaches 71 % of mu f_n at this speed
+    double friction = 0.3;                              // mu >= 0
+    double slip_speed = 0.01;                           // v_s [m/s] > 0: friction reaches 71 % of mu f_n at this speed
   };
   // All points on one body, at least one. Throws InputError on values outside their range.
   RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters);

@@ -113,10 +113,10 @@ void Strut::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated&
   power_.clear();
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const StrutInput law = law_input(in, at, i);
-    (laws_[i]->stored_kind() == EnergyKind::kGas ? stored.gas : stored.strain) += laws_[i]->stored_energy(law);
+    stored[laws_[i]->stored_kind()] += laws_[i]->stored_energy(law);
     laws_[i]->dissipated_power(law, power_);
   }
-  for (const StrutPower& p : power_) power[dissipation_of(p.kind)] += p.power;
+  for (const StrutPower& p : power_) power[p.kind] += p.power;
 }
 
 StrutSample Strut::sample(const ElementInput& in) const {

@@ -105,7 +105,7 @@ bool TorsionalSpring::add_derivatives(const ElementInput& in, ElementDerivatives
 void TorsionalSpring::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
   const Eigen::Vector3d at = sample(in);
   const double stretch = at[0] - parameters_.free_angle;
-  stored.strain += 0.5 * parameters_.stiffness * stretch * stretch;
+  stored[Stored::kStrain] += 0.5 * parameters_.stiffness * stretch * stretch;
   power[Dissipation::kDamper] += parameters_.damping * at[1] * at[1];
 }
 

@@ -64,7 +64,7 @@ void EndStop::dissipated_power(const StrutInput& in, std::vector<StrutPower>& ou
   };
   if (parameters_.largest_stroke) add(*parameters_.largest_stroke, 1.0);
   if (parameters_.smallest_stroke) add(*parameters_.smallest_stroke, -1.0);
-  out.push_back({EnergyKind::kStop, power});
+  out.push_back({Dissipation::kStop, power});
 }
 
 }  // namespace footfall

@@ -32,7 +32,7 @@ class GasSpring final : public StrutLaw {
   // Work of the gas from x = 0 in closed form [J]: P0 V0 / (n - 1) ((V0 / V)^(n-1) - 1), or P0 V0 ln(V0 / V)
   // for n = 1. Negative for x < 0: the gas has then given energy away. Throws as evaluate does.
   double stored_energy(const StrutInput& in) const override;
-  EnergyKind stored_kind() const override { return EnergyKind::kGas; }
+  Stored stored_kind() const override { return Stored::kGas; }
   void dissipated_power(const StrutInput&, std::vector<StrutPower>&) const override {}  // none
 
   double piston_area() const { return area_; }                                // A_p [m2]

@@ -140,7 +140,7 @@ void Honeycomb::dissipated_power(const StrutInput& in, std::vector<StrutPower>& 
     const Flow q = flow(cartridges_[static_cast<std::size_t>(i)], in.stroke, in.rate, in.z[i]);
     power += q.f * q.dc;
   }
-  out.push_back({EnergyKind::kHoneycomb, power});
+  out.push_back({Dissipation::kHoneycomb, power});
 }
 
 std::vector<Honeycomb::Report> Honeycomb::report(const Eigen::Ref<const Eigen::VectorXd>& z) const {

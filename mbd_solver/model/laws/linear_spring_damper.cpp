@@ -31,7 +31,7 @@ double LinearSpringDamper::stored_energy(const StrutInput& in) const {
 }
 
 void LinearSpringDamper::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
-  out.push_back({EnergyKind::kDamper, parameters_.damping * in.rate * in.rate});
+  out.push_back({Dissipation::kDamper, parameters_.damping * in.rate * in.rate});
 }
 
 }  // namespace footfall

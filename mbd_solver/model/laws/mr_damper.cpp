@@ -75,9 +75,9 @@ void MrDamper::evaluate(const StrutInput& in, StrutOutput& out) const {
 
 void MrDamper::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
   const double v = in.rate;
-  out.push_back({EnergyKind::kMrViscous, parameters_.viscous_coefficient * v * v});
-  out.push_back(
-      {EnergyKind::kMrYield, yield_force(effective_voltage(in)) * std::tanh(v / parameters_.regularisation_speed) * v});
+  out.push_back({Dissipation::kMrViscous, parameters_.viscous_coefficient * v * v});
+  out.push_back({Dissipation::kMrYield,
+                 yield_force(effective_voltage(in)) * std::tanh(v / parameters_.regularisation_speed) * v});
 }
 
 }  // namespace footfall

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mbd_solver/model/laws/energy.h"
+
 namespace footfall {
 
 // What a law sees. Stroke x = undeformed length - length [m] (compression positive), rate = dx/dt [m/s].
@@ -43,13 +45,9 @@ struct StrutOutput {
   Eigen::MatrixXd ddz_dz;  // states x states
 };
 
-// Where power goes; the names of history.csv (dissipated.<name>, energy.<name>).
-enum class EnergyKind { kGas, kStrain, kMrViscous, kMrYield, kHoneycomb, kDamper, kStop };
-std::string_view energy_name(EnergyKind kind);
-
-struct StrutPower {  // dissipated power by kind, each >= 0 [W]
-  EnergyKind kind;
-  double power;
+struct StrutPower {
+  Dissipation kind;
+  double power;  // >= 0 [W]
 };
 
 class StrutLaw {
@@ -61,9 +59,9 @@ class StrutLaw {
   // Force, inner rates and all derivatives. `out` is sized to state_count(); every field is overwritten. No allocation.
   // Throws NumericalError where the law has no value (gas volume exhausted), naming stroke and limit.
   virtual void evaluate(const StrutInput& in, StrutOutput& out) const = 0;
-  // Energy stored and recoverable at this stroke and state [J], and its kind (kGas or kStrain).
+  // Energy stored and recoverable at this stroke and state [J], and its kind.
   virtual double stored_energy(const StrutInput& in) const = 0;
-  virtual EnergyKind stored_kind() const { return EnergyKind::kStrain; }
+  virtual Stored stored_kind() const { return Stored::kStrain; }
   // Dissipated power, appended by kind. Identity: force * rate = d(stored)/dt + sum of dissipated power.
   virtual void dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const = 0;
 };

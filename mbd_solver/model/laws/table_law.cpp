@@ -116,7 +116,7 @@ void TableLaw::evaluate(const StrutInput& in, StrutOutput& out) const {
 double TableLaw::stored_energy(const StrutInput& in) const { return elastic_integral(in.stroke) - stored_at_zero_; }
 
 void TableLaw::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
-  out.push_back({EnergyKind::kDamper, split(in.stroke, in.rate).dissipative * in.rate});
+  out.push_back({Dissipation::kDamper, split(in.stroke, in.rate).dissipative * in.rate});
 }
 
 }  // namespace footfall

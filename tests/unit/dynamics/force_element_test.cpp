@@ -143,7 +143,7 @@ TEST(Bushing, IsAQuadraticSpringForSmallRotations) {
   Dissipated power;
   bushing.add_energy({kinematics.pair(kGround, body), state.z, Eigen::VectorXd()}, stored, power);
   const double quadratic = 0.5 * phi.dot(parameters.rotational_stiffness.cwiseProduct(phi));
-  EXPECT_NEAR(stored.strain, quadratic, 1e-5 * quadratic);  // phi^2 = 7e-6 is the next order
+  EXPECT_NEAR(stored[Stored::kStrain], quadratic, 1e-5 * quadratic);  // phi^2 = 7e-6 is the next order
 }
 
 TEST(Strut, SharesStrokeAndRateAmongItsLaws) {

@@ -1,39 +1,11 @@
 // mbd_solver/dynamics/jacobian.cpp: the analytic Jacobian of the whole system against differences of its residual.
 
 #include "mbd_solver/dynamics/equations.h"
+#include "tests/unit/dynamics/jacobian_check.h"
 #include "tests/unit/dynamics/random_model.h"
 
 namespace footfall {
 namespace {
-
-// Largest difference between the analytic matrix dF/dy + c dF/dydot and central differences, relative to the
-// largest entry.
-double jacobian_error(Equations& equations, const Eigen::VectorXd& y, const Eigen::VectorXd& ydot, double c,
-                      const Inputs& inputs, std::string* where) {
-  const Eigen::Index n = y.size();
-  const Eigen::MatrixXd analytic = equations.jacobian(0.3, y, ydot, c, inputs);
-  Eigen::VectorXd plus(n), minus(n);
-  const double step = 1e-6;  // error of the difference: step^2 (truncation) and 1e-16 / step (round-off),
-                             // both about 1e-10 here
-  double largest = 0.0;
-  for (Eigen::Index j = 0; j < n; ++j) {
-    Eigen::VectorXd y1 = y, y2 = y, yd1 = ydot, yd2 = ydot;
-    y1[j] += step;
-    y2[j] -= step;
-    yd1[j] += c * step;
-    yd2[j] -= c * step;
-    equations.residual(0.3, y1, yd1, inputs, plus);
-    equations.residual(0.3, y2, yd2, inputs, minus);
-    const Eigen::VectorXd column = (plus - minus) / (2.0 * step);
-    Eigen::Index row = 0;
-    const double error = (column - analytic.col(j)).cwiseAbs().maxCoeff(&row);
-    if (error > largest) {
-      largest = error;
-      *where = equations.entry_name(static_cast<int>(row)) + " by " + equations.entry_name(static_cast<int>(j));
-    }
-  }
-  return largest / analytic.cwiseAbs().maxCoeff();
-}
 
 class JacobianOfRandomModel : public ::testing::TestWithParam<unsigned> {};
 
@@ -50,7 +22,7 @@ TEST_P(JacobianOfRandomModel, EqualsDifferencesOfTheResidual) {
     for (int q : layout.body_q) y.segment<4>(q + 3) *= random.number(0.8, 1.2);
     const Eigen::VectorXd ydot = random.vector_x(layout.size(), 3.0);
     std::string where;
-    EXPECT_LT(jacobian_error(equations, y, ydot, 7.0, inputs, &where), 2e-9) << where;
+    EXPECT_LT(test::jacobian_error(equations, y, ydot, 7.0, inputs, &where), 2e-9) << where;
   }
 }
 

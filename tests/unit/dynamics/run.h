@@ -9,10 +9,19 @@
 
 namespace footfall::test {
 
+// Tolerances of a run whose accuracy the test does not ask for.
+inline IntegratorOptions usual() {
+  IntegratorOptions options;
+  options.rtol = 1e-5;
+  options.atol = 1e-7;
+  options.atol_velocity = 1e-5;
+  return options;
+}
+
 class Run {
  public:
   explicit Run(const Model& model, const std::string& integrator_kind = "one_step",
-               const IntegratorOptions& options = {}, const Baumgarte& baumgarte = {})
+               const IntegratorOptions& options = usual(), const Baumgarte& baumgarte = {})
       : assembly(assemble(model)),
         equations(model, assembly, baumgarte),
         integrator(make_integrator(integrator_kind, equations, options)),

@@ -29,7 +29,7 @@ inline double dissipated(const StrutLaw& law, const StrutInput& in) {
   law.dissipated_power(in, powers);
   double sum = 0.0;
   for (const StrutPower& p : powers) {
-    EXPECT_GE(p.power, 0.0) << law.kind() << " " << energy_name(p.kind) << " at stroke " << in.stroke << ", rate "
+    EXPECT_GE(p.power, 0.0) << law.kind() << " " << name_of(p.kind) << " at stroke " << in.stroke << ", rate "
                             << in.rate;
     sum += p.power;
   }

@@ -1,0 +1,47 @@
+#pragma once
+// Which keys of an entry belong to its kind. Keys that every kind has (name, kind, bodies ...) are not listed.
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/scene/run_spec.h"
+#include "mbd_solver/scene/strut_spec.h"
+
+namespace footfall {
+
+inline std::vector<std::string> keys_of(SpringKind kind) {
+  switch (kind) {
+    case SpringKind::kTorsion: return {"axis", "rest_angle"};
+    case SpringKind::kCentring: return {};
+    case SpringKind::kBushing: return {"point", "turning_stiffness", "turning_damping"};
+  }
+  return {};
+}
+
+inline std::vector<std::string> keys_of(ControllerKind kind) {
+  switch (kind) {
+    case ControllerKind::kConstant: return {"voltages"};
+    case ControllerKind::kFuzzy:
+      return {"touchdown_acceleration", "touchdown_delay", "file", "tabulated", "grid", "filter_frequency"};
+    case ControllerKind::kSkyhook: return {"touchdown_acceleration", "touchdown_delay", "on", "off", "deadband"};
+    case ControllerKind::kPid:
+      return {"touchdown_acceleration", "touchdown_delay", "filter_frequency", "set_point", "kp", "ki", "kd", "bias"};
+  }
+  return {};
+}
+
+// The keys that belong to other kinds and mean nothing for this one.
+template <class Kind>
+std::vector<std::string> foreign_keys(Kind kind) {
+  const std::vector<std::string> own = keys_of(kind);
+  std::vector<std::string> foreign;
+  for (const Kind other : every<Kind>())
+    for (const std::string& key : keys_of(other))
+      if (std::find(own.begin(), own.end(), key) == own.end() &&
+          std::find(foreign.begin(), foreign.end(), key) == foreign.end())
+        foreign.push_back(key);
+  return foreign;
+}
+
+}  // namespace footfall
