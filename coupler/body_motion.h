@@ -1,6 +1,6 @@
 #pragma once
 // Motion of one body's floating frame and modes, and the generalized force that is its partner in virtual
-// work. theory: bodies (rigid body; flexible body, floating frame).
+// work. theory 1.
 
 #include <Eigen/Dense>
 

@@ -1,6 +1,5 @@
 #pragma once
-// The mean load of one window on one body, and the work that went with it. [Lin25 34], theory: coupling
-// (wrench frame).
+// The mean load of one window on one body, and the work that went with it. [Lin25 34], theory 7.2.
 
 #include "coupler/body_motion.h"
 #include "coupler/schemes/scheme.h"

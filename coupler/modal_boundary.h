@@ -2,7 +2,7 @@
 // The boundary of one body: nodes that move with the body, and the triangles and beam segments between them.
 // The one file that moves boundary points AND projects forces on the body, so that virtual work is conserved:
 // for forces f_c at points c,  sum_c f_c . v_c = F_W . dr + T_W . w + Q_a . da  whatever the motion. [Lin25
-// 5-12, 33], theory: contact with the lander.
+// 5-12, 33], theory 6.3.
 
 #include <Eigen/Dense>
 #include <array>

@@ -1,5 +1,5 @@
 #pragma once
-// A load that reacts within the window, linearly in the motion of the body. theory: coupling (tangent).
+// A load that reacts within the window, linearly in the motion of the body. theory 7.6.
 
 #include "coupler/body_motion.h"
 

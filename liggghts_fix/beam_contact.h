@@ -1,5 +1,5 @@
 #pragma once
-// A sphere against a chain of capsules. theory: contact with the lander (sphere-beam).
+// A sphere against a chain of capsules. theory 6.2.
 //
 // Segment p_s p_e with radius R, sphere at x with radius r:
 //   mu = (x - p_s).(p_e - p_s) / |p_e - p_s|^2, clamped to [0, 1]

@@ -1,5 +1,5 @@
 #pragma once
-// A scheme of the staggered coupling, both halves of it. [Lin25 section 4.2, 34], theory: coupling.
+// A scheme of the staggered coupling, both halves of it. [Lin25 section 4.2, 34], theory 7.3.
 //
 // The grains' side: the path of the boundary while the bodies wait, and how the forces of the substeps become one mean.
 // The body's side: which rates the path is sent with, and which load the body feels once the grains have answered.
@@ -75,7 +75,7 @@ class Scheme {
   virtual double pending_work(const AnsweredLoads& loads, const PredictedPath& path,
                               const BodyMotion& computed) const = 0;
 
-  // --- Theory: one window of n substeps of the simplest problem (window_map.h).
+  // --- Its map: one window of n substeps of the simplest problem (window_map.h).
   virtual MapState window_map(double omega_h, int n, const MapState& z) const = 0;
 
   // Substeps of window k of a run that would have n: slopes of contacts that stand already are learnt in a window of

@@ -1,6 +1,6 @@
 #pragma once
 // `tangent`: a path for the grains that does not overshoot on stiff contacts, and a load that reacts within the window.
-// On the grains' side as css-trapezoid, and the contacts' slopes are returned. theory: coupling (tangent).
+// On the grains' side as css-trapezoid, and the contacts' slopes are returned. theory 7.6.
 
 #include "coupler/messages.h"
 #include "coupler/schemes/scheme.h"

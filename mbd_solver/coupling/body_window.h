@@ -1,6 +1,6 @@
 #pragma once
 // The windows of one coupled body on the multibody side: which motion is sent, which load is felt, and what is left
-// over at the end. theory: coupling.
+// over at the end. theory 7.1.
 
 #include <optional>
 

@@ -15,7 +15,7 @@ namespace footfall {
 //   da_path = 2/H [(a_s - a)(1 - sin theta / theta) + da (1 - cos theta) / (Omega theta)]
 // does no work to first order in kappa at any theta. It replaces da with weight theta^4 / (1 + theta^4), and takes dda
 // away with it, so that slow modes keep the path of their scheme. The least damping (0.001) then outweighs what is
-// left. theory: coupling.
+// left. theory 7.5.
 //
 // motion: the state at the window's start, its da and dda replaced; before: the same before any other change;
 // stiffness: Omega^2 of each mode [1/s2]; H [s].

@@ -1,7 +1,7 @@
 #pragma once
 // Where the floating frame with linear modes holds. It has no geometric stiffening (centrifugal tension does not
 // stiffen bending) and takes deflections as small. Measured in tests/physics/rotating_beam_test.cpp and
-// large_deflection_test.cpp; docs: theory, bodies.
+// large_deflection_test.cpp; theory 1.4.
 
 #include <Eigen/Dense>
 

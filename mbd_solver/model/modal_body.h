@@ -1,6 +1,6 @@
 #pragma once
 // A flexible body reduced to modal coordinates: what the floating-frame equations need, whoever made it
-// (beam elements, plate elements, or a file of a finite-element code). [Lin25 5-12], theory: floating frame
+// (beam elements, plate elements, or a file of a finite-element code). [Lin25 5-12], theory 1.2
 // of reference.
 
 #include <Eigen/Dense>

@@ -8,7 +8,7 @@
 
 namespace footfall {
 
-// All components in B:  v = [dr; w; da] (6+s), dv = its components' rates as used in theory:
+// All components in B:  v = [dr; w; da] (6+s), dv = its components' rates as used in theory 1.2:
 //   ddr_j = ddr + dw x rho_j + Phi_j dda + w_j,   w_j = 2 w x (Phi_j da) + w x (w x rho_j).
 //   M(a) dv + h(a, v) = applied generalized force,  h = sum_j m_j B_j^T w_j + rotary terms of J_j + [0; 0; C
 //   da + K a].

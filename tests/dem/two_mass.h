@@ -1,5 +1,5 @@
 #pragma once
-// The two-mass oscillator of theory, coupling: a body on a spring, a grain on a spring, a linear contact
+// The two-mass oscillator of theory 7.3: a body on a spring, a grain on a spring, a linear contact
 // spring between them.
 
 #include <Eigen/Dense>

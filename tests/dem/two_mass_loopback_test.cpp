@@ -1,6 +1,5 @@
 // The whole exchange without MPI and LIGGGHTS: the grains' side is the real DemLink around one grain under
-// velocity Verlet, the body's side integrates exactly under the mean load. theory: coupling, "Check with the
-// two-mass oscillator".
+// velocity Verlet, the body's side integrates exactly under the mean load. theory 7.3.
 
 #include <gtest/gtest.h>
 
@@ -170,7 +169,7 @@ TEST(TwoMassOscillator, QuadraticLosesALittleEnergyAndNeverGains) {
 }
 
 TEST(TwoMassOscillator, FrozenBoundaryPumpsEnergyAsPredicted) {
-  // theory: 40 to 56 times after 5 s at H = 1 ms; amplification 1 + w^2 / 2 per window summed over both
+  // by theory 7.3 40 to 56 times after 5 s at H = 1 ms; amplification 1 + w^2 / 2 per window summed over both
   // modes.
   const double ratio = energy_after_5_s("frozen");
   EXPECT_GT(ratio, 20.0);

@@ -1,4 +1,4 @@
-// Beams of the finite-element model against Euler-Bernoulli theory: frequencies, order of convergence, static
+// Beams of the finite-element model against Euler and Bernoulli: frequencies, order of convergence, static
 // deflection.
 
 #include <gtest/gtest.h>

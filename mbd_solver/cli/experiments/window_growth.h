@@ -1,9 +1,9 @@
 #pragma once
 // Growth per window of the coupling schemes on the simplest problem there is: one body of mass m on one linear contact
-// of stiffness K with a grain that stands, no damping, omega H = sqrt(K/m) H. Theory: spectral radius of the scheme's
+// of stiffness K with a grain that stands, no damping, omega H = sqrt(K/m) H. By theory the spectral radius of the scheme's
 // window map; measured: the coupling code itself (path, mean load, tangent) on that contact, the body integrated
 // exactly; and the whole program with LIGGGHTS (window_growth_run.h).
-// theory: coupling (window maps).
+// theory 7.7.
 
 #include <limits>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// The gas chamber of a strut [Lin25 13, sign of V as in docs: errata]:
+// The gas chamber of a strut [Lin25 13; sign of V: theory 9]:
 //
 //   F = A_p P0 (V0 / (V0 - A_p x))^n,   A_p = pi d_p^2 / 4
 //

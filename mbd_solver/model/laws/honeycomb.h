@@ -1,6 +1,6 @@
 #pragma once
 // Crushable honeycomb strut with a cartridge for compression and one for tension (either may be absent);
-// theory: docs, section 2.
+// theory 3.3.
 //
 // A cartridge of stages i = 1..N (crush force F_i, crush length L_i, softest first) has one inner state, its
 // permanent crush c >= 0. With the closing x+ = x (compression) or -x (tension) and the elastic spring g of

@@ -1,4 +1,4 @@
-// Every kind of joint, law, force element and controller: mbd_solver/build/mechanism.h builds it from a minimal scene.
+// Every kind of joint, strut law, spring and controller that a scene can name (mbd_solver/build/mechanism.h): it is built as what it is called, its
 // derivatives are those of its residual, and it keeps the account of the energy. The kinds are those of the reader's
 // own lists; a kind without a scene in kind_scenes.h fails.
 
