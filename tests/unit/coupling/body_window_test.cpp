@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 
 #include "coupler/schemes/registry.h"
 #include "tests/unit/coupler/random_boundary.h"
@@ -98,6 +100,34 @@ TEST_P(EveryScheme, FollowsTheForceToTheEndOfItsWindow) {
   end.L = window.path().L_end;
   const double at_end = scheme->wants_tangent() ? 600.0 : 700.0;  // [N]
   EXPECT_NEAR(window.pending_work(end), 1e-3 * at_end, 1e-10);    // round-off of r
+}
+
+// Two masses of 1 kg, 1 m apart, on a spring: one mode of Omega [rad/s].
+std::shared_ptr<const ModalBody> dumbbell(double Omega) {
+  auto body = std::make_shared<ModalBody>();
+  body->name = "dumbbell";
+  body->rho0.resize(3, 2);
+  body->rho0 << 0.0, 0.0, 0.0, 0.0, -0.5, 0.5;
+  body->node_mass = Eigen::Vector2d::Ones();
+  body->node_inertia.assign(2, 0.1 * Eigen::Matrix3d::Identity());
+  body->Phi = Eigen::MatrixXd::Zero(6, 1);
+  body->Phi(2, 0) = -std::sqrt(0.5);
+  body->Phi(5, 0) = std::sqrt(0.5);
+  body->Psi = Eigen::MatrixXd::Zero(6, 1);
+  body->stiffness = Eigen::VectorXd::Constant(1, Omega * Omega);
+  body->damping = Eigen::VectorXd::Zero(1);
+  return body;
+}
+
+// theta = Omega H = 10: da_path = 2 da (1 - cos theta)/theta^2, with weight theta^4/(1 + theta^4), is below 5 % of da.
+TEST_P(EveryScheme, SlowsDownModesThatSwingWithinTheWindow) {
+  const double H = kSubsteps * kDt;
+  const Body flexible("dumbbell", dumbbell(10.0 / H));
+  BodyMotion sent(1);
+  BodyWindow windows(*scheme, flexible, sent);
+  sent.da[0] = 1.0;
+  windows.begin(kSubsteps, kDt, sent);
+  EXPECT_LT(std::abs(sent.da[0]), 0.05);
 }
 
 }  // namespace
