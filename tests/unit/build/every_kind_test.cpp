@@ -95,6 +95,15 @@ TEST_P(EveryJointType, DoesNoWorkButThatOfItsMotion) { expect_energy_balance(bui
 
 INSTANTIATE_TEST_SUITE_P(Registered, EveryJointType, ValuesIn(names_of<JointType>()), name_of_test);
 
+// The tests of tests/unit/dynamics take their joints, between flexible bodies too, from one list.
+TEST(JointSpecimens, AreOneOfEachType) {
+  test::Random random(1);
+  const Model model = test::random_bodies(random);
+  std::vector<std::string> kinds;
+  for (const Joint& joint : test::all_joints(random, model, 0, 1)) kinds.push_back(joint.kind);
+  EXPECT_EQ(kinds, names_of<JointType>());
+}
+
 class EveryStrutLaw : public TestWithParam<std::string> {};
 
 TEST_P(EveryStrutLaw, HasTheDerivativesOfItsResidual) { expect_derivatives(build(test::law_scene(GetParam()))); }
