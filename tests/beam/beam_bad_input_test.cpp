@@ -25,7 +25,7 @@ class BeamMistake : public testing::TestWithParam<Mistake> {};
 
 TEST_P(BeamMistake, IsToldAndEndsTheRun) {
   const Mistake& m = GetParam();
-  const RunFolder folder("mistake_" + m.name);
+  const BeamRun folder("mistake_" + m.name);
   const std::string tines = "end 0.001\nbody tine_1\n" + chain({"-0.2 0 0", "0 0 0", "0.2 0 0"}, 0.02) +
                             "body plate\nnode 0 0 0\nbody fork\n" + chain({"-0.2 0.1 0", "0.2 0.1 0"}, 0.02) +
                             chain({"-0.2 0.2 0", "0.2 0.2 0"}, 0.02, 2, 3);
@@ -36,8 +36,8 @@ TEST_P(BeamMistake, IsToldAndEndsTheRun) {
                          "fix w all wall/gran/beam model hertz tangential history " +
                          m.wall + "\n" + m.couple + "run 50\n",
                      m.motion.empty() ? tines : m.motion, m.ranks);
-  EXPECT_NE(outcome.code, 0);
-  EXPECT_NE(outcome.output.find(m.message), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.text.find(m.message), std::string::npos) << outcome.text;
 }
 
 const std::string kOne = "end 0.001\nbody tine_1\n";

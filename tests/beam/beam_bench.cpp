@@ -21,9 +21,9 @@ const char* const kModel = "model hertz tangential history rolling_friction cdt"
 
 double loop_time(const Outcome& outcome) {  // of the last `run` [s]
   const std::string words = "Loop time of ";
-  const std::size_t at = outcome.output.rfind(words);
-  if (outcome.code != 0 || at == std::string::npos) throw std::runtime_error(outcome.output);
-  return std::stod(outcome.output.substr(at + words.size()));
+  const std::size_t at = outcome.text.rfind(words);
+  if (outcome.exit_code != 0 || at == std::string::npos) throw std::runtime_error(outcome.text);
+  return std::stod(outcome.text.substr(at + words.size()));
 }
 
 // The smallest time of each case, in `runs` rounds.
@@ -35,7 +35,7 @@ std::vector<double> compare(int runs, const std::vector<std::function<Outcome()>
 }
 
 void beam_and_mesh(int runs) {
-  const RunFolder folder("bench_tube");
+  const BeamRun folder("bench_tube");
   const BentTube tube;
   const int steps = 5000, around = 384;
   const double r = 5e-4, overlap = 5e-5;
@@ -53,7 +53,7 @@ void beam_and_mesh(int runs) {
                            grains.str() + "neigh_modify exclude type 1 1\n";
   const std::string moving = "velocity 0.001 0.002 0\nspin 0.001 0 0\n",
                     end = "end " + std::to_string(steps * 1e-8) + "\nbody arm\n";
-  tube.write_stl(folder.path("tube.stl"), around);
+  tube.write_stl(folder.file("tube.stl"), around);
   const std::string run = "run " + std::to_string(steps) + "\n";
   const auto time = compare(
       runs, {[&] {

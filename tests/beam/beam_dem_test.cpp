@@ -69,7 +69,7 @@ int touching(const Rows& rows) {
 }
 
 TEST(BeamHistory, DoesNotSeeTheJointsOfAStraightBeam) {
-  const RunFolder folder("joints");
+  const BeamRun folder("joints");
   const auto slide = [&folder](const std::vector<std::string>& nodes, const std::string& file) {
     return folder.coupled(
         preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "timestep 2e-5\npair_style gran " + kModel +
@@ -79,9 +79,9 @@ TEST(BeamHistory, DoesNotSeeTheJointsOfAStraightBeam) {
             dump_command(file, 20, kColumns) + run(18000, 50),
         "end 0.36\nbody tine\n" + chain(nodes, 0.055));
   };
-  ASSERT_EQ(slide({"-0.4 0 0", "0.4 0 0"}, "one.txt").code, 0);
+  ASSERT_EQ(slide({"-0.4 0 0", "0.4 0 0"}, "one.txt").exit_code, 0);
   const Outcome many = slide({"-0.4 0 0", "-0.19 0 0", "-0.1 0 0", "-0.09 0 0", "0.03 0 0", "0.4 0 0"}, "many.txt");
-  ASSERT_EQ(many.code, 0) << many.output;
+  ASSERT_EQ(many.exit_code, 0) << many.text;
   const Dump expected = folder.dump("one.txt");
   EXPECT_LT(relative_difference(expected, folder.dump("many.txt")), kRoundOff);
   const std::vector<double>& end = expected.rbegin()->second.at(0);
@@ -90,14 +90,14 @@ TEST(BeamHistory, DoesNotSeeTheJointsOfAStraightBeam) {
 }
 
 TEST(BeamRuns, AreTheSameOnOneTwoAndThreeRanks) {
-  const RunFolder folder("ranks");
+  const BeamRun folder("ranks");
   Dump one;
   Rows loads;
   for (int ranks = 1; ranks <= 3; ++ranks) {
     const std::string file = "ranks" + std::to_string(ranks) + ".txt";
     const Outcome outcome = folder.coupled(sweep("processors * 1 1\n") + dump_command(file, 20, kColumns) + run(5000),
                                            sweeping_beam(), ranks);
-    ASSERT_EQ(outcome.code, 0) << outcome.output;
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
     const Dump dump = folder.dump(file);
     if (ranks == 1) {
       one = dump;
@@ -129,15 +129,15 @@ TEST(BeamRuns, AreTheSameOnOneTwoAndThreeRanks) {
 // A beam that is nowhere near when the run begins, and comes turning and swaying, is noticed in time: as with
 // a list made at every step.
 TEST(BeamRuns, ABeamThatComesFromAfarIsNoticed) {
-  const RunFolder folder("from_afar");
+  const BeamRun folder("from_afar");
   const auto with = [&folder](const std::string& lists, const std::string& file) {
     std::string motion = sweeping_beam();
     motion.replace(motion.find("velocity 0 0 0.5"), 16, "at 0 0 -0.25\nvelocity 0 0 5");
     return folder.coupled(
         sweep("") + "velocity all set 0 0 0\n" + lists + dump_command(file, 100, kColumns) + run(5000), motion);
   };
-  ASSERT_EQ(with("", "usual.txt").code, 0);
-  ASSERT_EQ(with("neigh_modify every 1 delay 0 check no\n", "always.txt").code, 0);
+  ASSERT_EQ(with("", "usual.txt").exit_code, 0);
+  ASSERT_EQ(with("neigh_modify every 1 delay 0 check no\n", "always.txt").exit_code, 0);
   const Dump usual = folder.dump("usual.txt");
   EXPECT_EQ(relative_difference(usual, folder.dump("always.txt")), 0.0);
   EXPECT_EQ(touching(usual.begin()->second), 0);
@@ -225,7 +225,7 @@ TEST(BeamRuns, ThousandSpheresAmongFiftyBeamsFeelTheForcesOfABruteForceSearch) {
     }
   ASSERT_GT(contacts, 500);
 
-  const RunFolder folder("random");
+  const BeamRun folder("random");
   const std::string model = "model hertz tangential no_history";
   for (int ranks = 1; ranks <= 3; ++ranks) {
     const Outcome outcome =
@@ -234,7 +234,7 @@ TEST(BeamRuns, ThousandSpheresAmongFiftyBeamsFeelTheForcesOfABruteForceSearch) {
                            "neigh_modify exclude type 1 1\nfix w all wall/gran/beam " + model + " type 2" + bodies +
                            "\n" + dump_command("forces.txt", 1, "fx fy fz") + "fix mbd all couple/mbd every 1\nrun 1\n",
                        motion.str(), ranks);
-    ASSERT_EQ(outcome.code, 0) << outcome.output;
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
     // Sums of a few dozen forces, directions to a round-off of 1e-15 over overlaps down to some micrometres.
     const double tolerance = 1e-11 * largest;
     const Rows forces = folder.dump("forces.txt").at(1);
@@ -255,14 +255,14 @@ TEST(BeamRuns, ThousandSpheresAmongFiftyBeamsFeelTheForcesOfABruteForceSearch) {
 // A list made at every step, one that lives long, and the usual one find the same contacts while beam and
 // grains move.
 TEST(BeamRuns, DoNotDependOnWhenListsAreMade) {
-  const RunFolder folder("lists");
+  const BeamRun folder("lists");
   const auto with = [&folder](const std::string& lists, const std::string& file) {
     return folder.coupled(sweep("") + lists + dump_command(file, 100, kColumns) + run(5000), sweeping_beam());
   };
-  ASSERT_EQ(with("", "usual.txt").code, 0);
-  ASSERT_EQ(with("neigh_modify every 1 delay 0 check no\n", "always.txt").code, 0);
-  ASSERT_EQ(with("neighbor 0.08 bin\n", "rarely.txt").code, 0);
-  ASSERT_EQ(with("neighbor 0.0005 bin\n", "often.txt").code, 0);
+  ASSERT_EQ(with("", "usual.txt").exit_code, 0);
+  ASSERT_EQ(with("neigh_modify every 1 delay 0 check no\n", "always.txt").exit_code, 0);
+  ASSERT_EQ(with("neighbor 0.08 bin\n", "rarely.txt").exit_code, 0);
+  ASSERT_EQ(with("neighbor 0.0005 bin\n", "often.txt").exit_code, 0);
   const Dump usual = folder.dump("usual.txt");
   EXPECT_EQ(relative_difference(usual, folder.dump("always.txt")), 0.0);
   EXPECT_EQ(relative_difference(usual, folder.dump("rarely.txt")), 0.0);
@@ -273,7 +273,7 @@ TEST(BeamRuns, DoNotDependOnWhenListsAreMade) {
 // without the histories it would not. Two grains slide along the groove between the two beams of one fix; one
 // of them passes from rank to rank after the restart.
 TEST(BeamHistory, SurvivesARestart) {
-  const RunFolder folder("restart");
+  const BeamRun folder("restart");
   const std::string body = "body groove\n" + chain({"-0.4 -0.04 0", "-0.05 -0.04 0", "0.4 -0.04 0"}, 0.055) +
                            chain({"-0.4 0.04 0", "0.01 0.04 0", "0.4 0.04 0"}, 0.055, 3, 1);
   const auto wall = [](const std::string& id) {
@@ -294,7 +294,7 @@ TEST(BeamHistory, SurvivesARestart) {
             wall("w") + dump_command("whole.txt", 2000, columns("w")) + run(2000) +
             "write_restart half.restart\nrun 2000\n",
         "end 0.08\n" + body, ranks);
-    ASSERT_EQ(whole.code, 0) << whole.output;
+    ASSERT_EQ(whole.exit_code, 0) << whole.text;
     const auto resume = [&](const std::string& id, const std::string& file) {
       return folder.coupled(
           "atom_modify map array\nunits si\nnewton off\nprocessors * 1 1\nread_restart half.restart\n"
@@ -304,8 +304,8 @@ TEST(BeamHistory, SurvivesARestart) {
           "start 0.04\nend 0.08\n" + body, ranks);
     };
     const Outcome resumed = resume("w", "resumed.txt");
-    ASSERT_EQ(resumed.code, 0) << resumed.output;
-    ASSERT_EQ(resume("other", "without_history.txt").code, 0);
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.text;
+    ASSERT_EQ(resume("other", "without_history.txt").exit_code, 0);
     const Dump expected = folder.dump("whole.txt");
     for (const auto& row : expected.at(2000))
       for (std::size_t k = 16; k < 22; ++k) EXPECT_NE(row[k], 0.0);  // both grains touch both beams
@@ -350,7 +350,7 @@ class BeamMomentum : public testing::TestWithParam<int> {};
 
 TEST_P(BeamMomentum, IsGivenAsItIsReceived) {
   const int ranks = GetParam();
-  const RunFolder folder("momentum" + std::to_string(ranks));
+  const BeamRun folder("momentum" + std::to_string(ranks));
   // Of the one beam, its moment about the body's origin; and of all beams, about the origin of W. Every such
   // number of every step is a sum over the ranks: two and three of them check the windows only.
   std::string print, line = "${n}";
@@ -365,7 +365,7 @@ TEST_P(BeamMomentum, IsGivenAsItIsReceived) {
       folder.coupled(sweep("processors * 1 1\n") + dump_command("grains.txt", 6000, kMomentumColumns) +
                          (ranks == 1 ? print : "") + "thermo_modify lost ignore\n" + run(6000),
                      "end 0.12\n" + sweeping_beam().substr(sweeping_beam().find("body")), ranks);
-  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
   const Dump grains = folder.dump("grains.txt");
   const Momentum before = momentum(grains.begin()->second), after = momentum(grains.rbegin()->second);
   ASSERT_EQ(grains.rbegin()->second.size(), 80u);
@@ -416,7 +416,7 @@ INSTANTIATE_TEST_SUITE_P(Ranks, BeamMomentum, testing::Values(1, 2, 3));
 // A free rod on the multibody side, falling upon free grains without gravity: what one program's bodies lose,
 // the other's grains get, and the two together keep their momentum.
 TEST(BeamMomentumOfBothPrograms, OfARodAndTheGrainsItStrikesIsKept) {
-  const RunFolder folder("rod_and_grains");
+  const BeamRun folder("rod_and_grains");
   const std::string scene = R"(title = "a rod among grains"
 end_time = 0.06
 gravity = [0, 0, 0]
@@ -442,10 +442,10 @@ plots = false
   std::string script = sweep("") + "set group all density 26000\n" + dump_command("grains.txt", 3000, kMomentumColumns);
   script.replace(script.find("body tine"), 9, "body rod");
   const Outcome outcome = folder.scene(script + run(3000), scene);
-  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
   const Dump grains = folder.dump("grains.txt");
   const Momentum before = momentum(grains.begin()->second), after = momentum(grains.rbegin()->second);
-  const History history = read_history(folder.path("out/history.csv"));
+  const History history = read_history(folder.file("out/history.csv"));
   const double mass = 7850.0 * M_PI * 0.02 * 0.02 * 0.5;
   const char* const axis[3] = {"rod.vx", "rod.vy", "rod.vz"};
   for (int c = 0; c < 3; ++c) {
@@ -458,7 +458,7 @@ plots = false
 // Elastic grains without friction: what they gain is the work of the beam, up to the error of the time steps,
 // which is of second order. The windows are equally long, so that the beam moves in the same way.
 TEST(BeamEnergy, OfElasticGrainsIsTheWorkOfTheBeamToSecondOrder) {
-  const RunFolder folder("energy");
+  const BeamRun folder("energy");
   const Material elastic{1.0, 0.0, 0.0};
   double error[3];
   const char* const dt[3] = {"1.6e-4", "8e-5", "4e-5"};
@@ -468,7 +468,7 @@ TEST(BeamEnergy, OfElasticGrainsIsTheWorkOfTheBeamToSecondOrder) {
     const Outcome outcome =
         folder.coupled(sweep("", elastic, dt[k]) + dump_command(file, steps, kMomentumColumns) + run(steps, n),
                        "end 0.12\n" + sweeping_beam().substr(sweeping_beam().find("body")));
-    ASSERT_EQ(outcome.code, 0) << outcome.output;
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
     const Dump grains = folder.dump(file);
     const double gain = momentum(grains.rbegin()->second).energy - momentum(grains.begin()->second).energy;
     double work = 0.0;  // of the grains on the beam

@@ -36,7 +36,7 @@ std::string held_grains(const BentTube& tube, double r, double overlap) {
 TEST(BentBeam, ForceOfAMeshConvergesToThatOfTheBeam) {
   const BentTube tube;
   const double r = 5e-4, overlap = 5e-5;  // the patch is 0.45 mm wide; 384 facets are 0.49 mm wide
-  const RunFolder folder("bent");
+  const BeamRun folder("bent");
   const auto hold = [&](const std::string& wall, const std::string& file) {
     return preamble("-0.1 0.2 -0.1 0.1 -0.1 0.2") + "neighbor 0.001 bin\ntimestep 1e-7\npair_style gran " + kModel +
            "\npair_coeff * *\n" + held_grains(tube, r, overlap) + wall + dump_command(file, 1, "fx fy fz");
@@ -45,20 +45,20 @@ TEST(BentBeam, ForceOfAMeshConvergesToThatOfTheBeam) {
       folder.coupled(hold(std::string("fix w all wall/gran/beam ") + kModel + " type 2 body arm\n", "beam.txt") +
                          "fix mbd all couple/mbd every 1\nrun 1\n",
                      "end 1e-7\nbody arm\n" + chain(tube.nodes(), tube.radius));
-  ASSERT_EQ(beam.code, 0) << beam.output;
+  ASSERT_EQ(beam.exit_code, 0) << beam.text;
   const Rows expected = folder.dump("beam.txt").at(0);
   ASSERT_EQ(expected.size(), 48u);
 
   std::vector<double> error;
   for (const int around : {96, 192, 384}) {
     const std::string name = "mesh" + std::to_string(around);
-    tube.write_stl(folder.path(name + ".stl"), around);
+    tube.write_stl(folder.file(name + ".stl"), around);
     const Outcome mesh =
         folder.stock(hold("fix tube all mesh/surface file " + name + ".stl type 2\nfix w all wall/gran " + kModel +
                               " mesh n_meshes 1 meshes tube\n",
                           name + ".txt") +
                      "run 0\n");
-    ASSERT_EQ(mesh.code, 0) << mesh.output;
+    ASSERT_EQ(mesh.exit_code, 0) << mesh.text;
     const Rows found = folder.dump(name + ".txt").at(0);
     double worst = 0.0;
     for (std::size_t i = 0; i < expected.size(); ++i) {

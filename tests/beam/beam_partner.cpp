@@ -24,7 +24,6 @@
 #include <vector>
 
 #include "coupler/abort_guard.h"
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"

@@ -1,108 +1,47 @@
 #include "tests/beam/beam_run.h"
 
-#include <sys/wait.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <limits>
 #include <sstream>
-#include <stdexcept>
 
 namespace footfall::test {
 namespace {
 
-std::string quoted(const std::string& word) { return "'" + word + "'"; }
+constexpr int kLimit = 110;  // of one run [s]; ctest's own is 120
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+std::string coupled_with(int ranks, const std::string& partner) {
+  return "-np " + std::to_string(ranks) + " " + RunFolder::program("liggghts_mbd") + " -in in.coupled : -np 1 " +
+         RunFolder::program(partner);
 }
 
 }  // namespace
 
-RunFolder::RunFolder(const std::string& name) : path_(std::string(FOOTFALL_BINARY_DIR) + "/tests/beam/runs/" + name) {
-  std::filesystem::remove_all(path_);
-  std::filesystem::create_directories(path_);
-}
-
-void RunFolder::write(const std::string& file, const std::string& text) const {
-  std::ofstream out(path(file));
-  out << text;
-  if (!out.flush()) throw std::runtime_error("cannot write " + path(file));
-}
-
-Outcome RunFolder::run(const std::string& command) const {
-  // Open MPI refuses root and more ranks than cores unless it is told that both are meant.
-  const std::string full = "cd " + quoted(path_) +
-                           " && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe " +
-                           command + " > output.txt 2>&1";
-  const int status = std::system(full.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(path("output.txt"))};
-}
-
-Outcome RunFolder::stock(const std::string& script, int ranks) const {
+Outcome BeamRun::stock(const std::string& script, int ranks) const {
   write("in.stock", script);
-  return run("-np " + std::to_string(ranks) + " liggghts -in in.stock");
+  return alone("liggghts", ranks, "-in in.stock", kLimit);
 }
 
-Outcome RunFolder::coupled(const std::string& script, const std::string& motion, int ranks) const {
+Outcome BeamRun::coupled(const std::string& script, const std::string& motion, int ranks) const {
   write("in.coupled", script);
   write("motion.txt", motion);
-  return run("-np " + std::to_string(ranks) + " " + quoted(LIGGGHTS_MBD) + " -in in.coupled : -np 1 " +
-             quoted(BEAM_PARTNER) + " motion.txt loads.csv");
+  return mpirun(coupled_with(ranks, "beam_partner motion.txt loads.csv"), kLimit);
 }
 
-Outcome RunFolder::scene(const std::string& script, const std::string& scene, int ranks) const {
+Outcome BeamRun::scene(const std::string& script, const std::string& scene, int ranks) const {
   write("in.coupled", script);
   write("scene.toml", scene);
-  return run("-np " + std::to_string(ranks) + " " + quoted(LIGGGHTS_MBD) + " -in in.coupled : -np 1 " +
-             quoted(MBD_SOLVER) + " scene.toml --out out --quiet");
+  return mpirun(coupled_with(ranks, "mbd_solver scene.toml --out out --quiet"), kLimit);
 }
 
-Dump RunFolder::dump(const std::string& file) const {
-  std::ifstream in(path(file));
-  if (!in) throw std::runtime_error("no dump " + path(file) + "\n" + text_of(path("output.txt")));
-  Dump dump;
-  std::string line;
-  Rows* rows = nullptr;
-  while (std::getline(in, line)) {
-    if (line.rfind("ITEM: TIMESTEP", 0) == 0) {
-      std::getline(in, line);
-      rows = &dump[std::stol(line)];
-      rows->clear();
-    } else if (line.rfind("ITEM: ATOMS", 0) == 0) {
-      while (in.peek() != 'I' && std::getline(in, line)) {
-        std::istringstream numbers(line);
-        std::vector<double>& row = rows->emplace_back();
-        for (double value; numbers >> value;) row.push_back(value);
-      }
-      std::sort(rows->begin(), rows->end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
-    }
-  }
-  return dump;
-}
-
-Rows RunFolder::table(const std::string& file) const {
-  std::ifstream in(path(file));
+Rows BeamRun::table(const std::string& file) const {
   Rows rows;
-  std::string line;
-  while (std::getline(in, line)) {
-    if (line.empty() || line[0] == '#') continue;
-    std::istringstream numbers(line);
-    std::vector<double>& row = rows.emplace_back();
-    for (double value; numbers >> value;) row.push_back(value);
-  }
+  std::istringstream in(read(file));
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty() && line[0] != '#') rows.push_back(numbers_of(line));
   return rows;
 }
 
-Rows RunFolder::loads() const {
-  std::ifstream in(path("loads.csv"));
+Rows BeamRun::loads() const {
   Rows rows;
+  std::istringstream in(read("loads.csv"));
   std::string line, word;
   while (std::getline(in, line)) {
     std::istringstream words(line);
@@ -111,31 +50,6 @@ Rows RunFolder::loads() const {
       if (column != 1) row.push_back(std::stod(word));
   }
   return rows;
-}
-
-double relative_difference(const Dump& expected, const Dump& found) {
-  const double different = std::numeric_limits<double>::infinity();
-  std::vector<double> largest;  // of each column
-  for (const auto& [step, rows] : expected)
-    for (const auto& row : rows) {
-      largest.resize(row.size(), 0.0);
-      for (std::size_t k = 0; k < row.size(); ++k) largest[k] = std::max(largest[k], std::abs(row[k]));
-    }
-  double worst = 0.0;
-  if (found.size() != expected.size()) return different;
-  for (const auto& [step, rows] : expected) {
-    const auto same_step = found.find(step);
-    if (same_step == found.end() || same_step->second.size() != rows.size()) return different;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const std::vector<double>& row = same_step->second[i];
-      if (row.size() != rows[i].size() || row[0] != rows[i][0]) return different;
-      for (std::size_t k = 1; k < row.size(); ++k) {
-        const double difference = std::abs(row[k] - rows[i][k]);
-        if (difference != 0.0) worst = std::max(worst, difference / largest[k]);
-      }
-    }
-  }
-  return worst;
 }
 
 std::string dump_command(const std::string& file, int every, const std::string& columns) {

@@ -100,11 +100,11 @@ class BeamLikeCylinder : public testing::TestWithParam<Case> {};
 
 TEST_P(BeamLikeCylinder, SameForcesHistoryAndMotionToRoundOff) {
   const Case& c = GetParam();
-  const RunFolder folder("cylinder_" + c.name);
+  const BeamRun folder("cylinder_" + c.name);
   std::string wall = " " + c.model + " primitive type 2 " + c.axis + "cylinder 0.055 0 0";
   if (c.sliding != 0.0) wall += " shear " + c.axis + " " + std::to_string(c.sliding);
   const Outcome stock = folder.stock(script(c, wall + c.keywords, "stock.txt") + "run 3000\n");
-  ASSERT_EQ(stock.code, 0) << stock.output;
+  ASSERT_EQ(stock.exit_code, 0) << stock.text;
 
   const auto on_axis = [&c](const std::string& s) {
     return c.axis == "x" ? s + " 0 0" : c.axis == "y" ? "0 " + s + " 0" : "0 0 " + s;
@@ -116,7 +116,7 @@ TEST_P(BeamLikeCylinder, SameForcesHistoryAndMotionToRoundOff) {
   const Outcome beam = folder.coupled(script(c, "/beam " + c.model + " type 2 body tine" + c.keywords, "beam.txt") +
                                           "fix mbd all couple/mbd every 5\nrun 3000\n",
                                       motion);
-  ASSERT_EQ(beam.code, 0) << beam.output;
+  ASSERT_EQ(beam.exit_code, 0) << beam.text;
 
   const Dump expected = folder.dump("stock.txt");
   ASSERT_EQ(expected.size(), 61u);
@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(
 // Two beams are two contacts: a grain falls between two cylinders and stays there, as between two of stock
 // LIGGGHTS'.
 TEST(TwoBeams, HoldAGrainBetweenThemLikeTwoCylinders) {
-  const RunFolder folder("two_beams");
+  const BeamRun folder("two_beams");
   const auto fall = [](const std::string& walls, const std::string& file) {
     return preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "timestep 2e-5\npair_style gran " + kHertz + "\npair_coeff * *\n" +
            "create_atoms 1 single 0.004 0.1 0.06\nset group all diameter 0.08 density 2600\nvelocity all set "
@@ -186,14 +186,14 @@ TEST(TwoBeams, HoldAGrainBetweenThemLikeTwoCylinders) {
   const std::string wall = std::string(" all wall/gran ") + kHertz + " primitive type 2 ycylinder ";
   const Outcome stock = folder.stock(
       fall("fix w1" + wall + "0.03 0 -0.05\nfix w2" + wall + "0.02 0 0.045\n", "stock.txt") + "run 10000\n");
-  ASSERT_EQ(stock.code, 0) << stock.output;
+  ASSERT_EQ(stock.exit_code, 0) << stock.text;
   const std::string beam = std::string(" all wall/gran/beam ") + kHertz + " type 2 body fork";
   const std::string fork = "end 0.2\nbody fork\n" + chain({"-0.05 -0.4 0", "-0.05 0.1 0", "-0.05 0.4 0"}, 0.03) +
                            chain({"0.045 -0.4 0", "0.045 0.12 0", "0.045 0.4 0"}, 0.02, 3, 7);
   const std::string run = "fix mbd all couple/mbd every 10\nrun 10000\n";
   const Outcome coupled =
       folder.coupled(fall("fix w1" + beam + " chain 0\nfix w2" + beam + " chain 7\n", "beam.txt") + run, fork);
-  ASSERT_EQ(coupled.code, 0) << coupled.output;
+  ASSERT_EQ(coupled.exit_code, 0) << coupled.text;
   const Dump expected = folder.dump("stock.txt");
   EXPECT_LT(relative_difference(expected, folder.dump("beam.txt")), kRoundOff);
 
@@ -201,7 +201,7 @@ TEST(TwoBeams, HoldAGrainBetweenThemLikeTwoCylinders) {
   std::string script = fall("fix w1" + beam + "\n", "one_fix.txt") + run;
   for (std::size_t at; (at = script.find("history_w2[")) != std::string::npos;) script.replace(at, 11, "history_w1_2[");
   const Outcome one_fix = folder.coupled(script, fork);
-  ASSERT_EQ(one_fix.code, 0) << one_fix.output;
+  ASSERT_EQ(one_fix.exit_code, 0) << one_fix.text;
   EXPECT_EQ(relative_difference(folder.dump("beam.txt"), folder.dump("one_fix.txt")), 0.0);
   const std::vector<double>& end = expected.rbegin()->second.at(0);
   EXPECT_NE(end[13], 0.0);  // touches both

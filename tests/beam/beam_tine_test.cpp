@@ -80,10 +80,10 @@ std::string row_of_grains() {
 // force F at the distance a below the clamp moves the end by F a^2 (3 L - a) / (6 E I). F and its moment,
 // which gives a, are what mbd_solver got from LIGGGHTS.
 TEST(Tine, BendsAsItsContactForceAsks) {
-  const RunFolder folder("tine");
+  const BeamRun folder("tine");
   const Outcome outcome = folder.scene(row_of_grains(), kScene);
-  ASSERT_EQ(outcome.code, 0) << outcome.output;
-  const History history = read_history(folder.path("out/history.csv"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
+  const History history = read_history(folder.file("out/history.csv"));
   const auto mean = [&history](const std::string& name) {
     double sum = 0.0;
     int count = 0;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/dem/coupled_run.h"
+#include "tests/support/run_folder.h"
 
 namespace footfall::test {
 namespace {
@@ -12,7 +12,7 @@ Outcome run_pair(const std::string& scenario, int grains, bool body_first = fals
   const std::string program = RunFolder::program("mpi_pair");
   const std::string a = "-np " + std::to_string(grains) + " " + program + " grains " + scenario;
   const std::string b = "-np 1 " + program + " body " + scenario;
-  return folder.command("mpirun --oversubscribe " + (body_first ? b + " : " + a : a + " : " + b), limit);
+  return folder.mpirun(body_first ? b + " : " + a : a + " : " + b, limit);
 }
 
 TEST(TwoPrograms, FindEachOtherInEitherOrder) {
@@ -28,8 +28,7 @@ TEST(TwoPrograms, FindEachOtherInEitherOrder) {
 
 TEST(TwoPrograms, OneAloneHasNoPartner) {
   const RunFolder folder("mpi_alone");
-  const Outcome outcome =
-      folder.command("mpirun --oversubscribe -np 2 " + RunFolder::program("mpi_pair") + " grains who", 60);
+  const Outcome outcome = folder.mpirun("-np 2 " + RunFolder::program("mpi_pair") + " grains who", 60);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.text.find("grains rank 1 of 2 partner -1"), std::string::npos) << outcome.text;
   const Outcome without_mpirun = folder.command(RunFolder::program("mpi_pair") + " grains who", 60);
@@ -40,9 +39,8 @@ TEST(TwoPrograms, OneAloneHasNoPartner) {
 TEST(TwoPrograms, ThreeAreRefused) {
   const RunFolder folder("mpi_three");
   const std::string program = RunFolder::program("mpi_pair");
-  const Outcome outcome = folder.command(
-      "mpirun --oversubscribe -np 1 " + program + " a who : -np 1 " + program + " b who : -np 1 " + program + " c who",
-      60);
+  const Outcome outcome =
+      folder.mpirun("-np 1 " + program + " a who : -np 1 " + program + " b who : -np 1 " + program + " c who", 60);
   EXPECT_NE(outcome.exit_code, 0);
   EXPECT_NE(outcome.text.find("this mpirun started 3 programs; footfall couples two"), std::string::npos)
       << outcome.text;
