@@ -7,7 +7,6 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/schemes/registry.h"
-#include "mbd_solver/coupling/fill_motion.h"
 #include "mbd_solver/coupling/flight_time.h"
 #include "mbd_solver/model/up_direction.h"
 

@@ -39,6 +39,19 @@ void Kinematics::load(const Layout& layout, const Eigen::Ref<const Eigen::Vector
   }
 }
 
+void fill_motion(const BodyKinematics& body, BodyMotion& motion) {
+  motion.r = body.r;
+  motion.L = body.L;
+  motion.dr = body.dr;
+  motion.w = body.w;
+  motion.ddr = body.ddr;
+  motion.dw = body.dw;
+  if (motion.mode_count() == 0) return;
+  motion.a = body.a;
+  motion.da = body.da;
+  motion.dda = body.dda;
+}
+
 namespace {
 
 // Calls visit(q0, v0, s) for every body: first entries in q and v, number of modes.

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "coupler/body_motion.h"
 #include "mbd_solver/dynamics/layout.h"
 #include "mbd_solver/model/kinematic_vector.h"
 
@@ -21,6 +22,10 @@ class Kinematics {
  private:
   std::vector<BodyKinematics> bodies_;  // the ground first
 };
+
+// What a message tells of a body: position, velocity and acceleration. `motion` is sized: for the body's modes, or for
+// none when its boundary is rigid. No allocation.
+void fill_motion(const BodyKinematics& body, BodyMotion& motion);
 
 // q moved by increments dx = [dr; dtheta; da] per body.
 void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> q);

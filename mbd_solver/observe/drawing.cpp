@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "mbd_solver/coupling/fill_motion.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/model/stress_recovery.h"

@@ -6,7 +6,6 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/folder.h"
-#include "mbd_solver/coupling/fill_motion.h"
 
 namespace footfall {
 namespace {

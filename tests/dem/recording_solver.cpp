@@ -15,7 +15,6 @@
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/transport_mpi.h"
-#include "mbd_solver/coupling/fill_motion.h"
 #include "mbd_solver/run/simulation.h"
 #include "mbd_solver/scene/scene_reader.h"
 

@@ -17,6 +17,7 @@ only() {
 only 'coupling/(dem_partner|coupling_watch|window_choice|flight_time|fast_modes)\.h' 'mbd_solver/coupling/*'
 only 'coupling/coupled_run\.h' 'mbd_solver/coupling/*' 'mbd_solver/run/simulation.h'
 only 'run/' 'mbd_solver/run/*' 'mbd_solver/main.cpp'
+only 'coupling/coupling_sample\.h' 'mbd_solver/coupling/*' 'mbd_solver/observe/sample.h'
 if [[ $(grep -rlE 'make_unique<CoupledRun>|\bCoupledRun [a-z]+[({]' mbd_solver) != mbd_solver/run/simulation.cpp ]]; then
   echo "CoupledRun is made elsewhere than in mbd_solver/run/simulation.cpp"; failed=1; fi
 exit $failed

@@ -4,6 +4,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/parameter_check.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/model/controllers/fuzzy_engine.h"
 
 namespace footfall {
