@@ -7,17 +7,16 @@
 #include <functional>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/experiments/accuracy_command.h"
-#include "mbd_solver/cli/launch/check_command.h"
-#include "mbd_solver/cli/launch/child.h"
 #include "mbd_solver/cli/analysis/compare_command.h"
 #include "mbd_solver/cli/analysis/pictures_command.h"
-#include "mbd_solver/cli/positive.h"
-#include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/analysis/report_command.h"
-#include "mbd_solver/cli/launch/run_command.h"
 #include "mbd_solver/cli/analysis/surfaces_command.h"
-#include "mbd_solver/cli/experiments/sweep_command.h"
+#include "mbd_solver/cli/experiments/experiment_command.h"
+#include "mbd_solver/cli/launch/check_command.h"
+#include "mbd_solver/cli/launch/child.h"
+#include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/launch/run_command.h"
+#include "mbd_solver/cli/positive.h"
 
 using namespace footfall;
 
@@ -64,18 +63,36 @@ void add_surfaces(CLI::App& app, RunArguments& a, std::function<int()>& action) 
   });
 }
 
-void add_sweep(CLI::App& app, SweepArguments& a, std::function<int()>& action) {
-  CLI::App* sweep = app.add_subcommand(
-      "sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted");
-  sweep->add_option("FILE", a.file, "Sweep file, as in inputs/sweeps")->required()->check(CLI::ExistingFile);
-  sweep->add_option("--out", a.out, "Folder for results (default: runs/sweeps/NAME)");
-  sweep->add_option("--jobs", a.jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
-  sweep->add_option("--only", a.only, "This run alone, without tables (one element of a job array)")
+// What `footfall sweep` and `footfall accuracy` have in common: both run an experiment.
+CLI::App* add_experiment(CLI::App& app, const std::string& name, const std::string& what, ExperimentArguments& a,
+                         std::function<int()>& action) {
+  CLI::App* command = app.add_subcommand(name, what);
+  a.command = name;
+  command->add_option("FILE", a.file, "Experiment, as in inputs/sweeps and inputs/accuracy")
+      ->required()
+      ->check(CLI::ExistingFile);
+  command->add_option("--out", a.out, "Folder for results (default: " + a.runs + "/NAME)");
+  command
+      ->add_option("--jobs", a.jobs,
+                   "Runs at once (default: " + (a.jobs ? std::to_string(a.jobs) : "as many as fit the cores") + ")")
+      ->check(positive());
+  command->add_option("--case", a.of_case, "This curve, or case of a stability map, alone");
+  command->add_option("--only", a.only, "This run alone, without tables (one element of a job array)")
       ->check(CLI::Range(0, 1 << 30));
-  sweep->add_flag("--list", a.list, "Make the beds, list the runs, and stop");
-  sweep->add_flag("--merge", a.merge, "Tables and plots of what is there");
-  sweep->add_flag("--slurm", a.slurm, "Write sweep.sbatch, the sweep as a Slurm job array, and stop");
-  sweep->callback([&] { action = [&a] { return sweep_command(a); }; });
+  command->add_option("--table", a.table, "Write the table to this file as well, as Markdown");
+  command->add_flag("--short", a.short_form, "The short form, as the tests run it");
+  command->add_flag("--list", a.list, "Make the beds, list the runs, and stop");
+  command->add_flag("--merge", a.merge, "Tables and plots of what is there");
+  command->add_flag("--slurm", a.slurm, "Write sweep.sbatch, the experiment as a Slurm job array, and stop");
+  command->callback([&] { action = [&a] { return experiment_command(a); }; });
+  return command;
+}
+
+void add_sweep(CLI::App& app, ExperimentArguments& a, std::function<int()>& action) {
+  a.runs = "runs/sweeps";
+  a.resume = true;
+  add_experiment(app, "sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted",
+                 a, action);
 }
 
 struct CompareArguments {
@@ -125,17 +142,13 @@ void add_report(CLI::App& app, std::string& folder, std::function<int()>& action
   });
 }
 
-void add_accuracy(CLI::App& app, AccuracyArguments& a, std::function<int()>& action) {
-  CLI::App* accuracy =
-      app.add_subcommand("accuracy", "Error against run time (a study), or a stability map: CSV, picture, table");
-  accuracy->add_option("FILE", a.file, "Study file, as in inputs/accuracy")->required()->check(CLI::ExistingFile);
-  accuracy->add_option("--out", a.out, "Folder for results (default: runs/accuracy/NAME)");
-  accuracy->add_option("--case", a.only, "Of a stability map: this case alone");
-  accuracy->add_option("--table", a.table, "Write the table to this file as well, as Markdown");
-  accuracy->add_flag("--resume", a.resume,
-                     "Of a study: keep the runs in the folder that were done with the same scene, settings and script");
-  accuracy->add_flag("--short", a.short_form, "Of a study: its short form, as the tests run it");
-  accuracy->callback([&] { action = [&a] { return accuracy_command(a); }; });
+void add_accuracy(CLI::App& app, ExperimentArguments& a, std::function<int()>& action) {
+  a.runs = "runs/accuracy";
+  a.jobs = 1;
+  add_experiment(app, "accuracy", "Error against run time (a study), or a stability map: CSV, picture, table", a,
+                 action)
+      ->add_flag("--resume", a.resume,
+                 "Keep the runs in the folder that were done with the same scene, settings and script");
 }
 
 void add_test(CLI::App& app, std::string& label, std::function<int()>& action) {
@@ -160,8 +173,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   RunArguments arguments;
   arguments.scene = default_scene();
-  SweepArguments sweep;
-  AccuracyArguments accuracy;
+  ExperimentArguments sweep, accuracy;
   std::string label;
   std::function<int()> action;
   add_run(app, arguments, action);
