@@ -1,6 +1,6 @@
 #pragma once
-// What the errors of an experiment recommend: the cheapest value of each curve that keeps all errors within a limit, and
-// whose error is the largest.
+// What the errors of an experiment recommend: the cheapest value of each curve that keeps all errors within a limit,
+// and whose error is the largest.
 
 #include <string>
 #include <vector>
@@ -11,8 +11,8 @@ namespace footfall {
 
 struct Advice {
   std::string curve;
-  // The first value, in the file's order from coarse to fine, from which on all errors are within the limit: one that is
-  // within while a finer one is not was lucky. Empty: none is.
+  // The first value, in the file's order from coarse to fine, from which on all errors are within the limit: one that
+  // is within while a finer one is not was lucky. Empty: none is.
   std::string value;
   // Where none is with all figures, but one is without this one, the worst of the best value: it has this error there
   // [-]; then `figure`, `error` and the like are of the others.

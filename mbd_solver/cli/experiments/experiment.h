@@ -1,42 +1,51 @@
 #pragma once
-// An experiment as its file says it: many runs, numbers out of them, and what should come out. `footfall sweep FILE` and `footfall accuracy FILE` read the same
-// files. Every list below may be left out.
+// An experiment as its file says it: many runs, numbers out of them, and what should come out. `footfall sweep FILE`
+// and `footfall accuracy FILE` read the same files. Whatever is listed here may be left out.
 //
-//   title, x_name            texts of tables and pictures
-//   scene                    file, relative to this one                 settings       ["key=value", ...] for every run
-//   until                    instead of the scene's end time [s]        time_limit     a run that takes longer hangs [s]; 0: none
-//   repeats                  of every run; the shortest time counts     minimise       a figure: ranks the cases within the limits
-//   [short]                  what --short changes: until, and settings besides the others
+//   title, x_name          texts of tables and pictures
+//   scene                  file, relative to this one
+//   settings               ["key=value", ...] for every run
+//   until                  instead of the scene's end time [s]
+//   time_limit             a run that takes longer hangs [s]; 0: none
+//   repeats                of every run; the shortest of the run times counts
+//   minimise               a figure: ranks the cases within the limits
+//   [short]                what --short changes: until, and settings besides the others
 //
-//   What is run: a case is one value of a curve, or one combination of the values of parameters. Every case is run for every value of the ensemble.
-//   [[parameters]]           every combination of their values; the last one turns fastest
-//     name, settings, values   {value} in settings is replaced
-//     choices                  instead of values: [[parameters.choices]] name, settings, scene
-//     ensemble                 true: its values are samples of one case, as seeds are; figures become mean and spread
-//     short                    the values of --short (default: the first)
-//   [[curves]]               their values one after another; other parameters than ensembles do not go with them
+// What is run. A case is one value of a curve, or one combination of the values of parameters; every case is run for
+// every value of the ensemble.
+//
+//   [[parameters]]         every combination of their values; the last one turns fastest
+//     name, settings         {value} in settings is replaced by each of
+//     values
+//     choices                instead of values: [[parameters.choices]] name, settings, scene
+//     ensemble               true: its values are samples of one case, as seeds are; figures become mean and spread
+//     short                  the values of --short (default: the first)
+//   [[curves]]             their values one after another; only ensembles go with them
 //     name, settings, values, short, scene, until
-//     beside                   what {beside} stands for, one per value, where two numbers go together
-//     scale                    x = scale value
-//     default                  the value that the scene has by itself: recommendations are measured by its run time
-//     reference                settings of a reference of its own, besides those of [reference]; {value} is replaced
-//     ends                     how the runs must end, one for all or one per value (verdicts.h), with group, message, columns, at_end, tolerance, order_beyond
-//   [reference]              settings, scene: the run that the others are compared with
+//     beside                 what {beside} stands for, one per value, where two numbers go together
+//     scale                  x = scale value
+//     default                the value that the scene has by itself: run times are recommended over its own
+//     reference              settings of a reference of its own, besides those of [reference]; {value} is replaced
+//     ends                   how the runs must end: a stability map (verdicts.h has the other keys)
+//   [reference]            settings, scene: the run that the others are compared with
+//   [growth]               omega_h, substeps: growth per window instead of all that (window_growth.h)
 //
-//   What is told:
-//   [[figures]]              columns of the tables: name, and key or columns (figures.h); errors against the reference (errors.h)
-//   [[limits]]               figure, most: cases beyond are out of the ranking
-//   [[printed]]              name, values: figures that somebody else has published, in the order of [[figures]]; "" for what is not printed
-//   [[statements]]           what somebody says should come out; the tables tell whether it did
-//     text, figure             and one of
-//     case, least, most        bounds of the figure of that case (its mean), or, with `against`, of its ratio to that of another case
-//     curve, order             [least, most] of the slope of the error over x
-//     curve, error             the most of the error at the last value of the curve: files name values from coarse to fine
-//     why                      told where it did not come out: the tested explanation
-//   [[expect]]               the same keys; the exit code is 1 where one does not come out
-//   [[plots]]                name, title, column, label: of history.csv over time, one line per case
-//   [[fits]]                 power laws through all runs (fit_spec.h)
-//   [growth]                 omega_h, substeps: growth per window instead of all that (window_growth.h)
+// What is told.
+//
+//   [[figures]]            columns of the tables: name, and key or columns (figures.h), error (errors.h)
+//   [[limits]]             figure, most: cases beyond are out of the ranking
+//   [[printed]]            name, values: figures that somebody else has published, in the order of [[figures]];
+//                          "" for what is not printed
+//   [[statements]]         what somebody says should come out; the tables tell whether it did
+//     text, figure, and one of
+//     case, least, most      bounds of the figure of that case (its mean), or, with
+//     against                of its ratio to that of this case
+//     curve, order           [least, most] of the slope of the error over x
+//     curve, error           the most of the error at the last value: files name values from coarse to fine
+//     why                    told where it did not come out: the tested explanation
+//   [[expect]]             the same keys; the exit code is 1 where one does not come out
+//   [[plots]]              name, title, column, label: of history.csv over time, one line per case
+//   [[fits]]               power laws through all runs (fit_spec.h)
 
 #include <limits>
 #include <optional>

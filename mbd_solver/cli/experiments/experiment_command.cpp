@@ -116,7 +116,7 @@ int experiment_command(const ExperimentArguments& a) {
   }();
   RunStore store((fs::path(place.folder) / "runs").string(), a.resume);
   std::vector<std::size_t> numbers;
-  for (const PlannedRun& run : plan.runs) numbers.push_back(store.add(run.request));
+  for (const RunRequest& run : plan.runs) numbers.push_back(store.add(run));
   const int count = static_cast<int>(numbers.size());
   if (a.only >= count)
     throw InputError("--only " + std::to_string(a.only) + ": there are runs 0 to " + std::to_string(count - 1));

@@ -21,15 +21,9 @@ std::vector<ChoiceSpec> choices_of(const std::vector<std::string>& values, const
 
 void read_parameter(TableReader& t, ParameterSpec& p) {
   std::vector<std::string> values, settings, short_values;
-  t.take("name", p.name);
-  t.take("ensemble", p.ensemble);
-  t.take("settings", settings);
-  t.take("values", values);
-  t.take("short", short_values);
+  t.take("name", p.name, "ensemble", p.ensemble, "settings", settings, "values", values, "short", short_values);
   t.take_list("choices", p.choices, [](TableReader& c, ChoiceSpec& choice) {
-    c.take("name", choice.name);
-    c.take("settings", choice.settings);
-    c.take("scene", choice.scene);
+    c.take("name", choice.name, "settings", choice.settings, "scene", choice.scene);
     c.require("name", !choice.name.empty());
   });
   t.require("name", !p.name.empty());
@@ -47,13 +41,8 @@ void read_parameter(TableReader& t, ParameterSpec& p) {
 }
 
 void read_end(TableReader& t, const std::vector<std::string>& values, EndSpec& e) {
-  t.take("ends", e.ends);
-  t.take("group", e.group);
-  t.take("message", e.message);
-  t.take("columns", e.columns);
-  t.take("at_end", e.at_end);
-  t.take("tolerance", e.tolerance);
-  t.take("order_beyond", e.order_beyond);
+  t.take("ends", e.ends, "group", e.group, "message", e.message, "columns", e.columns, "at_end", e.at_end, "tolerance",
+         e.tolerance, "order_beyond", e.order_beyond);
   if (e.ends.size() > 1 && e.ends.size() != values.size())
     t.fail(*t.next("ends"), "ends", "expected one way to end for all, or one per value");
   for (const std::string& end : e.ends)
@@ -62,16 +51,8 @@ void read_end(TableReader& t, const std::vector<std::string>& values, EndSpec& e
 }
 
 void read_curve(TableReader& t, CurveSpec& c) {
-  t.take("name", c.name);
-  t.take("scene", c.scene);
-  t.take("settings", c.settings);
-  t.take("reference", c.reference);
-  t.take("values", c.values);
-  t.take("short", c.short_values);
-  t.take("beside", c.beside);
-  t.take("default", c.default_value);
-  t.take("scale", c.scale);
-  t.take("until", c.until);
+  t.take("name", c.name, "scene", c.scene, "settings", c.settings, "reference", c.reference, "values", c.values,
+         "short", c.short_values, "beside", c.beside, "default", c.default_value, "scale", c.scale, "until", c.until);
   read_end(t, c.values, c.end);
   t.require("name", !c.name.empty());
   if (c.values.empty() && !c.end.ends.empty()) c.values = {""};  // one run
@@ -138,27 +119,16 @@ ExperimentSpec read_experiment(const std::string& file) {
   s.file = file;
   s.folder = fs::absolute(file).parent_path().string();
   TableReader t(file, "", root);
-  t.take("title", s.title);
-  t.take("x_name", s.x_name);
-  t.take("scene", s.scene);
-  t.take("settings", s.settings);
-  t.take("until", s.until);
-  t.take("time_limit", s.time_limit);
-  t.take("repeats", s.repeats);
-  t.take("minimise", s.minimise);
-  take_table(t, "short", [&](TableReader& form) {
-    form.take("until", s.short_until);
-    form.take("settings", s.short_settings);
-  });
+  t.take("title", s.title, "x_name", s.x_name, "scene", s.scene, "settings", s.settings, "until", s.until, "time_limit",
+         s.time_limit, "repeats", s.repeats, "minimise", s.minimise);
+  take_table(t, "short", [&](TableReader& form) { form.take("until", s.short_until, "settings", s.short_settings); });
   take_table(t, "reference", [&](TableReader& reference) {
     s.reference.emplace();
-    reference.take("scene", s.reference->scene);
-    reference.take("settings", s.reference->settings);
+    reference.take("scene", s.reference->scene, "settings", s.reference->settings);
   });
   take_table(t, "growth", [&](TableReader& growth) {
     s.growth.emplace();
-    growth.take("omega_h", s.growth->omega_h);
-    growth.take("substeps", s.growth->substeps);
+    growth.take("omega_h", s.growth->omega_h, "substeps", s.growth->substeps);
     growth.require("omega_h", !s.growth->omega_h.empty());
     for (const double w : s.growth->omega_h)
       if (!(w > 0.0)) growth.fail("omega_h", "expected numbers above 0");
@@ -168,8 +138,7 @@ ExperimentSpec read_experiment(const std::string& file) {
   t.take_list("curves", s.curves, read_curve);
   t.take_list("figures", s.figures, read_figure);
   t.take_list("limits", s.limits, [](TableReader& l, LimitSpec& limit) {
-    l.take("figure", limit.figure);
-    l.take("most", limit.most);
+    l.take("figure", limit.figure, "most", limit.most);
     l.require("most", l.next("most") != nullptr);
   });
   t.take_list("printed", s.printed, read_printed);

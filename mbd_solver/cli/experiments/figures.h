@@ -3,13 +3,14 @@
 //
 //   [[figures]]
 //     name
-//     key                      a number of summary.json; or
-//     columns                  of history.csv, with
-//       reduce                   what is taken of each column: see Reduction (default: max)
-//       average                  true: the mean over the columns; else the largest of them, of "min" the least, of "final" the last
-//       prominence               of "peaks" (default: 0.3)
-//     over                     a key of summary.json that the figure is divided by
-//     error, until             see errors.h
+//     key                    a number of summary.json; or
+//     columns                of history.csv, with
+//       reduce                 what is taken of each column: see Reduction (default: max)
+//       average                true: the mean over the columns; else the largest of them, of "min" the least, of
+//                              "final" the last
+//       prominence             of "peaks" (default: 0.3)
+//     over                   a key of summary.json that the figure is divided by
+//     error, until           see errors.h
 
 #include <string>
 #include <vector>
@@ -29,7 +30,8 @@ enum class Reduction {
 // Against the reference.
 enum class ErrorKind {
   kRelative,  // "relative": difference of the figures, of the reference's figure
-  kRms,  // "rms": root mean square of the columns' difference over the run, of the reference's swing; no number of the run alone
+  // "rms": root mean square of the columns' difference over the run, of the reference's swing; no number of one run
+  kRms,
   kFinal,   // "final": likewise at the last row
   kItself,  // "itself": the figure is an error, and needs no reference
 };
@@ -49,13 +51,13 @@ struct FigureSpec {
   bool compares_curves() const { return error == ErrorKind::kRms || error == ErrorKind::kFinal; }
 };
 
-// Of the finished run in `folder`; NaN when its history is empty, or for figures that compare curves. Throws InputError, beginning with `file`, when the run has
-// no such figure.
+// Of the finished run in `folder`; NaN when its history is empty, or for figures that compare curves. Throws
+// InputError, beginning with `file`, when the run has no such figure.
 std::vector<double> figures_of_run(const std::vector<FigureSpec>& figures, const std::string& folder,
                                    const std::string& file);
 
-// Number of maxima whose prominence (height over the higher of the two lowest points that part it from higher ground, or from the ends) is at least `least`. A
-// plateau counts once.
+// Number of maxima whose prominence (height over the higher of the two lowest points that part it from higher ground,
+// or from the ends) is at least `least`. A plateau counts once.
 int count_peaks(const std::vector<double>& values, double least);
 
 }  // namespace footfall

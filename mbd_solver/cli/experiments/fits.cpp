@@ -166,20 +166,20 @@ std::string draw_fit(const ExperimentSpec& spec, const FitSpec& fit, const Plan&
 FitData fit_data(const ExperimentSpec& spec, const FitSpec& fit, const Plan& plan,
                  const std::vector<RunResult>& results) {
   FitData data;
-  const auto is_meant = [&](const PlannedRun& run) {
+  const auto is_meant = [&](const RunRequest& run) {
     return std::all_of(fit.where.begin(), fit.where.end(), [&](const auto& entry) {
       return run.values[static_cast<std::size_t>(index_of(spec.parameters, entry.first))] == entry.second;
     });
   };
   for (std::size_t i = 0; i < plan.runs.size(); ++i)
-    if (results[i].done() && is_meant(plan.runs[i])) data.runs.push_back(i);
+    if (results[i].end.done() && is_meant(plan.runs[i])) data.runs.push_back(i);
   data.x =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(data.runs.size()), static_cast<Eigen::Index>(fit.factors.size()));
   data.y.resize(data.x.rows());
   const auto positive = [&](double value, const std::string& what, std::size_t run) {
     if (!(value > 0.0))
       throw InputError(spec.file + ":" + std::to_string(fit.line) + ": fits." + what + ": is " + number(value, kShort) +
-                       " in the run " + plan.runs[run].request.name + ", expected more than 0 in a power law");
+                       " in the run " + plan.runs[run].name + ", expected more than 0 in a power law");
     return value;
   };
   for (Eigen::Index row = 0; row < data.x.rows(); ++row) {

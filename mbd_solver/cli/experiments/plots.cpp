@@ -20,7 +20,8 @@ std::vector<std::string> draw_plots(const ExperimentSpec& spec, const Results& r
       ++color;
       if (c.done.empty()) continue;
       // The first run of an ensemble stands for it.
-      const History history = read_history((fs::path(results.runs[c.done.front()].folder) / "history.csv").string());
+      const History history =
+          read_history((fs::path(results.runs[c.done.front()].end.folder) / "history.csv").string());
       const std::vector<double>&time = history.column("time"), &values = history.column(plot.column);
       const std::string data = "$d" + std::to_string(color);
       script << data << " << EOD\n";

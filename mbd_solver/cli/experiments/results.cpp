@@ -14,37 +14,27 @@ std::size_t figure_index(const ExperimentSpec& spec, const std::string& name) {
   return static_cast<std::size_t>(index_of(spec.figures, name));
 }
 
-RunResult result_of(const ExperimentSpec& spec, const RunEnd& end) {
-  RunResult result{end.folder, end.status, end.code, end.message, {}, end.cost};
-  result.figures.assign(spec.figures.size(), kNone);
-  if (!result.done()) return result;
-  result.figures = figures_of_run(spec.figures, end.folder, spec.file);
-  result.steps = end.summary.value("steps", 0.0);
-  result.windows = end.summary.value("windows", 0.0);
-  return result;
-}
-
 CaseResult case_of(const ExperimentSpec& spec, const PlannedCase& plan, const std::vector<RunResult>& runs) {
   CaseResult c;
   c.plan = plan;
   for (const std::size_t run : plan.runs) {
-    if (runs[run].done()) {
+    if (runs[run].end.done()) {
       c.done.push_back(run);
       continue;
     }
-    if (c.code == 0) c.message = runs[run].message;
-    c.code = std::max(c.code, runs[run].code);
+    if (c.code == 0) c.message = runs[run].end.message;
+    c.code = std::max(c.code, runs[run].end.code);
   }
   const double share = 1.0 / static_cast<double>(c.done.size());
   for (const std::size_t run : c.done) {
-    const RunResult& r = runs[run];
+    const RunEnd& r = runs[run].end;
     c.cost.wall += share * r.cost.wall;
     c.cost.dem += share * r.cost.dem;
     c.cost.mbd += share * r.cost.mbd;
     c.cost.exchange += share * r.cost.exchange;
     c.cost.cpu += share * r.cost.cpu;
-    c.steps += share * r.steps;
-    c.windows += share * r.windows;
+    c.steps += share * r.summary.value("steps", 0.0);
+    c.windows += share * r.summary.value("windows", 0.0);
   }
   for (std::size_t k = 0; k < spec.figures.size(); ++k) {
     std::vector<double> values;
@@ -62,7 +52,7 @@ void compare(const ExperimentSpec& spec, const std::vector<RunResult>& runs, con
   const double share = 1.0 / static_cast<double>(c.plan.runs.size());
   for (std::size_t m = 0; m < c.plan.runs.size() && reference; ++m) {
     const std::vector<double> errors =
-        curve_errors(spec.figures, runs[c.plan.runs[m]].folder, runs[reference->plan.runs[m]].folder);
+        curve_errors(spec.figures, runs[c.plan.runs[m]].end.folder, runs[reference->plan.runs[m]].end.folder);
     for (std::size_t k = 0; k < errors.size(); ++k)
       if (spec.figures[k].compares_curves())
         c.figures[k].error = (m == 0 ? 0.0 : c.figures[k].error) + share * errors[k];
@@ -83,7 +73,7 @@ void compare(const ExperimentSpec& spec, const std::vector<RunResult>& runs, con
 }  // namespace
 
 bool Results::all_done() const {
-  return std::all_of(runs.begin(), runs.end(), [](const RunResult& run) { return run.done(); });
+  return std::all_of(runs.begin(), runs.end(), [](const RunResult& run) { return run.end.done(); });
 }
 
 std::vector<CaseResult> cases_of(const ExperimentSpec& spec, const Plan& plan, const std::vector<RunResult>& runs) {
@@ -95,7 +85,11 @@ std::vector<CaseResult> cases_of(const ExperimentSpec& spec, const Plan& plan, c
 Results results_of(const ExperimentSpec& spec, const Plan& plan, const RunStore& store,
                    const std::vector<std::size_t>& numbers) {
   Results results;
-  for (const std::size_t run : numbers) results.runs.push_back(result_of(spec, store.end_of(run)));
+  for (const std::size_t run : numbers) {
+    const RunEnd end = store.end_of(run);
+    results.runs.push_back({end, end.done() ? figures_of_run(spec.figures, end.folder, spec.file)
+                                            : std::vector<double>(spec.figures.size(), kNone)});
+  }
   results.cases = cases_of(spec, plan, results.runs);
   for (CaseResult& c : results.cases) {
     const int k = c.plan.is_reference ? static_cast<int>(&c - results.cases.data()) : c.plan.reference;

@@ -12,14 +12,8 @@
 namespace footfall {
 
 struct RunResult {
-  std::string folder, status;
-  int code = 0;
-  std::string message;          // when it was not done
+  RunEnd end;
   std::vector<double> figures;  // as ExperimentSpec::figures; NaN: not there
-  RunCost cost;
-  double steps = 0.0, windows = 0.0;
-
-  bool done() const { return code == 0; }
 };
 
 struct CaseResult {

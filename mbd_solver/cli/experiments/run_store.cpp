@@ -55,6 +55,12 @@ Json read_json(const std::string& file) {
   return in ? Json::parse(in, nullptr, false) : Json();
 }
 
+// Of a summary, or of a record.
+RunCost cost_of(const Json& from) {
+  const auto time = [&](const char* key) { return from.value(key, 0.0); };
+  return {time("wall_s"), time("dem_wall_s"), time("mbd_wall_s"), time("exchange_wall_s"), time("cpu_s")};
+}
+
 // A hung run is asked to end as Ctrl-C asks it, and ends its programs in order; only then it is killed.
 std::vector<std::string> words_of(const RunRequest& request, const std::string& folder) {
   std::vector<std::string> words;
@@ -140,17 +146,17 @@ void RunStore::note_end(Entry& entry, int code, double cpu, bool first) {
   entry.code = code;
   const Json summary = read_json((fs::path(folder(entry.home)) / "summary.json").string());
   if (!summary.is_object()) return;
-  const auto time = [&](const char* key) { return summary.value(key, 0.0); };
-  if (first || time("wall_s") < entry.cost.wall)
-    entry.cost = {time("wall_s"), time("dem_wall_s"), time("mbd_wall_s"), time("exchange_wall_s"), cpu};
+  RunCost cost = cost_of(summary);
+  cost.cpu = cpu;
+  if (first || cost.wall < entry.cost.wall) entry.cost = cost;
   if (code != kExitDone || entry.recipe.empty()) return;
   const RunCost& c = entry.cost;
-  const Json cost = {{"wall_s", c.wall},
+  const Json kept = {{"wall_s", c.wall},
                      {"dem_wall_s", c.dem},
                      {"mbd_wall_s", c.mbd},
                      {"exchange_wall_s", c.exchange},
                      {"cpu_s", c.cpu}};
-  write_whole_file(record_file(entry.home), Json{{"recipe", entry.recipe}, {"cost", cost}}.dump(1) + "\n");
+  write_whole_file(record_file(entry.home), Json{{"recipe", entry.recipe}, {"cost", kept}}.dump(1) + "\n");
 }
 
 bool RunStore::carry_out(const std::vector<std::size_t>& runs, int jobs,
@@ -193,9 +199,7 @@ RunEnd RunStore::end_of(std::size_t run) const {
   end.cost = home.cost;
   if (home.code < 0) {
     const Json record = read_json(record_file(run));
-    const Json cost = record.is_object() ? record.value("cost", Json::object()) : Json::object();
-    const auto time = [&](const char* key) { return cost.value(key, 0.0); };
-    end.cost = {time("wall_s"), time("dem_wall_s"), time("mbd_wall_s"), time("exchange_wall_s"), time("cpu_s")};
+    end.cost = cost_of(record.is_object() ? record.value("cost", Json::object()) : Json::object());
   }
   if (end.code == RunEnd::kHung)
     end.message = "hangs: no end within " + std::to_string(home.request.time_limit) + " s";

@@ -1,8 +1,8 @@
 #pragma once
 // The runs of an experiment and what they left in their folders. A finished run is known by what it was made from, kept
-// beside its folder (FOLDER.done.json) with what it cost: it is not done again until its scene, a setting or a file that
-// the scene names has changed. So whatever ends the experiment, the same command goes on with what is left; and runs may
-// be added while it goes.
+// beside its folder (FOLDER.done.json) with what it cost: it is not done again until its scene, a setting or a file
+// that the scene names has changed. So whatever ends the experiment, the same command goes on with what is left; and
+// runs may be added while it goes.
 
 #include <functional>
 #include <map>
@@ -35,6 +35,8 @@ struct RunEnd {
   std::vector<std::string> warnings;
   nlohmann::ordered_json summary;  // null when there is none
   RunCost cost;
+
+  bool done() const { return code == 0; }
 };
 
 class RunStore {

@@ -75,10 +75,9 @@ class Planner {
     }
     for (std::size_t k = 0; k < spec_.curves.size(); ++k) add_curve(k, common);
     std::set<std::string> names;
-    for (const PlannedRun& run : plan_.runs)
-      if (!names.insert(run.request.name).second)
-        throw InputError(spec_.file + ": two runs are named \"" + run.request.name +
-                         "\"; give their choices different names");
+    for (const RunRequest& run : plan_.runs)
+      if (!names.insert(run.name).second)
+        throw InputError(spec_.file + ": two runs are named \"" + run.name + "\"; give their choices different names");
     return plan_;
   }
 
@@ -128,8 +127,7 @@ class Planner {
                                 [&](const PlannedCase& c) { return c.name == mine.name; });
       if (found == plan_.cases.end()) found = plan_.cases.insert(found, mine);
       found->runs.push_back(plan_.runs.size());
-      PlannedRun run;
-      RunRequest& r = run.request;
+      RunRequest r;
       r.name = file_name(name) + (name.empty() || combination.name.empty() ? "" : "__") + combination.name;
       r.scene = combination.scene.empty() ? scene : combination.scene;
       r.settings = spec_.settings;
@@ -140,16 +138,15 @@ class Planner {
       r.time_limit = spec_.time_limit;
       r.repeats = shape.is_reference ? 1 : spec_.repeats;
       r.may_be_refused = spec_.is_map();
-      run.values = combination.values;
-      plan_.runs.push_back(run);
+      r.values = combination.values;
+      plan_.runs.push_back(r);
     }
   }
 
   // Nothing runs without a scene: then the coupling code alone is measured.
   Plan growth_plan() {
-    if (!spec_.scene.empty())
-      for (const RunRequest& request : growth_runs(*spec_.growth, spec_.scene)) plan_.runs.push_back({request, {}});
-    for (PlannedRun& run : plan_.runs) run.request.time_limit = spec_.time_limit;
+    if (!spec_.scene.empty()) plan_.runs = growth_runs(*spec_.growth, spec_.scene);
+    for (RunRequest& run : plan_.runs) run.time_limit = spec_.time_limit;
     return plan_;
   }
 

@@ -12,15 +12,11 @@ struct RunRequest {
   std::string name;  // of its folder
   std::string scene;
   std::vector<std::string> settings;
-  double until = 0.0;           // [s]; 0: the scene's end time
-  int time_limit = 0;           // [s]; 0: none
-  int repeats = 1;              // the shortest of the run times counts
-  bool may_be_refused = false;  // a scene that cannot be read is no mistake of the experiment
-};
-
-struct PlannedRun {
-  RunRequest request;
-  std::vector<std::string> values;  // names of the choices, one per parameter; empty of a reference without parameters
+  double until = 0.0;               // [s]; 0: the scene's end time
+  int time_limit = 0;               // [s]; 0: none
+  int repeats = 1;                  // the shortest of the run times counts
+  bool may_be_refused = false;      // a scene that cannot be read is no mistake of the experiment
+  std::vector<std::string> values;  // names of its choices, one per parameter
 };
 
 // One value of a curve, or one combination of parameters, over the ensemble.
@@ -35,7 +31,7 @@ struct PlannedCase {
 };
 
 struct Plan {
-  std::vector<PlannedRun> runs;    // in the order of their numbers
+  std::vector<RunRequest> runs;    // in the order of their numbers
   std::vector<PlannedCase> cases;  // references before those that are compared with them
   std::size_t members = 1;         // of the ensemble
 };

@@ -69,9 +69,7 @@ void check_fit(const ExperimentSpec& spec, const FitSpec& fit) {
 }  // namespace
 
 void read_figure(TableReader& t, FigureSpec& f) {
-  t.take("name", f.name);
-  t.take("key", f.key);
-  t.take("columns", f.columns);
+  t.take("name", f.name, "key", f.key, "columns", f.columns);
   t.take_one_of("reduce", f.reduction,
                 {{"max", Reduction::kMax},
                  {"min", Reduction::kMin},
@@ -80,9 +78,7 @@ void read_figure(TableReader& t, FigureSpec& f) {
                  {"drop", Reduction::kDrop},
                  {"peaks", Reduction::kPeaks},
                  {"variation", Reduction::kVariation}});
-  t.take("average", f.average);
-  t.take("prominence", f.prominence);
-  t.take("over", f.over);
+  t.take("average", f.average, "prominence", f.prominence, "over", f.over);
   t.take_one_of("error", f.error,
                 {{"relative", ErrorKind::kRelative},
                  {"rms", ErrorKind::kRms},
@@ -98,22 +94,14 @@ void read_figure(TableReader& t, FigureSpec& f) {
 }
 
 void read_printed(TableReader& t, PrintedSpec& p) {
-  t.take("name", p.name);
-  t.take("values", p.values);
+  t.take("name", p.name, "values", p.values);
   t.require("name", !p.name.empty());
 }
 
 void read_statement(TableReader& t, StatementSpec& s) {
   std::vector<double> order;
-  t.take("text", s.text);
-  t.take("figure", s.figure);
-  t.take("case", s.of_case);
-  t.take("against", s.against);
-  t.take("why", s.why);
-  t.take("least", s.least);
-  t.take("most", s.most);
-  t.take("curve", s.curve);
-  t.take("order", order);
+  t.take("text", s.text, "figure", s.figure, "case", s.of_case, "against", s.against, "why", s.why, "least", s.least,
+         "most", s.most, "curve", s.curve, "order", order);
   const bool error = t.next("error") != nullptr;
   t.require("figure", !s.figure.empty());
   if (s.curve.empty()) {
@@ -136,20 +124,15 @@ void read_statement(TableReader& t, StatementSpec& s) {
 }
 
 void read_plot(TableReader& t, PlotSpec& p) {
-  t.take("name", p.name);
-  t.take("title", p.title);
-  t.take("column", p.column);
-  t.take("label", p.label);
+  t.take("name", p.name, "title", p.title, "column", p.column, "label", p.label);
   t.require("name", !p.name.empty());
   t.require("column", !p.column.empty());
 }
 
 void read_fit(TableReader& t, FitSpec& fit) {
-  t.take("name", fit.name);
-  t.take("figure", fit.figure);
+  t.take("name", fit.name, "figure", fit.figure);
   fit.label = fit.figure;
-  t.take("label", fit.label);
-  t.take("marks", fit.marks);
+  t.take("label", fit.label, "marks", fit.marks);
   if (const ConfigNode* where = t.next("where")) {
     TableReader values(t.file(), "fits.where", *where);
     for (const auto& [parameter, value] : where->table)

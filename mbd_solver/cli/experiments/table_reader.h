@@ -22,6 +22,12 @@ class TableReader {
   void take(const std::string& key, bool& out);
   void take(const std::string& key, std::vector<std::string>& out);  // a list of texts and numbers, or one of them
   void take(const std::string& key, std::vector<double>& out);       // likewise numbers; "" is none: NaN
+  // Several keys: take("name", name, "until", until, ...).
+  template <class First, class... Rest>
+  void take(const std::string& key, First& out, const std::string& next_key, Rest&... rest) {
+    take(key, out);
+    take(next_key, rest...);
+  }
   // The value that a word stands for.
   template <class Value>
   void take_one_of(const std::string& key, Value& out, const std::vector<std::pair<std::string, Value>>& known) {

@@ -25,9 +25,9 @@ void write_run_table(const std::string& path, const ExperimentSpec& spec, const 
   out << '\n';
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     out << i;
-    if (!spec.curves.empty()) out << ',' << csv_field(plan.runs[i].request.name);
+    if (!spec.curves.empty()) out << ',' << csv_field(plan.runs[i].name);
     for (const std::string& value : plan.runs[i].values) out << ',' << csv_field(value);
-    out << ',' << results.runs[i].status;
+    out << ',' << results.runs[i].end.status;
     for (const double value : results.runs[i].figures) out << ',' << cell(value);
     out << '\n';
   }

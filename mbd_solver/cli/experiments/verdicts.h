@@ -3,7 +3,7 @@
 //
 //   [[curves]]
 //     ends                     one for all values, or one per value:
-//       "accurate"               done, error within the tolerance (or without a reference: no warning), no energy gained
+//       "accurate"             done, error within the tolerance (without a reference: no warning), no energy gained
 //       "warned"                 done, energy bounded, but the error is larger, and a warning said so
 //       "stopped"                ended by itself with a message (exit code 1)
 //       "refused"                not started (exit code 2)

@@ -104,7 +104,7 @@ TEST_F(FitsTest, UnfinishedRunsAreLeftOut) {
   const ExperimentSpec sweep = read(kSweep + kFit);
   const Plan plan = plan_of(sweep, false);
   std::vector<RunResult> results = results_of(plan);
-  results[3].code = 1;
+  results[3].end.code = 1;
   const FitData data = fit_data(sweep, sweep.fits[0], plan, results);
   EXPECT_EQ(data.runs.size(), 17U);
   EXPECT_EQ(data.runs[3], 4U);
@@ -161,7 +161,7 @@ TEST_F(FitsTest, NumbersWithoutALogarithmAreTold) {
   EXPECT_THAT([&] { fit_data(sweep, sweep.fits[0], plan, results); },
               ThrowsMessage<InputError>(HasSubstr(
                   "fits.figure: is -0.01 in the run density_1000__height_1.6__colour_blue, expected more than 0")));
-  for (RunResult& result : results) result.code = 1;
+  for (RunResult& result : results) result.end.code = 1;
   EXPECT_THAT([&] { write_fits(sweep, plan, results, folder_.string()); },
               ThrowsMessage<InputError>(HasSubstr("0 values for 3 coefficients")));
 }

@@ -13,7 +13,7 @@ using ::testing::ElementsAre;
 
 std::vector<std::string> names(const Plan& plan) {
   std::vector<std::string> names;
-  for (const PlannedRun& run : plan.runs) names.push_back(run.request.name);
+  for (const RunRequest& run : plan.runs) names.push_back(run.name);
   return names;
 }
 
@@ -51,8 +51,8 @@ TEST(PlanOf, RunsEveryValueOfACurveForEveryMemberOfTheEnsemble) {
                                        "window_2__seed_7", "window_2__seed_8", "time_step_reference__seed_7",
                                        "time_step_reference__seed_8", "time_step_1e-4__seed_7",
                                        "time_step_1e-4__seed_8", "time_step_5e-5__seed_7", "time_step_5e-5__seed_8"));
-  EXPECT_THAT(plan.runs[10].request.settings, ElementsAre("all=1", "dt=5e-5", "every=6", "seed=7"));
-  EXPECT_THAT(plan.runs[7].request.settings, ElementsAre("all=1", "fine=1", "dt=1e-5", "seed=8"));
+  EXPECT_THAT(plan.runs[10].settings, ElementsAre("all=1", "dt=5e-5", "every=6", "seed=7"));
+  EXPECT_THAT(plan.runs[7].settings, ElementsAre("all=1", "fine=1", "dt=1e-5", "seed=8"));
 }
 
 TEST(PlanOf, EveryCaseKnowsWhatItIsComparedWith) {
@@ -73,8 +73,8 @@ TEST(PlanOf, ShortFormTakesItsOwnValuesTimeAndSettings) {
   const Plan plan = plan_of(spec, true);
   EXPECT_THAT(names(plan), ElementsAre("reference__seed_7", "window_2__seed_7", "time_step_reference__seed_7",
                                        "time_step_1e-4__seed_7"));
-  EXPECT_THAT(plan.runs[1].request.settings, ElementsAre("all=1", "small=1", "every=2", "seed=7"));
-  EXPECT_EQ(plan.runs[1].request.until, 0.1);
+  EXPECT_THAT(plan.runs[1].settings, ElementsAre("all=1", "small=1", "every=2", "seed=7"));
+  EXPECT_EQ(plan.runs[1].until, 0.1);
 }
 
 TEST(PlanOf, AReferenceThatDependsOnTheValueIsRunForEach) {
@@ -102,7 +102,7 @@ TEST(PlanOf, ParametersAreCombinedAndTheEnsembleIsOneCase) {
   ASSERT_EQ(plan.cases.size(), 2U);
   EXPECT_EQ(plan.cases[1].name, "speed on ice");
   EXPECT_THAT(plan.cases[1].runs, ElementsAre(1, 3));
-  EXPECT_EQ(plan.runs[1].request.scene, "ice.toml");
+  EXPECT_EQ(plan.runs[1].scene, "ice.toml");
 }
 
 TEST(PlanOf, RunsOfOneNameAreTold) {
