@@ -33,7 +33,7 @@ struct RunEnd {
   int code = 0;                      // exit code
   std::string message;               // its last line of error, empty when it was done
   std::vector<std::string> warnings;
-  nlohmann::ordered_json summary;  // null when there is none
+  nlohmann::ordered_json summary = nlohmann::ordered_json::object();  // empty when there is none
   RunCost cost;
 
   bool done() const { return code == 0; }
