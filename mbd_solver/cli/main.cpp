@@ -12,8 +12,7 @@
 #include "mbd_solver/cli/analysis/pictures_command.h"
 #include "mbd_solver/cli/analysis/report_command.h"
 #include "mbd_solver/cli/analysis/surfaces_command.h"
-#include "mbd_solver/cli/experiments/accuracy_command.h"
-#include "mbd_solver/cli/experiments/sweep_command.h"
+#include "mbd_solver/cli/experiments/experiment_command.h"
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
 #include "mbd_solver/cli/launch/programs.h"
@@ -71,17 +70,33 @@ Action surfaces(CLI::App& command) {
   return [a] { return surfaces_command(a->scene, a->settings, a->out.empty() ? "runs/surfaces" : a->out); };
 }
 
-Action sweep(CLI::App& command) {
-  const auto a = std::make_shared<SweepArguments>();
-  command.add_option("FILE", a->file, "Sweep file, as in inputs/sweeps")->required()->check(CLI::ExistingFile);
-  command.add_option("--out", a->out, "Folder for results (default: runs/sweeps/NAME)");
-  command.add_option("--jobs", a->jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
-  command.add_option("--only", a->only, "This run alone, without tables (one element of a job array)")
+// What `footfall sweep` and `footfall accuracy` have in common: both run an experiment.
+void add_experiment_options(CLI::App& command, ExperimentArguments& a) {
+  command.add_option("FILE", a.file, "Experiment, as in inputs/sweeps and inputs/accuracy")
+      ->required()
+      ->check(CLI::ExistingFile);
+  command.add_option("--out", a.out, "Folder for results (default: " + a.runs + "/NAME)");
+  command
+      .add_option("--jobs", a.jobs,
+                  "Runs at once (default: " + (a.jobs ? std::to_string(a.jobs) : "as many as fit the cores") + ")")
+      ->check(positive());
+  command.add_option("--case", a.of_case, "This curve, or case of a stability map, alone");
+  command.add_option("--only", a.only, "This run alone, without tables (one element of a job array)")
       ->check(CLI::Range(0, 1 << 30));
-  command.add_flag("--list", a->list, "Make the beds, list the runs, and stop");
-  command.add_flag("--merge", a->merge, "Tables and plots of what is there");
-  command.add_flag("--slurm", a->slurm, "Write sweep.sbatch, the sweep as a Slurm job array, and stop");
-  return [a] { return sweep_command(*a); };
+  command.add_option("--table", a.table, "Write the table to this file as well, as Markdown");
+  command.add_flag("--short", a.short_form, "The short form, as the tests run it");
+  command.add_flag("--list", a.list, "Make the beds, list the runs, and stop");
+  command.add_flag("--merge", a.merge, "Tables and plots of what is there");
+  command.add_flag("--slurm", a.slurm, "Write sweep.sbatch, the experiment as a Slurm job array, and stop");
+}
+
+Action sweep(CLI::App& command) {
+  const auto a = std::make_shared<ExperimentArguments>();
+  a->command = "sweep";
+  a->runs = "runs/sweeps";
+  a->resume = true;
+  add_experiment_options(command, *a);
+  return [a] { return experiment_command(*a); };
 }
 
 Action compare(CLI::App& command) {
@@ -127,15 +142,14 @@ Action report(CLI::App& command) {
 }
 
 Action accuracy(CLI::App& command) {
-  const auto a = std::make_shared<AccuracyArguments>();
-  command.add_option("FILE", a->file, "Study file, as in inputs/accuracy")->required()->check(CLI::ExistingFile);
-  command.add_option("--out", a->out, "Folder for results (default: runs/accuracy/NAME)");
-  command.add_option("--case", a->only, "Of a stability map: this case alone");
-  command.add_option("--table", a->table, "Write the table to this file as well, as Markdown");
+  const auto a = std::make_shared<ExperimentArguments>();
+  a->command = "accuracy";
+  a->runs = "runs/accuracy";
+  a->jobs = 1;
+  add_experiment_options(command, *a);
   command.add_flag("--resume", a->resume,
-                   "Of a study: keep the runs in the folder that were done with the same scene, settings and script");
-  command.add_flag("--short", a->short_form, "Of a study: its short form, as the tests run it");
-  return [a] { return accuracy_command(*a); };
+                   "Keep the runs in the folder that were done with the same scene, settings and script");
+  return [a] { return experiment_command(*a); };
 }
 
 Action test(CLI::App& command) {

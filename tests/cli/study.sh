@@ -7,11 +7,11 @@ work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 die() { echo "study.sh: $*" >&2; cat "$work"/*.txt >&2; exit 1; }
 study() { "$footfall" accuracy "$1" --out "$work/study" "${@:2}" > "$work/out.txt" 2>&1 || die "accuracy $* ended with $?"; }
 # Seconds and nanoseconds at which the runs wrote their summaries.
-times() { stat -c '%n %y' "$work"/study/*/summary.json; }
+times() { stat -c '%n %y' "$work"/study/runs/*/summary.json; }
 
 study "$file"
 [[ $(times | wc -l) == 3 ]] || die "expected three runs: the reference is one of the values"
-[[ -e $work/study/time_tolerance_0.001/summary.json ]] || die "folders have no blanks: LIGGGHTS splits paths there"
+[[ -e $work/study/runs/time_tolerance_0.001/summary.json ]] || die "folders have no blanks: LIGGGHTS splits paths there"
 first=$(times) table=$(cat "$work/study/study_small.csv")
 
 study "$file" --resume

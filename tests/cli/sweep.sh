@@ -14,7 +14,7 @@ stop_after() {
   "$footfall" sweep "$file" --out "$work/parts" --jobs 2 > "$work/part.txt" 2>&1 &
   local sweep=$! code=0
   for _ in $(seq 600); do
-    (( $(find "$work/parts" -name '*.recipe' 2>/dev/null | wc -l) >= $1 )) && break
+    (( $(find "$work/parts" -name '*.done.json' 2>/dev/null | wc -l) >= $1 )) && break
     sleep 0.05
   done
   kill "-$2" "$sweep"

@@ -1,6 +1,8 @@
 #include "mbd_solver/cli/experiments/table_reader.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/nearest_name.h"
@@ -48,6 +50,17 @@ void TableReader::take(const std::string& key, std::vector<std::string>& out) {
     return;
   }
   for (const ConfigNode& entry : value->list) out.push_back(text(key, entry));
+}
+
+void TableReader::take(const std::string& key, std::vector<double>& out) {
+  std::vector<std::string> texts;
+  take(key, texts);
+  for (const std::string& text : texts) {
+    char* end = nullptr;
+    out.push_back(text.empty() ? std::nan("") : std::strtod(text.c_str(), &end));
+    if (end && *end != '\0')
+      fail(*next(key), key, "\"" + text + "\" is not a number; expected numbers, or \"\" for none");
+  }
 }
 
 const ConfigNode* TableReader::next(const std::string& key) {

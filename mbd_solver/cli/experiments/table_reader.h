@@ -1,7 +1,8 @@
 #pragma once
-// Reads one table of a study or sweep file key by key; what nobody took is unknown, and is told with a guess.
+// Reads one table of an experiment's file key by key; what nobody took is unknown, and is told with a guess.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mbd_solver/scene/config_node.h"
@@ -20,6 +21,29 @@ class TableReader {
   void take(const std::string& key, int& out);
   void take(const std::string& key, bool& out);
   void take(const std::string& key, std::vector<std::string>& out);  // a list of texts and numbers, or one of them
+  void take(const std::string& key, std::vector<double>& out);       // likewise numbers; "" is none: NaN
+  // Several keys: take("name", name, "until", until, ...).
+  template <class First, class... Rest>
+  void take(const std::string& key, First& out, const std::string& next_key, Rest&... rest) {
+    take(key, out);
+    take(next_key, rest...);
+  }
+  // The value that a word stands for.
+  template <class Value>
+  void take_one_of(const std::string& key, Value& out, const std::vector<std::pair<std::string, Value>>& known) {
+    std::string word;
+    take(key, word);
+    if (!next(key)) return;
+    std::string expected;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      if (known[i].first == word) {
+        out = known[i].second;
+        return;
+      }
+      expected += (i == 0 ? "" : i + 1 < known.size() ? ", " : " or ") + known[i].first;
+    }
+    fail(*next(key), key, "is \"" + word + "\", expected " + expected);
+  }
   // [[key]]: read(TableReader&, Spec&) for each entry.
   template <class Spec, class Read>
   void take_list(const std::string& key, std::vector<Spec>& out, const Read& read) {

@@ -93,17 +93,12 @@ double measured_growth(const std::string& name, double omega_h, int n) {
   return std::exp((count * skl - sk * sl) / (count * skk - sk * sk));
 }
 
-std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, int n, const std::string& scene,
-                                           const std::string& out) {
+std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, int n, const std::string& runs) {
   std::vector<GrowthPoint> points;
   for (const double w : omega_h)
     for (const std::string& scheme : scheme_names()) {
       GrowthPoint point{scheme, w, predicted_growth(scheme, w, n), measured_growth(scheme, w, n)};
-      if (!scene.empty()) {
-        char name[64];
-        std::snprintf(name, sizeof name, "%s_%g", scheme.c_str(), w);
-        point.in_liggghts = growth_in_liggghts(scene, scheme, w, n, (std::filesystem::path(out) / name).string());
-      }
+      if (!runs.empty()) point.in_liggghts = growth_in_liggghts(runs, scheme, w, n);
       points.push_back(point);
     }
   return points;

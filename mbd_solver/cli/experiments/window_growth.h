@@ -22,10 +22,9 @@ struct GrowthPoint {
 double predicted_growth(const std::string& scheme, double omega_h, int n);
 double measured_growth(const std::string& scheme, double omega_h, int n);
 
-// Every scheme at every omega H with windows of n substeps; in LIGGGHTS too unless scene is empty, with runs below
-// `out`.
-std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, int n, const std::string& scene,
-                                           const std::string& out);
+// Every scheme at every omega H with windows of n substeps; in LIGGGHTS too unless `runs` is empty, the folder of the
+// runs (window_growth_run.h).
+std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, int n, const std::string& runs);
 // As Markdown: one line per omega H, "measured / theory" per scheme.
 void write_growth(const std::string& path, const std::string& title, const std::vector<GrowthPoint>& points, int n);
 

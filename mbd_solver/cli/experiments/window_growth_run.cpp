@@ -3,10 +3,13 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
-#include "coupler/base/text.h"
-#include "mbd_solver/cli/experiments/study_run.h"
+#include "coupler/schemes/registry.h"
+#include "mbd_solver/cli/experiments/text.h"
+#include "mbd_solver/cli/experiments/window_growth.h"
+#include "mbd_solver/output/history.h"
 
 namespace footfall {
 namespace {
@@ -19,7 +22,14 @@ constexpr double kSettled = 0.1;                     // and by which two such ra
 constexpr double kDecayed = 1e-7;                    // of the first velocity: below, tolerances would be measured
 constexpr int kWindows = 200;
 
-std::string number(double x) { return number_text(x, 10); }
+constexpr const char* kDigits = "%.10g";
+
+bool grows(const std::string& scheme, double omega_h, int n) { return predicted_growth(scheme, omega_h, n) > 1.2; }
+
+// First velocity [m/s].
+double push(const std::string& scheme, double omega_h, int n) { return grows(scheme, omega_h, n) ? 1e-11 : 1e-2; }
+
+std::string run_name(const std::string& scheme, double omega_h) { return scheme + "_" + number_text(omega_h); }
 
 }  // namespace
 
@@ -43,28 +53,38 @@ double growth_of_series(const std::vector<double>& v) {
   return square < 0.0 ? std::sqrt(-ab[1]) : std::abs(half) + std::sqrt(square);
 }
 
-double growth_in_liggghts(const std::string& scene, const std::string& scheme, double omega_h, int n,
-                          const std::string& out) {
-  const double dt = omega_h / (kOmega * n), H = n * dt;
-  const bool grows = predicted_growth(scheme, omega_h, n) > 1.2;
-  const double push = grows ? 1e-11 : 1e-2;  // [m/s]
-  StudyRunRequest request;
-  request.scene = scene;
-  request.out = out;
-  request.settings = {"coupling.scheme=" + scheme,
-                      "coupling.stop_on_energy_gain=false",
-                      "particles.variables.every=" + std::to_string(n),
-                      "particles.variables.dt=" + number(dt),
-                      "initial.velocity=[0,0," + number(-push) + "]",
-                      "output.interval=" + number(0.5 * H)};
-  request.settings.push_back("end_time=" + number((grows ? 40 : kWindows) * H));
-  request.settings.push_back("particles.max_time_step=" + number(2.0 * dt));
-  const StudyRun run = run_once(request);
-  if (run.history.columns.empty()) return kNone;
-  const std::vector<double>&z = run.history.column("pad.z"), &vz = run.history.column("pad.vz");
+std::vector<RunRequest> growth_runs(const GrowthSpec& growth, const std::string& scene) {
+  std::vector<RunRequest> requests;
+  const int n = growth.substeps;
+  for (const double omega_h : growth.omega_h) {
+    for (const std::string& scheme : scheme_names()) {
+      const double dt = omega_h / (kOmega * n), H = n * dt;
+      RunRequest request;
+      request.name = run_name(scheme, omega_h);
+      request.scene = scene;
+      request.settings = {"output.plots=false",
+                          "coupling.scheme=" + scheme,
+                          "coupling.stop_on_energy_gain=false",
+                          "particles.variables.every=" + std::to_string(n),
+                          "particles.variables.dt=" + number_text(dt, kDigits),
+                          "initial.velocity=[0,0," + number_text(-push(scheme, omega_h, n), kDigits) + "]",
+                          "output.interval=" + number_text(0.5 * H, kDigits),
+                          "end_time=" + number_text((grows(scheme, omega_h, n) ? 40 : kWindows) * H, kDigits),
+                          "particles.max_time_step=" + number_text(2.0 * dt, kDigits)};
+      requests.push_back(request);
+    }
+  }
+  return requests;
+}
+
+double growth_in_liggghts(const std::string& folder, const std::string& scheme, double omega_h, int n) {
+  const std::filesystem::path file = std::filesystem::path(folder) / run_name(scheme, omega_h) / "history.csv";
+  if (!std::filesystem::exists(file)) return kNone;
+  const History history = read_history(file.string());
+  const std::vector<double>&z = history.column("pad.z"), &vz = history.column("pad.vz");
+  const double least = kDecayed * push(scheme, omega_h, n);
   std::size_t count = 0;
-  while (count < z.size() && std::abs(z[count] - z.front()) <= kClosed && std::abs(vz[count]) >= kDecayed * push)
-    ++count;
+  while (count < z.size() && std::abs(z[count] - z.front()) <= kClosed && std::abs(vz[count]) >= least) ++count;
   return growth_of_series({vz.begin(), vz.begin() + static_cast<std::ptrdiff_t>(count)});
 }
 

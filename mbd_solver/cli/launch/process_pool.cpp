@@ -1,5 +1,6 @@
 #include "mbd_solver/cli/launch/process_pool.h"
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <map>
@@ -12,9 +13,16 @@ namespace {
 
 int exit_code(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
 
+double processor_time(const rusage& usage) {
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
 }  // namespace
 
-bool run_pool(const std::vector<Command>& commands, int jobs, const std::function<void(int, int)>& ended) {
+bool run_pool(const std::vector<Command>& commands, int jobs, const std::function<void(int, int, double)>& ended) {
   const SignalsHeld signals;
   std::map<pid_t, int> running;  // number of each process
   std::size_t next = 0;
@@ -30,11 +38,12 @@ bool run_pool(const std::vector<Command>& commands, int jobs, const std::functio
     }
     for (auto it = running.begin(); it != running.end();) {
       int status = 0;
-      if (waitpid(it->first, &status, WNOHANG) != it->first) {
+      rusage usage{};
+      if (wait4(it->first, &status, WNOHANG, &usage) != it->first) {
         ++it;
         continue;
       }
-      ended(it->second, exit_code(status));
+      ended(it->second, exit_code(status), processor_time(usage));
       it = running.erase(it);
     }
   }

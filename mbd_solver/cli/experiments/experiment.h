@@ -1,0 +1,160 @@
+#pragma once
+// An experiment as its file says it: many runs, numbers out of them, and what should come out. `footfall sweep FILE`
+// and `footfall accuracy FILE` read the same files. Whatever is listed here may be left out.
+//
+//   title, x_name          texts of tables and pictures
+//   scene                  file, relative to this one
+//   settings               ["key=value", ...] for every run
+//   until                  instead of the scene's end time [s]
+//   time_limit             a run that takes longer hangs [s]; 0: none
+//   repeats                of every run; the shortest of the run times counts
+//   minimise               a figure: ranks the cases within the limits
+//   [short]                what --short changes: until, and settings besides the others
+//
+// What is run. A case is one value of a curve, or one combination of the values of parameters; every case is run for
+// every value of the ensemble.
+//
+//   [[parameters]]         every combination of their values; the last one turns fastest
+//     name, settings         {value} in settings is replaced by each of
+//     values
+//     choices                instead of values: [[parameters.choices]] name, settings, scene
+//     ensemble               true: its values are samples of one case, as seeds are; figures become mean and spread
+//     short                  the values of --short (default: the first)
+//   [[curves]]             their values one after another; only ensembles go with them
+//     name, settings, values, short, scene, until
+//     beside                 what {beside} stands for, one per value, where two numbers go together
+//     scale                  x = scale value
+//     default                the value that the scene has by itself: run times are recommended over its own
+//     reference              settings of a reference of its own, besides those of [reference]; {value} is replaced
+//     ends                   how the runs must end: a stability map (verdicts.h has the other keys)
+//   [reference]            settings, scene: the run that the others are compared with
+//   [growth]               omega_h, substeps: growth per window instead of all that (window_growth.h)
+//
+// What is told.
+//
+//   [[figures]]            columns of the tables: name, and key or columns (figures.h), error (errors.h)
+//   [[limits]]             figure, most: cases beyond are out of the ranking
+//   [[printed]]            name, values: figures that somebody else has published, in the order of [[figures]];
+//                          "" for what is not printed
+//   [[statements]]         what somebody says should come out; the tables tell whether it did
+//     text, figure, and one of
+//     case, least, most      bounds of the figure of that case (its mean), or, with
+//     against                of its ratio to that of this case
+//     curve, order           [least, most] of the slope of the error over x
+//     curve, error           the most of the error at the last value: files name values from coarse to fine
+//     why                    told where it did not come out: the tested explanation
+//   [[expect]]             the same keys; the exit code is 1 where one does not come out
+//   [[plots]]              name, title, column, label: of history.csv over time, one line per case
+//   [[fits]]               power laws through all runs (fit_spec.h)
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/cli/experiments/figures.h"
+#include "mbd_solver/cli/experiments/fit_spec.h"
+
+namespace footfall {
+
+struct ChoiceSpec {
+  std::string name, scene;  // scene empty: the experiment's
+  std::vector<std::string> settings;
+};
+
+struct ParameterSpec {
+  std::string name;
+  std::vector<ChoiceSpec> choices, short_choices;
+  bool ensemble = false;
+};
+
+// How runs must end, and what is looked at: see verdicts.h.
+struct EndSpec {
+  std::vector<std::string> ends;     // one for all, or one per value; empty: not asked
+  std::string group;                 // heading in the table
+  std::string message;               // regular expression that warnings or the last message must match; empty: any
+  std::vector<std::string> columns;  // of history.csv, compared with the reference; empty: judged by energy
+  bool at_end = false;               // compare the last row only: where it comes to rest
+  double tolerance = 0.02;           // of the reference's swing [-]
+  double order_beyond = 0.0;         // from this value on errors grow at most in proportion to the value; 0: not asked
+};
+
+struct CurveSpec {
+  std::string name, scene;             // scene empty: the experiment's
+  std::vector<std::string> settings;   // "{value}" and "{beside}" are replaced
+  std::vector<std::string> reference;  // likewise; empty: [reference] alone
+  std::vector<std::string> values, short_values, beside;
+  std::string default_value;  // empty: none of the values
+  double scale = 1.0;         // for values that are numbers
+  double until = 0.0;         // [s]; 0: the experiment's
+  EndSpec end;
+};
+
+struct ReferenceSpec {
+  std::string scene;  // empty: the experiment's, or else the curve's
+  std::vector<std::string> settings;
+};
+
+struct LimitSpec {
+  std::string figure;
+  double most = 0.0;
+};
+
+struct PlotSpec {
+  std::string name, title, column, label;
+};
+
+struct PrintedSpec {
+  std::string name;
+  std::vector<double> values;  // as ExperimentSpec::figures; NaN: not printed
+};
+
+struct StatementSpec {
+  enum class Kind { kFigure, kOrder, kError };
+  Kind kind = Kind::kFigure;
+  std::string text, figure, why;
+  std::string of_case, against;  // kFigure; against empty: the figure itself
+  std::string curve;             // kOrder, kError
+  double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
+  bool must = false;  // [[expect]]
+};
+
+struct GrowthSpec {
+  std::vector<double> omega_h;  // [-]
+  int substeps = 20;            // per window
+};
+
+struct ExperimentSpec {
+  std::string file, folder;  // of the file
+  std::string title, scene, x_name = "value", minimise;
+  std::vector<std::string> settings, short_settings;
+  double until = 0.0, short_until = 0.0;  // [s]; 0: the scene's end time; that of the whole form
+  int time_limit = 0;                     // [s]; 0: none
+  int repeats = 1;
+  std::vector<ParameterSpec> parameters;
+  std::vector<CurveSpec> curves;
+  std::optional<ReferenceSpec> reference;
+  std::vector<FigureSpec> figures;
+  std::vector<LimitSpec> limits;
+  std::vector<PrintedSpec> printed;
+  std::vector<StatementSpec> statements;
+  std::vector<PlotSpec> plots;
+  std::vector<FitSpec> fits;
+  std::optional<GrowthSpec> growth;
+
+  bool is_map() const { return !curves.empty() && !curves.front().end.ends.empty(); }
+};
+
+// "{value}" in every text replaced, or another mark.
+std::vector<std::string> filled(std::vector<std::string> texts, const std::string& value,
+                                const std::string& mark = "{value}");
+
+// Position of the entry with this name; -1 without.
+template <class Named>
+int index_of(const std::vector<Named>& list, const std::string& name) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace footfall

@@ -1,0 +1,157 @@
+#include "mbd_solver/cli/experiments/experiment_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/cli/experiments/experiment_output.h"
+#include "mbd_solver/cli/experiments/experiment_reader.h"
+#include "mbd_solver/cli/experiments/run_store.h"
+#include "mbd_solver/cli/experiments/text.h"
+#include "mbd_solver/cli/launch/bed.h"
+#include "mbd_solver/cli/launch/process_pool.h"
+#include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/scene/findings.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// One curve alone, with what is said about it.
+ExperimentSpec with_curve(ExperimentSpec spec, const std::string& name) {
+  std::vector<std::string> names;
+  for (const CurveSpec& curve : spec.curves) names.push_back(curve.name);
+  const auto others = [&](const auto& named) { return named != name; };
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw InputError(spec.file + ": no case \"" + name + "\"." + known_names("cases", name, names));
+  auto& curves = spec.curves;
+  curves.erase(std::remove_if(curves.begin(), curves.end(), [&](const CurveSpec& c) { return others(c.name); }),
+               curves.end());
+  auto& said = spec.statements;
+  said.erase(std::remove_if(said.begin(), said.end(), [&](const StatementSpec& s) { return others(s.curve); }),
+             said.end());
+  return spec;
+}
+
+// The same command again, for one run or for all.
+std::vector<std::string> words_again(const ExperimentArguments& a, const std::string& file, const std::string& out) {
+  std::vector<std::string> words = {built_program("footfall"), a.command, file, "--out", out};
+  if (a.short_form) words.push_back("--short");
+  if (!a.of_case.empty()) words.insert(words.end(), {"--case", a.of_case});
+  return words;
+}
+
+void list_runs(const RunStore& store, const std::vector<std::size_t>& chosen) {
+  for (const std::size_t i : chosen) {
+    std::printf("%zu  %s\n", i, store.request(i).name.c_str());
+    for (const std::string& setting : store.request(i).settings) std::printf("     --set %s\n", setting.c_str());
+  }
+}
+
+void write_slurm(const ExperimentArguments& a, const std::string& out, std::size_t runs, int ranks) {
+  fs::create_directories(out);
+  const std::string path = (fs::path(out) / "sweep.sbatch").string();
+  std::ofstream file = open_to_write(path);
+  const std::string line =
+      shell_line({words_again(a, fs::absolute(a.file).string(), fs::absolute(out).string()), {}, "", ""});
+  file << "#!/bin/bash\n#SBATCH --job-name=" << fs::path(a.file).stem().string() << "\n#SBATCH --array=0-" << runs - 1
+       << "\n#SBATCH --nodes=1\n#SBATCH --ntasks=" << ranks + 1 << "\n#SBATCH --output=" << fs::absolute(out).string()
+       << "/slurm_%a.txt\n"
+       << "# Beds first, on the machine you submit from:  " << line << " --list\n"
+       << "# Tables and plots at the end:                 " << line << " --merge\n"
+       << line << " --only \"$SLURM_ARRAY_TASK_ID\"\n";
+  std::printf("%s: %zu runs; submit with  sbatch %s\n", path.c_str(), runs, path.c_str());
+}
+
+// Beds come first, several at once, each by a process of its own (--only RUN --list), so that runs side by side find
+// them. Throws when one cannot be made, with what its process said; Interrupted at a signal.
+void make_beds(const RunStore& store, const ExperimentArguments& a, const std::string& out,
+               const std::vector<std::size_t>& runs, int jobs) {
+  if (runs.empty()) return;
+  fs::create_directories(fs::path(out) / "runs");
+  std::vector<Command> commands;
+  for (const std::size_t run : runs) {
+    std::vector<std::string> words = words_again(a, a.file, out);
+    words.insert(words.end(), {"--only", std::to_string(run), "--list"});
+    commands.push_back({words, {}, store.folder(run) + ".bed.log", ""});
+  }
+  std::printf("%zu beds to make, %d at once\n", commands.size(), jobs);
+  std::fflush(stdout);
+  int failed = -1, failed_with = 0;
+  const bool interrupted = run_pool(commands, jobs, [&](int bed, int code, double) {
+    if (code != kExitDone && failed < 0) failed = bed, failed_with = code;
+  });
+  if (interrupted) throw Interrupted{};
+  if (failed < 0) return;
+  std::ostringstream reason;
+  reason << std::ifstream(commands[static_cast<std::size_t>(failed)].output).rdbuf();
+  if (failed_with == kExitBadInput) throw InputError(reason.str());
+  throw PartnerError(reason.str());
+}
+
+void say_end(const RunStore& store, std::size_t run) {
+  const RunEnd end = store.end_of(run);
+  std::printf("%s: %s\n", store.request(run).name.c_str(),
+              end.code == kExitDone
+                  ? "done"
+                  : ("ended with code " + std::to_string(end.code) + ", see " + end.folder + ".log").c_str());
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int experiment_command(const ExperimentArguments& a) {
+  const ExperimentSpec whole = read_experiment(a.file), spec = a.of_case.empty() ? whole : with_curve(whole, a.of_case);
+  const Plan plan = plan_of(spec, a.short_form);
+  const OutputPlace place = [&] {
+    const std::string name = fs::path(a.file).stem().string();
+    const std::string out = fs::absolute(a.out.empty() ? (fs::path(a.runs) / name).string() : a.out).string();
+    return OutputPlace{short_path(out), name, a.table, "./footfall " + a.command + " " + a.file, a.short_form};
+  }();
+  RunStore store((fs::path(place.folder) / "runs").string(), a.resume);
+  std::vector<std::size_t> numbers;
+  for (const RunRequest& run : plan.runs) numbers.push_back(store.add(run));
+  const int count = static_cast<int>(numbers.size());
+  if (a.only >= count)
+    throw InputError("--only " + std::to_string(a.only) + ": there are runs 0 to " + std::to_string(count - 1));
+  if (std::error_code error; fs::create_directories(place.folder, error), error)
+    throw InputError(place.folder + ": cannot be made: " + error.message() + "; choose another folder with --out");
+  const auto write = [&] { return write_output(spec, plan, store, numbers, place) ? kExitDone : kExitFailed; };
+  if (a.merge) return write();
+  if (a.slurm) {
+    write_slurm(a, place.folder, numbers.size(), store.most_ranks());
+    return kExitDone;
+  }
+
+  const std::vector<std::size_t> chosen =
+      a.only < 0 ? numbers : std::vector<std::size_t>{numbers[static_cast<std::size_t>(a.only)]};
+  const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int jobs = a.jobs > 0 ? a.jobs : std::max(1, machine / store.most_ranks());
+  if (a.only >= 0)
+    store.make_bed(chosen.front(), a.list);
+  else
+    make_beds(store, a, place.folder, store.beds_to_make(chosen), jobs);
+  if (a.list) {
+    list_runs(store, chosen);
+    return kExitDone;
+  }
+
+  const std::vector<std::size_t> left = store.left(chosen);
+  const auto done = std::count_if(chosen.begin(), chosen.end(), [&](std::size_t run) { return store.is_done(run); });
+  std::printf("%zu runs to do, %td done before, %d at once\n", left.size(), done, jobs);
+  std::fflush(stdout);
+  if (!store.carry_out(left, jobs, [&](std::size_t run) { say_end(store, run); })) {
+    std::fprintf(stderr, "footfall: interrupted; the same command goes on with the runs that are left\n");
+    return kExitInterrupted;
+  }
+  if (a.only >= 0) return store.is_done(chosen.front()) ? kExitDone : kExitFailed;
+  return write();
+}
+
+}  // namespace footfall

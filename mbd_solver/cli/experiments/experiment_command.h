@@ -1,0 +1,30 @@
+#pragma once
+// footfall sweep FILE, footfall accuracy FILE: all runs of an experiment (experiment.h), several at once; tables and
+// pictures at the end. The two names differ in their defaults: accuracy measures run times, so one run at a time, each
+// done anew.
+
+#include <string>
+
+namespace footfall {
+
+struct ExperimentArguments {
+  std::string command;  // its name: sweep or accuracy
+  std::string file;
+  std::string out;          // empty: `runs` and the file's name
+  std::string runs;         // default folder
+  std::string of_case;      // this curve alone; empty: all
+  std::string table;        // also write the table to this file, as Markdown; empty: no
+  int jobs = 0;             // runs at once; 0: as many as fit the cores
+  int only = -1;            // this run alone, without tables: what one element of a job array does
+  bool resume = false;      // runs that are done are kept
+  bool short_form = false;  // as the tests run it
+  bool merge = false;       // no runs: tables and plots of what is there
+  bool list = false;        // no runs: beds, and their numbers, names and settings
+  bool slurm = false;       // no runs: writes OUT/sweep.sbatch, the experiment as a Slurm job array
+};
+
+// Returns the exit code: 0; 1 when something that the file expects did not come out, or a run of [[parameters]] failed;
+// 3 when interrupted. Throws InputError.
+int experiment_command(const ExperimentArguments& arguments);
+
+}  // namespace footfall

@@ -1,0 +1,23 @@
+#pragma once
+// Everything that an experiment writes when its runs are done.
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/cli/experiments/run_store.h"
+
+namespace footfall {
+
+struct OutputPlace {
+  std::string folder, name;  // of the files
+  std::string table;         // also write the table for a page to this file; empty: no
+  std::string command;       // that makes it
+  bool short_form = false;   // without fits, which need all runs
+};
+
+// Prints and writes it into the folder. `numbers`: of the plan's runs in the store. True when all that the file expects
+// came out; of [[parameters]], when every run is done as well.
+bool write_output(const ExperimentSpec& spec, const Plan& plan, const RunStore& store,
+                  const std::vector<std::size_t>& numbers, const OutputPlace& place);
+
+}  // namespace footfall

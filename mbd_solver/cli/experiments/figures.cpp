@@ -1,0 +1,107 @@
+#include "mbd_solver/cli/experiments/figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/output/history.h"
+#include "mbd_solver/output/summary.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+bool smaller_size(double a, double b) { return std::abs(a) < std::abs(b); }
+
+double variation(const std::vector<double>& x) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < x.size(); ++i) sum += std::abs(x[i] - x[i - 1]);
+  return sum;
+}
+
+double reduced(const FigureSpec& figure, const std::vector<double>& x) {
+  switch (figure.reduction) {
+    case Reduction::kMin: return *std::min_element(x.begin(), x.end());
+    case Reduction::kFinal: return x.back();
+    case Reduction::kLargest: return std::abs(*std::max_element(x.begin(), x.end(), smaller_size));
+    case Reduction::kDrop: return x.front() - *std::min_element(x.begin(), x.end());
+    case Reduction::kPeaks: return count_peaks(x, figure.prominence * *std::max_element(x.begin(), x.end()));
+    case Reduction::kVariation: return variation(x);
+    case Reduction::kMax: break;
+  }
+  return *std::max_element(x.begin(), x.end());
+}
+
+double of_history(const FigureSpec& figure, const History& history) {
+  std::vector<double> values;  // of the columns
+  for (const std::string& name : figure.columns) {
+    const std::vector<double>& column = history.column(name);
+    if (!column.empty()) values.push_back(reduced(figure, column));
+  }
+  if (values.empty()) return kNone;
+  if (figure.average) return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  if (figure.reduction == Reduction::kFinal) return values.back();
+  return figure.reduction == Reduction::kMin ? *std::min_element(values.begin(), values.end())
+                                             : *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+int count_peaks(const std::vector<double>& values, double least) {
+  // From one valley to the next: a peak is told when the curve has risen by `least` to it and fallen by `least` from
+  // it.
+  int peaks = 0;
+  bool climbing = true;  // since `lowest`; else falling since `highest`
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const double value : values) {
+    if (climbing) {
+      lowest = std::min(lowest, value);
+      highest = value - lowest >= least ? std::max(highest, value) : highest;
+      if (highest - value >= least && std::isfinite(highest)) {
+        ++peaks;
+        climbing = false;
+        lowest = value;
+      }
+    } else {
+      lowest = std::min(lowest, value);
+      if (value - lowest >= least) {
+        climbing = true;
+        highest = value;
+      }
+    }
+  }
+  return peaks + (climbing && std::isfinite(highest) ? 1 : 0);
+}
+
+std::vector<double> figures_of_run(const std::vector<FigureSpec>& figures, const std::string& folder,
+                                   const std::string& file) {
+  const std::string summary_file = (fs::path(folder) / "summary.json").string();
+  const nlohmann::ordered_json summary = read_summary(summary_file);
+  const auto of_summary = [&](const std::string& key) {
+    if (!summary.contains(key) || !summary[key].is_number())
+      throw InputError(file + ": figures: " + summary_file + " has no number \"" + key + "\"");
+    return summary[key].get<double>();
+  };
+  History history;
+  std::vector<double> values;
+  for (const FigureSpec& figure : figures) {
+    if (figure.compares_curves()) {
+      values.push_back(kNone);
+      continue;
+    }
+    if (figure.key.empty() && history.names.empty())
+      history = read_history((fs::path(folder) / "history.csv").string());
+    values.push_back(figure.key.empty() ? of_history(figure, history) : of_summary(figure.key));
+    if (!figure.over.empty()) values.back() /= of_summary(figure.over);
+  }
+  return values;
+}
+
+}  // namespace footfall

@@ -1,0 +1,63 @@
+#pragma once
+// One number out of a run: of its summary, or a reduction of its history.
+//
+//   [[figures]]
+//     name
+//     key                    a number of summary.json; or
+//     columns                of history.csv, with
+//       reduce                 what is taken of each column: see Reduction (default: max)
+//       average                true: the mean over the columns; else the largest of them, of "min" the least, of
+//                              "final" the last
+//       prominence             of "peaks" (default: 0.3)
+//     over                   a key of summary.json that the figure is divided by
+//     error, until           see errors.h
+
+#include <string>
+#include <vector>
+
+namespace footfall {
+
+enum class Reduction {
+  kMax,        // "max"
+  kMin,        // "min"
+  kFinal,      // "final"
+  kLargest,    // "largest": of the absolute values
+  kDrop,       // "drop": first value minus the least
+  kPeaks,      // "peaks": number of maxima that stand out by at least `prominence` times the largest value
+  kVariation,  // "variation": sum of |x_i+1 - x_i|, how much a curve goes up and down
+};
+
+// Against the reference.
+enum class ErrorKind {
+  kRelative,  // "relative": difference of the figures, of the reference's figure
+  // "rms": root mean square of the columns' difference over the run, of the reference's swing; no number of one run
+  kRms,
+  kFinal,   // "final": likewise at the last row
+  kItself,  // "itself": the figure is an error, and needs no reference
+};
+
+struct FigureSpec {
+  std::string name;
+  std::string key;                   // of summary.json; else
+  std::vector<std::string> columns;  // of history.csv
+  Reduction reduction = Reduction::kMax;
+  bool average = false;
+  double prominence = 0.3;
+  std::string over;  // empty: none
+  ErrorKind error = ErrorKind::kRelative;
+  double until = 0.0;  // kRms, kFinal: rows up to this time [s]; 0: all
+
+  // The whole curve is compared: there is no number of one run.
+  bool compares_curves() const { return error == ErrorKind::kRms || error == ErrorKind::kFinal; }
+};
+
+// Of the finished run in `folder`; NaN when its history is empty, or for figures that compare curves. Throws
+// InputError, beginning with `file`, when the run has no such figure.
+std::vector<double> figures_of_run(const std::vector<FigureSpec>& figures, const std::string& folder,
+                                   const std::string& file);
+
+// Number of maxima whose prominence (height over the higher of the two lowest points that part it from higher ground,
+// or from the ends) is at least `least`. A plateau counts once.
+int count_peaks(const std::vector<double>& values, double least);
+
+}  // namespace footfall

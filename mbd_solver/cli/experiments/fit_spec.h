@@ -1,0 +1,37 @@
+#pragma once
+// A power law that is fitted to the runs of an experiment: figure = A factor_1^p_1 factor_2^p_2 ...
+//
+//   [[fits]]
+//     name                   of its picture
+//     figure                 what is fitted: one of [[figures]]
+//     label                  how the law writes it (default: the figure's name)
+//     marks                  a parameter whose values get symbols of their own in the picture (default: all alike)
+//     where                  { diameter = 0.24 }: only the runs with these values of parameters (default: all)
+//     [[fits.factors]]
+//       name                   how the law writes it
+//       sum                    ["height", "depth [m]"]: parameters with numbers for values, and figures, that the
+//                              factor is the sum of (default: [name])
+//       published              { Uehara = 0.5 }: exponents that others found; who gives all of them gets a law with
+//                              only A fitted
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace footfall {
+
+struct FitFactor {
+  int line = 0;
+  std::string name;
+  std::vector<std::string> sum;
+  std::vector<std::pair<std::string, double>> published;  // who, exponent
+};
+
+struct FitSpec {
+  int line = 0;
+  std::string name, figure, label, marks;
+  std::vector<std::pair<std::string, std::string>> where;  // parameter, value
+  std::vector<FitFactor> factors;
+};
+
+}  // namespace footfall

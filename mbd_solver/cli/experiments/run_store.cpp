@@ -1,0 +1,212 @@
+#include "mbd_solver/cli/experiments/run_store.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "coupler/base/whole_file.h"
+#include "mbd_solver/cli/launch/bed.h"
+#include "mbd_solver/cli/launch/fingerprint.h"
+#include "mbd_solver/cli/launch/process_pool.h"
+#include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/output/summary.h"
+#include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/scene_json.h"
+#include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/scene/script_text.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// A line for every text in `value` that is the name of a file. Read as LIGGGHTS reads it: with the files it includes,
+// if it has any.
+void add_files(const Json& value, std::ostream& text) {
+  for (const auto& inner : value)
+    if (inner.is_structured())
+      add_files(inner, text);
+    else if (std::error_code ignored; inner.is_string() && fs::is_regular_file(inner.get<std::string>(), ignored))
+      text << inner.get<std::string>() << ' ' << fingerprint(ScriptText(inner.get<std::string>(), {}).contents())
+           << '\n';
+}
+
+// What mbd_solver says about itself is the message; else the last words of the log.
+std::string last_message(const std::string& log) {
+  const std::string solver = "mbd_solver: ";
+  std::ifstream in(log);
+  std::string line, last, own;
+  while (std::getline(in, line)) {
+    if (line.empty() || line.find(": warning:") != std::string::npos || line.find(": note:") != std::string::npos)
+      continue;
+    last = line;
+    if (line.rfind(solver, 0) == 0) own = line.substr(solver.size());
+  }
+  return own.empty() ? last : own;
+}
+
+Json read_json(const std::string& file) {
+  std::ifstream in(file);
+  return in ? Json::parse(in, nullptr, false) : Json();
+}
+
+// Of a summary, or of a record.
+RunCost cost_of(const Json& from) {
+  const auto time = [&](const char* key) { return from.value(key, 0.0); };
+  return {time("wall_s"), time("dem_wall_s"), time("mbd_wall_s"), time("exchange_wall_s"), time("cpu_s")};
+}
+
+// A hung run is asked to end as Ctrl-C asks it, and ends its programs in order; only then it is killed.
+std::vector<std::string> words_of(const RunRequest& request, const std::string& folder) {
+  std::vector<std::string> words;
+  if (request.time_limit > 0) words = {"timeout", "--foreground", "-k", "30", std::to_string(request.time_limit)};
+  words.insert(words.end(), {built_program("footfall"), "run", request.scene, "--quiet", "--out", folder});
+  if (request.until > 0.0) words.insert(words.end(), {"--until", number_text(request.until)});
+  for (const std::string& setting : request.settings) words.insert(words.end(), {"--set", setting});
+  return words;
+}
+
+}  // namespace
+
+std::string recipe_of(const Scene& scene, double until) {
+  const std::string json = scene_json(scene);
+  std::ostringstream text;
+  text << "until " << until << '\n' << json << '\n';
+  add_files(Json::parse(json), text);
+  return text.str();
+}
+
+std::size_t RunStore::add(const RunRequest& request) {
+  const std::size_t number = runs_.size();
+  Entry entry;
+  entry.request = request;
+  entry.home = number;
+  try {
+    const Scene scene = read_scene(request.scene, request.settings);
+    entry.recipe = fingerprint(recipe_of(scene, request.until));
+    entry.home = homes_.try_emplace({entry.recipe, request.repeats}, number).first->second;
+    if (scene.touches_particles()) {
+      entry.ranks = scene.particles->ranks;
+      if (scene.particles->bed) entry.bed.push_back(*scene.particles->bed);
+    }
+  } catch (const InputError&) {
+    if (!request.may_be_refused) throw;
+  }
+  runs_.push_back(entry);
+  return number;
+}
+
+std::string RunStore::folder(std::size_t run) const {
+  return (fs::path(folder_) / runs_[runs_[run].home].request.name).string();
+}
+
+bool RunStore::is_done(std::size_t run) const {
+  const Entry& home = runs_[runs_[run].home];
+  if (home.code >= 0) return home.code == kExitDone;
+  if (!keep_ || home.recipe.empty()) return false;
+  const Json record = read_json(record_file(run));
+  return record.is_object() && record.value("recipe", "") == home.recipe &&
+         fs::exists(fs::path(folder(run)) / "summary.json");
+}
+
+int RunStore::most_ranks() const {
+  int most = 1;
+  for (const Entry& entry : runs_) most = std::max(most, entry.ranks);
+  return most;
+}
+
+std::vector<std::size_t> RunStore::beds_to_make(const std::vector<std::size_t>& runs) const {
+  std::vector<std::size_t> chosen;
+  std::set<std::string> seen;
+  for (const std::size_t run : runs)
+    for (const BedSpec& bed : runs_[run].bed)
+      if (const std::string made = bed_folder(bed); seen.insert(made).second && !bed_is_made(made))
+        chosen.push_back(run);
+  return chosen;
+}
+
+void RunStore::make_bed(std::size_t run, bool quiet) const {
+  for (const BedSpec& bed : runs_[run].bed) prepare_bed(bed, runs_[run].ranks, quiet);
+}
+
+std::vector<std::size_t> RunStore::left(const std::vector<std::size_t>& runs) const {
+  std::vector<std::size_t> left;
+  std::set<std::size_t> homes;
+  for (const std::size_t run : runs)
+    if (!is_done(run) && homes.insert(runs_[run].home).second) left.push_back(runs_[run].home);
+  return left;
+}
+
+void RunStore::note_end(Entry& entry, int code, double cpu, bool first) {
+  entry.code = code;
+  const Json summary = read_json((fs::path(folder(entry.home)) / "summary.json").string());
+  if (!summary.is_object()) return;
+  RunCost cost = cost_of(summary);
+  cost.cpu = cpu;
+  if (first || cost.wall < entry.cost.wall) entry.cost = cost;
+  if (code != kExitDone || entry.recipe.empty()) return;
+  const RunCost& c = entry.cost;
+  const Json kept = {{"wall_s", c.wall},
+                     {"dem_wall_s", c.dem},
+                     {"mbd_wall_s", c.mbd},
+                     {"exchange_wall_s", c.exchange},
+                     {"cpu_s", c.cpu}};
+  write_whole_file(record_file(entry.home), Json{{"recipe", entry.recipe}, {"cost", kept}}.dump(1) + "\n");
+}
+
+bool RunStore::carry_out(const std::vector<std::size_t>& runs, int jobs,
+                         const std::function<void(std::size_t)>& ended) {
+  fs::create_directories(folder_);
+  std::vector<std::size_t> round = runs;
+  for (int k = 1; !round.empty(); ++k) {
+    std::vector<Command> commands;
+    for (const std::size_t run : round) {
+      fs::remove(record_file(run));  // until it is done again
+      commands.push_back({words_of(runs_[run].request, folder(run)), {}, folder(run) + ".log", ""});
+    }
+    std::vector<std::size_t> again;
+    const bool interrupted = run_pool(commands, jobs, [&](int task, int code, double cpu) {
+      const std::size_t run = round[static_cast<std::size_t>(task)];
+      note_end(runs_[run], code, cpu, k == 1);
+      if (code == kExitDone && k < runs_[run].request.repeats)
+        again.push_back(run);
+      else
+        ended(run);
+    });
+    if (interrupted) return false;
+    round.swap(again);
+  }
+  return true;
+}
+
+RunEnd RunStore::end_of(std::size_t run) const {
+  const Entry& home = runs_[runs_[run].home];
+  RunEnd end;
+  end.folder = folder(run);
+  const std::string summary = (fs::path(end.folder) / "summary.json").string();
+  end.status = "missing";
+  if (fs::exists(summary)) {
+    end.summary = read_summary(summary);
+    end.status = end.summary.value("status", "");
+    for (const Json& warning : end.summary.value("warnings", Json::array())) end.warnings.push_back(warning);
+  }
+  end.code = home.code >= 0 ? home.code : end.status == "done" ? kExitDone : kExitFailed;
+  end.cost = home.cost;
+  if (home.code < 0) {
+    const Json record = read_json(record_file(run));
+    end.cost = cost_of(record.is_object() ? record.value("cost", Json::object()) : Json::object());
+  }
+  if (end.code == RunEnd::kHung)
+    end.message = "hangs: no end within " + std::to_string(home.request.time_limit) + " s";
+  else if (end.code != kExitDone)
+    end.message = last_message(end.folder + ".log");
+  return end;
+}
+
+}  // namespace footfall

@@ -1,0 +1,36 @@
+#pragma once
+// How the runs of an experiment ended, against how they must: cases that are stiff, extreme or unstable.
+//
+//   [[curves]]
+//     ends                     one for all values, or one per value:
+//       "accurate"             done, error within the tolerance (without a reference: no warning), no energy gained
+//       "warned"                 done, energy bounded, but the error is larger, and a warning said so
+//       "stopped"                ended by itself with a message (exit code 1)
+//       "refused"                not started (exit code 2)
+//     group                    heading in the table
+//     columns, at_end          of history.csv, compared with the reference: over the run, or where it comes to rest
+//     tolerance                of that error, of the reference's swing (default: 0.02)
+//     message                  regular expression that warnings or the last message must match
+//     order_beyond             from this value on errors grow at most in proportion to the value
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/cli/experiments/run_store.h"
+
+namespace footfall {
+
+struct Verdict {
+  std::string group, name, value, expected, found;  // found: accurate, warned, stopped, refused, or what is wrong
+  std::string note;                                 // error, gain, message
+  double error = 0.0;                               // against its reference [-]; 0 without one, or when it was not done
+  bool as_expected = false;
+};
+
+// `numbers`: of the plan's runs in the store.
+std::vector<Verdict> verdicts_of(const ExperimentSpec& spec, const Plan& plan, const RunStore& store,
+                                 const std::vector<std::size_t>& numbers);
+// The table as Markdown.
+void write_verdicts(const std::string& path, const ExperimentSpec& spec, const std::vector<Verdict>& verdicts);
+
+}  // namespace footfall
