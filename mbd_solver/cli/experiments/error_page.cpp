@@ -91,7 +91,7 @@ void write_recommendations(std::ostream& out, const ErrorTable& table) {
       first = false;
     }
     out << ";\nof a mean of " << table.members << " by "
-        << number_text(1.0 / std::sqrt(static_cast<double>(table.members)), "%.2f")
+        << fixed_text(1.0 / std::sqrt(static_cast<double>(table.members)), 2)
         << " times that. Errors are told closer because run and reference start from the same samples.\n";
   }
 }

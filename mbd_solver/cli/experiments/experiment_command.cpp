@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/nearest_name.h"
 #include "mbd_solver/cli/experiments/experiment_output.h"
 #include "mbd_solver/cli/experiments/experiment_reader.h"
 #include "mbd_solver/cli/experiments/run_store.h"

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kShort = "%.3g";
+constexpr int kShort = 3;
 
 // "d = 0.1 (rho)^0.50 (D)^0.67".
 std::string law_text(const FitSpec& fit, const PowerLaw& law) {

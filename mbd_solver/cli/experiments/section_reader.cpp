@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/nearest_name.h"
 #include "mbd_solver/cli/experiments/runs.h"
 #include "mbd_solver/cli/experiments/text.h"
 #include "mbd_solver/scene/findings.h"

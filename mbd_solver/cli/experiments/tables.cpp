@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // As in a table that people read.
-std::string rounded(double value) { return cell(std::abs(value) < 1e-9 ? 0.0 : value, "%.3g"); }
+std::string rounded(double value) { return cell(std::abs(value) < 1e-9 ? 0.0 : value, 3); }
 
 }  // namespace
 

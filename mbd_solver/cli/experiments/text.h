@@ -12,7 +12,7 @@
 namespace footfall {
 
 // A cell of a table: empty where there is no number.
-inline std::string cell(double value) { return std::isfinite(value) ? number_text(value) : ""; }
+inline std::string cell(double value, int digits = 6) { return std::isfinite(value) ? number_text(value, digits) : ""; }
 
 inline std::string percent(double share) { return number_text(100.0 * share, 2); }
 

@@ -22,7 +22,7 @@ constexpr double kSettled = 0.1;                     // and by which two such ra
 constexpr double kDecayed = 1e-7;                    // of the first velocity: below, tolerances would be measured
 constexpr int kWindows = 200;
 
-constexpr const char* kDigits = "%.10g";
+constexpr int kDigits = 10;
 
 bool grows(const std::string& scheme, double omega_h, int n) { return predicted_growth(scheme, omega_h, n) > 1.2; }
 
