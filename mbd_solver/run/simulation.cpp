@@ -7,9 +7,9 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/scheme.h"
-#include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/coupling/fast_modes.h"
 #include "mbd_solver/coupling/tangent.h"
+#include "mbd_solver/model/elements/rigid_plane.h"
 
 namespace footfall {
 namespace {
@@ -25,8 +25,20 @@ Baumgarte baumgarte(const SolverSpec& spec) {
   return {spec.baumgarte_velocity, spec.baumgarte_position};
 }
 
-IntegratorOptions integrator_options(const SolverSpec& spec) {
+// With grains the windows are short and their own error is of second order; without, the fifth order has the longer steps.
+int order_of(OneStepMethod method, bool with_grains) {
+  switch (method) {
+    case OneStepMethod::kAuto: return with_grains ? 2 : 5;
+    case OneStepMethod::kTrBdf2: return 2;
+    case OneStepMethod::kEsdirk5: return 5;
+  }
+  FOOTFALL_DEMAND(false);
+  return 0;
+}
+
+IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains) {
   IntegratorOptions options;
+  options.order = order_of(spec.method, with_grains);
   options.rtol = spec.rtol;
   options.atol = spec.atol;
   options.atol_velocity = 100.0 * spec.atol;
@@ -64,7 +76,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       assembly_(assemble(mechanism_.model)),
       equations_(std::make_unique<Equations>(mechanism_.model, assembly_, baumgarte(scene.solver))),
       integrator_(make_integrator(scene.solver.integrator == IntegratorKind::kIda ? "ida" : "one_step", *equations_,
-                                  integrator_options(scene.solver))),
+                                  integrator_options(scene.solver, partner_transport != nullptr))),
       control_(mechanism_.controllers, mechanism_.struts, up_direction(scene.gravity)),
       state_(assembly_.state),
       rates_(Eigen::VectorXd::Zero(equations_->layout().size())),
@@ -298,7 +310,9 @@ void Simulation::check_finite() const {
 
 void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted) {
   const double started = now();
+  bool reported = false;  // the present state
   const auto report = [&] {
+    reported = true;
     update_contact();
     equations_->pack(state_, rates_.tail(equations_->layout().row_count), y_);
     equations_->energy(state_.time, y_, inputs_, energy_);
@@ -313,19 +327,50 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
   double reference_energy = start_energy;  // of a mechanism that starts at rest: the largest kinetic energy so far
 
   std::vector<double> work_received(motion_.bodies.size());
+  // Without grains a window ends only where a voltage changes: rows and samples are read on the way. While each sample
+  // changes it, windows end at samples, so that no step is cut.
+  bool voltages_move = true;
+  double on_the_way = 0.0;  // wall time of rows [s]
+  Rows rows;
+  if (!partner_) {
+    rows.next = [&](double) { return next_stop(); };
+    rows.on_row = [&](const State& state, const Eigen::VectorXd& rates) {
+      const double row_started = now();
+      state_ = state;
+      rates_ = rates;
+      check_finite();
+      ++window_;
+      report();
+      const Eigen::VectorXd voltages = inputs_.voltages;
+      if (!control_.empty()) control_.sample_due(state_, *equations_, rates_, inputs_);
+      on_the_way += now() - row_started;
+      voltages_move = inputs_.voltages != voltages;
+      return interrupted == 0 && !voltages_move;
+    };
+  }
   while (!finished() && interrupted == 0) {
+    reported = false;
     const double control_started = now();
-    if (!control_.empty()) control_.sample_due(state_, *equations_, rates_, inputs_);
+    if (!control_.empty()) {
+      const double due = control_.next_sample();
+      const Eigen::VectorXd voltages = inputs_.voltages;
+      control_.sample_due(state_, *equations_, rates_, inputs_);
+      if (control_.next_sample() > due) voltages_move = inputs_.voltages != voltages;
+    }
     times_.control += now() - control_started;
 
     const double t0 = state_.time;
     const Eigen::VectorXd work_before = state_.load_work;
-    const double t1 = partner_ ? exchange_window() : next_stop();
+    const double t1 = partner_ ? exchange_window() : voltages_move ? std::min(control_.next_sample(), t_end_) : t_end_;
     const double mbd_started = now();
-    integrator_->advance(state_, t1, inputs_);
+    on_the_way = 0.0;
+    State state = state_;
+    integrator_->advance(state, t1, inputs_, rows);
+    times_.mbd += now() - mbd_started - on_the_way;
+    state_ = state;
     rates_ = integrator_->end_rates();
-    times_.mbd += now() - mbd_started;
     check_finite();
+    if (reported && state_.time < t1) continue;  // at a row that ended the window
     ++window_;
     if (partner_) {
       for (std::size_t k = 0; k < work_received.size(); ++k) {

@@ -49,6 +49,7 @@ void visit_fields(FieldVisitor& v, ControllerSpec& c) {
 void visit_fields(FieldVisitor& v, SolverSpec& s) {
   v.field("", &s.source, {});
   v.choice("integrator", s.integrator, {"one_step", "ida"});
+  v.choice("method", s.method, {"auto", "tr_bdf2", "esdirk5"});
   v.field("rtol", &s.rtol, {Unit::kNone, Range::kPositive});
   v.field("atol", &s.atol, {Unit::kNone, Range::kPositive});
   v.field("max_step", &s.max_step, {Unit::kTime, Range::kPositive});
