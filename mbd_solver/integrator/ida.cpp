@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kProjectAbove = 1e-9;       // drift [m or rad] that stays in a run that goes on
 constexpr double kProjectSpeedAbove = 5e-9;  // [m/s or rad/s]
+constexpr double kDrift = 100.0;             // drift that stays within a window [in absolute tolerances]
 constexpr double kIgnored = 1e30;            // absolute tolerance of multipliers: they carry no error of their own
 // Gauss-Legendre with three points, exact to fifth order as IDA is.
 const double kGaussNode[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
@@ -55,7 +56,9 @@ struct Ida::Sundials {
   // Every return code of SUNDIALS goes through here.
   void check(int flag, const char* function);
   void restart(const State& state, const Inputs& inputs, IntegratorStatistics& statistics);
-  void step(double t_end, const Inputs& inputs, State& state);
+  // One step of IDA, with the rows in it; false: a row has ended the window, and state and rates are at it.
+  bool step(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
+  void add_work_between(double begin, double end, const Inputs& inputs, State& state);
   void count(IntegratorStatistics& statistics);
 
   static int residual(realtype t, N_Vector y, N_Vector ydot, N_Vector F, void* self);
@@ -74,7 +77,9 @@ struct Ida::Sundials {
   SUNLinearSolver solver = nullptr;
   const Inputs* inputs_now = nullptr;  // during one call of IDASolve
   Inputs inputs_last;
-  State state_last;  // as returned; empty: start anew
+  State state_last;       // as returned; empty: start anew
+  State row;              // projected, for the caller
+  double row_time = 0.0;  // of the next row [s]
   double t = 0.0;
   Eigen::VectorXd rates;
   EnergySample energy;
@@ -204,14 +209,37 @@ void Ida::Sundials::restart(const State& state, const Inputs& inputs, Integrator
   t = state.time;
 }
 
-void Ida::Sundials::step(double t_end, const Inputs& inputs, State& state) {
-  const double before = t;
+bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, State& state,
+                         IntegratorStatistics& statistics) {
+  double from = t;
   complaint.clear();
   check(IDASolve(memory, t_end, &t, y, ydot, IDA_ONE_STEP), "IDASolve");
-  // Work integrals over the step, on IDA's own interpolant.
-  const double half = 0.5 * (t - before);
+  for (; row_time < t; row_time = rows.after(row_time)) {
+    add_work_between(from, row_time, inputs, state);
+    from = row_time;
+    check(IDAGetDky(memory, row_time, 0, scratch), "IDAGetDky");
+    check(IDAGetDky(memory, row_time, 1, scratch2), "IDAGetDky");
+    equations.unpack(view(scratch), state);
+    state.time = row_time;
+    rates = view(scratch2);
+    rates.tail(equations.layout().row_count) = view(scratch).tail(equations.layout().row_count);
+    row = state;
+    statistics.count(options.projection ? equations.project(row) : equations.drift(row));
+    if (!rows.on_row(row, rates)) return false;
+  }
+  add_work_between(from, t, inputs, state);
+  equations.unpack(view(y), state);
+  state.time = t;
+  rates = view(ydot);
+  rates.tail(equations.layout().row_count) = view(y).tail(equations.layout().row_count);
+  return true;
+}
+
+// Work integrals on IDA's own interpolant, within its last step.
+void Ida::Sundials::add_work_between(double begin, double end, const Inputs& inputs, State& state) {
+  const double half = 0.5 * (end - begin);
   for (int i = 0; i < 3; ++i) {
-    const double node = before + half * (1.0 + kGaussNode[i]);
+    const double node = begin + half * (1.0 + kGaussNode[i]);
     check(IDAGetDky(memory, node, 0, scratch), "IDAGetDky");
     equations.energy(node, view(scratch), inputs, energy);
     add_work(energy, half * kGaussWeight[i], state);
@@ -248,25 +276,33 @@ void Ida::forget() {
               "SUNLinSol_KLUReInit");
 }
 
-void Ida::advance(State& state, double t_end, const Inputs& inputs) {
+void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) {
   Sundials& s = *ida_;
-  const Layout& layout = s.equations.layout();
   FOOTFALL_DEMAND(t_end > state.time);
   s.inputs_now = &inputs;
   const bool goes_on = state.time == s.state_last.time && same(state.q, s.state_last.q) &&
                        same(state.v, s.state_last.v) && same(state.z, s.state_last.z) && same(inputs, s.inputs_last);
   if (!goes_on) s.restart(state, inputs, statistics_);
+  s.row_time = rows.after(state.time);
   s.check(IDASetStopTime(s.memory, t_end), "IDASetStopTime");
-  while (s.t < t_end) s.step(t_end, inputs, state);
+  bool ended_by_row = false;
+  Equations::Drift drift;
+  while (!ended_by_row && state.time < t_end) {
+    ended_by_row = !s.step(t_end, inputs, rows, state, statistics_);
+    drift = s.equations.drift(state);
+    // Each projection costs a start: IDA falls back to first order and a small step.
+    if (ended_by_row || state.time >= t_end || !s.options.projection ||
+        (drift.position < std::max(kProjectAbove, kDrift * s.options.atol) &&
+         drift.velocity < std::max(kProjectSpeedAbove, kDrift * s.options.atol_velocity)))
+      continue;
+    statistics_.count(s.equations.project(state));
+    s.restart(state, inputs, statistics_);
+    s.check(IDASetStopTime(s.memory, t_end), "IDASetStopTime");
+  }
   s.count(statistics_);
   ++statistics_.windows;
 
-  s.equations.unpack(view(s.y), state);
-  state.time = t_end;
-  s.rates = view(s.ydot);
-  s.rates.tail(layout.row_count) = view(s.y).tail(layout.row_count);
-  Equations::Drift drift = s.equations.drift(state);
-  s.state_last = state;
+  s.state_last = ended_by_row ? State{} : state;
   s.inputs_last = inputs;
   if (s.options.projection && (drift.position > kProjectAbove || drift.velocity > kProjectSpeedAbove))
     drift = s.equations.project(state);

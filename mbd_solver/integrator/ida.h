@@ -16,7 +16,7 @@ class Ida : public Integrator {
   ~Ida() override;
 
   std::string name() const override { return "ida"; }
-  void advance(State& state, double t_end, const Inputs& inputs) override;
+  void advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) override;
   const Eigen::VectorXd& end_rates() const override;
   void forget() override;
   const IntegratorStatistics& statistics() const override { return statistics_; }

@@ -1,6 +1,8 @@
 #pragma once
 // Advances a State through one window under constant loads and voltages.
 
+#include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -13,6 +15,7 @@ struct IntegratorOptions {
   double rtol = 0.0;           // relative tolerance of every coordinate > 0
   double atol = 0.0;           // absolute tolerance of q and z > 0 [m, -]
   double atol_velocity = 0.0;  // absolute tolerance of v > 0 [m/s, rad/s]
+  int order = 2;               // one_step: 2 (TR-BDF2) or 5 (ESDIRK5(4)7L[2]SA2)
   double max_step = 0.0;       // [s]; 0: the window is the only limit
   bool error_control = true;   // one_step: false takes steps of max_step, whatever their error
   double min_step = 1e-12;     // [s]; below: NumericalError naming time and the worst body or joint
@@ -35,14 +38,26 @@ struct IntegratorStatistics {
   void count(const Equations::Drift& drift);  // at the end of a window
 };
 
+// States that are wanted on the way: rows of a history, samples of a controller. They are read from the continuous
+// extension of the steps (dense_step.h): no step ends for them, and the steps are the same with and without them.
+struct Rows {
+  std::function<double(double time)> next;  // the first wanted time after this one [s]; infinity: no more
+  // Takes the state, projected when the integrator does so, and its rates [dq; dv; dz; lambda]. False ends the window
+  // there: an event changes the loads or voltages.
+  std::function<bool(const State& state, const Eigen::VectorXd& rates)> on_row;
+
+  double after(double time) const { return next ? next(time) : std::numeric_limits<double>::infinity(); }
+};
+
 class Integrator {
  public:
   virtual ~Integrator() = default;
   virtual std::string name() const = 0;  // "one_step", "ida"
-  // From state.time to t_end [s], loads and voltages constant. On return state is at t_end exactly, projected
-  // when asked, and its integrals (dissipated, load_work, motion_work) have grown. Throws NumericalError
-  // naming time and body or joint.
-  virtual void advance(State& state, double t_end, const Inputs& inputs) = 0;
+  // From state.time to t_end [s], loads and voltages constant. On return state is at t_end exactly (or at the row that
+  // ended the window), projected when asked, and its integrals (dissipated, load_work, motion_work) have grown. Throws
+  // NumericalError naming time and body or joint.
+  virtual void advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) = 0;
+  void advance(State& state, double t_end, const Inputs& inputs) { advance(state, t_end, inputs, Rows{}); }
   // dy/dt and multipliers at the end of the last window under its loads: [dq; dv; dz; lambda].
   virtual const Eigen::VectorXd& end_rates() const = 0;
   // Drops all memory of earlier windows (factors, step history), so that what follows depends on the State

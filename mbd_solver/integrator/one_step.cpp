@@ -1,50 +1,64 @@
 #include "mbd_solver/integrator/one_step.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/integrator/dense_step.h"
 #include "mbd_solver/integrator/work_integral.h"
 
 namespace footfall {
 namespace {
 
-const double kGamma = 1.0 - std::sqrt(0.5);
-const double kW = std::sqrt(2.0) / 4.0;
-const double kNode = 2.0 * kGamma;  // time of the middle stage
-// b - embedded b
-const double kError[3] = {kW - (1.0 - kW) / 3.0, kW - (3.0 * kW + 1.0) / 3.0, 2.0 * kGamma / 3.0};
-
+// What Newton may leave, relative to the error of the step: it must be seen neither by the error estimate nor in the sum
+// over many steps. The error of a first step is guessed; none is taken to be less than kLeastError, as round-off stands in
+// the way, and a Newton iteration that no longer falls is done where it has left no more than kNoise (1 = tolerance).
+constexpr double kNewton = 0.03, kFirstError = 1e-2, kLeastError = 1e-4, kRoundOff = 1e-12, kNoise = 1e-5;
+constexpr double kSlow = 0.2;  // convergence rate above which the Jacobian is renewed before the next step
 constexpr int kMostIterations = 10;
-constexpr double kNewtonTolerance = 0.01;  // of the error tolerance: Newton must not be seen by the error estimate
-constexpr double kSlow = 0.2;              // convergence rate above which the Jacobian is renewed before the next step
 // A rate that was measured once says less and less about a Jacobian that grows old: without this, stages that end after
 // one iteration would never measure it again (as in RADAU5 of Hairer and Wanner).
 constexpr double kForgetting = 0.8;
 constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
+constexpr double kFirst = 0.01;         // of y changes in the first step of all
+constexpr double kReach = 3.0;          // steps longer than this many steps before are not predicted from those
+constexpr std::size_t kPredictors = 3;  // rates that a stage is predicted from: a parabola
+// Drift [in absolute tolerances] that stays within a window; states that are handed out have none.
+constexpr double kDrift = 0.1;
+constexpr double kNear = 1e-9;     // of a step
+constexpr double kStretch = 10.0;  // so many steps before its end a window is divided into equal ones
 
 }  // namespace
 
 OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
-    : equations_(equations), options_(options), norm_(equations.layout(), options) {
+    : equations_(equations),
+      options_(options),
+      tableau_(tableau_of_order(options.order)),
+      norm_(equations.layout(), options) {
   const int n = equations.layout().size();
-  y_ = Ydot_ = known_ = F_ = change_ = rates_ = Eigen::VectorXd::Zero(n);
+  const std::size_t stages = static_cast<std::size_t>(tableau_.stages);
+  y_ = Ydot_ = known_ = F_ = change_ = rates_ = row_rates_ = Eigen::VectorXd::Zero(n);
   dx_ = Eigen::VectorXd::Zero(equations.layout().v_size);
-  for (Eigen::VectorXd& K : K_) K = Eigen::VectorXd::Zero(n);
-  for (Eigen::VectorXd& Y : Y_) Y = Eigen::VectorXd::Zero(n);
+  K_.assign(stages, Eigen::VectorXd::Zero(n));
+  Y_.assign(stages, Eigen::VectorXd::Zero(n));
+  energy_.resize(stages);
+  before_.assign(tableau_.dense[3] < 0 ? 3 : 4, Eigen::VectorXd::Zero(n));
   lu_ = std::make_unique<SparseLu>(equations.reduced_pattern());
 }
 
 void OneStep::forget() {
   factored_c_ = 0.0;
   rate_ = 1.0;
+  h_before_ = 0.0;
   lu_->forget();
   equations_.forget();
 }
 
-void OneStep::advance(State& state, double t_end, const Inputs& inputs) {
+void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) {
   const Layout& layout = equations_.layout();
   FOOTFALL_DEMAND(t_end > state.time);
   // Rates at the start under the loads of this window.
@@ -52,14 +66,14 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs) {
   ++statistics_.factorizations;
   equations_.pack(state, K_[0].tail(layout.row_count), y_);
   equations_.energy(state.time, y_, inputs, energy_[0]);
+  row_time_ = rows.after(state.time);
 
-  double t = state.time;
-  double h = state.step > 0.0 ? state.step : t_end - t;
+  double h = state.step > 0.0 ? state.step : std::min(t_end - state.time, first_step());
   if (options_.max_step > 0.0) h = std::min(h, options_.max_step);
-  while (t < t_end) {
-    // Equal steps to the end of the window.
-    const double steps = std::ceil((t_end - t) / h * (1.0 - 1e-9));
-    const double step = steps > 1.0 ? (t_end - t) / steps : t_end - t;
+  bool goes_on = true;
+  while (goes_on && state.time < t_end) {
+    const double t = state.time, steps = std::ceil((t_end - t) / h * (1.0 - 1e-9));
+    const double step = steps > kStretch ? h : (t_end - t) / steps;
     fresh_ = false;
     Outcome outcome = try_step(t, step, inputs);
     if (outcome == Outcome::kNoConvergence && !fresh_) {
@@ -67,17 +81,13 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs) {
       outcome = try_step(t, step, inputs);
     }
     if (outcome == Outcome::kAccepted) {
-      accept(t, step, inputs, state);
-      t = steps > 1.0 ? t + step : t_end;
-      // Without error control only Newton shortens steps: they grow again.
-      h = step *
-          (options_.error_control ? std::clamp(kSafety / std::cbrt(std::max(error_, 1e-12)), kLeast, kMost) : 2.0);
-      if (options_.max_step > 0.0) h = std::min(h, options_.max_step);
+      h = next_step(step);
+      goes_on = accept(t, step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
       continue;
     }
     if (outcome == Outcome::kTooInaccurate) {
       ++statistics_.rejected;
-      h = step * std::clamp(kSafety / std::cbrt(error_), kLeast, 0.8);
+      h = std::min(next_step(step), 0.8 * step);
     } else {
       ++statistics_.newton_failures;
       h = 0.25 * step;
@@ -86,54 +96,103 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs) {
   }
 
   ++statistics_.windows;
-  equations_.unpack(y_, state);
-  state.time = t_end;
   state.step = h;
   rates_ = K_[0];
   statistics_.count(options_.projection ? equations_.project(state) : equations_.drift(state));
 }
 
+double OneStep::first_step() {
+  if (!options_.error_control) return std::numeric_limits<double>::infinity();
+  norm_.set(y_);
+  const double size = norm_(y_), rate = norm_(K_[0]);
+  return kFirst * size < rate * options_.min_step ? options_.min_step
+         : rate > 0.0                             ? kFirst * size / rate
+                                                  : std::numeric_limits<double>::infinity();
+}
+
+double OneStep::next_step(double h) const {
+  // Without error control only Newton shortens steps: they grow again.
+  const double factor =
+      options_.error_control
+          ? std::clamp(kSafety * std::pow(std::max(error_, 1e-12), -1.0 / (tableau_.estimated_order + 1)), kLeast,
+                       kMost)
+          : 2.0;
+  return options_.max_step > 0.0 ? std::min(h * factor, options_.max_step) : h * factor;
+}
+
 OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
-  const int m = equations_.layout().lambda0(), rows = equations_.layout().row_count;
-  const double c = 1.0 / (h * kGamma);
+  const Layout& layout = equations_.layout();
+  const int m = layout.lambda0(), rows = layout.row_count, stages = tableau_.stages;
+  const double c = 1.0 / (h * tableau_.gamma);
   norm_.set(y_);
   complaint_.clear();
+  const double expected =
+      h_before_ > 0.0 ? error_before_ * std::pow(h / h_before_, tableau_.estimated_order + 1) : kFirstError;
+  newton_tolerance_ =
+      kNewton * std::clamp(expected, std::min(std::max(kLeastError, kRoundOff / options_.rtol), 1.0), 1.0);
 
-  // Middle stage: known = y + h gamma K_0, predicted with K_1 = K_0.
-  known_.head(m) = y_.head(m) + (h * kGamma) * K_[0].head(m);
-  K_[1] = K_[0];
-  Y_[0].head(m) = known_.head(m) + (h * kGamma) * K_[1].head(m);
-  Y_[0].tail(rows) = K_[1].tail(rows);
-  if (factored_c_ == 0.0 || std::abs(c / factored_c_ - 1.0) > 1e-6 || rate_ > kSlow) {
-    if (!refresh(t, c, inputs)) return Outcome::kNoConvergence;
+  for (int i = 1; i < stages; ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    known_ = y_;
+    for (std::size_t j = 0; j < at; ++j)
+      if (tableau_.a[at][j] != 0.0) known_ += (h * tableau_.a[at][j]) * K_[j];
+    predict(i, h);
+    Y_[at].head(m) = known_.head(m) + (h * tableau_.gamma) * K_[at].head(m);
+    Y_[at].tail(rows) = K_[at].tail(rows);
+    if (factored_c_ == 0.0 || (i == 1 && (std::abs(c / factored_c_ - 1.0) > 1e-6 || rate_ > kSlow))) {
+      if (!refresh(t, c, inputs)) return Outcome::kNoConvergence;
+    }
+    if (!solve_stage(i, t + tableau_.c[at] * h, h, inputs)) return Outcome::kNoConvergence;
   }
-  if (!solve_stage(1, t + kNode * h, h, inputs)) return Outcome::kNoConvergence;
-
-  // Last stage: known = y + h w (K_0 + K_1), predicted along the straight line through K_0 and K_1.
-  known_.head(m) = y_.head(m) + (h * kW) * (K_[0] + K_[1]).head(m);
-  K_[2] = K_[0] + (K_[1] - K_[0]) / kNode;
-  Y_[1].head(m) = known_.head(m) + (h * kGamma) * K_[2].head(m);
-  Y_[1].tail(rows) = K_[2].tail(rows);
-  if (!solve_stage(2, t + h, h, inputs)) return Outcome::kNoConvergence;
 
   // Error estimate e = h sum (b - b^) K, filtered: J x = c (dF/dydot) e, positions eliminated as in the
   // Jacobian.
-  const Layout& layout = equations_.layout();
+  const Eigen::VectorXd& end = Y_.back();
   const int lower = layout.size() - layout.q_size;
-  Ydot_.head(m) = h * (kError[0] * K_[0] + kError[1] * K_[1] + kError[2] * K_[2]).head(m);
-  Ydot_.tail(rows).setZero();
-  equations_.apply_mass(Y_[1], Ydot_, t + h, F_);
-  to_increments(layout, Y_[1].head(layout.q_size), Ydot_.head(layout.q_size), dx_);
+  Ydot_.setZero();
+  for (std::size_t j = 0; j < K_.size(); ++j) Ydot_.head(m) += (h * tableau_.error[j]) * K_[j].head(m);
+  equations_.apply_mass(end, Ydot_, t + h, F_);
+  to_increments(layout, end.head(layout.q_size), Ydot_.head(layout.q_size), dx_);
   Eigen::Ref<Eigen::VectorXd> x = F_.tail(lower);
   x *= c;
   equations_.subtract_stiffness(dx_, x);
   lu_->solve(x);
   dx_ += x.head(layout.v_size) / c;
-  from_increments(layout, Y_[1].head(layout.q_size), dx_, F_.head(layout.q_size));
+  from_increments(layout, end.head(layout.q_size), dx_, F_.head(layout.q_size));
   error_ = norm_(F_);
   worst_ = norm_.worst(F_);
   if (!std::isfinite(error_)) return Outcome::kNoConvergence;
   return error_ <= 1.0 || !options_.error_control ? Outcome::kAccepted : Outcome::kTooInaccurate;
+}
+
+void OneStep::predict(int stage, double h) {
+  // The parabola through the rates nearest in time, of this step and of the one before; the latter are moved by what has
+  // jumped since. Times in steps h from the start of this one.
+  struct Known {
+    double time;
+    const Eigen::VectorXd* rates;
+    bool before;
+  };
+  std::array<Known, kMostStages + 3> known{};
+  std::size_t count = 0;
+  const double target = tableau_.c[static_cast<std::size_t>(stage)];
+  for (std::size_t j = 0; j < static_cast<std::size_t>(stage); ++j) known[count++] = {tableau_.c[j], &K_[j], false};
+  if (h_before_ > 0.0 && h < kReach * h_before_) {
+    for (std::size_t k = 0; k + 1 < before_.size(); ++k)
+      known[count++] = {(dense_time(k) - 1.0) * h_before_ / h, &before_[k], true};
+  }
+  std::sort(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(count),
+            [&](const Known& a, const Known& b) { return std::abs(a.time - target) < std::abs(b.time - target); });
+  count = std::min(count, kPredictors);
+  std::array<double, kPredictors> times{};
+  for (std::size_t j = 0; j < count; ++j) times[j] = known[j].time;
+  Eigen::VectorXd& K = K_[static_cast<std::size_t>(stage)];
+  K.setZero();
+  for (std::size_t j = 0; j < count; ++j) {
+    const double weight = lagrange(times, count, j, target);
+    K += weight * *known[j].rates;
+    if (known[j].before) K += weight * (K_[0] - before_.back());
+  }
 }
 
 bool OneStep::refresh(double t, double c, const Inputs& inputs) {
@@ -155,8 +214,9 @@ bool OneStep::refresh(double t, double c, const Inputs& inputs) {
 bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
   const Layout& layout = equations_.layout();
   const int m = layout.lambda0(), rows = layout.row_count, q = layout.q_size, lower = layout.size() - q;
-  const double c = 1.0 / (h * kGamma);
-  Eigen::VectorXd& Y = Y_[stage - 1];
+  const double c = 1.0 / (h * tableau_.gamma);
+  Eigen::VectorXd& Y = Y_[static_cast<std::size_t>(stage)];
+  Eigen::VectorXd& K = K_[static_cast<std::size_t>(stage)];
   Ydot_.tail(rows).setZero();
   double last = 0.0;
   rate_ = std::max(rate_, std::min(std::pow(rate_, kForgetting), kSlow));
@@ -180,34 +240,83 @@ bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
     const double size = norm_(change_);
     worst_ = norm_.worst(change_);
     if (!std::isfinite(size)) return false;
+    bool done = false;
     if (i > 0) {
       rate_ = size / last;
-      if (rate_ >= 1.0 && size > kNewtonTolerance) return false;
+      done = rate_ >= 1.0 && size <= std::max(kNoise, newton_tolerance_);
+      if (rate_ >= 1.0 && !done) return false;
     }
     last = size;
     // What is still missing: size rate / (1 - rate); the rate of the stage before serves the first iteration.
     const double rate = std::min(rate_, 0.9);
-    if (size * rate / (1.0 - rate) <= kNewtonTolerance) {
+    if (done || size * rate / (1.0 - rate) <= newton_tolerance_) {
       solve_positions(layout, known_.head(q), Y.segment(q, layout.v_size), c, Y.head(q));
-      K_[stage].head(m) = c * (Y - known_).head(m);
-      K_[stage].tail(rows) = Y.tail(rows);
+      K.head(m) = c * (Y - known_).head(m);
+      K.tail(rows) = Y.tail(rows);
       return true;
     }
   }
   return false;
 }
 
-void OneStep::accept(double t, double h, const Inputs& inputs, State& state) {
+bool OneStep::accept(double t, double h, double t_new, double t_end, const Inputs& inputs, const Rows& rows,
+                     State& state) {
   ++statistics_.steps;
   // Work integrals with the weights of the method itself.
-  equations_.energy(t + kNode * h, Y_[0], inputs, energy_[1]);
-  equations_.energy(t + h, Y_[1], inputs, energy_[2]);
-  add_work(energy_[0], h * kW, state);
-  add_work(energy_[1], h * kW, state);
-  add_work(energy_[2], h * kGamma, state);
-  y_.swap(Y_[1]);
-  K_[0].swap(K_[2]);
-  std::swap(energy_[0], energy_[2]);
+  start_ = state;
+  const std::size_t last = K_.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const double b = i < last ? tableau_.a[last][i] : tableau_.gamma;
+    if (i > 0 && (b != 0.0 || i == last)) equations_.energy(t + tableau_.c[i] * h, Y_[i], inputs, energy_[i]);
+    if (b != 0.0) add_work(energy_[i], h * b, state);
+  }
+  equations_.unpack(Y_.back(), state);
+  state.time = t_new;
+
+  const double reached = t_new + kNear * h;  // a row that round-off has put just behind the step belongs to it
+  for (; row_time_ < t_end && row_time_ <= reached; row_time_ = rows.after(row_time_)) {
+    interpolate(row_time_, h, state);
+    statistics_.count(options_.projection ? equations_.project(row_) : equations_.drift(row_));
+    if (rows.on_row(row_, row_rates_)) continue;
+    state = row_;
+    K_[0] = row_rates_;
+    h_before_ = 0.0;
+    return false;
+  }
+
+  for (std::size_t k = 0; k < before_.size(); ++k) before_[k].swap(K_[static_cast<std::size_t>(tableau_.dense[k])]);
+  K_[0] = before_.back();
+  std::swap(energy_[0], energy_.back());
+  h_before_ = h;
+  error_before_ = error_;
+  y_.swap(Y_.back());
+  if (!options_.projection) return true;
+  const Equations::Drift drift = equations_.drift(state);
+  if (drift.position > kDrift * options_.atol || drift.velocity > kDrift * options_.atol_velocity) {
+    statistics_.count(equations_.project(state));
+    equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
+  }
+  return true;
+}
+
+double OneStep::dense_time(std::size_t k) const { return tableau_.c[static_cast<std::size_t>(tableau_.dense[k])]; }
+
+void OneStep::interpolate(double time, double h, const State& end) {
+  const int m = equations_.layout().lambda0();
+  const double theta = (time - start_.time) / h;
+  const HermiteWeights w(theta, h);
+  const Eigen::VectorXd &y = Y_.back(), &K = K_.back();
+  row_ = start_;
+  row_.time = time;
+  known_.head(m) = (w.x0 * y_ + w.x1 * y + w.dx0 * K_[0] + w.dx1 * K).head(m);
+  equations_.unpack(known_, row_);
+  interpolate_work(w, start_, energy_[0], end, energy_.back(), row_);
+
+  std::array<double, 4> times{};
+  for (std::size_t k = 0; k < before_.size(); ++k) times[k] = dense_time(k);
+  row_rates_.setZero();
+  for (std::size_t k = 0; k < before_.size(); ++k)
+    row_rates_ += lagrange(times, before_.size(), k, theta) * K_[static_cast<std::size_t>(tableau_.dense[k])];
 }
 
 void OneStep::give_up(double t) const {

@@ -1,17 +1,19 @@
 #pragma once
-// TR-BDF2 as a diagonally implicit Runge-Kutta method: one step, second order, L-stable, stiffly accurate,
-// first stage explicit (Hosea and Shampine 1996). A new window with another load costs it neither order nor
-// steps, which is why it is the default.
-//   gamma = 1 - sqrt(2)/2,  w = sqrt(2)/4,  c = (0, 2 gamma, 1),  b = (w, w, gamma)
-//   embedded third-order weights ((1-w)/3, (3w+1)/3, gamma/3) estimate the error; the estimate is filtered by
-//   the iteration matrix, so that stiff parts do not shrink the step.
-// A stage with rates K_i: y_i = known + h gamma K_i, F(t_i, y_i, K_i) = 0. Positions follow from velocities
-// in closed form, so Newton iterates [v; z; lambda] alone, with the reduced Jacobian at c = 1 / (h gamma).
-// Multipliers have no rates. The Jacobian and its factors are kept while Newton converges fast.
+// Diagonally implicit Runge-Kutta methods with an explicit first stage (tableau.h): one step, L-stable, stiffly accurate.
+// A new window with another load costs them neither order nor steps, which is why they are the default.
+//   stage i:  known = y + h sum_{j<i} a_ij K_j,   Y_i = known + h gamma K_i,   F(t + c_i h, Y_i, K_i) = 0
+//   estimate: e = h sum (b - b^)_i K_i, filtered by the iteration matrix, so that stiff parts do not shrink the step
+// Positions follow from velocities in closed form, so Newton iterates [v; z; lambda] alone, with the reduced Jacobian at
+// c = 1 / (h gamma). Multipliers have no rates. The Jacobian and its factors are kept while Newton converges fast.
+// Newton stops when what it leaves is small beside the error of the step itself (as the step before lets expect), so that
+// smaller steps have smaller errors although there are more of them.
+
+#include <vector>
 
 #include "mbd_solver/dynamics/sparse_lu.h"
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/integrator.h"
+#include "mbd_solver/integrator/tableau.h"
 
 namespace footfall {
 
@@ -20,7 +22,7 @@ class OneStep : public Integrator {
   OneStep(Equations& equations, const IntegratorOptions& options);
 
   std::string name() const override { return "one_step"; }
-  void advance(State& state, double t_end, const Inputs& inputs) override;
+  void advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) override;
   const Eigen::VectorXd& end_rates() const override { return rates_; }
   void forget() override;
   const IntegratorStatistics& statistics() const override { return statistics_; }
@@ -28,29 +30,45 @@ class OneStep : public Integrator {
  private:
   enum class Outcome { kAccepted, kTooInaccurate, kNoConvergence };
 
-  Outcome try_step(double t, double h, const Inputs& inputs);  // from y_, K_[0] to Y_[1]; leaves error_
+  Outcome try_step(double t, double h, const Inputs& inputs);  // from y_, K_[0] to the last Y_; leaves error_
+  void predict(int stage, double h);                           // K_[stage]
   bool solve_stage(int stage, double t, double h, const Inputs& inputs);
-  bool refresh(double t, double c, const Inputs& inputs);  // Jacobian at Y_[stage] and its factors
-  void accept(double t, double h, const Inputs& inputs, State& state);
+  bool refresh(double t, double c, const Inputs& inputs);  // Jacobian at y_ and its factors
+  // Moves state on, gives the rows on the way; false: one of them has ended the window.
+  bool accept(double t, double h, double t_new, double t_end, const Inputs& inputs, const Rows& rows, State& state);
+  void interpolate(double time, double h, const State& end);  // row_ and row_rates_, between start_ and `end`
+  double dense_time(std::size_t k) const;                     // of before_[k] within its step
+  double first_step();                                        // [s]
+  double next_step(double h) const;                           // after a step h of error error_
   [[noreturn]] void give_up(double t) const;
 
   Equations& equations_;
   IntegratorOptions options_;
+  const Tableau& tableau_;
   IntegratorStatistics statistics_;
   ErrorNorm norm_;
   std::unique_ptr<SparseLu> lu_;
-  double factored_c_ = 0.0;  // c of the factors, 0: none
-  bool fresh_ = false;       // the Jacobian belongs to this step
-  double rate_ = 1.0;        // last convergence rate of Newton
-  double error_ = 0.0;       // of the last step, 1 = tolerance
-  int worst_ = -1;           // entry of y that failed last
-  std::string complaint_;    // of a force law that had no value
+  double factored_c_ = 0.0;        // c of the factors, 0: none
+  bool fresh_ = false;             // the Jacobian belongs to this step
+  double rate_ = 1.0;              // last convergence rate of Newton
+  double error_ = 0.0;             // of the last step, 1 = tolerance
+  double newton_tolerance_ = 0.0;  // of the step that is tried
+  int worst_ = -1;                 // entry of y that failed last
+  std::string complaint_;          // of a force law that had no value
 
-  Eigen::VectorXd y_;     // at the start of the step
-  Eigen::VectorXd K_[3];  // rates of the stages; multipliers in the tail
-  Eigen::VectorXd Y_[2];  // values of the two implicit stages
+  Eigen::VectorXd y_;               // at the start of the step
+  std::vector<Eigen::VectorXd> K_;  // rates of the stages; multipliers in the tail
+  std::vector<Eigen::VectorXd> Y_;  // values of the stages; Y_[0] is not used
   Eigen::VectorXd Ydot_, known_, F_, change_, dx_, rates_;
-  EnergySample energy_[3];  // powers at the stages
+  std::vector<EnergySample> energy_;  // powers at the stages
+
+  std::vector<Eigen::VectorXd> before_;  // rates of the last step at tableau_.dense, its end last
+  double h_before_ = 0.0;                // 0: no step before
+  double error_before_ = 0.0;            // its error, 1 = tolerance
+
+  State start_, row_;  // at the start of a step, and in it
+  Eigen::VectorXd row_rates_;
+  double row_time_ = 0.0;  // of the next row [s]
 };
 
 }  // namespace footfall

@@ -14,8 +14,20 @@ Baumgarte baumgarte(const SolverSpec& spec) {
   return {spec.baumgarte_velocity, spec.baumgarte_position};
 }
 
-IntegratorOptions integrator_options(const SolverSpec& spec) {
+// With grains the windows are short and their own error is of second order; without, the fifth order has the longer steps.
+int order_of(OneStepMethod method, bool with_grains) {
+  switch (method) {
+    case OneStepMethod::kAuto: return with_grains ? 2 : 5;
+    case OneStepMethod::kTrBdf2: return 2;
+    case OneStepMethod::kEsdirk5: return 5;
+  }
+  FOOTFALL_DEMAND(false);
+  return 0;
+}
+
+IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains) {
   IntegratorOptions options;
+  options.order = order_of(spec.method, with_grains);
   options.rtol = spec.rtol;
   options.atol = spec.atol;
   options.atol_velocity = 100.0 * spec.atol;
@@ -33,8 +45,8 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       mechanism_(build_mechanism(scene)),
       assembly_(assemble(mechanism_.model)),
       equations_(mechanism_.model, assembly_, baumgarte(scene.solver)),
-      integrator_(
-          make_integrator(std::string(name_of(scene.solver.integrator)), equations_, integrator_options(scene.solver))),
+      integrator_(make_integrator(std::string(name_of(scene.solver.integrator)), equations_,
+                                  integrator_options(scene.solver, partner_transport != nullptr))),
       state_(assembly_.state),
       rates_(Eigen::VectorXd::Zero(equations_.layout().size())),
       control_(mechanism_.controllers, {scene_, mechanism_, equations_.layout()}),
@@ -57,7 +69,7 @@ Kinematics Simulation::kinematics() const {
 
 bool Simulation::finished() const { return state_.time >= t_end_ * (1.0 - 1e-12); }
 
-// Rows of the history and samples of controllers lie at ends of windows.
+// The next row of the history or sample of a controller.
 double Simulation::next_stop() const {
   const double t = state_.time;
   const double tiny = 1e-9 * std::max(scene_.output.interval, 1e-6);
@@ -70,29 +82,65 @@ void Simulation::check_finite() const {
   throw NumericalError("t = " + std::to_string(state_.time) + " s: the state of the mechanism is not finite");
 }
 
+// Samples the controllers that are due, and remembers whether that has changed a voltage.
+void Simulation::control() {
+  const double due = control_.next_sample();
+  const Eigen::VectorXd voltages = inputs_.voltages;
+  control_.sample_due(sampler_.sample(), inputs_);
+  if (control_.next_sample() > due) voltages_move_ = inputs_.voltages != voltages;
+}
+
 void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted) {
   const double started = wall_clock();
-  const Sample& at = sampler_.sample();  // always of the last window's end
+  const Sample& at = sampler_.sample();  // always of the present state
   equations_.accelerations(state_, inputs_, rates_);
   take_sample();
   observe(at);
 
+  // Without grains a window ends only where a voltage changes: rows and samples are read on the way. While each sample
+  // changes it, windows end at samples, so that no step is cut.
+  double on_the_way = 0.0;        // wall time of rows in a window [s]
+  double last_row = state_.time;  // [s]
+  Rows rows;
+  if (!coupled_) {
+    rows.next = [&](double) { return next_stop(); };
+    rows.on_row = [&](const State& state, const Eigen::VectorXd& rates) {
+      const double row_started = wall_clock();
+      state_ = state;
+      rates_ = rates;
+      check_finite();
+      ++window_;
+      take_sample();
+      times_.total = row_started - started;
+      observe(at);
+      control();
+      last_row = state_.time;
+      on_the_way += wall_clock() - row_started;
+      return interrupted == 0 && !voltages_move_;
+    };
+  }
+
   while (!finished() && interrupted == 0) {
     // Control: the voltages of the window.
     const double control_started = wall_clock();
-    control_.sample_due(at, inputs_);
+    control();
     times_.control += wall_clock() - control_started;
 
-    // Window: with grains motion goes out and the mean load comes in, without it goes to the next stop.
-    const double t_end =
-        coupled_ ? coupled_->begin_window(state_, at.kinematics, at.energy.stored, inputs_) : next_stop();
+    // Window: with grains motion goes out and the mean load comes in.
+    const double t_end = coupled_         ? coupled_->begin_window(state_, at.kinematics, at.energy.stored, inputs_)
+                         : voltages_move_ ? std::min(control_.next_sample(), t_end_)
+                                          : t_end_;
 
     // Integrate, and check.
     const double mbd_started = wall_clock();
-    integrator_->advance(state_, t_end, inputs_);
+    on_the_way = 0.0;
+    State state = state_;
+    integrator_->advance(state, t_end, inputs_, rows);
+    state_ = state;
     rates_ = integrator_->end_rates();
-    times_.mbd += wall_clock() - mbd_started;
+    times_.mbd += wall_clock() - mbd_started - on_the_way;
     check_finite();
+    if (state_.time < t_end && state_.time == last_row) continue;  // a row has ended the window, and was observed
     ++window_;
 
     // Observe.

@@ -47,7 +47,8 @@ class Simulation {
   const CoupledRun* coupled() const { return coupled_.get(); }
 
  private:
-  double next_stop() const;  // end of the next window without grains [s]
+  double next_stop() const;  // the next row or sample, or the end [s]
+  void control();            // samples the controllers that are due
   void check_finite() const;
   void take_sample() { sampler_.take(window_, finished(), coupled_ ? &coupled_->sample() : nullptr); }
 
@@ -62,6 +63,7 @@ class Simulation {
   Eigen::VectorXd rates_;  // [dq; dv; dz; lambda] at state_.time
   long window_ = 0;        // windows done
   ControlLoop control_;
+  bool voltages_move_ = true;  // the last sample has changed one
   Sampler sampler_;
   std::unique_ptr<CoupledRun> coupled_;
   RunTimes times_;

@@ -49,6 +49,7 @@ void visit_fields(FieldVisitor& v, ControllerSpec& c) {
 void visit_fields(FieldVisitor& v, SolverSpec& s) {
   v.field("", &s.source, {});
   v.choice("integrator", s.integrator);
+  v.choice("method", s.method);
   v.field("rtol", &s.rtol, {Unit::kNone, Range::kPositive});
   v.field("atol", &s.atol, {Unit::kNone, Range::kPositive});
   v.field("max_step", &s.max_step, {Unit::kTime, Range::kPositive});

@@ -86,6 +86,16 @@ constexpr std::string_view name_of(IntegratorKind kind) {
   return {};
 }
 
+enum class OneStepMethod { kAuto, kTrBdf2, kEsdirk5 };
+constexpr std::string_view name_of(OneStepMethod method) {
+  switch (method) {
+    case OneStepMethod::kAuto: return "auto";
+    case OneStepMethod::kTrBdf2: return "tr_bdf2";
+    case OneStepMethod::kEsdirk5: return "esdirk5";
+  }
+  return {};
+}
+
 enum class DriftKind { kProjection, kBaumgarte };
 constexpr std::string_view name_of(DriftKind kind) {
   switch (kind) {
@@ -98,10 +108,11 @@ constexpr std::string_view name_of(DriftKind kind) {
 struct SolverSpec {
   Source source;
   IntegratorKind integrator = IntegratorKind::kOneStep;
-  double rtol = 1e-6;         // [-]
-  double atol = 1e-8;         // [m], [rad], [m/s] ...
-  double max_step = 1e-3;     // [s]; one step never crosses a window
-  bool error_control = true;  // one_step: false takes steps of max_step, whatever their error
+  OneStepMethod method = OneStepMethod::kAuto;  // of one_step; auto: tr_bdf2 with grains, esdirk5 without
+  double rtol = 1e-6;                           // [-]
+  double atol = 1e-8;                           // [m], [rad], [m/s] ...
+  double max_step = 1e-3;                       // [s]; one step never crosses a window
+  bool error_control = true;                    // one_step: false takes steps of max_step, whatever their error
   DriftKind drift = DriftKind::kProjection;
   double baumgarte_velocity = 100.0;  // alpha: ddPhi + 2 alpha dPhi + beta^2 Phi = 0 [1/s]
   double baumgarte_position = 100.0;  // beta [1/s]

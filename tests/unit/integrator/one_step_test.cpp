@@ -1,0 +1,134 @@
+// What a smaller step and a smaller tolerance buy, on mechanisms whose motion is smooth.
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/unit/dynamics/run.h"
+#include "tests/unit/integrator/smooth_mechanisms.h"
+
+namespace footfall {
+namespace {
+
+constexpr unsigned kMechanisms = 20;
+constexpr double kEnd = 0.25;    // [s]
+constexpr double kEnough = 0.1;  // errors below this share of the tolerance need not fall any more
+
+IntegratorOptions options_of(int order, double rtol) {
+  IntegratorOptions options;
+  options.order = order;
+  options.rtol = rtol;
+  options.atol = 1e-2 * rtol;
+  options.atol_velocity = rtol;
+  return options;
+}
+
+Eigen::VectorXd end_of(const Model& model, const IntegratorOptions& options, double t_end = kEnd,
+                       const std::string& kind = "one_step") {
+  test::Run run(model, kind, options);
+  run.to(t_end);
+  return run.state.q;
+}
+
+// By the fifth order, a hundred times closer than what is looked at; IDA agrees (below).
+Eigen::VectorXd exact(const Model& model, double t_end = kEnd) {
+  IntegratorOptions options = test::tight(1e-10);
+  options.order = 5;
+  return end_of(model, options, t_end);
+}
+
+class Order : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(OneStep, Order, ::testing::Values(2, 5));
+
+TEST(OneStep, AgreesWithIdaOnSmoothLoops) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const Model model = test::smooth_loop(seed);
+    EXPECT_LT((exact(model) - end_of(model, test::tight(1e-11), kEnd, "ida")).norm(), 1e-7) << seed;
+  }
+}
+
+TEST(OneStep, ErrorFallsWithTheStep) {
+  // At a tolerance that lets Newton leave more than the step itself does: the sum over many steps must not be seen.
+  // Each halving of the step takes three quarters of the error; a half must go, and on the mean of all more.
+  constexpr double kLeast = 0.6, kMean = 0.35;
+  double mean = 0.0;
+  int count = 0;
+  for (unsigned seed = 1; seed <= kMechanisms; ++seed) {
+    const Model model = test::smooth_loop(seed);
+    const Eigen::VectorXd reference = exact(model);
+    double last = 0.0;
+    for (double step : {1.6e-3, 8e-4, 4e-4, 2e-4, 1e-4}) {
+      IntegratorOptions options = options_of(2, 1e-6);
+      options.max_step = step;
+      const double error = (end_of(model, options) - reference).norm();
+      if (last > 0.0) {
+        EXPECT_LT(error, kLeast * last + kEnough * 1e-6) << "seed " << seed << ", step " << step;
+        mean += std::log(error / last);
+        ++count;
+      }
+      last = error;
+    }
+  }
+  EXPECT_LT(std::exp(mean / count), kMean);
+}
+
+TEST_P(Order, ErrorFallsWithTheTolerance) {
+  // A tenth of the tolerance: the error falls at least to its square root (second order: local error h^3, of all h^2).
+  constexpr double kLeast = 0.7, kMean = 0.33;
+  double mean = 0.0;
+  int count = 0;
+  for (unsigned seed = 1; seed <= kMechanisms; ++seed) {
+    const Model model = test::smooth_loop(seed);
+    const Eigen::VectorXd reference = exact(model);
+    double last = 0.0;
+    for (double rtol : {1e-4, 1e-5, 1e-6, 1e-7}) {
+      const double error = (end_of(model, options_of(GetParam(), rtol)) - reference).norm();
+      if (last > 0.0) {
+        EXPECT_LT(error, kLeast * last + kEnough * rtol) << "seed " << seed << ", rtol " << rtol;
+        mean += std::log(error / last);
+        ++count;
+      }
+      last = error;
+    }
+  }
+  EXPECT_LT(std::exp(mean / count), kMean);
+}
+
+TEST(OneStep, FifthOrderEndsWithinAHundredTolerances) {
+  // What one takes a tolerance for: the error at the end of a second, in lengths of one metre.
+  constexpr double kTolerances = 100.0, kSecond = 1.0;
+  for (unsigned seed = 1; seed <= kMechanisms; ++seed) {
+    const Model model = test::smooth_loop(seed);
+    const Eigen::VectorXd reference = exact(model, kSecond);
+    for (double rtol : {1e-5, 1e-6})
+      EXPECT_LT((end_of(model, options_of(5, rtol), kSecond) - reference).norm(), kTolerances * rtol)
+          << "seed " << seed << ", rtol " << rtol;
+  }
+}
+
+TEST(OneStep, ObservedOrderIsFive) {
+  // Fixed steps: the mean over mechanisms of log2 of the ratio, and multipliers as well as positions.
+  double positions = 0.0, multipliers = 0.0;
+  // Seeds whose error at these steps is far from the reference's own and whose Newton needs no shorter steps.
+  constexpr double kCount = 3.0;
+  for (unsigned seed : {1u, 4u, 5u}) {
+    const Model model = test::smooth_loop(seed);
+    const auto ends = [&](double step, double rtol) {
+      IntegratorOptions options = options_of(5, rtol);
+      options.error_control = step == 0.0;
+      options.max_step = step;
+      test::Run run(model, "one_step", options);
+      run.to(kEnd);
+      return std::make_pair(run.state.q,
+                            Eigen::VectorXd(run.integrator->end_rates().tail(run.equations.layout().row_count)));
+    };
+    const auto reference = ends(0.0, 1e-10), coarse = ends(kEnd / 10, 1e-9), fine = ends(kEnd / 20, 1e-9);
+    positions += std::log2((coarse.first - reference.first).norm() / (fine.first - reference.first).norm()) / kCount;
+    multipliers +=
+        std::log2((coarse.second - reference.second).norm() / (fine.second - reference.second).norm()) / kCount;
+  }
+  EXPECT_GT(positions, 4.5);
+  EXPECT_GT(multipliers, 3.8);
+}
+
+}  // namespace
+}  // namespace footfall
