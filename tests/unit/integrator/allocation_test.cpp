@@ -1,4 +1,4 @@
-// A step takes no memory: twice as many steps ask malloc as often as half of them.
+// A step takes no memory: twice as many steps ask malloc as often as half of them. mbd_solver/integrator/one_step.h.
 
 #include <atomic>
 #include <cstddef>
@@ -22,7 +22,7 @@ namespace {
 TEST(OneStep, TakesNoMemoryInAStep) {
   const Model model = test::smooth_loop(3);
   for (int order : {2, 5}) {
-    IntegratorOptions options;
+    IntegratorOptions options = test::usual();
     options.order = order;
     options.max_step = 1e-3;
     test::Run run(model, "one_step", options);

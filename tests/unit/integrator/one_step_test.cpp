@@ -1,4 +1,4 @@
-// What a smaller step and a smaller tolerance buy, on mechanisms whose motion is smooth.
+// mbd_solver/integrator/one_step.h. What a smaller step and a smaller tolerance buy, on mechanisms whose motion is smooth.
 
 #include <algorithm>
 #include <cmath>

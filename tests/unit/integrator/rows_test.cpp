@@ -1,4 +1,4 @@
-// States on the way: what a row costs, how close it is to a step that ends there, and what it keeps.
+// mbd_solver/integrator/integrator.h, Rows. States on the way: what a row costs, how close it is to a step that ends there, and what it keeps.
 
 #include <cmath>
 #include <vector>
