@@ -32,6 +32,7 @@ class OneStep : public Integrator {
   bool solve_stage(int stage, double t, double h, const Inputs& inputs);
   bool refresh(double t, double c, const Inputs& inputs);  // Jacobian at Y_[stage] and its factors
   void accept(double t, double h, const Inputs& inputs, State& state);
+  void remove_drift(double t, State& state);  // from y_
   [[noreturn]] void give_up(double t) const;
 
   Equations& equations_;
