@@ -154,8 +154,7 @@ void note_speeds(const Model& model, const Layout& layout, const Eigen::VectorXd
   const Eigen::Vector3d dv = change.segment<3>(layout.body_v[body]), dw = change.segment<3>(layout.body_v[body] + 3);
   out.notes.push_back("the given initial velocities do not fit the joints: joint \"" +
                       model.joint(layout.row_joint[static_cast<std::size_t>(row)]).name + "\" would open at " +
-                      number(std::abs(rate[row])) +
-                      " m/s or rad/s. The smallest change that fits was made; body \"" +
+                      number(std::abs(rate[row])) + " m/s or rad/s. The smallest change that fits was made; body \"" +
                       model.body(static_cast<int>(body)).name() + "\" is changed most, by " + number(dv.norm()) +
                       " m/s and " + number(dw.norm()) + " rad/s.");
 }

@@ -20,7 +20,7 @@ struct Assembly {
   State state;                            // closed to round-off, velocities consistent
   int rank = 0;                           // number of independent constraint rows
   std::vector<RedundantGroup> redundant;  // joints whose rows depend on each other
-  // One per joint with redundant conditions, naming the joints they follow from; one when given velocities were changed.
+  // One per joint with redundant conditions, naming the joints they follow from; one on changed velocities.
   std::vector<std::string> notes;
   double largest_gap = 0.0;           // before closing [m or rad]
   double largest_speed_change = 0.0;  // largest change by the projection [m/s or rad/s]

@@ -45,8 +45,7 @@ struct SparseQr {
 // Representative of the set that `i` belongs to, paths shortened.
 int root(std::vector<int>& parent, int i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
-    parent[static_cast<std::size_t>(i)] =
-        parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
+    parent[static_cast<std::size_t>(i)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
     i = parent[static_cast<std::size_t>(i)];
   }
   return i;
@@ -123,8 +122,7 @@ Eigen::VectorXd ConstraintRows::correction(const Eigen::VectorXd& defect, double
   }
   Eigen::VectorXd x = -qr.in_range(z);
   for (int i = 0; i < model_.body_count(); ++i) {
-    Eigen::Ref<Eigen::VectorXd> part =
-        x.segment(layout_.body_v[static_cast<std::size_t>(i)], kinematics_.of(i).size());
+    Eigen::Ref<Eigen::VectorXd> part = x.segment(layout_.body_v[static_cast<std::size_t>(i)], kinematics_.of(i).size());
     factors_[static_cast<std::size_t>(i)].transpose().triangularView<Eigen::Upper>().solveInPlace(part);
   }
   return x;
@@ -180,6 +178,7 @@ std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) con
   std::vector<RedundantGroup> out;
   for (auto& [key, group] : groups) {
     const Eigen::Index m = static_cast<Eigen::Index>(group.rows.size());
+    group.s = joint_lengths(group);
     Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(m, static_cast<Eigen::Index>(group.dropped.size()));
     Eigen::Index column = 0;
     for (std::size_t k = 0; k < null_vectors.size(); ++k) {
@@ -187,16 +186,36 @@ std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) con
       if (root(parent, layout_.row_joint[static_cast<std::size_t>(row)]) != key) continue;
       for (Eigen::SparseVector<double>::InnerIterator entry(null_vectors[k]); entry; ++entry) {
         const auto at = std::lower_bound(group.rows.begin(), group.rows.end(), static_cast<int>(entry.index()));
-        Y(at - group.rows.begin(), column) = entry.value();
+        Y(at - group.rows.begin(), column) = group.s[at - group.rows.begin()] * scale[entry.index()] * entry.value();
       }
       ++column;
     }
     group.U = Eigen::HouseholderQR<Eigen::MatrixXd>(Y).householderQ() * Eigen::MatrixXd::Identity(m, Y.cols());
-    group.s.resize(m);
-    for (Eigen::Index i = 0; i < m; ++i) group.s[i] = 1.0 / scale[group.rows[static_cast<std::size_t>(i)]];
     out.push_back(std::move(group));
   }
   return out;
+}
+
+Eigen::VectorXd ConstraintRows::joint_lengths(const RedundantGroup& group) const {
+  Eigen::VectorXd s(static_cast<Eigen::Index>(group.rows.size()));
+  const auto row_of = [&](int row) -> const ConstraintRow& {
+    const int joint = layout_.row_joint[static_cast<std::size_t>(row)];
+    return model_.joint(joint).rows[static_cast<std::size_t>(row - layout_.joint_row[static_cast<std::size_t>(joint)])];
+  };
+  for (std::size_t i = 0; i < group.rows.size(); ++i) {
+    double sum = 0.0;
+    int count = 0;
+    for (const int row : group.rows) {
+      if (layout_.row_joint[static_cast<std::size_t>(row)] !=
+              layout_.row_joint[static_cast<std::size_t>(group.rows[i])] ||
+          row_of(row).unit != row_of(group.rows[i]).unit)
+        continue;
+      sum += 1.0 / (scale[row] * scale[row]);
+      ++count;
+    }
+    s[static_cast<Eigen::Index>(i)] = std::sqrt(sum / count);
+  }
+  return s;
 }
 
 }  // namespace footfall

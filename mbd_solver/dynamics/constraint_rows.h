@@ -15,12 +15,12 @@ namespace footfall {
 // Joints whose conditions depend on each other: k combinations of their rows are zero in every position nearby,
 //   sum_i U_ij phi'_i D_i = 0 for j = 1 .. k
 struct RedundantGroup {
-  std::vector<int> joints;      // rising
-  std::vector<int> joint_size;  // rows per joint
-  std::vector<int> rows;        // all rows of these joints, rising
-  Eigen::VectorXd s;            // per row: its length, 1 / D
-  Eigen::MatrixXd U;            // rows x k, orthonormal
-  std::vector<int> dropped;     // k rows that follow from the other rows
+  std::vector<int> joints;                // rising
+  std::vector<int> joint_size;            // rows per joint
+  std::vector<int> rows;                  // all rows of these joints, rising
+  Eigen::VectorXd s;                      // per row: mean length of the rows of its joint and unit
+  Eigen::MatrixXd U;                      // rows x k, orthonormal
+  std::vector<int> dropped;               // k rows that follow from the other rows
   std::vector<std::vector<int>> sources;  // for each of these: joints it follows from
 };
 
@@ -40,6 +40,10 @@ class ConstraintRows {
   Eigen::VectorXd phi, rate, scale;  // phi, phi', diagonal of D
 
  private:
+  // Lengths of rows, one for the forces of a joint and one for its moments, so that the smallest reactions do not
+  // depend on the directions in which its conditions are written.
+  Eigen::VectorXd joint_lengths(const RedundantGroup& group) const;
+
   const Model& model_;
   const Layout& layout_;
   Kinematics kinematics_;

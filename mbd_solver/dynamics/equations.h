@@ -16,6 +16,7 @@
 
 #include "mbd_solver/dynamics/assembly.h"
 #include "mbd_solver/dynamics/layout.h"
+#include "mbd_solver/dynamics/redundancy.h"
 #include "mbd_solver/model/external_load.h"
 
 namespace footfall {
@@ -119,7 +120,7 @@ class Equations {
   // All at the loaded kinematics, which are those of the state:
   bool factor_saddle(const State& state);
   void fill_saddle(double t);
-  bool renew_redundancies();  // false: factor again
+  Redundancy::Renewal renew_redundancies();
   void find_redundancies(const State& state);
   void demand_closed(double t, const Drift& drift, double tolerance) const;
   Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate);

@@ -1,12 +1,11 @@
 #include "mbd_solver/dynamics/redundancy.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace footfall {
 namespace {
 
-// Combinations of unit rows with a length (squared) above this are not zero any more; round-off and drift are far below.
+// Combinations of unit rows with a length (squared) above this are not zero any more; drift is far below.
 constexpr double kIndependent = 1e-8;
 // |y| = 1 / cos of the angle between the old U and the new.
 constexpr double kTurned = 2.0;
@@ -103,31 +102,23 @@ void Redundancy::take(int slack, const Eigen::Ref<const Eigen::VectorXd>& soluti
   m_.col(slack) = solution.segment(first_, count());
 }
 
-bool Redundancy::renew(Eigen::VectorXd& regularisation) {
+Redundancy::Renewal Redundancy::renew() {
   int moving = 0;  // slacks at rest stand behind the others
   while (moving < count() && !at_rest(moving)) ++moving;
-  if (moving == 0) return true;
+  if (moving == 0) return Renewal::kNear;
   Eigen::Ref<Eigen::MatrixXd> Y = Y_.leftCols(moving);
   Eigen::Ref<Eigen::MatrixXd> G = G_.topLeftCorner(moving, moving);
   G.noalias() = Y.transpose() * Y;
   const double longest = G.diagonal().maxCoeff();
-  if (!std::isfinite(longest)) return false;
-  if (m_.topLeftCorner(moving, moving).diagonal().maxCoeff() > kIndependent) {
-    // y^T S y against y^T y: combinations from the shortest to the longest.
-    const Eigen::MatrixXd m = m_.topLeftCorner(moving, moving);
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (m + m.transpose()), G);
-    int zero = 0;
-    while (zero < moving && eigen.eigenvalues()[zero] <= kIndependent) ++zero;
-    set(Y * eigen.eigenvectors().leftCols(zero), s_, regularisation);
-    return zero == moving && longest < kTurned * kTurned;
-  }
+  if (!std::isfinite(longest) || !(m_.topLeftCorner(moving, moving).diagonal().maxCoeff() <= kIndependent * longest))
+    return Renewal::kLost;
   // Y = U L^T with G = L L^T.
   Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factors(G);
-  if (factors.info() != Eigen::Success) return false;
+  if (factors.info() != Eigen::Success) return Renewal::kLost;
   factors.matrixU().solveInPlace<Eigen::OnTheRight>(Y);
   U_.leftCols(moving) = Y;
   B_ = s_.asDiagonal() * U_;
-  return longest < kTurned * kTurned;
+  return longest < kTurned * kTurned ? Renewal::kNear : Renewal::kFar;
 }
 
 }  // namespace footfall

@@ -45,13 +45,15 @@ bool Equations::factor_saddle(const State& state) {
     fill_saddle(state.time);
     if (!w.saddle_lu->factor()) return false;
   }
-  if (renew_redundancies()) return true;
+  const Redundancy::Renewal renewal = renew_redundancies();
+  if (renewal == Redundancy::Renewal::kNear) return true;
+  if (renewal == Redundancy::Renewal::kLost) find_redundancies(state);
   fill_saddle(state.time);
   return w.saddle_lu->factor();
 }
 
 // By one step of inverse iteration; groups do not touch each other, so one solve serves a slack of each.
-bool Equations::renew_redundancies() {
+Redundancy::Renewal Equations::renew_redundancies() {
   Workspace& w = *work_;
   int most = 0;
   for (const Redundancy& redundancy : w.redundancies) most = std::max(most, redundancy.count());
@@ -63,9 +65,9 @@ bool Equations::renew_redundancies() {
     for (Redundancy& redundancy : w.redundancies)
       if (k < redundancy.count()) redundancy.take(k, w.slack_x.tail(layout_.row_count));
   }
-  bool near = true;
-  for (Redundancy& redundancy : w.redundancies) near = redundancy.renew(w.regularisation) && near;
-  return near;
+  Redundancy::Renewal worst = Redundancy::Renewal::kNear;
+  for (Redundancy& redundancy : w.redundancies) worst = std::max(worst, redundancy.renew());
+  return worst;
 }
 
 // From the state alone.
@@ -75,7 +77,7 @@ void Equations::find_redundancies(const State& state) {
   rows.evaluate(state);
   const std::vector<RedundantGroup> found = rows.redundant(kDependent);
   for (Redundancy& redundancy : w.redundancies) {
-    // A group at this state is part of one at the start, or it is new: a singular position on the way, which eps serves.
+    // A group at this state is part of one at the start, or new: a singular position on the way, which eps serves.
     Eigen::MatrixXd U = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(redundancy.rows().size()), redundancy.count());
     Eigen::Index columns = 0;
     for (const RedundantGroup& group : found) {
@@ -180,7 +182,8 @@ void Equations::demand_closed(double t, const Drift& drift, double tolerance) co
   text << at_time(t) << "joint \"" << joint.name << "\" (" << joint.kind << ") is open by " << drift.position_left
        << (row.unit == ConstraintRow::Unit::kLength ? " m" : " rad") << " and does not close (at most " << tolerance
        << "). Look for masses or inertias that differ by more than a factor of 1e6 between neighbours, for a position "
-          "in which the mechanism jams, and for motions that contradict each other; then try a smaller rtol or max_step.";
+          "in which the mechanism jams, and for motions that contradict each other; then try a smaller rtol or "
+          "max_step.";
   throw NumericalError(text.str());
 }
 

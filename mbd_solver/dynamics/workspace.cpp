@@ -32,8 +32,7 @@ std::array<Range, 2> velocities(const Layout& layout, const Kinematics& kinemati
 
 }  // namespace
 
-Equations::Workspace::Workspace(const Model& model, const Layout& layout,
-                                const std::vector<RedundantGroup>& redundant)
+Equations::Workspace::Workspace(const Model& model, const Layout& layout, const std::vector<RedundantGroup>& redundant)
     : kinematics(model) {
   int largest = 0;
   for (int i = 0; i < model.body_count(); ++i) {

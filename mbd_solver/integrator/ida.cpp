@@ -219,12 +219,12 @@ void Ida::Sundials::step(double t_end, const Inputs& inputs, State& state) {
   }
 }
 
-// Within a window, when drift is as large as the tolerance of a step: a restart costs a dozen small steps.
+// Within a window, when drift is as large as what ten steps may err by: a restart costs a dozen small steps.
 void Ida::Sundials::remove_drift(double t_end, const Inputs& inputs, State& state, IntegratorStatistics& statistics) {
   equations.unpack(view(y), state);
   state.time = t;
   const Equations::Drift drift = equations.drift(state);
-  if (drift.position <= options.atol && drift.velocity <= options.atol_velocity) return;
+  if (drift.position <= 10.0 * options.atol && drift.velocity <= 10.0 * options.atol_velocity) return;
   statistics.count(equations.project(state));
   restart(state, inputs, statistics);
   check(IDASetStopTime(memory, t_end), "IDASetStopTime");

@@ -23,6 +23,10 @@ constexpr double kSlow = 0.2;              // convergence rate above which the J
 // A rate that was measured once says less and less about a Jacobian that grows old: without this, stages that end after
 // one iteration would never measure it again (as in RADAU5 of Hairer and Wanner).
 constexpr double kForgetting = 0.8;
+// Drift is looked at after so many steps of a window, and removed above this share of the absolute tolerances; at the
+// end of a window always.
+constexpr int kStepsBetweenChecks = 8;
+constexpr double kDriftShare = 0.1;
 constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
 
 }  // namespace
@@ -53,6 +57,7 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs) {
   equations_.pack(state, K_[0].tail(layout.row_count), y_);
   equations_.energy(state.time, y_, inputs, energy_[0]);
 
+  int since_check = 0;
   double t = state.time;
   double h = state.step > 0.0 ? state.step : t_end - t;
   if (options_.max_step > 0.0) h = std::min(h, options_.max_step);
@@ -69,7 +74,7 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs) {
     if (outcome == Outcome::kAccepted) {
       accept(t, step, inputs, state);
       t = steps > 1.0 ? t + step : t_end;
-      if (t < t_end && options_.projection) remove_drift(t, state);
+      if (t < t_end && options_.projection && ++since_check % kStepsBetweenChecks == 0) remove_drift(t, state);
       // Without error control only Newton shortens steps: they grow again.
       h = step *
           (options_.error_control ? std::clamp(kSafety / std::cbrt(std::max(error_, 1e-12)), kLeast, kMost) : 2.0);
@@ -94,10 +99,12 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs) {
   statistics_.count(options_.projection ? equations_.project(state) : equations_.check_closed(state));
 }
 
-// Within a window as at its end: results do not depend on the length of windows.
+// Within a window: results do not depend on its length.
 void OneStep::remove_drift(double t, State& state) {
   equations_.unpack(y_, state);
   state.time = t;
+  const Equations::Drift drift = equations_.drift(state);
+  if (drift.position <= kDriftShare * options_.atol && drift.velocity <= kDriftShare * options_.atol_velocity) return;
   statistics_.count(equations_.project(state));
   equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
 }

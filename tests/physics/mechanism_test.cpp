@@ -3,9 +3,9 @@
 #include <cmath>
 #include <vector>
 
+#include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "mbd_solver/model/mass_properties.h"
-#include "mbd_solver/model/elements/strut.h"
 #include "tests/physics/mechanisms.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"

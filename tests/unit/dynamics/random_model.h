@@ -12,11 +12,11 @@
 
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/model/elements/bushing.h"
-#include "mbd_solver/model/laws/linear_spring_damper.h"
-#include "mbd_solver/model/model.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/elements/torsional_spring.h"
+#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/model.h"
 
 namespace footfall::test {
 
