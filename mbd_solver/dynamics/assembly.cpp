@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/dynamics/body_force.h"
+#include "mbd_solver/dynamics/constraint_rows.h"
 #include "mbd_solver/dynamics/kinematics.h"
 
 namespace footfall {
@@ -19,79 +21,6 @@ constexpr double kContradiction = 1e-8;  // what remains above this cannot be cl
 // While the joints are still open by a gap g, redundant conditions look independent to about g: they must not
 // steer the closing.
 constexpr double kClosingRank = 1e-5;
-
-// All rows at one state: phi, phi', and B = D Phi_v C^-T with M = C C^T (mass metric), D = rows scaled to
-// unit length.
-class DenseRows {
- public:
-  DenseRows(const Model& model, const Layout& layout) : model_(model), layout_(layout), kinematics_(model) {}
-
-  void evaluate(const State& state) {
-    const int m = layout_.all_rows;
-    kinematics_.load(layout_, state.q, state.v, Eigen::VectorXd());
-    phi = rate = Eigen::VectorXd::Zero(m);
-    B = Eigen::MatrixXd::Zero(m, layout_.v_size);
-    Eigen::VectorXd phi_v;
-    for (int row = 0; row < m; ++row) {
-      const int j = layout_.row_joint[static_cast<std::size_t>(row)];
-      const Joint& joint = model_.joint(j);
-      const PairMotion pair = kinematics_.pair(joint.m1.body, joint.m2.body);
-      const ConstraintRow& condition =
-          joint.rows[static_cast<std::size_t>(row - layout_.joint_row[static_cast<std::size_t>(j)])];
-      phi_v.resize(pair.size());
-      MarkerVectors vectors(pair, joint.m1, joint.m2);
-      const RowValue value = evaluate_row(condition, state.time, vectors, phi_v);
-      phi[row] = value.phi;
-      rate[row] = value.rate;
-      const int bodies[2] = {joint.m1.body, joint.m2.body};
-      for (int i = 0; i < 2; ++i) {
-        if (bodies[i] == kGround) continue;
-        B.block(row, layout_.body_v[static_cast<std::size_t>(bodies[i])], 1, pair.body[i]->size()) =
-            phi_v.segment(pair.offset(i), pair.body[i]->size()).transpose();
-      }
-    }
-    factors_.clear();
-    for (int i = 0; i < model_.body_count(); ++i) {
-      const int n = kinematics_.of(i).size();
-      Eigen::MatrixXd M(n, n);
-      InertiaScratch scratch(n - 6);
-      body_mass_matrix(model_.body(i), kinematics_.of(i), scratch, M);
-      factors_.emplace_back(M);
-      Eigen::Ref<Eigen::MatrixXd> columns = B.middleCols(layout_.body_v[static_cast<std::size_t>(i)], n);
-      columns = factors_.back().matrixL().solve(columns.transpose()).transpose().eval();
-    }
-    scale = Eigen::VectorXd::Ones(m);
-    for (int row = 0; row < m; ++row) {
-      const double size = B.row(row).norm();
-      if (size > 0.0) scale[row] = 1.0 / size;
-    }
-    B = scale.asDiagonal() * B;
-  }
-
-  // The smallest change (in the mass metric) that removes the defects: -C^-T B^+ D defect.
-  Eigen::VectorXd correction(const Eigen::VectorXd& defect, double rank_tolerance) const {
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(rank_tolerance);
-    decomposition.compute(B);
-    Eigen::VectorXd x = -decomposition.solve(Eigen::VectorXd(scale.asDiagonal() * defect));
-    for (int i = 0; i < model_.body_count(); ++i) {
-      Eigen::Ref<Eigen::VectorXd> part =
-          x.segment(layout_.body_v[static_cast<std::size_t>(i)], kinematics_.of(i).size());
-      part = factors_[static_cast<std::size_t>(i)].matrixU().solve(part).eval();
-    }
-    return x;
-  }
-
-  const Kinematics& kinematics() const { return kinematics_; }
-  Eigen::VectorXd phi, rate, scale;
-  Eigen::MatrixXd B;
-
- private:
-  const Model& model_;
-  const Layout& layout_;
-  Kinematics kinematics_;
-  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;
-};
 
 State initial_state(const Model& model, const Layout& layout) {
   State state;
@@ -114,10 +43,8 @@ State initial_state(const Model& model, const Layout& layout) {
 
 std::string number(double x) { return number_text(x, 3); }
 
-// Names of the joints that own the given rows, each once, quoted.
-std::string joint_names(const Model& model, const Layout& layout, const std::set<int>& rows) {
-  std::set<int> joints;
-  for (int row : rows) joints.insert(layout.row_joint[static_cast<std::size_t>(row)]);
+// Names of joints, quoted.
+std::string joint_names(const Model& model, const std::vector<int>& joints) {
   std::string out;
   for (int joint : joints) out += (out.empty() ? "\"" : ", \"") + model.joint(joint).name + "\"";
   return out;
@@ -150,7 +77,7 @@ double attitude_cosine(const Joint& joint, const PairMotion& pair, double t) {
 }
 
 // Every joint that is open by more than the tolerance, all of them in one message.
-double check_gaps(const Model& model, const Layout& layout, const DenseRows& rows, double t, double tolerance) {
+double check_gaps(const Model& model, const Layout& layout, const ConstraintRows& rows, double t, double tolerance) {
   std::string findings;
   double largest = 0.0;
   for (int j = 0; j < model.joint_count(); ++j) {
@@ -184,26 +111,61 @@ double check_gaps(const Model& model, const Layout& layout, const DenseRows& row
 
 void check_contradiction(const Model& model, const Layout& layout, const Eigen::VectorXd& defect, double scale,
                          const std::string& what, const std::string& unit) {
-  std::set<int> worst;
-  double largest = 0.0;
-  for (int row = 0; row < defect.size(); ++row) largest = std::max(largest, std::abs(defect[row]));
+  const double largest = defect.lpNorm<Eigen::Infinity>();
   if (largest <= kContradiction * scale) return;
+  std::vector<int> worst;
   for (int row = 0; row < defect.size(); ++row) {
-    if (std::abs(defect[row]) > 0.1 * largest) worst.insert(row);
+    const int joint = layout.row_joint[static_cast<std::size_t>(row)];
+    if (std::abs(defect[row]) > 0.1 * largest && (worst.empty() || worst.back() != joint)) worst.push_back(joint);
   }
-  throw InputError("joints " + joint_names(model, layout, worst) + " contradict each other: " + what + " by " +
+  throw InputError("joints " + joint_names(model, worst) + " contradict each other: " + what + " by " +
                    number(largest) + " " + unit + ". Move one of them, or free one of its directions.");
+}
+
+// One note per joint with conditions that follow from others.
+void note_redundant(const Model& model, const Layout& layout, Assembly& out) {
+  std::map<int, std::pair<int, std::set<int>>> found;  // joint: how many, from which joints
+  for (const RedundantGroup& group : out.redundant) {
+    for (std::size_t k = 0; k < group.dropped.size(); ++k) {
+      auto& [count, sources] = found[layout.row_joint[static_cast<std::size_t>(group.dropped[k])]];
+      ++count;
+      sources.insert(group.sources[k].begin(), group.sources[k].end());
+    }
+  }
+  for (const auto& [joint, entry] : found)
+    out.notes.push_back("joint \"" + model.joint(joint).name + "\": " + std::to_string(entry.first) + " of its " +
+                        std::to_string(model.joint(joint).rows.size()) + " conditions follow from " +
+                        joint_names(model, {entry.second.begin(), entry.second.end()}) +
+                        " and are redundant: its reactions are the smallest that hold.");
+}
+
+// What the given velocities were changed by, and where they did not fit.
+void note_speeds(const Model& model, const Layout& layout, const Eigen::VectorXd& rate, const Eigen::VectorXd& change,
+                 double tolerance, Assembly& out) {
+  out.largest_speed_change = change.lpNorm<Eigen::Infinity>();
+  if (out.largest_speed_change <= tolerance) return;
+  Eigen::Index row = 0, entry = 0;
+  rate.cwiseAbs().maxCoeff(&row);
+  change.cwiseAbs().maxCoeff(&entry);
+  std::size_t body = layout.body_v.size() - 1;
+  while (layout.body_v[body] > entry) --body;
+  const Eigen::Vector3d dv = change.segment<3>(layout.body_v[body]), dw = change.segment<3>(layout.body_v[body] + 3);
+  out.notes.push_back("the given initial velocities do not fit the joints: joint \"" +
+                      model.joint(layout.row_joint[static_cast<std::size_t>(row)]).name + "\" would open at " +
+                      number(std::abs(rate[row])) + " m/s or rad/s. The smallest change that fits was made; body \"" +
+                      model.body(static_cast<int>(body)).name() + "\" is changed most, by " + number(dv.norm()) +
+                      " m/s and " + number(dw.norm()) + " rad/s.");
 }
 
 }  // namespace
 
 Assembly assemble(const Model& model, const AssemblyOptions& options) {
-  const Layout layout(model, all_rows_of(model));
+  const Layout layout(model);
   Assembly out;
   out.state = initial_state(model, layout);
   if (!out.state.z.allFinite()) throw InputError("an inner state of a force element is not finite at the start.");
   if (layout.all_rows == 0) return out;
-  DenseRows rows(model, layout);
+  ConstraintRows rows(model, layout);
   rows.evaluate(out.state);
   out.largest_gap = check_gaps(model, layout, rows, out.state.time, options.gap_tolerance);
 
@@ -219,44 +181,19 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   check_contradiction(model, layout, rows.phi, 1.0, "together they cannot be closed; they stay open", "m or rad");
 
   // Velocities: the smallest change that satisfies Phi_v v + Phi_t = 0. Twice, for round-off.
-  const Eigen::VectorXd v_given = out.state.v;
-  for (int i = 0; i < 2; ++i) {
+  const Eigen::VectorXd v_given = out.state.v, rate_given = rows.rate;
+  for (int i = 0; i < 2 && rows.rate.lpNorm<Eigen::Infinity>() > 0.0; ++i) {
     out.state.v += rows.correction(rows.rate, options.rank_tolerance);
     rows.evaluate(out.state);
   }
-  out.largest_speed_change = (out.state.v - v_given).lpNorm<Eigen::Infinity>();
   check_contradiction(model, layout, rows.rate, 1.0 + out.state.v.lpNorm<Eigen::Infinity>(), "their speeds differ",
                       "m/s or rad/s");
+  note_speeds(model, layout, rate_given, out.state.v - v_given, options.speed_tolerance, out);
 
-  // Independent rows: the pivots of a QR of B^T. The others are combinations of them: R11 X = R12.
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-  qr.setThreshold(options.rank_tolerance);
-  qr.compute(rows.B.transpose());
-  const Eigen::Index rank = qr.rank();
-  const Eigen::VectorXi order = qr.colsPermutation().indices();
-  out.kept_rows.assign(order.data(), order.data() + rank);
-  std::sort(out.kept_rows.begin(), out.kept_rows.end());
-  if (rank == layout.all_rows) return out;
-
-  const Eigen::MatrixXd R = qr.matrixR().topRows(rank);
-  const Eigen::MatrixXd X =
-      R.leftCols(rank).triangularView<Eigen::Upper>().solve(Eigen::MatrixXd(R.rightCols(layout.all_rows - rank)));
-  std::vector<int> dropped(static_cast<std::size_t>(model.joint_count()), 0);
-  std::vector<std::set<int>> sources(static_cast<std::size_t>(model.joint_count()));
-  for (Eigen::Index k = 0; k < X.cols(); ++k) {
-    const std::size_t joint = static_cast<std::size_t>(layout.row_joint[static_cast<std::size_t>(order[rank + k])]);
-    ++dropped[joint];
-    for (Eigen::Index i = 0; i < rank; ++i) {
-      if (std::abs(X(i, k)) > 1e-6) sources[joint].insert(order[i]);
-    }
-  }
-  for (int j = 0; j < model.joint_count(); ++j) {
-    const std::size_t at = static_cast<std::size_t>(j);
-    if (dropped[at] > 0)
-      out.notes.push_back("joint \"" + model.joint(j).name + "\": " + std::to_string(dropped[at]) + " of its " +
-                          std::to_string(model.joint(j).rows.size()) + " conditions follow from " +
-                          joint_names(model, layout, sources[at]) + " and are left out (redundant).");
-  }
+  out.redundant = rows.redundant(options.rank_tolerance);
+  out.rank = layout.all_rows;
+  for (const RedundantGroup& group : out.redundant) out.rank -= static_cast<int>(group.dropped.size());
+  note_redundant(model, layout, out);
   return out;
 }
 

@@ -1,24 +1,27 @@
 #pragma once
-// From a model to a consistent start: joints closed, velocities made consistent, redundant conditions found
-// and left out.
+// From a model to a consistent start: joints closed, velocities made consistent, redundant conditions found.
 
 #include <string>
 #include <vector>
 
+#include "mbd_solver/dynamics/constraint_rows.h"
 #include "mbd_solver/model/model.h"
 #include "mbd_solver/model/state.h"
 
 namespace footfall {
 
 struct AssemblyOptions {
-  double gap_tolerance = 1e-3;   // largest initial gap [m] or misalignment [rad] that is closed silently
-  double rank_tolerance = 1e-8;  // relative to the largest pivot of the scaled Phi_v
+  double gap_tolerance = 1e-3;    // largest initial gap [m] or misalignment [rad] that is closed silently
+  double speed_tolerance = 1e-3;  // largest change of a given velocity [m/s or rad/s] that is made silently
+  double rank_tolerance = 1e-8;   // of the unit rows of Phi_v
 };
 
 struct Assembly {
-  State state;                        // closed to round-off, velocities consistent
-  std::vector<int> kept_rows;         // global numbers of the independent constraint rows, rising
-  std::vector<std::string> notes;     // one per joint with left-out conditions, naming the joints they follow from
+  State state;                            // closed to round-off, velocities consistent
+  int rank = 0;                           // number of independent constraint rows
+  std::vector<RedundantGroup> redundant;  // joints whose rows depend on each other
+  // One per joint with redundant conditions, naming the joints they follow from; one on changed velocities.
+  std::vector<std::string> notes;
   double largest_gap = 0.0;           // before closing [m or rad]
   double largest_speed_change = 0.0;  // largest change by the projection [m/s or rad/s]
 };

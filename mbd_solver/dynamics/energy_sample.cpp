@@ -48,9 +48,7 @@ void Equations::energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, con
   // The joint forces -Phi_v^T lambda do work -lambda Phi_v v, which is zero but for prescribed motions.
   for_each_row(model_, layout_, w.kinematics, t, w.row,
                [&](int row, const PairMotion&, const Eigen::Ref<Eigen::VectorXd>&, const RowValue& value) {
-                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
-                 if (kept >= 0 && value.phi_t != 0.0)
-                   out.motion_power -= y[layout_.lambda0() + kept] * (value.rate - value.phi_t);
+                 if (value.phi_t != 0.0) out.motion_power -= y[layout_.lambda0() + row] * (value.rate - value.phi_t);
                });
 }
 
@@ -65,10 +63,9 @@ Vector6d Equations::joint_wrench(int index, double t, const Eigen::Ref<const Eig
   Vector6d wrench = Vector6d::Zero();
   Eigen::Ref<Eigen::VectorXd> phi_v = w.row.head(pair.size());
   for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-    const int kept = layout_.kept[static_cast<std::size_t>(layout_.joint_row[static_cast<std::size_t>(index)]) + k];
-    if (kept < 0) continue;
     evaluate_row(joint.rows[k], t, vectors, phi_v);
-    wrench -= lambda[kept] * phi_v.segment<6>(pair.offset(slot));
+    wrench -= lambda[layout_.joint_row[static_cast<std::size_t>(index)] + static_cast<int>(k)] *
+              phi_v.segment<6>(pair.offset(slot));
   }
   if (slot == 0) wrench = -wrench;
   const Eigen::Vector3d point = KinematicVector::point(pair, 1, joint.m2).value();

@@ -15,10 +15,12 @@ constexpr double kRegularisation = 1e-12;
 
 Equations::Equations(const Model& model, const Assembly& assembly, const Baumgarte& baumgarte)
     : model_(model),
-      layout_(model, assembly.kept_rows),
+      layout_(model, redundant_count(assembly.redundant)),
       baumgarte_(baumgarte),
-      work_(std::make_unique<Workspace>(model, layout_)) {
+      work_(std::make_unique<Workspace>(model, layout_, assembly.redundant)) {
   set_regularisation(assembly.state);
+  for (std::size_t i = 0; i < assembly.redundant.size(); ++i)
+    work_->redundancies[i].set(assembly.redundant[i].U, assembly.redundant[i].s, work_->regularisation);
 }
 
 Equations::~Equations() = default;
@@ -28,8 +30,6 @@ void Equations::set_regularisation(const State& state) {
   load(state);
   for_each_row(model_, layout_, w.kinematics, state.time, w.row,
                [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
-                 if (kept < 0) return;
                  const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
                  const int bodies[2] = {joint.m1.body, joint.m2.body};
                  double size = 0.0;
@@ -42,7 +42,7 @@ void Equations::set_regularisation(const State& state) {
                    const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
                    size += part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
                  }
-                 w.regularisation[kept] = kRegularisation * size;
+                 w.regularisation[row] = kRegularisation * size;
                });
 }
 
@@ -99,19 +99,20 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
   const double alpha2 = 2.0 * baumgarte_.alpha, beta2 = baumgarte_.beta * baumgarte_.beta;
   for_each_row(model_, layout_, w.kinematics, t, w.row,
                [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue& value) {
-                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
-                 if (kept < 0) return;
                  const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
                  const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
                  for (int i = 0; i < 2; ++i) {
                    const int n = pair.body[i]->size();
                    if (n > 0)
                      F.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n) +=
-                         lambda[kept] * phi_v.segment(pair.offset(i), n);
+                         lambda[row] * phi_v.segment(pair.offset(i), n);
                  }
-                 F[layout_.lambda0() + kept] =
-                     value.acc + alpha2 * value.rate + beta2 * value.phi - w.regularisation[kept] * lambda[kept];
+                 F[layout_.lambda0() + row] =
+                     value.acc + alpha2 * value.rate + beta2 * value.phi - w.regularisation[row] * lambda[row];
                });
+
+  for (const Redundancy& redundancy : w.redundancies)
+    redundancy.add_residual(lambda, w.regularisation, F.tail(layout_.row_count));
 
   // Force elements.
   for (int i = 0; i < model_.force_count(); ++i) {
@@ -165,14 +166,11 @@ std::string Equations::entry_name(int index) const {
     return "force element \"" + model_.force(static_cast<int>(i)).name() + "\": inner state " +
            std::to_string(index - layout_.z0() - layout_.force_z[i] + 1);
   }
-  for (std::size_t row = 0; row < layout_.kept.size(); ++row) {
-    if (layout_.kept[row] != index - layout_.lambda0()) continue;
-    const int joint = layout_.row_joint[row];
-    return "joint \"" + model_.joint(joint).name + "\": condition " +
-           std::to_string(static_cast<int>(row) - layout_.joint_row[static_cast<std::size_t>(joint)] + 1);
-  }
-  FOOTFALL_DEMAND(false);
-  return {};
+  const int row = index - layout_.lambda0();
+  if (row >= layout_.all_rows) return "redundant condition " + std::to_string(row - layout_.all_rows + 1);
+  const int joint = layout_.row_joint[static_cast<std::size_t>(row)];
+  return "joint \"" + model_.joint(joint).name + "\": condition " +
+         std::to_string(row - layout_.joint_row[static_cast<std::size_t>(joint)] + 1);
 }
 
 }  // namespace footfall

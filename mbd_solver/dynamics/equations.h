@@ -5,8 +5,9 @@
 //   F_v      = M(q) dv + h(q, v) + Phi_v^T lambda - Q(t, q, v, z)
 //   F_z      = dz - g(q, v, z)
 //   F_lambda = phi'' + 2 alpha phi' + beta^2 phi - eps lambda          alpha, beta: Baumgarte (0 by default)
-// eps is a regularisation (relative 1e-12 of the size of Phi_v M^-1 Phi_v^T) that keeps the system solvable
-// in singular positions. No function here allocates. One Equations object belongs to one thread (it owns the
+// All rows of all joints are kept. Where rows depend on each other, slacks make the system solvable and lambda unique
+// (redundancy.h). eps is a regularisation (relative 1e-12 of the size of Phi_v M^-1 Phi_v^T) for singular positions.
+// No function here allocates. One Equations object belongs to one thread (it owns the
 // workspace).
 
 #include <Eigen/Sparse>
@@ -15,6 +16,7 @@
 
 #include "mbd_solver/dynamics/assembly.h"
 #include "mbd_solver/dynamics/layout.h"
+#include "mbd_solver/dynamics/redundancy.h"
 #include "mbd_solver/model/external_load.h"
 
 namespace footfall {
@@ -77,10 +79,12 @@ class Equations {
     double velocity = 0.0;       // largest |phi'| before [m/s or rad/s]
     double position_left = 0.0;  // the same two after
     double velocity_left = 0.0;
-    double dropped = 0.0;  // largest |phi| of the rows left out as redundant, after [m or rad]
-    int dropped_row = -1;  // which one of all rows
+    int worst_row = 0;  // that of the largest |phi|
   };
+  // Throws NumericalError naming time and joint when a joint stays open by more than 1e-6 m or rad.
   Drift project(State& state);
+  // Measured only; for runs without projection, which end likewise when a joint is open by more than 1e-3 m or rad.
+  Drift check_closed(const State& state);
   Drift drift(const State& state);  // measured only
 
   // Energies and powers at (t, y); multipliers enter the power of prescribed motions.
@@ -95,7 +99,7 @@ class Equations {
   // After load().
   Vector6d joint_wrench(int joint, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const;
 
-  // Drops the pivots of earlier solves, so that results depend on arguments alone.
+  // Drops the pivots and redundant combinations of earlier solves, so that results depend on arguments alone.
   void forget();
 
   // y of a state (multipliers given) and back.
@@ -113,8 +117,12 @@ class Equations {
   void add_body_derivatives(int index, double c, const Inputs& inputs);
   void add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda);
   void add_force_derivatives(int index, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs);
-  bool factor_saddle(double t);  // at the loaded kinematics
-  // likewise
+  // All at the loaded kinematics, which are those of the state:
+  bool factor_saddle(const State& state);
+  void fill_saddle(double t);
+  Redundancy::Renewal renew_redundancies();
+  void find_redundancies(const State& state);
+  void demand_closed(double t, const Drift& drift, double tolerance) const;
   Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate);
 
   const Model& model_;

@@ -62,12 +62,10 @@ void Equations::add_joint_derivatives(int index, double t, double c, const Eigen
   Eigen::Ref<Eigen::VectorXd> phi_v = w.row.head(n), rate_dx = w.row2.head(n), acc_dx = w.row3.head(n),
                               acc_dv = w.row4.head(n);
   K.setZero();
-  int local = 0;
   for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-    const int kept = layout_.kept[static_cast<std::size_t>(layout_.joint_row[static_cast<std::size_t>(index)]) + k];
-    if (kept < 0) continue;
+    const int local = static_cast<int>(k), row = layout_.joint_row[static_cast<std::size_t>(index)] + local;
     evaluate_row(joint.rows[k], t, vectors, phi_v);
-    row_derivatives(joint.rows[k], t, vectors, lambda[kept], rate_dx, acc_dx, acc_dv, K);
+    row_derivatives(joint.rows[k], t, vectors, lambda[row], rate_dx, acc_dx, acc_dv, K);
     // F_lambda = phi'' + 2 alpha phi' + beta^2 phi - eps lambda
     if (alpha2 != 0.0 || beta2 != 0.0) acc_dx += alpha2 * rate_dx + beta2 * phi_v;
     acc_dv += (c + alpha2) * phi_v;
@@ -80,8 +78,6 @@ void Equations::add_joint_derivatives(int index, double t, double c, const Eigen
       }
       places.v_extra[i].add_column(values, local, phi_v.segment(offset, m));
     }
-    values[w.lambda_lambda[static_cast<std::size_t>(kept)]] -= w.regularisation[kept];
-    ++local;
   }
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) {
@@ -131,6 +127,9 @@ void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::Vecto
   for (int i = 0; i < model_.body_count(); ++i) add_body_derivatives(i, c, inputs);
   for (int i = 0; i < model_.joint_count(); ++i) add_joint_derivatives(i, t, c, y.tail(layout_.row_count));
   for (int place : w.z_z) w.lower.valuePtr()[place] += c;
+  for (std::size_t row = 0; row < w.lambda_lambda.size(); ++row)
+    w.lower.valuePtr()[w.lambda_lambda[row]] -= w.regularisation[static_cast<Eigen::Index>(row)];
+  for (const Redundancy& redundancy : w.redundancies) redundancy.scatter(w.lower.valuePtr(), redundancy.in_lower);
   for (int i = 0; i < model_.force_count(); ++i)
     add_force_derivatives(
         i, y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], model_.force(i).state_count()),

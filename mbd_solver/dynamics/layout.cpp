@@ -2,7 +2,7 @@
 
 namespace footfall {
 
-Layout::Layout(const Model& model, const std::vector<int>& kept_rows) {
+Layout::Layout(const Model& model, int redundant) {
   for (int i = 0; i < model.body_count(); ++i) {
     const int s = model.body(i).mode_count();
     body_q.push_back(q_size);
@@ -19,16 +19,7 @@ Layout::Layout(const Model& model, const std::vector<int>& kept_rows) {
     for (std::size_t k = 0; k < model.joint(i).rows.size(); ++k) row_joint.push_back(i);
     all_rows = static_cast<int>(row_joint.size());
   }
-  kept.assign(static_cast<std::size_t>(all_rows), -1);
-  for (int row : kept_rows) kept[static_cast<std::size_t>(row)] = row_count++;
-}
-
-std::vector<int> all_rows_of(const Model& model) {
-  std::vector<int> rows;
-  for (int i = 0; i < model.joint_count(); ++i) {
-    for (std::size_t k = 0; k < model.joint(i).rows.size(); ++k) rows.push_back(static_cast<int>(rows.size()));
-  }
-  return rows;
+  row_count = all_rows + redundant;
 }
 
 }  // namespace footfall

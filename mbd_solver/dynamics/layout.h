@@ -1,5 +1,6 @@
 #pragma once
-// Where everything stands in y = [q; v; z; lambda].
+// Where everything stands in y = [q; v; z; lambda]. Behind the multipliers of all rows of all joints, lambda holds one
+// slack per redundant condition (redundancy.h).
 
 #include <vector>
 
@@ -8,10 +9,10 @@
 namespace footfall {
 
 struct Layout {
-  Layout(const Model& model, const std::vector<int>& kept_rows);
+  explicit Layout(const Model& model, int redundant = 0);
 
-  int q_size = 0, v_size = 0, z_size = 0, row_count = 0;  // row_count: kept constraint rows
-  int all_rows = 0;                                       // rows of all joints, kept or not
+  int q_size = 0, v_size = 0, z_size = 0, row_count = 0;  // row_count: constraint rows and slacks
+  int all_rows = 0;                                       // constraint rows of all joints
   int v0() const { return q_size; }                       // first entry of v, z, lambda in y
   int z0() const { return q_size + v_size; }
   int lambda0() const { return q_size + v_size + z_size; }
@@ -20,11 +21,7 @@ struct Layout {
   std::vector<int> body_q, body_v;  // first entry of each body in q and in v
   std::vector<int> force_z;         // first inner state of each force element in z
   std::vector<int> joint_row;       // first row of each joint among all rows
-  std::vector<int> kept;            // for each of all rows: its number in lambda, or -1
   std::vector<int> row_joint;       // for each of all rows: its joint
 };
-
-// 0, 1, ... for every row of every joint: nothing left out.
-std::vector<int> all_rows_of(const Model& model);
 
 }  // namespace footfall

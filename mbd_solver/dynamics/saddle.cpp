@@ -1,6 +1,9 @@
-// What Equations answers by a direct solve of the saddle system  [M, Phi_v^T; Phi_v, -eps] [x; mu] = [f; g].
+// What Equations answers by a direct solve of the saddle system  [M, Phi_v^T; Phi_v, -eps] [x; lambda] = [f; g], with
+// the slacks of redundancy.h where rows depend on each other.
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/equations.h"
@@ -16,17 +19,85 @@ constexpr int kMostProjections = 4;
 // Drift below these is left alone: a tenth and less of what is promised.
 constexpr double kNoDrift = 1e-10;      // [m or rad]
 constexpr double kNoSpeedDrift = 2e-9;  // [m/s or rad/s]
-// Conditions left out as redundant at the start must hold as well as the others; a mechanism that leaves them
-// by this has started in a singular position.
-constexpr double kDroppedTolerance = 1e-5;
+// A joint that stays open by more than this after projection has failed: far above round-off, far below what is seen.
+constexpr double kOpen = 1e-6;  // [m or rad]
+// Without projection (Baumgarte terms, or nothing) joints drift; open by more than this they have failed.
+constexpr double kTornOpen = 1e-3;  // [m or rad]; what assembly closes silently
+// Rows depend on each other when what is new in one of them is shorter than this; unit rows.
+constexpr double kDependent = 1e-4;
 
 std::string at_time(double t) { return "t = " + std::to_string(t) + " s: "; }
 
 }  // namespace
 
-void Equations::forget() { work_->saddle_lu->forget(); }
+void Equations::forget() {
+  work_->saddle_lu->forget();
+  work_->redundancies_known = work_->redundancies.empty();
+}
 
-bool Equations::factor_saddle(double t) {
+bool Equations::factor_saddle(const State& state) {
+  Workspace& w = *work_;
+  if (!w.redundancies_known) find_redundancies(state);
+  fill_saddle(state.time);
+  if (w.redundancies.empty()) return w.saddle_lu->factor();
+  if (!w.saddle_lu->factor()) {  // the combinations known are far from those that are zero here
+    find_redundancies(state);
+    fill_saddle(state.time);
+    if (!w.saddle_lu->factor()) return false;
+  }
+  const Redundancy::Renewal renewal = renew_redundancies();
+  if (renewal == Redundancy::Renewal::kNear) return true;
+  if (renewal == Redundancy::Renewal::kLost) find_redundancies(state);
+  fill_saddle(state.time);
+  return w.saddle_lu->factor();
+}
+
+// By one step of inverse iteration; groups do not touch each other, so one solve serves a slack of each.
+Redundancy::Renewal Equations::renew_redundancies() {
+  Workspace& w = *work_;
+  int most = 0;
+  for (const Redundancy& redundancy : w.redundancies) most = std::max(most, redundancy.count());
+  for (int k = 0; k < most; ++k) {
+    w.slack_x.setZero();
+    for (const Redundancy& redundancy : w.redundancies)
+      if (k < redundancy.count()) w.slack_x[layout_.v_size + redundancy.first() + k] = 1.0;
+    w.saddle_lu->solve(w.slack_x);
+    for (Redundancy& redundancy : w.redundancies)
+      if (k < redundancy.count()) redundancy.take(k, w.slack_x.tail(layout_.row_count));
+  }
+  Redundancy::Renewal worst = Redundancy::Renewal::kNear;
+  for (Redundancy& redundancy : w.redundancies) worst = std::max(worst, redundancy.renew());
+  return worst;
+}
+
+// From the state alone.
+void Equations::find_redundancies(const State& state) {
+  Workspace& w = *work_;
+  ConstraintRows rows(model_, layout_);
+  rows.evaluate(state);
+  const std::vector<RedundantGroup> found = rows.redundant(kDependent);
+  for (Redundancy& redundancy : w.redundancies) {
+    // A group at this state is part of one at the start, or new: a singular position on the way, which eps serves.
+    Eigen::MatrixXd U = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(redundancy.rows().size()), redundancy.count());
+    Eigen::Index columns = 0;
+    for (const RedundantGroup& group : found) {
+      if (!std::includes(redundancy.joints().begin(), redundancy.joints().end(), group.joints.begin(),
+                         group.joints.end()))
+        continue;
+      const Eigen::Index taken = std::min(group.U.cols(), U.cols() - columns);
+      for (std::size_t i = 0; i < group.rows.size(); ++i) {
+        const auto at = std::lower_bound(redundancy.rows().begin(), redundancy.rows().end(), group.rows[i]);
+        U.row(at - redundancy.rows().begin()).segment(columns, taken) =
+            group.U.row(static_cast<Eigen::Index>(i)).head(taken);
+      }
+      columns += taken;
+    }
+    redundancy.set(U.leftCols(columns), redundancy.s(), w.regularisation);
+  }
+  w.redundancies_known = true;
+}
+
+void Equations::fill_saddle(double t) {
   Workspace& w = *work_;
   double* values = w.saddle.valuePtr();
   Eigen::Map<Eigen::VectorXd>(values, w.saddle.nonZeros()).setZero();
@@ -40,8 +111,6 @@ bool Equations::factor_saddle(double t) {
   int joint = -1, local = 0;
   for_each_row(model_, layout_, w.kinematics, t, w.row,
                [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
-                 if (kept < 0) return;
                  local = layout_.row_joint[static_cast<std::size_t>(row)] == joint ? local + 1 : 0;
                  joint = layout_.row_joint[static_cast<std::size_t>(row)];
                  const PairPlaces& places = w.saddle_joint[static_cast<std::size_t>(joint)];
@@ -51,9 +120,10 @@ bool Equations::factor_saddle(double t) {
                    places.v_extra[i].add_column(values, local, phi_v.segment(pair.offset(i), n));
                    for (int k = 0; k < n; ++k) places.extra_v[i].add(values, local, k, phi_v[pair.offset(i) + k]);
                  }
-                 values[w.saddle_diagonal[static_cast<std::size_t>(kept)]] -= w.regularisation[kept];
                });
-  return w.saddle_lu->factor();
+  for (std::size_t row = 0; row < w.saddle_diagonal.size(); ++row)
+    values[w.saddle_diagonal[row]] -= w.regularisation[static_cast<Eigen::Index>(row)];
+  for (const Redundancy& redundancy : w.redundancies) redundancy.scatter(values, redundancy.in_saddle);
 }
 
 void Equations::accelerations(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> out) {
@@ -75,8 +145,9 @@ void Equations::accelerations(const State& state, const Inputs& inputs, Eigen::R
 
   w.saddle_x.head(layout_.v_size) = -w.rhs.segment(layout_.v0(), layout_.v_size);
   w.saddle_x.tail(layout_.row_count) = -w.rhs.tail(layout_.row_count);
-  const bool solvable = factor_saddle(state.time);
+  const bool solvable = factor_saddle(state);
   if (solvable) w.saddle_lu->solve(w.saddle_x);
+  for (const Redundancy& redundancy : w.redundancies) redundancy.make_smallest(w.saddle_x.tail(layout_.row_count));
   out.segment(layout_.v0(), layout_.v_size) = w.saddle_x.head(layout_.v_size);
   out.tail(layout_.row_count) = w.saddle_x.tail(layout_.row_count);
   if (solvable && out.allFinite()) return;
@@ -94,24 +165,39 @@ Equations::Drift Equations::drift(const State& state) {
   return measure_drift(state.time, w.saddle_x.tail(layout_.row_count), w.phi_rate);
 }
 
+Equations::Drift Equations::check_closed(const State& state) {
+  const Drift out = drift(state);
+  demand_closed(state.time, out, kTornOpen);
+  return out;
+}
+
+void Equations::demand_closed(double t, const Drift& drift, double tolerance) const {
+  if (drift.position_left <= tolerance) return;
+  const int index = layout_.row_joint[static_cast<std::size_t>(drift.worst_row)];
+  const Joint& joint = model_.joint(index);
+  const ConstraintRow& row =
+      joint.rows[static_cast<std::size_t>(drift.worst_row - layout_.joint_row[static_cast<std::size_t>(index)])];
+  std::ostringstream text;
+  text.precision(3);
+  text << at_time(t) << "joint \"" << joint.name << "\" (" << joint.kind << ") is open by " << drift.position_left
+       << (row.unit == ConstraintRow::Unit::kLength ? " m" : " rad") << " and does not close (at most " << tolerance
+       << "). Look for masses or inertias that differ by more than a factor of 1e6 between neighbours, for a position "
+          "in which the mechanism jams, and for motions that contradict each other; then try a smaller rtol or "
+          "max_step.";
+  throw NumericalError(text.str());
+}
+
 Equations::Drift Equations::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate) {
   Workspace& w = *work_;
   Drift out;
+  phi.setZero();
   for_each_row(model_, layout_, w.kinematics, t, w.row,
                [&](int row, const PairMotion&, const Eigen::Ref<Eigen::VectorXd>&, const RowValue& value) {
-                 const int kept = layout_.kept[static_cast<std::size_t>(row)];
-                 if (kept < 0) {
-                   if (std::abs(value.phi) > out.dropped) {
-                     out.dropped = std::abs(value.phi);
-                     out.dropped_row = row;
-                   }
-                   return;
-                 }
-                 phi[kept] = value.phi;
-                 rate[kept] = value.rate;
+                 phi[row] = value.phi;
+                 rate[row] = value.rate;
                });
   if (layout_.row_count > 0) {
-    out.position = phi.lpNorm<Eigen::Infinity>();
+    out.position = phi.cwiseAbs().maxCoeff(&out.worst_row);
     out.velocity = rate.lpNorm<Eigen::Infinity>();
   }
   out.position_left = out.position;
@@ -126,9 +212,11 @@ Equations::Drift Equations::project(State& state) {
   load(state);
   Eigen::Ref<Eigen::VectorXd> phi = w.saddle_x.tail(layout_.row_count);
   const Drift before = measure_drift(state.time, phi, w.phi_rate);
-  if (before.position <= kNoDrift && before.velocity <= kNoSpeedDrift && before.dropped <= kDroppedTolerance)
+  if (before.position <= kNoDrift && before.velocity <= kNoSpeedDrift) return before;
+  if (!factor_saddle(state)) {
+    demand_closed(state.time, before, kOpen);
     return before;
-  if (!factor_saddle(state.time)) return before;
+  }
 
   // Positions: dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T + eps)^-1 phi, with the same factors until phi no
   // longer falls.
@@ -166,18 +254,10 @@ Equations::Drift Equations::project(State& state) {
       break;
     }
   }
-  if (now.dropped > kDroppedTolerance)
-    throw NumericalError(at_time(state.time) + "joint \"" +
-                         model_.joint(layout_.row_joint[static_cast<std::size_t>(now.dropped_row)]).name +
-                         "\" has opened by " + std::to_string(now.dropped) +
-                         " m or rad: one of its conditions was redundant at the start and is not any more. "
-                         "Start from a position "
-                         "that is not singular.");
+  demand_closed(state.time, now, kOpen);
   Drift result = before;
   result.position_left = now.position;
   result.velocity_left = now.velocity;
-  result.dropped = now.dropped;
-  result.dropped_row = now.dropped_row;
   return result;
 }
 
@@ -196,8 +276,6 @@ void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eig
   for_each_row(
       model_, layout_, w.kinematics, t, w.row,
       [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-        const int kept = layout_.kept[static_cast<std::size_t>(row)];
-        if (kept < 0) return;
         const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
         const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
         double sum = 0.0;
@@ -206,7 +284,7 @@ void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eig
           if (n > 0)
             sum += phi_v.segment(pair.offset(i), n).dot(x.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n));
         }
-        out[layout_.lambda0() + kept] = sum;
+        out[layout_.lambda0() + row] = sum;
       });
 }
 

@@ -30,21 +30,10 @@ std::array<Range, 2> velocities(const Layout& layout, const Kinematics& kinemati
   return {Range{first[0], kinematics.of(body_1).size()}, Range{first[1], kinematics.of(body_2).size()}};
 }
 
-int kept_count(const Layout& layout, const Joint& joint, int joint_index, int& first) {
-  int count = 0;
-  first = 0;
-  for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-    const int row = layout.kept[static_cast<std::size_t>(layout.joint_row[static_cast<std::size_t>(joint_index)]) + k];
-    if (row < 0) continue;
-    if (count == 0) first = row;
-    ++count;
-  }
-  return count;
-}
-
 }  // namespace
 
-Equations::Workspace::Workspace(const Model& model, const Layout& layout) : kinematics(model) {
+Equations::Workspace::Workspace(const Model& model, const Layout& layout, const std::vector<RedundantGroup>& redundant)
+    : kinematics(model) {
   int largest = 0;
   for (int i = 0; i < model.body_count(); ++i) {
     inertia.emplace_back(model.body(i).mode_count());
@@ -75,8 +64,7 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout) : kine
     for (int j = 0; j < model.joint_count(); ++j) {
       const Joint& joint = model.joint(j);
       const std::array<Range, 2> rows = velocities(layout, kinematics, joint.m1.body, joint.m2.body);
-      int first = 0;
-      const int count = kept_count(layout, joint, j, first);
+      const int first = layout.joint_row[static_cast<std::size_t>(j)], count = static_cast<int>(joint.rows.size());
       visit_blocks(rows, {lambda0 + first, count}, true, joint_places[static_cast<std::size_t>(j)], lower_visit);
       visit_blocks(rows, {layout.v_size + first, count}, false, saddle_joint[static_cast<std::size_t>(j)],
                    saddle_visit);
@@ -102,6 +90,13 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout) : kine
   lower_pattern.add_diagonal(z0, z0, layout.z_size);
   lower_pattern.add_diagonal(lambda0, lambda0, layout.row_count);
   saddle_pattern.add_diagonal(layout.v_size, layout.v_size, layout.row_count);
+  int slack = layout.all_rows;
+  for (const RedundantGroup& group : redundant) {
+    redundancies.emplace_back(group, slack);
+    redundancies.back().announce(lower_pattern, lambda0);
+    redundancies.back().announce(saddle_pattern, layout.v_size);
+    slack += redundancies.back().count();
+  }
   lower = reduced = lower_pattern.build();
   saddle = saddle_pattern.build();
   stiffness = Eigen::VectorXd::Zero(lower.nonZeros());
@@ -117,12 +112,16 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout) : kine
     body_places[static_cast<std::size_t>(i)].v_v = SparseBlock(lower, first, count, first, count);
     saddle_mass.emplace_back(saddle, first, count, first, count);
   }
+  for (Redundancy& redundancy : redundancies) {
+    redundancy.locate(lower, lambda0, redundancy.in_lower);
+    redundancy.locate(saddle, layout.v_size, redundancy.in_saddle);
+  }
   z_z = diagonal_places(lower, z0, z0, layout.z_size);
   lambda_lambda = diagonal_places(lower, lambda0, lambda0, layout.row_count);
   saddle_diagonal = diagonal_places(saddle, layout.v_size, layout.v_size, layout.row_count);
   build_full(model, layout);
   saddle_lu = std::make_unique<SparseLu>(saddle);
-  saddle_x = Eigen::VectorXd::Zero(layout.v_size + layout.row_count);
+  saddle_x = slack_x = Eigen::VectorXd::Zero(layout.v_size + layout.row_count);
   phi_rate = Eigen::VectorXd::Zero(layout.row_count);
   y = rhs = Eigen::VectorXd::Zero(layout.size());
   last_q = Eigen::VectorXd::Zero(layout.q_size);

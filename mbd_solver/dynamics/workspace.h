@@ -8,6 +8,7 @@
 #include "mbd_solver/dynamics/body_force.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/dynamics/redundancy.h"
 #include "mbd_solver/dynamics/sparse_blocks.h"
 #include "mbd_solver/dynamics/sparse_lu.h"
 
@@ -28,7 +29,7 @@ struct PairPlaces {
 };
 
 struct Equations::Workspace {
-  Workspace(const Model& model, const Layout& layout);
+  Workspace(const Model& model, const Layout& layout, const std::vector<RedundantGroup>& redundant);
   void build_full(const Model& model, const Layout& layout);
 
   PairMotion joint_pair(const Joint& joint) const { return kinematics.pair(joint.m1.body, joint.m2.body); }
@@ -62,10 +63,13 @@ struct Equations::Workspace {
   std::vector<PairPlaces> saddle_joint;  // extra_v: Phi_v, v_extra: its transpose
   std::vector<int> saddle_diagonal;
   std::unique_ptr<SparseLu> saddle_lu;
-  Eigen::VectorXd saddle_x, phi_rate;
+  Eigen::VectorXd saddle_x, slack_x, phi_rate;
   Eigen::VectorXd y, rhs;          // full vectors of accelerations()
   Eigen::VectorXd last_q, last_v;  // copies during projection
-  Eigen::VectorXd regularisation;  // eps per kept row [1/kg or 1/(kg m2)]
+  Eigen::VectorXd regularisation;  // eps per row [1/kg or 1/(kg m2)]; 0 of a slack, -1 of one at rest
+
+  std::vector<Redundancy> redundancies;
+  bool redundancies_known = true;  // else found anew from the next state
 };
 
 // Calls visit(global row, phi_v, value) for every row of every joint. phi_v is a scratch row of the pair.

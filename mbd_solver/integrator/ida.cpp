@@ -224,7 +224,7 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
     rates = view(scratch2);
     rates.tail(equations.layout().row_count) = view(scratch).tail(equations.layout().row_count);
     row = state;
-    statistics.count(options.projection ? equations.project(row) : equations.drift(row));
+    statistics.count(options.projection ? equations.project(row) : equations.check_closed(row));
     if (!rows.on_row(row, rates)) return false;
   }
   add_work_between(from, t, inputs, state);
@@ -289,7 +289,7 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
   Equations::Drift drift;
   while (!ended_by_row && state.time < t_end) {
     ended_by_row = !s.step(t_end, inputs, rows, state, statistics_);
-    drift = s.equations.drift(state);
+    drift = s.options.projection ? s.equations.drift(state) : s.equations.check_closed(state);
     // Each projection costs a start: IDA falls back to first order and a small step.
     if (ended_by_row || state.time >= t_end || !s.options.projection ||
         (drift.position < std::max(kProjectAbove, kDrift * s.options.atol) &&

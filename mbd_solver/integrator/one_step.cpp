@@ -98,7 +98,7 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
   ++statistics_.windows;
   state.step = h;
   rates_ = K_[0];
-  statistics_.count(options_.projection ? equations_.project(state) : equations_.drift(state));
+  statistics_.count(options_.projection ? equations_.project(state) : equations_.check_closed(state));
 }
 
 double OneStep::first_step() {
@@ -276,7 +276,7 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   const double reached = t_new + kNear * h;  // a row that round-off has put just behind the step belongs to it
   for (; row_time_ < t_end && row_time_ <= reached; row_time_ = rows.after(row_time_)) {
     interpolate(row_time_, h, state);
-    statistics_.count(options_.projection ? equations_.project(row_) : equations_.drift(row_));
+    statistics_.count(options_.projection ? equations_.project(row_) : equations_.check_closed(row_));
     if (rows.on_row(row_, row_rates_)) continue;
     state = row_;
     K_[0] = row_rates_;

@@ -43,7 +43,7 @@ class EveryJoint : public ::testing::TestWithParam<std::pair<int, int>> {
         joints_(test::all_joints(random_, model_, GetParam().first, GetParam().second)) {
     for (const Joint& joint : joints_) model_.add_joint(joint);
     const Assembly given = test::as_given(model_);
-    layout_ = std::make_unique<Layout>(model_, all_rows_of(model_));
+    layout_ = std::make_unique<Layout>(model_);
     at_ = {given.state.q, given.state.v, random_.vector_x(layout_->v_size, 3.0)};
   }
   // phi, phi', phi'' of one condition.

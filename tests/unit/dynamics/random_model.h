@@ -212,11 +212,11 @@ inline Model everything(Random& random) {
   return model;
 }
 
-// The initial state as it is: no joint closed, no row left out.
+// The initial state as it is: no joint closed, no row taken for redundant.
 inline Assembly as_given(const Model& model) {
-  const Layout layout(model, all_rows_of(model));
+  const Layout layout(model);
   Assembly out;
-  out.kept_rows = all_rows_of(model);
+  out.rank = layout.all_rows;
   out.state.q.resize(layout.q_size);
   out.state.v.resize(layout.v_size);
   out.state.z.resize(layout.z_size);
