@@ -4,7 +4,6 @@
 
 namespace footfall {
 
-
 void Link::receive_bytes(MessageKind expected, double patience) {
   FOOTFALL_DEMAND(!closed_);
   const double start = wall_clock();

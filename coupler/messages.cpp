@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "coupler/byte_stream.h"
-#include "coupler/byte_stream.h"
 #include "coupler/message_fields.h"
 
 namespace footfall {

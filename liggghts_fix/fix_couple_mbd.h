@@ -44,9 +44,9 @@ class FixCoupleMbd : public Fix {
  private:
   footfall::DemLink& link_;
   const footfall::CoupleMbdArguments arguments_;
-  std::vector<std::unique_ptr<CoupledMesh>> meshes_;
+  std::vector<std::unique_ptr<CoupledMesh> > meshes_;
   std::vector<int> rows_of_output_;  // body of each row of f_ID: those of meshes_, then the others
-  std::vector<double> row_, rows_;  // of this rank, of all ranks
+  std::vector<double> row_, rows_;   // of this rank, of all ranks
 };
 
 }  // namespace LAMMPS_NS

@@ -12,7 +12,6 @@
 #include <memory>
 
 #include "coupler/abort_guard.h"
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"

@@ -11,7 +11,6 @@
 #include <fstream>
 
 #include "coupler/abort_guard.h"
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/transport_mpi.h"

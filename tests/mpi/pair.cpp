@@ -11,7 +11,6 @@
 #include <string>
 
 #include "coupler/abort_guard.h"
-#include "coupler/communicator.h"
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"
