@@ -24,6 +24,7 @@ std::string Link::take_close() {
   unpack(in_, close);
   partner_status_ = close.status;
   closed_ = true;
+  transport_.part();
   send(Close{});
   switch (close.status) {
     case Status::kFailed:
@@ -38,6 +39,7 @@ void Link::close() {
   FOOTFALL_DEMAND(!closed_);
   send(Close{});
   closed_ = true;
+  transport_.part();
   const double start = wall_clock();
   const MessageKind kind = transport_.receive(in_, patience_);
   seconds_waited_ += wall_clock() - start;
@@ -53,6 +55,7 @@ void Link::close() {
 bool Link::fail(const std::string& reason, Status status) noexcept {
   if (closed_) return true;
   closed_ = true;
+  transport_.part();
   try {
     send(Close{status, reason});
     const double start = wall_clock();
@@ -60,6 +63,7 @@ bool Link::fail(const std::string& reason, Status status) noexcept {
       if (transport_.receive(in_, left) == MessageKind::kClose) return true;
   } catch (const std::exception&) {  // the partner is gone: there is nobody left to tell
   }
+  transport_.give_up();
   return false;
 }
 

@@ -82,8 +82,9 @@ inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt}, Field
                                                   Field{"step", &Start::step}, Field{"bodies", &Start::bodies}};
 
 template <>
-inline constexpr auto kFields<Accept> = std::tuple{Field{"scheme", &Accept::scheme}, Field{"t_end", &Accept::t_end},
-                                                   Field{"t_start", &Accept::t_start}, Field{"n_max", &Accept::n_max}};
+inline constexpr auto kFields<Accept> =
+    std::tuple{Field{"scheme", &Accept::scheme}, Field{"t_end", &Accept::t_end}, Field{"t_start", &Accept::t_start},
+               Field{"n_max", &Accept::n_max}, Field{"patience", &Accept::patience}};
 
 template <>
 inline constexpr auto kFields<Motion> =

@@ -22,7 +22,7 @@
 
 namespace footfall {
 
-inline constexpr std::int32_t kProtocolVersion = 1;
+inline constexpr std::int32_t kProtocolVersion = 2;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // LIGGGHTS' name of the units that both programs use.
@@ -73,6 +73,7 @@ struct Accept {
   double t_end = 0.0;      // end of the scene [s]; the first window starts at t_start
   double t_start = 0.0;    // 0 except after a resume [s]
   std::int32_t n_max = 0;  // largest n that any Motion will ask for
+  double patience = 0.0;   // how long each side bears the other's silence in a run [s]; 0: as the receiver has it
 };
 
 // What a body's BodyMotion carries here:

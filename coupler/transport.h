@@ -22,6 +22,16 @@ class Transport {
   virtual MessageKind receive(Bytes& bytes, double patience) = 0;
   // Who is at the other end, for messages: "mbd_solver", "liggghts_mbd".
   virtual std::string partner() const = 0;
+
+  // How the conversation ended, for who ends the program. parted: the last word was sent. given_up: the partner did not
+  // answer it, may be stopped or hung, and an orderly end would wait for it for ever.
+  void part() { parted_ = true; }
+  bool parted() const { return parted_; }
+  void give_up() { given_up_ = true; }
+  bool given_up() const { return given_up_; }
+
+ private:
+  bool parted_ = false, given_up_ = false;
 };
 
 }  // namespace footfall

@@ -42,7 +42,9 @@ void TransportMpi::send(MessageKind kind, const Bytes& bytes) {
     throw ProtocolError("message " + message_name(kind) + " has " + std::to_string(bytes.size()) +
                         " bytes; MPI takes at most 2^31 - 1");
   if (!is_root_) return;
-  finish_last_send(0.0);
+  // A partner that is stopped may never read the message before; the last word does not wait for that.
+  if (!finish_last_send(kind == MessageKind::kClose ? kParting : 0.0))
+    throw PartnerError(partner_ + " does not read what it was sent");
   sending_ = bytes;
   check_mpi(MPI_Isend(sending_.data(), static_cast<int>(sending_.size()), MPI_BYTE, partner_root_,
                       static_cast<int>(kind), exchange_, &request_),

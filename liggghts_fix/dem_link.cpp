@@ -35,6 +35,7 @@ void DemLink::greet(const std::string& unit_style) {
 }
 
 void DemLink::set_patience(double seconds) {
+  own_patience_ = true;
   if (link_ != nullptr) link_->set_patience(seconds);
 }
 
@@ -79,6 +80,7 @@ void DemLink::start(double dt, int n, std::int64_t step) {
   start.bodies = names_;
   link_->send(start);
   link_->receive(accept_);
+  if (accept_.patience > 0.0 && !own_patience_) link_->set_patience(accept_.patience);
   sent_ = wall_clock();
   scheme_ = make_scheme(accept_.scheme);
   for (const std::string& name : names_)

@@ -27,6 +27,7 @@ class DemLink {
   // dt [s], n substeps per window (0: the partner chooses each time), LIGGGHTS' step number. First call: Start and
   // Accept. Later calls (further runs) check that nothing has changed: InputError.
   void start(double dt, int n, std::int64_t step);
+  double dt() const { return dt_; }  // as started [s]
   bool started() const { return scheme_ != nullptr; }
   bool finished() const { return finished_; }  // the last window is done and both sides have closed
 
@@ -76,7 +77,8 @@ class DemLink {
   std::vector<std::string> names_;
   std::unique_ptr<Scheme> scheme_;
   std::vector<std::unique_ptr<DemBody>> bodies_;
-  double dt_ = 0.0;  // [s]
+  bool own_patience_ = false;  // the script has its own
+  double dt_ = 0.0;            // [s]
   int n_ = 0;
   Accept accept_;
   Motion motion_;                          // of the open window

@@ -76,6 +76,10 @@ void FixCoupleMbd::init() {
 }
 
 void FixCoupleMbd::initial_integrate(int) {
+  if (update->dt != link_.dt())
+    throw InputError(arguments_.fix +
+                     "the time step has changed within the run (fix dt/reset?): the windows of the "
+                     "coupling need one time step; use a fixed `timestep`");
   link_.begin_substep(update->ntimestep);
   for (const auto& mesh : meshes_) {
     mesh->check_inside_box();

@@ -8,6 +8,7 @@
 #include "coupler/base/errors.h"
 #include "domain.h"
 #include "fix_mesh_surface.h"
+#include "fix_wall_gran.h"
 #include "liggghts_fix/fix_couple_mbd_match.h"
 #include "liggghts_fix/fix_couple_mbd_materials.h"
 #include "liggghts_fix/liggghts_access.h"
@@ -31,14 +32,13 @@ NodeVelocities* node_velocities(TriMesh* mesh) { return mesh->prop().getElementP
 
 CoupledMesh::CoupledMesh(LAMMPS* lmp_, const std::string& asker, const footfall::MeshOfBody& pair,
                          footfall::DemLink& link)
-    : Pointers(lmp_), link_(link), mesh_id_(pair.mesh) {
-  const std::string where = asker + "mesh " + mesh_id_ + ": ";
+    : Pointers(lmp_), link_(link), mesh_id_(pair.mesh), where_(asker + "mesh " + mesh_id_ + ": ") {
   fix_ = dynamic_cast<FixMeshSurface*>(modify->find_fix_id(mesh_id_.c_str()));
-  if (fix_ == nullptr) throw InputError(where + "no fix mesh/surface of this id stands before this line");
+  if (fix_ == nullptr) throw InputError(where_ + "no fix mesh/surface of this id stands before this line");
   if (fix_->triMesh()->isMoving() || fix_->triMesh()->isDeforming())
-    throw InputError(where + "another fix or a servo moves it already");
+    throw InputError(where_ + "another fix or a servo moves it already");
   if (fix_->surfaceVel())
-    throw InputError(where + "it has a surface velocity of its own (surface_vel, surface_ang_vel)");
+    throw InputError(where_ + "it has a surface velocity of its own (surface_vel, surface_ang_vel)");
   body_ = link_.couple(pair.body, update->unit_style);
   const footfall::CoupledBody& scene_body = link_.scene_body(pair.body, update->unit_style);
   module_ = std::make_unique<MeshModuleMbd>(lmp, fix_, match_over_ranks(fix_->triMesh(), mesh_id_, scene_body, world));
@@ -64,7 +64,26 @@ void CoupledMesh::detach() {
 
 bool CoupledMesh::is_there() const { return modify->find_fix_id(mesh_id_.c_str()) == fix_; }
 
+bool CoupledMesh::touches_grains() const {
+  for (int i = 0; i < modify->nfix; ++i) {
+    const auto* wall = dynamic_cast<const FixWallGran*>(modify->fix[i]);
+    if (wall == nullptr || !wall->is_mesh_wall()) continue;
+    FixMeshSurface** const meshes = wall->mesh_list();
+    if (std::find(meshes, meshes + wall->n_meshes(), fix_) != meshes + wall->n_meshes()) return true;
+  }
+  return false;
+}
+
 void CoupledMesh::begin_run(const char* style) {
+  if (fix_->triMesh()->nMove() > 1)
+    throw InputError(where_ +
+                     "another fix moves it too (fix move/mesh or a servo after fix couple/mbd), and the body of the "
+                     "scene moves it already: unfix the other one");
+  if (!touches_grains())
+    throw InputError(where_ +
+                     "no fix wall/gran names it, so grains would pass through it: add  fix ID all wall/gran model ... "
+                     "mesh n_meshes 1 meshes " +
+                     mesh_id_);
   module_->set_body(&link_.body(body_));
   module_->set_contacts(wall_contacts(*modify, atom->ntypes, fix_->atomTypeWall(), style));
 }

@@ -24,7 +24,8 @@ class CoupledMesh : protected Pointers {
   const std::string& id() const { return mesh_id_; }
   int body() const { return body_; }  // index in the link
   bool is_there() const;              // false when the script has removed the mesh
-  // After the coupling has started. `style`: of the fix, for LIGGGHTS' own messages.
+  // After the coupling has started. `style`: of the fix, for LIGGGHTS' own messages. Throws InputError when something
+  // else has come to move the mesh since, or when no wall makes contacts with it.
   void begin_run(const char* style);
 
   // Throws NumericalError when a node leaves the box: LIGGGHTS loses such triangles.
@@ -37,8 +38,11 @@ class CoupledMesh : protected Pointers {
   double nearest_image(double place, double before, int direction) const;
   void turn_properties(const footfall::BoundaryStep& step);
 
+  bool touches_grains() const;  // some fix wall/gran names the mesh
+
   footfall::DemLink& link_;
   std::string mesh_id_;
+  std::string where_;  // begins the messages
   FixMeshSurface* fix_ = nullptr;
   int body_ = 0;
   std::unique_ptr<MeshModuleMbd> module_;

@@ -70,11 +70,7 @@ int run_alone(const Arguments& arguments) {
 }
 
 // Everything that can go wrong is told to the partner, too: neither program outlives the other.
-int run_coupled(const Arguments& arguments, const Communicator& communicator) {
-  if (communicator.size() != 1)
-    throw InputError("mbd_solver runs on one rank, got " + std::to_string(communicator.size()) +
-                     ": write `: -np 1 mbd_solver ...`");
-  TransportMpi transport(communicator, "liggghts_mbd");
+int run_with(const Arguments& arguments, Transport& transport) {
   try {
     const Scene scene = read_scene(arguments.scene, arguments.settings);
     if (!scene.touches_particles())
@@ -83,7 +79,7 @@ int run_coupled(const Arguments& arguments, const Communicator& communicator) {
                        arguments.scene + "` alone");
     return run_scene(scene, arguments.run, &transport, g_interrupted);
   } catch (const InputError& error) {
-    Link(transport).fail(error.what(), Status::kBadInput);
+    if (!transport.parted()) Link(transport).fail(error.what(), Status::kBadInput);
     throw;
   }
 }
@@ -100,6 +96,17 @@ int guarded(const std::function<int()>& work) {
   }
 }
 
+int run_coupled(const Arguments& arguments, const Communicator& communicator) {
+  if (communicator.size() != 1)
+    throw InputError("mbd_solver runs on one rank, got " + std::to_string(communicator.size()) +
+                     ": write `: -np 1 mbd_solver ...`");
+  TransportMpi transport(communicator, "liggghts_mbd");
+  const int code = guarded([&] { return run_with(arguments, transport); });
+  // MPI_Finalize would wait for a partner that is stopped or hung.
+  if (transport.given_up()) abort_both_programs(code);
+  return code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -110,8 +117,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitDone : kExitBadInput;
   }
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(signal, note_interrupt);
 
   // MPI is started only under mpirun: scenes without grains need none.
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMI_SIZE") == nullptr)
