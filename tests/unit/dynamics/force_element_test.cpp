@@ -195,25 +195,71 @@ TEST_P(WheelOnASpring, CountsAHundredTurns) {
 
 INSTANTIATE_TEST_SUITE_P(Integrators, WheelOnASpring, ::testing::Values("one_step", "ida"));
 
-TEST(Bushing, IsAQuadraticSpringForSmallRotations) {
-  // V = 1/2 sum k_i phi_i^2 about the axes of marker 1, to second order.
+// A body turned by `phi` about a unit axis away from a bushing to the ground: generalized force [6] and energy [J].
+struct TurnedBushing {
+  TurnedBushing(const Bushing::Parameters& parameters, const Eigen::Vector3d& axis, double phi) {
+    BodyState turned;
+    turned.L << std::cos(0.5 * phi), std::sin(0.5 * phi) * axis;
+    const int body = model.add_body(Body("body", 1.0, Eigen::Matrix3d::Identity()), turned);
+    const Bushing bushing("pivot", ground_marker(Eigen::Vector3d::Zero()),
+                          body_marker(body, model.body(body), Eigen::Vector3d::Zero()), parameters);
+    const Layout layout(model, {});
+    Kinematics kinematics(model);
+    const State state = test::as_given(model).state;
+    kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
+    const ElementInput in{kinematics.pair(kGround, body), state.z, Eigen::VectorXd()};
+    Eigen::VectorXd no_states;
+    bushing.add_force(in, Q, no_states);
+    StoredEnergy stored;
+    Dissipated power;
+    bushing.add_energy(in, stored, power);
+    energy = stored[Stored::kStrain];
+  }
   Model model;
-  const int body = model.add_body(Body("body", 1.0, Eigen::Matrix3d::Identity()), {});
+  Eigen::VectorXd Q = Eigen::VectorXd::Zero(6);
+  double energy = 0.0;
+};
+
+TEST(Bushing, TurnsBackByStiffnessTimesAngleAtAnyAngle) {
+  Bushing::Parameters parameters;
+  parameters.rotational_stiffness.setConstant(0.4);
+  const Eigen::Vector3d axis = Eigen::Vector3d(1.0, -2.0, 2.0) / 3.0;
+  for (const double degrees : {0.0, 1e-6, 0.1, 1.0, 5.7, 5.8, 30.0, 90.0, 120.0, 170.0, 174.9}) {
+    const double phi = degrees * kPi / 180.0;
+    const TurnedBushing turned(parameters, axis, phi);
+    const Eigen::Vector3d torque = turned.Q.tail<3>();
+    // Round-off of the dot products, which the nearness of half a turn magnifies.
+    EXPECT_LT((torque + 0.4 * phi * axis).norm(), 1e-13) << degrees;
+    EXPECT_NEAR(turned.energy, 0.5 * 0.4 * phi * phi, 1e-13) << degrees;
+  }
+}
+
+TEST(Bushing, StoresTheSquareOfEachAxisShareOfTheRotation) {
+  // V = 1/2 sum k_i theta_i^2, theta = phi times the axis.
   Bushing::Parameters parameters;
   parameters.rotational_stiffness = {3.0, 4.0, 6.0};
-  const Bushing bushing("bushing", ground_marker(Eigen::Vector3d::Zero()),
-                        body_marker(body, model.body(body), Eigen::Vector3d::Zero()), parameters);
-  const Layout layout(model, {});
-  Kinematics kinematics(model);
-  const Eigen::Vector3d phi(1e-3, -2e-3, 1.5e-3);
-  State state = test::as_given(model).state;
-  state.q.segment<4>(3) = rotated(state.q.segment<4>(3), phi);
-  kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
-  StoredEnergy stored;
-  Dissipated power;
-  bushing.add_energy({kinematics.pair(kGround, body), state.z, Eigen::VectorXd()}, stored, power);
-  const double quadratic = 0.5 * phi.dot(parameters.rotational_stiffness.cwiseProduct(phi));
-  EXPECT_NEAR(stored[Stored::kStrain], quadratic, 1e-5 * quadratic);  // phi^2 = 7e-6 is the next order
+  const Eigen::Vector3d axis = Eigen::Vector3d(1.0, -2.0, 2.0) / 3.0;
+  for (const double phi : {1e-3, 0.5, 2.0, 3.0}) {
+    const Eigen::Vector3d theta = phi * axis;
+    const double energy = 0.5 * theta.dot(parameters.rotational_stiffness.cwiseProduct(theta));
+    EXPECT_NEAR(TurnedBushing(parameters, axis, phi).energy, energy, 1e-12 * energy) << phi;  // round-off
+  }
+}
+
+TEST(Bushing, SaysThatHalfATurnIsTooMuch) {
+  Bushing::Parameters parameters;
+  parameters.rotational_stiffness = {3.0, 4.0, 6.0};
+  for (const double degrees : {175.1, 180.0, 184.0}) {
+    try {
+      TurnedBushing(parameters, Eigen::Vector3d::UnitX(), degrees * kPi / 180.0);
+      ADD_FAILURE() << degrees;
+    } catch (const NumericalError& error) {
+      EXPECT_NE(std::string(error.what()).find("\"pivot\""), std::string::npos) << error.what();
+    }
+  }
+  // A damper knows no angle.
+  parameters.rotational_stiffness.setZero();
+  EXPECT_NO_THROW(TurnedBushing(parameters, Eigen::Vector3d::UnitX(), kPi));
 }
 
 TEST(Strut, SharesStrokeAndRateAmongItsLaws) {
