@@ -102,12 +102,13 @@ TEST_F(HistoryColumns, AreThoseOfThePageForUsers) {
     EXPECT_EQ(registry.count(line.first), 1u) << "docs/history.md tells of " << line.first << ", which is no column";
 }
 
-TEST_F(HistoryColumns, EveryKindOfDissipationIsToldToUsers) {
-  const std::string meaning = documented()["dissipated.<kind>"].second;
-  for (int kind = 0; kind < kDissipationCount; ++kind) {
-    const std::string name(dissipation_name(static_cast<Dissipation>(kind)));
-    EXPECT_NE(meaning.find("`" + name + "`"), std::string::npos) << name;
-  }
+TEST_F(HistoryColumns, EveryKindOfEnergyIsToldToUsers) {
+  const auto told = [](const std::string& pattern, const std::vector<std::string>& kinds) {
+    const std::string meaning = documented()[pattern].second;
+    for (const std::string& kind : kinds) EXPECT_NE(meaning.find("`" + kind + "`"), std::string::npos) << kind;
+  };
+  told("energy.<form>", names_of<Stored>());
+  told("dissipated.<kind>", names_of<Dissipation>());
 }
 
 TEST_F(HistoryColumns, WithoutGrainsNoneSpeaksOfTheCoupling) {
