@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "coupler/base/text.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -91,7 +93,7 @@ class Collector final : public FieldVisitor {
     if (rule.required) return;
     // 0 stands for "not given" as often as for a number: it is left to the comment.
     if (double* const* number = std::get_if<double*>(&ref); number && **number != 0.0)
-      defaults.emplace_back(key, short_number(**number));
+      defaults.emplace_back(key, number_text(**number));
     if (int* const* number = std::get_if<int*>(&ref); number && **number != 0)
       defaults.emplace_back(key, std::to_string(**number));
     if (bool* const* flag = std::get_if<bool*>(&ref)) defaults.emplace_back(key, **flag ? "true" : "false");
@@ -115,7 +117,7 @@ std::string default_in(const std::string& comment) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
   if (word.empty() || *end != '\0') return word;
-  return short_number(unit.substr(0, 2) == "mm" || unit.substr(0, 2) == "ms" ? 1e-3 * value : value);
+  return number_text(unit.substr(0, 2) == "mm" || unit.substr(0, 2) == "ms" ? 1e-3 * value : value);
 }
 
 TEST(ReferenceScene, GivesTheDefaultsOfTheReader) {
