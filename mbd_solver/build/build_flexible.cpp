@@ -37,16 +37,6 @@ BasisKind basis_kind(ModalBasis basis) {
   FOOTFALL_DEMAND(false);
 }
 
-// Whether it pushes and turns the body at its point; the others only turn it, by the attitude of the whole body.
-bool acts_at_a_point(SpringKind kind) {
-  switch (kind) {
-    case SpringKind::kTorsion:
-    case SpringKind::kCentring: return false;
-    case SpringKind::kBushing: return true;
-  }
-  FOOTFALL_DEMAND(false);
-}
-
 std::vector<Attachment> attachments(const Scene& scene, const std::string& body) {
   std::vector<Attachment> points;
   for (const JointSpec& joint : scene.joints) {
@@ -57,7 +47,7 @@ std::vector<Attachment> attachments(const Scene& scene, const std::string& body)
     for (std::size_t end = 0; end < 2; ++end)
       if (strut.bodies[end] == body) points.push_back({strut.points[end], false});
   for (const SpringSpec& spring : scene.springs)
-    if (acts_at_a_point(spring.kind) && (spring.bodies[0] == body || spring.bodies[1] == body))
+    if (spring.source.given("point") && (spring.bodies[0] == body || spring.bodies[1] == body))
       points.push_back({spring.point, true});
   return points;
 }

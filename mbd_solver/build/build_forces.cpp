@@ -156,16 +156,16 @@ std::unique_ptr<ForceElement> build(const SpringSpec& spec, const Scene& scene, 
     case SpringKind::kCentring: {
       Bushing::Parameters p;
       p.rotational_stiffness.setConstant(spec.stiffness);
-      p.rotational_damping = spec.damping;
-      // It turns only: its point is where it reads the attitude, the mass centre of b.
-      return bushing(b != kGround ? model.initial(b).r : placement.point(spec.point), p);
+      p.rotational_damping.setConstant(spec.damping);
+      // It turns only: its point is where it reads the attitude, the mass centre of b where the scene gives none.
+      return bushing(b == kGround || spec.source.given("point") ? placement.point(spec.point) : model.initial(b).r, p);
     }
     case SpringKind::kBushing: {
       Bushing::Parameters p;
-      p.stiffness = spec.stiffness;
-      p.damping = spec.damping;
+      p.stiffness.setConstant(spec.stiffness);
+      p.damping.setConstant(spec.damping);
       p.rotational_stiffness.setConstant(spec.turning_stiffness);
-      p.rotational_damping = spec.turning_damping;
+      p.rotational_damping.setConstant(spec.turning_damping);
       return bushing(placement.point(spec.point), p);
     }
   }

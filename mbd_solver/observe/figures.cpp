@@ -9,7 +9,8 @@
 
 namespace footfall {
 
-FigureTaker::FigureTaker(const Subject& subject) : subject_(subject), up_(up_direction(subject.scene.gravity)) {
+FigureTaker::FigureTaker(const Subject& subject)
+    : subject_(subject), flow_(subject.mechanism.model), up_(up_direction(subject.scene.gravity)) {
   const Model& model = subject.mechanism.model;
   for (int i = 1; i < model.body_count(); ++i)
     if (model.body(i).mass() > model.body(body_).mass()) body_ = i;
@@ -21,7 +22,7 @@ std::string FigureTaker::balance_warning() const {
   if (figures_.energy_balance_relative() <= kGoodBalance) return "";
   return "the energy of the mechanism does not close by " + number_text(figures_.energy_balance, 3) + " J, " +
          number_text(100.0 * figures_.energy_balance_relative(), 3) +
-         " % of the reference energy: its integration is not accurate; make solver.rtol and solver.atol, or "
+         " % of the energy that it moved: its integration is not accurate; make solver.rtol and solver.atol, or "
          "solver.max_step, smaller";
 }
 
@@ -66,6 +67,8 @@ void FigureTaker::take(const Sample& sample) {
   if (subject_.scene.ground.kind != GroundKind::kNone && !subject_.mechanism.boundaries.empty())
     f.max_penetration =
         std::max(f.max_penetration, subject_.mechanism.placement.ground_height - lowest_boundary_point(sample));
+  flow_.take(stored, sample.state, sample.kinematics);
+  f.energy_flow = flow_.scale();
   const double balance =
       stored.total() - start_energy_ + sample.state.dissipated.total() - f.contact_work - sample.state.motion_work;
   f.energy_balance = std::max(f.energy_balance, std::abs(balance));

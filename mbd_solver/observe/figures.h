@@ -4,11 +4,12 @@
 
 #include <string>
 
+#include "mbd_solver/dynamics/energy_flow.h"
 #include "mbd_solver/observe/sample.h"
 
 namespace footfall {
 
-// of the reference energy: more than time integration with usual tolerances leaves open
+// of the energy that flowed: more than time integration with usual tolerances leaves open
 inline constexpr double kGoodBalance = 0.01;
 
 struct Figures {
@@ -17,11 +18,12 @@ struct Figures {
   double max_penetration = 0.0;    // of the lowest boundary point below the ground at the start [m]
   double max_contact_force = 0.0;  // on one body [N]
   double reference_energy = 0.0;   // initial mechanical energy without gravity; else the largest kinetic energy [J]
+  double energy_flow = 0.0;        // moved from one form to another: EnergyFlow::scale() [J]
   double energy_balance = 0.0;     // largest |E - E0 + dissipated - work of contact and motion| [J]
   double contact_work = 0.0;       // done by the ground's grains on the mechanism so far [J]
   double contact_force = 0.0;      // on all bodies now [N]
 
-  double energy_balance_relative() const { return reference_energy > 0.0 ? energy_balance / reference_energy : 0.0; }
+  double energy_balance_relative() const { return energy_flow > 0.0 ? energy_balance / energy_flow : 0.0; }
 };
 
 class FigureTaker {
@@ -39,6 +41,7 @@ class FigureTaker {
 
   Subject subject_;
   Figures figures_;
+  EnergyFlow flow_;
   Eigen::Vector3d up_;
   int body_ = 0;
   double start_height_ = 0.0;  // [m]

@@ -38,10 +38,9 @@ void add_flexible_bodies(const FlexibleBodies& flexible, Json& json) {
   }
 }
 
-void add_coupling(const CoupledRun& coupled, double reference_energy, Json& json) {
+void add_coupling(const CoupledRun& coupled, double energy_flow, Json& json) {
   const CouplingWatch& watch = coupled.watch();
-  json["coupling_energy_residual_relative"] =
-      reference_energy > 0.0 ? watch.largest_energy_residual() / reference_energy : 0.0;
+  json["coupling_energy_residual_relative"] = energy_flow > 0.0 ? watch.largest_energy_residual() / energy_flow : 0.0;
   json["max_overlap_over_radius"] = watch.largest_overlap();
   json["particles"] = coupled.load().particles;
   json["dt_dem_s"] = coupled.agreement().dt;
@@ -103,13 +102,14 @@ Json run_summary(const Simulation& simulation, const FigureTaker& taker, const F
   json["max_penetration_m"] = figures.max_penetration;
   json["max_contact_force_N"] = figures.max_contact_force;
   json["reference_energy_J"] = figures.reference_energy;
+  json["energy_flow_J"] = figures.energy_flow;
   json["energy_balance_relative"] = figures.energy_balance_relative();
   json["drift_position"] = statistics.drift_position;
   json["drift_velocity"] = statistics.drift_velocity;
   json["drift_removed_position"] = statistics.removed_position;
   json["drift_removed_velocity"] = statistics.removed_velocity;
   add_flexible_bodies(flexible, json);
-  if (simulation.coupled()) add_coupling(*simulation.coupled(), figures.reference_energy, json);
+  if (simulation.coupled()) add_coupling(*simulation.coupled(), figures.energy_flow, json);
   add_costs(simulation, json);
   json["integrator"] = simulation.integrator().name();
   json["active"] = active_parts(simulation, flexible);

@@ -102,6 +102,12 @@ void check_stops(const StrutSpec& strut, Findings& findings) {
   }
 }
 
+bool bends(const Scene& scene, const std::string& name) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& body) {
+    return body.name == name && body.flexible && body.flexible->enabled;
+  });
+}
+
 }  // namespace
 
 void check_struts(const Scene& scene, Findings& findings) {
@@ -129,6 +135,12 @@ void check_springs(const Scene& scene, Findings& findings) {
     if (!spring.source.given("kind")) continue;
     check_pair(scene, spring.source, spring.bodies, findings);
     const bool torsion = spring.kind == SpringKind::kTorsion, bushing = spring.kind == SpringKind::kBushing;
+    for (const std::string& name : spring.bodies) {
+      if (!torsion || spring.source.given("point") || !bends(scene, name)) continue;
+      findings.error(spring.source, "point",
+                     "is missing; \"" + name + "\" is flexible, and is turned at a point of the drawing");
+      break;
+    }
     if (torsion && !spring.source.given("axis"))
       findings.error(spring.source, "axis", "is missing; a torsion spring turns about it");
     if (bushing && !spring.source.given("point"))

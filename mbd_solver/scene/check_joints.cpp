@@ -54,6 +54,78 @@ void check_motion(const JointSpec& joint, Findings& findings) {
                    "needs a prescribed rotation, for example rotation = { polynomial = [0] }");
 }
 
+constexpr double kSameDirection = 0.999;  // cosine, as of axis and axis2 below
+
+// f(0) [rad]: what counts against the drawing.
+double at_start(const TimeFunctionSpec& f) {
+  double value = f.amplitude * std::sin(f.phase);
+  if (!f.polynomial.empty()) value += f.polynomial.front();
+  // A spline is continued before its first point: only where it passes through t = 0 its value is known here.
+  for (const Eigen::Vector2d& row : f.table)
+    if (row.x() == 0.0) value += row.y();
+  return value;
+}
+
+void check_function(const JointSpec& joint, const std::string& key, const std::optional<TimeFunctionSpec>& f,
+                    Findings& findings) {
+  if (!f) return;
+  if (f->amplitude != 0.0 && f->frequency == 0.0)
+    findings.error(joint.source, "motion." + key + ".frequency",
+                   "is missing; an amplitude swings with it (Hz). For a constant use polynomial = [value]");
+  for (std::size_t i = 1; i < f->table.size(); ++i) {
+    if (f->table[i].x() > f->table[i - 1].x()) continue;
+    findings.error(joint.source, "motion." + key + ".table",
+                   "has time " + number_text(f->table[i].x()) + " s after " + number_text(f->table[i - 1].x()) +
+                       " s; expected times that rise");
+    break;
+  }
+}
+
+// The motion of one joint by itself.
+void check_functions(const JointSpec& joint, Findings& findings) {
+  if (!joint.motion) return;
+  const MotionSpec& m = *joint.motion;
+  check_function(joint, "x", m.x, findings);
+  check_function(joint, "y", m.y, findings);
+  check_function(joint, "z", m.z, findings);
+  check_function(joint, "rotation", m.rotation, findings);
+  // sin(angle - f) = 0 holds half a turn off, too.
+  if (m.rotation && !(std::cos(at_start(*m.rotation)) > 0.0))
+    findings.error(joint.source, "motion.rotation",
+                   "begins at " + number_text(at_start(*m.rotation) * 180.0 / kPi, 4) +
+                       " degrees, but the bodies are drawn at 0; expected less than 90: draw them as they start, and "
+                       "count the rotation from there");
+}
+
+// Directions of W that a joint prescribes, with their names.
+std::vector<std::pair<std::string, Eigen::Vector3d>> displacements(const JointSpec& joint) {
+  const Eigen::Vector3d z = joint.axis;
+  const Eigen::Vector3d x = (joint.axis2 - joint.axis2.dot(z) * z).normalized();
+  std::vector<std::pair<std::string, Eigen::Vector3d>> out;
+  if (joint.motion->x) out.emplace_back("x", x);
+  if (joint.motion->y) out.emplace_back("y", z.cross(x));
+  if (joint.motion->z) out.emplace_back("z", z);
+  return out;
+}
+
+// Two motions of the same coordinate of the same two bodies: one of them would be left out as redundant.
+void check_motion_twice(const JointSpec& first, const JointSpec& second, Findings& findings) {
+  const bool same_pair =
+      first.bodies == second.bodies || (first.bodies[0] == second.bodies[1] && first.bodies[1] == second.bodies[0]);
+  if (!first.motion || !second.motion || !same_pair) return;
+  const auto complain = [&](const std::string& key) {
+    findings.error(second.source, "motion." + key,
+                   "moves what joint \"" + first.name + "\" (line " + std::to_string(first.source.line) +
+                       ") moves already, between the same two bodies; keep one of them");
+  };
+  if (first.motion->rotation && second.motion->rotation && std::abs(first.axis.dot(second.axis)) > kSameDirection)
+    complain("rotation");
+  if ((first.point_b - second.point_b).norm() > kLargestGap) return;
+  for (const auto& [name_1, direction_1] : displacements(first))
+    for (const auto& [name_2, direction_2] : displacements(second))
+      if (std::abs(direction_1.dot(direction_2)) > kSameDirection) complain(name_2);
+}
+
 }  // namespace
 
 void check_joints(const Scene& scene, Findings& findings) {
@@ -63,6 +135,11 @@ void check_joints(const Scene& scene, Findings& findings) {
     check_pair(scene, joint.source, joint.bodies, findings);
     check_points(joint, findings);
     check_motion(joint, findings);
+    check_functions(joint, findings);
+    for (const JointSpec& before : scene.joints) {
+      if (&before == &joint) break;
+      check_motion_twice(before, joint, findings);
+    }
     const JointTraits traits = traits_of(joint.type);
     if (traits.axis == KeyUse::kRequired && !joint.source.given("axis"))
       findings.error(joint.source, "axis", "is missing; this type of joint needs it");
@@ -75,7 +152,7 @@ void check_joints(const Scene& scene, Findings& findings) {
       findings.error(joint.source, "axis2",
                      "makes " + number_text(std::acos(std::min(1.0, cosine)) * 180.0 / kPi) +
                          " degrees with axis; expected 90 in the design position");
-    if (joint.type == JointType::kPrescribed && cosine > 0.999)
+    if (joint.type == JointType::kPrescribed && cosine > kSameDirection)
       findings.error(joint.source, "axis2",
                      "is parallel to axis; expected the x direction of the joint, across its z = axis");
     if (traits.axis2 == KeyUse::kUnused && joint.source.given("axis2"))

@@ -14,7 +14,7 @@ inline std::vector<std::string> keys_of(SpringKind kind) {
   switch (kind) {
     case SpringKind::kTorsion: return {"axis", "rest_angle"};
     case SpringKind::kCentring: return {};
-    case SpringKind::kBushing: return {"point", "turning_stiffness", "turning_damping"};
+    case SpringKind::kBushing: return {"turning_stiffness", "turning_damping"};
   }
   return {};
 }

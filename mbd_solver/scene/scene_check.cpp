@@ -108,7 +108,15 @@ void check_bodies(const Scene& scene, Findings& findings) {
     if (!f.nodes.empty() && f.members.empty())
       findings.error(body.source, "flexible.members", "are missing; nodes alone are no frame");
   }
-  for (const BodyVelocitySpec& v : scene.initial.bodies) check_body_name(scene, v.source, "body", v.body, findings);
+  const std::vector<BodyVelocitySpec>& moving = scene.initial.bodies;
+  for (auto v = moving.begin(); v != moving.end(); ++v) {
+    check_body_name(scene, v->source, "body", v->body, findings);
+    const auto same = std::find_if(moving.begin(), v, [&](const BodyVelocitySpec& o) { return o.body == v->body; });
+    if (!v->body.empty() && same != v)
+      findings.error(v->source, "body",
+                     "\"" + v->body + "\" already has a velocity (line " + std::to_string(same->source.line) +
+                         "); give each body one entry");
+  }
   for (const std::string& name : scene.output.bodies)
     check_body_name(scene, scene.output.source, "bodies", name, findings);
 }

@@ -122,8 +122,8 @@ void each_law(Strut& strut, Visit&& visit) {
 }
 
 enum class SpringKind {
-  kTorsion,   // about `axis`: stiffness [N m/rad] (angle - rest_angle), damping [N m s/rad]
-  kCentring,  // turns b back to its design attitude relative to a, all axes alike: same units
+  kTorsion,   // about `axis`, any turns: stiffness [N m/rad] (angle - rest_angle), damping [N m s/rad]
+  kCentring,  // turns b back to its design attitude relative to a, up to 175 degrees: same units
   // at `point`, all directions alike: stiffness [N/m], damping [N s/m]; turning: turning_stiffness, turning_damping
   kBushing
 };
@@ -141,7 +141,7 @@ struct SpringSpec {
   std::string name;
   SpringKind kind = SpringKind::kTorsion;
   std::array<std::string, 2> bodies;
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // bushing [m]
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // where it acts, in D [m]
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // torsion; unit vector, fixed in a
   double stiffness = 0.0;                           // see kind; >= 0
   double damping = 0.0;                             // see kind; >= 0

@@ -84,11 +84,11 @@ void show_summary(const Json& summary, HtmlPage& page) {
 void show_quality(const Json& summary, HtmlPage& page) {
   page.section("How far to trust it");
   Rows rows = {{"measure", "value", "unit"}};
-  figure(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "% of the initial energy", rows);
+  figure(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "% of the energy moved", rows);
   figure(summary, "drift of the joints, position", "drift_position", 1.0, "m, rad", rows);
   figure(summary, "drift of the joints, velocity", "drift_velocity", 1.0, "m/s, rad/s", rows);
   figure(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0,
-         "% of the initial energy", rows);
+         "% of the energy moved", rows);
   figure(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "% of its radius", rows);
   figure(summary, "time step of the grains", "dt_dem_s", 1.0, "s", rows);
   figure(summary, "windows", "windows", 1.0, "", rows);

@@ -59,9 +59,9 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
     row(summary, "largest depth below the ground", "max_penetration_m", 1.0, "%.3f m");
     row(summary, "largest contact force on one body", "max_contact_force_N", 1e-3, "%.2f kN");
   }
-  row(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "%.4f %% of the initial energy");
+  row(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "%.4f %% of the energy moved");
   row(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0,
-      "%.3f %% of the initial energy");
+      "%.3f %% of the energy moved");
   if (summary.contains("ledger")) {
     row(summary["ledger"], "energy given to the grains", "energy_to_grains_J", 1e-3, "%.3f kJ");
     row(summary["ledger"], "of it dissipated in the grains", "grains_dissipated_J", 1e-3, "%.3f kJ");

@@ -1,6 +1,9 @@
 #include "mbd_solver/model/elements/bushing.h"
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/model/elements/rotation_vector.h"
 
 namespace footfall {
 namespace {
@@ -42,101 +45,171 @@ void add_angular_jacobian(const PairMotion& pair, int slot, const Marker& marker
   }
 }
 
+// The rotation vector, with the complaint about half a turn.
+RotationVector rotation(const std::string& name, const PairMotion& pair, const Marker& m1, const Marker& m2) {
+  const RotationVector theta(pair, m1, m2);
+  if (theta.angle() > Bushing::kLargestTurn * kPi / 180.0)
+    throw NumericalError(
+        "spring \"" + name + "\": its bodies are turned by " + number_text(theta.angle() * 180.0 / kPi, 4) +
+        " degrees against each other, and at half a turn the way back is not known; expected at most " +
+        number_text(Bushing::kLargestTurn) +
+        " degrees. A torsion spring about a joint's axis takes any number of turns.");
+  return theta;
+}
+
 }  // namespace
+
+// Relative angular velocity w2 - w1 and its damping torque on body 2, T = -sum_i c_i (e1_i . w) e1_i.
+class Bushing::Turn {
+ public:
+  Turn(const Bushing& bushing, const PairMotion& pair)
+      : w(angular_velocity(*pair.body[1], bushing.m2_) - angular_velocity(*pair.body[0], bushing.m1_)) {
+    for (int i = 0; i < 3; ++i) {
+      e[i] = KinematicVector::axis(pair, 0, bushing.m1_, i);
+      rate[i] = e[i].value().dot(w);
+      T -= bushing.parameters_.rotational_damping[i] * rate[i] * e[i].value();
+    }
+  }
+  Eigen::Vector3d w;
+  KinematicVector e[3];
+  Eigen::Vector3d rate = Eigen::Vector3d::Zero(), T = Eigen::Vector3d::Zero();
+};
 
 Bushing::Bushing(std::string name, Marker m1, Marker m2, const Parameters& parameters)
     : ForceElement(std::move(name), m1.body, m2.body), m1_(std::move(m1)), m2_(std::move(m2)), parameters_(parameters) {
-  const Eigen::Vector3d& k = parameters_.rotational_stiffness;
-  if (!(parameters_.stiffness >= 0.0 && parameters_.damping >= 0.0 && parameters_.rotational_damping >= 0.0 &&
-        k.minCoeff() >= 0.0))
-    throw InputError("spring \"" + this->name() + "\": stiffness and damping must not be negative.");
-  axis_weight_ = {k[1] + k[2] - k[0], k[2] + k[0] - k[1], k[0] + k[1] - k[2]};
+  const Parameters& p = parameters_;
+  for (const Eigen::Vector3d* values : {&p.stiffness, &p.damping, &p.rotational_stiffness, &p.rotational_damping})
+    if (!(values->minCoeff() >= 0.0))
+      throw InputError("spring \"" + this->name() + "\": stiffness and damping must not be negative.");
+  translates_ = !p.stiffness.isZero(0.0) || !p.damping.isZero(0.0);
+  turns_ = !p.rotational_stiffness.isZero(0.0);
+  damps_turning_ = !p.rotational_damping.isZero(0.0);
   const Eigen::Index n = 12 + m1_.S.cols() + m2_.S.cols();
+  row_.resize(n);
+  row_rate_.resize(n);
+  columns_.resize(n, 4);
+  W_.resize(3, n);
+  T_.resize(3, n);
   X_.resize(3, n);
-  X_rate_.resize(3, n);
 }
 
 void Bushing::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const {
-  if (parameters_.stiffness > 0.0 || parameters_.damping > 0.0) {
+  const Parameters& p = parameters_;
+  if (translates_) {
     const KinematicVector d = KinematicVector::difference(in.pair, m1_, m2_);
-    d.add_transposed(-parameters_.stiffness * d.value() - parameters_.damping * d.rate(), Q);
+    for (int i = 0; i < 3; ++i) {
+      const KinematicVector e = KinematicVector::axis(in.pair, 0, m1_, i);
+      add_dot(e, d, -p.stiffness[i] * e.value().dot(d.value()) - p.damping[i] * dot_rate(e, d), Q);
+    }
   }
-  for (int i = 0; i < 3; ++i) {
-    if (axis_weight_[i] == 0.0) continue;
-    const KinematicVector e1 = KinematicVector::axis(in.pair, 0, m1_, i);
-    const KinematicVector e2 = KinematicVector::axis(in.pair, 1, m2_, i);
-    e1.add_transposed(0.5 * axis_weight_[i] * e2.value(), Q);
-    e2.add_transposed(0.5 * axis_weight_[i] * e1.value(), Q);
+  if (turns_) {  // Q = -dV/dx = -(k theta) . dtheta/dx
+    const RotationVector theta = rotation(name(), in.pair, m1_, m2_);
+    const Eigen::Vector3d torque = -p.rotational_stiffness.cwiseProduct(theta.value());
+    theta.add_gradient(theta.gradient(torque), Q);
   }
-  if (parameters_.rotational_damping > 0.0) {
-    const Eigen::Vector3d T = -parameters_.rotational_damping *
-                              (angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_));
-    add_torque(in.pair, 1, m2_, T, Q);
-    add_torque(in.pair, 0, m1_, -T, Q);
+  if (damps_turning_) {
+    const Turn turn(*this, in.pair);
+    add_torque(in.pair, 1, m2_, turn.T, Q);
+    add_torque(in.pair, 0, m1_, -turn.T, Q);
   }
 }
 
 bool Bushing::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
-  const Eigen::Index n = in.pair.size();
-  Eigen::Ref<Eigen::Matrix3Xd> X = X_.leftCols(n), rate = X_rate_.leftCols(n);
-  if (parameters_.stiffness > 0.0 || parameters_.damping > 0.0) {
-    const double k = parameters_.stiffness, c = parameters_.damping;
-    const KinematicVector d = KinematicVector::difference(in.pair, m1_, m2_);
-    X.setZero();
-    rate.setZero();
-    d.add_jacobian(X);
-    d.add_rate_jacobian(rate);
-    rate = -k * X - c * rate;  // dF/dx
-    out.dQ_dx.noalias() += X.transpose().lazyProduct(rate);
-    out.dQ_dv.noalias() -= c * X.transpose().lazyProduct(X);
-    d.add_second(-k * d.value() - c * d.rate(), out.dQ_dx);
-  }
-  for (int i = 0; i < 3; ++i) {
-    if (axis_weight_[i] == 0.0) continue;
-    const double half = 0.5 * axis_weight_[i];
-    const KinematicVector e1 = KinematicVector::axis(in.pair, 0, m1_, i);
-    const KinematicVector e2 = KinematicVector::axis(in.pair, 1, m2_, i);
-    e1.add_second(half * e2.value(), out.dQ_dx);
-    e2.add_second(half * e1.value(), out.dQ_dx);
-    const Eigen::Matrix3d scaled = half * Eigen::Matrix3d::Identity();
-    e1.add_product(scaled, e2, out.dQ_dx);
-    e2.add_product(scaled, e1, out.dQ_dx);
-  }
-  if (parameters_.rotational_damping > 0.0) {
-    // Q = -c W^T w_rel, with w_rel = W v
-    const double c = parameters_.rotational_damping;
-    X.setZero();
-    rate.setZero();
-    add_angular_jacobian(in.pair, 1, m2_, 1.0, X, rate);
-    add_angular_jacobian(in.pair, 0, m1_, -1.0, X, rate);
-    out.dQ_dx.noalias() -= c * X.transpose().lazyProduct(rate);
-    out.dQ_dv.noalias() -= c * X.transpose().lazyProduct(X);
-    // W^T at fixed T: d(Psi^T A^T T)/dtheta = Psi^T A^T T~
-    const Eigen::Vector3d T = -c * (angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_));
-    for (int slot = 0; slot < 2; ++slot) {
-      const BodyKinematics& body = *in.pair.body[slot];
-      const Eigen::Vector3d torque = slot == 1 ? T : Eigen::Vector3d(-T);
-      for (int k = 0; k < body.modes; ++k) {
-        const Eigen::Vector3d column = body.A * (slot == 1 ? m2_ : m1_).Psi.col(k);
-        out.dQ_dx.block<1, 3>(in.pair.offset(slot) + 6 + k, in.pair.offset(slot) + 3) +=
-            column.cross(torque).transpose();
-      }
-    }
-  }
+  if (translates_) add_translation_derivatives(in, out);
+  if (turns_) add_rotation_derivatives(in, out);
+  if (damps_turning_) add_turning_derivatives(in, out);
   return true;
 }
 
-void Bushing::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
+void Bushing::add_translation_derivatives(const ElementInput& in, ElementDerivatives& out) const {
+  // Q = sum F_i dd_i/dx,  F_i = -k_i d_i - c_i d_i'
+  const Eigen::Index n = in.pair.size();
+  Eigen::Ref<Eigen::VectorXd> row = row_.head(n), rate = row_rate_.head(n);
   const KinematicVector d = KinematicVector::difference(in.pair, m1_, m2_);
-  stored[Stored::kStrain] += 0.5 * parameters_.stiffness * d.value().squaredNorm();
-  power[Dissipation::kDamper] += parameters_.damping * d.rate().squaredNorm();
   for (int i = 0; i < 3; ++i) {
-    const KinematicVector e1 = KinematicVector::axis(in.pair, 0, m1_, i);
-    const KinematicVector e2 = KinematicVector::axis(in.pair, 1, m2_, i);
-    stored[Stored::kStrain] += 0.5 * axis_weight_[i] * (1.0 - e1.value().dot(e2.value()));
+    const double k = parameters_.stiffness[i], c = parameters_.damping[i];
+    if (k == 0.0 && c == 0.0) continue;
+    const KinematicVector e = KinematicVector::axis(in.pair, 0, m1_, i);
+    row.setZero();
+    rate.setZero();
+    add_dot(e, d, 1.0, row);
+    add_dot_rate(e, d, -c, rate);
+    rate -= k * row;  // dF_i/dx
+    out.dQ_dx.noalias() += row * rate.transpose();
+    out.dQ_dv.noalias() -= (c * row) * row.transpose();
+    add_dot_second(e, d, -k * e.value().dot(d.value()) - c * dot_rate(e, d), out.dQ_dx);
   }
-  const Eigen::Vector3d relative = angular_velocity(*in.pair.body[1], m2_) - angular_velocity(*in.pair.body[0], m1_);
-  power[Dissipation::kDamper] += parameters_.rotational_damping * relative.squaredNorm();
+}
+
+void Bushing::add_rotation_derivatives(const ElementInput& in, ElementDerivatives& out) const {
+  // -d2V/dx2 = -(du/dx)^T (J^T K J + theta_uu . K theta) du/dx - V_u . d2u/dx2
+  Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, 4>> U = columns_.topRows(in.pair.size());
+  const RotationVector theta = rotation(name(), in.pair, m1_, m2_);
+  const Eigen::Vector3d& k = parameters_.rotational_stiffness;
+  const Eigen::Vector3d torque = -k.cwiseProduct(theta.value());
+  const Eigen::Matrix<double, 3, 4> J = theta.jacobian();
+  const Eigen::Matrix4d H = theta.curvature(torque) - J.transpose() * k.asDiagonal() * J;
+  U.setZero();
+  theta.add_jacobian(U);
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) out.dQ_dx.noalias() += (H(a, b) * U.col(a)) * U.col(b).transpose();
+  theta.add_second(theta.gradient(torque), out.dQ_dx);
+}
+
+void Bushing::add_turning_derivatives(const ElementInput& in, ElementDerivatives& out) const {
+  // Q = W^T T, w = W v:  dT = -sum c_i [e_i (e_i.dw + w.de_i) + (e_i.w) de_i]
+  const Eigen::Index n = in.pair.size();
+  Eigen::Ref<Eigen::Matrix3Xd> W = W_.leftCols(n), T_x = T_.leftCols(n), X = X_.leftCols(n);
+  const Turn turn(*this, in.pair);
+  W.setZero();
+  T_x.setZero();  // first dw/dx
+  add_angular_jacobian(in.pair, 1, m2_, 1.0, W, T_x);
+  add_angular_jacobian(in.pair, 0, m1_, -1.0, W, T_x);
+  Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d e = turn.e[i].value();
+    C += parameters_.rotational_damping[i] * e * e.transpose();
+  }
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Eigen::Vector3d by_x = C * T_x.col(j), by_v = C * W.col(j);
+    T_x.col(j) = -by_x;
+    out.dQ_dv.col(j).noalias() -= W.transpose() * by_v;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double c = parameters_.rotational_damping[i];
+    X.setZero();
+    turn.e[i].add_jacobian(X);
+    for (Eigen::Index j = 0; j < n; ++j)
+      T_x.col(j) -= c * (turn.w.dot(X.col(j)) * turn.e[i].value() + turn.rate[i] * X.col(j));
+  }
+  out.dQ_dx.noalias() += W.transpose().lazyProduct(T_x);
+  // W^T at fixed T: d(Psi^T A^T T)/dtheta = Psi^T A^T T~
+  for (int slot = 0; slot < 2; ++slot) {
+    const BodyKinematics& body = *in.pair.body[slot];
+    const Eigen::Vector3d torque = slot == 1 ? turn.T : Eigen::Vector3d(-turn.T);
+    for (int k = 0; k < body.modes; ++k) {
+      const Eigen::Vector3d column = body.A * (slot == 1 ? m2_ : m1_).Psi.col(k);
+      out.dQ_dx.block<1, 3>(in.pair.offset(slot) + 6 + k, in.pair.offset(slot) + 3) += column.cross(torque).transpose();
+    }
+  }
+}
+
+void Bushing::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
+  const Parameters& p = parameters_;
+  if (translates_) {
+    const KinematicVector d = KinematicVector::difference(in.pair, m1_, m2_);
+    for (int i = 0; i < 3; ++i) {
+      const KinematicVector e = KinematicVector::axis(in.pair, 0, m1_, i);
+      const double along = e.value().dot(d.value()), rate = dot_rate(e, d);
+      stored[Stored::kStrain] += 0.5 * p.stiffness[i] * along * along;
+      power[Dissipation::kDamper] += p.damping[i] * rate * rate;
+    }
+  }
+  if (turns_) {
+    const Eigen::Vector3d theta = rotation(name(), in.pair, m1_, m2_).value();
+    stored[Stored::kStrain] += 0.5 * theta.dot(p.rotational_stiffness.cwiseProduct(theta));
+  }
+  if (damps_turning_) power[Dissipation::kDamper] += p.rotational_damping.dot(Turn(*this, in.pair).rate.cwiseAbs2());
 }
 
 }  // namespace footfall

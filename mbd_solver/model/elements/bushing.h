@@ -1,11 +1,11 @@
 #pragma once
-// Bushing between two markers: translational spring-damper (isotropic) and centring spring for the relative
-// attitude.
-//   force on body 2 at its marker: F = -k d - c d',  d = p2 - p1
-//   attitude: potential V = 1/2 sum_i k'_i (1 - e1_i . e2_i),  k'_i = k_j + k_l - k_i, which for small
-//     relative rotations phi is 1/2 sum_i k_i phi_i^2 about the axes of marker 1, and stays smooth for any
-//     rotation (k (1 - cos phi) when isotropic)
-//   damping torque on body 2: -c_rot (w2 - w1), w = angular velocity of the node (A Psi da included)
+// Bushing between two markers: a spring and a damper along and about each axis of marker 1.
+//   displacement  d_i = e1_i . (p2 - p1),  force along e1_i:  -k_i d_i - c_i d_i'
+//   rotation      potential V = 1/2 sum_i k_i theta_i^2 with the rotation vector theta of rotation_vector.h: a rotation
+//                 by phi about axis i alone is turned back by k_i phi, however large phi is below half a turn.
+//                 Beyond kLargestTurn the axis is about to jump: NumericalError.
+//   damping torque on body 2 about e1_i:  -c_i e1_i . (w2 - w1), w = angular velocity of the node (A Psi da included),
+//                 at any angle
 // The weak centring spring of a pad pivot is this with translation left to a spherical joint.
 
 #include "mbd_solver/model/force_element.h"
@@ -14,23 +14,33 @@ namespace footfall {
 
 class Bushing : public ForceElement {
  public:
-  struct Parameters {
-    double stiffness = 0.0;                               // k [N/m] >= 0
-    double damping = 0.0;                                 // c [N s/m] >= 0
-    Eigen::Vector3d rotational_stiffness{0.0, 0.0, 0.0};  // about x, y, z of marker 1 [N m/rad] >= 0
-    double rotational_damping = 0.0;                      // [N m s/rad] >= 0
+  static constexpr double kLargestTurn = 175.0;  // [degrees]
+
+  struct Parameters {                                                // along or about x, y, z of marker 1, all >= 0
+    Eigen::Vector3d stiffness = Eigen::Vector3d::Zero();             // [N/m]
+    Eigen::Vector3d damping = Eigen::Vector3d::Zero();               // [N s/m]
+    Eigen::Vector3d rotational_stiffness = Eigen::Vector3d::Zero();  // [N m/rad]
+    Eigen::Vector3d rotational_damping = Eigen::Vector3d::Zero();    // [N m s/rad]
   };
   Bushing(std::string name, Marker m1, Marker m2, const Parameters& parameters);
 
+  // All throw NumericalError beyond kLargestTurn where a rotational stiffness is not zero.
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
 
  private:
+  class Turn;
+  void add_translation_derivatives(const ElementInput& in, ElementDerivatives& out) const;
+  void add_rotation_derivatives(const ElementInput& in, ElementDerivatives& out) const;
+  void add_turning_derivatives(const ElementInput& in, ElementDerivatives& out) const;
+
   Marker m1_, m2_;
   Parameters parameters_;
-  Eigen::Vector3d axis_weight_;          // k'_i
-  mutable Eigen::Matrix3Xd X_, X_rate_;  // scratch, 3 x n
+  bool translates_, turns_, damps_turning_;                   // which parts are not zero
+  mutable Eigen::VectorXd row_, row_rate_;                    // scratch, n
+  mutable Eigen::Matrix<double, Eigen::Dynamic, 4> columns_;  // scratch, n x 4
+  mutable Eigen::Matrix3Xd W_, T_, X_;                        // scratch, 3 x n
 };
 
 }  // namespace footfall

@@ -3,50 +3,37 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
+#include "mbd_solver/model/elements/dot_product.h"
 
 namespace footfall {
 namespace {
 
-// s = y1.x2, c = x1.x2 with their rates.
+constexpr double kFollow = 10.0;  // [1/s]: the error of z as an integral fades within some 0.1 s
+
+// s = y1.x2, c = x1.x2 with their rates, and the angle on the turn of z.
 struct Angle {
+  Angle(const ElementInput& in, const Marker& m1, const Marker& m2) : Angle(in.pair, m1, m2) {
+    phi = std::atan2(s, c);
+    if (in.z.size() > 0) phi += 2.0 * kPi * std::round((in.z[0] - phi) / (2.0 * kPi));
+  }
+  double rate() const { return (c * ds - s * dc) / rho; }
+
+  KinematicVector x1, y1, x2;
+  double s, c, ds, dc, rho;
+  double phi = 0.0;
+
+ private:
   Angle(const PairMotion& pair, const Marker& m1, const Marker& m2)
       : x1(KinematicVector::axis(pair, 0, m1, 0)),
         y1(KinematicVector::axis(pair, 0, m1, 1)),
         x2(KinematicVector::axis(pair, 1, m2, 0)),
         s(y1.value().dot(x2.value())),
         c(x1.value().dot(x2.value())),
-        ds(y1.rate().dot(x2.value()) + y1.value().dot(x2.rate())),
-        dc(x1.rate().dot(x2.value()) + x1.value().dot(x2.rate())),
+        ds(dot_rate(y1, x2)),
+        dc(dot_rate(x1, x2)),
         rho(s * s + c * c) {}
-  double phi() const { return std::atan2(s, c); }
-  double rate() const { return (c * ds - s * dc) / rho; }
-
-  KinematicVector x1, y1, x2;
-  double s, c, ds, dc, rho;
 };
-
-// out += d(a.b)/dx = d(a.b)'/dv
-void add_dot(const KinematicVector& a, const KinematicVector& b, double factor, Eigen::Ref<Eigen::VectorXd> out) {
-  a.add_transposed(factor * b.value(), out);
-  b.add_transposed(factor * a.value(), out);
-}
-
-// out += d(a.b)'/dx
-void add_dot_rate(const KinematicVector& a, const KinematicVector& b, double factor, Eigen::Ref<Eigen::VectorXd> out) {
-  a.add_rate_by_position(factor * b.value(), out);
-  b.add_rate_by_position(factor * a.value(), out);
-  a.add_transposed(factor * b.rate(), out);
-  b.add_transposed(factor * a.rate(), out);
-}
-
-// K += d2(a.b)/dx2
-void add_dot_second(const KinematicVector& a, const KinematicVector& b, double factor, Eigen::Ref<Eigen::MatrixXd> K) {
-  a.add_second(factor * b.value(), K);
-  b.add_second(factor * a.value(), K);
-  const Eigen::Matrix3d scaled = factor * Eigen::Matrix3d::Identity();
-  a.add_product(scaled, b, K);
-  b.add_product(scaled, a, K);
-}
 
 }  // namespace
 
@@ -61,31 +48,38 @@ TorsionalSpring::TorsionalSpring(std::string name, Marker m1, Marker m2, const P
 }
 
 void TorsionalSpring::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
-                                Eigen::Ref<Eigen::VectorXd>) const {
+                                Eigen::Ref<Eigen::VectorXd> dz) const {
   // Q = T dphi/dx,  dphi = (c ds - s dc) / rho
-  const Angle at(in.pair, m1_, m2_);
-  const double T = -parameters_.stiffness * (at.phi() - parameters_.free_angle) - parameters_.damping * at.rate();
+  const Angle at(in, m1_, m2_);
+  const double T = -parameters_.stiffness * (at.phi - parameters_.free_angle) - parameters_.damping * at.rate();
   add_dot(at.y1, at.x2, T * at.c / at.rho, Q);
   add_dot(at.x1, at.x2, -T * at.s / at.rho, Q);
+  if (dz.size() > 0) dz[0] = at.rate() + kFollow * (at.phi - in.z[0]);
 }
 
 bool TorsionalSpring::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
-  const Angle at(in.pair, m1_, m2_);
+  const Angle at(in, m1_, m2_);
   const Eigen::Index n = in.pair.size();
   const double k = parameters_.stiffness, d = parameters_.damping;
   const double rate = at.rate();
-  const double T = -k * (at.phi() - parameters_.free_angle) - d * rate;
+  const double T = -k * (at.phi - parameters_.free_angle) - d * rate;
   Eigen::Ref<Eigen::VectorXd> S = sine_.head(n), C = cosine_.head(n), row = scratch_.head(n);
   S.setZero();
   C.setZero();
   add_dot(at.y1, at.x2, 1.0, S);
   add_dot(at.x1, at.x2, 1.0, C);
 
-  // T by x: -k dphi/dx - d dphi'/dx,  rho phi' = c s' - s c'
+  // dphi'/dx,  rho phi' = c s' - s c'
   row.setZero();
   add_dot_rate(at.y1, at.x2, at.c / at.rho, row);
   add_dot_rate(at.x1, at.x2, -at.s / at.rho, row);
   row += (at.ds / at.rho - 2.0 * at.c * rate / at.rho) * C - (at.dc / at.rho + 2.0 * at.s * rate / at.rho) * S;
+  if (state_count() > 0) {  // the turn is constant: dphi/dz = 0
+    out.ddz_dx.row(0) += (row + (kFollow * at.c / at.rho) * S - (kFollow * at.s / at.rho) * C).transpose();
+    out.ddz_dv.row(0) += ((at.c / at.rho) * S - (at.s / at.rho) * C).transpose();
+    out.ddz_dz(0, 0) -= kFollow;
+  }
+  // T by x: -k dphi/dx - d dphi'/dx
   row *= -d;
   row += (-k * at.c / at.rho) * S + (k * at.s / at.rho) * C;
   for (Eigen::Index j = 0; j < n; ++j) {
@@ -110,8 +104,8 @@ void TorsionalSpring::add_energy(const ElementInput& in, StoredEnergy& stored, D
 }
 
 Eigen::Vector3d TorsionalSpring::sample(const ElementInput& in) const {
-  const Angle at(in.pair, m1_, m2_);
-  const double phi = at.phi(), rate = at.rate();
+  const Angle at(in, m1_, m2_);
+  const double phi = at.phi, rate = at.rate();
   return {phi, rate, -parameters_.stiffness * (phi - parameters_.free_angle) - parameters_.damping * rate};
 }
 

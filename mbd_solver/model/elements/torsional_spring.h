@@ -1,7 +1,11 @@
 #pragma once
 // Spring and damper about the common z axis of two markers (of a revolute, cylindrical or universal joint).
-//   angle phi = atan2(y1.x2, x1.x2) in (-pi, pi],  torque on body 2 about z1:  T = -k (phi - phi0) - c phi'
-// With k = 0 any number of turns is allowed; with k > 0 the angle must stay within (-pi, pi].
+//   principal angle  alpha = atan2(y1.x2, x1.x2) in (-pi, pi]
+//   angle            phi = alpha + 2 pi round((z - alpha) / (2 pi)),  continuous over any number of turns
+//   torque on body 2 about z1:  T = -k (phi - phi0) - c phi'
+// The inner state z follows the angle, dz = phi' + kFollow (phi - z), and only tells how many whole turns there are: phi
+// is exact while z is within half a turn of it. z starts at zero, so the angle starts in (-pi, pi]. A damper alone
+// (k = 0) has no inner state.
 
 #include "mbd_solver/model/force_element.h"
 
@@ -16,6 +20,8 @@ class TorsionalSpring : public ForceElement {
   };
   TorsionalSpring(std::string name, Marker m1, Marker m2, const Parameters& parameters);
 
+  int state_count() const override { return parameters_.stiffness > 0.0 ? 1 : 0; }
+  Eigen::VectorXd initial_state() const override { return Eigen::VectorXd::Zero(state_count()); }
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;

@@ -88,7 +88,7 @@ inline Model lander(const LanderStart& start = {}) {
     model.add_joint(spherical_joint("ankle" + tail, model.marker_at(rod, pivot), model.marker_at(pad, pivot)));
     Bushing::Parameters centring;
     centring.rotational_stiffness = Eigen::Vector3d::Constant(200.0);
-    centring.rotational_damping = 10.0;
+    centring.rotational_damping = Eigen::Vector3d::Constant(10.0);
     model.add_force(std::make_unique<Bushing>("centring" + tail, model.marker_at(rod, pivot),
                                               model.marker_at(pad, pivot), centring));
     std::vector<std::unique_ptr<StrutLaw>> primary;

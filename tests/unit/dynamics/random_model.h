@@ -181,10 +181,10 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
   torsion.free_angle = 0.2;
   out.push_back(std::make_unique<TorsionalSpring>("torsion" + tail, m(body_1), m(body_2), torsion));
   Bushing::Parameters bushing;
-  bushing.stiffness = 30.0;
-  bushing.damping = 2.0;
+  bushing.stiffness = {30.0, 20.0, 10.0};
+  bushing.damping = {2.0, 3.0, 1.0};
   bushing.rotational_stiffness = {5.0, 6.0, 8.0};
-  bushing.rotational_damping = 1.2;
+  bushing.rotational_damping = {1.2, 0.4, 0.8};
   out.push_back(std::make_unique<Bushing>("bushing" + tail, m(body_1), m(body_2), bushing));
   RigidPlane::Parameters plane;
   const int standing = body_1 == kGround ? body_2 : body_1;

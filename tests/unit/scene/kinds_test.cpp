@@ -176,7 +176,7 @@ void expect_every_key_to_belong(const std::string& list, Names common) {
 }
 
 TEST(SceneKinds, EveryKeyOfASpringBelongsToAKind) {
-  expect_every_key_to_belong<SpringKind>("springs", {"name", "kind", "bodies", "stiffness", "damping"});
+  expect_every_key_to_belong<SpringKind>("springs", {"name", "kind", "bodies", "point", "stiffness", "damping"});
 }
 
 TEST(SceneKinds, EveryKeyOfAControllerBelongsToAKind) {

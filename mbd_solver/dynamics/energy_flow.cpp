@@ -1,0 +1,39 @@
+#include "mbd_solver/dynamics/energy_flow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace footfall {
+namespace {
+
+constexpr double kRoundOff = 1e-9;  // of the largest form: what differences of energies keep of sixteen digits
+
+}  // namespace
+
+void EnergyFlow::take(const StoredEnergy& stored, const State& state, const Kinematics& kinematics) {
+  double mass = 0.0;
+  Eigen::Vector3d P = Eigen::Vector3d::Zero();
+  for (int i = 0; i < model_.body_count(); ++i) {
+    mass += model_.body(i).mass();
+    P += model_.body(i).mass() * kinematics.of(i).dr;
+  }
+  if (!started_) V0_ = P / mass;
+  Forms now{stored, state.dissipated, state.load_work, state.motion_work};
+  now.stored[Stored::kKinetic] += 0.5 * mass * V0_.squaredNorm() - V0_.dot(P);
+  if (started_) {
+    double moved = std::abs(now.motion_work - last_.motion_work) + (now.load_work - last_.load_work).cwiseAbs().sum();
+    for (std::size_t k = 0; k < now.stored.by_kind.size(); ++k)
+      moved += std::abs(now.stored.by_kind[k] - last_.stored.by_kind[k]);
+    for (std::size_t k = 0; k < now.dissipated.by_kind.size(); ++k)
+      moved += std::abs(now.dissipated.by_kind[k] - last_.dissipated.by_kind[k]);
+    flow_ += 0.5 * moved;
+  }
+  started_ = true;
+  largest_kinetic_ = std::max(largest_kinetic_, now.stored[Stored::kKinetic]);
+  for (const double form : stored.by_kind) largest_form_ = std::max(largest_form_, std::abs(form));
+  last_ = std::move(now);
+}
+
+double EnergyFlow::scale() const { return std::max({flow_, largest_kinetic_, kRoundOff * largest_form_}); }
+
+}  // namespace footfall

@@ -1,0 +1,40 @@
+#pragma once
+// Derivatives of a dot product a.b of kinematic vectors, the coordinate of most springs between two markers. Everything
+// adds to its last argument.
+
+#include "mbd_solver/model/kinematic_vector.h"
+
+namespace footfall {
+
+// (a.b)'
+inline double dot_rate(const KinematicVector& a, const KinematicVector& b) {
+  return a.rate().dot(b.value()) + a.value().dot(b.rate());
+}
+
+// out += factor d(a.b)/dx = factor d(a.b)'/dv
+inline void add_dot(const KinematicVector& a, const KinematicVector& b, double factor,
+                    Eigen::Ref<Eigen::VectorXd> out) {
+  a.add_transposed(factor * b.value(), out);
+  b.add_transposed(factor * a.value(), out);
+}
+
+// out += factor d(a.b)'/dx
+inline void add_dot_rate(const KinematicVector& a, const KinematicVector& b, double factor,
+                         Eigen::Ref<Eigen::VectorXd> out) {
+  a.add_rate_by_position(factor * b.value(), out);
+  b.add_rate_by_position(factor * a.value(), out);
+  a.add_transposed(factor * b.rate(), out);
+  b.add_transposed(factor * a.rate(), out);
+}
+
+// K += factor d2(a.b)/dx2
+inline void add_dot_second(const KinematicVector& a, const KinematicVector& b, double factor,
+                           Eigen::Ref<Eigen::MatrixXd> K) {
+  a.add_second(factor * b.value(), K);
+  b.add_second(factor * a.value(), K);
+  const Eigen::Matrix3d scaled = factor * Eigen::Matrix3d::Identity();
+  a.add_product(scaled, b, K);
+  b.add_product(scaled, a, K);
+}
+
+}  // namespace footfall
