@@ -1,7 +1,7 @@
 // fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]
 // Moves stock meshes with the bodies of a multibody scene and sends the mean contact load of every N steps back. The
-// bodies of fix wall/gran/beam take part without being named here. A partner that says nothing for SECONDS (coupling.timeout of the scene) counts
-// as lost.
+// bodies of fix wall/gran/beam take part without being named here. A partner that says nothing for SECONDS
+// (coupling.timeout of the scene) counts as lost.
 //
 // Output: f_ID[1] windows done, [2] interface energy residual [J] (work of the grains on the boundaries minus the work
 // received by the multibody side, over all windows but the last), [3] work of the grains on the boundaries [J], [4]

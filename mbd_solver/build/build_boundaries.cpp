@@ -1,6 +1,7 @@
 // What of each body may touch the ground: triangles and beams, in the body's own frame, moving with its modes.
 
 #include <algorithm>
+#include <limits>
 
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/marker.h"
@@ -78,14 +79,45 @@ ModalBoundary build(const Scene& scene, const BodySpec& body, const BoundarySpec
   return assemble(body.name, nodes, std::move(triangles), std::move(segments), modes);
 }
 
+// The nodes as they meet a plane: each a ball as thick as the beams that end there.
+std::vector<ContactPoint> contact_points(int index, const Body& body, const ModalBoundary& boundary) {
+  Eigen::VectorXd radius = Eigen::VectorXd::Zero(boundary.node_count());
+  for (const BeamSegment& segment : boundary.segments())
+    for (const int end : {segment.start, segment.end}) radius(end) = std::max(radius(end), segment.radius);
+  std::vector<ContactPoint> points;
+  for (int j = 0; j < boundary.node_count(); ++j)
+    points.push_back({body_marker(index, body, boundary.rho0().col(j)), radius(j)});
+  return points;
+}
+
+bool touches_ground(const GroundSpec& ground, const std::string& body) {
+  if (ground.kind != GroundKind::kPlane || ground.plane->bodies.empty()) return true;
+  return std::find(ground.plane->bodies.begin(), ground.plane->bodies.end(), body) != ground.plane->bodies.end();
+}
+
 }  // namespace
+
+double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const Eigen::VectorXd& a) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const ContactPoint& point : entry.points) {
+    double height = n_B.dot(point.marker.s0) - point.radius;
+    if (a.size() > 0) height += n_B.dot(point.marker.S * a);
+    lowest = std::min(lowest, height);
+  }
+  return lowest;
+}
 
 std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible) {
   std::vector<BodyBoundary> boundaries;
   for (const BoundarySpec& spec : scene.boundaries) {
     const int index = scene.body_index(spec.body);
     const auto i = static_cast<std::size_t>(index);
-    boundaries.push_back({index, build(scene, scene.bodies[i], spec, flexible[i])});
+    const BodySpec& body = scene.bodies[i];
+    boundaries.push_back({index, build(scene, body, spec, flexible[i]), {}});
+    if (!touches_ground(scene.ground, body.name)) continue;
+    const Body carrier =
+        flexible[i].modal ? Body(body.name, flexible[i].modal) : Body(body.name, body.mass, body.inertia);
+    boundaries.back().points = contact_points(index, carrier, boundaries.back().boundary);
   }
   return boundaries;
 }

@@ -195,18 +195,9 @@ void add_plane(const Scene& scene, Mechanism& mechanism) {
               : spec.restitution ? contact_damping_for_restitution(*spec.restitution, speed > 0.0 ? speed : 1.0)
                                  : 0.0;
   for (const BodyBoundary& entry : mechanism.boundaries) {
-    const std::string& name = entry.boundary.name();
-    if (!spec.bodies.empty() && std::find(spec.bodies.begin(), spec.bodies.end(), name) == spec.bodies.end()) continue;
-    const Body& body = mechanism.model.body(entry.body);
-    std::vector<ContactPoint> points;
-    for (Eigen::Index j = 0; j < entry.boundary.rho0().cols(); ++j) {
-      double radius = 0.0;
-      for (const BeamSegment& segment : entry.boundary.segments())
-        if (segment.start == j || segment.end == j) radius = std::max(radius, segment.radius);
-      points.push_back({body_marker(entry.body, body, entry.boundary.rho0().col(j)), radius});
-    }
+    if (entry.points.empty()) continue;
     mechanism.planes.push_back(
-        mechanism.model.add_force(std::make_unique<RigidPlane>("ground/" + name, std::move(points), p)));
+        mechanism.model.add_force(std::make_unique<RigidPlane>("ground/" + entry.boundary.name(), entry.points, p)));
     mechanism.plane_bodies.push_back(entry.body);
   }
 }

@@ -8,6 +8,7 @@
 
 #include "coupler/modal_boundary.h"
 #include "mbd_solver/model/controllers/controller.h"
+#include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/model.h"
 #include "mbd_solver/scene/scene.h"
 
@@ -33,11 +34,17 @@ struct Placement {
   Eigen::Vector3d point(const Eigen::Vector3d& p_D) const { return p_WD + R_WD * p_D; }
 };
 
-// Nodes in B of the undeformed body: what touches grains, the plane, or is drawn.
+// What of one body touches the ground.
 struct BodyBoundary {
   int body = 0;
-  ModalBoundary boundary;
+  ModalBoundary boundary;            // nodes in B of the undeformed body: what touches grains, or is drawn
+  std::vector<ContactPoint> points;  // on the body: the nodes, each with the radius of the beams that end there; none
+                                     // on a boundary that the plane leaves out (ground.plane.bodies)
 };
+
+// Lowest place of a boundary along the unit vector n_B (in body axes), counted from Bo [m], with the modes at `a`;
+// infinity without points.
+double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const Eigen::VectorXd& a);
 
 struct StrutEntry {
   std::string name;

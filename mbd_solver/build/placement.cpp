@@ -7,6 +7,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/model/up_direction.h"
 
 namespace footfall {
@@ -65,10 +66,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
                 const std::vector<FlexibleBody>& flexible) {
   Placement placement;
   const InitialSpec& initial = scene.initial;
-  placement.R_WD = (Eigen::AngleAxisd(initial.roll, Eigen::Vector3d::UnitX()) *
-                    Eigen::AngleAxisd(initial.pitch, Eigen::Vector3d::UnitY()) *
-                    Eigen::AngleAxisd(initial.yaw, Eigen::Vector3d::UnitZ()))
-                       .toRotationMatrix();
+  placement.R_WD = rotation_from_rpy(initial.roll, initial.pitch, initial.yaw);
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double mass = 0.0;
   for (const BodySpec& body : scene.bodies) {
@@ -95,32 +93,28 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
     const auto i = static_cast<std::size_t>(entry.body);
     const Eigen::Matrix3d R_WB = placement.R_WD * axes_D(scene.bodies[i], flexible[i]);
     const Eigen::Vector3d r = placement.point(origin_D(scene.bodies[i], flexible[i]));
-    double lowest = std::numeric_limits<double>::infinity();
-    double reach = 0.0;
-    for (Eigen::Index j = 0; j < entry.boundary.rho0().cols(); ++j) {
-      const Eigen::Vector3d offset = R_WB * entry.boundary.rho0().col(j);
-      double radius = 0.0;
-      for (const BeamSegment& segment : entry.boundary.segments())
-        if (segment.start == j || segment.end == j) radius = std::max(radius, segment.radius);
-      lowest = std::min(lowest, up.dot(r + offset) - radius);
-      reach = std::max(reach, (offset - up * up.dot(offset)).norm() + radius);
-    }
-    double ground = placement.ground_height;
-    if (plane) {  // a sloping plane: the point of the boundary nearest to it counts
+    const auto lowest_along = [&](const Eigen::Vector3d& n) {
+      return n.dot(r) + lowest_place(entry, R_WB.transpose() * n, Eigen::VectorXd());
+    };
+    if (plane) {  // a sloping plane: the place of the boundary nearest to it counts
       const PlaneSpec& spec = *scene.ground.plane;
-      double gap = std::numeric_limits<double>::infinity();
-      for (Eigen::Index j = 0; j < entry.boundary.rho0().cols(); ++j)
-        gap = std::min(gap, spec.normal.dot(r + R_WB * entry.boundary.rho0().col(j) - spec.point));
+      const double gap = lowest_along(spec.normal) - spec.normal.dot(spec.point);
       smallest = std::min(smallest, gap / std::max(1e-6, spec.normal.dot(up)));
       continue;
     }
+    double ground = placement.ground_height;
     if (!grains.empty()) {
+      double reach = 0.0;
+      for (const ContactPoint& point : entry.points) {
+        const Eigen::Vector3d offset = R_WB * point.marker.s0;
+        reach = std::max(reach, (offset - up * up.dot(offset)).norm() + point.radius);
+      }
       ground = highest_under(grains, up, r, reach);
       placement.sites.push_back({highest_under(grains, up, r, (1.0 + kStray) * reach), kStray * reach, r, R_WB});
     }
     if (!std::isfinite(ground)) continue;  // no grain under this boundary
     highest_ground = std::max(highest_ground, ground);
-    smallest = std::min(smallest, lowest - ground);
+    smallest = std::min(smallest, lowest_along(up) - ground);
   }
   if (particles && std::isfinite(highest_ground)) placement.ground_height = highest_ground;
 

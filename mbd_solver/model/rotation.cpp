@@ -1,5 +1,6 @@
 #include "mbd_solver/model/rotation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace footfall {
@@ -42,6 +43,16 @@ Eigen::Vector4d quaternion_about(const Eigen::Vector3d& axis, double angle) {
   L[0] = std::cos(0.5 * angle);
   L.tail<3>() = std::sin(0.5 * angle) * axis.normalized();
   return L;
+}
+
+Eigen::Matrix3d rotation_from_rpy(double roll, double pitch, double yaw) {
+  return (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+          Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
+Eigen::Vector3d rpy_from_rotation(const Eigen::Matrix3d& A) {
+  return {std::atan2(A(2, 1), A(2, 2)), -std::asin(std::clamp(A(2, 0), -1.0, 1.0)), std::atan2(A(1, 0), A(0, 0))};
 }
 
 Eigen::Vector4d rotated(const Eigen::Vector4d& L, const Eigen::Vector3d& dtheta) {

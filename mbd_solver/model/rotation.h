@@ -32,6 +32,11 @@ Eigen::Vector4d quaternion_from_matrix(const Eigen::Matrix3d& A);
 // Unit quaternion of a rotation by `angle` [rad] about `axis` (any length but zero).
 Eigen::Vector4d quaternion_about(const Eigen::Vector3d& axis, double angle);
 
+// Rz(yaw) Ry(pitch) Rx(roll), angles in [rad]: the one order of roll, pitch and yaw in scenes and histories.
+Eigen::Matrix3d rotation_from_rpy(double roll, double pitch, double yaw);
+// Its inverse (roll, pitch, yaw): roll and yaw in [-pi, pi], pitch in [-pi/2, pi/2].
+Eigen::Vector3d rpy_from_rotation(const Eigen::Matrix3d& A);
+
 // L turned by the rotation vector dtheta (in W, any size): exp(dtheta) * L, normalised.
 Eigen::Vector4d rotated(const Eigen::Vector4d& L, const Eigen::Vector3d& dtheta);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mbd_solver/model/elements/strut.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {
@@ -16,29 +17,25 @@ struct Entry {
   double (*value)(const Thing&);
 };
 
-// Roll, pitch, yaw of A = Rz(yaw) Ry(pitch) Rx(roll) [rad].
-double roll(const Eigen::Matrix3d& A) { return std::atan2(A(2, 1), A(2, 2)); }
-double pitch(const Eigen::Matrix3d& A) { return -std::asin(std::clamp(A(2, 0), -1.0, 1.0)); }
-double yaw(const Eigen::Matrix3d& A) { return std::atan2(A(1, 0), A(0, 0)); }
-
 double itself(const double& x) { return x; }
 
 // ---- the registry: an entry here and a line in docs/history.md make a column ----
 
 constexpr Entry<Sample> kTime[] = {{"time", "s", [](const Sample& s) { return s.state.time; }}};
 
-constexpr Entry<BodyKinematics> kBody[] = {{"<body>.x", "m", [](const BodyKinematics& b) { return b.r.x(); }},
-                                           {"<body>.y", "m", [](const BodyKinematics& b) { return b.r.y(); }},
-                                           {"<body>.z", "m", [](const BodyKinematics& b) { return b.r.z(); }},
-                                           {"<body>.vx", "m/s", [](const BodyKinematics& b) { return b.dr.x(); }},
-                                           {"<body>.vy", "m/s", [](const BodyKinematics& b) { return b.dr.y(); }},
-                                           {"<body>.vz", "m/s", [](const BodyKinematics& b) { return b.dr.z(); }},
-                                           {"<body>.ax", "m/s2", [](const BodyKinematics& b) { return b.ddr.x(); }},
-                                           {"<body>.ay", "m/s2", [](const BodyKinematics& b) { return b.ddr.y(); }},
-                                           {"<body>.az", "m/s2", [](const BodyKinematics& b) { return b.ddr.z(); }},
-                                           {"<body>.roll", "rad", [](const BodyKinematics& b) { return roll(b.A); }},
-                                           {"<body>.pitch", "rad", [](const BodyKinematics& b) { return pitch(b.A); }},
-                                           {"<body>.yaw", "rad", [](const BodyKinematics& b) { return yaw(b.A); }}};
+constexpr Entry<BodyKinematics> kBody[] = {
+    {"<body>.x", "m", [](const BodyKinematics& b) { return b.r.x(); }},
+    {"<body>.y", "m", [](const BodyKinematics& b) { return b.r.y(); }},
+    {"<body>.z", "m", [](const BodyKinematics& b) { return b.r.z(); }},
+    {"<body>.vx", "m/s", [](const BodyKinematics& b) { return b.dr.x(); }},
+    {"<body>.vy", "m/s", [](const BodyKinematics& b) { return b.dr.y(); }},
+    {"<body>.vz", "m/s", [](const BodyKinematics& b) { return b.dr.z(); }},
+    {"<body>.ax", "m/s2", [](const BodyKinematics& b) { return b.ddr.x(); }},
+    {"<body>.ay", "m/s2", [](const BodyKinematics& b) { return b.ddr.y(); }},
+    {"<body>.az", "m/s2", [](const BodyKinematics& b) { return b.ddr.z(); }},
+    {"<body>.roll", "rad", [](const BodyKinematics& b) { return rpy_from_rotation(b.A)(0); }},
+    {"<body>.pitch", "rad", [](const BodyKinematics& b) { return rpy_from_rotation(b.A)(1); }},
+    {"<body>.yaw", "rad", [](const BodyKinematics& b) { return rpy_from_rotation(b.A)(2); }}};
 
 constexpr Entry<FlexibleFigures> kFlexible[] = {
     {"<body>.strain_energy", "J", [](const FlexibleFigures& f) { return f.strain_energy; }},

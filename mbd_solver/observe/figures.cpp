@@ -10,7 +10,16 @@
 namespace footfall {
 
 FigureTaker::FigureTaker(const Subject& subject)
-    : subject_(subject), flow_(subject.mechanism.model), up_(up_direction(subject.scene.gravity)) {
+    : subject_(subject),
+      flow_(subject.mechanism.model),
+      up_(up_direction(subject.scene.gravity)),
+      normal_(up_),
+      ground_(subject.mechanism.placement.ground_height) {
+  const GroundSpec& ground = subject.scene.ground;
+  if (ground.kind == GroundKind::kPlane) {
+    normal_ = ground.plane->normal;
+    ground_ = normal_.dot(ground.plane->point);
+  }
   const Model& model = subject.mechanism.model;
   for (int i = 1; i < model.body_count(); ++i)
     if (model.body(i).mass() > model.body(body_).mass()) body_ = i;
@@ -26,21 +35,13 @@ std::string FigureTaker::balance_warning() const {
          "solver.max_step, smaller";
 }
 
-double FigureTaker::lowest_boundary_point(const Sample& sample) const {
+double FigureTaker::depth(const Sample& sample) const {
   double lowest = std::numeric_limits<double>::infinity();
   for (const BodyBoundary& entry : subject_.mechanism.boundaries) {
     const BodyKinematics& body = sample.kinematics.of(entry.body);
-    const Eigen::Vector3d up_B = body.A.transpose() * up_;
-    const double height = up_.dot(body.r);
-    const Eigen::Matrix3Xd& rho0 = entry.boundary.rho0();
-    const bool bends = entry.boundary.mode_count() > 0;
-    for (Eigen::Index j = 0; j < rho0.cols(); ++j) {
-      double node = height + up_B.dot(rho0.col(j));
-      if (bends) node += up_B.dot(entry.boundary.Phi().middleRows<3>(3 * j) * body.a);
-      lowest = std::min(lowest, node);
-    }
+    lowest = std::min(lowest, normal_.dot(body.r) + lowest_place(entry, body.A.transpose() * normal_, body.a));
   }
-  return lowest;
+  return ground_ - lowest;
 }
 
 void FigureTaker::take(const Sample& sample) {
@@ -64,9 +65,7 @@ void FigureTaker::take(const Sample& sample) {
     total += contact.F_W;
   }
   f.contact_force = total.norm();
-  if (subject_.scene.ground.kind != GroundKind::kNone && !subject_.mechanism.boundaries.empty())
-    f.max_penetration =
-        std::max(f.max_penetration, subject_.mechanism.placement.ground_height - lowest_boundary_point(sample));
+  if (subject_.scene.ground.kind != GroundKind::kNone) f.max_penetration = std::max(f.max_penetration, depth(sample));
   flow_.take(stored, sample.state, sample.kinematics);
   f.energy_flow = flow_.scale();
   const double balance =

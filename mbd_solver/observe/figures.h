@@ -15,7 +15,7 @@ inline constexpr double kGoodBalance = 0.01;
 struct Figures {
   double peak_acceleration = 0.0;  // of the heaviest body [m/s2]
   double max_descent = 0.0;        // of the heaviest body against gravity's direction, from the start [m]
-  double max_penetration = 0.0;    // of the lowest boundary point below the ground at the start [m]
+  double max_penetration = 0.0;    // of any boundary below the plane, or below the grains' height at the start [m]
   double max_contact_force = 0.0;  // on one body [N]
   double reference_energy = 0.0;   // initial mechanical energy without gravity; else the largest kinetic energy [J]
   double energy_flow = 0.0;        // moved from one form to another: EnergyFlow::scale() [J]
@@ -37,12 +37,13 @@ class FigureTaker {
   const std::string& body_name() const;  // the heaviest body, whose acceleration and descent are reported
 
  private:
-  double lowest_boundary_point(const Sample& sample) const;  // along up [m]
+  double depth(const Sample& sample) const;  // of the lowest place of all boundaries below the ground [m]
 
   Subject subject_;
   Figures figures_;
   EnergyFlow flow_;
-  Eigen::Vector3d up_;
+  Eigen::Vector3d up_, normal_;  // against gravity; out of the ground
+  double ground_;                // height of the ground along its normal [m]
   int body_ = 0;
   double start_height_ = 0.0;  // [m]
   double start_energy_ = 0.0;  // [J]

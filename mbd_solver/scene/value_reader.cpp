@@ -7,6 +7,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/findings.h"
 
@@ -217,7 +218,6 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::vecto
   return "";
 }
 
-// R = Rz(yaw) Ry(pitch) Rx(roll)
 std::string read_value(const ConfigNode& node, const ValueContext&, Eigen::Quaterniond& target) {
   const std::string expected =
       "{ rpy_deg = [roll, pitch, yaw] }, { rpy = [...] } in rad, or { quaternion = [w, x, y, z] }";
@@ -237,8 +237,7 @@ std::string read_value(const ConfigNode& node, const ValueContext&, Eigen::Quate
   const double factor = key == "rpy" ? 1.0 : unit_suffixes(Unit::kAngle).front().factor;
   const std::string problem = read_numbers(value, {rule, factor, ""}, 3, v);
   if (!problem.empty()) return key + " " + problem;
-  target = Eigen::AngleAxisd(v[2], Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(v[1], Eigen::Vector3d::UnitY()) *
-           Eigen::AngleAxisd(v[0], Eigen::Vector3d::UnitX());
+  target = rotation_from_rpy(v[0], v[1], v[2]);
   return "";
 }
 

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/model/rotation.h"
 #include "tests/unit/scene/scene_text.h"
 
 namespace footfall {
@@ -85,11 +87,13 @@ TEST_F(PlacementTest, TurnsAboutTheTotalMassCentre) {
   EXPECT_LT((placement.point(kCentre) - kCentre).norm(), kRoundOff);
 }
 
-TEST_F(PlacementTest, RollComesFirstThenPitchThenYawAboutMovingAxes) {
-  const Placement placement = placed(kTwoBodies, {"initial.roll_deg=90", "initial.pitch_deg=90"});
-  // Rx(90) Ry(90): z -> x by pitch, which roll leaves; y -> z by roll.
-  EXPECT_LT((placement.R_WD * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitX()).norm(), kRoundOff);
-  EXPECT_LT((placement.R_WD * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm(), kRoundOff);
+// The order of the history and of a body's orientation: Rz(yaw) Ry(pitch) Rx(roll).
+TEST_F(PlacementTest, RollPitchAndYawReadBackAsGiven) {
+  const Mechanism mechanism = built(kTwoBodies, {"initial.roll_deg=30", "initial.pitch_deg=20", "initial.yaw_deg=40"});
+  const Eigen::Vector3d rpy = rpy_from_rotation(rotation_matrix(mechanism.model.initial(0).L));
+  EXPECT_LT((rpy * 180.0 / kPi - Eigen::Vector3d(30, 20, 40)).norm(), 1e-12);  // round-off of degrees
+  const Scene scene = folder.read(kTwoBodies, {"bodies.top.orientation={rpy_deg=[30,20,40]}"});
+  EXPECT_LT((scene.bodies[0].orientation.toRotationMatrix() - mechanism.placement.R_WD).norm(), kRoundOff);
 }
 
 TEST_F(PlacementTest, MovesTheWholeDrawing) {
@@ -97,30 +101,37 @@ TEST_F(PlacementTest, MovesTheWholeDrawing) {
   EXPECT_LT((placement.point(kCentre) - kCentre - Eigen::Vector3d(1, 2, 3)).norm(), kRoundOff);
 }
 
-// The plane touches the nodes; the beam's radius is for grains.
-TEST_F(PlacementTest, ClearanceIsOfTheLowestPointAboveThePlane) {
+// The beam touches with its radius of 0.05 m.
+TEST_F(PlacementTest, ClearanceIsOfTheLowestPlaceAboveThePlane) {
   const Placement placement = placed(kOnPlane, {"ground.plane.point=[0,0,0.25]", "initial.clearance=0.1"});
   EXPECT_TRUE(placement.ground_known);
   EXPECT_NEAR(placement.ground_height, 0.25, kRoundOff);
-  EXPECT_NEAR(placement.point({0.8, 0, 1.5}).z(), 0.35, kRoundOff);
+  EXPECT_NEAR(placement.point({0.8, 0, 1.5}).z() - 0.05, 0.35, kRoundOff);
 }
 
-// On a slope the nearest point counts, measured straight up.
-TEST_F(PlacementTest, ClearanceOnASlopeIsOfThePointNearestToIt) {
+// On a slope the nearest place counts, measured straight up.
+TEST_F(PlacementTest, ClearanceOnASlopeIsOfThePlaceNearestToIt) {
   const Placement placement = placed(kOnPlane, {"ground.plane.normal=[-0.6,0,0.8]", "initial.clearance=0.1"});
   const double slope = 0.6 / 0.8;  // the plane rises with x
   double smallest = 1e9;
   for (const double x : {0.8, 1.2}) {
-    const Eigen::Vector3d p = placement.point({x, 0, 1.5});
+    const Eigen::Vector3d p = placement.point({x, 0, 1.5}) - 0.05 * Eigen::Vector3d(-0.6, 0, 0.8);
     smallest = std::min(smallest, p.z() - slope * p.x());
   }
   EXPECT_NEAR(smallest, 0.1, kRoundOff);
 }
 
+// A boundary that the plane leaves out does not count.
+TEST_F(PlacementTest, ClearanceIsOfWhatThePlaneTouches) {
+  const std::string second = "[[boundaries]]\nbody = \"top\"\nbeams = { points = [[1,0,0],[1,0,1]], radius = 0.1 }\n";
+  const Placement placement = placed(kOnPlane + second, {"ground.plane.bodies=[\"pad\"]", "initial.clearance=0.1"});
+  EXPECT_NEAR(placement.point({0.8, 0, 1.5}).z() - 0.05, 0.1, kRoundOff);
+}
+
 TEST_F(PlacementTest, ClearanceFollowsGravityNotZ) {
   const Placement placement =
       placed(kOnPlane, {"gravity=[-1.62,0,0]", "ground.plane.normal=\"x\"", "initial.clearance=0.1"});
-  EXPECT_NEAR(placement.point({0.8, 0, 1.5}).x(), 0.1, kRoundOff);
+  EXPECT_NEAR(placement.point({0.8, 0, 1.5}).x() - 0.05, 0.1, kRoundOff);  // lowest: its ends, 0.05 m thick
   EXPECT_NEAR(placement.point({0.8, 0, 1.5}).z(), 1.5, kRoundOff);
 }
 

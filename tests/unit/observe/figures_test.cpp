@@ -39,15 +39,23 @@ TEST(FigureTaker, MeasuresDescentAgainstGravity) {
   EXPECT_DOUBLE_EQ(taker.figures().max_descent, 0.5);
 }
 
-TEST(FigureTaker, PenetrationIsOfTheLowestNodeBelowTheGround) {
-  Bench bench(kSmallMachine);
-  FigureTaker taker(bench.subject());
-  taker.take(bench.take());
-  EXPECT_LT(taker.figures().max_penetration, 1e-15);  // the leg ends 0.1 m above the plane
-  const int leg = bench.equations.layout().body_q[1];
-  bench.state.q(leg + 2) -= 0.13;
-  taker.take(bench.take());
-  EXPECT_NEAR(taker.figures().max_penetration, 0.03, 1e-14);
+// Of the beam's surface, 0.02 m from its line, and the same that the contact force counts with.
+TEST(FigureTaker, PenetrationIsThatOfTheContactOnThePlane) {
+  for (const char* normal : {"[0,0,1]", "[0,-0.6,0.8]"}) {
+    Bench bench(kSmallMachine, {"initial.clearance=0", std::string("ground.plane.normal=") + normal});
+    FigureTaker taker(bench.subject());
+    taker.take(bench.take());
+    EXPECT_NEAR(taker.figures().max_penetration, 0.0, 1e-15);  // round-off of lengths below 1 m
+    const int leg = bench.equations.layout().body_q[1];
+    bench.state.q(leg + 2) -= 0.03;
+    const Sample& sample = bench.take();
+    taker.take(sample);
+    const int force = bench.mechanism.planes[0];
+    const auto& plane = static_cast<const RigidPlane&>(bench.mechanism.model.force(force));
+    const double overlap = plane.largest_overlap(element_input(bench.subject(), sample, force));
+    EXPECT_NEAR(taker.figures().max_penetration, overlap, 1e-15);
+    EXPECT_NEAR(overlap, 0.03 * bench.scene.ground.plane->normal.z(), 1e-15);
+  }
 }
 
 TEST(FigureTaker, ReferenceEnergyIsThatOfTheStartOrTheLargestKinetic) {
