@@ -6,7 +6,7 @@
 //                 Beyond kLargestTurn the axis is about to jump: NumericalError.
 //   damping torque on body 2 about e1_i:  -c_i e1_i . (w2 - w1), w = angular velocity of the node (A Psi da included),
 //                 at any angle
-// The weak centring spring of a pad pivot is this with translation left to a spherical joint.
+// The weak centring spring of a pad pivot is this with translation left to a spherical joint. theory 3.5.
 
 #include "mbd_solver/model/force_element.h"
 

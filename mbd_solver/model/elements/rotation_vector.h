@@ -1,5 +1,5 @@
 #pragma once
-// The rotation vector theta = phi n of marker 2 against marker 1: from the dot products G_ij = e1_i . e2_j of their axes,
+// The rotation vector theta = phi n of marker 2 against marker 1, from dot products G_ij = e1_i . e2_j of their axes:
 //   c = (tr G - 1) / 2,   w_k = (G_ji - G_ij) / 2 for (i, j, k) = (x, y, z), (y, z, x), (z, x, y)
 //   phi = atan2(|w|, c) in [0, pi],   theta = f w,   f = phi / |w|
 // theta has the same components in both markers. f is smooth up to half a turn, where the axis of rotation jumps.

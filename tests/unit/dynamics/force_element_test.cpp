@@ -148,7 +148,7 @@ class WheelOnASpring : public ::testing::TestWithParam<const char*> {
     return static_cast<const TorsionalSpring&>(run.equations.model().force(0))
         .sample(run.equations.element_input(0, run.state, run.inputs));
   }
-  // Of angles of 6 rad and rates of 12 rad/s, each of some ten thousand steps exact to 1e-9. A turn that is missed is 6.3.
+  // Of angles of 6 rad and rates of 12 rad/s, each of some ten thousand steps exact to 1e-9. A missed turn is 6.3.
   static constexpr double kTolerance = 1e-4;
   Model model;
 };
