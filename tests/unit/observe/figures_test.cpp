@@ -61,7 +61,7 @@ TEST(FigureTaker, PenetrationIsThatOfTheContactOnThePlane) {
 TEST(FigureTaker, ReferenceEnergyIsThatOfTheStartOrTheLargestKinetic) {
   Bench bench(kSmallMachine);
   FigureTaker taker(bench.subject());
-  const double start = bench.take().energy.stored.kinetic;
+  const double start = bench.take().energy.stored[Stored::kKinetic];
   taker.take(bench.take());
   EXPECT_DOUBLE_EQ(taker.figures().reference_energy, start);
   bench.state.v *= 0.5;
