@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
@@ -44,6 +45,12 @@ double contact_damping_for_restitution(double e, double impact_speed) {
     (restitution_defect(middle, e) > 0.0 ? low : high) = middle;
   }
   return 0.5 * (low + high) / impact_speed;
+}
+
+double creep_speed(double mu, double slip_speed, double slope) {
+  const double tangent = std::tan(slope);
+  if (!(tangent < mu)) return std::numeric_limits<double>::infinity();
+  return slip_speed * tangent / std::sqrt(mu * mu - tangent * tangent);
 }
 
 // One point in contact: everything the force and its derivatives need.

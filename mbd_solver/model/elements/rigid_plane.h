@@ -32,6 +32,10 @@ struct ContactRim {
 // d [s/m] for restitution e in (0, 1] at impact speed [m/s] > 0. Throws InputError outside.
 double contact_damping_for_restitution(double e, double impact_speed);
 
+// How fast what would stick on a slope [rad] creeps down it [m/s]: mu v / sqrt(v^2 + v_s^2) = tan slope gives
+// v = v_s tan slope / sqrt(mu^2 - tan^2 slope). Infinite where it slides, tan slope >= mu.
+double creep_speed(double mu, double slip_speed, double slope);
+
 class RigidPlane : public ForceElement {
  public:
   struct Parameters {
@@ -40,7 +44,7 @@ class RigidPlane : public ForceElement {
     double stiffness = 0.0;                             // k of each point [N/m^1.5] > 0
     double damping = 0.0;                               // d [s/m] >= 0
     double friction = 0.3;                              // mu >= 0
-    double slip_speed = 0.01;                           // v_s [m/s] > 0: friction reaches 71 % of mu f_n at this speed
+    double slip_speed = 1e-4;                           // v_s [m/s] > 0: friction reaches 71 % of mu f_n at this speed
   };
   // All points and rims on one body, at least one. Throws InputError on values outside their range.
   RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters,

@@ -23,7 +23,7 @@ Mechanism built(const std::string& shape, const std::vector<std::string>& settin
       folder.read("end_time = 1\ngravity = [0, 0, -9.81]\n[[bodies]]\nname = \"b\"\nmass = 2\nshape = " + shape +
                       "\n[[boundaries]]\nbody = \"b\"\nsurface = {}\n[ground]\nkind = \"plane\"\n"
                       "[ground.plane]\nstiffness = 1e6\ndamping = 1\nfriction = 0.5\n"
-                      "friction_speed = 1e-4\n[initial]\nclearance = 0\n",
+                      "[initial]\nclearance = 0\n",
                   settings));
 }
 
@@ -73,6 +73,21 @@ TEST(RoundShape, DiscLiesOnItsWholeRim) {
   const double overlap = std::pow(2.0 * kGravity / (12.0 * kStiffness), 2.0 / 3.0);
   EXPECT_NEAR(run.body(0).r.z(), 0.025 - overlap, 0.01 * overlap);  // what is left of its bounce
   EXPECT_NEAR(run.body(0).A(2, 2), 1.0, 1e-12);
+}
+
+// What sticks creeps, slowly, and as fast as the summary says.
+TEST(RoundShape, PlateOnASlopeCreepsAsSlowlyAsIsSaid) {
+  const double slope = 10.0 * kPi / 180.0, v_s = RigidPlane::Parameters{}.slip_speed;
+  const std::string normal =
+      "ground.plane.normal=[" + std::to_string(-std::sin(slope)) + ",0," + std::to_string(std::cos(slope)) + "]";
+  const Mechanism mechanism =
+      built(kPlate, {normal, "initial.pitch_deg=-10", "ground.plane.friction=0.3", "ground.plane.damping=100"});
+  test::Run run(mechanism.model);
+  run.to(1.0, 10);
+  const double creep = creep_speed(0.3, v_s, slope);
+  EXPECT_NEAR(creep, 0.727 * v_s, 1e-3 * v_s);  // tan 10 deg = 0.1763: 0.1763 / sqrt(0.09 - 0.0311)
+  const Eigen::Vector3d downhill(-std::cos(slope), 0.0, -std::sin(slope));
+  EXPECT_NEAR(run.body(0).dr.dot(downhill), creep, 0.02 * creep);  // what is left of its bounce
 }
 
 // Grains meet both faces of a rigid disc and a rim of its thickness, unless its mid-surface is asked for.
