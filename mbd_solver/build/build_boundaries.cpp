@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "coupler/base/errors.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/marker.h"
 #include "mbd_solver/model/rotation.h"
@@ -54,7 +55,8 @@ ModalBoundary build(const Scene& scene, const BodySpec& body, const BoundarySpec
 
   if (spec.surface) {
     // A flexible plate is its own surface; anything else is generated or read, and rides on the nearest nodes.
-    if (flexible.modal && spec.surface->file.empty() && !flexible.modal->triangles.empty()) {
+    if (flexible.modal && spec.surface->file.empty() && !flexible.modal->triangles.empty() &&
+        spec.surface->faces != SurfaceFaces::kBoth) {
       triangles = flexible.modal->triangles;
       for (Eigen::Index j = 0; j < flexible.modal->rho0.cols(); ++j) add_node(flexible.modal->rho0.col(j));
     } else {
@@ -90,6 +92,43 @@ std::vector<ContactPoint> contact_points(int index, const Body& body, const Moda
   return points;
 }
 
+Marker rigid_marker(int index, const Eigen::Vector3d& s0, const Eigen::Vector3d& axis = Eigen::Vector3d::UnitZ()) {
+  Marker marker;
+  marker.body = index;
+  marker.s0 = s0;
+  marker.axes = axes_with_z(axis);
+  return marker;
+}
+
+// The surface of a rigid round body on a plane, in place of its nodes; false where the nodes are the surface.
+bool add_round_shape(const Scene& scene, const BodySpec& body, const BoundarySpec& spec, BodyBoundary& entry) {
+  if (scene.ground.kind != GroundKind::kPlane || !spec.surface || !spec.surface->file.empty()) return false;
+  if (spec.surface->faces == SurfaceFaces::kMiddle) return false;
+  const ShapeSpec& shape = *body.shape;
+  const Eigen::Matrix3d R_BD = body.orientation.toRotationMatrix().transpose();
+  const auto add_rim = [&](const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, double radius) {
+    entry.rims.push_back({rigid_marker(entry.body, R_BD * (centre - body.position), R_BD * axis), radius});
+  };
+  switch (shape.kind) {
+    case ShapeKind::kSphere:
+      entry.points.push_back({rigid_marker(entry.body, R_BD * (shape.centre - body.position)), shape.radius});
+      return true;
+    case ShapeKind::kTube:
+    case ShapeKind::kRod:
+      for (const Eigen::Vector3d& end : {shape.from, shape.to})
+        add_rim(end, shape.to - shape.from, 0.5 * shape.diameter);
+      return true;
+    case ShapeKind::kDisc:
+      for (const double side : {-0.5, 0.5})
+        add_rim(shape.centre + side * shape.thickness * shape.axis.normalized(), shape.axis, shape.radius);
+      return true;
+    case ShapeKind::kBox:
+    case ShapeKind::kDish:
+    case ShapeKind::kPoints: return false;
+  }
+  FOOTFALL_DEMAND(false);
+}
+
 bool touches_ground(const GroundSpec& ground, const std::string& body) {
   if (ground.kind != GroundKind::kPlane || ground.plane->bodies.empty()) return true;
   return std::find(ground.plane->bodies.begin(), ground.plane->bodies.end(), body) != ground.plane->bodies.end();
@@ -104,6 +143,8 @@ double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const
     if (a.size() > 0) height += n_B.dot(point.marker.S * a);
     lowest = std::min(lowest, height);
   }
+  for (const ContactRim& rim : entry.rims)  // n.c - R |n x axis|
+    lowest = std::min(lowest, n_B.dot(rim.marker.s0) - rim.radius * n_B.cross(rim.marker.axes.col(2)).norm());
   return lowest;
 }
 
@@ -113,11 +154,14 @@ std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector
     const int index = scene.body_index(spec.body);
     const auto i = static_cast<std::size_t>(index);
     const BodySpec& body = scene.bodies[i];
-    boundaries.push_back({index, build(scene, body, spec, flexible[i]), {}});
+    boundaries.push_back({index, build(scene, body, spec, flexible[i]), {}, {}});
     if (!touches_ground(scene.ground, body.name)) continue;
     const Body carrier =
         flexible[i].modal ? Body(body.name, flexible[i].modal) : Body(body.name, body.mass, body.inertia);
-    boundaries.back().points = contact_points(index, carrier, boundaries.back().boundary);
+    BodyBoundary& entry = boundaries.back();
+    const bool round = !flexible[i].modal && add_round_shape(scene, body, spec, entry);
+    for (ContactPoint& point : contact_points(index, carrier, entry.boundary))
+      if (!round || point.radius > 0.0) entry.points.push_back(std::move(point));  // of beams
   }
   return boundaries;
 }

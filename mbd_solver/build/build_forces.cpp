@@ -195,9 +195,9 @@ void add_plane(const Scene& scene, Mechanism& mechanism) {
               : spec.restitution ? contact_damping_for_restitution(*spec.restitution, speed > 0.0 ? speed : 1.0)
                                  : 0.0;
   for (const BodyBoundary& entry : mechanism.boundaries) {
-    if (entry.points.empty()) continue;
-    mechanism.planes.push_back(
-        mechanism.model.add_force(std::make_unique<RigidPlane>("ground/" + entry.boundary.name(), entry.points, p)));
+    if (entry.points.empty() && entry.rims.empty()) continue;
+    mechanism.planes.push_back(mechanism.model.add_force(
+        std::make_unique<RigidPlane>("ground/" + entry.boundary.name(), entry.points, p, entry.rims)));
     mechanism.plane_bodies.push_back(entry.body);
   }
 }

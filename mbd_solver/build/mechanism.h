@@ -38,12 +38,13 @@ struct Placement {
 struct BodyBoundary {
   int body = 0;
   ModalBoundary boundary;            // nodes in B of the undeformed body: what touches grains, or is drawn
-  std::vector<ContactPoint> points;  // on the body: the nodes, each with the radius of the beams that end there; none
-                                     // on a boundary that the plane leaves out (ground.plane.bodies)
-};
+  std::vector<ContactPoint> points;  // on the body: the nodes, each with the radius of the beams that end there
+  std::vector<ContactRim> rims;      // a rigid sphere, rod, tube or disc meets a plane as what it is, not by its nodes:
+                                     // its centre is a point, or it has two rims
+};                                   // Without points and rims: ground.plane.bodies leaves it out.
 
 // Lowest place of a boundary along the unit vector n_B (in body axes), counted from Bo [m], with the modes at `a`;
-// infinity without points.
+// infinity without points and rims.
 double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const Eigen::VectorXd& a);
 
 struct StrutEntry {

@@ -62,6 +62,35 @@ TriangleMesh disc_mesh(double radius, double edge) {
   });
 }
 
+TriangleMesh thick_disc_mesh(double radius, double thickness, double edge) {
+  const TriangleMesh face = disc_mesh(radius, edge);
+  require_positive(thickness, "disc thickness");
+  const int nodes = static_cast<int>(face.vertices.size()), around = 6 * parts(radius, edge);
+  const int layers = parts(thickness, edge);
+  TriangleMesh mesh;
+  for (const double side : {0.5, -0.5})
+    for (const Vector3d& x : face.vertices) mesh.vertices.push_back(x + Vector3d(0.0, 0.0, side * thickness));
+  for (int layer = 1; layer < layers; ++layer)
+    for (int i = 0; i < around; ++i)
+      mesh.vertices.push_back(face.vertices[static_cast<std::size_t>(nodes - around + i)] +
+                              Vector3d(0.0, 0.0, thickness * (static_cast<double>(layer) / layers - 0.5)));
+  for (const Eigen::Vector3i& t : face.triangles) {
+    mesh.triangles.push_back(t);
+    mesh.triangles.emplace_back(nodes + t[0], nodes + t[2], nodes + t[1]);
+  }
+  const auto on_rim = [&](int layer, int i) {  // from the lower face, layer 0, to the upper one
+    if (layer == 0) return 2 * nodes - around + i % around;
+    if (layer == layers) return nodes - around + i % around;
+    return 2 * nodes + (layer - 1) * around + i % around;
+  };
+  for (int layer = 0; layer < layers; ++layer)
+    for (int i = 0; i < around; ++i) {
+      mesh.triangles.emplace_back(on_rim(layer, i), on_rim(layer, i + 1), on_rim(layer + 1, i + 1));
+      mesh.triangles.emplace_back(on_rim(layer, i), on_rim(layer + 1, i + 1), on_rim(layer + 1, i));
+    }
+  return mesh;
+}
+
 TriangleMesh dish_mesh(double rim_radius, double depth, double edge) {
   require_positive(rim_radius, "dish radius");
   require_positive(depth, "dish depth");

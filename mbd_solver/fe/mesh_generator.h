@@ -10,6 +10,10 @@ namespace footfall {
 // 1 - (pi / (3 n))^2 / 6 for n rings.
 TriangleMesh disc_mesh(double radius, double edge);
 
+// Closed disc of the given thickness about the origin, normals outward: two faces as above at z = +- thickness/2, and
+// the rim between them. The first vertices are those of the upper face.
+TriangleMesh thick_disc_mesh(double radius, double thickness, double edge);
+
 // Spherical cap: lowest point (vertex 0) at the origin, rim of the given radius at height `depth`, opening
 // along z; normals point to the inside (+z at the lowest point). depth <= rim radius.
 TriangleMesh dish_mesh(double rim_radius, double depth, double edge);

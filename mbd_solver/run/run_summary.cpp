@@ -1,11 +1,12 @@
 #include "mbd_solver/run/run_summary.h"
-#include "coupler/base/pi.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "coupler/base/pi.h"
+#include "mbd_solver/model/elements/rigid_plane.h"
+#include "mbd_solver/model/up_direction.h"
 #include "mbd_solver/scene/scene_json.h"
 
 namespace footfall {
@@ -86,6 +87,15 @@ void add_costs(const Simulation& simulation, Json& json) {
   json["exchange_wall_s"] = std::max(0.0, waited - dem);
 }
 
+// What stands on the plane by friction creeps down its slope; nothing is told where it slides.
+void add_creep(const Scene& scene, Json& json) {
+  if (scene.ground.kind != GroundKind::kPlane) return;
+  const PlaneSpec& plane = *scene.ground.plane;
+  const double slope = std::acos(std::clamp(plane.normal.dot(up_direction(scene.gravity)), -1.0, 1.0));
+  const double speed = creep_speed(plane.friction, plane.friction_speed, slope);
+  if (std::isfinite(speed)) json["creep_speed_m_s"] = speed;
+}
+
 }  // namespace
 
 Json run_summary(const Simulation& simulation, const FigureTaker& taker, const FlexibleBodies& flexible,
@@ -101,6 +111,7 @@ Json run_summary(const Simulation& simulation, const FigureTaker& taker, const F
   json["max_descent_m"] = figures.max_descent;
   json["max_penetration_m"] = figures.max_penetration;
   json["max_contact_force_N"] = figures.max_contact_force;
+  add_creep(simulation.scene(), json);
   json["reference_energy_J"] = figures.reference_energy;
   json["energy_flow_J"] = figures.energy_flow;
   json["energy_balance_relative"] = figures.energy_balance_relative();

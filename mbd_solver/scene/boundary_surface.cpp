@@ -31,14 +31,17 @@ double largest_size(const ShapeSpec& s) {
   FOOTFALL_DEMAND(false);
 }
 
-TriangleMesh shape_surface(const BodySpec& body, double element_size) {
+TriangleMesh shape_surface(const BodySpec& body, const SurfaceSpec& surface) {
   const ShapeSpec& s = *body.shape;
-  const double edge = element_size > 0.0 ? element_size : largest_size(s) / kDefaultElements;
+  const double edge = surface.element_size > 0.0 ? surface.element_size : largest_size(s) / kDefaultElements;
   switch (s.kind) {
     case ShapeKind::kBox: return moved(box_mesh(s.size, edge), body.orientation.toRotationMatrix(), s.centre);
     case ShapeKind::kTube:
     case ShapeKind::kRod: return cylinder_mesh(s.from, s.to, s.diameter, edge);
-    case ShapeKind::kDisc: return moved(disc_mesh(s.radius, edge), axes_with_z(s.axis), s.centre);
+    case ShapeKind::kDisc:
+      return moved(surface.faces == SurfaceFaces::kMiddle ? disc_mesh(s.radius, edge)
+                                                          : thick_disc_mesh(s.radius, s.thickness, edge),
+                   axes_with_z(s.axis), s.centre);
     case ShapeKind::kDish: return moved(dish_mesh(s.radius, s.depth, edge), axes_with_z(s.axis), s.centre);
     case ShapeKind::kSphere: return moved(sphere_mesh(s.radius, edge), Eigen::Matrix3d::Identity(), s.centre);
     case ShapeKind::kPoints: break;
@@ -118,7 +121,7 @@ TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary) 
   const bool from_file = !surface.file.empty();
   const TriangleMesh mesh = from_file ? moved(read_mesh(surface.file, surface.scale),
                                               surface.orientation.toRotationMatrix(), surface.position)
-                                      : shape_surface(body, surface.element_size);
+                                      : shape_surface(body, surface);
   MeshDemands demands;
   demands.closed = surface.closed;
   check_mesh(mesh, demands, from_file ? surface.file : "surface of body \"" + body.name + "\"");

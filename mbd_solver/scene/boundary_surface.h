@@ -8,8 +8,9 @@
 
 namespace footfall {
 
-// Triangles of the boundary's surface: its file, or the body's shape. Discs and dishes give their mid-surface (one
-// layer: LIGGGHTS meshes work from both sides), the other shapes a closed surface with normals outward. Checked: no
+// Triangles of the boundary's surface: its file, or the body's shape. Dishes, and discs
+// with faces = "middle", give their mid-surface (one layer: LIGGGHTS meshes work from both sides), the other shapes a
+// closed surface with normals outward. Checked: no
 // degenerate or duplicate triangles, closed where demanded. Empty without a surface. Throws InputError.
 TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary);
 

@@ -31,6 +31,16 @@ void check_boundary(const Scene& scene, const BoundarySpec& boundary, Findings& 
         findings.error(source, std::string("surface.") + key, "belongs to a surface from a file; there is none");
     }
   }
+  if (source.given("surface.faces")) {
+    const bool drawn = boundary.surface && boundary.surface->file.empty() && body.shape && !own_mesh;
+    const bool disc = drawn && body.shape->kind == ShapeKind::kDisc,
+               dish = drawn && body.shape->kind == ShapeKind::kDish;
+    if (!disc && !dish)
+      findings.error(source, "surface.faces",
+                     "belongs to a disc or dish; the surface of \"" + body.name + "\" is none");
+    if (dish && boundary.surface->faces == SurfaceFaces::kBoth)
+      findings.error(source, "surface.faces", "is \"both\", but a dish has its mid-surface only; expected \"middle\"");
+  }
   if (!boundary.beams) return;
   const bool round = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod);
   const bool frame = flexible && !body.flexible->nodes.empty();

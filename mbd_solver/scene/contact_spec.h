@@ -13,6 +13,17 @@
 
 namespace footfall {
 
+// Which faces of a disc its generated surface has.
+enum class SurfaceFaces { kAuto, kMiddle, kBoth };
+constexpr std::string_view name_of(SurfaceFaces kind) {
+  switch (kind) {
+    case SurfaceFaces::kAuto: return "auto";
+    case SurfaceFaces::kMiddle: return "middle";
+    case SurfaceFaces::kBoth: return "both";
+  }
+  return {};
+}
+
 // Triangles: generated from the body's shape, or read from a file.
 struct SurfaceSpec {
   double element_size = 0.0;  // edge length of generated triangles [m]; 0: a tenth of the shape's size
@@ -21,6 +32,9 @@ struct SurfaceSpec {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               // of the file's origin in D [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  // of the file's axes in D
   bool closed = false;                                              // demand a watertight surface
+  // Of a disc. middle: its mid-surface, without thickness. both: closed, with a rim of its thickness.
+  // auto: the mid-surface of a flexible one, which is its finite-element mesh; both faces of a rigid one.
+  SurfaceFaces faces = SurfaceFaces::kAuto;
 };
 
 // A chain of round segments along the body's axis (tube, rod), or along the given points.

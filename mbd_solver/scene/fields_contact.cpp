@@ -10,6 +10,7 @@ void visit_fields(FieldVisitor& v, SurfaceSpec& s) {
   v.field("position", &s.position, {Unit::kLength, Range::kAny, Meaning::kPoint});
   v.field("orientation", &s.orientation, {});
   v.field("closed", &s.closed, {});
+  v.choice("faces", s.faces);
 }
 
 void visit_fields(FieldVisitor& v, BeamsSpec& b) {

@@ -1,8 +1,12 @@
 #include "mbd_solver/model/elements/rigid_plane.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {
@@ -16,6 +20,9 @@ Approach approach(double u) {
   const double e = std::exp(u);
   return {e, e};
 }
+
+constexpr int kRimPlaces = 12;     // m of a round edge: the second lowest is 0.13 R above the lowest
+constexpr double kUpright = 1e-9;  // s below which no place of an edge is lowest: the edge lies flat
 
 // Energy per k/m taken up by a damped approach at u = d v, minus that given back when leaving at w = d e v
 // (times d^2).
@@ -40,27 +47,40 @@ double contact_damping_for_restitution(double e, double impact_speed) {
   return 0.5 * (low + high) / impact_speed;
 }
 
+double creep_speed(double mu, double slip_speed, double slope) {
+  const double tangent = std::tan(slope);
+  if (!(tangent < mu)) return std::numeric_limits<double>::infinity();
+  return slip_speed * tangent / std::sqrt(mu * mu - tangent * tangent);
+}
+
 // One point in contact: everything the force and its derivatives need.
 struct RigidPlane::Contact {
   KinematicVector p;
   double radius = 0.0;
-  double overlap = 0.0;                             // delta [m]
-  double elastic = 0.0;                             // k delta^1.5 [N]
-  double normal_force = 0.0;                        // f_n [N]
-  double by_overlap = 0.0;                          // d f_n / d delta
-  double by_closing = 0.0;                          // d f_n / d delta'
-  double closing = 0.0;                             // delta' [m/s]
-  Eigen::Vector3d slip = Eigen::Vector3d::Zero();   // v_t [m/s]
-  double inverse_speed = 0.0;                       // 1 / sqrt(v_t^2 + v_s^2)
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the body [N]
+  double overlap = 0.0;                              // delta [m]
+  double elastic = 0.0;                              // k delta^1.5 [N]
+  double normal_force = 0.0;                         // f_n [N]
+  double by_overlap = 0.0;                           // d f_n / d delta
+  double by_closing = 0.0;                           // d f_n / d delta'
+  double closing = 0.0;                              // delta' [m/s]
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();    // v_t [m/s]
+  double inverse_speed = 0.0;                        // 1 / sqrt(v_t^2 + v_s^2)
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   // on the body [N]
+  Eigen::Matrix3d wander = Eigen::Matrix3d::Zero();  // G: p moves along its edge by G dtheta as the body turns [m]
 };
 
-RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters)
-    : ForceElement(std::move(name), points.empty() ? kGround : points.front().marker.body, kGround),
+RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters,
+                       std::vector<ContactRim> rims)
+    : ForceElement(std::move(name),
+                   !points.empty() ? points.front().marker.body
+                   : !rims.empty() ? rims.front().marker.body
+                                   : kGround,
+                   kGround),
       points_(std::move(points)),
+      rims_(std::move(rims)),
       parameters_(parameters) {
   const std::string where = "rigid plane of \"" + this->name() + "\": ";
-  if (points_.empty()) throw InputError(where + "no contact points given.");
+  if (points_.empty() && rims_.empty()) throw InputError(where + "no contact points given.");
   if (!(parameters_.normal.norm() > 0.0)) throw InputError(where + "the normal must not be zero.");
   if (!(parameters_.stiffness > 0.0)) throw InputError(where + "stiffness must be positive.");
   if (!(parameters_.damping >= 0.0 && parameters_.friction >= 0.0))
@@ -73,7 +93,12 @@ RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const
     reach_ = std::max(reach_, point.marker.s0.norm() + point.radius);
     flexible_reach_ = std::max(flexible_reach_, point.marker.S.norm());
   }
-  const Eigen::Index n = 6 + points_.front().marker.S.cols();
+  for (const ContactRim& rim : rims_) {
+    FOOTFALL_DEMAND(rim.marker.body == bodies()[0] && rim.marker.body != kGround && rim.marker.S.cols() == 0);
+    if (!(rim.radius > 0.0)) throw InputError(where + "the radius of a round edge must be positive.");
+    reach_ = std::max(reach_, rim.marker.s0.norm() + rim.radius);
+  }
+  const Eigen::Index n = 6 + (points_.empty() ? 0 : points_.front().marker.S.cols());
   X_.resize(3, n);
   by_x_.resize(3, n);
 }
@@ -83,13 +108,13 @@ bool RigidPlane::far(const BodyKinematics& body) const {
   return parameters_.normal.dot(body.r - parameters_.point) > reach;
 }
 
-bool RigidPlane::contact(const ElementInput& in, const ContactPoint& point, Contact& out) const {
+bool RigidPlane::contact(const ElementInput& in, const Marker& marker, double radius, Contact& out) const {
   const Eigen::Vector3d& n = parameters_.normal;
-  out.p = KinematicVector::point(in.pair, 0, point.marker);
-  out.overlap = point.radius - n.dot(out.p.value() - parameters_.point);
+  out.p = KinematicVector::point(in.pair, 0, marker);
+  out.overlap = radius - n.dot(out.p.value() - parameters_.point);
   if (out.overlap <= 0.0) return false;
-  out.radius = point.radius;
-  const Eigen::Vector3d velocity = out.p.rate() + point.radius * n.cross(in.pair.body[0]->w);  // w x (-radius n)
+  out.radius = radius;
+  const Eigen::Vector3d velocity = out.p.rate() + radius * n.cross(in.pair.body[0]->w);  // w x (-radius n)
   out.closing = -n.dot(velocity);
   out.slip = velocity + out.closing * n;
 
@@ -104,29 +129,57 @@ bool RigidPlane::contact(const ElementInput& in, const ContactPoint& point, Cont
   return true;
 }
 
-void RigidPlane::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const {
-  if (far(*in.pair.body[0])) return;
+template <class Use>
+void RigidPlane::each_contact(const ElementInput& in, const ContactRim& rim, Use use) const {
+  const BodyKinematics& body = *in.pair.body[0];
+  const Eigen::Vector3d& n = parameters_.normal;
+  const Eigen::Vector3d a = body.A * rim.marker.axes.col(2);
+  const Eigen::Vector3d down = n.dot(a) * a - n;
+  const double s = down.norm();
+  const Eigen::Vector3d centre = body.r + body.A * rim.marker.s0;
+  if (n.dot(centre - parameters_.point) > s * rim.radius) return;
+  const bool tilted = s > kUpright;
+  const Eigen::Vector3d e_0 = tilted ? Eigen::Vector3d(down / s) : Eigen::Vector3d(body.A * rim.marker.axes.col(0));
+  const Eigen::Vector3d b = a.cross(e_0);
   Contact at;
-  for (const ContactPoint& point : points_) {
-    if (!contact(in, point, at)) continue;
-    at.p.add_transposed(at.force, Q);
-    Q.segment<3>(3) -= at.radius * parameters_.normal.cross(at.force);
+  for (int k = 0; k < kRimPlaces; ++k) {
+    const double angle = 2.0 * kPi * k / kRimPlaces;
+    const Eigen::Vector3d e_k = std::cos(angle) * e_0 + std::sin(angle) * b;
+    on_rim_.s0 = rim.marker.s0 + rim.radius * (body.A.transpose() * e_k);
+    if (!contact(in, on_rim_, 0.0, at)) continue;
+    // b stays level while the body turns by dtheta: the places turn about a by psi = -(b x n).dtheta / s on top.
+    if (tilted) at.wander = (-rim.radius / s) * a.cross(e_k) * b.cross(n).transpose();
+    use(at);
   }
 }
 
+template <class Use>
+void RigidPlane::each_contact(const ElementInput& in, Use use) const {
+  if (far(*in.pair.body[0])) return;
+  Contact at;
+  for (const ContactPoint& point : points_)
+    if (contact(in, point.marker, point.radius, at)) use(at);
+  for (const ContactRim& rim : rims_) each_contact(in, rim, use);
+}
+
+void RigidPlane::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const {
+  each_contact(in, [&](const Contact& at) {
+    at.p.add_transposed(at.force, Q);
+    Q.segment<3>(3) -= at.radius * parameters_.normal.cross(at.force);
+  });
+}
+
 bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
-  if (far(*in.pair.body[0])) return false;
-  // Force f(delta, u), u = velocity of the contact point:  df = f_delta ddelta + f_u du
-  //   ddelta/dx = -n^T X,  du/dx = p'_x,  du/dv = X_c = X + [0, radius n~, 0]
+  // Force f(delta, u), u = velocity of the contact place:  df = f_delta ddelta + f_u du
+  //   ddelta/dx = -n^T (X + [0, G, 0]),  du/dx = p'_x + [0, w~ G, 0],  du/dv = X_c = X + [0, radius n~, 0]
   const Eigen::Vector3d& n = parameters_.normal;
   const double mu = parameters_.friction;
+  const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - n * n.transpose();
+  const Eigen::Vector3d w = in.pair.body[0]->w;
   bool any = false;
-  Contact at;
-  for (const ContactPoint& point : points_) {
-    if (!contact(in, point, at)) continue;
+  each_contact(in, [&](const Contact& at) {
     any = true;
     const Eigen::Vector3d direction = n - mu * at.inverse_speed * at.slip;
-    const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - n * n.transpose();
     const Eigen::Matrix3d slip_by_u =
         at.inverse_speed * tangent -
         (at.inverse_speed * at.inverse_speed * at.inverse_speed) * at.slip * at.slip.transpose();
@@ -141,46 +194,38 @@ bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out
       const Eigen::Vector3d column = by_u * by_x_.col(j) + by_p * X_.col(j);
       by_x_.col(j) = column;
     }
+    by_x_.block<3, 3>(0, 3) += (by_u * skew(w) + by_p) * at.wander;
     X_.block<3, 3>(0, 3) += at.radius * skew(n);  // X_c
     out.dQ_dx.noalias() += X_.transpose().lazyProduct(by_x_);
     by_x_.noalias() = by_u.lazyProduct(X_);  // df/dv
     out.dQ_dv.noalias() += X_.transpose().lazyProduct(by_x_);
     at.p.add_second(at.force, out.dQ_dx);
-  }
+    out.dQ_dx.block<3, 3>(3, 3) -= skew(at.force) * at.wander;  // the moment p x f
+  });
   return any;
 }
 
 void RigidPlane::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
-  if (far(*in.pair.body[0])) return;
-  Contact at;
-  for (const ContactPoint& point : points_) {
-    if (!contact(in, point, at)) continue;
+  each_contact(in, [&](const Contact& at) {
     stored[Stored::kContact] += 0.4 * at.elastic * at.overlap;
     power[Dissipation::kContact] += (at.normal_force - at.elastic) * at.closing;
     power[Dissipation::kFriction] += parameters_.friction * at.normal_force * at.inverse_speed * at.slip.squaredNorm();
-  }
+  });
 }
 
 Eigen::Matrix<double, 6, 1> RigidPlane::wrench(const ElementInput& in) const {
   Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
-  if (far(*in.pair.body[0])) return out;
-  Contact at;
-  for (const ContactPoint& point : points_) {
-    if (!contact(in, point, at)) continue;
+  each_contact(in, [&](const Contact& at) {
     const Eigen::Vector3d arm = at.p.value() - in.pair.body[0]->r - at.radius * parameters_.normal;
     out.head<3>() += at.force;
     out.tail<3>() += arm.cross(at.force);
-  }
+  });
   return out;
 }
 
 double RigidPlane::largest_overlap(const ElementInput& in) const {
-  if (far(*in.pair.body[0])) return 0.0;
   double largest = 0.0;
-  Contact at;
-  for (const ContactPoint& point : points_) {
-    if (contact(in, point, at)) largest = std::max(largest, at.overlap);
-  }
+  each_contact(in, [&](const Contact& at) { largest = std::max(largest, at.overlap); });
   return largest;
 }
 

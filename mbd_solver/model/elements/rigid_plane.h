@@ -1,9 +1,14 @@
 #pragma once
-// Contact of one body with a rigid plane, at given points (spheres of radius >= 0) of the body. Theory 7.
+// Contact of one body with a rigid plane, at given points (spheres of radius >= 0) and round edges of the body.
+// Theory 6.4.
 //   overlap   delta = radius - n.(p - p0), contact while delta > 0 at c = p - radius n, moving with p and w
 //   normal    f_n = k delta^1.5 g(d delta'),  g(u) = 1 + u for u >= 0, exp(u) for u < 0:
 //             Hunt-Crossley while closing, never pulls
 //   friction  f_t = -mu f_n v_t / sqrt(v_t^2 + v_s^2)
+// A round edge (circle of radius R about c, axis a; rigid bodies) touches at m places that count from its lowest one:
+//   p_k = c + R e_k,  e_k = cos(2 pi k/m) e_0 + sin(2 pi k/m) a x e_0,  e_0 = -(n - (n.a) a)/s,  s = |n x a|.
+// They stay where the plane is while the body rolls past, so a cylinder rolls as round as it is. delta_k depends on
+// height and tilt s alone and is the same for k and -k: what p_k travels along the edge does no work.
 // Restitution e after an impact at speed v depends on d v alone:
 //   d v - ln(1 + d v) = (e d v - 1) exp(e d v) + 1.
 // Power: damping k delta^1.5 (g - 1) delta' >= 0, friction mu f_n v_t^2 / sqrt(v_t^2 + v_s^2).
@@ -19,8 +24,17 @@ struct ContactPoint {
   double radius = 0.0;  // [m] >= 0
 };
 
+struct ContactRim {
+  Marker marker;        // centre; its z axis is that of the circle. On a rigid body
+  double radius = 0.0;  // [m] > 0
+};
+
 // d [s/m] for restitution e in (0, 1] at impact speed [m/s] > 0. Throws InputError outside.
 double contact_damping_for_restitution(double e, double impact_speed);
+
+// How fast what would stick on a slope [rad] creeps down it [m/s]: mu v / sqrt(v^2 + v_s^2) = tan slope gives
+// v = v_s tan slope / sqrt(mu^2 - tan^2 slope). Infinite where it slides, tan slope >= mu.
+double creep_speed(double mu, double slip_speed, double slope);
 
 class RigidPlane : public ForceElement {
  public:
@@ -30,10 +44,11 @@ class RigidPlane : public ForceElement {
     double stiffness = 0.0;                             // k of each point [N/m^1.5] > 0
     double damping = 0.0;                               // d [s/m] >= 0
     double friction = 0.3;                              // mu >= 0
-    double slip_speed = 0.01;                           // v_s [m/s] > 0: friction reaches 71 % of mu f_n at this speed
+    double slip_speed = 1e-4;                           // v_s [m/s] > 0: friction reaches 71 % of mu f_n at this speed
   };
-  // All points on one body, at least one. Throws InputError on values outside their range.
-  RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters);
+  // All points and rims on one body, at least one. Throws InputError on values outside their range.
+  RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters,
+             std::vector<ContactRim> rims = {});
 
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
@@ -46,13 +61,19 @@ class RigidPlane : public ForceElement {
  private:
   struct Contact;
   bool far(const BodyKinematics& body) const;  // bounding sphere clear of the plane: one comparison
-  bool contact(const ElementInput& in, const ContactPoint& point, Contact& out) const;
+  bool contact(const ElementInput& in, const Marker& marker, double radius, Contact& out) const;
+  template <class Use>
+  void each_contact(const ElementInput& in, Use use) const;  // use(contact) of all that touch
+  template <class Use>
+  void each_contact(const ElementInput& in, const ContactRim& rim, Use use) const;
 
   std::vector<ContactPoint> points_;
+  std::vector<ContactRim> rims_;
   Parameters parameters_;
   double reach_ = 0.0;                 // radius about Bo that holds all undeformed spheres [m]
   double flexible_reach_ = 0.0;        // largest |S| of a point: reach grows by this times |a| [m per unit of a]
   mutable Eigen::Matrix3Xd X_, by_x_;  // scratch, 3 x n
+  mutable Marker on_rim_;              // scratch: one place of a rim
 };
 
 }  // namespace footfall

@@ -94,6 +94,20 @@ TEST(DishMesh, LiesOnItsSphereAndOpensUpwards) {
   EXPECT_NEAR(dish_mesh(a, a, 0.02).vertices.back().z(), a, kRoundOff) << "a half sphere";
 }
 
+// The volume within the polygon of its rim, 6 n corners of n rings.
+TEST(ThickDiscMesh, IsClosedAndHoldsItsVolume) {
+  for (const double thickness : {0.004, 0.1}) {  // thinner and thicker than the edges
+    const TriangleMesh mesh = thick_disc_mesh(0.2, thickness, 0.05);
+    EXPECT_TRUE(mesh_findings(mesh, demands(true, true, true)).empty());
+    double volume = 0.0;
+    for (const Eigen::Vector3i& t : mesh.triangles)
+      volume += area_vector(mesh, t).dot(mesh.vertices[static_cast<std::size_t>(t(0))]) / 3.0;
+    const double corners = 24.0;
+    EXPECT_NEAR(volume, thickness * 0.5 * corners * 0.04 * std::sin(2.0 * kPi / corners), kRoundOff)
+        << "positive: normals outward";
+  }
+}
+
 TEST(BoxMesh, IsClosedAndFacesOutward) {
   const Vector3d size(0.3, 0.2, 0.5);
   const TriangleMesh mesh = box_mesh(size, 0.06);
