@@ -24,9 +24,7 @@ constexpr int kMostIterations = 10;
 // one iteration would never measure it again (as in RADAU5 of Hairer and Wanner).
 constexpr double kForgetting = 0.8;
 constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
-constexpr double kFirst = 0.01;         // of y changes in the first step of all
-constexpr double kReach = 3.0;          // steps longer than this many steps before are not predicted from those
-constexpr std::size_t kPredictors = 3;  // rates that a stage is predicted from: a parabola
+constexpr double kFirst = 0.01;  // of y changes in the first step of all
 // Drift [in absolute tolerances] that stays within a window; states that are handed out have none.
 constexpr double kDrift = 0.1;
 constexpr double kNear = 1e-9;     // of a step
@@ -165,36 +163,6 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   return error_ <= 1.0 || !options_.error_control ? Outcome::kAccepted : Outcome::kTooInaccurate;
 }
 
-void OneStep::predict(int stage, double h) {
-  // The parabola through the rates nearest in time, of this step and of the one before; the latter are moved by what has
-  // jumped since. Times in steps h from the start of this one.
-  struct Known {
-    double time;
-    const Eigen::VectorXd* rates;
-    bool before;
-  };
-  std::array<Known, kMostStages + 3> known{};
-  std::size_t count = 0;
-  const double target = tableau_.c[static_cast<std::size_t>(stage)];
-  for (std::size_t j = 0; j < static_cast<std::size_t>(stage); ++j) known[count++] = {tableau_.c[j], &K_[j], false};
-  if (h_before_ > 0.0 && h < kReach * h_before_) {
-    for (std::size_t k = 0; k + 1 < before_.size(); ++k)
-      known[count++] = {(dense_time(k) - 1.0) * h_before_ / h, &before_[k], true};
-  }
-  std::sort(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(count),
-            [&](const Known& a, const Known& b) { return std::abs(a.time - target) < std::abs(b.time - target); });
-  count = std::min(count, kPredictors);
-  std::array<double, kPredictors> times{};
-  for (std::size_t j = 0; j < count; ++j) times[j] = known[j].time;
-  Eigen::VectorXd& K = K_[static_cast<std::size_t>(stage)];
-  K.setZero();
-  for (std::size_t j = 0; j < count; ++j) {
-    const double weight = lagrange(times, count, j, target);
-    K += weight * *known[j].rates;
-    if (known[j].before) K += weight * (K_[0] - before_.back());
-  }
-}
-
 bool OneStep::refresh(double t, double c, const Inputs& inputs) {
   // At the start of the step: the prediction of the first implicit stage differs from it by O(h).
   try {
@@ -297,26 +265,6 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
     equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
   }
   return true;
-}
-
-double OneStep::dense_time(std::size_t k) const { return tableau_.c[static_cast<std::size_t>(tableau_.dense[k])]; }
-
-void OneStep::interpolate(double time, double h, const State& end) {
-  const int m = equations_.layout().lambda0();
-  const double theta = (time - start_.time) / h;
-  const HermiteWeights w(theta, h);
-  const Eigen::VectorXd &y = Y_.back(), &K = K_.back();
-  row_ = start_;
-  row_.time = time;
-  known_.head(m) = (w.x0 * y_ + w.x1 * y + w.dx0 * K_[0] + w.dx1 * K).head(m);
-  equations_.unpack(known_, row_);
-  interpolate_work(w, start_, energy_[0], end, energy_.back(), row_);
-
-  std::array<double, 4> times{};
-  for (std::size_t k = 0; k < before_.size(); ++k) times[k] = dense_time(k);
-  row_rates_.setZero();
-  for (std::size_t k = 0; k < before_.size(); ++k)
-    row_rates_ += lagrange(times, before_.size(), k, theta) * K_[static_cast<std::size_t>(tableau_.dense[k])];
 }
 
 void OneStep::give_up(double t) const {

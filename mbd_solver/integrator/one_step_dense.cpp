@@ -1,0 +1,67 @@
+// What a step tells beyond its ends: the rates that a stage of the next step starts from, and states in between.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mbd_solver/integrator/dense_step.h"
+#include "mbd_solver/integrator/one_step.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kReach = 3.0;          // steps longer than this many steps before are not predicted from those
+constexpr std::size_t kPredictors = 3;  // rates that a stage is predicted from: a parabola
+
+}  // namespace
+
+void OneStep::predict(int stage, double h) {
+  // The parabola through the rates nearest in time, of this step and of the one before; the latter are moved by what has
+  // jumped since. Times in steps h from the start of this one.
+  struct Known {
+    double time;
+    const Eigen::VectorXd* rates;
+    bool before;
+  };
+  std::array<Known, kMostStages + 3> known{};
+  std::size_t count = 0;
+  const double target = tableau_.c[static_cast<std::size_t>(stage)];
+  for (std::size_t j = 0; j < static_cast<std::size_t>(stage); ++j) known[count++] = {tableau_.c[j], &K_[j], false};
+  if (h_before_ > 0.0 && h < kReach * h_before_) {
+    for (std::size_t k = 0; k + 1 < before_.size(); ++k)
+      known[count++] = {(dense_time(k) - 1.0) * h_before_ / h, &before_[k], true};
+  }
+  std::sort(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(count),
+            [&](const Known& a, const Known& b) { return std::abs(a.time - target) < std::abs(b.time - target); });
+  count = std::min(count, kPredictors);
+  std::array<double, kPredictors> times{};
+  for (std::size_t j = 0; j < count; ++j) times[j] = known[j].time;
+  Eigen::VectorXd& K = K_[static_cast<std::size_t>(stage)];
+  K.setZero();
+  for (std::size_t j = 0; j < count; ++j) {
+    const double weight = lagrange(times, count, j, target);
+    K += weight * *known[j].rates;
+    if (known[j].before) K += weight * (K_[0] - before_.back());
+  }
+}
+
+double OneStep::dense_time(std::size_t k) const { return tableau_.c[static_cast<std::size_t>(tableau_.dense[k])]; }
+
+void OneStep::interpolate(double time, double h, const State& end) {
+  const int m = equations_.layout().lambda0();
+  const double theta = (time - start_.time) / h;
+  const HermiteWeights w(theta, h);
+  const Eigen::VectorXd &y = Y_.back(), &K = K_.back();
+  row_ = start_;
+  row_.time = time;
+  known_.head(m) = (w.x0 * y_ + w.x1 * y + w.dx0 * K_[0] + w.dx1 * K).head(m);
+  equations_.unpack(known_, row_);
+  interpolate_work(w, start_, energy_[0], end, energy_.back(), row_);
+
+  std::array<double, 4> times{};
+  for (std::size_t k = 0; k < before_.size(); ++k) times[k] = dense_time(k);
+  row_rates_.setZero();
+  for (std::size_t k = 0; k < before_.size(); ++k)
+    row_rates_ += lagrange(times, before_.size(), k, theta) * K_[static_cast<std::size_t>(tableau_.dense[k])];
+}
+
+}  // namespace footfall
