@@ -1,5 +1,4 @@
 #include "mbd_solver/run/run_summary.h"
-#include "coupler/base/pi.h"
 
 #include <algorithm>
 #include <cmath>

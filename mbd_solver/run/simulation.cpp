@@ -5,9 +5,7 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
-#include "coupler/scheme.h"
 #include "mbd_solver/coupling/fast_modes.h"
-#include "mbd_solver/coupling/tangent.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 
 namespace footfall {
