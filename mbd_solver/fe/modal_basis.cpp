@@ -1,14 +1,16 @@
 #include "mbd_solver/fe/modal_basis.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <sstream>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/fe/eigen_solver.h"
 #include "mbd_solver/fe/fe_check.h"
 #include "mbd_solver/fe/fe_partition.h"
+#include "mbd_solver/fe/static_error.h"
 
 namespace footfall {
 namespace {
@@ -19,11 +21,8 @@ using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kTwoPi = 6.28318530717958647692;
-constexpr double kNoStiffness = 1e-8;     // lambda over elastic scale: less is motion without strain
-constexpr double kStaticShift = 1e-4;     // of the elastic scale; see static_shapes
-constexpr int kStaticPasses = 5;          // error 1e-4 to the sixth power, with a scale 100 times too high 1e-12
-constexpr double kInterfaceMargin = 1.5;  // fixed-interface modes go up to 1.5 times the frequency limit
-constexpr int kFirstGuess = 16;           // modes asked for first when only a frequency limit is known
+constexpr double kNoStiffness = 1e-8;  // lambda over elastic scale: less is motion without strain
+constexpr int kFirstGuess = 16;        // modes asked for first when only a frequency limit is known
 
 double lambda_of(double frequency) { return std::pow(kTwoPi * frequency, 2); }
 
@@ -32,18 +31,36 @@ struct Problem {
   const FeModel& model;
   std::vector<int> active;
   Sparse K, M;
-  double scale;   // an upper bound of the first elastic lambda [1/s2]
-  int available;  // elastic modes there are
+  double scale;  // an upper bound of the first elastic lambda [1/s2]
   std::string name;
 };
 
-// All modes with lambda up to the limit, and some above: asks for twice as many until one passes the limit.
-// rank: how many there are.
-Modes modes_up_to(const Sparse& K, const Sparse& M, double limit, int rank, double shift) {
-  for (int count = std::min(kFirstGuess, rank);; count = std::min(2 * count, rank)) {
+// How many modes are asked for, on top of the static shapes if there are any.
+struct Wanted {
+  std::optional<int> count;
+  double limit = std::numeric_limits<double>::infinity();  // of lambda [1/s2]
+};
+
+// The modes with lambda up to the limit, at most `most`. rank: how many there are.
+Modes modes_up_to(const Sparse& K, const Sparse& M, double limit, int most, int rank, double shift) {
+  most = std::min(most, rank);
+  for (int count = std::isinf(limit) ? most : std::min(kFirstGuess, most);; count = std::min(2 * count, most)) {
     Modes modes = lowest_modes(K, M, count, shift);
-    if (count == rank || modes.lambda(count - 1) > limit) return modes;
+    const Index within = (modes.lambda.array() <= limit).count();
+    if (count < most && within == count) continue;
+    return {modes.lambda.head(within), modes.shapes.leftCols(within)};
   }
+}
+
+// More than there are is the user's mistake; without a wish the default.
+int checked_count(const Problem& problem, const Wanted& wanted, int available, const std::string& on_top) {
+  if (!wanted.count) return std::isinf(wanted.limit) ? std::min(kDefaultModeCount, available) : available;
+  if (*wanted.count > available)
+    throw InputError(problem.name + ": " + std::to_string(*wanted.count) + " modes asked for" + on_top +
+                     ", but the model of " + std::to_string(problem.model.node_count()) + " nodes has only " +
+                     std::to_string(available) +
+                     " elastic degrees of freedom with mass. Ask for fewer modes or refine the mesh.");
+  return *wanted.count;
 }
 
 // The first six modes are the rigid-body motions: check_model has shown that they meet no force. No other may
@@ -58,9 +75,10 @@ void require_six_rigid(const VectorXd& lambda, const Problem& problem) {
 }
 
 // Elastic free-free modes, columns on the active degrees of freedom.
-MatrixXd free_free_shapes(const Problem& problem, std::optional<int> count, double limit) {
-  const Modes modes = count ? lowest_modes(problem.K, problem.M, *count + 6, problem.scale)
-                            : modes_up_to(problem.K, problem.M, limit, problem.available + 6, problem.scale);
+MatrixXd free_free_shapes(const Problem& problem, const Wanted& wanted) {
+  const int rank = mass_rank(problem.M);
+  const int count = checked_count(problem, wanted, rank - 6, "");
+  const Modes modes = modes_up_to(problem.K, problem.M, wanted.limit, count + 6, rank, problem.scale);
   require_six_rigid(modes.lambda, problem);
   return modes.shapes.rightCols(modes.shapes.cols() - 6);
 }
@@ -79,56 +97,46 @@ std::vector<int> interface_dofs(const Problem& problem, const BasisOptions& opti
   return result;
 }
 
-// Static shapes inside, -K_ii^-1 K_ib. K_ii is singular when the interface does not hold the body, but the
-// loads K_ib do no work on the free motions, so a solution exists, and any will do: those motions are in the
-// basis, too. It is found with a slightly shifted matrix and refined: each pass makes the error smaller by
-// shift / (first elastic lambda + shift).
-MatrixXd static_shapes(const Sparse& K_ii, const Sparse& M_ii, const Sparse& K_ib, double scale) {
-  const Eigen::SimplicialLDLT<Sparse> factor(Sparse(K_ii + kStaticShift * scale * M_ii));
-  if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0))
-    throw InputError("stiffness is not positive definite with the interface held.");
-  const MatrixXd load = -MatrixXd(K_ib);
-  MatrixXd x = factor.solve(load);
-  for (int pass = 0; pass < kStaticPasses; ++pass) x += factor.solve(load - K_ii * x);
-  return x;
-}
-
-// [static shapes, fixed-interface modes] on the active degrees of freedom. held: those of the interface.
-MatrixXd craig_bampton_basis(const Problem& problem, const std::vector<int>& held, std::optional<int> count,
-                             double limit) {
+// [static shapes, fixed-interface modes] on the active degrees of freedom. Static shapes inside: -K_ii^-1 K_ib. K_ii is
+// singular when the interface does not hold the body, but the loads K_ib do no work on the free motions, and any
+// solution will do: those motions are in the basis, too, as the first fixed-interface modes. They do not count.
+MatrixXd craig_bampton_basis(const Problem& problem, const HeldBody& body, const Wanted& wanted) {
   std::vector<int> all(problem.active.size());
   std::iota(all.begin(), all.end(), 0);
-  const std::vector<int> inside = other_dofs(all, held);
-  const int n_held = static_cast<int>(held.size());
-  const Index size = problem.K.rows();
-  MatrixXd basis = scattered(MatrixXd::Identity(n_held, n_held), held, size);
-  if (inside.empty()) return basis;
+  const std::vector<int> inside = other_dofs(all, body.held);
+  const Index n_held = static_cast<Index>(body.held.size()), size = problem.K.rows();
+  MatrixXd basis = scattered(MatrixXd::Identity(n_held, n_held), body.held, size);
 
   const Sparse K_ii = selected(problem.K, inside, inside);
   const Sparse M_ii = selected(problem.M, inside, inside);
-  basis += scattered(static_shapes(K_ii, M_ii, selected(problem.K, inside, held), problem.scale), inside, size);
-  const int rank = mass_rank(M_ii);
-  Modes fixed;
-  if (count) {
-    const int wanted = *count >= n_held - 6 ? *count - (n_held - 6) : *count;
-    fixed = lowest_modes(K_ii, M_ii, std::min(wanted, rank), problem.scale);
-  } else {
-    fixed = modes_up_to(K_ii, M_ii, kInterfaceMargin * kInterfaceMargin * limit, rank, problem.scale);
-  }
+  const int holds = held_motions(body), free = 6 - holds, rank = inside.empty() ? 0 : mass_rank(M_ii);
+  const int count = checked_count(problem, wanted, std::max(0, rank - free),
+                                  " on top of " + std::to_string(n_held - holds) + " static shapes");
+  if (inside.empty()) return basis;
+  const MatrixXd load = -MatrixXd(selected(problem.K, inside, body.held));
+  basis += scattered(balanced_solution(K_ii, M_ii, load, problem.scale), inside, size);
+  const Modes fixed = modes_up_to(K_ii, M_ii, wanted.limit, count + free, rank, problem.scale);
   MatrixXd result(size, n_held + fixed.shapes.cols());
   result << basis, scattered(fixed.shapes, inside, size);
   return result;
 }
 
 // The eigenproblem within that basis. Elastic shapes only.
-MatrixXd craig_bampton_shapes(const Problem& problem, const std::vector<int>& held, std::optional<int> count,
-                              double limit) {
-  const MatrixXd basis = craig_bampton_basis(problem, held, count, limit);
+MatrixXd craig_bampton_shapes(const Problem& problem, const HeldBody& body, const Wanted& wanted) {
+  const MatrixXd basis = craig_bampton_basis(problem, body, wanted);
   const Modes modes =
       all_modes(basis.transpose() * (problem.K * basis), basis.transpose() * (problem.M * basis), problem.scale);
   require_six_rigid(modes.lambda, problem);
-  const Index elastic = modes.lambda.size() - 6;
-  return basis * modes.shapes.middleCols(6, std::min<Index>(elastic, count ? *count : elastic));
+  return basis * modes.shapes.rightCols(modes.lambda.size() - 6);
+}
+
+std::string static_warning(const std::string& name, double error) {
+  std::ostringstream text;
+  text.precision(2);
+  text << name << ": its modes err by " << 100.0 * error
+       << " % in the static response to loads at its attachments or to its weight (static_error). Raise its modes or "
+          "max_frequency, or use the basis \"craig_bampton\".";
+  return text.str();
 }
 
 void check_options(const BasisOptions& options, const std::string& name) {
@@ -151,31 +159,26 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
   check_model(model, name);
   const std::vector<int> active = active_dofs(model);
   const Sparse M = lumped_mass_matrix(model);
-  Problem problem{model,
-                  active,
-                  selected(model.stiffness, active, active),
-                  selected(M, active, active),
-                  elastic_scale(model),
-                  mass_rank(M) - 6,
-                  name};
-  if (options.mode_count && *options.mode_count > problem.available)
-    throw InputError(name + ": " + std::to_string(*options.mode_count) + " modes asked for, but the model of " +
-                     std::to_string(model.node_count()) + " nodes has only " + std::to_string(problem.available) +
-                     " elastic degrees of freedom with mass. Ask for fewer modes or refine the mesh.");
-  std::optional<int> count = options.mode_count;
-  if (!count && !options.max_frequency) count = std::min(kDefaultModeCount, problem.available);
-  const double limit = options.max_frequency ? lambda_of(*options.max_frequency) : 0.0;
-
-  std::vector<int> held;
-  if (options.kind == BasisKind::kCraigBampton) held = interface_dofs(problem, options);
+  const Problem problem{
+      model, active, selected(model.stiffness, active, active), selected(M, active, active), elastic_scale(model),
+      name};
+  Wanted wanted{options.mode_count};
+  if (options.max_frequency) wanted.limit = lambda_of(*options.max_frequency);
 
   MatrixXd shapes(problem.K.rows(), 0);
+  std::optional<double> error_of_statics;
   try {
-    if (!count || *count > 0)
-      shapes =
-          held.empty() ? free_free_shapes(problem, count, limit) : craig_bampton_shapes(problem, held, count, limit);
+    const std::vector<int> held = interface_dofs(problem, options);
+    const MatrixXd rigid = gathered(rigid_motions(model, mass_properties(model).centre), active);
+    const HeldBody body{problem.K, problem.M, rigid, held, problem.scale};
+    if (!(wanted.count && *wanted.count == 0)) {
+      shapes = options.kind == BasisKind::kFreeFree || held.empty() ? free_free_shapes(problem, wanted)
+                                                                    : craig_bampton_shapes(problem, body, wanted);
+      if (!held.empty() && shapes.cols() > 0) error_of_statics = static_error(body, shapes);
+    }
   } catch (const InputError& error) {
-    throw InputError(name + ": " + error.what());
+    const std::string what = error.what();
+    throw InputError(what.find(name) == 0 ? what : name + ": " + what);
   } catch (const NumericalError& error) {
     throw NumericalError(name + ": " + error.what());
   }
@@ -195,9 +198,14 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
   raw.stress_modes = model.stress * shapes;
   raw.triangles = model.triangles;
   raw.segments = model.segments;
-  BasisOptions kept = options;
-  kept.mode_count = count;
-  return orthonormalised(std::move(raw), shapes.transpose() * (model.stiffness * shapes), kept);
+  raw.static_error = error_of_statics;
+  BasisOptions all_of_them = options;  // chosen already
+  all_of_them.max_frequency.reset();
+  if (shapes.cols() > 0) all_of_them.mode_count.reset();
+  ReducedBody reduced = orthonormalised(std::move(raw), shapes.transpose() * (model.stiffness * shapes), all_of_them);
+  if (error_of_statics && *error_of_statics > kStaticTolerance)
+    reduced.warnings.push_back(static_warning(name, *error_of_statics));
+  return reduced;
 }
 
 VectorXd frequencies(const ModalBody& body) { return body.stiffness.cwiseSqrt() / kTwoPi; }

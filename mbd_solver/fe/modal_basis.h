@@ -3,10 +3,10 @@
 //
 // Craig-Bampton: static shapes of the interface (one per degree of freedom of the interface nodes, the others
 // held) and normal modes with the interface held; then the eigenproblem of that basis, so that the modes are
-// mass-orthonormal and K is diagonal. Its six rigid-body motions are left out. While s >= n_c - 6 (n_c
-// degrees of freedom of the interface) all static shapes are kept and the response to slow joint forces is
-// exact; with fewer modes, or with a frequency limit, the lowest s of the basis are kept. The interface need
-// not hold the body: the fixed-interface modes then include its motions without strain.
+// mass-orthonormal and K is diagonal. Its six rigid-body motions are left out. All static shapes are always
+// kept, so the response to slow joint forces is exact; number and frequency limit choose the fixed-interface
+// modes on top of them. The interface need not hold the body: the fixed-interface modes then include its
+// motions without strain, which do not count.
 //
 // Free-free: the lowest elastic normal modes of the unsupported body. Craig-Bampton without interface nodes
 // is the same.
@@ -26,16 +26,20 @@ namespace footfall {
 
 enum class BasisKind { kCraigBampton, kFreeFree };
 
-constexpr int kDefaultModeCount = 10;  // when neither count nor frequency is given, or all there are
+constexpr int kDefaultModeCount = 10;      // when neither count nor frequency is given, or all there are
+constexpr double kStaticTolerance = 0.01;  // of ModalBody::static_error: beyond it a warning [-]
 constexpr double kDefaultDampingRatio = 0.01;
 
 struct BasisOptions {
   BasisKind kind = BasisKind::kCraigBampton;
-  std::optional<int> mode_count;        // s; 0 gives a rigid body with the model's mass properties
-  std::optional<double> max_frequency;  // modes above it are left out [Hz]
+  // Modes: elastic ones of the free body, or fixed-interface ones on top of all static shapes. 0 gives a rigid body
+  // with the model's mass properties.
+  std::optional<int> mode_count;
+  std::optional<double> max_frequency;  // of these modes, those above it are left out [Hz]
   // zeta: one for all modes, or one per mode (the modes beyond use the last) [-]
   std::vector<double> damping_ratio = {kDefaultDampingRatio};
-  // Where joints and forces attach (Craig-Bampton only). A node in both lists counts as the first.
+  // Where joints and forces attach: the interface of Craig-Bampton, and where static_error is taken. A node in both
+  // lists counts as the first.
   std::vector<int> interface_nodes;  // joints that can transmit moments: six static shapes each
   std::vector<int> pinned_nodes;     // spherical joints, struts, forces without moment: three static shapes each
 };
@@ -43,7 +47,7 @@ struct BasisOptions {
 struct ReducedBody {
   ModalBody body;
   Eigen::Vector3d p_DBo = Eigen::Vector3d::Zero();  // centre of mass in the drawing frame D [m]; B has D's axes
-  std::vector<std::string> warnings;                // e.g. frequencies that suggest wrong units
+  std::vector<std::string> warnings;                // e.g. frequencies that suggest wrong units, or static_error
 };
 
 // Throws InputError, naming the body: more modes than degrees of freedom, an interface node that does not

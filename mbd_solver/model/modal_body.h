@@ -4,6 +4,7 @@
 // of reference.
 
 #include <Eigen/Dense>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct ModalBody {
   Eigen::MatrixXd Psi;                        // 3N x s rotational mode shapes [rad per unit of a]
   Eigen::VectorXd stiffness;                  // s: omega_k^2 [1/s2] (mass-orthonormal modes)
   Eigen::VectorXd damping;                    // s: 2 zeta_k omega_k [1/s]
+  // Largest relative error of static deflection against the model the modes were made from (fe/static_error.h); empty
+  // when nothing is attached, or the model is not known.
+  std::optional<double> static_error;
   // Stress recovery: sigma = stress_modes * a, six components (xx yy zz xy yz zx, element axes) per stress
   // point.
   Eigen::MatrixXd stress_modes;  // 6 P x s [Pa per unit of a]; may be empty

@@ -19,6 +19,8 @@ Matrix3d skew(const Vector3d& x) {
   return m;
 }
 
+Matrix3d twice_symmetric(const Matrix3d& x) { return x + x.transpose(); }
+
 // A body without inertia about some axis has a singular mass matrix: refuse it here, where its name is known.
 void require_positive(double mass, const Matrix3d& inertia, const std::string& body) {
   const std::string who = body.empty() ? "body" : "body \"" + body + "\"";
@@ -36,11 +38,10 @@ ModalInertia::ModalInertia(double mass, const Matrix3d& inertia)
       S0_(Vector3d::Zero()),
       S1_(3, 0),
       J0_(0.5 * (inertia + inertia.transpose())),
-      P_(3, 0),
+      J1_(9, 0),
+      J2_(0, 0),
       C0_(3, 0),
       C1_(0, 0),
-      G0_(9, 0),
-      G1_(0, 0),
       Mff_(0, 0),
       K_(0),
       C_(0) {
@@ -57,11 +58,10 @@ ModalInertia::ModalInertia(const ModalBody& body)
   FOOTFALL_DEMAND(body.Psi.rows() == 3 * nodes && body.Psi.cols() == s);
   FOOTFALL_DEMAND(body.damping.size() == s);
   S1_.setZero(3, s);
-  P_.setZero(3, s);
+  J1_.setZero(9, s);
+  J2_.setZero(9 * s, s);
   C0_.setZero(3, s);
   C1_.setZero(3 * s, s);
-  G0_.setZero(9, s);
-  G1_.setZero(9 * s, s);
   Mff_.setZero(s, s);
 
   for (Index j = 0; j < nodes; ++j) {
@@ -74,17 +74,20 @@ ModalInertia::ModalInertia(const ModalBody& body)
     S0_ += m * body.rho0.col(j);
     S1_ += m * Phi;
     J0_ += J - m * rho * rho;
-    P_ += J * Psi;
     C0_ += m * rho * Phi + J * Psi;
     Mff_ += m * Phi.transpose() * Phi + Psi.transpose() * J * Psi;
-    if (m == 0.0) continue;
+    const bool turns = !J.isZero(0.0) && !Psi.isZero(0.0);
+    if (m == 0.0 && !turns) continue;
     for (Index k = 0; k < s; ++k) {
-      const Matrix3d phi_k = skew(Phi.col(k));
-      Eigen::Map<Matrix3d>(G0_.col(k).data()) -= m * rho * phi_k;
+      const Vector3d phi_k = Phi.col(k), t_k = Psi.col(k);
+      const Matrix3d phi = skew(phi_k), t = skew(t_k);
+      Eigen::Map<Matrix3d>(J1_.col(k).data()) += twice_symmetric(-m * rho * phi + t * J);
       for (Index l = 0; l < s; ++l) {
-        const Vector3d phi_l = Phi.col(l);
-        C1_.block<3, 1>(3 * k, l) += m * phi_l.cross(Phi.col(k));
-        Eigen::Map<Matrix3d>(&G1_(9 * k, l)) -= m * skew(phi_l) * phi_k;
+        const Vector3d phi_l = Phi.col(l), t_l = Psi.col(l);
+        C1_.block<3, 1>(3 * k, l) += m * phi_l.cross(phi_k) + t_l.cross(J * t_k) - 0.5 * (J * t_l.cross(t_k));
+        Matrix3d half = -m * skew(phi_l) * phi;
+        if (turns) half += 0.5 * (skew(t_l) * t + t * skew(t_l)) * J - skew(t_l) * J * t;
+        Eigen::Map<Matrix3d>(&J2_(9 * k, l)) += twice_symmetric(half);
       }
     }
   }
@@ -101,27 +104,22 @@ Vector3d ModalInertia::first_moment(const Vec& a) const {
 
 Vector3d ModalInertia::coupling(int k, const Vec& a) const {
   Vector3d C = C0_.col(k);
-  for (int l = 0; l < modes_; ++l) C += a(l) * coupling_rate(l, k);
+  for (int l = 0; l < modes_; ++l) C += a(l) * coupling_slope(l, k);
   return C;
 }
 
-Matrix3d ModalInertia::gyration_rate(int l, int k) const { return Eigen::Map<const Matrix3d>(&G1_(9 * k, l)); }
+Matrix3d ModalInertia::inertia_curvature(int l, int k) const { return Eigen::Map<const Matrix3d>(&J2_(9 * k, l)); }
 
-Matrix3d ModalInertia::gyration(int k, const Vec& a) const {
-  Matrix3d G = Eigen::Map<const Matrix3d>(&G0_(0, k));
-  for (int l = 0; l < modes_; ++l) G += a(l) * Eigen::Map<const Matrix3d>(&G1_(9 * k, l));
-  return G;
+Matrix3d ModalInertia::inertia_slope(int k, const Vec& a) const {
+  Matrix3d dJ = Eigen::Map<const Matrix3d>(&J1_(0, k));
+  for (int l = 0; l < modes_; ++l) dJ += a(l) * Eigen::Map<const Matrix3d>(&J2_(9 * k, l));
+  return dJ;
 }
 
-// J = J0 + sum_k a_k (G0_k + G0_k^T) + sum_kl a_l a_k G1_lk = J0 + sum_k a_k (G0_k^T + G_k(a)); the sum is
-// symmetric.
+// J = J0 + sum_k a_k (J1_k + 1/2 sum_l a_l J2_lk) = J0 + 1/2 sum_k a_k (J1_k + dJ/da_k)
 Matrix3d ModalInertia::inertia(const Vec& a) const {
-  if (modes_ == 0) return J0_;
   Matrix3d J = J0_;
-  for (int k = 0; k < modes_; ++k) {
-    const Matrix3d G0 = Eigen::Map<const Matrix3d>(&G0_(0, k));
-    J += a(k) * (G0.transpose() + gyration(k, a));
-  }
+  for (int k = 0; k < modes_; ++k) J += 0.5 * a(k) * (Eigen::Map<const Matrix3d>(&J1_(0, k)) + inertia_slope(k, a));
   return 0.5 * (J + J.transpose());
 }
 
@@ -143,29 +141,33 @@ void ModalInertia::mass_matrix(const Vec& a, Eigen::Ref<Eigen::MatrixXd> M) cons
   M.bottomRightCorner(modes_, modes_) = Mff_;
 }
 
+// With dJ = sum_k da_k dJ/da_k, dC = sum_k da_k dC/da_k:
 // force:   2 w x (S1 da) + w x (w x S)
-// moment:  w x J w + 2 sum_k da_k G_k w + w x (P da)
-// modal k: -w^T G_k w + 2 sum_l da_l w . (sum m Phi_l x Phi_k) + C_k da_k + K_k a_k
+// moment:  dJ w + w x (J w + C da) + dC da
+// modal k: -1/2 w . dJ/da_k w + w . sum_l da_l (dC_k/da_l - dC_l/da_k) + C_k da_k + K_k a_k
 void ModalInertia::velocity_and_elastic_force(const Vec& a, const Vec& v, Eigen::Ref<Eigen::VectorXd> h) const {
   FOOTFALL_DEMAND(a.size() == modes_ && v.size() == 6 + modes_ && h.size() == 6 + modes_);
   const Vector3d w = v.segment<3>(3);
-  Matrix3d J = J0_;
+  Vector3d H = J0_ * w;  // J w + C da
   Vector3d force = w.cross(w.cross(first_moment(a)));
   Vector3d moment = Vector3d::Zero();
   for (int k = 0; k < modes_; ++k) {
     const double da = v(6 + k);
-    const Matrix3d G0 = Eigen::Map<const Matrix3d>(&G0_(0, k));
-    const Matrix3d G = gyration(k, a);
-    const Vector3d Gw = G * w;
-    J += a(k) * (G0.transpose() + G);
+    const Vector3d J1w = Eigen::Map<const Matrix3d>(&J1_(0, k)) * w;
+    const Vector3d dJw = inertia_slope(k, a) * w;
+    Vector3d C = C0_.col(k), dC = Vector3d::Zero(), gyroscopic = Vector3d::Zero();
+    for (int l = 0; l < modes_; ++l) {
+      C += a(l) * coupling_slope(l, k);
+      dC += v(6 + l) * coupling_slope(l, k);
+      gyroscopic += v(6 + l) * (coupling_slope(l, k) - coupling_slope(k, l));
+    }
+    H += 0.5 * a(k) * (J1w + dJw) + da * C;
     force += 2.0 * da * w.cross(S1_.col(k));
-    moment += da * (2.0 * Gw + w.cross(P_.col(k)));
-    Vector3d coriolis = Vector3d::Zero();
-    for (int l = 0; l < modes_; ++l) coriolis += v(6 + l) * coupling_rate(l, k);
-    h(6 + k) = -w.dot(Gw) + 2.0 * w.dot(coriolis) + C_(k) * da + K_(k) * a(k);
+    moment += da * (dJw + dC);
+    h(6 + k) = -0.5 * w.dot(dJw) + w.dot(gyroscopic) + C_(k) * da + K_(k) * a(k);
   }
   h.head<3>() = force;
-  h.segment<3>(3) = moment + w.cross(J * w);
+  h.segment<3>(3) = moment + w.cross(H);
 }
 
 // Row by row the derivatives of g = M(a) dv + h(a, v), with dv = [ddr; dw; dda]; see the two functions above.
@@ -179,44 +181,43 @@ void ModalInertia::derivatives(const Vec& a, const Vec& v, const Vec& dv, Eigen:
   const Vector3d dw = dv.segment<3>(3);
   const Matrix3d wx = skew(w);
   const Vector3d S = first_moment(a);
-  Matrix3d J = J0_;
-  Vector3d S1da = Vector3d::Zero();
-  Vector3d Pda = Vector3d::Zero();
-  Matrix3d Gda = Matrix3d::Zero();
+  Matrix3d J = J0_, J_rate = Matrix3d::Zero();
+  Vector3d S1da = Vector3d::Zero(), Cda = Vector3d::Zero();
   for (int k = 0; k < modes_; ++k) {
     const double da = v(6 + k);
-    const Matrix3d G0 = Eigen::Map<const Matrix3d>(&G0_(0, k));
-    const Matrix3d G = gyration(k, a);
-    const Matrix3d dJ = G + G.transpose();
+    const Matrix3d dJ = inertia_slope(k, a);
     const Vector3d S1 = S1_.col(k);
-    const Vector3d P = P_.col(k);
-    J += a(k) * (G0.transpose() + G);
-    S1da += da * S1;
-    Pda += da * P;
-    Gda += da * G;
-    Vector3d C1dda = Vector3d::Zero();     // (dC/da_k) dda
-    Matrix3d dGda = Matrix3d::Zero();      // sum_l da_l dG_l/da_k
-    Vector3d coriolis = Vector3d::Zero();  // sum_l da_l (sum m Phi_l x Phi_k)
+    Vector3d C = C0_.col(k);
+    Vector3d to_dda = Vector3d::Zero();   // (dC/da_k) dda
+    Vector3d to_da = Vector3d::Zero();    // (dC/da_k) da
+    Vector3d C_rate = Vector3d::Zero();   // dC_k
+    Matrix3d dJ_rate = Matrix3d::Zero();  // sum_l da_l d2J/da_l da_k
     for (int l = 0; l < modes_; ++l) {
-      const Vector3d c_lk = coupling_rate(l, k);
-      const Matrix3d G1_lk = gyration_rate(l, k);
-      C1dda -= dv(6 + l) * c_lk;             // c_kl = -c_lk
-      dGda += v(6 + l) * G1_lk.transpose();  // G1_kl = G1_lk^T
-      coriolis += v(6 + l) * c_lk;
-      dg_da(6 + k, l) = dw.dot(c_lk) - w.dot(G1_lk * w);
-      dg_dv(6 + k, 6 + l) = 2.0 * w.dot(c_lk);
+      const Vector3d c_lk = coupling_slope(l, k), c_kl = coupling_slope(k, l);
+      const Matrix3d J2_lk = inertia_curvature(l, k);
+      C += a(l) * c_lk;
+      to_dda += dv(6 + l) * c_kl;
+      to_da += v(6 + l) * c_kl;
+      C_rate += v(6 + l) * c_lk;
+      dJ_rate += v(6 + l) * J2_lk;
+      dg_da(6 + k, l) = dw.dot(c_lk) - 0.5 * w.dot(J2_lk * w);
+      dg_dv(6 + k, 6 + l) = w.dot(c_lk - c_kl);
     }
+    J += 0.5 * a(k) * (Eigen::Map<const Matrix3d>(&J1_(0, k)) + dJ);
+    J_rate += da * dJ;
+    S1da += da * S1;
+    Cda += da * C;
     dg_da(6 + k, k) += K_(k);
     dg_dv(6 + k, 6 + k) += C_(k);
     dg_da.block<3, 1>(0, k) = dw.cross(S1) + w.cross(w.cross(S1));
-    dg_da.block<3, 1>(3, k) = S1.cross(ddr) + dJ * dw + C1dda + w.cross(dJ * w) + 2.0 * (dGda * w);
+    dg_da.block<3, 1>(3, k) = S1.cross(ddr) + dJ * dw + to_dda + dJ_rate * w + w.cross(dJ * w + to_da);
     dg_dv.block<3, 1>(0, 6 + k) = 2.0 * w.cross(S1);
-    dg_dv.block<3, 1>(3, 6 + k) = 2.0 * (G * w) + w.cross(P);
-    dg_dv.block<1, 3>(6 + k, 3) = (2.0 * coriolis - dJ * w).transpose();
+    dg_dv.block<3, 1>(3, 6 + k) = dJ * w + w.cross(C) + C_rate + to_da;
+    dg_dv.block<1, 3>(6 + k, 3) = (C_rate - to_da - dJ * w).transpose();
   }
   dg_dv.leftCols<3>().setZero();
   dg_dv.block<3, 3>(0, 3) = -2.0 * skew(S1da) - skew(w.cross(S)) - wx * skew(S);
-  dg_dv.block<3, 3>(3, 3) = wx * J - skew(J * w) + 2.0 * Gda - skew(Pda);
+  dg_dv.block<3, 3>(3, 3) = J_rate + wx * J - skew(J * w + Cda);
 }
 
 double ModalInertia::kinetic_energy(const Vec& a, const Vec& v) const {

@@ -10,10 +10,12 @@ namespace footfall {
 
 // All components in B:  v = [dr; w; da] (6+s), dv = its components' rates as used in theory 1.2:
 //   ddr_j = ddr + dw x rho_j + Phi_j dda + w_j,   w_j = 2 w x (Phi_j da) + w x (w x rho_j).
-//   M(a) dv + h(a, v) = applied generalized force,  h = sum_j m_j B_j^T w_j + rotary terms of J_j + [0; 0; C
-//   da + K a].
-// Elastic and damping forces are part of h. For s = 0: M = diag(m I, J), h = [m w x (w x c); w x J w] with c
-// = 0.
+//   M(a) dv + h(a, v) = applied generalized force: Lagrange's equations of
+//   T = 1/2 m |dr|^2 + dr . (w x S(a) + S1 da) + 1/2 w . J(a) w + w . C(a) da + 1/2 da^T Mff da
+// with elastic and damping forces in h. The rotary inertia J_j of a node turns with it, by t_j = Psi_j a: to second
+// order in a it is J_j + t~ J_j - J_j t~ + 1/2 (t~ t~ J_j + J_j t~ t~) - t~ J_j t~, with the node's angular velocity
+// w + Psi_j da + 1/2 t x Psi_j da. This holds gyroscopic and centrifugal moments of discs on a shaft.
+// For s = 0: M = diag(m I, J), h = [m w x (w x c); w x J w] with c = 0.
 class ModalInertia {
  public:
   // Rigid body: mass [kg], inertia about the centre of mass in B [kg m2].
@@ -40,24 +42,23 @@ class ModalInertia {
   Eigen::Vector3d centre_of_mass(const Eigen::Ref<const Eigen::VectorXd>& a) const;
 
  private:
-  Eigen::Vector3d first_moment(const Eigen::Ref<const Eigen::VectorXd>& a) const;          // S(a)
-  Eigen::Vector3d coupling(int k, const Eigen::Ref<const Eigen::VectorXd>& a) const;       // column k of C(a)
-  Eigen::Matrix3d gyration(int k, const Eigen::Ref<const Eigen::VectorXd>& a) const;       // G_k(a)
-  Eigen::Matrix3d inertia(const Eigen::Ref<const Eigen::VectorXd>& a) const;               // J(a)
-  Eigen::Matrix3d gyration_rate(int l, int k) const;                                       // dG_k/da_l
-  Eigen::Vector3d coupling_rate(int l, int k) const { return C1_.block<3, 1>(3 * k, l); }  // dC_k/da_l
+  Eigen::Vector3d first_moment(const Eigen::Ref<const Eigen::VectorXd>& a) const;           // S(a)
+  Eigen::Vector3d coupling(int k, const Eigen::Ref<const Eigen::VectorXd>& a) const;        // C_k(a), column of C
+  Eigen::Matrix3d inertia(const Eigen::Ref<const Eigen::VectorXd>& a) const;                // J(a)
+  Eigen::Matrix3d inertia_slope(int k, const Eigen::Ref<const Eigen::VectorXd>& a) const;   // dJ/da_k
+  Eigen::Matrix3d inertia_curvature(int l, int k) const;                                    // d2J/da_l da_k
+  Eigen::Vector3d coupling_slope(int l, int k) const { return C1_.block<3, 1>(3 * k, l); }  // dC_k/da_l
 
-  // Shape integrals, all in B; x~ is the skew matrix of x, sums over nodes j.
+  // Shape integrals, all in B; x~ is the skew matrix of x, sums over nodes j, t_k = Psi_k of the node.
   int modes_ = 0;
   double mass_ = 0.0;      // sum m [kg]
   Eigen::Vector3d S0_;     // sum m rho0 [kg m]
   Eigen::Matrix3Xd S1_;    // 3 x s: sum m Phi
-  Eigen::Matrix3d J0_;     // -sum m rho0~ rho0~ + sum J_j [kg m2]
-  Eigen::Matrix3Xd P_;     // 3 x s: sum J_j Psi_j
-  Eigen::Matrix3Xd C0_;    // 3 x s: sum m rho0~ Phi + J_j Psi_j
-  Eigen::MatrixXd C1_;     // 3s x s: rows 3k.., column l: sum m Phi_l x Phi_k
-  Eigen::MatrixXd G0_;     // 9 x s: column k holds -sum m rho0~ Phi_k~, column by column
-  Eigen::MatrixXd G1_;     // 9s x s: rows 9k.., column l: -sum m Phi_l~ Phi_k~
+  Eigen::Matrix3d J0_;     // sum -m rho0~ rho0~ + J_j [kg m2]
+  Eigen::MatrixXd J1_;     // 9 x s: column k holds dJ/da_k at a = 0, column by column
+  Eigen::MatrixXd J2_;     // 9s x s: rows 9k.., column l: d2J/da_l da_k
+  Eigen::Matrix3Xd C0_;    // 3 x s: sum m rho0~ Phi + J_j Psi
+  Eigen::MatrixXd C1_;     // 3s x s: rows 3k.., column l: sum m Phi_l x Phi_k + t_l x J_j t_k - 1/2 J_j (t_l x t_k)
   Eigen::MatrixXd Mff_;    // s x s: sum m Phi^T Phi + Psi^T J_j Psi
   Eigen::VectorXd K_, C_;  // s: diagonal modal stiffness [1/s2] and damping [1/s]
 };

@@ -32,6 +32,7 @@ void add_flexible_bodies(const FlexibleBodies& flexible, Json& json) {
     Json& body = json["flexible_bodies"][flexible.body(k).name()];
     body["modes"] = flexible.body(k).mode_count();
     body["lowest_frequency_Hz"] = std::sqrt(flexible.body(k).modal()->stiffness.minCoeff()) / (2.0 * kPi);
+    if (const auto error = flexible.body(k).modal()->static_error) body["static_error"] = *error;
     body["max_strain_energy_J"] = flexible.peak(k).strain_energy;
     body["max_deflection_m"] = flexible.peak(k).deflection;
     body["max_von_mises_Pa"] = flexible.peak(k).von_mises;

@@ -84,8 +84,8 @@ constexpr std::string_view name_of(ModalBasis kind) {
 struct FlexibleSpec {
   bool enabled = true;  // flexible = false, or the scene's switch: rigid
   ModalBasis basis = ModalBasis::kCraigBampton;
-  std::optional<int> modes;               // how many are kept; 0: rigid; not given: all below max_frequency, or 10
-  std::optional<double> max_frequency;    // modes above it are left out [Hz]
+  std::optional<int> modes;  // on top of the static shapes; 0: rigid; not given: all below max_frequency, or 10
+  std::optional<double> max_frequency;    // of these modes, those above it are left out [Hz]
   double damping = kDefaultDampingRatio;  // modal damping ratio [-]
   int elements = 8;                       // tube, rod: beam elements along the axis
   double mesh_size = 0.0;                 // disc, dish: edge length of triangles [m]; 0: radius / 4

@@ -169,7 +169,8 @@ TEST_F(FlexibleScene, KeepsModesByNumberOrByFrequencyInEitherBasis) {
   EXPECT_EQ(modes({"bodies.rod.flexible={ basis=\"free_free\", max_frequency=100 }"}), 2);
   EXPECT_EQ(modes({"bodies.rod.flexible={ basis=\"free_free\", max_frequency=200 }"}), 4);
   EXPECT_EQ(modes({"bodies.rod.flexible={ basis=\"free_free\", max_frequency=200, modes=3 }"}), 3);
-  EXPECT_EQ(modes({"bodies.rod.flexible={ max_frequency=200 }"}), 4);
+  // Clamped: 7.2, 45.2 and 126 Hz.
+  EXPECT_EQ(modes({"bodies.rod.flexible={ max_frequency=200 }"}), 6);
   EXPECT_EQ(modes({"bodies.rod.flexible=true"}), 10);
 }
 
