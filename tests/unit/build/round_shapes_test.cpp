@@ -125,12 +125,7 @@ TEST(RoundShape, EnergyClosesWhileAPlateFallsFlat) {
   run.to(0.3, 20);
   EXPECT_GT(run.state.dissipated[Dissipation::kContact], 0.05);
   EXPECT_GT(run.state.dissipated[Dissipation::kFriction], 0.01);
-<<<<<<< HEAD
-  EXPECT_LT(std::abs(run.imbalance()),
-            1e-4 * run.state.dissipated.total());  // second order at 1e-9, friction of 1e-4 m/s
-=======
   EXPECT_LT(std::abs(run.imbalance()), 1e-4 * run.state.dissipated.total());  // at a tolerance of 1e-9
->>>>>>> placing
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Shafts with discs that spin: whirl frequencies from the shape integrals of the reduced body, in its own frame, against
+// mbd_solver/model/modal_inertia.h in a rotor. Shafts with discs that spin: whirl frequencies from the shape integrals of the reduced body, in its own frame, against
 // those of the finite-element model with its gyroscopic matrix, in the frame that rests.
 #include <gtest/gtest.h>
 
