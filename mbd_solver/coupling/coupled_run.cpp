@@ -52,8 +52,7 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Kin
       up_(up_direction(scene.gravity)),
       scheme_(make_scheme(scene.coupling.scheme)),
       partner_(transport, bodies_with_boundary(mechanism, start), terms_of(scene, t_end), scene.coupling.timeout),
-      agreement_{partner_.dt(), partner_.substeps(), partner_.coupled(), scheme_.get()},
-      flow_(mechanism.model) {
+      agreement_{partner_.dt(), partner_.substeps(), partner_.coupled(), scheme_.get()} {
   std::vector<std::string> names;
   std::vector<double> masses;
   double weight = std::numeric_limits<double>::infinity();  // of the lightest body [N]
@@ -94,10 +93,9 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   motion_.n = std::max(1, std::min(scheme_->substeps(wanted, motion_.window), left));
   motion_.last_window = left <= motion_.n;
 
-  // The energy at the start, for the first contacts; of a mechanism that starts at rest what it has moved so far.
-  flow_.take(stored, state, kinematics);
+  // The energy at the start; of a mechanism that starts at rest the largest kinetic energy so far.
   if (motion_.window == 0) reference_energy_ = stored.total() - stored[Stored::kGravity];
-  reference_energy_ = std::max(reference_energy_, flow_.scale());
+  reference_energy_ = std::max(reference_energy_, stored[Stored::kKinetic]);
   work_before_ = state.load_work;
 
   for (std::size_t k = 0; k < bodies_.size(); ++k) {

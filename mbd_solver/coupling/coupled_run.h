@@ -17,7 +17,6 @@
 #include "mbd_solver/coupling/coupling_watch.h"
 #include "mbd_solver/coupling/dem_partner.h"
 #include "mbd_solver/coupling/window_choice.h"
-#include "mbd_solver/dynamics/energy_flow.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/model/external_load.h"
 #include "mbd_solver/model/laws/energy.h"
@@ -78,7 +77,6 @@ class CoupledRun {
   std::unique_ptr<WindowChoice> choice_;  // null when the script fixes n
   std::vector<WindowChoice::Body> choice_bodies_;
   CouplingSample sample_;
-  EnergyFlow flow_;
   double reference_energy_ = 0.0;            // scale of energy errors [J]
   Eigen::VectorXd work_before_;              // State::load_work at the window's start [J]
   std::vector<double> work_received_;        // in the window, per coupled body [J]

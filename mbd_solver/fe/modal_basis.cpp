@@ -134,8 +134,9 @@ std::string static_warning(const std::string& name, double error) {
   std::ostringstream text;
   text.precision(2);
   text << name << ": its modes err by " << 100.0 * error
-       << " % in the static response to loads at its attachments or to its weight (static_error). Raise its modes or "
-          "max_frequency, or use the basis \"craig_bampton\".";
+       << " % in the static response to loads at its attachments (static_error). Raise its modes or max_frequency, or "
+          "use "
+          "the basis \"craig_bampton\".";
   return text.str();
 }
 
@@ -167,6 +168,7 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
 
   MatrixXd shapes(problem.K.rows(), 0);
   std::optional<double> error_of_statics;
+  double error_at_attachments = 0.0;
   try {
     const std::vector<int> held = interface_dofs(problem, options);
     const MatrixXd rigid = gathered(rigid_motions(model, mass_properties(model).centre), active);
@@ -174,7 +176,10 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
     if (!(wanted.count && *wanted.count == 0)) {
       shapes = options.kind == BasisKind::kFreeFree || held.empty() ? free_free_shapes(problem, wanted)
                                                                     : craig_bampton_shapes(problem, body, wanted);
-      if (!held.empty() && shapes.cols() > 0) error_of_statics = static_error(body, shapes);
+      if (!held.empty() && shapes.cols() > 0) {
+        error_of_statics = static_error(body, shapes);
+        error_at_attachments = interface_error(body, shapes);
+      }
     }
   } catch (const InputError& error) {
     const std::string what = error.what();
@@ -203,8 +208,7 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
   all_of_them.max_frequency.reset();
   if (shapes.cols() > 0) all_of_them.mode_count.reset();
   ReducedBody reduced = orthonormalised(std::move(raw), shapes.transpose() * (model.stiffness * shapes), all_of_them);
-  if (error_of_statics && *error_of_statics > kStaticTolerance)
-    reduced.warnings.push_back(static_warning(name, *error_of_statics));
+  if (error_at_attachments > kStaticTolerance) reduced.warnings.push_back(static_warning(name, error_at_attachments));
   return reduced;
 }
 

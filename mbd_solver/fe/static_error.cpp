@@ -53,17 +53,6 @@ MatrixXd interface_loads(const HeldBody& body) {
   return scattered(gathered(balanced, some).transpose(), body.held, body.K.rows());
 }
 
-// max_i 1 - c_i' / c_i with c = f . K^+ f of the model and c' = (Phi^T f) . (Phi^T K Phi)^-1 (Phi^T f) of the shapes.
-double interface_error(const HeldBody& body, const MatrixXd& shapes) {
-  const MatrixXd f = interface_loads(body);
-  if (f.cols() == 0) return 0.0;
-  const VectorXd exact = f.cwiseProduct(balanced_solution(body.K, body.M, f, body.scale)).colwise().sum();
-  const MatrixXd unit = scaled(shapes), Q = unit.transpose() * f;
-  const MatrixXd K = unit.transpose() * (body.K * unit);
-  const VectorXd found = Q.cwiseProduct(K.ldlt().solve(Q)).colwise().sum();
-  return (1.0 - found.array() / exact.array()).maxCoeff();
-}
-
 // The same for weight, with the interface held: f = M r for translations r, without what only swings the body about
 // an interface that does not hold it.
 double weight_error(const HeldBody& body, const MatrixXd& shapes) {
@@ -111,6 +100,17 @@ MatrixXd balanced_solution(const Sparse& K, const Sparse& M, const MatrixXd& loa
 
 int held_motions(const HeldBody& body) {
   return 6 - static_cast<int>(null_space(gathered(scaled(body.rigid), body.held)).cols());
+}
+
+// max_i 1 - c_i' / c_i with c = f . K^+ f of the model and c' = (Phi^T f) . (Phi^T K Phi)^-1 (Phi^T f) of the shapes.
+double interface_error(const HeldBody& body, const MatrixXd& shapes) {
+  const MatrixXd f = interface_loads(body);
+  if (f.cols() == 0) return 0.0;
+  const VectorXd exact = f.cwiseProduct(balanced_solution(body.K, body.M, f, body.scale)).colwise().sum();
+  const MatrixXd unit = scaled(shapes), Q = unit.transpose() * f;
+  const MatrixXd K = unit.transpose() * (body.K * unit);
+  const VectorXd found = Q.cwiseProduct(K.ldlt().solve(Q)).colwise().sum();
+  return (1.0 - found.array() / exact.array()).maxCoeff();
 }
 
 double static_error(const HeldBody& body, const MatrixXd& shapes) {

@@ -29,5 +29,7 @@ int held_motions(const HeldBody& body);
 //  - unit forces and moments at the interface, each balanced by others there: deflection at the loads;
 //  - weight, held at the interface, along each axis: mean deflection, over that along the softest axis.
 double static_error(const HeldBody& body, const Eigen::MatrixXd& shapes);
+// Of that the first part alone: what joints and struts will see.
+double interface_error(const HeldBody& body, const Eigen::MatrixXd& shapes);
 
 }  // namespace footfall

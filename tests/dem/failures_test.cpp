@@ -36,7 +36,7 @@ std::vector<Case> cases() {
   add({"ForeignProtocol",
        2,
        {"liggghts_mbd: ERROR: message Geometry: the partner speaks protocol version 999, this program "
-        "version 1",
+        "version 2",
         "scripted_partner: ERROR: liggghts_mbd stopped: message Geometry"},
        "",
        "until 0.01 misbehave version"});

@@ -173,6 +173,15 @@ TEST(StaticError, OfABeamClampedAtBothEndsIsTheSagThatItsModesLack) {
   EXPECT_TRUE(two.warnings.empty());
   const ReducedBody one = reduce(model, craig_bampton(1, {0, 16}), "beam");
   EXPECT_NEAR(*one.body.static_error, 1.0, lumping) << "no sag in one of two planes";
+  EXPECT_TRUE(one.warnings.empty()) << "the sag under its own weight is told in the summary alone";
+}
+
+// Without static shapes the response to loads at the joints errs, and that is warned of.
+TEST(StaticError, AtTheAttachmentsIsWarnedOf) {
+  const FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 16, rod_section(0.01), kSteel);
+  BasisOptions free = craig_bampton(1, {0, 16});
+  free.kind = BasisKind::kFreeFree;
+  const ReducedBody one = reduce(model, free, "beam");
   ASSERT_EQ(one.warnings.size(), 1u);
   EXPECT_TRUE(has(one.warnings[0], "body \"beam\"") && has(one.warnings[0], "static_error")) << one.warnings[0];
 }
