@@ -4,7 +4,8 @@
 set -u
 footfall=$1 out=$2 program=$3
 here=$(cd "$(dirname "$0")" && pwd)
-die() { echo "$*"; cat "$out/said.txt"; pkill -KILL -f "$out/run" ; exit 1; }
+mark=${out##*/}/run  # in the command line of every process of the run, which may have the path from elsewhere
+die() { echo "$*"; cat "$out/said.txt"; pkill -KILL -f "$mark" ; exit 1; }
 rm -rf "$out" && mkdir -p "$out"
 "$footfall" run "$here/../bad_input/plate_on_grains.scene" --set particles.script="\"$here/endless.in\"" --set end_time=1000 \
   --set coupling.timeout=2 --out "$out/run" >"$out/said.txt" 2>&1 &
@@ -13,7 +14,7 @@ until [[ -f $out/run/history.csv && $(wc -l <"$out/run/history.csv") -gt 3 ]]; d
   kill -0 "$run" 2>/dev/null || die "the run ended before it was under way"
   sleep 0.1
 done
-stopped=$(pgrep -f "bin/$program .*$out/run" | while read -r pid; do [[ $(readlink "/proc/$pid/exe") == */$program ]] && echo "$pid"; done | head -n 1)
+stopped=$(pgrep -f "bin/$program .*$mark" | while read -r pid; do [[ $(readlink "/proc/$pid/exe") == */$program ]] && echo "$pid"; done | head -n 1)
 [[ -n $stopped ]] || die "$program was not found"
 kill -STOP "$stopped"
 start=$SECONDS
@@ -22,5 +23,5 @@ code=$?
 echo "$program stopped: ended with code $code after $((SECONDS - start)) s"
 [[ $code == 1 ]] || die "exit code $code, expected 1"
 grep -q 'has said nothing for\|nothing for 2' "$out/said.txt" || die "no message tells of the silent partner"
-pgrep -f "$out/run" >/dev/null && die "a process is left: $(pgrep -af "$out/run")"
+pgrep -f "$mark" >/dev/null && die "a process is left: $(pgrep -af "$mark")"
 exit 0
