@@ -30,10 +30,15 @@ Momentum momentum(const Model& model, test::Run& run) {
       const Eigen::Vector3d rho = modal.rho0.col(j) + modal.Phi.middleRows(3 * j, 3) * b.a;
       const Eigen::Vector3d arm = b.A * rho;
       const Eigen::Vector3d dr = b.dr + b.w.cross(arm) + b.A * (modal.Phi.middleRows(3 * j, 3) * b.da);
-      const Eigen::Vector3d w_B = b.A.transpose() * b.w + modal.Psi.middleRows(3 * j, 3) * b.da;
+      // The node's own: J_j turns with it by t, J to second order with w and to first order with da (theory 1.2).
+      const Eigen::Matrix3d& J = modal.node_inertia[static_cast<std::size_t>(j)];
+      const Eigen::Vector3d w_B = b.A.transpose() * b.w, t = modal.Psi.middleRows(3 * j, 3) * b.a,
+                            dt = modal.Psi.middleRows(3 * j, 3) * b.da;
+      const Eigen::Matrix3d T = skew(t);
+      const Eigen::Vector3d own = (J + T * J - J * T + 0.5 * (T * T * J + J * T * T) - T * J * T) * w_B +
+                                  (J + T * J - J * T) * dt + 0.5 * J * t.cross(dt);
       out.linear += modal.node_mass[j] * dr;
-      out.angular +=
-          modal.node_mass[j] * (b.r + arm).cross(dr) + b.A * (modal.node_inertia[static_cast<std::size_t>(j)] * w_B);
+      out.angular += modal.node_mass[j] * (b.r + arm).cross(dr) + b.A * own;
     }
   }
   return out;

@@ -1,5 +1,6 @@
-// mbd_solver/model/modal_inertia.h in a rotor. Shafts with discs that spin: whirl frequencies from the shape integrals of the reduced body, in its own frame, against
-// those of the finite-element model with its gyroscopic matrix, in the frame that rests.
+// mbd_solver/fe/modal_basis.h and mbd_solver/model/modal_inertia.h together: shafts with discs that spin. Whirl
+// frequencies from the shape integrals of the reduced body, in its own frame, against those of the finite-element model
+// with its gyroscopic matrix, in the frame that rests.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
