@@ -35,7 +35,7 @@ std::vector<Case> cases() {
   // The partner misbehaves.
   add({"ForeignProtocol",
        2,
-       {"liggghts_mbd: ERROR: message Geometry: the partner speaks protocol version 999, this program "
+       {"liggghts_mbd: ERROR: message Geometry: the partner speaks protocol version 1000, this program "
         "version 2",
         "scripted_partner: ERROR: liggghts_mbd stopped: message Geometry"},
        "",
