@@ -88,6 +88,7 @@ struct FlexibleSpec {
   std::optional<double> max_frequency;    // of these modes, those above it are left out [Hz]
   double damping = kDefaultDampingRatio;  // modal damping ratio [-]
   int elements = 8;                       // tube, rod: beam elements along the axis
+  int segments = 1;                       // tube, rod: so many bodies in a row, each with modes of its own
   double mesh_size = 0.0;                 // disc, dish: edge length of triangles [m]; 0: radius / 4
   std::string mesh;                       // plate on this triangle mesh instead of the shape (STL, OBJ, PLY)
   double mesh_scale = 1.0;                // metres per unit of the mesh file [-]

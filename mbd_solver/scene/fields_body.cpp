@@ -49,6 +49,7 @@ void visit_fields(FieldVisitor& v, FlexibleSpec& f) {
   v.field("max_frequency", &f.max_frequency, {Unit::kFrequency, Range::kPositive});
   v.field("damping", &f.damping, {Unit::kNone, Range::kNotNegative});
   v.field("elements", &f.elements, {Unit::kNone, Range::kPositive});
+  v.field("segments", &f.segments, {Unit::kNone, Range::kPositive});
   v.field("mesh_size", &f.mesh_size, {Unit::kLength, Range::kPositive});
   v.field("mesh", &f.mesh, {Unit::kNone, Range::kAny, Meaning::kPath});
   v.field("mesh_scale", &f.mesh_scale, {Unit::kNone, Range::kPositive});

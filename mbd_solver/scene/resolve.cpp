@@ -65,6 +65,7 @@ void resolve_scene(Scene& scene, Findings& findings) {
   PathResolver paths(scene.folder, findings);
   visit_fields(paths, scene);
   resolve_joint_points(scene, findings);
+  resolve_segments(scene, findings);
   resolve_masses(scene, findings);
   if (!scene.flexible) {
     for (BodySpec& body : scene.bodies) {

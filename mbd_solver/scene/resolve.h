@@ -10,6 +10,10 @@ namespace footfall {
 // What cannot be completed becomes a finding.
 void resolve_scene(Scene& scene, Findings& findings);
 
+// A body with flexible.segments = N becomes N bodies "NAME_1" ... "NAME_N" with fixed joints between them; what was
+// attached to it is attached to the segment at its point.
+void resolve_segments(Scene& scene, Findings& findings);
+
 // Mass, mass centre and inertia of every body from what was given: explicit numbers, or shape and material; "remainder"
 // last.
 void resolve_masses(Scene& scene, Findings& findings);
