@@ -1,17 +1,29 @@
 #!/usr/bin/env bash
-# Wall time of the coupled landing beside stock LIGGGHTS on the same bed, with four stock meshes moved as the pads of the coupled run were
-# (`fix move/mesh linear/variable`): the same steps, about the same impact, so about as many neighbour lists. A B A B ..., ratio pair by pair.
-#   tests/bench/stock_ratio.sh BUILD BED.restart [PAIRS] [SECONDS simulated] [extra words for mbd_solver]
+# Wall and processor time of the coupled landing beside stock LIGGGHTS on the same bed, with four stock meshes moved as the pads of the coupled run were
+# (`fix move/mesh linear/variable`): the same steps, about the same impact, so about as many neighbour lists. A B A B ..., ratios pair by pair, their medians.
+#   tests/bench/stock_ratio.sh BUILD BED.restart [-r RANKS] [-p PAIRS] [-t SECONDS] [-s STORE] [-- extra words for mbd_solver]
+#     -r  ranks of LIGGGHTS on both sides (default 2); the mechanism has one more
+#     -p  pairs (default 3); ten tell one per cent on a quiet machine
+#     -t  simulated time [s] (default 0.1)
+#     -s  a file that keeps the medians of every call; what changed since the last call of the same kind is told
 # BED.restart and BED.restart.grains are what `footfall run` keeps (its printed line names them).
 set -eu
-build=$1 bed=$2 pairs=${3:-3} seconds=${4:-0.1}
-shift $(( $# < 4 ? $# : 4 ))
+(( $# >= 2 )) || { sed -n '2,9p' "$0"; exit 2; }
+build=$(realpath "$1") bed=$(realpath "$2"); shift 2
+ranks=2 pairs=3 seconds=0.1 store=
+while getopts r:p:t:s: option; do
+  case $option in
+    r) ranks=$OPTARG ;; p) pairs=$OPTARG ;; t) seconds=$OPTARG ;; s) store=$(realpath -m "$OPTARG") ;;
+    *) exit 2 ;;
+  esac
+done
+shift $((OPTIND - 1))
 root=$(cd "$(dirname "$0")/../.." && pwd)
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 steps=$(awk -v t="$seconds" 'BEGIN { printf "%d", t / 1e-4 + 0.5 }')
 # Open MPI refuses root unless told.
 (( EUID )) || export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-mpi="mpirun --oversubscribe --bind-to none -np 2"
+mpi="mpirun --oversubscribe --bind-to none -np $ranks"
 
 # The pad's disc: ring k holds 6 k vertices, as the scene's boundary.
 awk 'function v(k, i,   a) { if (k == 0) return "0 0 0"; a = 2 * 3.14159265358979 * i / (6 * k); return sprintf("%.9g %.9g 0", 0.05 * k * cos(a), 0.05 * k * sin(a)) }
@@ -23,12 +35,18 @@ awk 'function v(k, i,   a) { if (k == 0) return "0 0 0"; a = 2 * 3.1415926535897
        }
        print "endsolid pad" }' > "$work/pad.stl"
 
-seconds_of() { local start; start=$(date +%s.%N); "$@" > "$work/out" 2>&1 || { cat "$work/out" >&2; exit 1; }; awk -v a="$start" -v b="$(date +%s.%N)" 'BEGIN { print b - a }'; }
+# "WALL PROCESSOR" [s] of a command and all its children.
+seconds_of() {
+  local TIMEFORMAT='%R %U %S'
+  { time "$@" > "$work/out" 2>&1; } 2> "$work/time" || { cat "$work/out" >&2; exit 1; }
+  awk '{ print $1, $2 + $3 }' "$work/time"
+}
 # The pads start 5 mm above the highest grain under the first of them, as the lander does.
 height=$(awk '($1 - 1.2374)^2 + ($2 - 1.2374)^2 < 0.04 && $3 + $4 > top { top = $3 + $4 } END { print top + 0.005 }' "$bed.grains")
 
 cd "$work"
 for pair in $(seq "$pairs"); do
+  rm -rf "$work/run"
   ours=$(seconds_of $mpi "$build/bin/liggghts_mbd" -in "$root/inputs/landing_mr/in.regolith" -var here "$root/inputs/landing_mr" -var bed "$bed" -var frames 0 -log ours.log : \
     -np 1 "$build/bin/mbd_solver" "$root/inputs/landing_mr" --quiet --until "$seconds" --set particles.grains="$bed.grains" --out "$work/run" "$@")
   # Slope changes at every second row of the history for 60 ms, then at every tenth.
@@ -49,5 +67,18 @@ for pair in $(seq "$pairs"); do
     }' run/history.csv > motion.lammps
   stock=$(seconds_of $mpi liggghts -in "$root/tests/bench/in.stock_landing" -var here "$root/inputs/landing_mr" -var bed "$bed" -var pad pad.stl -var height "$height" -var steps "$steps" -log stock.log)
   parts=$(grep -E '"(dem|mbd|exchange)_wall_s"' run/summary.json | tr -d ' \n"' | sed 's/_wall_s:/ /g')
-  awk -v a="$ours" -v b="$stock" -v parts="$parts" -v lists="$(sed -n 's/Neighbor list builds = //p' ours.log)" -v stock_lists="$(sed -n 's/Neighbor list builds = //p' stock.log)" 'BEGIN { printf "coupled %.2f s  stock %.2f s  ratio %.3f  [s]: %s  neighbour lists %d and %d\n", a, b, a / b, parts, lists, stock_lists }'
+  echo "$ours $stock" >> pairs.txt
+  awk -v a="$ours" -v b="$stock" -v parts="$parts" -v lists="$(sed -n 's/Neighbor list builds = //p' ours.log)" -v stock_lists="$(sed -n 's/Neighbor list builds = //p' stock.log)" '
+    BEGIN { split(a, x); split(b, y); printf "coupled %.2f s  stock %.2f s  ratio %.3f  processor %.3f  [s]: %s  neighbour lists %d and %d\n", x[1], y[1], x[1] / y[1], x[2] / y[2], parts, lists, stock_lists }'
 done
+
+median() { awk -v a="$1" -v b="$2" '{ print $a / $b }' pairs.txt | sort -g | awk '{ v[NR] = $1 } END { printf "%.3f", (v[int((NR + 1) / 2)] + v[int((NR + 2) / 2)]) / 2 }'; }
+kind="$ranks ranks, $seconds s${*:+, $*}" wall=$(median 1 3) processor=$(median 2 4)
+machine="$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
+echo "$kind: median of $pairs pairs: wall $wall, processor $processor ($machine)"
+if [[ -n $store ]]; then
+  before=$(grep -F "| $kind |" "$store" 2>/dev/null | tail -n 1 || true)
+  [[ -z $before ]] || echo "before: $before"
+  [[ -f $store ]] || printf '| date | revision | kind | pairs | wall | processor | machine |\n|---|---|---|---|---|---|---|\n' > "$store"
+  echo "| $(date +%F) | $(git -C "$root" rev-parse --short HEAD 2>/dev/null || echo -) | $kind | $pairs | $wall | $processor | $machine |" >> "$store"
+fi
