@@ -78,8 +78,14 @@ inline constexpr auto kFields<BodyMotion> =
                Field{"ddr", &BodyMotion::ddr}, Field{"dw", &BodyMotion::dw}, Field{"dda", &BodyMotion::dda}};
 
 template <>
-inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt}, Field{"n", &Start::n},
-                                                  Field{"step", &Start::step}, Field{"bodies", &Start::bodies}};
+inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt},
+                                                  Field{"n", &Start::n},
+                                                  Field{"step", &Start::step},
+                                                  Field{"bodies", &Start::bodies},
+                                                  Field{"gravity", &Start::gravity},
+                                                  Field{"gravity_known", &Start::gravity_known},
+                                                  Field{"may_end_early", &Start::may_end_early},
+                                                  Field{"warnings", &Start::warnings}};
 
 template <>
 inline constexpr auto kFields<Accept> =
@@ -92,9 +98,9 @@ inline constexpr auto kFields<Motion> =
                Field{"last_window", &Motion::last_window}, Field{"bodies", &Motion::bodies}};
 
 template <>
-inline constexpr auto kFields<Load> =
-    std::tuple{Field{"window", &Load::window}, Field{"particles", &Load::particles},
-               Field{"wall_seconds", &Load::wall_seconds}, Field{"bodies", &Load::bodies}};
+inline constexpr auto kFields<Load> = std::tuple{
+    Field{"window", &Load::window},     Field{"particles", &Load::particles},       Field{"lost", &Load::lost},
+    Field{"warnings", &Load::warnings}, Field{"wall_seconds", &Load::wall_seconds}, Field{"bodies", &Load::bodies}};
 
 template <>
 inline constexpr auto kFields<BodyLoad> = std::tuple{

@@ -22,7 +22,7 @@
 
 namespace footfall {
 
-inline constexpr std::int32_t kProtocolVersion = 2;
+inline constexpr std::int32_t kProtocolVersion = 3;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // LIGGGHTS' name of the units that both programs use.
@@ -65,6 +65,12 @@ struct Start {
   std::int32_t n = 0;               // substeps per window; 0: each Motion says ("every auto")
   std::int64_t step = 0;            // LIGGGHTS' step number at the first window
   std::vector<std::string> bodies;  // names coupled by the script; fixes the order in Motion and Load
+  // Of the grains, by the script's fix gravity; zero where there is none [m/s2]. Unknown: it varies, nothing moves the
+  // grains, or the script says that it is its own affair.
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
+  bool gravity_known = false;
+  bool may_end_early = false;         // the script's end may end the coupled run before the scene's
+  std::vector<std::string> warnings;  // for the user, who reads them from the mechanism's side
 };
 
 struct Accept {
@@ -107,8 +113,10 @@ struct BodyLoad {
 
 struct Load {
   static constexpr MessageKind kKind = MessageKind::kLoad;
-  std::int64_t window = 0;     // the same k as the Motion it answers
-  std::int64_t particles = 0;  // grains now
+  std::int64_t window = 0;            // the same k as the Motion it answers
+  std::int64_t particles = 0;         // grains now
+  std::int64_t lost = 0;              // since the start: grains that LIGGGHTS lost, and that the script did not delete
+  std::vector<std::string> warnings;  // new ones; for the user, who reads them from the mechanism's side
   // of the DEM side since its last Load or Accept, set-up and output included, waiting excluded [s]
   double wall_seconds = 0.0;
   std::vector<BodyLoad> bodies;  // order of Start
@@ -116,8 +124,8 @@ struct Load {
 
 struct Close {
   static constexpr MessageKind kKind = MessageKind::kClose;
-  Status status = Status::kOk;
-  std::string reason;  // empty when kOk
+  Status status = Status::kOk;  // kOk before the last window: the script has ended, as it may (Start::may_end_early)
+  std::string reason;           // empty when kOk
 };
 
 // For the two that say who they are (Hello, Geometry): throws ProtocolError, naming both values, unless protocol and

@@ -7,8 +7,38 @@ namespace footfall {
 namespace {
 
 constexpr const char* kUsage =
-    "expected: fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]";
+    "expected: fix ID all couple/mbd every N|auto [patience SECONDS] [gravity scene|script] [end scene|script] "
+    "[lost SHARE] [mesh MESH-ID BODY]...";
 constexpr int kMostSubsteps = 1000000;  // of a window
+
+// The words one after the other; whatever is not as expected ends in an InputError that begins with `fix`.
+class Reader {
+ public:
+  Reader(std::string fix, const std::vector<std::string>& words, std::size_t first)
+      : fix_(std::move(fix)), words_(words), next_(first) {}
+  bool more() const { return next_ < words_.size(); }
+  const std::string& keyword() const { return words_[next_]; }
+  // The n-th word behind the keyword.
+  const std::string& value(std::size_t n = 1) const {
+    if (next_ + n >= words_.size()) wrong_keyword();
+    return words_[next_ + n];
+  }
+  void step(std::size_t words) { next_ += words; }
+  [[noreturn]] void wrong_keyword() const { throw InputError(fix_ + "at \"" + keyword() + "\" " + kUsage); }
+  [[noreturn]] void wrong_value(const std::string& needs) const {
+    throw InputError(fix_ + "`" + keyword() + "` needs " + needs + ", not \"" + value() + "\"");
+  }
+  // Does the value say `scene` (and not `script`)?
+  bool scene() const {
+    if (value() != "scene" && value() != "script") wrong_value("`scene` or `script`");
+    return value() == "scene";
+  }
+
+ private:
+  std::string fix_;
+  const std::vector<std::string>& words_;
+  std::size_t next_;
+};
 
 }  // namespace
 
@@ -17,28 +47,39 @@ CoupleMbdArguments::CoupleMbdArguments(int narg, const char* const* arg) {
   FOOTFALL_DEMAND(words.size() >= 3);
   fix = "fix " + words[0] + " " + words[2] + ": ";
   if (words.size() < 5 || words[3] != "every") throw InputError(fix + kUsage);
-  if (words[4] != "auto") {
-    const std::optional<int> n = whole_number(words[4], 1, kMostSubsteps);
-    if (!n)
-      throw InputError(fix + "`every` needs a number of steps from 1 to " + std::to_string(kMostSubsteps) +
-                       " or `auto`, not \"" + words[4] + "\"");
+  Reader reader(fix, words, 3);
+  if (reader.value() != "auto") {
+    const std::optional<int> n = whole_number(reader.value(), 1, kMostSubsteps);
+    if (!n) reader.wrong_value("a number of steps from 1 to " + std::to_string(kMostSubsteps) + " or `auto`");
     every = *n;
   }
-  std::size_t next = 5;
-  if (next + 1 < words.size() && words[next] == "patience") {
-    patience = positive_number(words[next + 1]);
-    if (!patience)
-      throw InputError(fix + "`patience` needs a positive number of seconds, not \"" + words[next + 1] + "\"");
-    next += 2;
+  for (reader.step(2); reader.more();) {
+    const std::string& keyword = reader.keyword();
+    if (keyword == "mesh") {
+      const MeshOfBody pair{reader.value(1), reader.value(2)};
+      for (const MeshOfBody& other : meshes)
+        if (other.mesh == pair.mesh)
+          throw InputError(fix + "mesh " + pair.mesh + ": it belongs to body \"" + other.body + "\" already");
+      meshes.push_back(pair);
+      reader.step(3);
+      continue;
+    }
+    if (keyword == "patience") {
+      patience = positive_number(reader.value());
+      if (!patience) reader.wrong_value("a positive number of seconds");
+    } else if (keyword == "gravity") {
+      gravity_of_scene = reader.scene();
+    } else if (keyword == "end") {
+      end_of_scene = reader.scene();
+    } else if (keyword == "lost") {
+      const std::optional<double> share = positive_number(reader.value());
+      if (!share || *share > 1.0) reader.wrong_value("a share of the grains above 0 and up to 1");
+      max_lost = *share;
+    } else {
+      reader.wrong_keyword();
+    }
+    reader.step(2);
   }
-  for (; next + 2 < words.size() && words[next] == "mesh"; next += 3) {
-    const MeshOfBody pair{words[next + 1], words[next + 2]};
-    for (const MeshOfBody& other : meshes)
-      if (other.body == pair.body)
-        throw InputError(fix + "mesh " + pair.mesh + ": body \"" + pair.body + "\" has a mesh already");
-    meshes.push_back(pair);
-  }
-  if (next != words.size()) throw InputError(fix + "at \"" + words[next] + "\" " + kUsage);
 }
 
 }  // namespace footfall

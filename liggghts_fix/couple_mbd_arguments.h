@@ -1,5 +1,5 @@
 #pragma once
-// The words of  fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...], taken apart without
+// The words of  fix ID all couple/mbd every N|auto [KEYWORD VALUE]... [mesh MESH-ID BODY]..., taken apart without
 // LIGGGHTS headers.
 
 #include <optional>
@@ -15,13 +15,16 @@ struct MeshOfBody {
 };
 
 struct CoupleMbdArguments {
-  // Throws InputError for a missing, wrong or further word, and for a body that gets two meshes.
+  // Throws InputError for a missing, wrong or further word, and for a mesh that is named twice.
   CoupleMbdArguments(int narg, const char* const* arg);
 
   std::string fix;                 // "fix ID couple/mbd: ", where messages begin
   int every = 0;                   // substeps per window; 0: `auto`, the multibody side chooses
   std::optional<double> patience;  // how long the partner may be silent [s]; nothing: as the launcher has it
-  std::vector<MeshOfBody> meshes;
+  bool gravity_of_scene = true;    // `gravity scene|script`: is the script's fix gravity held against the scene's?
+  bool end_of_scene = true;        // `end scene|script`: is it an error when the script ends before the scene does?
+  double max_lost = 0.05;          // `lost SHARE`: of all grains; when LIGGGHTS loses more, the run stops [-]
+  std::vector<MeshOfBody> meshes;  // several may belong to one body
 };
 
 }  // namespace footfall

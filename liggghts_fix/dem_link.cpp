@@ -16,6 +16,10 @@ namespace {
 
 std::string number(double value) { return number_text(value, 10); }
 
+std::string vector_text(const Eigen::Vector3d& v) {
+  return "(" + number(v[0]) + ", " + number(v[1]) + ", " + number(v[2]) + ")";
+}
+
 }  // namespace
 
 void DemLink::greet(const std::string& unit_style) {
@@ -59,29 +63,51 @@ int DemLink::couple(const std::string& name, const std::string& unit_style) {
   if (started())
     throw InputError("couple/mbd: body \"" + name + "\" cannot join after the first run; name it in the script before");
   names_.push_back(name);
+  touched_.emplace_back();
   return static_cast<int>(names_.size()) - 1;
 }
 
-void DemLink::start(double dt, int n, std::int64_t step) {
+// What the scene has for grains to touch, and the script does not use.
+void DemLink::tell_untouched(std::vector<std::string>& warnings) const {
+  for (const CoupledBody& body : geometry_.bodies) {
+    const ModalBoundary& boundary = body.boundary;
+    const auto name = std::find(names_.begin(), names_.end(), boundary.name());
+    const Touched touched =
+        name == names_.end() ? Touched{} : touched_[static_cast<std::size_t>(name - names_.begin())];
+    std::vector<std::string> missed;
+    if (!boundary.triangles().empty() && !touched.surface) missed.emplace_back("its surface (by a mesh)");
+    std::set<int> chains;
+    for (const BeamSegment& segment : boundary.segments())
+      if (touched.chains.count(segment.chain) == 0) chains.insert(segment.chain);
+    for (const int chain : chains) missed.push_back("beam " + std::to_string(chain) + " of it (by fix wall/gran/beam)");
+    if (missed.empty()) continue;
+    warnings.push_back("the scene has a boundary of body \"" + boundary.name() +
+                       "\" for the grains, but the script does not couple " + joined(missed) + ": grains pass through");
+  }
+}
+
+void DemLink::start(Start script) {
   if (started()) {
-    if (dt != dt_)
-      throw InputError("couple/mbd: the time step changed from " + number(dt_) + " to " + number(dt) +
+    if (script.dt != dt_)
+      throw InputError("couple/mbd: the time step changed from " + number(dt_) + " to " + number(script.dt) +
                        " s between two runs; the windows of the coupling need one time step for the whole scene");
-    FOOTFALL_DEMAND(n == n_);
+    if (script.gravity_known && script_.gravity_known && script.gravity != script_.gravity)
+      throw InputError("couple/mbd: the gravity of the grains changed from " + vector_text(script_.gravity) + " to " +
+                       vector_text(script.gravity) + " m/s2 between two runs, and that of the scene does not");
+    FOOTFALL_DEMAND(script.n == n_);
     return;
   }
   FOOTFALL_DEMAND(greeted_);
-  dt_ = dt;
-  n_ = n;
-  Start start;
-  start.dt = dt;
-  start.n = n;
-  start.step = step;
-  start.bodies = names_;
-  link_->send(start);
+  dt_ = script.dt;
+  n_ = script.n;
+  script.bodies = names_;
+  tell_untouched(script.warnings);
+  script_ = std::move(script);
+  link_->send(script_);
   link_->receive(accept_);
   if (accept_.patience > 0.0 && !own_patience_) link_->set_patience(accept_.patience);
   sent_ = wall_clock();
+  lost_here_ = 0.0;
   scheme_ = make_scheme(accept_.scheme);
   for (const std::string& name : names_)
     bodies_.push_back(std::make_unique<DemBody>(scene_body(name, kUnitStyle), *scheme_));
@@ -97,8 +123,10 @@ void DemLink::begin_substep(std::int64_t step) {
   if (step == step_) return;
   FOOTFALL_DEMAND(started());
   if (finished_)
-    throw InputError("couple/mbd: the scene ended at t = " + number(accept_.t_end) +
-                     " s, and the script wants to go on. Remove the `run` after the one that ends the scene");
+    throw InputError(
+        "couple/mbd: the scene ended at t = " + number(accept_.t_end) +
+        " s, and the script wants to go on. Remove the `run` after the one that ends the scene, or `unfix` the "
+        "coupling before it, if the grains shall go on alone");
   step_ = step;
   if (forces_are_new_)
     for (const auto& body : bodies_) body->take_standing();
@@ -147,19 +175,45 @@ bool DemLink::end_substep() {
   return --substeps_left_ == 0;
 }
 
-void DemLink::write_shares(std::vector<double>& row) {
-  row.clear();
+void DemLink::write_shares(std::int64_t grains, std::vector<double>& row) {
+  row = {static_cast<double>(grains), lost_here_};
+  lost_here_ = 0.0;
   for (const auto& body : bodies_) body->append_share(row);
 }
 
-void DemLink::finish_window(const std::vector<double>& rows, int ranks, std::int64_t particles) {
-  std::size_t row_size = 0;
+// Of all ranks: how many there are, and how many LIGGGHTS has lost since the start.
+void DemLink::count_grains(const std::vector<double>& rows, int ranks) {
+  const std::size_t row_size = rows.size() / static_cast<std::size_t>(ranks);
+  double grains = 0.0, lost = 0.0;
+  for (std::size_t rank = 0; rank < static_cast<std::size_t>(ranks); ++rank) {
+    grains += rows[rank * row_size];
+    lost += rows[rank * row_size + 1];
+  }
+  load_.particles = std::llround(grains);
+  load_.warnings.clear();
+  if (lost <= 0.0) return;
+  const bool first = load_.lost == 0;
+  load_.lost += std::llround(lost);
+  const double all = grains + static_cast<double>(load_.lost);
+  const std::string what = "t = " + number(time()) + " s: " + std::to_string(load_.lost) + " of " + number(all) +
+                           " grains have left the box, and LIGGGHTS has lost them";
+  if (static_cast<double>(load_.lost) > max_lost_ * all)
+    throw NumericalError(what + "; fix couple/mbd allows a share of " + number(max_lost_) +
+                         ". Make the region of create_box larger, or the bed calmer, or allow more: lost SHARE");
+  if (first) load_.warnings.push_back(what + " (this is said once; summary: grains_lost)");
+}
+
+void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
+  std::size_t row_size = 2;
   for (const auto& body : bodies_) row_size += body->share_size();
   FOOTFALL_DEMAND(rows.size() == row_size * static_cast<std::size_t>(ranks));
+  count_grains(rows, ranks);
   for (const auto& body : bodies_) body->clear_load();
   const double* next = rows.data();
-  for (int rank = 0; rank < ranks; ++rank)
+  for (int rank = 0; rank < ranks; ++rank) {
+    next += 2;  // of count_grains
     for (const auto& body : bodies_) next = body->add_share(next);
+  }
 
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyLoad& load = bodies_[i]->load();
@@ -172,7 +226,6 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks, std::int
   }
   work_ += window_work_;
   load_.window = windows_++;
-  load_.particles = particles;
   const double now = wall_clock();
   load_.wall_seconds = now - sent_ - waited_;
   sent_ = now;
@@ -182,18 +235,38 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks, std::int
   link_->close();
 }
 
+void DemLink::uncoupled_by(const std::string& command) {
+  if (!started()) {
+    touched_.clear();
+    names_.clear();  // what comes now may couple other bodies
+    return;
+  }
+  if (finished_ || link_->closed()) return;
+  if (script_.may_end_early) {
+    script_ended();
+    return;
+  }
+  throw InputError(command + ": takes the coupling away at t = " + number(time()) +
+                   " s, before the end of the scene at t = " + number(accept_.t_end) +
+                   " s. If the grains shall go on alone, say so: fix ID all couple/mbd every N end script ...");
+}
+
 void DemLink::script_ended() {
   if (link_ == nullptr || link_->closed()) return;
+  if (started() && script_.may_end_early) {
+    finished_ = link_->fail("", Status::kOk);
+    return;
+  }
   std::string why;
   if (!started()) {
     why =
         "the LIGGGHTS script ended without running `fix couple/mbd`; the scene expects grains. Add the fix and a "
         "`run`, or run the scene without LIGGGHTS";
   } else {
-    const double t = motion_.time + dt_ * (motion_.n - substeps_left_);
-    why = "the LIGGGHTS script ended at t = " + number(t) +
+    why = "the LIGGGHTS script ended at t = " + number(time()) +
           " s, before the end of the scene at t = " + number(accept_.t_end) + " s. `run` at least " +
-          number(std::ceil((accept_.t_end - accept_.t_start) / dt_ - 1e-9)) + " steps in all";
+          number(std::ceil((accept_.t_end - accept_.t_start) / dt_ - 1e-9)) +
+          " steps in all, or say that the script may end the run: fix ID all couple/mbd every N end script ...";
   }
   link_->fail(why, Status::kBadInput);
   throw InputError(why);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,13 @@ class DemLink {
   // one after start().
   int couple(const std::string& name, const std::string& unit_style);
 
-  // dt [s], n substeps per window (0: the partner chooses each time), LIGGGHTS' step number. First call: Start and
-  // Accept. Later calls (further runs) check that nothing has changed: InputError.
-  void start(double dt, int n, std::int64_t step);
+  // Grains touch the body's surface, or its chain of beams of this number: what nothing touches is told at the start.
+  void touch_surface(int body) { touched_[static_cast<std::size_t>(body)].surface = true; }
+  void touch_chain(int body, int chain) { touched_[static_cast<std::size_t>(body)].chains.insert(chain); }
+
+  // What the script says (all of it but the names). First call: Start and Accept. Later calls (further runs) check that
+  // nothing has changed: InputError.
+  void start(Start script);
   double dt() const { return dt_; }  // as started [s]
   bool started() const { return scheme_ != nullptr; }
   bool finished() const { return finished_; }  // the last window is done and both sides have closed
@@ -44,10 +49,15 @@ class DemLink {
   bool in_last_substep() const { return last_window_ && substeps_left_ == 1; }
   // After it. True when the window is complete: then write_shares, gather, and finish_window follow.
   bool end_substep();
-  // One row of numbers: what the grains of this rank did to the bodies in the window.
-  void write_shares(std::vector<double>& row);
-  // rows: those of all ranks, one behind the other.
-  void finish_window(const std::vector<double>& rows, int ranks, std::int64_t particles);
+  // One row of numbers: what the grains of this rank did to the bodies in the window, how many they are, and how many
+  // LIGGGHTS has lost since the last one.
+  void write_shares(std::int64_t grains, std::vector<double>& row);
+  // Grains have changed ranks. This rank had so many before, and has so many now: what the sum over ranks has lost
+  // stood outside of the box.
+  void grains_exchanged(std::int64_t before, std::int64_t now) { lost_here_ += static_cast<double>(before - now); }
+  // rows: those of all ranks, one behind the other. Throws NumericalError for a load that is not finite, and when more
+  // than the share max_lost of all grains is lost.
+  void finish_window(const std::vector<double>& rows, int ranks);
 
   // For thermo output.
   std::int64_t windows() const { return windows_; }  // completed
@@ -58,6 +68,9 @@ class DemLink {
 
   // The script has ended. If the scene has not, tells the partner and throws InputError: too early, or never started.
   void script_ended();
+  // A command (its name begins the message) takes the coupling away: as script_ended, but nothing is wrong before the
+  // first run.
+  void uncoupled_by(const std::string& command);
   // This side failed: the partner hears why. True if it has.
   bool fail(const std::string& reason, Status status = Status::kFailed) noexcept {
     return link_ == nullptr || link_->fail(reason, status);
@@ -66,20 +79,32 @@ class DemLink {
   bool partner_interrupted() const { return link_ != nullptr && link_->partner_status() == Status::kInterrupted; }
   // How long the partner may be silent before it counts as lost [s].
   void set_patience(double seconds);
+  void set_max_lost(double share) { max_lost_ = share; }  // of all grains [-]
 
  private:
   void greet(const std::string& unit_style);
   void begin_window();
+  void tell_untouched(std::vector<std::string>& warnings) const;
+  void count_grains(const std::vector<double>& rows, int ranks);
+  double time() const { return motion_.time + dt_ * (motion_.n - substeps_left_); }  // [s]
 
   Link* link_;
   bool greeted_ = false;
   Geometry geometry_;
   std::vector<std::string> names_;
+  struct Touched {
+    bool surface = false;
+    std::set<int> chains;
+  };
+  std::vector<Touched> touched_;  // in the order of names_
   std::unique_ptr<Scheme> scheme_;
   std::vector<std::unique_ptr<DemBody>> bodies_;
   bool own_patience_ = false;  // the script has its own
+  double lost_here_ = 0.0;     // given to other ranks and not taken from them, since the last write_shares
+  double max_lost_ = 1.0;      // of all grains [-]
   double dt_ = 0.0;            // [s]
   int n_ = 0;
+  Start script_;  // what the script said at the first run
   Accept accept_;
   Motion motion_;                          // of the open window
   std::vector<BodyMotion> at_last_start_;  // computed states at the last window's start

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "atom.h"
 #include "comm.h"
 #include "coupler/base/errors.h"
 #include "coupler/mpi_check.h"
+#include "liggghts_fix/fix_couple_mbd_match.h"
+#include "liggghts_fix/fix_couple_mbd_script.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "modify.h"
 #include "signal_handling.h"
@@ -28,8 +31,16 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
     throw InputError(arguments_.fix + "there is one already; name all meshes in it");
   if (link_.started()) throw InputError(arguments_.fix + "the coupling has run already and cannot be set up anew");
   if (arguments_.patience) link_.set_patience(*arguments_.patience);
+  link_.set_max_lost(arguments_.max_lost);
   for (const footfall::MeshOfBody& pair : arguments_.meshes)
     meshes_.push_back(std::make_unique<CoupledMesh>(lmp_, arguments_.fix, pair, link_));
+  for (const auto& mesh : meshes_) {
+    std::vector<PartOfSurface> parts;
+    for (const auto& other : meshes_)
+      if (other->body() == mesh->body()) parts.push_back({other->id(), other->corners()});
+    check_whole_surface(link_.scene_body(link_.body_name(mesh->body()), update->unit_style).boundary, parts);
+    link_.touch_surface(mesh->body());
+  }
 
   vector_flag = 1;
   size_vector = kOutputs;
@@ -51,6 +62,7 @@ void FixCoupleMbd::post_create() {
 void FixCoupleMbd::pre_delete(bool unfixed) {
   if (!unfixed) return;  // LIGGGHTS goes down, and the meshes may have gone first
   for (const auto& mesh : meshes_) mesh->detach();
+  link_.uncoupled_by(std::string("unfix ") + id);
 }
 
 void FixCoupleMbd::init() {
@@ -64,12 +76,20 @@ void FixCoupleMbd::init() {
       throw InputError(where + "mesh " + mesh->id() + " was removed by `unfix`; unfix " + id + " first");
   if (link_.body_count() == 0)
     throw InputError(where + "no body to couple: name meshes here, or beams with fix wall/gran/beam");
-  link_.start(update->dt, arguments_.every, update->ntimestep);
+  footfall::Start script;
+  script.dt = update->dt;
+  script.n = arguments_.every;
+  script.step = update->ntimestep;
+  script.may_end_early = !arguments_.end_of_scene;
+  if (arguments_.gravity_of_scene) read_gravity(*modify, script);
+  link_.start(std::move(script));
   rows_of_output_.clear();
-  for (const auto& mesh : meshes_) rows_of_output_.push_back(mesh->body());
-  for (int body = 0; body < link_.body_count(); ++body)
+  const auto add_row = [this](int body) {
     if (std::find(rows_of_output_.begin(), rows_of_output_.end(), body) == rows_of_output_.end())
       rows_of_output_.push_back(body);
+  };
+  for (const auto& mesh : meshes_) add_row(mesh->body());
+  for (int body = 0; body < link_.body_count(); ++body) add_row(body);
   size_array_rows = link_.body_count();
   for (const auto& mesh : meshes_) mesh->begin_run(style);
   link_.expect_set_up();
@@ -91,12 +111,12 @@ void FixCoupleMbd::initial_integrate(int) {
 
 void FixCoupleMbd::final_integrate() {
   if (!link_.end_substep()) return;
-  link_.write_shares(row_);
+  link_.write_shares(atom->nlocal, row_);
   rows_.resize(row_.size() * static_cast<std::size_t>(comm->nprocs));
   const int count = static_cast<int>(row_.size());
   footfall::check_mpi(MPI_Allgather(row_.data(), count, MPI_DOUBLE, rows_.data(), count, MPI_DOUBLE, world),
                       "MPI_Allgather");
-  link_.finish_window(rows_, comm->nprocs, atom->natoms);
+  link_.finish_window(rows_, comm->nprocs);
 }
 
 double FixCoupleMbd::compute_vector(int n) {

@@ -1,13 +1,16 @@
-// fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]
+// fix ID all couple/mbd every N|auto [patience SECONDS] [gravity scene|script] [end scene|script] [lost SHARE]
+//   [mesh MESH-ID BODY]...
 // Moves stock meshes with the bodies of a multibody scene and sends the mean contact load of every N steps back. The
 // bodies of fix wall/gran/beam take part without being named here. A partner that says nothing for SECONDS
-// (coupling.timeout of the scene) counts as lost.
+// (coupling.timeout of the scene) counts as lost. gravity script: the fix gravity of the script need not be that of the
+// scene; end script: the script may end, or unfix the coupling, before the scene ends; lost: share of the grains that
+// LIGGGHTS may lose (0.05).
 //
 // Output: f_ID[1] windows done, [2] interface energy residual [J] (work of the grains on the boundaries minus the work
 // received by the multibody side, over all windows but the last), [3] work of the grains on the boundaries [J], [4]
 // largest overlap over grain radius, [5] contacts. f_ID[i][1..6]: mean force [N] and mean moment about Bo [N m], both
-// in W, of the last window on the body of the i-th `mesh` pair, positive ON the body; then on the bodies that only
-// beams touch, in the order of their fixes.
+// in W, of the last window on the i-th body that the `mesh` pairs name, positive ON the body; then on the bodies that
+// only beams touch, in the order of their fixes.
 
 #ifdef FIX_CLASS
 FixStyle(couple / mbd, FixCoupleMbd)

@@ -1,6 +1,8 @@
 #include "liggghts_fix/fix_couple_mbd_match.h"
 
 #include <algorithm>
+#include <limits>
+#include <map>
 
 #include "coupler/base/errors.h"
 #include "coupler/mpi_check.h"
@@ -45,11 +47,40 @@ std::vector<footfall::CornerNodes> match_over_ranks(TriMesh* mesh, const std::st
   for (std::size_t i = 0; i < mine.size(); ++i) all[static_cast<std::size_t>(mine[i].id)] = corners[i];
   footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, all.data(), 3 * (highest + 1), MPI_INT, MPI_MAX, world),
                       "MPI_Allreduce");
-  if (all.size() != body.boundary.triangles().size())
-    throw footfall::InputError("mesh " + mesh_id + " has " + std::to_string(all.size()) + " triangles, body \"" +
-                               body.boundary.name() + "\" of the scene has " +
-                               std::to_string(body.boundary.triangles().size()));
   return all;
+}
+
+std::vector<Eigen::Matrix3d> velocities_over_ranks(TriMesh* mesh, double*** v, std::size_t elements, MPI_Comm world) {
+  constexpr double kNotMine = std::numeric_limits<double>::lowest();
+  std::vector<Eigen::Matrix3d> all(elements, Eigen::Matrix3d::Constant(kNotMine));
+  for (int i = 0; i < mesh->sizeLocal(); ++i)
+    for (int k = 0; k < 3; ++k)
+      all[static_cast<std::size_t>(mesh->id(i))].col(k) = Eigen::Map<const Eigen::Vector3d>(v[i][k]);
+  footfall::check_mpi(
+      MPI_Allreduce(MPI_IN_PLACE, all.front().data(), static_cast<int>(9 * elements), MPI_DOUBLE, MPI_MAX, world),
+      "MPI_Allreduce");
+  return all;
+}
+
+void check_whole_surface(const footfall::ModalBoundary& boundary, const std::vector<PartOfSurface>& parts) {
+  std::map<footfall::CornerNodes, const std::string*> holder;  // by sorted nodes
+  std::string meshes;
+  for (const PartOfSurface& part : parts) {
+    meshes += (meshes.empty() ? "mesh " : " and mesh ") + part.mesh;
+    for (footfall::CornerNodes corners : part.corners) {
+      std::sort(corners.begin(), corners.end());
+      const auto [place, is_new] = holder.emplace(corners, &part.mesh);
+      if (!is_new && place->second != &part.mesh)
+        throw footfall::InputError("meshes " + *place->second + " and " + part.mesh +
+                                   " hold the same triangle of body \"" + boundary.name() +
+                                   "\"; its contacts would count twice");
+    }
+  }
+  const std::size_t whole = boundary.triangles().size();
+  if (holder.size() != whole)
+    throw footfall::InputError(meshes + (parts.size() == 1 ? " has " : " have ") + std::to_string(holder.size()) +
+                               " triangles, body \"" + boundary.name() + "\" of the scene has " +
+                               std::to_string(whole));
 }
 
 }  // namespace LAMMPS_NS

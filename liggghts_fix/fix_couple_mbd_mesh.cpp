@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "atom.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "domain.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
+#include "liggghts_fix/fix_couple_mbd_box.h"
 #include "liggghts_fix/fix_couple_mbd_match.h"
 #include "liggghts_fix/fix_couple_mbd_materials.h"
 #include "liggghts_fix/liggghts_access.h"
@@ -37,32 +38,62 @@ CoupledMesh::CoupledMesh(LAMMPS* lmp_, const std::string& asker, const footfall:
   if (fix_ == nullptr) throw InputError(where_ + "no fix mesh/surface of this id stands before this line");
   if (fix_->triMesh()->isMoving() || fix_->triMesh()->isDeforming())
     throw InputError(where_ + "another fix or a servo moves it already");
-  if (fix_->surfaceVel())
-    throw InputError(where_ + "it has a surface velocity of its own (surface_vel, surface_ang_vel)");
+  if (footfall::surface_velocity_varies(fix_))
+    throw InputError(where_ +
+                     "its surface velocity is a variable, which LIGGGHTS sets anew in every step; give "
+                     "surface_vel or surface_ang_vel numbers");
   body_ = link_.couple(pair.body, update->unit_style);
   const footfall::CoupledBody& scene_body = link_.scene_body(pair.body, update->unit_style);
-  module_ = std::make_unique<MeshModuleMbd>(lmp, fix_, match_over_ranks(fix_->triMesh(), mesh_id_, scene_body, world));
+  try {
+    module_ =
+        std::make_unique<MeshModuleMbd>(lmp, fix_, match_over_ranks(fix_->triMesh(), mesh_id_, scene_body, world));
+  } catch (const InputError& mismatch) {
+    if (!modify->have_restart_data(fix_)) throw;
+    throw InputError(mismatch.what() + std::string(". The restart file knows a mesh of this id and has placed it: give "
+                                                   "the mesh another id"));
+  }
   x_W_.resize(3, scene_body.boundary.node_count());
   v_W_.resize(3, scene_body.boundary.node_count());
+  for (const footfall::CornerNodes& corner : corners()) nodes_.insert(nodes_.end(), corner.begin(), corner.end());
+  std::sort(nodes_.begin(), nodes_.end());
+  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+  if (fix_->surfaceVel()) {
+    belt_B_ =
+        velocities_over_ranks(fix_->triMesh(), node_velocities(fix_->triMesh())->begin(), corners().size(), world);
+    for (Eigen::Matrix3d& corner : belt_B_) corner = scene_body.initial.rotation().transpose() * corner;
+  }
   reach_ = scene_body.boundary.rho0().colwise().norm().maxCoeff();
 }
 
 void CoupledMesh::attach() {
   TriMesh* mesh = fix_->triMesh();
   mesh->registerMove(false, true, true);
-  mesh->prop()
-      .addElementProperty<NodeVelocities>(kVelocity, "comm_exchange_borders", "frame_invariant", "restart_no")
-      ->setAll(0.0);
+  made_velocities_ = node_velocities(mesh) == nullptr;  // not of a conveyor, or after a `fix move/mesh`
+  if (made_velocities_)
+    mesh->prop()
+        .addElementProperty<NodeVelocities>(kVelocity, "comm_exchange_borders", "frame_invariant", "restart_no")
+        ->setAll(0.0);
   footfall::attach_mesh_module(fix_, kModule, module_.get());
 }
 
 void CoupledMesh::detach() {
+  if (!is_there()) return;
   footfall::detach_mesh_module(fix_, kModule);
-  fix_->triMesh()->prop().removeElementProperty(kVelocity);
-  fix_->triMesh()->unregisterMove(false, true, true);
+  TriMesh* mesh = fix_->triMesh();
+  if (made_velocities_) {
+    mesh->prop().removeElementProperty(kVelocity);
+  } else if (link_.started()) {
+    node_velocities(mesh)->setAll(0.0);
+    add_belt();
+  }
+  mesh->unregisterMove(false, true, true);
 }
 
-bool CoupledMesh::is_there() const { return modify->find_fix_id(mesh_id_.c_str()) == fix_; }
+// Another mesh of the same id, perhaps at the same address, does not know our module.
+bool CoupledMesh::is_there() const {
+  auto* const found = dynamic_cast<FixMeshSurface*>(modify->find_fix_id(mesh_id_.c_str()));
+  return found != nullptr && found == fix_ && found->get_module(kModule) == module_.get();
+}
 
 bool CoupledMesh::touches_grains() const {
   for (int i = 0; i < modify->nfix; ++i) {
@@ -84,6 +115,8 @@ void CoupledMesh::begin_run(const char* style) {
                      "no fix wall/gran names it, so grains would pass through it: add  fix ID all wall/gran model ... "
                      "mesh n_meshes 1 meshes " +
                      mesh_id_);
+  if (const std::string outside = outside_box(); !outside.empty())
+    throw InputError(where_ + "body \"" + link_.body_name(body_) + "\" " + outside);
   module_->set_body(&link_.body(body_));
   module_->set_contacts(wall_contacts(*modify, atom->ntypes, fix_->atomTypeWall(), style));
 }
@@ -95,6 +128,7 @@ void CoupledMesh::move() {
   TriMesh* tri_mesh = fix_->triMesh();
   if (body.path().steady_translation()) {
     translate(body.pose().dr);
+    add_belt();
     return;
   }
   body.boundary().node_positions(body.pose(), x_W_);
@@ -112,6 +146,7 @@ void CoupledMesh::move() {
     }
     for (int c = 0; c < 3; ++c) center[i][c] = (x[i][0][c] + x[i][1][c] + x[i][2][c]) / 3.0;
   }
+  add_belt();
   if (body.path().first_substep()) turn_properties(body.path().jump());
   turn_properties(body.path().last_step());
   if (body.boundary().mode_count() > 0) footfall::recalculate_mesh(tri_mesh);
@@ -133,6 +168,17 @@ void CoupledMesh::translate(const Eigen::Vector3d& velocity) {
     for (int c = 0; c < 3; ++c) center[i][c] += dx[c];
   }
   mesh->prop().move(dx);
+}
+
+// A conveyor's belt runs on the body and turns with it: v = v_body + R_WB v_belt.
+void CoupledMesh::add_belt() {
+  if (belt_B_.empty()) return;
+  TriMesh* mesh = fix_->triMesh();
+  const Eigen::Matrix3d R_WB = link_.body(body_).pose().rotation();
+  double*** v = node_velocities(mesh)->begin();
+  for (int i = 0; i < mesh->size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      Eigen::Map<Eigen::Vector3d>(v[i][k]) += R_WB * belt_B_[static_cast<std::size_t>(mesh->id(i))].col(k);
 }
 
 // In a periodic direction a triangle may stand one or more boxes away from its body's own place: it stays there.
@@ -159,32 +205,22 @@ void CoupledMesh::turn_properties(const footfall::BoundaryStep& step) {
   properties.move(pose.r.data());
 }
 
+std::string CoupledMesh::outside_box() const {
+  const footfall::DemBody& body = link_.body(body_);
+  Eigen::Matrix3Xd x(3, body.boundary().node_count());
+  body.boundary().node_positions(body.pose(), x);
+  return LAMMPS_NS::outside_box(*domain, x(Eigen::all, nodes_));
+}
+
 // LIGGGHTS loses triangles that leave the box. Every rank looks at the same pose and comes to the same end.
 void CoupledMesh::check_inside_box() const {
   const footfall::DemBody& body = link_.body(body_);
-  const auto outside = [this](const Eigen::Vector3d& x, double margin) {
-    for (int c = 0; c < 3; ++c) {
-      if (domain->periodicity[c]) continue;
-      // shrink-wrapped
-      const bool follows_low = domain->boundary[c][0] > 1, follows_high = domain->boundary[c][1] > 1;
-      if ((!follows_low && x[c] - margin < domain->boxlo[c]) || (!follows_high && x[c] + margin > domain->boxhi[c]))
-        return true;
-    }
-    return false;
-  };
-  if (body.boundary().mode_count() == 0 && !outside(body.pose().r, reach_)) return;
-  Eigen::Matrix3Xd x(3, body.boundary().node_count());
-  body.boundary().node_positions(body.pose(), x);
-  for (int j = 0; j < x.cols(); ++j)
-    if (outside(x.col(j), 0.0)) {
-      std::ostringstream message;
-      message << "t = " << static_cast<double>(update->ntimestep) * update->dt << " s: mesh " << mesh_id_ << " (body \""
-              << link_.body_name(body_) << "\") leaves the simulation box at step " << update->ntimestep
-              << ": node at (" << x(0, j) << ", " << x(1, j) << ", " << x(2, j) << "), box from (" << domain->boxlo[0]
-              << ", " << domain->boxlo[1] << ", " << domain->boxlo[2] << ") to (" << domain->boxhi[0] << ", "
-              << domain->boxhi[1] << ", " << domain->boxhi[2] << "). Make the region of create_box larger";
-      throw footfall::NumericalError(message.str());
-    }
+  if (body.boundary().mode_count() == 0 && !is_outside(*domain, body.pose().r, reach_)) return;
+  const std::string outside = outside_box();
+  if (outside.empty()) return;
+  throw footfall::NumericalError("t = " + footfall::number_text(static_cast<double>(update->ntimestep) * update->dt) +
+                                 " s: mesh " + mesh_id_ + " (body \"" + link_.body_name(body_) + "\"), at step " +
+                                 std::to_string(update->ntimestep) + ", " + outside);
 }
 
 }  // namespace LAMMPS_NS

@@ -24,8 +24,9 @@ class CoupledMesh : protected Pointers {
   const std::string& id() const { return mesh_id_; }
   int body() const { return body_; }  // index in the link
   bool is_there() const;              // false when the script has removed the mesh
+  const std::vector<footfall::CornerNodes>& corners() const { return module_->corners(); }
   // After the coupling has started. `style`: of the fix, for LIGGGHTS' own messages. Throws InputError when something
-  // else has come to move the mesh since, or when no wall makes contacts with it.
+  // else has come to move the mesh since, when no wall makes contacts with it, or when it stands outside of the box.
   void begin_run(const char* style);
 
   // Throws NumericalError when a node leaves the box: LIGGGHTS loses such triangles.
@@ -34,7 +35,9 @@ class CoupledMesh : protected Pointers {
   void move();
 
  private:
+  std::string outside_box() const;  // of the nodes of the mesh at the body's pose; empty when all are inside
   void translate(const Eigen::Vector3d& velocity);
+  void add_belt();
   double nearest_image(double place, double before, int direction) const;
   void turn_properties(const footfall::BoundaryStep& step);
 
@@ -47,7 +50,12 @@ class CoupledMesh : protected Pointers {
   int body_ = 0;
   std::unique_ptr<MeshModuleMbd> module_;
   Eigen::Matrix3Xd x_W_, v_W_;  // nodes of the body's boundary [m], [m/s]
-  double reach_ = 0.0;          // no node is farther from Bo, undeformed [m]
+  // Of a conveyor (surface_vel, surface_ang_vel), by element id: velocities of the corners relative to the body, in B
+  // [m/s]; empty without.
+  std::vector<Eigen::Matrix3d> belt_B_;
+  bool made_velocities_ = false;  // the mesh had no velocities before we came
+  std::vector<int> nodes_;        // of the boundary that the mesh has; others may be of beams, which may leave the box
+  double reach_ = 0.0;            // no node is farther from Bo, undeformed [m]
 };
 
 }  // namespace LAMMPS_NS

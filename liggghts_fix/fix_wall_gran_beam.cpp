@@ -68,8 +68,10 @@ FixWallGranBeam::FixWallGranBeam(LAMMPS* lmp_, BeamArguments arguments)
   for (const BeamChoice& choice : arguments_.beams) {
     const ModalBoundary& boundary = link_.scene_body(choice.body, update->unit_style).boundary;
     const int body = link_.couple(choice.body, update->unit_style);
-    for (const int number : chosen_chains(arguments_.fix, choice, boundary))
+    for (const int number : chosen_chains(arguments_.fix, choice, boundary)) {
       beams_.push_back(std::make_unique<Beam>(boundary, body, number));
+      link_.touch_chain(body, number);
+    }
   }
   vector_flag = 1;
   size_vector = 8;

@@ -37,11 +37,18 @@ using namespace footfall;
 // How long a partner may be silent before it counts as lost [s]. One window of the multibody side takes milliseconds.
 constexpr double kPatience = 600.0;
 
+volatile std::sig_atomic_t stopped_by_signal = 0;
+
+void stop_after_the_step(int signal) {
+  stopped_by_signal = 1;
+  LAMMPS_NS::SignalHandler::int_handler(signal);
+}
+
 // As LIGGGHTS' own main: SIGINT and SIGTERM end the run after the step, SIGUSR1 asks for a restart file.
 void install_signal_handlers() {
   struct sigaction stop;
   std::memset(&stop, 0, sizeof stop);
-  stop.sa_handler = LAMMPS_NS::SignalHandler::int_handler;
+  stop.sa_handler = stop_after_the_step;
   sigaction(SIGINT, &stop, nullptr);
   sigaction(SIGTERM, &stop, nullptr);
   struct sigaction restart;
@@ -86,6 +93,11 @@ int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_li
   register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
   register_fix_style(lmp, "wall/gran/beam", create_fix<LAMMPS_NS::FixWallGranBeam>);
   lmp->input->file();
+  // The scene's end has stopped a run as a signal would; the script goes on behind that run.
+  while (LAMMPS_NS::SignalHandler::request_quit && dem_link.finished() && !stopped_by_signal) {
+    LAMMPS_NS::SignalHandler::request_quit = false;
+    lmp->input->file();
+  }
   int code = kExitDone;
   if (LAMMPS_NS::SignalHandler::request_quit && dem_link.has_partner() && !dem_link.finished()) {
     code = kExitInterrupted;

@@ -3,16 +3,21 @@
 
 #include "liggghts_fix/liggghts_access.h"
 
+#include <dlfcn.h>
 #include <mpi.h>
 
 #include <algorithm>
 #include <map>
 #include <vector>
 
+#include "atom.h"
+#include "comm.h"
 #include "coupler/base/errors.h"
 #include "fix.h"
+#include "fix_gravity.h"
 #include "fix_mesh_surface.h"
 #include "lammps.h"
+#include "liggghts_fix/dem_link.h"
 #include "modify.h"
 #include "tri_mesh.h"
 
@@ -41,6 +46,16 @@ struct FixMap {
 };
 template struct Reveal<FixMap, &Modify::fix_map>;
 
+// The words behind surface_vel and surface_ang_vel; null when they are numbers.
+template <int>
+struct VelocityWord {
+  using type = char* FixMeshSurface::*;
+};
+template struct Reveal<VelocityWord<0>, &FixMeshSurface::vSurfStrX_>;
+template struct Reveal<VelocityWord<1>, &FixMeshSurface::vSurfStrY_>;
+template struct Reveal<VelocityWord<2>, &FixMeshSurface::vSurfStrZ_>;
+template struct Reveal<VelocityWord<3>, &FixMeshSurface::omegaStr_>;
+
 struct MeshModules {
   using type = std::map<std::string, MeshModule*> FixMeshSurface::*;
 };
@@ -50,6 +65,11 @@ struct MeshModuleOrder {
   using type = std::vector<std::string> FixMeshSurface::*;
 };
 template struct Reveal<MeshModuleOrder, &FixMeshSurface::mesh_module_order>;
+
+struct RestartIds {
+  using type = char** Modify::*;
+};
+template struct Reveal<RestartIds, &Modify::id_restart_global>;
 
 // Never made: it only names protected members.
 class OpenTriMesh : public TriMesh {
@@ -63,6 +83,22 @@ class OpenTriMesh : public TriMesh {
   }
 };
 
+class OpenGravity : public FixGravity {
+ public:
+  static int varies(FixGravity* gravity) { return gravity->*&OpenGravity::varflag; }
+};
+
+struct Style {
+  std::string name;
+  FixCreator creator;
+};
+std::vector<Style>& styles() {
+  static std::vector<Style> all;
+  return all;
+}
+
+void teach(LAMMPS* lmp, const Style& style) { (*(lmp->modify->*Revealed<FixMap>::member))[style.name] = style.creator; }
+
 std::map<LAMMPS*, DemLink*>& links() {
   static std::map<LAMMPS*, DemLink*> one;
   return one;
@@ -71,7 +107,15 @@ std::map<LAMMPS*, DemLink*>& links() {
 }  // namespace
 
 void register_fix_style(LAMMPS* lmp, const std::string& style, FixCreator creator) {
-  (*(lmp->modify->*Revealed<FixMap>::member))[style] = creator;
+  styles().push_back({style, creator});
+  teach(lmp, styles().back());
+}
+
+bool gravity_is_constant(FixGravity* fix) { return OpenGravity::varies(fix) == 0; }
+
+bool surface_velocity_varies(FixMeshSurface* fix) {
+  return fix->*Revealed<VelocityWord<0>>::member != nullptr || fix->*Revealed<VelocityWord<1>>::member != nullptr ||
+         fix->*Revealed<VelocityWord<2>>::member != nullptr || fix->*Revealed<VelocityWord<3>>::member != nullptr;
 }
 
 void attach_mesh_module(FixMeshSurface* fix, const std::string& name, MeshModule* module) {
@@ -100,3 +144,52 @@ DemLink& dem_link_of(LAMMPS* lmp) {
 }
 
 }  // namespace footfall
+
+// ---- Members of LIGGGHTS that stand here in place of the library's: the launcher exports its symbols, so that the
+// library finds these first.
+
+namespace {
+
+// The library's own.
+template <class Member>
+Member original(const char* symbol) {
+  const auto member = reinterpret_cast<Member>(dlsym(RTLD_NEXT, symbol));
+  FOOTFALL_DEMAND(member != nullptr);
+  return member;
+}
+
+}  // namespace
+
+// LIGGGHTS calls this when it has made its parts, at its start and in the command `clear`. All that the library's own does
+// is for packages that Debian leaves out (suffixes gpu and omp).
+void LAMMPS_NS::LAMMPS::post_create() {
+  const auto link = footfall::links().find(this);
+  if (link == footfall::links().end()) return;  // its start
+  link->second->uncoupled_by("clear");
+  for (const footfall::Style& style : footfall::styles()) footfall::teach(this, style);
+}
+
+// A mesh that a restart file knows by its id. LIGGGHTS takes its triangles from there and wants the mesh file to exist,
+// also behind the keyword `fix`. Triangles that a fix makes are made anew instead, where the scene has them, and the
+// restart file's are forgotten.
+void LAMMPS_NS::FixMesh::create_mesh_restart(char* file_or_fix) {
+  Fix* const maker = modify->find_fix_id(file_or_fix);
+  if (maker == nullptr || !maker->can_create_mesh()) {
+    original<void (*)(FixMesh*, char*)>("_ZN9LAMMPS_NS7FixMesh19create_mesh_restartEPc")(this, file_or_fix);
+    return;
+  }
+  char** const ids = modify->*footfall::Revealed<footfall::RestartIds>::member;
+  for (int i = 0; i < modify->nfix_restart_global; ++i)
+    if (id == std::string(ids[i])) ids[i][0] = '\0';
+  create_mesh(file_or_fix, true);
+}
+
+// Grains change ranks. Those that stand outside of the box are lost here, and LIGGGHTS corrects its total at once: only
+// before and after can be compared.
+void LAMMPS_NS::Comm::exchange() {
+  static const auto exchange = original<void (*)(Comm*)>("_ZN9LAMMPS_NS4Comm8exchangeEv");
+  const int before = atom->nlocal;
+  exchange(this);
+  const auto link = footfall::links().find(lmp);
+  if (link != footfall::links().end()) link->second->grains_exchanged(before, atom->nlocal);
+}

@@ -6,6 +6,7 @@
 
 namespace LAMMPS_NS {
 class Fix;
+class FixGravity;
 class FixMeshSurface;
 class LAMMPS;
 class MeshModule;
@@ -16,7 +17,7 @@ namespace footfall {
 
 class DemLink;
 
-// Teaches this LIGGGHTS a fix style.
+// Teaches this LIGGGHTS a fix style; the command `clear` makes it anew and it learns it again.
 using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
 void register_fix_style(LAMMPS_NS::LAMMPS* lmp, const std::string& style, FixCreator creator);
 
@@ -30,6 +31,11 @@ double** mesh_centers(LAMMPS_NS::TriMesh* mesh);
 // After nodes of a deforming mesh were written: centres, bounding radii, areas, edges and normals of owned and ghost
 // elements.
 void recalculate_mesh(LAMMPS_NS::TriMesh* mesh);
+
+// Of a fix gravity after its init(): no part of it is a variable.
+bool gravity_is_constant(LAMMPS_NS::FixGravity* fix);
+// `surface_vel` or `surface_ang_vel` of a mesh by a variable: LIGGGHTS then writes the velocities anew in every step.
+bool surface_velocity_varies(LAMMPS_NS::FixMeshSurface* fix);
 
 // LIGGGHTS creates fixes by (lmp, narg, arg) alone: this is how they find the coupling that the launcher made for their
 // LIGGGHTS.

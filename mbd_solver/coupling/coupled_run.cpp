@@ -26,6 +26,7 @@ DemTerms terms_of(const Scene& scene, double t_end) {
   DemTerms terms;
   terms.scheme = scene.coupling.scheme;
   terms.t_end = t_end;
+  terms.gravity = scene.gravity;
   terms.n_max = scene.coupling.max_substeps;
   terms.max_dt = scene.particles->max_time_step;
   terms.expected_dt = stated(scene, "dt");
@@ -72,6 +73,7 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Kin
   }
   work_received_.resize(bodies_.size());
   watch_ = std::make_unique<CouplingWatch>(std::move(names), masses, scene.coupling);
+  for (const std::string& warning : partner_.warnings()) watch_->warn(warning);
   sample_.omega_h = watch_->omega_h();
   if (agreement_.substeps > 0) return;
   choice_ = std::make_unique<WindowChoice>(scene.coupling, agreement_.dt, weight);
@@ -103,6 +105,8 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
     bodies_[k].window.begin(motion_.n, dt, motion_.bodies[k]);
   }
   const Load& load = partner_.exchange(motion_);
+  if (script_has_ended()) return state.time;
+  for (const std::string& warning : load.warnings) watch_->warn(warning);
   dem_seconds_ += load.wall_seconds;
   receive(load, inputs);
   return motion_.last_window ? t_end_ : state.time + motion_.n * dt;

@@ -32,7 +32,8 @@ class CoupledRun {
              Transport& transport);
 
   // Sends the motion, waits for the load, writes it into inputs.loads (one per body of the model, sized by the caller).
-  // kinematics: with accelerations. Returns the window's end [s]. Throws NumericalError for a load that is not finite,
+  // kinematics: with accelerations. Returns the window's end [s]; the present time when the script has ended, as it may:
+  // script_has_ended(). Throws NumericalError for a load that is not finite,
   // PartnerError.
   double begin_window(const State& state, const Kinematics& kinematics, const StoredEnergy& stored, Inputs& inputs);
   // The mechanism has come to the window's end. Throws NumericalError when the coupling pumps energy or chatters
@@ -45,6 +46,8 @@ class CoupledRun {
   const Agreement& agreement() const { return agreement_; }
   const CouplingSample& sample() const { return sample_; }  // of the last window
   const Load& load() const { return partner_.load(); }      // likewise; empty before the first
+  // The LIGGGHTS script has said that it may end before the scene does, and has.
+  bool script_has_ended() const { return partner_.script_has_ended(); }
   const CouplingWatch& watch() const { return *watch_; }
   double dem_seconds() const { return dem_seconds_; }  // spent by LIGGGHTS on its windows [s]
   double seconds_waited() const { return waited_; }  // for LIGGGHTS, its work included, until the last window's end [s]

@@ -36,6 +36,7 @@ class CouplingWatch {
   const std::vector<double>& omega_h() const { return omega_h_; }  // of the last window, per body [-]
   const std::vector<double>& largest_omega_h() const { return largest_omega_h_; }
   const std::vector<std::string>& names() const { return names_; }
+  void warn(const std::string& text) { warnings_.push_back(text); }  // what the grains' side has to tell
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:

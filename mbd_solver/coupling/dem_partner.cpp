@@ -6,7 +6,16 @@
 #include "coupler/base/text.h"
 
 namespace footfall {
-namespace {}  // namespace
+namespace {
+
+// Gravity of scene and script: numbers that people write, with few digits [-].
+constexpr double kSameGravity = 1e-6;
+
+std::string text(const Eigen::Vector3d& v) {
+  return "(" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + ")";
+}
+
+}  // namespace
 
 DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, const DemTerms& terms, double patience)
     : link_(transport, patience), bodies_(std::move(bodies)) {
@@ -25,6 +34,8 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     link_.send(geometry);
     link_.receive_patiently(start_);
     check(terms);
+    warnings_ = start_.warnings;
+    check_gravity(terms.gravity);
     for (const std::string& name : start_.bodies)
       for (std::size_t i = 0; i < bodies_.size(); ++i)
         if (bodies_[i].boundary.name() == name) coupled_.push_back(static_cast<int>(i));
@@ -71,9 +82,28 @@ void DemPartner::check(const DemTerms& terms) const {
   }
 }
 
+void DemPartner::check_gravity(const Eigen::Vector3d& scene) {
+  if (!start_.gravity_known || (start_.gravity - scene).norm() <= kSameGravity * scene.norm()) return;
+  if (start_.gravity.isZero(0.0)) {
+    warnings_.push_back("the LIGGGHTS script has no fix gravity, the scene has gravity = " + text(scene) +
+                        " m/s2: the grains have no weight");
+    return;
+  }
+  throw ProtocolError("the LIGGGHTS script has the gravity " + text(start_.gravity) +
+                      " m/s2 (fix gravity), the scene " + text(scene) +
+                      " m/s2 (gravity): make them agree, or say that the grains have their own: fix ID "
+                      "all couple/mbd every N gravity script ...");
+}
+
 const Load& DemPartner::exchange(const Motion& motion) {
   link_.send(motion);
-  link_.receive(load_);
+  try {
+    link_.receive(load_);
+  } catch (const PartnerError&) {
+    if (!start_.may_end_early || !link_.closed() || link_.partner_status() != Status::kOk) throw;
+    script_has_ended_ = true;
+    return load_;
+  }
   if (load_.window != motion.window || load_.bodies.size() != motion.bodies.size())
     throw ProtocolError("load of window " + std::to_string(load_.window) + " with " +
                         std::to_string(load_.bodies.size()) + " bodies, expected window " +

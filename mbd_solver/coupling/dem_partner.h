@@ -12,12 +12,13 @@ namespace footfall {
 
 // What the scene fixes before LIGGGHTS speaks.
 struct DemTerms {
-  std::string scheme;        // a name that make_scheme knows
-  double t_end = 0.0;        // [s]
-  double max_dt = 0.0;       // a larger DEM step is refused [s]; 0: any
-  double expected_dt = 0.0;  // stated by the scene for the script; 0: not stated [s]
-  int expected_n = 0;        // likewise
-  int n_max = 1;             // longest window when the script has `every auto`
+  std::string scheme;                                 // a name that make_scheme knows
+  double t_end = 0.0;                                 // [s]
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // [m/s2]
+  double max_dt = 0.0;                                // a larger DEM step is refused [s]; 0: any
+  double expected_dt = 0.0;                           // stated by the scene for the script; 0: not stated [s]
+  int expected_n = 0;                                 // likewise
+  int n_max = 1;                                      // longest window when the script has `every auto`
 };
 
 class DemPartner {
@@ -32,22 +33,31 @@ class DemPartner {
   // index in `bodies` of each body of Motion and Load, in their order
   const std::vector<int>& coupled() const { return coupled_; }
 
+  // For the user: what the script said and is no error.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
   // One window: sends `motion` and returns the load that the grains gave over it. The reference holds until the next
-  // call.
+  // call. A script that ends early, as it has said it may, gives no load any more: script_has_ended().
   const Load& exchange(const Motion& motion);
+  bool script_has_ended() const { return script_has_ended_; }
   const Load& load() const { return load_; }  // of the last window
-  void close() { link_.close(); }
+  void close() {
+    if (!link_.closed()) link_.close();
+  }
   void fail(const std::string& reason, Status status) noexcept { link_.fail(reason, status); }
   double seconds_waited() const { return link_.seconds_waited() - seconds_before_; }  // since both agreed to start [s]
 
  private:
   void check(const DemTerms& terms) const;
+  void check_gravity(const Eigen::Vector3d& scene);
 
   Link link_;
   std::vector<CoupledBody> bodies_;
   Start start_;
   std::vector<int> coupled_;
   Load load_;
+  std::vector<std::string> warnings_;
+  bool script_has_ended_ = false;
   double seconds_before_ = 0.0;  // waited until then: the script was being read [s]
 };
 

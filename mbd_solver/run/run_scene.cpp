@@ -69,7 +69,8 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   if (const std::string text = taker.balance_warning(); !text.empty())
     std::fprintf(stderr, "mbd_solver: warning: %s\n", text.c_str());
   if (simulation.finished()) {
-    summarize("done", "");
+    const bool early = coupled && coupled->script_has_ended();
+    summarize("done", early ? "the LIGGGHTS script ended the run, as it may" : "");
     return kExitDone;
   }
   files.write_checkpoint_of(simulation.state());

@@ -45,6 +45,7 @@ void add_coupling(const CoupledRun& coupled, double energy_flow, Json& json) {
   json["coupling_energy_residual_relative"] = energy_flow > 0.0 ? watch.largest_energy_residual() / energy_flow : 0.0;
   json["max_overlap_over_radius"] = watch.largest_overlap();
   json["particles"] = coupled.load().particles;
+  json["grains_lost"] = coupled.load().lost;
   json["dt_dem_s"] = coupled.agreement().dt;
   if (const int n = coupled.agreement().substeps; n > 0) {
     json["substeps_per_window"] = n;

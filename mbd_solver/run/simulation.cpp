@@ -67,7 +67,9 @@ Kinematics Simulation::kinematics() const {
   return kinematics;
 }
 
-bool Simulation::finished() const { return state_.time >= t_end_ * (1.0 - 1e-12); }
+bool Simulation::finished() const {
+  return state_.time >= t_end_ * (1.0 - 1e-12) || (coupled_ && coupled_->script_has_ended());
+}
 
 // The next row of the history or sample of a controller.
 double Simulation::next_stop() const {
@@ -130,6 +132,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     const double t_end = coupled_         ? coupled_->begin_window(state_, at.kinematics, at.energy.stored, inputs_)
                          : voltages_move_ ? std::min(control_.next_sample(), t_end_)
                                           : t_end_;
+    if (coupled_ && coupled_->script_has_ended()) break;
 
     // Integrate, and check.
     const double mbd_started = wall_clock();

@@ -35,8 +35,8 @@ std::vector<Case> cases() {
   // The partner misbehaves.
   add({"ForeignProtocol",
        2,
-       {"liggghts_mbd: ERROR: message Geometry: the partner speaks protocol version 1000, this program "
-        "version 2",
+       {"liggghts_mbd: ERROR: message Geometry: the partner speaks protocol version 1001, this program "
+        "version 3",
         "scripted_partner: ERROR: liggghts_mbd stopped: message Geometry"},
        "",
        "until 0.01 misbehave version"});
@@ -85,21 +85,27 @@ std::vector<Case> cases() {
        2,
        {"at \"mash\" expected: fix ID all couple/mbd"},
        "fix mbd all couple/mbd every 5 mash m plate\nrun 200\n"});
-  add({"BodyCoupledTwice",
+  add({"MeshCoupledTwice",
        2,
-       {"has a mesh already"},
+       {"mesh m: it belongs to body \"plate\" already"},
        "fix mbd all couple/mbd every 5 mesh m plate mesh m plate\nrun 200\n"});
+  add({"TwoMeshesOfTheSameTriangles",
+       2,
+       {"meshes m and n hold the same triangle of body \"plate\""},
+       "fix n all mesh/surface file plate.stl type 2 move 0 0 0.24\n"
+       "fix mbd all couple/mbd every 5 mesh m plate mesh n plate\nrun 200\n"});
   add({"NothingCoupled", 2, {"no body to couple"}, "fix mbd all couple/mbd every 5\nrun 200\n"});
   add({"MeshMovedByAnother",
        2,
        {"mesh m: another fix or a servo moves it already"},
        "fix c all move/mesh mesh m linear 0 0 1\n" + kCouple + "run 200\n"});
-  add({"SurfaceVelocity",
+  add({"SurfaceVelocityThatVaries",
        2,
-       {"it has a surface velocity of its own"},
+       {"its surface velocity is a variable"},
        kCouple + "run 200\n",
        "until 0.01",
-       "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24 surface_vel 1 0 0\n"});
+       "variable belt equal 1+step\nfix m all mesh/surface file plate.stl type 2 move 0 0 0.24 surface_vel v_belt 0 "
+       "0\n"});
   add({"MeshOfAnotherPlace",
        2,
        {"is no node of body \"plate\" at its initial pose"},
@@ -118,13 +124,45 @@ std::vector<Case> cases() {
        "",
        "until 0.01",
        "fix m all mesh/surface file half.stl type 2 move 0 0 0.24\n"});
+  add({"BodyInMillimetres",
+       2,
+       {"leaves the simulation box", "The body measures 300 x 300 x 20 m: that looks like millimetres"},
+       kCouple + "run 200\n",
+       "until 0.01",
+       "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n",
+       " body plate millimetres.stl 0 0 0.24 prescribed 0 0 -1.0 0 0 0"});
+  add({"CouplingTakenAway",
+       2,
+       {"unfix mbd: takes the coupling away at t = 0.005 s", "end script"},
+       kCouple + "run 100\nunfix mbd\nrun 100\n"});
+  add({"MeshReplaced",
+       2,
+       {"mesh m was removed by `unfix`"},
+       kCouple + "run 100\nunfix wm\nunfix m\nfix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n" +
+           mesh_wall() + "run 100\n"});
+  add({"MeshRemovedAndThenTheCoupling",
+       2,
+       {"unfix mbd: takes the coupling away"},
+       kCouple + "run 10\nunfix wm\nunfix m\nunfix mbd\nrun 10\n"});
+  add({"GravityChanges",
+       2,
+       {"the gravity of the grains changed from (0, 0, -9.81) to (0, 0, 9.81) m/s2"},
+       kCouple + "run 100\nunfix grav\nfix grav all gravity 9.81 vector 0 0 1\nrun 100\n"});
+  add({"AllGrainsLost",
+       1,
+       {"grains have left the box", "allows a share of 0.05"},
+       "velocity all set 0 0 100\nthermo_modify lost ignore\n" + kCouple + "run 2000\n",
+       "until 0.1",
+       "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n",
+       " body plate plate.stl 0 0 0.24 prescribed 0 0 0 0 0 0"});
   add({"BadPatience",
        2,
        {"`patience` needs a positive number of seconds, not \"-1\""},
        "fix mbd all couple/mbd every 5 patience -1 mesh m plate\nrun 200\n"});
   add({"MeshLeavesTheBox",
        1,
-       {"mesh m (body \"plate\") leaves the simulation box at step", "Make the region of create_box larger"},
+       {"mesh m (body \"plate\"), at step 351, leaves the simulation box: node at",
+        "Make the region of create_box larger"},
        kCouple + "run 20000\n",
        "until 1.0",
        "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n",
@@ -188,6 +226,7 @@ TEST_P(Failure, IsToldByBothSidesAndEndsThem) {
   const RunFolder folder("failures_" + one.name);
   write_stl((folder.path() / "plate.stl").string(), box({0.3, 0.3, 0.02}, 3));
   write_stl((folder.path() / "coarse.stl").string(), box({0.3, 0.3, 0.02}, 1));
+  write_stl((folder.path() / "millimetres.stl").string(), box({300, 300, 20}, 1));
   Surface half = read_stl((folder.path() / "plate.stl").string());
   half.triangles.resize(half.triangles.size() / 2);
   write_stl((folder.path() / "half.stl").string(), half);

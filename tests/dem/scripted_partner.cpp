@@ -197,7 +197,7 @@ struct Output {
   explicit Output(const std::string& path) : file(path) {
     file.precision(17);
     file << "window,time,body,x,y,z,vx,vy,vz,fx,fy,fz,mx,my,mz,q,work,jump_work,ix,iy,iz,contacts,stiffness,"
-            "overlap,particles\n";
+            "overlap,particles,lost\n";
   }
   void row(const Motion& motion, std::size_t i, const Load& load) {
     const BodyMotion& state = motion.bodies[i];
@@ -212,7 +212,7 @@ struct Output {
          << body.mean.jump_work;
     put(body.mean.impulse_W);
     file << "," << body.contacts << "," << body.contact_stiffness << "," << body.max_overlap_over_radius << ","
-         << load.particles << "\n";
+         << load.particles << "," << load.lost << "\n";
   }
   std::ofstream file;
 };
@@ -267,7 +267,14 @@ void couple(const Options& options, TransportMpi& transport, Link& link) {
     if (motion.window == options.misbehave_at && options.misbehave == "not-a-number")
       sent.bodies[0].dr[1] = std::numeric_limits<double>::quiet_NaN();
     link.send(sent);
-    link.receive(load);
+    try {
+      link.receive(load);
+    } catch (const PartnerError&) {
+      if (!start.may_end_early || link.partner_status() != Status::kOk) throw;
+      std::printf("scripted_partner: the script has ended in window %lld\n", static_cast<long long>(motion.window));
+      return;
+    }
+    for (const std::string& warning : load.warnings) std::printf("scripted_partner: warning: %s\n", warning.c_str());
     if (output)
       for (std::size_t i = 0; i < coupled.size(); ++i) output->row(motion, i, load);
     done += motion.n;

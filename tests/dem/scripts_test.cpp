@@ -81,14 +81,16 @@ TEST(Script, AMeshFileMayHaveAnyOrderOfTrianglesAndVertices) {
   EXPECT_LT((a - b).norm(), 1e-7 * a.norm());
 }
 
-TEST(Script, TheEndOfTheSceneEndsARunThatWantsMore) {
+TEST(Script, TheEndOfTheSceneEndsARunThatWantsMoreAndTheScriptGoesOn) {
   const RunFolder folder = plate_folder("long");
-  folder.write(
-      "in", small_bed() + kMeshFromFile + mesh_wall() + couple(5) + kThermo + "run 1000000\nprint \"never printed\"\n");
+  folder.write("in", small_bed() + kMeshFromFile + mesh_wall() + couple(5) + kThermo +
+                         "run 1000000\nprint \"went on\"\nunfix mbd\nrun 20\n");
   const Outcome outcome = folder.coupled(2, "-in in -log log", "until 0.0103" + kFalling);  // 206 steps
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
-  EXPECT_EQ(thermo_lines(folder.read("log")).back()[0], "206");
-  EXPECT_EQ(outcome.text.find("never printed"), std::string::npos);
+  const auto lines = thermo_lines(folder.read("log"));
+  EXPECT_EQ(lines[lines.size() - 3][0], "206");  // then the first and the last step of the run that is not coupled
+  EXPECT_EQ(lines.back()[0], "226");
+  EXPECT_NE(outcome.text.find("went on"), std::string::npos);
 }
 
 TEST(Script, GoesOnAfterARunThatEndsWithTheScene) {

@@ -140,6 +140,63 @@ TEST_F(DemPartnerTest, RefusesATimeStepThatIsNone) {
   EXPECT_TRUE(says(refusal(), "expected a positive time step"));
 }
 
+TEST_F(DemPartnerTest, RefusesTheGravityOfAnotherPlanet) {
+  terms.gravity = {0, 0, -1.63};
+  start.gravity = {0, 0, -9.81};
+  start.gravity_known = true;
+  const std::string text = refusal();
+  EXPECT_TRUE(says(text, "(0, 0, -9.81) m/s2") && says(text, "(0, 0, -1.63) m/s2")) << text;
+}
+
+TEST_F(DemPartnerTest, RefusesGravityThatPointsUp) {
+  terms.gravity = {0, 0, -9.81};
+  start.gravity = {0, 0, 9.81};
+  start.gravity_known = true;
+  EXPECT_TRUE(says(refusal(), "(0, 0, 9.81) m/s2"));
+}
+
+TEST_F(DemPartnerTest, AcceptsGravityThatAgreesOrIsNotToBeCompared) {
+  terms.gravity = {0, 0, -1.63};
+  start.gravity = {0, 0, -1.63 * (1.0 + 1e-9)};  // a direction that LIGGGHTS has made a unit vector
+  start.gravity_known = true;
+  EXPECT_TRUE(partner().warnings().empty());
+}
+
+TEST_F(DemPartnerTest, AcceptsTheScriptsOwnGravityWhenItSaysSo) {
+  terms.gravity = {0, 0, -1.63};
+  start.gravity = {0, 0, -9.81};
+  EXPECT_TRUE(partner().warnings().empty());
+}
+
+TEST_F(DemPartnerTest, WarnsOfGrainsWithoutWeight) {
+  terms.gravity = {0, 0, -1.63};
+  start.gravity_known = true;
+  start.warnings = {"of the script"};
+  const DemPartner partner = this->partner();
+  ASSERT_EQ(partner.warnings().size(), 2U);
+  EXPECT_EQ(partner.warnings()[0], "of the script");
+  EXPECT_TRUE(says(partner.warnings()[1], "no fix gravity")) << partner.warnings()[1];
+}
+
+TEST_F(DemPartnerTest, AScriptThatMayEndEarlyEndsWithoutAnError) {
+  start.may_end_early = true;
+  DemPartner partner = this->partner();  // the Close behind it ends the script
+  Motion motion;
+  motion.n = 5;
+  motion.bodies = {BodyMotion(0)};
+  partner.exchange(motion);
+  EXPECT_TRUE(partner.script_has_ended());
+  EXPECT_NO_THROW(partner.close());
+}
+
+TEST_F(DemPartnerTest, AnyOtherScriptMustNotEndEarly) {
+  DemPartner partner = this->partner();
+  Motion motion;
+  motion.n = 5;
+  motion.bodies = {BodyMotion(0)};
+  EXPECT_THROW(partner.exchange(motion), PartnerError);
+}
+
 Start fixed_windows() {
   Start start;
   start.dt = 1e-4;

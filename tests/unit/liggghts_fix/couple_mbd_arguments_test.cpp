@@ -31,7 +31,9 @@ std::string complaint(const std::string& after_style) {
   return "nothing is wrong";
 }
 
-const std::string kUsage = "expected: fix ID all couple/mbd every N|auto [patience SECONDS] [mesh MESH-ID BODY ...]";
+const std::string kUsage =
+    "expected: fix ID all couple/mbd every N|auto [patience SECONDS] [gravity scene|script] [end scene|script] "
+    "[lost SHARE] [mesh MESH-ID BODY]...";
 
 TEST(CoupleMbdArguments, TakeWhatTheCommandSays) {
   const CoupleMbdArguments all = parsed("every 5 patience 0.5 mesh pad1 foot_1 mesh pad2 foot_2");
@@ -46,7 +48,22 @@ TEST(CoupleMbdArguments, LeaveOutWhatIsNotSaid) {
   const CoupleMbdArguments least = parsed("every auto");
   EXPECT_EQ(least.every, 0);
   EXPECT_FALSE(least.patience);
+  EXPECT_TRUE(least.gravity_of_scene);
+  EXPECT_TRUE(least.end_of_scene);
+  EXPECT_EQ(least.max_lost, 0.05);
   EXPECT_TRUE(least.meshes.empty());
+}
+
+TEST(CoupleMbdArguments, TakeKeywordsInAnyOrder) {
+  const CoupleMbdArguments all =
+      parsed("every 5 lost 0.2 mesh upper drum end script mesh lower drum gravity script patience 3");
+  EXPECT_FALSE(all.gravity_of_scene);
+  EXPECT_FALSE(all.end_of_scene);
+  EXPECT_EQ(all.max_lost, 0.2);
+  EXPECT_EQ(all.patience, 3.0);
+  ASSERT_EQ(all.meshes.size(), 2U);
+  EXPECT_EQ(all.meshes[1].mesh, "lower");
+  EXPECT_EQ(all.meshes[1].body, "drum");
 }
 
 TEST(CoupleMbdArguments, SayWhatIsExpectedWhereAWordIsMissingOrWrong) {
@@ -54,7 +71,6 @@ TEST(CoupleMbdArguments, SayWhatIsExpectedWhereAWordIsMissingOrWrong) {
   EXPECT_EQ(complaint("every 5 mash pad1 foot_1"), "at \"mash\" " + kUsage);
   EXPECT_EQ(complaint("every 5 mesh pad1"), "at \"mesh\" " + kUsage);
   EXPECT_EQ(complaint("every 5 patience"), "at \"patience\" " + kUsage);
-  EXPECT_EQ(complaint("every 5 mesh pad1 foot_1 patience 3"), "at \"patience\" " + kUsage);
 }
 
 TEST(CoupleMbdArguments, RefuseWindowsThatAreNoNumberOfSteps) {
@@ -70,8 +86,16 @@ TEST(CoupleMbdArguments, RefusePatienceThatIsNoTime) {
               std::string("`patience` needs a positive number of seconds, not \"") + time + "\"");
 }
 
-TEST(CoupleMbdArguments, RefuseASecondMeshForABody) {
-  EXPECT_EQ(complaint("every 5 mesh pad1 foot mesh pad2 foot"), "mesh pad2: body \"foot\" has a mesh already");
+TEST(CoupleMbdArguments, RefuseOtherWordsThanThoseTheyOffer) {
+  EXPECT_EQ(complaint("every 5 gravity own"), "`gravity` needs `scene` or `script`, not \"own\"");
+  EXPECT_EQ(complaint("every 5 end early"), "`end` needs `scene` or `script`, not \"early\"");
+  for (const char* share : {"0", "1.5", "5%", "-0.1"})
+    EXPECT_EQ(complaint(std::string("every 5 lost ") + share),
+              std::string("`lost` needs a share of the grains above 0 and up to 1, not \"") + share + "\"");
+}
+
+TEST(CoupleMbdArguments, RefuseAMeshThatIsNamedTwice) {
+  EXPECT_EQ(complaint("every 5 mesh pad1 foot mesh pad1 leg"), "mesh pad1: it belongs to body \"foot\" already");
 }
 
 }  // namespace

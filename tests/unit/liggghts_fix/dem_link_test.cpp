@@ -17,6 +17,14 @@ ModalBoundary unit_boundary(const std::string& name) {
   return ModalBoundary(name, rho0, {{0, 1, 2}});
 }
 
+Start script(double dt, int n, std::int64_t step) {
+  Start start;
+  start.dt = dt;
+  start.n = n;
+  start.step = step;
+  return start;
+}
+
 // The multibody side of a test runs on a thread of its own.
 struct Pair {
   Pair() : ends(TransportLoopback::make_pair()), dem_link(*ends.first, 10.0), mbd(*ends.second, 10.0), dem(&dem_link) {}
@@ -79,14 +87,14 @@ TEST(DemLink, StartNamesTheBodiesInTheScriptsOrder) {
   EXPECT_EQ(pair.dem.couple("c", "si"), 0);
   EXPECT_EQ(pair.dem.couple("a", "si"), 1);
   EXPECT_EQ(pair.dem.couple("c", "si"), 0);
-  pair.dem.start(1e-4, 5, 100);
+  pair.dem.start(script(1e-4, 5, 100));
   pair.partner.join();
   EXPECT_EQ(pair.start.bodies, (std::vector<std::string>{"c", "a"}));
   EXPECT_EQ(pair.start.dt, 1e-4);
   EXPECT_EQ(pair.start.n, 5);
   EXPECT_EQ(pair.start.step, 100);
-  EXPECT_NO_THROW(pair.dem.start(1e-4, 5, 200));
-  EXPECT_THROW(pair.dem.start(2e-4, 5, 200), InputError);
+  EXPECT_NO_THROW(pair.dem.start(script(1e-4, 5, 200)));
+  EXPECT_THROW(pair.dem.start(script(2e-4, 5, 200)), InputError);
   EXPECT_THROW(pair.dem.couple("b", "si"), InputError);
 }
 
@@ -106,7 +114,7 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
     pair.mbd.close();
   });
   pair.dem.couple("pad", "si");
-  pair.dem.start(1e-4, 1, 0);
+  pair.dem.start(script(1e-4, 1, 0));
   const auto push = [&](double f) {
     pair.dem.body(0).add_contact({{0, 1, 2}, {1, 0, 0}}, {0, 0, f}, Eigen::Vector3d::Zero(), 0.01 * f, 100.0);
   };
@@ -119,19 +127,170 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
   push(2.0);
   ASSERT_TRUE(pair.dem.end_substep());
   std::vector<double> sums;
-  pair.dem.write_shares(sums);
+  pair.dem.write_shares(38, sums);
   std::vector<double> both = sums;  // two ranks with the same forces
   both.insert(both.end(), sums.begin(), sums.end());
-  pair.dem.finish_window(both, 2, 77);
+  pair.dem.finish_window(both, 2);
   pair.partner.join();
   EXPECT_TRUE(pair.dem.finished());
   EXPECT_DOUBLE_EQ(load.bodies[0].mean.F_W[2], 10.0);
   EXPECT_EQ(load.bodies[0].contacts, 2);
   EXPECT_DOUBLE_EQ(load.bodies[0].max_overlap_over_radius, 0.02);  // the set-up belongs to the window before
   EXPECT_DOUBLE_EQ(load.bodies[0].contact_stiffness, 200.0);
-  EXPECT_EQ(load.particles, 77);
+  EXPECT_EQ(load.particles, 76);
+  EXPECT_EQ(load.lost, 0);
+  EXPECT_TRUE(load.warnings.empty());
   EXPECT_NO_THROW(pair.dem.script_ended());
   EXPECT_THROW(pair.dem.begin_substep(2), InputError);
+}
+
+// Windows of one substep; in each one rank counts so many grains, and so many lost ones.
+struct Census {
+  double grains, lost;
+};
+std::vector<Load> loads_of(const std::vector<Census>& census, double max_lost, std::string* failure = nullptr) {
+  Pair pair;
+  std::vector<Load> loads;
+  pair.partner = std::thread([&] {
+    pair.answer_hello({"pad"});
+    pair.accept(1e-4 * static_cast<double>(census.size()));
+    Motion motion;
+    motion.n = 1;
+    motion.bodies.resize(1);
+    try {
+      for (; !motion.last_window; ++motion.window) {
+        motion.time = 1e-4 * static_cast<double>(motion.window);
+        motion.last_window = motion.window + 1 == static_cast<std::int64_t>(census.size());
+        pair.mbd.send(motion);
+        Load load;
+        pair.mbd.receive(load);
+        loads.push_back(load);
+        if (motion.last_window) break;
+      }
+      pair.mbd.close();
+    } catch (const PartnerError&) {  // too many are lost
+    }
+  });
+  pair.dem.couple("pad", "si");
+  pair.dem.set_max_lost(max_lost);
+  pair.dem.start(script(1e-4, 1, 0));
+  pair.dem.expect_set_up();
+  try {
+    int step = 0;
+    for (const Census& now : census) {
+      pair.dem.begin_substep(++step);
+      EXPECT_TRUE(pair.dem.end_substep());
+      const auto grains = static_cast<std::int64_t>(now.grains), lost = static_cast<std::int64_t>(now.lost);
+      pair.dem.grains_exchanged(grains + lost, grains);
+      std::vector<double> row;
+      pair.dem.write_shares(grains, row);
+      pair.dem.finish_window(row, 1);
+    }
+  } catch (const NumericalError& error) {
+    EXPECT_NE(failure, nullptr) << error.what();
+    if (failure != nullptr) *failure = error.what();
+    pair.dem.fail(error.what());
+  }
+  pair.partner.join();
+  return loads;
+}
+
+TEST(DemLink, LostGrainsAreCountedAndToldOnce) {
+  const std::vector<Load> loads = loads_of({{100, 0}, {98, 2}, {98, 0}, {97, 1}}, 0.05);
+  ASSERT_EQ(loads.size(), 4U);
+  EXPECT_EQ(loads[0].lost, 0);
+  EXPECT_EQ(loads[1].lost, 2);
+  EXPECT_EQ(loads[3].lost, 3);
+  EXPECT_EQ(loads[3].particles, 97);
+  EXPECT_TRUE(loads[0].warnings.empty());
+  ASSERT_EQ(loads[1].warnings.size(), 1U);
+  EXPECT_NE(loads[1].warnings[0].find("t = 0.0002 s: 2 of 100 grains have left the box"), std::string::npos)
+      << loads[1].warnings[0];
+  EXPECT_TRUE(loads[2].warnings.empty());
+  EXPECT_TRUE(loads[3].warnings.empty());
+}
+
+TEST(DemLink, TooManyLostGrainsEndTheRun) {
+  std::string failure;
+  EXPECT_EQ(loads_of({{100, 0}, {95, 5}, {94, 1}, {94, 0}}, 0.05, &failure).size(), 2U);
+  EXPECT_NE(failure.find("6 of 100 grains have left the box"), std::string::npos) << failure;
+  EXPECT_NE(failure.find("allows a share of 0.05"), std::string::npos) << failure;
+  loads_of({{0, 7}}, 0.9, &failure);
+  EXPECT_NE(failure.find("7 of 7 grains"), std::string::npos) << failure;
+}
+
+TEST(DemLink, GravityThatChangesBetweenTwoRunsIsRefused) {
+  Pair pair;
+  pair.partner = std::thread([&] {
+    pair.answer_hello({"pad"});
+    pair.accept(1.0);
+  });
+  pair.dem.couple("pad", "si");
+  Start moon = script(1e-4, 5, 0);
+  moon.gravity = {0, 0, -1.63};
+  moon.gravity_known = true;
+  pair.dem.start(moon);
+  EXPECT_NO_THROW(pair.dem.start(moon));
+  Start earth = moon;
+  earth.gravity = {0, 0, -9.81};
+  const std::string said = message_of<InputError>([&] { pair.dem.start(earth); });
+  EXPECT_NE(said.find("changed from (0, 0, -1.63) to (0, 0, -9.81) m/s2"), std::string::npos) << said;
+}
+
+TEST(DemLink, WhatTheSceneHasForGrainsAndTheScriptDoesNotUseIsTold) {
+  Pair pair;
+  pair.partner = std::thread([&] {
+    pair.answer_hello({"pad", "leg"});
+    pair.accept(1.0);
+  });
+  pair.dem.touch_surface(pair.dem.couple("pad", "si"));
+  pair.dem.start(script(1e-4, 5, 0));
+  pair.partner.join();
+  ASSERT_EQ(pair.start.warnings.size(), 1U);
+  EXPECT_NE(pair.start.warnings[0].find("body \"leg\" for the grains, but the script does not couple its surface"),
+            std::string::npos)
+      << pair.start.warnings[0];
+}
+
+TEST(DemLink, AScriptThatMayEndEarlyEndsWithoutAFailure) {
+  Pair pair;
+  pair.partner = std::thread([&] {
+    pair.answer_hello({"pad"});
+    pair.accept(1.0);
+    Motion motion;
+    motion.n = 10;
+    motion.bodies.resize(1);
+    pair.mbd.send(motion);
+    Load load;
+    EXPECT_THROW(pair.mbd.receive(load), PartnerError);
+  });
+  pair.dem.couple("pad", "si");
+  Start start = script(1e-4, 10, 0);
+  start.may_end_early = true;
+  pair.dem.start(start);
+  pair.dem.expect_set_up();
+  pair.dem.begin_substep(1);
+  EXPECT_FALSE(pair.dem.end_substep());
+  EXPECT_NO_THROW(pair.dem.uncoupled_by("unfix m"));
+  pair.partner.join();
+  EXPECT_TRUE(pair.dem.finished());
+  EXPECT_EQ(pair.mbd.partner_status(), Status::kOk);
+}
+
+TEST(DemLink, ACommandThatTakesTheCouplingAwayTooEarlyIsRefused) {
+  Pair pair;
+  pair.partner = std::thread([&] {
+    pair.answer_hello({"pad", "leg"});
+    pair.accept(1.0);
+  });
+  pair.dem.couple("pad", "si");
+  EXPECT_NO_THROW(pair.dem.uncoupled_by("clear"));  // before the first run: it starts anew
+  EXPECT_EQ(pair.dem.couple("leg", "si"), 0);
+  pair.dem.start(script(1e-4, 10, 0));
+  const std::string said = message_of<InputError>([&] { pair.dem.uncoupled_by("unfix m"); });
+  EXPECT_NE(said.find("unfix m: takes the coupling away at t = 0 s, before the end of the scene at t = 1 s"),
+            std::string::npos)
+      << said;
 }
 
 TEST(DemLink, AScriptThatEndsTooEarlySaysWhenAndHowManyStepsAreNeeded) {
@@ -148,7 +307,7 @@ TEST(DemLink, AScriptThatEndsTooEarlySaysWhenAndHowManyStepsAreNeeded) {
     heard = message_of<ProtocolError>([&] { pair.mbd.receive(load); });  // bad input on one side is bad input on both
   });
   pair.dem.couple("pad", "si");
-  pair.dem.start(1e-4, 10, 0);
+  pair.dem.start(script(1e-4, 10, 0));
   pair.dem.expect_set_up();
   for (int step = 1; step <= 4; ++step) {
     pair.dem.begin_substep(step);
@@ -157,7 +316,7 @@ TEST(DemLink, AScriptThatEndsTooEarlySaysWhenAndHowManyStepsAreNeeded) {
   const std::string said = message_of<InputError>([&] { pair.dem.script_ended(); });
   pair.partner.join();
   EXPECT_NE(said.find("ended at t = 0.0004 s, before the end of the scene at t = 0.01 s. `run` at least 100 "
-                      "steps in all"),
+                      "steps in all, or say that the script may end the run"),
             std::string::npos)
       << said;
   EXPECT_EQ(heard, "liggghts_mbd stopped: " + said);
@@ -189,7 +348,7 @@ TEST(DemLink, RefusesAMotionOfAnotherShape) {
       pair.mbd.send(motion);
     });
     pair.dem.couple("pad", "si");
-    pair.dem.start(1e-4, 10, 0);
+    pair.dem.start(script(1e-4, 10, 0));
     pair.dem.expect_set_up();
     EXPECT_THROW(pair.dem.begin_substep(1), ProtocolError) << wrong;
   }

@@ -1,0 +1,31 @@
+#include "liggghts_fix/fix_couple_mbd_script.h"
+
+#include "fix_gravity.h"
+#include "liggghts_fix/liggghts_access.h"
+#include "modify.h"
+
+namespace LAMMPS_NS {
+
+// The sum of all fix gravity; none at all is weightlessness for grains that move, and means nothing for grains that
+// nothing moves.
+void read_gravity(Modify& modify, footfall::Start& script) {
+  bool grains_move = false, any = false;
+  for (int i = 0; i < modify.nfix; ++i) {
+    grains_move = grains_move || modify.fix[i]->time_integrate == 1;
+    auto* gravity = dynamic_cast<FixGravity*>(modify.fix[i]);
+    if (gravity == nullptr) continue;
+    gravity->init();  // it may stand behind us in the script
+    if (!footfall::gravity_is_constant(gravity)) {
+      script.warnings.push_back(std::string("fix ") + gravity->id +
+                                " gravity varies with a variable: it is not held against the gravity of the scene");
+      return;
+    }
+    Eigen::Vector3d g;
+    gravity->get_gravity(g.data());
+    script.gravity += g;
+    any = true;
+  }
+  script.gravity_known = any || grains_move;
+}
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,13 @@
+#pragma once
+// What a LIGGGHTS script says about its grains beside the coupling, for the partner to hold against the scene.
+
+#include "coupler/messages.h"
+
+namespace LAMMPS_NS {
+
+class Modify;
+
+// Fills gravity and gravity_known of `script`; a warning where gravity cannot be compared.
+void read_gravity(Modify& modify, footfall::Start& script);
+
+}  // namespace LAMMPS_NS

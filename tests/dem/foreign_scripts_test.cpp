@@ -1,0 +1,234 @@
+// What scripts do that were written for LIGGGHTS alone: all of it is right, and none of it may be refused or forgotten.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/dem/coupled_run.h"
+
+namespace footfall::test {
+namespace {
+
+const std::string kMesh = "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n";
+const std::string kGeometry = "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n";
+const std::string kCouple = "fix mbd all couple/mbd every 5 mesh m plate\n";
+const std::string kFalling = "until 0.01 out table.csv body plate plate.stl 0 0 0.24 prescribed 0.1 -0.05 -1.0 0 0 0";
+
+RunFolder plate_folder(const std::string& name) {
+  RunFolder folder("foreign_" + name);
+  write_stl((folder.path() / "plate.stl").string(), box({0.3, 0.3, 0.02}, 3));
+  return folder;
+}
+
+// The script in place of the plain one gives the same loads, every bit.
+void expect_the_same_loads(const RunFolder& folder, const std::string& script, int ranks = 1) {
+  folder.write("in.plain", small_bed() + kMesh + mesh_wall() + kCouple + "run 200\n");
+  folder.write("in", script);
+  const Outcome plain = folder.coupled(ranks, "-in in.plain", kFalling);
+  ASSERT_EQ(plain.exit_code, 0) << plain.text;
+  const std::string expected = folder.read("table.csv");
+  const Outcome outcome = folder.coupled(ranks, "-in in", kFalling);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
+  EXPECT_EQ(folder.read("table.csv"), expected);
+}
+
+TEST(ForeignScript, MayClearEverythingAndBeginAnew) {
+  const RunFolder folder = plate_folder("clear");
+  expect_the_same_loads(folder, small_bed() + kGeometry + mesh_wall() +
+                                    "fix mbd all couple/mbd every 3 mesh m plate\n" + "clear\n" + small_bed() + kMesh +
+                                    mesh_wall() + kCouple + "run 200\n");
+}
+
+TEST(ForeignScript, MayTakeAMeshThatAFixHasMoved) {
+  const RunFolder folder = plate_folder("moved");
+  folder.write("in",
+               small_bed() + kMesh + mesh_wall() +
+                   "fix mover all move/mesh mesh m wiggle amplitude 0. 0. 0.01 period 0.005\nrun 100\nunfix mover\n" +
+                   kCouple + "run 200\n");
+  const Outcome outcome = folder.coupled(2, "-in in", kFalling);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+  EXPECT_EQ(Table(folder.path() / "table.csv").rows(), 40U);
+}
+
+TEST(ForeignScript, MayReadARestartFileThatKnowsTheMesh) {
+  const RunFolder folder = plate_folder("restart");
+  folder.write("in.first", small_bed() + kGeometry + mesh_wall() + kCouple + "run 200\nwrite_restart saved.restart\n");
+  std::string again = small_bed();
+  again = again.substr(again.find("fix m1 "));
+  again.replace(again.find("lattice"), again.find("fix integr") - again.find("lattice"), "");
+  folder.write("in.second",
+               "atom_modify map array\nnewton off\ncommunicate single vel yes\nunits si\nhard_particles yes\n"
+               "read_restart saved.restart\nneighbor 0.01 bin\nneigh_modify delay 0\n" +
+                   again + kGeometry + mesh_wall() + kCouple + "run 200\n");
+  for (const int ranks : {1, 2}) {
+    const Outcome first = folder.coupled(ranks, "-in in.first", kFalling);
+    ASSERT_EQ(first.exit_code, 0) << first.text;
+    const Outcome second = folder.coupled(ranks, "-in in.second", kFalling);
+    ASSERT_EQ(second.exit_code, 0) << second.text;
+    EXPECT_NE(second.text.find("mesh m containing 108 triangle(s)"), std::string::npos) << second.text;
+  }
+}
+
+TEST(ForeignScript, MayDeleteGrainsBeforeTheFirstRun) {
+  const RunFolder folder = plate_folder("delete");
+  folder.write("in", small_bed() + kMesh + mesh_wall() + kCouple +
+                         "region top block -0.3 0.3 -0.3 0.3 0.18 0.6 units box\ndelete_atoms region top\nrun 200\n");
+  const Outcome outcome = folder.coupled(2, "-in in", kFalling);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+}
+
+// Nothing that the script deletes or inserts is lost: the limit would stop the run at the first lost grain.
+TEST(ForeignScript, MayDeleteAndInsertGrainsInTheRun) {
+  const RunFolder folder = plate_folder("insert");
+  Surface sheet;
+  sheet.nodes.resize(3, 4);
+  sheet.nodes << -0.25, 0.25, 0.25, -0.25, -0.25, -0.25, 0.25, 0.25, 0.29, 0.29, 0.29, 0.29;
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  write_stl((folder.path() / "outlet.stl").string(), sheet);
+  folder.write("in", small_bed() + kMesh + mesh_wall() +
+                         "fix grain all particletemplate/sphere 15485867 atom_type 1 density constant 2600 radius "
+                         "constant 0.01\n"
+                         "fix grains all particledistribution/discrete 32452867 1 grain 1.0\n"
+                         "region high block -0.2 0.2 -0.2 0.2 0.32 0.45 units box\n"
+                         "fix rain all insert/rate/region seed 86028157 distributiontemplate grains nparticles 200 "
+                         "particlerate 20000 insert_every 40 overlapcheck yes vel constant 0 0 -10 region high\n"
+                         "fix outlet all mesh/surface/planar file outlet.stl type 2\n"
+                         "fix drain all massflow/mesh mesh outlet vec_side 0. 0. -1. count once delete_atoms yes\n"
+                         "fix mbd all couple/mbd every 5 lost 1e-6 mesh m plate\n"
+                         "thermo_style custom step atoms f_drain[2]\nrun 200\n");
+  const Outcome outcome = folder.coupled(2, "-in in", kFalling);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
+  const std::vector<double> particles = Table(folder.path() / "table.csv")["particles"];
+  const double most = *std::max_element(particles.begin(), particles.end());
+  EXPECT_GT(most, 845.0);                                            // inserted
+  EXPECT_TRUE(!std::is_sorted(particles.begin(), particles.end()));  // deleted
+}
+
+TEST(ForeignScript, GrainsThatLeaveTheBoxAreCounted) {
+  const RunFolder folder = plate_folder("lost");
+  folder.write("in", small_bed() +
+                         "region corner block 0.15 0.3 0.15 0.3 0.15 0.3 units box\ngroup corner region corner\n"
+                         "velocity corner set 20 0 0\n" +
+                         kMesh + mesh_wall() +
+                         "thermo 10\nthermo_modify lost warn\nfix mbd all couple/mbd every 5 lost 0.1 mesh m "
+                         "plate\nvariable corner equal count(corner)\nrun 0\nprint \"corner ${corner}\"\nrun 200\n");
+  for (const int ranks : {1, 2}) {
+    const Outcome outcome = folder.coupled(ranks, "-in in", kFalling);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
+    const std::vector<double> particles = Table(folder.path() / "table.csv")["particles"];
+    const std::vector<double> lost = Table(folder.path() / "table.csv")["lost"];
+    EXPECT_GT(lost.back(), 5.0);
+    for (std::size_t k = 0; k < lost.size(); ++k) EXPECT_EQ(particles[k] + lost[k], particles[0] + lost[0]);
+  }
+}
+
+TEST(ForeignScript, AMeshMayLieOnTheSideOfTheBox) {
+  const RunFolder folder("foreign_side");
+  write_stl((folder.path() / "plate.stl").string(), box({0.2, 0.2, 0.02}, 1));
+  folder.write("in", small_bed() + kGeometry + mesh_wall() + kCouple + "run 200\n");
+  // 0.2 + 0.1 is 0.30000000000000004; and what round-off may make of it
+  for (const char* x : {"0.2", "0.200000005"})
+    for (const int ranks : {1, 2}) {
+      const Outcome outcome = folder.coupled(
+          ranks, "-in in", std::string("until 0.01 body plate plate.stl ") + x + " 0 0.59 prescribed 0 0 -1 0 0 0");
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+    }
+}
+
+TEST(ForeignScript, MayEndBeforeTheSceneWhenItSaysSo) {
+  const RunFolder folder = plate_folder("ends");
+  const std::string until = "until 1.0 body plate plate.stl 0 0 0.24 prescribed 0 0 -1 0 0 0";
+  folder.write("in", small_bed() + kMesh + mesh_wall() +
+                         "fix mbd all couple/mbd every 7 end script mesh m plate\nrun 100\nunfix mbd\nrun 50\nprint "
+                         "\"went on alone\"\n");
+  const Outcome outcome = folder.coupled(2, "-in in", until);
+  EXPECT_NE(outcome.text.find("went on alone"), std::string::npos) << outcome.text;
+  EXPECT_EQ(count(outcome.text, "liggghts_mbd: ERROR"), 0U) << outcome.text;
+  EXPECT_NE(outcome.text.find("scripted_partner: the script has ended in window 14"), std::string::npos)
+      << outcome.text;  // 100 = 14 * 7 + 2
+  EXPECT_EQ(outcome.exit_code, 0);
+}
+
+// A belt that runs round a plate at rest, and one on a plate that moves: LIGGGHTS' own bits in the first case.
+TEST(ForeignScript, AConveyorAtRestGivesTheBitsOfStock) {
+  const RunFolder folder = plate_folder("belt");
+  const std::string belt = "fix m all mesh/surface file plate.stl type 2 move 0 0 0.215 surface_vel 1. 0. 0.\n";
+  const auto script = [&](const std::string& name, const std::string& mover) {
+    return small_bed() + belt + mesh_wall() + mover + dump_every(400, name) + "run 400\n";
+  };
+  folder.write("in.stock", script("stock", ""));
+  folder.write("in.ours", script("ours", kCouple));
+  const Outcome stock = folder.alone(kStock, 1, "-in in.stock");
+  const Outcome ours = folder.coupled(1, "-in in.ours",
+                                      "until 0.02 out table.csv body plate plate.stl 0 0 0.215 prescribed 0 0 0 0 0 0");
+  ASSERT_EQ(stock.exit_code, 0) << stock.text;
+  ASSERT_EQ(ours.exit_code, 0) << ours.text;
+  EXPECT_TRUE(folder.read("stock.400") == folder.read("ours.400"));
+  const std::vector<double> fx = Table(folder.path() / "table.csv")["fx"];
+  EXPECT_LT(*std::min_element(fx.begin(), fx.end()), -1.0);  // the grains hold the belt back
+}
+
+// What the grains feel is the sum of both velocities: a belt that runs back as fast as its plate goes forward stands.
+TEST(ForeignScript, ABeltRunsOnTheBodyAndTurnsWithIt) {
+  const RunFolder folder("foreign_belt_moves");
+  write_stl((folder.path() / "plate.stl").string(), box({0.56, 0.56, 0.02}, 3));  // no grain at its edges
+  const auto pull = [&](const std::string& belt, const std::string& motion) {
+    folder.write("in", small_bed() + "fix m all mesh/surface file plate.stl type 2 move 0 0 0.21 " + belt + "\n" +
+                           mesh_wall() + kCouple + "run 40\n");
+    const Outcome outcome =
+        folder.coupled(1, "-in in", "until 0.002 out table.csv body plate plate.stl 0 0 0.21 prescribed " + motion);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+    const Table table(folder.path() / "table.csv");
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < table.rows(); ++k) mean += table.vector(k, "fx", "fy", "fz") / 8.0;
+    return mean;
+  };
+  const double rests = pull("", "0 0 0 0 0 0")[0];
+  const double moves = pull("", "1 0 0 0 0 0")[0];
+  const double back = pull("surface_vel -1. 0. 0.", "1 0 0 0 0 0")[0];
+  EXPECT_LT(moves, rests - 10.0);
+  EXPECT_LT(std::abs(back - rests), 0.1 * std::abs(moves - rests)) << "of " << moves - rests;  // 2 mm of way alone
+  // A quarter turn in 2 ms, which needs room to turn, carries the belt's direction from x to y.
+  write_stl((folder.path() / "plate.stl").string(), box({0.4, 0.4, 0.02}, 3));
+  const std::string spin = "0 0 0 0 0 785.398";
+  const Eigen::Vector3d turned = pull("surface_vel 100. 0. 0.", spin) - pull("", spin);
+  EXPECT_LT(turned[1], 0.5 * turned[0]);
+  EXPECT_LT(turned[0], 0.0);
+}
+
+TEST(ForeignScript, SeveralMeshesMayMakeUpABody) {
+  const RunFolder folder = plate_folder("parts");
+  const Surface whole = read_stl((folder.path() / "plate.stl").string());
+  const auto part = [&](const std::string& name, bool upper) {
+    Surface some = whole;
+    some.triangles.clear();
+    for (const Eigen::Vector3i& t : whole.triangles) {
+      const bool on_top = whole.nodes(2, t[0]) > 0 && whole.nodes(2, t[1]) > 0 && whole.nodes(2, t[2]) > 0;
+      if (on_top == upper) some.triangles.push_back(t);
+    }
+    write_stl((folder.path() / name).string(), some);
+  };
+  part("top.stl", true);
+  part("rest.stl", false);
+  const std::string wall = "fix w all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes ";
+  const auto loads = [&](const std::string& meshes, const std::string& pairs) {
+    folder.write("in", small_bed() + meshes + "fix mbd all couple/mbd every 5 " + pairs + "\n" +
+                           "thermo_style custom step atoms f_mbd[1][3]\nrun 200\n");
+    const Outcome outcome = folder.coupled(2, "-in in", kFalling);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+    const Table table(folder.path() / "table.csv");
+    return table.vector(table.rows() - 1, "fx", "fy", "fz");
+  };
+  const Eigen::Vector3d one = loads(kMesh + wall + "1 meshes m\n", "mesh m plate");
+  const Eigen::Vector3d two = loads(
+      "fix t all mesh/surface file top.stl type 1 move 0 0 0.24\n"
+      "fix r all mesh/surface file rest.stl type 2 move 0 0 0.24\n" +
+          wall + "2 meshes t r\n",
+      "mesh t plate mesh r plate");
+  EXPECT_GT(one.norm(), 100.0);
+  // grains touch the lower face only; the order of sums differs
+  EXPECT_LT((one - two).norm(), 1e-7 * one.norm());
+}
+
+}  // namespace
+}  // namespace footfall::test
