@@ -61,6 +61,10 @@ void DemBody::count_contact(double overlap_over_radius, double stiffness) {
   ++contacts_now_;
 }
 
+void DemBody::add_slope(const BoundaryPoint& point, const Eigen::Vector3d& arm_W, const ContactSlope& slope) {
+  add_slope(boundary_.position(path_.pose(), point) + arm_W, slope);
+}
+
 void DemBody::add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope) {
   footfall::add_slope(slope, point_W - path_.pose().r, slopes_now_);
 }

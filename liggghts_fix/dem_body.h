@@ -39,8 +39,10 @@ class DemBody {
   void add_load(const GeneralizedForce& Q);
   void count_contact(double overlap_over_radius, double stiffness);
   // Does the scheme use contact slopes, and is this one of the substeps at which they are sampled? Then add_slope
-  // follows for every contact, at its point in W [m].
+  // follows for every contact, at arm_W [m] from a boundary point; the point of a mesh that touches may be a
+  // periodic image, and is told by its place on the boundary here too. Or at its point in W [m].
   bool samples_slopes() const { return samples_slopes_; }
+  void add_slope(const BoundaryPoint& point, const Eigen::Vector3d& arm_W, const ContactSlope& slope);
   void add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope);
   // The forces just evaluated stand before the next substep (a run was set up).
   void take_standing();

@@ -71,7 +71,7 @@ void FixCoupleMbd::init() {
     if (std::find(rows_of_output_.begin(), rows_of_output_.end(), body) == rows_of_output_.end())
       rows_of_output_.push_back(body);
   size_array_rows = link_.body_count();
-  for (const auto& mesh : meshes_) mesh->begin_run(style);
+  for (const auto& mesh : meshes_) mesh->begin_run(style, torque_before_);
   link_.expect_set_up();
 }
 

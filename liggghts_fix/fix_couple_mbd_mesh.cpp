@@ -11,6 +11,7 @@
 #include "fix_wall_gran.h"
 #include "liggghts_fix/fix_couple_mbd_match.h"
 #include "liggghts_fix/fix_couple_mbd_materials.h"
+#include "liggghts_fix/fix_wall_torque.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "modify.h"
 #include "tri_mesh.h"
@@ -64,26 +65,30 @@ void CoupledMesh::detach() {
 
 bool CoupledMesh::is_there() const { return modify->find_fix_id(mesh_id_.c_str()) == fix_; }
 
-bool CoupledMesh::touches_grains() const {
+std::vector<FixWallGran*> CoupledMesh::walls() const {
+  std::vector<FixWallGran*> walls;
   for (int i = 0; i < modify->nfix; ++i) {
-    const auto* wall = dynamic_cast<const FixWallGran*>(modify->fix[i]);
+    auto* wall = dynamic_cast<FixWallGran*>(modify->fix[i]);
     if (wall == nullptr || !wall->is_mesh_wall()) continue;
     FixMeshSurface** const meshes = wall->mesh_list();
-    if (std::find(meshes, meshes + wall->n_meshes(), fix_) != meshes + wall->n_meshes()) return true;
+    if (std::find(meshes, meshes + wall->n_meshes(), fix_) != meshes + wall->n_meshes()) walls.push_back(wall);
   }
-  return false;
+  return walls;
 }
 
-void CoupledMesh::begin_run(const char* style) {
+void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before) {
   if (fix_->triMesh()->nMove() > 1)
     throw InputError(where_ +
                      "another fix moves it too (fix move/mesh or a servo after fix couple/mbd), and the body of the "
                      "scene moves it already: unfix the other one");
-  if (!touches_grains())
+  const std::vector<FixWallGran*> touching = walls();
+  if (touching.empty())
     throw InputError(where_ +
                      "no fix wall/gran names it, so grains would pass through it: add  fix ID all wall/gran model ... "
                      "mesh n_meshes 1 meshes " +
                      mesh_id_);
+  for (FixWallGran* wall : touching) WallTorque::watch(lmp, *wall, torque_before);
+  module_->set_torque_before(torque_before);
   module_->set_body(&link_.body(body_));
   module_->set_contacts(wall_contacts(*modify, atom->ntypes, fix_->atomTypeWall(), style));
 }

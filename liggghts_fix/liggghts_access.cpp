@@ -12,6 +12,7 @@
 #include "coupler/base/errors.h"
 #include "fix.h"
 #include "fix_mesh_surface.h"
+#include "fix_wall_gran.h"
 #include "lammps.h"
 #include "modify.h"
 #include "tri_mesh.h"
@@ -63,6 +64,12 @@ class OpenTriMesh : public TriMesh {
   }
 };
 
+// Likewise.
+class OpenWall : public FixWallGran {
+ public:
+  static LIGGGHTS::Walls::IGranularWall*& model(FixWallGran* wall) { return wall->*&OpenWall::impl; }
+};
+
 std::map<LAMMPS*, DemLink*>& links() {
   static std::map<LAMMPS*, DemLink*> one;
   return one;
@@ -84,6 +91,8 @@ void detach_mesh_module(FixMeshSurface* fix, const std::string& name) {
   std::vector<std::string>& order = fix->*Revealed<MeshModuleOrder>::member;
   order.erase(std::remove(order.begin(), order.end(), name), order.end());
 }
+
+LIGGGHTS::Walls::IGranularWall*& wall_model(FixWallGran* wall) { return OpenWall::model(wall); }
 
 double*** mesh_nodes(TriMesh* mesh) { return OpenTriMesh::nodes(mesh); }
 

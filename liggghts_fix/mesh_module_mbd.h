@@ -1,9 +1,11 @@
 #pragma once
 // Hears of every contact of a stock LIGGGHTS mesh and projects its force on the coupled body.
 
+#include <utility>
 #include <vector>
 
 #include "liggghts_fix/dem_body.h"
+#include "liggghts_fix/fix_wall_torque.h"
 #include "liggghts_fix/mesh_match.h"
 #include "liggghts_fix/wall_contact.h"
 #include "mesh_module.h"
@@ -22,6 +24,8 @@ class MeshModuleMbd final : public MeshModule {
   void set_body(footfall::DemBody* body) { body_ = body; }
   // By grain type, from 1; empty: the script gives no elastic constants, and stiffnesses stay unknown.
   void set_contacts(std::vector<footfall::WallContact> contacts) { contacts_ = std::move(contacts); }
+  // Of the grain that touches, from before the contact.
+  void set_torque_before(GrainTorque torque) { torque_before_ = std::move(torque); }
   const std::vector<footfall::CornerNodes>& corners() const { return corners_; }
 
   void add_particle_contribution(int ip, double* frc, double* delta, int iTri, double* v_wall) override;
@@ -30,6 +34,7 @@ class MeshModuleMbd final : public MeshModule {
   std::vector<footfall::CornerNodes> corners_;
   std::vector<footfall::WallContact> contacts_;
   footfall::DemBody* body_ = nullptr;
+  GrainTorque torque_before_;
   bool behind_stress_;
 };
 
