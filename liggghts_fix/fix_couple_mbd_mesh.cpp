@@ -42,7 +42,8 @@ CoupledMesh::CoupledMesh(LAMMPS* lmp_, const std::string& asker, const footfall:
     throw InputError(where_ + "it has a surface velocity of its own (surface_vel, surface_ang_vel)");
   body_ = link_.couple(pair.body, update->unit_style);
   const footfall::CoupledBody& scene_body = link_.scene_body(pair.body, update->unit_style);
-  module_ = std::make_unique<MeshModuleMbd>(lmp, fix_, match_over_ranks(fix_->triMesh(), mesh_id_, scene_body, world));
+  module_ = std::make_unique<MeshModuleMbd>(lmp, fix_, match_over_ranks(fix_->triMesh(), mesh_id_, scene_body, world),
+                                            scene_body.boundary.rho0());
   x_W_.resize(3, scene_body.boundary.node_count());
   v_W_.resize(3, scene_body.boundary.node_count());
   reach_ = scene_body.boundary.rho0().colwise().norm().maxCoeff();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "liggghts_fix/dem_body.h"
+#include "liggghts_fix/facet_width.h"
 #include "liggghts_fix/fix_wall_torque.h"
 #include "liggghts_fix/mesh_match.h"
 #include "liggghts_fix/wall_contact.h"
@@ -17,8 +18,9 @@ namespace LAMMPS_NS {
 // group.
 class MeshModuleMbd final : public MeshModule {
  public:
-  // corners: boundary nodes by mesh element id.
-  MeshModuleMbd(LAMMPS* lmp, FixMeshSurface* mesh_fix, std::vector<footfall::CornerNodes> corners);
+  // corners: boundary nodes by mesh element id; rho0: where they are in the body [m].
+  MeshModuleMbd(LAMMPS* lmp, FixMeshSurface* mesh_fix, std::vector<footfall::CornerNodes> corners,
+                const Eigen::Matrix3Xd& rho0);
 
   // The body that takes the forces, known once the coupling has started.
   void set_body(footfall::DemBody* body) { body_ = body; }
@@ -32,6 +34,7 @@ class MeshModuleMbd final : public MeshModule {
 
  private:
   std::vector<footfall::CornerNodes> corners_;
+  std::vector<double> widths_;  // of facets on curved parts, by mesh element id [m]
   std::vector<footfall::WallContact> contacts_;
   footfall::DemBody* body_ = nullptr;
   GrainTorque torque_before_;
