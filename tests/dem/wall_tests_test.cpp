@@ -48,7 +48,8 @@ struct Outcomes {
 };
 
 // All spheres at once, side by side.
-Outcomes strike(const std::string& name, const Sphere& s, double friction, const std::vector<Throw>& throws) {
+Outcomes strike(const std::string& name, const Sphere& s, double friction, const std::vector<Throw>& throws,
+                const std::string& settings = "") {
   const RunFolder folder("wall_tests_" + name);
   const double spacing = 3.0 * s.radius, gap = 1e-6 * s.radius, half = 2.0 * s.radius;
   const double length = spacing * static_cast<double>(throws.size());
@@ -87,7 +88,7 @@ Outcomes strike(const std::string& name, const Sphere& s, double friction, const
        << " omegaz " << throws[i].omega[2] << "\n";
   }
   in << "fix integr all nve/sphere\nfix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type "
-     << types << "\nfix wm all wall/gran model hertz tangential history limitForce on mesh n_meshes 1 meshes m\n"
+     << types << "\nfix wm all wall/gran model hertz tangential history mesh n_meshes 1 meshes m" << settings << "\n"
      << "fix mbd all couple/mbd every 1 mesh m plate\n"
      << dump_every(2000, "grains") << "thermo 1000\nrun 2000\n";
   folder.write("in", in.str());
@@ -128,6 +129,9 @@ std::string value(const std::string& name, double x) {
 
 // Verlet's error of peak and duration at some 800 steps per contact, and the step in which a contact begins.
 constexpr double kSteps = 3e-3;
+// Damping presses at once, by overlap^(1/4), and the tangential spring needs some way to follow: at e = 0.5 the sphere
+// sticks at first, the less the faster it slides.
+constexpr double kSticksAtFirst = 6e-3;
 
 TEST(WallTests, Test2ElasticNormalImpact) {
   const double v = 0.2;
@@ -152,25 +156,27 @@ TEST(WallTests, Test3RestitutionIsTheOneGiven) {
   for (const double e : {0.2, 0.4, 0.6, 0.8, 1.0}) throws.push_back({Vector3d(0, 0, -v), Vector3d::Zero(), e});
   const Outcomes found = strike("3", kAlloy, 0.0, throws);
   for (std::size_t i = 0; i < throws.size(); ++i) {
-    // The model's damping gives the restitution asked for if the end of the contact may pull; without pull, as here, a
-    // little more: 8 % at 0.2, nothing at 1.
     const double e = throws[i].restitution;
     EXPECT_LT(compare("3, aluminium alloy, 0.2 m/s", value("restitution at e", e), e, found.after[i].v.z() / v),
-              0.1 * (1.0 - e) + kSteps);
+              kSteps);
   }
 }
+
+// No pull at the end of a contact, and no friction beyond Coulomb's: LIGGGHTS' tangential damping exceeds it until the
+// sphere slides (by 9 % of the impulse at e = 0.5).
+const char* const kCoulomb = " limitForce on tangential_damping off";
 
 // While a sphere slides all through the contact, friction gives mu times the normal impulse J = (1 + e) m v_n, with the
 // restitution e that is found: along the plane J_t = mu J against the sliding, and the spin changes by J_t r / I.
 void expect_sliding(const std::string& test, const std::string& where, const Sphere& s, double mu, const Throw& before,
-                    const Throw& after) {
+                    const Throw& after, double tolerance) {
   const double J_t = mu * s.mass() * (after.v.z() - before.v.z());
   const double slip = before.v.x() - s.radius * before.omega.y();  // of the point of contact
   const double side = slip > 0.0 ? 1.0 : -1.0;
   const double v = before.v.x() - side * J_t / s.mass();
   const double omega = before.omega.y() + side * J_t * s.radius / s.inertia();
-  EXPECT_LT(compare(test, where + ": speed along the plane [m/s]", v, after.v.x()), kSteps);
-  EXPECT_LT(compare(test, where + ": spin [rad/s]", omega, after.omega.y()), kSteps);
+  EXPECT_LT(compare(test, where + ": speed along the plane [m/s]", v, after.v.x()), tolerance);
+  EXPECT_LT(compare(test, where + ": spin [rad/s]", omega, after.omega.y()), tolerance);
 }
 
 TEST(WallTests, Test4ObliqueImpactAtConstantSpeed) {
@@ -181,19 +187,20 @@ TEST(WallTests, Test4ObliqueImpactAtConstantSpeed) {
     const double a = angle * M_PI / 180.0;
     throws.push_back({speed * Vector3d(std::sin(a), 0, -std::cos(a)), Vector3d::Zero(), 0.98});
   }
-  const Outcomes found = strike("4", kOxide, mu, throws);
+  const Outcomes found = strike("4", kOxide, mu, throws, kCoulomb);
   for (std::size_t i = 0; i < throws.size(); ++i)
-    expect_sliding("4, aluminium oxide, 3.9 m/s", value("degrees", angles[i]), kOxide, mu, throws[i], found.after[i]);
+    expect_sliding("4, aluminium oxide, 3.9 m/s", value("degrees", angles[i]), kOxide, mu, throws[i], found.after[i],
+                   kSteps);
 }
 
 TEST(WallTests, Test5ObliqueImpactAtConstantNormalSpeed) {
   const double v_n = 0.2, mu = 0.4;
   std::vector<Throw> throws;
   for (const double v_t : {0.8, 1.0, 1.5, 2.0}) throws.push_back({Vector3d(v_t, 0, -v_n), Vector3d::Zero(), 0.5});
-  const Outcomes found = strike("5", kAlloy, mu, throws);
+  const Outcomes found = strike("5", kAlloy, mu, throws, kCoulomb);
   for (std::size_t i = 0; i < throws.size(); ++i)
     expect_sliding("5, aluminium alloy, 0.2 m/s down", value("m/s along", throws[i].v.x()), kAlloy, mu, throws[i],
-                   found.after[i]);
+                   found.after[i], kSticksAtFirst);
 }
 
 TEST(WallTests, Test6NormalImpactWithSpin) {
@@ -201,10 +208,10 @@ TEST(WallTests, Test6NormalImpactWithSpin) {
   std::vector<Throw> throws;
   for (const double omega : {-24.0, -12.0, 12.0, 18.0, 24.0})
     throws.push_back({Vector3d(0, 0, -v_n), Vector3d(0, omega, 0), 0.5});
-  const Outcomes found = strike("6", kAlloy, mu, throws);
+  const Outcomes found = strike("6", kAlloy, mu, throws, kCoulomb);
   for (std::size_t i = 0; i < throws.size(); ++i)
     expect_sliding("6, aluminium alloy, 0.2 m/s down", value("rad/s", throws[i].omega.y()), kAlloy, mu, throws[i],
-                   found.after[i]);
+                   found.after[i], kSticksAtFirst);
 }
 
 }  // namespace
