@@ -103,10 +103,14 @@ inline constexpr auto kFields<Load> = std::tuple{
     Field{"warnings", &Load::warnings}, Field{"wall_seconds", &Load::wall_seconds}, Field{"bodies", &Load::bodies}};
 
 template <>
-inline constexpr auto kFields<BodyLoad> = std::tuple{
-    Field{"mean", &BodyLoad::mean}, Field{"contacts", &BodyLoad::contacts},
-    Field{"contact_stiffness", &BodyLoad::contact_stiffness},
-    Field{"max_overlap_over_radius", &BodyLoad::max_overlap_over_radius}, Field{"tangent", &BodyLoad::tangent}};
+inline constexpr auto kFields<BodyLoad> =
+    std::tuple{Field{"mean", &BodyLoad::mean},
+               Field{"contacts", &BodyLoad::contacts},
+               Field{"mean_contacts", &BodyLoad::mean_contacts},
+               Field{"contact_stiffness", &BodyLoad::contact_stiffness},
+               Field{"max_overlap_over_radius", &BodyLoad::max_overlap_over_radius},
+               Field{"max_patch_over_facet", &BodyLoad::max_patch_over_facet},
+               Field{"tangent", &BodyLoad::tangent}};
 
 template <>
 inline constexpr auto kFields<MeanLoad> = std::tuple{Field{"F_W", &MeanLoad::F_W},

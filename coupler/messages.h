@@ -106,9 +106,13 @@ struct ContactTangent {
 struct BodyLoad {
   MeanLoad mean;
   std::int64_t contacts = 0;       // at the window's last substep
+  double mean_contacts = 0.0;      // over its substeps
   double contact_stiffness = 0.0;  // mean over the window of the sum of normal stiffnesses [N/m]; 0 when not estimated
   double max_overlap_over_radius = 0.0;  // largest in the window [-]
-  std::vector<ContactTangent> tangent;   // empty, or one
+  // sqrt(2 R overlap), the radius of the contact patch, over the width of the facet it stands on, largest in the window
+  // on curved parts of a mesh [-]
+  double max_patch_over_facet = 0.0;
+  std::vector<ContactTangent> tangent;  // empty, or one
 };
 
 struct Load {

@@ -12,7 +12,8 @@ namespace {
 const std::vector<std::string> kModelKeywords = {"model", "tangential", "cohesion", "rolling_friction", "surface"};
 const std::vector<std::string> kForeignKeywords = {"primitive", "mesh", "n_meshes", "meshes", "shear"};
 const std::string kUsage =
-    ". Expected: fix ID group wall/gran/beam model ... type T body NAME [chain C] [body ...] [keywords of "
+    ". Expected: fix ID group wall/gran/beam model ... type T body NAME [chain C] [body ...] [curvature yes] [keywords "
+    "of "
     "wall/gran]";
 
 constexpr int kHighestChain = 1000000;
@@ -45,7 +46,7 @@ BeamArguments::BeamArguments(int narg, const char* const* arg) {
     if (is_one_of(kForeignKeywords, word))
       throw InputError(fix + ": keyword \"" + word + "\" belongs to fix wall/gran; the beams are those of the bodies" +
                        kUsage);
-    if (word != "type" && word != "body" && word != "chain") {
+    if (word != "type" && word != "body" && word != "chain" && word != "curvature") {
       others.push_back(word);
       continue;
     }
@@ -57,6 +58,10 @@ BeamArguments::BeamArguments(int narg, const char* const* arg) {
       if (!type.empty())
         throw InputError(fix + ": keyword \"type\" stands twice; beams of another material are another fix" + kUsage);
       type = value;
+    } else if (word == "curvature") {
+      if (value != "yes" && value != "no")
+        throw InputError(fix + ": \"curvature " + value + "\": expected yes or no" + kUsage);
+      curvature = value == "yes";
     } else {
       if (beams.empty() || beams.back().chain >= 0)
         throw InputError(fix + ": \"chain " + value + "\" does not follow a body, whose beam it would be" + kUsage);

@@ -1,7 +1,7 @@
 #pragma once
 // The words after `fix ID group wall/gran/beam`, taken apart without LIGGGHTS headers:
 //   model ... [tangential ...] [cohesion ...] [rolling_friction ...] [surface ...]
-//   type T  body NAME [chain C] [body NAME [chain C]] ...  [stock keywords]
+//   type T  body NAME [chain C] [body NAME [chain C]] ...  [curvature yes|no]  [stock keywords]
 
 #include <string>
 #include <vector>
@@ -23,6 +23,7 @@ struct BeamArguments {
   std::string fix;                // "fix ID wall/gran/beam", for messages
   std::string type;               // material of the beams, a number for stock LIGGGHTS to check
   std::vector<BeamChoice> beams;  // at least one, none twice
+  bool curvature = false;         // contacts know that the beams are round; otherwise they are as stiff as a plane's
   // The same words for stock `fix wall/gran`, which brings contact models, history, heat and stored forces. A wall
   // needs a shape, and gets the primitive that claims to be near every grain (per-contact storage asks it) and is never
   // asked for a contact.

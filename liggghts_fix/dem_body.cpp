@@ -27,7 +27,8 @@ void DemBody::begin_window(const BodyMotion& start, int n, double dt) {
   average_.begin_window(path_.jump(), path_.pose());
   stiffness_time_ = 0.0;
   time_ = 0.0;
-  overlap_ = 0.0;
+  overlap_ = patch_over_facet_ = 0.0;
+  contact_time_ = 0.0;
   substep_ = 0;
   slope_stride_ = (n + kSlopeSamples - 1) / kSlopeSamples;
   slope_samples_ = 0;
@@ -49,6 +50,8 @@ void DemBody::add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W
   count_contact(overlap_over_radius, stiffness);
 }
 
+void DemBody::count_patch(double over_facet) { patch_over_facet_ = std::max(patch_over_facet_, over_facet); }
+
 void DemBody::add_load(const GeneralizedForce& Q) {
   now_.F_W += Q.F_W;
   now_.T_W += Q.T_W;
@@ -61,6 +64,10 @@ void DemBody::count_contact(double overlap_over_radius, double stiffness) {
   ++contacts_now_;
 }
 
+void DemBody::add_slope(const BoundaryPoint& point, const Eigen::Vector3d& arm_W, const ContactSlope& slope) {
+  add_slope(boundary_.position(path_.pose(), point) + arm_W, slope);
+}
+
 void DemBody::add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope) {
   footfall::add_slope(slope, point_W - path_.pose().r, slopes_now_);
 }
@@ -70,6 +77,7 @@ void DemBody::take_standing() { average_.set_standing(now_, path_.pose()); }
 void DemBody::end_substep(double dt) {
   average_.add_step(now_, path_.pose(), path_.last_step(), dt);
   stiffness_time_ += stiffness_now_ * dt;
+  contact_time_ += static_cast<double>(contacts_now_) * dt;
   if (samples_slopes_) {
     slopes_sum_.K += slopes_now_.K;
     slopes_sum_.C += slopes_now_.C;
@@ -82,8 +90,10 @@ void DemBody::end_substep(double dt) {
 void DemBody::append_share(std::vector<double>& row) {
   share_.mean = average_.finish();
   share_.contacts = contacts_now_;
+  share_.mean_contacts = contact_time_ / time_;
   share_.contact_stiffness = stiffness_time_ / time_;
   share_.max_overlap_over_radius = overlap_;
+  share_.max_patch_over_facet = patch_over_facet_;
   const double per_sample = 1.0 / std::max(1, slope_samples_);
   for (ContactTangent& tangent : share_.tangent) {
     tangent.K = per_sample * slopes_sum_.K;

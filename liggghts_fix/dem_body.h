@@ -34,13 +34,17 @@ class DemBody {
   // stiffness [N/m] (0: unknown).
   void add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_W,
                    double overlap_over_radius, double stiffness);
+  // A contact on a curved part of a mesh: sqrt(2 R overlap) over the width of its facet [-].
+  void count_patch(double over_facet);
   // The same in two parts, for who projects many contacts at once (beams): their generalized force ON the body, and
   // each contact's figures.
   void add_load(const GeneralizedForce& Q);
   void count_contact(double overlap_over_radius, double stiffness);
   // Does the scheme use contact slopes, and is this one of the substeps at which they are sampled? Then add_slope
-  // follows for every contact, at its point in W [m].
+  // follows for every contact, at arm_W [m] from a boundary point; the point of a mesh that touches may be a
+  // periodic image, and is told by its place on the boundary here too. Or at its point in W [m].
   bool samples_slopes() const { return samples_slopes_; }
+  void add_slope(const BoundaryPoint& point, const Eigen::Vector3d& arm_W, const ContactSlope& slope);
   void add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope);
   // The forces just evaluated stand before the next substep (a run was set up).
   void take_standing();
@@ -69,12 +73,14 @@ class DemBody {
   double stiffness_now_ = 0.0;  // [N/m]
   std::int64_t contacts_now_ = 0;
   double stiffness_time_ = 0.0;  // integral over the window [N s/m]
+  double contact_time_ = 0.0;    // integral of the contacts over the window [s]
   double time_ = 0.0;            // of the window [s]
   bool scheme_wants_slopes_;
   bool samples_slopes_ = false;
   int substep_ = 0, slope_stride_ = 1, slope_samples_ = 0;  // in the window
   ContactTangent slopes_now_, slopes_sum_;                  // sums over contacts; over samples as well
   double overlap_ = 0.0;                                    // largest in the window over radius [-]
+  double patch_over_facet_ = 0.0;                           // likewise [-]
   BodyLoad share_;                                          // of this rank, in the last window
   BodyLoad load_;                                           // of all ranks
 };

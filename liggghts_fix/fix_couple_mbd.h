@@ -48,6 +48,7 @@ class FixCoupleMbd : public Fix {
   footfall::DemLink& link_;
   const footfall::CoupleMbdArguments arguments_;
   std::vector<std::unique_ptr<CoupledMesh> > meshes_;
+  const GrainTorque torque_before_ = std::make_shared<Eigen::Vector3d>(Eigen::Vector3d::Zero());
   std::vector<int> rows_of_output_;  // body of each row of f_ID: those of meshes_, then the others
   std::vector<double> row_, rows_;   // of this rank, of all ranks
 };

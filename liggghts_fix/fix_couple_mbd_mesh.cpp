@@ -12,6 +12,7 @@
 #include "liggghts_fix/fix_couple_mbd_box.h"
 #include "liggghts_fix/fix_couple_mbd_match.h"
 #include "liggghts_fix/fix_couple_mbd_materials.h"
+#include "liggghts_fix/fix_wall_torque.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "modify.h"
 #include "tri_mesh.h"
@@ -46,7 +47,8 @@ CoupledMesh::CoupledMesh(LAMMPS* lmp_, const std::string& asker, const footfall:
   const footfall::CoupledBody& scene_body = link_.scene_body(pair.body, update->unit_style);
   try {
     module_ =
-        std::make_unique<MeshModuleMbd>(lmp, fix_, match_over_ranks(fix_->triMesh(), mesh_id_, scene_body, world));
+        std::make_unique<MeshModuleMbd>(lmp, fix_, match_over_ranks(fix_->triMesh(), mesh_id_, scene_body, world),
+                                        scene_body.boundary.rho0());
   } catch (const InputError& mismatch) {
     if (!modify->have_restart_data(fix_)) throw;
     throw InputError(mismatch.what() + std::string(". The restart file knows a mesh of this id and has placed it: give "
@@ -95,28 +97,32 @@ bool CoupledMesh::is_there() const {
   return found != nullptr && found == fix_ && found->get_module(kModule) == module_.get();
 }
 
-bool CoupledMesh::touches_grains() const {
+std::vector<FixWallGran*> CoupledMesh::walls() const {
+  std::vector<FixWallGran*> walls;
   for (int i = 0; i < modify->nfix; ++i) {
-    const auto* wall = dynamic_cast<const FixWallGran*>(modify->fix[i]);
+    auto* wall = dynamic_cast<FixWallGran*>(modify->fix[i]);
     if (wall == nullptr || !wall->is_mesh_wall()) continue;
     FixMeshSurface** const meshes = wall->mesh_list();
-    if (std::find(meshes, meshes + wall->n_meshes(), fix_) != meshes + wall->n_meshes()) return true;
+    if (std::find(meshes, meshes + wall->n_meshes(), fix_) != meshes + wall->n_meshes()) walls.push_back(wall);
   }
-  return false;
+  return walls;
 }
 
-void CoupledMesh::begin_run(const char* style) {
+void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before) {
   if (fix_->triMesh()->nMove() > 1)
     throw InputError(where_ +
                      "another fix moves it too (fix move/mesh or a servo after fix couple/mbd), and the body of the "
                      "scene moves it already: unfix the other one");
-  if (!touches_grains())
+  const std::vector<FixWallGran*> touching = walls();
+  if (touching.empty())
     throw InputError(where_ +
                      "no fix wall/gran names it, so grains would pass through it: add  fix ID all wall/gran model ... "
                      "mesh n_meshes 1 meshes " +
                      mesh_id_);
   if (const std::string outside = outside_box(); !outside.empty())
     throw InputError(where_ + "body \"" + link_.body_name(body_) + "\" " + outside);
+  for (FixWallGran* wall : touching) WallTorque::watch(lmp, *wall, torque_before);
+  module_->set_torque_before(torque_before);
   module_->set_body(&link_.body(body_));
   module_->set_contacts(wall_contacts(*modify, atom->ntypes, fix_->atomTypeWall(), style));
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "liggghts_fix/couple_mbd_arguments.h"
 #include "liggghts_fix/dem_link.h"
@@ -25,9 +26,10 @@ class CoupledMesh : protected Pointers {
   int body() const { return body_; }  // index in the link
   bool is_there() const;              // false when the script has removed the mesh
   const std::vector<footfall::CornerNodes>& corners() const { return module_->corners(); }
-  // After the coupling has started. `style`: of the fix, for LIGGGHTS' own messages. Throws InputError when something
-  // else has come to move the mesh since, when no wall makes contacts with it, or when it stands outside of the box.
-  void begin_run(const char* style);
+  // After the coupling has started. `style`: of the fix, for LIGGGHTS' own messages. torque_before: one for all
+  // meshes, which share walls. Throws InputError when something else has come to move the mesh since, when no wall
+  // makes contacts with it, or when it stands outside of the box.
+  void begin_run(const char* style, const GrainTorque& torque_before);
 
   // Throws NumericalError when a node leaves the box: LIGGGHTS loses such triangles.
   void check_inside_box() const;
@@ -41,7 +43,7 @@ class CoupledMesh : protected Pointers {
   double nearest_image(double place, double before, int direction) const;
   void turn_properties(const footfall::BoundaryStep& step);
 
-  bool touches_grains() const;  // some fix wall/gran names the mesh
+  std::vector<FixWallGran*> walls() const;  // that name the mesh
 
   footfall::DemLink& link_;
   std::string mesh_id_;

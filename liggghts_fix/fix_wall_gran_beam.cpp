@@ -14,7 +14,9 @@
 #include "coupler/mpi_check.h"
 #include "domain.h"
 #include "fix_property_atom.h"
+#include "force.h"
 #include "lammps.h"
+#include "liggghts_fix/beam_hertz.h"
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "liggghts_fix/words.h"
@@ -127,6 +129,8 @@ void FixWallGranBeam::init() {
   if (modify->n_fixes_style("multicontact/halfspace") > 0)
     throw InputError(arguments_.fix + ": fix multicontact/halfspace does not know beams");
   // LIGGGHTS' kn is force over overlap; Hertz' force grows as overlap^(3/2).
+  if (arguments_.curvature && !impl->contact_match("normal", "hertz"))
+    throw InputError(arguments_.fix + ": curvature yes is for `model hertz`; leave it out");
   stiffness_per_kn_ = impl->contact_match("normal", "hertz") ? 1.5 : 1.0;
   check_segment_lengths();
 }
@@ -157,6 +161,10 @@ void FixWallGranBeam::setup(int vflag) {
     throw InputError(arguments_.fix + ": nothing moves its beams. Add `fix ID all couple/mbd every N` to the script");
   for (const std::unique_ptr<Beam>& beam : beams_)
     beam->neighbours = BeamNeighbours(neighbor->skin, neighbor->contactDistanceFactor - 1.0);
+  if (arguments_.curvature) {
+    young_ = force->registry.getMatrixProperty("Yeff", style)->data;
+    shear_ = force->registry.getMatrixProperty("Geff", style)->data;
+  }
   FixWallGran::setup(vflag);
 }
 
@@ -215,6 +223,13 @@ void FixWallGranBeam::touch_grains(Beam& beam) {
   body.add_load(beam.load);
 }
 
+// Hertz' share for the round beam; the end of a beam is a sphere.
+double FixWallGranBeam::softness(const Beam& beam, const BeamTouch& touch, double r) const {
+  const bool at_end =
+      (touch.mu == 0.0 && touch.segment == 0) || (touch.mu == 1.0 && touch.segment + 1 == beam.chain.segment_count());
+  return at_end ? hertz_on_end(r, touch.radius) : hertz_on_side(r, touch.radius);
+}
+
 // One contact: stock LIGGGHTS puts force and torque on the grain, and their reaction acts on the beam. Returns the
 // normal stiffness [N/m].
 double FixWallGranBeam::touch(Beam& beam, int i, const BeamTouch& touch, double* history) {
@@ -235,7 +250,11 @@ double FixWallGranBeam::touch(Beam& beam, int i, const BeamTouch& touch, double*
   take(beam.motion.velocity(touch), v_wall);
 
   const Eigen::Vector3d f_before = vector(f_[i]), torque_before = vector(atom->torque[i]);
-  impl->compute_force(this, contact, touch.gap <= 0.0, v_wall);
+  {
+    const Softened softened(young_, shear_, atom->type[i], atom_type_wall(),
+                            arguments_.curvature ? softness(beam, touch, r) : 1.0);
+    impl->compute_force(this, contact, touch.gap <= 0.0, v_wall);
+  }
   const Eigen::Vector3d f_W = f_before - vector(f_[i]);
   slope_ = {touch.normal, stiffness_per_kn_ * contact.kn, contact.kt, contact.gamman, contact.gammat};
   beam.motion.add_force(touch, f_W, torque_before - vector(atom->torque[i]) + (x - touch.p).cross(f_W));

@@ -2,11 +2,12 @@
 // Wall of grains against the beams of coupled bodies: chains of capsules that fix couple/mbd moves and bends.
 //
 //   fix ID group wall/gran/beam model ... [tangential ...] [cohesion ...] [rolling_friction ...]
-//     type T body NAME [chain C] [body ...] [keywords]
+//     type T body NAME [chain C] [body ...] [curvature yes] [keywords]
 //
 // model ... and keywords (store_force, store_force_contact, temperature, contact_area, limitForce ...): as in stock fix
 // wall/gran.
 // T: material of the beams. NAME: a body of the scene with beams; all of them, or that of number C.
+// curvature yes: Hertz on a cylinder, and on a sphere at the ends of a beam; without it, as stiff as on a plane.
 // A grain has one contact and one history with each beam, which goes on from segment to segment. Two beams are two
 // contacts.
 // The bodies are coupled by this fix, before or after fix couple/mbd, and the forces go where those of their meshes go.
@@ -79,6 +80,7 @@ class FixWallGranBeam : public FixWallGran {
   double over_ranks(double mine, bool largest) const;
   void touch_grains(Beam& beam);
   double touch(Beam& beam, int i, const footfall::BeamTouch& touch, double* history);
+  double softness(const Beam& beam, const footfall::BeamTouch& touch, double r) const;
 
   footfall::DemLink& link_;
   const footfall::BeamArguments arguments_;
@@ -86,6 +88,8 @@ class FixWallGranBeam : public FixWallGran {
   bool renumbered_ = true;
   footfall::ContactSlope slope_;  // of the contact just computed; a grain that slides counts as one that sticks
   double stiffness_per_kn_ = 1.0;
+  double** young_ = nullptr;  // E* and G* of LIGGGHTS by pairs of types, with `curvature yes` [Pa]
+  double** shear_ = nullptr;
 };
 
 }  // namespace LAMMPS_NS

@@ -16,6 +16,7 @@
 #include "fix.h"
 #include "fix_gravity.h"
 #include "fix_mesh_surface.h"
+#include "fix_wall_gran.h"
 #include "lammps.h"
 #include "liggghts_fix/dem_link.h"
 #include "modify.h"
@@ -99,6 +100,12 @@ std::vector<Style>& styles() {
 
 void teach(LAMMPS* lmp, const Style& style) { (*(lmp->modify->*Revealed<FixMap>::member))[style.name] = style.creator; }
 
+// Likewise.
+class OpenWall : public FixWallGran {
+ public:
+  static LIGGGHTS::Walls::IGranularWall*& model(FixWallGran* wall) { return wall->*&OpenWall::impl; }
+};
+
 std::map<LAMMPS*, DemLink*>& links() {
   static std::map<LAMMPS*, DemLink*> one;
   return one;
@@ -128,6 +135,8 @@ void detach_mesh_module(FixMeshSurface* fix, const std::string& name) {
   std::vector<std::string>& order = fix->*Revealed<MeshModuleOrder>::member;
   order.erase(std::remove(order.begin(), order.end(), name), order.end());
 }
+
+LIGGGHTS::Walls::IGranularWall*& wall_model(FixWallGran* wall) { return OpenWall::model(wall); }
 
 double*** mesh_nodes(TriMesh* mesh) { return OpenTriMesh::nodes(mesh); }
 

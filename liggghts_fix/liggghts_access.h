@@ -8,10 +8,15 @@ namespace LAMMPS_NS {
 class Fix;
 class FixGravity;
 class FixMeshSurface;
+class FixWallGran;
 class LAMMPS;
 class MeshModule;
 class TriMesh;
 }  // namespace LAMMPS_NS
+
+namespace LIGGGHTS::Walls {
+class IGranularWall;
+}  // namespace LIGGGHTS::Walls
 
 namespace footfall {
 
@@ -24,6 +29,9 @@ void register_fix_style(LAMMPS_NS::LAMMPS* lmp, const std::string& style, FixCre
 // Appends a module to a stock mesh fix, which then hears of every contact; detach before it dies.
 void attach_mesh_module(LAMMPS_NS::FixMeshSurface* fix, const std::string& name, LAMMPS_NS::MeshModule* module);
 void detach_mesh_module(LAMMPS_NS::FixMeshSurface* fix, const std::string& name);
+
+// The contact model of a wall, which the wall owns.
+LIGGGHTS::Walls::IGranularWall*& wall_model(LAMMPS_NS::FixWallGran* wall);
 
 // What LIGGGHTS knows of a mesh's place: [element][corner][xyz] and [element][xyz], owned elements first, then ghosts.
 double*** mesh_nodes(LAMMPS_NS::TriMesh* mesh);

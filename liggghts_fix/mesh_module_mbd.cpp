@@ -17,15 +17,17 @@ Eigen::Vector3d vector3(const double* x) { return {x[0], x[1], x[2]}; }
 
 }  // namespace
 
-MeshModuleMbd::MeshModuleMbd(LAMMPS* lmp_, FixMeshSurface* mesh_fix, std::vector<footfall::CornerNodes> corners)
+MeshModuleMbd::MeshModuleMbd(LAMMPS* lmp_, FixMeshSurface* mesh_fix, std::vector<footfall::CornerNodes> corners,
+                             const Eigen::Matrix3Xd& rho0)
     : MeshModule(lmp_, no_arguments, 0, nullptr, mesh_fix),
       corners_(std::move(corners)),
+      widths_(footfall::curved_facet_widths(rho0, corners_)),
       behind_stress_(mesh_fix->get_module("stress") != nullptr) {}
 
-// c = x_ip + delta lies on the element; delta points from the grain's centre to it. LIGGGHTS' torque on the grain has
-// the arm radius - overlap / 2, the middle of the overlap: the force on the body acts there too, so that moments are
-// action and reaction. (Rolling resistance turns the grain by a couple of which LIGGGHTS tells nobody: the body does
-// not feel it.)
+// c = x_ip + delta lies on the element; delta points from the grain's centre to it. The grain gets force and torque of
+// the contact about its centre x, and the body their reaction, moved from x to c:
+//   f_W = -f,   m_c = (x - c) x f_W - (torque after - torque before)
+// That is the force in the middle of the overlap, where LIGGGHTS turns the grain, and the couple of rolling friction.
 void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta, int iTri, double*) {
   if (body_ == nullptr) return;
   const bool on_body = behind_stress_ && (atom->mask[ip] & fix_mesh->get_groupbit());
@@ -38,21 +40,24 @@ void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta
   double** nodes = footfall::mesh_nodes(mesh)[iTri];
   const Eigen::Vector3d weights =
       footfall::barycentric_weights(vector3(nodes[0]), vector3(nodes[1]), vector3(nodes[2]), c);
-  const footfall::CornerNodes& corner = corners_[static_cast<std::size_t>(mesh->id(iTri))];
+  const auto element = static_cast<std::size_t>(mesh->id(iTri));
+  const footfall::CornerNodes& corner = corners_[element];
   const footfall::BoundaryPoint point{{corner[0], corner[1], corner[2]}, {weights[0], weights[1], weights[2]}};
 
   const double radius = atom->radius[ip];
   const double distance = d.norm();
   const double overlap = std::max(0.0, radius - distance);
-  const Eigen::Vector3d arm_W = (0.5 * overlap / distance) * d;  // from c
+  const Eigen::Vector3d m_W = *torque_before_ - vector3(atom->torque[ip]) - d.cross(f_W);  // about c
+  body_->count_patch(std::sqrt(2.0 * radius * overlap) / widths_[element]);
   if (contacts_.empty()) {
-    body_->add_contact(point, f_W, arm_W.cross(f_W), overlap / radius, 0.0);
+    body_->add_contact(point, f_W, m_W, overlap / radius, 0.0);
     return;
   }
   const footfall::WallContact& contact = contacts_[static_cast<std::size_t>(atom->type[ip])];
   const double s = std::sqrt(radius * overlap);
-  body_->add_contact(point, f_W, arm_W.cross(f_W), overlap / radius, contact.stiffness(s));
-  if (body_->samples_slopes()) body_->add_slope(c + arm_W, contact.slope(d / distance, f_W, s, atom->rmass[ip]));
+  body_->add_contact(point, f_W, m_W, overlap / radius, contact.stiffness(s));
+  if (body_->samples_slopes())
+    body_->add_slope(point, (0.5 * overlap / distance) * d, contact.slope(d / distance, f_W, s, atom->rmass[ip]));
 }
 
 }  // namespace LAMMPS_NS

@@ -1,9 +1,12 @@
 #pragma once
 // Hears of every contact of a stock LIGGGHTS mesh and projects its force on the coupled body.
 
+#include <utility>
 #include <vector>
 
 #include "liggghts_fix/dem_body.h"
+#include "liggghts_fix/facet_width.h"
+#include "liggghts_fix/fix_wall_torque.h"
 #include "liggghts_fix/mesh_match.h"
 #include "liggghts_fix/wall_contact.h"
 #include "mesh_module.h"
@@ -15,21 +18,26 @@ namespace LAMMPS_NS {
 // group.
 class MeshModuleMbd final : public MeshModule {
  public:
-  // corners: boundary nodes by mesh element id.
-  MeshModuleMbd(LAMMPS* lmp, FixMeshSurface* mesh_fix, std::vector<footfall::CornerNodes> corners);
+  // corners: boundary nodes by mesh element id; rho0: where they are in the body [m].
+  MeshModuleMbd(LAMMPS* lmp, FixMeshSurface* mesh_fix, std::vector<footfall::CornerNodes> corners,
+                const Eigen::Matrix3Xd& rho0);
 
   // The body that takes the forces, known once the coupling has started.
   void set_body(footfall::DemBody* body) { body_ = body; }
   // By grain type, from 1; empty: the script gives no elastic constants, and stiffnesses stay unknown.
   void set_contacts(std::vector<footfall::WallContact> contacts) { contacts_ = std::move(contacts); }
+  // Of the grain that touches, from before the contact.
+  void set_torque_before(GrainTorque torque) { torque_before_ = std::move(torque); }
   const std::vector<footfall::CornerNodes>& corners() const { return corners_; }
 
   void add_particle_contribution(int ip, double* frc, double* delta, int iTri, double* v_wall) override;
 
  private:
   std::vector<footfall::CornerNodes> corners_;
+  std::vector<double> widths_;  // of facets on curved parts, by mesh element id [m]
   std::vector<footfall::WallContact> contacts_;
   footfall::DemBody* body_ = nullptr;
+  GrainTorque torque_before_;
   bool behind_stress_;
 };
 

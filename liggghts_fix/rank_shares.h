@@ -17,7 +17,8 @@ enum class Together { kSum, kLargest };
 // or not. A member that is new and not named here does not compile.
 template <class Load, class Visit>
 void visit_shares(Load& load, const Visit& visit) {
-  auto& [mean, contacts, contact_stiffness, max_overlap_over_radius, tangent] = load;
+  auto& [mean, contacts, mean_contacts, contact_stiffness, max_overlap_over_radius, max_patch_over_facet, tangent] =
+      load;
   auto& [F_W, T_B, Q_a, work, jump_work, impulse_W] = mean;
   visit(F_W, Together::kSum);
   visit(T_B, Together::kSum);
@@ -26,8 +27,10 @@ void visit_shares(Load& load, const Visit& visit) {
   visit(jump_work, Together::kSum);
   visit(impulse_W, Together::kSum);
   visit(contacts, Together::kSum);
+  visit(mean_contacts, Together::kSum);
   visit(contact_stiffness, Together::kSum);
   visit(max_overlap_over_radius, Together::kLargest);
+  visit(max_patch_over_facet, Together::kLargest);
   for (auto& [K, C] : tangent) {
     visit(K, Together::kSum);
     visit(C, Together::kSum);

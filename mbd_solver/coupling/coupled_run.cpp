@@ -46,8 +46,8 @@ std::vector<CoupledBody> bodies_with_boundary(const Mechanism& mechanism, const 
 
 }  // namespace
 
-CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Kinematics& start, double t_end,
-                       Transport& transport)
+CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations& equations, const Kinematics& start,
+                       double t_end, Transport& transport)
     : mechanism_(mechanism),
       t_end_(t_end),
       up_(up_direction(scene.gravity)),
@@ -65,14 +65,15 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Kin
     fill_motion(start.of(entry.body), motion);
     const bool known = !mechanism.placement.sites.empty();
     bodies_.push_back({entry, body, known ? &mechanism.placement.sites[boundary] : nullptr,
-                       BodyWindow(*scheme_, body, motion), motion, entry.boundary.rho0().colwise().norm().maxCoeff()});
+                       BodyWindow(*scheme_, body, motion), ContactMass(equations, entry.body, entry.boundary), motion,
+                       entry.boundary.rho0().colwise().norm().maxCoeff()});
     motion_.bodies.push_back(motion);
     names.push_back(entry.boundary.name());
     masses.push_back(body.mass());
     weight = std::min(weight, body.mass() * scene.gravity.norm());
   }
-  work_received_.resize(bodies_.size());
-  watch_ = std::make_unique<CouplingWatch>(std::move(names), masses, scene.coupling);
+  watched_.resize(bodies_.size());
+  watch_ = std::make_unique<CouplingWatch>(std::move(names), scene.coupling);
   for (const std::string& warning : partner_.warnings()) watch_->warn(warning);
   sample_.omega_h = watch_->omega_h();
   if (agreement_.substeps > 0) return;
@@ -86,8 +87,7 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Kin
   choice_->start(choice_bodies_);
 }
 
-double CoupledRun::begin_window(const State& state, const Kinematics& kinematics, const StoredEnergy& stored,
-                                Inputs& inputs) {
+double CoupledRun::begin_window(const State& state, const Kinematics& kinematics, Inputs& inputs) {
   const double dt = agreement_.dt;
   const int left = static_cast<int>(std::lround((t_end_ - state.time) / dt));
   motion_.time = state.time;
@@ -95,9 +95,6 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   motion_.n = std::max(1, std::min(scheme_->substeps(wanted, motion_.window), left));
   motion_.last_window = left <= motion_.n;
 
-  // The energy at the start; of a mechanism that starts at rest the largest kinetic energy so far.
-  if (motion_.window == 0) reference_energy_ = stored.total() - stored[Stored::kGravity];
-  reference_energy_ = std::max(reference_energy_, stored[Stored::kKinetic]);
   work_before_ = state.load_work;
 
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -109,17 +106,16 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   for (const std::string& warning : load.warnings) watch_->warn(warning);
   dem_seconds_ += load.wall_seconds;
   receive(load, inputs);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const auto body = static_cast<std::size_t>(bodies_[k].entry.body);
+    watched_[k].mass = bodies_[k].contact_mass.along(inputs.loads[body], state, inputs);
+  }
   return motion_.last_window ? t_end_ : state.time + motion_.n * dt;
 }
 
 void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    const int body = bodies_[k].entry.body;
-    fill_motion(kinematics.of(body), bodies_[k].end);
-    work_received_[k] = state.load_work(body) - work_before_(body);
-  }
-  watch_->window(state.time, state.time - motion_.time, motion_.n, partner_.load(), work_received_, reference_energy_,
-                 pending_interface_work(state.time));
+  for (Coupled& body : bodies_) fill_motion(kinematics.of(body.entry.body), body.end);
+  judge(state);
   if (choice_) choose_window();
   sample_.substeps = motion_.n;
   sample_.estimate = choice_ ? choice_->estimate() : 0.0;
@@ -139,6 +135,7 @@ void CoupledRun::choose_window() {
     const Vector6d gap = body.window.path().gap(body.end);
     WindowChoice::Body& seen = choice_bodies_[k];
     seen.flight = flight_time(body.end, body.entry.boundary, mechanism_.placement, up_, site);
+    seen.mass = watched_[k].mass;
     seen.stiffness = load.contact_stiffness;
     seen.force = load.mean.F_W;
     seen.place = body.window.path().r_mean;
@@ -162,15 +159,15 @@ void CoupledRun::receive(const Load& load, Inputs& inputs) {
   }
 }
 
-double CoupledRun::pending_interface_work(double time) {
-  double work = 0.0;
+void CoupledRun::judge(const State& state) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const Coupled& body = bodies_[k];
-    work += body.window.pending_work(body.end);
+    watched_[k].work_received = state.load_work(body.entry.body) - work_before_(body.entry.body);
+    watched_[k].pending = body.window.pending_work(body.end);
     if (const std::optional<Eigen::Vector3d> surplus = body.window.surplus_impulse(body.end))
-      watch_->count_surplus(k, time, *surplus, body.window.length() * partner_.load().bodies[k].mean.F_W.norm());
+      watch_->count_surplus(k, state.time, *surplus, body.window.length() * partner_.load().bodies[k].mean.F_W.norm());
   }
-  return work;
+  watch_->window({state.time, state.time - motion_.time, motion_.n, motion_.last_window}, partner_.load(), watched_);
 }
 
 }  // namespace footfall

@@ -13,29 +13,29 @@
 
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/coupling/body_window.h"
+#include "mbd_solver/coupling/contact_mass.h"
 #include "mbd_solver/coupling/coupling_sample.h"
 #include "mbd_solver/coupling/coupling_watch.h"
 #include "mbd_solver/coupling/dem_partner.h"
 #include "mbd_solver/coupling/window_choice.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/model/external_load.h"
-#include "mbd_solver/model/laws/energy.h"
 #include "mbd_solver/model/state.h"
 
 namespace footfall {
 
 class CoupledRun {
  public:
-  // Shakes hands with LIGGGHTS. start: of the mechanism. mechanism and transport must outlive this.
+  // Shakes hands with LIGGGHTS. start: of the mechanism. mechanism, equations and transport must outlive this.
   // Throws ProtocolError, PartnerError.
-  CoupledRun(const Scene& scene, const Mechanism& mechanism, const Kinematics& start, double t_end,
-             Transport& transport);
+  CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations& equations, const Kinematics& start,
+             double t_end, Transport& transport);
 
   // Sends the motion, waits for the load, writes it into inputs.loads (one per body of the model, sized by the caller).
   // kinematics: with accelerations. Returns the window's end [s]; the present time when the script has ended, as it may:
   // script_has_ended(). Throws NumericalError for a load that is not finite,
   // PartnerError.
-  double begin_window(const State& state, const Kinematics& kinematics, const StoredEnergy& stored, Inputs& inputs);
+  double begin_window(const State& state, const Kinematics& kinematics, Inputs& inputs);
   // The mechanism has come to the window's end. Throws NumericalError when the coupling pumps energy or chatters
   // (CouplingWatch).
   void end_window(const State& state, const Kinematics& kinematics);
@@ -59,13 +59,14 @@ class CoupledRun {
     const Body& body;
     const LandingSite* site;  // under it at the start; null when not known
     BodyWindow window;        // what the scheme makes of it
-    BodyMotion end;           // computed, at the window's end
-    double reach;             // largest |rho0| [m]
+    ContactMass contact_mass;
+    BodyMotion end;  // computed, at the window's end
+    double reach;    // largest |rho0| [m]
   };
 
   void choose_window();  // n of the next window, after one
   void receive(const Load& load, Inputs& inputs);
-  double pending_interface_work(double time);  // after a window [J]
+  void judge(const State& state);  // a window that has ended
 
   const Mechanism& mechanism_;
   double t_end_;        // [s]
@@ -80,10 +81,9 @@ class CoupledRun {
   std::unique_ptr<WindowChoice> choice_;  // null when the script fixes n
   std::vector<WindowChoice::Body> choice_bodies_;
   CouplingSample sample_;
-  double reference_energy_ = 0.0;            // scale of energy errors [J]
-  Eigen::VectorXd work_before_;              // State::load_work at the window's start [J]
-  std::vector<double> work_received_;        // in the window, per coupled body [J]
-  double dem_seconds_ = 0.0, waited_ = 0.0;  // [s]
+  Eigen::VectorXd work_before_;               // State::load_work at the window's start [J]
+  std::vector<CouplingWatch::Body> watched_;  // of the window, per coupled body
+  double dem_seconds_ = 0.0, waited_ = 0.0;   // [s]
 };
 
 }  // namespace footfall

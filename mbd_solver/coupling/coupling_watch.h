@@ -10,17 +10,33 @@
 
 namespace footfall {
 
+// The scale of the interface's energy is what the contacts move, whatever else the mechanism does:
+//   E = sum over bodies of (largest - smallest work of the grains on the body so far)
+//     + largest kinetic energy that one window's impulse J = |F| H can give, J^2 / 2m
+// with m the mass that the contacts meet (contact_mass.h). A body that is held or led (m infinite) can neither be pumped
+// nor chatter: it has no part in this, and omega H = 0.
 class CouplingWatch {
  public:
-  // Names and masses [kg] of the coupled bodies in the order of Load; limits of the scene.
-  CouplingWatch(std::vector<std::string> names, std::vector<double> masses, const CouplingSpec& limits);
+  struct Window {
+    double time = 0.0;  // of its end [s]
+    double H = 0.0;     // [s]
+    int n = 1;          // substeps
+    bool last = false;  // of the run: what is pending will never be given
+  };
+  // Of one coupled body in a window.
+  struct Body {
+    double mass = 0.0;           // that its contacts meet; infinity: held [kg]
+    double work_received = 0.0;  // by the body [J]
+    double pending = 0.0;  // what the grains will do when the next window starts from the computed motion, and the
+                           // body has received already [J]
+  };
 
-  // One window of n substeps, H [s] long: what the grains did (load) and the work that arrived at each body [J].
-  // reference_energy [J]: the scale against which the residual is judged. pending [J]: work that the grains will do
-  // when the next window starts from the computed motion, and that the bodies have received already. Throws
-  // NumericalError when the interface pumps energy or the mean force chatters, naming time, body and what to do.
-  void window(double time, double H, int n, const Load& load, const std::vector<double>& work_received,
-              double reference_energy, double pending = 0.0);
+  // Names of the coupled bodies in the order of Load; limits of the scene.
+  CouplingWatch(std::vector<std::string> names, const CouplingSpec& limits);
+
+  // What the grains did (load) and the bodies received. Throws NumericalError when the interface pumps energy or the
+  // mean force chatters, naming time, body and what to do.
+  void window(const Window& window, const Load& load, const std::vector<Body>& bodies);
 
   // `every auto`: omega H above which body i is warned of, in place of warn_omega_h, from now on.
   void allow(std::size_t i, double omega_h) { warn_omega_h_[i] = omega_h; }
@@ -40,18 +56,40 @@ class CouplingWatch {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  void watch_overlap(double time);
+  // A touch of one body, from no contact to no contact.
+  struct Touch {
+    double contact_time = 0.0;   // sum over its contacts [s]
+    double most_contacts = 1.0;  // met at ends of windows
+    double longest_H = 0.0;      // of its windows [s]
+    double impulse = 0.0;        // [N s]
+  };
+  // The work of the grains on one body.
+  struct Work {
+    double sum = 0.0, largest = 0.0, smallest = 0.0;  // since the start [J]
+    double surplus = 0.0;                             // work of the grains - work received, while it is not held [J]
+  };
+
+  void watch_omega_h(std::size_t body, const Window& window, double stiffness, double mass);
+  void watch_energy(const Window& window, const Load& load, const std::vector<Body>& bodies);
+  void watch_touch(std::size_t body, const Window& window, const BodyLoad& load);
+  void watch_grains(double time);
   void watch_chatter(std::size_t body, const Eigen::Vector3d& force, double time, int n);
 
   std::vector<std::string> names_;
-  std::vector<double> masses_;
   CouplingSpec limits_;
   double sum_ = 0.0;                                // of work on the boundary - work received [J]
   double residual_ = 0.0, largest_residual_ = 0.0;  // [J]
-  bool warned_of_gain_ = false, warned_of_overlap_ = false;
-  double largest_overlap_ = 0.0, largest_force_ = 0.0;
+  std::vector<Work> work_;                          // per body
+  double largest_kick_ = 0.0;                       // sum over bodies of J^2 / 2m, largest of any window [J]
+  bool warned_of_gain_ = false, warned_of_loss_ = false, warned_of_overlap_ = false, warned_of_facets_ = false;
+  double largest_overlap_ = 0.0, largest_patch_ = 0.0, largest_force_ = 0.0;
   std::vector<double> omega_h_, largest_omega_h_, warn_omega_h_;
   std::vector<bool> warned_;
+  std::vector<Touch> touch_;              // per body, the present one
+  std::vector<bool> touches_;             // per body, at the end of the last window
+  std::vector<double> impulse_;           // per body, since the start [N s]
+  std::vector<double> unresolved_;        // of touches shorter than a window [N s]
+  std::vector<double> shortest_;          // of these [s]
   std::vector<Eigen::Vector3d> surplus_;  // per body, since the start [N s]
   std::vector<double> given_;             // likewise [N s]
   bool warned_of_surplus_ = false;

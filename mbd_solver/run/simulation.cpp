@@ -54,7 +54,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
   inputs_.voltages = mechanism_.voltages;
   if (!partner_transport) return;
   inputs_.loads.resize(static_cast<std::size_t>(mechanism_.model.body_count()));
-  coupled_ = std::make_unique<CoupledRun>(scene, mechanism_, kinematics(), t_end, *partner_transport);
+  coupled_ = std::make_unique<CoupledRun>(scene, mechanism_, equations_, kinematics(), t_end, *partner_transport);
 }
 
 Subject Simulation::subject() const {
@@ -129,7 +129,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     times_.control += wall_clock() - control_started;
 
     // Window: with grains motion goes out and the mean load comes in.
-    const double t_end = coupled_         ? coupled_->begin_window(state_, at.kinematics, at.energy.stored, inputs_)
+    const double t_end = coupled_         ? coupled_->begin_window(state_, at.kinematics, inputs_)
                          : voltages_move_ ? std::min(control_.next_sample(), t_end_)
                                           : t_end_;
     if (coupled_ && coupled_->script_has_ended()) break;

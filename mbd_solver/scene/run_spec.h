@@ -127,7 +127,7 @@ struct CouplingSpec {
   int max_substeps = 100;
   double warn_omega_h = 0.5;         // warn above this estimate of omega H [-]
   bool stop_on_energy_gain = true;   // end the run when the interface pumps energy ...
-  double max_energy_residual = 0.1;  // ... of more than this share of the initial mechanical energy [-]
+  double max_energy_residual = 0.1;  // ... of more than this share of what the contacts have moved [-]
   bool stop_on_chatter = true;       // end the run when the mean force alternates from window to window
   double timeout = 300.0;            // of silence of the partner within a run [s]
 };

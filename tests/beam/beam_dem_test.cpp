@@ -7,6 +7,7 @@
 #include <random>
 #include <sstream>
 
+#include "liggghts_fix/beam_hertz.h"
 #include "mbd_solver/output/history.h"
 #include "tests/beam/beam_run.h"
 #include "tests/unit/liggghts_fix/random_beams.h"
@@ -457,17 +458,22 @@ plots = false
 
 // Elastic grains without friction: what they gain is the work of the beam, up to the error of the time steps,
 // which is of second order. The windows are equally long, so that the beam moves in the same way.
-TEST(BeamEnergy, OfElasticGrainsIsTheWorkOfTheBeamToSecondOrder) {
-  const BeamRun folder("energy");
+class BeamEnergy : public testing::TestWithParam<bool> {};  // curvature
+INSTANTIATE_TEST_SUITE_P(Curvature, BeamEnergy, testing::Bool());
+
+TEST_P(BeamEnergy, OfElasticGrainsIsTheWorkOfTheBeamToSecondOrder) {
+  const std::string curvature = GetParam() ? "yes" : "no";
+  const BeamRun folder("energy_" + curvature);
   const Material elastic{1.0, 0.0, 0.0};
   double error[3];
   const char* const dt[3] = {"1.6e-4", "8e-5", "4e-5"};
   for (int k = 0; k < 3; ++k) {
     const int n = 5 << k, steps = 750 << k;
     const std::string file = std::string("grains") + dt[k] + ".txt";
-    const Outcome outcome =
-        folder.coupled(sweep("", elastic, dt[k]) + dump_command(file, steps, kMomentumColumns) + run(steps, n),
-                       "end 0.12\n" + sweeping_beam().substr(sweeping_beam().find("body")));
+    std::string script = sweep("", elastic, dt[k]);
+    script.insert(script.find(" body tine"), " curvature " + curvature);
+    const Outcome outcome = folder.coupled(script + dump_command(file, steps, kMomentumColumns) + run(steps, n),
+                                           "end 0.12\n" + sweeping_beam().substr(sweeping_beam().find("body")));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
     const Dump grains = folder.dump(file);
     const double gain = momentum(grains.rbegin()->second).energy - momentum(grains.begin()->second).energy;
@@ -480,6 +486,30 @@ TEST(BeamEnergy, OfElasticGrainsIsTheWorkOfTheBeamToSecondOrder) {
   EXPECT_LT(error[0], 1e-4);
   // Two halvings: 16 times less, and half of that is asked for, as contacts open and close between the steps.
   EXPECT_LT(error[2], error[0] / 8.0);
+}
+
+// A grain that is held in a beam of its own radius, at the side and at the end: the force of Hertz' cylinder and sphere.
+TEST(BeamCurvature, MakesTheContactAsSoftAsHertzSays) {
+  constexpr double kRadius = 0.02, kOverlap = 2e-4;  // [m]
+  const auto force = [&](const std::string& name, const std::string& place, const std::string& words) {
+    const BeamRun folder("curvature_" + name + words);
+    const std::string script = preamble("-0.6 0.6 -0.4 0.4 -0.3 0.6") + "timestep 1e-6\npair_style gran " + kModel +
+                               "\npair_coeff * *\ncreate_atoms 1 single " + place +
+                               "\nset group all diameter 0.04 density 2600\nfix w all wall/gran/beam " + kModel +
+                               " type 2 body tine curvature " + words + "\nfix mbd all couple/mbd every 2\nrun 2\n";
+    const Outcome outcome =
+        folder.coupled(script, "end 2e-6\nbody tine\n" + chain({"-0.1 0 0", "0 0 0", "0.1 0 0"}, kRadius));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+    const std::vector<double> row = folder.loads().front();
+    return Eigen::Vector3d(row[1], row[2], row[3]).norm();
+  };
+  const std::string side = "0.03 0 " + std::to_string(2 * kRadius - kOverlap);
+  const std::string end = std::to_string(0.1 + 2 * kRadius - kOverlap) + " 0 0";
+  const double flat = force("side", side, "no");
+  EXPECT_GT(flat, 1.0);
+  EXPECT_NEAR(force("end", end, "no"), flat, 1e-9 * flat);
+  EXPECT_NEAR(force("side", side, "yes") / flat, hertz_on_side(kRadius, kRadius), 1e-9);  // round-off of the overlap
+  EXPECT_NEAR(force("end", end, "yes") / flat, std::sqrt(0.5), 1e-9);
 }
 
 }  // namespace

@@ -197,7 +197,7 @@ struct Output {
   explicit Output(const std::string& path) : file(path) {
     file.precision(17);
     file << "window,time,body,x,y,z,vx,vy,vz,fx,fy,fz,mx,my,mz,q,work,jump_work,ix,iy,iz,contacts,stiffness,"
-            "overlap,particles,lost\n";
+            "overlap,particles,lost,turn_slope\n";
   }
   void row(const Motion& motion, std::size_t i, const Load& load) {
     const BodyMotion& state = motion.bodies[i];
@@ -212,7 +212,8 @@ struct Output {
          << body.mean.jump_work;
     put(body.mean.impulse_W);
     file << "," << body.contacts << "," << body.contact_stiffness << "," << body.max_overlap_over_radius << ","
-         << load.particles << "," << load.lost << "\n";
+         << load.particles << "," << load.lost << ","  // stiffness against turning about y [N m], of scheme tangent
+         << (body.tangent.empty() ? 0.0 : body.tangent[0].K(4, 4)) << "\n";
   }
   std::ofstream file;
 };

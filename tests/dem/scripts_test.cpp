@@ -151,7 +151,7 @@ TEST(Script, ThermoShowsWhatThePartnerGets) {
 
 TEST(Script, PeriodicBoxesKeepImagesOfAMeshWhereTheyAre) {
   // A plate that slides out of the box at x = 0.3 and in again at x = -0.3 presses on a periodic carpet as
-  // one that stays inside.
+  // one that stays inside: the same force, and the same slopes for scheme tangent.
   const auto force = [](const std::string& name, double place) {
     const RunFolder folder("scripts_periodic_" + name);
     write_stl((folder.path() / "plate.stl").string(), box({0.1, 0.3, 0.02}, 3));
@@ -167,15 +167,21 @@ TEST(Script, PeriodicBoxesKeepImagesOfAMeshWhereTheyAre) {
                            "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n" +
                            mesh_wall() + "fix mbd all couple/mbd every 10 mesh m plate\nrun 400\n");
     std::ostringstream partner;
-    partner << "until 0.02 out table.csv body plate plate.stl " << place << " 0 0.031 prescribed 5 0 -0.1 0 0.3 0";
+    partner << "scheme tangent until 0.02 out table.csv body plate plate.stl " << place
+            << " 0 0.031 prescribed 5 0 -0.1 0 0.3 0";
     const Outcome outcome = folder.coupled(2, "-in in", partner.str());
     EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
     const Table table(folder.path() / "table.csv");
-    return table.vector(table.rows() - 1, "fx", "fy", "fz");
+    return std::pair(table.vector(table.rows() - 1, "fx", "fy", "fz"), table["turn_slope"]);
   };
-  const Eigen::Vector3d inside = force("inside", -0.06), across = force("across", 0.24);
+  const auto [inside, slopes] = force("inside", -0.06);
+  const auto [across, slopes_across] = force("across", 0.24);
   EXPECT_GT(inside.norm(), 10.0);
   EXPECT_LT((inside - across).norm(), 1e-9 * inside.norm());
+  // Only their round-off differs: a place in W is rounded at 0.3 m in place of 0.06 m.
+  ASSERT_EQ(slopes.size(), slopes_across.size());
+  for (std::size_t k = 0; k < slopes.size(); ++k) EXPECT_NEAR(slopes[k], slopes_across[k], 1e-9 * slopes.back());
+  EXPECT_GT(slopes.back(), 1.0);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(ContactSlope, IsNotCollectedForSchemesThatDoNotAsk) {
   const DemBody dem(body, *scheme);
   EXPECT_FALSE(dem.samples_slopes());
   EXPECT_TRUE(dem.load().tangent.empty());
-  EXPECT_EQ(dem.share_size(), 14U);  // F, T, impulse: 3 each; two works, contacts, stiffness, overlap
+  EXPECT_EQ(dem.share_size(), 16U);  // F, T, impulse: 3 each; two works, two contacts, stiffness, overlap, patch
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ BodyLoad random_load(unsigned seed) {
 TEST(RankShares, ShareOfTheOnlyRankIsTheLoad) {
   BodyLoad share = random_load(5), load = empty_load(2, share.tangent.size());
   share.max_overlap_over_radius = 0.03;
+  share.max_patch_over_facet = 0.3;
   std::vector<double> row;
   append_share(share, row);
   EXPECT_EQ(row.size(), share_size(share));
@@ -35,7 +36,8 @@ TEST(RankShares, ShareOfTheOnlyRankIsTheLoad) {
   EXPECT_EQ(test::differences(share, load), Names());
 }
 
-// Every number of the row alone: it arrives twice as large from two ranks with the same share, but the overlap.
+// Every number of the row alone: it arrives twice as large from two ranks with the same share, but those of which the
+// largest counts.
 TEST(RankShares, RanksAddUpAndTheLargestOverlapCounts) {
   BodyLoad load = empty_load(2, 2);
   std::vector<double> row(share_size(load));
@@ -44,13 +46,14 @@ TEST(RankShares, RanksAddUpAndTheLargestOverlapCounts) {
   const BodyLoad one = load;
   add_share(row.data(), load);
   EXPECT_EQ(load.max_overlap_over_radius, one.max_overlap_over_radius);
+  EXPECT_EQ(load.max_patch_over_facet, one.max_patch_over_facet);
   std::vector<double> once, twice;
   append_share(one, once);
   append_share(load, twice);
   EXPECT_EQ(once, row);
   int doubled = 0;
   for (std::size_t i = 0; i < row.size(); ++i) doubled += twice[i] == 2.0 * row[i] ? 1 : 0;
-  EXPECT_EQ(doubled, static_cast<int>(row.size()) - 1);
+  EXPECT_EQ(doubled, static_cast<int>(row.size()) - 2);
 }
 
 TEST(RankShares, EveryFieldOfTheLoadHasItsPlaceInTheRow) {

@@ -1,0 +1,41 @@
+#include "liggghts_fix/fix_wall_torque.h"
+
+#include <utility>
+
+#include "atom.h"
+#include "fix_wall_gran.h"
+#include "liggghts_fix/liggghts_access.h"
+
+namespace LAMMPS_NS {
+
+void WallTorque::watch(LAMMPS* lmp, FixWallGran& wall, GrainTorque before) {
+  IGranularWall*& model = footfall::wall_model(&wall);
+  auto* watching = dynamic_cast<WallTorque*>(model);
+  if (watching == nullptr) model = watching = new WallTorque(lmp, model);
+  watching->before_ = std::move(before);
+}
+
+void WallTorque::settings(int nargs, char** args, LIGGGHTS::IContactHistorySetup* setup) {
+  model_->settings(nargs, args, setup);
+}
+
+void WallTorque::init_granular() { model_->init_granular(); }
+
+bool WallTorque::checkSurfaceIntersect(LIGGGHTS::ContactModels::SurfacesIntersectData& contact) {
+  return model_->checkSurfaceIntersect(contact);
+}
+
+void WallTorque::compute_force(FixWallGran* wall, LIGGGHTS::ContactModels::SurfacesIntersectData& contact,
+                               bool intersect, double* v_wall, FixMeshSurface* mesh_fix, int mesh_number, TriMesh* mesh,
+                               int element) {
+  *before_ = Eigen::Map<const Eigen::Vector3d>(atom->torque[contact.i]);
+  model_->compute_force(wall, contact, intersect, v_wall, mesh_fix, mesh_number, mesh, element);
+}
+
+int WallTorque::get_history_offset(std::string name) { return model_->get_history_offset(std::move(name)); }
+
+bool WallTorque::contact_match(std::string kind, std::string model) {
+  return model_->contact_match(std::move(kind), std::move(model));
+}
+
+}  // namespace LAMMPS_NS

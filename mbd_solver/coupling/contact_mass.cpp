@@ -1,0 +1,67 @@
+#include "mbd_solver/coupling/contact_mass.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace footfall {
+namespace {
+
+// Rows of joints are solved to 1e-12: a body that is this much heavier than it is does not move.
+constexpr double kHeld = 1e8;
+
+double largest_mode(const ModalBoundary& boundary) {
+  double largest = 0.0;
+  if (boundary.mode_count() == 0) return largest;
+  for (int j = 0; j < boundary.node_count(); ++j)
+    largest = std::max(largest, boundary.Phi().middleRows<3>(3 * j).norm());
+  return largest;
+}
+
+// x / f, no longer than `longest`.
+template <class Vector>
+Vector cut_off(const Vector& x, double f, double longest) {
+  const double length = x.norm();
+  return length > longest * f ? Vector(longest / length * x) : Vector(x / f);
+}
+
+}  // namespace
+
+ContactMass::ContactMass(Equations& equations, int body, const ModalBoundary& boundary)
+    : equations_(equations),
+      body_(body),
+      mass_(equations.model().body(body).mass()),
+      reach_(boundary.rho0().colwise().norm().maxCoeff()),
+      largest_mode_(largest_mode(boundary)),
+      rates_(equations.layout().size()),
+      moved_(rates_) {}
+
+double ContactMass::along(const ExternalLoad& felt, const State& state, const Inputs& inputs) {
+  const double f = felt.F_W.norm();
+  if (f == 0.0) return mass_;
+  const double own = equations_.model().body(body_).mass();
+  // As large as what gives the body alone 1 m/s2: far above the round-off of accelerations.
+  const Eigen::Vector3d F_W = own / f * felt.F_W;
+  const Eigen::Vector3d T_B = own * cut_off(felt.T_B, f, reach_);
+  probe_ = inputs;
+  ExternalLoad& load = probe_.loads[static_cast<std::size_t>(body_)];
+  load.F_W += F_W;
+  load.T_B += T_B;
+  Eigen::VectorXd Q_a;
+  if (felt.Q_a.size() > 0) {
+    Q_a = own * cut_off(felt.Q_a, f, largest_mode_);
+    load.Q_a += Q_a;
+  }
+  equations_.accelerations(state, inputs, rates_);
+  equations_.accelerations(state, probe_, moved_);
+  const int first = equations_.layout().v0() + equations_.layout().body_v[static_cast<std::size_t>(body_)];
+  const auto dv = [&](int from, auto size) {
+    return moved_.segment(first + from, size) - rates_.segment(first + from, size);
+  };
+  equations_.load(state);
+  double power = F_W.dot(dv(0, 3)) + (equations_.motion(body_).A * T_B).dot(dv(3, 3));
+  if (Q_a.size() > 0) power += Q_a.dot(dv(6, Q_a.size()));
+  mass_ = power * kHeld > own ? own * own / power : std::numeric_limits<double>::infinity();
+  return mass_;
+}
+
+}  // namespace footfall

@@ -1,0 +1,36 @@
+#pragma once
+// The mass that the contacts of a body meet: that of what they move, joints and prescribed motions included. theory 7.9.
+
+#include "coupler/modal_boundary.h"
+#include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/model/external_load.h"
+#include "mbd_solver/model/state.h"
+
+namespace footfall {
+
+// A load Q = [F; T; Q_a] on the body gives the mechanism the accelerations M^-1 Q that its joints leave:
+//   1/m = q . M^-1 q,   q = Q / |F|
+// For a force through the mass centre of a free body m is its mass; where a joint, a prescribed motion or the ground
+// takes the load, m is infinite. Forces that cancel leave a moment and no force: T / |F| is cut off at the reach of
+// the boundary, Q_a / |F| at the largest displacement of its nodes in the modes, the most that one contact can do.
+class ContactMass {
+ public:
+  // equations must outlive this; body: index in the model.
+  ContactMass(Equations& equations, int body, const ModalBoundary& boundary);
+
+  // [kg] at `state` under `felt`, the load on the body in `inputs`. Without a force: as it was when there was one, at the
+  // start the body's own.
+  double along(const ExternalLoad& felt, const State& state, const Inputs& inputs);
+
+ private:
+  Equations& equations_;
+  int body_;
+  double mass_;            // [kg]
+  double reach_;           // largest |rho0| [m]
+  double largest_mode_;    // of all nodes: largest |Phi_j|
+  Inputs probe_;           // inputs with the body's load
+  Eigen::VectorXd rates_;  // under the inputs
+  Eigen::VectorXd moved_;  // under those of probe_
+};
+
+}  // namespace footfall

@@ -1,0 +1,218 @@
+// The wall tests of Chung and Ooi (Granular Matter 13, 643, 2011; their numbers 2 to 6): one sphere strikes a plane, here
+// a mesh that is coupled to a body at rest, and leaves as Hertz, Coulomb and Newton say.
+//
+// With FOOTFALL_WALL_TESTS=FILE the rows of docs/wall_tests.md are appended to FILE (docs/wall_tests.sh).
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <vector>
+
+#include "tests/dem/coupled_run.h"
+
+namespace footfall::test {
+namespace {
+
+using Eigen::Vector3d;
+
+struct Sphere {
+  const char* material;
+  double young, poisson, density, radius;  // [Pa], [-], [kg/m3], [m]; the plane is of the same
+  double mass() const { return density * 4.0 / 3.0 * M_PI * std::pow(radius, 3); }
+  double inertia() const { return 0.4 * mass() * radius * radius; }
+  double K() const { return 4.0 / 3.0 * 0.5 * young / (1.0 - poisson * poisson) * std::sqrt(radius); }  // F = K s^1.5
+};
+const Sphere kLimestone{"limestone", 20e9, 0.25, 2500, 0.1};
+const Sphere kOxide{"aluminium oxide", 380e9, 0.23, 4000, 0.0025};
+const Sphere kAlloy{"aluminium alloy", 70e9, 0.33, 2700, 0.1};
+
+// Hertz: m s'' = -K s^1.5 from s' = v.
+struct Hertz {
+  double overlap, force, time;  // largest, largest, of the contact
+};
+Hertz hertz(const Sphere& sphere, double v) {
+  const double s = std::pow(1.25 * sphere.mass() * v * v / sphere.K(), 0.4);
+  return {s, sphere.K() * std::pow(s, 1.5), 2.943275 * s / v};
+}
+
+struct Throw {
+  Vector3d v, omega = Vector3d::Zero();  // [m/s], [rad/s]
+  double restitution = 1.0;
+};
+struct Outcomes {
+  std::vector<Throw> after;
+  Table table;  // of the plate, window by window
+  double dt;    // [s]
+};
+
+// All spheres at once, side by side.
+Outcomes strike(const std::string& name, const Sphere& s, double friction, const std::vector<Throw>& throws,
+                const std::string& settings = "") {
+  const RunFolder folder("wall_tests_" + name);
+  const double spacing = 3.0 * s.radius, gap = 1e-6 * s.radius, half = 2.0 * s.radius;
+  const double length = spacing * static_cast<double>(throws.size());
+  double longest = 0.0;  // [s], of reaching the plane and of the contact
+  for (const Throw& one : throws) longest = std::max(longest, gap / -one.v.z() + 2.5 * hertz(s, -one.v.z()).time);
+  const double dt = longest / 2000.0;
+  const int types = static_cast<int>(throws.size()) + 1;  // each sphere, and the plane: a pair has its restitution
+  std::ostringstream in;
+  in.precision(17);
+  in << "atom_style granular\natom_modify map array\nboundary f f f\nnewton off\ncommunicate single vel yes\nunits si\n"
+        "hard_particles yes\nprocessors 1 1 1\nregion reg block "
+     << -half << " " << length + half << " " << -2 * half << " " << 2 * half << " " << -2 * half << " " << 2 * half
+     << " units box\ncreate_box " << types << " reg\nneighbor " << 0.2 * s.radius << " bin\nneigh_modify delay 0\n";
+  const auto by_type = [&](const char* what, double value) {
+    in << "fix " << what << " all property/global " << what << " peratomtype";
+    for (int t = 0; t < types; ++t) in << " " << value;
+    in << "\n";
+  };
+  by_type("youngsModulus", s.young);
+  by_type("poissonsRatio", s.poisson);
+  in << "fix e all property/global coefficientRestitution peratomtypepair " << types;
+  for (int i = 0; i < types; ++i)
+    for (int j = 0; j < types; ++j)
+      in << " "
+         << (std::min(i, j) + 1 < types && std::max(i, j) + 1 == types
+                 ? throws[static_cast<std::size_t>(std::min(i, j))].restitution
+                 : 1.0);
+  in << "\nfix f all property/global coefficientFriction peratomtypepair " << types;
+  for (int i = 0; i < types * types; ++i) in << " " << friction;
+  in << "\npair_style gran model hertz tangential history\npair_coeff * *\ntimestep " << dt << "\n";
+  for (std::size_t i = 0; i < throws.size(); ++i) {
+    in << "create_atoms " << i + 1 << " single " << spacing * (static_cast<double>(i) + 0.5) << " 0 " << s.radius + gap
+       << " units box\ngroup g" << i << " type " << i + 1 << "\nset group g" << i << " diameter " << 2.0 * s.radius
+       << " density " << s.density << "\nvelocity g" << i << " set " << throws[i].v[0] << " " << throws[i].v[1] << " "
+       << throws[i].v[2] << "\nset group g" << i << " omegax " << throws[i].omega[0] << " omegay " << throws[i].omega[1]
+       << " omegaz " << throws[i].omega[2] << "\n";
+  }
+  in << "fix integr all nve/sphere\nfix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type "
+     << types << "\nfix wm all wall/gran model hertz tangential history mesh n_meshes 1 meshes m" << settings << "\n"
+     << "fix mbd all couple/mbd every 1 mesh m plate\n"
+     << dump_every(2000, "grains") << "thermo 1000\nrun 2000\n";
+  folder.write("in", in.str());
+  Surface plate = box({length, 2.0 * half, half}, 1);
+  plate.nodes.row(0).array() += 0.5 * length;
+  plate.nodes.row(2).array() -= 0.5 * half;
+  write_stl((folder.path() / "plate.stl").string(), plate);
+  std::ostringstream partner;
+  partner.precision(17);
+  partner << "until " << 2000 * dt << " out table.csv body plate plate.stl 0 0 0 prescribed 0 0 0 0 0 0";
+  const Outcome outcome = folder.coupled(1, "-in in", partner.str());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+  Outcomes outcomes{{}, Table(folder.path() / "table.csv"), dt};
+  for (const std::vector<double>& row : read_dump(folder.read("grains.2000")))
+    outcomes.after.push_back({Vector3d(row[4], row[5], row[6]), Vector3d(row[7], row[8], row[9])});
+  EXPECT_EQ(outcomes.after.size(), throws.size());
+  return outcomes;
+}
+
+// A row of the page: what, where, closed form, found.
+double compare(const std::string& test, const std::string& what, double closed, double found) {
+  const double error = std::abs(found / closed - 1.0);
+  std::printf("%s, %s: closed form %.6g, found %.6g, %.2g %%\n", test.c_str(), what.c_str(), closed, found,
+              100 * error);
+  if (const char* file = std::getenv("FOOTFALL_WALL_TESTS")) {
+    char row[300];
+    std::snprintf(row, sizeof row, "| %s | %s | %.6g | %.6g | %.2g |\n", test.c_str(), what.c_str(), closed, found,
+                  100 * error);
+    std::ofstream(file, std::ios::app) << row;
+  }
+  return error;
+}
+std::string value(const std::string& name, double x) {
+  char text[80];
+  std::snprintf(text, sizeof text, "%s = %.3g", name.c_str(), x);
+  return text;
+}
+
+// Verlet's error of peak and duration at some 800 steps per contact, and the step in which a contact begins.
+constexpr double kSteps = 3e-3;
+// Damping presses at once, by overlap^(1/4), and the tangential spring needs some way to follow: at e = 0.5 the sphere
+// sticks at first, the less the faster it slides.
+constexpr double kSticksAtFirst = 6e-3;
+
+TEST(WallTests, Test2ElasticNormalImpact) {
+  const double v = 0.2;
+  const Hertz closed = hertz(kLimestone, v);
+  const Outcomes found = strike("2", kLimestone, 0.0, {{Vector3d(0, 0, -v)}});
+  double force = 0.0, overlap = 0.0, time = 0.0;
+  for (std::size_t k = 0; k < found.table.rows(); ++k) {
+    force = std::max(force, -found.table["fz"][k]);
+    overlap = std::max(overlap, found.table["overlap"][k] * kLimestone.radius);
+    time += found.table["contacts"][k] > 0.0 ? found.dt : 0.0;
+  }
+  const std::string test = "2, limestone, 0.2 m/s";
+  EXPECT_LT(compare(test, "peak force [N]", closed.force, force), kSteps);
+  EXPECT_LT(compare(test, "largest overlap [m]", closed.overlap, overlap), kSteps);
+  EXPECT_LT(compare(test, "time of contact [s]", closed.time, time), kSteps);
+  EXPECT_LT(compare(test, "speed after [m/s]", v, found.after[0].v.z()), kSteps);
+}
+
+TEST(WallTests, Test3RestitutionIsTheOneGiven) {
+  const double v = 0.2;
+  std::vector<Throw> throws;
+  for (const double e : {0.2, 0.4, 0.6, 0.8, 1.0}) throws.push_back({Vector3d(0, 0, -v), Vector3d::Zero(), e});
+  const Outcomes found = strike("3", kAlloy, 0.0, throws);
+  for (std::size_t i = 0; i < throws.size(); ++i) {
+    const double e = throws[i].restitution;
+    EXPECT_LT(compare("3, aluminium alloy, 0.2 m/s", value("restitution at e", e), e, found.after[i].v.z() / v),
+              kSteps);
+  }
+}
+
+// No pull at the end of a contact, and no friction beyond Coulomb's: LIGGGHTS' tangential damping exceeds it until the
+// sphere slides (by 9 % of the impulse at e = 0.5).
+const char* const kCoulomb = " limitForce on tangential_damping off";
+
+// While a sphere slides all through the contact, friction gives mu times the normal impulse J = (1 + e) m v_n, with the
+// restitution e that is found: along the plane J_t = mu J against the sliding, and the spin changes by J_t r / I.
+void expect_sliding(const std::string& test, const std::string& where, const Sphere& s, double mu, const Throw& before,
+                    const Throw& after, double tolerance) {
+  const double J_t = mu * s.mass() * (after.v.z() - before.v.z());
+  const double slip = before.v.x() - s.radius * before.omega.y();  // of the point of contact
+  const double side = slip > 0.0 ? 1.0 : -1.0;
+  const double v = before.v.x() - side * J_t / s.mass();
+  const double omega = before.omega.y() + side * J_t * s.radius / s.inertia();
+  EXPECT_LT(compare(test, where + ": speed along the plane [m/s]", v, after.v.x()), tolerance);
+  EXPECT_LT(compare(test, where + ": spin [rad/s]", omega, after.omega.y()), tolerance);
+}
+
+TEST(WallTests, Test4ObliqueImpactAtConstantSpeed) {
+  const double speed = 3.9, mu = 0.092;
+  std::vector<Throw> throws;
+  const std::vector<double> angles = {40, 50, 60, 70, 80};  // from the normal [degrees]; below 35 the sphere sticks
+  for (const double angle : angles) {
+    const double a = angle * M_PI / 180.0;
+    throws.push_back({speed * Vector3d(std::sin(a), 0, -std::cos(a)), Vector3d::Zero(), 0.98});
+  }
+  const Outcomes found = strike("4", kOxide, mu, throws, kCoulomb);
+  for (std::size_t i = 0; i < throws.size(); ++i)
+    expect_sliding("4, aluminium oxide, 3.9 m/s", value("degrees", angles[i]), kOxide, mu, throws[i], found.after[i],
+                   kSteps);
+}
+
+TEST(WallTests, Test5ObliqueImpactAtConstantNormalSpeed) {
+  const double v_n = 0.2, mu = 0.4;
+  std::vector<Throw> throws;
+  for (const double v_t : {0.8, 1.0, 1.5, 2.0}) throws.push_back({Vector3d(v_t, 0, -v_n), Vector3d::Zero(), 0.5});
+  const Outcomes found = strike("5", kAlloy, mu, throws, kCoulomb);
+  for (std::size_t i = 0; i < throws.size(); ++i)
+    expect_sliding("5, aluminium alloy, 0.2 m/s down", value("m/s along", throws[i].v.x()), kAlloy, mu, throws[i],
+                   found.after[i], kSticksAtFirst);
+}
+
+TEST(WallTests, Test6NormalImpactWithSpin) {
+  const double v_n = 0.2, mu = 0.4;
+  std::vector<Throw> throws;
+  for (const double omega : {-24.0, -12.0, 12.0, 18.0, 24.0})
+    throws.push_back({Vector3d(0, 0, -v_n), Vector3d(0, omega, 0), 0.5});
+  const Outcomes found = strike("6", kAlloy, mu, throws, kCoulomb);
+  for (std::size_t i = 0; i < throws.size(); ++i)
+    expect_sliding("6, aluminium alloy, 0.2 m/s down", value("rad/s", throws[i].omega.y()), kAlloy, mu, throws[i],
+                   found.after[i], kSticksAtFirst);
+}
+
+}  // namespace
+}  // namespace footfall::test
