@@ -147,19 +147,22 @@ bool DemLink::end_substep() {
   return --substeps_left_ == 0;
 }
 
-void DemLink::write_shares(std::vector<double>& row) {
+void DemLink::write_shares(std::vector<double>& row, bool asked_to_end) {
   row.clear();
   for (const auto& body : bodies_) body->append_share(row);
+  row.push_back(asked_to_end ? 1.0 : 0.0);
 }
 
 void DemLink::finish_window(const std::vector<double>& rows, int ranks, std::int64_t particles) {
-  std::size_t row_size = 0;
+  std::size_t row_size = 1;  // asked to end
   for (const auto& body : bodies_) row_size += body->share_size();
   FOOTFALL_DEMAND(rows.size() == row_size * static_cast<std::size_t>(ranks));
   for (const auto& body : bodies_) body->clear_load();
   const double* next = rows.data();
-  for (int rank = 0; rank < ranks; ++rank)
+  for (int rank = 0; rank < ranks; ++rank) {
     for (const auto& body : bodies_) next = body->add_share(next);
+    asked_to_end_ = *next++ != 0.0 || asked_to_end_;
+  }
 
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyLoad& load = bodies_[i]->load();

@@ -44,10 +44,15 @@ class DemLink {
   bool in_last_substep() const { return last_window_ && substeps_left_ == 1; }
   // After it. True when the window is complete: then write_shares, gather, and finish_window follow.
   bool end_substep();
-  // One row of numbers: what the grains of this rank did to the bodies in the window.
-  void write_shares(std::vector<double>& row);
+  // One row of numbers: what the grains of this rank did to the bodies in the window, and whether this rank was asked to
+  // end.
+  void write_shares(std::vector<double>& row, bool asked_to_end = false);
   // rows: those of all ranks, one behind the other.
   void finish_window(const std::vector<double>& rows, int ranks, std::int64_t particles);
+
+  // A rank was asked to end by a signal: known to all ranks after the same window, so that all leave LIGGGHTS' loop at
+  // the same step (a signal may reach one rank alone, and LIGGGHTS would wait for the others for ever).
+  bool asked_to_end() const { return asked_to_end_; }
 
   // For thermo output.
   std::int64_t windows() const { return windows_; }  // completed
@@ -63,7 +68,6 @@ class DemLink {
     return link_ == nullptr || link_->fail(reason, status);
   }
   bool has_partner() const { return link_ != nullptr; }
-  bool partner_interrupted() const { return link_ != nullptr && link_->partner_status() == Status::kInterrupted; }
   // How long the partner may be silent before it counts as lost [s].
   void set_patience(double seconds);
 
@@ -86,6 +90,7 @@ class DemLink {
   Load load_;
   bool last_window_ = false;
   bool finished_ = false;
+  bool asked_to_end_ = false;
   bool forces_are_new_ = false;  // the set-up of a run has evaluated them
   std::int64_t step_ = -1;       // the last one begun
   int substeps_left_ = 0;        // of the open window; 0: none is open

@@ -6,6 +6,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/mpi_check.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "modify.h"
@@ -91,12 +92,13 @@ void FixCoupleMbd::initial_integrate(int) {
 
 void FixCoupleMbd::final_integrate() {
   if (!link_.end_substep()) return;
-  link_.write_shares(row_);
+  link_.write_shares(row_, footfall::interrupted() != 0);
   rows_.resize(row_.size() * static_cast<std::size_t>(comm->nprocs));
   const int count = static_cast<int>(row_.size());
   footfall::check_mpi(MPI_Allgather(row_.data(), count, MPI_DOUBLE, rows_.data(), count, MPI_DOUBLE, world),
                       "MPI_Allgather");
   link_.finish_window(rows_, comm->nprocs, atom->natoms);
+  if (link_.asked_to_end()) SignalHandler::request_quit = true;
 }
 
 double FixCoupleMbd::compute_vector(int n) {

@@ -5,8 +5,11 @@
 
 #include <mpi.h>
 
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <memory>
@@ -15,6 +18,7 @@
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"
 #include "coupler/programs.h"
@@ -34,20 +38,32 @@ namespace {
 
 using namespace footfall;
 
-// How long a partner may be silent before it counts as lost [s]. One window of the multibody side takes milliseconds.
-constexpr double kPatience = 600.0;
+// How long a partner may be silent before it counts as lost [s], until it has said how long (coupling.timeout of the
+// scene, whose default this is).
+constexpr double kPatience = 300.0;
 
-// As LIGGGHTS' own main: SIGINT and SIGTERM end the run after the step, SIGUSR1 asks for a restart file.
-void install_signal_handlers() {
-  struct sigaction stop;
-  std::memset(&stop, 0, sizeof stop);
-  stop.sa_handler = LAMMPS_NS::SignalHandler::int_handler;
-  sigaction(SIGINT, &stop, nullptr);
-  sigaction(SIGTERM, &stop, nullptr);
-  struct sigaction restart;
-  std::memset(&restart, 0, sizeof restart);
-  restart.sa_handler = LAMMPS_NS::SignalHandler::usr1_handler;
-  sigaction(SIGUSR1, &restart, nullptr);
+// How long an end that failed may take before it is forced [s].
+constexpr unsigned kFailedEnd = 4;
+
+// LIGGGHTS' own: SIGINT and SIGTERM end the run after the step, with a restart file.
+void stop_as_liggghts(int signal) { LAMMPS_NS::SignalHandler::int_handler(signal); }
+
+// The quit flag is one of each rank: ranks that leave the loop at different steps wait for each other for ever.
+void stop_some_ranks(int signal) {
+  alarm(kEnding);
+  stop_as_liggghts(signal);
+}
+
+// What LIGGGHTS makes here is of use only when it is whole.
+void stop_at_once(int) { _exit(kExitInterrupted); }
+
+// Without a partner: as LIGGGHTS' own main, but that several ranks end for certain. SIGUSR1 asks for a restart file.
+void install_signal_handlers(int ranks) {
+  const bool all_or_nothing = std::getenv(kAllOrNothing) != nullptr;
+  std::signal(SIGUSR1, all_or_nothing ? stop_at_once : LAMMPS_NS::SignalHandler::usr1_handler);
+  for (const int signal : {SIGINT, SIGTERM})
+    std::signal(signal, all_or_nothing ? stop_at_once : ranks > 1 ? stop_some_ranks : stop_as_liggghts);
+  for (const int signal : {SIGHUP, SIGQUIT}) std::signal(signal, all_or_nothing ? stop_at_once : SIG_DFL);
 }
 
 // The value of LIGGGHTS' option, by its long or short name; nullptr when it is not given.
@@ -106,7 +122,9 @@ void say(const std::exception& error) {
 int stop(const std::exception& error, int code, const Communicator& communicator, DemLink& dem_link) {
   if (communicator.is_root()) say(error);
   // A partner that does not hear it would keep MPI_Finalize waiting.
-  const Status status = code == kExitBadInput ? Status::kBadInput : Status::kFailed;
+  const Status status = code == kExitBadInput      ? Status::kBadInput
+                        : code == kExitInterrupted ? Status::kInterrupted
+                                                   : Status::kFailed;
   if (!dem_link.fail(error.what(), status)) abort_both_programs(code);
   return code;
 }
@@ -118,9 +136,10 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
     return stop(error, kExitBadInput, communicator, dem_link);
   } catch (const ProtocolError& error) {
     return stop(error, kExitBadInput, communicator, dem_link);
+  } catch (const Interrupted& error) {
+    return stop(error, kExitInterrupted, communicator, dem_link);
   } catch (const PartnerError& error) {
-    const int code = dem_link.partner_interrupted() ? kExitInterrupted : kExitFailed;
-    return stop(error, code, communicator, dem_link);
+    return stop(error, interrupted() ? kExitInterrupted : kExitFailed, communicator, dem_link);
   } catch (const NumericalError& error) {
     return stop(error, kExitFailed, communicator, dem_link);
   } catch (const std::exception& error) {  // a mistake of ours or no memory: perhaps on this rank alone
@@ -132,13 +151,14 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
 }  // namespace
 
 int main(int argc, char** argv) {
-  install_signal_handlers();
+  end_on_signals("liggghts_mbd");
   MPI_Init(&argc, &argv);
   int code = kExitDone;
   try {
     const Communicator communicator;
     let_world_mean(communicator.world());
     AbortGuard::install(communicator);
+    if (!communicator.has_partner()) install_signal_handlers(communicator.size());
     std::unique_ptr<TransportMpi> transport;
     std::unique_ptr<Link> link;
     if (communicator.has_partner()) {
@@ -159,6 +179,8 @@ int main(int argc, char** argv) {
     code = kExitBadInput;
     AbortGuard::release();
   }
+  // It waits for the partner, which may be stopped or hung.
+  if (code != kExitDone) end_within(kFailedEnd, code);
   MPI_Finalize();
   return code;
 }

@@ -9,6 +9,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/folder.h"
 #include "coupler/base/text.h"
+#include "coupler/programs.h"
 #include "mbd_solver/cli/analysis/results.h"
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/check_command.h"
@@ -82,14 +83,19 @@ std::string status_of(const std::string& out) {
   return fs::exists(summary) ? read_summary(summary.string()).value("status", "") : "";
 }
 
-// What the run's own exit code means to the user; says what nobody else could say. Of two programs that end differently
-// mpirun gives either code: after an interrupt the summary decides.
+// What the run's own exit code means to the user; says what nobody else could say. mpirun that was asked to end gives a
+// code of its own, and the summary then knows better.
 int exit_code(const ChildEnd& end, const std::string& status) {
-  if (end.interrupted && status == "interrupted") return kExitInterrupted;
-  if (end.interrupted) {
-    std::fprintf(stderr, "footfall: interrupted before there was anything to keep\n");
+  if (status == "done" && end.code == kExitDone) return kExitDone;
+  if (end.interrupted || was_asked_to_end(end.code)) {
+    if (status.empty()) std::fprintf(stderr, "footfall: interrupted before there was anything to keep\n");
+    return kExitInterrupted;
+  }
+  if (!end.given_up.empty()) {
+    std::fprintf(stderr, "footfall: %s\n", end.given_up.c_str());
     return kExitFailed;
   }
+  if (end.code == kExitFailed && status == "interrupted") return kExitInterrupted;
   if (end.code <= kExitInterrupted) return end.code;
   if (end.code > 128) {
     std::fprintf(stderr,
@@ -99,6 +105,19 @@ int exit_code(const ChildEnd& end, const std::string& status) {
     std::fprintf(stderr, "footfall: the run ended with the unknown exit code %d\n", end.code);
   }
   return kExitFailed;
+}
+
+// The summary says the same as the exit code, whoever wrote it: mbd_solver may have been ended because another program
+// had died, or may not have come to write one.
+void settle_summary(const std::string& out, const std::string& status, int code) {
+  const std::string ended = code == kExitDone ? "done" : code == kExitInterrupted ? "interrupted" : "failed";
+  if (status == ended || (status.empty() && code == kExitBadInput)) return;
+  const std::string file = (fs::path(out) / "summary.json").string();
+  nlohmann::ordered_json summary;
+  if (!status.empty()) summary = read_summary(file);
+  summary["status"] = ended;
+  if (code != kExitDone) summary["reason"] = "the run ended with exit code " + std::to_string(code);
+  write_summary(file, summary);
 }
 
 }  // namespace
@@ -112,32 +131,31 @@ int run_command(const RunArguments& arguments) {
   clear_results(out);
 
   Command command;
-  try {
-    if (scene.touches_particles()) {
-      command = coupled_command(scene, arguments, out);
-    } else {
-      command.words = solver_words(arguments, out, "");
-    }
-  } catch (const Interrupted&) {
-    std::fprintf(stderr, "footfall: interrupted while making the bed; nothing is kept\n");
-    return kExitFailed;
-  }
+  if (scene.touches_particles())
+    command = coupled_command(scene, arguments, out);
+  else
+    command.words = solver_words(arguments, out, "");
   if (!arguments.quiet) std::printf("%s\n", shell_line(command).c_str());
   std::fflush(stdout);
   if (isatty(STDOUT_FILENO) == 1) command.environment["FOOTFALL_TERMINAL"] = "1";
 
-  const ChildEnd end = run_child(command, "mbd_solver");
+  // Within a window the two programs notice it themselves, and know more to say.
+  constexpr double kLater = 5.0;  // [s]
+  const ChildEnd end = run_child(command, kMechanismProgram, StoppedWatch(scene.coupling.timeout + kLater));
   const std::string errors = liggghts_errors((fs::path(out) / "liggghts.log").string());
   if (!errors.empty()) {
     std::fprintf(stderr, "footfall: LIGGGHTS stopped on %s:\n%s\n", scene.particles->script.c_str(), errors.c_str());
+    settle_summary(out, status_of(out), kExitBadInput);
     return kExitBadInput;
   }
   std::vector<std::string> pictures;
   const std::string status = status_of(out);
+  const int code = exit_code(end, status);
+  settle_summary(out, status, code);
   if (!status.empty()) write_ledger(out);
   if (!status.empty() && scene.output.plots) pictures = make_pictures(out);
   if (!status.empty() && !arguments.quiet) print_results(out, pictures);
-  return exit_code(end, status);
+  return code;
 }
 
 }  // namespace footfall

@@ -10,6 +10,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/folder.h"
 #include "coupler/base/whole_file.h"
+#include "coupler/programs.h"
 #include "mbd_solver/cli/launch/fingerprint.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/scene/script_text.h"
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kRestart = "bed.restart";
+constexpr double kStoppedLimit = 300.0;  // how long a program that makes a bed may be stopped [s]
 
 // Debian's version of the library that liggghts_mbd uses; the file's size and date where there is no dpkg.
 std::string liggghts_version() {
@@ -85,6 +87,7 @@ class Draft {
 void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
   const std::string restart = (draft.folder() / kRestart).string(), log = (draft.folder() / "liggghts.log").string();
   Command command = mpirun();
+  command.environment[kAllOrNothing] = "1";
   command.output = (draft.folder() / "output.txt").string();
   command.words.insert(command.words.end(), {"-np", std::to_string(ranks), built_program("liggghts_mbd")});
   const std::vector<std::string> script = script_arguments(spec.script, spec.variables);
@@ -93,14 +96,19 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   if (!quiet) std::printf("Making the bed, once: %s\n", shell_line(command).c_str());
   std::fflush(stdout);
+  StoppedWatch stopped(kStoppedLimit);
   const auto show = [&] {
-    if (quiet || !terminal) return;
-    std::printf("\rbed: %-40s", log_progress(log).c_str());
-    std::fflush(stdout);
+    if (!quiet && terminal) {
+      std::printf("\rbed: %-40s", log_progress(log).c_str());
+      std::fflush(stdout);
+    }
+    return stopped();
   };
   const ChildEnd end = run_child(command, "", show);
   if (!quiet && terminal) std::printf("\r%-46s\r", "");
-  if (end.interrupted) throw Interrupted{};
+  if (end.interrupted || was_asked_to_end(end.code))
+    throw Interrupted("interrupted while making the bed; nothing is kept");
+  if (!end.given_up.empty()) throw PartnerError("making the bed: " + end.given_up);
   const std::string errors = liggghts_errors(log);
   if (!errors.empty()) throw InputError("the bed's script " + spec.script + " failed in LIGGGHTS:\n" + errors);
   if (end.code != 0) {
