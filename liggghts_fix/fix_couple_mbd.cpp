@@ -66,6 +66,7 @@ void FixCoupleMbd::init() {
   if (link_.body_count() == 0)
     throw InputError(where + "no body to couple: name meshes here, or beams with fix wall/gran/beam");
   link_.start(update->dt, arguments_.every, update->ntimestep);
+  footfall::work_is_under_way();
   rows_of_output_.clear();
   for (const auto& mesh : meshes_) rows_of_output_.push_back(mesh->body());
   for (int body = 0; body < link_.body_count(); ++body)

@@ -18,6 +18,7 @@
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/failure_note.h"
 #include "coupler/base/interrupt.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"
@@ -55,7 +56,10 @@ void stop_some_ranks(int signal) {
 }
 
 // What LIGGGHTS makes here is of use only when it is whole.
-void stop_at_once(int) { _exit(kExitInterrupted); }
+void stop_at_once(int) {
+  (void)!write(STDERR_FILENO, kStoppedWord, std::strlen(kStoppedWord));
+  _exit(kExitInterrupted);
+}
 
 // Without a partner: as LIGGGHTS' own main, but that several ranks end for certain. SIGUSR1 asks for a restart file.
 void install_signal_handlers(int ranks) {
@@ -97,6 +101,8 @@ int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_li
     char** log = option(argc, argv, "-log", "-l");
     if (std::FILE* kept = screen_kept_for_last_words(log ? *log : "log.liggghts")) lmp->screen = kept;
   }
+  // Line by line: who reads the log while it is written sees what LIGGGHTS is at.
+  if (lmp->logfile) std::setvbuf(lmp->logfile, nullptr, _IOLBF, BUFSIZ);
   attach_dem_link(lmp, dem_link);
   register_fix_style(lmp, "couple/mbd/geometry", create_fix<LAMMPS_NS::FixCoupleMbdGeometry>);
   register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
@@ -179,6 +185,7 @@ int main(int argc, char** argv) {
     code = kExitBadInput;
     AbortGuard::release();
   }
+  if (code == kExitFailed) note_failure();
   // It waits for the partner, which may be stopped or hung.
   if (code != kExitDone) end_within(kFailedEnd, code);
   MPI_Finalize();

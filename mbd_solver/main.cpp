@@ -12,6 +12,7 @@
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/failure_note.h"
 #include "coupler/base/interrupt.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"
@@ -80,9 +81,6 @@ int run_with(const Arguments& arguments, Transport& transport) {
   } catch (const InputError& error) {
     if (!transport.parted()) Link(transport).fail(error.what(), Status::kBadInput);
     throw;
-  } catch (const Interrupted& error) {  // before the first window
-    if (!transport.parted()) Link(transport).fail(error.what(), Status::kInterrupted);
-    throw;
   }
 }
 
@@ -135,6 +133,7 @@ int main(int argc, char** argv) {
     return run_coupled(arguments, communicator);
   });
   AbortGuard::release();
+  if (code == kExitFailed) note_failure();
   // It waits for the partner, which may be stopped or hung, or may not know of this end.
   if (code != kExitDone) end_within(kFailedEnd, code);
   MPI_Finalize();

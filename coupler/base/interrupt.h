@@ -14,11 +14,15 @@ class Interrupted : public PartnerError {
   using PartnerError::PartnerError;
 };
 
-// SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGUSR1 set the flag from here on. The first of them starts the time limit: a
-// program that is still there kEnding later ends at once, without a word to anybody but standard error, with
-// kExitInterrupted. `program`: its name, for that word; it must outlive the program.
+// From here on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGUSR1 end this program with kExitInterrupted: at once while there is
+// nothing to keep, and after work_is_under_way() in order, by a flag. Then the first signal starts a time limit: a
+// program that is still there kEnding later ends without a word to anybody but standard error. `program`: its name, for
+// that word; it must outlive the program. A SIGHUP that is ignored (nohup) stays so.
 void end_on_signals(const char* program);
-inline constexpr unsigned kEnding = 6;  // [s]
+void work_is_under_way();
+inline constexpr unsigned kEnding = 5;  // [s]
+
+bool is_ignored(int signal);
 
 // Not 0 once such a signal has come.
 const volatile std::sig_atomic_t& interrupted();

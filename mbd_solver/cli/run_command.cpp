@@ -7,16 +7,20 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/failure_note.h"
 #include "coupler/base/folder.h"
 #include "coupler/base/text.h"
 #include "coupler/programs.h"
 #include "mbd_solver/cli/analysis/results.h"
 #include "mbd_solver/cli/launch/bed.h"
+#include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
+#include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/scene/script_text.h"
 
 namespace footfall {
 
@@ -41,7 +45,7 @@ std::string free_folder(const std::string& name) {
 void clear_results(const std::string& out) {
   make_folder(out);
   std::error_code error;
-  for (const char* name : {"summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "checkpoint.txt",
+  for (const char* name : {"failed", "summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "checkpoint.txt",
                            "liggghts.log", "plots", "pictures", "vtk", "motion", "compare"})
     fs::remove_all(fs::path(out) / name, error);
 }
@@ -57,10 +61,24 @@ std::vector<std::string> solver_words(const RunArguments& a, const std::string& 
   return words;
 }
 
+// Restart files that the script names itself.
+void check_restart_files(const ParticlesSpec& particles) {
+  std::error_code ignored;
+  const ScriptText script(particles.script, particles.variables);
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    if (w[0] != "read_restart" || w.size() < 2 || !fs::is_regular_file(w[1], ignored)) continue;
+    if (const std::string damage = damage_of_restart(w[1]); !damage.empty())
+      throw InputError(command.file + ":" + std::to_string(command.line) + ": read_restart " + w[1] + ": " + damage +
+                       "; LIGGGHTS would hang on it, make it anew");
+  }
+}
+
 // mpirun ... liggghts_mbd ... : -np 1 mbd_solver ...
 Command coupled_command(const Scene& scene, const RunArguments& a, const std::string& out) {
   const ParticlesSpec& particles = *scene.particles;
   const int ranks = a.ranks > 0 ? a.ranks : particles.ranks;
+  check_restart_files(particles);
   Bed bed;
   if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet);
   Command command = mpirun();
@@ -83,11 +101,12 @@ std::string status_of(const std::string& out) {
   return fs::exists(summary) ? read_summary(summary.string()).value("status", "") : "";
 }
 
-// What the run's own exit code means to the user; says what nobody else could say. mpirun that was asked to end gives a
-// code of its own, and the summary then knows better.
-int exit_code(const ChildEnd& end, const std::string& status) {
+// What the run's own exit code means to the user; says what nobody else could say. mpirun that was asked to end gives
+// the code of a failure, too: then the programs have begun, and none has noted one.
+int exit_code(const ChildEnd& end, const std::string& status, bool begun, bool noted) {
+  const bool asked = was_asked_to_end(end.code) || (end.code == kExitFailed && begun && !noted);
   if (status == "done" && end.code == kExitDone) return kExitDone;
-  if (end.interrupted || was_asked_to_end(end.code)) {
+  if (end.interrupted || (asked && end.given_up.empty())) {
     if (status.empty()) std::fprintf(stderr, "footfall: interrupted before there was anything to keep\n");
     return kExitInterrupted;
   }
@@ -95,7 +114,6 @@ int exit_code(const ChildEnd& end, const std::string& status) {
     std::fprintf(stderr, "footfall: %s\n", end.given_up.c_str());
     return kExitFailed;
   }
-  if (end.code == kExitFailed && status == "interrupted") return kExitInterrupted;
   if (end.code <= kExitInterrupted) return end.code;
   if (end.code > 128) {
     std::fprintf(stderr,
@@ -141,8 +159,16 @@ int run_command(const RunArguments& arguments) {
 
   // Within a window the two programs notice it themselves, and know more to say.
   constexpr double kLater = 5.0;  // [s]
-  const ChildEnd end = run_child(command, kMechanismProgram, StoppedWatch(scene.coupling.timeout + kLater));
-  const std::string errors = liggghts_errors((fs::path(out) / "liggghts.log").string());
+  const std::string log = (fs::path(out) / "liggghts.log").string();
+  const fs::path note = fs::absolute(fs::path(out) / "failed");
+  command.environment[kFailureNote] = note.string();
+  StoppedWatch stopped(scene.coupling.timeout + kLater);
+  ReadingWatch reading(log, scene.coupling.timeout);
+  const ChildEnd end = run_child(command, kMechanismProgram, [&] {
+    const std::string stuck = reading();
+    return stuck.empty() ? stopped() : stuck;
+  });
+  const std::string errors = liggghts_errors(log);
   if (!errors.empty()) {
     std::fprintf(stderr, "footfall: LIGGGHTS stopped on %s:\n%s\n", scene.particles->script.c_str(), errors.c_str());
     settle_summary(out, status_of(out), kExitBadInput);
@@ -150,7 +176,7 @@ int run_command(const RunArguments& arguments) {
   }
   std::vector<std::string> pictures;
   const std::string status = status_of(out);
-  const int code = exit_code(end, status);
+  const int code = exit_code(end, status, fs::exists(log), fs::remove(note));
   settle_summary(out, status, code);
   if (!status.empty()) write_ledger(out);
   if (!status.empty() && scene.output.plots) pictures = make_pictures(out);

@@ -56,6 +56,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   };
 
   std::string why = "interrupted by the user";
+  work_is_under_way();
   try {
     simulation.run(observe, interrupted);
   } catch (const std::exception& error) {

@@ -17,6 +17,7 @@
 #include "coupler/programs.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/fingerprint.h"
+#include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/scene/script_text.h"
 
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kStoppedLimit = 300.0;  // how long a program that makes a bed may be stopped [s]
+constexpr double kSilence = 300.0;  // how long a program that makes a bed may be stopped, or read a restart file [s]
 
 // Debian's version of the library that liggghts_mbd uses; the file's size and date where there is no dpkg.
 std::string liggghts_version() {
@@ -37,22 +38,6 @@ std::string liggghts_version() {
     pclose(pipe);
   }
   return version.empty() ? "unknown" : version;
-}
-
-// "step 5000 of 15000" from a LIGGGHTS log that is being written: the last thermo row and the last run command.
-std::string log_progress(const std::string& log) {
-  std::ifstream file(log);
-  std::string line;
-  long step = -1, last = -1;
-  while (std::getline(file, line)) {
-    long number = 0;
-    char rest = 0;
-    if (std::sscanf(line.c_str(), "run %ld %c", &number, &rest) == 1 && number > 0) last = number;
-    double columns[2];
-    if (std::sscanf(line.c_str(), "%ld %lf %lf", &number, &columns[0], &columns[1]) == 3) step = number;
-  }
-  if (step < 0) return "setting up";
-  return "step " + std::to_string(step) + (last > 0 ? " of " + std::to_string(last) : "");
 }
 
 Bed bed_in(const fs::path& folder) {
@@ -138,24 +123,28 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   if (!quiet) std::printf("Making the bed, once: %s\n", shell_line(command).c_str());
   std::fflush(stdout);
-  StoppedWatch stopped(kStoppedLimit);
+  StoppedWatch stopped(kSilence);
+  ReadingWatch reading(log, kSilence);
   const auto show = [&] {
     if (!quiet && terminal) {
       std::printf("\rbed: %-40s", log_progress(log).c_str());
       std::fflush(stdout);
     }
-    return stopped();
+    const std::string stuck = reading();
+    return stuck.empty() ? stopped() : stuck;
   };
   const ChildEnd end = run_child(command, "", show);
   if (!quiet && terminal) std::printf("\r%-46s\r", "");
-  if (end.interrupted || was_asked_to_end(end.code))
+  const std::string said = read_whole_file(command.output).value_or("");
+  if (end.interrupted || was_asked_to_end(end.code) ||
+      (end.code == kExitFailed && said.find(kStoppedWord) != std::string::npos && liggghts_errors(log).empty()))
     throw Interrupted("interrupted while making the bed; nothing is kept");
   if (!end.given_up.empty()) throw PartnerError("making the bed: " + end.given_up);
   const std::string errors = liggghts_errors(log);
   if (!errors.empty()) throw InputError("the bed's script " + spec.script + " failed in LIGGGHTS:\n" + errors);
   if (end.code != 0) {
     throw PartnerError("making the bed: LIGGGHTS ended with code " + std::to_string(end.code) + " on " + spec.script +
-                       "\n" + read_whole_file(command.output).value_or(""));
+                       "\n" + said);
   }
   if (!fs::exists(restart))
     throw InputError("the bed's script " + spec.script +
@@ -168,15 +157,6 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
 }
 
 }  // namespace
-
-std::string liggghts_errors(const std::string& log) {
-  std::ifstream file(log);
-  std::string line, errors, before;
-  while (std::getline(file, line)) {
-    if (line.rfind("ERROR", 0) == 0 || line.rfind("Fix couple", 0) == 0) errors += (errors.empty() ? "" : "\n") + line;
-  }
-  return errors;
-}
 
 std::string cache_folder() {
   if (const char* own = std::getenv("FOOTFALL_CACHE")) return own;

@@ -28,7 +28,4 @@ bool bed_is_made(const std::string& folder);
 std::string cache_folder();
 std::string bed_key(const BedSpec& spec, const std::string& liggghts_version);
 
-// The lines of a LIGGGHTS log that say ERROR, one per line; empty without.
-std::string liggghts_errors(const std::string& log);
-
 }  // namespace footfall

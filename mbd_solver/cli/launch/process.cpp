@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 
 namespace footfall {
 
@@ -45,7 +46,8 @@ constexpr std::chrono::nanoseconds kTick = std::chrono::milliseconds(200);
 
 SignalsHeld::SignalsHeld() {
   sigemptyset(&held_);
-  for (int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGCHLD}) sigaddset(&held_, signal);
+  for (int signal : {SIGINT, SIGTERM, SIGQUIT, SIGUSR1, SIGCHLD}) sigaddset(&held_, signal);
+  if (!is_ignored(SIGHUP)) sigaddset(&held_, SIGHUP);  // nohup
   sigprocmask(SIG_BLOCK, &held_, &old_);
 }
 
