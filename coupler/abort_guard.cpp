@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/failure_note.h"
 #include "coupler/communicator.h"
 #include "coupler/mpi_check.h"
 
@@ -38,6 +39,7 @@ void abort_both_programs(int exit_code) {
   // Not MPI_Abort: when several ranks end at once, Open MPI's mpirun may crash or hang over its abort messages. A
   // process that ends without MPI_Finalize is enough for mpirun to end all others, and its exit code becomes the job's.
   std::fflush(nullptr);
+  if (exit_code == kExitFailed) note_failure();
   _exit(exit_code);
 }
 

@@ -1,6 +1,7 @@
 #include "coupler/link.h"
 
 #include "coupler/base/clock.h"
+#include "coupler/base/interrupt.h"
 
 namespace footfall {
 
@@ -13,6 +14,7 @@ void Link::receive_bytes(MessageKind expected, double patience) {
   if (kind == MessageKind::kClose) {
     const std::string reason = take_close();
     if (partner_status_ == Status::kBadInput) throw ProtocolError(reason);
+    if (partner_status_ == Status::kInterrupted) throw Interrupted(reason);
     throw PartnerError(reason);
   }
   throw ProtocolError(partner() + " sent " + message_name(kind) + " where " + message_name(expected) + " was expected");

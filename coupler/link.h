@@ -10,8 +10,8 @@
 namespace footfall {
 
 // Both sides hold one. Every receive() may meet the partner's Close instead of what was expected; it then throws
-// PartnerError with the partner's name and reason (ProtocolError when the partner met bad input: both programs then end
-// with the same exit code). Nothing here prints.
+// PartnerError with the partner's name and reason (ProtocolError when the partner met bad input, Interrupted when its end
+// was asked for: both programs then end with the same exit code). Nothing here prints.
 class Link {
  public:
   // patience [s]: how long receive() waits before it calls the partner lost; 0: for ever. The transport must outlive

@@ -7,4 +7,9 @@ inline constexpr const char* kGrainsProgram = "liggghts_mbd";
 inline constexpr const char* kMechanismProgram = "mbd_solver";
 inline constexpr const char* kStartBoth = "mpirun -np N liggghts_mbd -in SCRIPT : -np 1 mbd_solver SCENE";
 
+// In the environment of a liggghts_mbd whose work is of use only when it is whole (a bed): a signal ends it at once, and
+// it leaves no restart file behind, but this word on standard error.
+inline constexpr const char* kAllOrNothing = "FOOTFALL_ALL_OR_NOTHING";
+inline constexpr const char* kStoppedWord = "liggghts_mbd: interrupted\n";
+
 }  // namespace footfall

@@ -18,7 +18,8 @@ class Transport {
   // True when a message waits. Never blocks.
   virtual bool poll() = 0;
   // Waits, without keeping a core busy, for the next message and returns its kind.
-  // Throws PartnerError when the partner is gone, or has said nothing for patience [s] (0: wait for ever).
+  // Throws PartnerError when the partner is gone, or has said nothing for patience [s] (0: wait for ever); Interrupted
+  // when the end of this program was asked for and the partner has not answered soon after.
   virtual MessageKind receive(Bytes& bytes, double patience) = 0;
   // Who is at the other end, for messages: "mbd_solver", "liggghts_mbd".
   virtual std::string partner() const = 0;

@@ -7,6 +7,7 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/mpi_check.h"
 #include "coupler/polite_wait.h"
 
@@ -61,12 +62,14 @@ bool TransportMpi::poll() {
 
 MessageKind TransportMpi::receive(Bytes& bytes, double patience) {
   if (!shared_) return receive_at_root(bytes, patience);
-  // What the root hands on: kind (0: it failed, and the bytes are why) and size, then the bytes.
-  int head[2] = {0, 0};
+  // What the root hands on: kind and size, then the bytes; of a failure the bytes are why.
+  constexpr int kFailure = 0, kInterrupt = -1;
+  int head[2] = {kFailure, 0};
   if (is_root_) {
     try {
       head[0] = static_cast<int>(receive_at_root(bytes, patience));
     } catch (const PartnerError& error) {
+      if (dynamic_cast<const Interrupted*>(&error)) head[0] = kInterrupt;
       const std::string why = error.what();
       bytes.assign(why.begin(), why.end());
     }
@@ -80,7 +83,8 @@ MessageKind TransportMpi::receive(Bytes& bytes, double patience) {
   check_mpi(MPI_Ibcast(bytes.data(), head[1], MPI_BYTE, 0, world_, &request), "MPI_Ibcast");
   wake_own_ranks();
   wait_politely(request, doorbell_);
-  if (head[0] == 0) throw PartnerError(std::string(bytes.begin(), bytes.end()));
+  if (head[0] == kFailure) throw PartnerError(std::string(bytes.begin(), bytes.end()));
+  if (head[0] == kInterrupt) throw Interrupted(std::string(bytes.begin(), bytes.end()));
   return static_cast<MessageKind>(head[0]);
 }
 
@@ -100,6 +104,9 @@ MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
     if (waiting) break;
     if (patience > 0.0 && wall_clock() - start > patience)
       throw PartnerError(partner_ + " has said nothing for " + std::to_string(patience) + " s");
+    // The last word has a wait of its own (Link::fail).
+    if (!parted() && interrupted() && seconds_since_interrupt() > grace_after_interrupt())
+      throw Interrupted("stopped by a signal while " + partner_ + " was waited for");
     wait.nap();
   }
   const double waited = wall_clock() - start;

@@ -11,7 +11,7 @@
 namespace footfall {
 
 // Every rank of a program constructs one, and send() and receive() are called by all of them: the root alone talks to
-// the partner, the others get a copy of what it receives, and of its PartnerError. The communicator must outlive it.
+// the partner, the others get a copy of what it receives, and of its PartnerError or Interrupted. The communicator must outlive it.
 // Precondition: has_partner().
 class TransportMpi : public Transport {
  public:

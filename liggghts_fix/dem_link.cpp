@@ -175,8 +175,11 @@ bool DemLink::end_substep() {
   return --substeps_left_ == 0;
 }
 
-void DemLink::write_shares(std::int64_t grains, std::vector<double>& row) {
-  row = {static_cast<double>(grains), lost_here_};
+// Numbers of the rank itself, before those of bodies: grains, lost ones, asked to end.
+constexpr std::size_t kOfTheRank = 3;
+
+void DemLink::write_shares(std::int64_t grains, bool asked_to_end, std::vector<double>& row) {
+  row = {static_cast<double>(grains), lost_here_, asked_to_end ? 1.0 : 0.0};
   lost_here_ = 0.0;
   for (const auto& body : bodies_) body->append_share(row);
 }
@@ -204,14 +207,15 @@ void DemLink::count_grains(const std::vector<double>& rows, int ranks) {
 }
 
 void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
-  std::size_t row_size = 2;
+  std::size_t row_size = kOfTheRank;
   for (const auto& body : bodies_) row_size += body->share_size();
   FOOTFALL_DEMAND(rows.size() == row_size * static_cast<std::size_t>(ranks));
   count_grains(rows, ranks);
   for (const auto& body : bodies_) body->clear_load();
   const double* next = rows.data();
   for (int rank = 0; rank < ranks; ++rank) {
-    next += 2;  // of count_grains
+    asked_to_end_ = next[2] != 0.0 || asked_to_end_;
+    next += kOfTheRank;
     for (const auto& body : bodies_) next = body->add_share(next);
   }
 

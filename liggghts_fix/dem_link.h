@@ -50,14 +50,18 @@ class DemLink {
   // After it. True when the window is complete: then write_shares, gather, and finish_window follow.
   bool end_substep();
   // One row of numbers: what the grains of this rank did to the bodies in the window, how many they are, and how many
-  // LIGGGHTS has lost since the last one.
-  void write_shares(std::int64_t grains, std::vector<double>& row);
+  // LIGGGHTS has lost since the last one; and whether this rank was asked to end.
+  void write_shares(std::int64_t grains, bool asked_to_end, std::vector<double>& row);
   // Grains have changed ranks. This rank had so many before, and has so many now: what the sum over ranks has lost
   // stood outside of the box.
   void grains_exchanged(std::int64_t before, std::int64_t now) { lost_here_ += static_cast<double>(before - now); }
   // rows: those of all ranks, one behind the other. Throws NumericalError for a load that is not finite, and when more
   // than the share max_lost of all grains is lost.
   void finish_window(const std::vector<double>& rows, int ranks);
+
+  // A rank was asked to end by a signal: known to all ranks after the same window, so that all leave LIGGGHTS' loop at
+  // the same step (a signal may reach one rank alone, and LIGGGHTS would wait for the others for ever).
+  bool asked_to_end() const { return asked_to_end_; }
 
   // For thermo output.
   std::int64_t windows() const { return windows_; }  // completed
@@ -76,7 +80,6 @@ class DemLink {
     return link_ == nullptr || link_->fail(reason, status);
   }
   bool has_partner() const { return link_ != nullptr; }
-  bool partner_interrupted() const { return link_ != nullptr && link_->partner_status() == Status::kInterrupted; }
   // How long the partner may be silent before it counts as lost [s].
   void set_patience(double seconds);
   void set_max_lost(double share) { max_lost_ = share; }  // of all grains [-]
@@ -111,6 +114,7 @@ class DemLink {
   Load load_;
   bool last_window_ = false;
   bool finished_ = false;
+  bool asked_to_end_ = false;
   bool forces_are_new_ = false;  // the set-up of a run has evaluated them
   std::int64_t step_ = -1;       // the last one begun
   int substeps_left_ = 0;        // of the open window; 0: none is open

@@ -7,6 +7,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/mpi_check.h"
 #include "liggghts_fix/fix_couple_mbd_match.h"
 #include "liggghts_fix/fix_couple_mbd_script.h"
@@ -83,6 +84,7 @@ void FixCoupleMbd::init() {
   script.may_end_early = !arguments_.end_of_scene;
   if (arguments_.gravity_of_scene) read_gravity(*modify, script);
   link_.start(std::move(script));
+  footfall::work_is_under_way();
   rows_of_output_.clear();
   const auto add_row = [this](int body) {
     if (std::find(rows_of_output_.begin(), rows_of_output_.end(), body) == rows_of_output_.end())
@@ -111,12 +113,13 @@ void FixCoupleMbd::initial_integrate(int) {
 
 void FixCoupleMbd::final_integrate() {
   if (!link_.end_substep()) return;
-  link_.write_shares(atom->nlocal, row_);
+  link_.write_shares(atom->nlocal, footfall::interrupted() != 0, row_);
   rows_.resize(row_.size() * static_cast<std::size_t>(comm->nprocs));
   const int count = static_cast<int>(row_.size());
   footfall::check_mpi(MPI_Allgather(row_.data(), count, MPI_DOUBLE, rows_.data(), count, MPI_DOUBLE, world),
                       "MPI_Allgather");
   link_.finish_window(rows_, comm->nprocs);
+  if (link_.asked_to_end()) SignalHandler::request_quit = true;
 }
 
 double FixCoupleMbd::compute_vector(int n) {

@@ -4,6 +4,8 @@
 
 #include <cstring>
 
+#include "coupler/base/failure_note.h"
+
 namespace {
 
 std::FILE* g_screen = nullptr;
@@ -34,5 +36,6 @@ std::FILE* footfall::screen_kept_for_last_words(const std::string& log) {
 extern "C" int MPI_Abort(MPI_Comm comm, int code) {
   std::fflush(nullptr);
   say_errors();
+  footfall::note_failure();
   return PMPI_Abort(comm, code);
 }

@@ -5,8 +5,11 @@
 
 #include <mpi.h>
 
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <memory>
@@ -15,6 +18,8 @@
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/failure_note.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"
 #include "coupler/programs.h"
@@ -34,27 +39,35 @@ namespace {
 
 using namespace footfall;
 
-// How long a partner may be silent before it counts as lost [s]. One window of the multibody side takes milliseconds.
-constexpr double kPatience = 600.0;
+// How long a partner may be silent before it counts as lost [s], until it has said how long (coupling.timeout of the
+// scene, whose default this is).
+constexpr double kPatience = 300.0;
 
-volatile std::sig_atomic_t stopped_by_signal = 0;
+// How long an end that failed may take before it is forced [s].
+constexpr unsigned kFailedEnd = 4;
 
-void stop_after_the_step(int signal) {
-  stopped_by_signal = 1;
-  LAMMPS_NS::SignalHandler::int_handler(signal);
+// LIGGGHTS' own: SIGINT and SIGTERM end the run after the step, with a restart file.
+void stop_as_liggghts(int signal) { LAMMPS_NS::SignalHandler::int_handler(signal); }
+
+// The quit flag is one of each rank: ranks that leave the loop at different steps wait for each other for ever.
+void stop_some_ranks(int signal) {
+  alarm(kEnding);
+  stop_as_liggghts(signal);
 }
 
-// As LIGGGHTS' own main: SIGINT and SIGTERM end the run after the step, SIGUSR1 asks for a restart file.
-void install_signal_handlers() {
-  struct sigaction stop;
-  std::memset(&stop, 0, sizeof stop);
-  stop.sa_handler = stop_after_the_step;
-  sigaction(SIGINT, &stop, nullptr);
-  sigaction(SIGTERM, &stop, nullptr);
-  struct sigaction restart;
-  std::memset(&restart, 0, sizeof restart);
-  restart.sa_handler = LAMMPS_NS::SignalHandler::usr1_handler;
-  sigaction(SIGUSR1, &restart, nullptr);
+// What LIGGGHTS makes here is of use only when it is whole.
+void stop_at_once(int) {
+  (void)!write(STDERR_FILENO, kStoppedWord, std::strlen(kStoppedWord));
+  _exit(kExitInterrupted);
+}
+
+// Without a partner: as LIGGGHTS' own main, but that several ranks end for certain. SIGUSR1 asks for a restart file.
+void install_signal_handlers(int ranks) {
+  const bool all_or_nothing = std::getenv(kAllOrNothing) != nullptr;
+  std::signal(SIGUSR1, all_or_nothing ? stop_at_once : LAMMPS_NS::SignalHandler::usr1_handler);
+  for (const int signal : {SIGINT, SIGTERM})
+    std::signal(signal, all_or_nothing ? stop_at_once : ranks > 1 ? stop_some_ranks : stop_as_liggghts);
+  for (const int signal : {SIGHUP, SIGQUIT}) std::signal(signal, all_or_nothing ? stop_at_once : SIG_DFL);
 }
 
 // The value of LIGGGHTS' option, by its long or short name; nullptr when it is not given.
@@ -88,13 +101,15 @@ int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_li
     char** log = option(argc, argv, "-log", "-l");
     if (std::FILE* kept = screen_kept_for_last_words(log ? *log : "log.liggghts")) lmp->screen = kept;
   }
+  // Line by line: who reads the log while it is written sees what LIGGGHTS is at.
+  if (lmp->logfile) std::setvbuf(lmp->logfile, nullptr, _IOLBF, BUFSIZ);
   attach_dem_link(lmp, dem_link);
   register_fix_style(lmp, "couple/mbd/geometry", create_fix<LAMMPS_NS::FixCoupleMbdGeometry>);
   register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
   register_fix_style(lmp, "wall/gran/beam", create_fix<LAMMPS_NS::FixWallGranBeam>);
   lmp->input->file();
   // The scene's end has stopped a run as a signal would; the script goes on behind that run.
-  while (LAMMPS_NS::SignalHandler::request_quit && dem_link.finished() && !stopped_by_signal) {
+  while (LAMMPS_NS::SignalHandler::request_quit && dem_link.finished() && interrupted() == 0) {
     LAMMPS_NS::SignalHandler::request_quit = false;
     lmp->input->file();
   }
@@ -118,7 +133,9 @@ void say(const std::exception& error) {
 int stop(const std::exception& error, int code, const Communicator& communicator, DemLink& dem_link) {
   if (communicator.is_root()) say(error);
   // A partner that does not hear it would keep MPI_Finalize waiting.
-  const Status status = code == kExitBadInput ? Status::kBadInput : Status::kFailed;
+  const Status status = code == kExitBadInput      ? Status::kBadInput
+                        : code == kExitInterrupted ? Status::kInterrupted
+                                                   : Status::kFailed;
   if (!dem_link.fail(error.what(), status)) abort_both_programs(code);
   return code;
 }
@@ -130,9 +147,10 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
     return stop(error, kExitBadInput, communicator, dem_link);
   } catch (const ProtocolError& error) {
     return stop(error, kExitBadInput, communicator, dem_link);
+  } catch (const Interrupted& error) {
+    return stop(error, kExitInterrupted, communicator, dem_link);
   } catch (const PartnerError& error) {
-    const int code = dem_link.partner_interrupted() ? kExitInterrupted : kExitFailed;
-    return stop(error, code, communicator, dem_link);
+    return stop(error, interrupted() ? kExitInterrupted : kExitFailed, communicator, dem_link);
   } catch (const NumericalError& error) {
     return stop(error, kExitFailed, communicator, dem_link);
   } catch (const std::exception& error) {  // a mistake of ours or no memory: perhaps on this rank alone
@@ -144,13 +162,14 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
 }  // namespace
 
 int main(int argc, char** argv) {
-  install_signal_handlers();
+  end_on_signals("liggghts_mbd");
   MPI_Init(&argc, &argv);
   int code = kExitDone;
   try {
     const Communicator communicator;
     let_world_mean(communicator.world());
     AbortGuard::install(communicator);
+    if (!communicator.has_partner()) install_signal_handlers(communicator.size());
     std::unique_ptr<TransportMpi> transport;
     std::unique_ptr<Link> link;
     if (communicator.has_partner()) {
@@ -171,6 +190,9 @@ int main(int argc, char** argv) {
     code = kExitBadInput;
     AbortGuard::release();
   }
+  if (code == kExitFailed) note_failure();
+  // It waits for the partner, which may be stopped or hung.
+  if (code != kExitDone) end_within(kFailedEnd, code);
   MPI_Finalize();
   return code;
 }

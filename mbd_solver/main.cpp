@@ -6,13 +6,14 @@
 #include <mpi.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/failure_note.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/communicator.h"
 #include "coupler/link.h"
 #include "coupler/transport_mpi.h"
@@ -24,9 +25,8 @@ namespace {
 
 using namespace footfall;
 
-volatile std::sig_atomic_t g_interrupted = 0;
-
-void note_interrupt(int) { g_interrupted = 1; }
+// How long an end that failed may take before it is forced [s].
+constexpr unsigned kFailedEnd = 4;
 
 struct Arguments {
   std::string scene;
@@ -66,7 +66,7 @@ int run_alone(const Arguments& arguments) {
         ": ground.kind = \"particles\" needs LIGGGHTS: use `footfall run`, or start both programs:\n  mpirun -np " +
         std::to_string(scene.particles->ranks) + " liggghts_mbd -in " + scene.particles->script +
         " : -np 1 mbd_solver " + arguments.scene);
-  return run_scene(scene, arguments.run, nullptr, g_interrupted);
+  return run_scene(scene, arguments.run, nullptr, interrupted());
 }
 
 // Everything that can go wrong is told to the partner, too: neither program outlives the other.
@@ -77,7 +77,7 @@ int run_with(const Arguments& arguments, Transport& transport) {
       throw InputError(scene.file +
                        ": ground.kind is not \"particles\", but LIGGGHTS was started next to it: run `mbd_solver " +
                        arguments.scene + "` alone");
-    return run_scene(scene, arguments.run, &transport, g_interrupted);
+    return run_scene(scene, arguments.run, &transport, interrupted());
   } catch (const InputError& error) {
     if (!transport.parted()) Link(transport).fail(error.what(), Status::kBadInput);
     throw;
@@ -91,6 +91,8 @@ int guarded(const std::function<int()>& work) {
     return say(error, kExitBadInput);
   } catch (const ProtocolError& error) {
     return say(error, kExitBadInput);
+  } catch (const Interrupted& error) {
+    return say(error, kExitInterrupted);
   } catch (const std::exception& error) {
     return say(error, kExitFailed);
   }
@@ -117,7 +119,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitDone : kExitBadInput;
   }
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(signal, note_interrupt);
+  end_on_signals("mbd_solver");
 
   // MPI is started only under mpirun: scenes without grains need none.
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMI_SIZE") == nullptr)
@@ -131,6 +133,9 @@ int main(int argc, char** argv) {
     return run_coupled(arguments, communicator);
   });
   AbortGuard::release();
+  if (code == kExitFailed) note_failure();
+  // It waits for the partner, which may be stopped or hung, or may not know of this end.
+  if (code != kExitDone) end_within(kFailedEnd, code);
   MPI_Finalize();
   return code;
 }

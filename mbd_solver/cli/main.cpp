@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 #include "mbd_solver/cli/analysis/compare_command.h"
 #include "mbd_solver/cli/analysis/pictures_command.h"
 #include "mbd_solver/cli/analysis/report_command.h"
@@ -201,6 +202,9 @@ int main(int argc, char** argv) {
   } catch (const InputError& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return kExitBadInput;
+  } catch (const Interrupted& e) {
+    std::fprintf(stderr, "footfall: %s\n", e.what());
+    return kExitInterrupted;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "footfall: %s\n", e.what());
     return kExitFailed;

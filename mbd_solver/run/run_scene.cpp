@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/run/run_files.h"
@@ -54,16 +55,24 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     write_summary(options.out + "/summary.json", run_summary(simulation, taker, files.flexible(), status, reason));
   };
 
+  std::string why = "interrupted by the user";
+  work_is_under_way();
   try {
     simulation.run(observe, interrupted);
   } catch (const std::exception& error) {
     finish_files();
-    const bool mendable = dynamic_cast<const InputError*>(&error) || dynamic_cast<const ProtocolError*>(&error);
-    if (coupled) coupled->fail(error.what(), mendable ? Status::kBadInput : Status::kFailed);
-    if (simulation.state().q.allFinite() && simulation.state().v.allFinite())
-      files.write_checkpoint_of(simulation.state());
-    summarize("failed", error.what());
-    throw;
+    // A partner that is gone after a signal has had it, too.
+    const bool gone = dynamic_cast<const PartnerError*>(&error) != nullptr;
+    if (!dynamic_cast<const Interrupted*>(&error) && !(gone && interrupted != 0)) {
+      const bool mendable = dynamic_cast<const InputError*>(&error) || dynamic_cast<const ProtocolError*>(&error);
+      if (simulation.state().q.allFinite() && simulation.state().v.allFinite())
+        files.write_checkpoint_of(simulation.state());
+      summarize("failed", error.what());
+      if (coupled) coupled->fail(error.what(), mendable ? Status::kBadInput : Status::kFailed);
+      throw;
+    }
+    why = error.what();
+    std::fprintf(stderr, "mbd_solver: %s\n", why.c_str());
   }
   finish_files();
   if (const std::string text = taker.balance_warning(); !text.empty())
@@ -73,9 +82,10 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     summarize("done", early ? "the LIGGGHTS script ended the run, as it may" : "");
     return kExitDone;
   }
+  // The files first: mpirun kills soon after it has asked for the end.
   files.write_checkpoint_of(simulation.state());
-  if (coupled) coupled->fail("interrupted by the user", Status::kInterrupted);
-  summarize("interrupted", "");
+  summarize("interrupted", why);
+  if (coupled) coupled->fail(why, Status::kInterrupted);
   return kExitInterrupted;
 }
 

@@ -48,8 +48,8 @@ void grain_side(Transport& transport, double dt, int n, double contact_damping, 
     contact();
     v = half + 0.5 * dt * (-TwoMass::kp * x + f) / TwoMass::m;
     if (!dem.end_substep()) continue;
-    dem.write_shares(sums);
-    dem.finish_window(sums, 1, 1);
+    dem.write_shares(1, false, sums);
+    dem.finish_window(sums, 1);
     result.given = dem.work();
   }
   result.state[2] = x;

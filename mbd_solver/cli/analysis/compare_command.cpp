@@ -12,6 +12,7 @@
 #include "mbd_solver/cli/analysis/gnuplot.h"
 #include "mbd_solver/cli/analysis/replay_script.h"
 #include "mbd_solver/cli/launch/bed.h"
+#include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/mesh_reader.h"

@@ -88,7 +88,7 @@ void make_beds(const RunStore& store, const ExperimentArguments& a, const std::s
   const bool interrupted = run_pool(commands, jobs, [&](int bed, int code, double) {
     if (code != kExitDone && failed < 0) failed = bed, failed_with = code;
   });
-  if (interrupted) throw Interrupted{};
+  if (interrupted) throw Interrupted("interrupted while making the beds; those that are done are kept");
   if (failed < 0) return;
   std::ostringstream reason;
   reason << std::ifstream(commands[static_cast<std::size_t>(failed)].output).rdbuf();

@@ -1,16 +1,23 @@
 #include "mbd_solver/cli/launch/bed.h"
 
+#include <signal.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/folder.h"
+#include "coupler/base/text.h"
 #include "coupler/base/whole_file.h"
+#include "coupler/programs.h"
+#include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/fingerprint.h"
+#include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/scene/script_text.h"
 
@@ -20,7 +27,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kRestart = "bed.restart";
+constexpr double kSilence = 300.0;  // how long a program that makes a bed may be stopped, or read a restart file [s]
 
 // Debian's version of the library that liggghts_mbd uses; the file's size and date where there is no dpkg.
 std::string liggghts_version() {
@@ -33,33 +40,55 @@ std::string liggghts_version() {
   return version.empty() ? "unknown" : version;
 }
 
-// "step 5000 of 15000" from a LIGGGHTS log that is being written: the last thermo row and the last run command.
-std::string log_progress(const std::string& log) {
-  std::ifstream file(log);
-  std::string line;
-  long step = -1, last = -1;
-  while (std::getline(file, line)) {
-    long number = 0;
-    char rest = 0;
-    if (std::sscanf(line.c_str(), "run %ld %c", &number, &rest) == 1 && number > 0) last = number;
-    double columns[2];
-    if (std::sscanf(line.c_str(), "%ld %lf %lf", &number, &columns[0], &columns[1]) == 3) step = number;
-  }
-  if (step < 0) return "setting up";
-  return "step " + std::to_string(step) + (last > 0 ? " of " + std::to_string(last) : "");
-}
-
 Bed bed_in(const fs::path& folder) {
   Bed bed;
-  bed.restart = (folder / kRestart).string();
-  const std::string grains = bed.restart + ".grains";
+  bed.restart = (folder / kBedRestart).string();
+  const std::string grains = (folder / kBedGrains).string();
   if (fs::exists(grains)) bed.grains = grains;
   return bed;
+}
+
+std::string host() {
+  char name[256] = {};
+  gethostname(name, sizeof name - 1);
+  return name;
+}
+
+constexpr const char* kPart = ".part";
+
+// KEY.partPID@HOST: whose it is.
+fs::path draft_name(const fs::path& target) {
+  return target.string() + kPart + std::to_string(getpid()) + "@" + host();
+}
+
+// What a front door that was killed has left: drafts of this machine whose process is gone.
+void remove_dead_drafts(const fs::path& beds) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(beds, ignored)) {
+    const std::string name = entry.path().filename().string();
+    const std::size_t part = name.find(kPart);
+    if (part == std::string::npos) continue;
+    char* end = nullptr;
+    const long pid = std::strtol(name.c_str() + part + std::strlen(kPart), &end, 10);
+    const bool ours = *end == '\0' || end == "@" + host();
+    if (ours && pid > 0 && kill(static_cast<pid_t>(pid), 0) != 0 && errno == ESRCH) fs::remove_all(entry, ignored);
+  }
+}
+
+std::string free_space(const fs::path& folder) {
+  std::error_code error;
+  const fs::space_info space = fs::space(folder, error);
+  return error ? "an unknown space" : number_text(static_cast<double>(space.available) / 1e6) + " MB";
 }
 
 // The folder in which a bed grows; gone again unless it is kept.
 class Draft {
  public:
+  // Takes a bed that is not to be found any more.
+  Draft(const fs::path& target, fs::path folder) : folder_(std::move(folder)) {
+    std::error_code error;
+    fs::rename(target, folder_, error);
+  }
   explicit Draft(fs::path folder) : folder_(std::move(folder)) {
     make_folder(folder_.string(), "set FOOTFALL_CACHE to a folder that can be written");
   }
@@ -74,7 +103,7 @@ class Draft {
   void keep(const fs::path& target) {
     std::error_code error;
     fs::rename(folder_, target, error);
-    if (error && !fs::exists(target / kRestart))
+    if (error && !fs::exists(target / kBedRestart))
       throw InputError(target.string() + ": cannot be made: " + error.message());
   }
 
@@ -83,8 +112,9 @@ class Draft {
 };
 
 void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
-  const std::string restart = (draft.folder() / kRestart).string(), log = (draft.folder() / "liggghts.log").string();
+  const std::string restart = (draft.folder() / kBedRestart).string(), log = (draft.folder() / "liggghts.log").string();
   Command command = mpirun();
+  command.environment[kAllOrNothing] = "1";
   command.output = (draft.folder() / "output.txt").string();
   command.words.insert(command.words.end(), {"-np", std::to_string(ranks), built_program("liggghts_mbd")});
   const std::vector<std::string> script = script_arguments(spec.script, spec.variables);
@@ -93,35 +123,40 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   if (!quiet) std::printf("Making the bed, once: %s\n", shell_line(command).c_str());
   std::fflush(stdout);
+  StoppedWatch stopped(kSilence);
+  ReadingWatch reading(log, kSilence);
   const auto show = [&] {
-    if (quiet || !terminal) return;
-    std::printf("\rbed: %-40s", log_progress(log).c_str());
-    std::fflush(stdout);
+    if (!quiet && terminal) {
+      std::printf("\rbed: %-40s", log_progress(log).c_str());
+      std::fflush(stdout);
+    }
+    const std::string stuck = reading();
+    return stuck.empty() ? stopped() : stuck;
   };
   const ChildEnd end = run_child(command, "", show);
   if (!quiet && terminal) std::printf("\r%-46s\r", "");
-  if (end.interrupted) throw Interrupted{};
+  const std::string said = read_whole_file(command.output).value_or("");
+  if (end.interrupted || was_asked_to_end(end.code) ||
+      (end.code == kExitFailed && said.find(kStoppedWord) != std::string::npos && liggghts_errors(log).empty()))
+    throw Interrupted("interrupted while making the bed; nothing is kept");
+  if (!end.given_up.empty()) throw PartnerError("making the bed: " + end.given_up);
   const std::string errors = liggghts_errors(log);
   if (!errors.empty()) throw InputError("the bed's script " + spec.script + " failed in LIGGGHTS:\n" + errors);
   if (end.code != 0) {
     throw PartnerError("making the bed: LIGGGHTS ended with code " + std::to_string(end.code) + " on " + spec.script +
-                       "\n" + read_whole_file(command.output).value_or(""));
+                       "\n" + said);
   }
   if (!fs::exists(restart))
     throw InputError("the bed's script " + spec.script +
                      " ended without writing the restart file; it must say: write_restart ${bed}");
+  // LIGGGHTS does not ask whether what it writes gets to the disk.
+  if (const std::string damage = damage_of_bed(draft.folder().string()); !damage.empty())
+    throw PartnerError("making the bed: " + damage + ": nothing is kept. Is the disk full? " +
+                       draft.folder().parent_path().string() + " has " + free_space(draft.folder()) + " left");
+  seal_bed(draft.folder().string());
 }
 
 }  // namespace
-
-std::string liggghts_errors(const std::string& log) {
-  std::ifstream file(log);
-  std::string line, errors, before;
-  while (std::getline(file, line)) {
-    if (line.rfind("ERROR", 0) == 0 || line.rfind("Fix couple", 0) == 0) errors += (errors.empty() ? "" : "\n") + line;
-  }
-  return errors;
-}
 
 std::string cache_folder() {
   if (const char* own = std::getenv("FOOTFALL_CACHE")) return own;
@@ -141,16 +176,22 @@ std::string bed_folder(const BedSpec& spec) {
   return (fs::path(cache_folder()) / "beds" / bed_key(spec, version)).string();
 }
 
-bool bed_is_made(const std::string& folder) { return fs::exists(fs::path(folder) / kRestart); }
+bool bed_is_made(const std::string& folder) { return fs::exists(folder) && damage_of_bed(folder).empty(); }
 
 Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet) {
   const fs::path target = bed_folder(spec);
+  remove_dead_drafts(target.parent_path());
   if (!bed_is_made(target)) {
-    Draft draft(target.string() + ".part" + std::to_string(getpid()));
+    if (fs::exists(target)) {
+      std::fprintf(stderr, "footfall: warning: the bed in %s is damaged: %s; it is made again\n", target.c_str(),
+                   damage_of_bed(target).c_str());
+      const Draft away(target, draft_name(target));
+    }
+    Draft draft(draft_name(target));
     make_bed(spec, ranks, quiet, draft);
     draft.keep(target);
   }
-  if (!quiet) std::printf("Bed: %s\n", (target / kRestart).c_str());
+  if (!quiet) std::printf("Bed: %s\n", (target / kBedRestart).c_str());
   return bed_in(target);
 }
 

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "coupler/base/interrupt.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {
@@ -15,8 +16,8 @@ struct Bed {
 // Finds the bed in the cache, or makes it there with `ranks` LIGGGHTS processes (a progress line unless quiet). The key
 // holds the text of the script and of what it includes, all variables, and the version of LIGGGHTS; a bed that is there
 // is complete.
-// Throws InputError with LIGGGHTS' own message when the script fails, PartnerError when LIGGGHTS dies, Interrupted at
-// Ctrl-C.
+// Throws InputError with LIGGGHTS' own message when the script fails, PartnerError when LIGGGHTS dies or is stopped,
+// Interrupted when the end was asked for.
 Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet);
 
 // Where the bed is, or will be; whether it is there.
@@ -26,11 +27,5 @@ bool bed_is_made(const std::string& folder);
 // $FOOTFALL_CACHE, else $XDG_CACHE_HOME/footfall, else ~/.cache/footfall.
 std::string cache_folder();
 std::string bed_key(const BedSpec& spec, const std::string& liggghts_version);
-
-// The user asked for the end before there was anything to keep.
-struct Interrupted {};
-
-// The lines of a LIGGGHTS log that say ERROR, one per line; empty without.
-std::string liggghts_errors(const std::string& log);
 
 }  // namespace footfall

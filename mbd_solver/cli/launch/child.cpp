@@ -5,13 +5,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
+#include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/cli/launch/process.h"
 
 namespace footfall {
@@ -19,13 +24,15 @@ namespace footfall {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::seconds kGrace(20);     // to write a checkpoint and end in order
-constexpr std::chrono::seconds kAfterEnd(1);   // from the end of the child to SIGTERM for what it left behind
-constexpr std::chrono::seconds kAfterTerm(2);  // from SIGTERM to SIGKILL
+// Ten seconds in all, from a signal to the last process.
+constexpr std::chrono::seconds kGrace(kEnding + 1);  // to write a checkpoint and end in order
+constexpr std::chrono::seconds kAfterEnd(1);         // from the end of the child to SIGTERM for what it left behind
+constexpr std::chrono::seconds kAfterTerm(1);        // from SIGTERM to SIGKILL
 
-// Every process below this one.
-std::vector<pid_t> descendants() {
+// Every process below this one; on request those alone that are stopped.
+std::vector<pid_t> descendants(bool stopped_alone = false) {
   std::map<pid_t, std::vector<pid_t>> children;
+  std::set<pid_t> stopped;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
     const std::string name = entry.path().filename();
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
@@ -38,12 +45,15 @@ std::vector<pid_t> descendants() {
     if (end == std::string::npos || std::sscanf(line.c_str() + end + 1, " %c %d", &state, &parent) != 2 || state == 'Z')
       continue;
     children[parent].push_back(std::stoi(name));
+    if (state == 'T') stopped.insert(std::stoi(name));
   }
   std::vector<pid_t> found = children[getpid()];
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::vector<pid_t> next = children[found[i]];
     found.insert(found.end(), next.begin(), next.end());
   }
+  const auto left_out = [&](pid_t pid) { return stopped_alone && stopped.count(pid) == 0; };
+  found.erase(std::remove_if(found.begin(), found.end(), left_out), found.end());
   return found;
 }
 
@@ -56,9 +66,10 @@ void send_all(const std::vector<pid_t>& pids, int signal) {
   for (pid_t pid : pids) kill(pid, signal);
 }
 
-// Asks for an orderly end: true if somebody was there to ask.
+// Asks for an orderly end: true if somebody was there to ask. Who is stopped goes on, to take part in it.
 bool ask_gracefully(const std::string& graceful) {
   bool asked = false;
+  send_all(descendants(true), SIGCONT);
   for (pid_t pid : descendants()) {
     if (graceful.empty() || program_of(pid) != graceful) continue;
     kill(pid, SIGINT);
@@ -82,7 +93,21 @@ bool reap(pid_t pid, int& status) {
 
 }  // namespace
 
-ChildEnd run_child(const Command& command, const std::string& graceful, const std::function<void()>& tick) {
+std::string StoppedWatch::operator()() {
+  const double now = wall_clock();
+  if (now < next_look_) return "";
+  next_look_ = now + 1.0;
+  std::map<pid_t, double> since;
+  for (const pid_t pid : descendants(true)) since[pid] = since_.count(pid) ? since_[pid] : now;
+  since_ = since;
+  for (const auto& [pid, start] : since_)
+    if (now - start > limit_)
+      return program_of(pid) + " (process " + std::to_string(pid) + ") has been stopped for " + number_text(limit_) +
+             " s (SIGSTOP): nobody can go on without it";
+  return "";
+}
+
+ChildEnd run_child(const Command& command, const std::string& graceful, const std::function<std::string()>& tick) {
   const SignalsHeld signals;
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   const pid_t pid = start_process(command, signals);
@@ -109,12 +134,21 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
       if (deadline == Clock::time_point::max()) deadline = Clock::now() + kAfterEnd;
     }
     if (Clock::now() > deadline) terminate();
-    if (tick && !ended) tick();
+    if (!tick || ended || end.interrupted || !end.given_up.empty()) continue;
+    end.given_up = tick();
+    if (!end.given_up.empty()) terminate();
   }
   reap(pid, status);  // orphans killed last
   end.code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   if (end.code == kCannotStart) throw InputError("cannot start " + command.words[0] + "; is it installed?");
   return end;
+}
+
+bool was_asked_to_end(int exit_code) {
+  if (exit_code == kExitInterrupted) return true;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1})
+    if (exit_code == 128 + signal) return true;
+  return false;
 }
 
 std::string shell_line(const Command& command) {

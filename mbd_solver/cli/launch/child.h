@@ -19,14 +19,33 @@ struct Command {
 
 struct ChildEnd {
   int code = 0;              // exit code; 128 + signal when a signal ended it
-  bool interrupted = false;  // the user asked for the end (SIGINT, SIGTERM)
+  bool interrupted = false;  // the user asked for the end (SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1)
+  std::string given_up;      // why we ended it ourselves; empty: we did not
 };
 
-// Runs a command to its end. `tick` is called about five times a second. SIGINT and SIGTERM are forwarded as SIGINT to
-// every descendant whose program is `graceful` (the one that ends the others in order), or as SIGTERM to all when there
-// is none; who is still there some seconds later, or at a second signal, is killed. Returns with no descendant left.
-// Throws InputError when the program cannot be started.
-ChildEnd run_child(const Command& command, const std::string& graceful = "", const std::function<void()>& tick = {});
+// Runs a command to its end. `tick` is called about five times a second; what it returns, unless empty, is why the
+// command is to be ended now. A signal that asks for the end is forwarded as SIGINT to every descendant whose program is
+// `graceful` (the one that ends the others in order), or as SIGTERM to all when there is none; who is still there some
+// seconds later, or at a second signal, is killed. Returns with no descendant left. Throws InputError when the program
+// cannot be started.
+ChildEnd run_child(const Command& command, const std::string& graceful = "",
+                   const std::function<std::string()>& tick = {});
+
+// Watches for descendants that are stopped (SIGSTOP) and stay so for this long [s]: such a one answers nobody, and
+// nobody else may wait for it. A tick of run_child: says which one it is.
+class StoppedWatch {
+ public:
+  explicit StoppedWatch(double limit) : limit_(limit) {}
+  std::string operator()();
+
+ private:
+  double limit_;                   // [s]
+  double next_look_ = 0.0;         // wall clock [s]
+  std::map<pid_t, double> since_;  // wall clock [s] from which on each one was seen stopped
+};
+
+// Of a program that was asked to end: it says so, or died of a signal that asks for the end.
+bool was_asked_to_end(int exit_code);
 
 // As a shell would take it, environment first.
 std::string shell_line(const Command& command);

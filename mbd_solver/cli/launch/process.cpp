@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 
 namespace footfall {
 
@@ -45,7 +46,8 @@ constexpr std::chrono::nanoseconds kTick = std::chrono::milliseconds(200);
 
 SignalsHeld::SignalsHeld() {
   sigemptyset(&held_);
-  for (int signal : {SIGINT, SIGTERM, SIGCHLD}) sigaddset(&held_, signal);
+  for (int signal : {SIGINT, SIGTERM, SIGQUIT, SIGUSR1, SIGCHLD}) sigaddset(&held_, signal);
+  if (!is_ignored(SIGHUP)) sigaddset(&held_, SIGHUP);  // nohup
   sigprocmask(SIG_BLOCK, &held_, &old_);
 }
 
@@ -54,7 +56,7 @@ SignalsHeld::~SignalsHeld() { sigprocmask(SIG_SETMASK, &old_, nullptr); }
 bool SignalsHeld::wait() const {
   const timespec tick{0, kTick.count()};
   const int signal = sigtimedwait(&held_, nullptr, &tick);
-  return signal == SIGINT || signal == SIGTERM;
+  return signal > 0 && signal != SIGCHLD;
 }
 
 pid_t start_process(const Command& command, const SignalsHeld& signals) {

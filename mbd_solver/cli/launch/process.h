@@ -8,7 +8,8 @@
 
 namespace footfall {
 
-// While one of these lives, SIGINT, SIGTERM and SIGCHLD are taken one by one instead of interrupting us.
+// While one of these lives, SIGCHLD and the signals that ask for the end (SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1)
+// are taken one by one instead of interrupting us.
 class SignalsHeld {
  public:
   SignalsHeld();
@@ -17,7 +18,7 @@ class SignalsHeld {
   SignalsHeld& operator=(const SignalsHeld&) = delete;
 
   const sigset_t& old_mask() const { return old_; }
-  // Waits for at most one tick (a fifth of a second). True for SIGINT or SIGTERM.
+  // Waits for at most one tick (a fifth of a second). True for a signal that asks for the end.
   bool wait() const;
 
  private:

@@ -9,6 +9,7 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/child.h"
+#include "mbd_solver/cli/launch/liggghts_log.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {

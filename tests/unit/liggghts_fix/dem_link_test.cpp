@@ -127,7 +127,7 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
   push(2.0);
   ASSERT_TRUE(pair.dem.end_substep());
   std::vector<double> sums;
-  pair.dem.write_shares(38, sums);
+  pair.dem.write_shares(38, false, sums);
   std::vector<double> both = sums;  // two ranks with the same forces
   both.insert(both.end(), sums.begin(), sums.end());
   pair.dem.finish_window(both, 2);
@@ -183,7 +183,7 @@ std::vector<Load> loads_of(const std::vector<Census>& census, double max_lost, s
       const auto grains = static_cast<std::int64_t>(now.grains), lost = static_cast<std::int64_t>(now.lost);
       pair.dem.grains_exchanged(grains + lost, grains);
       std::vector<double> row;
-      pair.dem.write_shares(grains, row);
+      pair.dem.write_shares(grains, false, row);
       pair.dem.finish_window(row, 1);
     }
   } catch (const NumericalError& error) {
