@@ -49,6 +49,8 @@ Action run(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option("--scheme", a->scheme, "Coupling scheme (coupling.scheme)");
   command.add_option("--integrator", a->integrator, "Integrator (solver.integrator)");
+  command.add_flag("--force", a->force,
+                   "Run into the folder of an earlier run; the files that it made are removed first");
   command.add_flag("--quiet", a->quiet, "Only errors");
   return [a] { return run_command(*a); };
 }

@@ -7,12 +7,12 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/folder.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/cli/analysis/results.h"
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
+#include "mbd_solver/cli/launch/own_folder.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
@@ -27,22 +27,6 @@ namespace {
 std::string scene_name(const std::string& file) {
   const fs::path path = fs::absolute(file).lexically_normal();
   return path.filename() == "scene.toml" ? path.parent_path().filename().string() : path.stem().string();
-}
-
-// runs/NAME, runs/NAME-2, ...: no run is ever overwritten without being asked to.
-std::string free_folder(const std::string& name) {
-  fs::path folder = fs::path("runs") / name;
-  for (int k = 2; fs::exists(folder); ++k) folder = fs::path("runs") / (name + "-" + std::to_string(k));
-  return folder.string();
-}
-
-// What an earlier run left in a folder that is used again must not be taken for ours.
-void clear_results(const std::string& out) {
-  make_folder(out);
-  std::error_code error;
-  for (const char* name : {"summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "checkpoint.txt",
-                           "liggghts.log", "plots", "pictures", "vtk", "motion", "compare"})
-    fs::remove_all(fs::path(out) / name, error);
 }
 
 std::vector<std::string> solver_words(const RunArguments& a, const std::string& out, const std::string& grains) {
@@ -108,8 +92,8 @@ int run_command(const RunArguments& arguments) {
   if (!arguments.scheme.empty()) settings.push_back("coupling.scheme=\"" + arguments.scheme + "\"");
   if (!arguments.integrator.empty()) settings.push_back("solver.integrator=\"" + arguments.integrator + "\"");
   const Scene scene = checked_scene(arguments.scene, settings);
-  const std::string out = short_path(arguments.out.empty() ? free_folder(scene_name(scene.file)) : arguments.out);
-  clear_results(out);
+  const std::string out = short_path(arguments.out.empty() ? new_run_folder(scene_name(scene.file)) : arguments.out);
+  const OwnFolder folder(out, arguments.force);
 
   Command command;
   try {
@@ -125,6 +109,7 @@ int run_command(const RunArguments& arguments) {
   if (!arguments.quiet) std::printf("%s\n", shell_line(command).c_str());
   std::fflush(stdout);
   if (isatty(STDOUT_FILENO) == 1) command.environment["FOOTFALL_TERMINAL"] = "1";
+  command.environment[kLockedFolder] = locked_name(out);
 
   const ChildEnd end = run_child(command, "mbd_solver");
   const std::string errors = liggghts_errors((fs::path(out) / "liggghts.log").string());

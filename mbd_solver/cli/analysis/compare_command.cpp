@@ -7,6 +7,8 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
+#include "coupler/base/made_files.h"
 #include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/analysis/bed_comparison.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
@@ -159,8 +161,9 @@ int compare_command(const std::string& run, const std::string& other, bool quiet
   const Json summary = coupled_summary(run);
   const double dt = summary["dt_dem_s"];
   const fs::path out = fs::absolute(fs::path(run) / "compare").lexically_normal();
-  fs::remove_all(out);
-  fs::create_directories(out / "plots");
+  remove_made_files(run, "compare/");
+  const MadeFiles made(run);
+  make_folder((out / "plots").string(), "is the disk full?");
 
   std::vector<std::string> bodies;
   ComparedRun second;

@@ -8,6 +8,8 @@
 #include <thread>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
+#include "coupler/base/folder_lock.h"
 #include "coupler/base/nearest_name.h"
 #include "mbd_solver/cli/experiments/experiment_output.h"
 #include "mbd_solver/cli/experiments/experiment_reader.h"
@@ -121,8 +123,9 @@ int experiment_command(const ExperimentArguments& a) {
   const int count = static_cast<int>(numbers.size());
   if (a.only >= count)
     throw InputError("--only " + std::to_string(a.only) + ": there are runs 0 to " + std::to_string(count - 1));
-  if (std::error_code error; fs::create_directories(place.folder, error), error)
-    throw InputError(place.folder + ": cannot be made: " + error.message() + "; choose another folder with --out");
+  make_folder(place.folder);
+  // Elements of a job array share it; each of their runs has a folder of its own.
+  const FileLock lock = a.only < 0 && !a.merge ? lock_folder(place.folder) : FileLock();
   const auto write = [&] { return write_output(spec, plan, store, numbers, place) ? kExitDone : kExitFailed; };
   if (a.merge) return write();
   if (a.slurm) {

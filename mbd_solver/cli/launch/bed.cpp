@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/file_lock.h"
 #include "coupler/base/folder.h"
 #include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/launch/fingerprint.h"
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kRestart = "bed.restart";
+constexpr const char* kAdvice = "set FOOTFALL_CACHE to a folder that can be written";
 
 // Debian's version of the library that liggghts_mbd uses; the file's size and date where there is no dpkg.
 std::string liggghts_version() {
@@ -60,9 +62,7 @@ Bed bed_in(const fs::path& folder) {
 // The folder in which a bed grows; gone again unless it is kept.
 class Draft {
  public:
-  explicit Draft(fs::path folder) : folder_(std::move(folder)) {
-    make_folder(folder_.string(), "set FOOTFALL_CACHE to a folder that can be written");
-  }
+  explicit Draft(fs::path folder) : folder_(std::move(folder)) { make_folder(folder_.string(), kAdvice); }
   ~Draft() {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
@@ -146,6 +146,13 @@ bool bed_is_made(const std::string& folder) { return fs::exists(fs::path(folder)
 Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet) {
   const fs::path target = bed_folder(spec);
   if (!bed_is_made(target)) {
+    // Two runs that need the same bed: the second waits, and uses it.
+    make_folder(target.parent_path().string(), kAdvice);
+    const FileLock lock = FileLock::wait_for(target.string() + ".lock", [&] {
+      std::fprintf(stderr, "footfall: another run makes this bed (process %d); waiting for it\n",
+                   owner_of(target.string() + ".lock"));
+    });
+    if (bed_is_made(target)) return bed_in(target);
     Draft draft(target.string() + ".part" + std::to_string(getpid()));
     make_bed(spec, ranks, quiet, draft);
     draft.keep(target);
