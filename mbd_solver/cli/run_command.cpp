@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -14,6 +15,7 @@
 #include "mbd_solver/cli/launch/child.h"
 #include "mbd_solver/cli/launch/own_folder.h"
 #include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/launch/script_safety.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -92,6 +94,11 @@ int run_command(const RunArguments& arguments) {
   if (!arguments.scheme.empty()) settings.push_back("coupling.scheme=\"" + arguments.scheme + "\"");
   if (!arguments.integrator.empty()) settings.push_back("solver.integrator=\"" + arguments.integrator + "\"");
   const Scene scene = checked_scene(arguments.scene, settings);
+  if (scene.touches_particles() && !arguments.trust_script) {
+    demand_safe_script(scene.particles->script, scene.particles->variables);
+    if (const auto& bed = scene.particles->bed) demand_safe_script(bed->script, bed->variables);
+    setenv(kNoPrograms, "1", 1);
+  }
   const std::string out = short_path(arguments.out.empty() ? new_run_folder(scene_name(scene.file)) : arguments.out);
   const OwnFolder folder(out, arguments.force);
 

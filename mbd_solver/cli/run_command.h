@@ -14,6 +14,7 @@ struct RunArguments {
   std::vector<std::string> settings;  // --set key=value
   std::string scheme, integrator;     // empty: the scene's
   bool force = false;                 // into a folder with an earlier run, whose files are removed first
+  bool trust_script = false;          // the script may run programs and write anywhere
   bool quiet = false;
 };
 

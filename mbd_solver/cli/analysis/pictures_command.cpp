@@ -176,7 +176,6 @@ int pictures_command(const PicturesArguments& a) {
     std::snprintf(words, sizeof words, "%s%st = %.4g s", title.substr(0, 100).c_str(), title.empty() ? "" : ", ",
                   moment.time);
     std::string said = words;
-    std::replace(said.begin(), said.end(), '"', '\'');
     if (cut) {
       std::snprintf(words, sizeof words, ", cut at y = %.3g m", view.cut);
       said += words;
