@@ -46,9 +46,8 @@ CoupledMesh::CoupledMesh(LAMMPS* lmp_, const std::string& asker, const footfall:
   body_ = link_.couple(pair.body, update->unit_style);
   const footfall::CoupledBody& scene_body = link_.scene_body(pair.body, update->unit_style);
   try {
-    module_ =
-        std::make_unique<MeshModuleMbd>(lmp, fix_, match_over_ranks(fix_->triMesh(), mesh_id_, scene_body, world),
-                                        scene_body.boundary.rho0());
+    module_ = std::make_unique<MeshModuleMbd>(lmp, fix_, match_over_ranks(fix_->triMesh(), mesh_id_, scene_body, world),
+                                              scene_body.boundary.rho0());
   } catch (const InputError& mismatch) {
     if (!modify->have_restart_data(fix_)) throw;
     throw InputError(mismatch.what() + std::string(". The restart file knows a mesh of this id and has placed it: give "

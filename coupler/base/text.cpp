@@ -1,5 +1,6 @@
 #include "coupler/base/text.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 
@@ -28,6 +29,14 @@ std::vector<std::string> split(const std::string& line, char mark) {
   std::istringstream stream(line);
   for (std::string cell; std::getline(stream, cell, mark);) cells.push_back(cell);
   return cells;
+}
+
+bool is_plain_name(const std::string& text) {
+  if (text.empty() || text.front() == '.' || text.size() > kLongestName) return false;
+  return std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+           c == '.';
+  });
 }
 
 std::string trimmed(const std::string& text) {

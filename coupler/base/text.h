@@ -15,6 +15,9 @@ std::string fixed_text(double value, int decimals);
 std::string joined(const std::vector<std::string>& texts, const std::string& between = ", ");
 // The cells of a line; nothing stands behind a mark at its end.
 std::vector<std::string> split(const std::string& line, char mark);
+// May be the name of a file or of a column: letters, digits, _ - . without a dot in front, at most kLongestName of them.
+inline constexpr int kLongestName = 100;
+bool is_plain_name(const std::string& text);
 // Without blanks, tabs and carriage returns at both ends.
 std::string trimmed(const std::string& text);
 

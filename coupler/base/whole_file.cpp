@@ -1,6 +1,7 @@
 #include "coupler/base/whole_file.h"
 
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "coupler/base/errors.h"
@@ -29,12 +30,6 @@ void write_whole_file(const std::string& path, const std::string& text, const st
   }
   std::filesystem::rename(draft, path, error);
   if (error) throw InputError(path + ": cannot be written: " + error.message());
-}
-
-std::ofstream open_to_write(const std::string& path) {
-  std::ofstream file(path);
-  if (!file) throw InputError(path + ": cannot be written");
-  return file;
 }
 
 }  // namespace footfall

@@ -2,7 +2,6 @@
 // A file read or written in one go. What is written is there whole or not at all: written beside the target and
 // renamed, so that neither a reader nor a kill meets half of it.
 
-#include <fstream>
 #include <optional>
 #include <string>
 
@@ -14,8 +13,5 @@ std::optional<std::string> read_whole_file(const std::string& path);
 // Throws InputError that ends with the advice when the file cannot be written; what stood there before is then kept.
 void write_whole_file(const std::string& path, const std::string& text,
                       const std::string& advice = "choose another folder with --out");
-
-// A file that is written bit by bit. Throws InputError when it cannot be opened.
-std::ofstream open_to_write(const std::string& path);
 
 }  // namespace footfall

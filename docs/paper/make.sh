@@ -9,7 +9,7 @@ page=docs/paper.md pictures=docs/paper
 sweeps=(validation_drop validation_sensitivity ground attitudes friction velocity explanations bed bed_grains)
 
 if [[ ${2-} != page ]]; then
-  ./footfall run --out "$runs/landing" --set output.vtk=true --set output.vtk_interval=0.05
+  ./footfall run --force --out "$runs/landing" --set output.vtk=true --set output.vtk_interval=0.05
   ./footfall pictures "$runs/landing" --times 0.05,0.25,0.5,1.0 --width 1000
   for sweep in "${sweeps[@]}"; do ./footfall sweep "inputs/sweeps/$sweep.toml" --out "$runs/$sweep" || echo "make.sh: sweep $sweep is not complete" >&2; done
 else

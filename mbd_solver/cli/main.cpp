@@ -50,6 +50,10 @@ Action run(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option("--scheme", a->scheme, "Coupling scheme (coupling.scheme)");
   command.add_option("--integrator", a->integrator, "Integrator (solver.integrator)");
+  command.add_flag("--force", a->force,
+                   "Run into the folder of an earlier run; the files that it made are removed first");
+  command.add_flag("--trust-script", a->trust_script,
+                   "LIGGGHTS scripts of the scene may run programs and write anywhere");
   command.add_flag("--quiet", a->quiet, "Only errors");
   return [a] { return run_command(*a); };
 }
@@ -103,13 +107,14 @@ Action sweep(CLI::App& command) {
 Action compare(CLI::App& command) {
   struct Arguments {
     std::string run, other;
-    bool quiet = false;
+    bool trust_script = false, quiet = false;
   };
   const auto a = std::make_shared<Arguments>();
   command.add_option("DIR", a->run, "Folder of a run with grains")->required();
   command.add_option("OTHER", a->other, "Folder of another run (default: stock LIGGGHTS replays the motion of DIR)");
   command.add_flag("--quiet", a->quiet, "Only errors; the table stands in DIR/compare/comparison.txt");
-  return [a] { return compare_command(a->run, a->other, a->quiet); };
+  command.add_flag("--trust-script", a->trust_script, "The script of DIR may run programs and write anywhere");
+  return [a] { return compare_command(a->run, a->other, a->trust_script, a->quiet); };
 }
 
 Action pictures(CLI::App& command) {

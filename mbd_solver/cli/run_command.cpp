@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -17,7 +18,9 @@
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
 #include "mbd_solver/cli/launch/liggghts_log.h"
+#include "mbd_solver/cli/launch/own_folder.h"
 #include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/launch/script_safety.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/script_text.h"
@@ -32,22 +35,6 @@ namespace {
 std::string scene_name(const std::string& file) {
   const fs::path path = fs::absolute(file).lexically_normal();
   return path.filename() == "scene.toml" ? path.parent_path().filename().string() : path.stem().string();
-}
-
-// runs/NAME, runs/NAME-2, ...: no run is ever overwritten without being asked to.
-std::string free_folder(const std::string& name) {
-  fs::path folder = fs::path("runs") / name;
-  for (int k = 2; fs::exists(folder); ++k) folder = fs::path("runs") / (name + "-" + std::to_string(k));
-  return folder.string();
-}
-
-// What an earlier run left in a folder that is used again must not be taken for ours.
-void clear_results(const std::string& out) {
-  make_folder(out);
-  std::error_code error;
-  for (const char* name : {"failed", "summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "checkpoint.txt",
-                           "liggghts.log", "plots", "pictures", "vtk", "motion", "compare"})
-    fs::remove_all(fs::path(out) / name, error);
 }
 
 std::vector<std::string> solver_words(const RunArguments& a, const std::string& out, const std::string& grains) {
@@ -145,8 +132,13 @@ int run_command(const RunArguments& arguments) {
   if (!arguments.scheme.empty()) settings.push_back("coupling.scheme=\"" + arguments.scheme + "\"");
   if (!arguments.integrator.empty()) settings.push_back("solver.integrator=\"" + arguments.integrator + "\"");
   const Scene scene = checked_scene(arguments.scene, settings);
-  const std::string out = short_path(arguments.out.empty() ? free_folder(scene_name(scene.file)) : arguments.out);
-  clear_results(out);
+  if (scene.touches_particles() && !arguments.trust_script) {
+    demand_safe_script(scene.particles->script, scene.particles->variables);
+    if (const auto& bed = scene.particles->bed) demand_safe_script(bed->script, bed->variables);
+    setenv(kNoPrograms, "1", 1);
+  }
+  const std::string out = short_path(arguments.out.empty() ? new_run_folder(scene_name(scene.file)) : arguments.out);
+  const OwnFolder folder(out, arguments.force);
 
   Command command;
   if (scene.touches_particles())
@@ -156,6 +148,7 @@ int run_command(const RunArguments& arguments) {
   if (!arguments.quiet) std::printf("%s\n", shell_line(command).c_str());
   std::fflush(stdout);
   if (isatty(STDOUT_FILENO) == 1) command.environment["FOOTFALL_TERMINAL"] = "1";
+  command.environment[kLockedFolder] = locked_name(out);
 
   // Within a window the two programs notice it themselves, and know more to say.
   constexpr double kLater = 5.0;  // [s]

@@ -13,6 +13,8 @@ struct RunArguments {
   int ranks = 0;                      // LIGGGHTS processes; 0: the scene's
   std::vector<std::string> settings;  // --set key=value
   std::string scheme, integrator;     // empty: the scene's
+  bool force = false;                 // into a folder with an earlier run, whose files are removed first
+  bool trust_script = false;          // the script may run programs and write anywhere
   bool quiet = false;
 };
 

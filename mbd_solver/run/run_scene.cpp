@@ -1,9 +1,12 @@
 #include "mbd_solver/run/run_scene.h"
 
 #include <cstdio>
+#include <optional>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/folder_lock.h"
 #include "coupler/base/interrupt.h"
+#include "coupler/base/made_files.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/run/run_files.h"
@@ -29,6 +32,13 @@ class WarningTeller {
 int run_scene(const Scene& scene, const RunOptions& options, Transport* transport,
               const volatile std::sig_atomic_t& interrupted) {
   const double t_end = options.until > 0.0 ? std::min(options.until, scene.end_time) : scene.end_time;
+  // Started by its plain line the run holds its folder itself, and notes what it makes there.
+  FileLock lock;
+  std::optional<MadeFiles> made;
+  if (!folder_is_held_for_us(options.out)) {
+    lock = lock_folder(options.out);
+    made.emplace(options.out);
+  }
   Simulation simulation(scene, t_end, transport);
   CoupledRun* const coupled = simulation.coupled();
   for (const std::string& warning : simulation.mechanism().warnings)

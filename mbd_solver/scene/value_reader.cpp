@@ -64,6 +64,13 @@ std::string named_axis(const ConfigNode& node, Eigen::Vector3d& axis) {
   return "";
 }
 
+// Names of arrays stand in braces until their entries are copied: "leg_{leg}".
+std::string without_braces(std::string text) {
+  for (char& c : text)
+    if (c == '{' || c == '}') c = '_';
+  return text;
+}
+
 }  // namespace
 
 std::string read_value(const ConfigNode& node, const ValueContext& c, double& target) {
@@ -105,8 +112,9 @@ std::string read_value(const ConfigNode& node, const ValueContext&, bool& target
 std::string read_value(const ConfigNode& node, const ValueContext& c, std::string& target) {
   if (node.kind != ConfigNode::Kind::kText) return is_expected(node, "text in quotes");
   if (node.text.empty() && c.rule.required) return "is empty, expected a name";
-  if (c.rule.meaning == Meaning::kName && node.text.find_first_of(" \t\n,;\"'/") != std::string::npos)
-    return is_expected(node, "a name without blanks, commas, quotes or slashes (it becomes a column of history.csv)");
+  if (c.rule.meaning == Meaning::kName && !node.text.empty() && !is_plain_name(without_braces(node.text)))
+    return is_expected(node, "a name of letters, digits, _ - and ., without a dot in front, at most " +
+                                 std::to_string(kLongestName) + " of them (it becomes a column and a file)");
   target = node.text;
   return "";
 }

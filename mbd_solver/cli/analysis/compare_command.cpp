@@ -7,6 +7,9 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
+#include "coupler/base/made_files.h"
+#include "coupler/base/quote.h"
 #include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/analysis/bed_comparison.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
@@ -14,6 +17,7 @@
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/launch/script_safety.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/mesh_reader.h"
 
@@ -142,26 +146,34 @@ std::string plot_script(const fs::path& folder, const std::string& name, const s
                         const std::string& y, int first, int pairs) {
   std::ostringstream gp;
   gp << "set datafile separator ','\nset datafile columnheaders\nset terminal pngcairo size 900,480 font 'DejaVu "
-        "Sans,11'\nset output '"
-     << name << ".png'\nset xlabel '" << x << "'\nset ylabel '" << y
-     << "'\nset grid lc rgb '#e0e0e0'\nset key outside right noenhanced\n"
+        "Sans,11'\nset output "
+     << gnuplot_text(name + ".png") << "\nset xlabel " << gnuplot_text(x) << "\nset ylabel " << gnuplot_text(y)
+     << "\nset grid lc rgb '#e0e0e0'\nset key outside right noenhanced\n"
      << "array c[8] = ['#0072b2','#d55e00','#009e73','#cc79a7','#e69f00','#56b4e9','#f0e442','#000000']\nplot ";
   for (int k = 0; k < pairs; ++k)
-    gp << (k > 0 ? ", " : "") << "'../" << data << "' using 1:" << first + 2 * k << " with lines lw 1.5 lc rgb c["
-       << k % 8 + 1 << "] title columnheader(" << first + 2 * k << "), '' using 1:" << first + 2 * k + 1
-       << " with points pt 6 ps 0.5 lc rgb c[" << k % 8 + 1 << "] title columnheader(" << first + 2 * k + 1 << ")";
+    gp << (k > 0 ? ", " : "") << gnuplot_text("../" + data) << " using 1:" << first + 2 * k
+       << " with lines lw 1.5 lc rgb c[" << k % 8 + 1 << "] title columnheader(" << first + 2 * k
+       << "), '' using 1:" << first + 2 * k + 1 << " with points pt 6 ps 0.5 lc rgb c[" << k % 8 + 1
+       << "] title columnheader(" << first + 2 * k + 1 << ")";
   write(folder / (name + ".gp"), gp.str() + "\n");
   return name + ".gp";
 }
 
 }  // namespace
 
-int compare_command(const std::string& run, const std::string& other, bool quiet) {
+int compare_command(const std::string& run, const std::string& other, bool trust_script, bool quiet) {
   const Json summary = coupled_summary(run);
   const double dt = summary["dt_dem_s"];
   const fs::path out = fs::absolute(fs::path(run) / "compare").lexically_normal();
-  fs::remove_all(out);
-  fs::create_directories(out / "plots");
+  // Stock LIGGGHTS will run the script; the summary may come from somebody else.
+  if (other.empty() && !trust_script) {
+    const Json& particles = summary["scene"]["particles"];
+    demand_safe_script(particles.value("script", ""),
+                       particles.value("variables", std::map<std::string, std::string>{}));
+  }
+  remove_made_files(run, "compare/");
+  const MadeFiles made(run);
+  make_folder((out / "plots").string(), "is the disk full?");
 
   std::vector<std::string> bodies;
   ComparedRun second;

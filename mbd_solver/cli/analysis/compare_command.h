@@ -8,6 +8,7 @@ namespace footfall {
 
 // Writes DIR/compare (without OTHER: the stock script, and what stock LIGGGHTS made of it), prints the table, draws the
 // plots. Returns an exit code; throws InputError for a folder that holds no coupled run.
-int compare_command(const std::string& run, const std::string& other, bool quiet);
+// `trust_script`: the script of the run may run programs and write anywhere.
+int compare_command(const std::string& run, const std::string& other, bool trust_script, bool quiet);
 
 }  // namespace footfall

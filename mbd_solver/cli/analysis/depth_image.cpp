@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/whole_file.h"
 
 namespace footfall {
 
@@ -131,9 +131,7 @@ void DepthImage::write(const std::string& path) const {
   for (int row = 0; row < height_; ++row)
     for (int column = 0; column < width_; ++column)
       for (const std::uint8_t value : pixel(column, row)) bytes += static_cast<char>(value);
-  std::ofstream file(path, std::ios::binary);
-  file << bytes;
-  if (!file.flush()) throw InputError(path + ": cannot be written; is the disk full?");
+  write_whole_file(path, bytes, "is the disk full?");
 }
 
 }  // namespace footfall

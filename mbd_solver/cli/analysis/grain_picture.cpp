@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
+#include "coupler/base/quote.h"
+#include "coupler/base/text.h"
+#include "coupler/base/whole_file.h"
 
 namespace footfall {
 
@@ -112,8 +116,7 @@ std::string write_grain_picture(const std::string& folder, const std::string& na
     image.capsule(point(shape.frame.lines[k](0)), point(shape.frame.lines[k](1)), shape.line_radius[k], kTubes);
 
   namespace fs = std::filesystem;
-  std::error_code ignored;
-  fs::create_directories(folder, ignored);
+  make_folder(folder);
   image.write((fs::path(folder) / (name + ".rgb")).string());
   constexpr int kTop = 60, kBottom = 50, kLeft = 20, kRight = 150;  // margins of the page [pixels]
   const int width = image.width() + kLeft + kRight, height = image.height() + kTop + kBottom;
@@ -121,12 +124,12 @@ std::string write_grain_picture(const std::string& folder, const std::string& na
   const auto across = [&](double pixels) { return std::to_string(pixels / width); };
   const auto up = [&](double pixels) { return std::to_string(pixels / height); };
   const std::string file = (fs::path(folder) / (name + ".gp")).string();
-  std::ofstream script(file);
+  std::ostringstream script;
   script << "# gnuplot " << name << ".gp draws " << name << ".png from " << name << ".rgb\n"
-         << "set terminal pngcairo size " << width << "," << height << " font \"DejaVu Sans,15\"\nset output \"" << name
-         << ".png\"\n"
-         << "set encoding utf8\nset title \"" << title
-         << "\" noenhanced offset 0,-0.4\nunset border\nunset tics\nunset key\n"
+         << "set terminal pngcairo size " << width << "," << height << " font \"DejaVu Sans,15\"\nset output "
+         << gnuplot_text(name + ".png") << "\n"
+         << "set encoding utf8\nset title " << gnuplot_text(title)
+         << " noenhanced offset 0,-0.4\nunset border\nunset tics\nunset key\n"
          << "set lmargin at screen " << across(kLeft) << "\nset rmargin at screen " << across(kLeft + image.width())
          << "\nset bmargin at screen " << up(kBottom) << "\nset tmargin at screen " << up(kBottom + image.height())
          << "\n"
@@ -136,12 +139,13 @@ std::string write_grain_picture(const std::string& folder, const std::string& na
          << up(kBottom + 0.15 * image.height()) << " size " << across(22) << "," << up(0.7 * image.height()) << "\n"
          << "set xrange [0:" << image.width() << "]\nset yrange [0:" << image.height() << "]\n"
          << "set arrow from screen " << across(kLeft + 20) << "," << up(28) << " to screen "
-         << across(kLeft + 20 + bar / metres * image.width()) << "," << up(28) << " nohead lw 4\nset label \"" << bar
-         << " m\" at screen " << across(kLeft + 35 + bar / metres * image.width()) << "," << up(28) << " left\n"
-         << "plot '" << name << ".rgb' binary array=(" << image.width() << "," << image.height()
+         << across(kLeft + 20 + bar / metres * image.width()) << "," << up(28) << " nohead lw 4\nset label "
+         << gnuplot_text(number_text(bar) + " m") << " at screen " << across(kLeft + 35 + bar / metres * image.width())
+         << "," << up(28) << " left\n"
+         << "plot " << gnuplot_text(name + ".rgb") << " binary array=(" << image.width() << "," << image.height()
          << ") flipy format='%uchar' using 1:2:3 with rgbimage, \\\n"
          << "     '+' using (NaN):(NaN):(0) with points lc palette   # for the colour bar\n";
-  if (!script.flush()) throw InputError(file + ": cannot be written; is the disk full?");
+  write_whole_file(file, script.str(), "is the disk full?");
   return name + ".gp";
 }
 

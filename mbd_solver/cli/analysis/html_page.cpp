@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/quote.h"
 #include "coupler/base/whole_file.h"
 
 namespace footfall {
@@ -20,25 +21,6 @@ constexpr const char* kStyle =
     "figure{margin:1.2em 0}figure img{max-width:100%}figcaption{color:#666}.warning{background:#fff0e0;border-left:4px "
     "solid #d55e00;padding:.4em .8em}"
     "nav a{margin-right:1em}summary{cursor:pointer}";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else if (code >= 0x20 || c == '\n' || c == '\t') {
-      out += c;
-    }
-  }
-  return out;
-}
 
 bool is_number(const std::string& text) {
   std::istringstream in(text);
@@ -64,13 +46,13 @@ HtmlPage::HtmlPage(const std::string& title) : title_(title) {}
 
 void HtmlPage::section(const std::string& heading) {
   const std::string id = "s" + std::to_string(++sections_);
-  contents_ += "<a href=\"#" + id + "\">" + escaped(heading) + "</a> ";
-  body_ += "<h2 id=\"" + id + "\">" + escaped(heading) + "</h2>\n";
+  contents_ += "<a href=\"#" + id + "\">" + html_text(heading) + "</a> ";
+  body_ += "<h2 id=\"" + id + "\">" + html_text(heading) + "</h2>\n";
 }
 
-void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + escaped(text) + "</p>\n"; }
+void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + html_text(text) + "</p>\n"; }
 
-void HtmlPage::warning(const std::string& text) { body_ += "<p class=\"warning\">" + escaped(text) + "</p>\n"; }
+void HtmlPage::warning(const std::string& text) { body_ += "<p class=\"warning\">" + html_text(text) + "</p>\n"; }
 
 void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool head) {
   body_ += "<table>\n";
@@ -78,22 +60,22 @@ void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool hea
     const std::string cell = head && i == 0 ? "th" : "td";
     body_ += "<tr>";
     for (const std::string& text : rows[i])
-      body_ += "<" + cell + (cell == "td" && is_number(text) ? " class=\"n\"" : "") + ">" + escaped(text) + "</" +
+      body_ += "<" + cell + (cell == "td" && is_number(text) ? " class=\"n\"" : "") + ">" + html_text(text) + "</" +
                cell + ">";
     body_ += "</tr>\n";
   }
   body_ += "</table>\n";
 }
 
-void HtmlPage::preformatted(const std::string& text) { body_ += "<pre>" + escaped(text) + "</pre>\n"; }
+void HtmlPage::preformatted(const std::string& text) { body_ += "<pre>" + html_text(text) + "</pre>\n"; }
 
 void HtmlPage::folded(const std::string& label, const std::string& text, const std::vector<std::string>& marks) {
-  body_ += "<details><summary>" + escaped(label) + "</summary><pre>";
+  body_ += "<details><summary>" + html_text(label) + "</summary><pre>";
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     const bool marked = std::any_of(marks.begin(), marks.end(),
                                     [&](const std::string& m) { return line.find(m) != std::string::npos; });
-    body_ += (marked ? "<mark>" : "") + escaped(line) + (marked ? "</mark>" : "") + "\n";
+    body_ += (marked ? "<mark>" : "") + html_text(line) + (marked ? "</mark>" : "") + "\n";
   }
   body_ += "</pre></details>\n";
 }
@@ -105,15 +87,15 @@ void HtmlPage::picture(const std::string& path, const std::string& caption) {
   const std::string kind = name.extension() == ".svg" ? "svg+xml" : "png";
   std::string words = caption.empty() ? name.stem().string() : caption;
   std::replace(words.begin(), words.end(), '_', ' ');
-  body_ += "<figure><img alt=\"" + escaped(words) + "\" src=\"data:image/" + kind + ";base64," + base64(bytes) +
-           "\"/><figcaption>" + escaped(words) + "</figcaption></figure>\n";
+  body_ += "<figure><img alt=\"" + html_text(words) + "\" src=\"data:image/" + kind + ";base64," + base64(bytes) +
+           "\"/><figcaption>" + html_text(words) + "</figcaption></figure>\n";
 }
 
 std::string HtmlPage::text() const {
   return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
          "charset=\"utf-8\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
-         escaped(title_) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + escaped(title_) +
+         html_text(title_) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + html_text(title_) +
          "</h1>\n<nav>" + contents_ + "</nav>\n" + body_ + "</body>\n</html>\n";
 }
 

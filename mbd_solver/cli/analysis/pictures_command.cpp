@@ -8,6 +8,7 @@
 #include <set>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/made_files.h"
 #include "coupler/base/pi.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
 #include "mbd_solver/cli/analysis/grain_picture.h"
@@ -165,6 +166,7 @@ int pictures_command(const PicturesArguments& a) {
   view.eye = eye_around({beds.front()}, shapes, view.cut, angles[0] * kDegree, angles[1] * kDegree);
   view.fastest = a.fastest > 0.0 ? a.fastest : colour_range(beds);
 
+  const MadeFiles made(a.run);
   const std::string out = (folder / "pictures").string();
   const std::string title = summary.contains("scene") ? summary["scene"].value("title", "") : "";
   std::vector<std::string> scripts;
@@ -174,7 +176,6 @@ int pictures_command(const PicturesArguments& a) {
     std::snprintf(words, sizeof words, "%s%st = %.4g s", title.substr(0, 100).c_str(), title.empty() ? "" : ", ",
                   moment.time);
     std::string said = words;
-    std::replace(said.begin(), said.end(), '"', '\'');
     if (cut) {
       std::snprintf(words, sizeof words, ", cut at y = %.3g m", view.cut);
       said += words;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
+#include "coupler/base/quote.h"
+#include "coupler/base/whole_file.h"
 
 namespace footfall {
 
@@ -16,7 +18,7 @@ bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-std::string column(const std::string& name) { return "column(\"" + name + "\")"; }
+std::string column(const std::string& name) { return "column(" + gnuplot_text(name) + ")"; }
 
 // "energy.kinetic" -> "kinetic", "dissipated.mr_yield" -> "mr yield"
 std::string words_after_dot(const std::string& name) {
@@ -117,8 +119,8 @@ std::string data_blocks(const std::vector<Figure>& figures) {
   for (const Figure& figure : figures) {
     for (std::size_t i = 0; i < figure.curves.size(); ++i) {
       if (i % kBlockCurves == 0)
-        text << "set table " << block_name(figure, i) << " separator tab\nplot '" << figure.file
-             << "' using (column(\"time\"))";
+        text << "set table " << block_name(figure, i) << " separator tab\nplot " << gnuplot_text(figure.file)
+             << " using (column(\"time\"))";
       text << ":" << figure.curves[i].expression;
       if (i % kBlockCurves == kBlockCurves - 1 || i + 1 == figure.curves.size()) text << " with table\nunset table\n";
     }
@@ -136,8 +138,8 @@ std::string bands(const Figure& figure) {
   std::string text;
   for (std::size_t i = figure.curves.size(); i > 0; --i)
     text += (text.empty() ? "" : ", \\\n     ") + curve(figure, i - 1) +
-            " with filledcurves y1=0 fs solid 1 noborder lc rgb \"" + figure.curves[i - 1].colour + "\" title \"" +
-            figure.curves[i - 1].title + "\"";
+            " with filledcurves y1=0 fs solid 1 noborder lc rgb " + gnuplot_text(figure.curves[i - 1].colour) +
+            " title " + gnuplot_text(figure.curves[i - 1].title);
   return text;
 }
 
@@ -145,15 +147,16 @@ std::string lines(const Figure& figure) {
   std::string text;
   for (std::size_t i = 0; i < figure.curves.size(); ++i) {
     const std::size_t style = figure.curves[i].title == "total" ? kBlack : i + 1;
-    text += (i ? ", \\\n     " : "") + curve(figure, i) + " with lines lt " + std::to_string(style) + " title \"" +
-            figure.curves[i].title + "\"";
+    text += (i ? ", \\\n     " : "") + curve(figure, i) + " with lines lt " + std::to_string(style) + " title " +
+            gnuplot_text(figure.curves[i].title);
   }
   return text;
 }
 
 std::string plot_command(const Figure& figure) {
   std::ostringstream text;
-  text << "set title \"" << figure.title << "\" noenhanced\nset ylabel \"" << figure.axis << "\" noenhanced\n";
+  text << "set title " << gnuplot_text(figure.title) << " noenhanced\nset ylabel " << gnuplot_text(figure.axis)
+       << " noenhanced\n";
   text << (figure.curves.size() == 1 ? "unset key\n" : "set key outside right center samplen 1.5 noenhanced\n");
   if (figure.stacked) text << "set yrange [0:]\n";
   text << "plot " << (figure.stacked ? bands(figure) : lines(figure)) << "\n";
@@ -168,10 +171,11 @@ std::string script(const std::string& name, const std::string& file, const std::
   const std::string size = "size " + std::to_string(width) + "," + std::to_string(height);
   text << "# gnuplot " << name << ".gp draws " << name << ".png and " << name << ".svg from " << file << "\n"
        << kStyle << data;
-  text << "set terminal pngcairo " << size << " font \"DejaVu Sans,11\"\nset output \"" << name << ".png\"\n"
+  text << "set terminal pngcairo " << size << " font \"DejaVu Sans,11\"\nset output " << gnuplot_text(name + ".png")
+       << "\n"
        << drawing;
-  text << "set terminal svg " << size << " font \"DejaVu Sans,11\" background rgb \"white\"\nset output \"" << name
-       << ".svg\"\n"
+  text << "set terminal svg " << size << " font \"DejaVu Sans,11\" background rgb \"white\"\nset output "
+       << gnuplot_text(name + ".svg") << "\n"
        << drawing;
   return text.str();
 }
@@ -268,15 +272,11 @@ Figure ledger_figure(const History& ledger) {
 
 std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures,
                                             const std::string& title) {
-  std::error_code ignored;
-  std::filesystem::create_directories(folder, ignored);
+  make_folder(folder);
   std::vector<std::string> names;
   const auto write = [&](const std::string& name, const std::string& text) {
     const std::string file = (std::filesystem::path(folder) / (name + ".gp")).string();
-    std::ofstream stream(file);
-    stream << text;
-    stream.flush();
-    if (!stream) throw InputError(file + ": cannot be written");
+    write_whole_file(file, text);
     names.push_back(name + ".gp");
   };
   std::string page;
@@ -286,10 +286,8 @@ std::vector<std::string> write_plot_scripts(const std::string& folder, const std
   }
   if (figures.empty()) return names;
   const int columns = 2, rows = (static_cast<int>(figures.size()) + columns - 1) / columns;
-  std::string quoted = title;
-  std::replace(quoted.begin(), quoted.end(), '"', '\'');
   const std::string layout = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) +
-                             " title \"" + quoted + "\" noenhanced\n";
+                             " title " + gnuplot_text(title) + " noenhanced\n";
   write("overview", script("overview", figures.front().file, data_blocks(figures), layout + page + "unset multiplot\n",
                            1500, 380 * rows));
   return names;

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/made_files.h"
 #include "coupler/base/text.h"
 #include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/analysis/html_page.h"
@@ -278,6 +279,7 @@ std::string sweep_page(const fs::path& folder) {
 std::string write_report(const std::string& folder) {
   const fs::path path = fs::absolute(folder).lexically_normal();
   std::string text;
+  const MadeFiles made(path.string());
   if (fs::exists(path / "summary.json")) {
     text = run_page(path);
   } else if (fs::exists(path / "runs.csv")) {

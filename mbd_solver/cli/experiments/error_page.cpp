@@ -1,8 +1,10 @@
 #include "mbd_solver/cli/experiments/error_page.h"
 
 #include <cmath>
+#include <sstream>
 #include <string>
 
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/experiments/advice.h"
 #include "mbd_solver/cli/experiments/text.h"
 
@@ -97,7 +99,7 @@ void write_recommendations(std::ostream& out, const ErrorTable& table) {
 }
 
 void write_error_page(const std::string& path, const ErrorTable& table, const std::string& command) {
-  std::ofstream out = open_to_write(path);
+  std::ostringstream out;
   const bool samples = table.members > 1;
   out << "# " << table.title << "\n\n";
   if (samples) {
@@ -118,6 +120,7 @@ void write_error_page(const std::string& path, const ErrorTable& table, const st
     for (const CaseResult& reference : table.references) write_row(out, table, reference);
   for (const CaseResult& point : table.points) write_row(out, table, point);
   if (samples) write_recommendations(out, table);
+  write_whole_file(path, out.str());
 }
 
 }  // namespace footfall

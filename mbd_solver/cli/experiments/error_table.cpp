@@ -2,7 +2,10 @@
 
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
+#include "coupler/base/quote.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
 #include "mbd_solver/cli/experiments/text.h"
 
@@ -13,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // The block of data of one curve, inline in the script.
-void write_data(std::ofstream& out, const std::string& name, const std::vector<std::array<double, 3>>& points,
+void write_data(std::ostream& out, const std::string& name, const std::vector<std::array<double, 3>>& points,
                 bool bars) {
   out << name << " << EOD\n";
   for (const auto& [x, y, bar] : points)
@@ -72,7 +75,7 @@ ErrorTable error_table_of(const ExperimentSpec& spec, const Plan& plan, const Re
 }
 
 void write_error_csv(const std::string& path, const ErrorTable& table) {
-  std::ofstream out = open_to_write(path);
+  std::ostringstream out;
   out << "curve,value,x,exit_code,wall_s,dem_wall_s,mbd_wall_s,exchange_wall_s,cpu_s,steps,windows";
   for (const std::string& figure : table.figures)
     out << ',' << csv_field("error." + figure) << ',' << csv_field("order." + figure);
@@ -107,15 +110,16 @@ void write_error_csv(const std::string& path, const ErrorTable& table) {
     write(point, before);
     before = &point;
   }
+  write_whole_file(path, out.str());
 }
 
 std::string draw_errors(const std::string& folder, const std::string& name, const ErrorTable& table) {
   const std::string script = name + ".gp";
-  std::ofstream out = open_to_write((fs::path(folder) / script).string());
+  std::ostringstream out;
   const std::size_t rows = table.figures.size();
-  out << "set terminal pngcairo size 1300," << 430 * rows + 60 << " font 'sans,10' noenhanced\nset output '" << name
-      << ".png'\n"
-      << "set multiplot layout " << rows << ",2 title \"" << table.title << "\" font 'sans,13'\n"
+  out << "set terminal pngcairo size 1300," << 430 * rows + 60 << " font 'sans,10' noenhanced\nset output "
+      << gnuplot_text(name + ".png") << "\n"
+      << "set multiplot layout " << rows << ",2 title " << gnuplot_text(table.title) << " font 'sans,13'\n"
       << "set logscale xy\nset format y '%.0e'\nset format x '%.0e'\nset grid\n\n";
   for (std::size_t m = 0; m < rows; ++m) {
     for (const bool over_cost : {false, true}) {
@@ -131,7 +135,7 @@ std::string draw_errors(const std::string& folder, const std::string& name, cons
         // On the right only of curves that have no place on the left, which are not over x.
         if (over_cost && table.members == 1 && !table.line(c, m, false).empty()) title.clear();
         plot += (plot.empty() ? "plot " : ", ") + data + " using 1:2 with linespoints pt " + std::to_string(c + 4) +
-                " lw 1.5 lc " + k + (title.empty() ? " notitle" : " title \"" + title + "\"");
+                " lw 1.5 lc " + k + (title.empty() ? " notitle" : " title " + gnuplot_text(title));
         if (table.members == 1) continue;
         write_data(out, data + "b", points, true);
         plot += ", " + data + "b using 1:2:(0):3 with vectors nohead lw 1.5 lc " + k + " notitle";
@@ -143,13 +147,14 @@ std::string draw_errors(const std::string& folder, const std::string& name, cons
       const std::string cost = table.members > 1 ? "processor time [s]"
                                : table.grains    ? "run time of mechanism and exchange [s]"
                                                  : "run time [s]";
-      out << "set key inside left top samplen 2 font 'sans,9'\nset ylabel \"error: " << table.figures[m]
-          << "\"\nset xlabel \"" << (over_cost ? cost : table.x_name) << "\"\n"
+      out << "set key inside left top samplen 2 font 'sans,9'\nset ylabel "
+          << gnuplot_text("error: " + table.figures[m]) << "\nset xlabel "
+          << gnuplot_text(over_cost ? cost : table.x_name) << "\n"
           << plot << '\n';
     }
   }
   out << "unset multiplot\n";
-  out.close();
+  write_whole_file((fs::path(folder) / script).string(), out.str());
   return run_gnuplot(folder, {script}).front();
 }
 

@@ -8,7 +8,11 @@
 #include <thread>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
+#include "coupler/base/folder_lock.h"
 #include "coupler/base/nearest_name.h"
+#include "coupler/base/quote.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/experiments/experiment_output.h"
 #include "mbd_solver/cli/experiments/experiment_reader.h"
 #include "mbd_solver/cli/experiments/run_store.h"
@@ -56,18 +60,25 @@ void list_runs(const RunStore& store, const std::vector<std::size_t>& chosen) {
 }
 
 void write_slurm(const ExperimentArguments& a, const std::string& out, std::size_t runs, int ranks) {
-  fs::create_directories(out);
   const std::string path = (fs::path(out) / "sweep.sbatch").string();
-  std::ofstream file = open_to_write(path);
   const std::string line =
       shell_line({words_again(a, fs::absolute(a.file).string(), fs::absolute(out).string()), {}, "", ""});
-  file << "#!/bin/bash\n#SBATCH --job-name=" << fs::path(a.file).stem().string() << "\n#SBATCH --array=0-" << runs - 1
-       << "\n#SBATCH --nodes=1\n#SBATCH --ntasks=" << ranks + 1 << "\n#SBATCH --output=" << fs::absolute(out).string()
-       << "/slurm_%a.txt\n"
+  // A line end in a name would begin a line of the script.
+  for (const char c : line)
+    if (static_cast<unsigned char>(c) < 0x20)
+      throw InputError("--slurm: a name on the command line holds a line end or another control character; rename it");
+  std::string output = fs::absolute(out).string() + "/slurm_";
+  for (std::size_t at = output.find('%'); at != std::string::npos; at = output.find('%', at + 2))
+    output.insert(at, "%");  // Slurm's own mark
+  std::ostringstream file;
+  file << "#!/bin/bash\n#SBATCH --job-name=" << shell_word(fs::path(a.file).stem().string()) << "\n#SBATCH --array=0-"
+       << runs - 1 << "\n#SBATCH --nodes=1\n#SBATCH --ntasks=" << ranks + 1
+       << "\n#SBATCH --output=" << shell_word(output + "%a.txt") << "\n"
        << "# Beds first, on the machine you submit from:  " << line << " --list\n"
        << "# Tables and plots at the end:                 " << line << " --merge\n"
        << line << " --only \"$SLURM_ARRAY_TASK_ID\"\n";
-  std::printf("%s: %zu runs; submit with  sbatch %s\n", path.c_str(), runs, path.c_str());
+  write_whole_file(path, file.str());
+  std::printf("%s: %zu runs; submit with  sbatch %s\n", path.c_str(), runs, shell_word(path).c_str());
 }
 
 // Beds come first, several at once, each by a process of its own (--only RUN --list), so that runs side by side find
@@ -75,7 +86,7 @@ void write_slurm(const ExperimentArguments& a, const std::string& out, std::size
 void make_beds(const RunStore& store, const ExperimentArguments& a, const std::string& out,
                const std::vector<std::size_t>& runs, int jobs) {
   if (runs.empty()) return;
-  fs::create_directories(fs::path(out) / "runs");
+  make_folder((fs::path(out) / "runs").string());
   std::vector<Command> commands;
   for (const std::size_t run : runs) {
     std::vector<std::string> words = words_again(a, a.file, out);
@@ -121,8 +132,9 @@ int experiment_command(const ExperimentArguments& a) {
   const int count = static_cast<int>(numbers.size());
   if (a.only >= count)
     throw InputError("--only " + std::to_string(a.only) + ": there are runs 0 to " + std::to_string(count - 1));
-  if (std::error_code error; fs::create_directories(place.folder, error), error)
-    throw InputError(place.folder + ": cannot be made: " + error.message() + "; choose another folder with --out");
+  make_folder(place.folder);
+  // Elements of a job array share it; each of their runs has a folder of its own.
+  const FileLock lock = a.only < 0 && !a.merge ? lock_folder(place.folder) : FileLock();
   const auto write = [&] { return write_output(spec, plan, store, numbers, place) ? kExitDone : kExitFailed; };
   if (a.merge) return write();
   if (a.slurm) {

@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <optional>
+#include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/quote.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
 #include "mbd_solver/cli/experiments/text.h"
 
@@ -72,7 +74,7 @@ struct FitResult {
   std::vector<std::pair<std::string, PowerLaw>> published;
 };
 
-void write_page(std::ofstream& out, const FitSpec& fit, const FitResult& r) {
+void write_page(std::ostream& out, const FitSpec& fit, const FitResult& r) {
   const std::vector<std::string> names = publishers(fit);
   out << "\n`" << law_text(fit, r.law) << "`: " << r.data.runs.size() << " runs" << where_text(fit)
       << ", R^2 = " << fixed_text(r.law.r_squared, 4) << ", scatter " << fixed_text(100.0 * r.law.scatter, 1)
@@ -97,11 +99,11 @@ void write_page(std::ofstream& out, const FitSpec& fit, const FitResult& r) {
         << "`, R^2 = " << fixed_text(law.r_squared, 4) << ", scatter " << fixed_text(100.0 * law.scatter, 1) << " %\n";
 }
 
-void write_rows(std::ofstream& out, const FitSpec& fit, const FitResult& r) {
+void write_rows(std::ostream& out, const FitSpec& fit, const FitResult& r) {
   const auto row = [&](const std::string& law, const std::string& what, double value, double error, double low,
                        double high, const PowerLaw& of) {
-    out << fit.name << ",\"" << law << "\",\"" << what << "\"," << number_text(value) << ',' << number_text(error)
-        << ',' << number_text(low) << ',' << number_text(high) << ',' << r.data.runs.size() << ','
+    out << fit.name << ',' << csv_field(law) << ',' << csv_field(what) << ',' << number_text(value) << ','
+        << number_text(error) << ',' << number_text(low) << ',' << number_text(high) << ',' << r.data.runs.size() << ','
         << of.degrees_of_freedom << ',' << number_text(of.r_squared) << ',' << number_text(of.scatter) << '\n';
   };
   const auto rows = [&](const std::string& name, const PowerLaw& law) {
@@ -118,7 +120,7 @@ void write_rows(std::ofstream& out, const FitSpec& fit, const FitResult& r) {
 // Measured over fitted, one symbol per value of the parameter `marks`; the line is the law.
 std::string draw_fit(const ExperimentSpec& spec, const FitSpec& fit, const Plan& plan, const FitResult& r,
                      const std::string& folder) {
-  std::ofstream out = open_to_write((fs::path(folder) / (fit.name + ".gp")).string());
+  std::ostringstream out;
   const int marks = index_of(spec.parameters, fit.marks);
   std::vector<std::string> values = {""};
   if (marks >= 0) {
@@ -140,7 +142,8 @@ std::string draw_fit(const ExperimentSpec& spec, const FitSpec& fit, const Plan&
     out << "EOD\n";
     if (any)
       curves += ", " + data + " using 1:2 with points pt " + std::to_string(2 * k + 5) + " ps 1.3 lc " +
-                std::to_string(k + 1) + (marks >= 0 ? " title \"" + fit.marks + " " + values[k] + "\"" : " notitle");
+                std::to_string(k + 1) +
+                (marks >= 0 ? " title " + gnuplot_text(fit.marks + " " + values[k]) : " notitle");
   }
   // Round numbers between the decades, so that every picture has more than one number on each axis.
   std::string tics;
@@ -151,12 +154,14 @@ std::string draw_fit(const ExperimentSpec& spec, const FitSpec& fit, const Plan&
       tics += (tics.empty() ? "" : ", ") + number_text(digit * std::pow(10.0, decade), kShort);
   const std::string range = "[" + number_text(low / 1.2) + ":" + number_text(high * 1.2) + "]";
   out << "set logscale xy\nset grid\nset size square\nset xtics (" << tics << ")\nset ytics (" << tics
-      << ")\nset xrange " << range << "\nset yrange " << range << "\nset title \"" << spec.title << where_text(fit)
-      << "\" noenhanced\nset xlabel \"" << law_text(fit, r.law) << "\" noenhanced\nset ylabel \"" << fit.figure
-      << "\" noenhanced\nset key left top noenhanced\n"
-      << "set terminal pngcairo size 760,720 font 'sans,11'\nset output '" << fit.name
-      << ".png'\nplot x with lines lc rgb 'gray40' title \"the law\"" << curves
-      << "\nset terminal svg size 760,720 font 'sans,11'\nset output '" << fit.name << ".svg'\nreplot\n";
+      << ")\nset xrange " << range << "\nset yrange " << range << "\nset title "
+      << gnuplot_text(spec.title + where_text(fit)) << " noenhanced\nset xlabel " << gnuplot_text(law_text(fit, r.law))
+      << " noenhanced\nset ylabel " << gnuplot_text(fit.figure) << " noenhanced\nset key left top noenhanced\n"
+      << "set terminal pngcairo size 760,720 font 'sans,11'\nset output " << gnuplot_text(fit.name + ".png")
+      << "\nplot x with lines lc rgb 'gray40' title " << gnuplot_text("the law") << curves
+      << "\nset terminal svg size 760,720 font 'sans,11'\nset output " << gnuplot_text(fit.name + ".svg")
+      << "\nreplot\n";
+  write_whole_file((fs::path(folder) / (fit.name + ".gp")).string(), out.str());
   return fit.name + ".gp";
 }
 
@@ -215,7 +220,7 @@ std::vector<std::string> write_fits(const ExperimentSpec& spec, const Plan& plan
     r.published = published_laws(fit, r.data);
     found.push_back(std::move(r));
   }
-  std::ofstream csv = open_to_write(table), md = open_to_write(page);
+  std::ostringstream csv, md;
   csv << "fit,law,exponent_of,value,standard_error,low_95,high_95,runs,degrees_of_freedom,r_squared,scatter\n";
   md << "Made by `./footfall sweep " << spec.file << "`.\n";
   std::vector<std::string> scripts;
@@ -234,6 +239,8 @@ std::vector<std::string> write_fits(const ExperimentSpec& spec, const Plan& plan
     write_page(md, fit, r);
     scripts.push_back(draw_fit(spec, fit, plan, r, folder));
   }
+  write_whole_file(table, csv.str());
+  write_whole_file(page, md.str());
   std::vector<std::string> files = run_gnuplot(folder, scripts);
   files.insert(files.begin(), {table, page});
   return files;

@@ -1,7 +1,10 @@
 #include "mbd_solver/cli/experiments/plots.h"
 
 #include <filesystem>
+#include <sstream>
 
+#include "coupler/base/quote.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
 #include "mbd_solver/cli/experiments/text.h"
 #include "mbd_solver/output/history.h"
@@ -13,7 +16,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> draw_plots(const ExperimentSpec& spec, const Results& results, const std::string& folder) {
   std::vector<std::string> scripts;
   for (const PlotSpec& plot : spec.plots) {
-    std::ofstream script = open_to_write((fs::path(folder) / (plot.name + ".gp")).string());
+    std::ostringstream script;
     std::string curves;
     int color = 0;
     for (const CaseResult& c : results.cases) {
@@ -29,14 +32,17 @@ std::vector<std::string> draw_plots(const ExperimentSpec& spec, const Results& r
         script << number_text(time[i]) << ' ' << number_text(values[i]) << '\n';
       script << "EOD\n";
       curves += (curves.empty() ? "plot " : ", ") + data + " using 1:2 with lines lw 1.6 lc " + std::to_string(color) +
-                " title \"" + c.plan.name + "\"";
+                " title " + gnuplot_text(c.plan.name);
     }
     if (curves.empty()) continue;
-    script << "set grid\nset title \"" << plot.title << "\" noenhanced\nset xlabel \"time [s]\"\nset ylabel \""
-           << (plot.label.empty() ? plot.column : plot.label) << "\" noenhanced\nset key outside right top noenhanced\n"
-           << "set terminal pngcairo size 1000,560 font 'sans,11'\nset output '" << plot.name << ".png'\n"
-           << curves << "\nset terminal svg size 1000,560 font 'sans,11'\nset output '" << plot.name
-           << ".svg'\nreplot\n";
+    script << "set grid\nset title " << gnuplot_text(plot.title) << " noenhanced\nset xlabel 'time [s]'\nset ylabel "
+           << gnuplot_text(plot.label.empty() ? plot.column : plot.label)
+           << " noenhanced\nset key outside right top noenhanced\n"
+           << "set terminal pngcairo size 1000,560 font 'sans,11'\nset output " << gnuplot_text(plot.name + ".png")
+           << "\n"
+           << curves << "\nset terminal svg size 1000,560 font 'sans,11'\nset output "
+           << gnuplot_text(plot.name + ".svg") << "\nreplot\n";
+    write_whole_file((fs::path(folder) / (plot.name + ".gp")).string(), script.str());
     scripts.push_back(plot.name + ".gp");
   }
   return scripts.empty() ? scripts : run_gnuplot(folder, scripts);

@@ -66,7 +66,7 @@ RunCost cost_of(const Json& from) {
 std::vector<std::string> words_of(const RunRequest& request, const std::string& folder) {
   std::vector<std::string> words;
   if (request.time_limit > 0) words = {"timeout", "--foreground", "-k", "30", std::to_string(request.time_limit)};
-  words.insert(words.end(), {built_program("footfall"), "run", request.scene, "--quiet", "--out", folder});
+  words.insert(words.end(), {built_program("footfall"), "run", request.scene, "--quiet", "--force", "--out", folder});
   if (request.until > 0.0) words.insert(words.end(), {"--until", number_text(request.until)});
   for (const std::string& setting : request.settings) words.insert(words.end(), {"--set", setting});
   return words;

@@ -11,10 +11,13 @@
 namespace footfall {
 namespace {
 
+constexpr std::size_t kLongest = 200;  // characters of a folder's name: the system allows 255, and ".done.json" follows
+
 // As part of a folder's name: LIGGGHTS splits paths at blanks.
 std::string file_name(std::string text) {
   for (char& c : text)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-' && c != '+') c = '_';
+  if (!text.empty() && text.front() == '.') text.front() = '_';
   return text;
 }
 
@@ -75,9 +78,14 @@ class Planner {
     }
     for (std::size_t k = 0; k < spec_.curves.size(); ++k) add_curve(k, common);
     std::set<std::string> names;
-    for (const RunRequest& run : plan_.runs)
+    for (const RunRequest& run : plan_.runs) {
+      if (run.name.size() > kLongest)
+        throw InputError(spec_.file + ": a run is named \"" + run.name.substr(0, 60) + "...\", which has " +
+                         std::to_string(run.name.size()) + " characters, expected at most " + std::to_string(kLongest) +
+                         ": it names a folder; give parameters and choices shorter names");
       if (!names.insert(run.name).second)
         throw InputError(spec_.file + ": two runs are named \"" + run.name + "\"; give their choices different names");
+    }
     return plan_;
   }
 

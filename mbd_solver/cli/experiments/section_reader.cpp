@@ -125,13 +125,14 @@ void read_statement(TableReader& t, StatementSpec& s) {
 }
 
 void read_plot(TableReader& t, PlotSpec& p) {
-  t.take("name", p.name, "title", p.title, "column", p.column, "label", p.label);
-  t.require("name", !p.name.empty());
+  t.take("title", p.title, "column", p.column, "label", p.label);
+  t.take_file_name("name", p.name);
   t.require("column", !p.column.empty());
 }
 
 void read_fit(TableReader& t, FitSpec& fit) {
-  t.take("name", fit.name, "figure", fit.figure);
+  t.take_file_name("name", fit.name);
+  t.take("figure", fit.figure);
   fit.label = fit.figure;
   t.take("label", fit.label, "marks", fit.marks);
   if (const ConfigNode* where = t.next("where")) {
@@ -140,7 +141,6 @@ void read_fit(TableReader& t, FitSpec& fit) {
       values.take(parameter, fit.where.emplace_back(parameter, "").second);
   }
   t.take_list("factors", fit.factors, read_factor);
-  t.require("name", !fit.name.empty());
   t.require("figure", !fit.figure.empty());
   t.require("factors", !fit.factors.empty());
   fit.line = t.line();

@@ -63,6 +63,15 @@ void TableReader::take(const std::string& key, std::vector<double>& out) {
   }
 }
 
+void TableReader::take_file_name(const std::string& key, std::string& out) {
+  take(key, out);
+  require(key, !out.empty());
+  if (!is_plain_name(out))
+    fail(*next(key), key,
+         "is \"" + out + "\", expected letters, digits, _ - and . only, no dot in front, at most " +
+             std::to_string(kLongestName) + " of them: it names a file");
+}
+
 const ConfigNode* TableReader::next(const std::string& key) {
   known_.push_back(key);
   return node_.find(key);

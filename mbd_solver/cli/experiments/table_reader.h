@@ -22,6 +22,7 @@ class TableReader {
   void take(const std::string& key, bool& out);
   void take(const std::string& key, std::vector<std::string>& out);  // a list of texts and numbers, or one of them
   void take(const std::string& key, std::vector<double>& out);       // likewise numbers; "" is none: NaN
+  void take_file_name(const std::string& key, std::string& out);     // must be there, and may be the name of a file
   // Several keys: take("name", name, "until", until, ...).
   template <class First, class... Rest>
   void take(const std::string& key, First& out, const std::string& next_key, Rest&... rest) {

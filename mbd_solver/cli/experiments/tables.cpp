@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/experiments/text.h"
 
 namespace footfall {
@@ -17,7 +19,7 @@ std::string rounded(double value) { return cell(std::abs(value) < 1e-9 ? 0.0 : v
 }  // namespace
 
 void write_run_table(const std::string& path, const ExperimentSpec& spec, const Plan& plan, const Results& results) {
-  std::ofstream out = open_to_write(path);
+  std::ostringstream out;
   out << "run" << (spec.curves.empty() ? "" : ",name");
   for (const ParameterSpec& parameter : spec.parameters) out << ',' << csv_field(parameter.name);
   out << ",status";
@@ -31,10 +33,11 @@ void write_run_table(const std::string& path, const ExperimentSpec& spec, const 
     for (const double value : results.runs[i].figures) out << ',' << cell(value);
     out << '\n';
   }
+  write_whole_file(path, out.str());
 }
 
 void write_case_table(const std::string& path, const ExperimentSpec& spec, const std::vector<CaseResult>& cases) {
-  std::ofstream out = open_to_write(path);
+  std::ostringstream out;
   out << "case,runs,within_limits";
   for (const FigureSpec& figure : spec.figures)
     out << ',' << csv_field(figure.name) << ',' << csv_field("spread of " + figure.name);
@@ -44,10 +47,11 @@ void write_case_table(const std::string& path, const ExperimentSpec& spec, const
     for (const SampledFigure& f : c.figures) out << ',' << cell(f.mean) << ',' << cell(f.spread);
     out << '\n';
   }
+  write_whole_file(path, out.str());
 }
 
 void write_case_page(const std::string& path, const ExperimentSpec& spec, const std::vector<CaseResult>& cases) {
-  std::ofstream out = open_to_write(path);
+  std::ostringstream out;
   out << "Made by `./footfall sweep " << spec.file << "`.\n\n| " << spec.title << " |";
   for (const FigureSpec& figure : spec.figures) out << ' ' << figure.name << " |";
   out << (spec.limits.empty() ? "\n|---|" : " within the limits |\n|---|");
@@ -68,12 +72,12 @@ void write_case_page(const std::string& path, const ExperimentSpec& spec, const 
     }
     out << (spec.limits.empty() ? "\n" : c.within_limits ? " yes |\n" : " no |\n");
   }
+  write_whole_file(path, out.str());
 }
 
 void write_statements(const std::string& folder, const ExperimentSpec& spec, const std::vector<Outcome>& outcomes) {
   if (outcomes.empty()) return;
-  std::ofstream csv = open_to_write((fs::path(folder) / "statements.csv").string()),
-                page = open_to_write((fs::path(folder) / "statements.md").string());
+  std::ostringstream csv, page;
   csv << "statement,figure,case,value,against,reference,judged,least,most,came_out\n";
   page << "| statement | numbers | expected | came out |\n|---|---|---|---|\n";
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -99,6 +103,8 @@ void write_statements(const std::string& folder, const ExperimentSpec& spec, con
                                       : "no: " + s.why)
          << " |\n";
   }
+  write_whole_file((fs::path(folder) / "statements.csv").string(), csv.str());
+  write_whole_file((fs::path(folder) / "statements.md").string(), page.str());
 }
 
 }  // namespace footfall

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <regex>
+#include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/experiments/errors.h"
 #include "mbd_solver/cli/experiments/text.h"
 
@@ -133,7 +135,7 @@ std::vector<Verdict> verdicts_of(const ExperimentSpec& spec, const Plan& plan, c
 }
 
 void write_verdicts(const std::string& path, const ExperimentSpec& spec, const std::vector<Verdict>& verdicts) {
-  std::ofstream out = open_to_write(path);
+  std::ostringstream out;
   out << "# " << spec.title << "\n\nWritten by `footfall accuracy " << fs::path(spec.file).filename().string()
       << "`; every line is a test. accurate: against its reference, or by its energy where none is named. warned: the "
          "run is done, its energy bounded,\n"
@@ -146,6 +148,7 @@ void write_verdicts(const std::string& path, const ExperimentSpec& spec, const s
     for (const Verdict& v : verdicts)
       if (v.group == group) write_line(out, v);
   }
+  write_whole_file(path, out.str());
 }
 
 }  // namespace footfall

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 
 #include "coupler/base/whole_file.h"
 #include "coupler/load_average.h"
@@ -105,7 +105,7 @@ std::vector<GrowthPoint> growth_of_schemes(const std::vector<double>& omega_h, i
 }
 
 void write_growth(const std::string& path, const std::string& title, const std::vector<GrowthPoint>& points, int n) {
-  std::ofstream out = open_to_write(path);
+  std::ostringstream out;
   out << "# " << title << "\n\nGrowth of the motion per window of " << n
       << " substeps, one body on linear contacts with grains that stand, no damping: in LIGGGHTS / by the coupling "
          "code\n"
@@ -127,6 +127,7 @@ void write_growth(const std::string& path, const std::string& title, const std::
     out << text;
   }
   out << '\n';
+  write_whole_file(path, out.str());
 }
 
 }  // namespace footfall

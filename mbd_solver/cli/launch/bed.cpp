@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/file_lock.h"
 #include "coupler/base/folder.h"
 #include "coupler/base/text.h"
 #include "coupler/base/whole_file.h"
@@ -28,6 +29,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kSilence = 300.0;  // how long a program that makes a bed may be stopped, or read a restart file [s]
+constexpr const char* kAdvice = "set FOOTFALL_CACHE to a folder that can be written";
 
 // Debian's version of the library that liggghts_mbd uses; the file's size and date where there is no dpkg.
 std::string liggghts_version() {
@@ -89,9 +91,7 @@ class Draft {
     std::error_code error;
     fs::rename(target, folder_, error);
   }
-  explicit Draft(fs::path folder) : folder_(std::move(folder)) {
-    make_folder(folder_.string(), "set FOOTFALL_CACHE to a folder that can be written");
-  }
+  explicit Draft(fs::path folder) : folder_(std::move(folder)) { make_folder(folder_.string(), kAdvice); }
   ~Draft() {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
@@ -182,6 +182,13 @@ Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet) {
   const fs::path target = bed_folder(spec);
   remove_dead_drafts(target.parent_path());
   if (!bed_is_made(target)) {
+    // Two runs that need the same bed: the second waits, and uses it.
+    make_folder(target.parent_path().string(), kAdvice);
+    const FileLock lock = FileLock::wait_for(target.string() + ".lock", [&] {
+      std::fprintf(stderr, "footfall: another run makes this bed (process %d); waiting for it\n",
+                   owner_of(target.string() + ".lock"));
+    });
+    if (bed_is_made(target)) return bed_in(target);
     if (fs::exists(target)) {
       std::fprintf(stderr, "footfall: warning: the bed in %s is damaged: %s; it is made again\n", target.c_str(),
                    damage_of_bed(target).c_str());

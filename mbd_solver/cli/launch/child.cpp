@@ -16,6 +16,7 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/interrupt.h"
+#include "coupler/base/quote.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/cli/launch/process.h"
 
@@ -152,16 +153,10 @@ bool was_asked_to_end(int exit_code) {
 }
 
 std::string shell_line(const Command& command) {
-  const auto quoted = [](const std::string& word) -> std::string {
-    const bool plain = !word.empty() && word.find_first_of(" \t\n\"'\\$&|;<>(){}[]*?!#~`") == std::string::npos;
-    if (plain) return word;
-    std::string inside;
-    for (char c : word) inside += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return "'" + inside + "'";
-  };
   std::string line;
-  for (const auto& [name, value] : command.environment) line += name + "=" + quoted(value) + " ";
-  for (const std::string& word : command.words) line += (word == command.words.front() ? "" : " ") + quoted(word);
+  for (const auto& [name, value] : command.environment) line += name + "=" + shell_word(value) + " ";
+  for (const std::string& word : command.words)
+    line += (line.empty() || line.back() == ' ' ? "" : " ") + shell_word(word);
   return line;
 }
 

@@ -52,5 +52,13 @@ TEST(Trimmed, CutsBothEndsOnly) {
   EXPECT_EQ(trimmed(" \t\r"), "");
 }
 
+TEST(Text, NamesOfFilesHoldNothingThatMeansSomethingElsewhere) {
+  for (const char* good : {"a", "leg_1", "pad-2.left", "9", "_x"}) EXPECT_TRUE(is_plain_name(good)) << good;
+  for (const char* bad : {"", ".", "..", ".a", "a/b", "a b", "a`b`", "a$b", "a\n", "\xc3\xa4", "a'b", "a:b", "*"})
+    EXPECT_FALSE(is_plain_name(bad)) << bad;
+  EXPECT_TRUE(is_plain_name(std::string(kLongestName, 'a')));
+  EXPECT_FALSE(is_plain_name(std::string(kLongestName + 1, 'a')));
+}
+
 }  // namespace
 }  // namespace footfall

@@ -1,0 +1,27 @@
+#pragma once
+// The folder that one run writes into: held while the run lives, and what it makes there is noted, so that a later run
+// with --force removes that and nothing of the user's.
+
+#include <optional>
+#include <string>
+
+#include "coupler/base/folder_lock.h"
+#include "coupler/base/made_files.h"
+
+namespace footfall {
+
+class OwnFolder {
+ public:
+  // Refuses a folder that another run holds; one that holds an earlier run, unless `force`, which removes the files of
+  // that run; one where files of the user have names that the run would write. Throws InputError.
+  OwnFolder(const std::string& folder, bool force);
+
+ private:
+  FileLock lock_;
+  std::optional<MadeFiles> files_;
+};
+
+// runs/NAME, runs/NAME-2, ...: the first that is free; it is there then.
+std::string new_run_folder(const std::string& name);
+
+}  // namespace footfall
