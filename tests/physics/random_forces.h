@@ -1,0 +1,13 @@
+#pragma once
+// Springs, dampers, struts of every law and bushings for a random mechanism.
+
+#include "tests/physics/mechanism_plan.h"
+#include "tests/physics/random_numbers.h"
+
+namespace footfall::test {
+
+// Zero to three elements between bodies, or between a body and the ground unless the mechanism is free of it. Marks
+// the plan rough when a law among them has kinks.
+void add_random_forces(Plan& plan, Numbers& numbers, bool free);
+
+}  // namespace footfall::test
