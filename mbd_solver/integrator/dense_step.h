@@ -1,36 +1,36 @@
 #pragma once
 // States within a step, from what is known at its two ends and at its stages: nothing is solved again. theta in [0, 1]:
-//   x(theta) = (1 + 2 theta)(1 - theta)^2 x_0 + theta^2 (3 - 2 theta) x_1
-//            + h theta (1 - theta)^2 x'_0 - h theta^2 (1 - theta) x'_1      x: q, v, z and the time integrals of powers
-//   K(theta) = Lagrange's polynomial through three or four stages           K: dv, dz and the multipliers
-// x is off by O(h^4), its rates are continuous from step to step.
+//   x(theta)  = x_0 + h sum_i b_i(theta) K_i        x: q, v, z and the time integrals of powers
+//   x'(theta) = sum_i b_i'(theta) K_i               also the multipliers, which stand in K
+//   b_i(theta) = theta^2 (3 - 2 theta) b_i + theta (1 - theta)^2 [i = 0] - theta^2 (1 - theta) [i = last]
+//              + theta^2 (1 - theta)^2 d_i
+// Hermite's cubic through both ends, and a bubble that makes it exact to fourth order:
+//   sum d = sum d c = sum d c^2 = 0,  sum d c^3 = 1/4,  sum_ij d_i a_ij c_j^2 = 1/12      d the smallest of all such
+// x is off by O(h^5), of the size of the error estimate, and by O(h^4) where d = 0 (TR-BDF2, whose steps are off by
+// O(h^3)). x and x' are continuous from step to step.
 
 #include <array>
 
-#include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/integrator/tableau.h"
 
 namespace footfall {
 
-struct HermiteWeights {
-  HermiteWeights(double theta, double h)
-      : x0((1.0 + 2.0 * theta) * (1.0 - theta) * (1.0 - theta)),
-        x1(theta * theta * (3.0 - 2.0 * theta)),
-        dx0(h * theta * (1.0 - theta) * (1.0 - theta)),
-        dx1(-h * theta * theta * (1.0 - theta)) {}
-  double x0, x1, dx0, dx1;
+struct DenseWeights {
+  DenseWeights(const Tableau& tableau, double theta) {
+    const double rest = 1.0 - theta;
+    const std::size_t last = static_cast<std::size_t>(tableau.last());
+    for (std::size_t i = 0; i <= last; ++i) {
+      const double b_i = i < last ? tableau.a[last][i] : tableau.gamma, d_i = tableau.quartic[i];
+      b[i] = theta * theta * ((3.0 - 2.0 * theta) * b_i + rest * rest * d_i);
+      slope[i] = 2.0 * theta * rest * (3.0 * b_i + (1.0 - 2.0 * theta) * d_i);
+    }
+    b[0] += theta * rest * rest;
+    slope[0] += rest * (1.0 - 3.0 * theta);
+    b[last] -= theta * theta * rest;
+    slope[last] += theta * (3.0 * theta - 2.0);
+  }
+  std::array<double, kMostStages> b{}, slope{};
 };
-
-// The time integrals of a State at theta, from those at both ends and the powers there.
-inline void interpolate_work(const HermiteWeights& w, const State& start, const EnergySample& at_start,
-                             const State& end, const EnergySample& at_end, State& out) {
-  for (std::size_t k = 0; k < out.dissipated.by_kind.size(); ++k)
-    out.dissipated.by_kind[k] = w.x0 * start.dissipated.by_kind[k] + w.x1 * end.dissipated.by_kind[k] +
-                                w.dx0 * at_start.power.by_kind[k] + w.dx1 * at_end.power.by_kind[k];
-  out.load_work =
-      w.x0 * start.load_work + w.x1 * end.load_work + w.dx0 * at_start.load_power + w.dx1 * at_end.load_power;
-  out.motion_work =
-      w.x0 * start.motion_work + w.x1 * end.motion_work + w.dx0 * at_start.motion_power + w.dx1 * at_end.motion_power;
-}
 
 // Lagrange's polynomial number k through the first `count` of `nodes`, at theta.
 template <std::size_t kSize>

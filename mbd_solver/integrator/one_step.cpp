@@ -8,7 +8,6 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/kinematics.h"
-#include "mbd_solver/integrator/dense_step.h"
 #include "mbd_solver/integrator/work_integral.h"
 
 namespace footfall {
@@ -44,7 +43,7 @@ OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
   K_.assign(stages, Eigen::VectorXd::Zero(n));
   Y_.assign(stages, Eigen::VectorXd::Zero(n));
   energy_.resize(stages);
-  before_.assign(tableau_.dense[3] < 0 ? 3 : 4, Eigen::VectorXd::Zero(n));
+  before_.assign(tableau_.predictors[3] < 0 ? 3 : 4, Eigen::VectorXd::Zero(n));
   lu_ = std::make_unique<SparseLu>(equations.reduced_pattern());
 }
 
@@ -235,7 +234,7 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   const std::size_t last = K_.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
     const double b = i < last ? tableau_.a[last][i] : tableau_.gamma;
-    if (i > 0 && (b != 0.0 || i == last)) equations_.energy(t + tableau_.c[i] * h, Y_[i], inputs, energy_[i]);
+    if (i > 0) equations_.energy(t + tableau_.c[i] * h, Y_[i], inputs, energy_[i]);
     if (b != 0.0) add_work(energy_[i], h * b, state);
   }
   equations_.unpack(Y_.back(), state);
@@ -243,7 +242,7 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
 
   const double reached = t_new + kNear * h;  // a row that round-off has put just behind the step belongs to it
   for (; row_time_ < t_end && row_time_ <= reached; row_time_ = rows.after(row_time_)) {
-    interpolate(row_time_, h, state);
+    interpolate(row_time_, h);
     statistics_.count(options_.projection ? equations_.project(row_) : equations_.check_closed(row_));
     if (rows.on_row(row_, row_rates_)) continue;
     state = row_;
@@ -252,7 +251,8 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
     return false;
   }
 
-  for (std::size_t k = 0; k < before_.size(); ++k) before_[k].swap(K_[static_cast<std::size_t>(tableau_.dense[k])]);
+  for (std::size_t k = 0; k < before_.size(); ++k)
+    before_[k].swap(K_[static_cast<std::size_t>(tableau_.predictors[k])]);
   K_[0] = before_.back();
   std::swap(energy_[0], energy_.back());
   h_before_ = h;

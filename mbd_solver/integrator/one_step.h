@@ -36,10 +36,10 @@ class OneStep : public Integrator {
   bool refresh(double t, double c, const Inputs& inputs);  // Jacobian at y_ and its factors
   // Moves state on, gives the rows on the way; false: one of them has ended the window.
   bool accept(double t, double h, double t_new, double t_end, const Inputs& inputs, const Rows& rows, State& state);
-  void interpolate(double time, double h, const State& end);  // row_ and row_rates_, between start_ and `end`
-  double dense_time(std::size_t k) const;                     // of before_[k] within its step
-  double first_step();                                        // [s]
-  double next_step(double h) const;                           // after a step h of error error_
+  void interpolate(double time, double h);     // row_ and row_rates_, within the step h from start_
+  double predictor_time(std::size_t k) const;  // of before_[k] within its step
+  double first_step();                         // [s]
+  double next_step(double h) const;            // after a step h of error error_
   [[noreturn]] void give_up(double t) const;
 
   Equations& equations_;
@@ -62,7 +62,7 @@ class OneStep : public Integrator {
   Eigen::VectorXd Ydot_, known_, F_, change_, dx_, rates_;
   std::vector<EnergySample> energy_;  // powers at the stages
 
-  std::vector<Eigen::VectorXd> before_;  // rates of the last step at tableau_.dense, its end last
+  std::vector<Eigen::VectorXd> before_;  // rates of the last step at tableau_.predictors, its end last
   double h_before_ = 0.0;                // 0: no step before
   double error_before_ = 0.0;            // its error, 1 = tolerance
 

@@ -5,6 +5,7 @@
 
 #include "mbd_solver/integrator/dense_step.h"
 #include "mbd_solver/integrator/one_step.h"
+#include "mbd_solver/integrator/work_integral.h"
 
 namespace footfall {
 namespace {
@@ -28,7 +29,7 @@ void OneStep::predict(int stage, double h) {
   for (std::size_t j = 0; j < static_cast<std::size_t>(stage); ++j) known[count++] = {tableau_.c[j], &K_[j], false};
   if (h_before_ > 0.0 && h < kReach * h_before_) {
     for (std::size_t k = 0; k + 1 < before_.size(); ++k)
-      known[count++] = {(dense_time(k) - 1.0) * h_before_ / h, &before_[k], true};
+      known[count++] = {(predictor_time(k) - 1.0) * h_before_ / h, &before_[k], true};
   }
   std::sort(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(count),
             [&](const Known& a, const Known& b) { return std::abs(a.time - target) < std::abs(b.time - target); });
@@ -44,24 +45,23 @@ void OneStep::predict(int stage, double h) {
   }
 }
 
-double OneStep::dense_time(std::size_t k) const { return tableau_.c[static_cast<std::size_t>(tableau_.dense[k])]; }
+double OneStep::predictor_time(std::size_t k) const {
+  return tableau_.c[static_cast<std::size_t>(tableau_.predictors[k])];
+}
 
-void OneStep::interpolate(double time, double h, const State& end) {
+void OneStep::interpolate(double time, double h) {
   const int m = equations_.layout().lambda0();
-  const double theta = (time - start_.time) / h;
-  const HermiteWeights w(theta, h);
-  const Eigen::VectorXd &y = Y_.back(), &K = K_.back();
+  const DenseWeights w(tableau_, (time - start_.time) / h);
   row_ = start_;
   row_.time = time;
-  known_.head(m) = (w.x0 * y_ + w.x1 * y + w.dx0 * K_[0] + w.dx1 * K).head(m);
-  equations_.unpack(known_, row_);
-  interpolate_work(w, start_, energy_[0], end, energy_.back(), row_);
-
-  std::array<double, 4> times{};
-  for (std::size_t k = 0; k < before_.size(); ++k) times[k] = dense_time(k);
+  known_ = y_;
   row_rates_.setZero();
-  for (std::size_t k = 0; k < before_.size(); ++k)
-    row_rates_ += lagrange(times, before_.size(), k, theta) * K_[static_cast<std::size_t>(tableau_.dense[k])];
+  for (std::size_t i = 0; i < K_.size(); ++i) {
+    known_.head(m) += (h * w.b[i]) * K_[i].head(m);
+    row_rates_ += w.slope[i] * K_[i];
+    add_work(energy_[i], h * w.b[i], row_);
+  }
+  equations_.unpack(known_, row_);
 }
 
 }  // namespace footfall

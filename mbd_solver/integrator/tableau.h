@@ -19,7 +19,8 @@ struct Tableau {
   std::array<double, kMostStages> c;                           // times of the stages, in steps
   std::array<std::array<double, kMostStages>, kMostStages> a;  // below the diagonal; the last row is b
   std::array<double, kMostStages> error;                       // b - b^, b^ the embedded weights
-  std::array<int, 4> dense;  // stages through which rates are interpolated within a step; -1: no fourth one
+  std::array<double, kMostStages> quartic;                     // d of the continuous extension (dense_step.h)
+  std::array<int, 4> predictors;  // stages from which the next step's rates are predicted, the last one last; -1: none
   int last() const { return stages - 1; }
 };
 

@@ -111,11 +111,33 @@ TEST_P(Way, RowThatSaysNoEndsTheWindowThere) {
   EXPECT_LT((run.state.q - whole.state.q).norm(), 3e-4);
 }
 
-TEST(Rows, ErrorIsOfFourthOrder) {
-  // Fixed steps of the fifth-order method, rows in the middle of steps: Hermite's cubic is what is seen.
+TEST(Rows, AreAsCloseAsStepsThatEndThereAtATightTolerance) {
+  // Steps as long as the tolerance lets them be, against steps that end at each of these rows. A metre and a hundred
+  // steps: a row may add a hundred tolerances to what the steps themselves are off by.
+  constexpr double kTolerance = 1e-10, kPosition = 100.0 * kTolerance, kVelocity = 10.0 * kPosition;
+  for (unsigned seed : {1u, 3u, 4u}) {
+    const Model model = test::smooth_loop(seed);
+    IntegratorOptions options = test::tight(kTolerance);
+    options.order = 5;
+    test::Run run(model, "one_step", options), ends(model, "one_step", options);
+    std::vector<Row> rows;
+    run.integrator->advance(run.state, kEnd, run.inputs, every_interval(rows));
+    for (std::size_t i = 36; i < rows.size(); i += 37) {
+      const State& state = rows[i].state;
+      ends.to(state.time);
+      EXPECT_LT((state.q - ends.state.q).norm(), kPosition) << seed << " " << state.time;
+      EXPECT_LT((state.v - ends.state.v).norm(), kVelocity) << seed << " " << state.time;
+      EXPECT_NEAR(state.dissipated.total(), ends.state.dissipated.total(), kVelocity);
+    }
+  }
+}
+
+TEST(Rows, ErrorIsOfFifthOrder) {
+  // Fixed steps of the fifth-order method, rows in the middle of steps: the continuous extension is what is seen.
   double order = 0.0;
-  constexpr unsigned kCount = 5;
-  for (unsigned seed = 1; seed <= kCount; ++seed) {
+  // Seeds whose Newton needs no shorter steps and whose error is far from the reference's own, as in one_step_test.cpp.
+  constexpr double kCount = 3.0;
+  for (unsigned seed : {1u, 4u, 5u}) {
     const Model model = test::smooth_loop(seed);
     IntegratorOptions tight;
     tight.order = 5;
@@ -127,7 +149,7 @@ TEST(Rows, ErrorIsOfFourthOrder) {
     for (int k = 0; k < 2; ++k) {
       IntegratorOptions options = tight;
       options.error_control = false;
-      options.max_step = 0.2 / (k == 0 ? 21 : 42) * (k == 0 ? 1.0 : 42.0 / 43.0);  // 0.1 is the middle of a step
+      options.max_step = 0.2 / (k == 0 ? 7 : 15);  // 0.1 is the middle of a step
       options.rtol = options.atol = options.atol_velocity = 1e-9;
       test::Run run(model, "one_step", options);
       Rows rows;
@@ -139,10 +161,9 @@ TEST(Rows, ErrorIsOfFourthOrder) {
       run.state.step = options.max_step;
       run.integrator->advance(run.state, 0.2, run.inputs, rows);
     }
-    order += std::log(errors[0] / errors[1]) / std::log(43.0 / 21.0) / kCount;
+    order += std::log(errors[0] / errors[1]) / std::log(15.0 / 7.0) / kCount;
   }
-  EXPECT_GT(order, 3.5);
-  EXPECT_LT(order, 5.0);
+  EXPECT_GT(order, 4.5);
 }
 
 }  // namespace

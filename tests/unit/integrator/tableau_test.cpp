@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <complex>
 
+#include "mbd_solver/integrator/dense_step.h"
 #include "mbd_solver/integrator/tableau.h"
 
 namespace footfall {
@@ -75,6 +76,33 @@ TEST_P(Method, EstimatesItsErrorWithAnotherOrder) {
   EXPECT_LT(miss(m, m.embedded, tableau.estimated_order), kDigits);
   EXPECT_GT(std::max(miss(m, m.b, tableau.estimated_order + 1), miss(m, m.embedded, tableau.estimated_order + 1)),
             1e-4);
+}
+
+TEST_P(Method, IsContinuousFromStepToStepWithTheOrderOfItsEstimate) {
+  // b_i(theta) / theta of the method whose step is theta h: c and A grow by 1 / theta.
+  const Tableau& tableau = tableau_of_order(GetParam());
+  const auto at = [&](double theta, const std::array<double, kMostStages> DenseWeights::*part) {
+    const DenseWeights weights(tableau, theta);
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>((weights.*part).data(), tableau.stages));
+  };
+  const auto b = [&](double theta) { return at(theta, &DenseWeights::b); };
+  const auto slope = [&](double theta) { return at(theta, &DenseWeights::slope); };
+  const Matrices m(tableau);
+  for (double theta : {0.1, 0.3, 0.5, 0.9, 1.0}) {
+    Matrices part = m;
+    part.A /= theta;
+    part.c /= theta;
+    EXPECT_LT(miss(part, b(theta) / theta, tableau.estimated_order), 10.0 * kDigits / std::pow(theta, 4)) << theta;
+    constexpr double kStep = 1e-5;
+    if (theta == 1.0) continue;
+    EXPECT_LT((slope(theta) - (b(theta + kStep) - b(theta - kStep)) / (2.0 * kStep)).norm(), 1e-8) << theta;
+  }
+  const Eigen::VectorXd first = Eigen::VectorXd::Unit(tableau.stages, 0);
+  const Eigen::VectorXd last = Eigen::VectorXd::Unit(tableau.stages, tableau.last());
+  EXPECT_LT(b(0.0).norm(), kDigits);
+  EXPECT_LT((b(1.0) - m.b).norm(), kDigits);
+  EXPECT_LT((slope(0.0) - first).norm(), kDigits);
+  EXPECT_LT((slope(1.0) - last).norm(), kDigits);
 }
 
 TEST_P(Method, IsStableOnTheWholeLeftHalfAndForgetsWhatIsStiff) {
