@@ -40,7 +40,7 @@ std::string free_folder(const std::string& name) {
 void clear_results(const std::string& out) {
   make_folder(out);
   std::error_code error;
-  for (const char* name : {"summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "checkpoint.txt",
+  for (const char* name : {"summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "checkpoint",
                            "liggghts.log", "plots", "pictures", "vtk", "motion", "compare"})
     fs::remove_all(fs::path(out) / name, error);
 }

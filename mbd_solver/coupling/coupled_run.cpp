@@ -45,6 +45,11 @@ std::vector<CoupledBody> bodies_with_boundary(const Mechanism& mechanism, const 
 
 }  // namespace
 
+template <>
+inline constexpr auto kFields<CouplingSample> =
+    std::tuple{Field{"substeps", &CouplingSample::substeps}, Field{"estimate", &CouplingSample::estimate},
+               Field{"energy_residual", &CouplingSample::energy_residual}, Field{"omega_h", &CouplingSample::omega_h}};
+
 CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Kinematics& start, double t_end,
                        Transport& transport)
     : mechanism_(mechanism),
@@ -84,6 +89,20 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Kin
   choice_->start(choice_bodies_);
 }
 
+void CoupledRun::visit(Archive& archive) {
+  archive("window", motion_.window);
+  archive("n", motion_.n);
+  for (Coupled& body : bodies_) archive(body.entry.boundary.name().c_str(), body.window);
+  archive("partner", partner_);
+  archive("watch", *watch_);
+  if (choice_) archive("choice", *choice_);
+  archive("sample", sample_);
+  archive("reference_energy", reference_energy_);
+  archive("dem_seconds", dem_seconds_);
+  archive("waited", waited_);
+  if (archive.restores()) waited_before_ = waited_;
+}
+
 double CoupledRun::begin_window(const State& state, const Kinematics& kinematics, const StoredEnergy& stored,
                                 Inputs& inputs) {
   const double dt = agreement_.dt;
@@ -121,7 +140,7 @@ void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
   sample_.estimate = choice_ ? choice_->estimate() : 0.0;
   sample_.energy_residual = watch_->energy_residual();
   sample_.omega_h = watch_->omega_h();
-  waited_ = partner_.seconds_waited();
+  waited_ = waited_before_ + partner_.seconds_waited();
   ++motion_.window;
 }
 

@@ -39,6 +39,8 @@ class CoupledRun {
   // (CouplingWatch).
   void end_window(const State& state, const Kinematics& kinematics);
 
+  void visit(Archive& archive);  // between two windows
+
   void close() { partner_.close(); }  // after the last window
   void fail(const std::string& reason, Status status) noexcept { partner_.fail(reason, status); }
 
@@ -81,6 +83,7 @@ class CoupledRun {
   Eigen::VectorXd work_before_;              // State::load_work at the window's start [J]
   std::vector<double> work_received_;        // in the window, per coupled body [J]
   double dem_seconds_ = 0.0, waited_ = 0.0;  // [s]
+  double waited_before_ = 0.0;               // by the run that this one resumes [s]
 };
 
 }  // namespace footfall

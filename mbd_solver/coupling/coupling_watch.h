@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/archive.h"
 #include "coupler/messages.h"
 #include "mbd_solver/scene/run_spec.h"
 
@@ -28,6 +29,8 @@ class CouplingWatch {
   // Scheme `tangent`, per window: impulse that body i has felt beyond what the grains gave, and the size of what they
   // gave [N s].
   void count_surplus(std::size_t i, double time, const Eigen::Vector3d& surplus, double given);
+
+  void visit(Archive& archive);
 
   double energy_residual() const { return residual_; }  // sum of (work on the boundary - work received), + pending [J]
   double largest_energy_residual() const { return largest_residual_; }

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "coupler/archive.h"
 #include "coupler/link.h"
+#include "coupler/message_fields.h"
 #include "coupler/messages.h"
 
 namespace footfall {
@@ -36,6 +38,7 @@ class DemPartner {
   // call.
   const Load& exchange(const Motion& motion);
   const Load& load() const { return load_; }  // of the last window
+  void visit(Archive& archive) { archive("load", load_); }
   void close() { link_.close(); }
   void fail(const std::string& reason, Status status) noexcept { link_.fail(reason, status); }
   double seconds_waited() const { return link_.seconds_waited() - seconds_before_; }  // since both agreed to start [s]

@@ -1,53 +1,72 @@
 #include "mbd_solver/run/checkpoint.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/whole_file.h"
+#include "mbd_solver/output/summary.h"
+#include "mbd_solver/scene/scene_json.h"
 
 namespace footfall {
 namespace {
 
-struct Closer {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
+using Json = nlohmann::ordered_json;
 
-void write(std::FILE* file, const char* name, const double* values, std::size_t count) {
-  std::fprintf(file, "%s %zu", name, count);
-  for (std::size_t i = 0; i < count; ++i) std::fprintf(file, " %a", values[i]);
-  std::fprintf(file, "\n");
-}
+constexpr int kVersion = 1;  // of the set
 
-void write(std::FILE* file, const char* name, const Eigen::VectorXd& values) {
-  write(file, name, values.data(), static_cast<std::size_t>(values.size()));
+std::string start_file(const std::string& folder) { return folder + "/start.json"; }
+std::string memory_file(const std::string& folder) { return folder + "/run.txt"; }
+
+Json start_of(const std::string& folder) {
+  const std::string file = start_file(folder);
+  Json start = read_summary(file);
+  if (start.value("checkpoint", 0) != kVersion || start.value("footfall", "") != FOOTFALL_VERSION)
+    throw InputError(file + ": was written by footfall " + start.value("footfall", "of another kind") +
+                     ", and this is " + FOOTFALL_VERSION + ": resume the run with the program that began it");
+  return start;
 }
 
 }  // namespace
 
-void write_checkpoint(const std::string& path, const State& state, const Mechanism& mechanism,
-                      const Eigen::VectorXd& voltages) {
-  const std::string partial = path + ".partial";
-  {
-    const std::unique_ptr<std::FILE, Closer> file(std::fopen(partial.c_str(), "w"));
-    if (!file) throw InputError(partial + ": cannot be written: " + std::strerror(errno));
-    std::FILE* out = file.get();
-    std::fprintf(out, "footfall-checkpoint 1\n");
-    write(out, "time", &state.time, 1);
-    write(out, "q", state.q);
-    write(out, "v", state.v);
-    write(out, "z", state.z);
-    write(out, "dissipated", state.dissipated.by_kind.data(), state.dissipated.by_kind.size());
-    write(out, "load_work", state.load_work);
-    write(out, "motion_work", &state.motion_work, 1);
-    write(out, "step", &state.step, 1);
-    write(out, "voltages", voltages);
-    for (const ControllerEntry& entry : mechanism.controllers)
-      write(out, ("controller/" + entry.name).c_str(), entry.controller->memory());
+void write_checkpoint(const std::string& folder, const Scene& scene, double until,
+                      const std::function<void(Archive&)>& visit) {
+  Json start;
+  start["checkpoint"] = kVersion;
+  start["footfall"] = FOOTFALL_VERSION;
+  start["scene_file"] = std::filesystem::absolute(scene.file).lexically_normal().string();
+  start["settings"] = scene.settings;
+  start["until"] = until;
+  start["scene"] = Json::parse(scene_json(scene));
+  write_summary(start_file(folder), start);
+  Archive archive;
+  visit(archive);
+  write_whole_file(memory_file(folder), archive.text());
+}
+
+RunStart read_run_start(const std::string& folder) {
+  const Json start = start_of(folder);
+  try {
+    return {start.at("scene_file"), start.at("settings"), start.at("until")};
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(start_file(folder) + ": " + error.what());
   }
-  if (std::rename(partial.c_str(), path.c_str()) != 0)
-    throw InputError(path + ": cannot be written: " + std::strerror(errno));
+}
+
+void restore_checkpoint(const std::string& folder, const Scene& scene, const std::function<void(Archive&)>& visit) {
+  const Json kept = start_of(folder)["scene"], now = Json::parse(scene_json(scene));
+  if (kept != now) {
+    const Json difference = Json::diff(kept, now);
+    const std::string where = difference.empty() ? "" : difference[0].value("path", "");
+    throw InputError(scene.file + ": is not the scene that the run began with: " + where +
+                     " differs from the checkpoint in " + folder + ": resume with the scene as it was");
+  }
+  const std::string file = memory_file(folder);
+  const std::optional<std::string> text = read_whole_file(file);
+  if (!text) throw InputError(file + ": cannot be read");
+  Archive archive(file, *text);
+  visit(archive);
+  archive.finish();
 }
 
 }  // namespace footfall

@@ -1,16 +1,31 @@
 #pragma once
-// The state of the mechanism as a text file of hexadecimal floating-point numbers: nothing is lost.
+// A run kept so that it can be gone on with: RUN/checkpoint/N/ (checkpoint_folder.h), where
+//   start.json   how the run was started, and its scene with all defaults: the scene of a resumed run must be the same
+//   run.txt      the memory of the mechanism's side (archive.h)
+// and the grains' side adds its own files.
 
+#include <functional>
 #include <string>
+#include <vector>
 
-#include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/model/state.h"
+#include "coupler/archive.h"
+#include "mbd_solver/scene/scene.h"
 
 namespace footfall {
 
-// Written beside the target and renamed, so that a reader never sees half of it. Throws InputError when the folder is
-// not writable.
-void write_checkpoint(const std::string& path, const State& state, const Mechanism& mechanism,
-                      const Eigen::VectorXd& voltages);
+// What a run was started with: enough to start it again.
+struct RunStart {
+  std::string scene;                  // file, as an absolute path
+  std::vector<std::string> settings;  // --set key=value
+  double until = 0.0;                 // [s]; 0: the scene's end
+};
+
+void write_checkpoint(const std::string& folder, const Scene& scene, double until,
+                      const std::function<void(Archive&)>& visit);
+
+// Of the set in `folder`. Throws InputError for a file that cannot be read.
+RunStart read_run_start(const std::string& folder);
+// Throws InputError when `scene` is not the one of the set, naming the first value that differs.
+void restore_checkpoint(const std::string& folder, const Scene& scene, const std::function<void(Archive&)>& visit);
 
 }  // namespace footfall

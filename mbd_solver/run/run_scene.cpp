@@ -3,7 +3,9 @@
 #include <cstdio>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/output/checkpoint_folder.h"
 #include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/run/run_files.h"
 #include "mbd_solver/run/run_summary.h"
@@ -18,6 +20,9 @@ class WarningTeller {
     for (; told_ < warnings.size(); ++told_)
       std::fprintf(stderr, "\nmbd_solver: warning: %s\n", warnings[told_].c_str());
   }
+  void skip(const std::vector<std::string>& warnings) {
+    told_ = warnings.size();
+  }  // told by an earlier part of the run
 
  private:
   std::size_t told_ = 0;
@@ -35,16 +40,30 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   for (const std::string& note : simulation.assembly().notes)
     std::fprintf(stderr, "mbd_solver: note: %s\n", note.c_str());
 
-  RunFiles files(simulation, options.out);
+  const bool resumed = !options.checkpoint.empty();
+  RunFiles files(simulation, options.out, resumed ? Beginning::kResume : Beginning::kNew);
   FigureTaker taker(simulation.subject());
+  const auto visit = [&](Archive& archive) {
+    archive("simulation", simulation);
+    archive("files", files);
+    archive("figures", taker);
+  };
+  if (resumed) restore_checkpoint(options.checkpoint, scene, visit);
   Progress progress(t_end, options.quiet);
   WarningTeller of_coupling, of_bodies;
+  if (coupled) of_coupling.skip(coupled->watch().warnings());
+  of_bodies.skip(files.flexible().warnings());
   const auto observe = [&](const Sample& sample) {
     taker.take(sample);
     files.write(sample);
     progress.show(sample.state.time, sample.window, taker.figures().contact_force);
     if (coupled) of_coupling.tell(coupled->watch().warnings());
     of_bodies.tell(files.flexible().warnings());
+  };
+  CheckpointFolder checkpoints(options.out);
+  const auto keep = [&] {
+    write_checkpoint(checkpoints.begin(simulation.window()), scene, options.until, visit);
+    checkpoints.finish();
   };
   const auto finish_files = [&] {
     progress.finish();
@@ -55,13 +74,11 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   };
 
   try {
-    simulation.run(observe, interrupted);
+    simulation.run(observe, interrupted, keep);
   } catch (const std::exception& error) {
     finish_files();
     const bool mendable = dynamic_cast<const InputError*>(&error) || dynamic_cast<const ProtocolError*>(&error);
     if (coupled) coupled->fail(error.what(), mendable ? Status::kBadInput : Status::kFailed);
-    if (simulation.state().q.allFinite() && simulation.state().v.allFinite())
-      files.write_checkpoint_of(simulation.state());
     summarize("failed", error.what());
     throw;
   }
@@ -72,7 +89,6 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     summarize("done", "");
     return kExitDone;
   }
-  files.write_checkpoint_of(simulation.state());
   if (coupled) coupled->fail("interrupted by the user", Status::kInterrupted);
   summarize("interrupted", "");
   return kExitInterrupted;

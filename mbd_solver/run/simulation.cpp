@@ -50,7 +50,8 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       state_(assembly_.state),
       rates_(Eigen::VectorXd::Zero(equations_.layout().size())),
       control_(mechanism_.controllers, {scene_, mechanism_, equations_.layout()}),
-      sampler_({scene_, mechanism_, equations_.layout()}, equations_, state_, rates_, inputs_) {
+      sampler_({scene_, mechanism_, equations_.layout()}, equations_, state_, rates_, inputs_),
+      checkpoints_(scene.output.checkpoint_interval, scene.output.checkpoint_interval) {
   inputs_.voltages = mechanism_.voltages;
   if (!partner_transport) return;
   inputs_.loads.resize(static_cast<std::size_t>(mechanism_.model.body_count()));
@@ -90,12 +91,13 @@ void Simulation::control() {
   if (control_.next_sample() > due) voltages_move_ = inputs_.voltages != voltages;
 }
 
-void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted) {
-  const double started = wall_clock();
+void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted,
+                     const std::function<void()>& keep) {
+  const double started = wall_clock() - times_.total;
   const Sample& at = sampler_.sample();  // always of the present state
-  equations_.accelerations(state_, inputs_, rates_);
+  if (!resumed_) equations_.accelerations(state_, inputs_, rates_);
   take_sample();
-  observe(at);
+  if (!resumed_) observe(at);
 
   // Without grains a window ends only where a voltage changes: rows and samples are read on the way. While each sample
   // changes it, windows end at samples, so that no step is cut.
@@ -120,16 +122,24 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     };
   }
 
-  while (!finished() && interrupted == 0) {
+  while (!finished()) {
+    if (keep && (checkpoints_.take_turn(state_.time) || interrupted != 0)) {
+      integrator_->forget();
+      times_.total = wall_clock() - started;
+      keep();
+    }
+    if (interrupted != 0) break;
+
     // Control: the voltages of the window.
     const double control_started = wall_clock();
     control();
     times_.control += wall_clock() - control_started;
 
     // Window: with grains motion goes out and the mean load comes in.
-    const double t_end = coupled_         ? coupled_->begin_window(state_, at.kinematics, at.energy.stored, inputs_)
-                         : voltages_move_ ? std::min(control_.next_sample(), t_end_)
-                                          : t_end_;
+    const double t_end =
+        coupled_
+            ? coupled_->begin_window(state_, at.kinematics, at.energy.stored, inputs_)
+            : std::min({voltages_move_ ? control_.next_sample() : t_end_, t_end_, keep ? checkpoints_.next() : t_end_});
 
     // Integrate, and check.
     const double mbd_started = wall_clock();

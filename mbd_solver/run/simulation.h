@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 
+#include "coupler/archive.h"
 #include "coupler/transport.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/coupling/coupled_run.h"
@@ -15,6 +16,7 @@
 #include "mbd_solver/integrator/integrator.h"
 #include "mbd_solver/observe/sampler.h"
 #include "mbd_solver/run/control_loop.h"
+#include "mbd_solver/run/interval_clock.h"
 
 namespace footfall {
 
@@ -30,14 +32,21 @@ class Simulation {
   // outlive this. Throws InputError, ProtocolError.
   Simulation(const Scene& scene, double t_end, Transport* partner_transport);
 
-  // Runs to the end, or until `interrupted` is set. Calls `observe` for the start and after every window.
+  // Runs to the end, or until `interrupted` is set. Calls `observe` for the start and after every window, and `keep`
+  // where the run can be resumed: every output.checkpoint_interval, and when it is interrupted. There the integrator
+  // forgets what it knows of earlier windows, so that both runs go on alike.
   // Throws NumericalError, PartnerError.
-  void run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted);
+  void run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted,
+           const std::function<void()>& keep = {});
+
+  // The memory of the run, at such a place; one that restores makes this the run that was kept, which run() continues.
+  void visit(Archive& archive);
 
   const Scene& scene() const { return scene_; }
   const Mechanism& mechanism() const { return mechanism_; }
   const Assembly& assembly() const { return assembly_; }
   const State& state() const { return state_; }
+  long window() const { return window_; }  // windows done
   const Integrator& integrator() const { return *integrator_; }
   const RunTimes& times() const { return times_; }
   bool finished() const;  // the end time has been reached
@@ -66,6 +75,8 @@ class Simulation {
   bool voltages_move_ = true;  // the last sample has changed one
   Sampler sampler_;
   std::unique_ptr<CoupledRun> coupled_;
+  IntervalClock checkpoints_;
+  bool resumed_ = false;  // the sample of the present state has been observed
   RunTimes times_;
 };
 
