@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "coupler/archive.h"
 #include "coupler/link.h"
 #include "liggghts_fix/dem_body.h"
 
@@ -49,6 +51,13 @@ class DemLink {
   // rows: those of all ranks, one behind the other.
   void finish_window(const std::vector<double>& rows, int ranks, std::int64_t particles);
 
+  // Checkpoints: the folder in which this side has to keep itself after the window that has just ended; empty: it has
+  // not. Then keep(): all other files of the folder are there; one rank writes that of the link. `step` as for start().
+  std::string checkpoint() const { return substeps_left_ == 0 && windows_ > 0 ? motion_.checkpoint : ""; }
+  void keep(std::int64_t step, bool writes);
+  // The run goes on from a checkpoint. After the handshake.
+  bool resumed() const { return memory_.has_value(); }
+
   // For thermo output.
   std::int64_t windows() const { return windows_; }  // completed
   // Over all windows whose next state is known [J].
@@ -69,6 +78,7 @@ class DemLink {
 
  private:
   void greet(const std::string& unit_style);
+  void visit(Archive& archive);
   void begin_window();
 
   Link* link_;
@@ -80,6 +90,7 @@ class DemLink {
   bool own_patience_ = false;  // the script has its own
   double dt_ = 0.0;            // [s]
   int n_ = 0;
+  std::optional<Archive> memory_;  // of the checkpoint that the run goes on from
   Accept accept_;
   Motion motion_;                          // of the open window
   std::vector<BodyMotion> at_last_start_;  // computed states at the last window's start

@@ -34,6 +34,7 @@ class CoupledMesh : protected Pointers {
   void move();
 
  private:
+  void set_velocities();  // as they stand on the body's path
   void translate(const Eigen::Vector3d& velocity);
   double nearest_image(double place, double before, int direction) const;
   void turn_properties(const footfall::BoundaryStep& step);
@@ -48,6 +49,7 @@ class CoupledMesh : protected Pointers {
   std::unique_ptr<MeshModuleMbd> module_;
   Eigen::Matrix3Xd x_W_, v_W_;  // nodes of the body's boundary [m], [m/s]
   double reach_ = 0.0;          // no node is farther from Bo, undeformed [m]
+  bool moved_ = false;          // by this run
 };
 
 }  // namespace LAMMPS_NS

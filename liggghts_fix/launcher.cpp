@@ -85,6 +85,7 @@ int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_li
   register_fix_style(lmp, "couple/mbd/geometry", create_fix<LAMMPS_NS::FixCoupleMbdGeometry>);
   register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
   register_fix_style(lmp, "wall/gran/beam", create_fix<LAMMPS_NS::FixWallGranBeam>);
+  let_meshes_resume(lmp);
   lmp->input->file();
   int code = kExitDone;
   if (LAMMPS_NS::SignalHandler::request_quit && dem_link.has_partner() && !dem_link.finished()) {

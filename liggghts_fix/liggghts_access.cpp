@@ -6,6 +6,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "fix.h"
 #include "fix_mesh_surface.h"
 #include "lammps.h"
+#include "liggghts_fix/dem_link.h"
 #include "modify.h"
 #include "tri_mesh.h"
 
@@ -68,11 +70,37 @@ std::map<LAMMPS*, DemLink*>& links() {
   return one;
 }
 
+using FixStyles = std::map<std::string, FixCreator>;
+
+FixStyles& styles_of(LAMMPS* lmp) { return *(lmp->modify->*Revealed<FixMap>::member); }
+
+// fix ID GROUP STYLE file|fix|generate SOURCE ...
+FixStyles& stock_meshes() {
+  static FixStyles one;
+  return one;
+}
+
+Fix* create_mesh(LAMMPS* lmp, int narg, char** arg) {
+  static char file[] = "file", nothing[] = "/dev/null";
+  std::vector<char*> words(arg, arg + narg);
+  if (narg > 4 && std::strcmp(words[3], "fix") == 0 && dem_link_of(lmp).resumed()) {
+    words[3] = file;
+    words[4] = nothing;
+  }
+  return stock_meshes().at(arg[2])(lmp, narg, words.data());
+}
+
 }  // namespace
 
-void register_fix_style(LAMMPS* lmp, const std::string& style, FixCreator creator) {
-  (*(lmp->modify->*Revealed<FixMap>::member))[style] = creator;
+void let_meshes_resume(LAMMPS* lmp) {
+  for (auto& [style, creator] : styles_of(lmp)) {
+    if (style.rfind("mesh/surface", 0) != 0) continue;
+    stock_meshes()[style] = creator;
+    creator = create_mesh;
+  }
 }
+
+void register_fix_style(LAMMPS* lmp, const std::string& style, FixCreator creator) { styles_of(lmp)[style] = creator; }
 
 void attach_mesh_module(FixMeshSurface* fix, const std::string& name, MeshModule* module) {
   (fix->*Revealed<MeshModules>::member)[name] = module;

@@ -18,7 +18,7 @@
 #include "coupler/transport_mpi.h"
 #include "mbd_solver/cli/positive.h"
 #include "mbd_solver/output/checkpoint_folder.h"
-#include "mbd_solver/run/checkpoint.h"
+#include "mbd_solver/output/run_start.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -73,7 +73,7 @@ Arguments completed(Arguments arguments) {
   arguments.run.out = arguments.resume;
   arguments.run.checkpoint = newest_checkpoint(arguments.resume);
   const RunStart start = read_run_start(arguments.run.checkpoint);
-  arguments.scene = start.scene;
+  arguments.scene = start.scene_file;
   arguments.settings = start.settings;
   if (!(arguments.run.until > 0.0)) arguments.run.until = start.until;
   return arguments;
@@ -124,7 +124,10 @@ int run_coupled(const Arguments& arguments, const Communicator& communicator) {
     throw InputError("mbd_solver runs on one rank, got " + std::to_string(communicator.size()) +
                      ": write `: -np 1 mbd_solver ...`");
   TransportMpi transport(communicator, "liggghts_mbd");
-  const int code = guarded([&] { return run_with(arguments, transport); });
+  Arguments with_ranks = arguments;
+  MPI_Comm_size(MPI_COMM_WORLD, &with_ranks.run.ranks);
+  --with_ranks.run.ranks;  // this one
+  const int code = guarded([&] { return run_with(with_ranks, transport); });
   // MPI_Finalize would wait for a partner that is stopped or hung.
   if (transport.given_up()) abort_both_programs(code);
   return code;

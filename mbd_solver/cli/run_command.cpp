@@ -14,8 +14,11 @@
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
 #include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/output/checkpoint_folder.h"
+#include "mbd_solver/output/run_start.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/scene/script_text.h"
 
 namespace footfall {
 
@@ -45,6 +48,36 @@ void clear_results(const std::string& out) {
     fs::remove_all(fs::path(out) / name, error);
 }
 
+// What is started, and where it leaves its results.
+struct Plan {
+  Scene scene;
+  std::string out, log;
+  Command command;
+};
+
+// LIGGGHTS goes on where its script reads the restart file ${bed} first of all, and does the rest in one run.
+void demand_resumable(const ParticlesSpec& particles) {
+  std::map<std::string, std::string> variables = particles.variables;
+  variables["bed"] = "the file that -var bed names";
+  bool reads_bed = false;
+  int runs = 0;
+  const ScriptText script(particles.script, variables);
+  for (const ScriptCommand& command : script.commands()) {
+    const std::string where = command.file + ":" + std::to_string(command.line) + ": ";
+    const auto refuse = [&](const std::string& why) {
+      throw InputError(where + command.words[0] + ": a run with this script cannot be resumed: " + why);
+    };
+    if (command.words[0] == "read_restart" && command.words.size() > 1)
+      reads_bed = joined(command.words, " ").find(variables["bed"]) != std::string::npos;
+    if (command.words[0] == "reset_timestep") refuse("LIGGGHTS would forget at which step it goes on");
+    if (command.words[0] == "run" && ++runs > 1) refuse("it is the second one, and nobody knows in which the run was");
+  }
+  if (!reads_bed)
+    throw InputError(particles.script +
+                     ": a run with this script cannot be resumed: it must get its grains by `read_restart ${bed}`, so "
+                     "that -var bed can name those of the checkpoint");
+}
+
 std::vector<std::string> solver_words(const RunArguments& a, const std::string& out, const std::string& grains) {
   std::vector<std::string> words = {built_program("mbd_solver"), short_path(a.scene), "--out", out};
   if (a.until > 0.0) words.insert(words.end(), {"--until", number_text(a.until, 12)});
@@ -57,11 +90,8 @@ std::vector<std::string> solver_words(const RunArguments& a, const std::string& 
 }
 
 // mpirun ... liggghts_mbd ... : -np 1 mbd_solver ...
-Command coupled_command(const Scene& scene, const RunArguments& a, const std::string& out) {
-  const ParticlesSpec& particles = *scene.particles;
-  const int ranks = a.ranks > 0 ? a.ranks : particles.ranks;
-  Bed bed;
-  if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet);
+Command both_programs(const ParticlesSpec& particles, int ranks, const std::string& out, const std::string& restart,
+                      const std::string& log, const std::vector<std::string>& solver) {
   Command command = mpirun();
   const auto append = [&](const std::vector<std::string>& words) {
     command.words.insert(command.words.end(), words.begin(), words.end());
@@ -69,12 +99,71 @@ Command coupled_command(const Scene& scene, const RunArguments& a, const std::st
   append({"-np", std::to_string(ranks), built_program("liggghts_mbd")});
   append(script_arguments(particles.script, particles.variables));
   append({"-var", "out", out});
-  if (!bed.restart.empty()) append({"-var", "bed", bed.restart});
-  append({"-log", (fs::path(out) / "liggghts.log").string(), "-screen", "none"});
+  if (!restart.empty()) append({"-var", "bed", restart});
+  append({"-log", log, "-screen", "none"});
   append({":", "-np", "1"});
-  // A scene that names its own grains keeps them.
-  append(solver_words(a, out, particles.grains.empty() ? bed.grains : ""));
+  append(solver);
   return command;
+}
+
+// A run from the start.
+Plan new_run(const RunArguments& a) {
+  std::vector<std::string> settings = a.settings;
+  if (!a.scheme.empty()) settings.push_back("coupling.scheme=\"" + a.scheme + "\"");
+  if (!a.integrator.empty()) settings.push_back("solver.integrator=\"" + a.integrator + "\"");
+  Plan plan{checked_scene(a.scene, settings), "", "", {}};
+  plan.out = short_path(a.out.empty() ? free_folder(scene_name(plan.scene.file)) : a.out);
+  plan.log = (fs::path(plan.out) / "liggghts.log").string();
+  clear_results(plan.out);
+  if (!plan.scene.touches_particles()) {
+    plan.command.words = solver_words(a, plan.out, "");
+    return plan;
+  }
+  const ParticlesSpec& particles = *plan.scene.particles;
+  const int ranks = a.ranks > 0 ? a.ranks : particles.ranks;
+  Bed bed;
+  if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet);
+  // A scene that names its own grains keeps them.
+  plan.command = both_programs(particles, ranks, plan.out, bed.restart, plan.log,
+                               solver_words(a, plan.out, particles.grains.empty() ? bed.grains : ""));
+  return plan;
+}
+
+// The folder in runs that was kept last.
+std::string last_kept() {
+  std::string last;
+  fs::file_time_type when = fs::file_time_type::min();
+  std::error_code error;
+  for (const auto& run : fs::directory_iterator("runs", error)) {
+    const fs::path checkpoints = run.path() / "checkpoint";
+    if (!fs::exists(checkpoints) || fs::last_write_time(checkpoints) <= when) continue;
+    when = fs::last_write_time(checkpoints);
+    last = run.path().string();
+  }
+  if (last.empty()) throw InputError("--resume: no run in runs has a checkpoint; name its folder: --resume DIR");
+  return last;
+}
+
+// A run from its newest checkpoint. Its script must begin with the restart file that -var bed names.
+Plan resumed_run(const RunArguments& a) {
+  Plan plan;
+  plan.out = short_path(a.out.empty() ? last_kept() : a.out);
+  const std::string checkpoint = newest_checkpoint(plan.out);
+  const RunStart start = read_run_start(checkpoint);
+  plan.scene = read_scene(start.scene_file, start.settings);
+  std::vector<std::string> solver = {built_program("mbd_solver"), "--resume", plan.out};
+  if (a.until > 0.0) solver.insert(solver.end(), {"--until", number_text(a.until, 12)});
+  if (a.quiet) solver.push_back("--quiet");
+  if (!plan.scene.touches_particles()) {
+    plan.command.words = solver;
+    return plan;
+  }
+  const ParticlesSpec& particles = *plan.scene.particles;
+  demand_resumable(particles);
+  plan.log = (fs::path(plan.out) / ("liggghts_" + fs::path(checkpoint).filename().string() + ".log")).string();
+  plan.command =
+      both_programs(particles, start.ranks, plan.out, short_path(checkpoint + "/grains.restart"), plan.log, solver);
+  return plan;
 }
 
 std::string status_of(const std::string& out) {
@@ -104,30 +193,22 @@ int exit_code(const ChildEnd& end, const std::string& status) {
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
-  std::vector<std::string> settings = arguments.settings;
-  if (!arguments.scheme.empty()) settings.push_back("coupling.scheme=\"" + arguments.scheme + "\"");
-  if (!arguments.integrator.empty()) settings.push_back("solver.integrator=\"" + arguments.integrator + "\"");
-  const Scene scene = checked_scene(arguments.scene, settings);
-  const std::string out = short_path(arguments.out.empty() ? free_folder(scene_name(scene.file)) : arguments.out);
-  clear_results(out);
-
-  Command command;
+  Plan plan;
   try {
-    if (scene.touches_particles()) {
-      command = coupled_command(scene, arguments, out);
-    } else {
-      command.words = solver_words(arguments, out, "");
-    }
+    plan = arguments.resume ? resumed_run(arguments) : new_run(arguments);
   } catch (const Interrupted&) {
     std::fprintf(stderr, "footfall: interrupted while making the bed; nothing is kept\n");
     return kExitFailed;
   }
+  const Scene& scene = plan.scene;
+  const std::string& out = plan.out;
+  Command& command = plan.command;
   if (!arguments.quiet) std::printf("%s\n", shell_line(command).c_str());
   std::fflush(stdout);
   if (isatty(STDOUT_FILENO) == 1) command.environment["FOOTFALL_TERMINAL"] = "1";
 
   const ChildEnd end = run_child(command, "mbd_solver");
-  const std::string errors = liggghts_errors((fs::path(out) / "liggghts.log").string());
+  const std::string errors = liggghts_errors(plan.log);
   if (!errors.empty()) {
     std::fprintf(stderr, "footfall: LIGGGHTS stopped on %s:\n%s\n", scene.particles->script.c_str(), errors.c_str());
     return kExitBadInput;

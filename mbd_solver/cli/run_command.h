@@ -1,5 +1,5 @@
 #pragma once
-// footfall run: check, bed, start the two programs, show what came out.
+// footfall run: check, bed, start the two programs, show what came out; or go on from a checkpoint.
 
 #include <string>
 #include <vector>
@@ -14,9 +14,10 @@ struct RunArguments {
   std::vector<std::string> settings;  // --set key=value
   std::string scheme, integrator;     // empty: the scene's
   bool quiet = false;
+  bool resume = false;  // go on with the run in `out`; empty: the one last kept in runs
 };
 
-// Returns the exit code. Throws InputError, PartnerError.
+// Of a resumed run only `until` and `quiet` may be said anew. Returns the exit code. Throws InputError, PartnerError.
 int run_command(const RunArguments& arguments);
 
 }  // namespace footfall

@@ -22,10 +22,11 @@ double stated(const Scene& scene, const std::string& name) {
   return *end == '\0' ? value : 0.0;
 }
 
-DemTerms terms_of(const Scene& scene, double t_end) {
+DemTerms terms_of(const Scene& scene, double t_end, const std::string& resume) {
   DemTerms terms;
   terms.scheme = scene.coupling.scheme;
   terms.t_end = t_end;
+  terms.resume = resume;
   terms.n_max = scene.coupling.max_substeps;
   terms.max_dt = scene.particles->max_time_step;
   terms.expected_dt = stated(scene, "dt");
@@ -51,12 +52,13 @@ inline constexpr auto kFields<CouplingSample> =
                Field{"energy_residual", &CouplingSample::energy_residual}, Field{"omega_h", &CouplingSample::omega_h}};
 
 CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Kinematics& start, double t_end,
-                       Transport& transport)
+                       Transport& transport, const std::string& resume)
     : mechanism_(mechanism),
       t_end_(t_end),
       up_(up_direction(scene.gravity)),
       scheme_(make_scheme(scene.coupling.scheme)),
-      partner_(transport, bodies_with_boundary(mechanism, start), terms_of(scene, t_end), scene.coupling.timeout),
+      partner_(transport, bodies_with_boundary(mechanism, start), terms_of(scene, t_end, resume),
+               scene.coupling.timeout),
       agreement_{partner_.dt(), partner_.substeps(), partner_.coupled(), scheme_.get()} {
   std::vector<std::string> names;
   std::vector<double> masses;
@@ -104,13 +106,15 @@ void CoupledRun::visit(Archive& archive) {
 }
 
 double CoupledRun::begin_window(const State& state, const Kinematics& kinematics, const StoredEnergy& stored,
-                                Inputs& inputs) {
+                                const std::function<std::string(double t_end)>& checkpoint_at, Inputs& inputs) {
   const double dt = agreement_.dt;
   const int left = static_cast<int>(std::lround((t_end_ - state.time) / dt));
   motion_.time = state.time;
   const int wanted = choice_ ? choice_->substeps() : agreement_.substeps;
   motion_.n = std::max(1, std::min(scheme_->substeps(wanted, motion_.window), left));
   motion_.last_window = left <= motion_.n;
+  const double t_end = motion_.last_window ? t_end_ : state.time + motion_.n * dt;
+  motion_.checkpoint = motion_.last_window ? "" : checkpoint_at(t_end);
 
   // The energy at the start; of a mechanism that starts at rest the largest kinetic energy so far.
   if (motion_.window == 0) reference_energy_ = stored.total() - stored[Stored::kGravity];
@@ -124,7 +128,7 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   const Load& load = partner_.exchange(motion_);
   dem_seconds_ += load.wall_seconds;
   receive(load, inputs);
-  return motion_.last_window ? t_end_ : state.time + motion_.n * dt;
+  return t_end;
 }
 
 void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
@@ -143,6 +147,9 @@ void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
   waited_ = waited_before_ + partner_.seconds_waited();
   ++motion_.window;
 }
+
+// Windows are counted at their end.
+void CoupledRun::wait_until_kept() { partner_.expect_kept(motion_.window - 1); }
 
 // n of the next window, and up to which omega H it needs no warning.
 void CoupledRun::choose_window() {

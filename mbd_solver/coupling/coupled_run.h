@@ -7,6 +7,7 @@
 //   (the mechanism moves from t_k to t_k + H under that load)
 //   end_window     work that arrived, gap between computed and predicted motion: watch, and n of the next window
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,19 +27,24 @@ namespace footfall {
 
 class CoupledRun {
  public:
-  // Shakes hands with LIGGGHTS. start: of the mechanism. mechanism and transport must outlive this.
-  // Throws ProtocolError, PartnerError.
+  // Shakes hands with LIGGGHTS. start: of the mechanism. mechanism and transport must outlive this. resume: folder of the
+  // checkpoint from which both sides go on; visit() then follows. Throws ProtocolError, PartnerError.
   CoupledRun(const Scene& scene, const Mechanism& mechanism, const Kinematics& start, double t_end,
-             Transport& transport);
+             Transport& transport, const std::string& resume = "");
 
   // Sends the motion, waits for the load, writes it into inputs.loads (one per body of the model, sized by the caller).
-  // kinematics: with accelerations. Returns the window's end [s]. Throws NumericalError for a load that is not finite,
+  // kinematics: with accelerations. checkpoint_at: the folder in which the grains' side shall keep itself at the window's
+  // end [s]; empty: it need not. Returns the window's end [s]. Throws NumericalError for a load that is not finite,
   // PartnerError.
-  double begin_window(const State& state, const Kinematics& kinematics, const StoredEnergy& stored, Inputs& inputs);
+  double begin_window(const State& state, const Kinematics& kinematics, const StoredEnergy& stored,
+                      const std::function<std::string(double t_end)>& checkpoint_at, Inputs& inputs);
   // The mechanism has come to the window's end. Throws NumericalError when the coupling pumps energy or chatters
   // (CouplingWatch).
   void end_window(const State& state, const Kinematics& kinematics);
 
+  // The grains' side was asked to keep itself at the end of the last window.
+  bool keeps() const { return !motion_.checkpoint.empty(); }
+  void wait_until_kept();        // then its files are there
   void visit(Archive& archive);  // between two windows
 
   void close() { partner_.close(); }  // after the last window

@@ -66,7 +66,7 @@ std::string CheckpointFolder::begin(long n) {
   std::error_code error;
   fs::remove_all(part_, error);
   make_folder(part_);
-  return part_;
+  return fs::absolute(part_).lexically_normal().string();
 }
 
 void CheckpointFolder::finish() {
@@ -95,7 +95,7 @@ std::string newest_checkpoint(const std::string& run) {
   for (const long n : sets_in(folder)) {
     const std::string set = folder + "/" + std::to_string(n);
     const std::string wrong = fault(set);
-    if (wrong.empty()) return set;
+    if (wrong.empty()) return fs::absolute(set).lexically_normal().string();
     faults += "\n  " + set + ": " + wrong;
   }
   throw InputError(run + ": has no checkpoint to go on from" + (faults.empty() ? "" : ":" + faults) +

@@ -13,7 +13,7 @@ class CheckpointFolder {
  public:
   explicit CheckpointFolder(const std::string& run) : folder_(run + "/checkpoint") {}
 
-  // Makes the empty folder of set n, which then takes the files, and returns it. Throws InputError.
+  // Makes the empty folder of set n, which then takes the files, and returns its absolute path. Throws InputError.
   std::string begin(long n);
   // All files of the set are written. Throws InputError when the disk refuses; older sets are then still there.
   void finish();

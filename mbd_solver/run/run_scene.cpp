@@ -33,7 +33,7 @@ class WarningTeller {
 int run_scene(const Scene& scene, const RunOptions& options, Transport* transport,
               const volatile std::sig_atomic_t& interrupted) {
   const double t_end = options.until > 0.0 ? std::min(options.until, scene.end_time) : scene.end_time;
-  Simulation simulation(scene, t_end, transport);
+  Simulation simulation(scene, t_end, transport, options.checkpoint);
   CoupledRun* const coupled = simulation.coupled();
   for (const std::string& warning : simulation.mechanism().warnings)
     std::fprintf(stderr, "mbd_solver: warning: %s\n", warning.c_str());
@@ -61,8 +61,11 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     of_bodies.tell(files.flexible().warnings());
   };
   CheckpointFolder checkpoints(options.out);
-  const auto keep = [&] {
-    write_checkpoint(checkpoints.begin(simulation.window()), scene, options.until, visit);
+  std::string folder;  // of the checkpoint that is being written
+  Keeper keep;
+  keep.begin = [&](long windows) { return folder = checkpoints.begin(windows); };
+  keep.finish = [&] {
+    write_checkpoint(folder, scene, options.until, options.ranks, visit);
     checkpoints.finish();
   };
   const auto finish_files = [&] {

@@ -13,6 +13,7 @@ struct RunOptions {
   std::string out = "out";  // folder for history.csv, summary.json, VTU
   double until = 0.0;       // end earlier than the scene [s]; 0: the scene's end
   bool quiet = false;       // no progress line
+  int ranks = 0;            // of LIGGGHTS; 0 without
   std::string checkpoint;   // folder of the set that the run goes on from; empty: from the start
 };
 

@@ -39,7 +39,7 @@ IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains) {
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_transport)
+Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_transport, const std::string& resume)
     : scene_(scene),
       t_end_(t_end),
       mechanism_(build_mechanism(scene)),
@@ -55,7 +55,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
   inputs_.voltages = mechanism_.voltages;
   if (!partner_transport) return;
   inputs_.loads.resize(static_cast<std::size_t>(mechanism_.model.body_count()));
-  coupled_ = std::make_unique<CoupledRun>(scene, mechanism_, kinematics(), t_end, *partner_transport);
+  coupled_ = std::make_unique<CoupledRun>(scene, mechanism_, kinematics(), t_end, *partner_transport, resume);
 }
 
 Subject Simulation::subject() const {
@@ -92,7 +92,7 @@ void Simulation::control() {
 }
 
 void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted,
-                     const std::function<void()>& keep) {
+                     const Keeper& keep) {
   const double started = wall_clock() - times_.total;
   const Sample& at = sampler_.sample();  // always of the present state
   if (!resumed_) equations_.accelerations(state_, inputs_, rates_);
@@ -122,13 +122,24 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     };
   }
 
+  const auto wanted = [&](double time) { return keep && (checkpoints_.is_due(time) || interrupted != 0); };
+  const auto folder = [&](double end) { return wanted(end) ? keep.begin(window_ + 1) : std::string(); };
+
   while (!finished()) {
-    if (keep && (checkpoints_.take_turn(state_.time) || interrupted != 0)) {
+    // Checkpoint: where the grains' side has kept itself as well.
+    const bool can_keep = keep && (!coupled_ || coupled_->keeps());
+    if (can_keep && wanted(state_.time)) {
+      checkpoints_.take_turn(state_.time);
       integrator_->forget();
       times_.total = wall_clock() - started;
-      keep();
+      if (coupled_) {
+        coupled_->wait_until_kept();
+      } else {
+        keep.begin(window_);
+      }
+      keep.finish();
     }
-    if (interrupted != 0) break;
+    if (interrupted != 0 && (can_keep || !keep)) break;
 
     // Control: the voltages of the window.
     const double control_started = wall_clock();
@@ -138,7 +149,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     // Window: with grains motion goes out and the mean load comes in.
     const double t_end =
         coupled_
-            ? coupled_->begin_window(state_, at.kinematics, at.energy.stored, inputs_)
+            ? coupled_->begin_window(state_, at.kinematics, at.energy.stored, folder, inputs_)
             : std::min({voltages_move_ ? control_.next_sample() : t_end_, t_end_, keep ? checkpoints_.next() : t_end_});
 
     // Integrate, and check.
