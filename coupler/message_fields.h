@@ -9,7 +9,7 @@
 
 namespace footfall {
 
-using AllMessages = std::tuple<Hello, Geometry, Start, Accept, Motion, Load, Close>;
+using AllMessages = std::tuple<Hello, Geometry, Start, Accept, Motion, Load, Kept, Close>;
 
 // What every message begins with, four bytes each: magic, kind, protocol, status. Its layout never changes between
 // protocol versions.
@@ -40,7 +40,8 @@ inline constexpr auto kFields<Hello> =
 
 template <>
 inline constexpr auto kFields<Geometry> =
-    std::tuple{Field{"footfall_version", &Geometry::footfall_version}, Field{"bodies", &Geometry::bodies}};
+    std::tuple{Field{"footfall_version", &Geometry::footfall_version}, Field{"bodies", &Geometry::bodies},
+               Field{"resume", &Geometry::resume}};
 
 template <>
 inline constexpr auto kFields<CoupledBody> =
@@ -93,14 +94,21 @@ inline constexpr auto kFields<Accept> =
                Field{"n_max", &Accept::n_max}, Field{"patience", &Accept::patience}};
 
 template <>
-inline constexpr auto kFields<Motion> =
-    std::tuple{Field{"window", &Motion::window}, Field{"time", &Motion::time}, Field{"n", &Motion::n},
-               Field{"last_window", &Motion::last_window}, Field{"bodies", &Motion::bodies}};
+inline constexpr auto kFields<Motion> = std::tuple{Field{"window", &Motion::window},
+                                                   Field{"time", &Motion::time},
+                                                   Field{"n", &Motion::n},
+                                                   Field{"last_window", &Motion::last_window},
+                                                   Field{"checkpoint", &Motion::checkpoint},
+                                                   Field{"bodies", &Motion::bodies}};
 
 template <>
-inline constexpr auto kFields<Load> = std::tuple{
-    Field{"window", &Load::window},     Field{"particles", &Load::particles},       Field{"lost", &Load::lost},
-    Field{"warnings", &Load::warnings}, Field{"wall_seconds", &Load::wall_seconds}, Field{"bodies", &Load::bodies}};
+inline constexpr auto kFields<Load> = std::tuple{Field{"window", &Load::window},
+                                                 Field{"particles", &Load::particles},
+                                                 Field{"lost", &Load::lost},
+                                                 Field{"warnings", &Load::warnings},
+                                                 Field{"asked_to_end", &Load::asked_to_end},
+                                                 Field{"wall_seconds", &Load::wall_seconds},
+                                                 Field{"bodies", &Load::bodies}};
 
 template <>
 inline constexpr auto kFields<BodyLoad> =
@@ -123,6 +131,9 @@ inline constexpr auto kFields<MeanLoad> = std::tuple{Field{"F_W", &MeanLoad::F_W
 template <>
 inline constexpr auto kFields<ContactTangent> =
     std::tuple{Field{"K", &ContactTangent::K}, Field{"C", &ContactTangent::C}};
+
+template <>
+inline constexpr auto kFields<Kept> = std::tuple{Field{"window", &Kept::window}, Field{"step", &Kept::step}};
 
 template <>
 inline constexpr auto kFields<Close> =

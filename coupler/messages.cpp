@@ -167,6 +167,7 @@ std::string message_name(MessageKind kind) {
     case MessageKind::kMotion: return "Motion";
     case MessageKind::kLoad: return "Load";
     case MessageKind::kClose: return "Close";
+    case MessageKind::kKept: return "Kept";
   }
   return "message of unknown kind " + std::to_string(static_cast<std::int32_t>(kind));
 }
@@ -210,6 +211,7 @@ template void pack(const Start&, Bytes&);
 template void pack(const Accept&, Bytes&);
 template void pack(const Motion&, Bytes&);
 template void pack(const Load&, Bytes&);
+template void pack(const Kept&, Bytes&);
 template void pack(const Close&, Bytes&);
 
 template void unpack(const Bytes&, Hello&);
@@ -218,6 +220,7 @@ template void unpack(const Bytes&, Start&);
 template void unpack(const Bytes&, Accept&);
 template void unpack(const Bytes&, Motion&);
 template void unpack(const Bytes&, Load&);
+template void unpack(const Bytes&, Kept&);
 template void unpack(const Bytes&, Close&);
 
 }  // namespace footfall

@@ -9,6 +9,7 @@
 //                                <-  Accept (scheme, end time)
 //   then per window              <-  Motion (place at t_k, rates of the path from there)
 //   Load   (means over window)   ->
+//   Kept   (where Motion asked for a checkpoint, after its Load)   ->
 //   until a Motion says last_window; after its Load both sides send Close. A side that fails sends Close with
 //   its reason at any time.
 
@@ -29,7 +30,7 @@ inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 inline constexpr const char* kUnitStyle = "si";
 
 // Also the MPI tag of the message.
-enum class MessageKind : std::int32_t { kHello = 1, kGeometry, kStart, kAccept, kMotion, kLoad, kClose };
+enum class MessageKind : std::int32_t { kHello = 1, kGeometry, kStart, kAccept, kMotion, kLoad, kClose, kKept };
 std::string message_name(MessageKind kind);
 
 // The status word: stands in the head of every message, bytes 12..15 after magic, kind and protocol version (four bytes
@@ -57,6 +58,7 @@ struct Geometry {
   static constexpr MessageKind kKind = MessageKind::kGeometry;
   std::string footfall_version = kFootfallVersion;
   std::vector<CoupledBody> bodies;  // every body of the scene that grains may touch
+  std::string resume;               // folder of the checkpoint that the run goes on from; empty: a new run
 };
 
 struct Start {
@@ -94,6 +96,7 @@ struct Motion {
   double time = 0.0;        // t_k [s]
   std::int32_t n = 0;       // substeps of this window (the last one may be shorter)
   bool last_window = false;
+  std::string checkpoint;  // folder in which the grains' side keeps itself after this window; empty: it does not
   std::vector<BodyMotion> bodies;  // order of Start; see above
 };
 
@@ -121,9 +124,17 @@ struct Load {
   std::int64_t particles = 0;         // grains now
   std::int64_t lost = 0;              // since the start: grains that LIGGGHTS lost, and that the script did not delete
   std::vector<std::string> warnings;  // new ones; for the user, who reads them from the mechanism's side
+  bool asked_to_end = false;  // by a signal to one of its ranks; both programs end after a checkpoint, if they can
   // of the DEM side since its last Load or Accept, set-up and output included, waiting excluded [s]
   double wall_seconds = 0.0;
   std::vector<BodyLoad> bodies;  // order of Start
+};
+
+// The grains' side has written its files of the checkpoint.
+struct Kept {
+  static constexpr MessageKind kKind = MessageKind::kKept;
+  std::int64_t window = 0;  // that of the Motion that asked for it
+  std::int64_t step = 0;    // LIGGGHTS' step number there
 };
 
 struct Close {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "coupler/base/errors.h"
+#include "coupler/message_fields.h"
 
 namespace footfall {
 namespace {
@@ -34,6 +35,13 @@ BoundaryPath::BoundaryPath(const Scheme& scheme, const BodyMotion& initial)
       step_(initial.mode_count()),
       jump_(initial.mode_count()),
       gap_(initial.mode_count()) {}
+
+// The rest belongs to one window.
+void BoundaryPath::visit(Archive& archive) {
+  archive("pose", pose_);
+  archive("travelled", travelled_);
+  archive("amplitude", amplitude_);
+}
 
 void BoundaryPath::begin_window(const BodyMotion& start, int n, double dt) {
   FOOTFALL_DEMAND(n > 0 && dt > 0.0 && start.mode_count() == start_.mode_count());

@@ -18,6 +18,7 @@
 //   closed by g       2.7e-3, 2.0             1.001              2.0
 // The velocity that contact damping sees is the derivative of the path.
 
+#include "coupler/archive.h"
 #include "coupler/body_motion.h"
 #include "coupler/schemes/scheme.h"
 
@@ -55,6 +56,8 @@ class BoundaryPath {
   bool steady_translation() const { return steady_; }
   int substeps_left() const { return n_ - i_; }
   bool first_substep() const { return i_ == 1; }
+
+  void visit(Archive& archive);  // between two windows
 
  private:
   void set_pose_at(double tau);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "coupler/message_fields.h"
+
 namespace footfall {
 namespace {
 
@@ -20,6 +22,11 @@ DemBody::DemBody(const CoupledBody& scene_body, const Scheme& scheme)
   share_.mean = MeanLoad(boundary_.mode_count());
   if (scheme_wants_slopes_) share_.tangent.resize(1);
   load_ = share_;
+}
+
+void DemBody::visit(Archive& archive) {
+  archive("path", path_);
+  archive("load", load_);
 }
 
 void DemBody::begin_window(const BodyMotion& start, int n, double dt) {

@@ -62,6 +62,8 @@ class DemBody {
   const BodyLoad& load() const { return load_; }
   // Mean moment about Bo in W at the end of the window [N m].
   Eigen::Vector3d mean_moment_W() const { return pose().rotation() * load_.mean.T_B; }
+  // Between two windows. The force that stands is evaluated anew when a run is set up.
+  void visit(Archive& archive);
   // Work that the mean load of the last window does between two computed states [J].
   double work_between(const BodyMotion& from, const BodyMotion& to) const;
 

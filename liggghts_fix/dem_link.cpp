@@ -7,6 +7,8 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
+#include "coupler/base/whole_file.h"
+#include "coupler/message_fields.h"
 #include "coupler/programs.h"
 #include "coupler/schemes/registry.h"
 #include "liggghts_fix/stay_on_core.h"
@@ -18,6 +20,16 @@ std::string number(double value) { return number_text(value, 10); }
 
 std::string vector_text(const Eigen::Vector3d& v) {
   return "(" + number(v[0]) + ", " + number(v[1]) + ", " + number(v[2]) + ")";
+}
+
+// The link's own file of a checkpoint.
+std::string memory_file(const std::string& folder) { return folder + "/grains.txt"; }
+
+Archive memory_in(const std::string& folder) {
+  const std::string file = memory_file(folder);
+  const std::optional<std::string> text = read_whole_file(file);
+  if (!text) throw InputError(file + ": cannot be read, but the run goes on from there");
+  return Archive(file, *text);
 }
 
 }  // namespace
@@ -36,6 +48,41 @@ void DemLink::greet(const std::string& unit_style) {
   link_->receive(geometry_);
   check_partner(link_->partner(), kProtocolVersion, geometry_.footfall_version);
   greeted_ = true;
+  if (geometry_.resume.empty()) return;
+  // Where the boundaries stand now: what meshes are held against, and beams start from.
+  memory_ = memory_in(geometry_.resume);
+  for (CoupledBody& body : geometry_.bodies) (*memory_)(body.boundary.name().c_str(), body.initial);
+}
+
+void DemLink::keep(std::int64_t step, bool writes) {
+  Archive archive;
+  for (CoupledBody& body : geometry_.bodies) {
+    const auto coupled = std::find(names_.begin(), names_.end(), body.boundary.name());
+    BodyMotion pose =
+        coupled == names_.end() ? body.initial : bodies_[static_cast<std::size_t>(coupled - names_.begin())]->pose();
+    archive(body.boundary.name().c_str(), pose);
+  }
+  archive("step", step);
+  visit(archive);
+  if (writes) write_whole_file(memory_file(motion_.checkpoint), archive.text());
+  Kept kept;
+  kept.window = motion_.window;
+  kept.step = step;
+  motion_.checkpoint.clear();
+  link_->send(kept);
+}
+
+// Between two windows.
+void DemLink::visit(Archive& archive) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) archive(names_[i].c_str(), *bodies_[i]);
+  archive("at_last_start", at_last_start_);
+  archive("windows", windows_);
+  archive("lost", load_.lost);
+  archive("window_work", window_work_);
+  archive("work_given", work_given_);
+  archive("work_received", work_received_);
+  archive("work", work_);
+  archive("overlap", overlap_);
 }
 
 void DemLink::set_patience(double seconds) {
@@ -112,6 +159,17 @@ void DemLink::start(Start script) {
   for (const std::string& name : names_)
     bodies_.push_back(std::make_unique<DemBody>(scene_body(name, kUnitStyle), *scheme_));
   load_.bodies.resize(names_.size());
+  if (!memory_) return;
+  std::int64_t kept_step = 0;
+  (*memory_)("step", kept_step);
+  if (kept_step != step)
+    throw InputError("couple/mbd: the run goes on from " + geometry_.resume + ", where LIGGGHTS was at step " +
+                     std::to_string(kept_step) + ", and its script begins at step " + std::to_string(step) +
+                     ": its first read_restart must read " + geometry_.resume +
+                     "/grains.restart (scripts of footfall: -var bed FILE), without reset_timestep, and one `run` must "
+                     "do the rest");
+  visit(*memory_);
+  memory_->finish();
 }
 
 void DemLink::expect_set_up() {
@@ -230,6 +288,7 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
   }
   work_ += window_work_;
   load_.window = windows_++;
+  load_.asked_to_end = asked_to_end_;
   const double now = wall_clock();
   load_.wall_seconds = now - sent_ - waited_;
   sent_ = now;

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "coupler/archive.h"
 #include "coupler/link.h"
 #include "liggghts_fix/dem_body.h"
 
@@ -63,6 +65,13 @@ class DemLink {
   // the same step (a signal may reach one rank alone, and LIGGGHTS would wait for the others for ever).
   bool asked_to_end() const { return asked_to_end_; }
 
+  // Checkpoints: the folder in which this side has to keep itself after the window that has just ended; empty: it has
+  // not. Then keep(): all other files of the folder are there; one rank writes that of the link. `step` as for start().
+  std::string checkpoint() const { return substeps_left_ == 0 && windows_ > 0 ? motion_.checkpoint : ""; }
+  void keep(std::int64_t step, bool writes);
+  // The run goes on from a checkpoint. After the handshake.
+  bool resumed() const { return memory_.has_value(); }
+
   // For thermo output.
   std::int64_t windows() const { return windows_; }  // completed
   // Over all windows whose next state is known [J].
@@ -86,6 +95,7 @@ class DemLink {
 
  private:
   void greet(const std::string& unit_style);
+  void visit(Archive& archive);
   void begin_window();
   void tell_untouched(std::vector<std::string>& warnings) const;
   void count_grains(const std::vector<double>& rows, int ranks);
@@ -107,7 +117,8 @@ class DemLink {
   double max_lost_ = 1.0;      // of all grains [-]
   double dt_ = 0.0;            // [s]
   int n_ = 0;
-  Start script_;  // what the script said at the first run
+  Start script_;                   // what the script said at the first run
+  std::optional<Archive> memory_;  // of the checkpoint that the run goes on from
   Accept accept_;
   Motion motion_;                          // of the open window
   std::vector<BodyMotion> at_last_start_;  // computed states at the last window's start

@@ -9,12 +9,14 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/interrupt.h"
 #include "coupler/mpi_check.h"
+#include "integrate.h"
 #include "liggghts_fix/fix_couple_mbd_match.h"
 #include "liggghts_fix/fix_couple_mbd_script.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "modify.h"
 #include "signal_handling.h"
 #include "update.h"
+#include "write_restart.h"
 
 namespace LAMMPS_NS {
 namespace {
@@ -52,9 +54,10 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
   extarray = 0;
   global_freq = 1;
   time_depend = 1;
+  nevery = 1;  // end_of_step
 }
 
-int FixCoupleMbd::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::FINAL_INTEGRATE; }
+int FixCoupleMbd::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::FINAL_INTEGRATE | FixConst::END_OF_STEP; }
 
 void FixCoupleMbd::post_create() {
   for (const auto& mesh : meshes_) mesh->attach();
@@ -119,7 +122,21 @@ void FixCoupleMbd::final_integrate() {
   footfall::check_mpi(MPI_Allgather(row_.data(), count, MPI_DOUBLE, rows_.data(), count, MPI_DOUBLE, world),
                       "MPI_Allgather");
   link_.finish_window(rows_, comm->nprocs);
-  if (link_.asked_to_end()) SignalHandler::request_quit = true;
+}
+
+void FixCoupleMbd::end_of_step() {
+  if (const std::string folder = link_.checkpoint(); !folder.empty()) keep(folder);
+}
+
+// A restart file brings the grains into another order and all forces are evaluated anew when it is read: here the same is
+// done, as by `write_restart` between two `run`, so that this run and the resumed one go on alike.
+void FixCoupleMbd::keep(const std::string& folder) {
+  std::string file = folder + "/grains.restart";
+  char* words[] = {file.data()};
+  WriteRestart(lmp).command(1, words);
+  link_.keep(update->ntimestep, comm->me == 0);
+  lmp->init();
+  update->integrate->setup();
 }
 
 double FixCoupleMbd::compute_vector(int n) {

@@ -20,6 +20,7 @@ FixStyle(couple / mbd, FixCoupleMbd)
 #define FOOTFALL_FIX_COUPLE_MBD_H
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "fix.h"
@@ -41,10 +42,13 @@ class FixCoupleMbd : public Fix {
   void init() override;
   void initial_integrate(int) override;
   void final_integrate() override;
+  void end_of_step() override;
   double compute_vector(int n) override;
   double compute_array(int i, int j) override;
 
  private:
+  void keep(const std::string& folder);
+
   footfall::DemLink& link_;
   const footfall::CoupleMbdArguments arguments_;
   std::vector<std::unique_ptr<CoupledMesh> > meshes_;

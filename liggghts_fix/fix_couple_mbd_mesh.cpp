@@ -124,11 +124,25 @@ void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before)
   module_->set_torque_before(torque_before);
   module_->set_body(&link_.body(body_));
   module_->set_contacts(wall_contacts(*modify, atom->ntypes, fix_->atomTypeWall(), style));
+  if (link_.resumed() && !moved_) set_velocities();
+}
+
+// Restart files hold the places of the nodes alone, and the forces that stand before the first substep damp.
+void CoupledMesh::set_velocities() {
+  const footfall::DemBody& body = link_.body(body_);
+  TriMesh* mesh = fix_->triMesh();
+  body.boundary().node_velocities(body.pose(), v_W_);
+  double*** v = node_velocities(mesh)->begin();
+  for (int i = 0; i < mesh->sizeLocal(); ++i) {
+    const footfall::CornerNodes& corner = module_->corners()[static_cast<std::size_t>(mesh->id(i))];
+    for (int k = 0; k < 3; ++k) std::copy_n(v_W_.col(corner[static_cast<std::size_t>(k)]).data(), 3, v[i][k]);
+  }
 }
 
 // Owned and ghost triangles alike: LIGGGHTS copies neither positions nor velocities to ghosts between two
 // re-neighbourings.
 void CoupledMesh::move() {
+  moved_ = true;
   const footfall::DemBody& body = link_.body(body_);
   TriMesh* tri_mesh = fix_->triMesh();
   if (body.path().steady_translation()) {

@@ -38,6 +38,7 @@ class CoupledMesh : protected Pointers {
 
  private:
   std::string outside_box() const;  // of the nodes of the mesh at the body's pose; empty when all are inside
+  void set_velocities();            // as they stand on the body's path
   void translate(const Eigen::Vector3d& velocity);
   void add_belt();
   double nearest_image(double place, double before, int direction) const;
@@ -58,6 +59,7 @@ class CoupledMesh : protected Pointers {
   bool made_velocities_ = false;  // the mesh had no velocities before we came
   std::vector<int> nodes_;        // of the boundary that the mesh has; others may be of beams, which may leave the box
   double reach_ = 0.0;            // no node is farther from Bo, undeformed [m]
+  bool moved_ = false;            // by this run
 };
 
 }  // namespace LAMMPS_NS

@@ -107,6 +107,7 @@ int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_li
   register_fix_style(lmp, "couple/mbd/geometry", create_fix<LAMMPS_NS::FixCoupleMbdGeometry>);
   register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
   register_fix_style(lmp, "wall/gran/beam", create_fix<LAMMPS_NS::FixWallGranBeam>);
+  let_meshes_resume(lmp);
   lmp->input->file();
   // The scene's end has stopped a run as a signal would; the script goes on behind that run.
   while (LAMMPS_NS::SignalHandler::request_quit && dem_link.finished() && interrupted() == 0) {

@@ -7,6 +7,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 #include <vector>
 
@@ -98,8 +99,6 @@ std::vector<Style>& styles() {
   return all;
 }
 
-void teach(LAMMPS* lmp, const Style& style) { (*(lmp->modify->*Revealed<FixMap>::member))[style.name] = style.creator; }
-
 // Likewise.
 class OpenWall : public FixWallGran {
  public:
@@ -111,11 +110,39 @@ std::map<LAMMPS*, DemLink*>& links() {
   return one;
 }
 
+using FixStyles = std::map<std::string, FixCreator>;
+
+FixStyles& styles_of(LAMMPS* lmp) { return *(lmp->modify->*Revealed<FixMap>::member); }
+
+// fix ID GROUP STYLE file|fix|generate SOURCE ...
+FixStyles& stock_meshes() {
+  static FixStyles one;
+  return one;
+}
+
+Fix* create_mesh(LAMMPS* lmp, int narg, char** arg) {
+  static char file[] = "file", nothing[] = "/dev/null";
+  std::vector<char*> words(arg, arg + narg);
+  if (narg > 4 && std::strcmp(words[3], "fix") == 0 && dem_link_of(lmp).resumed()) {
+    words[3] = file;
+    words[4] = nothing;
+  }
+  return stock_meshes().at(arg[2])(lmp, narg, words.data());
+}
+
 }  // namespace
 
 void register_fix_style(LAMMPS* lmp, const std::string& style, FixCreator creator) {
   styles().push_back({style, creator});
-  teach(lmp, styles().back());
+  styles_of(lmp)[style] = creator;
+}
+
+void let_meshes_resume(LAMMPS* lmp) {
+  for (auto& [style, creator] : styles_of(lmp)) {
+    if (style.rfind("mesh/surface", 0) != 0) continue;
+    stock_meshes()[style] = creator;
+    register_fix_style(lmp, style, create_mesh);
+  }
 }
 
 bool gravity_is_constant(FixGravity* fix) { return OpenGravity::varies(fix) == 0; }
@@ -175,7 +202,7 @@ void LAMMPS_NS::LAMMPS::post_create() {
   const auto link = footfall::links().find(this);
   if (link == footfall::links().end()) return;  // its start
   link->second->uncoupled_by("clear");
-  for (const footfall::Style& style : footfall::styles()) footfall::teach(this, style);
+  for (const footfall::Style& style : footfall::styles()) footfall::styles_of(this)[style.name] = style.creator;
 }
 
 // A mesh that a restart file knows by its id. LIGGGHTS takes its triangles from there and wants the mesh file to exist,

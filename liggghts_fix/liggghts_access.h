@@ -25,6 +25,10 @@ class DemLink;
 // Teaches this LIGGGHTS a fix style; the command `clear` makes it anew and it learns it again.
 using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
 void register_fix_style(LAMMPS_NS::LAMMPS* lmp, const std::string& style, FixCreator creator);
+// The creator of every fix mesh/surface of LIGGGHTS is called through one of ours. Where a run is resumed, a mesh comes
+// from the restart file, and yet LIGGGHTS looks for a file named like the source of its triangles: ours names one that is
+// always there.
+void let_meshes_resume(LAMMPS_NS::LAMMPS* lmp);
 
 // Appends a module to a stock mesh fix, which then hears of every contact; detach before it dies.
 void attach_mesh_module(LAMMPS_NS::FixMeshSurface* fix, const std::string& name, LAMMPS_NS::MeshModule* module);

@@ -18,6 +18,8 @@
 #include "coupler/link.h"
 #include "coupler/transport_mpi.h"
 #include "mbd_solver/cli/positive.h"
+#include "mbd_solver/output/checkpoint_folder.h"
+#include "mbd_solver/output/run_start.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -32,6 +34,7 @@ struct Arguments {
   std::string scene;
   std::vector<std::string> settings;
   RunOptions run;
+  std::string resume;  // folder of the run to go on with; empty: a new run
 };
 
 // Throws CLI::ParseError.
@@ -39,14 +42,20 @@ Arguments parse(CLI::App& app, int argc, char** argv) {
   Arguments arguments;
   std::string scheme, integrator;
   app.set_version_flag("--version", std::string("mbd_solver ") + FOOTFALL_VERSION);
-  app.add_option("SCENE", arguments.scene, "Scene file, or folder with scene.toml")->required();
-  app.add_option("--out", arguments.run.out, "Folder for results (made if missing)")->capture_default_str();
+  CLI::Option* file = app.add_option("SCENE", arguments.scene, "Scene file, or folder with scene.toml");
+  CLI::Option* resume =
+      app.add_option("--resume", arguments.resume, "Go on with the run in this folder from its newest checkpoint");
+  CLI::Option* out =
+      app.add_option("--out", arguments.run.out, "Folder for results (made if missing)")->capture_default_str();
   app.add_option("--until", arguments.run.until, "End earlier than the scene says [s]")->check(positive());
-  app.add_option("--set", arguments.settings, "key=value: change one value of the scene");
-  app.add_option("--scheme", scheme, "Coupling scheme (coupling.scheme)");
-  app.add_option("--integrator", integrator, "Integrator (solver.integrator)");
+  CLI::Option* settings = app.add_option("--set", arguments.settings, "key=value: change one value of the scene");
+  CLI::Option* of_scheme = app.add_option("--scheme", scheme, "Coupling scheme (coupling.scheme)");
+  CLI::Option* of_integrator = app.add_option("--integrator", integrator, "Integrator (solver.integrator)");
+  // What a run was started with stands in its checkpoint.
+  for (CLI::Option* option : {file, out, settings, of_scheme, of_integrator}) resume->excludes(option);
   app.add_flag("--quiet", arguments.run.quiet, "No progress line");
   app.parse(argc, argv);
+  if (arguments.scene.empty() && arguments.resume.empty()) throw CLI::RequiredError("SCENE, or --resume DIR,");
   if (!scheme.empty()) arguments.settings.push_back("coupling.scheme=\"" + scheme + "\"");
   if (!integrator.empty()) arguments.settings.push_back("solver.integrator=\"" + integrator + "\"");
   return arguments;
@@ -58,7 +67,20 @@ int say(const std::exception& error, int code) {
   return code;
 }
 
-int run_alone(const Arguments& arguments) {
+// With --resume: the scene and the settings of the run that is resumed.
+Arguments completed(Arguments arguments) {
+  if (arguments.resume.empty()) return arguments;
+  arguments.run.out = arguments.resume;
+  arguments.run.checkpoint = newest_checkpoint(arguments.resume);
+  const RunStart start = read_run_start(arguments.run.checkpoint);
+  arguments.scene = start.scene_file;
+  arguments.settings = start.settings;
+  if (!(arguments.run.until > 0.0)) arguments.run.until = start.until;
+  return arguments;
+}
+
+int run_alone(const Arguments& given) {
+  const Arguments arguments = completed(given);
   const Scene scene = read_scene(arguments.scene, arguments.settings);
   if (scene.touches_particles())
     throw InputError(
@@ -70,8 +92,9 @@ int run_alone(const Arguments& arguments) {
 }
 
 // Everything that can go wrong is told to the partner, too: neither program outlives the other.
-int run_with(const Arguments& arguments, Transport& transport) {
+int run_with(const Arguments& given, Transport& transport) {
   try {
+    const Arguments arguments = completed(given);
     const Scene scene = read_scene(arguments.scene, arguments.settings);
     if (!scene.touches_particles())
       throw InputError(scene.file +
@@ -103,7 +126,10 @@ int run_coupled(const Arguments& arguments, const Communicator& communicator) {
     throw InputError("mbd_solver runs on one rank, got " + std::to_string(communicator.size()) +
                      ": write `: -np 1 mbd_solver ...`");
   TransportMpi transport(communicator, "liggghts_mbd");
-  const int code = guarded([&] { return run_with(arguments, transport); });
+  Arguments with_ranks = arguments;
+  MPI_Comm_size(MPI_COMM_WORLD, &with_ranks.run.ranks);
+  --with_ranks.run.ranks;  // this one
+  const int code = guarded([&] { return run_with(with_ranks, transport); });
   // MPI_Finalize would wait for a partner that is stopped or hung.
   if (transport.given_up()) abort_both_programs(code);
   return code;

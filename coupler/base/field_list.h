@@ -32,7 +32,7 @@ inline constexpr bool kHasFields = !std::is_same_v<decltype(kFields<Struct>), co
 template <class Struct>
 void demand_every_member(const Struct& s) {
   constexpr std::size_t kCount = std::tuple_size_v<std::remove_const_t<decltype(kFields<Struct>)>>;
-  static_assert(kCount >= 2 && kCount <= 9, "one more case is needed here");
+  static_assert(kCount >= 2 && kCount <= 12, "one more case is needed here");
   if constexpr (kCount == 2) {
     [[maybe_unused]] const auto& [a, b] = s;
   }
@@ -56,6 +56,15 @@ void demand_every_member(const Struct& s) {
   }
   if constexpr (kCount == 9) {
     [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i] = s;
+  }
+  if constexpr (kCount == 10) {
+    [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j] = s;
+  }
+  if constexpr (kCount == 11) {
+    [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k] = s;
+  }
+  if constexpr (kCount == 12) {
+    [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = s;
   }
 }
 

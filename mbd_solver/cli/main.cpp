@@ -41,21 +41,36 @@ using Action = std::function<int()>;
 Action run(CLI::App& command) {
   const auto a = std::make_shared<RunArguments>();
   a->scene = default_scene();
-  command.add_option("SCENE", a->scene, "Scene file, or folder with scene.toml")->capture_default_str();
-  command.add_option("--out", a->out, "Folder for results (default: runs/NAME, the first that is free)");
+  CLI::Option* scene =
+      command.add_option("SCENE", a->scene, "Scene file, or folder with scene.toml")->capture_default_str();
+  CLI::Option* out =
+      command.add_option("--out", a->out, "Folder for results (default: runs/NAME, the first that is free)");
   command.add_option("--until", a->until, "End earlier than the scene says [s]")->check(positive());
-  command.add_option("--ranks", a->ranks, "LIGGGHTS processes")->check(positive());
-  command
-      .add_option("--set", a->settings, "key=value: change one value of the scene, for example solver.integrator=ida")
-      ->allow_extra_args(false);
-  command.add_option("--scheme", a->scheme, "Coupling scheme (coupling.scheme)");
-  command.add_option("--integrator", a->integrator, "Integrator (solver.integrator)");
+  CLI::Option* ranks = command.add_option("--ranks", a->ranks, "LIGGGHTS processes")->check(positive());
+  CLI::Option* settings = command
+                              .add_option("--set", a->settings,
+                                          "key=value: change one value of the scene, for example solver.integrator=ida")
+                              ->allow_extra_args(false);
+  CLI::Option* scheme = command.add_option("--scheme", a->scheme, "Coupling scheme (coupling.scheme)");
+  CLI::Option* integrator = command.add_option("--integrator", a->integrator, "Integrator (solver.integrator)");
   command.add_flag("--force", a->force,
                    "Run into the folder of an earlier run; the files that it made are removed first");
   command.add_flag("--trust-script", a->trust_script,
                    "LIGGGHTS scripts of the scene may run programs and write anywhere");
   command.add_flag("--quiet", a->quiet, "Only errors");
-  return [a] { return run_command(*a); };
+  const auto folder = std::make_shared<std::string>();
+  CLI::Option* resume = command
+                            .add_option("--resume", *folder,
+                                        "Go on from the newest checkpoint of the run in this folder (default: the "
+                                        "run in runs that was kept last)")
+                            ->expected(0, 1);
+  // What a run was started with stands in its checkpoint.
+  for (CLI::Option* option : {scene, out, ranks, settings, scheme, integrator}) resume->excludes(option);
+  return [a, resume, folder] {
+    a->resume = resume->count() > 0;
+    if (a->resume) a->out = *folder;
+    return run_command(*a);
+  };
 }
 
 Action check(CLI::App& command) {

@@ -3,85 +3,22 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/failure_note.h"
-#include "coupler/base/folder.h"
-#include "coupler/base/text.h"
 #include "coupler/programs.h"
 #include "mbd_solver/cli/analysis/results.h"
-#include "mbd_solver/cli/launch/bed.h"
-#include "mbd_solver/cli/launch/bed_seal.h"
-#include "mbd_solver/cli/launch/check_command.h"
-#include "mbd_solver/cli/launch/child.h"
 #include "mbd_solver/cli/launch/liggghts_log.h"
-#include "mbd_solver/cli/launch/own_folder.h"
-#include "mbd_solver/cli/launch/programs.h"
-#include "mbd_solver/cli/launch/script_safety.h"
+#include "mbd_solver/cli/run_plan.h"
 #include "mbd_solver/output/summary.h"
-#include "mbd_solver/scene/scene_reader.h"
-#include "mbd_solver/scene/script_text.h"
 
 namespace footfall {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-// "inputs/landing_mr/scene.toml" -> "landing_mr", "drop.toml" -> "drop".
-std::string scene_name(const std::string& file) {
-  const fs::path path = fs::absolute(file).lexically_normal();
-  return path.filename() == "scene.toml" ? path.parent_path().filename().string() : path.stem().string();
-}
-
-std::vector<std::string> solver_words(const RunArguments& a, const std::string& out, const std::string& grains) {
-  std::vector<std::string> words = {built_program("mbd_solver"), short_path(a.scene), "--out", out};
-  if (a.until > 0.0) words.insert(words.end(), {"--until", number_text(a.until, 12)});
-  if (!a.scheme.empty()) words.insert(words.end(), {"--scheme", a.scheme});
-  if (!a.integrator.empty()) words.insert(words.end(), {"--integrator", a.integrator});
-  for (const std::string& setting : a.settings) words.insert(words.end(), {"--set", setting});
-  if (!grains.empty()) words.insert(words.end(), {"--set", "particles.grains=\"" + grains + "\""});
-  if (a.quiet) words.push_back("--quiet");
-  return words;
-}
-
-// Restart files that the script names itself.
-void check_restart_files(const ParticlesSpec& particles) {
-  std::error_code ignored;
-  const ScriptText script(particles.script, particles.variables);
-  for (const ScriptCommand& command : script.commands()) {
-    const std::vector<std::string>& w = command.words;
-    if (w[0] != "read_restart" || w.size() < 2 || !fs::is_regular_file(w[1], ignored)) continue;
-    if (const std::string damage = damage_of_restart(w[1]); !damage.empty())
-      throw InputError(command.file + ":" + std::to_string(command.line) + ": read_restart " + w[1] + ": " + damage +
-                       "; LIGGGHTS would hang on it, make it anew");
-  }
-}
-
-// mpirun ... liggghts_mbd ... : -np 1 mbd_solver ...
-Command coupled_command(const Scene& scene, const RunArguments& a, const std::string& out) {
-  const ParticlesSpec& particles = *scene.particles;
-  const int ranks = a.ranks > 0 ? a.ranks : particles.ranks;
-  check_restart_files(particles);
-  Bed bed;
-  if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet);
-  Command command = mpirun();
-  const auto append = [&](const std::vector<std::string>& words) {
-    command.words.insert(command.words.end(), words.begin(), words.end());
-  };
-  append({"-np", std::to_string(ranks), built_program("liggghts_mbd")});
-  append(script_arguments(particles.script, particles.variables));
-  append({"-var", "out", out});
-  if (!bed.restart.empty()) append({"-var", "bed", bed.restart});
-  append({"-log", (fs::path(out) / "liggghts.log").string(), "-screen", "none"});
-  append({":", "-np", "1"});
-  // A scene that names its own grains keeps them.
-  append(solver_words(a, out, particles.grains.empty() ? bed.grains : ""));
-  return command;
-}
 
 std::string status_of(const std::string& out) {
   const fs::path summary = fs::path(out) / "summary.json";
@@ -128,23 +65,10 @@ void settle_summary(const std::string& out, const std::string& status, int code)
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
-  std::vector<std::string> settings = arguments.settings;
-  if (!arguments.scheme.empty()) settings.push_back("coupling.scheme=\"" + arguments.scheme + "\"");
-  if (!arguments.integrator.empty()) settings.push_back("solver.integrator=\"" + arguments.integrator + "\"");
-  const Scene scene = checked_scene(arguments.scene, settings);
-  if (scene.touches_particles() && !arguments.trust_script) {
-    demand_safe_script(scene.particles->script, scene.particles->variables);
-    if (const auto& bed = scene.particles->bed) demand_safe_script(bed->script, bed->variables);
-    setenv(kNoPrograms, "1", 1);
-  }
-  const std::string out = short_path(arguments.out.empty() ? new_run_folder(scene_name(scene.file)) : arguments.out);
-  const OwnFolder folder(out, arguments.force);
-
-  Command command;
-  if (scene.touches_particles())
-    command = coupled_command(scene, arguments, out);
-  else
-    command.words = solver_words(arguments, out, "");
+  RunPlan plan = arguments.resume ? resumed_run(arguments) : new_run(arguments);
+  const Scene& scene = plan.scene;
+  const std::string &out = plan.out, &log = plan.log;
+  Command& command = plan.command;
   if (!arguments.quiet) std::printf("%s\n", shell_line(command).c_str());
   std::fflush(stdout);
   if (isatty(STDOUT_FILENO) == 1) command.environment["FOOTFALL_TERMINAL"] = "1";
@@ -152,7 +76,6 @@ int run_command(const RunArguments& arguments) {
 
   // Within a window the two programs notice it themselves, and know more to say.
   constexpr double kLater = 5.0;  // [s]
-  const std::string log = (fs::path(out) / "liggghts.log").string();
   const fs::path note = fs::absolute(fs::path(out) / "failed");
   command.environment[kFailureNote] = note.string();
   StoppedWatch stopped(scene.coupling.timeout + kLater);

@@ -1,5 +1,5 @@
 #pragma once
-// footfall run: check, bed, start the two programs, show what came out.
+// footfall run: check, bed, start the two programs, show what came out; or go on from a checkpoint.
 
 #include <string>
 #include <vector>
@@ -16,9 +16,10 @@ struct RunArguments {
   bool force = false;                 // into a folder with an earlier run, whose files are removed first
   bool trust_script = false;          // the script may run programs and write anywhere
   bool quiet = false;
+  bool resume = false;  // go on with the run in `out`; empty: the one last kept in runs
 };
 
-// Returns the exit code. Throws InputError, PartnerError.
+// Of a resumed run only `until` and `quiet` may be said anew. Returns the exit code. Throws InputError, PartnerError.
 int run_command(const RunArguments& arguments);
 
 }  // namespace footfall

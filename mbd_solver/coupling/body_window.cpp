@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "coupler/message_fields.h"
 #include "mbd_solver/coupling/fast_modes.h"
 
 namespace footfall {
@@ -14,6 +15,13 @@ BodyWindow::BodyWindow(const Scheme& scheme, const Body& body, const BodyMotion&
       load_(last),
       before_(initial.mode_count()) {
   if (load_.mean.Q_a.size() != initial.mode_count()) load_.mean = MeanLoad(initial.mode_count());
+}
+
+// The next window begins with a state, a path and a reaction of its own.
+void BodyWindow::visit(Archive& archive) {
+  archive("predicted", predicted_);
+  archive("load", load_);
+  archive("n", n_);
 }
 
 Matrix6d BodyWindow::rigid_inertia() const {

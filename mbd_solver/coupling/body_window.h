@@ -33,6 +33,8 @@ class BodyWindow {
   const PredictedPath& path() const { return predicted_.path(); }
   double length() const { return length_; }  // H [s]
 
+  void visit(Archive& archive);  // between two windows
+
  private:
   Matrix6d rigid_inertia() const;  // M at the window's start, on (r, theta) in W
 

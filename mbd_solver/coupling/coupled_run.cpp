@@ -22,11 +22,12 @@ double stated(const Scene& scene, const std::string& name) {
   return *end == '\0' ? value : 0.0;
 }
 
-DemTerms terms_of(const Scene& scene, double t_end) {
+DemTerms terms_of(const Scene& scene, double t_end, const std::string& resume) {
   DemTerms terms;
   terms.scheme = scene.coupling.scheme;
   terms.t_end = t_end;
   terms.gravity = scene.gravity;
+  terms.resume = resume;
   terms.n_max = scene.coupling.max_substeps;
   terms.max_dt = scene.particles->max_time_step;
   terms.expected_dt = stated(scene, "dt");
@@ -46,13 +47,19 @@ std::vector<CoupledBody> bodies_with_boundary(const Mechanism& mechanism, const 
 
 }  // namespace
 
+template <>
+inline constexpr auto kFields<CouplingSample> =
+    std::tuple{Field{"substeps", &CouplingSample::substeps}, Field{"estimate", &CouplingSample::estimate},
+               Field{"energy_residual", &CouplingSample::energy_residual}, Field{"omega_h", &CouplingSample::omega_h}};
+
 CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations& equations, const Kinematics& start,
-                       double t_end, Transport& transport)
+                       double t_end, Transport& transport, const std::string& resume)
     : mechanism_(mechanism),
       t_end_(t_end),
       up_(up_direction(scene.gravity)),
       scheme_(make_scheme(scene.coupling.scheme)),
-      partner_(transport, bodies_with_boundary(mechanism, start), terms_of(scene, t_end), scene.coupling.timeout),
+      partner_(transport, bodies_with_boundary(mechanism, start), terms_of(scene, t_end, resume),
+               scene.coupling.timeout),
       agreement_{partner_.dt(), partner_.substeps(), partner_.coupled(), scheme_.get()} {
   std::vector<std::string> names;
   std::vector<double> masses;
@@ -87,13 +94,29 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations
   choice_->start(choice_bodies_);
 }
 
-double CoupledRun::begin_window(const State& state, const Kinematics& kinematics, Inputs& inputs) {
+void CoupledRun::visit(Archive& archive) {
+  archive("window", motion_.window);
+  archive("n", motion_.n);
+  for (Coupled& body : bodies_) archive(body.entry.boundary.name().c_str(), body.window);
+  archive("partner", partner_);
+  archive("watch", *watch_);
+  if (choice_) archive("choice", *choice_);
+  archive("sample", sample_);
+  archive("dem_seconds", dem_seconds_);
+  archive("waited", waited_);
+  if (archive.restores()) waited_before_ = waited_;
+}
+
+double CoupledRun::begin_window(const State& state, const Kinematics& kinematics,
+                                const std::function<std::string(double t_end)>& checkpoint_at, Inputs& inputs) {
   const double dt = agreement_.dt;
   const int left = static_cast<int>(std::lround((t_end_ - state.time) / dt));
   motion_.time = state.time;
   const int wanted = choice_ ? choice_->substeps() : agreement_.substeps;
   motion_.n = std::max(1, std::min(scheme_->substeps(wanted, motion_.window), left));
   motion_.last_window = left <= motion_.n;
+  const double t_end = motion_.last_window ? t_end_ : state.time + motion_.n * dt;
+  motion_.checkpoint = motion_.last_window ? "" : checkpoint_at(t_end);
 
   work_before_ = state.load_work;
 
@@ -110,7 +133,7 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
     const auto body = static_cast<std::size_t>(bodies_[k].entry.body);
     watched_[k].mass = bodies_[k].contact_mass.along(inputs.loads[body], state, inputs);
   }
-  return motion_.last_window ? t_end_ : state.time + motion_.n * dt;
+  return t_end;
 }
 
 void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
@@ -121,9 +144,12 @@ void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
   sample_.estimate = choice_ ? choice_->estimate() : 0.0;
   sample_.energy_residual = watch_->energy_residual();
   sample_.omega_h = watch_->omega_h();
-  waited_ = partner_.seconds_waited();
+  waited_ = waited_before_ + partner_.seconds_waited();
   ++motion_.window;
 }
+
+// Windows are counted at their end.
+void CoupledRun::wait_until_kept() { partner_.expect_kept(motion_.window - 1); }
 
 // n of the next window, and up to which omega H it needs no warning.
 void CoupledRun::choose_window() {

@@ -7,6 +7,7 @@
 //   (the mechanism moves from t_k to t_k + H under that load)
 //   end_window     work that arrived, gap between computed and predicted motion: watch, and n of the next window
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,19 +27,25 @@ namespace footfall {
 
 class CoupledRun {
  public:
-  // Shakes hands with LIGGGHTS. start: of the mechanism. mechanism, equations and transport must outlive this.
-  // Throws ProtocolError, PartnerError.
+  // Shakes hands with LIGGGHTS. start: of the mechanism. mechanism, equations and transport must outlive this. resume:
+  // folder of the checkpoint from which both sides go on; visit() then follows. Throws ProtocolError, PartnerError.
   CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations& equations, const Kinematics& start,
-             double t_end, Transport& transport);
+             double t_end, Transport& transport, const std::string& resume = "");
 
   // Sends the motion, waits for the load, writes it into inputs.loads (one per body of the model, sized by the caller).
-  // kinematics: with accelerations. Returns the window's end [s]; the present time when the script has ended, as it may:
-  // script_has_ended(). Throws NumericalError for a load that is not finite,
-  // PartnerError.
-  double begin_window(const State& state, const Kinematics& kinematics, Inputs& inputs);
+  // kinematics: with accelerations. checkpoint_at: the folder in which the grains' side shall keep itself at the window's
+  // end [s]; empty: it need not. Returns the window's end [s]; the present time when the script has ended, as it may:
+  // script_has_ended(). Throws NumericalError for a load that is not finite, PartnerError.
+  double begin_window(const State& state, const Kinematics& kinematics,
+                      const std::function<std::string(double t_end)>& checkpoint_at, Inputs& inputs);
   // The mechanism has come to the window's end. Throws NumericalError when the coupling pumps energy or chatters
   // (CouplingWatch).
   void end_window(const State& state, const Kinematics& kinematics);
+
+  // The grains' side was asked to keep itself at the end of the last window.
+  bool keeps() const { return !motion_.checkpoint.empty(); }
+  void wait_until_kept();        // then its files are there
+  void visit(Archive& archive);  // between two windows
 
   void close() { partner_.close(); }  // after the last window
   void fail(const std::string& reason, Status status) noexcept { partner_.fail(reason, status); }
@@ -48,6 +55,7 @@ class CoupledRun {
   const Load& load() const { return partner_.load(); }      // likewise; empty before the first
   // The LIGGGHTS script has said that it may end before the scene does, and has.
   bool script_has_ended() const { return partner_.script_has_ended(); }
+  bool asked_to_end() const { return partner_.load().asked_to_end; }  // by a signal to a rank of LIGGGHTS
   const CouplingWatch& watch() const { return *watch_; }
   double dem_seconds() const { return dem_seconds_; }  // spent by LIGGGHTS on its windows [s]
   double seconds_waited() const { return waited_; }  // for LIGGGHTS, its work included, until the last window's end [s]
@@ -84,6 +92,7 @@ class CoupledRun {
   Eigen::VectorXd work_before_;               // State::load_work at the window's start [J]
   std::vector<CouplingWatch::Body> watched_;  // of the window, per coupled body
   double dem_seconds_ = 0.0, waited_ = 0.0;   // [s]
+  double waited_before_ = 0.0;                // by the run that this one resumes [s]
 };
 
 }  // namespace footfall

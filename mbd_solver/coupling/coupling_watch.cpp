@@ -49,6 +49,39 @@ CouplingWatch::CouplingWatch(std::vector<std::string> names, const CouplingSpec&
       change_(names_.size(), Eigen::Vector3d::Zero()),
       alternations_(names_.size(), 0) {}
 
+void CouplingWatch::visit(Archive& archive) {
+  archive("sum", sum_);
+  archive("residual", residual_);
+  archive("largest_residual", largest_residual_);
+  archive("work", work_);
+  archive("largest_kick", largest_kick_);
+  archive("warned_of_gain", warned_of_gain_);
+  archive("warned_of_loss", warned_of_loss_);
+  archive("warned_of_overlap", warned_of_overlap_);
+  archive("warned_of_facets", warned_of_facets_);
+  archive("largest_overlap", largest_overlap_);
+  archive("largest_patch", largest_patch_);
+  archive("largest_force", largest_force_);
+  archive("omega_h", omega_h_);
+  archive("largest_omega_h", largest_omega_h_);
+  archive("warn_omega_h", warn_omega_h_);
+  archive("warned", warned_);
+  archive("touch", touch_);
+  archive("touches", touches_);
+  archive("impulse", impulse_);
+  archive("unresolved", unresolved_);
+  archive("shortest", shortest_);
+  archive("surplus", surplus_);
+  archive("given", given_);
+  archive("warned_of_surplus", warned_of_surplus_);
+  archive("largest_impulse", largest_impulse_);
+  archive("surplus_windows", surplus_windows_);
+  archive("force", force_);
+  archive("change", change_);
+  archive("alternations", alternations_);
+  archive("warnings", warnings_);
+}
+
 void CouplingWatch::window(const Window& window, const Load& load, const std::vector<Body>& bodies) {
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const BodyLoad& body = load.bodies[i];

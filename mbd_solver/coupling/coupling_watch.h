@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/archive.h"
 #include "coupler/messages.h"
 #include "mbd_solver/scene/run_spec.h"
 
@@ -45,6 +46,8 @@ class CouplingWatch {
   // gave [N s].
   void count_surplus(std::size_t i, double time, const Eigen::Vector3d& surplus, double given);
 
+  void visit(Archive& archive);
+
   double energy_residual() const { return residual_; }  // sum of (work on the boundary - work received), + pending [J]
   double largest_energy_residual() const { return largest_residual_; }
   double largest_overlap() const { return largest_overlap_; }      // of radius [-]
@@ -62,11 +65,23 @@ class CouplingWatch {
     double most_contacts = 1.0;  // met at ends of windows
     double longest_H = 0.0;      // of its windows [s]
     double impulse = 0.0;        // [N s]
+    void visit(Archive& archive) {
+      archive("contact_time", contact_time);
+      archive("most_contacts", most_contacts);
+      archive("longest_H", longest_H);
+      archive("impulse", impulse);
+    }
   };
   // The work of the grains on one body.
   struct Work {
     double sum = 0.0, largest = 0.0, smallest = 0.0;  // since the start [J]
     double surplus = 0.0;                             // work of the grains - work received, while it is not held [J]
+    void visit(Archive& archive) {
+      archive("sum", sum);
+      archive("largest", largest);
+      archive("smallest", smallest);
+      archive("surplus", surplus);
+    }
   };
 
   void watch_omega_h(std::size_t body, const Window& window, double stiffness, double mass);

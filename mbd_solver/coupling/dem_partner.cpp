@@ -31,6 +31,7 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
                           ", the scene is in SI: write `units si`");
     Geometry geometry;
     geometry.bodies = bodies_;
+    geometry.resume = terms.resume;
     link_.send(geometry);
     link_.receive_patiently(start_);
     check(terms);
@@ -43,6 +44,7 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     Accept accept;
     accept.scheme = terms.scheme;
     accept.t_end = terms.t_end;
+    accept.t_start = terms.t_start;
     accept.n_max = start_.n > 0 ? start_.n : terms.n_max;
     accept.patience = patience;
     link_.send(accept);
@@ -109,6 +111,14 @@ const Load& DemPartner::exchange(const Motion& motion) {
                         std::to_string(load_.bodies.size()) + " bodies, expected window " +
                         std::to_string(motion.window) + " with " + std::to_string(motion.bodies.size()));
   return load_;
+}
+
+void DemPartner::expect_kept(std::int64_t window) {
+  Kept kept;
+  link_.receive(kept);
+  if (kept.window != window)
+    throw ProtocolError("a checkpoint after window " + std::to_string(kept.window) + ", expected one after window " +
+                        std::to_string(window));
 }
 
 }  // namespace footfall

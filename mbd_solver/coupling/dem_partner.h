@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "coupler/archive.h"
 #include "coupler/link.h"
+#include "coupler/message_fields.h"
 #include "coupler/messages.h"
 
 namespace footfall {
@@ -19,6 +21,8 @@ struct DemTerms {
   double expected_dt = 0.0;                           // stated by the scene for the script; 0: not stated [s]
   int expected_n = 0;                                 // likewise
   int n_max = 1;                                      // longest window when the script has `every auto`
+  double t_start = 0.0;                               // of the first window [s]: 0 except when a run is resumed
+  std::string resume;  // folder of the checkpoint that both sides go on from; empty: a new run
 };
 
 class DemPartner {
@@ -41,6 +45,10 @@ class DemPartner {
   const Load& exchange(const Motion& motion);
   bool script_has_ended() const { return script_has_ended_; }
   const Load& load() const { return load_; }  // of the last window
+  // Waits until the grains' side has kept itself after this window, whose motion asked for it.
+  void expect_kept(std::int64_t window);
+
+  void visit(Archive& archive) { archive("load", load_); }
   void close() {
     if (!link_.closed()) link_.close();
   }

@@ -17,6 +17,7 @@ class PredictedWindow {
   // A window of n substeps of dt [s] begins with the motion that is sent, `start`.
   void begin(const BodyMotion& start, int n, double dt);
   const PredictedPath& path() const { return path_; }
+  void visit(Archive& archive) { walk_.visit(archive); }  // between two windows
 
  private:
   const Scheme& scheme_;

@@ -19,6 +19,22 @@ constexpr double kStanding = 0.9;      // of the stiffness met: contacts stand
 WindowChoice::WindowChoice(const CouplingSpec& spec, double dt, double weight)
     : spec_(spec), dt_(dt), force_scale_(weight) {}
 
+void WindowChoice::Memory::visit(Archive& archive) {
+  archive("stiffness", stiffness);
+  archive("answer", answer);
+  archive("omega_h", omega_h);
+  archive("touched", touched);
+  archive("force", force);
+  archive("place", place);
+}
+
+void WindowChoice::visit(Archive& archive) {
+  archive("force_scale", force_scale_);
+  archive("memory", memory_);
+  archive("estimate", estimate_);
+  archive("n", n_);
+}
+
 double WindowChoice::answer(const Body& body, Memory& memory) {
   const double way = (body.place - memory.place).norm(), change = (body.force - memory.force).norm();
   const bool told = memory.touched && way > body.gap;

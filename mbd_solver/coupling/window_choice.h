@@ -22,6 +22,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "coupler/archive.h"
 #include "mbd_solver/scene/run_spec.h"
 
 namespace footfall {
@@ -53,6 +54,8 @@ class WindowChoice {
   // After a window of n substeps.
   void observe(int n, const std::vector<Body>& bodies);
 
+  void visit(Archive& archive);
+
  private:
   struct Memory {
     double stiffness = 0.0;                           // of contacts met: falls by 5 % per window [N/m]
@@ -61,6 +64,8 @@ class WindowChoice {
     bool touched = false;                             // in the window before
     Eigen::Vector3d force = Eigen::Vector3d::Zero();  // of the window before [N]
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  // likewise [m]
+
+    void visit(Archive& archive);
   };
 
   static double answer(const Body& body, Memory& memory);  // K_s; the window becomes the one before

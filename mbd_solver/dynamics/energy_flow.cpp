@@ -34,6 +34,22 @@ void EnergyFlow::take(const StoredEnergy& stored, const State& state, const Kine
   last_ = std::move(now);
 }
 
+void EnergyFlow::Forms::visit(Archive& archive) {
+  archive("stored", stored);
+  archive("dissipated", dissipated);
+  archive("load_work", load_work);
+  archive("motion_work", motion_work);
+}
+
+void EnergyFlow::visit(Archive& archive) {
+  archive("started", started_);
+  archive("V0", V0_);
+  archive("last", last_);
+  archive("flow", flow_);
+  archive("largest_kinetic", largest_kinetic_);
+  archive("largest_form", largest_form_);
+}
+
 double EnergyFlow::scale() const { return std::max({flow_, largest_kinetic_, kRoundOff * largest_form_}); }
 
 }  // namespace footfall

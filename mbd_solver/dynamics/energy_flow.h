@@ -10,6 +10,7 @@
 
 #include <Eigen/Dense>
 
+#include "coupler/archive.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/model/model.h"
 #include "mbd_solver/model/state.h"
@@ -27,12 +28,16 @@ class EnergyFlow {
   // round-off of the account. [J]
   double scale() const;
 
+  void visit(Archive& archive);
+
  private:
   struct Forms {
     StoredEnergy stored;  // its kinetic energy is K'
     Dissipated dissipated;
     Eigen::VectorXd load_work;
     double motion_work = 0.0;
+
+    void visit(Archive& archive);
   };
 
   const Model& model_;

@@ -276,6 +276,12 @@ void Ida::forget() {
               "SUNLinSol_KLUReInit");
 }
 
+void Ida::resume(const IntegratorStatistics& so_far) {
+  forget();
+  statistics_ = so_far;
+  ida_->jacobians = so_far.jacobians;
+}
+
 void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) {
   Sundials& s = *ida_;
   FOOTFALL_DEMAND(t_end > state.time);

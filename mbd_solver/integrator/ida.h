@@ -20,6 +20,7 @@ class Ida : public Integrator {
   const Eigen::VectorXd& end_rates() const override;
   void forget() override;
   const IntegratorStatistics& statistics() const override { return statistics_; }
+  void resume(const IntegratorStatistics& so_far) override;
 
  private:
   struct Sundials;  // everything that needs a header of SUNDIALS

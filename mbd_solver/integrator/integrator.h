@@ -64,6 +64,8 @@ class Integrator {
   // alone.
   virtual void forget() = 0;
   virtual const IntegratorStatistics& statistics() const = 0;
+  // Goes on where another integrator, which was told to forget() there, has left off after such statistics.
+  virtual void resume(const IntegratorStatistics& so_far) = 0;
 };
 
 // kind: "one_step" (default, L-stable TR-BDF2, needs no restart) or "ida" (SUNDIALS). InputError on any

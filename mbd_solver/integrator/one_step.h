@@ -26,6 +26,10 @@ class OneStep : public Integrator {
   const Eigen::VectorXd& end_rates() const override { return rates_; }
   void forget() override;
   const IntegratorStatistics& statistics() const override { return statistics_; }
+  void resume(const IntegratorStatistics& so_far) override {
+    forget();
+    statistics_ = so_far;
+  }
 
  private:
   enum class Outcome { kAccepted, kTooInaccurate, kNoConvergence };

@@ -9,6 +9,14 @@
 
 namespace footfall {
 
+template <>
+inline constexpr auto kFields<Figures> = std::tuple{
+    Field{"peak_acceleration", &Figures::peak_acceleration}, Field{"max_descent", &Figures::max_descent},
+    Field{"max_penetration", &Figures::max_penetration},     Field{"max_contact_force", &Figures::max_contact_force},
+    Field{"reference_energy", &Figures::reference_energy},   Field{"energy_flow", &Figures::energy_flow},
+    Field{"energy_balance", &Figures::energy_balance},       Field{"contact_work", &Figures::contact_work},
+    Field{"contact_force", &Figures::contact_force}};
+
 FigureTaker::FigureTaker(const Subject& subject)
     : subject_(subject),
       flow_(subject.mechanism.model),
@@ -23,6 +31,14 @@ FigureTaker::FigureTaker(const Subject& subject)
   const Model& model = subject.mechanism.model;
   for (int i = 1; i < model.body_count(); ++i)
     if (model.body(i).mass() > model.body(body_).mass()) body_ = i;
+}
+
+void FigureTaker::visit(Archive& archive) {
+  archive("figures", figures_);
+  archive("flow", flow_);
+  archive("start_height", start_height_);
+  archive("start_energy", start_energy_);
+  archive("started", started_);
 }
 
 const std::string& FigureTaker::body_name() const { return subject_.mechanism.model.body(body_).name(); }

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "coupler/archive.h"
 #include "mbd_solver/dynamics/energy_flow.h"
 #include "mbd_solver/observe/sample.h"
 
@@ -34,6 +35,7 @@ class FigureTaker {
   const Figures& figures() const { return figures_; }
   // What to tell when the mechanism's energy did not close to kGoodBalance; empty otherwise.
   std::string balance_warning() const;
+  void visit(Archive& archive);
   const std::string& body_name() const;  // the heaviest body, whose acceleration and descent are reported
 
  private:

@@ -8,6 +8,11 @@
 
 namespace footfall {
 
+template <>
+inline constexpr auto kFields<FlexibleFigures> = std::tuple{
+    Field{"strain_energy", &FlexibleFigures::strain_energy}, Field{"deflection", &FlexibleFigures::deflection},
+    Field{"von_mises", &FlexibleFigures::von_mises}, Field{"spin", &FlexibleFigures::spin}};
+
 FlexibleBodies::FlexibleBodies(const Subject& subject) : model_(subject.mechanism.model) {
   for (int i = 0; i < model_.body_count(); ++i)
     if (model_.body(i).mode_count() > 0) bodies_.push_back(i);
@@ -23,6 +28,17 @@ FlexibleBodies::FlexibleBodies(const Subject& subject) : model_(subject.mechanis
     if (!material.empty()) watch.yield_stress = scene.material(material).yield_stress;
     watch_.push_back(watch);
   }
+}
+
+void FlexibleBodies::visit(Archive& archive) {
+  archive("now", now_);
+  archive("peak", peak_);
+  for (std::size_t k = 0; k < watch_.size(); ++k) {
+    archive("spins", watch_[k].spins);
+    archive("bends", watch_[k].bends);
+    archive("yields", watch_[k].yields);
+  }
+  archive("warnings", warnings_);
 }
 
 int FlexibleBodies::find(int body) const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/archive.h"
 #include "mbd_solver/observe/sample.h"
 
 namespace footfall {
@@ -25,6 +26,8 @@ class FlexibleBodies {
   // Told once per body and cause: it spins too fast or bends too far for linear modes (linear_range.h), or its material
   // yields.
   const std::vector<std::string>& warnings() const { return warnings_; }
+
+  void visit(Archive& archive);
 
   int count() const { return static_cast<int>(bodies_.size()); }
   int find(int body) const;  // place of a body of the model here, or -1: it is rigid

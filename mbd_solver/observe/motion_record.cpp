@@ -6,6 +6,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/folder.h"
+#include "coupler/message_fields.h"
 
 namespace footfall {
 namespace {
@@ -47,7 +48,8 @@ RigidFit fit_rigid(const Eigen::Matrix3Xd& x0, const Eigen::Matrix3Xd& x) {
   return fit;
 }
 
-MotionRecord::MotionRecord(const Subject& subject, const Kinematics& start, const std::string& folder)
+MotionRecord::MotionRecord(const Subject& subject, const Kinematics& start, const std::string& folder,
+                           Beginning beginning)
     : scheme_(*subject.agreement->scheme) {
   const std::vector<std::string> names = {"time", "x", "y", "z", "rx", "ry", "rz", "bend", "fx", "fy", "fz"};
   const std::vector<std::string> units = {"s", "m", "m", "m", "rad", "rad", "rad", "m", "N", "N", "N"};
@@ -59,10 +61,11 @@ MotionRecord::MotionRecord(const Subject& subject, const Kinematics& start, cons
     const std::string file = (fs::path(folder) / boundary.name()).string();
     const BodyMotion rest(boundary.mode_count());
     const Eigen::Matrix3Xd unset(3, boundary.node_count());
-    Surface surface{&entry, rest, rest, unset, unset, std::make_unique<HistoryWriter>(file + ".csv", names, units)};
+    Surface surface{&entry, rest,  rest,
+                    unset,  unset, std::make_unique<HistoryWriter>(file + ".csv", names, units, beginning)};
     fill_motion(start.of(entry.body), surface.motion);
     boundary.node_positions(surface.motion, surface.x0);
-    write_stl(file + ".stl", boundary.name(), surface.x0, boundary.triangles());
+    if (beginning == Beginning::kNew) write_stl(file + ".stl", boundary.name(), surface.x0, boundary.triangles());
     surfaces_.push_back(std::move(surface));
   }
 }
@@ -86,6 +89,21 @@ void MotionRecord::write(const Sample& sample) {
   }
   time_ = sample.state.time;
   started_ = true;
+}
+
+void MotionRecord::visit(Archive& archive) {
+  archive("time", time_);
+  archive("started", started_);
+  for (Surface& surface : surfaces_) archive("surface", surface);
+}
+
+void MotionRecord::Surface::visit(Archive& archive) {
+  archive("motion", motion);
+  archive("predicted", predicted);
+  archive("x0", x0);
+  long position = archive.restores() ? 0 : file->position();
+  archive("position", position);
+  if (archive.restores()) file->go_on_at(position);
 }
 
 void MotionRecord::flush() {

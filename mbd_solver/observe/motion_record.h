@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/archive.h"
 #include "mbd_solver/observe/sample.h"
 #include "mbd_solver/output/history.h"
 
@@ -30,9 +31,11 @@ class MotionRecord {
  public:
   // Of a coupled run; start: its kinematics then. Makes the folder. What the subject views must outlive this. Throws
   // InputError when the folder cannot be written.
-  MotionRecord(const Subject& subject, const Kinematics& start, const std::string& folder);
+  MotionRecord(const Subject& subject, const Kinematics& start, const std::string& folder,
+               Beginning beginning = Beginning::kNew);
   void write(const Sample& sample);
   void flush();
+  void visit(Archive& archive);
 
  private:
   struct Surface {
@@ -42,6 +45,8 @@ class MotionRecord {
     Eigen::Matrix3Xd x0;   // nodes at the start [m]
     Eigen::Matrix3Xd x;    // now
     std::unique_ptr<HistoryWriter> file;
+
+    void visit(Archive& archive);
   };
 
   const Scheme& scheme_;

@@ -22,6 +22,7 @@ class Observation {
   const std::vector<double>& row(const Sample& sample);
   // Of all flexible bodies, over the rows so far.
   const FlexibleBodies& flexible() const { return flexible_; }
+  void visit(Archive& archive) { flexible_.visit(archive); }
 
  private:
   FlexibleBodies flexible_;

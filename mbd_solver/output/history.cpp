@@ -1,10 +1,13 @@
 #include "mbd_solver/output/history.h"
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/output/checkpoint_folder.h"
 
 namespace footfall {
 
@@ -15,9 +18,11 @@ const std::string kUnitsMark = "# units: ";
 }  // namespace
 
 HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::string>& names,
-                             const std::vector<std::string>& units)
-    : path_(path), names_(names), file_(path) {
+                             const std::vector<std::string>& units, Beginning beginning)
+    : path_(path), names_(names) {
   FOOTFALL_DEMAND(!names.empty() && names.size() == units.size());
+  if (beginning == Beginning::kResume) return;
+  file_.open(path);
   if (!file_) throw InputError(path + ": cannot be written; choose another folder with --out");
   file_ << kUnitsMark << joined(units, ",") << '\n' << joined(names, ",") << '\n';
 }
@@ -42,6 +47,24 @@ void HistoryWriter::write(const std::vector<double>& row) {
 void HistoryWriter::flush() {
   file_.flush();
   if (!file_) throw InputError(path_ + ": writing failed; is the disk full?");
+}
+
+long HistoryWriter::position() {
+  flush();
+  sync_to_disk(path_);
+  return static_cast<long>(file_.tellp());
+}
+
+void HistoryWriter::go_on_at(long position) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path_, error), at = static_cast<std::uintmax_t>(position);
+  if (error || size < at)
+    throw InputError(path_ + ": has " + std::to_string(error ? 0 : size) + " bytes, the checkpoint expects at least " +
+                     std::to_string(position) + ": was the file changed since?");
+  file_.close();
+  std::filesystem::resize_file(path_, at, error);
+  file_.open(path_, std::ios::in | std::ios::out | std::ios::ate);
+  if (error || !file_) throw InputError(path_ + ": cannot be written");
 }
 
 int History::find(const std::string& name) const {

@@ -8,16 +8,26 @@
 
 namespace footfall {
 
+enum class Beginning {
+  kNew,    // a new file
+  kResume  // the file that a run has left, which go_on_at() then cuts
+};
+
 class HistoryWriter {
  public:
-  // One unit per name; the first column is time. Makes a new file. Throws InputError when it cannot be written.
-  HistoryWriter(const std::string& path, const std::vector<std::string>& names, const std::vector<std::string>& units);
+  // One unit per name; the first column is time. Throws InputError when the file cannot be written.
+  HistoryWriter(const std::string& path, const std::vector<std::string>& names, const std::vector<std::string>& units,
+                Beginning beginning = Beginning::kNew);
 
   // One row, in the order of the names. Throws NumericalError, naming the column and time, when a value is not finite:
   // a file never holds one.
   void write(const std::vector<double>& row);
   // Everything written so far is on the disk's side. Throws InputError when the disk is full.
   void flush();
+  // Bytes so far, all of them on the disk itself: a run that is resumed goes on there. Throws as flush().
+  long position();
+  // What a later part of the run wrote behind this position is dropped. Throws InputError when the file is shorter.
+  void go_on_at(long position);
 
  private:
   std::string path_;

@@ -125,6 +125,23 @@ VtkFrame read_vtk_frame(const std::string& vtu) {
 
 VtkSeries::VtkSeries(std::string folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
 
+void VtkSeries::list(double time) {
+  char number[16];
+  std::snprintf(number, sizeof number, "_%04zu.vtu", frames_.size());
+  frames_.emplace_back(time, name_ + number);
+}
+
+std::vector<double> VtkSeries::times() const {
+  std::vector<double> times;
+  for (const auto& [time, file] : frames_) times.push_back(time);
+  return times;
+}
+
+void VtkSeries::go_on_after(const std::vector<double>& times) {
+  frames_.clear();
+  for (const double time : times) list(time);
+}
+
 void VtkSeries::write(double time, const VtkFrame& frame) {
   if (!frame.points.allFinite())
     throw NumericalError("t = " + std::to_string(time) + " s: geometry of " + name_ + " is not finite");
@@ -141,9 +158,7 @@ void VtkSeries::write(double time, const VtkFrame& frame) {
   for (const auto& [name, values] : frame.cell_numbers)
     data_array(cell_data, "Float64", name, 1).text() = numbers(values).c_str();
 
-  char number[16];
-  std::snprintf(number, sizeof number, "_%04zu.vtu", frames_.size());
-  frames_.emplace_back(time, name_ + number);
+  list(time);
   save(document, folder_ + "/" + frames_.back().second);
 
   pugi::xml_document list;

@@ -26,7 +26,13 @@ class VtkSeries {
   // when a file cannot be written, NumericalError when a number is not finite.
   void write(double time, const VtkFrame& frame);
 
+  // Times of the frames so far [s]; a run that is resumed goes on behind them.
+  std::vector<double> times() const;
+  void go_on_after(const std::vector<double>& times);
+
  private:
+  void list(double time);  // as the next frame
+
   std::string folder_, name_;
   std::vector<std::pair<double, std::string>> frames_;
 };

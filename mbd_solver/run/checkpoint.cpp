@@ -1,53 +1,43 @@
 #include "mbd_solver/run/checkpoint.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/whole_file.h"
+#include "mbd_solver/output/run_start.h"
+#include "mbd_solver/scene/scene_json.h"
 
 namespace footfall {
 namespace {
 
-struct Closer {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
+using Json = nlohmann::ordered_json;
 
-void write(std::FILE* file, const char* name, const double* values, std::size_t count) {
-  std::fprintf(file, "%s %zu", name, count);
-  for (std::size_t i = 0; i < count; ++i) std::fprintf(file, " %a", values[i]);
-  std::fprintf(file, "\n");
-}
-
-void write(std::FILE* file, const char* name, const Eigen::VectorXd& values) {
-  write(file, name, values.data(), static_cast<std::size_t>(values.size()));
-}
+std::string memory_file(const std::string& folder) { return folder + "/run.txt"; }
 
 }  // namespace
 
-void write_checkpoint(const std::string& path, const State& state, const Mechanism& mechanism,
-                      const Eigen::VectorXd& voltages) {
-  const std::string partial = path + ".partial";
-  {
-    const std::unique_ptr<std::FILE, Closer> file(std::fopen(partial.c_str(), "w"));
-    if (!file) throw InputError(partial + ": cannot be written: " + std::strerror(errno));
-    std::FILE* out = file.get();
-    std::fprintf(out, "footfall-checkpoint 1\n");
-    write(out, "time", &state.time, 1);
-    write(out, "q", state.q);
-    write(out, "v", state.v);
-    write(out, "z", state.z);
-    write(out, "dissipated", state.dissipated.by_kind.data(), state.dissipated.by_kind.size());
-    write(out, "load_work", state.load_work);
-    write(out, "motion_work", &state.motion_work, 1);
-    write(out, "step", &state.step, 1);
-    write(out, "voltages", voltages);
-    for (const ControllerEntry& entry : mechanism.controllers)
-      write(out, ("controller/" + entry.name).c_str(), entry.controller->memory());
-  }
-  if (std::rename(partial.c_str(), path.c_str()) != 0)
-    throw InputError(path + ": cannot be written: " + std::strerror(errno));
+void write_checkpoint(const std::string& folder, const Scene& scene, double until, int ranks,
+                      const std::function<void(Archive&)>& visit) {
+  const std::string file = std::filesystem::absolute(scene.file).lexically_normal().string();
+  write_run_start(folder, {file, scene.settings, until, ranks, scene_json(scene)});
+  Archive archive;
+  visit(archive);
+  write_whole_file(memory_file(folder), archive.text());
+}
+
+void restore_checkpoint(const std::string& folder, const Scene& scene, const std::function<void(Archive&)>& visit) {
+  const Json kept = Json::parse(read_run_start(folder).scene), now = Json::parse(scene_json(scene));
+  if (const Json difference = Json::diff(kept, now); !difference.empty())
+    throw InputError(scene.file +
+                     ": is not the scene that the run began with: " + difference[0].at("path").get<std::string>() +
+                     " differs from that in " + folder + ": resume the run with the scene as it was");
+  const std::string file = memory_file(folder);
+  const std::optional<std::string> text = read_whole_file(file);
+  if (!text) throw InputError(file + ": cannot be read");
+  Archive archive(file, *text);
+  visit(archive);
+  archive.finish();
 }
 
 }  // namespace footfall

@@ -57,4 +57,15 @@ void ControlLoop::sample_due(const Sample& sample, Inputs& inputs) {
   }
 }
 
+void ControlLoop::visit(Archive& archive) {
+  archive("samples", samples_);
+  for (ControllerEntry& entry : controllers_) {
+    const std::string name = "controller." + entry.name;
+    Eigen::VectorXd memory = entry.controller->memory();
+    archive((name + ".memory").c_str(), memory);
+    archive((name + ".wakes_at").c_str(), entry.wakes_at);
+    if (archive.restores()) entry.controller->restore(memory);
+  }
+}
+
 }  // namespace footfall

@@ -1,6 +1,7 @@
 #pragma once
 // Sampled control: at its period each controller sees the mechanism and sets voltages, constant until its next sample.
 
+#include "coupler/archive.h"
 #include "mbd_solver/observe/sample.h"
 
 namespace footfall {
@@ -16,6 +17,8 @@ class ControlLoop {
   // Time of the next sample [s]; infinity without controllers.
   double next_sample() const;
   bool empty() const { return controllers_.empty(); }
+
+  void visit(Archive& archive);  // samples taken, and the memory of every controller
 
  private:
   ControllerMeasurement measure(const ControllerEntry& entry, const Sample& sample) const;

@@ -1,20 +1,9 @@
 #include "mbd_solver/run/run_files.h"
 
-#include <cmath>
-
-#include "coupler/base/errors.h"
 #include "coupler/base/folder.h"
-#include "mbd_solver/run/checkpoint.h"
 
 namespace footfall {
 namespace {
-
-// True once per interval [s], at the first window end at or after each multiple of it; moves `next` on.
-bool due(double time, double interval, double& next) {
-  if (time < next - 1e-9 * interval) return false;
-  next = (std::floor(time / interval + 1e-9) + 1.0) * interval;
-  return true;
-}
 
 const std::string& made(const std::string& folder) {
   make_folder(folder);
@@ -23,26 +12,24 @@ const std::string& made(const std::string& folder) {
 
 }  // namespace
 
-RunFiles::RunFiles(const Simulation& simulation, const std::string& folder)
-    : simulation_(simulation),
-      output_(simulation.scene().output),
-      folder_(made(folder) + "/"),
+RunFiles::RunFiles(const Simulation& simulation, const std::string& folder, Beginning beginning)
+    : folder_(made(folder) + "/"),
       observation_(simulation.subject()),
-      history_(folder_ + "history.csv", observation_.names(), observation_.units()),
+      history_(folder_ + "history.csv", observation_.names(), observation_.units(), beginning),
       pictures_(folder, "bodies"),
-      next_checkpoint_(output_.checkpoint_interval) {
-  if (simulation.coupled()) motion_.emplace(simulation.subject(), simulation.kinematics(), folder_ + "motion");
-  if (output_.vtk) drawing_.emplace(simulation.subject());
+      rows_(simulation.scene().output.interval, 0.0),
+      picture_turns_(simulation.scene().output.vtk_interval, 0.0) {
+  if (simulation.coupled())
+    motion_.emplace(simulation.subject(), simulation.kinematics(), folder_ + "motion", beginning);
+  if (simulation.scene().output.vtk) drawing_.emplace(simulation.subject());
 }
 
+// Rows and pictures come at the first window end at or after each multiple of their interval.
 void RunFiles::write(const Sample& sample) {
   const double time = sample.state.time;
-  voltages_ = sample.inputs.voltages;
-  if (due(time, output_.interval, next_row_) || sample.last) history_.write(observation_.row(sample));
+  if (rows_.take_turn(time) || sample.last) history_.write(observation_.row(sample));
   if (motion_) motion_->write(sample);
-  if (drawing_ && due(time, output_.vtk_interval, next_picture_)) pictures_.write(time, drawing_->frame(sample));
-  if (output_.checkpoint_interval > 0.0 && due(time, output_.checkpoint_interval, next_checkpoint_))
-    write_checkpoint_of(sample.state);
+  if (drawing_ && picture_turns_.take_turn(time)) pictures_.write(time, drawing_->frame(sample));
 }
 
 void RunFiles::flush() {
@@ -50,8 +37,17 @@ void RunFiles::flush() {
   if (motion_) motion_->flush();
 }
 
-void RunFiles::write_checkpoint_of(const State& state) const {
-  write_checkpoint(folder_ + "checkpoint.txt", state, simulation_.mechanism(), voltages_);
+void RunFiles::visit(Archive& archive) {
+  archive("rows", rows_);
+  archive("picture_turns", picture_turns_);
+  archive("observation", observation_);
+  long position = archive.restores() ? 0 : history_.position();
+  archive("history", position);
+  if (archive.restores()) history_.go_on_at(position);
+  if (motion_) archive("motion", *motion_);
+  std::vector<double> pictures = pictures_.times();
+  archive("pictures", pictures);
+  if (archive.restores()) pictures_.go_on_after(pictures);
 }
 
 }  // namespace footfall

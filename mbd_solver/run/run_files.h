@@ -1,6 +1,6 @@
 #pragma once
-// What a run writes while it goes: rows of the history, surfaces that touch grains, pictures, checkpoints. Each writer
-// knows when its next turn is.
+// What a run writes while it goes: rows of the history, surfaces that touch grains, pictures. Each writer knows when its
+// next turn is.
 
 #include <optional>
 #include <string>
@@ -16,25 +16,23 @@ namespace footfall {
 
 class RunFiles {
  public:
-  // Makes the folder. The simulation must outlive this. Throws InputError when it cannot be written.
-  RunFiles(const Simulation& simulation, const std::string& folder);
+  // Makes the folder. The simulation must outlive this. kResume: the files stand there, and visit() says where they go
+  // on. Throws InputError when it cannot be written.
+  RunFiles(const Simulation& simulation, const std::string& folder, Beginning beginning);
 
-  void write(const Sample& sample);                    // what is due
-  void flush();                                        // rows are on the disk's side
-  void write_checkpoint_of(const State& state) const;  // with the voltages of the last sample
+  void write(const Sample& sample);  // what is due
+  void flush();                      // rows are on the disk's side
+  void visit(Archive& archive);
   const FlexibleBodies& flexible() const { return observation_.flexible(); }
 
  private:
-  const Simulation& simulation_;
-  const OutputSpec& output_;
   std::string folder_;
   Observation observation_;
   HistoryWriter history_;
   std::optional<MotionRecord> motion_;  // none without grains
   std::optional<Drawing> drawing_;      // none unless the scene asks for pictures
   VtkSeries pictures_;
-  Eigen::VectorXd voltages_;                                      // of the last sample
-  double next_row_ = 0.0, next_picture_ = 0.0, next_checkpoint_;  // [s]
+  IntervalClock rows_, picture_turns_;
 };
 
 }  // namespace footfall

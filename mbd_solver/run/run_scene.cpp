@@ -7,7 +7,9 @@
 #include "coupler/base/folder_lock.h"
 #include "coupler/base/interrupt.h"
 #include "coupler/base/made_files.h"
+#include "mbd_solver/output/checkpoint_folder.h"
 #include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/run/run_files.h"
 #include "mbd_solver/run/run_summary.h"
@@ -22,6 +24,9 @@ class WarningTeller {
     for (; told_ < warnings.size(); ++told_)
       std::fprintf(stderr, "\nmbd_solver: warning: %s\n", warnings[told_].c_str());
   }
+  void skip(const std::vector<std::string>& warnings) {
+    told_ = warnings.size();
+  }  // told by an earlier part of the run
 
  private:
   std::size_t told_ = 0;
@@ -39,23 +44,40 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     lock = lock_folder(options.out);
     made.emplace(options.out);
   }
-  Simulation simulation(scene, t_end, transport);
+  Simulation simulation(scene, t_end, transport, options.checkpoint);
   CoupledRun* const coupled = simulation.coupled();
   for (const std::string& warning : simulation.mechanism().warnings)
     std::fprintf(stderr, "mbd_solver: warning: %s\n", warning.c_str());
   for (const std::string& note : simulation.assembly().notes)
     std::fprintf(stderr, "mbd_solver: note: %s\n", note.c_str());
 
-  RunFiles files(simulation, options.out);
+  const bool resumed = !options.checkpoint.empty();
+  RunFiles files(simulation, options.out, resumed ? Beginning::kResume : Beginning::kNew);
   FigureTaker taker(simulation.subject());
+  const auto visit = [&](Archive& archive) {
+    archive("simulation", simulation);
+    archive("files", files);
+    archive("figures", taker);
+  };
+  if (resumed) restore_checkpoint(options.checkpoint, scene, visit);
   Progress progress(t_end, options.quiet);
   WarningTeller of_coupling, of_bodies;
+  if (coupled) of_coupling.skip(coupled->watch().warnings());
+  of_bodies.skip(files.flexible().warnings());
   const auto observe = [&](const Sample& sample) {
     taker.take(sample);
     files.write(sample);
     progress.show(sample.state.time, sample.window, taker.figures().contact_force);
     if (coupled) of_coupling.tell(coupled->watch().warnings());
     of_bodies.tell(files.flexible().warnings());
+  };
+  CheckpointFolder checkpoints(options.out);
+  std::string folder;  // of the checkpoint that is being written
+  Keeper keep;
+  keep.begin = [&](long windows) { return folder = checkpoints.begin(windows); };
+  keep.finish = [&] {
+    write_checkpoint(folder, scene, options.until, options.ranks, visit);
+    checkpoints.finish();
   };
   const auto finish_files = [&] {
     progress.finish();
@@ -68,15 +90,13 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   std::string why = "interrupted by the user";
   work_is_under_way();
   try {
-    simulation.run(observe, interrupted);
+    simulation.run(observe, interrupted, keep);
   } catch (const std::exception& error) {
     finish_files();
     // A partner that is gone after a signal has had it, too.
     const bool gone = dynamic_cast<const PartnerError*>(&error) != nullptr;
     if (!dynamic_cast<const Interrupted*>(&error) && !(gone && interrupted != 0)) {
       const bool mendable = dynamic_cast<const InputError*>(&error) || dynamic_cast<const ProtocolError*>(&error);
-      if (simulation.state().q.allFinite() && simulation.state().v.allFinite())
-        files.write_checkpoint_of(simulation.state());
       summarize("failed", error.what());
       if (coupled) coupled->fail(error.what(), mendable ? Status::kBadInput : Status::kFailed);
       throw;
@@ -92,8 +112,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     summarize("done", early ? "the LIGGGHTS script ended the run, as it may" : "");
     return kExitDone;
   }
-  // The files first: mpirun kills soon after it has asked for the end.
-  files.write_checkpoint_of(simulation.state());
+  // The summary first: mpirun kills soon after it has asked for the end.
   summarize("interrupted", why);
   if (coupled) coupled->fail(why, Status::kInterrupted);
   return kExitInterrupted;

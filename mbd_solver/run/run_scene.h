@@ -13,10 +13,12 @@ struct RunOptions {
   std::string out = "out";  // folder for history.csv, summary.json, VTU
   double until = 0.0;       // end earlier than the scene [s]; 0: the scene's end
   bool quiet = false;       // no progress line
+  int ranks = 0;            // of LIGGGHTS; 0 without
+  std::string checkpoint;   // folder of the set that the run goes on from; empty: from the start
 };
 
 // Runs the scene and writes its files. Returns the exit code: done or interrupted. `transport`: null without grains.
-// Throws what Simulation throws, after writing a summary that says `failed` and a last checkpoint; the partner is told.
+// Throws what Simulation throws, after writing a summary that says `failed`; the partner is told.
 int run_scene(const Scene& scene, const RunOptions& options, Transport* transport,
               const volatile std::sig_atomic_t& interrupted);
 

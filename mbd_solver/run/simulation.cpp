@@ -39,7 +39,7 @@ IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains) {
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_transport)
+Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_transport, const std::string& resume)
     : scene_(scene),
       t_end_(t_end),
       mechanism_(build_mechanism(scene)),
@@ -50,11 +50,13 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       state_(assembly_.state),
       rates_(Eigen::VectorXd::Zero(equations_.layout().size())),
       control_(mechanism_.controllers, {scene_, mechanism_, equations_.layout()}),
-      sampler_({scene_, mechanism_, equations_.layout()}, equations_, state_, rates_, inputs_) {
+      sampler_({scene_, mechanism_, equations_.layout()}, equations_, state_, rates_, inputs_),
+      checkpoints_(scene.output.checkpoint_interval, scene.output.checkpoint_interval) {
   inputs_.voltages = mechanism_.voltages;
   if (!partner_transport) return;
   inputs_.loads.resize(static_cast<std::size_t>(mechanism_.model.body_count()));
-  coupled_ = std::make_unique<CoupledRun>(scene, mechanism_, equations_, kinematics(), t_end, *partner_transport);
+  coupled_ =
+      std::make_unique<CoupledRun>(scene, mechanism_, equations_, kinematics(), t_end, *partner_transport, resume);
 }
 
 Subject Simulation::subject() const {
@@ -92,12 +94,13 @@ void Simulation::control() {
   if (control_.next_sample() > due) voltages_move_ = inputs_.voltages != voltages;
 }
 
-void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted) {
-  const double started = wall_clock();
+void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted,
+                     const Keeper& keep) {
+  const double started = wall_clock() - times_.total;
   const Sample& at = sampler_.sample();  // always of the present state
-  equations_.accelerations(state_, inputs_, rates_);
+  if (!resumed_) equations_.accelerations(state_, inputs_, rates_);
   take_sample();
-  observe(at);
+  if (!resumed_) observe(at);
 
   // Without grains a window ends only where a voltage changes: rows and samples are read on the way. While each sample
   // changes it, windows end at samples, so that no step is cut.
@@ -122,16 +125,37 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     };
   }
 
-  while (!finished() && interrupted == 0) {
+  // By a signal to this program, or to a rank of LIGGGHTS.
+  const auto asked_to_end = [&] { return interrupted != 0 || (coupled_ && coupled_->asked_to_end()); };
+  const auto wanted = [&](double time) { return keep && (checkpoints_.is_due(time) || asked_to_end()); };
+  const auto folder = [&](double end) { return wanted(end) ? keep.begin(window_ + 1) : std::string(); };
+
+  while (!finished()) {
+    // Checkpoint: where the grains' side has kept itself as well.
+    const bool can_keep = keep && (!coupled_ || coupled_->keeps());
+    if (can_keep && wanted(state_.time)) {
+      checkpoints_.take_turn(state_.time);
+      integrator_->forget();
+      times_.total = wall_clock() - started;
+      if (coupled_) {
+        coupled_->wait_until_kept();
+      } else {
+        keep.begin(window_);
+      }
+      keep.finish();
+    }
+    if (asked_to_end() && (can_keep || !keep)) break;
+
     // Control: the voltages of the window.
     const double control_started = wall_clock();
     control();
     times_.control += wall_clock() - control_started;
 
     // Window: with grains motion goes out and the mean load comes in.
-    const double t_end = coupled_         ? coupled_->begin_window(state_, at.kinematics, inputs_)
-                         : voltages_move_ ? std::min(control_.next_sample(), t_end_)
-                                          : t_end_;
+    const double t_end =
+        coupled_
+            ? coupled_->begin_window(state_, at.kinematics, folder, inputs_)
+            : std::min({voltages_move_ ? control_.next_sample() : t_end_, t_end_, keep ? checkpoints_.next() : t_end_});
     if (coupled_ && coupled_->script_has_ended()) break;
 
     // Integrate, and check.

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 
+#include "coupler/archive.h"
 #include "coupler/transport.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/coupling/coupled_run.h"
@@ -15,6 +16,7 @@
 #include "mbd_solver/integrator/integrator.h"
 #include "mbd_solver/observe/sampler.h"
 #include "mbd_solver/run/control_loop.h"
+#include "mbd_solver/run/interval_clock.h"
 
 namespace footfall {
 
@@ -24,20 +26,38 @@ struct RunTimes {
   double control = 0.0;  // in controllers [s]
 };
 
+// Who keeps a run so that it can be gone on with.
+struct Keeper {
+  // Makes the folder of the checkpoint after so many windows; both sides then write into it.
+  std::function<std::string(long windows)> begin;
+  std::function<void()> finish;  // writes this side's files, when those of the other are there
+
+  explicit operator bool() const { return begin != nullptr; }
+};
+
 class Simulation {
  public:
-  // `partner_transport`: null when the scene touches no grains; then nothing of the coupling is made. The scene must
-  // outlive this. Throws InputError, ProtocolError.
-  Simulation(const Scene& scene, double t_end, Transport* partner_transport);
+  // `partner_transport`: null when the scene touches no grains; then nothing of the coupling is made. resume: folder of
+  // the checkpoint that the run goes on from, which visit() restores; empty: a new run. The scene must outlive this.
+  // Throws InputError, ProtocolError.
+  Simulation(const Scene& scene, double t_end, Transport* partner_transport, const std::string& resume = "");
 
-  // Runs to the end, or until `interrupted` is set. Calls `observe` for the start and after every window.
+  // Runs to the end, or until `interrupted` is set. Calls `observe` for the start and after every window, and
+  // keeps the run every output.checkpoint_interval, and when it is interrupted: at the end of a window whose begin has
+  // told the grains. There the integrator forgets what it knows of earlier windows, so that this run and the resumed one
+  // go on alike.
   // Throws NumericalError, PartnerError.
-  void run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted);
+  void run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted,
+           const Keeper& keep = {});
+
+  // The memory of the run, at such a place; one that restores makes this the run that was kept, which run() continues.
+  void visit(Archive& archive);
 
   const Scene& scene() const { return scene_; }
   const Mechanism& mechanism() const { return mechanism_; }
   const Assembly& assembly() const { return assembly_; }
   const State& state() const { return state_; }
+  long window() const { return window_; }  // windows done
   const Integrator& integrator() const { return *integrator_; }
   const RunTimes& times() const { return times_; }
   bool finished() const;  // the end time has been reached
@@ -66,6 +86,8 @@ class Simulation {
   bool voltages_move_ = true;  // the last sample has changed one
   Sampler sampler_;
   std::unique_ptr<CoupledRun> coupled_;
+  IntervalClock checkpoints_;
+  bool resumed_ = false;  // the sample of the present state has been observed
   RunTimes times_;
 };
 

@@ -10,7 +10,7 @@
 #include "coupler/base/text.h"
 #include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/launch/bed.h"
-#include "mbd_solver/cli/launch/fingerprint.h"
+#include "coupler/base/fingerprint.h"
 #include "mbd_solver/cli/launch/process_pool.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/output/summary.h"

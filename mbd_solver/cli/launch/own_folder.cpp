@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // What every run makes, whatever becomes of it: noted at its start.
-const std::vector<std::string> kEvery = {"history.csv", "summary.json", "ledger.csv",       "checkpoint.txt",
+const std::vector<std::string> kEvery = {"history.csv", "summary.json", "ledger.csv",
                                          "bodies.pvd",  "liggghts.log", "grains_energy.txt"};
 // What a run may write besides.
 constexpr const char* kSome[] = {"bodies_[0-9]*.vtu", "motion/*.csv", "motion/*.stl",     "plots/*.gp",
@@ -56,10 +56,17 @@ OwnFolder::OwnFolder(const std::string& folder, bool force) {
   if (std::error_code error; !fs::exists(fs::path(folder) / kLockFile, error)) refuse(folder, force);
   lock_ = lock_folder(folder);
   refuse(folder, force);
-  files_.emplace(folder);
+  files_ = std::make_unique<MadeFiles>(folder);
   refuse_foreign(folder, files_->foreign());
   remove_made_files(folder);
   files_->note(kEvery);
+}
+
+OwnFolder::OwnFolder(const std::string& folder) {
+  if (std::error_code error; !fs::is_directory(folder, error))
+    throw InputError(folder + ": there is no such folder, and so no run to go on with");
+  lock_ = lock_folder(folder);
+  files_ = std::make_unique<MadeFiles>(folder);
 }
 
 std::string new_run_folder(const std::string& name) {

@@ -2,7 +2,7 @@
 // The folder that one run writes into: held while the run lives, and what it makes there is noted, so that a later run
 // with --force removes that and nothing of the user's.
 
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "coupler/base/folder_lock.h"
@@ -15,10 +15,12 @@ class OwnFolder {
   // Refuses a folder that another run holds; one that holds an earlier run, unless `force`, which removes the files of
   // that run; one where files of the user have names that the run would write. Throws InputError.
   OwnFolder(const std::string& folder, bool force);
+  // The folder of a run that goes on: nothing is removed. Refuses a folder that another run holds. Throws InputError.
+  explicit OwnFolder(const std::string& folder);
 
  private:
   FileLock lock_;
-  std::optional<MadeFiles> files_;
+  std::unique_ptr<MadeFiles> files_;
 };
 
 // runs/NAME, runs/NAME-2, ...: the first that is free; it is there then.

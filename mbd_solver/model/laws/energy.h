@@ -52,6 +52,10 @@ struct ByKind {
     for (const double value : by_kind) sum += value;
     return sum;
   }
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive("by_kind", by_kind);
+  }
 };
 
 using StoredEnergy = ByKind<Stored>;     // [J]

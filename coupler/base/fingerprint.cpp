@@ -1,4 +1,4 @@
-#include "mbd_solver/cli/launch/fingerprint.h"
+#include "coupler/base/fingerprint.h"
 
 #include <cstdint>
 #include <cstdio>

@@ -1,0 +1,165 @@
+#include "coupler/archive.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+namespace {
+
+std::string hexadecimal(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%a", value);
+  return text;
+}
+
+// A text in one line, and back.
+std::string in_one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text) line += c == '\n' ? "\\n" : c == '\\' ? "\\\\" : std::string(1, c);
+  return line;
+}
+
+std::string of_one_line(const std::string& line) {
+  std::string text;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool escaped = line[i] == '\\' && i + 1 < line.size();
+    if (escaped) ++i;
+    text += escaped && line[i] == 'n' ? '\n' : line[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+Archive::Archive(std::string file, std::string text)
+    : restores_(true), file_(std::move(file)), text_(std::move(text)) {}
+
+void Archive::complain(const std::string& what) const {
+  throw InputError(file_ + ":" + std::to_string(line_) + ": " + what +
+                   ": it was written for another scene or by another version of footfall, or it is damaged");
+}
+
+void Archive::finish() const {
+  if (restores_ && next_ < text_.size()) complain("expected the end of the file");
+}
+
+void Archive::begin(const char* name) {
+  const std::string full = path_ + name;
+  if (!restores_) {
+    text_ += full;
+    return;
+  }
+  const std::size_t end = text_.find_first_of(" \n", next_);
+  const std::string found = text_.substr(next_, end == std::string::npos ? end : end - next_);
+  if (found != full) complain("expected \"" + full + "\", found \"" + found + "\"");
+  next_ += found.size();
+}
+
+std::string Archive::word() {
+  if (next_ >= text_.size() || text_[next_] != ' ') complain("a value is missing");
+  const std::size_t begin = next_ + 1, end = text_.find_first_of(" \n", begin);
+  next_ = end == std::string::npos ? text_.size() : end;
+  return text_.substr(begin, next_ - begin);
+}
+
+void Archive::end() {
+  if (!restores_) {
+    text_ += '\n';
+    return;
+  }
+  if (next_ >= text_.size() || text_[next_] != '\n') complain("a line of another length was expected");
+  ++next_;
+  ++line_;
+}
+
+void Archive::operator()(const char* name, bool& value) {
+  long number = value ? 1 : 0;
+  (*this)(name, number);
+  value = number != 0;
+}
+
+void Archive::operator()(const char* name, int& value) {
+  long number = value;
+  (*this)(name, number);
+  value = static_cast<int>(number);
+}
+
+void Archive::operator()(const char* name, long& value) {
+  begin(name);
+  if (restores_) {
+    const std::string text = word();
+    char* rest = nullptr;
+    value = std::strtol(text.c_str(), &rest, 10);
+    if (text.empty() || *rest != '\0') complain("\"" + text + "\" is no whole number");
+  } else {
+    text_ += " " + std::to_string(value);
+  }
+  end();
+}
+
+void Archive::operator()(const char* name, double& value) {
+  begin(name);
+  numbers(&value, 1);
+}
+
+void Archive::operator()(const char* name, std::string& value) {
+  begin(name);
+  if (restores_) {
+    if (next_ >= text_.size() || text_[next_] != ' ') complain("a text is missing");
+    const std::size_t begin = next_ + 1, end = text_.find('\n', begin);
+    next_ = end == std::string::npos ? text_.size() : end;
+    value = of_one_line(text_.substr(begin, next_ - begin));
+  } else {
+    text_ += " " + in_one_line(value);
+  }
+  end();
+}
+
+void Archive::operator()(const char* name, std::vector<bool>& value) {
+  std::string marks;
+  for (const bool mark : value) marks += mark ? '1' : '0';
+  (*this)(name, marks);
+  if (!restores_) return;
+  checked_count(static_cast<long>(marks.size()), value.size());
+  value.clear();
+  for (const char mark : marks) value.push_back(mark == '1');
+}
+
+void Archive::shape(const char* name, Eigen::Index& rows, Eigen::Index& cols) {
+  begin(name);
+  if (!restores_) {
+    text_ += " " + std::to_string(rows) + " " + std::to_string(cols);
+    return;
+  }
+  const Eigen::Index before = rows * cols;
+  rows = std::strtol(word().c_str(), nullptr, 10);
+  cols = std::strtol(word().c_str(), nullptr, 10);
+  if (rows < 0 || cols < 0 || rows * cols > static_cast<Eigen::Index>(text_.size()) ||
+      (before > 0 && before != rows * cols))
+    complain("has " + std::to_string(rows) + " x " + std::to_string(cols) + " numbers, expected " +
+             std::to_string(before));
+}
+
+void Archive::numbers(double* values, Eigen::Index count) {
+  for (Eigen::Index i = 0; i < count; ++i) {
+    if (!restores_) {
+      text_ += " " + hexadecimal(values[i]);
+      continue;
+    }
+    const std::string text = word();
+    char* rest = nullptr;
+    values[i] = std::strtod(text.c_str(), &rest);
+    if (text.empty() || *rest != '\0') complain("\"" + text + "\" is no number");
+  }
+  end();
+}
+
+long Archive::checked_count(long count, std::size_t present) const {
+  if (count < 0 || count > static_cast<long>(text_.size()) || (present > 0 && count != static_cast<long>(present)))
+    complain("has " + std::to_string(count) + " items, expected " + std::to_string(present));
+  return count;
+}
+
+}  // namespace footfall

@@ -1,0 +1,100 @@
+#pragma once
+// The memory of a run as text: saved, and restored to the last bit. Whoever has memory describes it once,
+//   void visit(Archive& archive) {
+//     archive("window", window_);
+//     archive("bodies", bodies_);
+//   }
+// and the same lines save and restore it. Structs with a list of fields (field_list.h) need no visit().
+//
+// One value per line: its name, behind the names of what it is part of, then its numbers, floating-point ones in
+// hexadecimal. What restores demands the same names in the same order, and vectors as long as those that it finds,
+// unless these are empty.
+
+#include <Eigen/Dense>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "coupler/base/field_list.h"
+
+namespace footfall {
+
+class Archive {
+ public:
+  Archive() = default;                          // saves
+  Archive(std::string file, std::string text);  // restores; file: for messages
+
+  bool restores() const { return restores_; }
+  const std::string& text() const { return text_; }
+  // After the last value of an archive that restores. Throws InputError when there is more.
+  void finish() const;
+
+  // Each throws InputError "file:line: ..." when what stands there is something else.
+  void operator()(const char* name, bool& value);
+  void operator()(const char* name, int& value);
+  void operator()(const char* name, long& value);
+  void operator()(const char* name, double& value);
+  void operator()(const char* name, std::string& value);
+  void operator()(const char* name, std::vector<bool>& value);
+  template <class Derived>
+  void operator()(const char* name, Eigen::PlainObjectBase<Derived>& value) {
+    Eigen::Index rows = value.rows(), cols = value.cols();
+    shape(name, rows, cols);
+    if (restores_) value.resize(rows, cols);
+    numbers(value.data(), value.size());
+  }
+  template <class Item, std::size_t count>
+  void operator()(const char* name, std::array<Item, count>& value) {
+    for (std::size_t i = 0; i < count; ++i) item(name, i, value[i]);
+  }
+  template <class Item>
+  void operator()(const char* name, std::vector<Item>& value) {
+    long count = static_cast<long>(value.size());
+    (*this)((std::string(name) + ".count").c_str(), count);
+    if (restores_) value.resize(static_cast<std::size_t>(checked_count(count, value.size())));
+    for (std::size_t i = 0; i < value.size(); ++i) item(name, i, value[i]);
+  }
+  template <class Item>
+  void operator()(const char* name, std::optional<Item>& value) {
+    bool there = value.has_value();
+    (*this)((std::string(name) + ".there").c_str(), there);
+    if (restores_) value = there ? std::optional<Item>(Item()) : std::nullopt;
+    if (there) (*this)(name, *value);
+  }
+  template <class Struct>
+  auto operator()(const char* name, Struct& value)
+      -> std::enable_if_t<std::is_class_v<Struct> && !std::is_base_of_v<Eigen::EigenBase<Struct>, Struct>> {
+    const std::size_t outside = path_.size();
+    path_ += std::string(name) + "/";
+    if constexpr (kHasFields<Struct>) {
+      for_each_field<Struct>([&](const auto& field) { (*this)(field.name, value.*field.member); });
+    } else {
+      value.visit(*this);
+    }
+    path_.resize(outside);
+  }
+
+ private:
+  template <class Item>
+  void item(const char* name, std::size_t i, Item& value) {
+    (*this)((std::string(name) + "." + std::to_string(i)).c_str(), value);
+  }
+  void begin(const char* name);                                          // a line: writes or demands its name
+  std::string word();                                                    // restores: the next one of the line
+  void end();                                                            // of the line
+  void shape(const char* name, Eigen::Index& rows, Eigen::Index& cols);  // begins a line
+  void numbers(double* values, Eigen::Index count);                      // ends it
+  long checked_count(long count, std::size_t present) const;
+  [[noreturn]] void complain(const std::string& what) const;
+
+  bool restores_ = false;
+  std::string file_, text_;
+  std::string path_;
+  std::size_t next_ = 0;  // in text_
+  int line_ = 1;
+};
+
+}  // namespace footfall
