@@ -27,7 +27,10 @@ void grain_side(Transport& transport, double dt, int n, double contact_damping, 
   Link link(transport, 20.0);
   DemLink dem(&link);
   dem.couple("body", "si");
-  dem.start(dt, n, 0);
+  Start script;
+  script.dt = dt;
+  script.n = n;
+  dem.start(script);
   DemBody& body = dem.body(0);
   const BoundaryPoint face{{0, 1, 2}, {0.25, 0.25, 0.5}};
   double x = 0.0, v = 0.0, f = 0.0, boundary_velocity = TwoMass::initial()[1];
