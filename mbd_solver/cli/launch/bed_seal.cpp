@@ -8,8 +8,8 @@
 #include <optional>
 #include <sstream>
 
+#include "coupler/base/fingerprint.h"
 #include "coupler/base/whole_file.h"
-#include "mbd_solver/cli/launch/fingerprint.h"
 
 namespace footfall {
 
