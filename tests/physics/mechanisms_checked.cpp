@@ -1,5 +1,9 @@
 // Prints docs/mechanisms_checked.md: mechanisms with known answers, and 200 random ones, over tolerances.
-//   mechanisms_checked [--short]     --short: one tolerance, no long runs; what the tests run
+//   mechanisms_checked                 the whole page
+//   mechanisms_checked --short         one tolerance, no long runs: what the tests run
+//   mechanisms_checked --sections      how many sections there are
+//   mechanisms_checked --section K     section 0, 1, ... alone; a last line "@..." is its row of the table at the end
+//   mechanisms_checked --table         the head of that table
 // Ends with 1 when an error is larger than what the tests hold it to.
 
 #include <algorithm>
@@ -144,7 +148,7 @@ void print_random(bool brief, Summary& summary) {
     }
 }
 
-int print_page(bool brief) {
+void print_head() {
   std::printf(
       "# Mechanisms with known answers\n\nMade by `docs/mechanisms_checked.sh`, which runs what stands here and takes "
       "some minutes; a short "
@@ -155,16 +159,40 @@ int print_page(bool brief) {
       "What to take from it: the error at the end is a few times `rtol` on most mechanisms, and a tenth of `rtol` "
       "costs about half as many steps again. Where the table at the end says **no**, take the other integrator "
       "and look at the energy balance of the run.\n");
-  Summary summary;
-  for (const CheckedCase& mechanism : checked_cases())
-    if (!brief || mechanism.in_short) print_case(mechanism, brief, summary);
-  print_random(brief, summary);
+}
+
+void print_table() {
   std::printf(
-      "\n## What is reached at rtol 1e-6\n\nGoals: error over tolerance, and error of the energy. Two figures each: "
+      "\n## What is reached at rtol 1e-6\n\nGoals: error over tolerance, and error of the energy. Under `reached`: "
       "one_step, "
-      "ida.\n\n| mechanism | goal | one_step | ida | goal [J] | one_step [J] | ida [J] | reached "
-      "|\n|---|---|---|---|---|---|---|---|\n%s",
-      summary.rows.c_str());
+      "ida.\n\n| mechanism | goal | one_step | ida | goal [J] | one_step [J] | ida [J] | reached |\n"
+      "|---|---|---|---|---|---|---|---|\n");
+}
+
+// The cases, and the random mechanisms behind them.
+void print_section(std::size_t k, bool brief, Summary& summary) {
+  const std::vector<CheckedCase> cases = checked_cases();
+  if (k >= cases.size()) {
+    print_random(brief, summary);
+  } else if (!brief || cases[k].in_short) {
+    print_case(cases[k], brief, summary);
+  }
+}
+
+int print_page(bool brief) {
+  print_head();
+  Summary summary;
+  for (std::size_t k = 0; k <= checked_cases().size(); ++k) print_section(k, brief, summary);
+  print_table();
+  std::printf("%s", summary.rows.c_str());
+  return summary.missed ? 1 : 0;
+}
+
+int section(std::size_t k) {
+  if (k == 0) print_head();
+  Summary summary;
+  print_section(k, false, summary);
+  std::printf("@%s", summary.rows.c_str());
   return summary.missed ? 1 : 0;
 }
 
@@ -172,6 +200,12 @@ int print_page(bool brief) {
 }  // namespace footfall::test
 
 int main(int argc, char** argv) {
+  using namespace footfall::test;
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-  return footfall::test::print_page(argc > 1 && std::string(argv[1]) == "--short");
+  const std::string what = argc > 1 ? argv[1] : "";
+  if (what == "--section" && argc > 2) return section(std::stoul(argv[2]));
+  if (what == "--sections") return std::printf("%zu\n", checked_cases().size() + 1) > 0 ? 0 : 1;
+  if (what != "--table") return print_page(what == "--short");
+  print_table();
+  return 0;
 }
