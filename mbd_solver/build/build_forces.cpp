@@ -185,7 +185,10 @@ void add_plane(const Scene& scene, Mechanism& mechanism) {
   p.point = spec.point;
   p.normal = spec.normal;
   p.friction = spec.friction;
-  p.slip_speed = spec.friction_speed;
+  if (spec.friction_speed) {
+    p.slip_speed = *spec.friction_speed;
+    p.stick_time = 0.0;
+  }
   // Hertz on a flat: k = 4/3 E* sqrt(R), E* = E / (1 - nu^2).
   p.stiffness = spec.stiffness ? *spec.stiffness
                                : 4.0 / 3.0 * spec.young.value_or(0.0) / (1.0 - spec.poisson * spec.poisson) *

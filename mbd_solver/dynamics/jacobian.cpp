@@ -114,7 +114,9 @@ void Equations::add_force_derivatives(int index, const Eigen::Ref<const Eigen::V
     add_columns(places.extra_v[j], values, d.ddz_dv.middleCols(cj, nj));
     add_columns(places.v_extra[j], values, d.dQ_dz.middleRows(cj, nj));
   }
-  if (element.state_count() > 0) add_columns(places.extra_extra, values, d.ddz_dz);
+  const int block = element.state_block();
+  for (std::size_t k = 0; k < places.extra_extra.size(); ++k)
+    add_columns(places.extra_extra[k], values, d.ddz_dz.middleRows(static_cast<int>(k) * block, block));
 }
 
 void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y,

@@ -10,9 +10,11 @@ struct Range {
 };
 
 // The blocks a joint or an element needs, announced to a pattern or located in the finished matrix:
-// visit(rows, columns, block). `v` are the coordinates of its bodies, `own` its multipliers or inner states.
+// visit(rows, columns, block). `v` are the coordinates of its bodies, `own` its multipliers or inner states, which act on
+// each other in blocks of `own_block`; 0: not at all.
 template <typename Visit>
-void visit_blocks(const std::array<Range, 2>& v, Range own, bool forces, PairPlaces& places, Visit visit) {
+void visit_blocks(const std::array<Range, 2>& v, Range own, int own_block, bool forces, PairPlaces& places,
+                  Visit visit) {
   for (std::size_t i = 0; i < 2; ++i) {
     if (v[i].size == 0) continue;
     for (std::size_t j = 0; forces && j < 2; ++j) {
@@ -22,7 +24,13 @@ void visit_blocks(const std::array<Range, 2>& v, Range own, bool forces, PairPla
     visit(own, v[i], places.extra_v[i]);
     visit(v[i], own, places.v_extra[i]);
   }
-  if (forces && own.size > 0) visit(own, own, places.extra_extra);
+  if (own_block == 0) return;
+  places.extra_extra.resize(static_cast<std::size_t>(own.size / own_block));
+  int begin = own.begin;
+  for (SparseBlock& block : places.extra_extra) {
+    visit(Range{begin, own_block}, Range{begin, own_block}, block);
+    begin += own_block;
+  }
 }
 
 std::array<Range, 2> velocities(const Layout& layout, const Kinematics& kinematics, int body_1, int body_2) {
@@ -40,8 +48,9 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
     largest = std::max(largest, 6 + model.body(i).mode_count());
   }
   const int n = 2 * largest;
-  row = row2 = row3 = row4 = local = Eigen::VectorXd::Zero(n);
+  local = Eigen::VectorXd::Zero(n);
   K = D = M = Eigen::MatrixXd::Zero(n, n);
+  int most_states = 0;
   for (int i = 0; i < model.force_count(); ++i) {
     const ForceElement& force = model.force(i);
     const int size = force_pair(force).size(), m = force.state_count();
@@ -49,9 +58,11 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
     d.dQ_dx = d.dQ_dv = Eigen::MatrixXd::Zero(size, size);
     d.dQ_dz = Eigen::MatrixXd::Zero(size, m);
     d.ddz_dx = d.ddz_dv = Eigen::MatrixXd::Zero(m, size);
-    d.ddz_dz = Eigen::MatrixXd::Zero(m, m);
+    d.ddz_dz = Eigen::MatrixXd::Zero(m, force.state_block());
     elements.push_back(d);
+    most_states = std::max(most_states, m);
   }
+  row = row2 = row3 = row4 = Eigen::VectorXd::Zero(std::max(n, most_states));
   body_places.resize(static_cast<std::size_t>(model.body_count()));
   joint_places.resize(static_cast<std::size_t>(model.joint_count()));
   saddle_joint.resize(static_cast<std::size_t>(model.joint_count()));
@@ -65,14 +76,14 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
       const Joint& joint = model.joint(j);
       const std::array<Range, 2> rows = velocities(layout, kinematics, joint.m1.body, joint.m2.body);
       const int first = layout.joint_row[static_cast<std::size_t>(j)], count = static_cast<int>(joint.rows.size());
-      visit_blocks(rows, {lambda0 + first, count}, true, joint_places[static_cast<std::size_t>(j)], lower_visit);
-      visit_blocks(rows, {layout.v_size + first, count}, false, saddle_joint[static_cast<std::size_t>(j)],
+      visit_blocks(rows, {lambda0 + first, count}, 0, true, joint_places[static_cast<std::size_t>(j)], lower_visit);
+      visit_blocks(rows, {layout.v_size + first, count}, 0, false, saddle_joint[static_cast<std::size_t>(j)],
                    saddle_visit);
     }
     for (int i = 0; i < model.force_count(); ++i) {
       const ForceElement& force = model.force(i);
       visit_blocks(velocities(layout, kinematics, force.bodies()[0], force.bodies()[1]),
-                   {z0 + layout.force_z[static_cast<std::size_t>(i)], force.state_count()}, true,
+                   {z0 + layout.force_z[static_cast<std::size_t>(i)], force.state_count()}, force.state_block(), true,
                    force_places[static_cast<std::size_t>(i)], lower_visit);
     }
   };

@@ -23,9 +23,9 @@ struct BodyPlaces {
 
 // Places of one joint or force element between its two bodies; a ground body has empty blocks.
 struct PairPlaces {
-  SparseBlock v_v[2][2];               // force rows of body i by coordinates of body j
-  SparseBlock extra_v[2], v_extra[2];  // own rows (lambda or z) by body, forces on body by own unknowns
-  SparseBlock extra_extra;             // z by z
+  SparseBlock v_v[2][2];                 // force rows of body i by coordinates of body j
+  SparseBlock extra_v[2], v_extra[2];    // own rows (lambda or z) by body, forces on body by own unknowns
+  std::vector<SparseBlock> extra_extra;  // z by z, block by block
 };
 
 struct Equations::Workspace {

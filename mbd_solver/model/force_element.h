@@ -24,7 +24,7 @@ struct ElementDerivatives {
   Eigen::MatrixXd dQ_dx, dQ_dv;    // n x n: of the generalized force
   Eigen::MatrixXd dQ_dz;           // n x m
   Eigen::MatrixXd ddz_dx, ddz_dv;  // m x n: of the rate of z
-  Eigen::MatrixXd ddz_dz;          // m x m
+  Eigen::MatrixXd ddz_dz;          // m x state_block(): of each block of z by itself, one below the other
 };
 
 class ForceElement {
@@ -36,6 +36,8 @@ class ForceElement {
   const std::array<int, 2>& bodies() const { return bodies_; }  // body indices or kGround
 
   virtual int state_count() const { return 0; }
+  // Inner states do not act on each other but within blocks of so many neighbours; it divides state_count().
+  virtual int state_block() const { return state_count(); }
   virtual int voltage_count() const { return 0; }  // ElementInput::voltages must have at least so many entries
   virtual Eigen::VectorXd initial_state() const { return {}; }
   // Q += generalized force (n); dz = rate of the inner states (m, overwritten).

@@ -89,12 +89,12 @@ void add_costs(const Simulation& simulation, Json& json) {
   json["exchange_wall_s"] = std::max(0.0, waited - dem);
 }
 
-// What stands on the plane by friction creeps down its slope; nothing is told where it slides.
+// What stands on the plane by friction creeps down its slope where a friction_speed is given; nothing is told where it slides.
 void add_creep(const Scene& scene, Json& json) {
   if (scene.ground.kind != GroundKind::kPlane) return;
   const PlaneSpec& plane = *scene.ground.plane;
   const double slope = std::acos(std::clamp(plane.normal.dot(up_direction(scene.gravity)), -1.0, 1.0));
-  const double speed = creep_speed(plane.friction, plane.friction_speed, slope);
+  const double speed = creep_speed(plane.friction, plane.friction_speed.value_or(0.0), slope);
   if (std::isfinite(speed)) json["creep_speed_m_s"] = speed;
 }
 

@@ -62,23 +62,23 @@ constexpr std::string_view name_of(GroundKind kind) {
   return {};
 }
 
-// Contact of every boundary node (theory 7): f_n = k delta^1.5 g(d delta'), friction mu f_n v_t / sqrt(v_t^2 +
-// friction_speed^2).
+// Contact of every boundary node (theory 7): f_n = k delta^1.5 g(d delta'), friction mu f_n while
+// it slides, a spring while it sticks. With friction_speed: mu f_n v_t / sqrt(v_t^2 + friction_speed^2), no springs.
 // k = stiffness, or by Hertz from young: 4/3 young / (1 - poisson^2) sqrt(contact_radius). d = damping, or from
 // restitution.
 struct PlaneSpec {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();              // in W [m]
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();            // out of the ground, unit vector in W
-  std::optional<double> young;                                  // [Pa]
-  double poisson = 0.3;                                         // [-]
-  double contact_radius = 0.02;                                 // of each node [m]
-  std::optional<double> stiffness;                              // k of each node, instead of young [N/m^1.5]
-  std::optional<double> restitution;                            // [-] in (0, 1], at impact_speed
-  std::optional<double> impact_speed;                           // [m/s] > 0; not given: that of the initial velocity
-  std::optional<double> damping;                                // d, instead of restitution [s/m]
-  double friction = RigidPlane::Parameters{}.friction;          // [-] >= 0
-  double friction_speed = RigidPlane::Parameters{}.slip_speed;  // [m/s] > 0
-  std::vector<std::string> bodies;                              // which boundaries touch it; empty: all
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();      // in W [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();    // out of the ground, unit vector in W
+  std::optional<double> young;                          // [Pa]
+  double poisson = 0.3;                                 // [-]
+  double contact_radius = 0.02;                         // of each node [m]
+  std::optional<double> stiffness;                      // k of each node, instead of young [N/m^1.5]
+  std::optional<double> restitution;                    // [-] in (0, 1], at impact_speed
+  std::optional<double> impact_speed;                   // [m/s] > 0; not given: that of the initial velocity
+  std::optional<double> damping;                        // d, instead of restitution [s/m]
+  double friction = RigidPlane::Parameters{}.friction;  // [-] >= 0
+  std::optional<double> friction_speed;                 // not given: true stick. Else it creeps [m/s] > 0
+  std::vector<std::string> bodies;                      // which boundaries touch it; empty: all
 };
 
 struct GroundSpec {

@@ -22,6 +22,7 @@ Approach approach(double u) {
 }
 
 constexpr int kRimPlaces = 12;     // m of a round edge: the second lowest is 0.13 R above the lowest
+constexpr double kStretch = 10.0;  // |clip(u)| / v_s at most: u there gives 99.5 % of mu f_n
 constexpr double kUpright = 1e-9;  // s below which no place of an edge is lowest: the edge lies flat
 
 // Energy per k/m taken up by a damped approach at u = d v, minus that given back when leaving at w = d e v
@@ -63,8 +64,11 @@ struct RigidPlane::Contact {
   double by_overlap = 0.0;                           // d f_n / d delta
   double by_closing = 0.0;                           // d f_n / d delta'
   double closing = 0.0;                              // delta' [m/s]
+  int place = 0;                                     // its spring is the entries 2 place, 2 place + 1 of z
   Eigen::Vector3d slip = Eigen::Vector3d::Zero();    // v_t [m/s]
-  double inverse_speed = 0.0;                        // 1 / sqrt(v_t^2 + v_s^2)
+  Eigen::Vector3d spring = Eigen::Vector3d::Zero();  // xi / tau [m/s]
+  Eigen::Vector3d u = Eigen::Vector3d::Zero();       // v_t + xi / tau [m/s]
+  double inverse_speed = 0.0;                        // 1 / sqrt(u^2 + v_s^2)
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // on the body [N]
   Eigen::Matrix3d wander = Eigen::Matrix3d::Zero();  // G: p moves along its edge by G dtheta as the body turns [m]
 };
@@ -98,6 +102,7 @@ RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const
     if (!(rim.radius > 0.0)) throw InputError(where + "the radius of a round edge must be positive.");
     reach_ = std::max(reach_, rim.marker.s0.norm() + rim.radius);
   }
+  tangents_ = axes_with_z(parameters_.normal).leftCols<2>();
   const Eigen::Index n = 6 + (points_.empty() ? 0 : points_.front().marker.S.cols());
   X_.resize(3, n);
   by_x_.resize(3, n);
@@ -108,7 +113,9 @@ bool RigidPlane::far(const BodyKinematics& body) const {
   return parameters_.normal.dot(body.r - parameters_.point) > reach;
 }
 
-bool RigidPlane::contact(const ElementInput& in, const Marker& marker, double radius, Contact& out) const {
+int RigidPlane::place_count() const { return static_cast<int>(points_.size() + kRimPlaces * rims_.size()); }
+
+bool RigidPlane::contact(const ElementInput& in, const Marker& marker, double radius, int place, Contact& out) const {
   const Eigen::Vector3d& n = parameters_.normal;
   out.p = KinematicVector::point(in.pair, 0, marker);
   out.overlap = radius - n.dot(out.p.value() - parameters_.point);
@@ -117,6 +124,9 @@ bool RigidPlane::contact(const ElementInput& in, const Marker& marker, double ra
   const Eigen::Vector3d velocity = out.p.rate() + radius * n.cross(in.pair.body[0]->w);  // w x (-radius n)
   out.closing = -n.dot(velocity);
   out.slip = velocity + out.closing * n;
+  out.place = place;
+  if (parameters_.stick_time > 0.0) out.spring = tangents_ * in.z.segment<2>(2 * place) / parameters_.stick_time;
+  out.u = out.slip + out.spring;
 
   const double root = std::sqrt(out.overlap);
   const Approach g = approach(parameters_.damping * out.closing);
@@ -124,13 +134,20 @@ bool RigidPlane::contact(const ElementInput& in, const Marker& marker, double ra
   out.normal_force = out.elastic * g.value;
   out.by_overlap = 1.5 * parameters_.stiffness * root * g.value;
   out.by_closing = out.elastic * parameters_.damping * g.slope;
-  out.inverse_speed = 1.0 / std::sqrt(out.slip.squaredNorm() + parameters_.slip_speed * parameters_.slip_speed);
-  out.force = out.normal_force * (n - parameters_.friction * out.inverse_speed * out.slip);
+  out.inverse_speed = 1.0 / std::sqrt(out.u.squaredNorm() + parameters_.slip_speed * parameters_.slip_speed);
+  out.force = out.normal_force * (n - parameters_.friction * out.inverse_speed * out.u);
   return true;
 }
 
+RigidPlane::Clipped RigidPlane::clip(const Eigen::Vector3d& u) const {
+  const double size = u.norm(), most = kStretch * parameters_.slip_speed;
+  if (size <= most) return {u, Eigen::Matrix3d::Identity()};
+  const Eigen::Vector3d e = u / size;
+  return {most * e, (most / size) * (Eigen::Matrix3d::Identity() - e * e.transpose())};
+}
+
 template <class Use>
-void RigidPlane::each_contact(const ElementInput& in, const ContactRim& rim, Use use) const {
+void RigidPlane::each_contact(const ElementInput& in, const ContactRim& rim, int first_place, Use use) const {
   const BodyKinematics& body = *in.pair.body[0];
   const Eigen::Vector3d& n = parameters_.normal;
   const Eigen::Vector3d a = body.A * rim.marker.axes.col(2);
@@ -146,7 +163,7 @@ void RigidPlane::each_contact(const ElementInput& in, const ContactRim& rim, Use
     const double angle = 2.0 * kPi * k / kRimPlaces;
     const Eigen::Vector3d e_k = std::cos(angle) * e_0 + std::sin(angle) * b;
     on_rim_.s0 = rim.marker.s0 + rim.radius * (body.A.transpose() * e_k);
-    if (!contact(in, on_rim_, 0.0, at)) continue;
+    if (!contact(in, on_rim_, 0.0, first_place + k, at)) continue;
     // b stays level while the body turns by dtheta: the places turn about a by psi = -(b x n).dtheta / s on top.
     if (tilted) at.wander = (-rim.radius / s) * a.cross(e_k) * b.cross(n).transpose();
     use(at);
@@ -157,39 +174,56 @@ template <class Use>
 void RigidPlane::each_contact(const ElementInput& in, Use use) const {
   if (far(*in.pair.body[0])) return;
   Contact at;
+  int place = 0;
   for (const ContactPoint& point : points_)
-    if (contact(in, point.marker, point.radius, at)) use(at);
-  for (const ContactRim& rim : rims_) each_contact(in, rim, use);
+    if (contact(in, point.marker, point.radius, place++, at)) use(at);
+  for (const ContactRim& rim : rims_) {
+    each_contact(in, rim, place, use);
+    place += kRimPlaces;
+  }
 }
 
-void RigidPlane::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const {
+void RigidPlane::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
+                           Eigen::Ref<Eigen::VectorXd> dz) const {
+  const bool springs = parameters_.stick_time > 0.0;
+  if (springs) dz = -in.z / parameters_.stick_time;
   each_contact(in, [&](const Contact& at) {
     at.p.add_transposed(at.force, Q);
     Q.segment<3>(3) -= at.radius * parameters_.normal.cross(at.force);
+    if (springs) dz.segment<2>(2 * at.place) += tangents_.transpose() * clip(at.u).value;
   });
 }
 
 bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
-  // Force f(delta, u), u = velocity of the contact place:  df = f_delta ddelta + f_u du
-  //   ddelta/dx = -n^T (X + [0, G, 0]),  du/dx = p'_x + [0, w~ G, 0],  du/dv = X_c = X + [0, radius n~, 0]
+  // Force f(delta, c', xi), c' = velocity of the contact place:  df = f_delta ddelta + f_c dc' + f_u dxi / tau
+  //   ddelta/dx = -n^T (X + [0, G, 0]),  dc'/dx = p'_x + [0, w~ G, 0],  dc'/dv = X_c = X + [0, radius n~, 0]
+  // and the rate of xi, T^T clip(P c' + xi / tau) - xi / tau;  T^T P = T^T for the tangents T
   const Eigen::Vector3d& n = parameters_.normal;
   const double mu = parameters_.friction;
   const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - n * n.transpose();
   const Eigen::Vector3d w = in.pair.body[0]->w;
-  bool any = false;
+  const double tau = parameters_.stick_time;
+  bool any = tau > 0.0;
+  if (any) out.ddz_dz.noalias() -= Eigen::Matrix2d::Identity().replicate(place_count(), 1) / tau;
   each_contact(in, [&](const Contact& at) {
     any = true;
-    const Eigen::Vector3d direction = n - mu * at.inverse_speed * at.slip;
-    const Eigen::Matrix3d slip_by_u =
-        at.inverse_speed * tangent -
-        (at.inverse_speed * at.inverse_speed * at.inverse_speed) * at.slip * at.slip.transpose();
-    const Eigen::Matrix3d by_u = -at.by_closing * direction * n.transpose() - (mu * at.normal_force) * slip_by_u;
+    const Eigen::Vector3d direction = n - mu * at.inverse_speed * at.u;
+    const Eigen::Matrix3d friction_by_u =
+        (-mu * at.normal_force) * (at.inverse_speed * tangent -
+                                   (at.inverse_speed * at.inverse_speed * at.inverse_speed) * at.u * at.u.transpose());
+    const Eigen::Matrix3d by_u = -at.by_closing * direction * n.transpose() + friction_by_u;
     const Eigen::Matrix3d by_p = -at.by_overlap * direction * n.transpose();
 
     X_.setZero();
     by_x_.setZero();
     at.p.add_jacobian(X_);
     at.p.add_rate_jacobian(by_x_);
+    const Eigen::Matrix<double, 2, 3> dxi_by_u = tangents_.transpose() * clip(at.u).slope;
+    if (tau > 0.0) {
+      out.ddz_dx.middleRows<2>(2 * at.place).noalias() += dxi_by_u.lazyProduct(by_x_);
+      out.ddz_dx.block<2, 3>(2 * at.place, 3) += dxi_by_u * skew(w) * at.wander;
+      out.ddz_dz.middleRows<2>(2 * at.place) += dxi_by_u * tangents_ / tau;
+    }
     for (Eigen::Index j = 0; j < X_.cols(); ++j) {  // df/dx
       const Eigen::Vector3d column = by_u * by_x_.col(j) + by_p * X_.col(j);
       by_x_.col(j) = column;
@@ -199,6 +233,11 @@ bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out
     out.dQ_dx.noalias() += X_.transpose().lazyProduct(by_x_);
     by_x_.noalias() = by_u.lazyProduct(X_);  // df/dv
     out.dQ_dv.noalias() += X_.transpose().lazyProduct(by_x_);
+    if (tau > 0.0) {
+      const Eigen::Matrix<double, 3, 2> by_xi = friction_by_u * tangents_ / tau;
+      out.dQ_dz.middleCols<2>(2 * at.place).noalias() += X_.transpose().lazyProduct(by_xi);
+      out.ddz_dv.middleRows<2>(2 * at.place).noalias() += dxi_by_u.lazyProduct(X_);
+    }
     at.p.add_second(at.force, out.dQ_dx);
     out.dQ_dx.block<3, 3>(3, 3) -= skew(at.force) * at.wander;  // the moment p x f
   });
@@ -206,10 +245,18 @@ bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out
 }
 
 void RigidPlane::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
+  const double mu = parameters_.friction, tau = parameters_.stick_time, v_s = parameters_.slip_speed;
   each_contact(in, [&](const Contact& at) {
     stored[Stored::kContact] += 0.4 * at.elastic * at.overlap;
     power[Dissipation::kContact] += (at.normal_force - at.elastic) * at.closing;
-    power[Dissipation::kFriction] += parameters_.friction * at.normal_force * at.inverse_speed * at.slip.squaredNorm();
+    power[Dissipation::kFriction] += mu * at.normal_force * at.inverse_speed * at.u.dot(at.slip);
+    if (tau == 0.0) return;
+    // Stored mu f psi(xi), f = k delta^1.5: its rate is no loss.
+    const double root = std::sqrt(at.spring.squaredNorm() + v_s * v_s), psi = tau * (root - v_s);
+    const Eigen::Vector3d rate = clip(at.u).value - at.spring;  // xi'
+    stored[Stored::kContact] += mu * at.elastic * psi;
+    power[Dissipation::kFriction] -=
+        mu * (at.elastic * at.spring.dot(rate) / root + 1.5 * at.elastic / at.overlap * at.closing * psi);
   });
 }
 

@@ -4,15 +4,22 @@
 //   overlap   delta = radius - n.(p - p0), contact while delta > 0 at c = p - radius n, moving with p and w
 //   normal    f_n = k delta^1.5 g(d delta'),  g(u) = 1 + u for u >= 0, exp(u) for u < 0:
 //             Hunt-Crossley while closing, never pulls
-//   friction  f_t = -mu f_n v_t / sqrt(v_t^2 + v_s^2)
+//   friction  f_t = -mu f_n u / sqrt(u^2 + v_s^2),  u = v_t + xi / tau,
+//             xi' = clip(u) - xi / tau,  clip(u) = u where |u| <= 10 v_s, else 10 v_s u / |u|;  xi' = -xi / tau in the air
+// Each place has a spring xi [m] (two inner states). While it sticks, xi' = v_t: the spring takes over what the place would
+// creep with, and v_t falls to zero within tau. It gives up to 99.5 % of mu f_n, and slides with mu f_n. tau = 0: no
+// springs, u = v_t; then what would stick creeps.
 // A round edge (circle of radius R about c, axis a; rigid bodies) touches at m places that count from its lowest one:
 //   p_k = c + R e_k,  e_k = cos(2 pi k/m) e_0 + sin(2 pi k/m) a x e_0,  e_0 = -(n - (n.a) a)/s,  s = |n x a|.
 // They stay where the plane is while the body rolls past, so a cylinder rolls as round as it is. delta_k depends on
 // height and tilt s alone and is the same for k and -k: what p_k travels along the edge does no work.
 // Restitution e after an impact at speed v depends on d v alone:
 //   d v - ln(1 + d v) = (e d v - 1) exp(e d v) + 1.
-// Power: damping k delta^1.5 (g - 1) delta' >= 0, friction mu f_n v_t^2 / sqrt(v_t^2 + v_s^2).
+// Power: damping k delta^1.5 (g - 1) delta' >= 0; friction -f_t.v_t - d(stored)/dt, where the springs store
+//   mu k delta^1.5 tau v_s (sqrt(1 + (xi / (tau v_s))^2) - 1),
+// so that it is >= 0 but for what a spring takes when the place is pressed down on it: at most 10 tau v_s mu d(f_n)/dt.
 
+#include <algorithm>
 #include <vector>
 
 #include "mbd_solver/model/force_element.h"
@@ -32,7 +39,7 @@ struct ContactRim {
 // d [s/m] for restitution e in (0, 1] at impact speed [m/s] > 0. Throws InputError outside.
 double contact_damping_for_restitution(double e, double impact_speed);
 
-// How fast what would stick on a slope [rad] creeps down it [m/s]: mu v / sqrt(v^2 + v_s^2) = tan slope gives
+// Without springs: how fast what would stick on a slope [rad] creeps down it [m/s]: mu v / sqrt(v^2 + v_s^2) = tan slope gives
 // v = v_s tan slope / sqrt(mu^2 - tan^2 slope). Infinite where it slides, tan slope >= mu.
 double creep_speed(double mu, double slip_speed, double slope);
 
@@ -44,12 +51,16 @@ class RigidPlane : public ForceElement {
     double stiffness = 0.0;                             // k of each point [N/m^1.5] > 0
     double damping = 0.0;                               // d [s/m] >= 0
     double friction = 0.3;                              // mu >= 0
-    double slip_speed = 1e-4;                           // v_s [m/s] > 0: friction reaches 71 % of mu f_n at this speed
+    double slip_speed = 1e-3;                           // v_s [m/s] > 0: |u| at which friction is 71 % of mu f_n
+    double stick_time = 0.01;                           // tau [s] >= 0
   };
   // All points and rims on one body, at least one. Throws InputError on values outside their range.
   RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters,
              std::vector<ContactRim> rims = {});
 
+  int state_count() const override { return parameters_.stick_time > 0.0 ? 2 * place_count() : 0; }
+  int state_block() const override { return std::min(state_count(), 2); }
+  Eigen::VectorXd initial_state() const override { return Eigen::VectorXd::Zero(state_count()); }
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
@@ -60,20 +71,27 @@ class RigidPlane : public ForceElement {
 
  private:
   struct Contact;
+  struct Clipped {
+    Eigen::Vector3d value;
+    Eigen::Matrix3d slope;
+  };
+  Clipped clip(const Eigen::Vector3d& u) const;
   bool far(const BodyKinematics& body) const;  // bounding sphere clear of the plane: one comparison
-  bool contact(const ElementInput& in, const Marker& marker, double radius, Contact& out) const;
+  int place_count() const;
+  bool contact(const ElementInput& in, const Marker& marker, double radius, int place, Contact& out) const;
   template <class Use>
   void each_contact(const ElementInput& in, Use use) const;  // use(contact) of all that touch
   template <class Use>
-  void each_contact(const ElementInput& in, const ContactRim& rim, Use use) const;
+  void each_contact(const ElementInput& in, const ContactRim& rim, int first_place, Use use) const;
 
   std::vector<ContactPoint> points_;
   std::vector<ContactRim> rims_;
   Parameters parameters_;
-  double reach_ = 0.0;                 // radius about Bo that holds all undeformed spheres [m]
-  double flexible_reach_ = 0.0;        // largest |S| of a point: reach grows by this times |a| [m per unit of a]
-  mutable Eigen::Matrix3Xd X_, by_x_;  // scratch, 3 x n
-  mutable Marker on_rim_;              // scratch: one place of a rim
+  Eigen::Matrix<double, 3, 2> tangents_;  // columns span the plane; xi is in these
+  double reach_ = 0.0;                    // radius about Bo that holds all undeformed spheres [m]
+  double flexible_reach_ = 0.0;           // largest |S| of a point: reach grows by this times |a| [m per unit of a]
+  mutable Eigen::Matrix3Xd X_, by_x_;     // scratch, 3 x n
+  mutable Marker on_rim_;                 // scratch: one place of a rim
 };
 
 }  // namespace footfall

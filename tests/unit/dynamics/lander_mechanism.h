@@ -43,6 +43,7 @@ inline std::unique_ptr<ForceElement> pad_on_plane(const Model& model, const std:
   plane.damping = 1.0;
   plane.friction = 0.4;
   plane.slip_speed = 0.01;
+  plane.stick_time = 0.0;
   std::vector<ContactPoint> points;
   for (int i = 0; i < 8; ++i) {
     const double angle = i * kPi / 4.0;

@@ -194,6 +194,7 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
   plane.damping = 0.4;
   plane.friction = 0.3;
   plane.slip_speed = 0.2;
+  plane.stick_time = 0.5;
   out.push_back(std::make_unique<RigidPlane>(
       "plane" + tail, std::vector<ContactPoint>{{m(standing), 0.0}, {m(standing), 0.25}, {m(standing), 0.1}}, plane));
   return out;
