@@ -70,7 +70,8 @@ void check_bodies_named(const ScriptText& script, const Scene& scene, Findings& 
   }
 }
 
-// A variable that nobody reads is a misspelt one, and its value never arrives. `key`: where the scene has them.
+// A variable that nobody reads: its value never arrives. One that resembles another is misspelt; any other may come from
+// the scene's base, for another script.
 void check_variables(const ScriptText& script, const std::map<std::string, std::string>& variables,
                      const std::string& key, const Source& source, Findings& findings) {
   const std::vector<std::string> known(script.names().begin(), script.names().end());
@@ -78,10 +79,10 @@ void check_variables(const ScriptText& script, const std::map<std::string, std::
     if (script.names().count(name) == 1) continue;
     const std::string what =
         "the script neither declares nor reads such a variable." + known_names("variables", name, known);
-    if (script.whole())
+    if (script.whole() && !nearest_name(name, known).empty())
       findings.error(source, key + "." + name, what);
     else
-      findings.warning(source, key + "." + name, what + " Not all of its files could be read here");
+      findings.warning(source, key + "." + name, what);
   }
 }
 

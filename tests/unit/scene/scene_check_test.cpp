@@ -183,6 +183,13 @@ TEST_F(ScriptCheck, AVariableThatTheScriptNeverReadsIsMisspelt) {
         << reads;
 }
 
+// A scene on a base may hold variables for the script of the base.
+TEST_F(ScriptCheck, AVariableThatResemblesNoneIsWarnedOf) {
+  EXPECT_EQ(findings("variable every index 5\nfix m all couple/mbd every ${every} mesh pad1 pad\n",
+                     "variables = { restitution = 0.4 }\n"),
+            "no findings");
+}
+
 TEST_F(ScriptCheck, AVariableThatTheBedNeverReadsIsMisspelt) {
   text_.write("in.bed", "variable depth index 0.3\n");
   EXPECT_THAT(findings("fix m all couple/mbd every 5 mesh pad1 pad\n",
