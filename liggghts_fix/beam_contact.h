@@ -25,6 +25,9 @@ struct BeamTouch {
   double radius = 0.0;     // of the segment [m]
   Eigen::Vector3d p;       // on the axis [m]
   Eigen::Vector3d normal;  // unit vector from p to the sphere's centre
+  // In a periodic box the sphere may touch an image of the chain, which stands this far from the chain itself [m]. All
+  // else here is told at the chain: the sphere's centre is there at x - image.
+  Eigen::Vector3d image = Eigen::Vector3d::Zero();
 
   // From p to where the forces act: the middle of the overlap, as in LIGGGHTS' torques on grains; the surface where
   // there is no overlap [m].

@@ -1,6 +1,7 @@
 #include "liggghts_fix/beam_neighbours.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "coupler/base/errors.h"
@@ -44,14 +45,14 @@ void BeamNeighbours::build(const BeamChain& chain, const GrainView& grains) {
   x_build_ = chain.x();
   grain_.clear();
   segment_.clear();
+  image_.clear();
   first_.assign(1, 0);
 
   // Far from all grains: done. Grains stay within skin/2 of where they stood when their box was made.
   Eigen::AlignedBox3d chain_box;
   for (int node = 0; node < chain.node_count(); ++node) chain_box.extend(Eigen::Vector3d(chain.x().col(node)));
   const double far = chain.largest_radius() + 1.5 * skin_ + reach_ * extent_.largest_radius;
-  clearance_ =
-      extent_.box.isEmpty() ? std::numeric_limits<double>::infinity() : chain_box.exteriorDistance(extent_.box) - far;
+  clearance_ = extent_.box.isEmpty() ? std::numeric_limits<double>::infinity() : find_images(chain_box, far) - far;
   if (clearance_ > 0.0) return;
   clearance_ = 0.0;
 
@@ -59,11 +60,35 @@ void BeamNeighbours::build(const BeamChain& chain, const GrainView& grains) {
   build_boxes(chain, 0, 0, chain.segment_count());
   for (int i = 0; i < grains.count; ++i) {
     if (!takes_part(grains, i)) continue;
-    collect(chain, 0, 0, chain.segment_count(), place(grains, i), grains.radius[i]);
+    for (std::size_t image = 0; image < images_.size(); ++image) {
+      collect(chain, 0, 0, chain.segment_count(), place(grains, i) - images_[image], grains.radius[i]);
+      image_.resize(segment_.size(), static_cast<int>(image));
+    }
     if (static_cast<int>(segment_.size()) == first_.back()) continue;
     grain_.push_back(i);
     first_.push_back(static_cast<int>(segment_.size()));
   }
+}
+
+double BeamNeighbours::find_images(const Eigen::AlignedBox3d& chain_box, double far) {
+  // From the last image before the grains to the first one behind them.
+  Eigen::Vector3i first = Eigen::Vector3i::Zero(), last = Eigen::Vector3i::Zero();
+  for (int d = 0; d < 3; ++d) {
+    if (periods_[d] == 0.0) continue;
+    first[d] = static_cast<int>(std::floor((extent_.box.min()[d] - chain_box.max()[d]) / periods_[d]));
+    last[d] = static_cast<int>(std::ceil((extent_.box.max()[d] - chain_box.min()[d]) / periods_[d]));
+  }
+  images_.clear();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = first[0]; i <= last[0]; ++i)
+    for (int j = first[1]; j <= last[1]; ++j)
+      for (int k = first[2]; k <= last[2]; ++k) {
+        const Eigen::Vector3d image = Eigen::Vector3d(i, j, k).cwiseProduct(periods_);
+        const double distance = chain_box.translated(image).exteriorDistance(extent_.box);
+        nearest = std::min(nearest, distance);
+        if (distance <= far) images_.push_back(image);
+      }
+  return nearest;
 }
 
 void BeamNeighbours::build_boxes(const BeamChain& chain, int box, int first, int last) {
@@ -101,9 +126,15 @@ BeamTouch BeamNeighbours::closest(const BeamChain& chain, int k, const Eigen::Ve
   const int first = first_[static_cast<std::size_t>(k)];
   const int last = first_[static_cast<std::size_t>(k) + 1];
   FOOTFALL_DEMAND(first < last);
-  BeamTouch best = chain.touch(segment_[static_cast<std::size_t>(first)], x, r);
+  const auto touch_of = [&](int pair) {
+    const Eigen::Vector3d& image = images_[static_cast<std::size_t>(image_[static_cast<std::size_t>(pair)])];
+    BeamTouch touch = chain.touch(segment_[static_cast<std::size_t>(pair)], x - image, r);
+    touch.image = image;
+    return touch;
+  };
+  BeamTouch best = touch_of(first);
   for (int pair = first + 1; pair < last; ++pair) {
-    const BeamTouch other = chain.touch(segment_[static_cast<std::size_t>(pair)], x, r);
+    const BeamTouch other = touch_of(pair);
     if (other.gap < best.gap) best = other;
   }
   return best;

@@ -7,6 +7,9 @@
 //   margin = 1.5 skin + what the contact model asks for beyond touch.
 // LIGGGHTS lets no grain go further than skin/2 from where it last re-neighboured, that is skin from anywhere it was
 // since; nodes may go skin/2 before the list is made anew. Together 1.5 skin: no touch is missed.
+//
+// In a periodic box a chain stands wherever its body is, and grains touch the image that is nearest to them: a chain has
+// one contact with a grain, also where it is longer than the box.
 
 #include <Eigen/Geometry>
 #include <vector>
@@ -34,8 +37,10 @@ struct GrainExtent {
 
 class BeamNeighbours {
  public:
-  // skin [m]; reach: contact models with forces over a gap (liquid bridges) see gaps up to reach * radius of the grain.
-  BeamNeighbours(double skin, double reach = 0.0) : skin_(skin), reach_(reach) {}
+  // skin [m]; reach: contact models with forces over a gap (liquid bridges) see gaps up to reach * radius of the grain;
+  // periods: of the box [m], 0 in directions that are not periodic.
+  BeamNeighbours(double skin, double reach = 0.0, const Eigen::Vector3d& periods = Eigen::Vector3d::Zero())
+      : skin_(skin), reach_(reach), periods_(periods) {}
 
   // The grains have new numbers or places for which LIGGGHTS made new lists: the next update() makes ours.
   void grains_renumbered(const GrainExtent& grains);
@@ -59,11 +64,15 @@ class BeamNeighbours {
 
  private:
   void build(const BeamChain& chain, const GrainView& grains);
+  // The images that may touch a grain, of a chain in this box; returns how far the nearest one is from all grains [m].
+  double find_images(const Eigen::AlignedBox3d& chain_box, double far);
   void build_boxes(const BeamChain& chain, int box, int first, int last);
   void collect(const BeamChain& chain, int box, int first, int last, const Eigen::Vector3d& x, double r);
 
   double skin_;
   double reach_;
+  Eigen::Vector3d periods_;
+  std::vector<Eigen::Vector3d> images_;  // multiples of the periods [m]
   bool renumbered_ = true;
   double clearance_ = 0.0;    // [m]
   GrainExtent extent_;        // when the grains were renumbered
@@ -73,6 +82,7 @@ class BeamNeighbours {
   std::vector<int> grain_;
   std::vector<int> first_;  // segments of the k-th grain: segment_[first_[k]] to segment_[first_[k + 1] - 1]
   std::vector<int> segment_;
+  std::vector<int> image_;  // of each pair, into images_
   long builds_ = 0;
   long box_tests_ = 0;
 };

@@ -162,9 +162,9 @@ void DemLink::start(Start script) {
   if (!memory_) return;
   std::int64_t kept_step = 0;
   (*memory_)("step", kept_step);
-  if (kept_step != step)
+  if (kept_step != script_.step)
     throw InputError("couple/mbd: the run goes on from " + geometry_.resume + ", where LIGGGHTS was at step " +
-                     std::to_string(kept_step) + ", and its script begins at step " + std::to_string(step) +
+                     std::to_string(kept_step) + ", and its script begins at step " + std::to_string(script_.step) +
                      ": its first read_restart must read " + geometry_.resume +
                      "/grains.restart (scripts of footfall: -var bed FILE), without reset_timestep, and one `run` must "
                      "do the rest");

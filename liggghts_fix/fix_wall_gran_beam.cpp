@@ -159,8 +159,10 @@ void FixWallGranBeam::check_segment_lengths() const {
 void FixWallGranBeam::setup(int vflag) {
   if (!link_.started())
     throw InputError(arguments_.fix + ": nothing moves its beams. Add `fix ID all couple/mbd every N` to the script");
+  const Eigen::Vector3d periods(domain->xperiodic ? domain->xprd : 0.0, domain->yperiodic ? domain->yprd : 0.0,
+                                domain->zperiodic ? domain->zprd : 0.0);
   for (const std::unique_ptr<Beam>& beam : beams_)
-    beam->neighbours = BeamNeighbours(neighbor->skin, neighbor->contactDistanceFactor - 1.0);
+    beam->neighbours = BeamNeighbours(neighbor->skin, neighbor->contactDistanceFactor - 1.0, periods);
   if (arguments_.curvature) {
     young_ = force->registry.getMatrixProperty("Yeff", style)->data;
     shear_ = force->registry.getMatrixProperty("Geff", style)->data;
@@ -234,7 +236,7 @@ double FixWallGranBeam::softness(const Beam& beam, const BeamTouch& touch, doubl
 // normal stiffness [N/m].
 double FixWallGranBeam::touch(Beam& beam, int i, const BeamTouch& touch, double* history) {
   const double r = radius_[i];
-  const Eigen::Vector3d x = vector(x_[i]);
+  const Eigen::Vector3d x = vector(x_[i]) - touch.image;
   double to_surface = r + touch.gap;  // from the grain's centre; negative when the centre is inside the beam
   if (std::abs(to_surface) < kSmallestDistance * r) to_surface = kSmallestDistance * r;
 

@@ -1,8 +1,10 @@
-// The LIGGGHTS script as text. LIGGGHTS has the last word on it; this finds in milliseconds what would else end a run.
+// The LIGGGHTS script as text. LIGGGHTS has the last word on it; this finds in milliseconds what would else end a run,
+// or what neither program could know.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
@@ -13,51 +15,188 @@ namespace footfall {
 
 namespace {
 
-bool as_number(const std::string& text, double& value) {
+std::optional<double> as_number(const std::string& text) {
   char* end = nullptr;
-  value = std::strtod(text.c_str(), &end);
-  return end && *end == '\0' && end != text.c_str();
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == nullptr || *end != '\0' || end == text.c_str()) return std::nullopt;
+  return value;
+}
+
+std::string place(const ScriptCommand& command) { return command.file + ":" + std::to_string(command.line); }
+
+bool is_fix(const ScriptCommand& command, const std::string& style) {
+  return command.words[0] == "fix" && command.words.size() > 3 && command.words[3] == style;
+}
+
+// The time step that is in force when the coupled grains move. Before the coupling a script may settle its bed with
+// another one; what stands in an `if` is not known here.
+void check_time_step(const ScriptText& script, const ParticlesSpec& particles, Findings& findings) {
+  const ScriptCommand* step = nullptr;
+  bool coupled = false, judged = false;
+  const auto judge = [&] {
+    judged = true;
+    if (step == nullptr) return;
+    const double dt = *as_number(step->words[1]);
+    if (dt <= particles.max_time_step * (1.0 + 1e-9)) return;
+    findings.error(particles.source, "max_time_step",
+                   "the script's time step is " + number_text(dt) + " s (" + place(*step) + "), expected at most " +
+                       number_text(particles.max_time_step) +
+                       " s: on soil of this kind twice that runs without complaint and is wrong by tens of per cent; "
+                       "make the step smaller, or state a larger max_time_step if your grains are known to allow it");
+  };
+  for (const ScriptCommand& command : script.commands()) {
+    if (command.words[0] == "timestep" && command.words.size() > 1)
+      step = command.conditional || !as_number(command.words[1]) ? nullptr : &command;
+    coupled = coupled || is_fix(command, "couple/mbd");
+    if (command.words[0] == "run" && coupled && !judged) judge();
+  }
+  if (!judged) judge();
+}
+
+void check_bodies_named(const ScriptText& script, const Scene& scene, Findings& findings) {
+  std::vector<std::string> names;
+  for (const BoundarySpec& b : scene.boundaries) names.push_back(b.body);
+  for (const ScriptCommand& command : script.commands()) {
+    if (command.conditional || (!is_fix(command, "couple/mbd/geometry") && !is_fix(command, "wall/gran/beam")))
+      continue;
+    const std::vector<std::string>& w = command.words;
+    for (std::size_t i = 4; i + 1 < w.size(); ++i) {
+      if (w[i] != "body" || w[i + 1].find("${") != std::string::npos) continue;
+      if (std::find(names.begin(), names.end(), w[i + 1]) == names.end())
+        findings.error(scene.particles->source, "script",
+                       place(command) + " asks for the body \"" + w[i + 1] +
+                           "\", which has no boundary in this scene." + known_names("boundaries", w[i + 1], names));
+    }
+  }
+}
+
+// A variable that nobody reads: its value never arrives. One that resembles another is misspelt; any other may come from
+// the scene's base, for another script.
+void check_variables(const ScriptText& script, const std::map<std::string, std::string>& variables,
+                     const std::string& key, const Source& source, Findings& findings) {
+  const std::vector<std::string> known(script.names().begin(), script.names().end());
+  for (const auto& [name, value] : variables) {
+    if (script.names().count(name) == 1) continue;
+    const std::string what =
+        "the script neither declares nor reads such a variable." + known_names("variables", name, known);
+    if (script.whole() && !nearest_name(name, known).empty())
+      findings.error(source, key + "." + name, what);
+    else
+      findings.warning(source, key + "." + name, what);
+  }
+}
+
+// What the handshake will compare, said before a bed is poured: one fix gravity with plain numbers.
+void check_gravity(const ScriptText& script, const Scene& scene, Findings& findings) {
+  const ScriptCommand* only = nullptr;
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    if (is_fix(command, "couple/mbd"))
+      for (std::size_t i = 4; i + 1 < w.size(); ++i)
+        if (w[i] == "gravity" && w[i + 1] == "script") return;
+    if (!is_fix(command, "gravity")) continue;
+    if (only != nullptr || command.conditional) return;
+    only = &command;
+  }
+  if (only == nullptr || only->words.size() != 9 || only->words[5] != "vector") return;
+  Eigen::Vector3d direction;
+  const std::optional<double> size = as_number(only->words[4]);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::optional<double> x = as_number(only->words[6 + c]);
+    if (!x) return;
+    direction[static_cast<Eigen::Index>(c)] = *x;
+  }
+  if (!size || direction.isZero(0.0)) return;
+  const Eigen::Vector3d g = *size * direction.normalized();
+  if ((g - scene.gravity).norm() <= 1e-6 * scene.gravity.norm()) return;
+  const auto text = [](const Eigen::Vector3d& v) {
+    return "[" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + "] m/s2";
+  };
+  findings.error(scene.particles->source, "script",
+                 "the grains have the gravity " + text(g) + " (" + place(*only) + "), the scene " +
+                     text(scene.gravity) +
+                     "; make them agree, or say that the grains have their own: fix ID all couple/mbd every N gravity "
+                     "script ...");
+}
+
+// The words of the last `fix ID all gravity ...` and of the elastic constants, by what they say. (Friction differs by
+// intent: beds are poured with little of it, to be dense.)
+std::map<std::string, std::string> conditions(const ScriptText& script) {
+  std::map<std::string, std::string> all;
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    std::size_t first = 0;
+    if (is_fix(command, "gravity")) first = 4;
+    if (is_fix(command, "property/global") && w.size() > 4 && (w[4] == "youngsModulus" || w[4] == "poissonsRatio"))
+      first = 5;
+    if (first == 0 || command.conditional) continue;
+    std::string text;
+    for (std::size_t i = first; i < w.size(); ++i) {
+      const std::optional<double> number = as_number(w[i]);
+      text += (text.empty() ? "" : " ") + (number ? number_text(*number, 12) : w[i]);
+    }
+    if (text.find("${") == std::string::npos) all[first == 4 ? "gravity" : w[4]] = text;
+  }
+  return all;
+}
+
+// A kept bed was poured by a script of its own. Gravity and elasticity should be the same in both, and so should every
+// variable that both scripts have and the scene sets in one of them; but for the time step, which is the method's.
+void compare_with_bed(const ScriptText& script, const ScriptText& bed, const ParticlesSpec& particles,
+                      Findings& findings) {
+  const auto told = [&](const std::string& what, const std::string& of_bed, const std::string& of_run) {
+    findings.warning(particles.source, "bed",
+                     "the bed is made with " + what + " = " + of_bed + ", the run has " + of_run +
+                         ": the grains lie otherwise than they would in the run; make them agree if this is not meant");
+  };
+  const std::map<std::string, std::string> of_bed = conditions(bed), of_run = conditions(script);
+  for (const auto& [what, value] : of_bed) {
+    const auto other = of_run.find(what);
+    if (other != of_run.end() && other->second != value) told(what, value, other->second);
+  }
+  for (const std::string& name : bed.names()) {
+    const bool set = particles.variables.count(name) == 1 || particles.bed->variables.count(name) == 1;
+    if (!set || name == "dt" || name == "gravity") continue;  // compared as what they make of gravity
+    const std::optional<double> here = as_number(bed.value(name)), there = as_number(script.value(name));
+    if (here && there && *here != *there) told("variable " + name, bed.value(name), script.value(name));
+  }
+}
+
+bool is_file(const std::string& name) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(name, ignored);
 }
 
 }  // namespace
 
 void check_script(const Scene& scene, Findings& findings) {
   const ParticlesSpec& particles = *scene.particles;
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(particles.script, ignored)) return;  // reported with its path
+  if (!is_file(particles.script)) return;  // reported with its path
   const ScriptText script(particles.script, particles.variables);
-  bool couples = false;
-  for (const ScriptCommand& command : script.commands()) {
-    const std::vector<std::string>& w = command.words;
-    const bool is_fix = w[0] == "fix" && w.size() > 3;
-    couples = couples || (is_fix && w[3] == "couple/mbd");
-    double step = 0.0;
-    if (w[0] == "timestep" && w.size() > 1 && as_number(w[1], step) && step > particles.max_time_step * (1.0 + 1e-9)) {
-      findings.error(particles.source, "max_time_step",
-                     "the script's time step is " + number_text(step) + " s (" + command.file + ":" +
-                         std::to_string(command.line) + "), expected at most " + number_text(particles.max_time_step) +
-                         " s: on soil of this kind twice that runs without complaint and is wrong by tens of per cent; "
-                         "make the step smaller, or "
-                         "state a larger max_time_step if your grains are known to allow it");
-    }
-    if (is_fix && (w[3] == "couple/mbd/geometry" || w[3] == "wall/gran/beam")) {
-      std::vector<std::string> names;
-      for (const BoundarySpec& b : scene.boundaries) names.push_back(b.body);
-      for (std::size_t i = 4; i + 1 < w.size(); ++i) {
-        if (w[i] != "body" || w[i + 1].find("${") != std::string::npos) continue;
-        if (std::find(names.begin(), names.end(), w[i + 1]) == names.end())
-          findings.error(particles.source, "script",
-                         command.file + ":" + std::to_string(command.line) + " asks for the body \"" + w[i + 1] +
-                             "\", which has no boundary in this scene." + known_names("boundaries", w[i + 1], names));
-      }
-    }
+  if (!script.circle().empty()) {
+    findings.error(particles.source, "script", script.circle() + " includes a file that includes this line again");
+    return;
   }
-  if (!couples) {
+  const bool couples = std::any_of(script.commands().begin(), script.commands().end(),
+                                   [](const ScriptCommand& command) { return is_fix(command, "couple/mbd"); });
+  if (!couples && script.whole()) {
     findings.error(particles.source, "script",
                    "has no line \"fix ID all couple/mbd ...\" (in " + particles.script +
                        " and the files it includes), so the mechanism would never meet the grains; add one, or set "
                        "ground.kind to \"none\" or \"plane\"");
   }
+  if (couples) check_time_step(script, particles, findings);
+  check_bodies_named(script, scene, findings);
+  check_gravity(script, scene, findings);
+  check_variables(script, particles.variables, "variables", particles.source, findings);
+  if (!particles.bed || !is_file(particles.bed->script)) return;
+  const ScriptText bed(particles.bed->script, particles.bed->variables);
+  if (!bed.circle().empty()) {
+    findings.error(particles.source, "bed.script", bed.circle() + " includes a file that includes this line again");
+    return;
+  }
+  check_variables(bed, particles.bed->variables, "bed.variables", particles.source, findings);
+  compare_with_bed(script, bed, particles, findings);
 }
 
 }  // namespace footfall

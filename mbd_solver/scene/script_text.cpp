@@ -1,67 +1,151 @@
 #include "mbd_solver/scene/script_text.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 namespace footfall {
-
 namespace {
-constexpr int kDeepestInclude = 10;
+
+bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+// As LIGGGHTS parts a line: blanks part words but inside quotes, `#` starts a comment but inside quotes.
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  bool inside = false;
+  char quote = '\0';
+  for (const char c : text) {
+    if (quote != '\0') {
+      if (c == quote)
+        quote = '\0';
+      else
+        words.back() += c;
+      continue;
+    }
+    if (c == '#') break;
+    if (std::isspace(static_cast<unsigned char>(c)) != 0) {
+      inside = false;
+      continue;
+    }
+    if (!inside) words.emplace_back();
+    inside = true;
+    if (c == '"' || c == '\'')
+      quote = c;
+    else
+      words.back() += c;
+  }
+  return words;
 }
+
+}  // namespace
 
 ScriptText::ScriptText(const std::string& file, const std::map<std::string, std::string>& variables)
     : fixed_(variables) {
   fixed_["here"] = std::filesystem::path(file).parent_path().string();
-  read(file, 0);
+  read(file, file);
 }
 
-// Commands of one file: `&` joins lines, `#` starts a comment, ${name} is replaced where its value is plain.
-void ScriptText::read(const std::string& file, int depth) {
-  std::ifstream stream(file);
+std::string ScriptText::value(const std::string& name) const {
+  if (const auto fixed = fixed_.find(name); fixed != fixed_.end()) return fixed->second;
+  const auto own = own_.find(name);
+  return own != own_.end() && own->second.find("${") == std::string::npos ? own->second : "";
+}
+
+// Commands of one file: `&` joins lines, ${name} is replaced where its value is plain.
+void ScriptText::read(const std::string& file, const std::string& asked_at) {
+  const std::string path = std::filesystem::path(file).lexically_normal().string();
+  if (std::find(open_.begin(), open_.end(), path) != open_.end()) {
+    circle_ = asked_at;
+    return;
+  }
+  std::ifstream stream(path);
+  if (!stream) {
+    whole_ = false;
+    return;
+  }
+  open_.push_back(path);
   int number = 0, start = 0;
   std::string text, line;
   while (std::getline(stream, line)) {
     ++number;
     contents_ += line + "\n";
     if (text.empty()) start = number;
-    line = line.substr(0, line.find('#'));
     line.erase(line.find_last_not_of(" \t\r") + 1);
     const bool more = !line.empty() && line.back() == '&';
     if (more) line.pop_back();
     text += line + " ";
     if (more) continue;
-    add(file, start, substitute(text), depth);
+    note_names(text);
+    add(file, start, words_of(substitute(text)), false);
     text.clear();
+  }
+  open_.pop_back();
+}
+
+void ScriptText::add(const std::string& file, int line, std::vector<std::string> words, bool conditional) {
+  if (words.empty()) return;
+  const std::string at = file + ":" + std::to_string(line);
+  commands_.push_back({file, line, std::move(words), conditional});
+  const std::vector<std::string> w = commands_.back().words;
+  if (w[0] == "variable" && w.size() >= 4 && (w[2] == "index" || w[2] == "string" || w[2] == "equal"))
+    own_.emplace(w[1], w[3]);
+  if (w[0] == "include" && w.size() >= 2) include(w[1], at);
+  if (w[0] == "jump" && w.size() >= 2 && w[1] != "SELF") whole_ = false;
+  if (w[0] == "if") add_branches(file, line, w);
+}
+
+// if CONDITION then COMMAND... elif CONDITION COMMAND... else COMMAND...
+void ScriptText::add_branches(const std::string& file, int line, const std::vector<std::string>& words) {
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    if (words[i] == "then" || words[i] == "else") continue;
+    if (words[i] == "elif") {
+      ++i;
+      continue;
+    }
+    add(file, line, words_of(words[i]), true);
   }
 }
 
-void ScriptText::add(const std::string& file, int line, const std::string& text, int depth) {
-  std::istringstream stream(text);
-  ScriptCommand command{file, line, {}};
-  for (std::string word; stream >> word;) command.words.push_back(word);
-  const std::vector<std::string>& w = command.words;
-  if (w.empty()) return;
-  if (w[0] == "variable" && w.size() >= 4 && (w[2] == "index" || w[2] == "string" || w[2] == "equal"))
-    own_.emplace(w[1], w[3]);
-  const bool include = w[0] == "include" && w.size() >= 2 && depth < kDeepestInclude;
-  const std::string included = include ? (std::filesystem::path(fixed_.at("here")) / w[1]).string() : "";
-  commands_.push_back(std::move(command));
-  if (include) read(included, depth + 1);
+// LIGGGHTS looks from the folder where it runs; scripts say ${here} for their own.
+void ScriptText::include(const std::string& name, const std::string& asked_at) {
+  const std::filesystem::path near = std::filesystem::path(fixed_.at("here")) / name;
+  std::error_code ignored;
+  read(std::filesystem::exists(near, ignored) ? near.string() : name, asked_at);
 }
 
+// ${name}, $c, v_name, and the names of the commands `variable` and `next`.
+void ScriptText::note_names(const std::string& text) {
+  for (std::size_t at = 0; at + 1 < text.size(); ++at) {
+    const bool begins = at == 0 || !is_name(text[at - 1]);
+    if (text[at] == '$' && text[at + 1] == '{') {
+      const std::size_t end = text.find('}', at);
+      if (end != std::string::npos) names_.insert(text.substr(at + 2, end - at - 2));
+    } else if (text[at] == '$') {
+      names_.insert(text.substr(at + 1, 1));
+    } else if (begins && text.compare(at, 2, "v_") == 0) {
+      std::size_t end = at + 2;
+      while (end < text.size() && is_name(text[end])) ++end;
+      names_.insert(text.substr(at + 2, end - at - 2));
+    }
+  }
+  const std::vector<std::string> words = words_of(text);
+  for (std::size_t i = 0; i + 1 < words.size(); ++i)
+    if (words[i] == "variable" || words[i] == "next") names_.insert(words[i + 1]);
+}
+
+// A value is put in once and not looked at again: a variable may name itself.
 std::string ScriptText::substitute(std::string text) const {
-  for (std::size_t at = text.find("${"); at != std::string::npos; at = text.find("${", at + 1)) {
+  for (std::size_t at = text.find("${"); at != std::string::npos; at = text.find("${", at)) {
     const std::size_t end = text.find('}', at);
     if (end == std::string::npos) break;
-    const std::string name = text.substr(at + 2, end - at - 2);
-    const auto fixed = fixed_.find(name);
-    const auto own = own_.find(name);
-    if (fixed != fixed_.end()) {
-      text.replace(at, end - at + 1, fixed->second);
-    } else if (own != own_.end() && own->second.find("${") == std::string::npos) {
-      text.replace(at, end - at + 1, own->second);
+    const std::string name = text.substr(at + 2, end - at - 2), plain = value(name);
+    if (plain.empty()) {
+      at = end;
+      continue;
     }
+    text.replace(at, end - at + 1, plain);
+    at += plain.size();
   }
   return text;
 }

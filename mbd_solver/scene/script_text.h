@@ -3,6 +3,7 @@
 // variables that only LIGGGHTS can compute stay as ${name}.
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,26 +12,42 @@ namespace footfall {
 struct ScriptCommand {
   std::string file;
   int line;
-  std::vector<std::string> words;
+  std::vector<std::string> words;  // quoted words without their quotes
+  bool conditional;                // stands in an `if`: LIGGGHTS alone knows whether it is executed
 };
 
 class ScriptText {
  public:
-  // `variables`: as -var on the command line; `here`, the script's folder, is added. Files that cannot be read count as
-  // empty.
+  // `variables`: as -var on the command line; `here`, the script's folder, is added.
   ScriptText(const std::string& file, const std::map<std::string, std::string>& variables);
+  // In the order of the text, commands of both branches of an `if` included.
   const std::vector<ScriptCommand>& commands() const { return commands_; }
   // Contents of the script and of all files it includes, one after the other.
   const std::string& contents() const { return contents_; }
+  // Every variable that the text declares or reads.
+  const std::set<std::string>& names() const { return names_; }
+  // What the variable is worth where its value is plain, from the command line or declared here; empty otherwise.
+  std::string value(const std::string& name) const;
+  // Was every file read? Not where only LIGGGHTS can compute a name, and not behind `jump`.
+  bool whole() const { return whole_; }
+  // "file:line" of an `include` that includes itself; empty without.
+  const std::string& circle() const { return circle_; }
 
  private:
-  void read(const std::string& file, int depth);
-  void add(const std::string& file, int line, const std::string& text, int depth);
+  void read(const std::string& file, const std::string& asked_at);
+  void add(const std::string& file, int line, std::vector<std::string> words, bool conditional);
+  void add_branches(const std::string& file, int line, const std::vector<std::string>& words);
+  void include(const std::string& name, const std::string& asked_at);
+  void note_names(const std::string& text);
   std::string substitute(std::string text) const;
 
   std::map<std::string, std::string> fixed_, own_;  // from the command line (these win), from the script
   std::vector<ScriptCommand> commands_;
   std::string contents_;
+  std::set<std::string> names_;
+  std::vector<std::string> open_;  // files that are being read, the outermost first
+  bool whole_ = true;
+  std::string circle_;
 };
 
 }  // namespace footfall

@@ -147,6 +147,36 @@ TEST(BeamRuns, ABeamThatComesFromAfarIsNoticed) {
   EXPECT_GT(contacts, 50);
 }
 
+// The same beam and grains, in the middle of a periodic box and across its border: the beam's own place is outside for
+// one half of its grains.
+TEST(BeamRuns, AreTheSameAcrossThePeriodicBorder) {
+  const BeamRun folder("periodic");
+  const auto loads = [&folder](const std::string& shift, int ranks) {
+    std::string script = sweep("");
+    script.replace(script.find("boundary f f f"), 14, "boundary p f f");
+    script += "displace_atoms all move " + shift + " 0 0 units box\n";
+    std::string motion = sweeping_beam();
+    motion.replace(motion.find("velocity"), 0, "at " + shift + " 0 0\n");
+    const Outcome outcome = folder.coupled(script + run(5000), motion, ranks);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+    return folder.loads();
+  };
+  const Rows inside = loads("0.0", 1);
+  double largest = 0.0, difference = 0.0;
+  for (const int ranks : {1, 2}) {
+    const Rows across = loads("0.55", ranks);
+    ASSERT_EQ(across.size(), inside.size());
+    for (std::size_t i = 0; i < inside.size(); ++i)
+      for (std::size_t k = 1; k <= 6; ++k) {  // force and moment about Bo
+        largest = std::max(largest, std::abs(inside[i][k]));
+        difference = std::max(difference, std::abs(across[i][k] - inside[i][k]));
+      }
+  }
+  EXPECT_GT(largest, 1.0);
+  // round-off of places in the box, which a contact's stiffness and the grains' way to the next one multiply
+  EXPECT_LT(difference, 1e-7 * largest);
+}
+
 // Distance and direction from the closest point of a segment: the axis is cut into halves around the nearer
 // part, without a projection.
 Eigen::Vector3d from_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& x) {

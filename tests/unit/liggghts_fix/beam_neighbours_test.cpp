@@ -201,6 +201,45 @@ TEST(BeamNeighbours, CostGrowsWithWhatIsTouchedNotWithTheNumberOfSegments) {
   EXPECT_LE(near_many.box_tests() - near_few.box_tests(), 500 * 2 * 5);
 }
 
+// A grain at x + n L touches what a grain at x touches: here n is any, and the chain longer or shorter than the box.
+TEST(BeamNeighbours, InAPeriodicBoxTheNearestImageIsTouched) {
+  Random random(907);
+  const Eigen::Vector3d periods(0.7, 0.0, 1.1);
+  int touching = 0, elsewhere = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const ModalBoundary boundary = random_chain(random, 12);
+    const BeamChain chain(boundary, 0);
+    Bed bed;
+    for (int i = 0; i < 60; ++i) bed.add(chain.x().col(i % 13) + random.vector(0.2), 0.04);
+    for (Eigen::Vector3d& x : bed.x)  // into the box
+      for (const int d : {0, 2}) x[d] -= periods[d] * std::floor(x[d] / periods[d]);
+    BeamNeighbours list(0.02, 0.0, periods);
+    list.grains_renumbered(GrainExtent(bed.view()));
+    ASSERT_TRUE(list.update(chain, bed.view()));
+    std::vector<double> gaps(bed.x.size(), 1e300), found(bed.x.size(), 1e300);
+    for (std::size_t i = 0; i < bed.x.size(); ++i)
+      for (int a = -6; a <= 6; ++a)
+        for (int c = -6; c <= 6; ++c)
+          for (int s = 0; s < chain.segment_count(); ++s)
+            gaps[i] = std::min(gaps[i], chain.touch(s, bed.x[i] - Eigen::Vector3d(0.7 * a, 0, 1.1 * c), 0.04).gap);
+    for (int k = 0; k < list.size(); ++k) {
+      const auto i = static_cast<std::size_t>(list.grain(k));
+      EXPECT_EQ(found[i], 1e300);  // once
+      const BeamTouch touch = list.closest(chain, k, bed.x[i], 0.04);
+      found[i] = touch.gap;
+      EXPECT_NEAR((bed.x[i] - touch.image - touch.p).norm() - touch.radius - 0.04, touch.gap, 1e-14);
+      if (touch.gap <= 0.0 && !touch.image.isZero(0.0)) ++elsewhere;
+    }
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      if (gaps[i] > 0.0) continue;
+      ++touching;
+      EXPECT_NEAR(found[i], gaps[i], 1e-14);
+    }
+  }
+  EXPECT_GT(touching, 100);
+  EXPECT_GT(elsewhere, 30);
+}
+
 TEST(BeamNeighbours, NoGrainsNoList) {
   Random random(16);
   Bed bed;

@@ -143,6 +143,111 @@ TEST_F(ScriptCheck, FollowsIncludes) {
   EXPECT_EQ(findings("timestep 1e-5\ninclude ${here}/couple.in\n"), "no findings");
 }
 
+TEST_F(ScriptCheck, FollowsIncludesThatAVariableNames) {
+  text_.write("couple.in", "fix m all couple/mbd every 5 mesh pad1 pad\n");
+  EXPECT_EQ(findings("variable file index couple.in\ninclude ${here}/${file}\n"), "no findings");
+}
+
+TEST_F(ScriptCheck, FindsTheCouplingInBothBranchesOfAnIf) {
+  EXPECT_EQ(findings("variable n index 3\n"
+                     "if \"${n} > 2\" then \"fix m all couple/mbd every 5 mesh pad1 pad\" else &\n"
+                     "  \"fix m all couple/mbd every 1 mesh pad1 pad\"\n"),
+            "no findings");
+}
+
+TEST_F(ScriptCheck, LeavesAFileThatOnlyLiggghtsCanNameToLiggghts) {
+  EXPECT_EQ(findings("variable file getenv COUPLING\ninclude ${here}/${file}\n"), "no findings");
+}
+
+TEST_F(ScriptCheck, AScriptThatIncludesItselfIsAFinding) {
+  text_.write("again.in", "include ${here}/in.grains\n");
+  EXPECT_THAT(findings("timestep 1e-5\ninclude ${here}/again.in\nfix m all couple/mbd every 5 mesh pad1 pad\n"),
+              HasSubstr("again.in:1 includes a file that includes this line again"));
+}
+
+TEST_F(ScriptCheck, AVariableThatNamesItselfEndsNowhere) {
+  EXPECT_EQ(findings("variable a index ${a}\nfix m all couple/mbd every ${a} mesh pad1 pad\n",
+                     "variables = { a = \"x${a}\" }\n"),
+            "no findings");
+}
+
+TEST_F(ScriptCheck, AVariableThatTheScriptNeverReadsIsMisspelt) {
+  EXPECT_THAT(findings("variable every index 5\nfix m all couple/mbd every ${every} mesh pad1 pad\n",
+                       "variables = { evry = 2 }\n"),
+              HasSubstr("particles.variables.evry: the script neither declares nor reads such a variable. Known "
+                        "variables: every. Did you mean \"every\"?"));
+  for (const char* reads : {"print \"$k\"", "variable b equal 2*v_k", "variable k index 1", "print '${k}'"})
+    EXPECT_EQ(
+        findings(std::string(reads) + "\nfix m all couple/mbd every 5 mesh pad1 pad\n", "variables = { k = 2 }\n"),
+        "no findings")
+        << reads;
+}
+
+// A scene on a base may hold variables for the script of the base.
+TEST_F(ScriptCheck, AVariableThatResemblesNoneIsWarnedOf) {
+  EXPECT_EQ(findings("variable every index 5\nfix m all couple/mbd every ${every} mesh pad1 pad\n",
+                     "variables = { restitution = 0.4 }\n"),
+            "no findings");
+}
+
+TEST_F(ScriptCheck, AVariableThatTheBedNeverReadsIsMisspelt) {
+  text_.write("in.bed", "variable depth index 0.3\n");
+  EXPECT_THAT(findings("fix m all couple/mbd every 5 mesh pad1 pad\n",
+                       "bed = { script = \"in.bed\", variables = { dept = 0.2 } }\n"),
+              HasSubstr("particles.bed.variables.dept: the script neither declares nor reads such a variable. Known "
+                        "variables: depth. Did you mean \"depth\"?"));
+}
+
+TEST_F(ScriptCheck, ABedOfAnotherGravityWidthOrStiffnessIsWarnedOf) {
+  const std::string material = "fix young all property/global youngsModulus peratomtype 5e6\n";
+  text_.write("in.bed",
+              "variable width index 1.2\nvariable dt index 1e-5\nfix g all gravity 9.81 vector 0 0 -1\n" + material);
+  const auto warnings = [&](const std::string& script, const std::string& variables) {
+    findings("variable width index 1.2\nfix m all couple/mbd every 5 mesh pad1 pad\n" + script, "");
+    const Scene scene = text_.read(R"(end_time = 1
+gravity = [0, 0, -1.63]
+[[bodies]]
+name = "pad"
+mass = 1
+shape = { kind = "disc", radius = 0.2, thickness = 0.01 }
+[[boundaries]]
+body = "pad"
+surface = {}
+[ground]
+kind = "particles"
+[particles]
+script = "in.grains"
+bed = { script = "in.bed", variables = { )" +
+                                   variables + " } }\n");
+    std::string all;
+    for (const std::string& warning : scene.warnings) all += warning + "\n";
+    return all;
+  };
+  const std::string moon = "fix g all gravity 1.63 vector 0 0 -1\n";
+  EXPECT_THAT(warnings(moon, ""), HasSubstr("the bed is made with gravity = 9.81 vector 0 0 -1, the run has 1.63"));
+  EXPECT_THAT(warnings("", "width = 2.0"), HasSubstr("the bed is made with variable width = 2, the run has 1.2"));
+  EXPECT_THAT(warnings("fix y all property/global youngsModulus peratomtype 35e6\n", ""),
+              HasSubstr("the bed is made with youngsModulus = peratomtype 5000000, the run has peratomtype 35000000"));
+  EXPECT_EQ(warnings("variable dt index 1e-4\n" + material, "dt = 2e-5, width = 1.2"), "");
+}
+
+TEST_F(ScriptCheck, GravityThatIsNotTheScenesIsAFinding) {
+  const std::string couple = "fix m all couple/mbd every 5 mesh pad1 pad\n";
+  EXPECT_THAT(findings("fix g all gravity 9.81 vector 0 0 1\n" + couple),
+              HasSubstr("the grains have the gravity [0, 0, 9.81] m/s2"));
+  EXPECT_EQ(findings("fix g all gravity 9.81 vector 0 0 -2\n" + couple), "no findings");
+  EXPECT_EQ(
+      findings("fix g all gravity 1.63 vector 0 0 -1\nfix m all couple/mbd every 5 gravity script mesh pad1 pad\n"),
+      "no findings");
+}
+
+TEST_F(ScriptCheck, AScriptMaySettleItsBedWithALargerTimeStep) {
+  EXPECT_EQ(findings("timestep 5e-4\nrun 100\ntimestep 1e-4\nfix m all couple/mbd every 5 mesh pad1 pad\nrun 100\n"),
+            "no findings");
+  EXPECT_THAT(findings("timestep 1e-4\nrun 100\ntimestep 5e-4\nfix m all couple/mbd every 5 mesh pad1 pad\nrun 100\n"),
+              HasSubstr("the script's time step is 0.0005 s"));
+}
+
 TEST_F(ScriptCheck, AScriptThatNeverCouplesIsAFinding) {
   EXPECT_THAT(findings("timestep 1e-5\n# fix m all couple/mbd every 5\n"),
               HasSubstr("particles.script: has no line \"fix ID all couple/mbd ...\""));
