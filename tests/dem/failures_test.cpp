@@ -35,8 +35,8 @@ std::vector<Case> cases() {
   // The partner misbehaves.
   add({"ForeignProtocol",
        2,
-       {"liggghts_mbd: ERROR: message Geometry: the partner speaks protocol version 1000, this program "
-        "version 2",
+       {"liggghts_mbd: ERROR: message Geometry: the partner speaks protocol version 1001, this program "
+        "version 3",
         "scripted_partner: ERROR: liggghts_mbd stopped: message Geometry"},
        "",
        "until 0.01 misbehave version"});
