@@ -86,7 +86,7 @@ void CouplingWatch::watch_energy(const Window& window, const Load& load, const s
     residual_ += bodies[i].pending;
     Work& work = work_[i];
     if (!std::isinf(bodies[i].mass)) {
-      work.sum += mean.work + bodies[i].gravity;
+      work.sum += bodies[i].work_received + bodies[i].gravity;
       work.kinetic = std::max(work.kinetic, bodies[i].kinetic);
       work.largest = std::max(work.largest, work.sum);
       work.smallest = std::min(work.smallest, work.sum);

@@ -12,7 +12,7 @@ namespace footfall {
 
 // The scale of the interface's energy is what the contacts move, whatever else the mechanism does:
 //   E = sum over bodies of the larger of
-//         range of (work of the grains + work of gravity) on it so far: what was exchanged, without what the weight of a
+//         range of (work received from the grains + work of gravity) so far: what was exchanged, without what the weight of a
 //         body that swings on its contacts gives and takes back
 //         its largest 1/2 m0 v^2 so far: what contacts that begin have before them
 //     + kFloor J^2 / 2m, J = |F| H the largest impulse of a window: rest, where all else is round-off
