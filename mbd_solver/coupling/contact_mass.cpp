@@ -17,6 +17,12 @@ double largest_mode(const ModalBoundary& boundary) {
   return largest;
 }
 
+bool joined(const Model& model, int body) {
+  for (int i = 0; i < model.joint_count(); ++i)
+    if (model.joint(i).m1.body == body || model.joint(i).m2.body == body) return true;
+  return false;
+}
+
 // x / f, no longer than `longest`.
 template <class Vector>
 Vector cut_off(const Vector& x, double f, double longest) {
@@ -29,6 +35,7 @@ Vector cut_off(const Vector& x, double f, double longest) {
 ContactMass::ContactMass(Equations& equations, int body, const ModalBoundary& boundary)
     : equations_(equations),
       body_(body),
+      joined_(joined(equations.model(), body)),
       mass_(equations.model().body(body).mass()),
       reach_(boundary.rho0().colwise().norm().maxCoeff()),
       largest_mode_(largest_mode(boundary)),
@@ -38,19 +45,23 @@ ContactMass::ContactMass(Equations& equations, int body, const ModalBoundary& bo
 double ContactMass::along(const ExternalLoad& felt, const State& state, const Inputs& inputs) {
   const double f = felt.F_W.norm();
   if (f == 0.0) return mass_;
-  const double own = equations_.model().body(body_).mass();
+  const Body& body = equations_.model().body(body_);
+  const double own = body.mass();
+  const Eigen::Vector3d F = felt.F_W / f, T = cut_off(felt.T_B, f, reach_);
+  Eigen::VectorXd Q;
+  if (felt.Q_a.size() > 0) Q = cut_off(felt.Q_a, f, largest_mode_);
+  if (!joined_) {  // modes have mass 1
+    mass_ = 1.0 / (1.0 / own + T.dot(body.rigid_inertia().ldlt().solve(T)) + Q.squaredNorm());
+    return mass_;
+  }
   // As large as what gives the body alone 1 m/s2: far above the round-off of accelerations.
-  const Eigen::Vector3d F_W = own / f * felt.F_W;
-  const Eigen::Vector3d T_B = own * cut_off(felt.T_B, f, reach_);
+  const Eigen::Vector3d F_W = own * F, T_B = own * T;
   probe_ = inputs;
   ExternalLoad& load = probe_.loads[static_cast<std::size_t>(body_)];
   load.F_W += F_W;
   load.T_B += T_B;
-  Eigen::VectorXd Q_a;
-  if (felt.Q_a.size() > 0) {
-    Q_a = own * cut_off(felt.Q_a, f, largest_mode_);
-    load.Q_a += Q_a;
-  }
+  const Eigen::VectorXd Q_a = own * Q;
+  if (Q_a.size() > 0) load.Q_a += Q_a;
   equations_.accelerations(state, inputs, rates_);
   equations_.accelerations(state, probe_, moved_);
   const int first = equations_.layout().v0() + equations_.layout().body_v[static_cast<std::size_t>(body_)];

@@ -25,6 +25,7 @@ class ContactMass {
  private:
   Equations& equations_;
   int body_;
+  bool joined_;            // some joint holds on to the body: the whole mechanism is asked
   double mass_;            // [kg]
   double reach_;           // largest |rho0| [m]
   double largest_mode_;    // of all nodes: largest |Phi_j|

@@ -56,6 +56,7 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations
                        double t_end, Transport& transport, const std::string& resume)
     : mechanism_(mechanism),
       t_end_(t_end),
+      gravity_(scene.gravity),
       up_(up_direction(scene.gravity)),
       scheme_(make_scheme(scene.coupling.scheme)),
       partner_(transport, bodies_with_boundary(mechanism, start), terms_of(scene, t_end, resume),
@@ -190,6 +191,8 @@ void CoupledRun::judge(const State& state) {
     const Coupled& body = bodies_[k];
     watched_[k].work_received = state.load_work(body.entry.body) - work_before_(body.entry.body);
     watched_[k].pending = body.window.pending_work(body.end);
+    watched_[k].gravity = body.body.mass() * gravity_.dot(body.end.r - motion_.bodies[k].r);
+    watched_[k].kinetic = 0.5 * body.body.mass() * body.end.dr.squaredNorm();
     if (const std::optional<Eigen::Vector3d> surplus = body.window.surplus_impulse(body.end))
       watch_->count_surplus(k, state.time, *surplus, body.window.length() * partner_.load().bodies[k].mean.F_W.norm());
   }

@@ -77,8 +77,9 @@ class CoupledRun {
   void judge(const State& state);  // a window that has ended
 
   const Mechanism& mechanism_;
-  double t_end_;        // [s]
-  Eigen::Vector3d up_;  // unit vector against gravity, in W
+  double t_end_;             // [s]
+  Eigen::Vector3d gravity_;  // [m/s2]
+  Eigen::Vector3d up_;       // unit vector against gravity, in W
   std::unique_ptr<Scheme> scheme_;
   DemPartner partner_;
   Agreement agreement_;

@@ -17,6 +17,7 @@ constexpr double kSurplus = 0.01;       // of the impulse given by the grains
 constexpr int kSurplusWindows = 10;     // bodies times windows
 constexpr double kUnresolved = 0.1;     // of the impulse on a body
 constexpr double kWindowsPerTouch = 10.0;
+constexpr double kFloor = 1e-3;             // of what a window's impulse can do
 constexpr double kWarnGain = 0.2;           // of the gain that ends the run
 constexpr double kChatterForceShare = 0.2;  // of the largest force of the run: smaller ones may swing
 
@@ -118,7 +119,8 @@ void CouplingWatch::watch_energy(const Window& window, const Load& load, const s
     residual_ += bodies[i].pending;
     Work& work = work_[i];
     if (!std::isinf(bodies[i].mass)) {
-      work.sum += mean.work;
+      work.sum += bodies[i].work_received + bodies[i].gravity;
+      work.kinetic = std::max(work.kinetic, bodies[i].kinetic);
       work.largest = std::max(work.largest, work.sum);
       work.smallest = std::min(work.smallest, work.sum);
       work.surplus += mean.work - bodies[i].work_received;
@@ -127,12 +129,12 @@ void CouplingWatch::watch_energy(const Window& window, const Load& load, const s
       kick += J * J / (2.0 * bodies[i].mass);
     }
     surplus += work.surplus;
-    moved += work.largest - work.smallest;
+    moved += std::max(work.largest - work.smallest, work.kinetic);
   }
   residual_ += sum_;
   largest_residual_ = std::max(largest_residual_, std::abs(residual_));
   largest_kick_ = std::max(largest_kick_, kick);
-  const double scale = moved + largest_kick_;
+  const double scale = moved + kFloor * largest_kick_;
   const double gain = -(surplus + pending);
   const auto percent = [&](double energy) {
     return number(energy) + " J, " + number(energy / scale * 100.0) + " % of the energy that the contacts have moved";

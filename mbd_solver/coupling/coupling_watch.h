@@ -12,8 +12,11 @@
 namespace footfall {
 
 // The scale of the interface's energy is what the contacts move, whatever else the mechanism does:
-//   E = sum over bodies of (largest - smallest work of the grains on the body so far)
-//     + largest kinetic energy that one window's impulse J = |F| H can give, J^2 / 2m
+//   E = sum over bodies of the larger of
+//         range of (work received from the grains + work of gravity) so far: what was exchanged, without what the weight of a
+//         body that swings on its contacts gives and takes back
+//         its largest 1/2 m0 v^2 so far: what contacts that begin have before them
+//     + kFloor J^2 / 2m, J = |F| H the largest impulse of a window: rest, where all else is round-off
 // with m the mass that the contacts meet (contact_mass.h). A body that is held or led (m infinite) can neither be pumped
 // nor chatter: it has no part in this, and omega H = 0.
 class CouplingWatch {
@@ -28,6 +31,8 @@ class CouplingWatch {
   struct Body {
     double mass = 0.0;           // that its contacts meet; infinity: held [kg]
     double work_received = 0.0;  // by the body [J]
+    double gravity = 0.0;        // work of its weight [J]
+    double kinetic = 0.0;        // 1/2 m0 v^2 at the window's end [J]
     double pending = 0.0;  // what the grains will do when the next window starts from the computed motion, and the
                            // body has received already [J]
   };
@@ -72,9 +77,10 @@ class CouplingWatch {
       archive("impulse", impulse);
     }
   };
-  // The work of the grains on one body.
+  // What the contacts of one body move.
   struct Work {
-    double sum = 0.0, largest = 0.0, smallest = 0.0;  // since the start [J]
+    double sum = 0.0, largest = 0.0, smallest = 0.0;  // since the start, with that of gravity [J]
+    double kinetic = 0.0;                             // largest [J]
     double surplus = 0.0;                             // work of the grains - work received, while it is not held [J]
     void visit(Archive& archive) {
       archive("sum", sum);

@@ -19,6 +19,7 @@ struct Told {
   std::int64_t contacts = 1;                              // at the window's end
   double mean_contacts = 1.0;
   bool last = false;
+  double gravity = 0.0, kinetic = 0.0;  // [J]
 };
 
 // One body.
@@ -36,7 +37,7 @@ class Watched {
     load.bodies[0].max_overlap_over_radius = overlap;
     load.bodies[0].max_patch_over_facet = patch;
     time_ += kH;
-    watch.window({time_, kH, 10, told.last}, load, {{mass_, told.received, told.pending}});
+    watch.window({time_, kH, 10, told.last}, load, {{mass_, told.received, told.gravity, told.kinetic, told.pending}});
   }
   bool warns(const std::string& text) const {
     for (const std::string& warning : watch.warnings())
@@ -62,6 +63,21 @@ TEST(CouplingWatch, JudgesByWhatTheContactsMove) {
       EXPECT_THROW(body.window(told), NumericalError);
     }
   }
+}
+
+TEST(CouplingWatch, DoesNotCountTheWeightOfABodyThatSwings) {
+  // 10 J go to the contacts with 9 J of the weight: 1 J was exchanged, and 0.12 J of it are too much.
+  Watched body(1.0);
+  Told told{0.1, -10.0, -9.88};
+  told.gravity = 9.0;
+  EXPECT_THROW(body.window(told), NumericalError);
+}
+
+TEST(CouplingWatch, CountsTheMotionThatAContactHasBeforeIt) {
+  Watched body(1.0);
+  Told told{0.1, 0.0, 0.001};
+  told.kinetic = 1.0;
+  EXPECT_NO_THROW(body.window(told));
 }
 
 TEST(CouplingWatch, LeavesRestInPeace) {

@@ -236,6 +236,39 @@ TEST(Simulation, WithEveryAutoFliesInLongWindows) {
   EXPECT_EQ(grains.motions()[0].n, 50);
 }
 
+// Led along its path against an alternating force: round-off of its work, and a window's impulse, are no energy of its.
+TEST(Simulation, DoesNotJudgeABodyThatIsLed) {
+  const std::string led = kOnGrains + R"(
+[[joints]]
+name = "drive"
+type = "prescribed"
+bodies = ["ground", "ball"]
+point = [0, 0, 3]
+axis = "z"
+axis2 = "x"
+[joints.motion]
+x = { polynomial = [0, 0.5] }
+y = { polynomial = [0] }
+z = { polynomial = [0, -1.0, 20] }
+rotation = { polynomial = [0] }
+hold_other_rotations = true
+)";
+  for (const double mass : {1e3, 1.0, 1e-3}) {
+    const SceneText folder;
+    folder.write("in.grains", "timestep 1e-4\nfix mbd all couple/mbd every 4 mesh m ball\n");
+    const Scene scene = folder.read(led, {"bodies.ball.mass=" + std::to_string(mass)});
+    LoopbackGrains grains(start(), [](const Motion& motion, Load& load) {
+      load.bodies[0].mean.F_W.z() = motion.window % 2 == 0 ? 500.0 : 0.0;
+      load.bodies[0].contact_stiffness = 1e6;
+    });
+    Simulation simulation(scene, scene.end_time, &grains.transport());
+    EXPECT_NO_THROW(rows_of(simulation)) << mass;
+    EXPECT_EQ(grains.join(), "");
+    EXPECT_EQ(simulation.coupled()->watch().largest_omega_h()[0], 0.0);
+    EXPECT_TRUE(simulation.coupled()->watch().warnings().empty());
+  }
+}
+
 TEST(Simulation, RefusesALoadThatIsNotFinite) {
   const GrainScene on;
   LoopbackGrains grains(start(), [](const Motion& motion, Load& load) {
