@@ -8,6 +8,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/interrupt.h"
 #include "coupler/mpi_check.h"
+#include "liggghts_fix/fix_couple_mbd_grains.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "modify.h"
 #include "signal_handling.h"
@@ -65,6 +66,7 @@ void FixCoupleMbd::init() {
       throw InputError(where + "mesh " + mesh->id() + " was removed by `unfix`; unfix " + id + " first");
   if (link_.body_count() == 0)
     throw InputError(where + "no body to couple: name meshes here, or beams with fix wall/gran/beam");
+  check_grains(lmp, where);
   link_.start(update->dt, arguments_.every, update->ntimestep);
   footfall::work_is_under_way();
   rows_of_output_.clear();

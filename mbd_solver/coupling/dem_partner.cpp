@@ -4,6 +4,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "coupler/finite_check.h"
 
 namespace footfall {
 namespace {}  // namespace
@@ -24,6 +25,7 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     geometry.bodies = bodies_;
     link_.send(geometry);
     link_.receive_patiently(start_);
+    demand_finite(start_, link_.partner());
     check(terms);
     for (const std::string& name : start_.bodies)
       for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -38,6 +40,9 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     seconds_before_ = link_.seconds_waited();
   } catch (const ProtocolError& error) {
     link_.fail(error.what(), Status::kBadInput);
+    throw;
+  } catch (const NumericalError& error) {
+    link_.fail(error.what(), Status::kFailed);
     throw;
   }
 }

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <optional>
 
+#include "coupler/base/errors.h"
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/scene_check.h"
@@ -19,13 +22,27 @@ bool as_number(const std::string& text, double& value) {
   return end && *end == '\0' && end != text.c_str();
 }
 
+// Nothing, told, when the text goes round for ever.
+std::optional<ScriptText> read_script(const std::string& file, const std::map<std::string, std::string>& variables,
+                                      const ParticlesSpec& particles, Findings& findings) {
+  try {
+    return ScriptText(file, variables);
+  } catch (const InputError& error) {
+    findings.error(particles.source, "script", error.what());
+    return {};
+  }
+}
+
 }  // namespace
 
 void check_script(const Scene& scene, Findings& findings) {
   const ParticlesSpec& particles = *scene.particles;
   std::error_code ignored;
+  if (particles.bed) read_script(particles.bed->script, particles.bed->variables, particles, findings);
   if (!std::filesystem::is_regular_file(particles.script, ignored)) return;  // reported with its path
-  const ScriptText script(particles.script, particles.variables);
+  const std::optional<ScriptText> text = read_script(particles.script, particles.variables, particles, findings);
+  if (!text) return;
+  const ScriptText& script = *text;
   bool couples = false;
   for (const ScriptCommand& command : script.commands()) {
     const std::vector<std::string>& w = command.words;

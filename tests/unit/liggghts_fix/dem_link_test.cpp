@@ -6,6 +6,7 @@
 
 #include <thread>
 
+#include "coupler/base/interrupt.h"
 #include "coupler/transport_loopback.h"
 
 namespace footfall {
@@ -120,6 +121,7 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
   ASSERT_TRUE(pair.dem.end_substep());
   std::vector<double> sums;
   pair.dem.write_shares(sums);
+  EXPECT_FALSE(pair.dem.asked_to_end());
   std::vector<double> both = sums;  // two ranks with the same forces
   both.insert(both.end(), sums.begin(), sums.end());
   pair.dem.finish_window(both, 2, 77);
@@ -132,6 +134,37 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
   EXPECT_EQ(load.particles, 77);
   EXPECT_NO_THROW(pair.dem.script_ended());
   EXPECT_THROW(pair.dem.begin_substep(2), InputError);
+}
+
+// A signal may reach one rank alone: all know of it after the same window.
+TEST(DemLink, OneRankThatIsAskedToEndAsksAll) {
+  for (const int signalled : {0, 1, 2}) {
+    Pair pair;
+    pair.partner = std::thread([&] {
+      pair.answer_hello({"pad"});
+      pair.accept(1e-3);
+      Motion motion;
+      motion.n = 1;
+      motion.bodies.resize(1);
+      pair.mbd.send(motion);
+      Load load;
+      pair.mbd.receive(load);
+      EXPECT_THROW(pair.mbd.receive(load), Interrupted);
+    });
+    pair.dem.couple("pad", "si");
+    pair.dem.start(1e-4, 1, 0);
+    pair.dem.begin_substep(1);
+    ASSERT_TRUE(pair.dem.end_substep());
+    std::vector<double> rows, row;
+    for (int rank = 0; rank < 3; ++rank) {
+      pair.dem.write_shares(row, rank == signalled);
+      rows.insert(rows.end(), row.begin(), row.end());
+    }
+    pair.dem.finish_window(rows, 3, 1);
+    EXPECT_TRUE(pair.dem.asked_to_end()) << signalled;
+    EXPECT_TRUE(pair.dem.fail("stopped by a signal", Status::kInterrupted));
+    pair.partner.join();
+  }
 }
 
 TEST(DemLink, AScriptThatEndsTooEarlySaysWhenAndHowManyStepsAreNeeded) {
