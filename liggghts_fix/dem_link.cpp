@@ -8,6 +8,7 @@
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
 #include "coupler/base/whole_file.h"
+#include "coupler/finite_check.h"
 #include "coupler/message_fields.h"
 #include "coupler/programs.h"
 #include "coupler/schemes/registry.h"
@@ -47,6 +48,7 @@ void DemLink::greet(const std::string& unit_style) {
   link_->send(hello);
   link_->receive(geometry_);
   check_partner(link_->partner(), kProtocolVersion, geometry_.footfall_version);
+  demand_finite(geometry_, link_->partner());
   greeted_ = true;
   if (geometry_.resume.empty()) return;
   // Where the boundaries stand now: what meshes are held against, and beams start from.
@@ -152,6 +154,7 @@ void DemLink::start(Start script) {
   script_ = std::move(script);
   link_->send(script_);
   link_->receive(accept_);
+  demand_finite(accept_, link_->partner());
   if (accept_.patience > 0.0 && !own_patience_) link_->set_patience(accept_.patience);
   sent_ = wall_clock();
   lost_here_ = 0.0;
@@ -203,6 +206,8 @@ void DemLink::begin_window() {
     link_->receive(motion_);
   }
   waited_ = wall_clock() - asked;
+  if (!std::isfinite(motion_.time))
+    throw NumericalError("window " + std::to_string(windows_) + ": its time is not finite");
   if (motion_.window != windows_ || motion_.bodies.size() != bodies_.size() || motion_.n < 1 ||
       (n_ > 0 && motion_.n > n_))
     throw ProtocolError("window " + std::to_string(windows_) + ": " + link_->partner() + " sent a Motion for window " +
@@ -215,9 +220,9 @@ void DemLink::begin_window() {
       throw ProtocolError("body \"" + names_[i] + "\" came with " + std::to_string(start.mode_count()) +
                           " modal coordinates; its boundary has " +
                           std::to_string(bodies_[i]->boundary().mode_count()));
-    if (!start.all_finite())
+    if (const std::string place = first_not_finite(start); !place.empty())
       throw NumericalError("the motion of body \"" + names_[i] + "\" at t = " + number(motion_.time) +
-                           " s is not finite");
+                           " s is not finite (" + place + ")");
     if (windows_ > 0) work_received_ += bodies_[i]->work_between(at_last_start_[i], start);
     bodies_[i]->begin_window(start, motion_.n, dt_);
   }
@@ -279,9 +284,9 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
 
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyLoad& load = bodies_[i]->load();
-    if (!load.mean.F_W.allFinite() || !load.mean.T_B.allFinite() || !load.mean.Q_a.allFinite())
+    if (const std::string place = first_not_finite(load); !place.empty())
       throw NumericalError("the load of the grains on body \"" + names_[i] + "\" after t = " + number(motion_.time) +
-                           " s is not finite");
+                           " s is not finite (" + place + ")");
     load_.bodies[i] = load;
     window_work_ += load.mean.work;
     overlap_ = std::max(overlap_, load.max_overlap_over_radius);

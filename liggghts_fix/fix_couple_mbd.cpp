@@ -10,6 +10,7 @@
 #include "coupler/base/interrupt.h"
 #include "coupler/mpi_check.h"
 #include "integrate.h"
+#include "liggghts_fix/fix_couple_mbd_grains.h"
 #include "liggghts_fix/fix_couple_mbd_match.h"
 #include "liggghts_fix/fix_couple_mbd_script.h"
 #include "liggghts_fix/liggghts_access.h"
@@ -80,6 +81,7 @@ void FixCoupleMbd::init() {
       throw InputError(where + "mesh " + mesh->id() + " was removed by `unfix`; unfix " + id + " first");
   if (link_.body_count() == 0)
     throw InputError(where + "no body to couple: name meshes here, or beams with fix wall/gran/beam");
+  check_grains(lmp, where);
   footfall::Start script;
   script.dt = update->dt;
   script.n = arguments_.every;

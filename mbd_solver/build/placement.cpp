@@ -40,6 +40,9 @@ std::vector<Sphere> read_grains(const std::string& path) {
     Sphere grain;
     if (!(values >> grain.centre.x() >> grain.centre.y() >> grain.centre.z() >> grain.radius))
       throw InputError(path + ":" + std::to_string(number) + ": \"" + line + "\": expected x y z radius");
+    if (!grain.centre.allFinite() || !(grain.radius > 0.0) || !std::isfinite(grain.radius))
+      throw InputError(path + ":" + std::to_string(number) + ": \"" + line +
+                       "\": expected finite x y z and a positive radius");
     grains.push_back(grain);
   }
   if (grains.empty()) throw InputError(path + ": holds no grains; expected a dump of x y z radius");

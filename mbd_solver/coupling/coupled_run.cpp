@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
+#include "coupler/finite_check.h"
 #include "coupler/schemes/registry.h"
 #include "mbd_solver/coupling/flight_time.h"
 #include "mbd_solver/model/up_direction.h"
@@ -31,7 +32,7 @@ DemTerms terms_of(const Scene& scene, double t_end, const std::string& resume) {
   terms.n_max = scene.coupling.max_substeps;
   terms.max_dt = scene.particles->max_time_step;
   terms.expected_dt = stated(scene, "dt");
-  terms.expected_n = static_cast<int>(stated(scene, "every"));
+  terms.expected_n = static_cast<int>(std::min(stated(scene, "every"), 1.0 * std::numeric_limits<int>::max()));
   return terms;
 }
 
@@ -111,10 +112,11 @@ void CoupledRun::visit(Archive& archive) {
 double CoupledRun::begin_window(const State& state, const Kinematics& kinematics,
                                 const std::function<std::string(double t_end)>& checkpoint_at, Inputs& inputs) {
   const double dt = agreement_.dt;
-  const int left = static_cast<int>(std::lround((t_end_ - state.time) / dt));
+  const double left = std::round((t_end_ - state.time) / dt);  // substeps: may be more than an integer holds
   motion_.time = state.time;
   const int wanted = choice_ ? choice_->substeps() : agreement_.substeps;
-  motion_.n = std::max(1, std::min(scheme_->substeps(wanted, motion_.window), left));
+  const int most = scheme_->substeps(wanted, motion_.window);
+  motion_.n = left < most ? std::max(1, static_cast<int>(left)) : most;
   motion_.last_window = left <= motion_.n;
   const double t_end = motion_.last_window ? t_end_ : state.time + motion_.n * dt;
   motion_.checkpoint = motion_.last_window ? "" : checkpoint_at(t_end);
@@ -177,11 +179,10 @@ void CoupledRun::choose_window() {
 void CoupledRun::receive(const Load& load, Inputs& inputs) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Coupled& body = bodies_[k];
-    const MeanLoad& mean = load.bodies[k].mean;
-    if (!mean.F_W.allFinite() || !mean.T_B.allFinite() || !mean.Q_a.allFinite())
+    if (const std::string place = first_not_finite(load.bodies[k]); !place.empty())
       throw NumericalError("t = " + std::to_string(motion_.time) + " s: the load of the grains on body " +
-                           watch_->names()[k] +
-                           " is not finite: the bed has blown up; use a smaller timestep in the script");
+                           watch_->names()[k] + " is not finite (" + place +
+                           "): the bed has blown up; use a smaller timestep in the script");
     body.window.answer(load.bodies[k], inputs.loads[static_cast<std::size_t>(body.entry.body)]);
   }
 }

@@ -4,6 +4,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "coupler/finite_check.h"
 
 namespace footfall {
 namespace {
@@ -34,6 +35,7 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     geometry.resume = terms.resume;
     link_.send(geometry);
     link_.receive_patiently(start_);
+    demand_finite(start_, link_.partner());
     check(terms);
     warnings_ = start_.warnings;
     check_gravity(terms.gravity);
@@ -51,6 +53,9 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     seconds_before_ = link_.seconds_waited();
   } catch (const ProtocolError& error) {
     link_.fail(error.what(), Status::kBadInput);
+    throw;
+  } catch (const NumericalError& error) {
+    link_.fail(error.what(), Status::kFailed);
     throw;
   }
 }

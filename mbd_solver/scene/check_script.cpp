@@ -70,6 +70,27 @@ void check_bodies_named(const ScriptText& script, const Scene& scene, Findings& 
   }
 }
 
+// LIGGGHTS replaces ${name} until none is left: for ever, where a value leads back to its own name.
+void check_values(const std::map<std::string, std::string>& variables, const std::string& key, const Source& source,
+                  Findings& findings) {
+  for (const auto& [name, value] : variables) {
+    std::string chain = name;
+    const std::string* text = &value;
+    for (std::size_t steps = 0; steps <= variables.size(); ++steps) {
+      const std::size_t at = text->find("${"), end = text->find('}', at);
+      if (at == std::string::npos || end == std::string::npos) break;
+      const auto next = variables.find(text->substr(at + 2, end - at - 2));
+      if (next == variables.end()) break;
+      chain += " -> " + next->first;
+      if (next->first == name) {
+        findings.error(source, key + "." + name, "the variable names itself: " + chain + "; give it a value");
+        return;
+      }
+      text = &next->second;
+    }
+  }
+}
+
 // A variable that nobody reads: its value never arrives. One that resembles another is misspelt; any other may come from
 // the scene's base, for another script.
 void check_variables(const ScriptText& script, const std::map<std::string, std::string>& variables,
@@ -188,6 +209,7 @@ void check_script(const Scene& scene, Findings& findings) {
   if (couples) check_time_step(script, particles, findings);
   check_bodies_named(script, scene, findings);
   check_gravity(script, scene, findings);
+  check_values(particles.variables, "variables", particles.source, findings);
   check_variables(script, particles.variables, "variables", particles.source, findings);
   if (!particles.bed || !is_file(particles.bed->script)) return;
   const ScriptText bed(particles.bed->script, particles.bed->variables);
@@ -195,6 +217,7 @@ void check_script(const Scene& scene, Findings& findings) {
     findings.error(particles.source, "bed.script", bed.circle() + " includes a file that includes this line again");
     return;
   }
+  check_values(particles.bed->variables, "bed.variables", particles.source, findings);
   check_variables(bed, particles.bed->variables, "bed.variables", particles.source, findings);
   compare_with_bed(script, bed, particles, findings);
 }

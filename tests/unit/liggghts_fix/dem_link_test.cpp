@@ -6,6 +6,7 @@
 
 #include <thread>
 
+#include "coupler/base/interrupt.h"
 #include "coupler/transport_loopback.h"
 
 namespace footfall {
@@ -128,6 +129,7 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
   ASSERT_TRUE(pair.dem.end_substep());
   std::vector<double> sums;
   pair.dem.write_shares(38, false, sums);
+  EXPECT_FALSE(pair.dem.asked_to_end());
   std::vector<double> both = sums;  // two ranks with the same forces
   both.insert(both.end(), sums.begin(), sums.end());
   pair.dem.finish_window(both, 2);
@@ -291,6 +293,37 @@ TEST(DemLink, ACommandThatTakesTheCouplingAwayTooEarlyIsRefused) {
   EXPECT_NE(said.find("unfix m: takes the coupling away at t = 0 s, before the end of the scene at t = 1 s"),
             std::string::npos)
       << said;
+}
+
+// A signal may reach one rank alone: all know of it after the same window.
+TEST(DemLink, OneRankThatIsAskedToEndAsksAll) {
+  for (const int signalled : {0, 1, 2}) {
+    Pair pair;
+    pair.partner = std::thread([&] {
+      pair.answer_hello({"pad"});
+      pair.accept(1e-3);
+      Motion motion;
+      motion.n = 1;
+      motion.bodies.resize(1);
+      pair.mbd.send(motion);
+      Load load;
+      pair.mbd.receive(load);
+      EXPECT_THROW(pair.mbd.receive(load), Interrupted);
+    });
+    pair.dem.couple("pad", "si");
+    pair.dem.start(script(1e-4, 1, 0));
+    pair.dem.begin_substep(1);
+    ASSERT_TRUE(pair.dem.end_substep());
+    std::vector<double> rows, row;
+    for (int rank = 0; rank < 3; ++rank) {
+      pair.dem.write_shares(1, rank == signalled, row);
+      rows.insert(rows.end(), row.begin(), row.end());
+    }
+    pair.dem.finish_window(rows, 3);
+    EXPECT_TRUE(pair.dem.asked_to_end()) << signalled;
+    EXPECT_TRUE(pair.dem.fail("stopped by a signal", Status::kInterrupted));
+    pair.partner.join();
+  }
 }
 
 TEST(DemLink, AScriptThatEndsTooEarlySaysWhenAndHowManyStepsAreNeeded) {
