@@ -58,8 +58,7 @@ CheckedCase squeezer_case() {
   out.name = "Andrews' squeezing mechanism";
   out.what =
       "Seven flat bodies of a few grams, ten hinges, one spring, driven by a motor of 0.033 N m. The crank turns two "
-      "and a "
-      "half times in 0.03 s. Nine of the 50 conditions are redundant.";
+      "and a half times in 0.03 s. Nine of the 50 conditions are redundant.";
   out.compared = "All seven angles at t = 0.03 s, relative to the largest of them (15.8 rad).";
   out.source =
       "Digits of the Test Set for Initial Value Problem Solvers (Mazzia and Magherini, University of Bari), problem "
@@ -80,13 +79,11 @@ CheckedCase governor_case() {
   out.name = "Flyball governor";
   out.what =
       "A shaft, a slider and two rods of 5 kg at their ends turn at 1 rad/s. Stiff bushings stand in the place of "
-      "joints, "
-      "springs of 4 kN/m between the slider and the rods.";
+      "joints, springs of 4 kN/m between the slider and the rods.";
   out.compared = "Velocity of the first rod along y after 1 ms, relative to itself.";
   out.source =
       "0.8962488779114738 m/s: the stored result of EXUDYN (J. Gerstmayr), TestModels/stiffFlyballGovernor.py, an "
-      "explicit "
-      "Runge-Kutta method with 20 steps.";
+      "explicit Runge-Kutta method with 20 steps.";
   out.tolerances = kTolerances;
   out.run = [](const std::string& kind, double rtol) {
     const Model model = flyball_governor();
@@ -103,18 +100,15 @@ CheckedCase flip_case() {
   out.name = "Dzhanibekov's nut";
   out.what =
       "A free body with moments of inertia of 1, 2 and 3 kg m2 spins at 5 rad/s about the middle axis, off by 0.01 "
-      "rad/s. "
-      "It flips over and back once in 10.05 s.";
+      "rad/s. It flips over and back once in 10.05 s.";
   out.compared =
-      "Angular velocity in the body after one whole period, relative to itself. The axis is unstable: between two "
-      "flips a "
-      "small error grows some thousand times, and so does the error below.";
+      "Angular velocity in the body after one whole period, relative to itself. The axis is unstable: until it flips a "
+      "small error grows, and so does the error below.";
   out.source = "Exact period from the complete elliptic integral (Landau and Lifshitz, Mechanics, 37).";
   out.tolerances = kTolerances;
   out.why =
-      "Nobody can do much better with this start: round-off alone grows as much. Each further digit of the tolerance "
-      "is a "
-      "further digit of the result, which is what the table shows.";
+      "The unstable axis lets small errors grow until the flip: error over tolerance is about 1e4 below 1e-4, and "
+      "each further digit of the tolerance is a further digit of the result.";
   out.held_one_step = out.held_ida = 1e5;
   out.run = [](const std::string& kind, double rtol) {
     const FlippingBody nut = flipping_body();
@@ -133,8 +127,7 @@ CheckedCase bricard_case() {
   out.name = "Bricard's mechanism";
   out.what =
       "Five rods of 1 m and 1 kg along the edges of a cube, six hinges, 10 s of falling and rising (IFToMM benchmark "
-      "A03). "
-      "It moves only because of its measures: one condition is redundant in every position.";
+      "A03). It moves only because of its measures: one condition is redundant in every position.";
   out.compared = "All bodies at 10 s, relative to the size of the motion; energy at every 0.05 s.";
   out.source = "Own run of the one-step method at rtol 1e-11. The energy is its own reference.";
   out.tolerances = kTolerances;
@@ -151,12 +144,14 @@ CheckedCase bennett_case() {
   CheckedCase out;
   out.name = "Bennett's mechanism";
   out.what =
-      "Four hinges out of parallel, three rods and the ground, 5 s. Three of the 20 conditions are redundant in every "
-      "position, and no 17 of them are enough in all positions.";
+      "Four hinges out of parallel, three rods and the ground, 5 s. Three of the 20 conditions are redundant in "
+      "every position, and no 17 of them are enough in all positions.";
   out.compared = "All bodies at 5 s, relative to the size of the motion; energy at every 0.05 s.";
   out.source = "Own run of the one-step method at rtol 1e-11. The energy is its own reference.";
   out.tolerances = kTolerances;
-  out.why = "IDA chooses its steps by the error of one of them, and adds up those of some thousands.";
+  out.why =
+      "IDA stays further from the answer than is asked; why was not looked for. The one-step method does what is "
+      "asked.";
   out.held_ida = 1e3;
   out.run = against_own_run([] { return bennett(); }, 0.05, 5.0, "one_step", 1e-11);
   return out;
@@ -174,6 +169,10 @@ CheckedCase four_bar_case(int cells, double t_end) {
   if (cells <= 2) out.tolerances = {1e-4, 1e-6, 1e-8};
   if (cells > 2) out.tolerances = {1e-4, 1e-6};
   out.in_short = false;
+  out.why =
+      "The error does not fall below a tolerance of 1e-6: where the posts lie flat, tighter ones lose more. At 1e-6 "
+      "the energy stays within what the benchmark asks for.";
+  out.held_one_step = out.held_ida = 1e3;
   const double scale = 9.81 * (2 * cells + 1);
   out.run = [=](const std::string& kind, double rtol) {
     Outcome worst;
@@ -205,9 +204,10 @@ CheckedCase spin_up_case() {
   CheckedCase out;
   out.name = "Spin-up of a beam";
   out.what =
-      "A beam of 10 m, EA = 28 MN, EI = 14 kN m2, 1.2 kg/m, is brought to 6 rad/s within 15 s, cut into eight flexible "
-      "bodies: a linear floating frame has no centrifugal stiffening, eight of them have it between each other.";
-  out.compared = "Extension of the tip at 20 s, relative to itself. Its largest lag is printed by the test: 0.5753 m.";
+      "A beam of 10 m, EA = 28 MN, EI = 14 kN m2, 1.2 kg/m, is brought to 6 rad/s within 15 s, cut into eight "
+      "flexible bodies: a linear floating frame has no centrifugal stiffening, eight of them have it between each "
+      "other.";
+  out.compared = "Extension of the tip at 20 s, relative to itself.";
   out.source =
       "5.143e-4 m, rho A w^2 L^3 / (3 EA); manoeuvre of J. C. Simo and L. Vu-Quoc, J. Appl. Mech. 53 (1986), 855.";
   out.tolerances = {1e-4, 1e-6};
@@ -229,14 +229,14 @@ CheckedCase rotor_case() {
   out.name = "Flexible rotor";
   out.what =
       "A disc of 8 kg in the middle of a light shaft of 0.6 m in two bearings (Jeffcott), plucked sideways while it "
-      "spins at "
-      "0, 100 and 400 rad/s, below and above its critical speed of 212.5 rad/s.";
+      "spins at 0, 100 and 400 rad/s, below and above its critical speed of 212.5 rad/s.";
   out.compared = "Frequency of the whirl over ten periods, the worst of the three; it must not depend on the spin.";
   out.source =
       "Exact: sqrt(48 EI / (L^3 m)), m with 17/35 of the shaft. Tilting whirl, forward and backward, is held against "
-      "the "
-      "finite-element model by the unit test FlexibleRotor.";
-  out.why = "IDA chooses its steps by the error of one of them, and adds up those of some ten thousands.";
+      "the finite-element model by the unit test FlexibleRotor.";
+  out.why =
+      "IDA stays further from the answer than is asked, and does not come nearer from 1e-4 to 1e-6; why was not "
+      "looked for.";
   out.held_ida = 1e3;
   out.tolerances = kTolerances;
   out.run = [](const std::string& kind, double rtol) {
@@ -270,12 +270,12 @@ CheckedCase rotor_case() {
 
 std::vector<CheckedCase> checked_cases() {
   const std::string lost =
-      "Where the rank falls by two or more at once, the one-step method of fifth order shortens its steps to nothing "
-      "and loses "
-      "joules when the position is passed. IDA passes.";
-  std::vector<CheckedCase> out = {squeezer_case(),       governor_case(),       flip_case(),
-                                  bricard_case(),        bennett_case(),        four_bar_case(2, 10.0),
-                                  four_bar_case(6, 3.0), four_bar_case(40, 1.0)};
+      "Here the rank falls by two or three at once. The one-step method of fifth order takes a hundred very short "
+      "steps "
+      "there and loses joules at almost all tolerances; IDA passes at all of them but one. A run warns at its end that "
+      "the energy does not close; it does not stop.";
+  std::vector<CheckedCase> out = {squeezer_case(), governor_case(),        flip_case(),          bricard_case(),
+                                  bennett_case(),  four_bar_case(2, 10.0), four_bar_case(6, 3.0)};
   out.push_back(
       singular_case(Family::kOverclosed, 14, "Sarrus' mechanism through its flat position",
                     "Six hinges, three and three parallel, lift a plate without turning it. It falls through the "

@@ -64,8 +64,8 @@ void print_case(const CheckedCase& mechanism, bool brief, Summary& summary) {
   std::printf("\n## %s\n\n%s\n\nCompared: %s\nReference: %s\n\n", mechanism.name.c_str(), mechanism.what.c_str(),
               mechanism.compared.c_str(), mechanism.source.c_str());
   std::printf(
-      "| integrator | rtol | error | error / rtol | energy error [J] | steps | processor time [s] |\n"
-      "|---|---|---|---|---|---|---|\n");
+      "| integrator | rtol | error | error / rtol | energy error [J] | steps | processor time [s] "
+      "|\n|---|---|---|---|---|---|---|\n");
   try {
     mechanism.run("ida", 1e-3);      // a reference of its own is made here, outside the times
   } catch (const std::exception&) {  // is told by the runs below
@@ -91,16 +91,14 @@ void print_random(bool brief, Summary& summary) {
   const unsigned seeds = brief ? 2 : 25;
   std::printf(
       "\n## %u random mechanisms\n\nEight families of %u, each from its seed: trees and loops with every kind of "
-      "joint, springs, "
-      "gas springs, MR dampers, stops, honeycombs, tables and bushings; four-bars and parallelograms; Bennett, Bricard "
-      "and Sarrus; driven loops. They move for 0.5 s, or until they come near a position in which their conditions "
-      "lose rank.\n\nCompared: all bodies at the end, relative to the size of the motion.\n"
-      "Reference: own run of the one-step method at rtol 1e-11.\n\n",
+      "joint, springs, gas springs, MR dampers, stops, honeycombs, tables and bushings; four-bars and "
+      "parallelograms; Bennett, Bricard and Sarrus; driven loops. They move for 0.5 s, or until they come near a "
+      "position in which their conditions lose rank.\n\nCompared: all bodies at the end, relative to the size of the "
+      "motion.\nReference: own run of the one-step method at rtol 1e-11.\n\n",
       8 * seeds, seeds);
   std::printf(
-      "| integrator | rtol | error / rtol, median | nine of ten below | worst of the smooth ones | worst with kinks | "
-      "steps | "
-      "processor time [s] |\n|---|---|---|---|---|---|---|---|\n");
+      "| integrator | rtol | error / rtol, median | nine of ten below | worst of the smooth ones | worst with kinks "
+      "| steps | processor time [s] |\n|---|---|---|---|---|---|---|---|\n");
   struct Subject {
     Plan plan;
     Motion end;
@@ -150,23 +148,20 @@ void print_random(bool brief, Summary& summary) {
 
 void print_head() {
   std::printf(
-      "# Mechanisms with known answers\n\nMade by `docs/mechanisms_checked.sh`, which runs what stands here and takes "
-      "some minutes; a short "
-      "form runs in the tests. Tolerances are as in a scene: `rtol` as given, `atol` a hundredth of it; `max_step` "
-      "does "
-      "not limit. `one_step` is the default method without grains (`solver.method = \"auto\"`, fifth order). "
-      "Times are processor times on one core of a shared machine: compare them within a table.\n\n"
-      "What to take from it: the error at the end is a few times `rtol` on most mechanisms, and a tenth of `rtol` "
-      "costs about half as many steps again. Where the table at the end says **no**, take the other integrator "
-      "and look at the energy balance of the run.\n");
+      "# Mechanisms with known answers\n\nMade by `docs/mechanisms_checked.sh`, which runs what stands here and "
+      "takes some minutes; a short form runs in the tests. Tolerances are as in a scene: `rtol` as given, `atol` a "
+      "hundredth of it; `max_step` does not limit. `one_step` is the default method without grains (`solver.method = "
+      "\"auto\"`, fifth order). Times are processor times on one core of a shared machine: compare them within a "
+      "table.\n\nWhat to take from it: the error at the end is a few times `rtol` on most mechanisms, and a tenth of "
+      "`rtol` costs a third to a half more steps. Where the table at the end says **no**, look at "
+      "`energy_balance_relative` in the summary of a run, and try the other integrator.\n");
 }
 
 void print_table() {
   std::printf(
       "\n## What is reached at rtol 1e-6\n\nGoals: error over tolerance, and error of the energy. Under `reached`: "
-      "one_step, "
-      "ida.\n\n| mechanism | goal | one_step | ida | goal [J] | one_step [J] | ida [J] | reached |\n"
-      "|---|---|---|---|---|---|---|---|\n");
+      "one_step, ida.\n\n| mechanism | goal | one_step | ida | goal [J] | one_step [J] | ida [J] | reached "
+      "|\n|---|---|---|---|---|---|---|---|\n");
 }
 
 // The cases, and the random mechanisms behind them.

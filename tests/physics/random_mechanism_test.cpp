@@ -90,7 +90,8 @@ TEST_P(RandomMechanisms, FixedStepsShowTheSecondOrder) {
     const double coarse = error(2, 200), fine = error(2, 400);
     if (coarse > 1e-3 || coarse < 1e-8) return;
     EXPECT_GT(std::log2(coarse / fine), 1.75);
-    // The fifth order with as many stages is nearer by far. Its own order does not show: what is left is near 1e-8.
+    // The fifth order is nearer by far. Its own order is not asked for: most errors are at Newton's, and steep dampers
+    // show an order of 2.7 to 3.3 at these steps.
     EXPECT_LT(error(5, 200), std::max(0.02 * fine, 1e-7));
   });
 }
