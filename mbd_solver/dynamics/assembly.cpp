@@ -164,7 +164,7 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   Assembly out;
   out.state = initial_state(model, layout);
   if (!out.state.z.allFinite()) throw InputError("an inner state of a force element is not finite at the start.");
-  if (layout.all_rows == 0) return out;
+  if (layout.row_count == 0) return out;
   ConstraintRows rows(model, layout);
   rows.evaluate(out.state);
   out.largest_gap = check_gaps(model, layout, rows, out.state.time, options.gap_tolerance);
@@ -191,7 +191,7 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   note_speeds(model, layout, rate_given, out.state.v - v_given, options.speed_tolerance, out);
 
   out.redundant = rows.redundant(options.rank_tolerance);
-  out.rank = layout.all_rows;
+  out.rank = layout.row_count;
   for (const RedundantGroup& group : out.redundant) out.rank -= static_cast<int>(group.dropped.size());
   note_redundant(model, layout, out);
   return out;

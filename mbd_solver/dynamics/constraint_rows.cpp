@@ -57,7 +57,7 @@ ConstraintRows::ConstraintRows(const Model& model, const Layout& layout)
     : model_(model), layout_(layout), kinematics_(model) {}
 
 void ConstraintRows::evaluate(const State& state) {
-  const int m = layout_.all_rows;
+  const int m = layout_.row_count;
   kinematics_.load(layout_, state.q, state.v, Eigen::VectorXd());
   factors_.clear();
   for (int i = 0; i < model_.body_count(); ++i) {
@@ -105,13 +105,13 @@ void ConstraintRows::evaluate(const State& state) {
 Eigen::VectorXd ConstraintRows::correction(const Eigen::VectorXd& defect, double rank_tolerance) const {
   // B^T P = Q [R; 0]: B x = d becomes R^T z = P^T d, x = Q [z; 0].
   const SparseQr qr(transposed_, rank_tolerance);
-  Eigen::VectorXd d(layout_.all_rows);
+  Eigen::VectorXd d(layout_.row_count);
   for (Eigen::Index k = 0; k < d.size(); ++k) {
     const int row = qr.order[static_cast<std::size_t>(k)];
     d[k] = scale[row] * defect[row];
   }
   Eigen::VectorXd z;
-  if (qr.rank == layout_.all_rows) {
+  if (qr.rank == layout_.row_count) {
     z = qr.R.transpose().triangularView<Eigen::Lower>().solve(d);
   } else {  // more rows than rank: least squares, R^T P = Q' [R'; 0]
     const SparseMatrix Rt = qr.R.transpose();
@@ -131,7 +131,7 @@ Eigen::VectorXd ConstraintRows::correction(const Eigen::VectorXd& defect, double
 std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) const {
   const SparseQr qr(transposed_, rank_tolerance);
   const Eigen::Index rank = qr.rank;
-  if (rank == layout_.all_rows) return {};
+  if (rank == layout_.row_count) return {};
   const SparseMatrix R = qr.R.leftCols(rank);
   const auto order = [&](Eigen::Index k) { return qr.order[static_cast<std::size_t>(k)]; };
 
@@ -140,11 +140,11 @@ std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) con
   std::iota(parent.begin(), parent.end(), 0);
   std::vector<Eigen::SparseVector<double>> null_vectors;
   std::vector<std::vector<int>> sources;
-  for (Eigen::Index k = rank; k < layout_.all_rows; ++k) {
+  for (Eigen::Index k = rank; k < layout_.row_count; ++k) {
     Eigen::VectorXd x = qr.R.col(k);
     R.triangularView<Eigen::Upper>().solveInPlace(x);
     const int joint = layout_.row_joint[static_cast<std::size_t>(order(k))];
-    Eigen::SparseVector<double> y(layout_.all_rows);
+    Eigen::SparseVector<double> y(layout_.row_count);
     std::vector<int> from;
     y.coeffRef(order(k)) = -1.0;
     for (Eigen::Index i = 0; i < rank; ++i) {

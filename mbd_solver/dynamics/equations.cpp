@@ -15,17 +15,16 @@ constexpr double kRegularisation = 1e-12;
 
 Equations::Equations(const Model& model, const Assembly& assembly, const Baumgarte& baumgarte)
     : model_(model),
-      layout_(model, redundant_count(assembly.redundant)),
+      layout_(model),
       baumgarte_(baumgarte),
       work_(std::make_unique<Workspace>(model, layout_, assembly.redundant)) {
-  set_regularisation(assembly.state);
-  for (std::size_t i = 0; i < assembly.redundant.size(); ++i)
-    work_->redundancies[i].set(assembly.redundant[i].U, assembly.redundant[i].s, work_->regularisation);
+  set_row_sizes(assembly.state);
+  rest_rows();
 }
 
 Equations::~Equations() = default;
 
-void Equations::set_regularisation(const State& state) {
+void Equations::set_row_sizes(const State& state) {
   Workspace& w = *work_;
   load(state);
   for_each_row(model_, layout_, w.kinematics, state.time, w.row,
@@ -42,8 +41,25 @@ void Equations::set_regularisation(const State& state) {
                    const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
                    size += part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
                  }
-                 w.regularisation[row] = kRegularisation * size;
+                 w.row_size[row] = size;
                });
+  w.smallest_size = w.row_size;
+  for (const Redundancy& redundancy : w.redundancies) {
+    for (std::size_t i = 0; i < redundancy.rows().size(); ++i) {
+      const double s = redundancy.s()[static_cast<Eigen::Index>(i)];
+      w.smallest_size[redundancy.rows()[i]] = s * s;
+    }
+  }
+}
+
+void Equations::rest_rows() {
+  Workspace& w = *work_;
+  w.regularisation = kRegularisation * w.row_size;
+  for (const Redundancy& redundancy : w.redundancies)
+    for (const int i : redundancy.resting()) {
+      const int row = redundancy.rows()[static_cast<std::size_t>(i)];
+      w.regularisation[row] = w.smallest_size[row];
+    }
 }
 
 void Equations::load(const State& state) { work_->kinematics.load(layout_, state.q, state.v, work_->empty); }
@@ -111,9 +127,6 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                      value.acc + alpha2 * value.rate + beta2 * value.phi - w.regularisation[row] * lambda[row];
                });
 
-  for (const Redundancy& redundancy : w.redundancies)
-    redundancy.add_residual(lambda, w.regularisation, F.tail(layout_.row_count));
-
   // Force elements.
   for (int i = 0; i < model_.force_count(); ++i) {
     const ForceElement& element = model_.force(i);
@@ -167,7 +180,6 @@ std::string Equations::entry_name(int index) const {
            std::to_string(index - layout_.z0() - layout_.force_z[i] + 1);
   }
   const int row = index - layout_.lambda0();
-  if (row >= layout_.all_rows) return "redundant condition " + std::to_string(row - layout_.all_rows + 1);
   const int joint = layout_.row_joint[static_cast<std::size_t>(row)];
   return "joint \"" + model_.joint(joint).name + "\": condition " +
          std::to_string(row - layout_.joint_row[static_cast<std::size_t>(joint)] + 1);

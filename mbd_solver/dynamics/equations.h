@@ -5,8 +5,8 @@
 //   F_v      = M(q) dv + h(q, v) + Phi_v^T lambda - Q(t, q, v, z)
 //   F_z      = dz - g(q, v, z)
 //   F_lambda = phi'' + 2 alpha phi' + beta^2 phi - eps lambda          alpha, beta: Baumgarte (0 by default)
-// All rows of all joints are kept. Where rows depend on each other, slacks make the system solvable and lambda unique
-// (redundancy.h). eps is a regularisation (relative 1e-12 of the size of Phi_v M^-1 Phi_v^T) for singular positions.
+// eps is a regularisation (relative 1e-12 of the size of Phi_v M^-1 Phi_v^T) for singular positions. Where rows depend on
+// each other some of them rest: their eps is large (redundancy.h).
 // No function here allocates. One Equations object belongs to one thread (it owns the
 // workspace).
 
@@ -70,6 +70,12 @@ class Equations {
   // body when not finite.
   void accelerations(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> ydot_and_lambda);
 
+  // Of all lambda with the same reactions on the bodies together, that of the smallest sum (s_i lambda_i)^2 (redundancy.h).
+  // Nothing changes where no rows are redundant.
+  void smallest_multipliers(const State& state, Eigen::Ref<Eigen::VectorXd> lambda);
+  // Looks at whether the rows that rest may go on resting; to be called now and then within a window.
+  void renew_rest(const State& state);
+
   // Removes the drift of Phi and Phi' by the Moore-Penrose inverse of Phi_v in the metric of the mass matrix:
   //   dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T)^+ Phi, repeated to round-off; the same for v.
   // Quaternions are normalised.
@@ -99,7 +105,7 @@ class Equations {
   // After load().
   Vector6d joint_wrench(int joint, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const;
 
-  // Drops the pivots and redundant combinations of earlier solves, so that results depend on arguments alone.
+  // Drops the pivots and resting rows of earlier solves, so that results depend on arguments alone.
   void forget();
 
   // y of a state (multipliers given) and back.
@@ -110,7 +116,8 @@ class Equations {
 
  private:
   struct Workspace;
-  void set_regularisation(const State& state);
+  void set_row_sizes(const State& state);
+  void rest_rows();  // regularisation of all rows
   void demand_fitting(const Inputs& inputs) const;
   void gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                           const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
@@ -119,9 +126,12 @@ class Equations {
   void add_force_derivatives(int index, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs);
   // All at the loaded kinematics, which are those of the state:
   bool factor_saddle(const State& state);
-  void fill_saddle(double t);
-  Redundancy::Renewal renew_redundancies();
+  void fill_saddle(double t, double mass, const Eigen::VectorXd& diagonal);  // [mass M, Phi_v^T; Phi_v, -diagonal]
+  enum class Rest { kGood, kBadRows, kLost };
+  Rest judge_rest();
+  void choose_resting_rows();
   void find_redundancies(const State& state);
+  void make_smallest(double t, Eigen::Ref<Eigen::VectorXd> lambda);
   void demand_closed(double t, const Drift& drift, double tolerance) const;
   Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate);
 

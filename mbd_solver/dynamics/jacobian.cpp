@@ -131,7 +131,6 @@ void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::Vecto
   for (int place : w.z_z) w.lower.valuePtr()[place] += c;
   for (std::size_t row = 0; row < w.lambda_lambda.size(); ++row)
     w.lower.valuePtr()[w.lambda_lambda[row]] -= w.regularisation[static_cast<Eigen::Index>(row)];
-  for (const Redundancy& redundancy : w.redundancies) redundancy.scatter(w.lower.valuePtr(), redundancy.in_lower);
   for (int i = 0; i < model_.force_count(); ++i)
     add_force_derivatives(
         i, y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], model_.force(i).state_count()),

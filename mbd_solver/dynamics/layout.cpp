@@ -2,7 +2,7 @@
 
 namespace footfall {
 
-Layout::Layout(const Model& model, int redundant) {
+Layout::Layout(const Model& model) {
   for (int i = 0; i < model.body_count(); ++i) {
     const int s = model.body(i).mode_count();
     body_q.push_back(q_size);
@@ -15,11 +15,10 @@ Layout::Layout(const Model& model, int redundant) {
     z_size += model.force(i).state_count();
   }
   for (int i = 0; i < model.joint_count(); ++i) {
-    joint_row.push_back(all_rows);
+    joint_row.push_back(row_count);
     for (std::size_t k = 0; k < model.joint(i).rows.size(); ++k) row_joint.push_back(i);
-    all_rows = static_cast<int>(row_joint.size());
+    row_count = static_cast<int>(row_joint.size());
   }
-  row_count = all_rows + redundant;
 }
 
 }  // namespace footfall

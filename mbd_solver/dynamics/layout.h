@@ -1,6 +1,5 @@
 #pragma once
-// Where everything stands in y = [q; v; z; lambda]. Behind the multipliers of all rows of all joints, lambda holds one
-// slack per redundant condition (redundancy.h).
+// Where everything stands in y = [q; v; z; lambda]; lambda are the multipliers of all rows of all joints.
 
 #include <vector>
 
@@ -9,10 +8,9 @@
 namespace footfall {
 
 struct Layout {
-  explicit Layout(const Model& model, int redundant = 0);
+  explicit Layout(const Model& model);
 
-  int q_size = 0, v_size = 0, z_size = 0, row_count = 0;  // row_count: constraint rows and slacks
-  int all_rows = 0;                                       // constraint rows of all joints
+  int q_size = 0, v_size = 0, z_size = 0, row_count = 0;  // row_count: constraint rows of all joints
   int v0() const { return q_size; }                       // first entry of v, z, lambda in y
   int z0() const { return q_size + v_size; }
   int lambda0() const { return q_size + v_size + z_size; }

@@ -1,5 +1,5 @@
 // What Equations answers by a direct solve of the saddle system  [M, Phi_v^T; Phi_v, -eps] [x; lambda] = [f; g], with
-// the slacks of redundancy.h where rows depend on each other.
+// resting rows (redundancy.h) where rows depend on each other.
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +25,13 @@ constexpr double kOpen = 1e-6;  // [m or rad]
 constexpr double kTornOpen = 1e-3;  // [m or rad]; what assembly closes silently
 // Rows depend on each other when what is new in one of them is shorter than this; unit rows.
 constexpr double kDependent = 1e-4;
+// Combinations of unit rows with a length (squared) above this are not zero any more; drift is far below.
+constexpr double kIndependent = 1e-8;
+// Other rows are chosen to rest when a combination is larger than this; its own row counts 1.
+constexpr double kTooLarge = 30.0;
+// delta of make_smallest(), and how often it is refined: what delta leaves falls by delta each time.
+constexpr double kSoft = 1e-8;
+constexpr int kRefinements = 2;
 
 std::string at_time(double t) { return "t = " + std::to_string(t) + " s: "; }
 
@@ -37,37 +44,85 @@ void Equations::forget() {
 
 bool Equations::factor_saddle(const State& state) {
   Workspace& w = *work_;
+  const auto factor = [&] {
+    fill_saddle(state.time, 1.0, w.regularisation);
+    return w.saddle_lu->factor();
+  };
   if (!w.redundancies_known) find_redundancies(state);
-  fill_saddle(state.time);
-  if (w.redundancies.empty()) return w.saddle_lu->factor();
-  if (!w.saddle_lu->factor()) {  // the combinations known are far from those that are zero here
-    find_redundancies(state);
-    fill_saddle(state.time);
-    if (!w.saddle_lu->factor()) return false;
+  bool done = factor();
+  if (w.redundancies.empty()) return done;
+  Rest rest = done ? judge_rest() : Rest::kLost;
+  if (rest == Rest::kGood) return true;
+  if (rest == Rest::kBadRows) {
+    choose_resting_rows();
+    done = factor();
+    rest = done ? judge_rest() : Rest::kLost;
   }
-  const Redundancy::Renewal renewal = renew_redundancies();
-  if (renewal == Redundancy::Renewal::kNear) return true;
-  if (renewal == Redundancy::Renewal::kLost) find_redundancies(state);
-  fill_saddle(state.time);
-  return w.saddle_lu->factor();
+  if (rest == Rest::kGood) return true;
+  find_redundancies(state);
+  return factor();
 }
 
-// By one step of inverse iteration; groups do not touch each other, so one solve serves a slack of each.
-Redundancy::Renewal Equations::renew_redundancies() {
+void Equations::renew_rest(const State& state) {
+  if (work_->redundancies.empty()) return;
+  load(state);
+  factor_saddle(state);
+}
+
+// One solve for a sum of all combinations, each with a weight of its own size and sign.
+Equations::Rest Equations::judge_rest() {
   Workspace& w = *work_;
-  int most = 0;
-  for (const Redundancy& redundancy : w.redundancies) most = std::max(most, redundancy.count());
-  for (int k = 0; k < most; ++k) {
-    w.slack_x.setZero();
-    for (const Redundancy& redundancy : w.redundancies)
-      if (k < redundancy.count()) w.slack_x[layout_.v_size + redundancy.first() + k] = 1.0;
-    w.saddle_lu->solve(w.slack_x);
-    for (Redundancy& redundancy : w.redundancies)
-      if (k < redundancy.count()) redundancy.take(k, w.slack_x.tail(layout_.row_count));
+  const auto each_resting = [&](auto use) {  // use(row, weight)
+    double phase = 0.0;
+    for (const Redundancy& redundancy : w.redundancies) {
+      for (const int i : redundancy.resting()) {
+        phase += 0.618034;
+        phase -= std::floor(phase);
+        const int row = redundancy.rows()[static_cast<std::size_t>(i)];
+        use(row, (phase < 0.5 ? -1.0 - phase : phase) / std::sqrt(w.smallest_size[row]));
+      }
+    }
+  };
+  w.rest_x.setZero();
+  each_resting([&](int row, double weight) { w.rest_x[layout_.v_size + row] = -w.smallest_size[row] * weight; });
+  w.saddle_lu->solve(w.rest_x);
+  const Eigen::Ref<const Eigen::VectorXd> lambda = w.rest_x.tail(layout_.row_count);
+  // x^T M x = -x^T Phi_v^T lambda, and Phi_v x is not zero in resting rows alone.
+  double length2 = 0.0, resting = 0.0;
+  each_resting([&](int row, double weight) {
+    length2 += w.smallest_size[row] * std::abs((weight - lambda[row]) * lambda[row]);
+    resting += 1.0;
+  });
+  double size2 = 0.0, largest = 0.0;
+  for (const Redundancy& redundancy : w.redundancies) {
+    for (const int row : redundancy.rows()) {
+      const double size = std::sqrt(w.smallest_size[row]) * std::abs(lambda[row]);
+      size2 += size * size;
+      largest = std::max(largest, size);
+    }
   }
-  Redundancy::Renewal worst = Redundancy::Renewal::kNear;
-  for (Redundancy& redundancy : w.redundancies) worst = std::max(worst, redundancy.renew());
-  return worst;
+  if (!std::isfinite(size2) || length2 > kIndependent * size2) return Rest::kLost;
+  return largest > kTooLarge * std::sqrt(std::max(resting, 1.0)) ? Rest::kBadRows : Rest::kGood;
+}
+
+// Groups do not touch each other, so one solve serves a resting row of each.
+void Equations::choose_resting_rows() {
+  Workspace& w = *work_;
+  std::size_t most = 0;
+  for (const Redundancy& redundancy : w.redundancies) most = std::max(most, redundancy.resting().size());
+  for (std::size_t k = 0; k < most; ++k) {
+    w.rest_x.setZero();
+    for (const Redundancy& redundancy : w.redundancies) {
+      if (k >= redundancy.resting().size()) continue;
+      const int row = redundancy.rows()[static_cast<std::size_t>(redundancy.resting()[k])];
+      w.rest_x[layout_.v_size + row] = -std::sqrt(w.smallest_size[row]);
+    }
+    w.saddle_lu->solve(w.rest_x);
+    for (Redundancy& redundancy : w.redundancies)
+      if (k < redundancy.resting().size()) redundancy.take(static_cast<int>(k), w.rest_x.tail(layout_.row_count));
+  }
+  for (Redundancy& redundancy : w.redundancies) redundancy.rest_anew();
+  rest_rows();
 }
 
 // From the state alone.
@@ -92,12 +147,13 @@ void Equations::find_redundancies(const State& state) {
       }
       columns += taken;
     }
-    redundancy.set(U.leftCols(columns), redundancy.s(), w.regularisation);
+    redundancy.rest(U.leftCols(columns));
   }
+  rest_rows();
   w.redundancies_known = true;
 }
 
-void Equations::fill_saddle(double t) {
+void Equations::fill_saddle(double t, double mass, const Eigen::VectorXd& diagonal) {
   Workspace& w = *work_;
   double* values = w.saddle.valuePtr();
   Eigen::Map<Eigen::VectorXd>(values, w.saddle.nonZeros()).setZero();
@@ -106,7 +162,7 @@ void Equations::fill_saddle(double t) {
     const int n = w.kinematics.of(i).size();
     Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
     body_mass_matrix(model_.body(i), w.kinematics.of(i), w.inertia[at], M);
-    for (int k = 0; k < n; ++k) w.saddle_mass[at].add_column(values, k, M.col(k));
+    for (int k = 0; k < n; ++k) w.saddle_mass[at].add_column(values, k, mass * M.col(k));
   }
   int joint = -1, local = 0;
   for_each_row(model_, layout_, w.kinematics, t, w.row,
@@ -122,8 +178,40 @@ void Equations::fill_saddle(double t) {
                  }
                });
   for (std::size_t row = 0; row < w.saddle_diagonal.size(); ++row)
-    values[w.saddle_diagonal[row]] -= w.regularisation[static_cast<Eigen::Index>(row)];
-  for (const Redundancy& redundancy : w.redundancies) redundancy.scatter(values, redundancy.in_saddle);
+    values[w.saddle_diagonal[row]] -= diagonal[static_cast<Eigen::Index>(row)];
+}
+
+// min sum (s_i lambda_i)^2 for a given Phi_v^T lambda = f:  [delta M, Phi_v^T; Phi_v, -s^2] [a; lambda] = [f; 0], delta -> 0
+void Equations::make_smallest(double t, Eigen::Ref<Eigen::VectorXd> lambda) {
+  Workspace& w = *work_;
+  if (w.redundancies.empty()) return;
+  fill_saddle(t, kSoft, w.smallest_size);
+  if (!w.smallest_lu->factor()) return;  // lambda stays one that holds
+  const int* outer = w.saddle.outerIndexPtr();
+  const int* inner = w.saddle.innerIndexPtr();
+  const double* values = w.saddle.valuePtr();
+  const auto add_reaction = [&](const Eigen::Ref<const Eigen::VectorXd>& of, double sign) {
+    for (int row = 0; row < layout_.row_count; ++row) {
+      for (int k = outer[layout_.v_size + row]; k < outer[layout_.v_size + row + 1]; ++k)
+        if (inner[k] < layout_.v_size) w.reaction[inner[k]] += sign * values[k] * of[row];
+    }
+  };
+  w.reaction.setZero();
+  add_reaction(lambda, 1.0);
+  lambda.setZero();
+  for (int i = 0; i <= kRefinements; ++i) {
+    w.rest_x.head(layout_.v_size) = w.reaction;
+    w.rest_x.tail(layout_.row_count).setZero();
+    w.smallest_lu->solve(w.rest_x);
+    lambda += w.rest_x.tail(layout_.row_count);
+    add_reaction(w.rest_x.tail(layout_.row_count), -1.0);
+  }
+}
+
+void Equations::smallest_multipliers(const State& state, Eigen::Ref<Eigen::VectorXd> lambda) {
+  if (work_->redundancies.empty()) return;
+  load(state);
+  make_smallest(state.time, lambda);
 }
 
 void Equations::accelerations(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> out) {
@@ -147,7 +235,7 @@ void Equations::accelerations(const State& state, const Inputs& inputs, Eigen::R
   w.saddle_x.tail(layout_.row_count) = -w.rhs.tail(layout_.row_count);
   const bool solvable = factor_saddle(state);
   if (solvable) w.saddle_lu->solve(w.saddle_x);
-  for (const Redundancy& redundancy : w.redundancies) redundancy.make_smallest(w.saddle_x.tail(layout_.row_count));
+  if (solvable) make_smallest(state.time, w.saddle_x.tail(layout_.row_count));
   out.segment(layout_.v0(), layout_.v_size) = w.saddle_x.head(layout_.v_size);
   out.tail(layout_.row_count) = w.saddle_x.tail(layout_.row_count);
   if (solvable && out.allFinite()) return;

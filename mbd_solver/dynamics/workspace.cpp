@@ -101,13 +101,7 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
   lower_pattern.add_diagonal(z0, z0, layout.z_size);
   lower_pattern.add_diagonal(lambda0, lambda0, layout.row_count);
   saddle_pattern.add_diagonal(layout.v_size, layout.v_size, layout.row_count);
-  int slack = layout.all_rows;
-  for (const RedundantGroup& group : redundant) {
-    redundancies.emplace_back(group, slack);
-    redundancies.back().announce(lower_pattern, lambda0);
-    redundancies.back().announce(saddle_pattern, layout.v_size);
-    slack += redundancies.back().count();
-  }
+  for (const RedundantGroup& group : redundant) redundancies.emplace_back(group);
   lower = reduced = lower_pattern.build();
   saddle = saddle_pattern.build();
   stiffness = Eigen::VectorXd::Zero(lower.nonZeros());
@@ -123,21 +117,19 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
     body_places[static_cast<std::size_t>(i)].v_v = SparseBlock(lower, first, count, first, count);
     saddle_mass.emplace_back(saddle, first, count, first, count);
   }
-  for (Redundancy& redundancy : redundancies) {
-    redundancy.locate(lower, lambda0, redundancy.in_lower);
-    redundancy.locate(saddle, layout.v_size, redundancy.in_saddle);
-  }
   z_z = diagonal_places(lower, z0, z0, layout.z_size);
   lambda_lambda = diagonal_places(lower, lambda0, lambda0, layout.row_count);
   saddle_diagonal = diagonal_places(saddle, layout.v_size, layout.v_size, layout.row_count);
   build_full(model, layout);
   saddle_lu = std::make_unique<SparseLu>(saddle);
-  saddle_x = slack_x = Eigen::VectorXd::Zero(layout.v_size + layout.row_count);
+  if (!redundancies.empty()) smallest_lu = std::make_unique<SparseLu>(saddle);
+  saddle_x = rest_x = Eigen::VectorXd::Zero(layout.v_size + layout.row_count);
+  reaction = Eigen::VectorXd::Zero(layout.v_size);
   phi_rate = Eigen::VectorXd::Zero(layout.row_count);
   y = rhs = Eigen::VectorXd::Zero(layout.size());
   last_q = Eigen::VectorXd::Zero(layout.q_size);
   last_v = Eigen::VectorXd::Zero(layout.v_size);
-  regularisation = Eigen::VectorXd::Zero(layout.row_count);
+  row_size = smallest_size = regularisation = Eigen::VectorXd::Zero(layout.row_count);
 }
 
 // The full matrix: F_q in its own rows and, below, the columns of `lower` once for q (as often as a body has

@@ -63,10 +63,14 @@ struct Equations::Workspace {
   std::vector<PairPlaces> saddle_joint;  // extra_v: Phi_v, v_extra: its transpose
   std::vector<int> saddle_diagonal;
   std::unique_ptr<SparseLu> saddle_lu;
-  Eigen::VectorXd saddle_x, slack_x, phi_rate;
+  std::unique_ptr<SparseLu> smallest_lu;  // of the same pattern, for make_smallest()
+  Eigen::VectorXd saddle_x, rest_x, phi_rate;
+  Eigen::VectorXd reaction;        // Phi_v^T lambda
   Eigen::VectorXd y, rhs;          // full vectors of accelerations()
   Eigen::VectorXd last_q, last_v;  // copies during projection
-  Eigen::VectorXd regularisation;  // eps per row [1/kg or 1/(kg m2)]; 0 of a slack, -1 of one at rest
+  // Per row [1/kg or 1/(kg m2)]: (Phi_v M^-1 Phi_v^T)_ii at the start; s^2 of make_smallest(), the same or its mean over a
+  // joint; eps
+  Eigen::VectorXd row_size, smallest_size, regularisation;
 
   std::vector<Redundancy> redundancies;
   bool redundancies_known = true;  // else found anew from the next state

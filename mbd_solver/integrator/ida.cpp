@@ -15,6 +15,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/integrator/error_norm.h"
+#include "mbd_solver/integrator/progress_watch.h"
 #include "mbd_solver/integrator/work_integral.h"
 
 namespace footfall {
@@ -24,6 +25,7 @@ constexpr double kProjectAbove = 1e-9;       // drift [m or rad] that stays in a
 constexpr double kProjectSpeedAbove = 5e-9;  // [m/s or rad/s]
 constexpr double kDrift = 100.0;             // drift that stays within a window [in absolute tolerances]
 constexpr double kIgnored = 1e30;            // absolute tolerance of multipliers: they carry no error of their own
+constexpr int kRenewRest = 10;               // steps after which resting rows are looked at
 // Gauss-Legendre with three points, exact to fifth order as IDA is.
 const double kGaussNode[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
 constexpr double kGaussWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
@@ -55,6 +57,7 @@ struct Ida::Sundials {
 
   // Every return code of SUNDIALS goes through here.
   void check(int flag, const char* function);
+  [[noreturn]] void give_up(const std::string& what);
   void restart(const State& state, const Inputs& inputs, IntegratorStatistics& statistics);
   // One step of IDA, with the rows in it; false: a row has ended the window, and state and rates are at it.
   bool step(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
@@ -137,11 +140,15 @@ Ida::Sundials::~Sundials() {
 void Ida::Sundials::check(int flag, const char* function) {
   if (fatal) std::rethrow_exception(std::exchange(fatal, nullptr));
   if (flag >= 0) return;
-  std::ostringstream out;
-  out << "t = " << t << " s: " << function << " returned ";
   char* name = IDAGetReturnFlagName(flag);
-  out << name << "; ";
+  const std::string what = std::string(function) + " returned " + name + "; ";
   std::free(name);
+  give_up(what);
+}
+
+void Ida::Sundials::give_up(const std::string& what) {
+  std::ostringstream out;
+  out << "t = " << t << " s: " << what;
   if (!complaint.empty()) {
     out << complaint;
   } else {
@@ -225,6 +232,7 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
     rates.tail(equations.layout().row_count) = view(scratch).tail(equations.layout().row_count);
     row = state;
     statistics.count(options.projection ? equations.project(row) : equations.check_closed(row));
+    equations.smallest_multipliers(row, rates.tail(equations.layout().row_count));
     if (!rows.on_row(row, rates)) return false;
   }
   add_work_between(from, t, inputs, state);
@@ -293,8 +301,12 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
   s.check(IDASetStopTime(s.memory, t_end), "IDASetStopTime");
   bool ended_by_row = false;
   Equations::Drift drift;
+  int steps = 0;
+  ProgressWatch watch(state.time, t_end);
   while (!ended_by_row && state.time < t_end) {
     ended_by_row = !s.step(t_end, inputs, rows, state, statistics_);
+    if (++steps % kRenewRest == 0) s.equations.renew_rest(state);
+    if (const std::string slow = watch.complaint(state.time); !slow.empty()) s.give_up(slow);
     drift = s.options.projection ? s.equations.drift(state) : s.equations.check_closed(state);
     // Each projection costs a start: IDA falls back to first order and a small step.
     if (ended_by_row || state.time >= t_end || !s.options.projection ||
@@ -313,6 +325,7 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
   if (s.options.projection && (drift.position > kProjectAbove || drift.velocity > kProjectSpeedAbove))
     drift = s.equations.project(state);
   statistics_.count(drift);
+  if (!ended_by_row) s.equations.smallest_multipliers(state, s.rates.tail(s.equations.layout().row_count));
 }
 
 }  // namespace footfall

@@ -7,7 +7,9 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/integrator/progress_watch.h"
 #include "mbd_solver/integrator/work_integral.h"
 
 namespace footfall {
@@ -67,6 +69,7 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
 
   double h = state.step > 0.0 ? state.step : std::min(t_end - state.time, first_step());
   if (options_.max_step > 0.0) h = std::min(h, options_.max_step);
+  ProgressWatch watch(state.time, t_end);
   bool goes_on = true;
   while (goes_on && state.time < t_end) {
     const double t = state.time, steps = std::ceil((t_end - t) / h * (1.0 - 1e-9));
@@ -80,6 +83,7 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
     if (outcome == Outcome::kAccepted) {
       h = next_step(step);
       goes_on = accept(t, step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
+      if (const std::string slow = watch.complaint(state.time); !slow.empty()) give_up(state.time, slow);
       continue;
     }
     if (outcome == Outcome::kTooInaccurate) {
@@ -89,13 +93,14 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
       ++statistics_.newton_failures;
       h = 0.25 * step;
     }
-    if (h < options_.min_step) give_up(t);
+    if (h < options_.min_step) give_up(t, "the step size fell below " + number_text(options_.min_step, 3) + " s; ");
   }
 
   ++statistics_.windows;
   state.step = h;
   rates_ = K_[0];
   statistics_.count(options_.projection ? equations_.project(state) : equations_.check_closed(state));
+  equations_.smallest_multipliers(state, rates_.tail(layout.row_count));
 }
 
 double OneStep::first_step() {
@@ -244,6 +249,7 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   for (; row_time_ < t_end && row_time_ <= reached; row_time_ = rows.after(row_time_)) {
     interpolate(row_time_, h);
     statistics_.count(options_.projection ? equations_.project(row_) : equations_.check_closed(row_));
+    equations_.smallest_multipliers(row_, row_rates_.tail(equations_.layout().row_count));
     if (rows.on_row(row_, row_rates_)) continue;
     state = row_;
     K_[0] = row_rates_;
@@ -258,6 +264,7 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   h_before_ = h;
   error_before_ = error_;
   y_.swap(Y_.back());
+  if (fresh_) equations_.renew_rest(state);
   if (!options_.projection) return true;
   const Equations::Drift drift = equations_.drift(state);
   if (drift.position > kDrift * options_.atol || drift.velocity > kDrift * options_.atol_velocity) {
@@ -267,9 +274,9 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   return true;
 }
 
-void OneStep::give_up(double t) const {
+void OneStep::give_up(double t, const std::string& what) const {
   std::ostringstream out;
-  out << "t = " << t << " s: the step size fell below " << options_.min_step << " s; ";
+  out << "t = " << t << " s: " << what;
   if (!complaint_.empty()) {
     out << complaint_;
   } else {

@@ -44,7 +44,7 @@ class OneStep : public Integrator {
   double predictor_time(std::size_t k) const;  // of before_[k] within its step
   double first_step();                         // [s]
   double next_step(double h) const;            // after a step h of error error_
-  [[noreturn]] void give_up(double t) const;
+  [[noreturn]] void give_up(double t, const std::string& what) const;
 
   Equations& equations_;
   IntegratorOptions options_;

@@ -54,6 +54,16 @@ TEST_P(Redundant, FourBarsPassSingularPositionsAtEveryIntervalOfRows) {
     EXPECT_LT(worst_energy(test::n_four_bar(2), GetParam(), 1e-6, interval, 3.3), 0.1) << "rows every " << interval;
 }
 
+TEST(RedundantRows, LeaveTheMatrixAsSparseAsTheMechanismIs) {
+  // Four times as many loops, four times as many entries: a column for each redundant condition made them sixteen.
+  const auto entries = [](int loops) {
+    const Model model = test::n_four_bar(loops);
+    const Assembly assembly = assemble(model);
+    return static_cast<double>(Equations(model, assembly).reduced_pattern().nonZeros());
+  };
+  EXPECT_NEAR(entries(32) / entries(8), 4.0, 0.2);
+}
+
 TEST_P(Redundant, RowsOfOutputDoNotChangeTheMotion) {
   const Model model = test::bennett();
   test::Run fine(model, GetParam(), test::tight(1e-7)), coarse(model, GetParam(), test::tight(1e-7));

@@ -48,7 +48,7 @@ TEST_P(ForceElementEnergy, WhatIsTakenIsStoredOrDissipated) {
   elements.push_back(std::make_unique<Strut>("real", test::random_marker(random, model, GetParam().first),
                                              test::random_marker(random, model, GetParam().second), std::move(laws),
                                              1.1, 0));
-  const Layout layout(model, {});
+  const Layout layout(model);
   State state = test::as_given(model).state;
   Kinematics kinematics(model);
   kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
@@ -88,7 +88,7 @@ TEST(RigidPlane, NeverPulls) {
   parameters.damping = 2.0;
   parameters.point = {0.0, 0.0, -0.9};
   const RigidPlane plane("plane", {{body_marker(ball, model.body(ball), Eigen::Vector3d::Zero()), 1.0}}, parameters);
-  const Layout layout(model, {});
+  const Layout layout(model);
   Kinematics kinematics(model);
   State state = test::as_given(model).state;
   for (double speed : {-100.0, -1.0, 0.0, 1.0, 100.0}) {
@@ -108,7 +108,7 @@ TEST(RigidPlane, CostsNothingFarAway) {
   parameters.stick_time = 0.0;
   parameters.point = model.initial(1).r - Eigen::Vector3d(0.0, 0.0, 50.0);
   const RigidPlane plane("plane", {{test::random_marker(random, model, 1), 0.1}}, parameters);
-  const Layout layout(model, {});
+  const Layout layout(model);
   Kinematics kinematics(model);
   const State state = test::as_given(model).state;
   kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
@@ -206,7 +206,7 @@ struct TurnedBushing {
     const int body = model.add_body(Body("body", 1.0, Eigen::Matrix3d::Identity()), turned);
     const Bushing bushing("pivot", ground_marker(Eigen::Vector3d::Zero()),
                           body_marker(body, model.body(body), Eigen::Vector3d::Zero()), parameters);
-    const Layout layout(model, {});
+    const Layout layout(model);
     Kinematics kinematics(model);
     const State state = test::as_given(model).state;
     kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
@@ -276,7 +276,7 @@ TEST(Strut, SharesStrokeAndRateAmongItsLaws) {
   laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{0.0, 10.0, 0.0, 0.0}));
   const Strut strut("strut", ground_marker(Eigen::Vector3d::Zero()),
                     body_marker(body, model.body(body), Eigen::Vector3d::Zero()), std::move(laws), 1.0);
-  const Layout layout(model, {});
+  const Layout layout(model);
   Kinematics kinematics(model);
   const State state = test::as_given(model).state;
   kinematics.load(layout, state.q, state.v, Eigen::VectorXd());

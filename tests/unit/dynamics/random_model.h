@@ -217,7 +217,7 @@ inline Model everything(Random& random) {
 inline Assembly as_given(const Model& model) {
   const Layout layout(model);
   Assembly out;
-  out.rank = layout.all_rows;
+  out.rank = layout.row_count;
   out.state.q.resize(layout.q_size);
   out.state.v.resize(layout.v_size);
   out.state.z.resize(layout.z_size);
