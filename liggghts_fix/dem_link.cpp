@@ -256,7 +256,6 @@ void DemLink::count_grains(const std::vector<double>& rows, int ranks) {
     lost += rows[rank * row_size + 1];
   }
   load_.particles = std::llround(grains);
-  load_.warnings.clear();
   if (lost <= 0.0) return;
   const bool first = load_.lost == 0;
   load_.lost += std::llround(lost);
@@ -266,7 +265,7 @@ void DemLink::count_grains(const std::vector<double>& rows, int ranks) {
   if (static_cast<double>(load_.lost) > max_lost_ * all)
     throw NumericalError(what + "; fix couple/mbd allows a share of " + number(max_lost_) +
                          ". Make the region of create_box larger, or the bed calmer, or allow more: lost SHARE");
-  if (first) load_.warnings.push_back(what + " (this is said once; summary: grains_lost)");
+  if (first) warn(what + " (this is said once; summary: grains_lost)");
 }
 
 void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
@@ -298,6 +297,7 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
   load_.wall_seconds = now - sent_ - waited_;
   sent_ = now;
   link_->send(load_);
+  load_.warnings.clear();
   if (!last_window_) return;
   finished_ = true;
   link_->close();

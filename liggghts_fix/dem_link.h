@@ -72,6 +72,12 @@ class DemLink {
   // The run goes on from a checkpoint. After the handshake.
   bool resumed() const { return memory_.has_value(); }
 
+  // Of the grains, zero where it is not known [m/s2]. After start().
+  const Eigen::Vector3d& script_gravity() const { return script_.gravity; }
+  // For the user, with the next load.
+  void warn(const std::string& text) { load_.warnings.push_back(text); }
+  double time() const { return motion_.time + dt_ * (motion_.n - substeps_left_); }  // at the end of this substep [s]
+
   // For thermo output.
   std::int64_t windows() const { return windows_; }  // completed
   // Over all windows whose next state is known [J].
@@ -99,7 +105,6 @@ class DemLink {
   void begin_window();
   void tell_untouched(std::vector<std::string>& warnings) const;
   void count_grains(const std::vector<double>& rows, int ranks);
-  double time() const { return motion_.time + dt_ * (motion_.n - substeps_left_); }  // [s]
 
   Link* link_;
   bool greeted_ = false;

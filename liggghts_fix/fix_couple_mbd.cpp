@@ -118,6 +118,7 @@ void FixCoupleMbd::initial_integrate(int) {
 
 void FixCoupleMbd::final_integrate() {
   if (!link_.end_substep()) return;
+  walls_.look(*modify, link_, link_.time());
   link_.write_shares(atom->nlocal, footfall::interrupted() != 0, row_);
   rows_.resize(row_.size() * static_cast<std::size_t>(comm->nprocs));
   const int count = static_cast<int>(row_.size());

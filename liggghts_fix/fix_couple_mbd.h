@@ -27,6 +27,7 @@ FixStyle(couple / mbd, FixCoupleMbd)
 #include "liggghts_fix/couple_mbd_arguments.h"
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/fix_couple_mbd_mesh.h"
+#include "liggghts_fix/fix_couple_mbd_walls.h"
 
 namespace LAMMPS_NS {
 
@@ -53,6 +54,7 @@ class FixCoupleMbd : public Fix {
   const footfall::CoupleMbdArguments arguments_;
   std::vector<std::unique_ptr<CoupledMesh> > meshes_;
   const GrainTorque torque_before_ = std::make_shared<Eigen::Vector3d>(Eigen::Vector3d::Zero());
+  WallWatch walls_;
   std::vector<int> rows_of_output_;  // body of each row of f_ID: those of meshes_, then the others
   std::vector<double> row_, rows_;   // of this rank, of all ranks
 };

@@ -155,6 +155,15 @@ std::vector<Case> cases() {
        "until 0.1",
        "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n",
        " body plate plate.stl 0 0 0.24 prescribed 0 0 0 0 0 0"});
+  add({"BodyGoesThroughTheFloor",
+       1,
+       {"body \"plate\" goes through the wall of fix floor", "this one is the floor under the body"},
+       "region all block INF INF INF INF INF INF units box\ndelete_atoms region all\n"
+       "create_atoms 1 single 0.25 0.25 0.1\nset group all diameter 0.04 density 2600\n" +
+           kCouple + "run 2000\n",
+       "until 0.1",
+       "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n",
+       " body plate plate.stl 0 0 0.24 prescribed 0 0 -4.0 0 0 0"});
   add({"BadPatience",
        2,
        {"`patience` needs a positive number of seconds, not \"-1\""},

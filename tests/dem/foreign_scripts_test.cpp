@@ -122,6 +122,21 @@ TEST(ForeignScript, GrainsThatLeaveTheBoxAreCounted) {
   }
 }
 
+// A wall beside the body may end where the user's container ends: to LIGGGHTS it has no end. So this is told, no more.
+TEST(ForeignScript, ABodyThatGoesThroughASideWallIsToldOnce) {
+  const RunFolder folder = plate_folder("side_wall");
+  folder.write("in", small_bed() + kMesh + mesh_wall() +
+                         "fix side all wall/gran model hertz tangential history rolling_friction cdt primitive type 1 "
+                         "xplane 0.1505\n" +
+                         "fix slot all wall/gran model hertz tangential history rolling_friction cdt primitive type 1 "
+                         "yplane 0.0\n" +
+                         kCouple + "run 200\n");
+  const Outcome outcome = folder.coupled(2, "-in in", kFalling);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+  EXPECT_EQ(count(outcome.text, "body \"plate\" goes through the wall of fix side"), 1U) << outcome.text;
+  EXPECT_EQ(count(outcome.text, "goes through the wall"), 1U) << outcome.text;  // it stands in the slot from the start
+}
+
 TEST(ForeignScript, AMeshMayLieOnTheSideOfTheBox) {
   const RunFolder folder("foreign_side");
   write_stl((folder.path() / "plate.stl").string(), box({0.2, 0.2, 0.02}, 1));
