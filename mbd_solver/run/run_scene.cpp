@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/interrupt.h"
+#include "coupler/interrupt.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/run/run_files.h"

@@ -15,8 +15,8 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/interrupt.h"
 #include "coupler/base/text.h"
+#include "coupler/interrupt.h"
 #include "mbd_solver/cli/launch/process.h"
 
 namespace footfall {
