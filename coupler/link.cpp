@@ -1,7 +1,7 @@
 #include "coupler/link.h"
 
 #include "coupler/base/clock.h"
-#include "coupler/base/interrupt.h"
+#include "coupler/interrupt.h"
 
 namespace footfall {
 

@@ -7,7 +7,7 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/interrupt.h"
+#include "coupler/interrupt.h"
 #include "coupler/mpi_check.h"
 #include "coupler/polite_wait.h"
 

@@ -7,7 +7,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/interrupt.h"
+#include "coupler/interrupt.h"
 #include "coupler/mpi_check.h"
 #include "integrate.h"
 #include "liggghts_fix/fix_couple_mbd_grains.h"

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/interrupt.h"
+#include "coupler/interrupt.h"
 #include "mbd_solver/cli/analysis/compare_command.h"
 #include "mbd_solver/cli/analysis/pictures_command.h"
 #include "mbd_solver/cli/analysis/report_command.h"

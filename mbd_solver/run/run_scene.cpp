@@ -5,8 +5,8 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/folder_lock.h"
-#include "coupler/base/interrupt.h"
 #include "coupler/base/made_files.h"
+#include "coupler/interrupt.h"
 #include "mbd_solver/output/checkpoint_folder.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/run/checkpoint.h"

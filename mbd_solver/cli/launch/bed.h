@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "coupler/base/interrupt.h"
+#include "coupler/interrupt.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {

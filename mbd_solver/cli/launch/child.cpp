@@ -15,9 +15,9 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/interrupt.h"
 #include "coupler/base/quote.h"
 #include "coupler/base/text.h"
+#include "coupler/interrupt.h"
 #include "mbd_solver/cli/launch/process.h"
 
 namespace footfall {

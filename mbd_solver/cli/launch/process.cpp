@@ -11,7 +11,7 @@
 #include <cstring>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/interrupt.h"
+#include "coupler/interrupt.h"
 
 namespace footfall {
 

@@ -6,7 +6,7 @@
 
 #include <thread>
 
-#include "coupler/base/interrupt.h"
+#include "coupler/interrupt.h"
 #include "coupler/transport_loopback.h"
 
 namespace footfall {

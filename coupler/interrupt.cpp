@@ -1,4 +1,4 @@
-#include "coupler/base/interrupt.h"
+#include "coupler/interrupt.h"
 
 #include <unistd.h>
 
