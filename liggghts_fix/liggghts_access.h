@@ -3,6 +3,7 @@
 // uses its public interface. CMake refuses other versions.
 
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 class Fix;
@@ -34,6 +35,10 @@ double** mesh_centers(LAMMPS_NS::TriMesh* mesh);
 // After nodes of a deforming mesh were written: centres, bounding radii, areas, edges and normals of owned and ghost
 // elements.
 void recalculate_mesh(LAMMPS_NS::TriMesh* mesh);
+
+// Brings the owned elements into this order: place i gets the element that stands at order[i]. The mesh is then as after
+// an exchange between ranks, before its ghosts are made.
+void reorder_mesh(LAMMPS_NS::TriMesh* mesh, const std::vector<int>& order);
 
 // LIGGGHTS creates fixes by (lmp, narg, arg) alone: this is how they find the coupling that the launcher made for their
 // LIGGGHTS.
