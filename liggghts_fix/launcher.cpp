@@ -140,6 +140,8 @@ int main(int argc, char** argv) {
     const Communicator communicator;
     let_world_mean(communicator.world());
     AbortGuard::install(communicator);
+    // mpirun hands it to both programs, and the mechanism's side asks for checkpoints.
+    if (communicator.has_partner()) std::signal(SIGUSR1, SIG_IGN);
     std::unique_ptr<TransportMpi> transport;
     std::unique_ptr<Link> link;
     if (communicator.has_partner()) {

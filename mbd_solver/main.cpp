@@ -26,9 +26,10 @@ namespace {
 
 using namespace footfall;
 
-volatile std::sig_atomic_t g_interrupted = 0;
+RunRequests g_requests;
 
-void note_interrupt(int) { g_interrupted = 1; }
+void note_stop(int) { g_requests.stop = 1; }
+void note_checkpoint(int) { g_requests.checkpoint = 1; }
 
 struct Arguments {
   std::string scene;
@@ -88,7 +89,7 @@ int run_alone(const Arguments& given) {
         ": ground.kind = \"particles\" needs LIGGGHTS: use `footfall run`, or start both programs:\n  mpirun -np " +
         std::to_string(scene.particles->ranks) + " liggghts_mbd -in " + scene.particles->script +
         " : -np 1 mbd_solver " + arguments.scene);
-  return run_scene(scene, arguments.run, nullptr, g_interrupted);
+  return run_scene(scene, arguments.run, nullptr, g_requests);
 }
 
 // Everything that can go wrong is told to the partner, too: neither program outlives the other.
@@ -100,7 +101,7 @@ int run_with(const Arguments& given, Transport& transport) {
       throw InputError(scene.file +
                        ": ground.kind is not \"particles\", but LIGGGHTS was started next to it: run `mbd_solver " +
                        arguments.scene + "` alone");
-    return run_scene(scene, arguments.run, &transport, g_interrupted);
+    return run_scene(scene, arguments.run, &transport, g_requests);
   } catch (const InputError& error) {
     if (!transport.parted()) Link(transport).fail(error.what(), Status::kBadInput);
     throw;
@@ -143,7 +144,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitDone : kExitBadInput;
   }
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(signal, note_interrupt);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(signal, note_stop);
+  std::signal(SIGUSR1, note_checkpoint);
 
   // MPI is started only under mpirun: scenes without grains need none.
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMI_SIZE") == nullptr)

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
+#include "mbd_solver/cli/launch/grain_rows.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/output/checkpoint_folder.h"
 #include "mbd_solver/output/run_start.h"
@@ -163,6 +165,12 @@ Plan resumed_run(const RunArguments& a) {
   plan.log = (fs::path(plan.out) / ("liggghts_" + fs::path(checkpoint).filename().string() + ".log")).string();
   plan.command =
       both_programs(particles, start.ranks, plan.out, short_path(checkpoint + "/grains.restart"), plan.log, solver);
+  const std::string gravity = set_rows_aside(plan.out, read_grains_kept(checkpoint).step);
+  if (!gravity.empty()) {
+    std::vector<std::string>& words = plan.command.words;
+    const std::string value[] = {"-var", "grain_start", gravity};
+    words.insert(std::find(words.begin(), words.end(), "-log"), std::begin(value), std::end(value));
+  }
   return plan;
 }
 
@@ -208,6 +216,7 @@ int run_command(const RunArguments& arguments) {
   if (isatty(STDOUT_FILENO) == 1) command.environment["FOOTFALL_TERMINAL"] = "1";
 
   const ChildEnd end = run_child(command, "mbd_solver");
+  if (arguments.resume) join_rows(out);
   const std::string errors = liggghts_errors(plan.log);
   if (!errors.empty()) {
     std::fprintf(stderr, "footfall: LIGGGHTS stopped on %s:\n%s\n", scene.particles->script.c_str(), errors.c_str());

@@ -30,8 +30,7 @@ class WarningTeller {
 
 }  // namespace
 
-int run_scene(const Scene& scene, const RunOptions& options, Transport* transport,
-              const volatile std::sig_atomic_t& interrupted) {
+int run_scene(const Scene& scene, const RunOptions& options, Transport* transport, RunRequests& requests) {
   const double t_end = options.until > 0.0 ? std::min(options.until, scene.end_time) : scene.end_time;
   Simulation simulation(scene, t_end, transport, options.checkpoint);
   CoupledRun* const coupled = simulation.coupled();
@@ -67,7 +66,9 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   keep.finish = [&] {
     write_checkpoint(folder, scene, options.until, options.ranks, visit);
     checkpoints.finish();
+    requests.checkpoint = 0;
   };
+  keep.asked = [&] { return requests.checkpoint != 0; };
   const auto finish_files = [&] {
     progress.finish();
     files.flush();
@@ -77,7 +78,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   };
 
   try {
-    simulation.run(observe, interrupted, keep);
+    simulation.run(observe, requests.stop, keep);
   } catch (const std::exception& error) {
     finish_files();
     const bool mendable = dynamic_cast<const InputError*>(&error) || dynamic_cast<const ProtocolError*>(&error);

@@ -17,9 +17,14 @@ struct RunOptions {
   std::string checkpoint;   // folder of the set that the run goes on from; empty: from the start
 };
 
+// What signals ask of a run.
+struct RunRequests {
+  volatile std::sig_atomic_t stop = 0;        // keep a checkpoint and end
+  volatile std::sig_atomic_t checkpoint = 0;  // keep one and go on; zero again when that is done
+};
+
 // Runs the scene and writes its files. Returns the exit code: done or interrupted. `transport`: null without grains.
 // Throws what Simulation throws, after writing a summary that says `failed`; the partner is told.
-int run_scene(const Scene& scene, const RunOptions& options, Transport* transport,
-              const volatile std::sig_atomic_t& interrupted);
+int run_scene(const Scene& scene, const RunOptions& options, Transport* transport, RunRequests& requests);
 
 }  // namespace footfall

@@ -118,11 +118,13 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
       control();
       last_row = state_.time;
       on_the_way += wall_clock() - row_started;
-      return interrupted == 0 && !voltages_move_;
+      return interrupted == 0 && !voltages_move_ && !(keep && keep.asked());
     };
   }
 
-  const auto wanted = [&](double time) { return keep && (checkpoints_.is_due(time) || interrupted != 0); };
+  const auto wanted = [&](double time) {
+    return keep && (checkpoints_.is_due(time) || interrupted != 0 || keep.asked());
+  };
   const auto folder = [&](double end) { return wanted(end) ? keep.begin(window_ + 1) : std::string(); };
 
   while (!finished()) {

@@ -31,6 +31,7 @@ struct Keeper {
   // Makes the folder of the checkpoint after so many windows; both sides then write into it.
   std::function<std::string(long windows)> begin;
   std::function<void()> finish;  // writes this side's files, when those of the other are there
+  std::function<bool()> asked;   // a checkpoint is wanted now, whatever the time
 
   explicit operator bool() const { return begin != nullptr; }
 };
@@ -43,7 +44,7 @@ class Simulation {
   Simulation(const Scene& scene, double t_end, Transport* partner_transport, const std::string& resume = "");
 
   // Runs to the end, or until `interrupted` is set. Calls `observe` for the start and after every window, and
-  // keeps the run every output.checkpoint_interval, and when it is interrupted: at the end of a window whose begin has
+  // keeps the run every output.checkpoint_interval, when somebody asks for it, and when it is interrupted: at the end of a window whose begin has
   // told the grains. There the integrator forgets what it knows of earlier windows, so that this run and the resumed one
   // go on alike.
   // Throws NumericalError, PartnerError.
