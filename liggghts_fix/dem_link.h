@@ -57,6 +57,7 @@ class DemLink {
   void keep(std::int64_t step, bool writes);
   // The run goes on from a checkpoint. After the handshake.
   bool resumed() const { return memory_.has_value(); }
+  std::string wrong_grains() const;  // what to say when LIGGGHTS has not read the grains of the checkpoint
 
   // For thermo output.
   std::int64_t windows() const { return windows_; }  // completed

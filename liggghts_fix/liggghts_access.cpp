@@ -107,8 +107,10 @@ FixStyles& stock_meshes() {
 
 Fix* create_mesh(LAMMPS* lmp, int narg, char** arg) {
   static char file[] = "file", nothing[] = "/dev/null";
+  const DemLink& link = dem_link_of(lmp);
   std::vector<char*> words(arg, arg + narg);
-  if (narg > 4 && std::strcmp(words[3], "fix") == 0 && dem_link_of(lmp).resumed()) {
+  if (narg > 4 && std::strcmp(words[3], "fix") == 0 && link.resumed()) {
+    if (!lmp->modify->have_restart_data_style(arg[2])) throw InputError(link.wrong_grains());
     words[3] = file;
     words[4] = nothing;
   }

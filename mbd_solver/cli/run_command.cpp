@@ -45,8 +45,9 @@ std::string free_folder(const std::string& name) {
 void clear_results(const std::string& out) {
   make_folder(out);
   std::error_code error;
-  for (const char* name : {"summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "checkpoint",
-                           "liggghts.log", "plots", "pictures", "vtk", "motion", "compare"})
+  for (const char* name :
+       {"summary.json", "history.csv", "ledger.csv", "grains_energy.txt", "grains_energy_start.txt",
+        "grains_energy.before.txt", "checkpoint", "liggghts.log", "plots", "pictures", "vtk", "motion", "compare"})
     fs::remove_all(fs::path(out) / name, error);
 }
 
@@ -165,8 +166,8 @@ Plan resumed_run(const RunArguments& a) {
   plan.log = (fs::path(plan.out) / ("liggghts_" + fs::path(checkpoint).filename().string() + ".log")).string();
   plan.command =
       both_programs(particles, start.ranks, plan.out, short_path(checkpoint + "/grains.restart"), plan.log, solver);
-  const std::string gravity = set_rows_aside(plan.out, read_grains_kept(checkpoint).step);
-  if (!gravity.empty()) {
+  set_rows_aside(plan.out, step_of_checkpoint(checkpoint));
+  if (const std::string gravity = energy_at_start(plan.out); !gravity.empty()) {
     std::vector<std::string>& words = plan.command.words;
     const std::string value[] = {"-var", "grain_start", gravity};
     words.insert(std::find(words.begin(), words.end(), "-log"), std::begin(value), std::end(value));

@@ -12,8 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kStart = "gravity from ";  // in the first line, then the number
-
 fs::path rows_of(const std::string& run) { return fs::path(run) / "grains_energy.txt"; }
 fs::path rows_aside(const std::string& run) { return fs::path(run) / "grains_energy.before.txt"; }
 
@@ -40,25 +38,25 @@ long last_step(const std::string& text) {
 
 }  // namespace
 
-GrainsKept read_grains_kept(const std::string& checkpoint) {
+long step_of_checkpoint(const std::string& checkpoint) {
   const std::string file = checkpoint + "/grains.txt", mark = "\nstep ";
   const std::string text = read_whole_file(file).value_or("");
   const std::size_t at = text.find(mark);
   if (at == std::string::npos) throw InputError(file + ": does not tell at which step LIGGGHTS was");
-  return {std::strtol(text.c_str() + at + mark.size(), nullptr, 10)};
+  return std::strtol(text.c_str() + at + mark.size(), nullptr, 10);
 }
 
-std::string set_rows_aside(const std::string& run, long step) {
+void set_rows_aside(const std::string& run, long step) {
   join_rows(run);
-  const std::optional<std::string> text = read_whole_file(rows_of(run).string());
-  if (!text) return "";
-  write_whole_file(rows_aside(run).string(), rows_between(*text, -1, step, true));
-  const std::size_t at = text->find(kStart), line = text->find('\n');
-  if (at == std::string::npos || at > line) return "";
-  std::istringstream number(text->substr(at + std::string(kStart).size()));
-  std::string start;
-  number >> start;
-  return start;
+  if (const std::optional<std::string> text = read_whole_file(rows_of(run).string()))
+    write_whole_file(rows_aside(run).string(), rows_between(*text, -1, step, true));
+}
+
+std::string energy_at_start(const std::string& run) {
+  std::istringstream text(read_whole_file(run + "/grains_energy_start.txt").value_or(""));
+  std::string number;
+  text >> number;
+  return number;
 }
 
 void join_rows(const std::string& run) {

@@ -6,16 +6,14 @@
 
 namespace footfall {
 
-// What LIGGGHTS' part of a checkpoint says of itself.
-struct GrainsKept {
-  long step = 0;  // LIGGGHTS' step number there
-};
-// Throws InputError when the file is not there.
-GrainsKept read_grains_kept(const std::string& checkpoint);
+// LIGGGHTS' step number at a checkpoint. Throws InputError when its part of it is not there.
+long step_of_checkpoint(const std::string& checkpoint);
 
 // Rows up to `step` go to grains_energy.before.txt; those that an earlier resumed part has left there are joined first.
-// Returns the energy of gravity that the rows count from, as the file's first line states it; empty when it does not.
-std::string set_rows_aside(const std::string& run, long step);
+void set_rows_aside(const std::string& run, long step);
+// The energy of gravity that the rows count from, as the script has left it in grains_energy_start.txt; empty when it has
+// not.
+std::string energy_at_start(const std::string& run);
 // One file again: the rows set aside, then those of later steps.
 void join_rows(const std::string& run);
 
