@@ -56,6 +56,13 @@ void DemLink::greet(const std::string& unit_style) {
   for (CoupledBody& body : geometry_.bodies) (*memory_)(body.boundary.name().c_str(), body.initial);
 }
 
+std::string DemLink::wrong_grains() const {
+  return "couple/mbd: the run goes on from " + geometry_.resume +
+         ", but the script has not read its grains: " + "`read_restart` must read " + geometry_.resume +
+         "/grains.restart (scripts of footfall: -var bed FILE), without reset_timestep and without a `run` before the "
+         "coupled one";
+}
+
 void DemLink::keep(std::int64_t step, bool writes) {
   Archive archive;
   for (CoupledBody& body : geometry_.bodies) {
@@ -165,12 +172,7 @@ void DemLink::start(Start script) {
   if (!memory_) return;
   std::int64_t kept_step = 0;
   (*memory_)("step", kept_step);
-  if (kept_step != script_.step)
-    throw InputError("couple/mbd: the run goes on from " + geometry_.resume + ", where LIGGGHTS was at step " +
-                     std::to_string(kept_step) + ", and its script begins at step " + std::to_string(script_.step) +
-                     ": its first read_restart must read " + geometry_.resume +
-                     "/grains.restart (scripts of footfall: -var bed FILE), without reset_timestep, and one `run` must "
-                     "do the rest");
+  if (kept_step != script_.step) throw InputError(wrong_grains());
   visit(*memory_);
   memory_->finish();
 }

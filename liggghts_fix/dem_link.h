@@ -71,6 +71,7 @@ class DemLink {
   void keep(std::int64_t step, bool writes);
   // The run goes on from a checkpoint. After the handshake.
   bool resumed() const { return memory_.has_value(); }
+  std::string wrong_grains() const;  // what to say when LIGGGHTS has not read the grains of the checkpoint
 
   // Of the grains, zero where it is not known [m/s2]. After start().
   const Eigen::Vector3d& script_gravity() const { return script_.gravity; }

@@ -9,13 +9,16 @@
 #include "coupler/base/errors.h"
 #include "coupler/interrupt.h"
 #include "coupler/mpi_check.h"
+#include "fix_mesh_surface.h"
 #include "integrate.h"
 #include "liggghts_fix/fix_couple_mbd_grains.h"
 #include "liggghts_fix/fix_couple_mbd_match.h"
 #include "liggghts_fix/fix_couple_mbd_script.h"
 #include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/mesh_order.h"
 #include "modify.h"
 #include "signal_handling.h"
+#include "tri_mesh.h"
 #include "update.h"
 #include "write_restart.h"
 
@@ -138,8 +141,18 @@ void FixCoupleMbd::keep(const std::string& folder) {
   char* words[] = {file.data()};
   WriteRestart(lmp).command(1, words);
   link_.keep(update->ntimestep, comm->me == 0);
+  for (int i = 0; i < modify->nfix; ++i)
+    if (auto* mesh = dynamic_cast<FixMeshSurface*>(modify->fix[i])) order_as_after_restart(mesh->triMesh());
   lmp->init();
   update->integrate->setup();
+}
+
+void FixCoupleMbd::order_as_after_restart(TriMesh* mesh) const {
+  const int own = mesh->sizeLocal();
+  int until = 0, all = 0;  // of the ranks up to this one, of all
+  footfall::check_mpi(MPI_Scan(&own, &until, 1, MPI_INT, MPI_SUM, world), "MPI_Scan");
+  footfall::check_mpi(MPI_Allreduce(&own, &all, 1, MPI_INT, MPI_SUM, world), "MPI_Allreduce");
+  if (own < all) footfall::reorder_mesh(mesh, footfall::order_after_restart(until - own, own, all - until));
 }
 
 double FixCoupleMbd::compute_vector(int n) {

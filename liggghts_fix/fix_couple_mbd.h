@@ -31,6 +31,8 @@ FixStyle(couple / mbd, FixCoupleMbd)
 
 namespace LAMMPS_NS {
 
+class TriMesh;
+
 // Errors leave as exceptions of footfall (the launcher catches them): the same on every rank, as every rank sees the
 // same messages.
 class FixCoupleMbd : public Fix {
@@ -49,6 +51,7 @@ class FixCoupleMbd : public Fix {
 
  private:
   void keep(const std::string& folder);
+  void order_as_after_restart(TriMesh* mesh) const;
 
   footfall::DemLink& link_;
   const footfall::CoupleMbdArguments arguments_;

@@ -73,11 +73,36 @@ struct RestartIds {
 };
 template struct Reveal<RestartIds, &Modify::id_restart_global>;
 
+struct LocalElements {
+  using type = int MultiNodeMeshParallel<3>::*;
+};
+template struct Reveal<LocalElements, &MultiNodeMeshParallel<3>::nLocal_>;
+
+struct ClearGhosts {
+  using type = void (MultiNodeMeshParallel<3>::*)();
+};
+template struct Reveal<ClearGhosts, &MultiNodeMeshParallel<3>::clearGhosts>;
+
 // Never made: it only names protected members.
 class OpenTriMesh : public TriMesh {
  public:
   static double*** nodes(TriMesh* mesh) { return (mesh->*&OpenTriMesh::node_).begin(); }
   static double** centers(TriMesh* mesh) { return (mesh->*&OpenTriMesh::center_).begin(); }
+  static std::vector<double> taken_out(TriMesh* mesh, int element) {
+    std::vector<double> bytes(static_cast<std::size_t>(
+        (mesh->*&OpenTriMesh::elemBufSize)(OPERATION_COMM_EXCHANGE, nullptr, false, false, false)));
+    (mesh->*&OpenTriMesh::pushElemToBuffer)(element, bytes.data(), OPERATION_COMM_EXCHANGE, false, false, false);
+    return bytes;
+  }
+  static void put_in(TriMesh* mesh, std::vector<double>& bytes) {
+    (mesh->*&OpenTriMesh::popElemFromBuffer)(bytes.data(), OPERATION_COMM_EXCHANGE, false, false, false);
+    ++(mesh->*Revealed<LocalElements>::member);
+  }
+  static void remove_all(TriMesh* mesh) {
+    (mesh->*&OpenTriMesh::clearMap)();
+    (mesh->*Revealed<ClearGhosts>::member)();
+    while (mesh->sizeLocal() > 0) (mesh->*&OpenTriMesh::deleteElement)(mesh->sizeLocal() - 1);
+  }
   static void recalculate(TriMesh* mesh) {
     (mesh->*&OpenTriMesh::updateCenterRbound)(0, mesh->sizeLocal() + mesh->sizeGhost());
     (mesh->*&OpenTriMesh::recalcLocalSurfProperties)();
@@ -122,8 +147,10 @@ FixStyles& stock_meshes() {
 
 Fix* create_mesh(LAMMPS* lmp, int narg, char** arg) {
   static char file[] = "file", nothing[] = "/dev/null";
+  const DemLink& link = dem_link_of(lmp);
   std::vector<char*> words(arg, arg + narg);
-  if (narg > 4 && std::strcmp(words[3], "fix") == 0 && dem_link_of(lmp).resumed()) {
+  if (narg > 4 && std::strcmp(words[3], "fix") == 0 && link.resumed()) {
+    if (!lmp->modify->have_restart_data_style(arg[2])) throw InputError(link.wrong_grains());
     words[3] = file;
     words[4] = nothing;
   }
@@ -170,6 +197,13 @@ double*** mesh_nodes(TriMesh* mesh) { return OpenTriMesh::nodes(mesh); }
 double** mesh_centers(TriMesh* mesh) { return OpenTriMesh::centers(mesh); }
 
 void recalculate_mesh(TriMesh* mesh) { OpenTriMesh::recalculate(mesh); }
+
+void reorder_mesh(TriMesh* mesh, const std::vector<int>& order) {
+  std::vector<std::vector<double>> elements;
+  for (const int element : order) elements.push_back(OpenTriMesh::taken_out(mesh, element));
+  OpenTriMesh::remove_all(mesh);
+  for (std::vector<double>& element : elements) OpenTriMesh::put_in(mesh, element);
+}
 
 void attach_dem_link(LAMMPS* lmp, DemLink& link) { links()[lmp] = &link; }
 

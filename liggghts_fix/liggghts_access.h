@@ -3,6 +3,7 @@
 // uses its public interface. CMake refuses other versions.
 
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 class Fix;
@@ -48,6 +49,9 @@ void recalculate_mesh(LAMMPS_NS::TriMesh* mesh);
 bool gravity_is_constant(LAMMPS_NS::FixGravity* fix);
 // `surface_vel` or `surface_ang_vel` of a mesh by a variable: LIGGGHTS then writes the velocities anew in every step.
 bool surface_velocity_varies(LAMMPS_NS::FixMeshSurface* fix);
+// Brings the owned elements into this order: place i gets the element that stands at order[i]. The mesh is then as after
+// an exchange between ranks, before its ghosts are made.
+void reorder_mesh(LAMMPS_NS::TriMesh* mesh, const std::vector<int>& order);
 
 // LIGGGHTS creates fixes by (lmp, narg, arg) alone: this is how they find the coupling that the launcher made for their
 // LIGGGHTS.

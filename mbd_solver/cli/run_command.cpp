@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include "coupler/base/failure_note.h"
 #include "coupler/programs.h"
 #include "mbd_solver/cli/analysis/results.h"
+#include "mbd_solver/cli/launch/grain_rows.h"
 #include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/run_plan.h"
 #include "mbd_solver/output/summary.h"
@@ -84,6 +86,7 @@ int run_command(const RunArguments& arguments) {
     const std::string stuck = reading();
     return stuck.empty() ? stopped() : stuck;
   });
+  if (arguments.resume) join_rows(out);
   const std::string errors = liggghts_errors(log);
   if (!errors.empty()) {
     std::fprintf(stderr, "footfall: LIGGGHTS stopped on %s:\n%s\n", scene.particles->script.c_str(), errors.c_str());

@@ -1,5 +1,6 @@
 #include "mbd_solver/cli/run_plan.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -8,6 +9,7 @@
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/check_command.h"
+#include "mbd_solver/cli/launch/grain_rows.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/launch/script_safety.h"
 #include "mbd_solver/output/checkpoint_folder.h"
@@ -158,6 +160,12 @@ RunPlan resumed_run(const RunArguments& a) {
   demand_resumable(particles);
   plan.command =
       both_programs(particles, start.ranks, out, short_path(checkpoint + "/grains.restart"), plan.log, solver);
+  set_rows_aside(out, step_of_checkpoint(checkpoint));
+  if (const std::string gravity = energy_at_start(out); !gravity.empty()) {
+    std::vector<std::string>& words = plan.command.words;
+    const std::string value[] = {"-var", "grain_start", gravity};
+    words.insert(std::find(words.begin(), words.end(), "-log"), std::begin(value), std::end(value));
+  }
   return plan;
 }
 

@@ -12,10 +12,10 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/file_lock.h"
+#include "coupler/base/fingerprint.h"
 #include "coupler/base/folder.h"
 #include "coupler/base/text.h"
 #include "coupler/base/whole_file.h"
-#include "coupler/base/fingerprint.h"
 #include "coupler/programs.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/liggghts_log.h"
