@@ -3,8 +3,8 @@
 
 namespace footfall {
 
-// Force at the same overlap over that of Hertz' sphere on a plane, of a sphere of radius r [m] on a beam of radius R [m]
-// of the same materials.
+// Force at the same overlap over that of Hertz' sphere on a plane, of a sphere of radius r [m] on a beam of radius
+// R [m] of the same materials.
 //   side, a cylinder: principal radii r along the beam, rho = r R / (r + R) across; the contact is an ellipse,
 //     F = 4/3 E* sqrt(R_e) (overlap / F2)^(3/2),  R_e = sqrt(r rho),  F2 = 1 - ((r/rho)^0.0684 - 1)^1.531  [Hale 1999]
 //   end, a sphere of radius R: F = 4/3 E* sqrt(rho) overlap^(3/2)

@@ -42,14 +42,20 @@ ContactMass::ContactMass(Equations& equations, int body, const ModalBoundary& bo
       rates_(equations.layout().size()),
       moved_(rates_) {}
 
-double ContactMass::along(const ExternalLoad& felt, const State& state, const Inputs& inputs) {
+double ContactMass::along(const ExternalLoad& felt, const State& state, const Inputs& inputs, double H) {
   const double f = felt.F_W.norm();
   if (f == 0.0) return mass_;
   const Body& body = equations_.model().body(body_);
   const double own = body.mass();
   const Eigen::Vector3d F = felt.F_W / f, T = cut_off(felt.T_B, f, reach_);
   Eigen::VectorXd Q;
-  if (felt.Q_a.size() > 0) Q = cut_off(felt.Q_a, f, largest_mode_);
+  if (felt.Q_a.size() > 0) {
+    Q = cut_off(felt.Q_a, f, largest_mode_);
+    for (Eigen::Index i = 0; i < Q.size(); ++i) {
+      const double theta2 = body.modal()->stiffness[i] * H * H;
+      Q[i] /= 1.0 + theta2 * theta2;
+    }
+  }
   if (!joined_) {  // modes have mass 1
     mass_ = 1.0 / (1.0 / own + T.dot(body.rigid_inertia().ldlt().solve(T)) + Q.squaredNorm());
     return mass_;

@@ -1,5 +1,5 @@
 #pragma once
-// The mass that the contacts of a body meet: that of what they move, joints and prescribed motions included. theory 7.9.
+// The mass that the contacts of a body meet: that of what they move, with joints and prescribed motions. theory 7.9.
 
 #include "coupler/modal_boundary.h"
 #include "mbd_solver/dynamics/equations.h"
@@ -18,9 +18,11 @@ class ContactMass {
   // equations must outlive this; body: index in the model.
   ContactMass(Equations& equations, int body, const ModalBoundary& boundary);
 
-  // [kg] at `state` under `felt`, the load on the body in `inputs`. Without a force: as it was when there was one, at the
-  // start the body's own.
-  double along(const ExternalLoad& felt, const State& state, const Inputs& inputs);
+  // H [s] of the window: a mode of angular frequency Omega that swings within it yields as a spring and not as a mass,
+  // and counts with 1 / (1 + (Omega H)^4), as in fast_modes.h.
+  // [kg] at `state` under `felt`, the load on the body in `inputs`. Without a force: as it was when there was one, at
+  // the start the body's own.
+  double along(const ExternalLoad& felt, const State& state, const Inputs& inputs, double H);
 
  private:
   Equations& equations_;

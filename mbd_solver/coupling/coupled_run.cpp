@@ -134,7 +134,7 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   receive(load, inputs);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const auto body = static_cast<std::size_t>(bodies_[k].entry.body);
-    watched_[k].mass = bodies_[k].contact_mass.along(inputs.loads[body], state, inputs);
+    watched_[k].mass = bodies_[k].contact_mass.along(inputs.loads[body], state, inputs, motion_.n * dt);
   }
   return t_end;
 }

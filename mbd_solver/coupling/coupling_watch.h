@@ -13,12 +13,12 @@ namespace footfall {
 
 // The scale of the interface's energy is what the contacts move, whatever else the mechanism does:
 //   E = sum over bodies of the larger of
-//         range of (work received from the grains + work of gravity) so far: what was exchanged, without what the weight of a
-//         body that swings on its contacts gives and takes back
+//         range of (work received from the grains + work of gravity) so far: what was exchanged, without what the weight
+//         of a body that swings on its contacts gives and takes back
 //         its largest 1/2 m0 v^2 so far: what contacts that begin have before them
 //     + kFloor J^2 / 2m, J = |F| H the largest impulse of a window: rest, where all else is round-off
-// with m the mass that the contacts meet (contact_mass.h). A body that is held or led (m infinite) can neither be pumped
-// nor chatter: it has no part in this, and omega H = 0.
+// with m the mass that the contacts meet (contact_mass.h). A body that is held or led (m infinite) can neither be
+// pumped nor chatter: it has no part in this, and omega H = 0.
 class CouplingWatch {
  public:
   struct Window {

@@ -1,5 +1,5 @@
-// The wall tests of Chung and Ooi (Granular Matter 13, 643, 2011; their numbers 2 to 6): one sphere strikes a plane, here
-// a mesh that is coupled to a body at rest, and leaves as Hertz, Coulomb and Newton say.
+// The wall tests of Chung and Ooi (Granular Matter 13, 643, 2011; their numbers 2 to 6): one sphere strikes a plane,
+// here a mesh that is coupled to a body at rest, and leaves as Hertz, Coulomb and Newton say.
 //
 // With FOOTFALL_WALL_TESTS=FILE the rows of docs/wall_tests.md are appended to FILE (docs/wall_tests.sh).
 
