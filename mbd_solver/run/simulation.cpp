@@ -121,7 +121,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
       control();
       last_row = state_.time;
       on_the_way += wall_clock() - row_started;
-      return interrupted == 0 && !voltages_move_ && !(keep && keep.asked());
+      return interrupted == 0 && !voltages_move_;
     };
   }
 
