@@ -208,7 +208,7 @@ void sarrus(Plan& plan, Numbers& numbers) {
 // The smallest singular value of Phi_v that is not zero for good: number `rank` of them.
 double hold(const Model& model, const Layout& layout, int rank, State state) {
   ConstraintRows rows(model, layout);
-  Eigen::MatrixXd Phi_v(layout.all_rows, layout.v_size);
+  Eigen::MatrixXd Phi_v(layout.row_count, layout.v_size);
   state.v.setZero();
   rows.evaluate(state);
   const Eigen::VectorXd at_rest = rows.rate;
@@ -226,7 +226,7 @@ double time_until_singular(const Plan& plan) {
   constexpr int kLooks = 25;
   const Model model = build(plan);
   const Layout layout(model);
-  if (layout.all_rows == 0) return plan.duration;
+  if (layout.row_count == 0) return plan.duration;
   IntegratorOptions options = as_a_scene(1e-4);
   options.order = 2;
   Run run(model, "one_step", options);
