@@ -117,6 +117,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitDone : kExitBadInput;
   }
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(signal, note_interrupt);
 
   // MPI is started only under mpirun: scenes without grains need none.

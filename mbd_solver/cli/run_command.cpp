@@ -63,9 +63,27 @@ Command coupled_command(const Scene& scene, const RunArguments& a, const std::st
   return command;
 }
 
+// LIGGGHTS takes its scripts apart at blanks, after it has put ${out}, ${bed} and ${here} into them.
+void demand_one_word(const std::string& what, const std::string& path) {
+  if (path.find_first_of(" \t\n\r\"'#&$") == std::string::npos) return;
+  throw InputError(
+      what + " is \"" + path +
+      "\", but LIGGGHTS takes its script apart at blanks and knows \" ' # & $ as marks of its own; expected "
+      "a path without them");
+}
+
+void demand_whole_words(const ParticlesSpec& particles, const std::string& out) {
+  demand_one_word("the folder for results, --out,", out);
+  demand_one_word("the script of the grains", short_path(particles.script));
+  if (!particles.bed) return;
+  demand_one_word("the script of the bed", short_path(particles.bed->script));
+  demand_one_word("the folder of beds (FOOTFALL_CACHE)", cache_folder());
+}
+
 std::string status_of(const std::string& out) {
   const fs::path summary = fs::path(out) / "summary.json";
-  return fs::exists(summary) ? read_summary(summary.string()).value("status", "") : "";
+  if (!fs::exists(summary)) return "";
+  return with_summary_of(out, [&] { return read_summary(summary.string()).value("status", ""); });
 }
 
 // What the run's own exit code means to the user; says what nobody else could say. Of two programs that end differently
@@ -100,6 +118,7 @@ int run_command(const RunArguments& arguments) {
     setenv(kNoPrograms, "1", 1);
   }
   const std::string out = short_path(arguments.out.empty() ? new_run_folder(scene_name(scene.file)) : arguments.out);
+  if (scene.touches_particles()) demand_whole_words(*scene.particles, out);
   const OwnFolder folder(out, arguments.force);
 
   Command command;

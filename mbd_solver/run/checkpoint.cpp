@@ -1,5 +1,7 @@
 #include "mbd_solver/run/checkpoint.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -45,6 +47,12 @@ void write_checkpoint(const std::string& path, const State& state, const Mechani
     write(out, "voltages", voltages);
     for (const ControllerEntry& entry : mechanism.controllers)
       write(out, ("controller/" + entry.name).c_str(), entry.controller->memory());
+    // The one before stays until this one is whole and on the disk.
+    if (std::fflush(out) != 0 || std::ferror(out) != 0 || fsync(fileno(out)) != 0) {
+      const std::string why = std::strerror(errno);
+      std::remove(partial.c_str());
+      throw InputError(path + ": cannot be written: " + why + "; the one before is kept");
+    }
   }
   if (std::rename(partial.c_str(), path.c_str()) != 0)
     throw InputError(path + ": cannot be written: " + std::strerror(errno));

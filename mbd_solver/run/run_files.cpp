@@ -36,6 +36,14 @@ RunFiles::RunFiles(const Simulation& simulation, const std::string& folder)
 }
 
 void RunFiles::write(const Sample& sample) {
+  try {
+    write_due(sample);
+  } catch (const InputError& error) {
+    throw FileError(error.what());
+  }
+}
+
+void RunFiles::write_due(const Sample& sample) {
   const double time = sample.state.time;
   voltages_ = sample.inputs.voltages;
   if (due(time, output_.interval, next_row_) || sample.last) history_.write(observation_.row(sample));

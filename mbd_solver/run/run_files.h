@@ -3,6 +3,7 @@
 // knows when its next turn is.
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "mbd_solver/observe/drawing.h"
@@ -14,17 +15,25 @@
 
 namespace footfall {
 
+// A file of a run that is under way cannot be written: full disk, folder gone. The message names the file. Exit code 1.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 class RunFiles {
  public:
   // Makes the folder. The simulation must outlive this. Throws InputError when it cannot be written.
   RunFiles(const Simulation& simulation, const std::string& folder);
 
-  void write(const Sample& sample);                    // what is due
+  void write(const Sample& sample);                    // what is due; throws FileError, NumericalError
   void flush();                                        // rows are on the disk's side
   void write_checkpoint_of(const State& state) const;  // with the voltages of the last sample
   const FlexibleBodies& flexible() const { return observation_.flexible(); }
 
  private:
+  void write_due(const Sample& sample);
+
   const Simulation& simulation_;
   const OutputSpec& output_;
   std::string folder_;

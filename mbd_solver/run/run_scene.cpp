@@ -61,18 +61,29 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     files.flush();
   };
   const auto summarize = [&](const std::string& status, const std::string& reason) {
-    write_summary(options.out + "/summary.json", run_summary(simulation, taker, files.flexible(), status, reason));
+    try {
+      write_summary(options.out + "/summary.json", run_summary(simulation, taker, files.flexible(), status, reason));
+    } catch (const InputError& error) {
+      throw FileError(error.what());
+    }
   };
 
   try {
     simulation.run(observe, interrupted);
   } catch (const std::exception& error) {
-    finish_files();
+    // What cannot be written now is no second message.
+    const auto attempt = [](const auto& write) {
+      try {
+        write();
+      } catch (const std::exception&) {
+      }
+    };
+    attempt(finish_files);
     const bool mendable = dynamic_cast<const InputError*>(&error) || dynamic_cast<const ProtocolError*>(&error);
     if (coupled) coupled->fail(error.what(), mendable ? Status::kBadInput : Status::kFailed);
     if (simulation.state().q.allFinite() && simulation.state().v.allFinite())
-      files.write_checkpoint_of(simulation.state());
-    summarize("failed", error.what());
+      attempt([&] { files.write_checkpoint_of(simulation.state()); });
+    attempt([&] { summarize("failed", error.what()); });
     throw;
   }
   finish_files();
