@@ -6,6 +6,6 @@ using namespace footfall;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return fuzz::feed("summary.json", data, size, [&](const std::string& path) {
     const auto summary = read_summary(path);
-    summary.value("status", "");
+    with_summary_of(path, [&] { return summary.value("status", ""); });
   });
 }

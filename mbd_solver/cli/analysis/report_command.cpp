@@ -39,12 +39,18 @@ void figure(const Json& summary, const char* label, const char* key, double fact
     rows.push_back({label, short_text(factor * summary[key].get<double>()), unit});
 }
 
+// A picture that gnuplot began and did not draw is empty.
+bool has_content(const fs::path& file) {
+  std::error_code error;
+  return fs::file_size(file, error) > 0 && !error;
+}
+
 std::vector<fs::path> pictures_in(const fs::path& folder) {
   std::vector<fs::path> pictures;
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == ".png" && entry.path().stem() != "overview" &&
-        entry.path().filename() != kLedgerPicture)
+        entry.path().filename() != kLedgerPicture && has_content(entry.path()))
       pictures.push_back(entry.path());
   std::sort(pictures.begin(), pictures.end());
   return pictures;
@@ -127,7 +133,7 @@ void show_ledger(const fs::path& folder, HtmlPage& page) {
       "errors. What the grains dissipated is the rest of the work they received; it holds the elastic energy in their "
       "contacts too, and may fall by that much.");
   page.table(rows);
-  if (fs::exists(folder / "plots" / kLedgerPicture))
+  if (has_content(folder / "plots" / kLedgerPicture))
     page.picture((folder / "plots" / kLedgerPicture).string(), "Where the energy is");
 }
 
