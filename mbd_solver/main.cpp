@@ -145,6 +145,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitDone : kExitBadInput;
   }
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write
   end_on_signals("mbd_solver");
 
   // MPI is started only under mpirun: scenes without grains need none.

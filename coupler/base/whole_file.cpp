@@ -1,12 +1,36 @@
 #include "coupler/base/whole_file.h"
 
-#include <filesystem>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
 #include "coupler/base/errors.h"
 
 namespace footfall {
+
+namespace {
+
+// 0, or what went wrong (errno). What has been written is on the disk, so that the name never stands for half of it.
+int write_and_sync(const std::string& path, const std::string& text) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file < 0) return errno;
+  int problem = 0;
+  for (std::size_t done = 0; problem == 0 && done < text.size();) {
+    const ssize_t n = write(file, text.data() + done, text.size() - done);
+    if (n > 0) done += static_cast<std::size_t>(n);
+    if (n < 0 && errno != EINTR) problem = errno;
+  }
+  if (problem == 0 && fsync(file) != 0 && errno != EINVAL && errno != EROFS) problem = errno;  // pipes know no sync
+  if (close(file) != 0 && problem == 0) problem = errno;
+  return problem;
+}
+
+}  // namespace
 
 std::optional<std::string> read_whole_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -18,18 +42,15 @@ std::optional<std::string> read_whole_file(const std::string& path) {
 
 void write_whole_file(const std::string& path, const std::string& text, const std::string& advice) {
   const std::string draft = path + ".part";
-  std::error_code error;
-  {
-    std::ofstream file(draft);
-    file << text;
-    file.close();
-    if (!file) {
-      std::filesystem::remove(draft, error);
-      throw InputError(path + ": cannot be written; " + advice);
-    }
+  if (const int problem = write_and_sync(draft, text); problem != 0) {
+    unlink(draft.c_str());
+    throw InputError(path + ": cannot be written: " + std::strerror(problem) + "; " + advice);
   }
-  std::filesystem::rename(draft, path, error);
-  if (error) throw InputError(path + ": cannot be written: " + error.message());
+  if (std::rename(draft.c_str(), path.c_str()) != 0) {
+    const int problem = errno;
+    unlink(draft.c_str());
+    throw InputError(path + ": cannot be written: " + std::strerror(problem) + "; " + advice);
+  }
 }
 
 }  // namespace footfall

@@ -1,6 +1,6 @@
 #pragma once
-// A file read or written in one go. What is written is there whole or not at all: written beside the target and
-// renamed, so that neither a reader nor a kill meets half of it.
+// A file read or written in one go. What is written is there whole or not at all: written beside the target,
+// synced and renamed, so that neither a reader, a kill nor a full disk leaves half of it.
 
 #include <optional>
 #include <string>

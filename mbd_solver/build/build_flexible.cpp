@@ -20,7 +20,8 @@
 namespace footfall {
 namespace {
 
-constexpr double kSameWeight = 0.01;  // relative: masses in scenes are rounded
+constexpr std::size_t kMostElements = 20000;  // of a plate: minutes
+constexpr double kSameWeight = 0.01;          // relative: masses in scenes are rounded
 
 // A point of D at which something is attached to the body. Joints that hold an attitude need the rotations of their
 // node.
@@ -136,6 +137,9 @@ FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& ma
   const double thickness = spec.thickness > 0.0 ? spec.thickness : shape.thickness;
   if (!spec.mesh.empty()) {
     const TriangleMesh mesh = read_mesh(spec.mesh, spec.mesh_scale);
+    if (mesh.triangles.size() > kMostElements)
+      throw InputError(spec.mesh + ": has " + std::to_string(mesh.triangles.size()) + " triangles, expected at most " +
+                       std::to_string(kMostElements) + " finite elements; use a coarser mesh");
     return plate_model(mesh, thickness, material, spec.mesh);
   }
   const double edge = spec.mesh_size > 0.0 ? spec.mesh_size : shape.radius / 4.0;

@@ -1,6 +1,7 @@
 // footfall: the front door. It only arranges mbd_solver and liggghts_mbd; whatever it does, the line it prints does
 // too.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -209,6 +210,7 @@ int main(int argc, char** argv) {
   CLI::App app{"footfall: a flexible multibody mechanism with controlled dampers touches a bed of particles"};
   app.set_version_flag("--version", std::string("footfall ") + FOOTFALL_VERSION);
   app.require_subcommand(1);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write
   Action action;
   for (const Subcommand& subcommand : kSubcommands) {
     CLI::App* command = app.add_subcommand(subcommand.name, subcommand.what);

@@ -24,7 +24,8 @@ namespace {
 
 std::string status_of(const std::string& out) {
   const fs::path summary = fs::path(out) / "summary.json";
-  return fs::exists(summary) ? read_summary(summary.string()).value("status", "") : "";
+  if (!fs::exists(summary)) return "";
+  return with_summary_of(out, [&] { return read_summary(summary.string()).value("status", ""); });
 }
 
 // What the run's own exit code means to the user; says what nobody else could say. mpirun that was asked to end gives

@@ -93,6 +93,23 @@ Command both_programs(const ParticlesSpec& particles, int ranks, const std::stri
   return command;
 }
 
+// LIGGGHTS takes its scripts apart at blanks, after it has put ${out}, ${bed} and ${here} into them.
+void demand_one_word(const std::string& what, const std::string& path) {
+  if (path.find_first_of(" \t\n\r\"'#&$") == std::string::npos) return;
+  throw InputError(
+      what + " is \"" + path +
+      "\", but LIGGGHTS takes its script apart at blanks and knows \" ' # & $ as marks of its own; expected "
+      "a path without them");
+}
+
+void demand_whole_words(const ParticlesSpec& particles, const std::string& out) {
+  demand_one_word("the folder for results, --out,", out);
+  demand_one_word("the script of the grains", short_path(particles.script));
+  if (!particles.bed) return;
+  demand_one_word("the script of the bed", short_path(particles.bed->script));
+  demand_one_word("the folder of beds (FOOTFALL_CACHE)", cache_folder());
+}
+
 // Scripts of a scene from somebody else run nothing and write into the results' folder only.
 void keep_scripts_safe(const Scene& scene, const RunArguments& a) {
   if (!scene.touches_particles() || a.trust_script) return;
@@ -125,6 +142,7 @@ RunPlan new_run(const RunArguments& a) {
   const Scene scene = checked_scene(a.scene, settings);
   keep_scripts_safe(scene, a);
   const std::string out = short_path(a.out.empty() ? new_run_folder(scene_name(scene.file)) : a.out);
+  if (scene.touches_particles()) demand_whole_words(*scene.particles, out);
   RunPlan plan{scene, out, (fs::path(out) / "liggghts.log").string(), OwnFolder(out, a.force), {}};
   if (!scene.touches_particles()) {
     plan.command.words = solver_words(a, out, "");

@@ -2,10 +2,11 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/folder.h"
+#include "coupler/base/whole_file.h"
 #include "coupler/message_fields.h"
 
 namespace footfall {
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 void write_stl(const std::string& path, const std::string& name, const Eigen::Matrix3Xd& x,
                const std::vector<Eigen::Vector3i>& triangles) {
-  std::ofstream out(path);
+  std::ostringstream out;
   out.precision(17);
   const auto point = [&](const char* word, const Eigen::Vector3d& p) {
     out << word << " " << p.x() << " " << p.y() << " " << p.z() << "\n";
@@ -29,7 +30,7 @@ void write_stl(const std::string& path, const std::string& name, const Eigen::Ma
     out << "endloop\nendfacet\n";
   }
   out << "endsolid " << name << "\n";
-  if (!out.flush()) throw InputError(path + ": cannot be written; is the disk full?");
+  write_whole_file(path, out.str());
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include "mbd_solver/output/history.h"
 
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 
 #include "coupler/base/errors.h"
@@ -15,6 +18,17 @@ namespace {
 
 const std::string kUnitsMark = "# units: ";
 
+[[noreturn]] void throw_bad_row(const std::string& path, int number, const std::string& line,
+                                const std::vector<std::string>& names, std::size_t column) {
+  const std::vector<std::string> cells = split(line, ',');
+  const std::string where = path + ":" + std::to_string(number) + ": ";
+  if (cells.size() != names.size())
+    throw InputError(where + "has " + std::to_string(cells.size()) + " values, expected " +
+                     std::to_string(names.size()));
+  throw InputError(where + "\"" + names[column] + "\" is \"" + cells[column].substr(0, 40) +
+                   "\", expected a finite number");
+}
+
 }  // namespace
 
 HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::string>& names,
@@ -25,6 +39,7 @@ HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::str
   file_.open(path);
   if (!file_) throw InputError(path + ": cannot be written; choose another folder with --out");
   file_ << kUnitsMark << joined(units, ",") << '\n' << joined(names, ",") << '\n';
+  flush();
 }
 
 void HistoryWriter::write(const std::vector<double>& row) {
@@ -42,11 +57,22 @@ void HistoryWriter::write(const std::vector<double>& row) {
     line.append(number, static_cast<std::size_t>(length));
   }
   file_ << line << '\n';
+  flush();
 }
 
 void HistoryWriter::flush() {
+  errno = 0;
   file_.flush();
-  if (!file_) throw InputError(path_ + ": writing failed; is the disk full?");
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path_, error);
+  if (file_ && !error) {
+    whole_ = size;
+    return;
+  }
+  const std::string why = error ? error.message() : errno != 0 ? std::strerror(errno) : "is the disk full?";
+  file_.close();
+  std::filesystem::resize_file(path_, whole_, error);  // half a row is none
+  throw InputError(path_ + ": cannot be written: " + why + "; its rows end before this one");
 }
 
 long HistoryWriter::position() {
@@ -64,6 +90,7 @@ void HistoryWriter::go_on_at(long position) {
   file_.close();
   std::filesystem::resize_file(path_, at, error);
   file_.open(path_, std::ios::in | std::ios::out | std::ios::ate);
+  whole_ = at;
   if (error || !file_) throw InputError(path_ + ": cannot be written");
 }
 
@@ -95,11 +122,16 @@ History read_history(const std::string& path) {
     throw InputError(path + ":2: has " + std::to_string(history.names.size()) + " names for " +
                      std::to_string(history.units.size()) + " units");
   for (int number = 3; std::getline(file, line); ++number) {
-    const std::vector<std::string> cells = split(line, ',');
-    if (cells.size() != history.names.size())
-      throw InputError(path + ":" + std::to_string(number) + ": has " + std::to_string(cells.size()) +
-                       " values, expected " + std::to_string(history.names.size()));
-    for (std::size_t i = 0; i < cells.size(); ++i) history.columns[i].push_back(std::stod(cells[i]));
+    const char* cell = line.c_str();
+    for (std::size_t i = 0; i < history.names.size(); ++i) {
+      char* end = nullptr;
+      const double value = std::strtod(cell, &end);  // the smallest numbers of all count as they are
+      const bool last = i + 1 == history.names.size();
+      if (end == cell || *end != (last ? '\0' : ',') || !std::isfinite(value))
+        throw_bad_row(path, number, line, history.names, i);
+      history.columns[i].push_back(value);
+      cell = end + 1;
+    }
   }
   return history;
 }

@@ -2,6 +2,7 @@
 // history.csv: one row of numbers per output time. First line "# units: s,m,...", second the column names, then the
 // rows.
 
+#include <cstdint>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -20,9 +21,10 @@ class HistoryWriter {
                 Beginning beginning = Beginning::kNew);
 
   // One row, in the order of the names. Throws NumericalError, naming the column and time, when a value is not finite:
-  // a file never holds one.
+  // a file never holds one. Throws as flush.
   void write(const std::vector<double>& row);
-  // Everything written so far is on the disk's side. Throws InputError when the disk is full.
+  // Everything written so far is in the file; each row is when `write` returns. Throws InputError when it cannot be
+  // written (full disk, folder gone); the file then ends with the last whole row.
   void flush();
   // Bytes so far, all of them on the disk itself: a run that is resumed goes on there. Throws as flush().
   long position();
@@ -33,6 +35,7 @@ class HistoryWriter {
   std::string path_;
   std::vector<std::string> names_;
   std::ofstream file_;
+  std::uintmax_t whole_ = 0;  // size of the whole rows [bytes]
 };
 
 // A history read back: for plots, reports and tests.

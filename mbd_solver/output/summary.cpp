@@ -26,11 +26,18 @@ void write_summary(const std::string& path, const nlohmann::ordered_json& summar
   write_whole_file(path, summary.dump(2) + "\n");
 }
 
+void throw_incomplete_summary(const std::string& folder, const std::string& what) {
+  throw InputError(folder + "/summary.json: is not the whole summary of a run (" + what +
+                   "); was it cut, or written by hand?");
+}
+
 nlohmann::ordered_json read_summary(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw InputError(path + ": cannot be read; expected the summary.json of a run");
   try {
-    return nlohmann::ordered_json::parse(file);
+    const nlohmann::ordered_json summary = nlohmann::ordered_json::parse(file);
+    if (!summary.is_object()) throw InputError(path + ": is not the summary of a run: it holds no { ... }");
+    return summary;
   } catch (const nlohmann::json::exception& e) {
     throw InputError(path + ": is not the summary of a run: " + e.what());
   }

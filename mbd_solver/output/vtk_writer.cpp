@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/whole_file.h"
 
 namespace footfall {
 namespace {
@@ -63,8 +64,9 @@ void add_cells(pugi::xml_node piece, const VtkFrame& frame) {
 }
 
 void save(const pugi::xml_document& document, const std::string& path) {
-  if (!document.save_file(path.c_str(), " "))
-    throw InputError(path + ": cannot be written; choose another folder with --out");
+  std::ostringstream text;
+  document.save(text, " ");
+  write_whole_file(path, text.str());
 }
 
 pugi::xml_node loaded(pugi::xml_document& document, const std::string& path, const char* kind) {

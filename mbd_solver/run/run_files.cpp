@@ -26,6 +26,14 @@ RunFiles::RunFiles(const Simulation& simulation, const std::string& folder, Begi
 
 // Rows and pictures come at the first window end at or after each multiple of their interval.
 void RunFiles::write(const Sample& sample) {
+  try {
+    write_due(sample);
+  } catch (const InputError& error) {
+    throw FileError(error.what());
+  }
+}
+
+void RunFiles::write_due(const Sample& sample) {
   const double time = sample.state.time;
   if (rows_.take_turn(time) || sample.last) history_.write(observation_.row(sample));
   if (motion_) motion_->write(sample);

@@ -3,6 +3,7 @@
 // next turn is.
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "mbd_solver/observe/drawing.h"
@@ -14,18 +15,26 @@
 
 namespace footfall {
 
+// A file of a run that is under way cannot be written: full disk, folder gone. The message names the file. Exit code 1.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 class RunFiles {
  public:
   // Makes the folder. The simulation must outlive this. kResume: the files stand there, and visit() says where they go
   // on. Throws InputError when it cannot be written.
   RunFiles(const Simulation& simulation, const std::string& folder, Beginning beginning);
 
-  void write(const Sample& sample);  // what is due
+  void write(const Sample& sample);  // what is due; throws FileError, NumericalError
   void flush();                      // rows are on the disk's side
   void visit(Archive& archive);
   const FlexibleBodies& flexible() const { return observation_.flexible(); }
 
  private:
+  void write_due(const Sample& sample);
+
   std::string folder_;
   Observation observation_;
   HistoryWriter history_;

@@ -76,15 +76,23 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   Keeper keep;
   keep.begin = [&](long windows) { return folder = checkpoints.begin(windows); };
   keep.finish = [&] {
-    write_checkpoint(folder, scene, options.until, options.ranks, visit);
-    checkpoints.finish();
+    try {
+      write_checkpoint(folder, scene, options.until, options.ranks, visit);
+      checkpoints.finish();
+    } catch (const InputError& error) {
+      throw FileError(error.what());
+    }
   };
   const auto finish_files = [&] {
     progress.finish();
     files.flush();
   };
   const auto summarize = [&](const std::string& status, const std::string& reason) {
-    write_summary(options.out + "/summary.json", run_summary(simulation, taker, files.flexible(), status, reason));
+    try {
+      write_summary(options.out + "/summary.json", run_summary(simulation, taker, files.flexible(), status, reason));
+    } catch (const InputError& error) {
+      throw FileError(error.what());
+    }
   };
 
   std::string why = "interrupted by the user";
@@ -92,12 +100,19 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   try {
     simulation.run(observe, interrupted, keep);
   } catch (const std::exception& error) {
-    finish_files();
+    // What cannot be written now is no second message.
+    const auto attempt = [](const auto& write) {
+      try {
+        write();
+      } catch (const std::exception&) {
+      }
+    };
+    attempt(finish_files);
     // A partner that is gone after a signal has had it, too.
     const bool gone = dynamic_cast<const PartnerError*>(&error) != nullptr;
     if (!dynamic_cast<const Interrupted*>(&error) && !(gone && interrupted != 0)) {
       const bool mendable = dynamic_cast<const InputError*>(&error) || dynamic_cast<const ProtocolError*>(&error);
-      summarize("failed", error.what());
+      attempt([&] { summarize("failed", error.what()); });
       if (coupled) coupled->fail(error.what(), mendable ? Status::kBadInput : Status::kFailed);
       throw;
     }

@@ -7,6 +7,8 @@ namespace footfall {
 
 namespace {
 
+constexpr int kMostCopies = 1000;
+
 bool replace_all(std::string& text, const std::string& from, const std::string& to) {
   bool found = false;
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
@@ -142,6 +144,11 @@ void apply_arrays(Scene& scene, Findings& findings) {
   std::vector<std::string> names;
   for (const ArraySpec& array : scene.arrays) {
     names.push_back(array.name);
+    if (array.count > kMostCopies) {
+      findings.error(array.source, "count",
+                     "is " + std::to_string(array.count) + ", expected at most " + std::to_string(kMostCopies));
+      continue;
+    }
     copy_entries(scene.bodies, array);
     copy_entries(scene.joints, array);
     copy_entries(scene.struts, array);

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/scene/read_apart.h"
 
 namespace footfall {
 
@@ -16,6 +19,8 @@ namespace {
 
 // Vertices nearer than this share of the mesh's size are one: STL repeats each vertex, rounded to single precision.
 constexpr double kWeldTolerance = 1e-6;
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
+constexpr std::size_t kMostTriangles = 100000;
 
 void check_format(const std::string& file) {
   std::string extension = std::filesystem::path(file).extension().string();
@@ -27,28 +32,40 @@ void check_format(const std::string& file) {
   if (!std::filesystem::is_regular_file(file, ignored)) throw InputError(file + ": there is no such mesh file");
 }
 
-}  // namespace
+// Size of the file [bytes].
+std::uintmax_t checked_size(const std::string& file) {
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+  if (error) throw InputError(file + ": cannot be read: " + error.message());
+  if (bytes == 0) throw InputError(file + ": is empty, expected a mesh");
+  if (bytes > kMostBytes)
+    throw InputError(file + ": has " + std::to_string(bytes >> 20) + " MB, expected a mesh of at most " +
+                     std::to_string(kMostBytes >> 20) + " MB");
+  return bytes;
+}
 
-TriangleMesh read_mesh(const std::string& file, double scale) {
-  check_format(file);
+void demand_affordable(const std::string& file, std::size_t triangles) {
+  if (triangles > kMostTriangles)
+    throw InputError(file + ": has " + std::to_string(triangles) + " triangles, expected at most " +
+                     std::to_string(kMostTriangles) + ": every node costs in every step; use a coarser mesh");
+}
+
+// As the library reads it, each triangle with corners of its own or not.
+TriangleMesh read_raw(const std::string& file) {
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   // Points and lines are dropped; degenerate triangles stay, so that the mesh check can name them.
   const aiScene* read =
       importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_SortByPType);
   if (!read) throw InputError(file + ": cannot be read as a mesh: " + importer.GetErrorString());
-
   TriangleMesh mesh;
-  Eigen::AlignedBox3d box;
   for (unsigned m = 0; m < read->mNumMeshes; ++m) {
     const aiMesh& part = *read->mMeshes[m];
+    demand_affordable(file, mesh.triangles.size() + part.mNumFaces);
     const int first = static_cast<int>(mesh.vertices.size());
     for (unsigned i = 0; i < part.mNumVertices; ++i) {
       const aiVector3D& v = part.mVertices[i];
-      mesh.vertices.push_back(scale * Eigen::Vector3d(v.x, v.y, v.z));
-      if (!mesh.vertices.back().allFinite())
-        throw InputError(file + ": vertex " + std::to_string(i) + " has a coordinate that is no number");
-      box.extend(mesh.vertices.back());
+      mesh.vertices.emplace_back(v.x, v.y, v.z);
     }
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
       const aiFace& face = part.mFaces[i];
@@ -58,7 +75,57 @@ TriangleMesh read_mesh(const std::string& file, double scale) {
       mesh.triangles.push_back(corners + Eigen::Vector3i::Constant(first));
     }
   }
+  return mesh;
+}
+
+template <class Vector>
+std::string as_bytes(const std::vector<Vector>& list) {
+  std::string bytes(sizeof(std::size_t) + list.size() * sizeof(Vector), '\0');
+  const std::size_t count = list.size();
+  std::memcpy(&bytes[0], &count, sizeof count);
+  if (count > 0) std::memcpy(&bytes[sizeof count], list.data(), count * sizeof(Vector));
+  return bytes;
+}
+
+// Takes the list from `bytes` at `at`, which moves on.
+template <class Vector>
+std::vector<Vector> from_bytes(const std::string& bytes, std::size_t& at) {
+  std::size_t count = 0;
+  FOOTFALL_DEMAND(bytes.size() >= at + sizeof count);
+  std::memcpy(&count, &bytes[at], sizeof count);
+  at += sizeof count;
+  FOOTFALL_DEMAND((bytes.size() - at) / sizeof(Vector) >= count);
+  std::vector<Vector> list(count);
+  if (count > 0) std::memcpy(static_cast<void*>(list.data()), &bytes[at], count * sizeof(Vector));
+  at += count * sizeof(Vector);
+  return list;
+}
+
+}  // namespace
+
+TriangleMesh read_mesh(const std::string& file, double scale) {
+  check_format(file);
+  const std::string bytes = read_apart(file, checked_size(file), [&] {
+    const TriangleMesh raw = read_raw(file);
+    return as_bytes(raw.vertices) + as_bytes(raw.triangles);
+  });
+  TriangleMesh mesh;
+  std::size_t at = 0;
+  mesh.vertices = from_bytes<Eigen::Vector3d>(bytes, at);
+  mesh.triangles = from_bytes<Eigen::Vector3i>(bytes, at);
   if (mesh.triangles.empty()) throw InputError(file + ": holds no triangles");
+  const int count = static_cast<int>(mesh.vertices.size());
+  for (const Eigen::Vector3i& triangle : mesh.triangles)
+    if (triangle.minCoeff() < 0 || triangle.maxCoeff() >= count)
+      throw InputError(file + ": a triangle names vertex " + std::to_string(triangle.maxCoeff()) + " of " +
+                       std::to_string(count) + "; the file is damaged");
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    mesh.vertices[i] *= scale;
+    if (!mesh.vertices[i].allFinite())
+      throw InputError(file + ": vertex " + std::to_string(i) + " has a coordinate that is no number");
+    box.extend(mesh.vertices[i]);
+  }
   return welded(mesh, kWeldTolerance * box.diagonal().norm());
 }
 

@@ -128,6 +128,7 @@ void check_scene(const Scene& scene, Findings& findings) {
   check_struts(scene, findings);
   check_springs(scene, findings);
   check_contact(scene, findings);
+  check_limits(scene, findings);
   if (scene.particles && scene.touches_particles()) check_script(scene, findings);
 }
 

@@ -16,6 +16,8 @@ void check_struts(const Scene& scene, Findings& findings);
 void check_springs(const Scene& scene, Findings& findings);
 void check_controllers(const Scene& scene, Findings& findings);
 void check_contact(const Scene& scene, Findings& findings);
+// Counts and sizes beyond reason.
+void check_limits(const Scene& scene, Findings& findings);
 // The LIGGGHTS script as text: its time step, and that it couples at all.
 void check_script(const Scene& scene, Findings& findings);
 

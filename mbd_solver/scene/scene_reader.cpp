@@ -4,6 +4,7 @@
 #include "coupler/base/whole_file.h"
 
 #include <toml++/toml.h>
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -70,6 +71,28 @@ ConfigNode parse_value(const std::string& text) {
   return node;
 }
 
+constexpr int kMostParts = 100;  // of a dotted key
+
+int dots_in(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '.')); }
+
+// The library takes a key apart by calling itself for each of its parts.
+void demand_flat_keys(const std::string& file, const std::string& text) {
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (static_cast<int>(line.size()) <= kMostParts || dots_in(line) <= kMostParts) continue;
+    for (std::size_t begin = 0; begin < line.size();) {  // keys stand before "=" and within "[" and "]"
+      const std::size_t end = std::min(line.find_first_of("=],{}", begin), line.size());
+      const bool key = end < line.size() && line[end] != ',';
+      if (key && dots_in(line.substr(begin, end - begin)) > kMostParts)
+        throw InputError(file + ":" + std::to_string(number) + ": a key has more than " + std::to_string(kMostParts) +
+                         " parts between dots, expected a few");
+      begin = end + 1;
+    }
+  }
+}
+
 // The entry `name` of a list of tables, by name or by index from 0; null after a finding.
 ConfigNode* list_entry(ConfigNode& list, const std::string& name, const std::string& path, Findings& findings) {
   std::vector<std::string> names;
@@ -90,6 +113,7 @@ ConfigNode* list_entry(ConfigNode& list, const std::string& name, const std::str
 ConfigNode parse_toml_file(const std::string& file) {
   const std::optional<std::string> text = read_whole_file(file);
   if (!text) throw InputError(file + ": cannot be read; expected a scene file (TOML)");
+  demand_flat_keys(file, *text);
   try {
     return convert(toml::parse(*text, file));
   } catch (const toml::parse_error& e) {
@@ -105,6 +129,11 @@ void apply_setting(ConfigNode& root, const std::string& setting, Findings& findi
     return;
   }
   const std::string path = setting.substr(0, equals);
+  if (dots_in(path) > kMostParts) {
+    findings.error(Source::kFromSet, path.substr(0, 60) + "...",
+                   "has more than " + std::to_string(kMostParts) + " parts between dots, expected a few");
+    return;
+  }
   ConfigNode* node = &root;
   std::istringstream parts(path);
   for (std::string part; std::getline(parts, part, '.');) {

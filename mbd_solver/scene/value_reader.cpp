@@ -24,11 +24,16 @@ std::string with_unit(const std::string& what, const Rule& rule) {
   return unit.empty() ? what : what + " [" + unit + "]";
 }
 
+// Beyond these a product of two numbers may be lost.
+constexpr double kSmallest = 1e-100, kLargest = 1e100;
+
 // In SI; what is out of range is described in SI as well.
 std::string check_range(double value, const Rule& rule) {
   const std::string unit = unit_name(rule.unit);
   const std::string is = "is " + number_text(value) + (unit.empty() ? "" : " " + unit);
   if (!std::isfinite(value)) return is + ", expected a finite number";
+  if (value != 0.0 && !(std::abs(value) >= kSmallest && std::abs(value) <= kLargest))
+    return is + ", expected 0 or a size from " + number_text(kSmallest) + " to " + number_text(kLargest);
   switch (rule.range) {
     case Range::kAny: break;
     case Range::kPositive: return value > 0.0 ? "" : is + ", expected more than 0";

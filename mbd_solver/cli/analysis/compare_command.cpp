@@ -102,12 +102,12 @@ void run_stock(const Json& particles, const fs::path& out, bool quiet) {
   Command command = mpirun();
   command.words.insert(command.words.end(), {"-np", std::to_string(particles.value("ranks", 1)), "liggghts", "-in",
                                              (out / "in.stock").string()});
-  const std::string script = particles["script"];
+  const std::string script = particles.at("script");
   std::map<std::string, std::string> variables = particles.value("variables", std::map<std::string, std::string>{});
   const std::vector<std::string> rest = script_arguments(script, variables);
   command.words.insert(command.words.end(), rest.begin() + 2, rest.end());  // without -in SCRIPT
   command.words.insert(command.words.end(), {"-var", "out", out.string()});
-  const std::string grains = particles["grains"].is_string() ? particles["grains"].get<std::string>() : "",
+  const std::string grains = particles.at("grains").is_string() ? particles.at("grains").get<std::string>() : "",
                     ending = ".grains";
   if (grains.size() > ending.size() && grains.compare(grains.size() - ending.size(), ending.size(), ending) == 0)
     command.words.insert(command.words.end(), {"-var", "bed", grains.substr(0, grains.size() - ending.size())});
@@ -159,15 +159,13 @@ std::string plot_script(const fs::path& folder, const std::string& name, const s
   return name + ".gp";
 }
 
-}  // namespace
-
-int compare_command(const std::string& run, const std::string& other, bool trust_script, bool quiet) {
+int compare(const std::string& run, const std::string& other, bool trust_script, bool quiet) {
   const Json summary = coupled_summary(run);
-  const double dt = summary["dt_dem_s"];
+  const double dt = summary.at("dt_dem_s");
   const fs::path out = fs::absolute(fs::path(run) / "compare").lexically_normal();
   // Stock LIGGGHTS will run the script; the summary may come from somebody else.
   if (other.empty() && !trust_script) {
-    const Json& particles = summary["scene"]["particles"];
+    const Json& particles = summary.at("scene").at("particles");
     demand_safe_script(particles.value("script", ""),
                        particles.value("variables", std::map<std::string, std::string>{}));
   }
@@ -180,18 +178,19 @@ int compare_command(const std::string& run, const std::string& other, bool trust
   std::string remark;
   if (other.empty()) {
     const std::string motion = fs::absolute(fs::path(run) / "motion").lexically_normal().string();
-    const Replay replay = stock_replay(summary["scene"]["particles"]["script"], motion, out.string(), dt);
+    const Replay replay = stock_replay(summary.at("scene").at("particles").at("script"), motion, out.string(), dt);
     write(out / "in.stock", replay.script);
     for (const auto& [name, text] : replay.files) write(out / name, text);
-    run_stock(summary["scene"]["particles"], out, quiet);
+    run_stock(summary.at("scene").at("particles"), out, quiet);
     bodies = replay.bodies;
     second = stock_run(out, replay, dt);
     remark = where_movers_end(run, replay);
   } else {
     const Json theirs = coupled_summary(other);
-    if (theirs["dt_dem_s"] != summary["dt_dem_s"])
-      throw InputError(other + ": its grains were moved in steps of " + theirs["dt_dem_s"].dump() + " s, those of " +
-                       run + " in steps of " + summary["dt_dem_s"].dump() + " s: there are no common steps to compare");
+    if (theirs.at("dt_dem_s") != summary.at("dt_dem_s"))
+      throw InputError(other + ": its grains were moved in steps of " + theirs.at("dt_dem_s").dump() + " s, those of " +
+                       run + " in steps of " + summary.at("dt_dem_s").dump() +
+                       " s: there are no common steps to compare");
     for (const std::string& body : recorded_bodies((fs::path(run) / "motion").string()))
       if (fs::exists(fs::path(other) / "motion" / (body + ".csv"))) bodies.push_back(body);
     second = coupled_run(other, other, bodies);
@@ -228,6 +227,12 @@ int compare_command(const std::string& run, const std::string& other, bool trust
     for (const std::string& picture : pictures) std::printf("       %s\n", short_path(picture).c_str());
   }
   return kExitDone;
+}
+
+}  // namespace
+
+int compare_command(const std::string& run, const std::string& other, bool trust_script, bool quiet) {
+  return with_summary_of(run, [&] { return compare(run, other, trust_script, quiet); });
 }
 
 }  // namespace footfall

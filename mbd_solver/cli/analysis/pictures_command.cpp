@@ -37,9 +37,9 @@ std::size_t nearest(const std::vector<double>& times, double t) {
 // Radii of the tubes and rods, by the number of the body.
 std::vector<double> radii_of(const Json& summary) {
   std::vector<double> radii;
-  for (const Json& body : summary["scene"].value("bodies", Json::array())) {
+  for (const Json& body : summary.at("scene").value("bodies", Json::array())) {
     const double diameter =
-        body.contains("shape") && body["shape"].is_object() ? body["shape"].value("diameter", 0.0) : 0.0;
+        body.contains("shape") && body.at("shape").is_object() ? body.at("shape").value("diameter", 0.0) : 0.0;
     radii.push_back(diameter > 0.0 ? 0.5 * diameter : kThinLine);
   }
   return radii;
@@ -107,7 +107,7 @@ std::vector<Moment> read_moments(const PicturesArguments& a, const Json& summary
     throw InputError(a.run +
                      ": holds no dumps of grains; run the scene with frames, as --set particles.variables.frames=0.05 "
                      "does for inputs/landing_mr");
-  const double dt = summary["dt_dem_s"];
+  const double dt = summary.at("dt_dem_s");
   std::vector<double> times;
   std::vector<std::string> files;
   for (const auto& [step, file] : frames) {
@@ -137,9 +137,7 @@ std::vector<Moment> read_moments(const PicturesArguments& a, const Json& summary
   return moments;
 }
 
-}  // namespace
-
-int pictures_command(const PicturesArguments& a) {
+int draw_pictures(const PicturesArguments& a) {
   const fs::path folder(a.run);
   if (!fs::exists(folder / "summary.json"))
     throw InputError(a.run + ": holds no summary.json; expected the folder of a run");
@@ -168,7 +166,7 @@ int pictures_command(const PicturesArguments& a) {
 
   const MadeFiles made(a.run);
   const std::string out = (folder / "pictures").string();
-  const std::string title = summary.contains("scene") ? summary["scene"].value("title", "") : "";
+  const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
   std::vector<std::string> scripts;
   for (const Moment& moment : moments) {
     char name[64], words[160];
@@ -184,6 +182,12 @@ int pictures_command(const PicturesArguments& a) {
   }
   for (const std::string& picture : run_gnuplot(out, scripts)) std::printf("%s\n", short_path(picture).c_str());
   return kExitDone;
+}
+
+}  // namespace
+
+int pictures_command(const PicturesArguments& a) {
+  return with_summary_of(a.run, [&] { return draw_pictures(a); });
 }
 
 }  // namespace footfall

@@ -9,6 +9,7 @@
 #include "coupler/base/folder.h"
 #include "coupler/base/quote.h"
 #include "coupler/base/whole_file.h"
+#include "mbd_solver/cli/analysis/reduced_rows.h"
 
 namespace footfall {
 
@@ -18,7 +19,10 @@ bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-std::string column(const std::string& name) { return "column(" + gnuplot_text(name) + ")"; }
+constexpr double kKilo = 1e-3;
+
+// factor times one column
+Formula of(const std::string& column, double factor = 1.0) { return {{{1.0, column}}, 0.0, factor}; }
 
 // "energy.kinetic" -> "kinetic", "dissipated.mr_yield" -> "mr yield"
 std::string words_after_dot(const std::string& name) {
@@ -34,12 +38,10 @@ double largest(const History& history, const std::string& name) {
 }
 
 // Curves for every column that ends so, by the name before it.
-std::vector<Curve> curves_of(const History& history, const std::string& ending, const std::string& before,
-                             const std::string& after) {
+std::vector<Curve> curves_of(const History& history, const std::string& ending, double factor) {
   std::vector<Curve> curves;
   for (const std::string& name : history.names) {
-    if (ends_with(name, ending))
-      curves.push_back({name.substr(0, name.size() - ending.size()), "(" + before + column(name) + after + ")"});
+    if (ends_with(name, ending)) curves.push_back({name.substr(0, name.size() - ending.size()), of(name, factor)});
   }
   return curves;
 }
@@ -54,10 +56,9 @@ std::string first_accelerated(const History& history) {
 // Magnitude of the contact force on each body.
 std::vector<Curve> contact_curves(const History& history) {
   std::vector<Curve> curves;
-  for (const Curve& z : curves_of(history, ".contact.fz", "", "")) {
+  for (const Curve& z : curves_of(history, ".contact.fz", 1.0)) {
     const std::string b = z.title + ".contact.f";
-    curves.push_back(
-        {z.title, "(sqrt(" + column(b + "x") + "**2+" + column(b + "y") + "**2+" + column(b + "z") + "**2)/1000)"});
+    curves.push_back({z.title, {{{1.0, b + "x"}, {1.0, b + "y"}, {1.0, b + "z"}}, 0.0, kKilo, true}});
   }
   return curves;
 }
@@ -72,7 +73,7 @@ std::vector<Curve> energy_curves(const History& history, const std::string& star
   }
   for (const std::string& name : history.names) {
     if (name.rfind(start, 0) == 0 && largest(history, name) > kVisible * scale)
-      curves.push_back({words_after_dot(name), "(" + column(name) + "/1000)"});
+      curves.push_back({words_after_dot(name), of(name, kKilo)});
   }
   return curves;
 }
@@ -81,7 +82,7 @@ std::vector<Curve> dissipation_curves(const History& history) {
   std::vector<Curve> curves = energy_curves(history, "dissipated.");
   const bool grains = history.find("coupling.energy_residual") >= 0;
   if (grains && largest(history, "work.contact") > 0.0)
-    curves.push_back({"taken by the grains", "(-" + column("work.contact") + "/1000)"});
+    curves.push_back({"taken by the grains", of("work.contact", -kKilo)});
   return curves;
 }
 
@@ -121,7 +122,7 @@ std::string data_blocks(const std::vector<Figure>& figures) {
       if (i % kBlockCurves == 0)
         text << "set table " << block_name(figure, i) << " separator tab\nplot " << gnuplot_text(figure.file)
              << " using (column(\"time\"))";
-      text << ":" << figure.curves[i].expression;
+      text << ":" << figure.curves[i].formula.gnuplot();
       if (i % kBlockCurves == kBlockCurves - 1 || i + 1 == figure.curves.size()) text << " with table\nunset table\n";
     }
   }
@@ -187,26 +188,20 @@ std::vector<Figure> standard_figures(const History& history, const std::string& 
   const std::string body = known ? observed : first_accelerated(history);
   std::vector<Figure> figures;
   if (!body.empty() && !history.columns.front().empty()) {
-    std::ostringstream start;
-    start.precision(12);
-    start << history.column(body + ".z").front();
+    const double start = history.column(body + ".z").front();
     figures.push_back({"acceleration",
                        "Acceleration of " + body,
                        "vertical acceleration [g]",
-                       {{body, "(" + column(body + ".az") + "/9.80665)"}}});
-    figures.push_back(
-        {"velocity", "Velocity of " + body, "vertical velocity [m/s]", {{body, "(" + column(body + ".vz") + ")"}}});
-    figures.push_back({"descent",
-                       "Descent of " + body,
-                       "descent [m]",
-                       {{body, "(" + start.str() + "-" + column(body + ".z") + ")"}}});
+                       {{body, of(body + ".az", 1.0 / 9.80665)}}});
+    figures.push_back({"velocity", "Velocity of " + body, "vertical velocity [m/s]", {{body, of(body + ".vz")}}});
+    figures.push_back({"descent", "Descent of " + body, "descent [m]", {{body, {{{-1.0, body + ".z"}}, start}}}});
   }
   figures.push_back({"energy", "Mechanical energy and its parts", "energy [kJ]", energy_curves(history, "energy.")});
   figures.push_back({"dissipation", "Where the energy went", "energy [kJ]", dissipation_curves(history)});
   figures.push_back(
-      {"strokes", "Strut strokes, compression positive", "stroke [m]", curves_of(history, ".stroke", "", "")});
+      {"strokes", "Strut strokes, compression positive", "stroke [m]", curves_of(history, ".stroke", 1.0)});
   figures.push_back(
-      {"strut_forces", "Strut forces, compression positive", "force [kN]", curves_of(history, ".force", "", "/1000")});
+      {"strut_forces", "Strut forces, compression positive", "force [kN]", curves_of(history, ".force", kKilo)});
   figures.push_back({"contact_forces", "Contact forces", "force on the body [kN]", contact_curves(history)});
   figures.erase(std::remove_if(figures.begin(), figures.end(), [](const Figure& f) { return f.curves.empty(); }),
                 figures.end());
@@ -253,21 +248,39 @@ Figure ledger_figure(const History& ledger) {
     range.emplace_back(*low, *high);
     scale = std::max(scale, *high - *low);
   }
-  std::string edge;  // upper edge of the band
+  Formula edge{{}, 0.0, kKilo};  // upper edge of the band
   Figure figure{"ledger", "Where the energy is, each part from its lowest value", "energy [kJ]", {}, "../ledger.csv",
                 true};
   for (std::size_t i = 0; i < bands.size(); ++i) {
     if (!(range[i].second - range[i].first > kVisible * scale)) continue;
-    std::ostringstream expression;
-    expression.precision(12);
-    expression << "((";
-    for (std::size_t j = 0; j < bands[i].columns.size(); ++j)
-      expression << (j ? "+" : "") << column(bands[i].columns[j]);
-    expression << "-(" << range[i].first << "))/1000)";
-    edge += (edge.empty() ? "" : "+") + expression.str();
-    figure.curves.push_back({bands[i].title, "(" + edge + ")", bands[i].colour});
+    for (const std::string& name : bands[i].columns) edge.columns.emplace_back(1.0, name);
+    edge.constant -= range[i].first;
+    figure.curves.push_back({bands[i].title, edge, bands[i].colour});
   }
   return figure;
+}
+
+void reduce_long_figures(std::vector<Figure>& figures, const History& history, const std::string& folder) {
+  constexpr std::size_t kSpans = 2000;  // more than a picture has pixels
+  const std::vector<double>& time = history.column("time");
+  if (time.size() <= 2 * kSpans) return;
+  make_folder(folder);
+  const std::vector<std::size_t> rows = rows_to_draw(time, kSpans);
+  for (Figure& figure : figures) {
+    History drawn;
+    drawn.names = {"time"};
+    drawn.units = {"s"};
+    drawn.columns.resize(1);
+    for (const std::size_t row : rows) drawn.columns.front().push_back(time[row]);
+    for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+      drawn.columns.push_back(drawn_values(figure.curves[i].formula.values(history), rows));
+      drawn.names.push_back("curve_" + std::to_string(i + 1));
+      drawn.units.push_back(figure.axis);
+      figure.curves[i].formula = of(drawn.names.back());
+    }
+    figure.file = figure.name + ".csv";
+    write_history((std::filesystem::path(folder) / figure.file).string(), drawn);
+  }
 }
 
 std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures,

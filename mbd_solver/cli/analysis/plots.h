@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/cli/analysis/formula.h"
 #include "mbd_solver/output/history.h"
 
 namespace footfall {
 
 struct Curve {
   std::string title;
-  std::string expression;   // of columns, as gnuplot takes it: (-column("cabin.vz"))
+  Formula formula;
   std::string colour = "";  // #rrggbb; empty: the next of the cycle
 };
 
@@ -32,6 +33,10 @@ std::vector<Figure> standard_figures(const History& history, const std::string& 
 // Where the energy is, as bands whose sum is constant; parts too small to be seen are left out. `ledger`: as
 // energy_ledger makes it.
 Figure ledger_figure(const History& ledger);
+
+// Figures of a history with more rows than a picture can show draw NAME.csv in `folder` instead, which this writes: the
+// lowest and the highest value of each span of time. gnuplot needs minutes for long ones.
+void reduce_long_figures(std::vector<Figure>& figures, const History& history, const std::string& folder);
 
 // One script per figure and `overview.gp` with all of them on one page, in `folder`. Returns their file names. Throws
 // InputError when the folder cannot be written.

@@ -39,12 +39,18 @@ void figure(const Json& summary, const char* label, const char* key, double fact
     rows.push_back({label, short_text(factor * summary[key].get<double>()), unit});
 }
 
+// A picture that gnuplot began and did not draw is empty.
+bool has_content(const fs::path& file) {
+  std::error_code error;
+  return fs::file_size(file, error) > 0 && !error;
+}
+
 std::vector<fs::path> pictures_in(const fs::path& folder) {
   std::vector<fs::path> pictures;
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == ".png" && entry.path().stem() != "overview" &&
-        entry.path().filename() != kLedgerPicture)
+        entry.path().filename() != kLedgerPicture && has_content(entry.path()))
       pictures.push_back(entry.path());
   std::sort(pictures.begin(), pictures.end());
   return pictures;
@@ -62,7 +68,7 @@ void show_summary(const Json& summary, HtmlPage& page) {
   const std::string status = summary.value("status", "unknown");
   if (status != "done")
     page.warning("This run is not complete: " + status +
-                 (summary.contains("reason") ? ": " + summary["reason"].get<std::string>() : ""));
+                 (summary.contains("reason") ? ": " + summary.at("reason").get<std::string>() : ""));
   Rows rows = {{"figure", "value", "unit"}};
   figure(summary, "simulated time", "end_time_s", 1.0, "s", rows);
   figure(summary, "peak acceleration", "peak_acceleration_g", 1.0, "g", rows);
@@ -99,7 +105,7 @@ void show_quality(const Json& summary, HtmlPage& page) {
       "Largest omega H of each coupled body: its contact frequency times the window. Below one half the windows are "
       "small enough, above two they are unstable.");
   rows = {{"body", "omega H"}};
-  for (const auto& [body, value] : summary["max_omega_h"].items())
+  for (const auto& [body, value] : summary.at("max_omega_h").items())
     rows.push_back({body, short_text(value.get<double>())});
   page.table(rows);
 }
@@ -127,7 +133,7 @@ void show_ledger(const fs::path& folder, HtmlPage& page) {
       "errors. What the grains dissipated is the rest of the work they received; it holds the elastic energy in their "
       "contacts too, and may fall by that much.");
   page.table(rows);
-  if (fs::exists(folder / "plots" / kLedgerPicture))
+  if (has_content(folder / "plots" / kLedgerPicture))
     page.picture((folder / "plots" / kLedgerPicture).string(), "Where the energy is");
 }
 
@@ -148,10 +154,11 @@ std::vector<fs::path> sources_of(const Json& summary) {
       if (fs::is_directory(next)) next /= "scene.toml";
     }
   }
-  const Json& scene = summary["scene"];
-  if (!scene.contains("particles") || !scene["particles"].is_object()) return files;
-  std::vector<fs::path> scripts = {scene["particles"].value("script", "")};
-  if (scene["particles"]["bed"].is_object()) scripts.emplace_back(scene["particles"]["bed"].value("script", ""));
+  const Json& scene = summary.at("scene");
+  if (!scene.contains("particles") || !scene.at("particles").is_object()) return files;
+  std::vector<fs::path> scripts = {scene.at("particles").value("script", "")};
+  if (scene.at("particles").at("bed").is_object())
+    scripts.emplace_back(scene.at("particles").at("bed").value("script", ""));
   for (const fs::path& script : scripts) {
     if (!fs::is_regular_file(script)) continue;
     files.push_back(script);
@@ -190,7 +197,7 @@ void show_scene(const Json& summary, HtmlPage& page) {
   if (rows.size() > 1) page.table(rows);
   for (const fs::path& file : files)
     page.folded((file.parent_path().filename() / file.filename()).string() + ", as it is now", contents(file), kMarks);
-  page.folded("the scene as it was run, with all defaults", summary["scene"].dump(2));
+  page.folded("the scene as it was run, with all defaults", summary.at("scene").dump(2));
 }
 
 void show_versions(const Json& summary, HtmlPage& page) {
@@ -208,7 +215,7 @@ std::string run_page(const fs::path& folder) {
   const bool ledger = fs::exists(folder / "ledger.csv") || write_ledger(folder.string());
   if (ledger && !fs::exists(folder / "plots" / kLedgerPicture)) make_pictures(folder.string());
   const Json summary = read_summary((folder / "summary.json").string());
-  const std::string title = summary.contains("scene") ? summary["scene"].value("title", "") : "";
+  const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
   HtmlPage page(title.empty() ? folder.filename().string() : title);
   page.paragraph("Run " + folder.string());
   show_summary(summary, page);
@@ -256,7 +263,12 @@ std::string sweep_page(const fs::path& folder) {
   std::sort(runs.begin(), runs.end());
   Json last;
   for (const fs::path& run : runs) {
-    last = read_summary((run / "summary.json").string());
+    try {
+      last = read_summary((run / "summary.json").string());
+    } catch (const InputError&) {  // cut short: one run of many
+      rows.push_back({fs::relative(run, folder).string(), "damaged", "-", "-", "-", "-"});
+      continue;
+    }
     const auto percent = [&](const char* key) {
       return last.contains(key) && last[key].is_number() ? short_text(100.0 * last[key].get<double>())
                                                          : std::string("-");
@@ -281,9 +293,9 @@ std::string write_report(const std::string& folder) {
   std::string text;
   const MadeFiles made(path.string());
   if (fs::exists(path / "summary.json")) {
-    text = run_page(path);
+    text = with_summary_of(path.string(), [&] { return run_page(path); });
   } else if (fs::exists(path / "runs.csv")) {
-    text = sweep_page(path);
+    text = with_summary_of(path.string(), [&] { return sweep_page(path); });
   } else {
     throw InputError(folder + ": holds neither summary.json nor runs.csv; expected the folder of a run or of a sweep");
   }

@@ -35,7 +35,7 @@ bool touches_ground(const Json& summary) {
 
 void print_times(const Json& summary) {
   if (!summary.contains("wall_s")) return;
-  const double wall = summary["wall_s"];
+  const double wall = summary.at("wall_s");
   const auto part = [&](const char* key) { return summary.value(key, 0.0); };
   std::printf("  %-38s %.1f s", "wall time", wall);
   if (part("dem_wall_s") > 0.0 && wall > 0.0) {
@@ -50,7 +50,7 @@ void print_times(const Json& summary) {
 void print_results(const std::string& out, const std::vector<std::string>& pictures) {
   const Json summary = read_summary((fs::path(out) / "summary.json").string());
   std::printf("\n%s: %s", out.c_str(), summary.value("status", "unknown").c_str());
-  if (summary.contains("reason")) std::printf(": %s", summary["reason"].get<std::string>().c_str());
+  if (summary.contains("reason")) std::printf(": %s", summary.at("reason").get<std::string>().c_str());
   std::printf("\n");
   row(summary, "simulated time", "end_time_s", 1.0, "%.4g s");
   row(summary, "peak acceleration", "peak_acceleration_g", 1.0, "%.2f g");
@@ -63,8 +63,8 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
   row(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0,
       "%.3f %% of the energy moved");
   if (summary.contains("ledger")) {
-    row(summary["ledger"], "energy given to the grains", "energy_to_grains_J", 1e-3, "%.3f kJ");
-    row(summary["ledger"], "of it dissipated in the grains", "grains_dissipated_J", 1e-3, "%.3f kJ");
+    row(summary.at("ledger"), "energy given to the grains", "energy_to_grains_J", 1e-3, "%.3f kJ");
+    row(summary.at("ledger"), "of it dissipated in the grains", "grains_dissipated_J", 1e-3, "%.3f kJ");
   }
   row(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "%.2f %% of its radius");
   row(summary, "grains", "particles", 1.0, "%.0f");
@@ -72,7 +72,8 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
   row(summary, "windows", "windows", 1.0, "%.0f");
   print_times(summary);
   if (summary.contains("warnings")) {
-    for (const Json& warning : summary["warnings"]) std::printf("  warning: %s\n", warning.get<std::string>().c_str());
+    for (const Json& warning : summary.at("warnings"))
+      std::printf("  warning: %s\n", warning.get<std::string>().c_str());
   }
   std::printf("Files: %s\n", (fs::path(out) / "history.csv").c_str());
   for (const char* name : {"summary.json", "ledger.csv", "liggghts.log", "vtk"}) {
@@ -119,11 +120,17 @@ std::vector<std::string> make_pictures(const std::string& out) {
   const fs::path plots = fs::path(out) / "plots";
   try {
     const Json summary = read_summary((fs::path(out) / "summary.json").string());
-    const std::string title = summary.contains("scene") ? summary["scene"].value("title", "") : "";
+    const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
     const History history = read_history((fs::path(out) / "history.csv").string());
     std::vector<Figure> figures = standard_figures(history, summary.value("observed_body", ""));
+    reduce_long_figures(figures, history, plots.string());
     const fs::path ledger = fs::path(out) / "ledger.csv";
-    if (fs::exists(ledger)) figures.push_back(ledger_figure(read_history(ledger.string())));
+    if (fs::exists(ledger)) {
+      const History energies = read_history(ledger.string());
+      std::vector<Figure> more = {ledger_figure(energies)};
+      reduce_long_figures(more, energies, plots.string());
+      if (!more.front().curves.empty()) figures.push_back(more.front());  // where no energy moves there is none to draw
+    }
     const std::vector<std::string> scripts = write_plot_scripts(plots.string(), figures, title);
     return run_gnuplot(plots.string(), scripts);
   } catch (const InputError& e) {

@@ -56,9 +56,16 @@ Json read_json(const std::string& file) {
   return in ? Json::parse(in, nullptr, false) : Json();
 }
 
+// The text of an entry; empty when there is none.
+std::string text_in(const Json& json, const char* key) {
+  return json.is_object() && json.contains(key) && json.at(key).is_string() ? json.at(key).get<std::string>() : "";
+}
+
 // Of a summary, or of a record.
 RunCost cost_of(const Json& from) {
-  const auto time = [&](const char* key) { return from.value(key, 0.0); };
+  const auto time = [&](const char* key) {
+    return from.is_object() && from.contains(key) && from.at(key).is_number() ? from.at(key).get<double>() : 0.0;
+  };
   return {time("wall_s"), time("dem_wall_s"), time("mbd_wall_s"), time("exchange_wall_s"), time("cpu_s")};
 }
 
@@ -111,8 +118,8 @@ bool RunStore::is_done(std::size_t run) const {
   if (home.code >= 0) return home.code == kExitDone;
   if (!keep_ || home.recipe.empty()) return false;
   const Json record = read_json(record_file(run));
-  return record.is_object() && record.value("recipe", "") == home.recipe &&
-         fs::exists(fs::path(folder(run)) / "summary.json");
+  return record.is_object() && text_in(record, "recipe") == home.recipe &&
+         text_in(read_json((fs::path(folder(run)) / "summary.json").string()), "status") == "done";
 }
 
 int RunStore::most_ranks() const {
@@ -192,11 +199,20 @@ RunEnd RunStore::end_of(std::size_t run) const {
   const std::string summary = (fs::path(end.folder) / "summary.json").string();
   end.status = "missing";
   if (fs::exists(summary)) {
-    end.summary = read_summary(summary);
-    end.status = end.summary.value("status", "");
-    for (const Json& warning : end.summary.value("warnings", Json::array())) end.warnings.push_back(warning);
+    const Json found = read_json(summary);
+    end.status = text_in(found, "status");
+    if (end.status.empty()) {  // cut short: this run has failed, not the experiment
+      end.status = "damaged";
+    } else {
+      end.summary = found;
+      for (const Json& warning : found.value("warnings", Json::array()))
+        if (warning.is_string()) end.warnings.push_back(warning);
+    }
   }
-  end.code = home.code >= 0 ? home.code : end.status == "done" ? kExitDone : kExitFailed;
+  end.code = home.code == kExitDone && end.status == "damaged" ? kExitFailed
+             : home.code >= 0                                  ? home.code
+             : end.status == "done"                            ? kExitDone
+                                                               : kExitFailed;
   end.cost = home.cost;
   if (home.code < 0) {
     const Json record = read_json(record_file(run));

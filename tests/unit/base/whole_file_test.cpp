@@ -1,6 +1,11 @@
 #include "coupler/base/whole_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
 
 #include <filesystem>
 
@@ -38,8 +43,30 @@ TEST_F(WholeFile, SaysWhichFileAndWhatToDo) {
     write_whole_file(path, "text", "is the disk full?");
     FAIL() << "written into a folder that is not there";
   } catch (const InputError& e) {
-    EXPECT_EQ(e.what(), path + ": cannot be written; is the disk full?");
+    EXPECT_EQ(e.what(), path + ": cannot be written: No such file or directory; is the disk full?");
   }
+}
+
+// A file may have 1 kB here, as if the disk were full.
+TEST_F(WholeFile, AFullDiskLeavesWhatWasThere) {
+  write_whole_file(file("a"), "before");
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit most{1024, 1024};
+    setrlimit(RLIMIT_FSIZE, &most);
+    try {
+      write_whole_file(file("a"), std::string(100000, 'x'));
+    } catch (const InputError& error) {
+      _exit(std::string(error.what()).find("File too large") != std::string::npos ? 7 : 8);
+    }
+    _exit(9);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+  EXPECT_EQ(text("a"), "before");
+  EXPECT_FALSE(fs::exists(file("a.part")));
 }
 
 TEST_F(WholeFile, MakeFolderMakesThoseAroundItToo) {
