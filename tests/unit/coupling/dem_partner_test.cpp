@@ -205,6 +205,13 @@ Start fixed_windows() {
   return start;
 }
 
+DemTerms terms(const std::string& scheme, double t_end) {
+  DemTerms terms;
+  terms.scheme = scheme;
+  terms.t_end = t_end;
+  return terms;
+}
+
 Motion one_window(std::int64_t k, bool last) {
   Motion motion;
   motion.window = k;
@@ -219,7 +226,7 @@ TEST(DemPartner, TradesOneMotionForOneLoad) {
   test::LoopbackGrains grains(fixed_windows(), [](const Motion& motion, Load& load) {
     load.bodies[0].mean.F_W = Eigen::Vector3d(1.0 + motion.bodies[0].r.x(), 2.0, 3.0);
   });
-  DemPartner partner(grains.transport(), {body_named("pad")}, {"css", 1e-3}, test::kPatience);
+  DemPartner partner(grains.transport(), {body_named("pad")}, terms("css", 1e-3), test::kPatience);
   for (int k = 0; k < 3; ++k) {
     const Load& load = partner.exchange(one_window(k, k == 2));
     EXPECT_EQ(load.bodies[0].mean.F_W, Eigen::Vector3d(1.0 + k, 2.0, 3.0));
@@ -232,14 +239,14 @@ TEST(DemPartner, TradesOneMotionForOneLoad) {
 
 TEST(DemPartner, RefusesTheLoadOfAnotherWindow) {
   test::LoopbackGrains grains(fixed_windows(), [](const Motion&, Load& load) { ++load.window; });
-  DemPartner partner(grains.transport(), {body_named("pad")}, {"css", 1e-3}, test::kPatience);
+  DemPartner partner(grains.transport(), {body_named("pad")}, terms("css", 1e-3), test::kPatience);
   EXPECT_THROW(partner.exchange(one_window(0, true)), ProtocolError);
   partner.close();
 }
 
 TEST(DemPartner, RefusesALoadOfOtherBodies) {
   test::LoopbackGrains grains(fixed_windows(), [](const Motion&, Load& load) { load.bodies.pop_back(); });
-  DemPartner partner(grains.transport(), {body_named("pad")}, {"css", 1e-3}, test::kPatience);
+  DemPartner partner(grains.transport(), {body_named("pad")}, terms("css", 1e-3), test::kPatience);
   EXPECT_THROW(partner.exchange(one_window(0, true)), ProtocolError);
   partner.close();
 }
