@@ -28,22 +28,24 @@ Equations::~Equations() = default;
 void Equations::set_regularisation(const State& state) {
   Workspace& w = *work_;
   load(state);
-  for_each_row(model_, layout_, w.kinematics, state.time, w.row,
-               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-                 const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
-                 const int bodies[2] = {joint.m1.body, joint.m2.body};
-                 double size = 0.0;
-                 for (int i = 0; i < 2; ++i) {
-                   const int n = pair.body[i]->size();
-                   if (n == 0) continue;
-                   Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
-                   body_mass_matrix(model_.body(bodies[i]), *pair.body[i],
-                                    w.inertia[static_cast<std::size_t>(bodies[i])], M);
-                   const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
-                   size += part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
-                 }
-                 w.regularisation[row] = kRegularisation * size;
-               });
+  for_each_row(
+      model_, layout_, w.kinematics, state.time, w.row,
+      [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+        const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
+        const int bodies[2] = {joint.m1.body, joint.m2.body};
+        double size = 0.0;
+        for (int i = 0; i < 2; ++i) {
+          const int n = pair.body[i]->size();
+          if (n == 0) continue;
+          Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
+          body_mass_matrix(model_.body(bodies[i]), *pair.body[i], w.inertia[static_cast<std::size_t>(bodies[i])], M);
+          const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
+          size += part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
+        }
+        const ConstraintRow& what = joint.rows[static_cast<std::size_t>(
+            row - layout_.joint_row[static_cast<std::size_t>(layout_.row_joint[static_cast<std::size_t>(row)])])];
+        w.regularisation[row] = what.inertia > 0.0 ? 1.0 / what.inertia : kRegularisation * size;
+      });
 }
 
 void Equations::load(const State& state) { work_->kinematics.load(layout_, state.q, state.v, work_->empty); }
@@ -53,7 +55,8 @@ const BodyKinematics& Equations::motion(int body) const { return work_->kinemati
 ElementInput Equations::element_input(int force, const State& state, const Inputs& inputs) const {
   const ForceElement& element = model_.force(force);
   return {work_->force_pair(element),
-          state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count()), inputs.voltages};
+          state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count()), inputs.voltages,
+          state.time};
 }
 
 void Equations::demand_fitting(const Inputs& inputs) const {
@@ -122,7 +125,7 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
     Eigen::Ref<Eigen::VectorXd> Q = w.local.head(pair.size());
     Eigen::Ref<Eigen::VectorXd> dz = w.row.head(m);
     Q.setZero();
-    element.add_force({pair, y.segment(z, m), inputs.voltages}, Q, dz);
+    element.add_force({pair, y.segment(z, m), inputs.voltages, t}, Q, dz);
     const std::array<int, 2> v = pair_v(layout_, element.bodies()[0], element.bodies()[1]);
     for (int k = 0; k < 2; ++k) {
       const int n = pair.body[k]->size();

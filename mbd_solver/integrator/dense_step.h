@@ -28,8 +28,9 @@ inline void interpolate_work(const HermiteWeights& w, const State& start, const 
                                 w.dx0 * at_start.power.by_kind[k] + w.dx1 * at_end.power.by_kind[k];
   out.load_work =
       w.x0 * start.load_work + w.x1 * end.load_work + w.dx0 * at_start.load_power + w.dx1 * at_end.load_power;
-  out.motion_work =
-      w.x0 * start.motion_work + w.x1 * end.motion_work + w.dx0 * at_start.motion_power + w.dx1 * at_end.motion_power;
+  for (std::size_t k = 0; k < out.supplied.by_kind.size(); ++k)
+    out.supplied.by_kind[k] = w.x0 * start.supplied.by_kind[k] + w.x1 * end.supplied.by_kind[k] +
+                              w.dx0 * at_start.supplied.by_kind[k] + w.dx1 * at_end.supplied.by_kind[k];
 }
 
 // Lagrange's polynomial number k through the first `count` of `nodes`, at theta.

@@ -40,7 +40,7 @@ void write_checkpoint(const std::string& path, const State& state, const Mechani
     write(out, "z", state.z);
     write(out, "dissipated", state.dissipated.by_kind.data(), state.dissipated.by_kind.size());
     write(out, "load_work", state.load_work);
-    write(out, "motion_work", &state.motion_work, 1);
+    write(out, "supplied", state.supplied.by_kind.data(), state.supplied.by_kind.size());
     write(out, "step", &state.step, 1);
     write(out, "voltages", voltages);
     for (const ControllerEntry& entry : mechanism.controllers)

@@ -22,7 +22,7 @@ class RunFiles {
   void write(const Sample& sample);                    // what is due
   void flush();                                        // rows are on the disk's side
   void write_checkpoint_of(const State& state) const;  // with the voltages of the last sample
-  const FlexibleBodies& flexible() const { return observation_.flexible(); }
+  const Observation& observation() const { return observation_; }
 
  private:
   const Simulation& simulation_;

@@ -38,20 +38,21 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   RunFiles files(simulation, options.out);
   FigureTaker taker(simulation.subject());
   Progress progress(t_end, options.quiet);
-  WarningTeller of_coupling, of_bodies;
+  WarningTeller of_coupling, of_bodies, of_joints;
   const auto observe = [&](const Sample& sample) {
     taker.take(sample);
     files.write(sample);
     progress.show(sample.state.time, sample.window, taker.figures().contact_force);
     if (coupled) of_coupling.tell(coupled->watch().warnings());
-    of_bodies.tell(files.flexible().warnings());
+    of_bodies.tell(files.observation().flexible().warnings());
+    of_joints.tell(files.observation().joints().warnings());
   };
   const auto finish_files = [&] {
     progress.finish();
     files.flush();
   };
   const auto summarize = [&](const std::string& status, const std::string& reason) {
-    write_summary(options.out + "/summary.json", run_summary(simulation, taker, files.flexible(), status, reason));
+    write_summary(options.out + "/summary.json", run_summary(simulation, taker, files.observation(), status, reason));
   };
 
   try {
