@@ -50,6 +50,8 @@ std::vector<Attachment> attachments(const Scene& scene, const std::string& body)
   for (const SpringSpec& spring : scene.springs)
     if (spring.source.given("point") && (spring.bodies[0] == body || spring.bodies[1] == body))
       points.push_back({spring.point, true});
+  for (const ForceSpec& force : scene.forces)
+    if (force.body == body && force.point) points.push_back({*force.point, force.torque.has_value()});
   return points;
 }
 

@@ -1,10 +1,12 @@
-// Struts, springs and the rigid plane of the scene.
+// Struts, springs, forces and the rigid plane of the scene.
 
 #include <cmath>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/build/time_functions.h"
+#include "mbd_solver/model/elements/applied_force.h"
 #include "mbd_solver/model/elements/bushing.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/strut.h"
@@ -140,32 +142,32 @@ std::unique_ptr<ForceElement> build(const SpringSpec& spec, const Scene& scene, 
   const Model& model = mechanism.model;
   const int a = scene.body_index(spec.bodies[0]), b = scene.body_index(spec.bodies[1]);
   const auto bushing = [&](const Eigen::Vector3d& p_W, const Bushing::Parameters& p) {
-    return std::make_unique<Bushing>(spec.name, model.marker_at(a, p_W, placement.R_WD),
-                                     model.marker_at(b, p_W, placement.R_WD), p);
+    const Eigen::Matrix3d axes_W = placement.R_WD * axes_with_z(spec.axis, spec.axis2);
+    return std::make_unique<Bushing>(spec.name, model.marker_at(a, p_W, axes_W), model.marker_at(b, p_W, axes_W), p);
   };
   switch (spec.kind) {
     case SpringKind::kTorsion: {
       const Eigen::Matrix3d axes = placement.R_WD * axes_with_z(spec.axis);
       TorsionalSpring::Parameters p;
-      p.stiffness = spec.stiffness;
-      p.damping = spec.damping;
+      p.stiffness = spec.stiffness.x();
+      p.damping = spec.damping.x();
       p.free_angle = spec.rest_angle;
       return std::make_unique<TorsionalSpring>(spec.name, model.marker_at(a, placement.point(spec.point), axes),
                                                model.marker_at(b, placement.point(spec.point), axes), p);
     }
     case SpringKind::kCentring: {
       Bushing::Parameters p;
-      p.rotational_stiffness.setConstant(spec.stiffness);
-      p.rotational_damping.setConstant(spec.damping);
+      p.rotational_stiffness = spec.stiffness;
+      p.rotational_damping = spec.damping;
       // It turns only: its point is where it reads the attitude, the mass centre of b where the scene gives none.
       return bushing(b == kGround || spec.source.given("point") ? placement.point(spec.point) : model.initial(b).r, p);
     }
     case SpringKind::kBushing: {
       Bushing::Parameters p;
-      p.stiffness.setConstant(spec.stiffness);
-      p.damping.setConstant(spec.damping);
-      p.rotational_stiffness.setConstant(spec.turning_stiffness);
-      p.rotational_damping.setConstant(spec.turning_damping);
+      p.stiffness = spec.stiffness;
+      p.damping = spec.damping;
+      p.rotational_stiffness = spec.turning_stiffness;
+      p.rotational_damping = spec.turning_damping;
       return bushing(placement.point(spec.point), p);
     }
   }
@@ -176,6 +178,21 @@ std::unique_ptr<ForceElement> build(const SpringSpec& spec, const Scene& scene, 
 
 void add_springs(const Scene& scene, Mechanism& mechanism) {
   for (const SpringSpec& spec : scene.springs) mechanism.model.add_force(build(spec, scene, mechanism));
+}
+
+void add_forces(const Scene& scene, Mechanism& mechanism) {
+  const Placement& placement = mechanism.placement;
+  Model& model = mechanism.model;
+  for (const ForceSpec& spec : scene.forces) {
+    const int body = scene.body_index(spec.body);
+    const Eigen::Vector3d p_W = spec.point ? placement.point(*spec.point) : model.initial(body).r;
+    const bool turns = spec.frame == ForceFrame::kBody;
+    const Eigen::Matrix3d axes_W = turns ? Eigen::Matrix3d(placement.R_WD * axes_with_z(spec.direction))
+                                         : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    model.add_force(std::make_unique<AppliedForce>("force/" + spec.name, model.marker_at(body, p_W, axes_W),
+                                                   turns ? std::nullopt : std::optional(spec.direction),
+                                                   time_function(spec.force), time_function(spec.torque)));
+  }
 }
 
 void add_plane(const Scene& scene, Mechanism& mechanism) {

@@ -4,54 +4,19 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {
-
-// sum_i f_i(t)
-class Sum final : public TimeFunction {
- public:
-  void add(TimeFunctionPtr function) { parts_.push_back(std::move(function)); }
-  TimeValue at(double t) const override {
-    TimeValue sum;
-    for (const TimeFunctionPtr& function : parts_) {
-      const TimeValue part = function->at(t);
-      sum.value += part.value;
-      sum.rate += part.rate;
-      sum.accel += part.accel;
-    }
-    return sum;
-  }
-
- private:
-  std::vector<TimeFunctionPtr> parts_;
-};
-
-TimeFunctionPtr time_function(const TimeFunctionSpec& spec) {
-  auto sum = std::make_shared<Sum>();
-  sum->add(polynomial(spec.polynomial.empty() ? std::vector<double>{0.0} : spec.polynomial));
-  if (spec.amplitude != 0.0) sum->add(sine(spec.amplitude, spec.frequency, spec.phase));
-  if (!spec.table.empty()) {
-    std::vector<double> times, values;
-    for (const Eigen::Vector2d& row : spec.table) {
-      times.push_back(row.x());
-      values.push_back(row.y());
-    }
-    sum->add(table(std::move(times), std::move(values)));
-  }
-  return sum;
-}
 
 // Displacements along x, y, z of the joint's frame (z = axis, x near axis2) and rotation about z; what is not given is
 // free.
 Joint prescribed(const JointSpec& spec, const Model& model, int a, int b, const Placement& placement) {
   const MotionSpec& motion = *spec.motion;
   PrescribedMotion prescribed;
-  if (motion.x) prescribed.translation[0] = time_function(*motion.x);
-  if (motion.y) prescribed.translation[1] = time_function(*motion.y);
-  if (motion.z) prescribed.translation[2] = time_function(*motion.z);
-  if (motion.rotation) prescribed.rotation = time_function(*motion.rotation);
+  prescribed.translation = {time_function(motion.x), time_function(motion.y), time_function(motion.z)};
+  prescribed.rotation = time_function(motion.rotation);
   prescribed.rotation_axis = 2;
   prescribed.hold_other_rotations = motion.hold_other_rotations;
   const Eigen::Matrix3d axes_W = placement.R_WD * axes_with_z(spec.axis, spec.axis2);
@@ -76,6 +41,8 @@ Joint build(const JointSpec& spec, const Model& model, int a, int b, const Place
     case JointType::kRevolute: return along_axis(revolute_joint);
     case JointType::kPrismatic: return along_axis(prismatic_joint);
     case JointType::kCylindrical: return along_axis(cylindrical_joint);
+    case JointType::kPlanar: return along_axis(planar_joint);
+    case JointType::kConstantVelocity: return along_axis(constant_velocity_joint);
     case JointType::kUniversal: {
       const Eigen::Vector3d across = spec.axis.cross(spec.axis2);  // x of a along `axis`, y of b along `axis2`
       const auto [m1, m2] = markers(axes_with_z(across, spec.axis), axes_with_z(across, spec.axis2.cross(across)));

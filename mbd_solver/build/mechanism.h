@@ -52,6 +52,19 @@ struct StrutEntry {
   int force = 0;  // index of the Strut in the model
 };
 
+// A coordinate of a joint of the scene, body b against body a, zero in the drawing.
+struct CoordinateEntry {
+  std::string name;  // of the joint
+  int joint = 0;     // index in the model
+  Coordinate coordinate = Coordinate::kAngle;
+};
+
+struct DriveEntry {
+  std::string name;
+  int force = 0;  // index of its JointForce in the model
+  Coordinate coordinate = Coordinate::kAngle;
+};
+
 struct ControllerEntry {
   std::string name;
   std::unique_ptr<Controller> controller;
@@ -74,6 +87,8 @@ struct Mechanism {
   std::vector<int> planes;        // force indices of rigid-plane contacts, one per touching body
   std::vector<int> plane_bodies;  // their bodies
   std::vector<ControllerEntry> controllers;
+  std::vector<CoordinateEntry> coordinates;
+  std::vector<DriveEntry> drives;
   Eigen::VectorXd voltages;  // at the start: constants of struts without controller, first outputs
   std::vector<std::string> warnings;
 };
@@ -100,8 +115,10 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
 
 void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism);
 void add_joints(const Scene& scene, Mechanism& mechanism);
+void add_drives(const Scene& scene, Mechanism& mechanism);  // after add_joints
 void add_struts(const Scene& scene, Mechanism& mechanism);  // after add_controllers
 void add_springs(const Scene& scene, Mechanism& mechanism);
+void add_forces(const Scene& scene, Mechanism& mechanism);
 void add_plane(const Scene& scene, Mechanism& mechanism);
 void add_controllers(const Scene& scene, Mechanism& mechanism);
 

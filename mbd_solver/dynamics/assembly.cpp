@@ -11,6 +11,7 @@
 #include "mbd_solver/dynamics/body_force.h"
 #include "mbd_solver/dynamics/constraint_rows.h"
 #include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {
@@ -21,6 +22,8 @@ constexpr double kContradiction = 1e-8;  // what remains above this cannot be cl
 // While the joints are still open by a gap g, redundant conditions look independent to about g: they must not
 // steer the closing.
 constexpr double kClosingRank = 1e-5;
+constexpr double kStartStep = 0.05;  // [rad or m]: of a coordinate on its way to the start
+constexpr double kTellGap = 1e-5;    // [m or rad]: gaps beyond the digits of a drawing are told
 
 State initial_state(const Model& model, const Layout& layout) {
   State state;
@@ -157,6 +160,71 @@ void note_speeds(const Model& model, const Layout& layout, const Eigen::VectorXd
                       " m/s and " + number(dw.norm()) + " rad/s.");
 }
 
+// Gauss-Newton with the smallest correction, until the gaps no longer fall.
+void close_joints(const Layout& layout, ConstraintRows& rows, State& state) {
+  double last = HUGE_VAL;
+  for (int i = 0; i < kMostClosingSteps; ++i) {
+    const double now = rows.phi.lpNorm<Eigen::Infinity>();
+    if (now <= 1e-15 || (now <= kClosed && now >= 0.5 * last)) break;
+    last = now;
+    add_increment(layout, rows.correction(rows.phi, kClosingRank), state.q);
+    rows.evaluate(state);
+  }
+}
+
+// The model without its forces, and one more condition per given coordinate: it goes from the drawing's zero at t = 0
+// to its value at t = 1.
+Model model_on_the_way(const Model& model, const std::vector<StartCoordinate>& start) {
+  Model out;
+  for (int i = 0; i < model.body_count(); ++i) out.add_body(model.body(i), model.initial(i));
+  for (int j = 0; j < model.joint_count(); ++j) out.add_joint(model.joint(j));
+  for (const StartCoordinate& given : start) {
+    const Joint& joint = model.joint(given.joint);
+    PrescribedMotion motion;
+    (given.coordinate == Coordinate::kAngle ? motion.rotation : motion.translation[2]) = polynomial({0.0, given.value});
+    out.add_joint(prescribed_joint("start of " + joint.name, joint.m1, joint.m2, motion));
+  }
+  return out;
+}
+
+// A mechanism that no joint holds to the ground keeps its first body where it was drawn.
+void put_back_first_body(const Model& model, const Layout& layout, State& state) {
+  for (int j = 0; j < model.joint_count(); ++j)
+    if (model.joint(j).m1.body == kGround || model.joint(j).m2.body == kGround) return;
+  const BodyState& drawn = model.initial(0);
+  const Eigen::Vector3d r = state.q.head<3>();
+  const Eigen::Matrix3d R = rotation_matrix(drawn.L) * rotation_matrix(state.q.segment<4>(3)).transpose();
+  const Eigen::Quaterniond turn(R);
+  for (std::size_t i = 0; i < layout.body_q.size(); ++i) {
+    const int q = layout.body_q[i];
+    const Eigen::Vector3d moved = drawn.r + R * (state.q.segment<3>(q) - r);
+    const Eigen::Vector4d L = state.q.segment<4>(q + 3);
+    const Eigen::Quaterniond turned = turn * Eigen::Quaterniond(L(0), L(1), L(2), L(3));
+    state.q.segment<3>(q) = moved;
+    state.q.segment<4>(q + 3) << turned.w(), turned.x(), turned.y(), turned.z();
+  }
+}
+
+// Moves the coordinates to their values in small steps, so that loops stay on their branch.
+void move_to_start(const Model& model, const std::vector<StartCoordinate>& start, State& state) {
+  const Model on_the_way = model_on_the_way(model, start);
+  const Layout layout(on_the_way);
+  ConstraintRows rows(on_the_way, layout);
+  double longest = 0.0;
+  for (const StartCoordinate& given : start) longest = std::max(longest, std::abs(given.value));
+  const int steps = 1 + static_cast<int>(longest / kStartStep);
+  for (int k = 1; k <= steps; ++k) {
+    state.time = static_cast<double>(k) / steps;
+    rows.evaluate(state);
+    close_joints(layout, rows, state);
+    check_contradiction(on_the_way, layout, rows.phi, 1.0,
+                        "on the way to the coordinates of [initial.joints] they do not close; they stay open",
+                        "m or rad");
+  }
+  state.time = 0.0;
+  put_back_first_body(model, layout, state);
+}
+
 }  // namespace
 
 Assembly assemble(const Model& model, const AssemblyOptions& options) {
@@ -169,16 +237,15 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   rows.evaluate(out.state);
   out.largest_gap = check_gaps(model, layout, rows, out.state.time, options.gap_tolerance);
 
-  // Close the joints: Gauss-Newton with the smallest correction, until the gaps no longer fall.
-  double last = HUGE_VAL;
-  for (int i = 0; i < kMostClosingSteps; ++i) {
-    const double now = rows.phi.lpNorm<Eigen::Infinity>();
-    if (now <= 1e-15 || (now <= kClosed && now >= 0.5 * last)) break;
-    last = now;
-    add_increment(layout, rows.correction(rows.phi, kClosingRank), out.state.q);
+  close_joints(layout, rows, out.state);
+  check_contradiction(model, layout, rows.phi, 1.0, "together they cannot be closed; they stay open", "m or rad");
+  if (out.largest_gap > kTellGap)
+    out.notes.push_back("the drawing does not quite close: joints were open by up to " + number(out.largest_gap) +
+                        " m or rad, and bodies were moved by the least that closes them.");
+  if (!options.start.empty()) {
+    move_to_start(model, options.start, out.state);
     rows.evaluate(out.state);
   }
-  check_contradiction(model, layout, rows.phi, 1.0, "together they cannot be closed; they stay open", "m or rad");
 
   // Velocities: the smallest change that satisfies Phi_v v + Phi_t = 0. Twice, for round-off.
   const Eigen::VectorXd v_given = out.state.v, rate_given = rows.rate;

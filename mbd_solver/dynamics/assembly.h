@@ -10,10 +10,18 @@
 
 namespace footfall {
 
+// A coordinate of a joint at the start; the others follow by the smallest motion of the bodies.
+struct StartCoordinate {
+  int joint = 0;
+  Coordinate coordinate = Coordinate::kAngle;
+  double value = 0.0;  // [rad or m]
+};
+
 struct AssemblyOptions {
   double gap_tolerance = 1e-3;    // largest initial gap [m] or misalignment [rad] that is closed silently
   double speed_tolerance = 1e-3;  // largest change of a given velocity [m/s or rad/s] that is made silently
   double rank_tolerance = 1e-8;   // of the unit rows of Phi_v
+  std::vector<StartCoordinate> start;
 };
 
 struct Assembly {

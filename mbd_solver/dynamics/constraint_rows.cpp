@@ -87,6 +87,7 @@ void ConstraintRows::evaluate(const State& state) {
         Eigen::Ref<Eigen::VectorXd> part = phi_v.segment(pair.offset(i), pair.body[i]->size());
         factors_[static_cast<std::size_t>(bodies[i])].triangularView<Eigen::Lower>().solveInPlace(part);
       }
+      if (joint.rows[k].inertia > 0.0) phi_v.setZero();  // a rotor closes nothing
       const double size = phi_v.norm();
       if (size > 0.0) scale[row] = 1.0 / size;
       for (int i = 0; i < 2; ++i) {
@@ -140,7 +141,16 @@ std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) con
   std::iota(parent.begin(), parent.end(), 0);
   std::vector<Eigen::SparseVector<double>> null_vectors;
   std::vector<std::vector<int>> sources;
+  std::vector<int> followers;  // the row left over
+  const auto rotates_only = [&](int row) {
+    const std::size_t joint = static_cast<std::size_t>(layout_.row_joint[static_cast<std::size_t>(row)]);
+    return model_.joint(static_cast<int>(joint))
+               .rows[static_cast<std::size_t>(row - layout_.joint_row[joint])]
+               .inertia > 0.0;
+  };
   for (Eigen::Index k = rank; k < layout_.row_count; ++k) {
+    if (rotates_only(order(k))) continue;
+    followers.push_back(order(k));
     Eigen::VectorXd x = qr.R.col(k);
     R.triangularView<Eigen::Upper>().solveInPlace(x);
     const int joint = layout_.row_joint[static_cast<std::size_t>(order(k))];
@@ -162,7 +172,7 @@ std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) con
   // One group per set of joints that take part together.
   std::map<int, RedundantGroup> groups;
   for (std::size_t k = 0; k < null_vectors.size(); ++k) {
-    const int row = order(rank + static_cast<Eigen::Index>(k));
+    const int row = followers[k];
     RedundantGroup& group = groups[root(parent, layout_.row_joint[static_cast<std::size_t>(row)])];
     group.dropped.push_back(row);
     group.sources.push_back(sources[k]);
@@ -182,7 +192,7 @@ std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) con
     Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(m, static_cast<Eigen::Index>(group.dropped.size()));
     Eigen::Index column = 0;
     for (std::size_t k = 0; k < null_vectors.size(); ++k) {
-      const int row = order(rank + static_cast<Eigen::Index>(k));
+      const int row = followers[k];
       if (root(parent, layout_.row_joint[static_cast<std::size_t>(row)]) != key) continue;
       for (Eigen::SparseVector<double>::InnerIterator entry(null_vectors[k]); entry; ++entry) {
         const auto at = std::lower_bound(group.rows.begin(), group.rows.end(), static_cast<int>(entry.index()));

@@ -18,10 +18,12 @@ void EnergyFlow::take(const StoredEnergy& stored, const State& state, const Kine
     P += model_.body(i).mass() * kinematics.of(i).dr;
   }
   if (!started_) V0_ = P / mass;
-  Forms now{stored, state.dissipated, state.load_work, state.motion_work};
+  Forms now{stored, state.dissipated, state.load_work, state.supplied};
   now.stored[Stored::kKinetic] += 0.5 * mass * V0_.squaredNorm() - V0_.dot(P);
   if (started_) {
-    double moved = std::abs(now.motion_work - last_.motion_work) + (now.load_work - last_.load_work).cwiseAbs().sum();
+    double moved = (now.load_work - last_.load_work).cwiseAbs().sum();
+    for (std::size_t k = 0; k < now.supplied.by_kind.size(); ++k)
+      moved += std::abs(now.supplied.by_kind[k] - last_.supplied.by_kind[k]);
     for (std::size_t k = 0; k < now.stored.by_kind.size(); ++k)
       moved += std::abs(now.stored.by_kind[k] - last_.stored.by_kind[k]);
     for (std::size_t k = 0; k < now.dissipated.by_kind.size(); ++k)
@@ -38,7 +40,7 @@ void EnergyFlow::Forms::visit(Archive& archive) {
   archive("stored", stored);
   archive("dissipated", dissipated);
   archive("load_work", load_work);
-  archive("motion_work", motion_work);
+  archive("supplied", supplied);
 }
 
 void EnergyFlow::visit(Archive& archive) {

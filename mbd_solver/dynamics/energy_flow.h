@@ -3,7 +3,7 @@
 // (theory 8).
 //   flow = 1/2 sum over forms of integral |dE_form|,  taken from sample to sample
 // Forms: kinetic energy, gravity, strain, gas, contact; every kind of dissipation; work of external loads on each body;
-// work of prescribed motions. What leaves one form arrives in another, hence the half.
+// work of prescribed motions, forces and drives. What leaves one form arrives in another, hence the half.
 // Kinetic energy is that seen by someone who moves as the mass centre did at the start, so that a scene in a train has
 // the flow of the scene at rest:
 //   K' = K - V0 . P + 1/2 m V0^2,  P = sum m_i dr_i,  V0 = P(0) / m
@@ -35,7 +35,7 @@ class EnergyFlow {
     StoredEnergy stored;  // its kinetic energy is K'
     Dissipated dissipated;
     Eigen::VectorXd load_work;
-    double motion_work = 0.0;
+    Supplied supplied;
 
     void visit(Archive& archive);
   };

@@ -11,7 +11,7 @@ void Equations::energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, con
   w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size), w.empty);
   out.stored = {};
   out.power = {};
-  out.motion_power = 0.0;
+  out.supplied = {};
   out.load_power.setZero(model_.body_count());
 
   for (int i = 0; i < model_.body_count(); ++i) {
@@ -42,36 +42,26 @@ void Equations::energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, con
   for (int i = 0; i < model_.force_count(); ++i) {
     const ForceElement& element = model_.force(i);
     const int z = layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)];
-    element.add_energy({w.force_pair(element), y.segment(z, element.state_count()), inputs.voltages}, out.stored,
-                       out.power);
+    const ElementInput in{w.force_pair(element), y.segment(z, element.state_count()), inputs.voltages, t};
+    element.add_energy(in, out.stored, out.power);
+    element.add_supply(in, out.supplied);
   }
   // The joint forces -Phi_v^T lambda do work -lambda Phi_v v, which is zero but for prescribed motions.
   for_each_row(model_, layout_, w.kinematics, t, w.row,
                [&](int row, const PairMotion&, const Eigen::Ref<Eigen::VectorXd>&, const RowValue& value) {
-                 if (value.phi_t != 0.0) out.motion_power -= y[layout_.lambda0() + row] * (value.rate - value.phi_t);
+                 // A rotor: 1/2 J q'^2, J = 1 / eps.
+                 if (value.speed != 0.0)
+                   out.stored[Stored::kKinetic] += 0.5 * value.speed * value.speed / w.regularisation[row];
+                 if (value.phi_t != 0.0)
+                   out.supplied[Supply::kMotion] -= y[layout_.lambda0() + row] * (value.rate - value.phi_t);
                });
 }
 
 Vector6d Equations::joint_wrench(int index, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const {
-  Workspace& w = *work_;
   const Joint& joint = model_.joint(index);
-  const PairMotion pair = w.joint_pair(joint);
-  MarkerVectors vectors(pair, joint.m1, joint.m2);
-  // On body 2, or on body 1 with the sign turned when 2 is the ground.
-  const int slot = pair.body[1]->ground ? 0 : 1;
-  const BodyKinematics& body = *pair.body[slot];
-  Vector6d wrench = Vector6d::Zero();
-  Eigen::Ref<Eigen::VectorXd> phi_v = w.row.head(pair.size());
-  for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-    evaluate_row(joint.rows[k], t, vectors, phi_v);
-    wrench -= lambda[layout_.joint_row[static_cast<std::size_t>(index)] + static_cast<int>(k)] *
-              phi_v.segment<6>(pair.offset(slot));
-  }
-  if (slot == 0) wrench = -wrench;
-  const Eigen::Vector3d point = KinematicVector::point(pair, 1, joint.m2).value();
-  const Eigen::Vector3d arm = point - body.r;
-  wrench.tail<3>() -= arm.cross(Eigen::Vector3d(wrench.head<3>()));
-  return wrench;
+  return footfall::joint_wrench(
+      joint, work_->joint_pair(joint), t,
+      lambda.segment(layout_.joint_row[static_cast<std::size_t>(index)], static_cast<Eigen::Index>(joint.rows.size())));
 }
 
 }  // namespace footfall

@@ -55,6 +55,13 @@ void Equations::set_row_sizes(const State& state) {
 void Equations::rest_rows() {
   Workspace& w = *work_;
   w.regularisation = kRegularisation * w.row_size;
+  // A row that only gives a joint's coordinate its rotor: lambda = J q''.
+  for (int row = 0; row < layout_.row_count; ++row) {
+    const int joint = layout_.row_joint[static_cast<std::size_t>(row)];
+    const int first = layout_.joint_row[static_cast<std::size_t>(joint)];
+    const double inertia = model_.joint(joint).rows[static_cast<std::size_t>(row - first)].inertia;
+    if (inertia > 0.0) w.regularisation[row] = 1.0 / inertia;
+  }
   for (const Redundancy& redundancy : w.redundancies)
     for (const int i : redundancy.resting()) {
       const int row = redundancy.rows()[static_cast<std::size_t>(i)];
@@ -69,7 +76,8 @@ const BodyKinematics& Equations::motion(int body) const { return work_->kinemati
 ElementInput Equations::element_input(int force, const State& state, const Inputs& inputs) const {
   const ForceElement& element = model_.force(force);
   return {work_->force_pair(element),
-          state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count()), inputs.voltages};
+          state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count()), inputs.voltages,
+          state.time};
 }
 
 void Equations::demand_fitting(const Inputs& inputs) const {
@@ -135,7 +143,7 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
     Eigen::Ref<Eigen::VectorXd> Q = w.local.head(pair.size());
     Eigen::Ref<Eigen::VectorXd> dz = w.row.head(m);
     Q.setZero();
-    element.add_force({pair, y.segment(z, m), inputs.voltages}, Q, dz);
+    element.add_force({pair, y.segment(z, m), inputs.voltages, t}, Q, dz);
     const std::array<int, 2> v = pair_v(layout_, element.bodies()[0], element.bodies()[1]);
     for (int k = 0; k < 2; ++k) {
       const int n = pair.body[k]->size();

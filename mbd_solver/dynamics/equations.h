@@ -31,7 +31,7 @@ struct EnergySample {
   StoredEnergy stored;         // [J]
   Dissipated power;            // dissipated power by kind [W]
   Eigen::VectorXd load_power;  // of the external loads, per body [W]
-  double motion_power = 0.0;   // of prescribed motions [W]
+  Supplied supplied;           // power of prescribed motions, forces and drives [W]
 };
 
 class Equations {
@@ -123,7 +123,7 @@ class Equations {
                           const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
   void add_body_derivatives(int index, double c, const Inputs& inputs);
   void add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda);
-  void add_force_derivatives(int index, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs);
+  void add_force_derivatives(int index, double t, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs);
   // All at the loaded kinematics, which are those of the state:
   bool factor_saddle(const State& state);
   void fill_saddle(double t, double mass, const Eigen::VectorXd& diagonal);  // [mass M, Phi_v^T; Phi_v, -diagonal]

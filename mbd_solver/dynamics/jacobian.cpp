@@ -56,7 +56,9 @@ void Equations::add_joint_derivatives(int index, double t, double c, const Eigen
   const int n = pair.size();
   double* values = w.lower.valuePtr();
   double* stiffness = w.stiffness.data();
-  const double alpha2 = 2.0 * baumgarte_.alpha, beta2 = baumgarte_.beta * baumgarte_.beta;
+  const bool closes = joint.rows.front().inertia == 0.0;  // else a rotor
+  const double alpha2 = closes ? 2.0 * baumgarte_.alpha : 0.0;
+  const double beta2 = closes ? baumgarte_.beta * baumgarte_.beta : 0.0;
 
   Eigen::Ref<Eigen::MatrixXd> K = w.K.topLeftCorner(n, n);
   Eigen::Ref<Eigen::VectorXd> phi_v = w.row.head(n), rate_dx = w.row2.head(n), acc_dx = w.row3.head(n),
@@ -87,7 +89,8 @@ void Equations::add_joint_derivatives(int index, double t, double c, const Eigen
   }
 }
 
-void Equations::add_force_derivatives(int index, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs) {
+void Equations::add_force_derivatives(int index, double t, const Eigen::Ref<const Eigen::VectorXd>& z,
+                                      const Inputs& inputs) {
   Workspace& w = *work_;
   const ForceElement& element = model_.force(index);
   const PairPlaces& places = w.force_places[static_cast<std::size_t>(index)];
@@ -96,7 +99,7 @@ void Equations::add_force_derivatives(int index, const Eigen::Ref<const Eigen::V
   double* values = w.lower.valuePtr();
   double* stiffness = w.stiffness.data();
   for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) part->setZero();
-  if (!element.add_derivatives({pair, z, inputs.voltages}, d)) return;
+  if (!element.add_derivatives({pair, z, inputs.voltages, t}, d)) return;
 
   // F_v takes -Q, F_z takes -g.
   for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) *part = -*part;
@@ -133,7 +136,7 @@ void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::Vecto
     w.lower.valuePtr()[w.lambda_lambda[row]] -= w.regularisation[static_cast<Eigen::Index>(row)];
   for (int i = 0; i < model_.force_count(); ++i)
     add_force_derivatives(
-        i, y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], model_.force(i).state_count()),
+        i, t, y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], model_.force(i).state_count()),
         inputs);
 }
 

@@ -54,7 +54,7 @@ class Integrator {
   virtual ~Integrator() = default;
   virtual std::string name() const = 0;  // "one_step", "ida"
   // From state.time to t_end [s], loads and voltages constant. On return state is at t_end exactly (or at the row that
-  // ended the window), projected when asked, and its integrals (dissipated, load_work, motion_work) have grown. Throws
+  // ended the window), projected when asked, and its integrals (dissipated, load_work, supplied) have grown. Throws
   // NumericalError naming time and body or joint.
   virtual void advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) = 0;
   void advance(State& state, double t_end, const Inputs& inputs) { advance(state, t_end, inputs, Rows{}); }

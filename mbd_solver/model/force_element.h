@@ -17,6 +17,7 @@ struct ElementInput {
   PairMotion pair;
   Eigen::Ref<const Eigen::VectorXd> z;         // inner states of this element
   Eigen::Ref<const Eigen::VectorXd> voltages;  // controlled voltages, constant within a step [-]
+  double time = 0.0;                           // [s]
 };
 
 // Sized once by the assembler, zeroed before each call. n = pair.size(), m = state_count().
@@ -45,8 +46,10 @@ class ForceElement {
                          Eigen::Ref<Eigen::VectorXd> dz) const = 0;
   // Adds all derivatives; false when they are all zero (no contact): then nothing is scattered.
   virtual bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const = 0;
-  // Adds stored energy and dissipated power. Identity: -Q.v = d(stored)/dt + sum of dissipated power.
+  // Adds stored energy and dissipated power. Identity: supplied power - Q.v = d(stored)/dt + sum of dissipated power.
   virtual void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const = 0;
+  // Adds the power that comes from outside.
+  virtual void add_supply(const ElementInput&, Supplied&) const {}
 
  private:
   std::string name_;

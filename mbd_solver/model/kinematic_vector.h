@@ -79,9 +79,10 @@ class MarkerVectors {
  public:
   MarkerVectors(const PairMotion& pair, const Marker& m1, const Marker& m2) : pair_(pair), m1_(m1), m2_(m2) {}
   const PairMotion& pair() const { return pair_; }
+  const Marker& marker(int slot) const { return slot == 0 ? m1_ : m2_; }
   const KinematicVector& axis(int slot, int k) {  // axis k of marker 1 (slot 0) or 2 (slot 1)
     const int i = 3 * slot + k;
-    if (!known_[i]) vectors_[i] = KinematicVector::axis(pair_, slot, slot == 0 ? m1_ : m2_, k);
+    if (!known_[i]) vectors_[i] = KinematicVector::axis(pair_, slot, marker(slot), k);
     known_[i] = true;
     return vectors_[i];
   }

@@ -16,7 +16,7 @@ struct State {
   // Time integrals since the start, accumulated by the integrator:
   Dissipated dissipated;      // [J]
   Eigen::VectorXd load_work;  // work of the external loads on each body [J]
-  double motion_work = 0.0;   // work of prescribed motions [J]
+  Supplied supplied;          // work of prescribed motions, forces and drives [J]
   // Next internal step to try [s]; 0: the integrator chooses.
   double step = 0.0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mbd_solver/model/elements/joint_force.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/rotation.h"
 
@@ -37,6 +38,15 @@ constexpr Entry<BodyKinematics> kBody[] = {
     {"<body>.pitch", "rad", [](const BodyKinematics& b) { return rpy_from_rotation(b.A)(1); }},
     {"<body>.yaw", "rad", [](const BodyKinematics& b) { return rpy_from_rotation(b.A)(2); }}};
 
+constexpr Entry<BodyKinematics> kAttitude[] = {
+    {"<body>.wx", "rad/s", [](const BodyKinematics& b) { return b.w.x(); }},
+    {"<body>.wy", "rad/s", [](const BodyKinematics& b) { return b.w.y(); }},
+    {"<body>.wz", "rad/s", [](const BodyKinematics& b) { return b.w.z(); }},
+    {"<body>.qw", "-", [](const BodyKinematics& b) { return b.L(0) / b.L.norm(); }},
+    {"<body>.qx", "-", [](const BodyKinematics& b) { return b.L(1) / b.L.norm(); }},
+    {"<body>.qy", "-", [](const BodyKinematics& b) { return b.L(2) / b.L.norm(); }},
+    {"<body>.qz", "-", [](const BodyKinematics& b) { return b.L(3) / b.L.norm(); }}};
+
 constexpr Entry<FlexibleFigures> kFlexible[] = {
     {"<body>.strain_energy", "J", [](const FlexibleFigures& f) { return f.strain_energy; }},
     {"<body>.deflection", "m", [](const FlexibleFigures& f) { return f.deflection; }},
@@ -50,6 +60,28 @@ constexpr Entry<GeneralizedForce> kContact[] = {
     {"<body>.contact.my", "N m", [](const GeneralizedForce& Q) { return Q.T_W.y(); }},
     {"<body>.contact.mz", "N m", [](const GeneralizedForce& Q) { return Q.T_W.z(); }}};
 
+constexpr Entry<CoordinateFigures> kAngle[] = {
+    {"<joint>.angle", "rad", [](const CoordinateFigures& q) { return q.value; }},
+    {"<joint>.angle_rate", "rad/s", [](const CoordinateFigures& q) { return q.rate; }}};
+
+constexpr Entry<CoordinateFigures> kDisplacement[] = {
+    {"<joint>.displacement", "m", [](const CoordinateFigures& q) { return q.value; }},
+    {"<joint>.displacement_rate", "m/s", [](const CoordinateFigures& q) { return q.rate; }}};
+
+constexpr Entry<Vector6d> kReaction[] = {{"<joint>.fx", "N", [](const Vector6d& R) { return R(0); }},
+                                         {"<joint>.fy", "N", [](const Vector6d& R) { return R(1); }},
+                                         {"<joint>.fz", "N", [](const Vector6d& R) { return R(2); }},
+                                         {"<joint>.mx", "N m", [](const Vector6d& R) { return R(3); }},
+                                         {"<joint>.my", "N m", [](const Vector6d& R) { return R(4); }},
+                                         {"<joint>.mz", "N m", [](const Vector6d& R) { return R(5); }}};
+
+constexpr Entry<JointForceSample> kDriveTorque[] = {
+    {"<drive>.joint_torque", "N m", [](const JointForceSample& s) { return s.force; }}};
+constexpr Entry<JointForceSample> kDriveForce[] = {
+    {"<drive>.joint_force", "N", [](const JointForceSample& s) { return s.force; }}};
+constexpr Entry<JointForceSample> kDrivePower[] = {
+    {"<drive>.power", "W", [](const JointForceSample& s) { return s.supply; }}};
+
 constexpr Entry<StrutSample> kStrut[] = {{"<strut>.stroke", "m", [](const StrutSample& s) { return s.stroke; }},
                                          {"<strut>.rate", "m/s", [](const StrutSample& s) { return s.rate; }},
                                          {"<strut>.force", "N", [](const StrutSample& s) { return s.force; }}};
@@ -61,8 +93,8 @@ constexpr Entry<StoredEnergy> kEnergyTotal[] = {{"energy.total", "J", [](const S
 
 constexpr Entry<double> kDissipated[] = {{"dissipated.<kind>", "J", itself}};
 
-constexpr Entry<State> kWork[] = {{"work.contact", "J", [](const State& s) { return s.load_work.sum(); }},
-                                  {"work.motion", "J", [](const State& s) { return s.motion_work; }}};
+constexpr Entry<State> kWork[] = {{"work.contact", "J", [](const State& s) { return s.load_work.sum(); }}};
+constexpr Entry<double> kSupplied[] = {{"work.<source>", "J", itself}};
 
 constexpr Entry<CouplingSample> kCoupling[] = {
     {"coupling.energy_residual", "J", [](const CouplingSample& c) { return c.energy_residual; }},
@@ -75,9 +107,10 @@ constexpr Entry<double> kOmegaH[] = {{"coupling.omega_h.<body>", "-", itself}};
 
 template <class Visit>
 void for_each_table(Visit visit) {
-  visit(kTime), visit(kBody), visit(kFlexible), visit(kContact), visit(kStrut), visit(kVoltage), visit(kStored),
-      visit(kEnergyTotal);
-  visit(kDissipated), visit(kWork), visit(kCoupling), visit(kChosenWindows), visit(kOmegaH);
+  visit(kTime), visit(kBody), visit(kAttitude), visit(kFlexible), visit(kContact), visit(kAngle), visit(kDisplacement),
+      visit(kReaction), visit(kDriveTorque), visit(kDriveForce), visit(kDrivePower), visit(kStrut), visit(kVoltage),
+      visit(kStored), visit(kEnergyTotal);
+  visit(kDissipated), visit(kWork), visit(kSupplied), visit(kCoupling), visit(kChosenWindows), visit(kOmegaH);
 }
 
 // ---- from the registry to the columns of a scene ----
@@ -107,6 +140,16 @@ bool recorded(const OutputSpec& output, const std::string& body) {
   return output.bodies.empty() || std::find(output.bodies.begin(), output.bodies.end(), body) != output.bodies.end();
 }
 
+// Prescribed motions have their column in every history.
+bool brings_work(const Scene& scene, Supply source) {
+  switch (source) {
+    case Supply::kMotion: return true;
+    case Supply::kForce: return !scene.forces.empty();
+    case Supply::kDrive: return !scene.drives.empty();
+  }
+  return false;
+}
+
 void add_coupling(const Subject& subject, Columns& out) {
   const auto coupling = [](const Sample& s) -> const CouplingSample& { return *s.coupling; };
   out.add(kCoupling, {}, coupling);
@@ -118,16 +161,45 @@ void add_coupling(const Subject& subject, Columns& out) {
   }
 }
 
+void add_joints(const Subject& subject, const JointFigures& joints, Columns& out) {
+  const Mechanism& mechanism = subject.mechanism;
+  for (std::size_t k = 0; subject.scene.output.joints && k < mechanism.coordinates.size(); ++k) {
+    const CoordinateEntry& entry = mechanism.coordinates[k];
+    const auto figures = [k, &joints](const Sample&) -> const CoordinateFigures& { return joints.coordinate(k); };
+    switch (entry.coordinate) {
+      case Coordinate::kAngle: out.add(kAngle, {entry.name}, figures); break;
+      case Coordinate::kDisplacement: out.add(kDisplacement, {entry.name}, figures); break;
+    }
+  }
+  for (std::size_t j = 0; subject.scene.output.reactions && j < subject.scene.joints.size(); ++j)
+    out.add(kReaction, {subject.scene.joints[j].name},
+            [j, &joints](const Sample&) -> const Vector6d& { return joints.reaction(j); });
+  for (const DriveEntry& drive : mechanism.drives) {
+    const auto sample = [subject, force = drive.force](const Sample& s) {
+      return static_cast<const JointForce&>(subject.mechanism.model.force(force))
+          .sample(element_input(subject, s, force));
+    };
+    switch (drive.coordinate) {
+      case Coordinate::kAngle: out.add(kDriveTorque, {drive.name}, sample); break;
+      case Coordinate::kDisplacement: out.add(kDriveForce, {drive.name}, sample); break;
+    }
+    out.add(kDrivePower, {drive.name}, sample);
+  }
+}
+
 }  // namespace
 
-std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible) {
+std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible,
+                                    const JointFigures& joints) {
   const Mechanism& mechanism = subject.mechanism;
   Columns out;
   out.add(kTime, {}, [](const Sample& s) -> const Sample& { return s; });
   for (int i = 0; i < mechanism.model.body_count(); ++i) {
     const std::string& name = mechanism.model.body(i).name();
     if (!recorded(subject.scene.output, name)) continue;
-    out.add(kBody, {name}, [i](const Sample& s) -> const BodyKinematics& { return s.kinematics.of(i); });
+    const auto body = [i](const Sample& s) -> const BodyKinematics& { return s.kinematics.of(i); };
+    out.add(kBody, {name}, body);
+    if (subject.scene.output.attitudes) out.add(kAttitude, {name}, body);
     if (const int k = flexible.find(i); k >= 0)
       out.add(kFlexible, {name}, [k, &flexible](const Sample&) -> const FlexibleFigures& { return flexible.now(k); });
   }
@@ -137,6 +209,7 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
               [i = static_cast<std::size_t>(entry.body)](const Sample& s) -> const GeneralizedForce& {
                 return s.contact[i];
               });
+  add_joints(subject, joints, out);
   for (const StrutEntry& strut : mechanism.struts)
     out.add(kStrut, {strut.name}, [subject, force = strut.force](const Sample& s) {
       return static_cast<const Strut&>(subject.mechanism.model.force(force)).sample(element_input(subject, s, force));
@@ -155,6 +228,11 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
     out.add(kDissipated, {std::string(name_of(kind))}, [kind](const Sample& s) { return s.state.dissipated[kind]; });
   }
   out.add(kWork, {}, [](const Sample& s) -> const State& { return s.state; });
+  for (int k = 0; k < count_of<Supply>(); ++k) {
+    const auto source = static_cast<Supply>(k);
+    if (!brings_work(subject.scene, source)) continue;
+    out.add(kSupplied, {std::string(name_of(source))}, [source](const Sample& s) { return s.state.supplied[source]; });
+  }
   if (subject.agreement) add_coupling(subject, out);
   return out.columns;
 }

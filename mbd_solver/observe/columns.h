@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mbd_solver/observe/flexible_figures.h"
+#include "mbd_solver/observe/joint_figures.h"
 #include "mbd_solver/observe/sample.h"
 
 namespace footfall {
@@ -17,9 +18,9 @@ struct Column {
   std::function<double(const Sample&)> value;
 };
 
-// Those that this scene has, in the order of the file. flexible: has taken the sample before a value is asked for; it
-// and the subject's parts must outlive the columns.
-std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible);
+// Those that this scene has, in the order of the file. flexible and joints have taken the sample before a value is
+// asked for; they and the subject's parts must outlive the columns.
+std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible, const JointFigures& joints);
 
 // The whole registry: what any scene can have.
 struct ColumnPattern {

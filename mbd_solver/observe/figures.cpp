@@ -85,7 +85,7 @@ void FigureTaker::take(const Sample& sample) {
   flow_.take(stored, sample.state, sample.kinematics);
   f.energy_flow = flow_.scale();
   const double balance =
-      stored.total() - start_energy_ + sample.state.dissipated.total() - f.contact_work - sample.state.motion_work;
+      stored.total() - start_energy_ + sample.state.dissipated.total() - f.contact_work - sample.state.supplied.total();
   f.energy_balance = std::max(f.energy_balance, std::abs(balance));
 }
 

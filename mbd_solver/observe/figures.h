@@ -20,7 +20,7 @@ struct Figures {
   double max_contact_force = 0.0;  // on one body [N]
   double reference_energy = 0.0;   // initial mechanical energy without gravity; else the largest kinetic energy [J]
   double energy_flow = 0.0;        // moved from one form to another: EnergyFlow::scale() [J]
-  double energy_balance = 0.0;     // largest |E - E0 + dissipated - work of contact and motion| [J]
+  double energy_balance = 0.0;     // largest |E - E0 + dissipated - work of contact, motions, forces, drives| [J]
   double contact_work = 0.0;       // done by the ground's grains on the mechanism so far [J]
   double contact_force = 0.0;      // on all bodies now [N]
 

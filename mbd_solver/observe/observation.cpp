@@ -3,7 +3,10 @@
 namespace footfall {
 
 Observation::Observation(const Subject& subject)
-    : flexible_(subject), columns_(history_columns(subject, flexible_)), row_(columns_.size()) {}
+    : flexible_(subject),
+      joints_(subject),
+      columns_(history_columns(subject, flexible_, joints_)),
+      row_(columns_.size()) {}
 
 std::vector<std::string> Observation::names() const {
   std::vector<std::string> names;
@@ -19,6 +22,7 @@ std::vector<std::string> Observation::units() const {
 
 const std::vector<double>& Observation::row(const Sample& sample) {
   flexible_.take(sample);
+  joints_.take(sample);
   for (std::size_t i = 0; i < columns_.size(); ++i) row_[i] = columns_[i].value(sample);
   return row_;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The rows of history.csv, and what flexible bodies did in them.
+// The rows of history.csv, and what flexible bodies and joints did in them.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace footfall {
 class Observation {
  public:
   explicit Observation(const Subject& subject);
-  Observation(const Observation&) = delete;  // the columns read the flexible bodies of this one
+  Observation(const Observation&) = delete;  // the columns read the parts of this one
   Observation& operator=(const Observation&) = delete;
 
   std::vector<std::string> names() const;
@@ -22,10 +22,15 @@ class Observation {
   const std::vector<double>& row(const Sample& sample);
   // Of all flexible bodies, over the rows so far.
   const FlexibleBodies& flexible() const { return flexible_; }
-  void visit(Archive& archive) { flexible_.visit(archive); }
+  void visit(Archive& archive) {
+    archive("flexible", flexible_);
+    archive("joints", joints_);
+  }
+  const JointFigures& joints() const { return joints_; }
 
  private:
   FlexibleBodies flexible_;
+  JointFigures joints_;
   std::vector<Column> columns_;
   std::vector<double> row_;
 };

@@ -39,7 +39,7 @@ inline ElementInput element_input(const Subject& subject, const Sample& sample, 
   const ForceElement& element = subject.mechanism.model.force(force);
   const int z = subject.layout.force_z[static_cast<std::size_t>(force)];
   return {sample.kinematics.pair(element.bodies()[0], element.bodies()[1]),
-          sample.state.z.segment(z, element.state_count()), sample.inputs.voltages};
+          sample.state.z.segment(z, element.state_count()), sample.inputs.voltages, sample.state.time};
 }
 
 }  // namespace footfall

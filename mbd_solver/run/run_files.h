@@ -30,7 +30,7 @@ class RunFiles {
   void write(const Sample& sample);  // what is due; throws FileError, NumericalError
   void flush();                      // rows are on the disk's side
   void visit(Archive& archive);
-  const FlexibleBodies& flexible() const { return observation_.flexible(); }
+  const Observation& observation() const { return observation_; }
 
  private:
   void write_due(const Sample& sample);

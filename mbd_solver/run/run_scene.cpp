@@ -61,15 +61,17 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   };
   if (resumed) restore_checkpoint(options.checkpoint, scene, visit);
   Progress progress(t_end, options.quiet);
-  WarningTeller of_coupling, of_bodies;
+  WarningTeller of_coupling, of_bodies, of_joints;
   if (coupled) of_coupling.skip(coupled->watch().warnings());
-  of_bodies.skip(files.flexible().warnings());
+  of_bodies.skip(files.observation().flexible().warnings());
+  of_joints.skip(files.observation().joints().warnings());
   const auto observe = [&](const Sample& sample) {
     taker.take(sample);
     files.write(sample);
     progress.show(sample.state.time, sample.window, taker.figures().contact_force);
     if (coupled) of_coupling.tell(coupled->watch().warnings());
-    of_bodies.tell(files.flexible().warnings());
+    of_bodies.tell(files.observation().flexible().warnings());
+    of_joints.tell(files.observation().joints().warnings());
   };
   CheckpointFolder checkpoints(options.out);
   std::string folder;  // of the checkpoint that is being written
@@ -89,7 +91,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   };
   const auto summarize = [&](const std::string& status, const std::string& reason) {
     try {
-      write_summary(options.out + "/summary.json", run_summary(simulation, taker, files.flexible(), status, reason));
+      write_summary(options.out + "/summary.json", run_summary(simulation, taker, files.observation(), status, reason));
     } catch (const InputError& error) {
       throw FileError(error.what());
     }

@@ -56,7 +56,7 @@ void add_coupling(const CoupledRun& coupled, double energy_flow, Json& json) {
     json["max_omega_h"][watch.names()[i]] = watch.largest_omega_h()[i];
 }
 
-Json warnings_of(const Simulation& simulation, const FigureTaker& taker, const FlexibleBodies& flexible) {
+Json warnings_of(const Simulation& simulation, const FigureTaker& taker, const Observation& observation) {
   Json warnings = Json::array();
   const auto add = [&warnings](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) warnings.push_back(text);
@@ -64,7 +64,8 @@ Json warnings_of(const Simulation& simulation, const FigureTaker& taker, const F
   add(simulation.mechanism().warnings);
   add(simulation.assembly().notes);
   if (simulation.coupled()) add(simulation.coupled()->watch().warnings());
-  add(flexible.warnings());
+  add(observation.flexible().warnings());
+  add(observation.joints().warnings());
   if (const std::string text = taker.balance_warning(); !text.empty()) warnings.push_back(text);
   return warnings;
 }
@@ -100,9 +101,10 @@ void add_creep(const Scene& scene, Json& json) {
 
 }  // namespace
 
-Json run_summary(const Simulation& simulation, const FigureTaker& taker, const FlexibleBodies& flexible,
+Json run_summary(const Simulation& simulation, const FigureTaker& taker, const Observation& observation,
                  const std::string& status, const std::string& reason) {
   const Figures& figures = taker.figures();
+  const FlexibleBodies& flexible = observation.flexible();
   const IntegratorStatistics& statistics = simulation.integrator().statistics();
   Json json;
   json["status"] = status;
@@ -126,7 +128,7 @@ Json run_summary(const Simulation& simulation, const FigureTaker& taker, const F
   add_costs(simulation, json);
   json["integrator"] = simulation.integrator().name();
   json["active"] = active_parts(simulation, flexible);
-  json["warnings"] = warnings_of(simulation, taker, flexible);
+  json["warnings"] = warnings_of(simulation, taker, observation);
   json["versions"]["footfall"] = FOOTFALL_VERSION;
   json["scene_file"] = std::filesystem::absolute(simulation.scene().file).lexically_normal().string();
   json["settings"] = simulation.scene().settings;

@@ -5,14 +5,14 @@
 #include <string>
 
 #include "mbd_solver/observe/figures.h"
-#include "mbd_solver/observe/flexible_figures.h"
+#include "mbd_solver/observe/observation.h"
 #include "mbd_solver/run/simulation.h"
 
 namespace footfall {
 
 // status: "done", "interrupted" or "failed"; reason: of a failure, else empty.
 nlohmann::ordered_json run_summary(const Simulation& simulation, const FigureTaker& taker,
-                                   const FlexibleBodies& flexible, const std::string& status,
+                                   const Observation& observation, const std::string& status,
                                    const std::string& reason);
 
 }  // namespace footfall

@@ -37,13 +37,24 @@ IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains) {
   return options;
 }
 
+AssemblyOptions assembly_options(const Scene& scene) {
+  AssemblyOptions options;
+  options.gap_tolerance = std::max(options.gap_tolerance, scene.initial.largest_gap);
+  for (const InitialJointSpec& given : scene.initial.joints) {
+    const int joint = scene.joint_index(given.name);
+    if (given.angle) options.start.push_back({joint, Coordinate::kAngle, *given.angle});
+    if (given.displacement) options.start.push_back({joint, Coordinate::kDisplacement, *given.displacement});
+  }
+  return options;
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_transport, const std::string& resume)
     : scene_(scene),
       t_end_(t_end),
       mechanism_(build_mechanism(scene)),
-      assembly_(assemble(mechanism_.model)),
+      assembly_(assemble(mechanism_.model, assembly_options(scene))),
       equations_(mechanism_.model, assembly_, baumgarte(scene.solver)),
       integrator_(make_integrator(std::string(name_of(scene.solver.integrator)), equations_,
                                   integrator_options(scene.solver, partner_transport != nullptr))),

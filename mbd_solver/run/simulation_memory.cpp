@@ -10,7 +10,7 @@ inline constexpr auto kFields<State> = std::tuple{Field{"time", &State::time},
                                                   Field{"z", &State::z},
                                                   Field{"dissipated", &State::dissipated},
                                                   Field{"load_work", &State::load_work},
-                                                  Field{"motion_work", &State::motion_work},
+                                                  Field{"supplied", &State::supplied},
                                                   Field{"step", &State::step}};
 
 template <>

@@ -153,6 +153,8 @@ void apply_arrays(Scene& scene, Findings& findings) {
     copy_entries(scene.joints, array);
     copy_entries(scene.struts, array);
     copy_entries(scene.springs, array);
+    copy_entries(scene.forces, array);
+    copy_entries(scene.drives, array);
     copy_entries(scene.boundaries, array);
     copy_entries(scene.initial.bodies, array);
     NameExpander expander("{" + array.name + "}", array.count);

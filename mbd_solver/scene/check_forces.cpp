@@ -1,4 +1,4 @@
-// Struts, springs and controllers.
+// Struts, springs, forces and controllers.
 #include <algorithm>
 #include <cmath>
 
@@ -148,8 +148,29 @@ void check_springs(const Scene& scene, Findings& findings) {
     for (const std::string& key : foreign_keys(spring.kind))
       if (spring.source.written_together("kind", key))
         findings.error(spring.source, key, "means nothing for this kind of spring; leave it out");
-    if (spring.stiffness + spring.damping + spring.turning_stiffness + spring.turning_damping == 0.0)
+    const auto alike = [](const Eigen::Vector3d& k) { return k.x() == k.y() && k.y() == k.z(); };
+    if (!bushing && !(alike(spring.stiffness) && alike(spring.damping)))
+      findings.error(spring.source, alike(spring.damping) ? "stiffness" : "damping",
+                     "is a list; only a bushing has a value for each of its axes, expected one number");
+    if (bushing && std::abs(spring.axis.dot(spring.axis2)) > 0.999)
+      findings.error(spring.source, "axis2",
+                     "is parallel to axis; expected the x direction of the bushing, across its z");
+    if ((spring.stiffness + spring.damping + spring.turning_stiffness + spring.turning_damping).isZero(0.0))
       findings.error(spring.source, "", "has neither stiffness nor damping");
+  }
+}
+
+void check_forces(const Scene& scene, Findings& findings) {
+  check_unique_names(scene.forces, "force", findings);
+  for (const ForceSpec& force : scene.forces) {
+    check_body_name(scene, force.source, "body", force.body, findings);
+    check_function(force.source, "force", force.force, findings);
+    check_function(force.source, "torque", force.torque, findings);
+    if (!force.force && !force.torque)
+      findings.error(force.source, "", "has neither force nor torque, for example force = { polynomial = [10] } (N)");
+    if (!force.point && bends(scene, force.body))
+      findings.error(force.source, "point",
+                     "is missing; \"" + force.body + "\" is flexible, and is pushed at a point of the drawing");
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 constexpr double kLargestGap = 1e-6;  // of the points of a joint in the drawing [m]; projection would move bodies by it
 constexpr double kLargestCosine = 1e-3;  // of the two axes of a universal joint, as numbers of four digits give it
 
-void check_points(const JointSpec& joint, Findings& findings) {
+void check_points(const JointSpec& joint, double largest_gap, Findings& findings) {
   const Source& source = joint.source;
   const bool both = source.given("point_a") && source.given("point_b");
   const bool may_differ = traits_of(joint.type).points_may_differ;
@@ -23,11 +23,11 @@ void check_points(const JointSpec& joint, Findings& findings) {
     return;
   }
   const double gap = (joint.point_b - joint.point_a).norm();
-  if (!may_differ && gap > kLargestGap) {
+  if (!may_differ && gap > largest_gap) {
     findings.error(source, "point_b",
                    "the joint is open by " + number_text(gap) + " m between \"" + joint.bodies[0] + "\" and \"" +
-                       joint.bodies[1] + "\"; expected points within " + number_text(kLargestGap) +
-                       " m in the design position");
+                       joint.bodies[1] + "\"; expected points within " + number_text(largest_gap) +
+                       " m in the design position (initial.largest_gap closes larger gaps)");
   }
   if (joint.type != JointType::kDistance) return;
   if (gap == 0.0) {
@@ -66,29 +66,14 @@ double at_start(const TimeFunctionSpec& f) {
   return value;
 }
 
-void check_function(const JointSpec& joint, const std::string& key, const std::optional<TimeFunctionSpec>& f,
-                    Findings& findings) {
-  if (!f) return;
-  if (f->amplitude != 0.0 && f->frequency == 0.0)
-    findings.error(joint.source, "motion." + key + ".frequency",
-                   "is missing; an amplitude swings with it (Hz). For a constant use polynomial = [value]");
-  for (std::size_t i = 1; i < f->table.size(); ++i) {
-    if (f->table[i].x() > f->table[i - 1].x()) continue;
-    findings.error(joint.source, "motion." + key + ".table",
-                   "has time " + number_text(f->table[i].x()) + " s after " + number_text(f->table[i - 1].x()) +
-                       " s; expected times that rise");
-    break;
-  }
-}
-
 // The motion of one joint by itself.
 void check_functions(const JointSpec& joint, Findings& findings) {
   if (!joint.motion) return;
   const MotionSpec& m = *joint.motion;
-  check_function(joint, "x", m.x, findings);
-  check_function(joint, "y", m.y, findings);
-  check_function(joint, "z", m.z, findings);
-  check_function(joint, "rotation", m.rotation, findings);
+  check_function(joint.source, "motion.x", m.x, findings);
+  check_function(joint.source, "motion.y", m.y, findings);
+  check_function(joint.source, "motion.z", m.z, findings);
+  check_function(joint.source, "motion.rotation", m.rotation, findings);
   // sin(angle - f) = 0 holds half a turn off, too.
   if (m.rotation && !(std::cos(at_start(*m.rotation)) > 0.0))
     findings.error(joint.source, "motion.rotation",
@@ -128,12 +113,27 @@ void check_motion_twice(const JointSpec& first, const JointSpec& second, Finding
 
 }  // namespace
 
+void check_function(const Source& source, const std::string& key, const std::optional<TimeFunctionSpec>& f,
+                    Findings& findings) {
+  if (!f) return;
+  if (f->amplitude != 0.0 && f->frequency == 0.0)
+    findings.error(source, key + ".frequency",
+                   "is missing; an amplitude swings with it (Hz). For a constant use polynomial = [value]");
+  for (std::size_t i = 1; i < f->table.size(); ++i) {
+    if (f->table[i].x() > f->table[i - 1].x()) continue;
+    findings.error(source, key + ".table",
+                   "has time " + number_text(f->table[i].x()) + " s after " + number_text(f->table[i - 1].x()) +
+                       " s; expected times that rise");
+    break;
+  }
+}
+
 void check_joints(const Scene& scene, Findings& findings) {
   check_unique_names(scene.joints, "joint", findings);
   for (const JointSpec& joint : scene.joints) {
     if (!joint.source.given("type")) continue;
     check_pair(scene, joint.source, joint.bodies, findings);
-    check_points(joint, findings);
+    check_points(joint, scene.initial.largest_gap, findings);
     check_motion(joint, findings);
     check_functions(joint, findings);
     for (const JointSpec& before : scene.joints) {

@@ -37,7 +37,8 @@ enum class Unit {
   kStiffness,
   kDamping,
   kTurningStiffness,
-  kTurningDamping
+  kTurningDamping,
+  kTorque
 };
 
 enum class Range { kAny, kPositive, kNotNegative, kUnitInterval };
@@ -64,12 +65,16 @@ struct NumberOrWord {  // mass = 900 or mass = "remainder"
   bool* is_word;
 };
 
+struct PerAxis {  // stiffness = 100, alike along x, y and z, or [kx, ky, kz]
+  Eigen::Vector3d* values;
+};
+
 using FieldRef =
     std::variant<double*, std::optional<double>*, int*, std::optional<int>*, bool*, std::string*,
                  std::vector<std::string>*, std::array<std::string, 2>*, Eigen::Vector3d*,
                  std::optional<Eigen::Vector3d>*, std::vector<Eigen::Vector3d>*, std::array<Eigen::Vector3d, 2>*,
                  std::vector<double>*, std::vector<int>*, std::vector<Eigen::Vector2d>*, Eigen::Quaterniond*,
-                 Eigen::Matrix3d*, std::map<std::string, std::string>*, Choice*, NumberOrWord*, Source*>;
+                 Eigen::Matrix3d*, std::map<std::string, std::string>*, Choice*, NumberOrWord*, PerAxis*, Source*>;
 
 enum class Presence { kAlways, kOptional, kSwitch };  // kSwitch: key = true / false, or a table
 
@@ -123,6 +128,7 @@ void visit_fields(FieldVisitor& v, SectionSpec& section);
 void visit_fields(FieldVisitor& v, JointSpec& joint);
 void visit_fields(FieldVisitor& v, MotionSpec& motion);
 void visit_fields(FieldVisitor& v, TimeFunctionSpec& function, Unit unit);
+void visit_fields(FieldVisitor& v, CoordinateSpec& coordinate, CoordinateChoice which);
 void visit_fields(FieldVisitor& v, StrutSpec& strut);
 void visit_fields(FieldVisitor& v, GasSpec& gas);
 void visit_fields(FieldVisitor& v, MrSpec& mr);
@@ -133,6 +139,9 @@ void visit_fields(FieldVisitor& v, StopsSpec& stops);
 void visit_fields(FieldVisitor& v, LinearSpringSpec& spring);
 void visit_fields(FieldVisitor& v, TableSpec& table);
 void visit_fields(FieldVisitor& v, SpringSpec& spring);
+void visit_fields(FieldVisitor& v, ForceSpec& force);
+void visit_fields(FieldVisitor& v, DriveSpec& drive);
+void visit_fields(FieldVisitor& v, InitialJointSpec& joint);
 void visit_fields(FieldVisitor& v, BoundarySpec& boundary);
 void visit_fields(FieldVisitor& v, SurfaceSpec& surface);
 void visit_fields(FieldVisitor& v, BeamsSpec& beams);
@@ -191,7 +200,8 @@ void FieldVisitor::list(const std::string& key, std::vector<T>& items, bool name
   std::vector<T>& visited = only_keys ? unused : items;
   for (int i = 0; i < static_cast<int>(visited.size()); ++i) {
     T& item = visited[static_cast<std::size_t>(i)];
-    if constexpr (std::is_same_v<T, ArraySpec> || std::is_same_v<T, MaterialSpec> || std::is_same_v<T, SectionSpec>) {
+    if constexpr (std::is_same_v<T, ArraySpec> || std::is_same_v<T, MaterialSpec> || std::is_same_v<T, SectionSpec> ||
+                  std::is_same_v<T, InitialJointSpec>) {
       begin_item(i, &item.name);
     } else {
       begin_item(i, nullptr);

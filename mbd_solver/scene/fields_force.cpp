@@ -1,4 +1,4 @@
-// The keys of struts and springs.
+// The keys of struts, springs and forces.
 #include "mbd_solver/scene/field_visitor.h"
 
 namespace footfall {
@@ -88,11 +88,29 @@ void visit_fields(FieldVisitor& v, SpringSpec& s) {
   v.field("bodies", &s.bodies, {Unit::kNone, Range::kAny, Meaning::kName, true});
   v.field("point", &s.point, {Unit::kLength, Range::kAny, Meaning::kPoint});
   v.field("axis", &s.axis, {Unit::kNone, Range::kAny, Meaning::kDirection});
-  v.field("stiffness", &s.stiffness, {Unit::kNone, Range::kNotNegative});
-  v.field("damping", &s.damping, {Unit::kNone, Range::kNotNegative});
+  v.field("axis2", &s.axis2, {Unit::kNone, Range::kAny, Meaning::kDirection});
+  const auto per_axis = [&](const std::string& key, Eigen::Vector3d& values, Unit unit) {
+    PerAxis each{&values};
+    v.field(key, &each, {unit, Range::kNotNegative});
+  };
+  per_axis("stiffness", s.stiffness, Unit::kNone);
+  per_axis("damping", s.damping, Unit::kNone);
   v.field("rest_angle", &s.rest_angle, {Unit::kAngle});
-  v.field("turning_stiffness", &s.turning_stiffness, {Unit::kTurningStiffness, Range::kNotNegative});
-  v.field("turning_damping", &s.turning_damping, {Unit::kTurningDamping, Range::kNotNegative});
+  per_axis("turning_stiffness", s.turning_stiffness, Unit::kTurningStiffness);
+  per_axis("turning_damping", s.turning_damping, Unit::kTurningDamping);
+}
+
+void visit_fields(FieldVisitor& v, ForceSpec& f) {
+  v.field("", &f.source, {});
+  v.field("name", &f.name, {Unit::kNone, Range::kAny, Meaning::kName, true});
+  v.field("body", &f.body, {Unit::kNone, Range::kAny, Meaning::kName, true});
+  v.field("point", &f.point, {Unit::kLength, Range::kAny, Meaning::kPoint});
+  v.choice("frame", f.frame);
+  v.field("direction", &f.direction, {Unit::kNone, Range::kAny, Meaning::kDirection, true});
+  v.section("force", f.force, Presence::kOptional,
+            [](FieldVisitor& w, TimeFunctionSpec& function) { visit_fields(w, function, Unit::kForce); });
+  v.section("torque", f.torque, Presence::kOptional,
+            [](FieldVisitor& w, TimeFunctionSpec& function) { visit_fields(w, function, Unit::kTorque); });
 }
 
 }  // namespace footfall

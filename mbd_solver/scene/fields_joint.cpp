@@ -1,4 +1,4 @@
-// The keys of joints and prescribed motions.
+// The keys of joints, prescribed motions, and drives.
 #include "mbd_solver/scene/field_visitor.h"
 
 namespace footfall {
@@ -21,6 +21,29 @@ void visit_fields(FieldVisitor& v, MotionSpec& m) {
   v.field("hold_other_rotations", &m.hold_other_rotations, {});
 }
 
+void visit_fields(FieldVisitor& v, CoordinateSpec& c, CoordinateChoice which) {
+  const Unit unit = which == CoordinateChoice::kAngle ? Unit::kAngle : Unit::kLength;
+  v.section("stops", c.stops, Presence::kOptional, [unit](FieldVisitor& w, JointStopsSpec& s) {
+    w.field("min", &s.min, {unit});
+    w.field("max", &s.max, {unit});
+    w.field("stiffness", &s.stiffness, {Unit::kNone, Range::kPositive, Meaning::kPlain, true});
+    w.field("dissipation", &s.dissipation, {Unit::kNone, Range::kNotNegative});
+    w.field("toe", &s.toe, {unit, Range::kPositive});
+  });
+  v.section("friction", c.friction, Presence::kOptional, [unit](FieldVisitor& w, JointFrictionSpec& f) {
+    w.field("coulomb", &f.coulomb, {Unit::kNone, Range::kPositive, Meaning::kPlain, true});
+    w.field("breakaway", &f.breakaway, {Unit::kNone, Range::kPositive});
+    w.field("stribeck_speed", &f.stribeck_speed, {Unit::kNone, Range::kPositive});
+    w.field("viscous", &f.viscous, {Unit::kNone, Range::kNotNegative});
+    w.field("stick_displacement", &f.stick_displacement, {unit, Range::kPositive});
+  });
+  v.section("spring", c.spring, Presence::kOptional, [unit](FieldVisitor& w, JointSpringSpec& s) {
+    w.field("stiffness", &s.stiffness, {Unit::kNone, Range::kNotNegative});
+    w.field("damping", &s.damping, {Unit::kNone, Range::kNotNegative});
+    w.field("rest", &s.rest, {unit});
+  });
+}
+
 void visit_fields(FieldVisitor& v, JointSpec& j) {
   v.field("", &j.source, {});
   v.field("name", &j.name, {Unit::kNone, Range::kAny, Meaning::kName, true});
@@ -33,6 +56,28 @@ void visit_fields(FieldVisitor& v, JointSpec& j) {
   v.field("axis2", &j.axis2, {Unit::kNone, Range::kAny, Meaning::kDirection});
   v.field("length", &j.length, {Unit::kLength, Range::kPositive});
   v.section("motion", j.motion);
+  v.section("angle", j.angle, Presence::kOptional,
+            [](FieldVisitor& w, CoordinateSpec& c) { visit_fields(w, c, CoordinateChoice::kAngle); });
+  v.section("displacement", j.displacement, Presence::kOptional,
+            [](FieldVisitor& w, CoordinateSpec& c) { visit_fields(w, c, CoordinateChoice::kDisplacement); });
+}
+
+void visit_fields(FieldVisitor& v, DriveSpec& d) {
+  v.field("", &d.source, {});
+  v.field("name", &d.name, {Unit::kNone, Range::kAny, Meaning::kName, true});
+  v.choice("kind", d.kind, {Unit::kNone, Range::kAny, Meaning::kPlain, true});
+  v.field("joint", &d.joint, {Unit::kNone, Range::kAny, Meaning::kName, true});
+  v.choice("coordinate", d.coordinate);
+  v.section("command", d.command, Presence::kOptional,
+            [](FieldVisitor& w, TimeFunctionSpec& function) { visit_fields(w, function, Unit::kNone); });
+  v.field("kp", &d.kp, {Unit::kNone, Range::kNotNegative});
+  v.field("ki", &d.ki, {Unit::kNone, Range::kNotNegative});
+  v.field("kd", &d.kd, {Unit::kNone, Range::kNotNegative});
+  v.field("max_torque", &d.max_torque, {Unit::kTorque, Range::kPositive});
+  v.field("max_speed", &d.max_speed, {Unit::kAngularVelocity, Range::kPositive});
+  v.field("gear_ratio", &d.gear_ratio, {Unit::kNone, Range::kPositive});
+  v.field("efficiency", &d.efficiency, {Unit::kNone, Range::kUnitInterval});
+  v.field("rotor_inertia", &d.rotor_inertia, {Unit::kInertia, Range::kNotNegative});
 }
 
 }  // namespace footfall

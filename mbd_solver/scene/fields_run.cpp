@@ -10,6 +10,12 @@ void visit_fields(FieldVisitor& v, BodyVelocitySpec& b) {
   v.field("angular_velocity", &b.angular_velocity, {Unit::kAngularVelocity, Range::kAny, Meaning::kFree});
 }
 
+void visit_fields(FieldVisitor& v, InitialJointSpec& j) {
+  v.field("", &j.source, {});
+  v.field("angle", &j.angle, {Unit::kAngle});
+  v.field("displacement", &j.displacement, {Unit::kLength});
+}
+
 void visit_fields(FieldVisitor& v, InitialSpec& i) {
   v.field("", &i.source, {});
   v.field("position", &i.position, {Unit::kLength});
@@ -20,6 +26,8 @@ void visit_fields(FieldVisitor& v, InitialSpec& i) {
   v.field("velocity", &i.velocity, {Unit::kVelocity});
   v.field("angular_velocity", &i.angular_velocity, {Unit::kAngularVelocity});
   v.list("bodies", i.bodies);
+  v.list("joints", i.joints, true);
+  v.field("largest_gap", &i.largest_gap, {Unit::kLength, Range::kPositive});
 }
 
 void visit_fields(FieldVisitor& v, ControllerSpec& c) {
@@ -75,6 +83,9 @@ void visit_fields(FieldVisitor& v, OutputSpec& o) {
   v.field("", &o.source, {});
   v.field("interval", &o.interval, {Unit::kTime, Range::kPositive});
   v.field("bodies", &o.bodies, {Unit::kNone, Range::kAny, Meaning::kName});
+  v.field("joints", &o.joints, {});
+  v.field("reactions", &o.reactions, {});
+  v.field("attitudes", &o.attitudes, {});
   v.field("vtk", &o.vtk, {});
   v.field("vtk_interval", &o.vtk_interval, {Unit::kTime, Range::kPositive});
   v.field("plots", &o.plots, {});

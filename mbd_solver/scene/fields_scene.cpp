@@ -24,6 +24,8 @@ void visit_fields(FieldVisitor& v, Scene& s) {
   v.list("joints", s.joints);
   v.list("struts", s.struts);
   v.list("springs", s.springs);
+  v.list("forces", s.forces);
+  v.list("drives", s.drives);
   v.list("boundaries", s.boundaries);
   v.section("ground", s.ground);
   v.section("particles", s.particles);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "coupler/base/kinds.h"
+#include "mbd_solver/model/laws/end_stop.h"
+#include "mbd_solver/model/laws/joint_friction.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
@@ -21,6 +23,8 @@ enum class JointType {
   kCylindrical,
   kDistance,
   kPointOnPlane,
+  kPlanar,
+  kConstantVelocity,
   kPrescribed
 };
 
@@ -36,19 +40,24 @@ struct JointTraits {
   KeyUse motion;
   bool points_may_differ;  // in the drawing
   bool holds_attitude;     // transmits moments
+  bool turns;              // its angle about `axis` is a coordinate
+  bool slides;             // its displacement along `axis` is a coordinate
 };
 constexpr JointTraits traits_of(JointType type) {
   constexpr KeyUse no = KeyUse::kUnused, may = KeyUse::kOptional, must = KeyUse::kRequired;
-  switch (type) {  //                                                axis  axis2 length motion differ attitude
-    case JointType::kFixed: return {"fixed", may, no, no, no, false, true};
-    case JointType::kSpherical: return {"spherical", may, no, no, no, false, false};
-    case JointType::kUniversal: return {"universal", must, must, no, no, false, false};
-    case JointType::kRevolute: return {"revolute", must, no, no, no, false, true};
-    case JointType::kPrismatic: return {"prismatic", must, no, no, no, false, true};
-    case JointType::kCylindrical: return {"cylindrical", must, no, no, no, false, true};
-    case JointType::kDistance: return {"distance", may, no, may, no, true, false};
-    case JointType::kPointOnPlane: return {"point_on_plane", must, no, no, no, true, false};
-    case JointType::kPrescribed: return {"prescribed", may, may, no, must, false, true};
+  switch (
+      type) {  //                                                axis  axis2 length motion differ attitude turns slides
+    case JointType::kFixed: return {"fixed", may, no, no, no, false, true, false, false};
+    case JointType::kSpherical: return {"spherical", may, no, no, no, false, false, false, false};
+    case JointType::kUniversal: return {"universal", must, must, no, no, false, false, false, false};
+    case JointType::kRevolute: return {"revolute", must, no, no, no, false, true, true, false};
+    case JointType::kPrismatic: return {"prismatic", must, no, no, no, false, true, false, true};
+    case JointType::kCylindrical: return {"cylindrical", must, no, no, no, false, true, true, true};
+    case JointType::kDistance: return {"distance", may, no, may, no, true, false, false, false};
+    case JointType::kPointOnPlane: return {"point_on_plane", must, no, no, no, true, false, false, false};
+    case JointType::kPlanar: return {"planar", must, no, no, no, false, true, false, false};
+    case JointType::kConstantVelocity: return {"constant_velocity", must, no, no, no, false, true, false, false};
+    case JointType::kPrescribed: return {"prescribed", may, may, no, must, false, true, false, false};
   }
   return {};
 }
@@ -72,6 +81,52 @@ struct MotionSpec {
   bool hold_other_rotations = false;         // keeps z of both bodies parallel
 };
 
+// The coordinates that a joint leaves free: body b relative to body a, zero in the drawing.
+enum class CoordinateChoice {
+  kAuto,         // the one that there is
+  kAngle,        // about the axis [rad]: revolute, cylindrical
+  kDisplacement  // along the axis [m]: prismatic, cylindrical
+};
+constexpr std::string_view name_of(CoordinateChoice choice) {
+  switch (choice) {
+    case CoordinateChoice::kAuto: return "auto";
+    case CoordinateChoice::kAngle: return "angle";
+    case CoordinateChoice::kDisplacement: return "displacement";
+  }
+  return {};
+}
+
+// Elastic ends with dissipation: those of a strut, on a joint's coordinate.
+struct JointStopsSpec {
+  std::optional<double> min, max;                        // [rad or m]; at least one is needed
+  double stiffness = 0.0;                                // [N m/rad or N/m] > 0
+  double dissipation = EndStopParameters{}.dissipation;  // [s/rad or s/m] >= 0
+  double toe = EndStopParameters{}.toe;                  // smoothing of first contact [rad or m] > 0
+};
+
+// Dry friction with stick, and viscous friction.
+struct JointFrictionSpec {
+  double coulomb = 0.0;                                                      // when it slides fast [N m or N] >= 0
+  std::optional<double> breakaway;                                           // at rest, >= coulomb; not given: coulomb
+  double stribeck_speed = JointFrictionParameters{}.stribeck_speed;          // [rad/s or m/s] > 0
+  double viscous = 0.0;                                                      // [N m s/rad or N s/m] >= 0
+  double stick_displacement = JointFrictionParameters{}.stick_displacement;  // elastic, before it slides [rad or m] > 0
+};
+
+// torque = -stiffness (coordinate - rest) - damping rate
+struct JointSpringSpec {
+  double stiffness = 0.0;  // [N m/rad or N/m] >= 0
+  double damping = 0.0;    // [N m s/rad or N s/m] >= 0
+  double rest = 0.0;       // [rad or m]
+};
+
+// What acts on one coordinate of a joint.
+struct CoordinateSpec {
+  std::optional<JointStopsSpec> stops;
+  std::optional<JointFrictionSpec> friction;
+  std::optional<JointSpringSpec> spring;
+};
+
 struct JointSpec {
   Source source;
   std::string name;
@@ -87,8 +142,10 @@ struct JointSpec {
   // fixed in a; point_on_plane: normal of the plane, fixed in a
   // universal: axis fixed in b, perpendicular to `axis`; prescribed: x axis
   Eigen::Vector3d axis2 = Eigen::Vector3d::UnitX();
-  std::optional<double> length;      // distance [m]; not given: that of the points
-  std::optional<MotionSpec> motion;  // prescribed
+  std::optional<double> length;                // distance [m]; not given: that of the points
+  std::optional<MotionSpec> motion;            // prescribed
+  std::optional<CoordinateSpec> angle;         // revolute, cylindrical
+  std::optional<CoordinateSpec> displacement;  // prismatic, cylindrical
 };
 
 }  // namespace footfall

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/scene/drive_spec.h"
 #include "mbd_solver/scene/run_spec.h"
 #include "mbd_solver/scene/strut_spec.h"
 
@@ -14,7 +15,16 @@ inline std::vector<std::string> keys_of(SpringKind kind) {
   switch (kind) {
     case SpringKind::kTorsion: return {"axis", "rest_angle"};
     case SpringKind::kCentring: return {};
-    case SpringKind::kBushing: return {"turning_stiffness", "turning_damping"};
+    case SpringKind::kBushing: return {"axis", "axis2", "turning_stiffness", "turning_damping"};
+  }
+  return {};
+}
+
+inline std::vector<std::string> keys_of(MotorKind kind) {
+  switch (kind) {
+    case MotorKind::kTorque: return {};
+    case MotorKind::kSpeed: return {"kp", "ki"};
+    case MotorKind::kPosition: return {"kp", "ki", "kd"};
   }
   return {};
 }

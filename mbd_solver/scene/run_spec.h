@@ -24,6 +24,14 @@ struct BodyVelocitySpec {
   std::optional<Eigen::Vector3d> angular_velocity;  // in W [rad/s]
 };
 
+// A coordinate of a joint at the start, instead of the drawing's zero.
+struct InitialJointSpec {
+  Source source;
+  std::string name;                    // of the joint
+  std::optional<double> angle;         // [rad]
+  std::optional<double> displacement;  // [m]
+};
+
 // Places the drawing D in W: turned about the total mass centre by R_WD = Rz(yaw) Ry(pitch) Rx(roll), moved by
 // position, then up or down to the clearance. What is fixed to the ground by joints, struts or springs is drawn in D
 // too and is placed with it.
@@ -35,6 +43,8 @@ struct InitialSpec {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          // of the total mass centre [m/s]
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // about it [rad/s]
   std::vector<BodyVelocitySpec> bodies;
+  std::vector<InitialJointSpec> joints;
+  double largest_gap = 1e-6;  // of the points of a joint in the drawing, closed before the start [m]
 };
 
 enum class ControllerKind { kConstant, kFuzzy, kSkyhook, kPid };
@@ -136,6 +146,9 @@ struct OutputSpec {
   Source source;
   double interval = 1e-3;            // rows of history.csv [s]
   std::vector<std::string> bodies;   // whose motion is recorded; empty: all
+  bool joints = true;                // coordinates of joints and their rates are recorded
+  bool reactions = false;            // forces and moments of joints are recorded
+  bool attitudes = true;             // angular velocities and quaternions of bodies are recorded
   bool vtk = false;                  // deformed geometry, one file per frame
   double vtk_interval = 0.01;        // [s]
   bool plots = true;                 // gnuplot pictures at the end of `footfall run`

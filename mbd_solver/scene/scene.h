@@ -9,6 +9,8 @@
 
 #include "mbd_solver/scene/body_spec.h"
 #include "mbd_solver/scene/contact_spec.h"
+#include "mbd_solver/scene/drive_spec.h"
+#include "mbd_solver/scene/force_spec.h"
 #include "mbd_solver/scene/joint_spec.h"
 #include "mbd_solver/scene/run_spec.h"
 #include "mbd_solver/scene/source.h"
@@ -46,6 +48,8 @@ struct Scene {
   std::vector<JointSpec> joints;
   std::vector<StrutSpec> struts;
   std::vector<SpringSpec> springs;
+  std::vector<ForceSpec> forces;
+  std::vector<DriveSpec> drives;
   std::vector<BoundarySpec> boundaries;
   GroundSpec ground;
   std::optional<ParticlesSpec> particles;  // needed by ground.kind = "particles"
@@ -58,6 +62,9 @@ struct Scene {
   // Index of the body of this name; -1 for "ground". The scene is checked, so every name is known (FOOTFALL_DEMAND).
   int body_index(const std::string& name) const;
   const MaterialSpec& material(const std::string& name) const;
+  // The coordinate that a drive moves, of a checked scene.
+  CoordinateChoice coordinate_of(const DriveSpec& drive) const;
+  int joint_index(const std::string& name) const;  // FOOTFALL_DEMAND likewise
   bool touches_particles() const { return ground.kind == GroundKind::kParticles; }
 };
 

@@ -15,6 +15,19 @@ int Scene::body_index(const std::string& name) const {
   return static_cast<int>(found - bodies.begin());
 }
 
+int Scene::joint_index(const std::string& name) const {
+  const auto found = std::find_if(joints.begin(), joints.end(), [&](const JointSpec& j) { return j.name == name; });
+  FOOTFALL_DEMAND(found != joints.end());
+  return static_cast<int>(found - joints.begin());
+}
+
+CoordinateChoice Scene::coordinate_of(const DriveSpec& drive) const {
+  if (drive.coordinate != CoordinateChoice::kAuto) return drive.coordinate;
+  const JointTraits traits = traits_of(joints[static_cast<std::size_t>(joint_index(drive.joint))].type);
+  FOOTFALL_DEMAND(traits.turns != traits.slides);
+  return traits.turns ? CoordinateChoice::kAngle : CoordinateChoice::kDisplacement;
+}
+
 const MaterialSpec& Scene::material(const std::string& name) const {
   const auto found =
       std::find_if(materials.begin(), materials.end(), [&](const MaterialSpec& m) { return m.name == name; });
@@ -124,9 +137,12 @@ void check_bodies(const Scene& scene, Findings& findings) {
 void check_scene(const Scene& scene, Findings& findings) {
   check_bodies(scene, findings);
   check_joints(scene, findings);
+  check_drives(scene, findings);
+  check_initial_joints(scene, findings);
   check_controllers(scene, findings);
   check_struts(scene, findings);
   check_springs(scene, findings);
+  check_forces(scene, findings);
   check_contact(scene, findings);
   check_limits(scene, findings);
   if (scene.particles && scene.touches_particles()) check_script(scene, findings);

@@ -12,8 +12,11 @@ void check_scene(const Scene& scene, Findings& findings);
 // Its parts.
 void check_bodies(const Scene& scene, Findings& findings);
 void check_joints(const Scene& scene, Findings& findings);
+void check_initial_joints(const Scene& scene, Findings& findings);
+void check_drives(const Scene& scene, Findings& findings);
 void check_struts(const Scene& scene, Findings& findings);
 void check_springs(const Scene& scene, Findings& findings);
+void check_forces(const Scene& scene, Findings& findings);
 void check_controllers(const Scene& scene, Findings& findings);
 void check_contact(const Scene& scene, Findings& findings);
 // Counts and sizes beyond reason.
@@ -27,6 +30,10 @@ std::vector<std::string> body_names(const Scene& scene);
 void check_pair(const Scene& scene, const Source& source, const std::array<std::string, 2>& bodies, Findings& findings);
 void check_body_name(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
                      Findings& findings);
+
+// A function of time: an amplitude has a frequency, times of a table rise.
+void check_function(const Source& source, const std::string& key, const std::optional<TimeFunctionSpec>& f,
+                    Findings& findings);
 
 template <class T>
 void check_unique_names(const std::vector<T>& items, const std::string& what, Findings& findings) {

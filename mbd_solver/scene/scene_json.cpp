@@ -21,6 +21,10 @@ Json to_json(const Eigen::Matrix3d& m) { return {m(0, 0), m(1, 1), m(2, 2), m(0,
 Json to_json(const std::map<std::string, std::string>& v) { return v.empty() ? Json::object() : Json(v); }
 Json to_json(const Choice& v) { return v.names[static_cast<std::size_t>(v.value)]; }
 Json to_json(const NumberOrWord& v) { return *v.number; }
+Json to_json(const PerAxis& v) {
+  const Eigen::Vector3d& k = *v.values;
+  return k[0] == k[1] && k[1] == k[2] ? Json(k[0]) : to_json(k);
+}
 Json to_json(const Source&) { return nullptr; }
 template <class T>
 Json to_json(const std::optional<T>& v) {

@@ -124,7 +124,8 @@ void each_law(Strut& strut, Visit&& visit) {
 enum class SpringKind {
   kTorsion,   // about `axis`, any turns: stiffness [N m/rad] (angle - rest_angle), damping [N m s/rad]
   kCentring,  // turns b back to its design attitude relative to a, up to 175 degrees: same units
-  // at `point`, all directions alike: stiffness [N/m], damping [N s/m]; turning: turning_stiffness, turning_damping
+  // at `point`: stiffness [N/m], damping [N s/m]; turning: turning_stiffness, turning_damping; each one number, or one
+  // for x, y and z of its axes: z = axis, x = axis2
   kBushing
 };
 constexpr std::string_view name_of(SpringKind kind) {
@@ -141,13 +142,14 @@ struct SpringSpec {
   std::string name;
   SpringKind kind = SpringKind::kTorsion;
   std::array<std::string, 2> bodies;
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // where it acts, in D [m]
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // torsion; unit vector, fixed in a
-  double stiffness = 0.0;                           // see kind; >= 0
-  double damping = 0.0;                             // see kind; >= 0
-  double rest_angle = 0.0;                          // torsion [rad]
-  double turning_stiffness = 0.0;                   // bushing [N m/rad] >= 0
-  double turning_damping = 0.0;                     // bushing [N m s/rad] >= 0
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();              // where it acts, in D [m]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();              // torsion, bushing; unit vector, fixed in a
+  Eigen::Vector3d axis2 = Eigen::Vector3d::UnitX();             // bushing: made perpendicular to axis
+  Eigen::Vector3d stiffness = Eigen::Vector3d::Zero();          // see kind; >= 0
+  Eigen::Vector3d damping = Eigen::Vector3d::Zero();            // see kind; >= 0
+  double rest_angle = 0.0;                                      // torsion [rad]
+  Eigen::Vector3d turning_stiffness = Eigen::Vector3d::Zero();  // bushing [N m/rad] >= 0
+  Eigen::Vector3d turning_damping = Eigen::Vector3d::Zero();    // bushing [N m s/rad] >= 0
 };
 
 }  // namespace footfall

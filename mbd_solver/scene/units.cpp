@@ -36,6 +36,7 @@ const UnitEntry& entry(Unit unit) {
       {Unit::kDamping, {"N s/m", {}}},
       {Unit::kTurningStiffness, {"N m/rad", {{"_Nm_deg", 180.0 / kPi}}}},
       {Unit::kTurningDamping, {"N m s/rad", {}}},
+      {Unit::kTorque, {"N m", {{"_Nmm", 1e-3}, {"_kNm", 1e3}}}},
   };
   return table.at(unit);
 }

@@ -307,4 +307,12 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, NumberOrWo
   return read_value(node, c, *target.number);
 }
 
+std::string read_value(const ConfigNode& node, const ValueContext& c, PerAxis& target) {
+  if (node.kind == ConfigNode::Kind::kList) return read_value(node, c, *target.values);
+  double alike = 0.0;
+  const std::string problem = read_value(node, c, alike);
+  if (problem.empty()) target.values->setConstant(alike);
+  return problem;
+}
+
 }  // namespace footfall

@@ -36,6 +36,7 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, Eigen::Mat
 std::string read_value(const ConfigNode& node, const ValueContext& c, std::map<std::string, std::string>& target);
 std::string read_value(const ConfigNode& node, const ValueContext& c, Choice& target);
 std::string read_value(const ConfigNode& node, const ValueContext& c, NumberOrWord& target);
+std::string read_value(const ConfigNode& node, const ValueContext& c, PerAxis& target);
 inline std::string read_value(const ConfigNode&, const ValueContext&, Source&) { return ""; }  // handled by the reader
 
 }  // namespace footfall

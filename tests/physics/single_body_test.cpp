@@ -206,8 +206,8 @@ TEST_P(Kind, PrescribedMotionDoesTheWorkItReports) {
   EXPECT_NEAR(now.r.y(), 0.3, 1e-12);
   EXPECT_NEAR(std::atan2(now.A(1, 0), now.A(0, 0)), std::remainder(angle.value, 2.0 * kPi), 1e-12);
   EXPECT_NEAR(now.w.z(), angle.rate, 1e-11);
-  EXPECT_GT(run.state.motion_work, 1.0);
-  EXPECT_LT(std::abs(run.imbalance()), 1e-5 * run.state.motion_work);
+  EXPECT_GT(run.state.supplied[Supply::kMotion], 1.0);
+  EXPECT_LT(std::abs(run.imbalance()), 1e-5 * run.state.supplied[Supply::kMotion]);
 }
 
 TEST_P(Kind, ConstantLoadDoesForceTimesWay) {

@@ -4,29 +4,10 @@
 #include "coupler/base/pi.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/model/elements/rotation_vector.h"
+#include "mbd_solver/model/elements/torque.h"
 
 namespace footfall {
 namespace {
-
-// Angular velocity of the marker's node: w + A Psi da.
-Eigen::Vector3d angular_velocity(const BodyKinematics& body, const Marker& marker) {
-  if (body.modes == 0) return body.w;
-  const Eigen::Vector3d bending = marker.Psi * body.da;
-  return body.w + body.A * bending;
-}
-
-// Q += [0; T; Psi^T A^T T] in the columns of the slot.
-void add_torque(const PairMotion& pair, int slot, const Marker& marker, const Eigen::Vector3d& T,
-                Eigen::Ref<Eigen::VectorXd> Q) {
-  const BodyKinematics& body = *pair.body[slot];
-  if (body.ground) return;
-  const int offset = pair.offset(slot);
-  Q.segment<3>(offset + 3) += T;
-  if (body.modes > 0) {
-    const Eigen::Vector3d local = body.A.transpose() * T;
-    Q.segment(offset + 6, body.modes).noalias() += marker.Psi.transpose() * local;
-  }
-}
 
 // W += sign dw/dv, and by_x += sign dw/dx (only A Psi da depends on the attitude), 3 x n.
 void add_angular_jacobian(const PairMotion& pair, int slot, const Marker& marker, double sign,
@@ -183,15 +164,9 @@ void Bushing::add_turning_derivatives(const ElementInput& in, ElementDerivatives
       T_x.col(j) -= c * (turn.w.dot(X.col(j)) * turn.e[i].value() + turn.rate[i] * X.col(j));
   }
   out.dQ_dx.noalias() += W.transpose().lazyProduct(T_x);
-  // W^T at fixed T: d(Psi^T A^T T)/dtheta = Psi^T A^T T~
-  for (int slot = 0; slot < 2; ++slot) {
-    const BodyKinematics& body = *in.pair.body[slot];
-    const Eigen::Vector3d torque = slot == 1 ? turn.T : Eigen::Vector3d(-turn.T);
-    for (int k = 0; k < body.modes; ++k) {
-      const Eigen::Vector3d column = body.A * (slot == 1 ? m2_ : m1_).Psi.col(k);
-      out.dQ_dx.block<1, 3>(in.pair.offset(slot) + 6 + k, in.pair.offset(slot) + 3) += column.cross(torque).transpose();
-    }
-  }
+  // W^T at fixed T
+  add_torque_derivative(in.pair, 1, m2_, turn.T, out.dQ_dx);
+  add_torque_derivative(in.pair, 0, m1_, -turn.T, out.dQ_dx);
 }
 
 void Bushing::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {

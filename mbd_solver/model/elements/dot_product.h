@@ -27,6 +27,31 @@ inline void add_dot_rate(const KinematicVector& a, const KinematicVector& b, dou
   b.add_transposed(factor * a.rate(), out);
 }
 
+// (a.b)''
+inline double dot_acc(const KinematicVector& a, const KinematicVector& b) {
+  return a.acc().dot(b.value()) + 2.0 * a.rate().dot(b.rate()) + a.value().dot(b.acc());
+}
+
+// out += factor d(a.b)''/dx at fixed v and dv
+inline void add_dot_acc(const KinematicVector& a, const KinematicVector& b, double factor,
+                        Eigen::Ref<Eigen::VectorXd> out) {
+  a.add_acc_by_position(factor * b.value(), out);
+  b.add_acc_by_position(factor * a.value(), out);
+  a.add_rate_by_position(2.0 * factor * b.rate(), out);
+  b.add_rate_by_position(2.0 * factor * a.rate(), out);
+  a.add_transposed(factor * b.acc(), out);
+  b.add_transposed(factor * a.acc(), out);
+}
+
+// out += factor d(a.b)''/dv at fixed x and dv
+inline void add_dot_acc_by_velocity(const KinematicVector& a, const KinematicVector& b, double factor,
+                                    Eigen::Ref<Eigen::VectorXd> out) {
+  a.add_acc_by_velocity(factor * b.value(), out);
+  b.add_acc_by_velocity(factor * a.value(), out);
+  a.add_transposed(2.0 * factor * b.rate(), out);
+  b.add_transposed(2.0 * factor * a.rate(), out);
+}
+
 // K += factor d2(a.b)/dx2
 inline void add_dot_second(const KinematicVector& a, const KinematicVector& b, double factor,
                            Eigen::Ref<Eigen::MatrixXd> K) {

@@ -28,6 +28,7 @@ struct Coefficients {
 Coefficients coefficients(const ConstraintRow& row, double t) {
   Coefficients out;
   out.c[0].value = row.scale;
+  out.c[1].value = row.scale2;
   out.f.value = row.offset;
   if (!row.motion) return out;
   const TimeValue f = row.motion->at(t);
@@ -42,10 +43,32 @@ Coefficients coefficients(const ConstraintRow& row, double t) {
   return out;
 }
 
+// phi'' = q''
+RowValue evaluate_rotor(const ConstraintRow& row, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v) {
+  const JointCoordinate q(*row.coordinate, vectors.pair(), vectors.marker(0), vectors.marker(1));
+  phi_v.setZero();
+  q.add_gradient(1.0, phi_v);
+  RowValue out;
+  out.acc = q.acc();
+  out.speed = q.rate();
+  return out;
+}
+
+void rotor_derivatives(const ConstraintRow& row, MarkerVectors& vectors, double lambda,
+                       Eigen::Ref<Eigen::VectorXd> acc_dx, Eigen::Ref<Eigen::VectorXd> acc_dv,
+                       Eigen::Ref<Eigen::MatrixXd> K) {
+  const JointCoordinate q(*row.coordinate, vectors.pair(), vectors.marker(0), vectors.marker(1));
+  CoordinateScratch& scratch = *row.scratch;
+  q.add_acc_by_position(1.0, scratch, acc_dx);
+  q.add_acc_by_velocity(1.0, scratch, acc_dv);
+  if (lambda != 0.0) q.add_second(lambda, scratch, K);
+}
+
 }  // namespace
 
 RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v) {
   // D = alpha.beta,  D' = alpha'.beta + alpha.beta',  D'' = alpha''.beta + 2 alpha'.beta' + alpha.beta''
+  if (row.coordinate) return evaluate_rotor(row, vectors, phi_v);
   const Coefficients at = coefficients(row, t);
   RowValue out{-at.f.value, -at.f.rate, -at.f.accel, -at.f.rate};
   phi_v.setZero();
@@ -70,10 +93,11 @@ RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors
 void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
                      Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
                      Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K) {
-  const Coefficients at = coefficients(row, t);
   rate_dx.setZero();
   acc_dx.setZero();
   acc_dv.setZero();
+  if (row.coordinate) return rotor_derivatives(row, vectors, lambda, acc_dx, acc_dv, K);
+  const Coefficients at = coefficients(row, t);
   for (int i = 0; i < row.term_count; ++i) {
     const KinematicVector& alpha = vector_of(row.terms[i].alpha, vectors);
     const KinematicVector& beta = vector_of(row.terms[i].beta, vectors);

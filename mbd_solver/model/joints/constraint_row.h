@@ -5,9 +5,12 @@
 // of marker 2.
 
 #include <Eigen/Dense>
+#include <memory>
+#include <optional>
 
-#include "mbd_solver/model/joints/time_function.h"
+#include "mbd_solver/model/joints/joint_coordinate.h"
 #include "mbd_solver/model/kinematic_vector.h"
+#include "mbd_solver/model/laws/time_function.h"
 
 namespace footfall {
 
@@ -29,9 +32,16 @@ struct ConstraintRow {
   int term_count = 1;
   DotTerm terms[2];
   double scale = 1.0;
+  double scale2 = 0.0;     // of a second term that is constant
   double offset = 0.0;     // constant part of f
   TimeFunctionPtr motion;  // f(t) of a prescribed coordinate; null otherwise
   bool rotation = false;   // motion is an angle (see above), else a displacement
+  // A rotor: no condition, but inertia J of a joint's coordinate q. Its multiplier is lambda = J q'', so that
+  //   M dv + h + Phi_v^T lambda = Q,  q'' - lambda / J = 0
+  // phi and phi' are zero; there is nothing to close.
+  std::optional<Coordinate> coordinate;
+  double inertia = 0.0;                        // J > 0 [kg m2 or kg]
+  std::shared_ptr<CoordinateScratch> scratch;  // of the rotor
 };
 
 // Values of one row at one instant. n = size of the pair of bodies.
@@ -40,6 +50,7 @@ struct RowValue {
   double rate = 0.0;   // phi' = Phi_v v + phi_t
   double acc = 0.0;    // phi'' = Phi_v dv - gamma
   double phi_t = 0.0;  // explicit part of the rate
+  double speed = 0.0;  // q' of a rotor [rad/s or m/s]
 };
 
 // phi, phi', phi'' and jacobian row Phi_v (n, overwritten).

@@ -95,6 +95,37 @@ Joint cylindrical_joint(std::string name, Marker m1, Marker m2) {
   return joint;
 }
 
+Joint planar_joint(std::string name, Marker m1, Marker m2) {
+  Joint joint = joint_of(std::move(name), "planar", std::move(m1), std::move(m2));
+  joint.rows = {along(2)};
+  add_parallel(joint);
+  return joint;
+}
+
+Joint constant_velocity_joint(std::string name, Marker m1, Marker m2) {
+  Joint joint = joint_of(std::move(name), "constant_velocity", std::move(m1), std::move(m2));
+  add_coincident(joint);
+  // The rotation vector has no part along z: (y1.x2 - x1.y2) / 2 = 0.
+  ConstraintRow row = perpendicular(1, 0);
+  row.scale = 0.5;
+  row.term_count = 2;
+  row.terms[1] = {{Kind::kAxis1, 0}, {Kind::kAxis2, 1}};
+  row.scale2 = -0.5;
+  joint.rows.push_back(row);
+  return joint;
+}
+
+Joint rotor(std::string name, Marker m1, Marker m2, Coordinate coordinate, double inertia) {
+  FOOTFALL_DEMAND(std::isfinite(inertia) && inertia > 0.0);
+  Joint joint = joint_of(std::move(name), "rotor", std::move(m1), std::move(m2));
+  ConstraintRow row;
+  row.coordinate = coordinate;
+  row.inertia = inertia;
+  row.scratch = std::make_shared<CoordinateScratch>(12 + joint.m1.S.cols() + joint.m2.S.cols());
+  joint.rows = {row};
+  return joint;
+}
+
 Joint distance_joint(std::string name, Marker m1, Marker m2, double length) {
   if (!(std::isfinite(length) && length > 0.0))
     throw InputError("joint \"" + name + "\": length is " + std::to_string(length) +
@@ -139,6 +170,25 @@ Joint prescribed_joint(std::string name, Marker m1, Marker m2, const PrescribedM
   if (joint.rows.empty())
     throw InputError("joint \"" + joint.name + "\": a prescribed motion must prescribe at least one coordinate.");
   return joint;
+}
+
+Vector6d joint_wrench(const Joint& joint, const PairMotion& pair, double t,
+                      const Eigen::Ref<const Eigen::VectorXd>& lambda) {
+  MarkerVectors vectors(pair, joint.m1, joint.m2);
+  // On body 2, or on body 1 with the sign turned when 2 is the ground.
+  const int slot = pair.body[1]->ground ? 0 : 1;
+  const BodyKinematics& body = *pair.body[slot];
+  Vector6d wrench = Vector6d::Zero();
+  Eigen::VectorXd phi_v(pair.size());
+  for (std::size_t k = 0; k < joint.rows.size(); ++k) {
+    evaluate_row(joint.rows[k], t, vectors, phi_v);
+    wrench -= lambda[static_cast<Eigen::Index>(k)] * phi_v.segment<6>(pair.offset(slot));
+  }
+  if (slot == 0) wrench = -wrench;
+  const Eigen::Vector3d point = KinematicVector::point(pair, 1, joint.m2).value();
+  const Eigen::Vector3d arm = point - body.r;
+  wrench.tail<3>() -= arm.cross(Eigen::Vector3d(wrench.head<3>()));
+  return wrench;
 }
 
 }  // namespace footfall

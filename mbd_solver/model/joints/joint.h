@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/tangent_load.h"
 #include "mbd_solver/model/joints/constraint_row.h"
 #include "mbd_solver/model/marker.h"
 
@@ -18,6 +19,11 @@ struct Joint {
   std::vector<ConstraintRow> rows;
 };
 
+// Force and moment [N, N m] that the joint exerts on its body 2, about the point of marker 2, in W.
+// lambda: of its rows.
+Vector6d joint_wrench(const Joint& joint, const PairMotion& pair, double t,
+                      const Eigen::Ref<const Eigen::VectorXd>& lambda);
+
 // Rows and the freedom they leave (body 2 against body 1). z is the joint axis of both markers.
 Joint fixed_joint(std::string name, Marker m1, Marker m2);      // 6: axes of the markers coincide
 Joint spherical_joint(std::string name, Marker m1, Marker m2);  // 3: points coincide
@@ -26,6 +32,12 @@ Joint universal_joint(std::string name, Marker m1, Marker m2);
 Joint revolute_joint(std::string name, Marker m1, Marker m2);     // 5: turns about z
 Joint prismatic_joint(std::string name, Marker m1, Marker m2);    // 5: slides along z, attitudes coincide
 Joint cylindrical_joint(std::string name, Marker m1, Marker m2);  // 4: turns about and slides along z
+Joint planar_joint(std::string name, Marker m1, Marker m2);       // 3: slides across z and turns about it
+// 4: points coincide; z1 and z2 may bend against each other, and turn at the same speed about themselves
+Joint constant_velocity_joint(std::string name, Marker m1, Marker m2);
+// No condition: a rotor that turns with a coordinate of a joint.
+// Its inertia, reduced to the coordinate: J > 0 [kg m2 or kg]
+Joint rotor(std::string name, Marker m1, Marker m2, Coordinate coordinate, double inertia);
 // 1: |p2 - p1| = length > 0 [m] (InputError)
 Joint distance_joint(std::string name, Marker m1, Marker m2, double length);
 // 1: z1.(p2 - p1) = height [m]

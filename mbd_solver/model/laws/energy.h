@@ -41,6 +41,21 @@ constexpr std::string_view name_of(Dissipation kind) {
   return {};
 }
 
+// Who brings energy into a mechanism, contacts with grains apart. The names are those of history.csv: work.<name>.
+enum class Supply {
+  kMotion,  // prescribed motions
+  kForce,   // forces and torques of the scene
+  kDrive    // drives of joints
+};
+constexpr std::string_view name_of(Supply source) {
+  switch (source) {
+    case Supply::kMotion: return "motion";
+    case Supply::kForce: return "force";
+    case Supply::kDrive: return "drive";
+  }
+  return {};
+}
+
 // One number for each kind.
 template <class Kind>
 struct ByKind {
@@ -60,5 +75,6 @@ struct ByKind {
 
 using StoredEnergy = ByKind<Stored>;     // [J]
 using Dissipated = ByKind<Dissipation>;  // power [W] or work [J], each >= 0
+using Supplied = ByKind<Supply>;         // power [W] or work [J]
 
 }  // namespace footfall

@@ -19,6 +19,7 @@ struct StrutInput {
   double rate = 0.0;     // [m/s]
   double voltage = 0.0;  // U commanded by a controller or constant, in [0, 1] [-]; constant within a step
   Eigen::Ref<const Eigen::VectorXd> z;  // inner states of this law
+  double time = 0.0;                    // [s]
 };
 
 // What a law answers. Force positive in compression (it pushes the ends apart) [N].
@@ -62,8 +63,11 @@ class StrutLaw {
   // Energy stored and recoverable at this stroke and state [J], and its kind.
   virtual double stored_energy(const StrutInput& in) const = 0;
   virtual Stored stored_kind() const { return Stored::kStrain; }
-  // Dissipated power, appended by kind. Identity: force * rate = d(stored)/dt + sum of dissipated power.
+  // Dissipated power, appended by kind.
+  // Identity: force * rate + supplied power = d(stored)/dt + sum of dissipated power.
   virtual void dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const = 0;
+  // Power that a drive brings in [W].
+  virtual double supplied_power(const StrutInput&) const { return 0.0; }
 };
 
 }  // namespace footfall

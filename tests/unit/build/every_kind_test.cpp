@@ -129,6 +129,33 @@ TEST_P(EverySpringKind, StoresOrDissipatesWhatItTakes) {
 
 INSTANTIATE_TEST_SUITE_P(Registered, EverySpringKind, ValuesIn(names_of<SpringKind>()), name_of_test);
 
+class EveryForceFrame : public TestWithParam<std::string> {};
+
+TEST_P(EveryForceFrame, HasTheDerivativesOfItsResidual) { expect_derivatives(build(test::force_scene(GetParam()))); }
+
+TEST_P(EveryForceFrame, BringsTheEnergyThatTheBodyGets) {
+  const Mechanism mechanism = build(test::force_scene(GetParam()));
+  test::Run run(mechanism.model, "one_step", test::tight(1e-11));
+  const double before = run.energy().stored.total();
+  run.to(0.1);
+  EXPECT_GT(std::abs(run.state.supplied[Supply::kForce]), kActs * before);
+  EXPECT_LT(std::abs(run.imbalance()), 1e-8 * before);  // of the integration
+}
+
+INSTANTIATE_TEST_SUITE_P(Registered, EveryForceFrame, ValuesIn(names_of<ForceFrame>()), name_of_test);
+
+class EveryDriveKind : public TestWithParam<std::string> {};
+
+TEST_P(EveryDriveKind, HasTheDerivativesOfItsResidual) { expect_derivatives(build(test::drive_scene(GetParam()))); }
+
+TEST_P(EveryDriveKind, BringsTheEnergyThatTheMechanismGets) {
+  const Mechanism mechanism = build(test::drive_scene(GetParam()));
+  ASSERT_EQ(mechanism.drives.size(), 1u);
+  EXPECT_GT(expect_energy_balance(mechanism), kActs);
+}
+
+INSTANTIATE_TEST_SUITE_P(Registered, EveryDriveKind, ValuesIn(names_of<MotorKind>()), name_of_test);
+
 // The law of a strut is called by its section alone: two sections must not build the same law.
 TEST(StrutLaws, EachSectionBuildsALawOfItsOwn) {
   std::vector<std::string> kinds;

@@ -1,6 +1,6 @@
 #pragma once
-// A small scene for every kind of joint, strut law, spring and controller. A new kind needs its line here: the tests of
-// every_kind_test.cpp walk the kinds and fail for one that has none.
+// A small scene for every kind of joint, strut law, spring, force, drive and controller. A new kind needs its line here:
+// the tests of every_kind_test.cpp walk the kinds and fail for one that has none.
 
 #include <gtest/gtest.h>
 
@@ -20,6 +20,8 @@ inline const KeysOfKind kJointKeys = {
     {"cylindrical", "point = [0.5, 0.1, 0]\naxis = [1, 2, 3]"},
     {"distance", "point_a = [0.5, 0.1, 0]\npoint_b = [0.6, 0.3, 0.2]"},
     {"point_on_plane", "point_a = [0.5, 0.1, 0]\npoint_b = [0.5, 0.3, 0]\naxis = \"z\""},
+    {"planar", "point = [0.5, 0.1, 0]\naxis = [1, 2, 3]"},
+    {"constant_velocity", "point = [0.5, 0.1, 0]\naxis = [1, 2, 3]"},
     {"prescribed",
      "point = [0.5, 0.1, 0]\naxis = \"y\"\n[joints.motion]\nx = { amplitude = 0.1, frequency = 2 }\n"
      "z = { table = [[0, 0], [0.5, 0.1], [1, 0.1]] }\n"
@@ -43,7 +45,24 @@ inline const KeysOfKind kLawKeys = {
 inline const KeysOfKind kSpringKeys = {
     {"torsion", "axis = [1, 2, 3]\nstiffness = 10\ndamping = 1\nrest_angle = 0.2"},
     {"centring", "stiffness = 10\ndamping = 1"},
-    {"bushing", "point = [0.5, 0.1, 0]\nstiffness = 100\ndamping = 5\nturning_stiffness = 10\nturning_damping = 1"},
+    {"bushing",
+     "point = [0.5, 0.1, 0]\naxis = [1, 2, 3]\naxis2 = [1, 0, 0]\nstiffness = [100, 50, 20]\ndamping = 5\n"
+     "turning_stiffness = [10, 5, 2]\nturning_damping = [1, 0.5, 0]"},
+};
+
+// By the frame of the direction.
+inline const KeysOfKind kForceKeys = {
+    {"body",
+     "force = { polynomial = [3, 5], amplitude = 4, frequency = 3, phase = 0.3 }\ntorque = { polynomial = [1] }"},
+    {"inertial", "force = { polynomial = [5] }\ntorque = { table = [[0, 0], [0.05, 1], [0.2, -1]] }"},
+};
+
+// On the angle of a joint that turns about an oblique axis.
+inline const KeysOfKind kDriveKeys = {
+    {"torque", "command = { polynomial = [0.5, 10] }\nmax_torque = 5\nmax_speed = 300\nefficiency = 0.8"},
+    {"speed", "command = { polynomial = [1] }\nkp = 0.05\nki = 0.3\nmax_torque = 50\nmax_speed = 300"},
+    {"position",
+     "command = { amplitude = 0.3, frequency = 1 }\nkp = 2\nkd = 0.05\nki = 1\nmax_torque = 50\nefficiency = 0.9"},
 };
 
 inline const KeysOfKind kControllerKeys = {
@@ -95,6 +114,22 @@ inline std::string law_scene(const std::string& law) {
 inline std::string spring_scene(const std::string& kind) {
   return kTwoBodies + "[[springs]]\nname = \"spring\"\nbodies = [\"a\", \"b\"]\nkind = \"" + kind + "\"\n" +
          keys_of_kind(kSpringKeys, kind) + "\n";
+}
+inline std::string force_scene(const std::string& frame) {
+  return kTwoBodies + "[[forces]]\nname = \"push\"\nbody = \"b\"\npoint = [1.1, 0.3, 0.2]\ndirection = [1, -2, 2]\n" +
+         "frame = \"" + frame + "\"\n" + keys_of_kind(kForceKeys, frame) + "\n";
+}
+inline std::string drive_scene(const std::string& kind) {
+  return kTwoBodies +
+         "[[joints]]\nname = \"hinge\"\ntype = \"revolute\"\nbodies = [\"a\", \"b\"]\npoint = [0.5, 0.1, 0]\naxis = "
+         "[1, 2, "
+         "3]\n"
+         "[joints.angle]\nstops = { min = -0.05, max = 0.05, stiffness = 100, dissipation = 0.5, toe = 0.1 }\n"
+         "friction = { coulomb = 0.05, breakaway = 0.08, stribeck_speed = 0.5, viscous = 0.1, stick_displacement = 0.1 "
+         "}\n"
+         "spring = { stiffness = 5, damping = 0.1, rest = 0.1 }\n"
+         "[[drives]]\nname = \"motor\"\njoint = \"hinge\"\ngear_ratio = 3\nrotor_inertia = 0.01\nkind = \"" +
+         kind + "\"\n" + keys_of_kind(kDriveKeys, kind) + "\n";
 }
 inline std::string controller_scene(const std::string& kind) {
   return kTwoBodies + "[[controllers]]\nname = \"c\"\nbody = \"a\"\nkind = \"" + kind + "\"\n" +

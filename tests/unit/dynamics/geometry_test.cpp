@@ -1,4 +1,4 @@
-// mbd_solver/model/rotation.h, mass_properties.h, joints/time_function.h, dynamics/body_force.h: small parts against
+// mbd_solver/model/rotation.h, mass_properties.h, laws/time_function.h, dynamics/body_force.h: small parts against
 // their definitions.
 
 #include <cmath>

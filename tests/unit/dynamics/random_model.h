@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/model/elements/applied_force.h"
 #include "mbd_solver/model/elements/bushing.h"
+#include "mbd_solver/model/elements/joint_force.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/elements/torsional_spring.h"
@@ -160,6 +162,8 @@ inline std::vector<Joint> all_joints(Random& random, const Model& model, int bod
           cylindrical_joint("cylindrical" + tail, m(body_1), m(body_2)),
           distance_joint("distance" + tail, m(body_1), m(body_2), 1.3),
           point_on_plane_joint("plane" + tail, m(body_1), m(body_2), 0.2),
+          planar_joint("planar" + tail, m(body_1), m(body_2)),
+          constant_velocity_joint("constant_velocity" + tail, m(body_1), m(body_2)),
           prescribed_joint("driven" + tail, m(body_1), m(body_2), driven)};
 }
 
@@ -186,8 +190,20 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
   bushing.rotational_stiffness = {5.0, 6.0, 8.0};
   bushing.rotational_damping = {1.2, 0.4, 0.8};
   out.push_back(std::make_unique<Bushing>("bushing" + tail, m(body_1), m(body_2), bushing));
-  RigidPlane::Parameters plane;
+  const auto coupled = [] {
+    std::vector<std::unique_ptr<StrutLaw>> law;
+    law.push_back(std::make_unique<CoupledLaw>());
+    return law;
+  };
+  out.push_back(std::make_unique<JointForce>("angle" + tail, m(body_1), m(body_2), Coordinate::kAngle, coupled()));
+  out.push_back(
+      std::make_unique<JointForce>("displacement" + tail, m(body_1), m(body_2), Coordinate::kDisplacement, coupled()));
   const int standing = body_1 == kGround ? body_2 : body_1;
+  out.push_back(std::make_unique<AppliedForce>("turning" + tail, m(standing), std::nullopt, polynomial({3.0, 1.0}),
+                                               polynomial({2.0, -1.0})));
+  out.push_back(std::make_unique<AppliedForce>("fixed" + tail, m(standing), random.vector().normalized(),
+                                               polynomial({3.0, 1.0}), polynomial({2.0, -1.0})));
+  RigidPlane::Parameters plane;
   plane.normal = random.vector() + Eigen::Vector3d(0.0, 0.0, 3.0);
   plane.point = model.initial(standing).r + 2.0 * plane.normal.normalized();  // deep: all points touch
   plane.stiffness = 90.0;
@@ -202,13 +218,16 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
 
 // Everything at once: each kind of joint and element rigid-rigid, rigid-flexible, flexible-flexible, and to
 // the ground.
-inline Model everything(Random& random) {
+inline Model everything(Random& random) {  // rotors of both coordinates, too
   Model model = random_bodies(random);
   const int pairs[5][2] = {{0, 1}, {1, 3}, {0, 2}, {kGround, 1}, {2, kGround}};
   for (const auto& pair : pairs) {
     for (Joint& joint : all_joints(random, model, pair[0], pair[1])) model.add_joint(std::move(joint));
     for (std::unique_ptr<ForceElement>& force : all_forces(random, model, pair[0], pair[1]))
       model.add_force(std::move(force));
+    for (const Coordinate coordinate : {Coordinate::kAngle, Coordinate::kDisplacement})
+      model.add_joint(rotor("rotor_" + std::to_string(model.joint_count()), random_marker(random, model, pair[0]),
+                            random_marker(random, model, pair[1]), coordinate, 0.7));
   }
   return model;
 }

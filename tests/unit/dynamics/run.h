@@ -45,7 +45,7 @@ class Run {
   }
   // What energy there is now minus what there should be [J].
   double imbalance() {
-    return energy().stored.total() - start_ + state.dissipated.total() - state.load_work.sum() - state.motion_work;
+    return energy().stored.total() - start_ + state.dissipated.total() - state.load_work.sum() - state.supplied.total();
   }
   double start_energy() const { return start_; }
   BodyKinematics body(int index) {

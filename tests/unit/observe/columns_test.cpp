@@ -21,18 +21,19 @@ using test::kSmallMachine;
 // The small machine, as if LIGGGHTS had asked for its leg with `every auto`.
 class HistoryColumns : public ::testing::Test {
  protected:
-  HistoryColumns() : bench(kSmallMachine), flexible(bench.subject()) {
+  HistoryColumns() : bench(kSmallMachine), flexible(bench.subject()), joints(bench.subject()) {
     agreement.boundaries = {0};
     coupling.substeps = 7;
     coupling.estimate = 0.01;
     coupling.energy_residual = -0.5;
     coupling.omega_h = {0.3};
     Subject subject{bench.scene, bench.mechanism, bench.equations.layout(), &agreement};
-    columns = history_columns(subject, flexible);
+    columns = history_columns(subject, flexible, joints);
   }
   double value(const std::string& name) {
     const Sample& sample = bench.take(1, &coupling);
     flexible.take(sample);
+    joints.take(sample);
     for (const Column& column : columns)
       if (column.name == name) return column.value(sample);
     ADD_FAILURE() << "no column " << name;
@@ -43,6 +44,7 @@ class HistoryColumns : public ::testing::Test {
   Agreement agreement;
   CouplingSample coupling;
   FlexibleBodies flexible;
+  JointFigures joints;
   std::vector<Column> columns;
 };
 
@@ -66,6 +68,7 @@ std::map<std::string, std::pair<std::string, std::string>> documented() {
 TEST_F(HistoryColumns, HaveANameOfTheirOwnAUnitAndAFiniteValue) {
   const Sample& sample = bench.take(1, &coupling);
   flexible.take(sample);
+  joints.take(sample);
   std::set<std::string> names;
   for (const Column& column : columns) {
     EXPECT_TRUE(names.insert(column.name).second) << column.name << " stands twice";
@@ -109,17 +112,18 @@ TEST_F(HistoryColumns, EveryKindOfEnergyIsToldToUsers) {
   };
   told("energy.<form>", names_of<Stored>());
   told("dissipated.<kind>", names_of<Dissipation>());
+  told("work.<source>", names_of<Supply>());
 }
 
 TEST_F(HistoryColumns, WithoutGrainsNoneSpeaksOfTheCoupling) {
-  for (const Column& column : history_columns(bench.subject(), flexible))
+  for (const Column& column : history_columns(bench.subject(), flexible, joints))
     EXPECT_NE(column.name.rfind("coupling.", 0), 0u) << column.name;
 }
 
 TEST_F(HistoryColumns, OfFixedWindowsHaveNoEstimate) {
   agreement.substeps = 5;
   const Subject subject{bench.scene, bench.mechanism, bench.equations.layout(), &agreement};
-  for (const Column& column : history_columns(subject, flexible)) EXPECT_NE(column.name, "coupling.estimate");
+  for (const Column& column : history_columns(subject, flexible, joints)) EXPECT_NE(column.name, "coupling.estimate");
 }
 
 TEST_F(HistoryColumns, ShowTheCouplingsSample) {
@@ -156,6 +160,58 @@ TEST_F(HistoryColumns, ShowTheAttitudeAsRollPitchYaw) {
   EXPECT_NEAR(value("cabin.roll"), roll, round_off);
   EXPECT_NEAR(value("cabin.pitch"), pitch, round_off);
   EXPECT_NEAR(value("cabin.yaw"), yaw, round_off);
+}
+
+// A wheel that turns at 100 rad/s, sampled more slowly than it turns: a whole turn and a half and more between samples.
+TEST_F(HistoryColumns, CountTheTurnsOfAJoint) {
+  const double speed = 100.0, h = 0.1;  // [rad/s], [s]
+  const int wheel = bench.equations.layout().body_q[2];
+  bench.state.v(bench.equations.layout().body_v[2] + 4) = speed;
+  const double before = value("axle.angle");
+  for (int k = 1; k <= 5; ++k) {
+    bench.state.time = k * h;
+    bench.state.q.segment<4>(wheel + 3) << std::cos(0.5 * speed * k * h), 0.0, std::sin(0.5 * speed * k * h), 0.0;
+    const double round_off = 1e-11;
+    EXPECT_NEAR(value("axle.angle") - before, speed * k * h, round_off);
+    EXPECT_NEAR(value("axle.angle_rate"), speed, round_off);
+  }
+  EXPECT_TRUE(joints.warnings().empty());
+}
+
+// It speeds up and slows down by more than the samples can tell.
+TEST_F(HistoryColumns, TellWhereTurnsCannotBeCounted) {
+  bench.state.v(bench.equations.layout().body_v[2] + 4) = 100.0;
+  value("axle.angle");
+  const int wheel = bench.equations.layout().body_q[2];
+  bench.state.time = 0.1;
+  bench.state.q.segment<4>(wheel + 3) << std::cos(1.5), 0.0, std::sin(1.5), 0.0;  // 3 rad, but 10 rad by its speed
+  value("axle.angle");
+  ASSERT_EQ(joints.warnings().size(), 1u);
+  EXPECT_NE(joints.warnings()[0].find("axle"), std::string::npos);
+}
+
+TEST_F(HistoryColumns, ShowWhereASlideIs) {
+  EXPECT_DOUBLE_EQ(value("slide.displacement"), 0.0);
+  bench.state.v(2) = -1.5;                                    // the cabin sinks onto the leg at 0.5 m/s
+  EXPECT_NEAR(value("slide.displacement_rate"), 0.5, 1e-12);  // round-off
+}
+
+// The drive pushes the leg down along the slide's axis by 3 N, at 0.5 m/s.
+TEST_F(HistoryColumns, ShowWhatADriveDoes) {
+  bench.state.v(2) = -1.5;
+  EXPECT_NEAR(value("pusher.joint_force"), 3.0, 1e-12);  // round-off
+  EXPECT_NEAR(value("pusher.power"), 1.5, 1e-12);
+  EXPECT_EQ(value("spinner.joint_torque"), 0.0);
+}
+
+// The axle alone moves the wheel: its force is mass times acceleration beyond gravity's.
+TEST_F(HistoryColumns, ShowReactions) {
+  bench.state.v(2) = -1.5;        // the strut between cabin and leg is pushed together
+  const double tolerance = 1e-9;  // of the linear solve, of forces of some N
+  EXPECT_GT(std::abs(value("axle.fz")), 0.1);
+  EXPECT_NEAR(value("axle.fx"), 2.0 * value("wheel.ax"), tolerance);
+  EXPECT_NEAR(value("axle.fz"), 2.0 * (value("wheel.az") + 1.62), tolerance);
+  EXPECT_NEAR(value("axle.my"), 0.0, tolerance);  // it turns freely
 }
 
 // The strut's rate is the derivative of its stroke; its force is that of its laws.

@@ -82,7 +82,7 @@ TEST(FigureTaker, WarnsOfEnergyThatDoesNotClose) {
   const double E = taker.figures().reference_energy;
   bench.state.v *= 0.5;
   bench.state.dissipated[Dissipation::kStop] = E;  // of which a quarter is left
-  bench.state.motion_work = 0.25 * E;
+  bench.state.supplied[Supply::kMotion] = 0.25 * E;
   taker.take(bench.take());
   EXPECT_LT(taker.figures().energy_balance_relative(), 1e-12);
   EXPECT_EQ(taker.balance_warning(), "");

@@ -24,6 +24,17 @@ name = "leg"
 material = "steel"
 shape = { kind = "rod", from = [0, 0, 0.9], to = [0, 0, 0.1], diameter = 0.04 }
 flexible = { modes = 3 }
+[[bodies]]
+name = "wheel"
+mass = 2.0
+inertia = [0.1, 0.2, 0.1]
+position = [1, 0, 1.2]
+[[joints]]
+name = "axle"
+type = "revolute"
+bodies = ["cabin", "wheel"]
+point = [1, 0, 1.2]
+axis = "y"
 [[joints]]
 name = "slide"
 type = "prismatic"
@@ -35,6 +46,21 @@ name = "damper"
 bodies = ["cabin", "leg"]
 points = [[0, 0, 1.2], [0, 0, 0.9]]
 mr = { yield_force = 20, viscous = 8, controller = "brain.U1" }
+[[forces]]
+name = "thruster"
+body = "cabin"
+direction = "x"
+force = { polynomial = [0] }
+[[drives]]
+name = "spinner"
+kind = "torque"
+joint = "axle"
+command = { polynomial = [0] }
+[[drives]]
+name = "pusher"
+kind = "torque"
+joint = "slide"
+command = { polynomial = [0] }
 [[controllers]]
 name = "brain"
 kind = "constant"
@@ -51,6 +77,8 @@ kind = "plane"
 young_MPa = 35
 restitution = 0.4
 impact_speed = 1.0
+[output]
+reactions = true
 [initial]
 velocity = [0.1, 0.2, -1.0]
 )";

@@ -40,13 +40,14 @@ Names law_names() {
   return all;
 }
 
-// First cells of the table rows "| `name` | ..." below the heading that begins so.
+// First cells of the table rows "| `name` | ..." of the first table below the heading that begins so.
 Names names_on_page(const std::string& heading) {
   std::istringstream page(text_of(FOOTFALL_SOURCE_DIR "/docs/scene.md"));
   Names found;
   bool inside = false;
   for (std::string line; std::getline(page, line);) {
     if (line.rfind("## ", 0) == 0) inside = line.rfind("## " + heading, 0) == 0;
+    if (inside && !found.empty() && line.empty()) break;
     if (inside && line.rfind("| `", 0) == 0) found.insert(line.substr(3, line.find('`', 3) - 3));
   }
   return found;
@@ -56,6 +57,8 @@ TEST(SceneKinds, EachHasItsRowOnThePage) {
   EXPECT_EQ(names_on_page("Joints"), names<JointType>());
   EXPECT_EQ(names_on_page("Laws of a strut"), law_names());
   EXPECT_EQ(names_on_page("Springs"), names<SpringKind>());
+  EXPECT_EQ(names_on_page("Forces"), names<ForceFrame>());
+  EXPECT_EQ(names_on_page("Drives"), names<MotorKind>());
   EXPECT_EQ(names_on_page("Controllers"), names<ControllerKind>());
   EXPECT_EQ(names_on_page("Shapes"), names<ShapeKind>());
   EXPECT_EQ(names_on_page("Ground"), names<GroundKind>());
@@ -177,6 +180,14 @@ void expect_every_key_to_belong(const std::string& list, Names common) {
 
 TEST(SceneKinds, EveryKeyOfASpringBelongsToAKind) {
   expect_every_key_to_belong<SpringKind>("springs", {"name", "kind", "bodies", "point", "stiffness", "damping"});
+}
+
+TEST(SceneKinds, EveryKeyOfADriveBelongsToAKind) {
+  Names common{"name",      "kind",       "joint",      "coordinate",   "max_torque",
+               "max_speed", "gear_ratio", "efficiency", "rotor_inertia"};
+  for (const char* part : {"", ".polynomial", ".amplitude", ".frequency", ".phase", ".table"})
+    common.insert(std::string("command") + part);
+  expect_every_key_to_belong<MotorKind>("drives", common);
 }
 
 TEST(SceneKinds, EveryKeyOfAControllerBelongsToAKind) {

@@ -27,14 +27,14 @@ std::set<std::string> difference(const std::set<std::string>& a, const std::set<
 // Keys that contradict another key of the same entry and so cannot stand in one good scene with it.
 const std::set<std::string> kAlternatives = {"ground.plane.stiffness", "ground.plane.damping"};
 
-// The four coordinates of a prescribed motion have the same keys: one of them is enough.
-std::set<std::string> one_coordinate(const std::set<std::string>& keys) {
+// All functions of time have the same keys: those of one of them are enough.
+std::set<std::string> one_function(const std::set<std::string>& keys) {
   std::set<std::string> result;
   for (std::string key : keys) {
-    for (const char* coordinate : {"motion.y.", "motion.z.", "motion.rotation."}) {
-      const std::size_t at = key.find(coordinate);
-      if (at != std::string::npos) key.replace(at, std::string(coordinate).size(), "motion.x.");
-    }
+    for (const char* function :
+         {"joints[].motion.x.", "joints[].motion.y.", "joints[].motion.z.", "joints[].motion.rotation.",
+          "forces[].force.", "forces[].torque.", "drives[].command."})
+      if (key.rfind(function, 0) == 0) key.replace(0, std::string(function).size(), "function.");
     result.insert(key);
   }
   return result;
@@ -42,7 +42,7 @@ std::set<std::string> one_coordinate(const std::set<std::string>& keys) {
 
 TEST(ReferenceScene, HoldsEveryKeyTheReaderKnows) {
   const Scene scene = read_scene(FOOTFALL_SOURCE_DIR "/inputs/reference");
-  const std::set<std::string> missing = difference(one_coordinate(known_keys()), one_coordinate(given_keys(scene)));
+  const std::set<std::string> missing = difference(one_function(known_keys()), one_function(given_keys(scene)));
   EXPECT_EQ(missing, kAlternatives);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Functions of time for prescribed motion, with two derivatives.
+// Functions of time, for prescribed motions, forces and commands of drives, with two derivatives.
 
 #include <memory>
 #include <vector>

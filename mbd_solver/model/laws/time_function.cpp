@@ -1,4 +1,4 @@
-#include "mbd_solver/model/joints/time_function.h"
+#include "mbd_solver/model/laws/time_function.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,103 @@
+// What acts on the coordinates of joints: stops, friction, springs, and the drives with their rotors.
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/build/time_functions.h"
+#include "mbd_solver/model/elements/joint_force.h"
+#include "mbd_solver/model/laws/end_stop.h"
+#include "mbd_solver/model/laws/joint_friction.h"
+#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/laws/motor.h"
+
+namespace footfall {
+namespace {
+
+using Laws = std::vector<std::unique_ptr<StrutLaw>>;
+
+std::unique_ptr<StrutLaw> build(const JointStopsSpec& spec) {
+  EndStopParameters p;
+  p.smallest_stroke = spec.min;
+  p.largest_stroke = spec.max;
+  p.stiffness = spec.stiffness;
+  p.dissipation = spec.dissipation;
+  p.toe = spec.toe;
+  return std::make_unique<EndStop>(p);
+}
+
+std::unique_ptr<StrutLaw> build(const JointFrictionSpec& spec) {
+  JointFrictionParameters p;
+  p.coulomb = spec.coulomb;
+  p.breakaway = spec.breakaway.value_or(spec.coulomb);
+  p.stribeck_speed = spec.stribeck_speed;
+  p.viscous = spec.viscous;
+  p.stick_displacement = spec.stick_displacement;
+  return std::make_unique<JointFriction>(p);
+}
+
+std::unique_ptr<StrutLaw> build(const JointSpringSpec& spec) {
+  LinearSpringDamperParameters p;
+  p.stiffness = spec.stiffness;
+  p.damping = spec.damping;
+  p.free_stroke = spec.rest;
+  return std::make_unique<LinearSpringDamper>(p);
+}
+
+Laws laws_of(const CoordinateSpec& spec) {
+  Laws laws;
+  if (spec.stops) laws.push_back(build(*spec.stops));
+  if (spec.friction) laws.push_back(build(*spec.friction));
+  if (spec.spring) laws.push_back(build(*spec.spring));
+  return laws;
+}
+
+std::unique_ptr<StrutLaw> build(const DriveSpec& spec) {
+  MotorParameters p;
+  p.kind = spec.kind;
+  p.command = time_function(spec.command);
+  p.kp = spec.kp;
+  p.ki = spec.ki;
+  p.kd = spec.kd;
+  p.largest_torque = spec.max_torque;
+  p.no_load_speed = spec.max_speed;
+  p.gear_ratio = spec.gear_ratio;
+  p.efficiency = spec.efficiency;
+  return std::make_unique<Motor>(p);
+}
+
+int add_joint_force(const std::string& name, int joint, Coordinate coordinate, Laws laws, Model& model) {
+  const Marker m1 = model.joint(joint).m1, m2 = model.joint(joint).m2;
+  return model.add_force(std::make_unique<JointForce>(name, m1, m2, coordinate, std::move(laws)));
+}
+
+}  // namespace
+
+void add_drives(const Scene& scene, Mechanism& mechanism) {
+  Model& model = mechanism.model;
+  for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+    const JointSpec& spec = scene.joints[i];
+    const int joint = static_cast<int>(i);
+    const JointTraits traits = traits_of(spec.type);
+    if (traits.turns) mechanism.coordinates.push_back({spec.name, joint, Coordinate::kAngle});
+    if (traits.slides) mechanism.coordinates.push_back({spec.name, joint, Coordinate::kDisplacement});
+    if (spec.angle)
+      add_joint_force("joint/" + spec.name + "/angle", joint, Coordinate::kAngle, laws_of(*spec.angle), model);
+    if (spec.displacement)
+      add_joint_force("joint/" + spec.name + "/displacement", joint, Coordinate::kDisplacement,
+                      laws_of(*spec.displacement), model);
+  }
+  for (const DriveSpec& spec : scene.drives) {
+    const int joint = scene.joint_index(spec.joint);
+    const Coordinate coordinate =
+        scene.coordinate_of(spec) == CoordinateChoice::kAngle ? Coordinate::kAngle : Coordinate::kDisplacement;
+    Laws laws;
+    laws.push_back(build(spec));
+    const int force = add_joint_force("drive/" + spec.name, joint, coordinate, std::move(laws), model);
+    mechanism.drives.push_back({spec.name, force, coordinate});
+    if (spec.rotor_inertia == 0.0) continue;
+    const Marker m1 = model.joint(joint).m1, m2 = model.joint(joint).m2;
+    model.add_joint(
+        rotor("rotor/" + spec.name, m1, m2, coordinate, spec.rotor_inertia * spec.gear_ratio * spec.gear_ratio));
+  }
+}
+
+}  // namespace footfall

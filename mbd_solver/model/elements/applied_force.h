@@ -1,0 +1,34 @@
+#pragma once
+// A force f(t) and a torque m(t) at a marker of a body, along and about a direction e: the marker's z axis, which turns
+// with the body (and its node), or a direction that stands in W.
+//   Q = X_p^T f e + W^T m e,  p' = X_p v,  w = W v of the marker's node;   power f e.p' + m e.w
+// theory 3.6.
+
+#include <optional>
+
+#include "mbd_solver/model/force_element.h"
+#include "mbd_solver/model/laws/time_function.h"
+
+namespace footfall {
+
+class AppliedForce : public ForceElement {
+ public:
+  // marker: on a body. fixed_direction: unit vector of W; not given: the marker's z axis. A function left null is zero.
+  AppliedForce(std::string name, Marker marker, std::optional<Eigen::Vector3d> fixed_direction, TimeFunctionPtr force,
+               TimeFunctionPtr torque);
+
+  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
+  bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
+  void add_energy(const ElementInput&, StoredEnergy&, Dissipated&) const override {}
+  void add_supply(const ElementInput& in, Supplied& power) const override;  // kForce
+
+ private:
+  KinematicVector direction(const PairMotion& pair) const;
+
+  Marker marker_;
+  std::optional<Eigen::Vector3d> fixed_direction_;
+  TimeFunctionPtr force_, torque_;  // [N], [N m]
+  mutable Eigen::Matrix3Xd X_;      // scratch, 3 x n
+};
+
+}  // namespace footfall

@@ -1,0 +1,45 @@
+#pragma once
+// A coordinate q of a joint: body 2 against body 1, with the derivatives that forces, rotors and histories need.
+//   angle about z1:         q = atan2(s, c),  s = y1.x2,  c = x1.x2,  q' = (c s' - s c') / rho,  rho = s^2 + c^2
+//                           q'' = (c s'' - s c'') / rho - q' rho' / rho
+//   displacement along z1:  q = z1.(p2 - p1)
+// An angle is in (-pi, pi]; who needs whole turns counts them. theory 2.1.
+
+#include <Eigen/Dense>
+
+#include "mbd_solver/model/kinematic_vector.h"
+
+namespace footfall {
+
+enum class Coordinate { kAngle, kDisplacement };  // [rad], [m]
+
+// Rows of a pair, sized once.
+struct CoordinateScratch {
+  explicit CoordinateScratch(Eigen::Index n) : s(n), c(n), row(n) {}
+  Eigen::VectorXd s, c, row;
+};
+
+class JointCoordinate {
+ public:
+  JointCoordinate(Coordinate kind, const PairMotion& pair, const Marker& m1, const Marker& m2);
+
+  double value() const { return q_; }  // [rad or m]
+  double rate() const { return dq_; }  // [rad/s or m/s]
+  double acc() const { return ddq_; }  // with the accelerations of the bodies
+
+  // Everything below adds to its last argument.
+  void add_gradient(double factor, Eigen::Ref<Eigen::VectorXd> out) const;  // factor dq/dx = factor dq'/dv
+  void add_rate_by_position(double factor, CoordinateScratch& scratch, Eigen::Ref<Eigen::VectorXd> out) const;
+  void add_acc_by_position(double factor, CoordinateScratch& scratch, Eigen::Ref<Eigen::VectorXd> out) const;
+  void add_acc_by_velocity(double factor, CoordinateScratch& scratch, Eigen::Ref<Eigen::VectorXd> out) const;
+  void add_second(double factor, CoordinateScratch& scratch, Eigen::Ref<Eigen::MatrixXd> K) const;  // factor d2q/dx2
+
+ private:
+  bool angle_;
+  KinematicVector a_, b_;  // y1, x2; z1, p2 - p1
+  KinematicVector x1_;     // angle
+  double s_ = 0.0, c_ = 0.0, ds_ = 0.0, dc_ = 0.0, rho_ = 1.0, drho_ = 0.0;
+  double q_, dq_, ddq_;
+};
+
+}  // namespace footfall

@@ -1,0 +1,346 @@
+// mbd_solver/model/joints/joint_coordinate.h, elements/joint_force.h and rotors: what acts on a joint's coordinate,
+// against exact motions of a wheel or a slider.
+
+#include "mbd_solver/model/elements/joint_force.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mbd_solver/model/laws/end_stop.h"
+#include "mbd_solver/model/laws/joint_friction.h"
+#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/laws/motor.h"
+#include "tests/unit/dynamics/random_model.h"
+#include "tests/unit/dynamics/run.h"
+
+namespace footfall {
+namespace {
+
+// Of fifth order: a second-order run would take ten thousand steps for the same.
+IntegratorOptions precise(double tolerance) {
+  IntegratorOptions options = test::tight(tolerance);
+  options.order = 5;
+  return options;
+}
+
+constexpr double kInertia = 0.1;     // of the wheel about its axis [kg m2]; mass of the slider in kg
+constexpr double kTolerance = 1e-6;  // rtol of the runs is 1e-10, over some hundred steps
+
+// A body on the ground that turns about, or slides along, z.
+struct Axle {
+  explicit Axle(Coordinate coordinate = Coordinate::kAngle, double rate = 0.0,
+                const Eigen::Vector3d& gravity = {0, 0, 0})
+      : model(gravity), kind(coordinate) {
+    BodyState initial;
+    (kind == Coordinate::kAngle ? initial.w : initial.dr).z() = rate;
+    model.add_body(Body("body", kInertia, Eigen::Vector3d(kInertia, kInertia, kInertia).asDiagonal()), initial);
+    const Marker m1 = ground_marker(Eigen::Vector3d::Zero()),
+                 m2 = body_marker(0, model.body(0), Eigen::Vector3d::Zero());
+    model.add_joint(kind == Coordinate::kAngle ? revolute_joint("axle", m1, m2) : prismatic_joint("axle", m1, m2));
+  }
+  void add(std::unique_ptr<StrutLaw> law) {
+    std::vector<std::unique_ptr<StrutLaw>> laws;
+    laws.push_back(std::move(law));
+    model.add_force(std::make_unique<JointForce>("force_" + std::to_string(model.force_count()), model.joint(0).m1,
+                                                 model.joint(0).m2, kind, std::move(laws)));
+  }
+  void add_rotor(double inertia) {
+    model.add_joint(rotor("rotor", model.joint(0).m1, model.joint(0).m2, kind, inertia));
+  }
+  Model model;
+  Coordinate kind;
+};
+
+double rate(test::Run& run, Coordinate kind) {
+  return kind == Coordinate::kAngle ? run.body(0).w.z() : run.body(0).dr.z();
+}
+
+JointForceSample sample(test::Run& run, const Model& model, int force = 0) {
+  run.equations.load(run.state);
+  return static_cast<const JointForce&>(model.force(force))
+      .sample(run.equations.element_input(force, run.state, run.inputs));
+}
+
+MotorParameters motor(MotorKind kind, TimeFunctionPtr command) {
+  MotorParameters p;
+  p.kind = kind;
+  p.command = std::move(command);
+  return p;
+}
+
+class Both : public ::testing::TestWithParam<Coordinate> {};
+
+// A torque tau on an axle with a rotor behind a gear: (I + J g^2) q'' = g tau.
+TEST_P(Both, RotorAddsItsInertiaBehindTheGear) {
+  const double g = 20.0, J = 1e-3, tau = 0.05, t = 3.0;
+  Axle axle(GetParam());
+  MotorParameters p = motor(MotorKind::kTorque, polynomial({tau}));
+  p.gear_ratio = g;
+  axle.add(std::make_unique<Motor>(p));
+  axle.add_rotor(J * g * g);
+  for (const char* integrator : {"one_step", "ida"}) {
+    test::Run run(axle.model, integrator, precise(1e-10));
+    run.to(t, 3);
+    const double speed = g * tau * t / (kInertia + J * g * g);
+    EXPECT_NEAR(rate(run, GetParam()), speed, kTolerance * speed) << integrator;
+    EXPECT_NEAR(sample(run, axle.model).q, 0.5 * speed * t, 1e-6 * speed * t) << integrator;  // more than one turn
+    EXPECT_NEAR(run.energy().stored[Stored::kKinetic], 0.5 * (kInertia + J * g * g) * speed * speed, 1e-6)
+        << integrator;
+    EXPECT_NEAR(run.imbalance(), 0.0, 1e-6) << integrator;
+  }
+}
+
+// Torque falls from tau_0 at rest to 0 at omega_0: w = w_0 (1 - exp(-t tau_0 / (I w_0))).
+TEST_P(Both, MotorSpeedsUpToItsNoLoadSpeed) {
+  const double tau_0 = 0.4, omega_0 = 8.0, t = 2.5;
+  Axle axle(GetParam());
+  MotorParameters p = motor(MotorKind::kTorque, polynomial({10.0}));
+  p.largest_torque = tau_0;
+  p.no_load_speed = omega_0;
+  axle.add(std::make_unique<Motor>(p));
+  test::Run run(axle.model, "one_step", precise(1e-10));
+  run.to(t);
+  EXPECT_NEAR(rate(run, GetParam()), omega_0 * (1.0 - std::exp(-t * tau_0 / (kInertia * omega_0))), kTolerance);
+  EXPECT_NEAR(run.state.supplied[Supply::kDrive], 0.5 * kInertia * std::pow(rate(run, GetParam()), 2), kTolerance);
+}
+
+// I q'' = -kp q - kd q' towards a command of 0.3, from rest: the damped oscillator.
+TEST_P(Both, MotorHoldsAPosition) {
+  const double kp = 4.0, kd = 0.3, c = 0.3, t = 0.7;
+  Axle axle(GetParam());
+  MotorParameters p = motor(MotorKind::kPosition, polynomial({c}));
+  p.kp = kp;
+  p.kd = kd;
+  axle.add(std::make_unique<Motor>(p));
+  test::Run run(axle.model, "one_step", precise(1e-10));
+  run.to(t);
+  const double d = 0.5 * kd / kInertia, w = std::sqrt(kp / kInertia - d * d);
+  const double exact = c * (1.0 - std::exp(-d * t) * (std::cos(w * t) + d / w * std::sin(w * t)));
+  EXPECT_NEAR(sample(run, axle.model).q, exact, kTolerance);
+  EXPECT_NEAR(run.imbalance(), 0.0, kTolerance);
+}
+
+// Under a load a proportional motor stays short; the integral takes the rest away.
+TEST_P(Both, IntegralTakesTheErrorAway) {
+  Axle axle(GetParam());
+  MotorParameters load = motor(MotorKind::kTorque, polynomial({-0.7})),
+                  p = motor(MotorKind::kPosition, polynomial({2.0}));
+  p.kp = 4.0;
+  p.kd = 1.0;
+  p.ki = 5.0;
+  axle.add(std::make_unique<Motor>(load));
+  axle.add(std::make_unique<Motor>(p));
+  test::Run run(axle.model, "one_step", precise(1e-9));
+  run.to(20.0);
+  EXPECT_NEAR(sample(run, axle.model, 1).q, 2.0, 1e-6);  // exp(-20 / 1.2 s) of the start
+  EXPECT_NEAR(sample(run, axle.model, 1).force, 0.7, 1e-6);
+}
+
+// A far command with a small motor, against drag: 6 s at full torque. An integral that grew all the way, to 9 rad s,
+// would carry it over the command by more than its length; with anti-windup it holds what the limit leaves it.
+TEST_P(Both, LimitedMotorDoesNotWindUp) {
+  Axle axle(GetParam());
+  MotorParameters p = motor(MotorKind::kPosition, polynomial({3.0}));
+  p.kp = 4.0;
+  p.kd = 1.2;
+  p.ki = 2.0;
+  p.largest_torque = 0.1;
+  axle.add(std::make_unique<Motor>(p));
+  axle.add(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{0.0, 0.2, 0.0, 0.0}));
+  test::Run run(axle.model, "one_step", precise(1e-7));
+  double largest = 0.0;
+  for (int i = 1; i <= 150; ++i) {
+    run.to(0.2 * i);
+    largest = std::max(largest, sample(run, axle.model).q);
+    EXPECT_LE(std::abs(sample(run, axle.model).force), 0.1 * (1.0 + 1e-12));
+  }
+  EXPECT_NEAR(sample(run, axle.model).q, 3.0, 1e-3);  // exp(-t / 2 s) of the integral's rest
+  EXPECT_LT(largest, 3.0 * 1.1);
+}
+
+TEST_P(Both, GearLosesItsShare) {
+  const double eta = 0.8, tau = 0.3, g = 5.0, t = 2.0;
+  Axle axle(GetParam());
+  MotorParameters p = motor(MotorKind::kTorque, polynomial({tau}));
+  p.gear_ratio = g;
+  p.efficiency = eta;
+  axle.add(std::make_unique<Motor>(p));
+  test::Run run(axle.model, "one_step", precise(1e-10));
+  run.to(t);
+  const double speed = eta * g * tau * t / kInertia;
+  EXPECT_NEAR(rate(run, GetParam()), speed, 1e-4 * speed);  // the loss sets in over 1e-3 rad/s at the start
+  EXPECT_NEAR(run.state.dissipated[Dissipation::kFriction], (1.0 - eta) * run.state.supplied[Supply::kDrive],
+              1e-4 * run.state.supplied[Supply::kDrive]);
+  EXPECT_NEAR(run.imbalance(), 0.0, 1e-6 * run.state.supplied[Supply::kDrive]);
+}
+
+// Sliding friction stops the axle after w I / F_c, and then it stays.
+TEST_P(Both, FrictionStopsAndHolds) {
+  const double F = 0.2, w = 3.0;
+  Axle axle(GetParam(), w);
+  JointFrictionParameters p;
+  p.coulomb = p.breakaway = F;
+  axle.add(std::make_unique<JointFriction>(p));
+  test::Run run(axle.model, "one_step", precise(1e-8));
+  const double half = 0.5 * w * kInertia / F;
+  run.to(half);
+  // The bristle is bent within 1e-4 / 3 s: the speed lags by F / I of that.
+  EXPECT_NEAR(rate(run, GetParam()), 0.5 * w, 1e-3);
+  run.to(half + 5.0);
+  EXPECT_LT(std::abs(rate(run, GetParam())), 1e-6);
+  EXPECT_NEAR(run.state.dissipated[Dissipation::kFriction], 0.5 * kInertia * w * w, 1e-4);
+  EXPECT_NEAR(run.imbalance(), 0.0, 1e-5);
+}
+
+// Below what it holds it does not creep: less than 1e-9 rad or m in 20 s under 60 % of F_c, also when the load wavers.
+TEST_P(Both, FrictionSticksWithoutCreeping) {
+  const double F = 0.2;
+  Axle axle(GetParam());
+  JointFrictionParameters p;
+  p.coulomb = p.breakaway = F;
+  axle.add(std::make_unique<JointFriction>(p));
+  axle.add(std::make_unique<Motor>(motor(MotorKind::kTorque, sum({polynomial({0.5 * F}), sine(0.1 * F, 1.0)}))));
+  test::Run run(axle.model, "one_step", precise(1e-9));
+  run.to(2.0);
+  const double before = sample(run, axle.model).q;
+  run.to(22.0, 10);
+  EXPECT_LT(std::abs(sample(run, axle.model).q - before), 1e-9);
+  EXPECT_LT(std::abs(rate(run, GetParam())), 1e-3);
+}
+
+TEST_P(Both, FrictionLetsGoAboveBreakaway) {
+  const double F = 0.2, load = 0.35, t = 2.0;
+  Axle axle(GetParam());
+  JointFrictionParameters p;
+  p.coulomb = F;
+  p.breakaway = 0.3;
+  p.viscous = 0.05;
+  axle.add(std::make_unique<JointFriction>(p));
+  axle.add(std::make_unique<Motor>(motor(MotorKind::kTorque, polynomial({load}))));
+  test::Run run(axle.model, "one_step", precise(1e-9));
+  run.to(t + 10.0);
+  EXPECT_NEAR(rate(run, GetParam()), (load - F) / 0.05, 0.05 * (load - F) / 0.05);  // exp(-t c / I) of the start
+  EXPECT_NEAR(run.imbalance(), 0.0, 1e-6);
+}
+
+// Against a stop without loss the axle comes back as fast as it came.
+TEST_P(Both, StopTurnsItBack) {
+  Axle axle(GetParam(), 2.0);
+  EndStopParameters p;
+  p.smallest_stroke = -0.5;
+  p.largest_stroke = 0.5;
+  p.stiffness = 1e4;
+  p.dissipation = 0.0;
+  axle.add(std::make_unique<EndStop>(p));
+  test::Run run(axle.model, "one_step", precise(1e-9));
+  run.to(0.4);
+  EXPECT_NEAR(rate(run, GetParam()), -2.0, 1e-5);
+  run.to(0.9);
+  EXPECT_NEAR(rate(run, GetParam()), 2.0, 1e-5);
+  EXPECT_NEAR(run.imbalance(), 0.0, 1e-5);
+}
+
+std::string name_of_test(const ::testing::TestParamInfo<Coordinate>& info) {
+  return info.param == Coordinate::kAngle ? "angle" : "displacement";
+}
+
+INSTANTIATE_TEST_SUITE_P(Coordinates, Both, ::testing::Values(Coordinate::kAngle, Coordinate::kDisplacement),
+                         name_of_test);
+
+// 12 rad/s against 0.4 N m/rad: 6 sin(2 t) rad, twice beyond half a turn.
+TEST(JointForce, SpringGoesOnOverTurns) {
+  Axle axle(Coordinate::kAngle, 12.0);
+  LinearSpringDamperParameters p;
+  p.stiffness = 0.4;
+  axle.add(std::make_unique<LinearSpringDamper>(p));
+  test::Run run(axle.model, "one_step", precise(1e-10));
+  for (int i = 1; i <= 40; ++i) {
+    run.to(0.1 * i);
+    EXPECT_NEAR(sample(run, axle.model).q, 6.0 * std::sin(2.0 * run.state.time), 1e-6);
+  }
+}
+
+// A rotor on a joint between two free bodies takes no outside moment: the sum of spins stays.
+TEST(Rotor, KeepsTheSpinsOfFreeBodies) {
+  Model model;
+  const double I1 = 0.3, I2 = 0.1, J = 0.5;
+  BodyState s1, s2;
+  s1.w = 2.0 * Eigen::Vector3d::UnitZ();
+  s2.w = 5.0 * Eigen::Vector3d::UnitZ();
+  model.add_body(Body("a", 1.0, I1 * Eigen::Matrix3d::Identity()), s1);
+  model.add_body(Body("b", 1.0, I2 * Eigen::Matrix3d::Identity()), s2);
+  const Marker m1 = body_marker(0, model.body(0), Eigen::Vector3d::Zero());
+  const Marker m2 = body_marker(1, model.body(1), Eigen::Vector3d::Zero());
+  model.add_joint(revolute_joint("axle", m1, m2));
+  model.add_joint(rotor("rotor", m1, m2, Coordinate::kAngle, J));
+  std::vector<std::unique_ptr<StrutLaw>> laws;
+  laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{0.0, 0.2, 0.0, 0.0}));
+  model.add_force(std::make_unique<JointForce>("drag", m1, m2, Coordinate::kAngle, std::move(laws)));
+  test::Run run(model, "one_step", precise(1e-10));
+  run.to(3.0, 3);
+  // mu = I1 I2 / (I1 + I2):  (mu + J) q'' = -c q'
+  const double mu = I1 * I2 / (I1 + I2), q_rate = 3.0 * std::exp(-0.2 * 3.0 / (mu + J));
+  EXPECT_NEAR(run.body(1).w.z() - run.body(0).w.z(), q_rate, kTolerance);
+  EXPECT_NEAR(I1 * run.body(0).w.z() + I2 * run.body(1).w.z(), I1 * 2.0 + I2 * 5.0, kTolerance);
+  EXPECT_NEAR(run.imbalance(), 0.0, kTolerance);
+}
+
+// A light wheel with a heavy rotor: the rotor does not count as redundant, nor is it held against the joint's closing.
+TEST(Rotor, IsNoCondition) {
+  Axle axle;
+  axle.add_rotor(100.0);
+  const Assembly assembly = assemble(axle.model);
+  EXPECT_TRUE(assembly.redundant.empty());
+  EXPECT_TRUE(assembly.notes.empty());
+}
+
+// Input and output of a constant-velocity joint turn alike while bent by 30 degrees; those of a universal joint do not.
+TEST(Joints, ConstantVelocityTurnsEvenly) {
+  Model model;
+  const double bend = 0.5, speed = 4.0;  // [rad], [rad/s]
+  const Eigen::Vector3d out(std::sin(bend), 0.0, std::cos(bend));
+  BodyState first, second;
+  second.L << std::cos(0.5 * bend), 0.0, std::sin(0.5 * bend), 0.0;
+  first.w = speed * Eigen::Vector3d::UnitZ();
+  second.w = speed * out;
+  for (const BodyState& state : {first, second})
+    model.add_body(Body(model.body_count() == 0 ? "in" : "out", 1.0, 0.1 * Eigen::Matrix3d::Identity()), state);
+  const Eigen::Matrix3d bent = rotation_matrix(second.L);
+  const auto at = [&](int body, const Eigen::Matrix3d& axes) {
+    return model.marker_at(body, Eigen::Vector3d::Zero(), axes);
+  };
+  PrescribedMotion driven;
+  driven.rotation = polynomial({0.0, speed});
+  driven.hold_other_rotations = true;
+  driven.translation = {polynomial({0.0}), polynomial({0.0}), polynomial({0.0})};
+  const Eigen::Matrix3d straight = Eigen::Matrix3d::Identity();
+  model.add_joint(prescribed_joint("drive", ground_marker(Eigen::Vector3d::Zero()), at(0, straight), driven));
+  model.add_joint(constant_velocity_joint("joint", at(0, straight), at(1, bent)));
+  Joint axle = revolute_joint("axle", ground_marker(Eigen::Vector3d::Zero(), bent), at(1, bent));
+  axle.rows.erase(axle.rows.begin(), axle.rows.begin() + 3);  // the joint holds the points
+  model.add_joint(axle);
+  test::Run run(model, "one_step", precise(1e-9));
+  for (int i = 1; i <= 20; ++i) {
+    run.to(0.1 * i);
+    EXPECT_NEAR(run.body(1).w.dot(out), speed, 1e-6) << run.state.time;
+  }
+}
+
+// A puck on a table: it slides as a point, and spins.
+TEST(Joints, PlanarSlidesAndTurns) {
+  Model model(Eigen::Vector3d(0.0, 0.0, -9.81));
+  BodyState state;
+  state.dr = Eigen::Vector3d(1.0, 2.0, 0.0);
+  state.w = 3.0 * Eigen::Vector3d::UnitZ();
+  model.add_body(Body("puck", 1.0, 0.1 * Eigen::Matrix3d::Identity()), state);
+  model.add_joint(
+      planar_joint("table", ground_marker(Eigen::Vector3d::Zero()), model.marker_at(0, Eigen::Vector3d::Zero())));
+  test::Run run(model, "one_step", precise(1e-9));
+  run.to(2.0);
+  EXPECT_LT((run.body(0).r - Eigen::Vector3d(2.0, 4.0, 0.0)).norm(), kTolerance);
+  EXPECT_NEAR(run.body(0).w.z(), 3.0, kTolerance);
+}
+
+}  // namespace
+}  // namespace footfall
