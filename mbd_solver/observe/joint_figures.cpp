@@ -11,7 +11,7 @@ JointFigures::JointFigures(const Subject& subject)
     : subject_(subject),
       now_(subject.mechanism.coordinates.size()),
       acc_(now_.size(), 0.0),
-      warned_(now_.size(), 0),
+      warned_(now_.size(), false),
       reactions_(subject.scene.output.reactions ? subject.scene.joints.size() : 0, Vector6d::Zero()) {}
 
 void JointFigures::take(const Sample& sample) {
@@ -45,7 +45,7 @@ void JointFigures::follow(std::size_t k, double h, const JointCoordinate& at) {
   const double expected = now_[k].value + 0.5 * h * (now_[k].rate + at.rate()) + h * h / 12.0 * (acc_[k] - at.acc());
   now_[k].value = at.value() + 2.0 * kPi * std::round((expected - at.value()) / (2.0 * kPi));
   if (warned_[k] || std::abs(now_[k].value - expected) < 0.5 * kPi) return;
-  warned_[k] = 1;
+  warned_[k] = true;
   warnings_.push_back(
       "joint \"" + subject_.mechanism.coordinates[k].name + "\": between two rows, at t = " + number_text(time_, 6) +
       " s, it turns too unsteadily for its turns to be counted, and its angle may be off by whole turns; "
