@@ -94,6 +94,12 @@ void attach(Scene& scene, const Cut& cut, Findings& findings) {
                      "is missing; \"" + cut.whole.name + "\" is in segments, and one is turned");
     for (std::string& name : spring.bodies) pick(name, spring.point);
   }
+  for (ForceSpec& force : scene.forces) {
+    if (force.body == cut.whole.name && !force.point)
+      findings.error(force.source, "point", "is missing; \"" + cut.whole.name + "\" is in segments, and one is pushed");
+    else
+      pick(force.body, force.point.value_or(Eigen::Vector3d::Zero()));
+  }
 }
 
 void replace_name(std::vector<std::string>& names, const Cut& cut) {
