@@ -8,9 +8,9 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/fingerprint.h"
 #include "coupler/base/folder.h"
 #include "coupler/base/whole_file.h"
-#include "coupler/base/fingerprint.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/scene/script_text.h"
 
