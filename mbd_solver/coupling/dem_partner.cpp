@@ -46,7 +46,6 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     Accept accept;
     accept.scheme = terms.scheme;
     accept.t_end = terms.t_end;
-    accept.t_start = terms.t_start;
     accept.n_max = start_.n > 0 ? start_.n : terms.n_max;
     accept.patience = patience;
     link_.send(accept);

@@ -7,12 +7,13 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/fingerprint.h"
 #include "coupler/base/text.h"
 #include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/launch/bed.h"
-#include "coupler/base/fingerprint.h"
 #include "mbd_solver/cli/launch/process_pool.h"
 #include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/output/checkpoint_folder.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_json.h"
@@ -70,9 +71,13 @@ RunCost cost_of(const Json& from) {
 }
 
 // A hung run is asked to end as Ctrl-C asks it, and ends its programs in order; only then it is killed.
-std::vector<std::string> words_of(const RunRequest& request, const std::string& folder) {
+std::vector<std::string> words_of(const RunRequest& request, const std::string& folder, bool resumes) {
   std::vector<std::string> words;
   if (request.time_limit > 0) words = {"timeout", "--foreground", "-k", "30", std::to_string(request.time_limit)};
+  if (resumes) {
+    words.insert(words.end(), {built_program("footfall"), "run", "--quiet", "--resume", folder});
+    return words;
+  }
   words.insert(words.end(), {built_program("footfall"), "run", request.scene, "--quiet", "--force", "--out", folder});
   if (request.until > 0.0) words.insert(words.end(), {"--until", number_text(request.until)});
   for (const std::string& setting : request.settings) words.insert(words.end(), {"--set", setting});
@@ -142,6 +147,22 @@ void RunStore::make_bed(std::size_t run, bool quiet) const {
   for (const BedSpec& bed : runs_[run].bed) prepare_bed(bed, runs_[run].ranks, quiet);
 }
 
+// It was stopped, or killed, with a checkpoint, and is made from the same as then. What is timed more than once begins anew.
+bool RunStore::can_resume(std::size_t run) const {
+  const Entry& home = runs_[runs_[run].home];
+  if (!keep_ || home.recipe.empty() || home.request.repeats > 1) return false;
+  const Json begun = read_json(begun_file(run));
+  if (!begun.is_object() || begun.value("recipe", "") != home.recipe) return false;
+  const Json summary = read_json((fs::path(folder(run)) / "summary.json").string());
+  if (summary.is_object() && summary.value("status", "") != "interrupted") return false;
+  try {
+    newest_checkpoint(folder(run));
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 std::vector<std::size_t> RunStore::left(const std::vector<std::size_t>& runs) const {
   std::vector<std::size_t> left;
   std::set<std::size_t> homes;
@@ -175,7 +196,9 @@ bool RunStore::carry_out(const std::vector<std::size_t>& runs, int jobs,
     std::vector<Command> commands;
     for (const std::size_t run : round) {
       fs::remove(record_file(run));  // until it is done again
-      commands.push_back({words_of(runs_[run].request, folder(run)), {}, folder(run) + ".log", ""});
+      const bool resumes = k == 1 && can_resume(run);
+      write_whole_file(begun_file(run), Json{{"recipe", runs_[run].recipe}}.dump(1) + "\n");
+      commands.push_back({words_of(runs_[run].request, folder(run), resumes), {}, folder(run) + ".log", ""});
     }
     std::vector<std::size_t> again;
     const bool interrupted = run_pool(commands, jobs, [&](int task, int code, double cpu) {

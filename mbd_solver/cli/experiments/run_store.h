@@ -2,7 +2,8 @@
 // The runs of an experiment and what they left in their folders. A finished run is known by what it was made from, kept
 // beside its folder (FOLDER.done.json) with what it cost: it is not done again until its scene, a setting or a file
 // that the scene names has changed. So whatever ends the experiment, the same command goes on with what is left; and
-// runs may be added while it goes.
+// runs may be added while it goes. A run that was stopped goes on from its checkpoint, if it is made from the same as when
+// it began (FOLDER.begun.json).
 
 #include <functional>
 #include <map>
@@ -74,6 +75,8 @@ class RunStore {
     RunCost cost;
   };
   std::string record_file(std::size_t run) const { return folder(run) + ".done.json"; }
+  std::string begun_file(std::size_t run) const { return folder(run) + ".begun.json"; }
+  bool can_resume(std::size_t run) const;
   void note_end(Entry& entry, int code, double cpu, bool first);
 
   std::string folder_;

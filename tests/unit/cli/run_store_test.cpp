@@ -5,9 +5,9 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/fingerprint.h"
 #include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/experiments/run_store.h"
-#include "coupler/base/fingerprint.h"
 #include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {

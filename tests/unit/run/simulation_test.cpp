@@ -308,7 +308,8 @@ TEST(RunScene, WithoutGrainsWritesNothingOfTheCoupling) {
   RunOptions options;
   options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();
   options.quiet = true;
-  EXPECT_EQ(run_scene(scene, options, nullptr, kNever), kExitDone);
+  RunRequests requests;
+  EXPECT_EQ(run_scene(scene, options, nullptr, requests), kExitDone);
   EXPECT_FALSE(std::filesystem::exists(options.out + "/motion"));
   const nlohmann::ordered_json summary = read_summary(options.out + "/summary.json");
   EXPECT_EQ(summary["active"], nlohmann::ordered_json({"bodies"}));
@@ -323,7 +324,8 @@ TEST(RunScene, OnGrainsTellsOfBothSides) {
   RunOptions options;
   options.out = (std::filesystem::path(on.scene.file).parent_path() / "out").string();
   options.quiet = true;
-  EXPECT_EQ(run_scene(on.scene, options, &grains.transport(), kNever), kExitDone);
+  RunRequests requests;
+  EXPECT_EQ(run_scene(on.scene, options, &grains.transport(), requests), kExitDone);
   EXPECT_EQ(grains.join(), "");
   const nlohmann::ordered_json summary = read_summary(options.out + "/summary.json");
   EXPECT_EQ(summary["status"], "done");
