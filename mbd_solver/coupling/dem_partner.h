@@ -21,7 +21,6 @@ struct DemTerms {
   double expected_dt = 0.0;                           // stated by the scene for the script; 0: not stated [s]
   int expected_n = 0;                                 // likewise
   int n_max = 1;                                      // longest window when the script has `every auto`
-  double t_start = 0.0;                               // of the first window [s]: 0 except when a run is resumed
   std::string resume;  // folder of the checkpoint that both sides go on from; empty: a new run
 };
 

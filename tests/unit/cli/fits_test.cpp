@@ -131,7 +131,7 @@ TEST_F(FitsTest, TablesAndPictureAreWritten) {
   EXPECT_THAT(written("fits.md"), HasSubstr("With the exponents of Uehara: `d = 0.002 (rho)^0.50 (H)^0.33`"));
   // who gives only one of two
   EXPECT_THAT(written("fits.md"), ::testing::Not(HasSubstr("With the exponents of Walsh")));
-  EXPECT_THAT(written("fits.csv"), HasSubstr("\nlaw,\"fitted\",\"rho\",0.5,"));
+  EXPECT_THAT(written("fits.csv"), HasSubstr("\nlaw,fitted,rho,0.5,"));
 }
 
 TEST_F(FitsTest, WrongFilesAreTold) {

@@ -53,10 +53,12 @@ TEST_P(OnThePlane, BlockOnASlopeStaysWhereItIs) {
     for (int points_per_side : {2, 12}) {
       const Block block(degrees * kPi / 180.0, 0.3, 0.0, points_per_side);
       test::Run run(block.model, GetParam());
-      run.to(1.0);  // 16.5 degrees: it has slid a little, until the springs are nearly full
+      // Near the limit it slides a little first, until the springs are nearly full: they fill ever more slowly.
+      const double settled = degrees < 15.0 ? 1.0 : 3.0;  // [s]
+      run.to(settled);
       const double way = block.way(run);
       EXPECT_LT(block.speed(run), kRest) << degrees;
-      run.to(3.0);
+      run.to(settled + 2.0);
       EXPECT_LT(block.speed(run), kRest) << degrees;
       EXPECT_LT(std::abs(block.way(run) - way), 1e-7) << degrees;
       EXPECT_LT(std::abs(run.imbalance()), 1e-4);

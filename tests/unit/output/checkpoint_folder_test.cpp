@@ -6,15 +6,15 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
 
 namespace fs = std::filesystem;
 
-class CheckpointFolderTest : public testing::Test {
+class CheckpointFolderTest : public testing::Test, TemporaryFolder {
  protected:
-  CheckpointFolderTest() { fs::remove_all(run_); }
   void keep(long n) {
     CheckpointFolder folder(run_);
     std::ofstream(folder.begin(n) + "/run.txt") << "memory " << n;
@@ -22,7 +22,7 @@ class CheckpointFolderTest : public testing::Test {
   }
   bool there(const std::string& name) const { return fs::exists(fs::path(run_) / "checkpoint" / name); }
 
-  const std::string run_ = testing::TempDir() + "checkpoint_folder_test";
+  const std::string run_ = folder_.string();
 };
 
 TEST_F(CheckpointFolderTest, TheLastTwoSetsAreKept) {

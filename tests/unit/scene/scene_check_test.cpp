@@ -165,10 +165,10 @@ TEST_F(ScriptCheck, AScriptThatIncludesItselfIsAFinding) {
               HasSubstr("again.in:1 includes a file that includes this line again"));
 }
 
-TEST_F(ScriptCheck, AVariableThatNamesItselfEndsNowhere) {
-  EXPECT_EQ(findings("variable a index ${a}\nfix m all couple/mbd every ${a} mesh pad1 pad\n",
-                     "variables = { a = \"x${a}\" }\n"),
-            "no findings");
+TEST_F(ScriptCheck, AVariableThatNamesItselfIsAFinding) {
+  EXPECT_THAT(findings("variable a index ${a}\nfix m all couple/mbd every ${a} mesh pad1 pad\n",
+                       "variables = { a = \"x${a}\" }\n"),
+              HasSubstr("particles.variables.a: the variable names itself: a -> a; give it a value"));
 }
 
 TEST_F(ScriptCheck, AVariableThatTheScriptNeverReadsIsMisspelt) {
