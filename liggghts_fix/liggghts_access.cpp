@@ -154,7 +154,10 @@ Fix* create_mesh(LAMMPS* lmp, int narg, char** arg) {
     words[3] = file;
     words[4] = nothing;
   }
-  return stock_meshes().at(arg[2])(lmp, narg, words.data());
+  // LIGGGHTS takes mesh/surface/stress for mesh/surface with the module stress.
+  std::string style = arg[2];
+  while (stock_meshes().count(style) == 0) style.erase(style.rfind('/'));
+  return stock_meshes().at(style)(lmp, narg, words.data());
 }
 
 }  // namespace
