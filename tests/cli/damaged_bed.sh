@@ -7,7 +7,7 @@ die() { echo "$*"; cat "$out/said.txt"; exit 1; }
 rm -rf "$out" && mkdir -p "$out" && cd "$out" || exit 1
 export FOOTFALL_CACHE=$out/cache
 run() {
-  timeout -k 2 60 "$footfall" run "$scene" --quiet --out run --until 0.002 --set output.plots=false --set particles.ranks=1 \
+  timeout -k 2 60 "$footfall" run "$scene" --quiet --force --out run --until 0.002 --set output.plots=false --set particles.ranks=1 \
     --set bodies.ball.shape.radius=0.07 --set particles.variables.width=0.42 --set particles.bed.variables.width=0.42 \
     --set particles.bed.variables.depth=0.1 --set particles.bed.variables.settle=0.02 --set particles.bed.variables.rest=0.01 >said.txt 2>&1
 }
@@ -35,7 +35,7 @@ for how in empty half flipped missing half_without_seal; do
   cmp -s whole "$bed" || die "$how: the bed made again is another one"
 done
 cp seal "${beds[0]}bed.seal"
-(($(ls cache/beds | wc -l) == 1)) || die "more than the bed is left: $(ls cache/beds)"
+(($(ls -d cache/beds/*/ | wc -l) == 1)) || die "more than the bed is left: $(ls cache/beds)"
 
 # A restart file that the script names itself.
 head -c 1000 whole >cut.restart

@@ -42,7 +42,7 @@ start_run() {
     echo 'write_restart ${bed}' >>bed.in
     printf '[particles.bed]\nscript = "%s/bed.in"\n' "$out" >>scene.toml
   fi
-  "$footfall" run scene.toml --ranks 2 --set end_time=2.5e5 --set output.plots=false --out run "${more[@]}" >said.txt 2>&1 &
+  "$footfall" run scene.toml --ranks 2 --set end_time=2.5e5 --set output.interval=0.1 --set output.plots=false --out run "${more[@]}" >said.txt 2>&1 &
   run=$!
   until in_phase "$phase"; do
     kill -0 "$run" 2>/dev/null || die "the run ended before it was in phase $phase"

@@ -59,5 +59,5 @@ if [[ $phase == bed && $expected == 137 ]]; then
   kill -TERM "$run"
   wait_for_end 20 || die "the second run did not end"
 fi
-[[ $phase == bed ]] && compgen -G 'cache/beds/*' >/dev/null && die "the bed has left $(ls cache/beds)"
+[[ $phase == bed ]] && compgen -G 'cache/beds/*/' >/dev/null && die "the bed has left $(ls cache/beds)"
 exit 0
