@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 #include <algorithm>
 #include <filesystem>
 #include <limits>
@@ -308,8 +310,8 @@ TEST(RunScene, WithoutGrainsWritesNothingOfTheCoupling) {
   RunOptions options;
   options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();
   options.quiet = true;
-  RunRequests requests;
-  EXPECT_EQ(run_scene(scene, options, nullptr, requests), kExitDone);
+  const volatile std::sig_atomic_t no_signal = 0;
+  EXPECT_EQ(run_scene(scene, options, nullptr, no_signal), kExitDone);
   EXPECT_FALSE(std::filesystem::exists(options.out + "/motion"));
   const nlohmann::ordered_json summary = read_summary(options.out + "/summary.json");
   EXPECT_EQ(summary["active"], nlohmann::ordered_json({"bodies"}));
@@ -324,8 +326,8 @@ TEST(RunScene, OnGrainsTellsOfBothSides) {
   RunOptions options;
   options.out = (std::filesystem::path(on.scene.file).parent_path() / "out").string();
   options.quiet = true;
-  RunRequests requests;
-  EXPECT_EQ(run_scene(on.scene, options, &grains.transport(), requests), kExitDone);
+  const volatile std::sig_atomic_t no_signal = 0;
+  EXPECT_EQ(run_scene(on.scene, options, &grains.transport(), no_signal), kExitDone);
   EXPECT_EQ(grains.join(), "");
   const nlohmann::ordered_json summary = read_summary(options.out + "/summary.json");
   EXPECT_EQ(summary["status"], "done");
