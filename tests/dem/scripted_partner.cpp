@@ -38,6 +38,7 @@
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
+#include "coupler/interrupt.h"
 #include "coupler/link.h"
 #include "coupler/schemes/registry.h"
 #include "coupler/transport_mpi.h"
@@ -275,6 +276,7 @@ void couple(const Options& options, TransportMpi& transport, Link& link) {
       std::printf("scripted_partner: the script has ended in window %lld\n", static_cast<long long>(motion.window));
       return;
     }
+    if (load.asked_to_end) throw Interrupted("the grains' side was asked to end by a signal");
     for (const std::string& warning : load.warnings) std::printf("scripted_partner: warning: %s\n", warning.c_str());
     if (output)
       for (std::size_t i = 0; i < coupled.size(); ++i) output->row(motion, i, load);

@@ -97,7 +97,7 @@ TEST(FigureTaker, WarnsOfEnergyThatDoesNotClose) {
 TEST(FigureTaker, KeepsTheLargestForceOnABodyAndTellsThePresentOneOnAll) {
   Bench bench(kSmallMachine);
   FigureTaker taker(bench.subject());
-  bench.inputs.loads.resize(2);
+  bench.inputs.loads.resize(bench.scene.bodies.size());
   for (const double force : {40.0, 30.0}) {
     bench.inputs.loads[0].F_W = Eigen::Vector3d(0, 0, force);
     taker.take(bench.take());
