@@ -31,6 +31,7 @@ constexpr double kDrift = 0.1;
 // So many steps after one that has failed near a singular position start without drift and renew the Jacobian at every
 // stage: beyond that position a condition that fades has changed its sign, and what is left of drift grows.
 constexpr int kCareful = 20;
+constexpr double kFar = 1e-7;      // [m, rad, m/s, rad/s] what usual drift, added up over steps, does not move
 constexpr double kNear = 1e-9;     // of a step
 constexpr double kStretch = 10.0;  // so many steps before its end a window is divided into equal ones
 
@@ -310,7 +311,7 @@ bool OneStep::close_end(double t) {
   F_.head(layout.q_size) = end_.q - end.head(layout.q_size);
   F_.segment(layout.v0(), layout.v_size) = end_.v - end.segment(layout.v0(), layout.v_size);
   const double moved = norm_(F_);
-  if (moved > std::max(1.0, error_)) {
+  if (moved > std::max(1.0, error_) && F_.lpNorm<Eigen::Infinity>() > kFar) {
     astray_ = true;
     error_ = moved;
     worst_ = norm_.worst(F_);
