@@ -28,10 +28,6 @@ constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
 constexpr double kFirst = 0.01;  // of y changes in the first step of all
 // Drift [in absolute tolerances] that stays within a window; states that are handed out have none.
 constexpr double kDrift = 0.1;
-// So many steps after one that has failed near a singular position start without drift and renew the Jacobian at every
-// stage: beyond that position a condition that fades has changed its sign, and what is left of drift grows.
-constexpr int kCareful = 20;
-constexpr double kFar = 1e-7;      // [m, rad, m/s, rad/s] what usual drift, added up over steps, does not move
 constexpr double kNear = 1e-9;     // of a step
 constexpr double kStretch = 10.0;  // so many steps before its end a window is divided into equal ones
 
@@ -57,7 +53,6 @@ void OneStep::forget() {
   factored_c_ = 0.0;
   rate_ = 1.0;
   h_before_ = 0.0;
-  careful_ = 0;
   lu_->forget();
   equations_.forget();
 }
@@ -90,10 +85,6 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
       goes_on = accept(t, step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
       if (const std::string slow = watch.complaint(state.time); !slow.empty()) give_up(state.time, slow);
       continue;
-    }
-    if (outcome == Outcome::kNoConvergence || astray_) {
-      if (careful_ == 0) start_clean(inputs, state);
-      careful_ = kCareful;
     }
     if (outcome == Outcome::kTooInaccurate) {
       ++statistics_.rejected;
@@ -150,14 +141,10 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
     predict(i, h);
     Y_[at].head(m) = known_.head(m) + (h * tableau_.gamma) * K_[at].head(m);
     Y_[at].tail(rows) = K_[at].tail(rows);
-    const double t_stage = t + tableau_.c[at] * h;
-    if (careful_ > 0) {
-      if (!refresh(t_stage, Y_[at], K_[at], c, inputs)) return Outcome::kNoConvergence;
-    } else if (factored_c_ == 0.0 || (i == 1 && (std::abs(c / factored_c_ - 1.0) > 1e-6 || rate_ > kSlow))) {
-      // At the start of the step: the prediction of the first implicit stage differs from it by O(h).
-      if (!refresh(t, y_, K_[0], c, inputs)) return Outcome::kNoConvergence;
+    if (factored_c_ == 0.0 || (i == 1 && (std::abs(c / factored_c_ - 1.0) > 1e-6 || rate_ > kSlow))) {
+      if (!refresh(t, c, inputs)) return Outcome::kNoConvergence;
     }
-    if (!solve_stage(i, t_stage, h, inputs)) return Outcome::kNoConvergence;
+    if (!solve_stage(i, t + tableau_.c[at] * h, h, inputs)) return Outcome::kNoConvergence;
   }
 
   // Error estimate e = h sum (b - b^) K, filtered: J x = c (dF/dydot) e, positions eliminated as in the
@@ -177,15 +164,13 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   error_ = norm_(F_);
   worst_ = norm_.worst(F_);
   if (!std::isfinite(error_)) return Outcome::kNoConvergence;
-  astray_ = false;
-  if (options_.projection && (error_ <= 1.0 || !options_.error_control) && !close_end(t + h))
-    return Outcome::kNoConvergence;
   return error_ <= 1.0 || !options_.error_control ? Outcome::kAccepted : Outcome::kTooInaccurate;
 }
 
-bool OneStep::refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& K, double c, const Inputs& inputs) {
+bool OneStep::refresh(double t, double c, const Inputs& inputs) {
+  // At the start of the step: the prediction of the first implicit stage differs from it by O(h).
   try {
-    equations_.reduced_jacobian(t, y, K, c, inputs);
+    equations_.reduced_jacobian(t, y_, K_[0], c, inputs);
   } catch (const NumericalError& error) {
     complaint_ = error.what();
     return false;
@@ -280,54 +265,13 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   error_before_ = error_;
   y_.swap(Y_.back());
   if (fresh_) equations_.renew_rest(state);
-  if (closed_) {
-    statistics_.count(end_drift_);
-    state.q = end_.q;
-    state.v = end_.v;
-    if (careful_ > 0) equations_.accelerations(state, inputs, K_[0]);
+  if (!options_.projection) return true;
+  const Equations::Drift drift = equations_.drift(state);
+  if (drift.position > kDrift * options_.atol || drift.velocity > kDrift * options_.atol_velocity) {
+    statistics_.count(equations_.project(state));
     equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
   }
-  if (careful_ > 0) --careful_;
   return true;
-}
-
-// Projection is a part of the step: what it moves is an error of the step. In a singular position a little drift is far
-// from any closed position, and its projection would take a large part of the velocity away.
-bool OneStep::close_end(double t) {
-  const Layout& layout = equations_.layout();
-  const Eigen::VectorXd& end = Y_.back();
-  equations_.unpack(end, end_);
-  end_.time = t;
-  const Equations::Drift drift = equations_.drift(end_);
-  closed_ = careful_ > 0 || drift.position > kDrift * options_.atol || drift.velocity > kDrift * options_.atol_velocity;
-  if (!closed_) return true;
-  try {
-    end_drift_ = equations_.project(end_);
-  } catch (const NumericalError& error) {  // a joint that does not close
-    complaint_ = error.what();
-    return false;
-  }
-  F_.setZero();
-  F_.head(layout.q_size) = end_.q - end.head(layout.q_size);
-  F_.segment(layout.v0(), layout.v_size) = end_.v - end.segment(layout.v0(), layout.v_size);
-  const double moved = norm_(F_);
-  if (moved > std::max(1.0, error_) && F_.lpNorm<Eigen::Infinity>() > kFar) {
-    astray_ = true;
-    error_ = moved;
-    worst_ = norm_.worst(F_);
-  }
-  return std::isfinite(error_);
-}
-
-// The state without drift, its rates and all that follows from them.
-void OneStep::start_clean(const Inputs& inputs, State& state) {
-  factored_c_ = 0.0;
-  if (!options_.projection) return;
-  statistics_.count(equations_.project(state));
-  equations_.accelerations(state, inputs, K_[0]);
-  ++statistics_.factorizations;
-  equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
-  equations_.energy(state.time, y_, inputs, energy_[0]);
 }
 
 void OneStep::give_up(double t, const std::string& what) const {

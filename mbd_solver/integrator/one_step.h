@@ -37,16 +37,13 @@ class OneStep : public Integrator {
   Outcome try_step(double t, double h, const Inputs& inputs);  // from y_, K_[0] to the last Y_; leaves error_
   void predict(int stage, double h);                           // K_[stage]
   bool solve_stage(int stage, double t, double h, const Inputs& inputs);
-  // Jacobian at y with rates K, and its factors.
-  bool refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& K, double c, const Inputs& inputs);
+  bool refresh(double t, double c, const Inputs& inputs);  // Jacobian at y_ and its factors
   // Moves state on, gives the rows on the way; false: one of them has ended the window.
   bool accept(double t, double h, double t_new, double t_end, const Inputs& inputs, const Rows& rows, State& state);
-  bool close_end(double t);                              // end_, its part of error_; false: it does not close
-  void start_clean(const Inputs& inputs, State& state);  // no drift, rates anew
-  void interpolate(double time, double h);               // row_ and row_rates_, within the step h from start_
-  double predictor_time(std::size_t k) const;            // of before_[k] within its step
-  double first_step();                                   // [s]
-  double next_step(double h) const;                      // after a step h of error error_
+  void interpolate(double time, double h);     // row_ and row_rates_, within the step h from start_
+  double predictor_time(std::size_t k) const;  // of before_[k] within its step
+  double first_step();                         // [s]
+  double next_step(double h) const;            // after a step h of error error_
   [[noreturn]] void give_up(double t, const std::string& what) const;
 
   Equations& equations_;
@@ -73,11 +70,7 @@ class OneStep : public Integrator {
   double h_before_ = 0.0;                // 0: no step before
   double error_before_ = 0.0;            // its error, 1 = tolerance
 
-  State start_, row_, end_;     // at the start of a step, in it, and at its end without drift
-  Equations::Drift end_drift_;  // what was removed there
-  bool astray_ = false;         // projection would move it by more than the tolerance
-  bool closed_ = false;         // end_ is to be taken
-  int careful_ = 0;             // steps that go on without drift
+  State start_, row_;  // at the start of a step, and in it
   Eigen::VectorXd row_rates_;
   double row_time_ = 0.0;  // of the next row [s]
 };
