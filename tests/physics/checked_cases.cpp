@@ -131,6 +131,10 @@ CheckedCase bricard_case() {
   out.compared = "All bodies at 10 s, relative to the size of the motion; energy at every 0.05 s.";
   out.source = "Own run of the one-step method at rtol 1e-11. The energy is its own reference.";
   out.tolerances = kTolerances;
+  out.why =
+      "IDA stays further from the answer than is asked at tight tolerances, as on Bennett's mechanism. The one-step "
+      "method does what is asked.";
+  out.held_ida = 1e3;
   out.run = against_own_run(
       [] {
         return bricard(
