@@ -60,7 +60,7 @@ BeamArguments::BeamArguments(int narg, const char* const* arg) {
       type = value;
     } else if (word == "curvature") {
       if (value != "yes" && value != "no")
-        throw InputError(fix + ": \"curvature " + value + "\": expected yes or no" + kUsage);
+        throw InputError(fix + ": curvature: is \"" + value + "\", expected yes or no" + kUsage);
       curvature = value == "yes";
     } else {
       if (beams.empty() || beams.back().chain >= 0)

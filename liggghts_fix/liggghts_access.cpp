@@ -203,6 +203,7 @@ void recalculate_mesh(TriMesh* mesh) { OpenTriMesh::recalculate(mesh); }
 
 void reorder_mesh(TriMesh* mesh, const std::vector<int>& order) {
   std::vector<std::vector<double>> elements;
+  elements.reserve(order.size());
   for (const int element : order) elements.push_back(OpenTriMesh::taken_out(mesh, element));
   OpenTriMesh::remove_all(mesh);
   for (std::vector<double>& element : elements) OpenTriMesh::put_in(mesh, element);
