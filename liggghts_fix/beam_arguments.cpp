@@ -59,8 +59,7 @@ BeamArguments::BeamArguments(int narg, const char* const* arg) {
         throw InputError(fix + ": keyword \"type\" stands twice; beams of another material are another fix" + kUsage);
       type = value;
     } else if (word == "curvature") {
-      if (value != "yes" && value != "no")
-        throw InputError(fix + ": curvature: is \"" + value + "\", expected yes or no" + kUsage);
+      if (value != "yes" && value != "no") throw InputError(fix + ": expected yes or no behind curvature" + kUsage);
       curvature = value == "yes";
     } else {
       if (beams.empty() || beams.back().chain >= 0)
