@@ -103,6 +103,7 @@ std::size_t RunStore::add(const RunRequest& request) {
     const Scene scene = read_scene(request.scene, request.settings);
     entry.recipe = fingerprint(recipe_of(scene, request.until));
     entry.home = homes_.try_emplace({entry.recipe, request.repeats}, number).first->second;
+    entry.keeps = scene.output.checkpoint_interval > 0.0;
     if (scene.touches_particles()) {
       entry.ranks = scene.particles->ranks;
       if (scene.particles->bed) entry.bed.push_back(*scene.particles->bed);
@@ -147,14 +148,15 @@ void RunStore::make_bed(std::size_t run, bool quiet) const {
   for (const BedSpec& bed : runs_[run].bed) prepare_bed(bed, runs_[run].ranks, quiet);
 }
 
-// It was stopped, or killed, with a checkpoint, and is made from the same as then. What is timed more than once begins anew.
+// It was stopped, or killed, with a checkpoint, and is made from the same as then. A checkpoint shows in the last bits of
+// what follows, so only runs that ask for checkpoints go on; what is timed more than once begins anew.
 bool RunStore::can_resume(std::size_t run) const {
   const Entry& home = runs_[runs_[run].home];
-  if (!keep_ || home.recipe.empty() || home.request.repeats > 1) return false;
+  if (!keep_ || !home.keeps || home.recipe.empty() || home.request.repeats > 1) return false;
   const Json begun = read_json(begun_file(run));
-  if (!begun.is_object() || begun.value("recipe", "") != home.recipe) return false;
+  if (!begun.is_object() || text_in(begun, "recipe") != home.recipe) return false;
   const Json summary = read_json((fs::path(folder(run)) / "summary.json").string());
-  if (summary.is_object() && summary.value("status", "") != "interrupted") return false;
+  if (summary.is_object() && text_in(summary, "status") != "interrupted") return false;
   try {
     newest_checkpoint(folder(run));
     return true;

@@ -70,6 +70,7 @@ class RunStore {
     std::string recipe;    // its fingerprint; empty when the scene cannot be read: such a run is never taken as done
     std::size_t home = 0;  // the first run with this recipe
     int ranks = 1;
+    bool keeps = false;        // checkpoints, every output.checkpoint_interval
     std::vector<BedSpec> bed;  // none or one
     int code = -1;             // of a run that ended under our eyes
     RunCost cost;
