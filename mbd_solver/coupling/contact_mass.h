@@ -1,6 +1,7 @@
 #pragma once
 // The mass that the contacts of a body meet: that of what they move, with joints and prescribed motions. theory 7.9.
 
+#include "coupler/archive.h"
 #include "coupler/modal_boundary.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/model/external_load.h"
@@ -23,6 +24,9 @@ class ContactMass {
   // [kg] at `state` under `felt`, the load on the body in `inputs`. Without a force: as it was when there was one, at
   // the start the body's own.
   double along(const ExternalLoad& felt, const State& state, const Inputs& inputs, double H);
+  double last() const { return mass_; }            // as it was found last [kg]
+  bool asks_mechanism() const { return joined_; }  // along() solves for accelerations twice
+  void visit(Archive& archive) { archive("mass", mass_); }
 
  private:
   Equations& equations_;

@@ -14,6 +14,10 @@
 namespace footfall {
 namespace {
 
+// The mass that contacts meet changes with the attitude of the mechanism, slowly; found in every window it would be felt
+// in the run time.
+constexpr int kMassHolds = 10;  // windows
+
 // A number that the scene states for the script, 0 when it does not.
 double stated(const Scene& scene, const std::string& name) {
   const auto found = scene.particles->variables.find(name);
@@ -99,7 +103,11 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations
 void CoupledRun::visit(Archive& archive) {
   archive("window", motion_.window);
   archive("n", motion_.n);
-  for (Coupled& body : bodies_) archive(body.entry.boundary.name().c_str(), body.window);
+  for (Coupled& body : bodies_) {
+    archive(body.entry.boundary.name().c_str(), body.window);
+    archive("contact_mass", body.contact_mass);
+    archive("mass_age", body.mass_age);
+  }
   archive("partner", partner_);
   archive("watch", *watch_);
   if (choice_) archive("choice", *choice_);
@@ -134,7 +142,13 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   receive(load, inputs);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const auto body = static_cast<std::size_t>(bodies_[k].entry.body);
-    watched_[k].mass = bodies_[k].contact_mass.along(inputs.loads[body], state, inputs, motion_.n * dt);
+    Coupled& coupled = bodies_[k];
+    const bool touched = !inputs.loads[body].F_W.isZero(0.0);
+    if (!touched || coupled.mass_age >= kMassHolds) coupled.mass_age = 0;
+    const bool anew = coupled.mass_age == 0 || !coupled.contact_mass.asks_mechanism();
+    watched_[k].mass = anew ? coupled.contact_mass.along(inputs.loads[body], state, inputs, motion_.n * dt)
+                            : coupled.contact_mass.last();
+    if (touched) ++coupled.mass_age;
   }
   return t_end;
 }

@@ -68,8 +68,9 @@ class CoupledRun {
     const LandingSite* site;  // under it at the start; null when not known
     BodyWindow window;        // what the scheme makes of it
     ContactMass contact_mass;
-    BodyMotion end;  // computed, at the window's end
-    double reach;    // largest |rho0| [m]
+    BodyMotion end;    // computed, at the window's end
+    double reach;      // largest |rho0| [m]
+    int mass_age = 0;  // windows of contact since contact_mass was found
   };
 
   void choose_window();  // n of the next window, after one
