@@ -21,7 +21,7 @@ IntegratorOptions precise(double tolerance) {
 
 constexpr double kMass = 2.0, kInertia = 0.5;  // [kg], about every axis [kg m2]
 // rtol of the runs is 1e-11; positions, speeds and works are of order one to ten, and works are summed step by step.
-constexpr double kTolerance = 1e-6;
+constexpr double kTolerance = 1e-7;
 
 struct FreeBody {
   FreeBody(const Eigen::Vector3d& p_B, std::optional<Eigen::Vector3d> direction, TimeFunctionPtr force,

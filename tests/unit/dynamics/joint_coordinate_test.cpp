@@ -25,7 +25,7 @@ IntegratorOptions precise(double tolerance) {
 }
 
 constexpr double kInertia = 0.1;     // of the wheel about its axis [kg m2]; mass of the slider in kg
-constexpr double kTolerance = 1e-6;  // rtol of the runs is 1e-10, over some hundred steps
+constexpr double kTolerance = 1e-7;  // rtol of the runs is 1e-10, over some hundred steps
 
 // A body on the ground that turns about, or slides along, z.
 struct Axle {
