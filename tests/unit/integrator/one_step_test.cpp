@@ -46,51 +46,47 @@ TEST(OneStep, AgreesWithIdaOnSmoothLoops) {
   }
 }
 
-TEST(OneStep, ErrorFallsWithTheStep) {
-  // At a tolerance that lets Newton leave more than the step itself does: the sum over many steps must not be seen.
-  // Each halving of the step takes three quarters of the error; a half must go, and on the mean of all more.
-  constexpr double kLeast = 0.6, kMean = 0.35;
+// The errors at the end of all loops, for each of `values` of what `options` takes: none may pass `least` times the one
+// before it, but for what `rtol` leaves. Returns the geometric mean of what is left from one value to the next.
+template <class OptionsOf>
+double mean_fall(const std::vector<double>& values, double least, const OptionsOf& options_for) {
   double mean = 0.0;
   int count = 0;
   for (unsigned seed = 1; seed <= kMechanisms; ++seed) {
     const Model model = test::smooth_loop(seed);
     const Eigen::VectorXd reference = exact(model);
     double last = 0.0;
-    for (double step : {1.6e-3, 8e-4, 4e-4, 2e-4, 1e-4}) {
-      IntegratorOptions options = options_of(2, 1e-6);
-      options.max_step = step;
+    for (const double value : values) {
+      const IntegratorOptions options = options_for(value);
       const double error = (end_of(model, options) - reference).norm();
       if (last > 0.0) {
-        EXPECT_LT(error, kLeast * last + kEnough * 1e-6) << "seed " << seed << ", step " << step;
+        EXPECT_LT(error, least * last + kEnough * options.rtol) << "seed " << seed << ", at " << value;
         mean += std::log(error / last);
         ++count;
       }
       last = error;
     }
   }
-  EXPECT_LT(std::exp(mean / count), kMean);
+  return std::exp(mean / count);
+}
+
+TEST(OneStep, ErrorFallsWithTheStep) {
+  // At a tolerance that lets Newton leave more than the step itself does: the sum over many steps must not be seen.
+  // Each halving of the step takes three quarters of the error; a half must go, and on the mean of all more.
+  constexpr double kLeast = 0.6, kMean = 0.35;
+  const auto with_step = [](double step) {
+    IntegratorOptions options = options_of(2, 1e-6);
+    options.max_step = step;
+    return options;
+  };
+  EXPECT_LT(mean_fall({1.6e-3, 8e-4, 4e-4, 2e-4, 1e-4}, kLeast, with_step), kMean);
 }
 
 TEST_P(Order, ErrorFallsWithTheTolerance) {
   // A tenth of the tolerance: the error falls at least to its square root (second order: local error h^3, of all h^2).
   constexpr double kLeast = 0.7, kMean = 0.33;
-  double mean = 0.0;
-  int count = 0;
-  for (unsigned seed = 1; seed <= kMechanisms; ++seed) {
-    const Model model = test::smooth_loop(seed);
-    const Eigen::VectorXd reference = exact(model);
-    double last = 0.0;
-    for (double rtol : {1e-4, 1e-5, 1e-6, 1e-7}) {
-      const double error = (end_of(model, options_of(GetParam(), rtol)) - reference).norm();
-      if (last > 0.0) {
-        EXPECT_LT(error, kLeast * last + kEnough * rtol) << "seed " << seed << ", rtol " << rtol;
-        mean += std::log(error / last);
-        ++count;
-      }
-      last = error;
-    }
-  }
-  EXPECT_LT(std::exp(mean / count), kMean);
+  const auto with_tolerance = [](double rtol) { return options_of(GetParam(), rtol); };
+  EXPECT_LT(mean_fall({1e-4, 1e-5, 1e-6, 1e-7}, kLeast, with_tolerance), kMean);
 }
 
 TEST(OneStep, FifthOrderEndsWithinAHundredTolerances) {
