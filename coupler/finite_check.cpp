@@ -3,15 +3,11 @@
 #include <cmath>
 #include <type_traits>
 
+#include "coupler/base/is_vector.h"
 #include "coupler/message_fields.h"
 
 namespace footfall {
 namespace {
-
-template <class T>
-inline constexpr bool kIsVector = false;
-template <class Item>
-inline constexpr bool kIsVector<std::vector<Item>> = true;
 
 // "": a number here; ".x", "[3].x": within a part of this one.
 struct Found {

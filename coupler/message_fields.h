@@ -90,8 +90,8 @@ inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt},
 
 template <>
 inline constexpr auto kFields<Accept> =
-    std::tuple{Field{"scheme", &Accept::scheme}, Field{"t_end", &Accept::t_end}, Field{"t_start", &Accept::t_start},
-               Field{"n_max", &Accept::n_max}, Field{"patience", &Accept::patience}};
+    std::tuple{Field{"scheme", &Accept::scheme}, Field{"t_end", &Accept::t_end}, Field{"n_max", &Accept::n_max},
+               Field{"patience", &Accept::patience}};
 
 template <>
 inline constexpr auto kFields<Motion> = std::tuple{Field{"window", &Motion::window},

@@ -3,6 +3,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "coupler/base/is_vector.h"
 #include "coupler/byte_stream.h"
 #include "coupler/message_fields.h"
 
@@ -13,11 +14,6 @@ constexpr std::uint32_t kMagic = 0x4c465446;  // "FTFL"
 
 template <class T>
 inline constexpr bool kIsMatrix = std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
-
-template <class T>
-inline constexpr bool kIsVector = false;
-template <class Item>
-inline constexpr bool kIsVector<std::vector<Item>> = true;
 
 // Values: numbers, true or false as one byte, texts, matrices; items behind their count; fields in the order of their
 // list.

@@ -23,7 +23,7 @@
 
 namespace footfall {
 
-inline constexpr std::int32_t kProtocolVersion = 3;
+inline constexpr std::int32_t kProtocolVersion = 4;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // LIGGGHTS' name of the units that both programs use.
@@ -78,8 +78,7 @@ struct Start {
 struct Accept {
   static constexpr MessageKind kKind = MessageKind::kAccept;
   std::string scheme;      // a name that make_scheme knows
-  double t_end = 0.0;      // end of the scene [s]; the first window starts at t_start
-  double t_start = 0.0;    // 0 except after a resume [s]
+  double t_end = 0.0;      // end of the scene [s]
   std::int32_t n_max = 0;  // largest n that any Motion will ask for
   double patience = 0.0;   // how long each side bears the other's silence in a run [s]; 0: as the receiver has it
 };

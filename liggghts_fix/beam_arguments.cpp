@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<std::string> kModelKeywords = {"model", "tangential", "cohesion", "rolling_friction", "surface"};
 const std::vector<std::string> kForeignKeywords = {"primitive", "mesh", "n_meshes", "meshes", "shear"};
-const std::string kUsage =
+const std::string kBeamUsage =
     ". Expected: fix ID group wall/gran/beam model ... type T body NAME [chain C] [body ...] [curvature yes] [keywords "
     "of "
     "wall/gran]";
@@ -45,36 +45,36 @@ BeamArguments::BeamArguments(int narg, const char* const* arg) {
     const std::string& word = words[next++];
     if (is_one_of(kForeignKeywords, word))
       throw InputError(fix + ": keyword \"" + word + "\" belongs to fix wall/gran; the beams are those of the bodies" +
-                       kUsage);
+                       kBeamUsage);
     if (word != "type" && word != "body" && word != "chain" && word != "curvature") {
       others.push_back(word);
       continue;
     }
-    if (next == words.size()) throw InputError(fix + ": nothing follows keyword \"" + word + "\"" + kUsage);
+    if (next == words.size()) throw InputError(fix + ": nothing follows keyword \"" + word + "\"" + kBeamUsage);
     const std::string& value = words[next++];
     if (word == "body") {
       beams.push_back({value});
     } else if (word == "type") {
       if (!type.empty())
-        throw InputError(fix + ": keyword \"type\" stands twice; beams of another material are another fix" + kUsage);
+        throw InputError(fix + ": keyword \"type\" stands twice; beams of another material are another fix" + kBeamUsage);
       type = value;
     } else if (word == "curvature") {
-      if (value != "yes" && value != "no") throw InputError(fix + ": expected yes or no behind curvature" + kUsage);
+      if (value != "yes" && value != "no") throw InputError(fix + ": expected yes or no behind curvature" + kBeamUsage);
       curvature = value == "yes";
     } else {
       if (beams.empty() || beams.back().chain >= 0)
-        throw InputError(fix + ": \"chain " + value + "\" does not follow a body, whose beam it would be" + kUsage);
+        throw InputError(fix + ": \"chain " + value + "\" does not follow a body, whose beam it would be" + kBeamUsage);
       beams.back().chain = chain_number(fix, value);
     }
   }
-  if (type.empty()) throw InputError(fix + ": the material is missing, keyword \"type\"" + kUsage);
-  if (beams.empty()) throw InputError(fix + ": the body is missing, keyword \"body\"" + kUsage);
+  if (type.empty()) throw InputError(fix + ": the material is missing, keyword \"type\"" + kBeamUsage);
+  if (beams.empty()) throw InputError(fix + ": the body is missing, keyword \"body\"" + kBeamUsage);
   for (std::size_t i = 0; i < beams.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (beams[i].body == beams[j].body &&
           (beams[i].chain == beams[j].chain || beams[i].chain < 0 || beams[j].chain < 0))
         throw InputError(fix + ": the same beam of body \"" + beams[i].body +
-                         "\" is asked for twice; its contacts would count twice" + kUsage);
+                         "\" is asked for twice; its contacts would count twice" + kBeamUsage);
   for (const char* word : {"primitive", "type", type.c_str(), "zcylinder", "0", "0", "0"}) stock.emplace_back(word);
   stock.insert(stock.end(), others.begin(), others.end());
 }

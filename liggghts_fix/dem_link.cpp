@@ -335,7 +335,7 @@ void DemLink::script_ended() {
   } else {
     why = "the LIGGGHTS script ended at t = " + number(time()) +
           " s, before the end of the scene at t = " + number(accept_.t_end) + " s. `run` at least " +
-          number(std::ceil((accept_.t_end - accept_.t_start) / dt_ - 1e-9)) +
+          number(std::ceil(accept_.t_end / dt_ - 1e-9)) +
           " steps in all, or say that the script may end the run: fix ID all couple/mbd every N end script ...";
   }
   link_->fail(why, Status::kBadInput);

@@ -24,11 +24,11 @@ namespace {
 using footfall::InputError;
 
 constexpr const char* kModule = "footfall_mbd";
-constexpr const char* kVelocity = "v";  // element property that LIGGGHTS' contacts read
+constexpr const char* kVelocityName = "v";  // element property that LIGGGHTS' contacts read
 
 using NodeVelocities = MultiVectorContainer<double, 3, 3>;
 
-NodeVelocities* node_velocities(TriMesh* mesh) { return mesh->prop().getElementProperty<NodeVelocities>(kVelocity); }
+NodeVelocities* node_velocities(TriMesh* mesh) { return mesh->prop().getElementProperty<NodeVelocities>(kVelocityName); }
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void CoupledMesh::attach() {
   made_velocities_ = node_velocities(mesh) == nullptr;  // not of a conveyor, or after a `fix move/mesh`
   if (made_velocities_)
     mesh->prop()
-        .addElementProperty<NodeVelocities>(kVelocity, "comm_exchange_borders", "frame_invariant", "restart_no")
+        .addElementProperty<NodeVelocities>(kVelocityName, "comm_exchange_borders", "frame_invariant", "restart_no")
         ->setAll(0.0);
   footfall::attach_mesh_module(fix_, kModule, module_.get());
 }
@@ -82,7 +82,7 @@ void CoupledMesh::detach() {
   footfall::detach_mesh_module(fix_, kModule);
   TriMesh* mesh = fix_->triMesh();
   if (made_velocities_) {
-    mesh->prop().removeElementProperty(kVelocity);
+    mesh->prop().removeElementProperty(kVelocityName);
   } else if (link_.started()) {
     node_velocities(mesh)->setAll(0.0);
     add_belt();

@@ -15,7 +15,7 @@ bool programs_are_refused() { return std::getenv("FOOTFALL_NO_PROGRAMS") != null
 
 // What the name stands for in the libraries behind us.
 template <class Function>
-Function original(const char* name) {
+Function next_after_us(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
@@ -27,7 +27,7 @@ void LAMMPS_NS::Input::shell() {
     throw footfall::InputError(
         "the script runs a program with `shell`, which no script of a scene may do; do it before the run, or say "
         "--trust-script to footfall");
-  original<void (*)(LAMMPS_NS::Input*)>("_ZN9LAMMPS_NS5Input5shellEv")(this);
+  next_after_us<void (*)(LAMMPS_NS::Input*)>("_ZN9LAMMPS_NS5Input5shellEv")(this);
 }
 
 extern "C" FILE* popen(const char* command, const char* type) {
@@ -36,5 +36,5 @@ extern "C" FILE* popen(const char* command, const char* type) {
                  command);
     footfall::abort_both_programs(footfall::kExitBadInput);
   }
-  return original<FILE* (*)(const char*, const char*)>("popen")(command, type);
+  return next_after_us<FILE* (*)(const char*, const char*)>("popen")(command, type);
 }

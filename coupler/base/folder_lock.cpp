@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::seconds kForTheRest(30);  // programs of a run that was killed end within this
-constexpr std::chrono::milliseconds kBetweenTries(200);
+constexpr std::chrono::milliseconds kBetweenLooks(200);
 
 }  // namespace
 
@@ -25,7 +25,7 @@ FileLock lock_folder(const std::string& folder) {
   const auto deadline = std::chrono::steady_clock::now() + kForTheRest;
   FileLock lock = FileLock::try_lock(file);
   while (!lock.held() && !is_alive(owner_of(file)) && std::chrono::steady_clock::now() < deadline) {
-    std::this_thread::sleep_for(kBetweenTries);
+    std::this_thread::sleep_for(kBetweenLooks);
     lock = FileLock::try_lock(file);
   }
   if (!lock.held()) {

@@ -17,7 +17,7 @@ namespace footfall {
 namespace {
 
 constexpr int kMostClosingSteps = 30;
-constexpr double kClosed = 1e-12;        // [m or rad]: what double precision reaches for mechanisms of metres
+constexpr double kAssembled = 1e-12;        // [m or rad]: what double precision reaches for mechanisms of metres
 constexpr double kContradiction = 1e-8;  // what remains above this cannot be closed
 // While the joints are still open by a gap g, redundant conditions look independent to about g: they must not
 // steer the closing.
@@ -165,7 +165,7 @@ void close_joints(const Layout& layout, ConstraintRows& rows, State& state) {
   double last = HUGE_VAL;
   for (int i = 0; i < kMostClosingSteps; ++i) {
     const double now = rows.phi.lpNorm<Eigen::Infinity>();
-    if (now <= 1e-15 || (now <= kClosed && now >= 0.5 * last)) break;
+    if (now <= 1e-15 || (now <= kAssembled && now >= 0.5 * last)) break;
     last = now;
     add_increment(layout, rows.correction(rows.phi, kClosingRank), state.q);
     rows.evaluate(state);

@@ -19,7 +19,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kSymmetric = 1e-6;    // largest |K - K^T| over largest |K|: files print six digits or more
 constexpr double kUnsupported = 1e-6;  // force of a rigid-body motion over the sum of its parts' magnitudes, likewise
-constexpr double kRank = 1e-12;        // singular below this fraction of the largest eigenvalue
+constexpr double kMassRank = 1e-12;        // singular below this fraction of the largest eigenvalue
 
 void check_mass(const FeModel& model, const std::string& who) {
   const std::string not_positive = who + ": mass matrix is not positive: ";
@@ -29,14 +29,14 @@ void check_mass(const FeModel& model, const std::string& who) {
                        std::to_string(model.node_mass(j)) + " kg, expected 0 or more.");
     const Matrix3d& J = model.node_inertia[static_cast<std::size_t>(j)];
     const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(J, Eigen::EigenvaluesOnly).eigenvalues();
-    if (!(moments.minCoeff() >= -kRank * moments.cwiseAbs().maxCoeff()))
+    if (!(moments.minCoeff() >= -kMassRank * moments.cwiseAbs().maxCoeff()))
       throw InputError(not_positive + "node " + std::to_string(j) + " has a rotary inertia with the principal value " +
                        std::to_string(moments.minCoeff()) + " kg m2, expected 0 or more.");
   }
   if (!(model.node_mass.sum() > 0.0)) throw InputError(not_positive + "the body has no mass.");
   const Vector3d moments =
       Eigen::SelfAdjointEigenSolver<Matrix3d>(mass_properties(model).inertia, Eigen::EigenvaluesOnly).eigenvalues();
-  if (!(moments.minCoeff() > kRank * moments.maxCoeff()))
+  if (!(moments.minCoeff() > kMassRank * moments.maxCoeff()))
     throw InputError(not_positive +
                      "the body has no inertia about one of its axes, expected nodes that are not all in one "
                      "line, or nodes "

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double kMaxTriangles = 2e6;  // more is a mistake in a unit
 
-void require_positive(double value, const char* what) {
+void require_length(double value, const char* what) {
   if (!(value > 0.0) || !std::isfinite(value))
     throw InputError(std::string("mesh: ") + what + " is " + std::to_string(value) + " m, expected a positive number.");
 }
@@ -55,8 +55,8 @@ TriangleMesh ring_mesh(int rings, const std::function<Vector3d(double, double)>&
 }  // namespace
 
 TriangleMesh disc_mesh(double radius, double edge) {
-  require_positive(radius, "disc radius");
-  require_positive(edge, "edge length");
+  require_length(radius, "disc radius");
+  require_length(edge, "edge length");
   return ring_mesh(parts(radius, edge), [radius](double s, double phi) {
     return Vector3d(s * radius * std::cos(phi), s * radius * std::sin(phi), 0.0);
   });
@@ -64,7 +64,7 @@ TriangleMesh disc_mesh(double radius, double edge) {
 
 TriangleMesh thick_disc_mesh(double radius, double thickness, double edge) {
   const TriangleMesh face = disc_mesh(radius, edge);
-  require_positive(thickness, "disc thickness");
+  require_length(thickness, "disc thickness");
   const int nodes = static_cast<int>(face.vertices.size()), around = 6 * parts(radius, edge);
   const int layers = parts(thickness, edge);
   TriangleMesh mesh;
@@ -92,9 +92,9 @@ TriangleMesh thick_disc_mesh(double radius, double thickness, double edge) {
 }
 
 TriangleMesh dish_mesh(double rim_radius, double depth, double edge) {
-  require_positive(rim_radius, "dish radius");
-  require_positive(depth, "dish depth");
-  require_positive(edge, "edge length");
+  require_length(rim_radius, "dish radius");
+  require_length(depth, "dish depth");
+  require_length(edge, "edge length");
   if (depth > rim_radius)
     throw InputError("mesh: dish depth is " + std::to_string(depth) + " m, expected at most the radius of the rim, " +
                      std::to_string(rim_radius) + " m.");
@@ -109,8 +109,8 @@ TriangleMesh dish_mesh(double rim_radius, double depth, double edge) {
 
 // Six faces of right-angled triangles, their common edges welded.
 TriangleMesh box_mesh(const Vector3d& size, double edge) {
-  for (int i = 0; i < 3; ++i) require_positive(size(i), "box edge");
-  require_positive(edge, "edge length");
+  for (int i = 0; i < 3; ++i) require_length(size(i), "box edge");
+  require_length(edge, "edge length");
   require_affordable(4.0 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()) / (edge * edge));
   TriangleMesh faces;
   for (int axis = 0; axis < 3; ++axis)

@@ -21,7 +21,6 @@ using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kTwoPi = 6.28318530717958647692;
-constexpr double kNoStiffness = 1e-8;  // lambda over elastic scale: less is motion without strain
 constexpr int kFirstGuess = 16;        // modes asked for first when only a frequency limit is known
 
 double lambda_of(double frequency) { return std::pow(kTwoPi * frequency, 2); }

@@ -28,6 +28,7 @@ enum class BasisKind { kCraigBampton, kFreeFree };
 
 constexpr int kDefaultModeCount = 10;      // when neither count nor frequency is given, or all there are
 constexpr double kStaticTolerance = 0.01;  // of ModalBody::static_error: beyond it a warning [-]
+constexpr double kNoStiffness = 1e-8;      // lambda over elastic scale: less is motion without strain [-]
 constexpr double kDefaultDampingRatio = 0.01;
 
 struct BasisOptions {

@@ -19,7 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kRigid = 1e-6;       // a shape that loses all but this fraction of its norm was a rigid motion
+constexpr double kRigidShape = 1e-6;       // a shape that loses all but this fraction of its norm was a rigid motion
 constexpr double kDependent = 1e-12;  // least eigenvalue of the Gram matrix of unit shapes
 constexpr double kLowest = 0.1, kHighest = 1e6;  // plausible first elastic frequency [Hz]
 
@@ -101,7 +101,7 @@ ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const Bas
     remove_rigid_motion(body, rotations);
     const VectorXd norm = gram(body).diagonal().cwiseSqrt();
     for (Index k = 0; k < s; ++k)
-      if (!(norm(k) > kRigid * before(k)))
+      if (!(norm(k) > kRigidShape * before(k)))
         throw InputError(who + ": mode " + std::to_string(k) +
                          " moves no mass beyond a rigid-body motion, expected elastic modes only. The mass "
                          "matrix of this basis is "

@@ -8,6 +8,7 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/fe/eigen_solver.h"
 #include "mbd_solver/fe/fe_partition.h"
+#include "mbd_solver/fe/modal_basis.h"
 
 namespace footfall {
 namespace {
@@ -19,9 +20,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kShift = 1e-4;        // of the elastic scale; see balanced_solution
 constexpr int kPasses = 5;             // error 1e-4 to the sixth power, with a scale 100 times too high 1e-12
-constexpr double kDependent = 1e-9;    // singular value over the largest: less is round-off
+constexpr double kSameDirection = 1e-9;    // singular value over the largest: less is round-off
 constexpr double kOnlyRigid = 1e-6;    // what is left of a unit load balanced at the interface: less is nothing
-constexpr double kNoStiffness = 1e-8;  // lambda over elastic scale: less is motion without strain
 
 // Rows and columns of one size, so that metres and radians can be compared.
 MatrixXd scaled(MatrixXd x) {
@@ -34,7 +34,7 @@ MatrixXd scaled(MatrixXd x) {
 MatrixXd null_space(const MatrixXd& A) {
   const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeFullV);
   const VectorXd& sigma = svd.singularValues();
-  const Index rank = (sigma.array() > kDependent * sigma(0)).count();
+  const Index rank = (sigma.array() > kSameDirection * sigma(0)).count();
   return svd.matrixV().rightCols(A.cols() - rank);
 }
 
@@ -44,7 +44,7 @@ MatrixXd interface_loads(const HeldBody& body) {
   const MatrixXd R_b = gathered(body.rigid, body.held);
   const Eigen::JacobiSVD<MatrixXd> svd(scaled(R_b), Eigen::ComputeThinU);
   const VectorXd& sigma = svd.singularValues();
-  const MatrixXd Q = svd.matrixU().leftCols((sigma.array() > kDependent * sigma(0)).count());
+  const MatrixXd Q = svd.matrixU().leftCols((sigma.array() > kSameDirection * sigma(0)).count());
   const Index n = R_b.rows();
   const MatrixXd balanced = MatrixXd::Identity(n, n) - Q * Q.transpose();
   std::vector<int> some;

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kProjectAbove = 1e-9;       // drift [m or rad] that stays in a run that goes on
 constexpr double kProjectSpeedAbove = 5e-9;  // [m/s or rad/s]
-constexpr double kDrift = 100.0;             // drift that stays within a window [in absolute tolerances]
+constexpr double kDriftKept = 100.0;             // drift that stays within a window [in absolute tolerances]
 constexpr double kIgnored = 1e30;            // absolute tolerance of multipliers: they carry no error of their own
 constexpr int kRenewRest = 10;               // steps after which resting rows are looked at
 // Gauss-Legendre with three points, exact to fifth order as IDA is.
@@ -310,8 +310,8 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
     drift = s.options.projection ? s.equations.drift(state) : s.equations.check_closed(state);
     // Each projection costs a start: IDA falls back to first order and a small step.
     if (ended_by_row || state.time >= t_end || !s.options.projection ||
-        (drift.position < std::max(kProjectAbove, kDrift * s.options.atol) &&
-         drift.velocity < std::max(kProjectSpeedAbove, kDrift * s.options.atol_velocity)))
+        (drift.position < std::max(kProjectAbove, kDriftKept * s.options.atol) &&
+         drift.velocity < std::max(kProjectSpeedAbove, kDriftKept * s.options.atol_velocity)))
       continue;
     statistics_.count(s.equations.project(state));
     s.restart(state, inputs, statistics_);

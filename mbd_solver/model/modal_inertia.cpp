@@ -4,6 +4,7 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {
@@ -12,12 +13,6 @@ using Vec = Eigen::Ref<const Eigen::VectorXd>;
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-Matrix3d skew(const Vector3d& x) {
-  Matrix3d m;
-  m << 0.0, -x.z(), x.y(), x.z(), 0.0, -x.x(), -x.y(), x.x(), 0.0;
-  return m;
-}
 
 Matrix3d twice_symmetric(const Matrix3d& x) { return x + x.transpose(); }
 

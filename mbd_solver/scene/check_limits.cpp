@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMostRows = 1e7;            // of history.csv
 constexpr double kMostFiles = 1e5;           // pictures, checkpoints
-constexpr double kMostTriangles = 1e5;       // of a generated surface
+constexpr double kMostGenerated = 1e5;       // of a generated surface
 constexpr double kMostPlateTriangles = 2e4;  // finite elements
 constexpr int kMostElements = 2000;          // of a beam
 constexpr int kMostSegments = 10000, kMostRanks = 4096;
@@ -80,7 +80,7 @@ void check_limits(const Scene& scene, Findings& findings) {
     if (boundary.beams) check_int(boundary.source, "beams.segments", boundary.beams->segments, kMostSegments, findings);
     for (const BodySpec& body : scene.bodies)
       if (boundary.surface && body.name == boundary.body && body.shape)
-        check_edge(boundary.source, "surface.element_size", *body.shape, boundary.surface->element_size, kMostTriangles,
+        check_edge(boundary.source, "surface.element_size", *body.shape, boundary.surface->element_size, kMostGenerated,
                    findings);
   }
 }

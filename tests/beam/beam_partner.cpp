@@ -163,7 +163,6 @@ void play(const Plan& plan, Link& link, std::FILE* out) {
   FOOTFALL_DEMAND(coupled.size() == start.bodies.size());
   Accept accept;
   accept.scheme = plan.scheme;
-  accept.t_start = plan.start;
   accept.t_end = plan.end;
   accept.n_max = start.n;
   link.send(accept);

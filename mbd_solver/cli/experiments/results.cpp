@@ -8,7 +8,7 @@
 namespace footfall {
 namespace {
 
-constexpr double kNone = SampledFigure::kNone;
+constexpr double kNotKnown = SampledFigure::kNone;
 
 std::size_t figure_index(const ExperimentSpec& spec, const std::string& name) {
   return static_cast<std::size_t>(index_of(spec.figures, name));
@@ -88,7 +88,7 @@ Results results_of(const ExperimentSpec& spec, const Plan& plan, const RunStore&
   for (const std::size_t run : numbers) {
     const RunEnd end = store.end_of(run);
     results.runs.push_back({end, end.done() ? figures_of_run(spec.figures, end.folder, spec.file)
-                                            : std::vector<double>(spec.figures.size(), kNone)});
+                                            : std::vector<double>(spec.figures.size(), kNotKnown)});
   }
   results.cases = cases_of(spec, plan, results.runs);
   for (CaseResult& c : results.cases) {
@@ -129,10 +129,10 @@ std::vector<Outcome> outcomes_of(const ExperimentSpec& spec, const std::vector<C
     const auto mean = [&](const std::string& name) {
       for (const CaseResult& c : cases)
         if (c.plan.name == name) return c.figures[k].mean;
-      return kNone;  // left out of the short form
+      return kNotKnown;  // left out of the short form
     };
     const int curve = index_of(spec.curves, s.curve);
-    Outcome o{kNone, kNone, kNone, false};
+    Outcome o{kNotKnown, kNotKnown, kNotKnown, false};
     switch (s.kind) {
       case StatementSpec::Kind::kFigure:
         o.value = mean(s.of_case);

@@ -14,7 +14,7 @@
 namespace footfall {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoRate = std::numeric_limits<double>::quiet_NaN();
 const double kOmega = std::sqrt(50.0 * 1e4 / 20.0);  // of the pad of linear.toml on 50 contacts of kn [1/s]
 constexpr double kClosed = 5e-4;                     // the contacts stay closed within this [m]
 constexpr double kFast = 3.0;                        // growth from which one pair of windows tells it
@@ -34,11 +34,11 @@ std::string run_name(const std::string& scheme, double omega_h) { return scheme 
 }  // namespace
 
 double growth_of_series(const std::vector<double>& v) {
-  if (v.size() < 4) return kNone;
+  if (v.size() < 4) return kNoRate;
   const double last = std::abs(v.back() / v[v.size() - 2]), before = std::abs(v[v.size() - 2] / v[v.size() - 3]);
   if (last > kFast && std::abs(last / before - 1.0) < kSettled) return last;
   const std::size_t from = v.size() / 2, count = v.size() - from;
-  if (count < 4) return kNone;
+  if (count < 4) return kNoRate;
   Eigen::MatrixX2d past(count - 2, 2);
   Eigen::VectorXd next(count - 2);
   for (std::size_t k = 0; k + 2 < count; ++k) {
@@ -79,7 +79,7 @@ std::vector<RunRequest> growth_runs(const GrowthSpec& growth, const std::string&
 
 double growth_in_liggghts(const std::string& folder, const std::string& scheme, double omega_h, int n) {
   const std::filesystem::path file = std::filesystem::path(folder) / run_name(scheme, omega_h) / "history.csv";
-  if (!std::filesystem::exists(file)) return kNone;
+  if (!std::filesystem::exists(file)) return kNoRate;
   const History history = read_history(file.string());
   const std::vector<double>&z = history.column("pad.z"), &vz = history.column("pad.vz");
   const double least = kDecayed * push(scheme, omega_h, n);

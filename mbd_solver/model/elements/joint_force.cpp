@@ -4,13 +4,9 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
+#include "mbd_solver/model/elements/turns.h"
 
 namespace footfall {
-namespace {
-
-constexpr double kFollow = 10.0;  // [1/s]: the error of z_0 as an integral fades within some 0.1 s
-
-}  // namespace
 
 JointForce::JointForce(std::string name, Marker m1, Marker m2, Coordinate coordinate,
                        std::vector<std::unique_ptr<StrutLaw>> laws)

@@ -5,11 +5,10 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
 #include "mbd_solver/model/elements/dot_product.h"
+#include "mbd_solver/model/elements/turns.h"
 
 namespace footfall {
 namespace {
-
-constexpr double kFollow = 10.0;  // [1/s]: the error of z as an integral fades within some 0.1 s
 
 // s = y1.x2, c = x1.x2 with their rates, and the angle on the turn of z.
 struct Angle {
