@@ -56,7 +56,8 @@ BeamArguments::BeamArguments(int narg, const char* const* arg) {
       beams.push_back({value});
     } else if (word == "type") {
       if (!type.empty())
-        throw InputError(fix + ": keyword \"type\" stands twice; beams of another material are another fix" + kBeamUsage);
+        throw InputError(fix + ": keyword \"type\" stands twice; beams of another material are another fix" +
+                         kBeamUsage);
       type = value;
     } else if (word == "curvature") {
       if (value != "yes" && value != "no") throw InputError(fix + ": expected yes or no behind curvature" + kBeamUsage);

@@ -1,14 +1,18 @@
 // footfall: the front door. It only arranges mbd_solver and liggghts_mbd; whatever it does, the line it prints does
 // too.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/nearest_name.h"
 #include "coupler/interrupt.h"
 #include "mbd_solver/cli/analysis/compare_command.h"
 #include "mbd_solver/cli/analysis/pictures_command.h"
@@ -20,6 +24,7 @@
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/positive.h"
 #include "mbd_solver/cli/run_command.h"
+#include "mbd_solver/scene/scene_schema.h"
 
 using namespace footfall;
 
@@ -186,6 +191,13 @@ Action test(CLI::App& command) {
   };
 }
 
+Action schema(CLI::App&) {
+  return [] {
+    std::printf("%s\n", scene_schema().c_str());
+    return kExitDone;
+  };
+}
+
 // The subcommands, as --help shows them; docs/commands.md has a line for each.
 struct Subcommand {
   const char* name;
@@ -195,6 +207,7 @@ struct Subcommand {
 constexpr Subcommand kSubcommands[] = {
     {"run", "Run a scene: bed, both programs, summary, pictures", run},
     {"check", "Check a scene: every finding as file:line: key: what is wrong", check},
+    {"schema", "Print the JSON schema of scenes, for editors that complete and check", schema},
     {"surfaces", "Draw the control surfaces of a scene's fuzzy controllers", surfaces},
     {"sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted", sweep},
     {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},
@@ -203,6 +216,15 @@ constexpr Subcommand kSubcommands[] = {
     {"accuracy", "Error against run time (a study), or a stability map: CSV, picture, table", accuracy},
     {"test", "Run the tests of this build (./footfall test builds them first)", test},
 };
+
+// What was meant by a first word that is neither a subcommand nor an option.
+void require_subcommand(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Subcommand& subcommand : kSubcommands) names.emplace_back(subcommand.name);
+  if (word.empty() || word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw InputError("footfall " + word + ": unknown command." + known_names("commands", word, names) +
+                   " `footfall --help` tells what each does.");
+}
 
 }  // namespace
 
@@ -217,6 +239,7 @@ int main(int argc, char** argv) {
     command->callback([&action, act = subcommand.prepare(*command)] { action = act; });
   }
   try {
+    if (argc > 1) require_subcommand(argv[1]);
     app.parse(argc, argv);
     return action();
   } catch (const CLI::ParseError& e) {

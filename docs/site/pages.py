@@ -1,0 +1,163 @@
+"""Puts the site's pages together: README, docs and examples with links that hold there, and a reference of keys
+and commands from what the program says of itself.
+
+    pages.py CHECKOUT FOOTFALL PAGES SITE
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+root, footfall, pages, site = (pathlib.Path(a) for a in sys.argv[1:])
+docs = pages / "pages"
+
+
+def moved_links(text, folder):
+    """Links of a page in `folder` of the checkout, as the site has them. What is not on the site becomes its path."""
+
+    def link(match):
+        bang, words, target = match.groups()
+        if re.match(r"[a-z]+:|#", target):
+            return match.group(0)
+        path, _, anchor = target.partition("#")
+        file = (root / folder / path).resolve()
+        page = on_site(file)
+        if page is None:
+            return words if bang else f"{words} (`{file.relative_to(root)}`)"
+        return f"{bang}[{words}]({page}{'#' + anchor if anchor else ''})"
+
+    return re.sub(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)", link, text)
+
+
+def on_site(file):
+    """Where a file of the checkout is on the site, or None."""
+    if file == root / "README.md":
+        return "index.md"
+    if (root / "docs") in file.parents and file.is_file() and file.suffix in (".md", ".png"):
+        return str(file.relative_to(root / "docs"))
+    if (root / "examples") in file.parents or file.parent == root / "examples":
+        if file.is_dir() and (file / "README.md").is_file():
+            return f"example_{file.name}.md"
+        if file.name == "README.md":
+            return f"example_{file.parent.name}.md"
+        if file.suffix == ".png":
+            return f"example_{file.parent.name}_{file.name}"
+    return None
+
+
+def copy_pages():
+    for file in [root / "README.md", *(root / "docs").rglob("*.md"), *(root / "examples").glob("*/README.md")]:
+        target = docs / on_site(file)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(moved_links(file.read_text(), file.parent.relative_to(root)))
+    for file in [*(root / "docs").rglob("*.png"), *(root / "examples").glob("*/*.png")]:
+        target = docs / on_site(file)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(file.read_bytes())
+
+
+def kind_of(s):
+    """A schema's type in words."""
+    if "anyOf" in s:
+        return " or ".join(kind_of(way) for way in s["anyOf"])
+    if "const" in s:
+        return f'`"{s["const"]}"`'
+    if "enum" in s:
+        return ", ".join(f'`"{word}"`' for word in s["enum"])
+    if s["type"] == "array":
+        few = s.get("maxItems") if s.get("maxItems") == s.get("minItems") else None
+        return f"{few or 'a list of'} × {kind_of(s['items'])}" if few else f"list of {kind_of(s['items'])}"
+    words = {"number": "number", "integer": "whole number", "boolean": "true or false", "string": "text",
+             "object": "table"}
+    word = words[s["type"]] if isinstance(s["type"], str) else " or ".join(words[t] for t in s["type"])
+    bounds = [f"> {s['exclusiveMinimum']}"] if "exclusiveMinimum" in s else []
+    bounds += [f">= {s['minimum']}"] if "minimum" in s else []
+    bounds += [f"<= {s['maximum']}"] if "maximum" in s else []
+    return f"{word} {', '.join(bounds)}".strip()
+
+
+def tables(s, path, lines):
+    """Rows of one table's keys, then its tables, each under a heading of its own."""
+    while "anyOf" in s:
+        s = next(way for way in s["anyOf"] if way.get("type") == "object")
+    properties = {k: v for k, v in s["properties"].items() if k != "without"}
+    rows, inner, units = [], [], {}
+    for key, value in properties.items():
+        if "x-unit-of" in value:
+            units.setdefault(value["x-unit-of"], []).append(key[len(value["x-unit-of"]):])
+    for key, value in properties.items():
+        if "x-unit-of" in value:
+            continue
+        below = table_below(value)
+        if below is not None:
+            inner.append((below[0].format(key), below[1]))
+        note = value.get("description", "")
+        default = f"`{json.dumps(value['default'])}`" if "default" in value else ""
+        suffix = " ".join(f"`{u}`" for u in units.get(key, []))
+        rows.append(f"| `{key}` | {'see below' if below else kind_of(value)} | {note} | {default} | {suffix} |")
+    if rows:
+        lines += ["", "| key | value | unit, notes | default | other units |", "|---|---|---|---|---|", *rows]
+    for name, schema in inner:
+        full = f"{path}.{name}" if path else name
+        lines += ["", f"## {full}"]
+        tables(schema, full, lines)
+
+
+def table_below(s):
+    """("name" or "name[]" or "name.NAME", schema) of a key that holds tables."""
+    for way in s.get("anyOf", [s]):
+        if way.get("type") == "object" and "properties" in way and "maxProperties" not in way:
+            return "{}", way
+        if way.get("type") == "object" and isinstance(way.get("additionalProperties"), dict) \
+                and "properties" in way["additionalProperties"]:
+            return "{}.NAME", way["additionalProperties"]
+        if way.get("type") == "array" and "properties" in way.get("items", {}):
+            return "{}[]", way["items"]
+    return None
+
+
+def reference():
+    """One page per section of a scene; one for the commands' options. Returns their entries in the navigation."""
+    schema = json.loads(subprocess.run([footfall, "schema"], check=True, capture_output=True, text=True).stdout)
+    (docs / "keys").mkdir()
+    entries, top = [], ["# Keys at the top of a scene"]
+    plain = {"properties": {}}
+    for key, value in schema["properties"].items():
+        below = table_below(value)
+        if below is None:
+            plain["properties"][key] = value
+            continue
+        lines = [f"# {below[0].format(key)}", "",
+                 "Made from what the reader of scenes knows; the [scene page](../scene.md) tells what the keys mean."]
+        tables(below[1], key, lines)
+        (docs / "keys" / f"{key}.md").write_text("\n".join(lines) + "\n")
+        entries.append(f"      - {key}: keys/{key}.md")
+    tables(plain, "", top)
+    (docs / "keys" / "scene.md").write_text("\n".join(top) + "\n")
+    entries.insert(0, "      - the scene itself: keys/scene.md")
+    text = ["# Options of the commands", ""]
+    help_text = subprocess.run([footfall, "--help"], check=True, capture_output=True, text=True).stdout
+    for name in re.findall(r"(?m)^  ([a-z]+)\s", help_text.split("Subcommands:")[1]):
+        options = subprocess.run([footfall, name, "--help"], check=True, capture_output=True, text=True).stdout
+        text += [f"## footfall {name}", "", "```text", options.replace(str(root), "CHECKOUT").strip(), "```", ""]
+    (docs / "keys" / "options.md").write_text("\n".join(text))
+    return [*entries, "      - options of the commands: keys/options.md"]
+
+
+docs.mkdir()
+copy_pages()
+config = (root / "docs/site/mkdocs.yml").read_text()
+named = set(re.findall(r": ([a-z_]+\.md)", config))
+examples = sorted(p.name for p in docs.glob("example_*.md"))
+others = sorted(p.name for p in docs.glob("*.md") if p.name not in named and p.name not in examples)
+lists = {
+    "REFERENCE": reference(),
+    "EXAMPLES": [f"      - {(docs / e).read_text().splitlines()[0].lstrip('# ')}: {e}" for e in examples],
+}
+for word, entries in lists.items():
+    config = config.replace(f" {word}\n", "\n" + "\n".join(entries) + "\n")
+if others:  # a page that nobody has put into the order yet
+    config += "  - More:\n" + "".join(f"      - {(docs / o).read_text().splitlines()[0].lstrip('# ')}: {o}\n" for o in others)
+config = config.replace("PAGES", str(docs)).replace("SITE", str(site.resolve()))
+(pages / "mkdocs.yml").write_text(config)

@@ -1,0 +1,170 @@
+#include "mbd_solver/scene/scene_schema.h"
+
+#include <type_traits>
+
+#include "mbd_solver/scene/field_json.h"
+#include "mbd_solver/scene/units.h"
+
+namespace footfall {
+namespace {
+
+Json of_type(const char* type) { return {{"type", type}}; }
+Json any_of(Json first, Json second) { return {{"anyOf", Json::array({std::move(first), std::move(second)})}}; }
+
+Json list_of(Json item, int least, int most) {
+  Json list = of_type("array");
+  list["items"] = std::move(item);
+  if (least > 0) list["minItems"] = least;
+  if (most > 0) list["maxItems"] = most;
+  return list;
+}
+
+Json number(const Rule& rule) {
+  Json type = of_type("number");
+  switch (rule.range) {
+    case Range::kAny: break;
+    case Range::kPositive: type["exclusiveMinimum"] = 0; break;
+    case Range::kNotNegative: type["minimum"] = 0; break;
+    case Range::kUnitInterval:
+      type["minimum"] = 0;
+      type["maximum"] = 1;
+      break;
+  }
+  return type;
+}
+
+Json whole(const Rule& rule) {
+  Json type = number(rule);
+  type["type"] = "integer";
+  return type;
+}
+
+Json vector_of(const Rule& rule) {
+  Json three = list_of(number(rule), 3, 3);
+  if (rule.meaning != Meaning::kDirection) return three;
+  return any_of(three, {{"enum", {"x", "y", "z", "-x", "-y", "-z"}}});
+}
+
+// What the reader takes for a member of each type (value_reader.cpp).
+Json type_of(const double&, const Rule& rule) { return number(rule); }
+Json type_of(const int&, const Rule& rule) { return whole(rule); }
+Json type_of(const bool&, const Rule&) { return of_type("boolean"); }
+Json type_of(const std::string&, const Rule&) { return of_type("string"); }
+Json type_of(const std::vector<std::string>&, const Rule&) { return list_of(of_type("string"), 0, 0); }
+Json type_of(const std::array<std::string, 2>&, const Rule&) { return list_of(of_type("string"), 2, 2); }
+Json type_of(const Eigen::Vector3d&, const Rule& rule) { return vector_of(rule); }
+Json type_of(const std::vector<Eigen::Vector3d>&, const Rule& rule) { return list_of(vector_of(rule), 0, 0); }
+Json type_of(const std::array<Eigen::Vector3d, 2>&, const Rule& rule) { return list_of(vector_of(rule), 2, 2); }
+Json type_of(const std::vector<double>&, const Rule& rule) { return any_of(number(rule), list_of(number(rule), 0, 0)); }
+Json type_of(const std::vector<int>&, const Rule& rule) { return list_of(whole(rule), 0, 0); }
+Json type_of(const std::vector<Eigen::Vector2d>&, const Rule&) {  // pairs, or a CSV file
+  return any_of(list_of(list_of(of_type("number"), 2, 2), 2, 0), of_type("string"));
+}
+Json type_of(const Eigen::Quaterniond&, const Rule&) {
+  const Json three = list_of(of_type("number"), 3, 3), four = list_of(of_type("number"), 4, 4);
+  Json table = of_type("object");
+  table["properties"] = {{"rpy_deg", three}, {"rpy", three}, {"quaternion", four}};
+  table["minProperties"] = table["maxProperties"] = 1;
+  table["additionalProperties"] = false;
+  return table;
+}
+Json type_of(const Eigen::Matrix3d&, const Rule&) { return list_of(of_type("number"), 3, 6); }
+Json type_of(const std::map<std::string, std::string>&, const Rule&) {
+  Json table = of_type("object");
+  table["additionalProperties"] = {{"type", {"string", "number"}}};
+  return table;
+}
+Json type_of(const Choice& choice, const Rule&) { return {{"enum", choice.names}}; }
+Json type_of(const NumberOrWord& value, const Rule& rule) { return any_of(number(rule), {{"const", value.word}}); }
+Json type_of(const PerAxis&, const Rule& rule) { return any_of(number(rule), list_of(number(rule), 3, 3)); }
+Json type_of(const Source&, const Rule&) { return {}; }
+template <class T>
+Json type_of(const std::optional<T>&, const Rule& rule) {
+  return type_of(T(), rule);
+}
+
+std::string description(const Rule& rule, const std::string& unit) {
+  std::string text;
+  if (!unit.empty()) text = "[" + unit + "]";
+  const auto add = [&](const char* what) { text += (text.empty() ? "" : " ") + std::string(what); };
+  if (rule.meaning == Meaning::kPath) add("A file, seen from the scene's folder.");
+  if (rule.meaning == Meaning::kDirection) add("A direction; its length does not count.");
+  if (rule.required) add("Required.");
+  return text;
+}
+
+class SchemaWriter final : public FieldVisitor {
+ public:
+  Json root = open_table();
+  SchemaWriter() { stack_.push_back(&root); }
+
+  void field(const std::string& key, const FieldRef& ref, const Rule& rule) override {
+    if (key.empty()) return;
+    Json type = std::visit([&](const auto* value) { return type_of(*value, rule); }, ref);
+    const std::string text = description(rule, unit_name(rule.unit));
+    if (!text.empty()) type["description"] = text;
+    // Other units have no default of their own: it is that of the SI key.
+    for (const UnitSuffix& unit : unit_suffixes(rule.unit)) {
+      Json other = type;
+      other["description"] = description(rule, unit.suffix.substr(1));
+      other["x-unit-of"] = key;
+      properties()[key + unit.suffix] = std::move(other);
+    }
+    const Json value = rule.required ? Json() : json_of(ref);
+    if (!value.is_null() && value != "" && value != Json::array()) type["default"] = value;
+    properties()[key] = std::move(type);
+  }
+
+  bool begin_section(const std::string& key, Presence presence, bool&) override {
+    Json& place = properties()[key];
+    if (presence == Presence::kSwitch) {
+      place = any_of(of_type("boolean"), open_table());
+      stack_.push_back(&place["anyOf"][1]);
+    } else {
+      place = open_table();
+      stack_.push_back(&place);
+    }
+    return true;
+  }
+  void end_section() override { stack_.pop_back(); }
+
+  int begin_list(const std::string& key, bool named, int) override {
+    Json& place = properties()[key];
+    place = of_type(named ? "object" : "array");
+    Json& item = place[named ? "additionalProperties" : "items"];
+    item = open_table();
+    stack_.push_back(&item);
+    return -1;
+  }
+  void begin_item(int, std::string*) override {}
+  void end_item() override {}
+  void end_list() override { stack_.pop_back(); }
+
+ private:
+  // A table that knows its keys; `without` drops keys of a base.
+  static Json open_table() {
+    Json table = of_type("object");
+    table["properties"] = {{"without", list_of(of_type("string"), 0, 0)}};
+    table["additionalProperties"] = false;
+    return table;
+  }
+  Json& properties() { return (*stack_.back())["properties"]; }
+
+  std::vector<Json*> stack_;
+};
+
+}  // namespace
+
+std::string scene_schema() {
+  SchemaWriter writer;
+  Scene scene;
+  visit_fields(writer, scene);
+  Json base = of_type("string");
+  base["description"] = "A scene that this one is laid over.";
+  writer.root["properties"]["base"] = std::move(base);
+  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Scene of footfall"}};
+  schema.update(writer.root);
+  return schema.dump(2);
+}
+
+}  // namespace footfall
