@@ -79,7 +79,6 @@ class Equations {
   // Removes the drift of Phi and Phi' by the Moore-Penrose inverse of Phi_v in the metric of the mass matrix:
   //   dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T)^+ Phi, repeated to round-off; the same for v.
   // Quaternions are normalised.
-  // Drift below 1e-10 m (and 2e-9 m/s) is left alone.
   struct Drift {
     double position = 0.0;       // largest |phi| before [m or rad]
     double velocity = 0.0;       // largest |phi'| before [m/s or rad/s]
@@ -87,8 +86,12 @@ class Equations {
     double velocity_left = 0.0;
     int worst_row = 0;  // that of the largest |phi|
   };
+  enum class Close {
+    kAsPromised,  // drift below 1e-10 m and 2e-9 m/s is left alone
+    kFully        // to round-off
+  };
   // Throws NumericalError naming time and joint when a joint stays open by more than 1e-6 m or rad.
-  Drift project(State& state);
+  Drift project(State& state, Close close = Close::kAsPromised);
   // Measured only; for runs without projection, which end likewise when a joint is open by more than 1e-3 m or rad.
   Drift check_closed(const State& state);
   Drift drift(const State& state);  // measured only

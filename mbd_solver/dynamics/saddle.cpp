@@ -293,14 +293,14 @@ Equations::Drift Equations::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> 
   return out;
 }
 
-Equations::Drift Equations::project(State& state) {
+Equations::Drift Equations::project(State& state, Close close) {
   Workspace& w = *work_;
   for (int i = 0; i < model_.body_count(); ++i)
     state.q.segment<4>(layout_.body_q[static_cast<std::size_t>(i)] + 3).normalize();
   load(state);
   Eigen::Ref<Eigen::VectorXd> phi = w.saddle_x.tail(layout_.row_count);
   const Drift before = measure_drift(state.time, phi, w.phi_rate);
-  if (before.position <= kNoDrift && before.velocity <= kNoSpeedDrift) return before;
+  if (close == Close::kAsPromised && before.position <= kNoDrift && before.velocity <= kNoSpeedDrift) return before;
   if (!factor_saddle(state)) {
     demand_closed(state.time, before, kOpen);
     return before;

@@ -26,8 +26,9 @@ constexpr int kMostIterations = 10;
 constexpr double kForgetting = 0.8;
 constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
 constexpr double kFirst = 0.01;  // of y changes in the first step of all
-// Drift [in absolute tolerances] that stays within a window; states that are handed out have none.
-constexpr double kDrift = 0.1;
+// Steps that fail in a row, or in turn with others, have come near a singular position: a failure counts kFailure, a step
+// that succeeds takes one away, and beyond kTrouble the next kCareful steps start without any drift.
+constexpr int kFailure = 2, kTrouble = 2, kCareful = 20;
 constexpr double kNear = 1e-9;     // of a step
 constexpr double kStretch = 10.0;  // so many steps before its end a window is divided into equal ones
 
@@ -53,6 +54,7 @@ void OneStep::forget() {
   factored_c_ = 0.0;
   rate_ = 1.0;
   h_before_ = 0.0;
+  trouble_ = careful_ = 0;
   lu_->forget();
   equations_.forget();
 }
@@ -74,17 +76,18 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
   while (goes_on && state.time < t_end) {
     const double t = state.time, steps = std::ceil((t_end - t) / h * (1.0 - 1e-9));
     const double step = steps > kStretch ? h : (t_end - t) / steps;
-    fresh_ = false;
-    Outcome outcome = try_step(t, step, inputs);
-    if (outcome == Outcome::kNoConvergence && !fresh_) {
-      factored_c_ = 0.0;
-      outcome = try_step(t, step, inputs);
-    }
+    const Outcome outcome = try_with_newer_jacobians(t, step, inputs);
     if (outcome == Outcome::kAccepted) {
+      trouble_ = std::max(0, trouble_ - 1);
       h = next_step(step);
       goes_on = accept(t, step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
       if (const std::string slow = watch.complaint(state.time); !slow.empty()) give_up(state.time, slow);
       continue;
+    }
+    trouble_ += kFailure;
+    if (options_.projection && trouble_ > kTrouble && careful_ == 0) {
+      careful_ = kCareful;
+      start_clean(inputs, state);
     }
     if (outcome == Outcome::kTooInaccurate) {
       ++statistics_.rejected;
@@ -122,6 +125,24 @@ double OneStep::next_step(double h) const {
   return options_.max_step > 0.0 ? std::min(h * factor, options_.max_step) : h * factor;
 }
 
+OneStep::Outcome OneStep::try_with_newer_jacobians(double t, double h, const Inputs& inputs) {
+  fresh_ = false;
+  Outcome outcome = try_step(t, h, inputs);
+  if (outcome == Outcome::kNoConvergence && !fresh_) {
+    factored_c_ = 0.0;
+    outcome = try_step(t, h, inputs);
+  }
+  if (outcome != Outcome::kNoConvergence) return outcome;
+  // Beyond a singular position a condition that fades has changed its sign: with the Jacobian of the step's start Newton
+  // diverges there however short the step is, and steps would shrink into the position. With those of the stages the
+  // step goes over it.
+  at_stages_ = true;
+  outcome = try_step(t, h, inputs);
+  at_stages_ = false;
+  factored_c_ = 0.0;
+  return outcome;
+}
+
 OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   const Layout& layout = equations_.layout();
   const int m = layout.lambda0(), rows = layout.row_count, stages = tableau_.stages;
@@ -141,10 +162,14 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
     predict(i, h);
     Y_[at].head(m) = known_.head(m) + (h * tableau_.gamma) * K_[at].head(m);
     Y_[at].tail(rows) = K_[at].tail(rows);
-    if (factored_c_ == 0.0 || (i == 1 && (std::abs(c / factored_c_ - 1.0) > 1e-6 || rate_ > kSlow))) {
-      if (!refresh(t, c, inputs)) return Outcome::kNoConvergence;
+    const double t_stage = t + tableau_.c[at] * h;
+    if (at_stages_) {
+      if (!refresh(t_stage, Y_[at], K_[at], c, inputs)) return Outcome::kNoConvergence;
+    } else if (factored_c_ == 0.0 || (i == 1 && (std::abs(c / factored_c_ - 1.0) > 1e-6 || rate_ > kSlow))) {
+      // At the start of the step: the prediction of the first implicit stage differs from it by O(h).
+      if (!refresh(t, y_, K_[0], c, inputs)) return Outcome::kNoConvergence;
     }
-    if (!solve_stage(i, t + tableau_.c[at] * h, h, inputs)) return Outcome::kNoConvergence;
+    if (!solve_stage(i, t_stage, h, inputs)) return Outcome::kNoConvergence;
   }
 
   // Error estimate e = h sum (b - b^) K, filtered: J x = c (dF/dydot) e, positions eliminated as in the
@@ -164,13 +189,13 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   error_ = norm_(F_);
   worst_ = norm_.worst(F_);
   if (!std::isfinite(error_)) return Outcome::kNoConvergence;
+  if ((error_ <= 1.0 || !options_.error_control) && !close_end(t + h)) return Outcome::kTooInaccurate;
   return error_ <= 1.0 || !options_.error_control ? Outcome::kAccepted : Outcome::kTooInaccurate;
 }
 
-bool OneStep::refresh(double t, double c, const Inputs& inputs) {
-  // At the start of the step: the prediction of the first implicit stage differs from it by O(h).
+bool OneStep::refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& K, double c, const Inputs& inputs) {
   try {
-    equations_.reduced_jacobian(t, y_, K_[0], c, inputs);
+    equations_.reduced_jacobian(t, y, K, c, inputs);
   } catch (const NumericalError& error) {
     complaint_ = error.what();
     return false;
@@ -265,11 +290,15 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   error_before_ = error_;
   y_.swap(Y_.back());
   if (fresh_) equations_.renew_rest(state);
-  if (!options_.projection) return true;
-  const Equations::Drift drift = equations_.drift(state);
-  if (drift.position > kDrift * options_.atol || drift.velocity > kDrift * options_.atol_velocity) {
-    statistics_.count(equations_.project(state));
+  if (closed_) {
+    statistics_.count(end_drift_);
+    state.q = end_.q;
+    state.v = end_.v;
     equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
+  }
+  if (careful_ > 0) {
+    --careful_;
+    renew_rates(inputs, state);
   }
   return true;
 }

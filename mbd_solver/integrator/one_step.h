@@ -34,16 +34,22 @@ class OneStep : public Integrator {
  private:
   enum class Outcome { kAccepted, kTooInaccurate, kNoConvergence };
 
+  // The step with the Jacobian that there is; where Newton fails with that of its start, then with those of its stages.
+  Outcome try_with_newer_jacobians(double t, double h, const Inputs& inputs);
   Outcome try_step(double t, double h, const Inputs& inputs);  // from y_, K_[0] to the last Y_; leaves error_
   void predict(int stage, double h);                           // K_[stage]
   bool solve_stage(int stage, double t, double h, const Inputs& inputs);
-  bool refresh(double t, double c, const Inputs& inputs);  // Jacobian at y_ and its factors
+  // Jacobian at y with rates K, and its factors.
+  bool refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& K, double c, const Inputs& inputs);
+  bool close_end(double t);  // end_ where it is to be taken; false: projection would take energy away
   // Moves state on, gives the rows on the way; false: one of them has ended the window.
   bool accept(double t, double h, double t_new, double t_end, const Inputs& inputs, const Rows& rows, State& state);
-  void interpolate(double time, double h);     // row_ and row_rates_, within the step h from start_
-  double predictor_time(std::size_t k) const;  // of before_[k] within its step
-  double first_step();                         // [s]
-  double next_step(double h) const;            // after a step h of error error_
+  void start_clean(const Inputs& inputs, State& state);        // without drift, rates anew
+  void renew_rates(const Inputs& inputs, const State& state);  // y_, K_[0] and energy_[0]
+  void interpolate(double time, double h);                     // row_ and row_rates_, within the step h from start_
+  double predictor_time(std::size_t k) const;                  // of before_[k] within its step
+  double first_step();                                         // [s]
+  double next_step(double h) const;                            // after a step h of error error_
   [[noreturn]] void give_up(double t, const std::string& what) const;
 
   Equations& equations_;
@@ -54,6 +60,7 @@ class OneStep : public Integrator {
   std::unique_ptr<SparseLu> lu_;
   double factored_c_ = 0.0;        // c of the factors, 0: none
   bool fresh_ = false;             // the Jacobian belongs to this step
+  bool at_stages_ = false;         // it is renewed at every stage
   double rate_ = 1.0;              // last convergence rate of Newton
   double error_ = 0.0;             // of the last step, 1 = tolerance
   double newton_tolerance_ = 0.0;  // of the step that is tried
@@ -70,7 +77,10 @@ class OneStep : public Integrator {
   double h_before_ = 0.0;                // 0: no step before
   double error_before_ = 0.0;            // its error, 1 = tolerance
 
-  State start_, row_;  // at the start of a step, and in it
+  State start_, row_, end_;        // at the start of a step, in it, and at its end without drift
+  Equations::Drift end_drift_;     // what was removed there
+  bool closed_ = false;            // end_ is to be taken
+  int trouble_ = 0, careful_ = 0;  // failures of late; steps that go on without drift
   Eigen::VectorXd row_rates_;
   double row_time_ = 0.0;  // of the next row [s]
 };
