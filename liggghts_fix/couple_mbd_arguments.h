@@ -2,6 +2,7 @@
 // The words of  fix ID all couple/mbd every N|auto [KEYWORD VALUE]... [mesh MESH-ID BODY]..., taken apart without
 // LIGGGHTS headers.
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ struct CoupleMbdArguments {
   bool gravity_of_scene = true;    // `gravity scene|script`: is the script's fix gravity held against the scene's?
   bool end_of_scene = true;        // `end scene|script`: is it an error when the script ends before the scene does?
   double max_lost = 0.05;          // `lost SHARE`: of all grains; when LIGGGHTS loses more, the run stops [-]
+  // `surface smooth|facets`: does a grain touch each smooth piece of a mesh once, or each facet, as in stock LIGGGHTS?
+  bool smooth_surfaces = true;
+  double edge_angle = 30.0 * M_PI / 180.0;  // `edge DEGREES`: facets that turn by less make up a smooth piece [rad]
   std::vector<MeshOfBody> meshes;  // several may belong to one body
 };
 

@@ -101,7 +101,7 @@ void FixCoupleMbd::init() {
   for (const auto& mesh : meshes_) add_row(mesh->body());
   for (int body = 0; body < link_.body_count(); ++body) add_row(body);
   size_array_rows = link_.body_count();
-  for (const auto& mesh : meshes_) mesh->begin_run(style, torque_before_);
+  for (const auto& mesh : meshes_) mesh->begin_run(style, torque_before_, arguments_);
   link_.expect_set_up();
 }
 

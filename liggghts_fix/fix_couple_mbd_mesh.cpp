@@ -12,6 +12,7 @@
 #include "liggghts_fix/fix_couple_mbd_box.h"
 #include "liggghts_fix/fix_couple_mbd_match.h"
 #include "liggghts_fix/fix_couple_mbd_materials.h"
+#include "liggghts_fix/fix_wall_gran_smooth.h"
 #include "liggghts_fix/fix_wall_torque.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "modify.h"
@@ -80,6 +81,8 @@ void CoupledMesh::attach() {
 void CoupledMesh::detach() {
   if (!is_there()) return;
   footfall::detach_mesh_module(fix_, kModule);
+  for (FixWallGran* wall : walls())
+    if (auto* const smooth = dynamic_cast<FixWallGranSmooth*>(wall)) smooth->touch_once(fix_, nullptr);
   TriMesh* mesh = fix_->triMesh();
   if (made_velocities_) {
     mesh->prop().removeElementProperty(kVelocity);
@@ -107,7 +110,8 @@ std::vector<FixWallGran*> CoupledMesh::walls() const {
   return walls;
 }
 
-void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before) {
+void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before,
+                            const footfall::CoupleMbdArguments& arguments) {
   if (fix_->triMesh()->nMove() > 1)
     throw InputError(where_ +
                      "another fix moves it too (fix move/mesh or a servo after fix couple/mbd), and the body of the "
@@ -121,10 +125,26 @@ void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before)
   if (const std::string outside = outside_box(); !outside.empty())
     throw InputError(where_ + "body \"" + link_.body_name(body_) + "\" " + outside);
   for (FixWallGran* wall : touching) WallTorque::watch(lmp, *wall, torque_before);
+  let_grains_touch_once(arguments, touching);
   module_->set_torque_before(torque_before);
   module_->set_body(&link_.body(body_));
   module_->set_contacts(wall_contacts(*modify, atom->ntypes, fix_->atomTypeWall(), style));
   if (link_.resumed() && !moved_) set_velocities();
+}
+
+// fix multicontact/halfspace reads LIGGGHTS' own contacts of a mesh, facet by facet.
+void CoupledMesh::let_grains_touch_once(const footfall::CoupleMbdArguments& arguments,
+                                        const std::vector<FixWallGran*>& walls) {
+  if (!arguments.smooth_surfaces || modify->n_fixes_style("multicontact/halfspace") > 0) return;
+  const footfall::ModalBoundary& boundary = link_.body(body_).boundary();
+  const auto pieces = std::make_shared<const footfall::SurfacePieces>(boundary.rho0(), corners(), arguments.edge_angle);
+  if (!pieces->curved() && boundary.mode_count() == 0) return;
+  for (FixWallGran* wall : walls) {
+    auto* const smooth = dynamic_cast<FixWallGranSmooth*>(wall);
+    if (smooth == nullptr) return;  // a style of another name, which LIGGGHTS alone knows
+    smooth->touch_once(fix_, pieces);
+  }
+  module_->set_touched_once();
 }
 
 // Restart files hold the places of the nodes alone, and the forces that stand before the first substep damp.

@@ -29,7 +29,7 @@ class CoupledMesh : protected Pointers {
   // After the coupling has started. `style`: of the fix, for LIGGGHTS' own messages. torque_before: one for all
   // meshes, which share walls. Throws InputError when something else has come to move the mesh since, when no wall
   // makes contacts with it, or when it stands outside of the box.
-  void begin_run(const char* style, const GrainTorque& torque_before);
+  void begin_run(const char* style, const GrainTorque& torque_before, const footfall::CoupleMbdArguments& arguments);
 
   // Throws NumericalError when a node leaves the box: LIGGGHTS loses such triangles.
   void check_inside_box() const;
@@ -45,6 +45,8 @@ class CoupledMesh : protected Pointers {
   void turn_properties(const footfall::BoundaryStep& step);
 
   std::vector<FixWallGran*> walls() const;  // that name the mesh
+  // Where it is wanted and the mesh is curved, or can come to be.
+  void let_grains_touch_once(const footfall::CoupleMbdArguments& arguments, const std::vector<FixWallGran*>& walls);
 
   footfall::DemLink& link_;
   std::string mesh_id_;

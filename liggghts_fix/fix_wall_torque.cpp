@@ -4,6 +4,7 @@
 
 #include "atom.h"
 #include "fix_wall_gran.h"
+#include "liggghts_fix/fix_wall_gran_smooth.h"
 #include "liggghts_fix/liggghts_access.h"
 
 namespace LAMMPS_NS {
@@ -28,6 +29,9 @@ bool WallTorque::checkSurfaceIntersect(LIGGGHTS::ContactModels::SurfacesIntersec
 void WallTorque::compute_force(FixWallGran* wall, LIGGGHTS::ContactModels::SurfacesIntersectData& contact,
                                bool intersect, double* v_wall, FixMeshSurface* mesh_fix, int mesh_number, TriMesh* mesh,
                                int element) {
+  // An output of contacts names the mesh by its number, and LIGGGHTS may see a part of the list alone.
+  if (wall->addflag() != 0)
+    if (const auto* smooth = dynamic_cast<FixWallGranSmooth*>(wall)) mesh_number = smooth->number_of(mesh_fix);
   *before_ = Eigen::Map<const Eigen::Vector3d>(atom->torque[contact.i]);
   model_->compute_force(wall, contact, intersect, v_wall, mesh_fix, mesh_number, mesh, element);
 }

@@ -48,7 +48,7 @@ void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta
   const double distance = d.norm();
   const double overlap = std::max(0.0, radius - distance);
   const Eigen::Vector3d m_W = *torque_before_ - vector3(atom->torque[ip]) - d.cross(f_W);  // about c
-  body_->count_patch(std::sqrt(2.0 * radius * overlap) / widths_[element]);
+  if (!widths_.empty()) body_->count_patch(std::sqrt(2.0 * radius * overlap) / widths_[element]);
   if (contacts_.empty()) {
     body_->add_contact(point, f_W, m_W, overlap / radius, 0.0);
     return;
