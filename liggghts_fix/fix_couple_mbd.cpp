@@ -90,6 +90,7 @@ void FixCoupleMbd::init() {
   script.n = arguments_.every;
   script.step = update->ntimestep;
   script.may_end_early = !arguments_.end_of_scene;
+  script.wants_masses = arguments_.mass_of_pair;
   if (arguments_.gravity_of_scene) read_gravity(*modify, script);
   link_.start(std::move(script));
   footfall::work_is_under_way();

@@ -23,13 +23,16 @@ using NodeVelocities = MultiVectorContainer<double, 3, 3>;
 // A facet whose plane is farther from the grain than this needs no closer look [of its reach].
 constexpr double kSlack = 1.0 + 1e-9;
 
+// LIGGGHTS' distance from an edge or corner that does not act is a million [m].
+constexpr double kFar = 1e5;
+
 }  // namespace
 
-void FixWallGranSmooth::touch_once(FixMeshSurface* mesh, std::shared_ptr<const SurfacePieces> pieces) {
-  if (pieces) {
-    pieces_[mesh] = std::move(pieces);
+void FixWallGranSmooth::touch_once(FixMeshSurface* mesh, std::shared_ptr<const SmoothMesh> smooth) {
+  if (smooth) {
+    smooth_[mesh] = std::move(smooth);
   } else {
-    pieces_.erase(mesh);
+    smooth_.erase(mesh);
   }
 }
 
@@ -39,7 +42,7 @@ int FixWallGranSmooth::number_of(const FixMeshSurface* mesh) const {
 
 // LIGGGHTS' own loop runs over the meshes of its list: it sees one of them at a time.
 void FixWallGranSmooth::post_force_mesh(int vflag) {
-  if (pieces_.empty()) {
+  if (smooth_.empty()) {
     FixWallGran::post_force_mesh(vflag);
     return;
   }
@@ -47,8 +50,8 @@ void FixWallGranSmooth::post_force_mesh(int vflag) {
   const int count = n_FixMesh_;
   meshes_.assign(all, all + count);
   for (int i = 0; i < count; ++i) {
-    const auto smooth = pieces_.find(all[i]);
-    if (smooth != pieces_.end()) {
+    const auto smooth = smooth_.find(all[i]);
+    if (smooth != smooth_.end()) {
       touch_pieces(*all[i], i, *smooth->second);
       continue;
     }
@@ -60,7 +63,8 @@ void FixWallGranSmooth::post_force_mesh(int vflag) {
   }
 }
 
-void FixWallGranSmooth::touch_pieces(FixMeshSurface& mesh_fix, int mesh_number, const SurfacePieces& pieces) {
+void FixWallGranSmooth::touch_pieces(FixMeshSurface& mesh_fix, int mesh_number, const SmoothMesh& smooth) {
+  const SurfacePieces& pieces = smooth.pieces;
   TriMesh& mesh = *mesh_fix.triMesh();
   FixContactHistoryMesh* const history = mesh_fix.contactHistory();
   if (history != nullptr) history->markAllContacts();
@@ -70,7 +74,7 @@ void FixWallGranSmooth::touch_pieces(FixMeshSurface& mesh_fix, int mesh_number, 
   auto* const moving = mesh.prop().getElementProperty<NodeVelocities>("v");
   double*** const v = moving != nullptr ? moving->begin() : nullptr;
 
-  find_touches(mesh_fix);
+  find_touches(mesh_fix, smooth);
   LCM::SurfacesIntersectData contact;
   contact.is_wall = true;
   contact.mesh = &mesh;
@@ -94,47 +98,73 @@ void FixWallGranSmooth::touch_pieces(FixMeshSurface& mesh_fix, int mesh_number, 
   if (history != nullptr) history->cleanUpContacts();
 }
 
-// All facets within reach of a grain, whether LIGGGHTS lets their edges and corners act or not: it lets those of one
-// facet act for both.
-void FixWallGranSmooth::find_touches(FixMeshSurface& mesh_fix) {
+// All facets within reach of a grain. LIGGGHTS lets an edge or corner act in one of its facets only, and in none when
+// they were coplanar at first: that is heeded on the border of a piece, where two pieces meet.
+void FixWallGranSmooth::find_touches(FixMeshSurface& mesh_fix, const SmoothMesh& smooth) {
   TriMesh& mesh = *mesh_fix.triMesh();
   const FixNeighlistMesh& neighbours = *mesh_fix.meshNeighlist();
   double*** const nodes = footfall::mesh_nodes(&mesh);
-  const double reach = neighbor->contactDistanceFactor - 1.0;  // of models that act at a distance
   const int grains = atom->nlocal;
   if (last_.size() < static_cast<std::size_t>(grains)) last_.resize(static_cast<std::size_t>(grains), -1);
   touches_.clear();
   for (int element = 0; element < mesh.size(); ++element) {
     const std::vector<int>& near = neighbours.get_contact_list(element);
     if (near.empty()) continue;
-    const double* const corner = nodes[element][0];
     double normal[3];
     mesh.surfaceNorm(element, normal);
+    Touch touch;
+    touch.element = element;
+    touch.nearest.facet = mesh.id(element);
     for (const int grain : near) {
       if (grain >= grains) continue;  // of another rank
-      double* const x = x_[grain];
-      const double r = radius_[grain];
-      const double farthest = r * std::max(1.0, 1.0 + reach);
-      const double height =
-          normal[0] * (x[0] - corner[0]) + normal[1] * (x[1] - corner[1]) + normal[2] * (x[2] - corner[2]);
-      if (std::abs(height) > kSlack * farthest) continue;
-      Touch touch;
-      int region = 0;
-      const double gap = mesh.resolveTriSphereContactBary(grain, element, r, x, touch.delta,
-                                                          touch.nearest.weights.data(), region, false);
-      if (gap > 0.0 && gap >= reach * r) continue;
-      int& last = last_[static_cast<std::size_t>(grain)];
-      touch.nearest.facet = mesh.id(element);
-      touch.nearest.gap = gap;
       touch.grain = grain;
-      touch.element = element;
+      if (!reaches(smooth, mesh, nodes[element], normal, touch)) continue;
+      int& last = last_[static_cast<std::size_t>(grain)];
       touch.before = std::exchange(last, static_cast<int>(touches_.size()));
       touches_.push_back(touch);
     }
   }
 }
 
+// Fills in where the grain is nearest to the facet.
+bool FixWallGranSmooth::reaches(const SmoothMesh& smooth, TriMesh& mesh, double* const* corners, const double* normal,
+                                Touch& touch) const {
+  double* const x = x_[touch.grain];
+  const double r = radius_[touch.grain];
+  const double reach = std::max(0.0, neighbor->contactDistanceFactor - 1.0) * r;  // of models that act at a distance
+  const bool is_round = smooth.round && !smooth.round->is_flat(touch.nearest.facet);
+  const double height =
+      normal[0] * (x[0] - corners[0][0]) + normal[1] * (x[1] - corners[0][1]) + normal[2] * (x[2] - corners[0][2]);
+  if (std::abs(height) > kSlack * (r + reach + (is_round ? smooth.round->largest_bulge() : 0.0))) return false;
+
+  footfall::FacetTouch& nearest = touch.nearest;
+  int region = 0;
+  if (is_round) {
+    Eigen::Matrix3d nodes;
+    for (int k = 0; k < 3; ++k) nodes.col(k) = Eigen::Map<const Eigen::Vector3d>(corners[k]);
+    const Eigen::Map<const Eigen::Vector3d> centre(x);
+    const auto [weights, point] = smooth.round->facet(nearest.facet, nodes).nearest(centre);
+    Eigen::Map<Eigen::Vector3d>(touch.delta) = point - centre;
+    nearest.weights = weights;
+    nearest.gap = (point - centre).norm() - r;
+  } else {
+    nearest.gap = mesh.resolveTriSphereContactBary(touch.grain, touch.element, r, x, touch.delta,
+                                                   nearest.weights.data(), region, false);
+  }
+  if (nearest.gap > 0.0 && nearest.gap >= reach) return false;
+
+  nearest.acts = true;
+  touch.on_border = !smooth.pieces.inside_piece(nearest.facet, nearest.weights);
+  if (touch.on_border) {
+    double delta[3], weights[3];
+    nearest.acts =
+        mesh.resolveTriSphereContactBary(touch.grain, touch.element, r, x, delta, weights, region, true) < kFar;
+  }
+  return true;
+}
+
 bool FixWallGranSmooth::counts(const Touch& touch, const SurfacePieces& pieces) const {
+  if (!touch.nearest.acts) return false;
   for (int k = last_[static_cast<std::size_t>(touch.grain)]; k >= 0;) {
     const Touch& other = touches_[static_cast<std::size_t>(k)];
     if (&other != &touch && yields(touch.nearest, other.nearest, pieces)) return false;
@@ -144,14 +174,15 @@ bool FixWallGranSmooth::counts(const Touch& touch, const SurfacePieces& pieces) 
 }
 
 // LIGGGHTS keeps a history for each facet that a grain touched in the step before. A new contact goes on from one that
-// ends on the same piece, from a facet beside it where there are several.
+// ends on the same piece, from a facet beside it where there are several. Along the border of a flat face LIGGGHTS begins
+// anew on each facet; a face that bends does so too, so that it is as a rigid one while it is flat.
 double* FixWallGranSmooth::history_of(FixContactHistoryMesh& history, const Touch& touch, const SurfacePieces& pieces) {
   const int grain = touch.grain, facet = touch.nearest.facet, places = history.nneighs(grain);
   const double* past = nullptr;
   std::pair<bool, int> past_facet;
-  bool is_new = true;
-  for (int j = 0; j < places && is_new; ++j) is_new = history.partner(grain, j) != facet;
-  for (int j = 0; j < places && is_new && history.get_dnum() > 0; ++j) {
+  bool takes_over = pieces.curved() || !touch.on_border;
+  for (int j = 0; j < places && takes_over; ++j) takes_over = history.partner(grain, j) != facet;
+  for (int j = 0; j < places && takes_over && history.get_dnum() > 0; ++j) {
     const int other = history.partner(grain, j);
     if (other < 0 || pieces.piece(other) != pieces.piece(facet) || goes_on(grain, other, pieces)) continue;
     const std::pair place(!pieces.are_neighbours(facet, other), other);

@@ -8,12 +8,20 @@
 #include <vector>
 
 #include "fix_wall_gran.h"
+#include "liggghts_fix/round_surface.h"
 #include "liggghts_fix/surface_pieces.h"
 
 namespace LAMMPS_NS {
 
 class FixContactHistoryMesh;
 class FixMeshSurface;
+class TriMesh;
+
+// The smooth pieces of a mesh; with `round` grains touch the surface of which the mesh is a tessellation.
+struct SmoothMesh {
+  footfall::SurfacePieces pieces;
+  std::unique_ptr<footfall::RoundSurface> round;  // null: the facets
+};
 
 // In place of the style wall/gran. Meshes that nobody has named in touch_once are left to LIGGGHTS.
 //
@@ -25,7 +33,7 @@ class FixWallGranSmooth final : public FixWallGran {
   FixWallGranSmooth(LAMMPS* lmp_, int count, char** words) : FixWallGran(lmp_, count, words) {}
 
   // From now on grains touch each piece of the mesh once; null: each of its facets again, as in LIGGGHTS.
-  void touch_once(FixMeshSurface* mesh, std::shared_ptr<const footfall::SurfacePieces> pieces);
+  void touch_once(FixMeshSurface* mesh, std::shared_ptr<const SmoothMesh> smooth);
   // The mesh's number in this wall's list, in a step.
   int number_of(const FixMeshSurface* mesh) const;
 
@@ -37,17 +45,20 @@ class FixWallGranSmooth final : public FixWallGran {
     footfall::FacetTouch nearest;
     int grain, element;  // local numbers of LIGGGHTS
     int before;          // another touch of the grain, or -1
+    bool on_border;      // of its piece
     double delta[3];     // from the grain's centre to the nearest point [m]
   };
 
-  void touch_pieces(FixMeshSurface& mesh_fix, int mesh_number, const footfall::SurfacePieces& pieces);
-  void find_touches(FixMeshSurface& mesh_fix);
+  void touch_pieces(FixMeshSurface& mesh_fix, int mesh_number, const SmoothMesh& smooth);
+  void find_touches(FixMeshSurface& mesh_fix, const SmoothMesh& smooth);
+  bool reaches(const SmoothMesh& smooth, TriMesh& mesh, double* const* corners, const double* normal,
+               Touch& touch) const;
   bool counts(const Touch& touch, const footfall::SurfacePieces& pieces) const;
   double* history_of(FixContactHistoryMesh& history, const Touch& touch, const footfall::SurfacePieces& pieces);
   // Does the grain touch this facet in this step?
   bool goes_on(int grain, int facet, const footfall::SurfacePieces& pieces) const;
 
-  std::map<const FixMeshSurface*, std::shared_ptr<const footfall::SurfacePieces>> pieces_;
+  std::map<const FixMeshSurface*, std::shared_ptr<const SmoothMesh>> smooth_;
   std::vector<FixMeshSurface*> meshes_;  // of this wall
   std::vector<Touch> touches_;           // of the mesh at hand, in the order of its elements
   std::vector<int> last_;                // by grain: its last touch, or -1

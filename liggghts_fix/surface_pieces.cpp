@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
+#include <tuple>
 #include <utility>
 
 namespace footfall {
@@ -12,9 +14,8 @@ namespace {
 // Less is round-off of the nodes.
 const double kFlat = std::cos(1e-4);
 
-// A nearest point so close to an edge counts as on it [of the facet]. Round-off of the gap must not decide between a
-// point on the edge and one beside it: that is 1e-16, and their gaps differ by this squared.
-constexpr double kOnEdge = 1e-6;
+// A point so close to an edge counts as on it [of the facet].
+constexpr double kOnEdge = 1e-9;
 
 // Disjoint sets of 0 ... n - 1.
 class Sets {
@@ -47,7 +48,7 @@ Eigen::Vector3d inward(const Eigen::Matrix3Xd& rho0, const CornerNodes& corners,
 }  // namespace
 
 SurfacePieces::SurfacePieces(const Eigen::Matrix3Xd& rho0, std::vector<CornerNodes> corners, double edge_angle)
-    : corners_(std::move(corners)), piece_(corners_.size()), neighbours_(corners_.size()) {
+    : corners_(std::move(corners)), piece_(corners_.size()), neighbours_(corners_.size()), inside_(corners_.size()) {
   std::map<std::pair<int, int>, std::vector<int>> at_edge;
   for (std::size_t t = 0; t < corners_.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -58,6 +59,7 @@ SurfacePieces::SurfacePieces(const Eigen::Matrix3Xd& rho0, std::vector<CornerNod
   // In one plane the inward directions are opposite: the cosine of the turn is minus their product.
   const double sharp = std::cos(edge_angle);
   std::vector<SmoothEdge> smooth;
+  std::map<std::pair<int, int>, int> smooth_pairs;
   Sets pieces(corners_.size());
   for (const auto& [edge, facets] : at_edge)
     for (std::size_t i = 0; i < facets.size(); ++i)
@@ -68,9 +70,24 @@ SurfacePieces::SurfacePieces(const Eigen::Matrix3Xd& rho0, std::vector<CornerNod
         if (turn <= sharp) continue;
         if (turn < kFlat) curved_ = true;
         smooth.push_back({facets[i], facets[j], {a, b}});
+        ++smooth_pairs[edge];
         pieces.join(facets[i], facets[j]);
       }
   for (std::size_t t = 0; t < corners_.size(); ++t) piece_[t] = pieces.of(static_cast<int>(t));
+
+  // An edge is inside of a piece when it has two facets, one on each side.
+  std::set<int> on_border;  // nodes
+  const auto is_inside = [&](const std::pair<int, int>& edge) {
+    return at_edge.at(edge).size() == 2 && smooth_pairs.count(edge) > 0;
+  };
+  for (const auto& [edge, facets] : at_edge)
+    if (!is_inside(edge)) on_border.insert({edge.first, edge.second});
+  for (std::size_t t = 0; t < corners_.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = corners_[t][k], b = corners_[t][(k + 1) % 3];
+      inside_[t].edge[k] = is_inside({std::min(a, b), std::max(a, b)});
+      inside_[t].corner[k] = on_border.count(a) == 0;
+    }
 
   // Around each node: the facets that its smooth edges join.
   std::map<int, std::vector<const SmoothEdge*>> at_node;
@@ -101,13 +118,19 @@ bool SurfacePieces::are_neighbours(int facet, int other) const {
   return std::binary_search(around.begin(), around.end(), other);
 }
 
-bool yields(const FacetTouch& facet, const FacetTouch& other, const SurfacePieces& pieces) {
-  if (std::pair(other.gap, other.facet) > std::pair(facet.gap, facet.facet)) return false;
-  if (pieces.are_neighbours(facet.facet, other.facet)) return true;
-  const CornerNodes &mine = pieces.corners(facet.facet), &its = pieces.corners(other.facet);
-  for (std::size_t k = 0; k < 3; ++k)
-    if (facet.weights[k] > kOnEdge && std::find(its.begin(), its.end(), mine[k]) == its.end()) return false;
+bool SurfacePieces::inside_piece(int facet, const std::array<double, 3>& weights) const {
+  const Inside& inside = inside_[static_cast<std::size_t>(facet)];
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (weights[k] > 1.0 - kOnEdge) return inside.corner[k];
+    if (weights[(k + 2) % 3] < kOnEdge && !inside.edge[k] && weights[k] > kOnEdge && weights[(k + 1) % 3] > kOnEdge)
+      return false;
+  }
   return true;
+}
+
+bool yields(const FacetTouch& facet, const FacetTouch& other, const SurfacePieces& pieces) {
+  const auto place = [](const FacetTouch& touch) { return std::tuple(touch.gap, !touch.acts, touch.facet); };
+  return place(other) < place(facet) && pieces.are_neighbours(facet.facet, other.facet);
 }
 
 }  // namespace footfall
