@@ -86,7 +86,8 @@ inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt},
                                                   Field{"gravity", &Start::gravity},
                                                   Field{"gravity_known", &Start::gravity_known},
                                                   Field{"may_end_early", &Start::may_end_early},
-                                                  Field{"warnings", &Start::warnings}};
+                                                  Field{"warnings", &Start::warnings},
+                                                  Field{"wants_masses", &Start::wants_masses}};
 
 template <>
 inline constexpr auto kFields<Accept> =
@@ -99,7 +100,8 @@ inline constexpr auto kFields<Motion> = std::tuple{Field{"window", &Motion::wind
                                                    Field{"n", &Motion::n},
                                                    Field{"last_window", &Motion::last_window},
                                                    Field{"checkpoint", &Motion::checkpoint},
-                                                   Field{"bodies", &Motion::bodies}};
+                                                   Field{"bodies", &Motion::bodies},
+                                                   Field{"inverse_masses", &Motion::inverse_masses}};
 
 template <>
 inline constexpr auto kFields<Load> = std::tuple{Field{"window", &Load::window},

@@ -73,6 +73,7 @@ struct Start {
   bool gravity_known = false;
   bool may_end_early = false;         // the script's end may end the coupled run before the scene's
   std::vector<std::string> warnings;  // for the user, who reads them from the mechanism's side
+  bool wants_masses = false;          // the grains' side asks for Motion::inverse_masses
 };
 
 struct Accept {
@@ -97,6 +98,8 @@ struct Motion {
   bool last_window = false;
   std::string checkpoint;  // folder in which the grains' side keeps itself after this window; empty: it does not
   std::vector<BodyMotion> bodies;  // order of Start; see above
+  // 1/m of the mass that the contacts of each body meet [1/kg], 0: held or led. Empty unless the script asks for them.
+  std::vector<double> inverse_masses;
 };
 
 // Window means of the contacts' tangent stiffness and damping on (r, theta, of W), for linearly implicit schemes.

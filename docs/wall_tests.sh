@@ -12,8 +12,18 @@ FOOTFALL_WALL_TESTS=$rows "$build/bin/dem_wall_tests" >&2
 # A sphere on a coupled plane
 
 Made by `docs/wall_tests.sh`; the same tests run in `ctest -R WallTests`. The wall tests, numbers 2 to 6, of Chung and Ooi, *Benchmark tests for verifying discrete element modelling codes at
-particle impact level*, Granular Matter 13, 643 (2011), with a plane that is the mesh of a coupled body at rest, of the same material as the sphere, window by window. Materials and speeds
-are of their kind and stand in `tests/dem/wall_tests_test.cpp`.
+particle impact level*, Granular Matter 13, 643 (2011), with a plane that is the mesh of a coupled body at rest, 1000 times stiffer than the sphere, window by window.
+
+Materials, sizes and speeds are those that other codes give for these tests: 2 to 4 as in Yade (yade-dev/trunk, its scripts Test2.py to Test4.py of these benchmarks; Kratos has the same), 5 as in
+Kratos (`basic_benchmarks/benchmark5DEM.mdpa`) and PySPH, 6 as in Kratos (`benchmark6DEM.mdpa`). The paper itself was not at hand. Test 6 on nylon is left out: no source for its constants was found.
+
+| test | sphere | Young's modulus [GPa] | Poisson's ratio | density [kg/m3] | radius [m] | speed [m/s] | friction | restitution |
+|---|---|---|---|---|---|---|---|---|
+| 2 | aluminium alloy; magnesium alloy | 70; 40 | 0.30; 0.35 | 2699; 1800 | 0.1 | 0.2 down | 0 | 1 |
+| 3 | aluminium oxide; cast iron | 380; 100 | 0.23; 0.25 | 4000; 7000 | 0.0025 | 3.9 down | 0 | 0.2 to 1 |
+| 4 | aluminium oxide; aluminium alloy | 380; 70 | 0.23; 0.33 | 4000; 2700 | 0.0025 | 3.9 at an angle | 0.092 | 0.98 |
+| 5 | steel; polyethylene | 208; 1 | 0.30; 0.40 | 7850; 1400 | 0.00001 | 5 down, to 70 along | 0.3 | 1 |
+| 6 | aluminium alloy | 70 | 0.33 | 2700 | 0.1 | 0.2 down, spinning | 0.4 | 0.5 |
 
 - Peak, overlap and time of contact: Hertz. Restitution: the one that the script asks for (`limitForce on` takes the pull at the end of a contact away, and gives more: 0.32 for 0.2).
 - Speed along the plane and spin: a sphere that slides all through the contact, by Coulomb's impulse with the normal impulse that is found, at the arm of one radius (LIGGGHTS takes half the overlap off it). With

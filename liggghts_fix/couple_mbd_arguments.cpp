@@ -1,5 +1,7 @@
 #include "liggghts_fix/couple_mbd_arguments.h"
 
+#include <cmath>
+
 #include "coupler/base/errors.h"
 #include "liggghts_fix/words.h"
 
@@ -8,7 +10,7 @@ namespace {
 
 constexpr const char* kUsage =
     "expected: fix ID all couple/mbd every N|auto [patience SECONDS] [gravity scene|script] [end scene|script] "
-    "[lost SHARE] [mesh MESH-ID BODY]...";
+    "[lost SHARE] [surface smooth|facets|round] [edge DEGREES] [damping_mass grain|pair] [mesh MESH-ID BODY]...";
 constexpr int kMostSubsteps = 1000000;  // of a window
 
 // The words one after the other; whatever is not as expected ends in an InputError that begins with `fix`.
@@ -75,6 +77,23 @@ CoupleMbdArguments::CoupleMbdArguments(int narg, const char* const* arg) {
       const std::optional<double> share = positive_number(reader.value());
       if (!share || *share > 1.0) reader.wrong_value("a share of the grains above 0 and up to 1");
       max_lost = *share;
+    } else if (keyword == "surface") {
+      if (reader.value() == "smooth") {
+        surface = Surface::kSmooth;
+      } else if (reader.value() == "facets") {
+        surface = Surface::kFacets;
+      } else if (reader.value() == "round") {
+        surface = Surface::kRound;
+      } else {
+        reader.wrong_value("`smooth`, `facets` or `round`");
+      }
+    } else if (keyword == "damping_mass") {
+      if (reader.value() != "grain" && reader.value() != "pair") reader.wrong_value("`grain` or `pair`");
+      mass_of_pair = reader.value() == "pair";
+    } else if (keyword == "edge") {
+      const std::optional<double> degrees = positive_number(reader.value());
+      if (!degrees || *degrees > 90.0) reader.wrong_value("an angle above 0 and up to 90 degrees");
+      edge_angle = *degrees * M_PI / 180.0;
     } else {
       reader.wrong_keyword();
     }

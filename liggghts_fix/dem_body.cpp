@@ -29,7 +29,8 @@ void DemBody::visit(Archive& archive) {
   archive("load", load_);
 }
 
-void DemBody::begin_window(const BodyMotion& start, int n, double dt) {
+void DemBody::begin_window(const BodyMotion& start, int n, double dt, double inverse_mass) {
+  inverse_mass_ = inverse_mass;
   path_.begin_window(start, n, dt);
   average_.begin_window(path_.jump(), path_.pose());
   stiffness_time_ = 0.0;

@@ -25,7 +25,9 @@ class DemBody {
   const BoundaryPath& path() const { return path_; }
   const BodyMotion& pose() const { return path_.pose(); }
 
-  void begin_window(const BodyMotion& start, int n, double dt);
+  // inverse_mass [1/kg]: 1/m of the mass that contacts meet; 0 where it is not asked for, or does not give way.
+  void begin_window(const BodyMotion& start, int n, double dt, double inverse_mass = 0.0);
+  double inverse_mass() const { return inverse_mass_; }
   void advance() { path_.advance(); }
 
   void clear_contacts();
@@ -77,6 +79,7 @@ class DemBody {
   double stiffness_time_ = 0.0;  // integral over the window [N s/m]
   double contact_time_ = 0.0;    // integral of the contacts over the window [s]
   double time_ = 0.0;            // of the window [s]
+  double inverse_mass_ = 0.0;    // [1/kg]
   bool scheme_wants_slopes_;
   bool samples_slopes_ = false;
   int substep_ = 0, slope_stride_ = 1, slope_samples_ = 0;  // in the window

@@ -216,6 +216,12 @@ void DemLink::begin_window() {
                         std::to_string(motion_.window) + " of " + std::to_string(motion_.n) + " substeps with " +
                         std::to_string(motion_.bodies.size()) + " bodies; expected at most " + std::to_string(n_) +
                         " substeps and " + std::to_string(bodies_.size()) + " bodies");
+  const std::vector<double>& inverse_masses = motion_.inverse_masses;
+  if (script_.wants_masses &&
+      (inverse_masses.size() != bodies_.size() || !std::all_of(inverse_masses.begin(), inverse_masses.end(),
+                                                               [](double x) { return x >= 0.0 && std::isfinite(x); })))
+    throw ProtocolError("window " + std::to_string(windows_) + ": " + link_->partner() +
+                        " did not send for each body the mass that its contacts meet (damping_mass pair)");
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyMotion& start = motion_.bodies[i];
     if (start.mode_count() != bodies_[i]->boundary().mode_count())
@@ -226,7 +232,7 @@ void DemLink::begin_window() {
       throw NumericalError("the motion of body \"" + names_[i] + "\" at t = " + number(motion_.time) +
                            " s is not finite (" + place + ")");
     if (windows_ > 0) work_received_ += bodies_[i]->work_between(at_last_start_[i], start);
-    bodies_[i]->begin_window(start, motion_.n, dt_);
+    bodies_[i]->begin_window(start, motion_.n, dt_, script_.wants_masses ? inverse_masses[i] : 0.0);
   }
   work_given_ += window_work_;
   window_work_ = 0.0;

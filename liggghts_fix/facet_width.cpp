@@ -9,7 +9,8 @@
 namespace footfall {
 namespace {
 
-const double kFlat = std::cos(1.0 * M_PI / 180.0), kEdge = std::cos(60.0 * M_PI / 180.0);
+// LIGGGHTS counts facets as coplanar by this cosine, where the script gives no other curvature.
+const double kFlat = 1.0 - 1e-5, kEdge = std::cos(60.0 * M_PI / 180.0);
 
 }  // namespace
 

@@ -10,7 +10,7 @@
 
 namespace footfall {
 
-// Smallest height [m] of each triangle that meets a neighbour at an angle between 1 and 60 degrees; infinity for the
+// Smallest height [m] of each triangle that meets a neighbour at an angle between 0.26 and 60 degrees; infinity for the
 // others, which are flat or end at an edge. rho0 [m]: nodes, 3 x N; corners: nodes of the triangles.
 std::vector<double> curved_facet_widths(const Eigen::Matrix3Xd& rho0, const std::vector<CornerNodes>& corners);
 

@@ -90,6 +90,7 @@ void FixCoupleMbd::init() {
   script.n = arguments_.every;
   script.step = update->ntimestep;
   script.may_end_early = !arguments_.end_of_scene;
+  script.wants_masses = arguments_.mass_of_pair;
   if (arguments_.gravity_of_scene) read_gravity(*modify, script);
   link_.start(std::move(script));
   footfall::work_is_under_way();
@@ -101,7 +102,7 @@ void FixCoupleMbd::init() {
   for (const auto& mesh : meshes_) add_row(mesh->body());
   for (int body = 0; body < link_.body_count(); ++body) add_row(body);
   size_array_rows = link_.body_count();
-  for (const auto& mesh : meshes_) mesh->begin_run(style, torque_before_);
+  for (const auto& mesh : meshes_) mesh->begin_run(style, torque_before_, arguments_);
   link_.expect_set_up();
 }
 

@@ -7,6 +7,7 @@
 
 #include "liggghts_fix/couple_mbd_arguments.h"
 #include "liggghts_fix/dem_link.h"
+#include "liggghts_fix/fix_wall_gran_smooth.h"
 #include "liggghts_fix/mesh_module_mbd.h"
 #include "pointers.h"
 
@@ -29,7 +30,7 @@ class CoupledMesh : protected Pointers {
   // After the coupling has started. `style`: of the fix, for LIGGGHTS' own messages. torque_before: one for all
   // meshes, which share walls. Throws InputError when something else has come to move the mesh since, when no wall
   // makes contacts with it, or when it stands outside of the box.
-  void begin_run(const char* style, const GrainTorque& torque_before);
+  void begin_run(const char* style, const GrainTorque& torque_before, const footfall::CoupleMbdArguments& arguments);
 
   // Throws NumericalError when a node leaves the box: LIGGGHTS loses such triangles.
   void check_inside_box() const;
@@ -45,6 +46,9 @@ class CoupledMesh : protected Pointers {
   void turn_properties(const footfall::BoundaryStep& step);
 
   std::vector<FixWallGran*> walls() const;  // that name the mesh
+  void bend_round_surface();
+  // Where it is wanted and the mesh is curved, or can come to be.
+  void let_grains_touch_once(const footfall::CoupleMbdArguments& arguments, const std::vector<FixWallGran*>& walls);
 
   footfall::DemLink& link_;
   std::string mesh_id_;
@@ -52,6 +56,7 @@ class CoupledMesh : protected Pointers {
   FixMeshSurface* fix_ = nullptr;
   int body_ = 0;
   std::unique_ptr<MeshModuleMbd> module_;
+  std::shared_ptr<SmoothMesh> smooth_;  // null: grains touch facets
   Eigen::Matrix3Xd x_W_, v_W_;  // nodes of the body's boundary [m], [m/s]
   // Of a conveyor (surface_vel, surface_ang_vel), by element id: velocities of the corners relative to the body, in B
   // [m/s]; empty without.

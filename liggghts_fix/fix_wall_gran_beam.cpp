@@ -19,6 +19,7 @@
 #include "liggghts_fix/beam_hertz.h"
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/pair_mass.h"
 #include "liggghts_fix/words.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -255,6 +256,7 @@ double FixWallGranBeam::touch(Beam& beam, int i, const BeamTouch& touch, double*
   {
     const Softened softened(young_, shear_, atom->type[i], atom_type_wall(),
                             arguments_.curvature ? softness(beam, touch, r) : 1.0);
+    const PairMass mass(atom->rmass[i], link_.body(beam.body).inverse_mass());
     impl->compute_force(this, contact, touch.gap <= 0.0, v_wall);
   }
   const Eigen::Vector3d f_W = f_before - vector(f_[i]);

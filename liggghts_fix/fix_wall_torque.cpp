@@ -4,7 +4,9 @@
 
 #include "atom.h"
 #include "fix_wall_gran.h"
+#include "liggghts_fix/fix_wall_gran_smooth.h"
 #include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/pair_mass.h"
 
 namespace LAMMPS_NS {
 
@@ -13,6 +15,16 @@ void WallTorque::watch(LAMMPS* lmp, FixWallGran& wall, GrainTorque before) {
   auto* watching = dynamic_cast<WallTorque*>(model);
   if (watching == nullptr) model = watching = new WallTorque(lmp, model);
   watching->before_ = std::move(before);
+}
+
+void WallTorque::meet(FixWallGran& wall, const FixMeshSurface* mesh, const footfall::DemBody* body) {
+  auto* watching = dynamic_cast<WallTorque*>(footfall::wall_model(&wall));
+  if (watching == nullptr) return;
+  if (body != nullptr) {
+    watching->bodies_[mesh] = body;
+  } else {
+    watching->bodies_.erase(mesh);
+  }
 }
 
 void WallTorque::settings(int nargs, char** args, LIGGGHTS::IContactHistorySetup* setup) {
@@ -28,7 +40,12 @@ bool WallTorque::checkSurfaceIntersect(LIGGGHTS::ContactModels::SurfacesIntersec
 void WallTorque::compute_force(FixWallGran* wall, LIGGGHTS::ContactModels::SurfacesIntersectData& contact,
                                bool intersect, double* v_wall, FixMeshSurface* mesh_fix, int mesh_number, TriMesh* mesh,
                                int element) {
+  // An output of contacts names the mesh by its number, and LIGGGHTS may see a part of the list alone.
+  if (wall->addflag() != 0)
+    if (const auto* smooth = dynamic_cast<FixWallGranSmooth*>(wall)) mesh_number = smooth->number_of(mesh_fix);
   *before_ = Eigen::Map<const Eigen::Vector3d>(atom->torque[contact.i]);
+  const auto body = bodies_.find(mesh_fix);
+  const footfall::PairMass mass(atom->rmass[contact.i], body != bodies_.end() ? body->second->inverse_mass() : 0.0);
   model_->compute_force(wall, contact, intersect, v_wall, mesh_fix, mesh_number, mesh, element);
 }
 

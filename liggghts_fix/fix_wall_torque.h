@@ -2,10 +2,12 @@
 // What LIGGGHTS does to a grain's torque in a contact with a coupled mesh.
 
 #include <Eigen/Dense>
+#include <map>
 #include <memory>
 #include <string>
 
 #include "granular_wall.h"
+#include "liggghts_fix/dem_body.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
@@ -23,6 +25,9 @@ class WallTorque final : private Pointers, public LIGGGHTS::Walls::IGranularWall
   // From now on `before` is written at each contact of the wall. The wall owns what is put into it.
   static void watch(LAMMPS* lmp, FixWallGran& wall, GrainTorque before);
 
+  // Behind watch(): in contacts with this mesh the grain meets the mass of the body (pair_mass.h); null: a wall again.
+  static void meet(FixWallGran& wall, const FixMeshSurface* mesh, const footfall::DemBody* body);
+
   void settings(int nargs, char** args, LIGGGHTS::IContactHistorySetup* setup) override;
   void init_granular() override;
   bool checkSurfaceIntersect(LIGGGHTS::ContactModels::SurfacesIntersectData& contact) override;
@@ -36,6 +41,7 @@ class WallTorque final : private Pointers, public LIGGGHTS::Walls::IGranularWall
 
   std::unique_ptr<IGranularWall> model_;
   GrainTorque before_;
+  std::map<const FixMeshSurface*, const footfall::DemBody*> bodies_;
 };
 
 }  // namespace LAMMPS_NS

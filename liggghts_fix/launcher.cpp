@@ -30,6 +30,7 @@
 #include "liggghts_fix/fix_couple_mbd.h"
 #include "liggghts_fix/fix_couple_mbd_geometry.h"
 #include "liggghts_fix/fix_wall_gran_beam.h"
+#include "liggghts_fix/fix_wall_gran_smooth.h"
 #include "liggghts_fix/last_words.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "liggghts_fix/program_world.h"
@@ -107,6 +108,7 @@ int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_li
   register_fix_style(lmp, "couple/mbd/geometry", create_fix<LAMMPS_NS::FixCoupleMbdGeometry>);
   register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
   register_fix_style(lmp, "wall/gran/beam", create_fix<LAMMPS_NS::FixWallGranBeam>);
+  register_fix_style(lmp, "wall/gran", create_fix<LAMMPS_NS::FixWallGranSmooth>);
   let_meshes_resume(lmp);
   lmp->input->file();
   // The scene's end has stopped a run as a signal would; the script goes on behind that run.

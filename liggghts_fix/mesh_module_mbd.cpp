@@ -47,8 +47,13 @@ void MeshModuleMbd::add_particle_contribution(int ip, double* frc, double* delta
   const double radius = atom->radius[ip];
   const double distance = d.norm();
   const double overlap = std::max(0.0, radius - distance);
-  const Eigen::Vector3d m_W = *torque_before_ - vector3(atom->torque[ip]) - d.cross(f_W);  // about c
-  body_->count_patch(std::sqrt(2.0 * radius * overlap) / widths_[element]);
+  // About the boundary point, which is c; the round surface (fix_wall_gran_smooth.h) stands out over the element.
+  Eigen::Vector3d to_point = d;
+  if (widths_.empty())
+    to_point = weights[0] * vector3(nodes[0]) + weights[1] * vector3(nodes[1]) + weights[2] * vector3(nodes[2]) -
+               vector3(atom->x[ip]);
+  const Eigen::Vector3d m_W = *torque_before_ - vector3(atom->torque[ip]) - to_point.cross(f_W);
+  if (!widths_.empty()) body_->count_patch(std::sqrt(2.0 * radius * overlap) / widths_[element]);
   if (contacts_.empty()) {
     body_->add_contact(point, f_W, m_W, overlap / radius, 0.0);
     return;

@@ -28,13 +28,15 @@ class MeshModuleMbd final : public MeshModule {
   void set_contacts(std::vector<footfall::WallContact> contacts) { contacts_ = std::move(contacts); }
   // Of the grain that touches, from before the contact.
   void set_torque_before(GrainTorque torque) { torque_before_ = std::move(torque); }
+  // Grains touch a smooth surface once: facets do not add up, and their widths do not matter.
+  void set_touched_once() { widths_.clear(); }
   const std::vector<footfall::CornerNodes>& corners() const { return corners_; }
 
   void add_particle_contribution(int ip, double* frc, double* delta, int iTri, double* v_wall) override;
 
  private:
   std::vector<footfall::CornerNodes> corners_;
-  std::vector<double> widths_;  // of facets on curved parts, by mesh element id [m]
+  std::vector<double> widths_;  // of facets on curved parts, by mesh element id [m]; empty: touched once
   std::vector<footfall::WallContact> contacts_;
   footfall::DemBody* body_ = nullptr;
   GrainTorque torque_before_;

@@ -135,6 +135,10 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
     fill_motion(kinematics.of(bodies_[k].entry.body), motion_.bodies[k]);
     bodies_[k].window.begin(motion_.n, dt, motion_.bodies[k]);
   }
+  if (partner_.wants_masses()) {
+    motion_.inverse_masses.clear();
+    for (const Coupled& body : bodies_) motion_.inverse_masses.push_back(1.0 / body.contact_mass.last());
+  }
   const Load& load = partner_.exchange(motion_);
   if (script_has_ended()) return state.time;
   for (const std::string& warning : load.warnings) watch_->warn(warning);

@@ -215,9 +215,15 @@ void CouplingWatch::watch_grains(double time) {
   }
   if (!warned_of_facets_ && largest_patch_ > 1.0) {
     warned_of_facets_ = true;
-    warnings_.push_back(at + "a grain's contact patch has a radius of " + number(largest_patch_) +
-                        " times the width of the facet that it presses on: facets of a curved surface add up, and the "
-                        "force may be too large by as much as two; use larger facets, or stiffer grains");
+    warnings_.push_back(
+        at + "a grain's contact patch has a radius of " + number(largest_patch_) +
+        " times the width of the facet that it presses on, and the script asks for `surface facets`: they "
+        "add up. The force is about " +
+        number(0.9 + 0.4 * largest_patch_) +
+        " times that of one contact where the surface is curved "
+        "one way, " +
+        number(1.4 + largest_patch_ * largest_patch_ / 3.0) +
+        " times where it is curved both ways; leave out `surface facets`");
   }
 }
 

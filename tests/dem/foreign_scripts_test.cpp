@@ -245,5 +245,75 @@ TEST(ForeignScript, SeveralMeshesMayMakeUpABody) {
   EXPECT_LT((one - two).norm(), 1e-7 * one.norm());
 }
 
+// A rotor: a hub and ten blades, each a mesh of its own, by turns of one material and the other. As one body it feels what
+// eleven bodies feel that move alike.
+TEST(ForeignScript, ARotorOfElevenMeshesOfTwoMaterialsIsTheSumOfThem) {
+  const RunFolder folder("foreign_rotor");
+  constexpr int kParts = 11;
+  Surface rotor;
+  std::vector<Eigen::Vector3d> nodes;
+  std::string parts, single_meshes, single_geometry, pairs, single_pairs, bodies, wall = "11 meshes";
+  const std::string motion = " 0 0 0.05 prescribed 0 0 -0.3 0 15 0";
+  for (int k = 0; k < kParts; ++k) {
+    Surface part = box(k == 0 ? Eigen::Vector3d(0.05, 0.2, 0.05) : Eigen::Vector3d(0.05, 0.03, 0.01), 1);
+    if (k > 0) {
+      part.nodes.row(0).array() += 0.06;
+      const Eigen::Vector3d along(0.0, -0.09 + 0.018 * k, 0.0);
+      part.nodes = (Eigen::AngleAxisd(0.6 * k, Eigen::Vector3d::UnitY()).toRotationMatrix() * part.nodes).eval();
+      part.nodes.colwise() += along;
+    }
+    const std::string id = std::to_string(k);
+    write_stl((folder.path() / ("part_" + id + ".stl")).string(), part);
+    const int first = static_cast<int>(nodes.size());
+    for (const auto& node : part.nodes.colwise()) nodes.push_back(node);
+    for (const Eigen::Vector3i& t : part.triangles) rotor.triangles.push_back(t.array() + first);
+    parts += "fix m" + id + " all mesh/surface file part_" + id + ".stl type " + std::to_string(1 + k % 2) +
+             " move 0 0 0.05\n";
+    pairs += " mesh m" + id + " rotor";
+    single_pairs += " mesh m" + id + " part_" + id;
+    bodies += " body part_" + id + " part_" + id + ".stl" + motion;
+    wall += " m" + id;
+  }
+  rotor.nodes.resize(3, static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t j = 0; j < nodes.size(); ++j) rotor.nodes.col(static_cast<Eigen::Index>(j)) = nodes[j];
+  write_stl((folder.path() / "rotor.stl").string(), rotor);
+  // Grains that do not touch each other, each on a spring of its own: small differences stay small.
+  const std::string head =
+      script_head("-0.3 0.3 -0.3 0.3 -0.3 0.3") +
+      "lattice sc 0.05\nregion grains block -0.2 0.2 -0.2 0.2 -0.07 -0.03 units box\n"
+      "create_atoms 1 region grains\nset group all diameter 0.04 density 2600\n"
+      "fix hold all spring/self 4000\nfix integr all nve/sphere\n" +
+      parts + "fix w all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes " + wall + "\n";
+  const auto loads = [&](const std::string& mesh_of_body, const std::string& of_bodies) {
+    folder.write("in", head + "fix mbd all couple/mbd every 5" + mesh_of_body + "\nthermo 500\nrun 2000\n");
+    const Outcome outcome = folder.coupled(2, "-in in", "until 0.1 out table.csv" + of_bodies);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+    return Table(folder.path() / "table.csv");
+  };
+  const Table one = loads(pairs, " body rotor rotor.stl" + motion), eleven = loads(single_pairs, bodies);
+  ASSERT_EQ(eleven.rows(), kParts * one.rows());
+  double largest = 0.0;
+  std::size_t touched = 0;
+  for (const char* name : {"fx", "fy", "fz", "mx", "my", "mz", "contacts"}) {
+    double scale = 0.0;
+    for (const double value : one[name]) scale = std::max(scale, std::abs(value));
+    EXPECT_GT(scale, 0.0) << name;
+    for (std::size_t i = 0; i < one.rows(); ++i) {
+      double sum = 0.0;
+      for (int k = 0; k < kParts; ++k) sum += eleven[name][kParts * i + static_cast<std::size_t>(k)];
+      EXPECT_NEAR(one[name][i], sum, 1e-9 * scale) << name << " row " << i;  // the order of sums differs
+      largest = std::max(largest, std::abs(one[name][i] - sum) / scale);
+    }
+  }
+  for (int k = 0; k < kParts; ++k) {
+    double contacts = 0.0;
+    for (std::size_t i = 0; i < one.rows(); ++i)
+      contacts += eleven["contacts"][kParts * i + static_cast<std::size_t>(k)];
+    touched += contacts > 0.0;
+  }
+  std::printf("%zu of %d meshes touched; largest difference %.2g\n", touched, kParts, largest);
+  EXPECT_GE(touched, 8U);
+}
+
 }  // namespace
 }  // namespace footfall::test

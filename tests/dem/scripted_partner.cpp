@@ -263,6 +263,9 @@ void couple(const Options& options, TransportMpi& transport, Link& link) {
     motion.last_window = done + motion.n == steps;
     motion.bodies.clear();
     for (const Body* body : coupled) motion.bodies.push_back(body->state);
+    motion.inverse_masses.clear();
+    for (const Body* body : coupled)
+      if (start.wants_masses) motion.inverse_masses.push_back(body->kind == Body::Kind::kFree ? 1.0 / body->mass : 0.0);
     if (motion.window == options.misbehave_at) misbehave(options);
     Motion sent = motion;
     if (motion.window == options.misbehave_at && options.misbehave == "wrong-window") sent.window += 7;

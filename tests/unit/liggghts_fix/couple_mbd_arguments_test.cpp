@@ -33,7 +33,7 @@ std::string complaint(const std::string& after_style) {
 
 const std::string kUsage =
     "expected: fix ID all couple/mbd every N|auto [patience SECONDS] [gravity scene|script] [end scene|script] "
-    "[lost SHARE] [mesh MESH-ID BODY]...";
+    "[lost SHARE] [surface smooth|facets|round] [edge DEGREES] [damping_mass grain|pair] [mesh MESH-ID BODY]...";
 
 TEST(CoupleMbdArguments, TakeWhatTheCommandSays) {
   const CoupleMbdArguments all = parsed("every 5 patience 0.5 mesh pad1 foot_1 mesh pad2 foot_2");
@@ -64,6 +64,22 @@ TEST(CoupleMbdArguments, TakeKeywordsInAnyOrder) {
   ASSERT_EQ(all.meshes.size(), 2U);
   EXPECT_EQ(all.meshes[1].mesh, "lower");
   EXPECT_EQ(all.meshes[1].body, "drum");
+}
+
+TEST(CoupleMbdArguments, SayHowGrainsTouch) {
+  using Surface = CoupleMbdArguments::Surface;
+  EXPECT_EQ(parsed("every 5").surface, Surface::kSmooth);
+  EXPECT_EQ(parsed("every 5 surface facets").surface, Surface::kFacets);
+  EXPECT_EQ(parsed("every 5 surface round").surface, Surface::kRound);
+  EXPECT_EQ(complaint("every 5 surface flat"), "`surface` needs `smooth`, `facets` or `round`, not \"flat\"");
+  EXPECT_DOUBLE_EQ(parsed("every 5").edge_angle, M_PI / 6.0);
+  EXPECT_DOUBLE_EQ(parsed("every 5 edge 45").edge_angle, M_PI / 4.0);
+  for (const char* angle : {"0", "91", "sharp"})
+    EXPECT_EQ(complaint(std::string("every 5 edge ") + angle),
+              std::string("`edge` needs an angle above 0 and up to 90 degrees, not \"") + angle + "\"");
+  EXPECT_FALSE(parsed("every 5").mass_of_pair);
+  EXPECT_TRUE(parsed("every 5 damping_mass pair").mass_of_pair);
+  EXPECT_EQ(complaint("every 5 damping_mass wall"), "`damping_mass` needs `grain` or `pair`, not \"wall\"");
 }
 
 TEST(CoupleMbdArguments, SayWhatIsExpectedWhereAWordIsMissingOrWrong) {
