@@ -23,7 +23,7 @@ namespace {
 
 using footfall::InputError;
 
-constexpr const char* kModule = "footfall_mbd";
+constexpr const char* kModule = footfall::kMeshModule;
 constexpr const char* kVelocity = "v";  // element property that LIGGGHTS' contacts read
 
 using NodeVelocities = MultiVectorContainer<double, 3, 3>;
