@@ -97,14 +97,27 @@ void GrainAudit::watch_mixed_walls() {
   }
 }
 
-GrainAudit::Wrench GrainAudit::total() const {
-  Wrench sum = Wrench::Zero();
+void GrainAudit::remember() {
+  before_.resize(static_cast<std::size_t>(atom->nlocal));
   for (int i = 0; i < atom->nlocal; ++i) {
-    const Vector f = vector(atom->f[i]);
-    sum.head<3>() += f;
-    sum.tail<3>() += vector(atom->x[i]).cross(f) + vector(atom->torque[i]);
+    const double *const f = atom->f[i], *const t = atom->torque[i];
+    before_[static_cast<std::size_t>(i)] = {f[0], f[1], f[2], t[0], t[1], t[2]};
   }
-  return sum;
+}
+
+void GrainAudit::add_source(Account& source) const {
+  source.now.setZero();
+  source.gross_force = source.gross_moment = 0.0L;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double* const before = before_[static_cast<std::size_t>(i)].data();
+    const Vector f = vector(atom->f[i]) - vector(before), t = vector(atom->torque[i]) - vector(before + 3);
+    if (f.isZero(0.0L) && t.isZero(0.0L)) continue;
+    const Vector arm = vector(atom->x[i]).cross(f);
+    source.now.head<3>() += f;
+    source.now.tail<3>() += arm + t;
+    source.gross_force += f.norm();
+    source.gross_moment += arm.norm() + t.norm();
+  }
 }
 
 void GrainAudit::pairs_done(bool set_up) {
@@ -113,33 +126,28 @@ void GrainAudit::pairs_done(bool set_up) {
     find_integrators();
     watch_mixed_walls();
     // A new run: sources that are gone do nothing any more.
-    for (Account& one : accounts_) one.now.setZero();
+    for (Account& one : accounts_) {
+      one.now.setZero();
+      one.gross_force = one.gross_moment = 0.0L;
+    }
   }
   for (auto& [id, share] : shares_) share->setZero();
-  running_ = total();
-  account("pairs", "-").now = running_;
-  gross_ = Eigen::Matrix<Real, 2, 1>::Zero();
-  for (int i = 0; i < atom->nlocal; ++i) {
-    const Real f = vector(atom->f[i]).norm();
-    gross_[0] += f;
-    gross_[1] += vector(atom->x[i]).norm() * f + vector(atom->torque[i]).norm();
-  }
+  before_.assign(static_cast<std::size_t>(atom->nlocal), {});
+  add_source(account("pairs", "-"));
+  remember();
 }
 
 void GrainAudit::fix_done(Fix& fix) {
   if (!link_.started()) return;
-  const Wrench sum = total();
-  const Wrench own = sum - running_;
-  running_ = sum;
   const std::string kind = kind_of(fix);
   if (kind == "fix" && (modify->fmask[modify->my_index(&fix)] & FixConst::POST_FORCE) == 0) return;
   const auto share = shares_.find(fix.id);
-  if (share == shares_.end()) {
-    account(kind, fix.id).now = own;
-    return;
-  }
+  Account& source = account(kind, fix.id);
+  add_source(source);
+  remember();
+  if (share == shares_.end()) return;
+  source.now -= *share->second;
   account("wall", std::string(fix.id) + " (meshes of no body)").now = *share->second;
-  account(kind, fix.id).now = own - *share->second;
 }
 
 void GrainAudit::count_held() {
@@ -177,7 +185,9 @@ void GrainAudit::count_weight() {
       of_clumps.tail<3>() += vector(x).cross(mg);
     }
   }
-  if (clumps_ != nullptr) account("gravity", clumps_->id).now = account("weight", clumps_->id).now = of_clumps;
+  if (clumps_ == nullptr) return;
+  account("gravity", clumps_->id).now = of_clumps;
+  account("weight", clumps_->id).now = of_clumps;
 }
 
 void GrainAudit::count_bodies() {
@@ -208,9 +218,9 @@ void GrainAudit::forces_done(bool set_up) {
     const bool by_scheme = one.kind == "mean";
     const Real opening = by_scheme ? scheme.opening : 0.5L, closing = by_scheme ? scheme.closing : 0.5L;
     one.impulse += dt * (opening * one.before + closing * one.now);
-    const bool pairs = one.kind == "pairs";
-    one.force += dt * (pairs ? gross_[0] : one.now.head<3>().norm());
-    one.moment += dt * (pairs ? gross_[1] : one.now.tail<3>().norm());
+    const bool summed = one.gross_force == 0.0L && one.gross_moment == 0.0L;
+    one.force += dt * (summed ? one.now.head<3>().norm() : one.gross_force);
+    one.moment += dt * (summed ? one.now.tail<3>().norm() : one.gross_moment);
     one.before = one.now;
   }
   ++steps_;

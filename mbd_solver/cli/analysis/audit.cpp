@@ -86,15 +86,12 @@ struct Scales {
   double flowed, round_off;
 };
 Scales scales_of(const AuditWindow& window, bool angular) {
-  Scales scales{sum_of(window, "body", angular).size, 0.0};
+  Scales scales{sum_of(window, "body_wall", angular).size, 0.0};
   double all = 0.0;
   for (const char* kind : {"pairs", "gravity", "wall", "body_wall", "fix", "held", "body"})
     all += sum_of(window, kind, angular).size;
   const double size = angular ? window.state.moment : window.state.force;
   scales.round_off = kEps * (kRoundingsPerStep * (window.substeps + 2.0) * size + kRoundingsOfForce * all);
-  // The moments of contacts may cancel: their arm is as long as that of the grains.
-  if (angular && window.state.force > 0.0)
-    scales.flowed += window.state.moment / window.state.force * sum_of(window, "body", false).size;
   return scales;
 }
 
@@ -124,7 +121,7 @@ void balance_of_grains(const GrainsAudit& grains, bool angular, std::vector<Audi
     // The grains on both sides of a period share one contact with two arms.
     if (!angular || window.periodic == 0)
       pairs.take(window.number, of_pairs.value.norm(), of_pairs.size, kAuditBound, 0.0);
-    gravity.take(window.number, (of_gravity.value - weight.value).norm(), weight.size, kAuditBound, scales.round_off);
+    gravity.take(window.number, (of_gravity.value - weight.value).norm(), of_gravity.size, kAuditBound, 0.0);
     before = &window.state;
     count = window.count;
   }
@@ -143,15 +140,15 @@ void ways_of_loads(const GrainsAudit& grains, const MechanismAudit& mechanism, s
       moment("load: mean moment, counted and sent", "N m s"), felt("load: sent and felt", "N s");
   for (std::size_t k = 0; k < grains.windows.size(); ++k) {
     const AuditWindow& window = grains.windows[k];
+    const double linear = kEps * kRoundingsOfForce * sum_of(window, "body_wall", false).size,
+                 angular = kEps * kRoundingsOfForce * sum_of(window, "body_wall", true).size;
     for (const AuditSource& body : window.sources) {
       if (body.kind != "body") continue;
       const AuditSource &mean = window.find("mean", body.name), &load = window.find("load", body.name),
                         &sent = window.find("impulse", body.name);
-      const double round_off = kEps * kRoundingsOfForce * body.force;
-      impulse.take(window.number, (sent.linear - body.linear).norm(), body.force, kAuditBound, round_off);
-      force.take(window.number, (load.linear - mean.linear).norm(), body.force, kAuditBound, round_off);
-      moment.take(window.number, (load.angular - mean.angular).norm(), mean.moment, kAuditBound,
-                  kEps * kRoundingsOfForce * mean.moment);
+      impulse.take(window.number, (sent.linear - body.linear).norm(), body.force, kAuditBound, linear);
+      force.take(window.number, (load.linear - mean.linear).norm(), body.force, kAuditBound, linear);
+      moment.take(window.number, (load.angular - mean.angular).norm(), mean.moment, kAuditBound, angular);
       if (k + 1 >= mechanism.rows.size()) continue;
       const MechanismLoad& got = mechanism.rows[k + 1].loads.at(body.name);
       const double H = window.length;
