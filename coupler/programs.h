@@ -12,4 +12,8 @@ inline constexpr const char* kStartBoth = "mpirun -np N liggghts_mbd -in SCRIPT 
 inline constexpr const char* kAllOrNothing = "FOOTFALL_ALL_OR_NOTHING";
 inline constexpr const char* kStoppedWord = "liggghts_mbd: interrupted\n";
 
+// In the environment of both programs of a run that is audited: the folder into which they write what they count for
+// `footfall audit`.
+inline constexpr const char* kAuditFolder = "FOOTFALL_AUDIT";
+
 }  // namespace footfall

@@ -51,6 +51,8 @@ class DemBody {
   // The forces just evaluated stand before the next substep (a run was set up).
   void take_standing();
   void end_substep(double dt);
+  // Of the contacts on this rank since clear_contacts.
+  const GeneralizedForce& contact_force() const { return now_; }
 
   // At the end of a window: appends what the grains of this rank did to its row (rank_shares.h).
   void append_share(std::vector<double>& row);

@@ -25,7 +25,7 @@ namespace {
 
 using footfall::InputError;
 
-constexpr const char* kModule = "footfall_mbd";
+constexpr const char* kModule = footfall::kMeshModule;
 // A grain that is not near a flat facet, to within the skin, may yet touch the round one [of the skin].
 constexpr double kLargestBulge = 0.1;
 constexpr const char* kVelocityName = "v";  // element property that LIGGGHTS' contacts read

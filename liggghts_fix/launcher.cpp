@@ -28,6 +28,7 @@
 #include "lammps.h"
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/fix_couple_mbd.h"
+#include "liggghts_fix/fix_couple_mbd_audit.h"
 #include "liggghts_fix/fix_couple_mbd_geometry.h"
 #include "liggghts_fix/fix_wall_gran_beam.h"
 #include "liggghts_fix/fix_wall_gran_smooth.h"
@@ -110,6 +111,7 @@ int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_li
   register_fix_style(lmp, "wall/gran/beam", create_fix<LAMMPS_NS::FixWallGranBeam>);
   register_fix_style(lmp, "wall/gran", create_fix<LAMMPS_NS::FixWallGranSmooth>);
   let_meshes_resume(lmp);
+  const std::unique_ptr<LAMMPS_NS::GrainAudit> audit = LAMMPS_NS::audit_if_asked(lmp, dem_link);
   lmp->input->file();
   // The scene's end has stopped a run as a signal would; the script goes on behind that run.
   while (LAMMPS_NS::SignalHandler::request_quit && dem_link.finished() && interrupted() == 0) {

@@ -22,6 +22,7 @@
 #include "liggghts_fix/dem_link.h"
 #include "modify.h"
 #include "tri_mesh.h"
+#include "update.h"
 
 namespace footfall {
 namespace {
@@ -135,6 +136,25 @@ std::map<LAMMPS*, DemLink*>& links() {
   return one;
 }
 
+std::map<LAMMPS*, ForceWatch*>& watches() {
+  static std::map<LAMMPS*, ForceWatch*> one;
+  return one;
+}
+
+// Null in runs that nobody watches.
+ForceWatch* watch_of(LAMMPS* lmp) {
+  if (watches().empty()) return nullptr;
+  const auto found = watches().find(lmp);
+  return found == watches().end() ? nullptr : found->second;
+}
+
+// Likewise.
+class OpenModify : public Modify {
+ public:
+  static int* post_force_list(Modify* modify) { return modify->*&OpenModify::list_post_force; }
+  static LAMMPS* owner(Modify* modify) { return modify->*&OpenModify::lmp; }
+};
+
 using FixStyles = std::map<std::string, FixCreator>;
 
 FixStyles& styles_of(LAMMPS* lmp) { return *(lmp->modify->*Revealed<FixMap>::member); }
@@ -209,6 +229,14 @@ void reorder_mesh(TriMesh* mesh, const std::vector<int>& order) {
   for (std::vector<double>& element : elements) OpenTriMesh::put_in(mesh, element);
 }
 
+void watch_forces(LAMMPS* lmp, ForceWatch* watch) {
+  if (watch != nullptr) {
+    watches()[lmp] = watch;
+  } else {
+    watches().erase(lmp);
+  }
+}
+
 void attach_dem_link(LAMMPS* lmp, DemLink& link) { links()[lmp] = &link; }
 
 DemLink& dem_link_of(LAMMPS* lmp) {
@@ -266,4 +294,47 @@ void LAMMPS_NS::Comm::exchange() {
   exchange(this);
   const auto link = footfall::links().find(lmp);
   if (link != footfall::links().end()) link->second->grains_exchanged(before, atom->nlocal);
+}
+
+// The forces of fixes, one after the other; and the same when a run is set up.
+void LAMMPS_NS::Modify::post_force(int vflag) {
+  static const auto post_force = original<void (*)(Modify*, int)>("_ZN9LAMMPS_NS6Modify10post_forceEi");
+  footfall::ForceWatch* const watch = footfall::watch_of(footfall::OpenModify::owner(this));
+  if (watch == nullptr) {
+    post_force(this, vflag);
+    return;
+  }
+  watch->pairs_done(false);
+  for (int i = 0; i < n_post_force; ++i) {
+    Fix& one = *fix[footfall::OpenModify::post_force_list(this)[i]];
+    one.post_force(vflag);
+    watch->fix_done(one);
+  }
+  watch->forces_done(false);
+}
+
+// Beside the forces it settles what fixes know of a restart, and computes.
+void LAMMPS_NS::Modify::setup(int vflag) {
+  static const auto setup = original<void (*)(Modify*, int)>("_ZN9LAMMPS_NS6Modify5setupEi");
+  constexpr int kRun = 1, kNothing = 0;
+  footfall::ForceWatch* const watch = footfall::watch_of(footfall::OpenModify::owner(this));
+  if (watch == nullptr || update->whichflag != kRun) {
+    setup(this, vflag);
+    return;
+  }
+  watch->pairs_done(true);
+  update->whichflag = kNothing;
+  setup(this, vflag);
+  update->whichflag = kRun;
+  for (int i = 0; i < nfix; ++i) {
+    fix[i]->setup(vflag);
+    watch->fix_done(*fix[i]);
+  }
+  watch->forces_done(true);
+}
+
+void LAMMPS_NS::Modify::end_of_step() {
+  static const auto end_of_step = original<void (*)(Modify*)>("_ZN9LAMMPS_NS6Modify11end_of_stepEv");
+  if (footfall::ForceWatch* const watch = footfall::watch_of(footfall::OpenModify::owner(this))) watch->step_done();
+  end_of_step(this);
 }

@@ -53,6 +53,21 @@ bool surface_velocity_varies(LAMMPS_NS::FixMeshSurface* fix);
 // an exchange between ranks, before its ghosts are made.
 void reorder_mesh(LAMMPS_NS::TriMesh* mesh, const std::vector<int>& order);
 
+// Our module on a mesh that a body moves.
+inline constexpr const char* kMeshModule = "footfall_mbd";
+
+// Hears of the forces on the grains while LIGGGHTS adds them up, source by source.
+class ForceWatch {
+ public:
+  virtual ~ForceWatch() = default;
+  virtual void pairs_done(bool set_up) = 0;        // those of grains on each other stand; set_up: of a run, else a step
+  virtual void fix_done(LAMMPS_NS::Fix& fix) = 0;  // this one has added its own
+  virtual void forces_done(bool set_up) = 0;       // all have
+  virtual void step_done() = 0;                    // the velocities at the end of the step are known
+};
+// Null: nobody hears any more.
+void watch_forces(LAMMPS_NS::LAMMPS* lmp, ForceWatch* watch);
+
 // LIGGGHTS creates fixes by (lmp, narg, arg) alone: this is how they find the coupling that the launcher made for their
 // LIGGGHTS.
 void attach_dem_link(LAMMPS_NS::LAMMPS* lmp, DemLink& link);

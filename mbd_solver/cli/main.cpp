@@ -18,6 +18,7 @@
 #include "mbd_solver/cli/analysis/pictures_command.h"
 #include "mbd_solver/cli/analysis/report_command.h"
 #include "mbd_solver/cli/analysis/surfaces_command.h"
+#include "mbd_solver/cli/audit_command.h"
 #include "mbd_solver/cli/experiments/experiment_command.h"
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
@@ -138,6 +139,26 @@ Action compare(CLI::App& command) {
   return [a] { return compare_command(a->run, a->other, a->trust_script, a->quiet); };
 }
 
+Action audit(CLI::App& command) {
+  const auto a = std::make_shared<AuditArguments>();
+  a->run.scene = default_scene();
+  command.add_option("SCENE", a->run.scene, "Scene file, or folder with scene.toml")->capture_default_str();
+  command.add_option("--out", a->run.out, "Folder for results (default: runs/audit, the first that is free)");
+  command.add_option("--windows", a->windows, "Windows of the coupling, from the start")
+      ->check(positive())
+      ->capture_default_str();
+  command.add_option("--until", a->run.until, "Go on until then [s], however many windows that are")
+      ->check(positive());
+  command.add_option("--ranks", a->run.ranks, "LIGGGHTS processes")->check(positive());
+  command.add_option("--set", a->run.settings, "key=value: change one value of the scene")->allow_extra_args(false);
+  command.add_option("--scheme", a->run.scheme, "Coupling scheme (coupling.scheme)");
+  command.add_flag("--force", a->run.force,
+                   "Run into the folder of an earlier run; the files that it made are removed first");
+  command.add_flag("--trust-script", a->run.trust_script,
+                   "LIGGGHTS scripts of the scene may run programs and write anywhere");
+  return [a] { return audit_command(*a); };
+}
+
 Action pictures(CLI::App& command) {
   const auto a = std::make_shared<PicturesArguments>();
   command.add_option("DIR", a->run, "Folder of a run that dumped its grains")->required();
@@ -211,6 +232,7 @@ constexpr Subcommand kSubcommands[] = {
     {"surfaces", "Draw the control surfaces of a scene's fuzzy controllers", surfaces},
     {"sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted", sweep},
     {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},
+    {"audit", "Check that what grains lose mechanism and walls get: momentum and energy, window by window", audit},
     {"pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures", pictures},
     {"report", "One HTML page for a run or a sweep: DIR/report.html", report},
     {"accuracy", "Error against run time (a study), or a stability map: CSV, picture, table", accuracy},

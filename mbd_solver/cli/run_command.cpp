@@ -76,6 +76,7 @@ int run_command(const RunArguments& arguments) {
   std::fflush(stdout);
   if (isatty(STDOUT_FILENO) == 1) command.environment["FOOTFALL_TERMINAL"] = "1";
   command.environment[kLockedFolder] = locked_name(out);
+  if (arguments.audit) command.environment[kAuditFolder] = fs::absolute(fs::path(out) / "audit").string();
 
   // Within a window the two programs notice it themselves, and know more to say.
   constexpr double kLater = 5.0;  // [s]

@@ -16,6 +16,7 @@ struct RunArguments {
   bool force = false;                 // into a folder with an earlier run, whose files are removed first
   bool trust_script = false;          // the script may run programs and write anywhere
   bool quiet = false;
+  bool audit = false;   // both programs count what they exchange, into RUN/audit
   bool resume = false;  // go on with the run in `out`; empty: the one last kept in runs
 };
 

@@ -1,6 +1,9 @@
 #include "mbd_solver/run/run_files.h"
 
+#include <cstdlib>
+
 #include "coupler/base/folder.h"
+#include "coupler/programs.h"
 
 namespace footfall {
 namespace {
@@ -21,6 +24,8 @@ RunFiles::RunFiles(const Simulation& simulation, const std::string& folder, Begi
       picture_turns_(simulation.scene().output.vtk_interval, 0.0) {
   if (simulation.coupled())
     motion_.emplace(simulation.subject(), simulation.kinematics(), folder_ + "motion", beginning);
+  if (const char* const audit = std::getenv(kAuditFolder); audit != nullptr && simulation.coupled())
+    audit_.emplace(simulation.subject(), audit);
   if (simulation.scene().output.vtk) drawing_.emplace(simulation.subject());
 }
 
@@ -37,6 +42,7 @@ void RunFiles::write_due(const Sample& sample) {
   const double time = sample.state.time;
   if (rows_.take_turn(time) || sample.last) history_.write(observation_.row(sample));
   if (motion_) motion_->write(sample);
+  if (audit_) audit_->write(sample);
   if (drawing_ && picture_turns_.take_turn(time)) pictures_.write(time, drawing_->frame(sample));
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mbd_solver/observe/drawing.h"
+#include "mbd_solver/observe/momentum_record.h"
 #include "mbd_solver/observe/motion_record.h"
 #include "mbd_solver/observe/observation.h"
 #include "mbd_solver/output/history.h"
@@ -39,6 +40,7 @@ class RunFiles {
   Observation observation_;
   HistoryWriter history_;
   std::optional<MotionRecord> motion_;  // none without grains
+  std::optional<MomentumRecord> audit_;  // none unless the environment asks for it (coupler/programs.h)
   std::optional<Drawing> drawing_;      // none unless the scene asks for pictures
   VtkSeries pictures_;
   IntervalClock rows_, picture_turns_;

@@ -1,0 +1,329 @@
+#include "liggghts_fix/fix_couple_mbd_audit.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include "atom.h"
+#include "comm.h"
+#include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
+#include "coupler/mpi_check.h"
+#include "coupler/programs.h"
+#include "domain.h"
+#include "fix_gravity.h"
+#include "fix_mesh_surface.h"
+#include "fix_multisphere.h"
+#include "fix_wall_gran.h"
+#include "liggghts_fix/fix_wall_gran_beam.h"
+#include "liggghts_fix/fix_wall_share.h"
+#include "modify.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+namespace {
+
+using Real = long double;
+using Vector = Eigen::Matrix<Real, 3, 1>;
+
+Vector vector(const double* x) { return {x[0], x[1], x[2]}; }
+
+bool is_coupled(FixMeshSurface* mesh) { return mesh->get_module(footfall::kMeshModule) != nullptr; }
+
+// Meshes of a wall that bodies move, and others.
+std::pair<int, int> coupled_and_not(FixWallGran& wall) {
+  std::pair<int, int> count{0, 0};
+  if (!wall.is_mesh_wall()) return count;
+  for (int k = 0; k < wall.n_meshes(); ++k) ++(is_coupled(wall.mesh_list()[k]) ? count.first : count.second);
+  return count;
+}
+
+std::string kind_of(Fix& fix) {
+  if (dynamic_cast<FixGravity*>(&fix) != nullptr) return "gravity";
+  if (dynamic_cast<FixWallGranBeam*>(&fix) != nullptr) return "body_wall";
+  if (auto* wall = dynamic_cast<FixWallGran*>(&fix)) return coupled_and_not(*wall).first > 0 ? "body_wall" : "wall";
+  return "fix";
+}
+
+}  // namespace
+
+GrainAudit::GrainAudit(LAMMPS* lmp_, footfall::DemLink& link, const std::string& file) : Pointers(lmp_), link_(link) {
+  footfall::watch_forces(lmp, this);
+  if (comm->me != 0) return;
+  file_.open(file);
+  if (!file_) throw footfall::InputError(file + ": cannot be written");
+  file_.precision(17);
+  file_ << "window,kind,name,jx,jy,jz,lx,ly,lz,force,moment\n";
+}
+
+GrainAudit::~GrainAudit() { footfall::watch_forces(lmp, nullptr); }
+
+GrainAudit::Account& GrainAudit::account(const std::string& kind, const std::string& name) {
+  const auto [place, is_new] = places_.try_emplace(kind + " " + name, accounts_.size());
+  if (is_new) {
+    accounts_.emplace_back();
+    accounts_.back().kind = kind;
+    accounts_.back().name = name;
+  }
+  return accounts_[place->second];
+}
+
+bool GrainAudit::is_clump(int i) const { return clumps_ != nullptr && clumps_->belongs_to(i) >= 0; }
+bool GrainAudit::is_integrated(int i) const { return is_clump(i) || (atom->mask[i] & moved_by_) != 0; }
+bool GrainAudit::is_rotated(int i) const { return is_clump(i) || (atom->mask[i] & turned_by_) != 0; }
+
+void GrainAudit::find_integrators() {
+  moved_by_ = turned_by_ = 0;
+  clumps_ = nullptr;
+  for (int i = 0; i < modify->nfix; ++i) {
+    Fix& fix = *modify->fix[i];
+    if (auto* clumps = dynamic_cast<FixMultisphere*>(&fix)) {
+      clumps_ = clumps;
+    } else if (fix.time_integrate == 1) {
+      moved_by_ |= fix.groupbit;
+      if (std::strstr(fix.style, "sphere") != nullptr) turned_by_ |= fix.groupbit;
+    }
+  }
+}
+
+// A wall whose meshes bodies move in part only: the others are told apart at their contacts.
+void GrainAudit::watch_mixed_walls() {
+  for (int i = 0; i < modify->nfix; ++i) {
+    auto* wall = dynamic_cast<FixWallGran*>(modify->fix[i]);
+    if (wall == nullptr) continue;
+    const auto [coupled, others] = coupled_and_not(*wall);
+    if (coupled == 0 || others == 0 || shares_.count(wall->id) > 0) continue;
+    shares_[wall->id] = MeshShare::watch(lmp, *wall, [](FixMeshSurface* mesh) { return !is_coupled(mesh); });
+  }
+}
+
+void GrainAudit::remember() {
+  before_.resize(static_cast<std::size_t>(atom->nlocal));
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double *const f = atom->f[i], *const t = atom->torque[i];
+    before_[static_cast<std::size_t>(i)] = {f[0], f[1], f[2], t[0], t[1], t[2]};
+  }
+}
+
+void GrainAudit::add_source(Account& source) const {
+  source.now.setZero();
+  source.gross_force = source.gross_moment = 0.0L;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double* const before = before_[static_cast<std::size_t>(i)].data();
+    const Vector f = vector(atom->f[i]) - vector(before), t = vector(atom->torque[i]) - vector(before + 3);
+    if (f.isZero(0.0L) && t.isZero(0.0L)) continue;
+    const Vector arm = vector(atom->x[i]).cross(f);
+    source.now.head<3>() += f;
+    source.now.tail<3>() += arm + t;
+    source.gross_force += f.norm();
+    source.gross_moment += arm.norm() + t.norm();
+  }
+}
+
+void GrainAudit::pairs_done(bool set_up) {
+  if (!link_.started()) return;
+  if (set_up) {
+    find_integrators();
+    watch_mixed_walls();
+    // A new run: sources that are gone do nothing any more.
+    for (Account& one : accounts_) {
+      one.now.setZero();
+      one.gross_force = one.gross_moment = 0.0L;
+    }
+  }
+  for (auto& [id, share] : shares_) share->setZero();
+  before_.assign(static_cast<std::size_t>(atom->nlocal), {});
+  add_source(account("pairs", "-"));
+  remember();
+}
+
+void GrainAudit::fix_done(Fix& fix) {
+  if (!link_.started()) return;
+  const std::string kind = kind_of(fix);
+  if (kind == "fix" && (modify->fmask[modify->my_index(&fix)] & FixConst::POST_FORCE) == 0) return;
+  const auto share = shares_.find(fix.id);
+  Account& source = account(kind, fix.id);
+  add_source(source);
+  remember();
+  if (share == shares_.end()) return;
+  source.now -= *share->second;
+  account("wall", std::string(fix.id) + " (meshes of no body)").now = *share->second;
+}
+
+void GrainAudit::count_held() {
+  Wrench held = Wrench::Zero();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const Vector f = vector(atom->f[i]), x = vector(atom->x[i]);
+    if (!is_integrated(i)) held.head<3>() -= f, held.tail<3>() -= x.cross(f);
+    if (!is_rotated(i)) held.tail<3>() -= vector(atom->torque[i]);
+  }
+  account("held", "-").now = held;
+}
+
+// fix gravity leaves clumps to fix multisphere.
+void GrainAudit::count_weight() {
+  Wrench of_clumps = Wrench::Zero();
+  for (int k = 0; k < modify->nfix; ++k) {
+    auto* gravity = dynamic_cast<FixGravity*>(modify->fix[k]);
+    if (gravity == nullptr) continue;
+    double g_now[3];
+    gravity->get_gravity(g_now);
+    const Vector g = vector(g_now);
+    Wrench weight = Wrench::Zero();
+    for (int i = 0; i < atom->nlocal; ++i) {
+      if ((atom->mask[i] & gravity->groupbit) == 0 || is_clump(i)) continue;
+      const Vector mg = static_cast<Real>(atom->rmass[i]) * g;
+      weight.head<3>() += mg;
+      weight.tail<3>() += vector(atom->x[i]).cross(mg);
+    }
+    account("weight", gravity->id).now = weight;
+    for (int body = 0; clumps_ != nullptr && body < clumps_->n_body(); ++body) {
+      double x[3];
+      clumps_->data().xcm(x, body);
+      const Vector mg = static_cast<Real>(clumps_->data().mass(body)) * g;
+      of_clumps.head<3>() += mg;
+      of_clumps.tail<3>() += vector(x).cross(mg);
+    }
+  }
+  if (clumps_ == nullptr) return;
+  account("gravity", clumps_->id).now = of_clumps;
+  account("weight", clumps_->id).now = of_clumps;
+}
+
+void GrainAudit::count_bodies() {
+  for (int i = 0; i < link_.body_count(); ++i) {
+    const footfall::DemBody& body = link_.body(i);
+    const footfall::GeneralizedForce& Q = body.contact_force();
+    const Vector F = Q.F_W.cast<Real>(), T = Q.T_W.cast<Real>();
+    Wrench& about_origin = account("body", link_.body_name(i)).now;
+    about_origin << F, T + body.pose().r.cast<Real>().cross(F);
+    Wrench& in_body = account("mean", link_.body_name(i)).now;
+    in_body << F, body.pose().rotation().cast<Real>().transpose() * T;
+  }
+}
+
+void GrainAudit::forces_done(bool set_up) {
+  if (!link_.started()) return;
+  count_held();
+  count_weight();
+  count_bodies();
+  if (set_up) {
+    for (Account& one : accounts_) one.before = one.now;
+    if (windows_ < 0) write_state(windows_), windows_ = 0;
+    return;
+  }
+  const Real dt = update->dt;
+  const footfall::StepWeights scheme = link_.scheme().weights();
+  for (Account& one : accounts_) {
+    const bool by_scheme = one.kind == "mean";
+    const Real opening = by_scheme ? scheme.opening : 0.5L, closing = by_scheme ? scheme.closing : 0.5L;
+    one.impulse += dt * (opening * one.before + closing * one.now);
+    const bool summed = one.gross_force == 0.0L && one.gross_moment == 0.0L;
+    one.force += dt * (summed ? one.now.head<3>().norm() : one.gross_force);
+    one.moment += dt * (summed ? one.now.tail<3>().norm() : one.gross_moment);
+    one.before = one.now;
+  }
+  ++steps_;
+}
+
+void GrainAudit::step_done() {
+  if (!link_.started() || link_.windows() <= windows_) return;
+  const long window = static_cast<long>(windows_);
+  write_accounts(window);
+  write_state(window);
+  if (comm->me == 0 && !file_.flush()) throw footfall::NumericalError("the file of the audit cannot be written");
+  windows_ = link_.windows();
+  steps_ = 0;
+}
+
+void GrainAudit::write_state(long window) {
+  Vector g = Vector::Zero();
+  for (int k = 0; k < modify->nfix; ++k) {
+    auto* gravity = dynamic_cast<FixGravity*>(modify->fix[k]);
+    if (gravity == nullptr) continue;
+    double g_now[3];
+    gravity->get_gravity(g_now);
+    g += vector(g_now);
+  }
+  // P, L; |m v|, |x| |m v| + |I w|; kinetic energy; m g . x; how many
+  Eigen::Matrix<Real, 11, 1> sum = Eigen::Matrix<Real, 11, 1>::Zero();
+  const auto add = [&](Real m, const Vector& x, const Vector& v, const Vector& spin, Real rotation) {
+    sum.head<3>() += m * v;
+    sum.segment<3>(3) += x.cross(m * v) + spin;
+    sum[6] += m * v.norm();
+    sum[7] += x.norm() * m * v.norm() + spin.norm();
+    sum[8] += 0.5L * m * v.squaredNorm() + rotation;
+    sum[9] += m * g.dot(x);
+    sum[10] += 1.0L;
+  };
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (is_clump(i) || !is_integrated(i)) continue;
+    const Real m = atom->rmass[i], r = atom->radius[i];
+    const Vector w = is_rotated(i) ? vector(atom->omega[i]) : Vector(Vector::Zero());
+    const Real I = 0.4L * m * r * r;
+    add(m, vector(atom->x[i]), vector(atom->v[i]), I * w, 0.5L * I * w.squaredNorm());
+  }
+  for (int body = 0; clumps_ != nullptr && body < clumps_->n_body(); ++body) {
+    double x[3], v[3], w[3], spin[3];
+    clumps_->data().xcm(x, body);
+    clumps_->data().vcm(v, body);
+    clumps_->data().omega(w, body);
+    clumps_->data().angmom(spin, body);
+    add(clumps_->data().mass(body), vector(x), vector(v), vector(spin), 0.5L * vector(w).dot(vector(spin)));
+  }
+  footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, sum.data(), 11, MPI_LONG_DOUBLE, MPI_SUM, world), "MPI_Allreduce");
+  write(window, "state", "-", sum.head<6>(), sum[6], sum[7]);
+  Wrench energy = Wrench::Zero();
+  energy[0] = sum[8];
+  energy[1] = sum[9];
+  energy[2] = sum[10];
+  write(window, "energy", "-", energy, 0.0L, 0.0L);
+}
+
+void GrainAudit::write_accounts(long window) {
+  std::vector<Real> row;
+  for (const Account& one : accounts_) {
+    row.insert(row.end(), one.impulse.data(), one.impulse.data() + 6);
+    row.insert(row.end(), {one.force, one.moment});
+  }
+  footfall::check_mpi(
+      MPI_Allreduce(MPI_IN_PLACE, row.data(), static_cast<int>(row.size()), MPI_LONG_DOUBLE, MPI_SUM, world),
+      "MPI_Allreduce");
+  double grains = static_cast<double>(atom->nlocal);
+  footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, &grains, 1, MPI_DOUBLE, MPI_SUM, world), "MPI_Allreduce");
+  const Real H = static_cast<Real>(update->dt) * steps_;
+  Wrench clock;
+  clock << link_.time(), H, 0.0L, steps_, grains, domain->xperiodic + 2 * domain->yperiodic + 4 * domain->zperiodic;
+  write(window, "clock", "-", clock, 0.0L, 0.0L);
+  for (std::size_t k = 0; k < accounts_.size(); ++k) {
+    const Real* const values = &row[8 * k];
+    write(window, accounts_[k].kind, accounts_[k].name, Eigen::Map<const Wrench>(values), values[6], values[7]);
+    accounts_[k].impulse.setZero();
+    accounts_[k].force = accounts_[k].moment = 0.0L;
+  }
+  for (int i = 0; i < link_.body_count(); ++i) {
+    const footfall::MeanLoad& mean = link_.body(i).load().mean;
+    Wrench load = Wrench::Zero();
+    load << H * mean.F_W.cast<Real>(), H * mean.T_B.cast<Real>();
+    write(window, "load", link_.body_name(i), load, 0.0L, 0.0L);
+    load << mean.impulse_W.cast<Real>(), static_cast<Real>(mean.work), 0.0L, 0.0L;
+    write(window, "impulse", link_.body_name(i), load, 0.0L, 0.0L);
+  }
+}
+
+void GrainAudit::write(long window, const std::string& kind, const std::string& name, const Wrench& value, Real size,
+                       Real size_of_moment) {
+  if (comm->me != 0) return;
+  file_ << window << "," << kind << "," << name;
+  for (const Real x : value) file_ << "," << static_cast<double>(x);
+  file_ << "," << static_cast<double>(size) << "," << static_cast<double>(size_of_moment) << "\n";
+}
+
+std::unique_ptr<GrainAudit> audit_if_asked(LAMMPS* lmp, footfall::DemLink& link) {
+  const char* const folder = std::getenv(footfall::kAuditFolder);
+  if (folder == nullptr || !link.has_partner()) return nullptr;
+  footfall::make_folder(folder);
+  return std::make_unique<GrainAudit>(lmp, link, std::string(folder) + "/grains.csv");
+}
+
+}  // namespace LAMMPS_NS

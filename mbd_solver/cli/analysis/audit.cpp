@@ -1,0 +1,287 @@
+#include "mbd_solver/cli/analysis/audit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+
+namespace footfall {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+// Round-off: every half step rounds the velocity of every grain, and every contact its force.
+constexpr double kRoundingsPerStep = 4.0, kRoundingsOfForce = 100.0;
+
+// Linear, or angular about the origin.
+struct Impulse {
+  Vector3d value = Vector3d::Zero();
+  double size = 0.0;  // integral of the magnitude
+};
+
+// Collects one line over the windows.
+class LineMaker {
+ public:
+  LineMaker(std::string quantity, std::string unit) {
+    line_.quantity = std::move(quantity);
+    line_.unit = std::move(unit);
+  }
+  // `flowed`: what the bound is relative to.
+  void take(long window, double defect, double flowed, double relative_bound, double round_off) {
+    if (flowed <= 0.0 && defect <= round_off) return;  // nothing flowed
+    const double bound = relative_bound * flowed + round_off;
+    const double excess = bound > 0.0 ? defect / bound : std::numeric_limits<double>::infinity();
+    if (line_.verdict != Verdict::kNotExercised && excess <= excess_) return;
+    excess_ = excess;
+    line_.defect = defect;
+    line_.flowed = flowed;
+    line_.relative = flowed > 0.0 ? defect / flowed : 0.0;
+    line_.bound = bound;
+    line_.window = window;
+    line_.verdict = excess <= 1.0 ? Verdict::kHolds : Verdict::kWrong;
+  }
+  void leave_out(const std::string& why) {
+    line_.verdict = Verdict::kNotChecked;
+    line_.note = why;
+  }
+  AuditLine line() const { return line_; }
+
+ private:
+  AuditLine line_;
+  double excess_ = -1.0;
+};
+
+// The components of an angular momentum that periodic directions leave alone: a grain, or a force, that passes over to
+// the other side changes the others by an arm of a period.
+Vector3d whole_components(int periodic) {
+  switch (periodic) {
+    case 0: return Vector3d::Ones();
+    case 1: return Vector3d::UnitX();
+    case 2: return Vector3d::UnitY();
+    case 4: return Vector3d::UnitZ();
+    default: return Vector3d::Zero();
+  }
+}
+
+// Sum over all sources of one kind in a window.
+Impulse sum_of(const AuditWindow& window, const std::string& kind, bool angular) {
+  Impulse sum;
+  for (const AuditSource& source : window.sources) {
+    if (source.kind != kind) continue;
+    sum.value += angular ? source.angular : source.linear;
+    sum.size += angular ? source.moment : source.force;
+  }
+  return sum;
+}
+
+// What does not depend on linear or angular.
+struct Scales {
+  double flowed, round_off;
+};
+Scales scales_of(const AuditWindow& window, bool angular) {
+  Scales scales{sum_of(window, "body_wall", angular).size, 0.0};
+  double all = 0.0;
+  for (const char* kind : {"pairs", "gravity", "wall", "body_wall", "fix", "held", "body"})
+    all += sum_of(window, kind, angular).size;
+  const double size = angular ? window.state.moment : window.state.force;
+  scales.round_off = kEps * (kRoundingsPerStep * (window.substeps + 2.0) * size + kRoundingsOfForce * all);
+  return scales;
+}
+
+void balance_of_grains(const GrainsAudit& grains, bool angular, std::vector<AuditLine>& lines) {
+  const std::string what = angular ? "angular" : "linear", unit = angular ? "N m s" : "N s";
+  LineMaker balance("grains: " + what + " momentum", unit), walls("walls of bodies: " + what + " impulse", unit),
+      pairs("grains on each other: " + what, unit), gravity("gravity: " + what + " impulse", unit);
+  const AuditSource* before = &grains.start;
+  double count = grains.start_count;
+  std::string insertion;
+  for (const AuditWindow& window : grains.windows) {
+    const Vector3d mask = angular ? whole_components(window.periodic) : Vector3d(Vector3d::Ones());
+    const auto size = [&mask](const Vector3d& v) { return mask.cwiseProduct(v).norm(); };
+    const auto sum = [&](const char* kind) { return sum_of(window, kind, angular); };
+    const Scales scales = scales_of(window, angular);
+    const Impulse of_pairs = sum("pairs"), of_gravity = sum("gravity"), weight = sum("weight"), body = sum("body");
+    const Vector3d got =
+        of_pairs.value + of_gravity.value + sum("wall").value + sum("fix").value + sum("held").value - body.value;
+    const Vector3d change =
+        angular ? Vector3d(window.state.angular - before->angular) : Vector3d(window.state.linear - before->linear);
+    if (count == window.count) {
+      balance.take(window.number, size(change - got), scales.flowed, kAuditBound, scales.round_off);
+    } else {
+      insertion = "grains came or went; windows in which they did are left out";
+    }
+    walls.take(window.number, size(sum("body_wall").value + body.value), scales.flowed, kAuditBound, scales.round_off);
+    // The grains on both sides of a period share one contact with two arms.
+    if (!angular || window.periodic == 0)
+      pairs.take(window.number, of_pairs.value.norm(), of_pairs.size, kAuditBound, 0.0);
+    gravity.take(window.number, (of_gravity.value - weight.value).norm(), of_gravity.size, kAuditBound, 0.0);
+    before = &window.state;
+    count = window.count;
+  }
+  const int periodic = grains.windows.empty() ? 0 : grains.windows.front().periodic;
+  if (angular && whole_components(periodic).isZero(0.0)) {
+    for (LineMaker* line : {&balance, &walls}) line->leave_out("two directions are periodic");
+  }
+  if (angular && periodic != 0) pairs.leave_out("a direction is periodic");
+  for (const LineMaker* maker : {&balance, &walls, &pairs, &gravity}) lines.push_back(maker->line());
+  if (!insertion.empty()) lines[lines.size() - 4].note = insertion;
+}
+
+// What each body got, on its way from the contacts into the integrator.
+void ways_of_loads(const GrainsAudit& grains, const MechanismAudit& mechanism, std::vector<AuditLine>& lines) {
+  LineMaker impulse("load: impulse, counted and sent", "N s"), force("load: mean force, counted and sent", "N s"),
+      moment("load: mean moment, counted and sent", "N m s"), felt("load: sent and felt", "N s");
+  for (std::size_t k = 0; k < grains.windows.size(); ++k) {
+    const AuditWindow& window = grains.windows[k];
+    const double linear = kEps * kRoundingsOfForce * sum_of(window, "body_wall", false).size,
+                 angular = kEps * kRoundingsOfForce * sum_of(window, "body_wall", true).size;
+    for (const AuditSource& body : window.sources) {
+      if (body.kind != "body") continue;
+      const AuditSource &mean = window.find("mean", body.name), &load = window.find("load", body.name),
+                        &sent = window.find("impulse", body.name);
+      impulse.take(window.number, (sent.linear - body.linear).norm(), body.force, kAuditBound, linear);
+      force.take(window.number, (load.linear - mean.linear).norm(), body.force, kAuditBound, linear);
+      moment.take(window.number, (load.angular - mean.angular).norm(), mean.moment, kAuditBound, angular);
+      if (k + 1 >= mechanism.rows.size()) continue;
+      const MechanismLoad& got = mechanism.rows[k + 1].loads.at(body.name);
+      const double H = window.length;
+      felt.take(window.number, (H * got.F_W - load.linear).norm() + (H * got.T_B - load.angular).norm(),
+                load.linear.norm() + load.angular.norm(), kAuditBound, 0.0);
+    }
+  }
+  for (const LineMaker* maker : {&impulse, &force, &moment, &felt}) lines.push_back(maker->line());
+}
+
+void balance_of_mechanism(const GrainsAudit& grains, const MechanismAudit& mechanism, std::vector<AuditLine>& lines) {
+  LineMaker momentum("mechanism: linear momentum", "N s");
+  for (std::size_t k = 1; k < mechanism.rows.size() && k <= grains.windows.size(); ++k) {
+    const MechanismRow &from = mechanism.rows[k - 1], &to = mechanism.rows[k];
+    const double H = grains.windows[k - 1].length;
+    Vector3d got = H * to.mass * to.gravity;
+    double flowed = got.norm();
+    for (const auto& [name, load] : to.loads) {
+      got += H * load.F_W;
+      flowed += H * load.F_W.norm();
+    }
+    momentum.take(grains.windows[k - 1].number, (to.momentum - from.momentum - got).norm(), flowed, kMechanismBound,
+                  kEps * kRoundingsOfForce * to.size);
+  }
+  if (!mechanism.free) momentum.leave_out("the ground holds it, drives it, or forces are applied to it");
+  if (mechanism.reacts) momentum.leave_out("with scheme tangent the load moves with the body within the window");
+  lines.push_back(momentum.line());
+}
+
+// Work that bodies did on the grains, and what became of it. Elastic energy of contacts is not known to LIGGGHTS: it
+// stands in what is called lost here, which may therefore fall.
+void energies(const GrainsAudit& grains, const MechanismAudit& mechanism, std::vector<AuditLine>& lines) {
+  AuditLine lost, gap;
+  lost.quantity = "grains: energy that came back from contacts";
+  lost.note = "elastic energy of contacts: stored before, or made";
+  gap.quantity = "interface: work given and received";
+  gap.note = "of the scheme; summary.json judges it";
+  double sum = 0.0, most = 0.0, flow = 0.0, given = 0.0, work_flow = 0.0;
+  const Vector3d* before = &grains.start_energy;
+  for (const AuditWindow& window : grains.windows) {
+    double work = 0.0;
+    for (const AuditSource& source : window.sources)
+      if (source.kind == "impulse") work += source.angular.x();
+    const double change = window.energy.x() - before->x() - (window.energy.y() - before->y());
+    if (window.count == before->z()) {
+      sum += -work - change;
+      flow += std::abs(work) + std::abs(window.energy.x() - before->x());
+    }
+    given += work;
+    work_flow += std::abs(work);
+    most = std::max(most, sum);
+    if (most - sum > lost.defect) lost.defect = most - sum, lost.window = window.number;
+    before = &window.energy;
+  }
+  double received = 0.0;
+  if (!mechanism.rows.empty())
+    for (const auto& [name, load] : mechanism.rows.back().loads) received += load.received;
+  gap.defect = std::abs(given - received);
+  const std::array<std::pair<AuditLine*, double>, 2> both{{{&lost, flow}, {&gap, work_flow}}};
+  for (const auto& [line, flowed] : both) {
+    line->unit = "J";
+    line->flowed = flowed;
+    line->relative = flowed > 0.0 ? line->defect / flowed : 0.0;
+    line->verdict = flowed > 0.0 ? Verdict::kTold : Verdict::kNotExercised;
+    lines.push_back(*line);
+  }
+}
+
+std::string cell(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+}  // namespace
+
+std::string verdict_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kHolds: return "holds";
+    case Verdict::kWrong: return "WRONG";
+    case Verdict::kNotExercised: return "nothing flowed";
+    case Verdict::kNotChecked: return "not checked";
+    case Verdict::kTold: return "told";
+  }
+  return "";
+}
+
+std::vector<AuditLine> audit_lines(const std::string& folder) {
+  return audit_lines(read_grains_audit(folder + "/grains.csv"), read_mechanism_audit(folder + "/mechanism.csv"));
+}
+
+std::vector<AuditLine> audit_lines(const GrainsAudit& grains, const MechanismAudit& mechanism) {
+  std::vector<AuditLine> lines;
+  balance_of_grains(grains, false, lines);
+  balance_of_grains(grains, true, lines);
+  ways_of_loads(grains, mechanism, lines);
+  balance_of_mechanism(grains, mechanism, lines);
+  energies(grains, mechanism, lines);
+  return lines;
+}
+
+std::string audit_table(const std::vector<AuditLine>& lines) {
+  std::vector<std::vector<std::string>> rows = {
+      {"quantity", "unit", "worst defect", "of what flowed", "window", "bound", "verdict"}};
+  std::vector<std::string> notes;
+  int holds = 0, wrong = 0;
+  for (const AuditLine& line : lines) {
+    const bool measured = line.verdict == Verdict::kHolds || line.verdict == Verdict::kWrong;
+    const bool told = line.verdict == Verdict::kTold;
+    rows.push_back({line.quantity, line.unit, measured || told ? cell(line.defect) : "-",
+                    measured || told ? cell(line.relative) : "-",
+                    line.window >= 0 && (measured || told) ? std::to_string(line.window) : "-",
+                    measured ? cell(line.bound) : "-", verdict_text(line.verdict)});
+    if (!line.note.empty()) notes.push_back(line.quantity + ": " + line.note);
+    holds += line.verdict == Verdict::kHolds ? 1 : 0;
+    wrong += line.verdict == Verdict::kWrong ? 1 : 0;
+  }
+  std::vector<std::size_t> width(rows[0].size(), 0);
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
+  std::string text;
+  for (const auto& row : rows) {
+    std::string one;
+    for (std::size_t c = 0; c < row.size(); ++c) one += row[c] + std::string(width[c] + 2 - row[c].size(), ' ');
+    text += one.substr(0, one.find_last_not_of(' ') + 1) + "\n";
+  }
+  for (const std::string& note : notes) text += "note: " + note + "\n";
+  return text + "audit: " + std::to_string(holds) + " quantities hold, " + std::to_string(wrong) + " are wrong\n";
+}
+
+bool audit_holds(const std::vector<AuditLine>& lines) {
+  return std::none_of(lines.begin(), lines.end(),
+                      [](const AuditLine& line) { return line.verdict == Verdict::kWrong; });
+}
+
+}  // namespace footfall
