@@ -4,6 +4,7 @@
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/elements/joint_force.h"
+#include "mbd_solver/model/laws/brake.h"
 #include "mbd_solver/model/laws/end_stop.h"
 #include "mbd_solver/model/laws/joint_friction.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
@@ -50,7 +51,16 @@ Laws laws_of(const CoordinateSpec& spec) {
   return laws;
 }
 
+std::unique_ptr<StrutLaw> build_brake(const DriveSpec& spec) {
+  BrakeParameters p;
+  p.command = time_function(spec.command);
+  p.largest_force = spec.gear_ratio * spec.max_torque.value_or(0.0);
+  p.lag = spec.lag;
+  return std::make_unique<Brake>(p);
+}
+
 std::unique_ptr<StrutLaw> build(const DriveSpec& spec) {
+  if (spec.kind == MotorKind::kBrake) return build_brake(spec);
   MotorParameters p;
   p.kind = spec.kind;
   p.command = time_function(spec.command);
@@ -64,9 +74,10 @@ std::unique_ptr<StrutLaw> build(const DriveSpec& spec) {
   return std::make_unique<Motor>(p);
 }
 
-int add_joint_force(const std::string& name, int joint, Coordinate coordinate, Laws laws, Model& model) {
+int add_joint_force(const std::string& name, int joint, Coordinate coordinate, Laws laws, Model& model,
+                    int command = -1) {
   const Marker m1 = model.joint(joint).m1, m2 = model.joint(joint).m2;
-  return model.add_force(std::make_unique<JointForce>(name, m1, m2, coordinate, std::move(laws)));
+  return model.add_force(std::make_unique<JointForce>(name, m1, m2, coordinate, std::move(laws), command));
 }
 
 }  // namespace
@@ -91,7 +102,8 @@ void add_drives(const Scene& scene, Mechanism& mechanism) {
         scene.coordinate_of(spec) == CoordinateChoice::kAngle ? Coordinate::kAngle : Coordinate::kDisplacement;
     Laws laws;
     laws.push_back(build(spec));
-    const int force = add_joint_force("drive/" + spec.name, joint, coordinate, std::move(laws), model);
+    const int force = add_joint_force("drive/" + spec.name, joint, coordinate, std::move(laws), model,
+                                      signal_place(mechanism, spec.command->signal));
     mechanism.drives.push_back({spec.name, force, coordinate});
     if (spec.rotor_inertia == 0.0) continue;
     const Marker m1 = model.joint(joint).m1, m2 = model.joint(joint).m2;

@@ -40,7 +40,7 @@ std::unique_ptr<StrutLaw> build(const MrSpec& spec, const StrutSpec&, double) {
   p.viscous_coefficient = spec.viscous;
   p.regularisation_speed = spec.regularisation_speed;
   p.coil_lag = spec.coil_lag;
-  p.initial_voltage = spec.controller.empty() ? spec.voltage : spec.initial_voltage;
+  p.initial_voltage = spec.controller.empty() && spec.signal.empty() ? spec.voltage : spec.initial_voltage;
   for (const Eigen::Vector2d& row : spec.yield_table) p.yield_table.push_back({row.x(), row.y()});
   if (spec.geometry) {
     const MrGeometrySpec& g = *spec.geometry;
@@ -115,6 +115,8 @@ void add_struts(const Scene& scene, Mechanism& mechanism) {
           if (controller.name + "." + controller.outputs[k] == spec.mr->controller)
             voltage = controller.first_voltage + static_cast<int>(k);
       FOOTFALL_DEMAND(voltage >= 0);
+    } else if (spec.mr && !spec.mr->signal.empty()) {
+      voltage = signal_place(mechanism, spec.mr->signal);
     } else if (spec.mr) {
       voltage = static_cast<int>(mechanism.voltages.size());
       mechanism.voltages.conservativeResize(voltage + 1);
@@ -183,6 +185,9 @@ void add_springs(const Scene& scene, Mechanism& mechanism) {
 void add_forces(const Scene& scene, Mechanism& mechanism) {
   const Placement& placement = mechanism.placement;
   Model& model = mechanism.model;
+  const auto magnitude = [&](const std::optional<TimeFunctionSpec>& spec) {
+    return Magnitude(time_function(spec), spec ? signal_place(mechanism, spec->signal) : -1);
+  };
   for (const ForceSpec& spec : scene.forces) {
     const int body = scene.body_index(spec.body);
     const Eigen::Vector3d p_W = spec.point ? placement.point(*spec.point) : model.initial(body).r;
@@ -191,7 +196,7 @@ void add_forces(const Scene& scene, Mechanism& mechanism) {
                                          : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
     model.add_force(std::make_unique<AppliedForce>("force/" + spec.name, model.marker_at(body, p_W, axes_W),
                                                    turns ? std::nullopt : std::optional(spec.direction),
-                                                   time_function(spec.force), time_function(spec.torque)));
+                                                   magnitude(spec.force), magnitude(spec.torque)));
   }
 }
 

@@ -47,17 +47,20 @@ Mechanism build_mechanism(const Scene& scene) {
   std::vector<std::string> warnings = scene.warnings;
   const std::vector<FlexibleBody> flexible = build_flexible_bodies(scene, warnings);
   std::vector<BodyBoundary> boundaries = build_boundaries(scene, flexible);
-  Mechanism mechanism{place(scene, boundaries, flexible), Model(scene.gravity), {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  Mechanism mechanism{
+      place(scene, boundaries, flexible), Model(scene.gravity), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, -1, {}};
   mechanism.boundaries = std::move(boundaries);
   mechanism.warnings = std::move(warnings);
   add_bodies(scene, flexible, mechanism);
   add_joints(scene, mechanism);
-  add_drives(scene, mechanism);
   add_controllers(scene, mechanism);
+  add_signal_places(scene, mechanism);
+  add_drives(scene, mechanism);
   add_struts(scene, mechanism);
   add_springs(scene, mechanism);
   add_forces(scene, mechanism);
   add_plane(scene, mechanism);
+  add_signals(scene, mechanism);
   return mechanism;
 }
 

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,12 @@ struct ControllerEntry {
   std::vector<std::string> outputs;
 };
 
+// A signal or a state of the scene, and the place of its value among the voltages of a run.
+struct PlaceEntry {
+  std::string name;
+  int place = 0;
+};
+
 struct Mechanism {
   Placement placement;
   Model model;
@@ -89,8 +96,12 @@ struct Mechanism {
   std::vector<ControllerEntry> controllers;
   std::vector<CoordinateEntry> coordinates;
   std::vector<DriveEntry> drives;
-  Eigen::VectorXd voltages;  // at the start: constants of struts without controller, first outputs
+  Eigen::VectorXd voltages;  // at the start: constants of struts without controller, first outputs; then signals
   std::vector<std::string> warnings;
+  std::vector<PlaceEntry> signals;
+  std::vector<PlaceEntry> states;   // 1 in this state of the scene, else 0
+  int state_since = -1;             // place of the time at which the present state began [s]; -1: no states
+  std::vector<SignalNode> sampled;  // signals with a period, for the run
 };
 
 // Throws InputError where the scene cannot be built (a basis that does not exist, a gas volume used up, ...).
@@ -121,6 +132,15 @@ void add_springs(const Scene& scene, Mechanism& mechanism);
 void add_forces(const Scene& scene, Mechanism& mechanism);
 void add_plane(const Scene& scene, Mechanism& mechanism);
 void add_controllers(const Scene& scene, Mechanism& mechanism);
+void add_signal_places(const Scene& scene, Mechanism& mechanism);  // before what they drive
+void add_signals(const Scene& scene, Mechanism& mechanism);        // after what they measure
+
+// Where the value of a name among the voltages of a run, or the time, is found; nothing for other names.
+std::optional<SignalSource> signal_source(const Mechanism& mechanism, const std::string& name);
+// The place of a signal of this name; -1 for an empty name.
+int signal_place(const Mechanism& mechanism, const std::string& name);
+// "FILE:LINE: signals.NAME: " of the first signal or event that reads the name.
+std::string where_read(const Scene& scene, const std::string& name);
 
 // Origin and axes of a body in D: the mass centre and R_DB of a rigid body, p_DBo and I of a flexible one.
 Eigen::Vector3d origin_D(const BodySpec& body, const FlexibleBody& flexible);

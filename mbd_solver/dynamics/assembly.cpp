@@ -29,7 +29,7 @@ State initial_state(const Model& model, const Layout& layout) {
   State state;
   state.q.resize(layout.q_size);
   state.v.resize(layout.v_size);
-  state.z.resize(layout.z_size);
+  state.z = Eigen::VectorXd::Zero(layout.z_size);
   for (int i = 0; i < model.body_count(); ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
     const BodyState& body = model.initial(i);

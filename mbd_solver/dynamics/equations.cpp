@@ -135,7 +135,9 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                      value.acc + alpha2 * value.rate + beta2 * value.phi - w.regularisation[row] * lambda[row];
                });
 
-  // Force elements.
+  // Continuous signals, then force elements.
+  const Eigen::VectorXd& voltages = voltages_at(t, y, inputs);
+  if (model_.signals()) F.segment(layout_.z0() + layout_.signal_z, w.signal_rates.size()) -= w.signal_rates;
   for (int i = 0; i < model_.force_count(); ++i) {
     const ForceElement& element = model_.force(i);
     const PairMotion pair = w.force_pair(element);
@@ -143,7 +145,7 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
     Eigen::Ref<Eigen::VectorXd> Q = w.local.head(pair.size());
     Eigen::Ref<Eigen::VectorXd> dz = w.row.head(m);
     Q.setZero();
-    element.add_force({pair, y.segment(z, m), inputs.voltages, t}, Q, dz);
+    element.add_force({pair, y.segment(z, m), voltages, t}, Q, dz);
     const std::array<int, 2> v = pair_v(layout_, element.bodies()[0], element.bodies()[1]);
     for (int k = 0; k < 2; ++k) {
       const int n = pair.body[k]->size();
@@ -182,6 +184,8 @@ std::string Equations::entry_name(int index) const {
            (k < rigid ? (position ? kPosition[k] : kVelocity[k])
                       : (position ? "a." : "da.") + std::to_string(k - rigid + 1));
   }
+  if (index >= layout_.z0() + layout_.signal_z && index < layout_.lambda0())
+    return "signals: inner state " + std::to_string(index - layout_.z0() - layout_.signal_z + 1);
   if (index < layout_.lambda0()) {
     std::size_t i = owner(layout_.force_z, index - layout_.z0());
     return "force element \"" + model_.force(static_cast<int>(i)).name() + "\": inner state " +

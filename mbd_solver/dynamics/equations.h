@@ -99,10 +99,16 @@ class Equations {
   // Energies and powers at (t, y); multipliers enter the power of prescribed motions.
   void energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs, EnergySample& out);
 
+  // Voltages and signals at a state: those of the inputs, continuous signals at their present values.
+  void signals(const State& state, const Inputs& inputs, Eigen::VectorXd& out);
+  // States of the continuous signals at the start (before null), or of those that begin to work as the scene goes to
+  // another of its states: `before` are the voltages and signals until then.
+  void settle_signals(const Eigen::VectorXd* before, const Inputs& inputs, State& state);
+
   // Unpacks a state for the output functions below.
   void load(const State& state);
   const BodyKinematics& motion(int body) const;
-  // valid after load()
+  // valid after load(), without continuous signals
   ElementInput element_input(int force, const State& state, const Inputs& inputs) const;
   // Force and moment [N, N m] that joint `joint` exerts on its body 2, about the point of marker 2, in W.
   // After load().
@@ -122,11 +128,15 @@ class Equations {
   void set_row_sizes(const State& state);
   void rest_rows();  // regularisation of all rows
   void demand_fitting(const Inputs& inputs) const;
+  // At the loaded kinematics: of the inputs, or with the continuous signals among them. Also the rates of their states.
+  const Eigen::VectorXd& voltages_at(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs);
+  void add_signal_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs);
   void gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                           const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
   void add_body_derivatives(int index, double c, const Inputs& inputs);
   void add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda);
-  void add_force_derivatives(int index, double t, const Eigen::Ref<const Eigen::VectorXd>& z, const Inputs& inputs);
+  void add_force_derivatives(int index, double t, const Eigen::Ref<const Eigen::VectorXd>& z,
+                             const Eigen::VectorXd& voltages);
   // All at the loaded kinematics, which are those of the state:
   bool factor_saddle(const State& state);
   void fill_saddle(double t, double mass, const Eigen::VectorXd& diagonal);  // [mass M, Phi_v^T; Phi_v, -diagonal]

@@ -14,6 +14,8 @@ Layout::Layout(const Model& model) {
     force_z.push_back(z_size);
     z_size += model.force(i).state_count();
   }
+  signal_z = z_size;
+  if (model.signals()) z_size += model.signals()->state_count();
   for (int i = 0; i < model.joint_count(); ++i) {
     joint_row.push_back(row_count);
     for (std::size_t k = 0; k < model.joint(i).rows.size(); ++k) row_joint.push_back(i);

@@ -18,6 +18,7 @@ struct Layout {
 
   std::vector<int> body_q, body_v;  // first entry of each body in q and in v
   std::vector<int> force_z;         // first inner state of each force element in z
+  int signal_z = 0;                 // first state of the continuous signals in z; they end it
   std::vector<int> joint_row;       // first row of each joint among all rows
   std::vector<int> row_joint;       // for each of all rows: its joint
 };

@@ -38,6 +38,35 @@ std::array<Range, 2> velocities(const Layout& layout, const Kinematics& kinemati
   return {Range{first[0], kinematics.of(body_1).size()}, Range{first[1], kinematics.of(body_2).size()}};
 }
 
+// Blocks of the continuous signals: nothing without.
+template <typename Visit>
+void visit_signal_blocks(const Model& model, const Layout& layout, const Kinematics& kinematics, SignalPlaces& places,
+                         Visit visit) {
+  if (!model.signals()) return;
+  const int z0 = layout.v_size;
+  const Range states{z0 + layout.signal_z, layout.z_size - layout.signal_z};
+  const auto visit_some = [&](Range rows, Range cols, SparseBlock& block) {
+    if (rows.size > 0 && cols.size > 0) visit(rows, cols, block);
+  };
+  const auto columns = [&](std::size_t b) {
+    const int body = places.measured[b];
+    return Range{layout.body_v[static_cast<std::size_t>(body)], kinematics.of(body).size()};
+  };
+  for (SignalPlaces::Driven& driven : places.driven) {
+    const ForceElement& force = model.force(driven.force);
+    const std::array<Range, 2> v = velocities(layout, kinematics, force.bodies()[0], force.bodies()[1]);
+    const Range z{z0 + layout.force_z[static_cast<std::size_t>(driven.force)], force.state_count()};
+    for (std::size_t b = 0; b < places.measured.size(); ++b) {
+      for (std::size_t i = 0; i < 2; ++i) visit_some(v[i], columns(b), driven.v_v[i][b]);
+      visit_some(z, columns(b), driven.z_v[b]);
+    }
+    for (std::size_t i = 0; i < 2; ++i) visit_some(v[i], states, driven.v_states[i]);
+    visit_some(z, states, driven.z_states);
+  }
+  for (std::size_t b = 0; b < places.measured.size(); ++b) visit_some(states, columns(b), places.states_v[b]);
+  visit_some(states, states, places.states_states);
+}
+
 }  // namespace
 
 Equations::Workspace::Workspace(const Model& model, const Layout& layout, const std::vector<RedundantGroup>& redundant)
@@ -68,6 +97,21 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
   saddle_joint.resize(static_cast<std::size_t>(model.joint_count()));
   force_places.resize(static_cast<std::size_t>(model.force_count()));
 
+  if (model.signals()) {
+    signal_places.measured = model.signals()->bodies();
+    const std::size_t count = signal_places.measured.size();
+    signal_places.states_v.resize(count);
+    for (int i = 0; i < model.force_count(); ++i) {
+      if (model.force(i).voltage_count() == 0) continue;
+      SignalPlaces::Driven driven;
+      driven.force = i;
+      driven.v_v[0].resize(count);
+      driven.v_v[1].resize(count);
+      driven.z_v.resize(count);
+      signal_places.driven.push_back(driven);
+    }
+  }
+
   // Two passes over the same list of blocks: announce them, then find their places.
   const int z0 = layout.v_size, lambda0 = layout.v_size + layout.z_size, size = lambda0 + layout.row_count;
   SparsePattern lower_pattern(size), saddle_pattern(layout.v_size + layout.row_count);
@@ -80,6 +124,7 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
       visit_blocks(rows, {layout.v_size + first, count}, 0, false, saddle_joint[static_cast<std::size_t>(j)],
                    saddle_visit);
     }
+    visit_signal_blocks(model, layout, kinematics, signal_places, lower_visit);
     for (int i = 0; i < model.force_count(); ++i) {
       const ForceElement& force = model.force(i);
       visit_blocks(velocities(layout, kinematics, force.bodies()[0], force.bodies()[1]),
@@ -98,6 +143,8 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
     lower_pattern.add_block(first, count, first, count);
     saddle_pattern.add_block(first, count, first, count);
   }
+  const int signals = layout.z_size - layout.signal_z;
+  signal_rates = Eigen::VectorXd::Zero(signals);
   lower_pattern.add_diagonal(z0, z0, layout.z_size);
   lower_pattern.add_diagonal(lambda0, lambda0, layout.row_count);
   saddle_pattern.add_diagonal(layout.v_size, layout.v_size, layout.row_count);

@@ -28,6 +28,20 @@ struct PairPlaces {
   std::vector<SparseBlock> extra_extra;  // z by z, block by block
 };
 
+// Places of what continuous signals do: forces that they drive and their own states, by the bodies that they measure and
+// by their states. Made only for a model with signals.
+struct SignalPlaces {
+  struct Driven {
+    int force = 0;                         // element of the model
+    std::vector<SparseBlock> v_v[2], z_v;  // per measured body: rows of its bodies, of its inner states
+    SparseBlock v_states[2], z_states;     // by the states of the signals
+  };
+  std::vector<int> measured;          // bodies
+  std::vector<Driven> driven;         // elements that read voltages or signals
+  std::vector<SparseBlock> states_v;  // per measured body: rows of the states of the signals
+  SparseBlock states_states;
+};
+
 struct Equations::Workspace {
   Workspace(const Model& model, const Layout& layout, const std::vector<RedundantGroup>& redundant);
   void build_full(const Model& model, const Layout& layout);
@@ -44,6 +58,7 @@ struct Equations::Workspace {
   Eigen::VectorXd local;                     // generalized force of a pair
   Eigen::MatrixXd K, D, M;                   // local matrices of the largest pair or body
   Eigen::VectorXd empty;
+  Eigen::VectorXd voltages, signal_rates;  // with the continuous signals; rates of their states
 
   // Derivatives of the lower rows F_v, F_z, F_lambda, in one pattern over [v; z; lambda], two value arrays:
   //   stiffness          by the increments dx of positions (columns of v)
@@ -54,6 +69,7 @@ struct Equations::Workspace {
   std::vector<BodyPlaces> body_places;
   std::vector<PairPlaces> joint_places, force_places;
   std::vector<int> z_z, lambda_lambda;
+  SignalPlaces signal_places;
   Eigen::SparseMatrix<double> jacobian;  // of the full system: columns of q, then as in `lower` with F_q on top
   Eigen::SparseMatrix<double> reduced;   // pattern of `lower`
 

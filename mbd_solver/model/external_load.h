@@ -18,7 +18,7 @@ struct ExternalLoad {
 
 struct Inputs {
   std::vector<ExternalLoad> loads;  // one per body, in the order of the model; empty means no loads at all
-  Eigen::VectorXd voltages;         // one per controlled output [-]
+  Eigen::VectorXd voltages;  // one per controlled output [-]; then signals, those that are continuous without value
 };
 
 }  // namespace footfall

@@ -16,7 +16,8 @@ namespace footfall {
 struct ElementInput {
   PairMotion pair;
   Eigen::Ref<const Eigen::VectorXd> z;         // inner states of this element
-  Eigen::Ref<const Eigen::VectorXd> voltages;  // controlled voltages, constant within a step [-]
+  Eigen::Ref<const Eigen::VectorXd>
+      voltages;  // controlled voltages [-] and signals; only continuous signals change within a step
   double time = 0.0;                           // [s]
 };
 

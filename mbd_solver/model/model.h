@@ -10,6 +10,7 @@
 #include "mbd_solver/model/force_element.h"
 #include "mbd_solver/model/joints/joint.h"
 #include "mbd_solver/model/marker.h"
+#include "mbd_solver/model/signals/continuous_signals.h"
 
 namespace footfall {
 
@@ -22,6 +23,8 @@ class Model {
   int add_body(Body body, const BodyState& initial);
   int add_joint(Joint joint);
   int add_force(std::unique_ptr<ForceElement> element);
+  // Once, after what they measure.
+  void set_signals(std::unique_ptr<ContinuousSignals> signals) { signals_ = std::move(signals); }
 
   const Eigen::Vector3d& gravity() const { return gravity_; }
   int body_count() const { return static_cast<int>(bodies_.size()); }
@@ -30,6 +33,7 @@ class Model {
   const Body& body(int index) const { return bodies_[static_cast<std::size_t>(index)]; }
   const Joint& joint(int index) const { return joints_[static_cast<std::size_t>(index)]; }
   const ForceElement& force(int index) const { return *forces_[static_cast<std::size_t>(index)]; }
+  const ContinuousSignals* signals() const { return signals_.get(); }  // null without
   const BodyState& initial(int index) const { return initial_[static_cast<std::size_t>(index)]; }
   // Index by name; InputError with a list of the known names.
   int body_index(const std::string& name) const;
@@ -47,6 +51,7 @@ class Model {
   std::vector<BodyState> initial_;
   std::vector<Joint> joints_;
   std::vector<std::unique_ptr<ForceElement>> forces_;
+  std::unique_ptr<ContinuousSignals> signals_;
 };
 
 }  // namespace footfall

@@ -5,47 +5,16 @@
 
 #include "mbd_solver/model/elements/joint_force.h"
 #include "mbd_solver/model/elements/strut.h"
-#include "mbd_solver/model/rotation.h"
+#include "mbd_solver/model/signals/body_entries.h"
 
 namespace footfall {
 namespace {
-
-// One column of each thing of a kind; `value` reads it from what the thing is at the sample's instant.
-template <class Thing>
-struct Entry {
-  const char* pattern;
-  const char* unit;
-  double (*value)(const Thing&);
-};
 
 double itself(const double& x) { return x; }
 
 // ---- the registry: an entry here and a line in docs/history.md make a column ----
 
 constexpr Entry<Sample> kTime[] = {{"time", "s", [](const Sample& s) { return s.state.time; }}};
-
-constexpr Entry<BodyKinematics> kBody[] = {
-    {"<body>.x", "m", [](const BodyKinematics& b) { return b.r.x(); }},
-    {"<body>.y", "m", [](const BodyKinematics& b) { return b.r.y(); }},
-    {"<body>.z", "m", [](const BodyKinematics& b) { return b.r.z(); }},
-    {"<body>.vx", "m/s", [](const BodyKinematics& b) { return b.dr.x(); }},
-    {"<body>.vy", "m/s", [](const BodyKinematics& b) { return b.dr.y(); }},
-    {"<body>.vz", "m/s", [](const BodyKinematics& b) { return b.dr.z(); }},
-    {"<body>.ax", "m/s2", [](const BodyKinematics& b) { return b.ddr.x(); }},
-    {"<body>.ay", "m/s2", [](const BodyKinematics& b) { return b.ddr.y(); }},
-    {"<body>.az", "m/s2", [](const BodyKinematics& b) { return b.ddr.z(); }},
-    {"<body>.roll", "rad", [](const BodyKinematics& b) { return rpy_from_rotation(b.A)(0); }},
-    {"<body>.pitch", "rad", [](const BodyKinematics& b) { return rpy_from_rotation(b.A)(1); }},
-    {"<body>.yaw", "rad", [](const BodyKinematics& b) { return rpy_from_rotation(b.A)(2); }}};
-
-constexpr Entry<BodyKinematics> kAttitude[] = {
-    {"<body>.wx", "rad/s", [](const BodyKinematics& b) { return b.w.x(); }},
-    {"<body>.wy", "rad/s", [](const BodyKinematics& b) { return b.w.y(); }},
-    {"<body>.wz", "rad/s", [](const BodyKinematics& b) { return b.w.z(); }},
-    {"<body>.qw", "-", [](const BodyKinematics& b) { return b.L(0) / b.L.norm(); }},
-    {"<body>.qx", "-", [](const BodyKinematics& b) { return b.L(1) / b.L.norm(); }},
-    {"<body>.qy", "-", [](const BodyKinematics& b) { return b.L(2) / b.L.norm(); }},
-    {"<body>.qz", "-", [](const BodyKinematics& b) { return b.L(3) / b.L.norm(); }}};
 
 constexpr Entry<FlexibleFigures> kFlexible[] = {
     {"<body>.strain_energy", "J", [](const FlexibleFigures& f) { return f.strain_energy; }},
@@ -88,6 +57,10 @@ constexpr Entry<StrutSample> kStrut[] = {{"<strut>.stroke", "m", [](const StrutS
 
 constexpr Entry<double> kVoltage[] = {{"<controller>.<output>", "-", itself}};
 
+constexpr Entry<double> kSignal[] = {{"signal.<signal>", "-", itself}};
+constexpr Entry<double> kState[] = {{"state.<state>", "-", itself}};
+constexpr Entry<double> kStateSince[] = {{"state.since", "s", itself}};
+
 constexpr Entry<double> kStored[] = {{"energy.<form>", "J", itself}};
 constexpr Entry<StoredEnergy> kEnergyTotal[] = {{"energy.total", "J", [](const StoredEnergy& E) { return E.total(); }}};
 
@@ -107,9 +80,10 @@ constexpr Entry<double> kOmegaH[] = {{"coupling.omega_h.<body>", "-", itself}};
 
 template <class Visit>
 void for_each_table(Visit visit) {
-  visit(kTime), visit(kBody), visit(kAttitude), visit(kFlexible), visit(kContact), visit(kAngle), visit(kDisplacement),
-      visit(kReaction), visit(kDriveTorque), visit(kDriveForce), visit(kDrivePower), visit(kStrut), visit(kVoltage),
-      visit(kStored), visit(kEnergyTotal);
+  visit(kTime), visit(kBodyEntries), visit(kAttitudeEntries), visit(kFlexible), visit(kContact), visit(kAngle),
+      visit(kDisplacement), visit(kReaction), visit(kDriveTorque), visit(kDriveForce), visit(kDrivePower),
+      visit(kStrut), visit(kVoltage), visit(kSignal), visit(kState), visit(kStateSince), visit(kStored),
+      visit(kEnergyTotal);
   visit(kDissipated), visit(kWork), visit(kSupplied), visit(kCoupling), visit(kChosenWindows), visit(kOmegaH);
 }
 
@@ -128,10 +102,11 @@ class Columns {
  public:
   // A column per entry; thing(sample) is what the entries read.
   template <class Thing, std::size_t count, class Get>
-  void add(const Entry<Thing> (&entries)[count], const std::vector<std::string>& names, Get thing) {
+  void add(const Entry<Thing> (&entries)[count], const std::vector<std::string>& names, Get thing,
+           Column::Reads reads = Column::Reads::kSample) {
     for (const Entry<Thing>& entry : entries)
       columns.push_back({with_names(entry.pattern, names), entry.unit, entry.pattern,
-                         [thing, value = entry.value](const Sample& s) { return value(thing(s)); }});
+                         [thing, value = entry.value](const Sample& s) { return value(thing(s)); }, reads});
   }
   std::vector<Column> columns;
 };
@@ -167,13 +142,14 @@ void add_joints(const Subject& subject, const JointFigures& joints, Columns& out
     const CoordinateEntry& entry = mechanism.coordinates[k];
     const auto figures = [k, &joints](const Sample&) -> const CoordinateFigures& { return joints.coordinate(k); };
     switch (entry.coordinate) {
-      case Coordinate::kAngle: out.add(kAngle, {entry.name}, figures); break;
-      case Coordinate::kDisplacement: out.add(kDisplacement, {entry.name}, figures); break;
+      case Coordinate::kAngle: out.add(kAngle, {entry.name}, figures, Column::Reads::kJoints); break;
+      case Coordinate::kDisplacement: out.add(kDisplacement, {entry.name}, figures, Column::Reads::kJoints); break;
     }
   }
   for (std::size_t j = 0; subject.scene.output.reactions && j < subject.scene.joints.size(); ++j)
-    out.add(kReaction, {subject.scene.joints[j].name},
-            [j, &joints](const Sample&) -> const Vector6d& { return joints.reaction(j); });
+    out.add(
+        kReaction, {subject.scene.joints[j].name},
+        [j, &joints](const Sample&) -> const Vector6d& { return joints.reaction(j); }, Column::Reads::kJoints);
   for (const DriveEntry& drive : mechanism.drives) {
     const auto sample = [subject, force = drive.force](const Sample& s) {
       return static_cast<const JointForce&>(subject.mechanism.model.force(force))
@@ -198,10 +174,12 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
     const std::string& name = mechanism.model.body(i).name();
     if (!recorded(subject.scene.output, name)) continue;
     const auto body = [i](const Sample& s) -> const BodyKinematics& { return s.kinematics.of(i); };
-    out.add(kBody, {name}, body);
-    if (subject.scene.output.attitudes) out.add(kAttitude, {name}, body);
+    out.add(kBodyEntries, {name}, body);
+    if (subject.scene.output.attitudes) out.add(kAttitudeEntries, {name}, body);
     if (const int k = flexible.find(i); k >= 0)
-      out.add(kFlexible, {name}, [k, &flexible](const Sample&) -> const FlexibleFigures& { return flexible.now(k); });
+      out.add(
+          kFlexible, {name}, [k, &flexible](const Sample&) -> const FlexibleFigures& { return flexible.now(k); },
+          Column::Reads::kFlexible);
   }
   if (subject.scene.ground.kind != GroundKind::kNone)
     for (const BodyBoundary& entry : mechanism.boundaries)
@@ -218,6 +196,12 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
     for (std::size_t k = 0; k < controller.outputs.size(); ++k)
       out.add(kVoltage, {controller.name, controller.outputs[k]},
               [i = controller.first_voltage + static_cast<int>(k)](const Sample& s) { return s.inputs.voltages(i); });
+  for (const PlaceEntry& signal : mechanism.signals)
+    out.add(kSignal, {signal.name}, [i = signal.place](const Sample& s) { return s.voltages(i); });
+  for (const PlaceEntry& state : mechanism.states)
+    out.add(kState, {state.name}, [i = state.place](const Sample& s) { return s.voltages(i); });
+  if (mechanism.state_since >= 0)
+    out.add(kStateSince, {}, [i = mechanism.state_since](const Sample& s) { return s.state.time - s.voltages(i); });
   for (int k = 0; k < count_of<Stored>(); ++k) {
     const auto form = static_cast<Stored>(k);
     out.add(kStored, {std::string(name_of(form))}, [form](const Sample& s) { return s.energy.stored[form]; });

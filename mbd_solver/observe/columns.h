@@ -16,6 +16,8 @@ struct Column {
   std::string unit;     // SI; "-" for a plain number
   std::string pattern;  // its name in the registry: `<body>.x`
   std::function<double(const Sample&)> value;
+  enum class Reads { kSample, kFlexible, kJoints };
+  Reads reads = Reads::kSample;  // beside the sample: flexible or joints, which must have taken it
 };
 
 // Those that this scene has, in the order of the file. flexible and joints have taken the sample before a value is

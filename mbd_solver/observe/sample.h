@@ -24,6 +24,7 @@ struct Subject {
 struct Sample {
   const State& state;
   const Inputs& inputs;          // of the window that ends here
+  const Eigen::VectorXd& voltages;  // of the inputs, with the continuous signals now
   const Eigen::VectorXd& rates;  // [dq; dv; dz; lambda]
   const Kinematics& kinematics;  // of all bodies, with accelerations
   const EnergySample& energy;
@@ -39,7 +40,7 @@ inline ElementInput element_input(const Subject& subject, const Sample& sample, 
   const ForceElement& element = subject.mechanism.model.force(force);
   const int z = subject.layout.force_z[static_cast<std::size_t>(force)];
   return {sample.kinematics.pair(element.bodies()[0], element.bodies()[1]),
-          sample.state.z.segment(z, element.state_count()), sample.inputs.voltages, sample.state.time};
+          sample.state.z.segment(z, element.state_count()), sample.voltages, sample.state.time};
 }
 
 }  // namespace footfall

@@ -23,6 +23,7 @@ class Sampler {
   Subject subject_;
   Equations& equations_;
   Kinematics kinematics_;
+  Eigen::VectorXd voltages_;
   EnergySample energy_;
   std::vector<GeneralizedForce> contact_;
   Eigen::VectorXd y_;  // [q; v; z; lambda]

@@ -8,16 +8,20 @@
 
 namespace footfall {
 
-ControlLoop::ControlLoop(std::vector<ControllerEntry>& controllers, const Subject& subject)
-    : controllers_(controllers),
+ControlLoop::ControlLoop(Mechanism& mechanism, const Subject& subject)
+    : controllers_(mechanism.controllers),
       subject_(subject),
       up_(up_direction(subject.scene.gravity)),
-      samples_(controllers.size(), 0) {}
+      samples_(controllers_.size(), 0) {
+  if (!mechanism.sampled.empty() || !subject.scene.events.empty())
+    signals_ = std::make_unique<SignalLoop>(std::move(mechanism.sampled), subject);
+}
 
 double ControlLoop::next_sample() const {
   double next = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < controllers_.size(); ++i)
     next = std::min(next, static_cast<double>(samples_[i]) * controllers_[i].controller->period());
+  if (signals_) next = std::min(next, signals_->next_sample());
   return next;
 }
 
@@ -55,6 +59,7 @@ void ControlLoop::sample_due(const Sample& sample, Inputs& inputs) {
     if (time < entry.wakes_at - 1e-9) voltages.setZero();
     samples_[i] = static_cast<long>(std::floor(time / period + 1e-6)) + 1;
   }
+  if (signals_) signals_->sample_due(sample, inputs.voltages);
 }
 
 void ControlLoop::visit(Archive& archive) {
@@ -66,6 +71,7 @@ void ControlLoop::visit(Archive& archive) {
     archive((name + ".wakes_at").c_str(), entry.wakes_at);
     if (archive.restores()) entry.controller->restore(memory);
   }
+  if (signals_) archive("signals", *signals_);
 }
 
 }  // namespace footfall

@@ -3,20 +3,22 @@
 
 #include "coupler/archive.h"
 #include "mbd_solver/observe/sample.h"
+#include "mbd_solver/run/signal_loop.h"
 
 namespace footfall {
 
 class ControlLoop {
  public:
-  // The controllers of the subject's mechanism; both must outlive the loop.
-  ControlLoop(std::vector<ControllerEntry>& controllers, const Subject& subject);
+  // The controllers of the subject's mechanism and its sampled signals, which are taken; both must outlive the loop.
+  // Throws InputError for a signal or event that reads what is not there.
+  ControlLoop(Mechanism& mechanism, const Subject& subject);
 
-  // Samples every controller that is due at this time (within rounding) and writes its voltages. inputs: those that the
+  // Samples every controller and signal that is due at this time (within rounding) and writes its voltages. inputs: those that the
   // sample views.
   void sample_due(const Sample& sample, Inputs& inputs);
   // Time of the next sample [s]; infinity without controllers.
   double next_sample() const;
-  bool empty() const { return controllers_.empty(); }
+  SignalLoop* signals() { return signals_.get(); }  // null without sampled signals and events
 
   void visit(Archive& archive);  // samples taken, and the memory of every controller
 
@@ -27,6 +29,7 @@ class ControlLoop {
   Subject subject_;
   Eigen::Vector3d up_;         // unit vector against gravity, in W
   std::vector<long> samples_;  // taken so far, per controller
+  std::unique_ptr<SignalLoop> signals_;
 };
 
 }  // namespace footfall

@@ -22,6 +22,7 @@ std::vector<std::string> active_parts(const Simulation& simulation, const Flexib
   if (mechanism.model.joint_count() > 0) active.push_back("joints");
   if (!mechanism.struts.empty()) active.push_back("struts");
   if (!mechanism.controllers.empty()) active.push_back("controllers");
+  if (!mechanism.signals.empty()) active.push_back("signals");
   if (!mechanism.planes.empty()) active.push_back("plane");
   if (simulation.coupled()) active.push_back("particles");
   return active;

@@ -5,6 +5,8 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/run/settle.h"
 
 namespace footfall {
 namespace {
@@ -60,14 +62,26 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
                                   integrator_options(scene.solver, partner_transport != nullptr))),
       state_(assembly_.state),
       rates_(Eigen::VectorXd::Zero(equations_.layout().size())),
-      control_(mechanism_.controllers, {scene_, mechanism_, equations_.layout()}),
+      control_(mechanism_, {scene_, mechanism_, equations_.layout()}),
       sampler_({scene_, mechanism_, equations_.layout()}, equations_, state_, rates_, inputs_),
       checkpoints_(scene.output.checkpoint_interval, scene.output.checkpoint_interval) {
   inputs_.voltages = mechanism_.voltages;
+  if (scene.initial.settle && resume.empty()) start_settled();
+  equations_.settle_signals(nullptr, inputs_, state_);
   if (!partner_transport) return;
   inputs_.loads.resize(static_cast<std::size_t>(mechanism_.model.body_count()));
   coupled_ =
       std::make_unique<CoupledRun>(scene, mechanism_, equations_, kinematics(), t_end, *partner_transport, resume);
+}
+
+void Simulation::start_settled() {
+  const Settled settled = settle(scene_, assembly_options(scene_), integrator_options(scene_.solver, false));
+  state_.q = settled.state.q;
+  state_.z = settled.state.z;
+  equations_.project(state_);  // velocities of prescribed motions
+  assembly_.notes.push_back("settled under the loads of the start: body \"" + settled.body + "\" moved most, by " +
+                            number_text(settled.moved, 3) + " m; the largest acceleration left is " +
+                            number_text(settled.acceleration, 3) + " m/s2 or rad/s2.");
 }
 
 Subject Simulation::subject() const {
@@ -111,7 +125,9 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
   const Sample& at = sampler_.sample();  // always of the present state
   if (!resumed_) equations_.accelerations(state_, inputs_, rates_);
   take_sample();
+  if (!resumed_) let_events_happen();
   if (!resumed_) observe(at);
+  checked_ = state_;
 
   // Without grains a window ends only where a voltage changes: rows and samples are read on the way. While each sample
   // changes it, windows end at samples, so that no step is cut.
@@ -127,6 +143,11 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
       check_finite();
       ++window_;
       take_sample();
+      if (event_holds()) {
+        event_ahead_ = true;
+        --window_;
+        return false;
+      }
       times_.total = row_started - started;
       observe(at);
       control();
@@ -178,11 +199,13 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     rates_ = integrator_->end_rates();
     times_.mbd += wall_clock() - mbd_started - on_the_way;
     check_finite();
-    if (state_.time < t_end && state_.time == last_row) continue;  // a row has ended the window, and was observed
+    // A row has ended the window, and was observed.
+    if (!event_ahead_ && state_.time < t_end && state_.time == last_row) continue;
     ++window_;
 
     // Observe.
     take_sample();
+    if (event_ahead_ || event_holds()) find_event();
     if (coupled_) coupled_->end_window(state_, at.kinematics);
     times_.total = wall_clock() - started;
     observe(at);

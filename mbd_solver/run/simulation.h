@@ -67,8 +67,13 @@ class Simulation {
   const CoupledRun* coupled() const { return coupled_.get(); }
 
  private:
+  void start_settled();
   double next_stop() const;  // the next row or sample, or the end [s]
   void control();            // samples the controllers that are due
+  // Events of the scene, in run/simulation_events.cpp:
+  bool event_holds();        // at the sample
+  void find_event();         // back to its instant, in (checked_, state_.time]; then it happens
+  void let_events_happen();  // all that hold now
   void check_finite() const;
   void take_sample() { sampler_.take(window_, finished(), coupled_ ? &coupled_->sample() : nullptr); }
 
@@ -84,6 +89,8 @@ class Simulation {
   long window_ = 0;        // windows done
   ControlLoop control_;
   bool voltages_move_ = true;  // the last sample has changed one
+  bool event_ahead_ = false;   // a row has ended the window, as the condition of an event holds there
+  State checked_;              // the last one where no condition held; only with events without a period
   Sampler sampler_;
   std::unique_ptr<CoupledRun> coupled_;
   IntervalClock checkpoints_;

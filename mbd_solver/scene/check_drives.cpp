@@ -83,6 +83,15 @@ void check_initial_joints(const Scene& scene, Findings& findings) {
     if (!given.angle && !given.displacement)
       findings.error(given.source, "", "is empty; expected angle or displacement, for example angle_deg = 30");
   }
+  if (scene.initial.settle) {
+    if (scene.touches_particles())
+      findings.error(scene.initial.source, "settle",
+                     "works without grains; settle the mechanism on a plane, or leave it out");
+    const bool moves = !scene.initial.velocity.isZero(0.0) || !scene.initial.angular_velocity.isZero(0.0) ||
+                       !scene.initial.bodies.empty();
+    if (moves)
+      findings.error(scene.initial.source, "settle", "starts at rest, but velocities are given; leave one of them out");
+  }
   if (!scene.initial.joints.empty() && scene.initial.clearance)
     findings.warning(
         scene.initial.source, "clearance",
@@ -100,12 +109,15 @@ void check_drives(const Scene& scene, Findings& findings) {
     if (!drive.source.given("kind")) continue;
     check_place(scene, drive, findings);
     check_function(drive.source, "command", drive.command, findings);
+    if (drive.command) check_signal_name(scene, drive.source, "command.signal", drive.command->signal, findings);
     if (!drive.command)
       findings.error(drive.source, "command", "is missing, for example command = { polynomial = [0, 0.5] }");
     for (const std::string& key : foreign_keys(drive.kind))
       if (drive.source.written_together("kind", key))
         findings.error(drive.source, key, "means nothing for this kind of drive; leave it out");
-    if (drive.kind != MotorKind::kTorque && !(drive.kp > 0.0))
+    if (drive.kind == MotorKind::kBrake && !drive.max_torque)
+      findings.error(drive.source, "max_torque", "is missing; a brake slides at it, and holds up to it (N m)");
+    if ((drive.kind == MotorKind::kSpeed || drive.kind == MotorKind::kPosition) && !(drive.kp > 0.0))
       findings.error(drive.source, "kp", "is missing; a drive that holds a speed or a position needs it");
     if (!(drive.efficiency > 0.0)) findings.error(drive.source, "efficiency", "is 0; expected more than 0, at most 1");
     if (drive.max_speed && !drive.max_torque)

@@ -49,6 +49,9 @@ void check_mr(const Scene& scene, const StrutSpec& strut, Findings& findings) {
     if (mr.geometry->d1 >= mr.geometry->D1)
       findings.error(source, "mr.geometry.d1", "is not less than D1; the core must fit into the bypass cylinder");
   }
+  check_signal_name(scene, source, "mr.signal", mr.signal, findings);
+  if (!mr.signal.empty() && (source.given("mr.voltage") || !mr.controller.empty()))
+    findings.error(source, "mr.signal", "stands beside a controller or a voltage; a signal is the voltage, keep one");
   if (mr.controller.empty()) return;
   if (source.given("mr.voltage"))
     findings.error(source, "mr.voltage", "stands beside a controller, which gives the voltage; keep one");
@@ -166,6 +169,8 @@ void check_forces(const Scene& scene, Findings& findings) {
     check_body_name(scene, force.source, "body", force.body, findings);
     check_function(force.source, "force", force.force, findings);
     check_function(force.source, "torque", force.torque, findings);
+    if (force.force) check_signal_name(scene, force.source, "force.signal", force.force->signal, findings);
+    if (force.torque) check_signal_name(scene, force.source, "torque.signal", force.torque->signal, findings);
     if (!force.force && !force.torque)
       findings.error(force.source, "", "has neither force nor torque, for example force = { polynomial = [10] } (N)");
     if (!force.point && bends(scene, force.body))

@@ -74,6 +74,10 @@ void check_functions(const JointSpec& joint, Findings& findings) {
   check_function(joint.source, "motion.y", m.y, findings);
   check_function(joint.source, "motion.z", m.z, findings);
   check_function(joint.source, "motion.rotation", m.rotation, findings);
+  for (const auto& [key, function] : {std::pair("x", &m.x), {"y", &m.y}, {"z", &m.z}, {"rotation", &m.rotation}})
+    if (*function && !(*function)->signal.empty())
+      findings.error(joint.source, std::string("motion.") + key + ".signal",
+                     "cannot lead a motion, which needs two derivatives; use a [[drives]] entry of kind \"position\"");
   // sin(angle - f) = 0 holds half a turn off, too.
   if (m.rotation && !(std::cos(at_start(*m.rotation)) > 0.0))
     findings.error(joint.source, "motion.rotation",

@@ -35,6 +35,7 @@ void visit_fields(FieldVisitor& v, MrSpec& m) {
   v.field("initial_voltage", &m.initial_voltage, {Unit::kNone, Range::kUnitInterval});
   v.field("voltage", &m.voltage, {Unit::kNone, Range::kUnitInterval});
   v.field("controller", &m.controller, {Unit::kNone, Range::kAny, Meaning::kName});
+  v.field("signal", &m.signal, {Unit::kNone, Range::kAny, Meaning::kName});
   v.section("geometry", m.geometry);
 }
 

@@ -9,6 +9,7 @@ void visit_fields(FieldVisitor& v, TimeFunctionSpec& f, Unit unit) {
   v.field("frequency", &f.frequency, {Unit::kFrequency, Range::kNotNegative});
   v.field("phase", &f.phase, {Unit::kAngle});
   v.field("table", &f.table, {unit});
+  v.field("signal", &f.signal, {Unit::kNone, Range::kAny, Meaning::kName});
 }
 
 void visit_fields(FieldVisitor& v, MotionSpec& m) {
@@ -77,6 +78,7 @@ void visit_fields(FieldVisitor& v, DriveSpec& d) {
   v.field("max_speed", &d.max_speed, {Unit::kAngularVelocity, Range::kPositive});
   v.field("gear_ratio", &d.gear_ratio, {Unit::kNone, Range::kPositive});
   v.field("efficiency", &d.efficiency, {Unit::kNone, Range::kUnitInterval});
+  v.field("lag", &d.lag, {Unit::kTime, Range::kPositive});
   v.field("rotor_inertia", &d.rotor_inertia, {Unit::kInertia, Range::kNotNegative});
 }
 

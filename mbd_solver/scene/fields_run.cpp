@@ -27,6 +27,7 @@ void visit_fields(FieldVisitor& v, InitialSpec& i) {
   v.field("angular_velocity", &i.angular_velocity, {Unit::kAngularVelocity});
   v.list("bodies", i.bodies);
   v.list("joints", i.joints, true);
+  v.field("settle", &i.settle, {});
   v.field("largest_gap", &i.largest_gap, {Unit::kLength, Range::kPositive});
 }
 

@@ -30,6 +30,9 @@ void visit_fields(FieldVisitor& v, Scene& s) {
   v.section("ground", s.ground);
   v.section("particles", s.particles);
   v.list("controllers", s.controllers);
+  v.list("signals", s.signals);
+  v.list("states", s.states);
+  v.list("events", s.events);
   v.section("initial", s.initial);
   v.section("solver", s.solver);
   v.section("coupling", s.coupling);

@@ -63,14 +63,15 @@ constexpr JointTraits traits_of(JointType type) {
 }
 constexpr std::string_view name_of(JointType type) { return traits_of(type).name; }
 
-// f(t) = sum_k c_k t^k + amplitude sin(2 pi frequency t + phase) + table(t). Unit: the one of what it moves ([m] or
-// [rad]).
+// f(t) = sum_k c_k t^k + amplitude sin(2 pi frequency t + phase) + table(t) + signal. Unit: the one of what it moves
+// ([m], [rad], [N] ...).
 struct TimeFunctionSpec {
   std::vector<double> polynomial;      // c_0, c_1, ... [unit / s^k]
   double amplitude = 0.0;              // [unit]
   double frequency = 0.0;              // [Hz]
   double phase = 0.0;                  // [rad]
   std::vector<Eigen::Vector2d> table;  // (t [s], value [unit]), t rising: a cubic spline through them
+  std::string signal;                  // name of one, in this unit; not for a prescribed motion
 };
 
 // Motion of body b relative to body a (or the ground), in the joint's frame, which turns with a: z = axis, x = axis2

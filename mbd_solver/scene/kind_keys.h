@@ -7,6 +7,7 @@
 
 #include "mbd_solver/scene/drive_spec.h"
 #include "mbd_solver/scene/run_spec.h"
+#include "mbd_solver/scene/signal_spec.h"
 #include "mbd_solver/scene/strut_spec.h"
 
 namespace footfall {
@@ -22,9 +23,10 @@ inline std::vector<std::string> keys_of(SpringKind kind) {
 
 inline std::vector<std::string> keys_of(MotorKind kind) {
   switch (kind) {
-    case MotorKind::kTorque: return {};
-    case MotorKind::kSpeed: return {"kp", "ki"};
-    case MotorKind::kPosition: return {"kp", "ki", "kd"};
+    case MotorKind::kTorque: return {"max_speed", "efficiency"};
+    case MotorKind::kSpeed: return {"max_speed", "efficiency", "kp", "ki"};
+    case MotorKind::kPosition: return {"max_speed", "efficiency", "kp", "ki", "kd"};
+    case MotorKind::kBrake: return {"lag"};
   }
   return {};
 }
@@ -37,6 +39,22 @@ inline std::vector<std::string> keys_of(ControllerKind kind) {
     case ControllerKind::kSkyhook: return {"touchdown_acceleration", "touchdown_delay", "on", "off", "deadband"};
     case ControllerKind::kPid:
       return {"touchdown_acceleration", "touchdown_delay", "filter_frequency", "set_point", "kp", "ki", "kd", "bias"};
+  }
+  return {};
+}
+
+inline std::vector<std::string> keys_of(SignalKind kind) {
+  switch (kind) {
+    case SignalKind::kExpression: return {"input"};
+    case SignalKind::kPid: return {"input", "kp", "ki", "kd", "bias", "rate", "derivative_frequency", "min", "max"};
+    case SignalKind::kLowpass: return {"input", "frequency", "initial"};
+    case SignalKind::kLowpass2:
+    case SignalKind::kNotch: return {"input", "frequency", "damping", "initial"};
+    case SignalKind::kRateLimit: return {"input", "max_rate", "initial"};
+    case SignalKind::kSaturation: return {"input", "min", "max"};
+    case SignalKind::kTable: return {"input", "points"};
+    case SignalKind::kTable2: return {"input", "input2", "x", "x2", "values"};
+    case SignalKind::kFuzzy: return {"file", "inputs", "output"};
   }
   return {};
 }

@@ -44,6 +44,7 @@ struct InitialSpec {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // about it [rad/s]
   std::vector<BodyVelocitySpec> bodies;
   std::vector<InitialJointSpec> joints;
+  bool settle = false;        // the run starts where the mechanism rests under its loads; not with grains
   double largest_gap = 1e-6;  // of the points of a joint in the drawing, closed before the start [m]
 };
 

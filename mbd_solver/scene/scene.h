@@ -13,6 +13,7 @@
 #include "mbd_solver/scene/force_spec.h"
 #include "mbd_solver/scene/joint_spec.h"
 #include "mbd_solver/scene/run_spec.h"
+#include "mbd_solver/scene/signal_spec.h"
 #include "mbd_solver/scene/source.h"
 #include "mbd_solver/scene/strut_spec.h"
 
@@ -54,6 +55,9 @@ struct Scene {
   GroundSpec ground;
   std::optional<ParticlesSpec> particles;  // needed by ground.kind = "particles"
   std::vector<ControllerSpec> controllers;
+  std::vector<SignalSpec> signals;
+  std::vector<StateSpec> states;
+  std::vector<EventSpec> events;
   InitialSpec initial;
   SolverSpec solver;
   CouplingSpec coupling;

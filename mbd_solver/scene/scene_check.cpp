@@ -140,6 +140,7 @@ void check_scene(const Scene& scene, Findings& findings) {
   check_drives(scene, findings);
   check_initial_joints(scene, findings);
   check_controllers(scene, findings);
+  check_signals(scene, findings);
   check_struts(scene, findings);
   check_springs(scene, findings);
   check_forces(scene, findings);

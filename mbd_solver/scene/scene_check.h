@@ -18,6 +18,7 @@ void check_struts(const Scene& scene, Findings& findings);
 void check_springs(const Scene& scene, Findings& findings);
 void check_forces(const Scene& scene, Findings& findings);
 void check_controllers(const Scene& scene, Findings& findings);
+void check_signals(const Scene& scene, Findings& findings);
 void check_contact(const Scene& scene, Findings& findings);
 // Counts and sizes beyond reason.
 void check_limits(const Scene& scene, Findings& findings);
@@ -30,6 +31,10 @@ std::vector<std::string> body_names(const Scene& scene);
 void check_pair(const Scene& scene, const Source& source, const std::array<std::string, 2>& bodies, Findings& findings);
 void check_body_name(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
                      Findings& findings);
+
+// "signal" of an entry names one of the scene; empty: none is asked for.
+void check_signal_name(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
+                       Findings& findings);
 
 // A function of time: an amplitude has a frequency, times of a table rise.
 void check_function(const Source& source, const std::string& key, const std::optional<TimeFunctionSpec>& f,

@@ -51,6 +51,7 @@ struct MrSpec {
   double initial_voltage = MrDamperParameters{}.initial_voltage;
   double voltage = 0.0;    // constant U where no controller is named [-] in [0, 1]
   std::string controller;  // "lander.U1": output of a controller; empty: constant
+  std::string signal;      // name of a signal that is the voltage, cut to [0, 1]; instead of a controller
   std::optional<MrGeometrySpec> geometry;
 };
 

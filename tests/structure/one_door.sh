@@ -18,6 +18,7 @@ door() {
 door '(ida|sundials|nvector|sunmatrix|sunlinsol)/' 'mbd_solver/integrator/ida*'
 door 'toml\+\+' 'mbd_solver/scene/scene_reader.cpp'
 door 'fl/' 'mbd_solver/model/controllers/fuzzy_engine.h'
+door 'muParser' 'mbd_solver/model/signals/expression.cpp'
 door 'assimp/' 'mbd_solver/scene/mesh_reader.cpp'
 door 'pugixml' 'mbd_solver/output/vtk_writer.cpp'
 door 'mpi\.h' 'coupler/communicator.*' 'coupler/doorbell.*' 'coupler/polite_wait.*' 'coupler/mpi_check.*' 'coupler/abort_guard.*' 'coupler/transport_mpi.*' 'mbd_solver/main.cpp' \
@@ -43,7 +44,7 @@ declare -A may=(
   [liggghts_fix]='coupler'
   [mbd_solver/model/laws]='coupler/base'
   [mbd_solver/model/controllers]='coupler/base'
-  [mbd_solver/model]='mbd_solver/model/laws coupler'  # with its joints and elements
+  [mbd_solver/model]='mbd_solver/model/laws coupler'  # with its joints, elements and signals
   [mbd_solver/fe]='mbd_solver/model'
   [mbd_solver/dynamics]='mbd_solver/model'
   [mbd_solver/integrator]='mbd_solver/dynamics'

@@ -5,6 +5,7 @@
 #include <fl/Headers.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,9 @@
 #include "mbd_solver/model/controllers/mamdani_grid.h"
 
 namespace footfall {
+
+// FuzzyLite's engine with the variables and rules of a file. Throws InputError "file:line: ...".
+std::unique_ptr<fl::Engine> read_fuzzy_engine(const std::string& file, const std::vector<FllBlock>& blocks);
 
 struct FuzzySystem::Engine {
   std::unique_ptr<fl::Engine> engine;

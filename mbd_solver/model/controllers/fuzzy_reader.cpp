@@ -167,9 +167,7 @@ void FuzzySystem::Engine::check_coverage(const std::string& file) const {
         for (const double beta : nodes[3]) check({a, da, alpha, beta});
 }
 
-FuzzySystem::FuzzySystem(const std::filesystem::path& path) : engine_(std::make_unique<Engine>()) {
-  const std::string file = path.string();
-  const std::vector<FllBlock> blocks = read_fll_text(path);
+std::unique_ptr<fl::Engine> read_fuzzy_engine(const std::string& file, const std::vector<FllBlock>& blocks) {
   fl::fuzzylite::setLogging(false);  // its complaints come as exceptions; it must not write into our output
   // the file's text in two parts, because rules can be checked only against variables
   std::string variables, rules;
@@ -180,15 +178,20 @@ FuzzySystem::FuzzySystem(const std::filesystem::path& path) : engine_(std::make_
     for (const FllLine& line : block.lines) text += line.key + ": " + line.value + "\n";
   }
   try {
-    engine_->engine = import(variables);
+    const std::unique_ptr<fl::Engine> without_rules = import(variables);
     for (const FllBlock& block : blocks)
       for (const FllLine& line : block.lines)
-        if (line.key == "rule")
-          check_rule(file + ":" + std::to_string(line.number) + ": ", line.value, *engine_->engine);
-    engine_->engine = import(variables + rules);
+        if (line.key == "rule") check_rule(file + ":" + std::to_string(line.number) + ": ", line.value, *without_rules);
+    return import(variables + rules);
   } catch (const fl::Exception& error) {
     throw InputError(file + ": is not a fuzzy controller: " + first_line(error));
   }
+}
+
+FuzzySystem::FuzzySystem(const std::filesystem::path& path) : engine_(std::make_unique<Engine>()) {
+  const std::string file = path.string();
+  const std::vector<FllBlock> blocks = read_fll_text(path);
+  engine_->engine = read_fuzzy_engine(file, blocks);
   engine_->take_variables(file, blocks);
   std::string status;
   if (!engine_->engine->isReady(&status)) throw InputError(file + ": the controller is not complete: " + status);

@@ -8,19 +8,17 @@ namespace {
 
 constexpr int kSlot = 1;  // of the body; slot 0 is the ground
 
-double value(const TimeFunctionPtr& function, double t) { return function ? function->at(t).value : 0.0; }
-
 }  // namespace
 
 AppliedForce::AppliedForce(std::string name, Marker marker, std::optional<Eigen::Vector3d> fixed_direction,
-                           TimeFunctionPtr force, TimeFunctionPtr torque)
+                           Magnitude force, Magnitude torque)
     : ForceElement(std::move(name), kGround, marker.body),
       marker_(std::move(marker)),
       fixed_direction_(std::move(fixed_direction)),
       force_(std::move(force)),
       torque_(std::move(torque)),
       X_(3, 6 + marker_.S.cols()) {
-  FOOTFALL_DEMAND(marker_.body != kGround && (force_ || torque_));
+  FOOTFALL_DEMAND(marker_.body != kGround && (force_.is_given() || torque_.is_given()));
 }
 
 KinematicVector AppliedForce::direction(const PairMotion& pair) const {
@@ -30,20 +28,20 @@ KinematicVector AppliedForce::direction(const PairMotion& pair) const {
 
 void AppliedForce::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const {
   const Eigen::Vector3d e = direction(in.pair).value();
-  if (force_) KinematicVector::point(in.pair, kSlot, marker_).add_transposed(value(force_, in.time) * e, Q);
-  if (torque_) add_torque(in.pair, kSlot, marker_, value(torque_, in.time) * e, Q);
+  if (force_.is_given()) KinematicVector::point(in.pair, kSlot, marker_).add_transposed(force_.at(in) * e, Q);
+  if (torque_.is_given()) add_torque(in.pair, kSlot, marker_, torque_.at(in) * e, Q);
 }
 
 bool AppliedForce::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
   const KinematicVector e = direction(in.pair);
-  if (force_) {
-    const double f = value(force_, in.time);
+  if (force_.is_given()) {
+    const double f = force_.at(in);
     const KinematicVector p = KinematicVector::point(in.pair, kSlot, marker_);
     p.add_product(f * Eigen::Matrix3d::Identity(), e, out.dQ_dx);
     p.add_second(f * e.value(), out.dQ_dx);
   }
-  if (torque_) {
-    const double m = value(torque_, in.time);
+  if (torque_.is_given()) {
+    const double m = torque_.at(in);
     const BodyKinematics& body = *in.pair.body[kSlot];
     add_torque_derivative(in.pair, kSlot, marker_, m * e.value(), out.dQ_dx);
     Eigen::Ref<Eigen::Matrix3Xd> X = X_.leftCols(in.pair.size());  // de/dx
@@ -60,8 +58,8 @@ bool AppliedForce::add_derivatives(const ElementInput& in, ElementDerivatives& o
 
 void AppliedForce::add_supply(const ElementInput& in, Supplied& power) const {
   const Eigen::Vector3d e = direction(in.pair).value();
-  power[Supply::kForce] += value(force_, in.time) * e.dot(KinematicVector::point(in.pair, kSlot, marker_).rate()) +
-                           value(torque_, in.time) * e.dot(angular_velocity(*in.pair.body[kSlot], marker_));
+  power[Supply::kForce] += force_.at(in) * e.dot(KinematicVector::point(in.pair, kSlot, marker_).rate()) +
+                           torque_.at(in) * e.dot(angular_velocity(*in.pair.body[kSlot], marker_));
 }
 
 }  // namespace footfall

@@ -1,21 +1,19 @@
 #include "mbd_solver/model/elements/joint_force.h"
 
-#include <cmath>
-
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
-#include "mbd_solver/model/elements/turns.h"
+#include "mbd_solver/model/joints/whole_turns.h"
 
 namespace footfall {
 
 JointForce::JointForce(std::string name, Marker m1, Marker m2, Coordinate coordinate,
-                       std::vector<std::unique_ptr<StrutLaw>> laws)
+                       std::vector<std::unique_ptr<StrutLaw>> laws, int command_index)
     : ForceElement(std::move(name), m1.body, m2.body),
       m1_(std::move(m1)),
       m2_(std::move(m2)),
       coordinate_(coordinate),
       laws_(std::move(laws)),
       states_(coordinate == Coordinate::kAngle ? 1 : 0),
+      command_index_(command_index),
       scratch_(12 + m1_.S.cols() + m2_.S.cols()) {
   FOOTFALL_DEMAND(!laws_.empty());
   for (const std::unique_ptr<StrutLaw>& law : laws_) {
@@ -36,12 +34,16 @@ Eigen::VectorXd JointForce::initial_state() const {
 
 double JointForce::continued(const ElementInput& in, double alpha) const {
   if (coordinate_ != Coordinate::kAngle) return alpha;
-  return alpha + 2.0 * kPi * std::round((in.z[0] - alpha) / (2.0 * kPi));
+  return nearest_turn(alpha, in.z[0]);
 }
 
 StrutInput JointForce::law_input(const ElementInput& in, const JointCoordinate& at, std::size_t law) const {
-  return {continued(in, at.value()), at.rate(), 0.0, in.z.segment(first_state_[law], laws_[law]->state_count()),
-          in.time};
+  return {continued(in, at.value()),
+          at.rate(),
+          0.0,
+          in.z.segment(first_state_[law], laws_[law]->state_count()),
+          in.time,
+          command_index_ >= 0 ? in.voltages[command_index_] : 0.0};
 }
 
 const StrutOutput& JointForce::evaluate(const ElementInput& in, const JointCoordinate& at, std::size_t law) const {
@@ -52,7 +54,7 @@ const StrutOutput& JointForce::evaluate(const ElementInput& in, const JointCoord
 void JointForce::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
                            Eigen::Ref<Eigen::VectorXd> dz) const {
   const JointCoordinate at(coordinate_, in.pair, m1_, m2_);
-  if (coordinate_ == Coordinate::kAngle) dz[0] = at.rate() + kFollow * (continued(in, at.value()) - in.z[0]);
+  if (coordinate_ == Coordinate::kAngle) dz[0] = turn_counter_rate(at.rate(), continued(in, at.value()), in.z[0]);
   double force = 0.0;
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const StrutOutput& law = evaluate(in, at, i);
@@ -72,9 +74,9 @@ bool JointForce::add_derivatives(const ElementInput& in, ElementDerivatives& out
   at.add_gradient(1.0, q_x);
   at.add_rate_by_position(1.0, scratch_, rate_x);
   if (coordinate_ == Coordinate::kAngle) {
-    out.ddz_dx.row(0) += (rate_x + kFollow * q_x).transpose();
+    out.ddz_dx.row(0) += (rate_x + kTurnFollow * q_x).transpose();
     out.ddz_dv.row(0) += q_x.transpose();
-    out.ddz_dz(0, 0) -= kFollow;
+    out.ddz_dz(0, 0) -= kTurnFollow;
   }
   double force = 0.0, by_q = 0.0, by_rate = 0.0;
   for (std::size_t i = 0; i < laws_.size(); ++i) {

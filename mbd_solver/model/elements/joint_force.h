@@ -3,8 +3,7 @@
 // place of the stroke and force = -(generalized force on q).
 //   Q = -F(q, q', z, t) dq/dx
 // An angle goes on over any number of turns: the first inner state z_0 only tells how many whole turns there are,
-//   q = alpha + 2 pi round((z_0 - alpha) / 2 pi),  dz_0 = q' + kFollow (q - z_0),  z_0 = 0 at the start
-// with alpha in (-pi, pi]. theory 3.6.
+// (joints/whole_turns.h). theory 3.6.
 
 #include <memory>
 #include <vector>
@@ -24,11 +23,13 @@ struct JointForceSample {
 
 class JointForce : public ForceElement {
  public:
-  // Markers of the joint, z along its axis. Not to be evaluated from two threads at once (it owns scratch).
-  JointForce(std::string name, Marker m1, Marker m2, Coordinate coordinate,
-             std::vector<std::unique_ptr<StrutLaw>> laws);
+  // Markers of the joint, z along its axis. command_index: of the signal that commands the laws, among the voltages and
+  // signals of a run; -1: none. Not to be evaluated from two threads at once (it owns scratch).
+  JointForce(std::string name, Marker m1, Marker m2, Coordinate coordinate, std::vector<std::unique_ptr<StrutLaw>> laws,
+             int command_index = -1);
 
   int state_count() const override { return states_; }
+  int voltage_count() const override { return command_index_ + 1; }
   Eigen::VectorXd initial_state() const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
@@ -48,6 +49,7 @@ class JointForce : public ForceElement {
   std::vector<std::unique_ptr<StrutLaw>> laws_;
   std::vector<int> first_state_;
   int states_;
+  int command_index_;
   mutable std::vector<StrutOutput> out_;  // one per law
   mutable std::vector<StrutPower> power_;
   mutable Eigen::VectorXd row_, row_rate_;  // scratch rows of size n

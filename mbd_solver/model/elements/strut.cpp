@@ -119,6 +119,11 @@ void Strut::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated&
   for (const StrutPower& p : power_) power[p.kind] += p.power;
 }
 
+StrutMotion Strut::motion(const PairMotion& pair) const {
+  const Line at = line(pair);
+  return {at.stroke, at.rate};
+}
+
 StrutSample Strut::sample(const ElementInput& in) const {
   const Line at = line(in.pair);
   StrutSample out{at.stroke, at.rate, 0.0};

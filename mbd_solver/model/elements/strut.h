@@ -18,6 +18,11 @@ struct StrutSample {
   double force = 0.0;   // [N], compression positive
 };
 
+struct StrutMotion {
+  double stroke = 0.0;  // [m], compression positive
+  double rate = 0.0;    // [m/s]
+};
+
 class Strut : public ForceElement {
  public:
   // undeformed_length [m] > 0: length at zero stroke. voltage_index: which controlled voltage drives it, or
@@ -34,6 +39,7 @@ class Strut : public ForceElement {
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
 
   StrutSample sample(const ElementInput& in) const;
+  StrutMotion motion(const PairMotion& pair) const;
   double undeformed_length() const { return length_; }
   const std::vector<std::unique_ptr<StrutLaw>>& laws() const { return laws_; }
   int first_state(std::size_t law) const { return first_state_[law]; }  // of this law within the element's z

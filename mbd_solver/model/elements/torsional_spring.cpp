@@ -5,7 +5,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
 #include "mbd_solver/model/elements/dot_product.h"
-#include "mbd_solver/model/elements/turns.h"
+#include "mbd_solver/model/joints/whole_turns.h"
 
 namespace footfall {
 namespace {
@@ -53,7 +53,7 @@ void TorsionalSpring::add_force(const ElementInput& in, Eigen::Ref<Eigen::Vector
   const double T = -parameters_.stiffness * (at.phi - parameters_.free_angle) - parameters_.damping * at.rate();
   add_dot(at.y1, at.x2, T * at.c / at.rho, Q);
   add_dot(at.x1, at.x2, -T * at.s / at.rho, Q);
-  if (dz.size() > 0) dz[0] = at.rate() + kFollow * (at.phi - in.z[0]);
+  if (dz.size() > 0) dz[0] = at.rate() + kTurnFollow * (at.phi - in.z[0]);
 }
 
 bool TorsionalSpring::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
@@ -74,9 +74,9 @@ bool TorsionalSpring::add_derivatives(const ElementInput& in, ElementDerivatives
   add_dot_rate(at.x1, at.x2, -at.s / at.rho, row);
   row += (at.ds / at.rho - 2.0 * at.c * rate / at.rho) * C - (at.dc / at.rho + 2.0 * at.s * rate / at.rho) * S;
   if (state_count() > 0) {  // the turn is constant: dphi/dz = 0
-    out.ddz_dx.row(0) += (row + (kFollow * at.c / at.rho) * S - (kFollow * at.s / at.rho) * C).transpose();
+    out.ddz_dx.row(0) += (row + (kTurnFollow * at.c / at.rho) * S - (kTurnFollow * at.s / at.rho) * C).transpose();
     out.ddz_dv.row(0) += ((at.c / at.rho) * S - (at.s / at.rho) * C).transpose();
-    out.ddz_dz(0, 0) -= kFollow;
+    out.ddz_dz(0, 0) -= kTurnFollow;
   }
   // T by x: -k dphi/dx - d dphi'/dx
   row *= -d;

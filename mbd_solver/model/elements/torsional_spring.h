@@ -3,7 +3,7 @@
 //   principal angle  alpha = atan2(y1.x2, x1.x2) in (-pi, pi]
 //   angle            phi = alpha + 2 pi round((z - alpha) / (2 pi)),  continuous over any number of turns
 //   torque on body 2 about z1:  T = -k (phi - phi0) - c phi'
-// The inner state z follows the angle, dz = phi' + kFollow (phi - z), and only tells how many whole turns there are:
+// The inner state z follows the angle, dz = phi' + kTurnFollow (phi - z), and only tells how many whole turns there are:
 // phi is exact while z is within half a turn of it. z starts at zero, so the angle starts in (-pi, pi]. A damper alone
 // (k = 0) has no inner state. theory 3.5.
 

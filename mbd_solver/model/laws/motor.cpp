@@ -27,7 +27,8 @@ struct SpeedLimit {
 // Everything on the way from the coordinate to the torque at the joint, with derivatives by x, v and z.
 struct Motor::Shaft {
   Shaft(const MotorParameters& p, const StrutInput& in) {
-    const TimeValue c = p.command->at(in.time);
+    TimeValue c = p.command->at(in.time);
+    c.value += in.command;
     const double x = in.stroke, v = in.rate, z = p.ki > 0.0 ? in.z[0] : 0.0;
     switch (p.kind) {
       case MotorKind::kTorque: u = c.value; break;
@@ -44,6 +45,7 @@ struct Motor::Shaft {
         u_x = -p.kp;
         u_v = -p.kd;
         break;
+      case MotorKind::kBrake: break;
     }
     tau = u;
     tau_x = u_x;
@@ -80,7 +82,7 @@ struct Motor::Shaft {
 
 Motor::Motor(const MotorParameters& parameters) : parameters_(parameters) {
   const MotorParameters& p = parameters_;
-  FOOTFALL_DEMAND(p.command != nullptr);
+  FOOTFALL_DEMAND(p.command != nullptr && p.kind != MotorKind::kBrake);
   require_not_negative(kind(), "kp", p.kp, "");
   require_not_negative(kind(), "ki", p.ki, "");
   require_not_negative(kind(), "kd", p.kd, "");

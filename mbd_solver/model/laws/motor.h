@@ -17,15 +17,17 @@
 namespace footfall {
 
 enum class MotorKind {
-  kTorque,   // brings up the torque `command`
-  kSpeed,    // holds the joint's speed at `command`
-  kPosition  // holds the joint's coordinate at `command`
+  kTorque,    // brings up the torque `command`
+  kSpeed,     // holds the joint's speed at `command`
+  kPosition,  // holds the joint's coordinate at `command`
+  kBrake      // no motor: laws/brake.h, which holds the joint still as far as `command` presses it
 };
 constexpr std::string_view name_of(MotorKind kind) {
   switch (kind) {
     case MotorKind::kTorque: return "torque";
     case MotorKind::kSpeed: return "speed";
     case MotorKind::kPosition: return "position";
+    case MotorKind::kBrake: return "brake";
   }
   return {};
 }
@@ -33,7 +35,7 @@ constexpr std::string_view name_of(MotorKind kind) {
 // Units of an angle x; of a displacement read m for rad of the joint.
 struct MotorParameters {
   MotorKind kind = MotorKind::kTorque;
-  TimeFunctionPtr command;               // c(t) [N m], [rad/s] or [rad]
+  TimeFunctionPtr command;  // c(t) [N m], [rad/s] or [rad]; StrutInput::command is added, its rate taken as 0
   double kp = 0.0;                       // >= 0, > 0 for speed and position [N m s/rad or N m/rad]
   double ki = 0.0;                       // >= 0 [N m/rad or N m/(rad s)]
   double kd = 0.0;                       // >= 0, position [N m s/rad]

@@ -20,6 +20,7 @@ struct StrutInput {
   double voltage = 0.0;  // U commanded by a controller or constant, in [0, 1] [-]; constant within a step
   Eigen::Ref<const Eigen::VectorXd> z;  // inner states of this law
   double time = 0.0;                    // [s]
+  double command = 0.0;                 // a signal that commands it, beside its function of time, in the unit of that
 };
 
 // What a law answers. Force positive in compression (it pushes the ends apart) [N].

@@ -156,6 +156,25 @@ TEST_P(EveryDriveKind, BringsTheEnergyThatTheMechanismGets) {
 
 INSTANTIATE_TEST_SUITE_P(Registered, EveryDriveKind, ValuesIn(names_of<MotorKind>()), name_of_test);
 
+class EverySignalKind : public TestWithParam<std::string> {};
+
+TEST_P(EverySignalKind, HasTheDerivativesOfItsResidual) { expect_derivatives(build(test::signal_scene(GetParam()))); }
+
+TEST_P(EverySignalKind, DrivesAForceWhoseWorkIsCounted) {
+  const Mechanism mechanism = build(test::signal_scene(GetParam()));
+  ASSERT_EQ(mechanism.signals.size(), 1u);
+  EXPECT_EQ(mechanism.sampled.empty(), GetParam() != "rate_limit");
+  EXPECT_EQ(mechanism.model.signals() == nullptr, GetParam() == "rate_limit");
+  test::Run run(mechanism.model, "one_step", test::tight(1e-11));
+  run.inputs = inputs_of(mechanism);
+  const double before = run.energy().stored.total();
+  run.to(0.1);
+  EXPECT_GT(std::abs(run.state.supplied[Supply::kForce]), kActs * before);
+  EXPECT_LT(std::abs(run.imbalance()), 1e-8 * before);  // of the integration
+}
+
+INSTANTIATE_TEST_SUITE_P(Registered, EverySignalKind, ValuesIn(names_of<SignalKind>()), name_of_test);
+
 // The law of a strut is called by its section alone: two sections must not build the same law.
 TEST(StrutLaws, EachSectionBuildsALawOfItsOwn) {
   std::vector<std::string> kinds;

@@ -63,6 +63,7 @@ inline const KeysOfKind kDriveKeys = {
     {"speed", "command = { polynomial = [1] }\nkp = 0.05\nki = 0.3\nmax_torque = 50\nmax_speed = 300"},
     {"position",
      "command = { amplitude = 0.3, frequency = 1 }\nkp = 2\nkd = 0.05\nki = 1\nmax_torque = 50\nefficiency = 0.9"},
+    {"brake", "command = { polynomial = [0.2, 5] }\nmax_torque = 0.05\nlag = 0.02"},
 };
 
 inline const KeysOfKind kControllerKeys = {
@@ -70,6 +71,21 @@ inline const KeysOfKind kControllerKeys = {
     {"fuzzy", "outputs = [\"U1\", \"U2\", \"U3\"]\nfile = \"" FOOTFALL_SOURCE_DIR "/inputs/reference/reference.fll\""},
     {"skyhook", "outputs = [\"U1\", \"U2\", \"U3\"]"},
     {"pid", "outputs = [\"U1\", \"U2\", \"U3\"]\nkd = 0.001"},
+};
+
+// Each drives a force, continuously where it can.
+inline const KeysOfKind kSignalKeys = {
+    {"expression", "input = \"-20 * hinge.angle - 3 * hinge.angle_rate + 5 * b.z * a.roll\""},
+    {"pid", "input = \"1 - b.x\"\nkp = 20\nki = 10\nkd = 2\nderivative_frequency = 3\nmax = 100"},
+    {"lowpass", "input = \"10 * b.vx\"\nfrequency = 2"},
+    {"lowpass2", "input = \"10 * hinge.angle\"\nfrequency = 2\ndamping = 0.4\ninitial = 0.3"},
+    {"notch", "input = \"10 * a.wy + 3 * time\"\nfrequency = 2"},
+    {"rate_limit", "input = \"10 * b.vx\"\nmax_rate = 5\nperiod = 0.01"},
+    {"saturation", "input = \"30 * b.vx\"\nmin = -20\nmax = 50"},
+    {"table", "input = \"b.x\"\npoints = [[-10, 5], [0, 1], [30, 9]]"},
+    {"table2", "input = \"b.x\"\ninput2 = \"b.vx\"\nx = [-9, 9]\nx2 = [-9, 9]\nvalues = [1, 5, -4, 8]"},
+    {"fuzzy", "file = \"" FOOTFALL_SOURCE_DIR "/inputs/reference/reference.fll\"\noutput = \"U1\"\n"
+              "inputs = [\"2 + 0.1 * b.x\", \"0\", \"b.vx\", \"0\"]"},
 };
 
 // Two bodies that move and turn against each other.
@@ -134,6 +150,15 @@ inline std::string drive_scene(const std::string& kind) {
 inline std::string controller_scene(const std::string& kind) {
   return kTwoBodies + "[[controllers]]\nname = \"c\"\nbody = \"a\"\nkind = \"" + kind + "\"\n" +
          keys_of_kind(kControllerKeys, kind) + "\n";
+}
+inline std::string signal_scene(const std::string& kind) {
+  return kTwoBodies +
+         "[[joints]]\nname = \"hinge\"\ntype = \"revolute\"\nbodies = [\"a\", \"b\"]\npoint = [0.5, 0.1, 0]\naxis = "
+         "[1, 2, 3]\n"
+         "[[forces]]\nname = \"push\"\nbody = \"b\"\ndirection = [1, 2, 0]\nforce = { polynomial = [1], signal = \"s\" "
+         "}\n"
+         "[[signals]]\nname = \"s\"\nkind = \"" +
+         kind + "\"\n" + keys_of_kind(kSignalKeys, kind) + "\n";
 }
 
 }  // namespace footfall::test

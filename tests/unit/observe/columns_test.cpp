@@ -150,6 +150,15 @@ TEST_F(HistoryColumns, ShowTheVoltagesOfTheWindow) {
   EXPECT_EQ(value("brain.U1"), 0.625);
 }
 
+TEST_F(HistoryColumns, ShowSignalsAndStates) {
+  bench.state.v(2) = -1.5;  // the cabin sinks onto the leg at 0.5 m/s
+  bench.state.time = 0.25;
+  EXPECT_NEAR(value("signal.sum"), 0.25 + 2.0 * 0.5, 1e-12);  // round-off
+  EXPECT_EQ(value("state.first"), 1.0);
+  EXPECT_EQ(value("state.second"), 0.0);
+  EXPECT_EQ(value("state.since"), 0.25);
+}
+
 // Turned by yaw, pitch and roll, in this order about moving axes.
 TEST_F(HistoryColumns, ShowTheAttitudeAsRollPitchYaw) {
   const double roll = 0.3, pitch = -0.7, yaw = 2.1;

@@ -67,6 +67,18 @@ kind = "constant"
 body = "cabin"
 outputs = ["U1"]
 voltages = [0.5]
+[[signals]]
+name = "sum"
+kind = "expression"
+input = "time + 2 * slide.displacement_rate"
+[[states]]
+name = "first"
+[[states]]
+name = "second"
+[[events]]
+name = "late"
+when = "time > 1000"
+to = "second"
 [[boundaries]]
 body = "leg"
 [boundaries.beams]

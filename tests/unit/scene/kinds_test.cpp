@@ -60,16 +60,18 @@ TEST(SceneKinds, EachHasItsRowOnThePage) {
   EXPECT_EQ(names_on_page("Forces"), names<ForceFrame>());
   EXPECT_EQ(names_on_page("Drives"), names<MotorKind>());
   EXPECT_EQ(names_on_page("Controllers"), names<ControllerKind>());
+  EXPECT_EQ(names_on_page("Signals"), names<SignalKind>());
   EXPECT_EQ(names_on_page("Shapes"), names<ShapeKind>());
   EXPECT_EQ(names_on_page("Ground"), names<GroundKind>());
 }
 
 TEST(ReferenceScene, HoldsEveryKind) {
   const Scene scene = read_scene(FOOTFALL_SOURCE_DIR "/inputs/reference");
-  Names joints, springs, controllers, laws, shapes;
+  Names joints, springs, controllers, signals, laws, shapes;
   for (const JointSpec& joint : scene.joints) joints.emplace(name_of(joint.type));
   for (const SpringSpec& spring : scene.springs) springs.emplace(name_of(spring.kind));
   for (const ControllerSpec& controller : scene.controllers) controllers.emplace(name_of(controller.kind));
+  for (const SignalSpec& signal : scene.signals) signals.emplace(name_of(signal.kind));
   for (const BodySpec& body : scene.bodies)
     if (body.shape) shapes.emplace(name_of(body.shape->kind));
   for (const StrutSpec& strut : scene.struts)
@@ -79,6 +81,7 @@ TEST(ReferenceScene, HoldsEveryKind) {
   EXPECT_EQ(joints, names<JointType>());
   EXPECT_EQ(springs, names<SpringKind>());
   EXPECT_EQ(controllers, names<ControllerKind>());
+  EXPECT_EQ(signals, names<SignalKind>());
   EXPECT_EQ(laws, law_names());
   EXPECT_EQ(shapes, names<ShapeKind>());
 }
@@ -183,15 +186,18 @@ TEST(SceneKinds, EveryKeyOfASpringBelongsToAKind) {
 }
 
 TEST(SceneKinds, EveryKeyOfADriveBelongsToAKind) {
-  Names common{"name",      "kind",       "joint",      "coordinate",   "max_torque",
-               "max_speed", "gear_ratio", "efficiency", "rotor_inertia"};
-  for (const char* part : {"", ".polynomial", ".amplitude", ".frequency", ".phase", ".table"})
+  Names common{"name", "kind", "joint", "coordinate", "max_torque", "gear_ratio", "rotor_inertia"};
+  for (const char* part : {"", ".polynomial", ".amplitude", ".frequency", ".phase", ".table", ".signal"})
     common.insert(std::string("command") + part);
   expect_every_key_to_belong<MotorKind>("drives", common);
 }
 
 TEST(SceneKinds, EveryKeyOfAControllerBelongsToAKind) {
   expect_every_key_to_belong<ControllerKind>("controllers", {"name", "kind", "body", "period", "outputs"});
+}
+
+TEST(SceneKinds, EveryKeyOfASignalBelongsToAKind) {
+  expect_every_key_to_belong<SignalKind>("signals", {"name", "kind", "period", "states"});
 }
 
 }  // namespace

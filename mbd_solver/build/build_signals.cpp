@@ -1,0 +1,234 @@
+// Signals and states of the scene: blocks, their places among the voltages of a run, and what the continuous ones measure.
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/nearest_name.h"
+#include "mbd_solver/build/fuzzy_block.h"
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/model/signals/body_entries.h"
+#include "mbd_solver/model/signals/limit_blocks.h"
+#include "mbd_solver/model/signals/linear_filter.h"
+#include "mbd_solver/model/signals/lookup_table.h"
+#include "mbd_solver/model/signals/pid_block.h"
+
+namespace footfall {
+namespace {
+
+std::unique_ptr<SignalBlock> build_pid(const SignalSpec& spec) {
+  PidBlockParameters p;
+  p.kp = spec.kp;
+  p.ki = spec.ki;
+  p.kd = spec.kd;
+  p.bias = spec.bias;
+  p.min = spec.min;
+  p.max = spec.max;
+  p.derivative_frequency = spec.derivative_frequency;
+  p.rate_is_given = !spec.rate.empty();
+  p.period = spec.period;
+  return std::make_unique<PidBlock>(p);
+}
+
+std::unique_ptr<SignalBlock> build_table(const SignalSpec& spec) {
+  std::vector<double> x, y;
+  for (const Eigen::Vector2d& point : spec.points) {
+    x.push_back(point.x());
+    y.push_back(point.y());
+  }
+  return std::make_unique<LookupTable>(x, y);
+}
+
+std::unique_ptr<SignalBlock> build_table2(const SignalSpec& spec) {
+  using RowByRow = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto rows = static_cast<Eigen::Index>(spec.x.size()), columns = static_cast<Eigen::Index>(spec.x2.size());
+  return std::make_unique<LookupTable>(spec.x, spec.x2, Eigen::Map<const RowByRow>(spec.values.data(), rows, columns));
+}
+
+std::unique_ptr<SignalBlock> build(const SignalSpec& spec) {
+  switch (spec.kind) {
+    case SignalKind::kExpression: return std::make_unique<PassBlock>();
+    case SignalKind::kPid: return build_pid(spec);
+    case SignalKind::kLowpass:
+      return std::make_unique<LinearFilter>(LinearFilter::low_pass(spec.frequency, spec.period));
+    case SignalKind::kLowpass2:
+      return std::make_unique<LinearFilter>(LinearFilter::low_pass_2(spec.frequency, spec.damping, spec.period));
+    case SignalKind::kNotch:
+      return std::make_unique<LinearFilter>(LinearFilter::notch(spec.frequency, spec.damping, spec.period));
+    case SignalKind::kRateLimit: return std::make_unique<RateLimit>(spec.max_rate);
+    case SignalKind::kSaturation: return std::make_unique<Saturation>(spec.min, spec.max);
+    case SignalKind::kTable: return build_table(spec);
+    case SignalKind::kTable2: return build_table2(spec);
+    case SignalKind::kFuzzy: return std::make_unique<FuzzyBlock>(spec.file, spec.inputs.size(), spec.output);
+  }
+  FOOTFALL_DEMAND(false);
+}
+
+std::vector<std::string> inputs_of(const SignalSpec& spec) {
+  if (spec.kind == SignalKind::kFuzzy) return spec.inputs;
+  std::vector<std::string> inputs = {spec.input};
+  if (!spec.input2.empty()) inputs.push_back(spec.input2);
+  if (!spec.rate.empty()) inputs.push_back(spec.rate);
+  return inputs;
+}
+
+SignalNode node_of(const SignalSpec& spec, int place) {
+  return {spec.name, build(spec), inputs_of(spec), spec.states, spec.initial, spec.period, place};
+}
+
+// A name of the form "OWNER.what".
+bool is(const std::string& name, const std::string& owner, const std::string& what) {
+  return name.size() == owner.size() + 1 + what.size() && name.rfind(owner + ".", 0) == 0 &&
+         name.compare(owner.size() + 1, what.size(), what) == 0;
+}
+
+constexpr const char* kAccelerations[] = {"ax", "ay", "az"};
+
+std::unique_ptr<Sensor> body_sensor(const Model& model, const std::string& name) {
+  for (int i = 0; i < model.body_count(); ++i) {
+    const auto find = [&](const auto& entries) -> std::unique_ptr<Sensor> {
+      for (const auto& entry : entries) {
+        const std::string what = std::string(entry.pattern).substr(std::string("<body>.").size());
+        const bool position =
+            std::find(std::begin(kAccelerations), std::end(kAccelerations), what) == std::end(kAccelerations);
+        if (position && is(name, model.body(i).name(), what)) return std::make_unique<BodySensor>(i, entry.value);
+      }
+      return nullptr;
+    };
+    if (auto sensor = find(kBodyEntries)) return sensor;
+    if (auto sensor = find(kAttitudeEntries)) return sensor;
+  }
+  return nullptr;
+}
+
+std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string& name) {
+  const Model& model = mechanism.model;
+  if (auto sensor = body_sensor(model, name)) return sensor;
+  for (const CoordinateEntry& entry : mechanism.coordinates) {
+    const std::string coordinate = entry.coordinate == Coordinate::kAngle ? "angle" : "displacement";
+    const Joint& joint = model.joint(entry.joint);
+    if (is(name, entry.name, coordinate)) return std::make_unique<CoordinateSensor>(joint, entry.coordinate);
+    if (is(name, entry.name, coordinate + "_rate"))
+      return std::make_unique<CoordinateRateSensor>(joint, entry.coordinate);
+  }
+  for (const StrutEntry& entry : mechanism.struts) {
+    const auto& strut = static_cast<const Strut&>(model.force(entry.force));
+    if (is(name, entry.name, "stroke")) return std::make_unique<StrutSensor>(strut, StrutSensor::Reads::kStroke);
+    if (is(name, entry.name, "rate")) return std::make_unique<StrutSensor>(strut, StrutSensor::Reads::kRate);
+  }
+  return nullptr;
+}
+
+std::vector<std::string> continuous_names(const Mechanism& mechanism) {
+  std::vector<std::string> names = {"time"};
+  for (const PlaceEntry& entry : mechanism.signals) names.push_back("signal." + entry.name);
+  for (const CoordinateEntry& entry : mechanism.coordinates)
+    names.push_back(entry.name + (entry.coordinate == Coordinate::kAngle ? ".angle" : ".displacement"));
+  for (int i = 0; i < mechanism.model.body_count(); ++i) names.push_back(mechanism.model.body(i).name() + ".z");
+  for (const StrutEntry& entry : mechanism.struts) names.push_back(entry.name + ".stroke");
+  return names;
+}
+
+void add_continuous(const Scene& scene, SignalChain chain, Mechanism& mechanism) {
+  std::vector<SignalSource> sources;
+  std::vector<std::unique_ptr<Sensor>> sensors;
+  for (const std::string& name : chain.names()) {
+    if (const std::optional<SignalSource> source = signal_source(mechanism, name)) {
+      sources.push_back(*source);
+      continue;
+    }
+    std::unique_ptr<Sensor> sensor = sensor_of(mechanism, name);
+    if (!sensor)
+      throw InputError(where_read(scene, name) + "a continuous signal cannot measure \"" + name +
+                       "\"; it knows time, positions and velocities of bodies, joints and struts, and other signals. "
+                       "For accelerations, forces and contacts give the signal a period, for example period_ms = 1." +
+                       known_names("names", name, continuous_names(mechanism)));
+    sources.push_back({SignalSource::Kind::kSensor, sensors.size()});
+    sensors.push_back(std::move(sensor));
+  }
+  mechanism.model.set_signals(
+      std::make_unique<ContinuousSignals>(std::move(chain), std::move(sources), std::move(sensors)));
+}
+
+}  // namespace
+
+std::optional<SignalSource> signal_source(const Mechanism& mechanism, const std::string& name) {
+  using Kind = SignalSource::Kind;
+  if (name == "time") return SignalSource{Kind::kTime, 0};
+  if (name == "state.since" && mechanism.state_since >= 0)
+    return SignalSource{Kind::kSince, static_cast<std::size_t>(mechanism.state_since)};
+  for (const PlaceEntry& entry : mechanism.signals)
+    if (name == "signal." + entry.name) return SignalSource{Kind::kPlace, static_cast<std::size_t>(entry.place)};
+  for (const PlaceEntry& entry : mechanism.states)
+    if (name == "state." + entry.name) return SignalSource{Kind::kPlace, static_cast<std::size_t>(entry.place)};
+  for (const ControllerEntry& entry : mechanism.controllers)
+    for (std::size_t k = 0; k < entry.outputs.size(); ++k)
+      if (is(name, entry.name, entry.outputs[k]))
+        return SignalSource{Kind::kPlace, static_cast<std::size_t>(entry.first_voltage) + k};
+  return std::nullopt;
+}
+
+int signal_place(const Mechanism& mechanism, const std::string& name) {
+  if (name.empty()) return -1;
+  for (const PlaceEntry& entry : mechanism.signals)
+    if (entry.name == name) return entry.place;
+  FOOTFALL_DEMAND(false);  // the scene is checked
+}
+
+std::string where_read(const Scene& scene, const std::string& name) {
+  const auto reads = [&](const std::string& text) {
+    if (text.empty()) return false;
+    const std::vector<std::string> names = Expression::names_in(text);
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  const auto where = [&](const Source& source, const std::string& key) {
+    return scene.file + ":" + std::to_string(source.line_of(key)) + ": " + source.path + "." + key + ": ";
+  };
+  for (const SignalSpec& spec : scene.signals) {
+    for (const auto& [key, text] : {std::pair("input", &spec.input), {"input2", &spec.input2}, {"rate", &spec.rate}})
+      if (reads(*text)) return where(spec.source, key);
+    for (const std::string& input : spec.inputs)
+      if (reads(input)) return where(spec.source, "inputs");
+  }
+  for (const EventSpec& spec : scene.events)
+    if (reads(spec.when)) return where(spec.source, "when");
+  return scene.file + ": ";
+}
+
+void add_signal_places(const Scene& scene, Mechanism& mechanism) {
+  const auto take = [&](double value) {
+    const int place = static_cast<int>(mechanism.voltages.size());
+    mechanism.voltages.conservativeResize(place + 1);
+    mechanism.voltages(place) = value;
+    return place;
+  };
+  for (const SignalSpec& spec : scene.signals) mechanism.signals.push_back({spec.name, take(0.0)});
+  for (const StateSpec& spec : scene.states)
+    mechanism.states.push_back({spec.name, take(mechanism.states.empty() ? 1.0 : 0.0)});
+  if (!scene.states.empty()) mechanism.state_since = take(0.0);
+}
+
+void add_signals(const Scene& scene, Mechanism& mechanism) {
+  std::vector<SignalNode> continuous;
+  for (std::size_t i = 0; i < scene.signals.size(); ++i) {
+    const SignalSpec& spec = scene.signals[i];
+    try {
+      (spec.period > 0.0 ? mechanism.sampled : continuous).push_back(node_of(spec, mechanism.signals[i].place));
+    } catch (const InputError& error) {
+      throw InputError(scene.file + ":" + std::to_string(spec.source.line) + ": " + spec.source.path + ": " +
+                       error.what());
+    }
+  }
+  if (continuous.empty()) return;
+  const int line = scene.signals.front().source.line;
+  try {
+    SignalChain chain(std::move(continuous));
+    add_continuous(scene, std::move(chain), mechanism);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    throw InputError(what.rfind(scene.file, 0) == 0 ? what : scene.file + ":" + std::to_string(line) + ": " + what);
+  }
+}
+
+}  // namespace footfall

@@ -1,0 +1,164 @@
+#include "mbd_solver/run/settle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/build/time_functions.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kAtRest = 1e-7;                                      // of the accelerations at first, or of gravity
+constexpr double kFirst = 1e-3;                                       // [s]: the first look at the kinetic energy
+constexpr double kLongest = 1000.0;                                   // [s] of motion
+constexpr double kRtol = 1e-8, kAtol = 1e-12, kAtolVelocity = 1e-10;  // small motions count, too
+constexpr int kMostStops = 2000;
+constexpr int kLooks = 12;  // per way to the largest kinetic energy
+
+void freeze(TimeFunctionSpec& f) {
+  const double now = time_function(f)->at(0.0).value;
+  const std::string signal = f.signal;
+  f = TimeFunctionSpec{};
+  f.polynomial = {now};
+  f.signal = signal;
+}
+void freeze(std::optional<TimeFunctionSpec>& f) {
+  if (f) freeze(*f);
+}
+
+// The scene as it is at the start, for ever, and without velocities.
+Scene frozen(Scene scene) {
+  scene.initial.velocity.setZero();
+  scene.initial.angular_velocity.setZero();
+  scene.initial.bodies.clear();
+  for (ForceSpec& force : scene.forces) {
+    freeze(force.force);
+    freeze(force.torque);
+  }
+  for (DriveSpec& drive : scene.drives) freeze(drive.command);
+  for (JointSpec& joint : scene.joints) {
+    if (!joint.motion) continue;
+    for (std::optional<TimeFunctionSpec>* f :
+         {&joint.motion->x, &joint.motion->y, &joint.motion->z, &joint.motion->rotation})
+      freeze(*f);
+  }
+  return scene;
+}
+
+class Relaxation {
+ public:
+  Relaxation(const Mechanism& mechanism, const Assembly& assembly, const IntegratorOptions& options)
+      : equations_(mechanism.model, assembly), rates_(Eigen::VectorXd::Zero(equations_.layout().size())) {
+    integrator_ = make_integrator("one_step", equations_, options);
+    inputs_.voltages = mechanism.voltages;
+    state_ = assembly.state;
+    equations_.settle_signals(nullptr, inputs_, state_);
+    stop();
+  }
+  const State& state() const { return state_; }
+  double acceleration() const {
+    return rates_.segment(equations_.layout().v0(), equations_.layout().v_size).lpNorm<Eigen::Infinity>();
+  }
+
+  // To the largest kinetic energy, and stops there. Returns the time it took [s].
+  double to_next_stop(double budget) {
+    // Looks at the kinetic energy, so many at equal distances, then at twice these.
+    State looks[3];
+    double energy[3] = {0.0, 0.0, 0.0};
+    int count = 0;
+    const auto look = [&](const State& state) {
+      std::rotate(looks, looks + 1, looks + 3);
+      std::rotate(energy, energy + 1, energy + 3);
+      looks[2] = state;
+      energy[2] = kinetic(state);
+      ++count;
+    };
+    double h = look_;
+    look(state_);
+    while (looks[2].time < budget) {
+      State next = looks[2];
+      integrator_->advance(next, next.time + h, inputs_);
+      look(next);
+      if (energy[2] < energy[1]) {
+        // The top of the parabola through three looks, between the first and the last of them.
+        const double bend = energy[0] - 2.0 * energy[1] + energy[2];
+        const bool three = count >= 3 && bend < 0.0;
+        const double s = three ? std::clamp(0.5 * (energy[0] - energy[2]) / bend, -1.0, 1.0) : 0.0;
+        const double taken = next.time, top = looks[1].time + h * s;
+        state_ = s < 0.0 ? looks[0] : looks[1];
+        if (top > state_.time) integrator_->advance(state_, top, inputs_);
+        look_ = std::max(state_.time, 0.1 * h) / kLooks;
+        stop();
+        return taken;
+      }
+      if (count <= 2 * kLooks) continue;
+      h *= 2.0;
+      count = 1;  // looks at other distances make no parabola
+    }
+    return budget;
+  }
+
+ private:
+  double kinetic(const State& state) {
+    Eigen::VectorXd y(equations_.layout().size());
+    equations_.pack(state, Eigen::VectorXd::Zero(equations_.layout().row_count), y);
+    equations_.energy(state.time, y, inputs_, energy_);
+    return energy_.stored[Stored::kKinetic];
+  }
+  void stop() {
+    state_.v.setZero();
+    state_.time = 0.0;
+    state_.step = 0.0;
+    integrator_->forget();
+    equations_.accelerations(state_, inputs_, rates_);
+  }
+
+  Equations equations_;
+  std::unique_ptr<Integrator> integrator_;
+  Inputs inputs_;
+  State state_;
+  Eigen::VectorXd rates_;
+  EnergySample energy_;
+  double look_ = kFirst;
+};
+
+}  // namespace
+
+Settled settle(const Scene& scene, const AssemblyOptions& options, const IntegratorOptions& integrator) {
+  const Scene still = frozen(scene);
+  const Mechanism mechanism = build_mechanism(still);
+  const Assembly assembly = assemble(mechanism.model, options);
+  IntegratorOptions tight = integrator;
+  tight.rtol = std::min(tight.rtol, kRtol);
+  tight.atol = std::min(tight.atol, kAtol);
+  tight.atol_velocity = std::min(tight.atol_velocity, kAtolVelocity);
+  tight.max_step = 0.0;
+  Relaxation relaxation(mechanism, assembly, tight);
+  const double enough = kAtRest * std::max(relaxation.acceleration(), scene.gravity.norm());
+  Settled out;
+  int stops = 0;
+  while (relaxation.acceleration() > enough) {
+    out.time += relaxation.to_next_stop(kLongest - out.time);
+    if (out.time >= kLongest || ++stops >= kMostStops)
+      throw InputError(scene.file + ":" + std::to_string(scene.initial.source.line_of("settle")) +
+                       ": initial.settle: the mechanism does not come to rest: after " + number_text(out.time, 3) +
+                       " s of motion its largest acceleration is " + number_text(relaxation.acceleration(), 3) +
+                       " m/s2 or rad/s2. Does something hold every body against gravity? Else leave settle out.");
+  }
+  out.state = relaxation.state();
+  out.acceleration = relaxation.acceleration();
+  const Layout layout(mechanism.model);
+  for (int i = 0; i < mechanism.model.body_count(); ++i) {
+    const int q = layout.body_q[static_cast<std::size_t>(i)];
+    const double way = (out.state.q.segment<3>(q) - assembly.state.q.segment<3>(q)).norm();
+    if (way < out.moved) continue;
+    out.moved = way;
+    out.body = mechanism.model.body(i).name();
+  }
+  return out;
+}
+
+}  // namespace footfall

@@ -1,0 +1,167 @@
+#include "mbd_solver/run/signal_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/model/signals/signal_block.h"
+
+namespace footfall {
+namespace {
+
+std::vector<SignalNode> conditions_of(const Scene& scene) {
+  std::vector<SignalNode> nodes;
+  for (const EventSpec& event : scene.events) {
+    SignalNode node;
+    node.name = event.name;
+    node.block = std::make_unique<PassBlock>();
+    node.inputs = {event.when};
+    node.period = event.period;
+    nodes.push_back(std::move(node));
+  }
+  return nodes;
+}
+
+SignalChain chain_of(const Scene& scene, std::vector<SignalNode> sampled) {
+  try {
+    return SignalChain(std::move(sampled));
+  } catch (const InputError& error) {
+    throw InputError(scene.file + ":" + std::to_string(scene.signals.front().source.line) + ": " + error.what());
+  }
+}
+
+long samples_until(double time, double period) { return static_cast<long>(std::floor(time / period + 1e-6)) + 1; }
+
+}  // namespace
+
+SignalLoop::SignalLoop(std::vector<SignalNode> sampled, const Subject& subject)
+    : subject_(subject),
+      chain_(chain_of(subject.scene, std::move(sampled))),
+      conditions_(conditions_of(subject.scene)),
+      readings_(chain_.names(), subject),
+      of_conditions_(conditions_.names(), subject),
+      samples_(chain_.size(), 0),
+      looks_(conditions_.size(), 0),
+      worked_(chain_.size(), false),
+      z_(Eigen::VectorXd::Zero(chain_.state_count())) {
+  const std::vector<EventSpec>& events = subject.scene.events;
+  for (std::size_t k = 0; k < conditions_.size(); ++k) {
+    const auto found = std::find_if(events.begin(), events.end(),
+                                    [&](const EventSpec& e) { return e.name == conditions_.node(k).name; });
+    events_.push_back(static_cast<int>(found - events.begin()));
+    watches_ = watches_ || found->period == 0.0;
+    order_.push_back(k);
+  }
+  std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+    const bool sampled_a = conditions_.node(a).period > 0.0, sampled_b = conditions_.node(b).period > 0.0;
+    return sampled_a != sampled_b ? sampled_b : events_[a] < events_[b];
+  });
+}
+
+double SignalLoop::next_sample() const {
+  double next = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < chain_.size(); ++k)
+    next = std::min(next, static_cast<double>(samples_[k]) * chain_.node(k).period);
+  for (std::size_t k = 0; k < conditions_.size(); ++k)
+    if (const double period = conditions_.node(k).period; period > 0.0)
+      next = std::min(next, static_cast<double>(looks_[k]) * period);
+  return next;
+}
+
+const std::string& SignalLoop::event_name(int event) const {
+  return subject_.scene.events[static_cast<std::size_t>(event)].name;
+}
+
+SignalLoop::Held SignalLoop::held(const Sample& sample, const Eigen::VectorXd& voltages) {
+  if (conditions_.size() == 0) return {};
+  of_conditions_.take(sample);
+  for (std::size_t i = 0; i < conditions_.names().size(); ++i)
+    conditions_.set(i, of_conditions_.value(i, sample, voltages));
+  const auto in_state = [&](const std::string& name) {
+    for (const PlaceEntry& state : subject_.mechanism.states)
+      if (state.name == name) return voltages(state.place) != 0.0;
+    return false;
+  };
+  for (const std::size_t k : order_) {
+    const EventSpec& event = subject_.scene.events[static_cast<std::size_t>(events_[k])];
+    const bool looked_for =
+        event.from.empty() ? !in_state(event.to) : std::any_of(event.from.begin(), event.from.end(), in_state);
+    if (!looked_for) continue;
+    if (event.period > 0.0 && !due(sample.state.time, event.period, looks_[k])) continue;
+    try {
+      if (conditions_.inputs(k)[0] != 0.0) return {events_[k], event.period > 0.0};
+    } catch (const NumericalError& error) {
+      throw NumericalError("t = " + std::to_string(sample.state.time) + " s: event \"" + event.name +
+                           "\": " + error.what());
+    }
+  }
+  return {};
+}
+
+void SignalLoop::happen(int event, double time, Eigen::VectorXd& voltages) {
+  const std::string& to = subject_.scene.events[static_cast<std::size_t>(event)].to;
+  const Mechanism& mechanism = subject_.mechanism;
+  for (const PlaceEntry& state : mechanism.states) voltages(state.place) = state.name == to ? 1.0 : 0.0;
+  voltages(mechanism.state_since) = time;
+  for (std::size_t k = 0; k < chain_.size(); ++k) {
+    const std::vector<std::string>& states = chain_.node(k).states;
+    if (!states.empty() && std::find(states.begin(), states.end(), to) == states.end()) {
+      voltages(chain_.node(k).place) = 0.0;
+      worked_[k] = false;
+    }
+  }
+}
+
+void SignalLoop::sample_due(const Sample& sample, Eigen::VectorXd& voltages) {
+  const double time = sample.state.time;
+  for (std::size_t k = 0; k < conditions_.size(); ++k)
+    if (const double period = conditions_.node(k).period; period > 0.0 && due(time, period, looks_[k]))
+      looks_[k] = samples_until(time, period);
+  const auto is_due = [&](std::size_t k) { return due(time, chain_.node(k).period, samples_[k]); };
+  bool any = false;
+  for (std::size_t k = 0; k < chain_.size(); ++k) any = any || is_due(k);
+  if (!any) return;
+
+  readings_.take(sample);
+  for (std::size_t i = 0; i < chain_.names().size(); ++i) chain_.set(i, readings_.value(i, sample, voltages));
+  const auto states = [&](std::size_t k) -> Eigen::Ref<Eigen::VectorXd> {
+    return z_.segment(chain_.first_state(k), chain_.node(k).block->state_count());
+  };
+  try {
+    // Values, in order; what answers from its states alone moves them when all values are known.
+    for (std::size_t k = 0; k < chain_.size(); ++k) chain_.put(k, voltages(chain_.node(k).place));
+    for (std::size_t k = 0; k < chain_.size(); ++k) {
+      if (!is_due(k)) continue;
+      const SignalNode& node = chain_.node(k);
+      double y = 0.0;
+      if (chain_.works(k)) {
+        if (!worked_[k]) chain_.settle(k, states(k));
+        y = node.block->passes_through() ? node.block->sample(chain_.inputs(k), node.period, states(k))
+                                         : node.block->value(states(k), states(k));
+      }
+      chain_.put(k, y);
+      voltages(node.place) = y;
+    }
+    for (std::size_t k = 0; k < chain_.size(); ++k) {
+      if (!is_due(k)) continue;
+      const SignalNode& node = chain_.node(k);
+      worked_[k] = chain_.works(k);
+      if (worked_[k] && !node.block->passes_through()) node.block->advance(chain_.inputs(k), node.period, states(k));
+      samples_[k] = samples_until(time, node.period);
+    }
+  } catch (const NumericalError& error) {
+    throw NumericalError("t = " + std::to_string(time) + " s: " + error.what());
+  }
+}
+
+void SignalLoop::visit(Archive& archive) {
+  archive("samples", samples_);
+  archive("looks", looks_);
+  archive("worked", worked_);
+  archive("z", z_);
+  archive("readings", readings_);
+  archive("of_conditions", of_conditions_);
+}
+
+}  // namespace footfall

@@ -1,0 +1,85 @@
+#pragma once
+// Signals of a scene: what is measured and computed while it runs, and what its states and events are.
+
+#include <Eigen/Dense>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coupler/base/kinds.h"
+#include "mbd_solver/scene/source.h"
+
+namespace footfall {
+
+enum class SignalKind {
+  kExpression,  // the input itself
+  kPid,
+  kLowpass,   // first order
+  kLowpass2,  // second order
+  kNotch,
+  kRateLimit,
+  kSaturation,
+  kTable,   // over one input
+  kTable2,  // over two
+  kFuzzy    // rules of a FuzzyLite file, over any inputs
+};
+constexpr std::string_view name_of(SignalKind kind) {
+  switch (kind) {
+    case SignalKind::kExpression: return "expression";
+    case SignalKind::kPid: return "pid";
+    case SignalKind::kLowpass: return "lowpass";
+    case SignalKind::kLowpass2: return "lowpass2";
+    case SignalKind::kNotch: return "notch";
+    case SignalKind::kRateLimit: return "rate_limit";
+    case SignalKind::kSaturation: return "saturation";
+    case SignalKind::kTable: return "table";
+    case SignalKind::kTable2: return "table2";
+    case SignalKind::kFuzzy: return "fuzzy";
+  }
+  return {};
+}
+
+// Units are those of what an expression reads: none is converted.
+struct SignalSpec {
+  Source source;
+  std::string name;
+  SignalKind kind = SignalKind::kExpression;
+  std::string input;                // expression of names of history columns, "signal.NAME", "state.NAME", "time"
+  double period = 0.0;              // [s]; 0: continuous
+  std::vector<std::string> states;  // it is 0, and starts anew, outside of these; empty: it always works
+  std::optional<double> initial;    // filters, rate limit: input before the start; not given: that of the start
+  // pid: y = bias + kp e + ki int e dt + kd e' within [min, max]; e is the input
+  double kp = 0.0, ki = 0.0, kd = 0.0;  // >= 0
+  double bias = 0.0;
+  std::string rate;                     // expression for e'; not given: e is filtered and differentiated
+  double derivative_frequency = 0.0;    // of that filter [Hz]; 0: none
+  std::optional<double> min, max;       // pid, saturation
+  double frequency = 0.0;               // of a filter [Hz] > 0
+  double damping = 0.7;                 // of a filter of second order [-] > 0
+  double max_rate = 0.0;                // [unit/s] > 0
+  std::vector<Eigen::Vector2d> points;  // table: (input, value), inputs rising
+  std::string input2;                   // table2: the second input
+  std::vector<double> x, x2;            // table2: where the inputs have values, rising
+  std::vector<double> values;           // table2: for x[0] at all x2, then for x[1] ...
+  std::string file;                     // fuzzy: .fll
+  std::vector<std::string> inputs;      // fuzzy: expressions, in the order of the file's input variables
+  std::string output;                   // fuzzy: which output variable; not given: the only one
+};
+
+// What the scene is in: one of its states at any time, the first of them at the start.
+struct StateSpec {
+  Source source;
+  std::string name;
+};
+
+// The scene goes to another state when a condition holds.
+struct EventSpec {
+  Source source;
+  std::string name;
+  std::vector<std::string> from;  // states in which it is looked for; empty: all but `to`
+  std::string when;               // logical expression
+  std::string to;
+  double period = 0.0;  // looked for at its multiples [s]; 0: all the time, and its instant is found
+};
+
+}  // namespace footfall

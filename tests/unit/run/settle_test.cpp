@@ -1,0 +1,136 @@
+// Where runs begin: at static equilibrium, or at given coordinates of joints.
+
+#include "mbd_solver/run/settle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+
+#include "mbd_solver/run/simulation.h"
+#include "tests/unit/scene/scene_text.h"
+
+namespace footfall {
+namespace {
+
+const volatile std::sig_atomic_t kNever = 0;
+
+// Places of all bodies at the start and at the end of a run.
+struct Ends {
+  std::vector<Eigen::Vector3d> first, last;
+  double speed = 0.0;  // the largest
+};
+Ends ends_of(const Scene& scene) {
+  Simulation simulation(scene, scene.end_time, nullptr);
+  Ends ends;
+  simulation.run(
+      [&](const Sample& sample) {
+        ends.last.clear();
+        for (int i = 0; i < simulation.mechanism().model.body_count(); ++i) {
+          ends.last.push_back(sample.kinematics.of(i).r);
+          ends.speed = std::max(ends.speed, sample.kinematics.of(i).dr.norm());
+        }
+        if (ends.first.empty()) ends.first = ends.last;
+      },
+      kNever);
+  return ends;
+}
+
+std::string body(const std::string& name, double mass, double x, double z) {
+  return "[[bodies]]\nname = \"" + name + "\"\nmass = " + std::to_string(mass) +
+         "\ninertia = [0.1, 0.1, 0.1]\nposition = [" + std::to_string(x) + ", 0, " + std::to_string(z) + "]\n";
+}
+std::string hinge(const std::string& name, const std::string& a, const std::string& b, double x, double z) {
+  return "[[joints]]\nname = \"" + name + "\"\ntype = \"revolute\"\nbodies = [\"" + a + "\", \"" + b +
+         "\"]\npoint = [" + std::to_string(x) + ", 0, " + std::to_string(z) + "]\naxis = \"y\"\n";
+}
+std::string rail(const std::string& name, const std::string& a, const std::string& b, double z, double stiffness) {
+  return "[[joints]]\nname = \"" + name + "\"\ntype = \"prismatic\"\nbodies = [\"" + a + "\", \"" + b +
+         "\"]\npoint = [0, 0, " + std::to_string(z) +
+         "]\naxis = \"z\"\n[joints.displacement]\nspring = { stiffness = " + std::to_string(stiffness) + " }\n";
+}
+
+const std::string kHead = "end_time = 0.5\ngravity = [0, 0, -9.81]\n[initial]\nsettle = true\n";
+
+// Two weights on two springs: each spring bears what hangs on it.
+TEST(Settle, FindsWhereSpringsBearTheirWeights) {
+  const Scene scene =
+      SceneText().read(kHead + body("upper", 2.0, 0, 1) + body("lower", 3.0, 0, 0) +
+                       rail("first", "ground", "upper", 1, 500) + rail("second", "upper", "lower", 0, 40));
+  const Ends ends = ends_of(scene);
+  const double upper = -9.81 * 5.0 / 500.0, lower = upper - 9.81 * 3.0 / 40.0;
+  const double tolerance = 1e-6;  // 1e-7 g over the lowest omega^2, some 10
+  EXPECT_NEAR(ends.first[0].z(), 1.0 + upper, tolerance);
+  EXPECT_NEAR(ends.first[1].z(), lower, tolerance);
+  EXPECT_NEAR(ends.last[1].z(), lower, 2.0 * tolerance);
+  EXPECT_LT(ends.speed, 1e-5);
+}
+
+// A pendulum held out sideways swings far, and hangs.
+TEST(Settle, LetsAPendulumHang) {
+  const Scene scene = SceneText().read(kHead + body("bob", 2.0, 1, 0) + hinge("pivot", "ground", "bob", 0, 0));
+  const Ends ends = ends_of(scene);
+  EXPECT_NEAR(ends.first[0].x(), 0.0, 1e-6);
+  EXPECT_NEAR(ends.first[0].z(), -1.0, 1e-9);
+  EXPECT_LT(ends.speed, 1e-5);
+}
+
+// A force of the start holds; that it changes later is no matter.
+TEST(Settle, TakesFunctionsOfTimeAsTheyStart) {
+  const Scene scene = SceneText().read(kHead + body("mass", 2.0, 0, 0) + rail("rail", "ground", "mass", 0, 300) +
+                                       "[[forces]]\nname = \"push\"\nbody = \"mass\"\nframe = \"inertial\"\ndirection "
+                                       "= \"z\"\nforce = { polynomial = [50, 3000] }\n");
+  const Ends ends = ends_of(scene);
+  EXPECT_NEAR(ends.first[0].z(), (50.0 - 2.0 * 9.81) / 300.0, 1e-7);
+  EXPECT_GT(ends.last[0].z(), 1.0);
+}
+
+// On a rigid plane: Hertz bears the weight.
+TEST(Settle, StandsOnThePlane) {
+  const Scene scene = SceneText().read(kHead + R"([[bodies]]
+name = "ball"
+mass = 2.0
+shape = { kind = "sphere", centre = [0, 0, 0.12], radius = 0.1 }
+[[boundaries]]
+body = "ball"
+surface = {}
+[ground]
+kind = "plane"
+[ground.plane]
+stiffness = 1e5
+restitution = 0.5
+impact_speed = 1.0
+)");
+  const Ends ends = ends_of(scene);
+  EXPECT_NEAR(ends.first[0].z(), 0.1 - std::pow(2.0 * 9.81 / 1e5, 2.0 / 3.0), 1e-7);
+  EXPECT_LT(ends.speed, 1e-5);
+}
+
+// A four-bar linkage: crank AB of length 1 up from A = (0, 0), coupler BC, rocker CD to D = (4, 0); the crank is given
+// another angle, and the loop closes.
+TEST(InitialJoints, MoveAClosedLoop) {
+  const std::string loop = "end_time = 0.01\ngravity = [0, 0, 0]\n" + body("crank", 1.0, 0, 1) +
+                           body("coupler", 1.0, 4, 2) + body("rocker", 1.0, 4, 1) +
+                           hinge("a", "ground", "crank", 0, 0) + hinge("b", "crank", "coupler", 0, 1) +
+                           hinge("c", "coupler", "rocker", 4, 2) + hinge("d", "rocker", "ground", 4, 0);
+  for (const double angle : {0.0, 0.7, -1.2}) {
+    const Scene scene = SceneText().read(loop + "[initial.joints.a]\nangle = " + std::to_string(angle) + "\n");
+    const Ends ends = ends_of(scene);
+    // About y: from z towards x. C is where the circles about B and D meet, on the branch of the drawing.
+    const Eigen::Vector2d B(std::sin(angle), std::cos(angle)), D(4.0, 0.0), BD = D - B;
+    const double coupler = std::sqrt(17.0), rocker = 2.0, d = BD.norm();
+    const double along = (coupler * coupler - rocker * rocker + d * d) / (2.0 * d);
+    const double across = std::sqrt(coupler * coupler - along * along);
+    const Eigen::Vector2d e = BD / d, C = B + along * e + across * Eigen::Vector2d(-e.y(), e.x());
+    const double tolerance = 1e-9;                     // of the closing
+    EXPECT_NEAR(ends.first[0].x(), B.x(), tolerance);  // the crank's mass is at B, the coupler's at C
+    EXPECT_NEAR(ends.first[0].z(), B.y(), tolerance);
+    EXPECT_NEAR(ends.first[1].x(), C.x(), tolerance);
+    EXPECT_NEAR(ends.first[1].z(), C.y(), tolerance);
+    EXPECT_NEAR((ends.first[2].head<1>()[0] - D.x()) * 2.0, C.x() - D.x(), tolerance);  // half way from D to C
+    EXPECT_LT(ends.speed, tolerance);
+  }
+}
+
+}  // namespace
+}  // namespace footfall
