@@ -14,6 +14,7 @@
 #include "mbd_solver/cli/analysis/pictures_command.h"
 #include "mbd_solver/cli/analysis/report_command.h"
 #include "mbd_solver/cli/analysis/surfaces_command.h"
+#include "mbd_solver/cli/analysis/viewer/view_page.h"
 #include "mbd_solver/cli/experiments/experiment_command.h"
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
@@ -154,6 +155,17 @@ Action pictures(CLI::App& command) {
   return [a] { return pictures_command(*a); };
 }
 
+Action view(CLI::App& command) {
+  const auto a = std::make_shared<ViewArguments>();
+  command.add_option("DIR", a->run, "Folder of a run")->required();
+  command.add_option("--frames", a->frames, "Dumps of the grains that the page holds, at most (default: about 100 MB)")
+      ->check(CLI::Range(2, 100000));
+  return [a] {
+    std::printf("%s\n", short_path(write_view(*a)).c_str());
+    return kExitDone;
+  };
+}
+
 Action report(CLI::App& command) {
   const auto folder = std::make_shared<std::string>();
   command.add_option("DIR", *folder, "Folder of a run or of a sweep")->required();
@@ -199,6 +211,7 @@ constexpr Subcommand kSubcommands[] = {
     {"sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted", sweep},
     {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},
     {"pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures", pictures},
+    {"view", "One HTML page that plays a run in 3D, with plots: DIR/view.html", view},
     {"report", "One HTML page for a run or a sweep: DIR/report.html", report},
     {"accuracy", "Error against run time (a study), or a stability map: CSV, picture, table", accuracy},
     {"test", "Run the tests of this build (./footfall test builds them first)", test},
