@@ -1,6 +1,7 @@
 // Grains as points that are shaded as spheres: one point each, moved by the shader between two frames.
 import * as three from "three";
 import { SeriesDecoder, joinPlanes } from "./decode.js";
+import { HiddenGrains } from "./hidden.js";
 import { indexBefore, takeChunk } from "./page.js";
 import { kMaps } from "./colours.js";
 import { kBox, kClip, kLight, kScale, boxUniforms, scaleUniforms } from "./shading.js";
@@ -27,6 +28,18 @@ void main() {
   gl_Position = projectionMatrix * eye;
   gl_PointSize = max(1.0, radius * projectionMatrix[1][1] * uPixels / gl_Position.w);
   if (a.x >= 1.0 || clipped(x)) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+}`;
+
+// The same for grains that leaveOutHidden() has placed.
+const kPlaced = /* glsl */ `
+${kScale}
+attribute vec2 look;  // radius [m], share of the colours
+uniform float uPixels;
+flat out vec3 vColour;
+void main() {
+  vColour = colourOf(look.y);
+  gl_Position = projectionMatrix * (modelViewMatrix * vec4(position, 1.0));
+  gl_PointSize = max(1.0, look.x * projectionMatrix[1][1] * uPixels / gl_Position.w);
 }`;
 
 const kFragment = /* glsl */ `
@@ -59,9 +72,9 @@ export class Grains {
         uUpper: { value: 1 },
       },
     });
-    this.object = new three.Points(this.geometry, this.material);
-    this.object.frustumCulled = false;
-    this.decoders = [];
+    this.all = new three.Points(this.geometry, this.material);
+    this.all.frustumCulled = false;
+    this.object = new three.Group().add(this.all);
   }
 
   async loadFirst() {
@@ -133,6 +146,53 @@ export class Grains {
     this.geometry.setAttribute("a", this.frames[k].positions);
     this.geometry.setAttribute("b", this.frames[smooth ? next : k].positions);
     this.geometry.setAttribute("position", this.frames[k].positions);
+    this.shown = [this.frames[k], this.frames[smooth ? next : k]];
     return k;
+  }
+
+  // Before a picture of this size is drawn: only what can be seen is placed and drawn, or all.
+  leaveOutHidden(on, camera, width, height) {
+    this.all.visible = !on;
+    if (this.few) this.few.visible = on;
+    if (!on) return;
+    if (!this.few) this.makeFew();
+    const uniforms = this.material.uniforms;
+    const [a, b] = this.shown.map((frame) => frame.positions.array);
+    const mix = uniforms.uMix.value;
+    const view = { a, b, mix, box: this.spec.box, radius: this.radius, camera, clip: uniforms.uClip.value, width, height };
+    const count = this.hidden.find(view);
+    const { position, look } = this.few.geometry.attributes;
+    const start = this.frames[0].positions.array, { low, size } = this.spec.box;
+    const colour = uniforms.uColour.value, upper = uniforms.uUpper.value * 65535 * 65535, largest = uniforms.uLargest.value;
+    for (let j = 0; j < count; ++j) {
+      const i = this.hidden.seen[j], k = 4 * i, m = b[k] === 65535 ? 0 : mix;
+      let way = 0;
+      for (let axis = 0; axis < 3; ++axis) {
+        const place = a[k + axis] + m * (b[k + axis] - a[k + axis]);
+        position.array[3 * j + axis] = low[axis] + (size[axis] * place) / 65534;
+        const d = (size[axis] * (place - start[k + axis])) / 65534;
+        way += d * d;
+      }
+      const value = a[k + 3] + m * (b[k + 3] - a[k + 3]);
+      look.array[2 * j] = this.radius[i];
+      look.array[2 * j + 1] = colour === 1 ? (value * value) / upper : colour === 2 && start[k] !== 65535 ? Math.sqrt(way) / largest : 0;
+    }
+    for (const [attribute, numbers] of [[position, 3], [look, 2]]) {
+      attribute.clearUpdateRanges();
+      attribute.addUpdateRange(0, numbers * count);
+      attribute.needsUpdate = true;
+    }
+    this.few.geometry.setDrawRange(0, count);
+  }
+  makeFew() {
+    this.hidden = new HiddenGrains(this.spec.count);
+    const geometry = new three.BufferGeometry();
+    for (const [name, numbers] of [["position", 3], ["look", 2]])
+      geometry.setAttribute(name, new three.BufferAttribute(new Float32Array(numbers * this.spec.count), numbers).setUsage(three.DynamicDrawUsage));
+    const { uStops, uShares, uPixels } = this.material.uniforms;
+    const material = new three.ShaderMaterial({ vertexShader: kPlaced, fragmentShader: kFragment, uniforms: { uStops, uShares, uPixels } });
+    this.few = new three.Points(geometry, material);
+    this.few.frustumCulled = false;
+    this.object.add(this.few);
   }
 }

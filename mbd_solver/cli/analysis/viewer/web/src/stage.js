@@ -8,6 +8,7 @@ import { Grains } from "./grains.js";
 const kAxes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 const kLowest = 0.5;    // pixels of the picture per pixel of the page
 const kWanted = 30;     // pictures in a second
+const kSparedAtMost = 3e5;  // grains: of more, to look for hidden ones takes longer than to draw them
 
 export class Stage {
   constructor(place, run) {
@@ -21,6 +22,7 @@ export class Stage {
     this.renderer.setClearColor(0xeef1f4);
     this.ratio = Math.min(window.devicePixelRatio || 1, 2);
     place.append(this.renderer.domElement);
+    this.sparing = this.drawsInSoftware() && run.grains?.count < kSparedAtMost;
     this.scene = new three.Scene();
     this.camera = new three.PerspectiveCamera(35, 1, 0.01, 1000);
     this.camera.up.set(0, 0, 1);
@@ -44,12 +46,20 @@ export class Stage {
     this.resize();
   }
 
+  drawsInSoftware() {
+    const context = this.renderer.getContext();
+    const names = context.getExtension("WEBGL_debug_renderer_info");
+    const name = context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER);
+    return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+  }
+
   parts() {
     return [this.grains, this.bodies].filter(Boolean);
   }
 
   async loadFirst() {
     for (const part of this.parts()) await part.loadFirst();
+    this.hasFrames = true;
   }
   // One more frame of each; false when all are there.
   async loadNext() {
@@ -95,7 +105,7 @@ export class Stage {
     const from = new three.Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
     const centre = this.box.getCenter(new three.Vector3());
     const half = Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(1, this.camera.aspect);
-    this.camera.position.copy(centre).addScaledVector(from, (0.46 * this.size) / half);
+    this.camera.position.copy(centre).addScaledVector(from, (0.52 * this.size) / half);
     this.camera.near = this.size / 500;
     this.camera.far = this.size * 20;
     this.camera.updateProjectionMatrix();
@@ -157,6 +167,10 @@ export class Stage {
   }
   draw() {
     this.wished = false;
-    if (this.scene) this.renderer.render(this.scene, this.camera);
+    if (!this.scene || !this.hasFrames) return;
+    this.camera.updateMatrixWorld();
+    const { width, height } = this.renderer.domElement;
+    this.grains?.leaveOutHidden(this.sparing, this.camera, width, height);
+    this.renderer.render(this.scene, this.camera);
   }
 }
