@@ -18,6 +18,7 @@
 #include "mbd_solver/cli/analysis/pictures_command.h"
 #include "mbd_solver/cli/analysis/report_command.h"
 #include "mbd_solver/cli/analysis/surfaces_command.h"
+#include "mbd_solver/cli/analysis/viewer/view_page.h"
 #include "mbd_solver/cli/audit_command.h"
 #include "mbd_solver/cli/experiments/experiment_command.h"
 #include "mbd_solver/cli/launch/check_command.h"
@@ -180,6 +181,17 @@ Action pictures(CLI::App& command) {
   return [a] { return pictures_command(*a); };
 }
 
+Action view(CLI::App& command) {
+  const auto a = std::make_shared<ViewArguments>();
+  command.add_option("DIR", a->run, "Folder of a run")->required();
+  command.add_option("--frames", a->frames, "Dumps of the grains that the page holds, at most (default: about 100 MB)")
+      ->check(CLI::Range(2, 100000));
+  return [a] {
+    std::printf("%s\n", short_path(write_view(*a)).c_str());
+    return kExitDone;
+  };
+}
+
 Action report(CLI::App& command) {
   const auto folder = std::make_shared<std::string>();
   command.add_option("DIR", *folder, "Folder of a run or of a sweep")->required();
@@ -234,6 +246,7 @@ constexpr Subcommand kSubcommands[] = {
     {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},
     {"audit", "Check that what grains lose mechanism and walls get: momentum and energy, window by window", audit},
     {"pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures", pictures},
+    {"view", "One HTML page that plays a run in 3D, with plots: DIR/view.html", view},
     {"report", "One HTML page for a run or a sweep: DIR/report.html", report},
     {"accuracy", "Error against run time (a study), or a stability map: CSV, picture, table", accuracy},
     {"test", "Run the tests of this build (./footfall test builds them first)", test},

@@ -21,6 +21,7 @@ door 'fl/' 'mbd_solver/model/controllers/fuzzy_engine.h'
 door 'muParser' 'mbd_solver/model/signals/expression.cpp'
 door 'assimp/' 'mbd_solver/scene/mesh_reader.cpp'
 door 'pugixml' 'mbd_solver/output/vtk_writer.cpp'
+door 'zlib' 'mbd_solver/cli/analysis/viewer/packed_series.cpp'
 door 'mpi\.h' 'coupler/communicator.*' 'coupler/doorbell.*' 'coupler/polite_wait.*' 'coupler/mpi_check.*' 'coupler/abort_guard.*' 'coupler/transport_mpi.*' 'mbd_solver/main.cpp' \
   'liggghts_fix/launcher.cpp' 'liggghts_fix/program_world.*' 'liggghts_fix/last_words.cpp' \
   'liggghts_fix/liggghts_access.cpp' 'liggghts_fix/fix_*'

@@ -128,6 +128,7 @@ BedFrame read_bed_frame(const std::string& path) {
   };
   frame.x = matrix("x", "y", "z");
   if (columns.of.count("vx") > 0) frame.v = matrix("vx", "vy", "vz");
+  if (columns.of.count("fx") > 0) frame.f = matrix("fx", "fy", "fz");
   const std::vector<double>& radius = columns.get(path, "radius");
   for (const std::size_t i : order) {
     frame.id.push_back(static_cast<int>(id[i]));

@@ -13,6 +13,7 @@ struct BedFrame {
   long step = 0;
   std::vector<int> id;         // rising
   Eigen::Matrix3Xd x, v;       // of the grains, in this order [m], [m/s]; v is empty when it was not dumped
+  Eigen::Matrix3Xd f;          // force on each [N]; empty when it was not dumped
   std::vector<double> radius;  // [m]
   int count() const { return static_cast<int>(id.size()); }
 };

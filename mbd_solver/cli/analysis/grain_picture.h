@@ -7,15 +7,9 @@
 
 #include "mbd_solver/cli/analysis/bed_frames.h"
 #include "mbd_solver/cli/analysis/depth_image.h"
-#include "mbd_solver/output/vtk_writer.h"
+#include "mbd_solver/cli/analysis/mechanism_shape.h"
 
 namespace footfall {
-
-// The mechanism at one moment.
-struct MechanismShape {
-  VtkFrame frame;                   // points [m], triangles, lines
-  std::vector<double> line_radius;  // of each line [m]
-};
 
 struct GrainView {
   Eye eye;

@@ -1,6 +1,5 @@
 #include "mbd_solver/cli/analysis/pictures_command.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,10 +11,10 @@
 #include "coupler/base/pi.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
 #include "mbd_solver/cli/analysis/grain_picture.h"
+#include "mbd_solver/cli/analysis/mechanism_shape.h"
 #include "mbd_solver/cli/analysis/replay_script.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/output/summary.h"
-#include "mbd_solver/scene/mesh_reader.h"
 
 namespace footfall {
 
@@ -24,65 +23,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr double kThinLine = 0.006;  // radius of a line whose body has no diameter [m]
 constexpr double kDegree = kPi / 180.0;
-
-std::size_t nearest(const std::vector<double>& times, double t) {
-  std::size_t best = 0;
-  for (std::size_t k = 1; k < times.size(); ++k)
-    if (std::abs(times[k] - t) < std::abs(times[best] - t)) best = k;
-  return best;
-}
-
-// Radii of the tubes and rods, by the number of the body.
-std::vector<double> radii_of(const Json& summary) {
-  std::vector<double> radii;
-  for (const Json& body : summary.at("scene").value("bodies", Json::array())) {
-    const double diameter =
-        body.contains("shape") && body.at("shape").is_object() ? body.at("shape").value("diameter", 0.0) : 0.0;
-    radii.push_back(diameter > 0.0 ? 0.5 * diameter : kThinLine);
-  }
-  return radii;
-}
-
-// The shape that the run drew, nearest to this time.
-MechanismShape drawn_shape(const fs::path& folder, const std::vector<std::pair<double, std::string>>& frames, double t,
-                           const std::vector<double>& radii) {
-  std::vector<double> times;
-  for (const auto& [time, file] : frames) times.push_back(time);
-  MechanismShape shape;
-  shape.frame = read_vtk_frame((folder / frames[nearest(times, t)].second).string());
-  Eigen::VectorXd body;
-  for (const auto& [name, values] : shape.frame.cell_numbers)
-    if (name == "body") body = values;
-  const std::size_t triangles = shape.frame.triangles.size();
-  for (std::size_t k = 0; k < shape.frame.lines.size(); ++k) {
-    const auto cell = static_cast<Eigen::Index>(triangles + k);
-    const std::size_t i = cell < body.size() ? static_cast<std::size_t>(body(cell)) : radii.size();
-    shape.line_radius.push_back(i < radii.size() ? radii[i] : kThinLine);
-  }
-  return shape;
-}
-
-// The coupled surfaces alone, moved rigidly.
-MechanismShape recorded_shape(const fs::path& motion, double t) {
-  MechanismShape shape;
-  std::vector<Eigen::Vector3d> points;
-  for (const std::string& body : recorded_bodies(motion.string())) {
-    const RecordedMotion record = read_motion(motion.string(), body);
-    const TriangleMesh mesh = read_mesh((motion / (body + ".stl")).string());
-    const std::vector<double>&from = record.pose.front(), &to = record.pose[nearest(record.time, t)];
-    const Eigen::Vector3d x0(from[0], from[1], from[2]), x(to[0], to[1], to[2]), turn(to[3], to[4], to[5]);
-    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-    if (turn.norm() > 0.0) R = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
-    for (const Eigen::Vector3i& triangle : mesh.triangles)
-      shape.frame.triangles.emplace_back(triangle.array() + static_cast<int>(points.size()));
-    for (const Eigen::Vector3d& vertex : mesh.vertices) points.push_back(x + R * (vertex - x0));
-  }
-  shape.frame.points.resize(3, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t j = 0; j < points.size(); ++j) shape.frame.points.col(static_cast<Eigen::Index>(j)) = points[j];
-  return shape;
-}
 
 // Where the foremost coupled surface is [m]; without any, the middle of the bed.
 double foremost(const fs::path& motion, const BedFrame& bed, double t) {
@@ -101,7 +42,6 @@ struct Moment {
 };
 
 std::vector<Moment> read_moments(const PicturesArguments& a, const Json& summary) {
-  const fs::path folder(a.run);
   const std::map<long, std::string> frames = find_bed_frames(a.run);
   if (frames.empty() || !summary.contains("dt_dem_s"))
     throw InputError(a.run +
@@ -121,19 +61,15 @@ std::vector<Moment> read_moments(const PicturesArguments& a, const Json& summary
                        std::to_string(times.back()) + " s");
     chosen.insert(nearest(times, t));
   }
-  const bool drawn = fs::exists(folder / "bodies.pvd");
-  if (!drawn)
+  const MechanismShapes shapes(a.run, summary);
+  if (!shapes.drawn())
     std::fprintf(
         stderr,
         "footfall: the run drew no bodies (--set output.vtk=true does); only what touches the grains is shown\n");
-  const auto drawings =
-      drawn ? read_vtk_series((folder / "bodies.pvd").string()) : std::vector<std::pair<double, std::string>>{};
-  const std::vector<double> radii = radii_of(summary);
   std::vector<Moment> moments;
   for (const std::size_t k : chosen)
-    moments.push_back({times[k], read_bed_frame(files[k]),
-                       drawings.empty() ? recorded_shape(folder / "motion", times[k])
-                                        : drawn_shape(folder, drawings, times[k], radii)});
+    moments.push_back(
+        {times[k], read_bed_frame(files[k]), shapes.empty() ? MechanismShape{} : shapes.near(times[k])});
   return moments;
 }
 

@@ -1,0 +1,182 @@
+// The mechanism as it was drawn: triangles, and lines as tubes, moved by the shader between two frames.
+import * as three from "three";
+import { SeriesDecoder, joinPlanes } from "./decode.js";
+import { indexBefore, takeChunk } from "./page.js";
+import { kBodies, kMaps } from "./colours.js";
+import { kBox, kClip, kLight, kScale, boxUniforms, scaleUniforms } from "./shading.js";
+
+const kColour = /* glsl */ `
+uniform bool uStress;
+attribute vec3 tint;
+varying vec3 vColour, vEye;
+varying float vBehind;  // how far the clip plane leaves it out [m]
+void paint(float stress, vec3 x) {
+  vColour = uStress ? colourOf(stress) : tint;
+  vec4 eye = modelViewMatrix * vec4(x, 1.0);
+  vEye = eye.xyz;
+  gl_Position = projectionMatrix * eye;
+  vBehind = dot(x, uClip.xyz) - uClip.w;
+}`;
+
+const kPlates = /* glsl */ `
+${kScale}${kBox}${kClip}${kColour}
+attribute vec4 a, b;
+void main() {
+  paint(mix(a.w, b.w, uMix), placed(a, b));
+}`;
+
+// The unit tube along z, from 0 to 1, is laid from the line's start to its end.
+const kTubes = /* glsl */ `
+${kScale}${kBox}${kClip}${kColour}
+attribute vec4 a0, a1, b0, b1;
+attribute float radius;
+void main() {
+  vec3 from = placed(a0, b0), to = placed(a1, b1), axis = normalize(to - from + vec3(0.0, 0.0, 1e-12));
+  vec3 side = normalize(cross(axis, abs(axis.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
+  vec3 x = mix(from, to, position.z) + radius * (position.x * side + position.y * cross(axis, side));
+  paint(mix(a0.w, b0.w, uMix), x);
+}`;
+
+// Facets are flat: the normal is that of the triangle on the screen.
+const kFragment = /* glsl */ `
+${kLight}
+varying vec3 vColour, vEye;
+varying float vBehind;
+void main() {
+  if (vBehind > 0.0) discard;
+  vec3 n = normalize(cross(dFdx(vEye), dFdy(vEye)));
+  gl_FragColor = vec4(vColour * lightOn(n.z < 0.0 ? -n : n), 1.0);
+}`;
+
+export class Bodies {
+  constructor(spec) {
+    this.spec = spec;
+    this.times = spec.times;
+    this.frames = [];
+    this.uniforms = {
+      ...scaleUniforms(kMaps.stress),
+      ...boxUniforms(spec.box),
+      uClip: { value: new three.Vector4() },
+      uStress: { value: false },
+    };
+    this.object = new three.Group();
+    this.shown = [-1, -1];
+  }
+
+  material(vertexShader) {
+    return new three.ShaderMaterial({ vertexShader, fragmentShader: kFragment, uniforms: this.uniforms, side: three.DoubleSide });
+  }
+
+  async loadFirst() {
+    const static32 = async (name, Kind) => joinPlanes(await takeChunk(`bodies-${name}`), Kind);
+    this.triangles = await static32("triangles", Uint32Array);  // three points each
+    this.lines = await static32("lines", Uint32Array);          // two points each
+    this.cellBody = await static32("cells", Uint32Array);       // body of each triangle, then of each line
+    const radius = await static32("radius", Float32Array);
+    const { points, cells } = this.spec;
+    this.decoder = new SeriesDecoder(3 * points + (this.spec.stress > 0 ? cells : 0));
+    const triangles = this.triangles.length / 3, lines = this.lines.length / 2;
+    const tint = (cell) => new three.Color(kBodies[this.cellBody[cell] % kBodies.length]).convertLinearToSRGB();
+    const sixteen = (count) => new three.BufferAttribute(new Uint16Array(4 * count), 4, true);
+    if (triangles > 0) {
+      const geometry = new three.BufferGeometry();
+      const tints = new Float32Array(9 * triangles);
+      for (let t = 0; t < triangles; ++t) for (let k = 0; k < 3; ++k) tint(t).toArray(tints, 9 * t + 3 * k);
+      geometry.setAttribute("tint", new three.BufferAttribute(tints, 3));
+      for (const name of ["a", "b"]) geometry.setAttribute(name, sixteen(3 * triangles));
+      geometry.setAttribute("position", geometry.attributes.a);
+      this.plates = new three.Mesh(geometry, this.material(kPlates));
+    }
+    if (lines > 0) {
+      const tube = new three.CylinderGeometry(1, 1, 1, 10, 1).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+      const geometry = new three.InstancedBufferGeometry();
+      geometry.index = tube.index;
+      geometry.setAttribute("position", tube.attributes.position);
+      geometry.instanceCount = lines;
+      const tints = new Float32Array(3 * lines);
+      for (let l = 0; l < lines; ++l) tint(triangles + l).toArray(tints, 3 * l);
+      geometry.setAttribute("tint", new three.InstancedBufferAttribute(tints, 3));
+      geometry.setAttribute("radius", new three.InstancedBufferAttribute(radius, 1));
+      for (const name of ["a0", "a1", "b0", "b1"])
+        geometry.setAttribute(name, new three.InstancedBufferAttribute(new Uint16Array(4 * lines), 4, true));
+      this.tubes = new three.Mesh(geometry, this.material(kTubes));
+    }
+    for (const mesh of [this.plates, this.tubes]) {
+      if (!mesh) continue;
+      mesh.frustumCulled = false;
+      this.object.add(mesh);
+    }
+    await this.loadNext();
+    this.show(this.times[0], true);
+  }
+
+  async loadNext() {
+    const k = this.frames.length;
+    if (k === this.times.length) return false;
+    this.frames.push(this.decoder.next(await takeChunk(`bodies-${k}`)));
+    return true;
+  }
+
+  // Place `to` of an array of four numbers each gets the position of a point and the stress of a cell.
+  static put(array, to, values, points, point, stress) {
+    array[4 * to] = values[point];
+    array[4 * to + 1] = values[points + point];
+    array[4 * to + 2] = values[2 * points + point];
+    array[4 * to + 3] = stress;
+  }
+  fill(letter, k) {
+    const values = this.frames[k], points = this.spec.points, triangles = this.triangles.length / 3;
+    const stress = (cell) => (this.spec.stress > 0 ? values[3 * points + cell] : 0);
+    if (this.plates) {
+      const attribute = this.plates.geometry.attributes[letter];
+      for (let i = 0; i < this.triangles.length; ++i)
+        Bodies.put(attribute.array, i, values, points, this.triangles[i], stress((i / 3) | 0));
+      attribute.needsUpdate = true;
+    }
+    if (this.tubes)
+      for (const end of [0, 1]) {
+        const attribute = this.tubes.geometry.attributes[letter + end];
+        for (let l = 0; l < this.lines.length / 2; ++l)
+          Bodies.put(attribute.array, l, values, points, this.lines[2 * l + end], stress(triangles + l));
+        attribute.needsUpdate = true;
+      }
+  }
+
+  show(t, smooth) {
+    const loaded = this.frames.length - 1;
+    const k = Math.min(indexBefore(this.times, t), loaded);
+    const next = smooth ? Math.min(k + 1, loaded) : k;
+    const span = this.times[next] - this.times[k];
+    this.uniforms.uMix.value = span > 0 ? Math.min(1, Math.max(0, (t - this.times[k]) / span)) : 0;
+    if (this.shown[0] !== k) this.fill("a", k);
+    if (this.shown[1] !== next) this.fill("b", next);
+    this.shown = [k, next];
+    return k;
+  }
+
+  // Mean of the points of a body at the time shown [m]; null when it is not drawn.
+  centre(body) {
+    this.pointsOf ??= this.pointsByBody();
+    const points = this.pointsOf.get(body);
+    if (!points) return null;
+    const { low, size } = this.spec.box, n = this.spec.points, mix = this.uniforms.uMix.value;
+    const [from, to] = this.shown.map((k) => this.frames[k]);
+    return [0, 1, 2].map((axis) => {
+      let sum = 0;
+      for (const p of points) sum += from[axis * n + p] + mix * (to[axis * n + p] - from[axis * n + p]);
+      return low[axis] + (size[axis] * sum) / points.length / 65534;
+    });
+  }
+  pointsByBody() {
+    const sets = new Map();
+    const note = (cell, point) => {
+      const body = this.cellBody[cell];
+      if (!sets.has(body)) sets.set(body, new Set());
+      sets.get(body).add(point);
+    };
+    const triangles = this.triangles.length / 3;
+    this.triangles.forEach((p, i) => note((i / 3) | 0, p));
+    this.lines.forEach((p, i) => note(triangles + ((i / 2) | 0), p));
+    return new Map([...sets].map(([body, points]) => [body, [...points]]));
+  }
+}

@@ -1,0 +1,198 @@
+// Grains as points that are shaded as spheres: one point each, moved by the shader between two frames.
+import * as three from "three";
+import { SeriesDecoder, joinPlanes } from "./decode.js";
+import { HiddenGrains } from "./hidden.js";
+import { indexBefore, takeChunk } from "./page.js";
+import { kMaps } from "./colours.js";
+import { kBox, kClip, kLight, kScale, boxUniforms, scaleUniforms } from "./shading.js";
+
+const kVertex = /* glsl */ `
+${kScale}${kBox}${kClip}
+attribute vec4 a, b, start;
+attribute float radius;
+uniform float uPixels;       // height of the picture [pixels]
+uniform int uColour;         // 0 plain, 1 the frame's number, 2 displacement since the first frame
+uniform float uLargest;      // displacement at the end of the colours [m]
+uniform float uUpper;        // share of the largest number at the end of the colours
+flat out vec3 vColour;
+void main() {
+  bool lastKnown = b.x >= 1.0;
+  vec4 next = lastKnown ? a : b;
+  vec3 x = placed(a, next);
+  float value = mix(a.w, next.w, uMix);
+  float share = 0.0;
+  if (uColour == 1) share = value * value / uUpper;
+  if (uColour == 2) share = start.x >= 1.0 ? 0.0 : length(x - (uLow + uSize * (65535.0 / 65534.0) * start.xyz)) / uLargest;
+  vColour = colourOf(share);
+  vec4 eye = modelViewMatrix * vec4(x, 1.0);
+  gl_Position = projectionMatrix * eye;
+  gl_PointSize = max(1.0, radius * projectionMatrix[1][1] * uPixels / gl_Position.w);
+  if (a.x >= 1.0 || clipped(x)) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+}`;
+
+// The same for grains that leaveOutHidden() has placed.
+const kPlaced = /* glsl */ `
+${kScale}
+attribute vec2 look;  // radius [m], share of the colours
+uniform float uPixels;
+flat out vec3 vColour;
+void main() {
+  vColour = colourOf(look.y);
+  gl_Position = projectionMatrix * (modelViewMatrix * vec4(position, 1.0));
+  gl_PointSize = max(1.0, look.x * projectionMatrix[1][1] * uPixels / gl_Position.w);
+}`;
+
+const kFragment = /* glsl */ `
+${kLight}
+flat in vec3 vColour;
+void main() {
+  vec2 p = 2.0 * gl_PointCoord - 1.0;
+  float h = 1.0 - dot(p, p);
+  if (h < 0.0) discard;
+  gl_FragColor = vec4(vColour * lightOn(vec3(p.x, -p.y, sqrt(h))), 1.0);
+}`;
+
+export class Grains {
+  // `spec`: run.grains. Call load() next.
+  constructor(spec) {
+    this.spec = spec;
+    this.times = spec.times;
+    this.frames = [];  // what has been unpacked: x, y, z, number of each grain
+    this.geometry = new three.BufferGeometry();
+    this.material = new three.ShaderMaterial({
+      vertexShader: kVertex,
+      fragmentShader: kFragment,
+      uniforms: {
+        ...scaleUniforms(kMaps.sand),
+        ...boxUniforms(spec.box),
+        uClip: { value: new three.Vector4() },
+        uPixels: { value: 1 },
+        uColour: { value: 0 },
+        uLargest: { value: 1 },
+        uUpper: { value: 1 },
+      },
+    });
+    this.all = new three.Points(this.geometry, this.material);
+    this.all.frustumCulled = false;
+    this.object = new three.Group().add(this.all);
+  }
+
+  async loadFirst() {
+    const radius = joinPlanes(await takeChunk("grains-radius"), Float32Array);
+    this.geometry.setAttribute("radius", new three.BufferAttribute(radius, 1));
+    this.radius = radius;
+    this.decoder = new SeriesDecoder(this.spec.count * (3 + this.spec.numbers.length));
+    await this.loadNext();
+    this.geometry.setAttribute("start", this.frames[0].positions);
+    this.setNumber(0);
+    this.show(this.times[0], true);
+  }
+
+  // False when all frames are there.
+  async loadNext() {
+    const k = this.frames.length;
+    if (k === this.times.length) return false;
+    const values = this.decoder.next(await takeChunk(`grains-${k}`));
+    const n = this.spec.count;
+    const packed = new Uint16Array(4 * n);
+    for (let i = 0; i < n; ++i) {
+      packed[4 * i] = values[i];
+      packed[4 * i + 1] = values[n + i];
+      packed[4 * i + 2] = values[2 * n + i];
+    }
+    const numbers = this.spec.numbers.map((_, j) => values.slice((3 + j) * n, (4 + j) * n));
+    this.frames.push({ positions: new three.BufferAttribute(packed, 4, true), numbers });
+    if (k > 0) this.fill(this.frames[k]);
+    return true;
+  }
+
+  // The number that colours the grains goes to the fourth place of each position: 8 bits, of the root of its share.
+  fill(frame) {
+    const numbers = frame.numbers[this.number];
+    const packed = frame.positions.array;
+    if (numbers) for (let i = 0; i < this.spec.count; ++i) packed[4 * i + 3] = numbers[i] * 257;
+    frame.positions.needsUpdate = true;
+  }
+  setNumber(j) {
+    this.number = j;
+    for (const frame of this.frames) this.fill(frame);
+  }
+
+  // What can be shown: "plain", the dumped numbers by name, "displacement".
+  colours() {
+    const dumped = this.spec.numbers.map((number) => ({ name: number.name, unit: number.unit, largest: number.shown }));
+    return [...dumped, { name: "displacement", unit: "m", largest: this.spec.farthest }, { name: "plain" }];
+  }
+  setColour(name) {
+    const uniforms = this.material.uniforms;
+    const j = this.spec.numbers.findIndex((number) => number.name === name);
+    if (j >= 0) {
+      uniforms.uColour.value = 1;
+      uniforms.uUpper.value = this.spec.numbers[j].shown / this.spec.numbers[j].largest;
+      if (j !== this.number) this.setNumber(j);
+    } else {
+      uniforms.uColour.value = name === "displacement" ? 2 : 0;
+      uniforms.uLargest.value = this.spec.farthest || 1;
+    }
+  }
+
+  // smooth: grains move straight from frame to frame; else they stand at the last one.
+  show(t, smooth) {
+    const loaded = this.frames.length - 1;
+    const k = Math.min(indexBefore(this.times, t), loaded);
+    const next = Math.min(k + 1, loaded);
+    const span = this.times[next] - this.times[k];
+    this.material.uniforms.uMix.value = smooth && span > 0 ? Math.min(1, Math.max(0, (t - this.times[k]) / span)) : 0;
+    this.geometry.setAttribute("a", this.frames[k].positions);
+    this.geometry.setAttribute("b", this.frames[smooth ? next : k].positions);
+    this.geometry.setAttribute("position", this.frames[k].positions);
+    this.shown = [this.frames[k], this.frames[smooth ? next : k]];
+    return k;
+  }
+
+  // Before a picture of this size is drawn: only what can be seen is placed and drawn, or all.
+  leaveOutHidden(on, camera, width, height) {
+    this.all.visible = !on;
+    if (this.few) this.few.visible = on;
+    if (!on) return;
+    if (!this.few) this.makeFew();
+    const uniforms = this.material.uniforms;
+    const [a, b] = this.shown.map((frame) => frame.positions.array);
+    const mix = uniforms.uMix.value;
+    const view = { a, b, mix, box: this.spec.box, radius: this.radius, camera, clip: uniforms.uClip.value, width, height };
+    const count = this.hidden.find(view);
+    const { position, look } = this.few.geometry.attributes;
+    const start = this.frames[0].positions.array, { low, size } = this.spec.box;
+    const colour = uniforms.uColour.value, upper = uniforms.uUpper.value * 65535 * 65535, largest = uniforms.uLargest.value;
+    for (let j = 0; j < count; ++j) {
+      const i = this.hidden.seen[j], k = 4 * i, m = b[k] === 65535 ? 0 : mix;
+      let way = 0;
+      for (let axis = 0; axis < 3; ++axis) {
+        const place = a[k + axis] + m * (b[k + axis] - a[k + axis]);
+        position.array[3 * j + axis] = low[axis] + (size[axis] * place) / 65534;
+        const d = (size[axis] * (place - start[k + axis])) / 65534;
+        way += d * d;
+      }
+      const value = a[k + 3] + m * (b[k + 3] - a[k + 3]);
+      look.array[2 * j] = this.radius[i];
+      look.array[2 * j + 1] = colour === 1 ? (value * value) / upper : colour === 2 && start[k] !== 65535 ? Math.sqrt(way) / largest : 0;
+    }
+    for (const [attribute, numbers] of [[position, 3], [look, 2]]) {
+      attribute.clearUpdateRanges();
+      attribute.addUpdateRange(0, numbers * count);
+      attribute.needsUpdate = true;
+    }
+    this.few.geometry.setDrawRange(0, count);
+  }
+  makeFew() {
+    this.hidden = new HiddenGrains(this.spec.count);
+    const geometry = new three.BufferGeometry();
+    for (const [name, numbers] of [["position", 3], ["look", 2]])
+      geometry.setAttribute(name, new three.BufferAttribute(new Float32Array(numbers * this.spec.count), numbers).setUsage(three.DynamicDrawUsage));
+    const { uStops, uShares, uPixels } = this.material.uniforms;
+    const material = new three.ShaderMaterial({ vertexShader: kPlaced, fragmentShader: kFragment, uniforms: { uStops, uShares, uPixels } });
+    this.few = new three.Points(geometry, material);
+    this.few.frustumCulled = false;
+    this.object.add(this.few);
+  }
+}

@@ -1,0 +1,63 @@
+// view.html: the run in 3D, with a time slider and plots in step. All that is shown stands in the page.
+import plotStyle from "uplot/dist/uPlot.min.css";
+import ownPlotStyle from "./plots.css";
+import style from "./view.css";
+import { runOfPage, takeHistory } from "./page.js";
+import { Controls } from "./controls.js";
+import { Player } from "./player.js";
+import { Plots } from "./plots.js";
+import { Stage } from "./stage.js";
+
+function fail(error) {
+  document.body.dataset.state = "failed";
+  const note = document.getElementById("footfall-fault");
+  note.hidden = false;
+  note.textContent = `This run cannot be shown: ${error.message}. The page needs a browser of 2023 or later with WebGL 2.`;
+  console.error(error);
+}
+
+// Between two frames the browser may draw and answer.
+const breath = () => new Promise((resolve) => setTimeout(resolve, 0));
+
+async function start() {
+  const began = performance.now();
+  const sheet = document.createElement("style");
+  sheet.textContent = plotStyle + ownPlotStyle + style;
+  document.head.append(sheet);
+  const run = runOfPage();
+  const stage = new Stage(document.getElementById("footfall-stage"), run);
+  await stage.loadFirst();
+  const history = await takeHistory(run);
+  stage.addForces(history);
+
+  const times = [history.time, run.grains?.times ?? [], run.bodies?.times ?? []].filter((t) => t.length > 0);
+  const player = new Player({
+    start: Math.min(...times.map((t) => t[0])),
+    end: Math.max(...times.map((t) => t[t.length - 1])),
+    marks: run.grains?.times ?? run.bodies?.times ?? history.time,
+  });
+  const plots = new Plots(document.getElementById("footfall-plots"), history, run.shown, (t) => player.seek(t));
+  const controls = new Controls(run, stage, player);
+  stage.controls = controls;
+  player.onTime = (t) => {
+    stage.setTime(t);
+    plots.showTime(t);
+    controls.showTime(t);
+  };
+  player.seek(player.start);
+  stage.draw();
+  document.body.dataset.firstFrame = Math.round(performance.now() - began);
+  document.body.dataset.state = "loading";
+  for (let more = true; more; ) {
+    more = await stage.loadNext();
+    controls.showLoaded();
+    await breath();
+  }
+  player.seek(player.time);
+  document.body.dataset.loaded = Math.round(performance.now() - began);
+  document.body.dataset.state = "ready";
+  window.footfall = { run, stage, player, plots };
+}
+
+window.addEventListener("error", (event) => fail(event.error ?? new Error(event.message)));
+start().catch(fail);
