@@ -137,9 +137,9 @@ void FixCoupleMbd::end_of_step() {
 void FixCoupleMbd::keep(const std::string& folder) {
   const bool quietly = link_.keeps_quietly();
   const std::string file = folder + "/grains.restart";
-  const bool done = !quietly || write_restart_quietly(lmp, file);
-  if (!quietly) write_restart(lmp, file);
-  if (done) write_text(lmp, footfall::DemLink::memory_file(folder), link_.memory(update->ntimestep));
+  const bool done = !quietly || keep_grains_quietly(lmp, file);
+  if (!quietly) keep_grains(lmp, file);
+  if (done) keep_text(lmp, footfall::DemLink::memory_file(folder), link_.memory(update->ntimestep));
   link_.kept(update->ntimestep, done);
   if (!quietly) go_on_as_after_restart();
 }

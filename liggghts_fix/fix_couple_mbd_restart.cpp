@@ -67,14 +67,14 @@ bool all_grains_in_box(LAMMPS* lmp) {
 
 }  // namespace
 
-void write_restart(LAMMPS* lmp, std::string file) {
+void keep_grains(LAMMPS* lmp, std::string file) {
   watched(lmp, file, [&] {
     char* words[] = {file.data()};
     WriteRestart(lmp).command(1, words);
   });
 }
 
-bool write_restart_quietly(LAMMPS* lmp, std::string file) {
+bool keep_grains_quietly(LAMMPS* lmp, std::string file) {
   if (!all_grains_in_box(lmp)) return false;
   // The history of contacts lives with the list of neighbours, and LIGGGHTS hands it back to the grains when it makes a
   // new list: the file takes it from there. Walls of meshes keep theirs with the grains.
@@ -87,7 +87,7 @@ bool write_restart_quietly(LAMMPS* lmp, std::string file) {
   return true;
 }
 
-void write_text(LAMMPS* lmp, const std::string& file, const std::string& text) {
+void keep_text(LAMMPS* lmp, const std::string& file, const std::string& text) {
   std::string problem;
   if (lmp->comm->me == 0) {
     try {

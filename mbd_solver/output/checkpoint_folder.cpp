@@ -99,6 +99,7 @@ void CheckpointFolder::clear() {
   std::error_code ignored;
   for (const long n : written_) fs::remove_all(folder_ + "/" + std::to_string(n), ignored);
   written_.clear();
+  if (!part_.empty()) fs::remove_all(part_, ignored);  // asked for at the end of a window that never came
   fs::remove(folder_, ignored);
 }
 

@@ -12,7 +12,7 @@ case $case in
   memory) options=(--set output.checkpoint_interval=2.2) program=mbd_solver limit=2000 name='run.txt\|plate.csv' ;;
   restart) options=(--set output.checkpoint_interval=1.7) program=liggghts_mbd limit=1000 name=grains.restart ;;
 esac
-start_run "$1" "$2" window --set output.interval=0.1 --keep-every 0 "${options[@]}"
+start_run "$1" "$2" window --set end_time=1e4 --set output.interval=0.1 --keep-every 0 "${options[@]}"
 for id in $(processes_of $program); do prlimit --pid "$id" --fsize=$limit || die "prlimit is missing"; done
 start=$SECONDS
 wait_for_end 60 || die "$case: still there: $(processes_of "" | tr '\n' ' ')"

@@ -5,7 +5,8 @@ set -u
 source "$(dirname "$0")/run_to_end.sh"
 footfall=$1
 rm -rf "$2" && mkdir -p "$2/disk" && cd "$2" && out=$PWD || exit 1
-sed -e "s|^script = .*|script = \"$here/endless.in\"|" "$here/../bad_input/plate_on_grains.scene" >scene.toml
+export FOOTFALL_CACHE=$out/cache
+scene_of_plate "$here/endless.in" "$here/endless_bed.in" >scene.toml
 trap 'cd /; umount "$out/disk" 2>/dev/null' EXIT
 for size in 16 32 48 64 96 128 192 256 384 512 1024; do
   mount -t tmpfs -o size=${size}k tmpfs disk 2>/dev/null || exit 77

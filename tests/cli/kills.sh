@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# kills.sh FOOTFALL OUT COUNT [SEED]: a coupled run is killed (SIGKILL) so many times, each time another process at another moment, drawn at random, and gone on with. Its
+# kills.sh FOOTFALL OUT COUNT [SEED [SECONDS]]: a coupled run is killed (SIGKILL) so many times (or until so long has passed), each time another process at another moment, drawn at random, and gone on with. Its
 # history, surfaces and pictures must then be those of the run that nobody has disturbed, byte by byte. Prints a line for each kill and a table.
 #   phases     bed, start (LIGGGHTS reads its script), handshake, window, checkpoint (a set is being written), shutdown
 #   processes  footfall (the front door), mpirun, mbd_solver, rank0, rank1 of LIGGGHTS
@@ -9,6 +9,7 @@ set -u
 source "$(dirname "$0")/run_to_end.sh"
 footfall=$1 count=$3
 RANDOM=${4:-1}
+limit=${5:-1000000}
 inputs=$(cd "$here/../../inputs" && pwd)
 rm -rf "$2" && mkdir -p "$2" && cd "$2" && base=$PWD || exit 1
 interval=0.01 end=0.07
@@ -58,6 +59,7 @@ phases=(bed start handshake window window window checkpoint checkpoint shutdown)
 declare -A of_phase of_process
 killed=0 late=0 slowest=0 resumed=0 anew=0 extra=0
 for ((i = 0; killed < count; ++i)); do
+  ((SECONDS < limit)) || break
   ((i < 20 + 4 * count)) || fail "too many kills came too late: $late of $i"
   phase=${phases[RANDOM % ${#phases[@]}]}
   processes=(footfall mpirun mbd_solver rank0 rank1)

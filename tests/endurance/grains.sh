@@ -4,7 +4,8 @@ set -u
 source "$(dirname "$0")/../cli/run_to_end.sh"
 windows=$3 footfall=$1
 rm -rf "$2" && mkdir -p "$2" && cd "$2" && out=$PWD || exit 1
-sed -e "s|^script = .*|script = \"$here/endless.in\"|" "$here/../bad_input/plate_on_grains.scene" >scene.toml
+export FOOTFALL_CACHE=$out/cache
+scene_of_plate "$here/endless.in" "$here/endless_bed.in" >scene.toml
 end=$(awk -v n="$windows" 'BEGIN { print n * 5e-4 }')
 "$footfall" run scene.toml --ranks 2 --set end_time="$end" --set output.interval="$(awk -v e="$end" 'BEGIN { print e / 100 }')" --set output.plots=false --quiet --out run >said.txt 2>&1 &
 run=$!

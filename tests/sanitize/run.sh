@@ -9,7 +9,7 @@ build=$root/build-sanitize plain=${BUILD:-$root/build}
 labels=("$@")
 ((${#labels[@]})) || labels=(unit bad_input)
 [[ -f $build/build.ninja ]] ||
-  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DFOOTFALL_SANITIZE=address,undefined >"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Sanitize -DCMAKE_CXX_FLAGS=-O1 -DFOOTFALL_SANITIZE=address,undefined >"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
 cmake --build "$build" -j 2 >"$build/build.log" 2>&1 || { tail -n 40 "$build/build.log"; exit 1; }
 export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 LSAN_OPTIONS=suppressions=$here/leaks.txt:print_suppressions=0
 export UBSAN_OPTIONS=print_stacktrace=1
