@@ -100,6 +100,7 @@ inline constexpr auto kFields<Motion> = std::tuple{Field{"window", &Motion::wind
                                                    Field{"n", &Motion::n},
                                                    Field{"last_window", &Motion::last_window},
                                                    Field{"checkpoint", &Motion::checkpoint},
+                                                   Field{"quietly", &Motion::quietly},
                                                    Field{"bodies", &Motion::bodies},
                                                    Field{"inverse_masses", &Motion::inverse_masses}};
 
@@ -135,7 +136,8 @@ inline constexpr auto kFields<ContactTangent> =
     std::tuple{Field{"K", &ContactTangent::K}, Field{"C", &ContactTangent::C}};
 
 template <>
-inline constexpr auto kFields<Kept> = std::tuple{Field{"window", &Kept::window}, Field{"step", &Kept::step}};
+inline constexpr auto kFields<Kept> =
+    std::tuple{Field{"window", &Kept::window}, Field{"step", &Kept::step}, Field{"done", &Kept::done}};
 
 template <>
 inline constexpr auto kFields<Close> =

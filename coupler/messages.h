@@ -97,6 +97,7 @@ struct Motion {
   std::int32_t n = 0;       // substeps of this window (the last one may be shorter)
   bool last_window = false;
   std::string checkpoint;  // folder in which the grains' side keeps itself after this window; empty: it does not
+  bool quietly = false;    // it does so without a trace in what follows, or not at all
   std::vector<BodyMotion> bodies;  // order of Start; see above
   // 1/m of the mass that the contacts of each body meet [1/kg], 0: held or led. Empty unless the script asks for them.
   std::vector<double> inverse_masses;
@@ -137,6 +138,7 @@ struct Kept {
   static constexpr MessageKind kKind = MessageKind::kKept;
   std::int64_t window = 0;  // that of the Motion that asked for it
   std::int64_t step = 0;    // LIGGGHTS' step number there
+  bool done = true;         // false: it could not be done quietly; nothing was written
 };
 
 struct Close {

@@ -9,12 +9,16 @@
 
 namespace footfall {
 
+inline constexpr double kKeepEvery = 60.0;  // [s]
+
 struct RunOptions {
   std::string out = "out";  // folder for history.csv, summary.json, VTU
   double until = 0.0;       // end earlier than the scene [s]; 0: the scene's end
   bool quiet = false;       // no progress line
   int ranks = 0;            // of LIGGGHTS; 0 without
   std::string checkpoint;   // folder of the set that the run goes on from; empty: from the start
+  // A scene without checkpoint_interval is kept every so often on the clock on the wall [s]; 0: never.
+  double keep_every = kKeepEvery;
 };
 
 // Runs the scene and writes its files. Returns the exit code: done or interrupted. `transport`: null without grains.

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # signals.sh FOOTFALL OUT PHASE PROCESS SIGNAL: one process of a run gets a signal; everything ends soon, with one exit code and one status
-# for whoever got it, and nothing is left behind. Prints the seconds that it took.
+# for whoever got it, and nothing is left behind; a run in its windows leaves a whole checkpoint, from which it goes on. Prints the seconds
+# that it took.
 #   PHASE    bed, start (LIGGGHTS has not come to the coupling), window
 #   PROCESS  footfall, mpirun, rank0, rank1, mbd_solver, all
 #   SIGNAL   INT, TERM, HUP, QUIT, USR1, KILL; STOPPED: it is stopped, and then footfall gets INT
@@ -49,6 +50,16 @@ expected=3 status=interrupted
 [[ $code == "$expected" ]] || die "exit code $code, expected $expected"
 if [[ $phase != bed && -n $status ]]; then
   grep -q "\"status\": \"$status\"" run/summary.json || die "the summary does not say $status"
+fi
+if [[ $phase == window && $expected == 3 && $signal != STOPPED ]]; then
+  compgen -G 'run/checkpoint/*.part' >/dev/null && die "half a checkpoint is left"
+  mapfile -t sets < <(ls run/checkpoint)
+  ((${#sets[@]} == 1)) || die "expected one checkpoint, found: ${sets[*]}"
+  rows=$(wc -l <run/history.csv)
+  until=$(tail -n 1 run/history.csv | awk -F, '{print $1 + 0.5}')
+  "$footfall" run --resume run --until "$until" --quiet >again.txt 2>&1 || die "it does not go on: $(cat again.txt)"
+  (($(wc -l <run/history.csv) > rows)) || die "no row has come to the history"
+  grep -q '"status": "done"' run/summary.json || die "the resumed run is not done"
 fi
 compgen -G 'restart_forced*' >/dev/null && die "LIGGGHTS has left a restart file"
 if [[ $phase == bed && $expected == 137 ]]; then
