@@ -26,7 +26,7 @@ namespace {
 using Real = long double;
 using Vector = Eigen::Matrix<Real, 3, 1>;
 
-Vector vector(const double* x) { return {x[0], x[1], x[2]}; }
+Vector wide(const double* x) { return {x[0], x[1], x[2]}; }
 
 bool is_coupled(FixMeshSurface* mesh) { return mesh->get_module(footfall::kMeshModule) != nullptr; }
 
@@ -110,9 +110,9 @@ void GrainAudit::add_source(Account& source) const {
   source.gross_force = source.gross_moment = 0.0L;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double* const before = before_[static_cast<std::size_t>(i)].data();
-    const Vector f = vector(atom->f[i]) - vector(before), t = vector(atom->torque[i]) - vector(before + 3);
+    const Vector f = wide(atom->f[i]) - wide(before), t = wide(atom->torque[i]) - wide(before + 3);
     if (f.isZero(0.0L) && t.isZero(0.0L)) continue;
-    const Vector arm = vector(atom->x[i]).cross(f);
+    const Vector arm = wide(atom->x[i]).cross(f);
     source.now.head<3>() += f;
     source.now.tail<3>() += arm + t;
     source.gross_force += f.norm();
@@ -153,9 +153,9 @@ void GrainAudit::fix_done(Fix& fix) {
 void GrainAudit::count_held() {
   Wrench held = Wrench::Zero();
   for (int i = 0; i < atom->nlocal; ++i) {
-    const Vector f = vector(atom->f[i]), x = vector(atom->x[i]);
+    const Vector f = wide(atom->f[i]), x = wide(atom->x[i]);
     if (!is_integrated(i)) held.head<3>() -= f, held.tail<3>() -= x.cross(f);
-    if (!is_rotated(i)) held.tail<3>() -= vector(atom->torque[i]);
+    if (!is_rotated(i)) held.tail<3>() -= wide(atom->torque[i]);
   }
   account("held", "-").now = held;
 }
@@ -168,13 +168,13 @@ void GrainAudit::count_weight() {
     if (gravity == nullptr) continue;
     double g_now[3];
     gravity->get_gravity(g_now);
-    const Vector g = vector(g_now);
+    const Vector g = wide(g_now);
     Wrench weight = Wrench::Zero();
     for (int i = 0; i < atom->nlocal; ++i) {
       if ((atom->mask[i] & gravity->groupbit) == 0 || is_clump(i)) continue;
       const Vector mg = static_cast<Real>(atom->rmass[i]) * g;
       weight.head<3>() += mg;
-      weight.tail<3>() += vector(atom->x[i]).cross(mg);
+      weight.tail<3>() += wide(atom->x[i]).cross(mg);
     }
     account("weight", gravity->id).now = weight;
     for (int body = 0; clumps_ != nullptr && body < clumps_->n_body(); ++body) {
@@ -182,7 +182,7 @@ void GrainAudit::count_weight() {
       clumps_->data().xcm(x, body);
       const Vector mg = static_cast<Real>(clumps_->data().mass(body)) * g;
       of_clumps.head<3>() += mg;
-      of_clumps.tail<3>() += vector(x).cross(mg);
+      of_clumps.tail<3>() += wide(x).cross(mg);
     }
   }
   if (clumps_ == nullptr) return;
@@ -243,7 +243,7 @@ void GrainAudit::write_state(long window) {
     if (gravity == nullptr) continue;
     double g_now[3];
     gravity->get_gravity(g_now);
-    g += vector(g_now);
+    g += wide(g_now);
   }
   // P, L; |m v|, |x| |m v| + |I w|; kinetic energy; m g . x; how many
   Eigen::Matrix<Real, 11, 1> sum = Eigen::Matrix<Real, 11, 1>::Zero();
@@ -259,9 +259,9 @@ void GrainAudit::write_state(long window) {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (is_clump(i) || !is_integrated(i)) continue;
     const Real m = atom->rmass[i], r = atom->radius[i];
-    const Vector w = is_rotated(i) ? vector(atom->omega[i]) : Vector(Vector::Zero());
+    const Vector w = is_rotated(i) ? wide(atom->omega[i]) : Vector(Vector::Zero());
     const Real I = 0.4L * m * r * r;
-    add(m, vector(atom->x[i]), vector(atom->v[i]), I * w, 0.5L * I * w.squaredNorm());
+    add(m, wide(atom->x[i]), wide(atom->v[i]), I * w, 0.5L * I * w.squaredNorm());
   }
   for (int body = 0; clumps_ != nullptr && body < clumps_->n_body(); ++body) {
     double x[3], v[3], w[3], spin[3];
@@ -269,7 +269,7 @@ void GrainAudit::write_state(long window) {
     clumps_->data().vcm(v, body);
     clumps_->data().omega(w, body);
     clumps_->data().angmom(spin, body);
-    add(clumps_->data().mass(body), vector(x), vector(v), vector(spin), 0.5L * vector(w).dot(vector(spin)));
+    add(clumps_->data().mass(body), wide(x), wide(v), wide(spin), 0.5L * wide(w).dot(wide(spin)));
   }
   footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, sum.data(), 11, MPI_LONG_DOUBLE, MPI_SUM, world), "MPI_Allreduce");
   write(window, "state", "-", sum.head<6>(), sum[6], sum[7]);

@@ -7,7 +7,7 @@
 namespace footfall {
 namespace {
 
-constexpr double kFlat =
+constexpr double kFlatPiece =
     1e-8;                   // 1 - cosine between a facet's normal and that of its node: 1.4e-4 rad, round-off of nodes
 constexpr int kSteps = 20;  // of Newton's method; four or five are used
 constexpr double kDone = 1e-13;
@@ -133,7 +133,7 @@ void RoundSurface::deform(const SurfacePieces& pieces, const Eigen::Matrix3Xd& n
         sum += std::copysign(angle(other, static_cast<std::size_t>(place - corners.begin())), n.dot(own)) * n;
       }
       sum.normalize();
-      flat = flat && sum.dot(own) > (1.0 - kFlat) * own.norm();
+      flat = flat && sum.dot(own) > (1.0 - kFlatPiece) * own.norm();
       normals_[static_cast<std::size_t>(t)].col(static_cast<Eigen::Index>(k)) = sum;
     }
     flat_[static_cast<std::size_t>(t)] = flat;

@@ -12,7 +12,7 @@ namespace footfall {
 namespace {
 
 // Less is round-off of the nodes.
-const double kFlat = std::cos(1e-4);
+const double kFlatTurn = std::cos(1e-4);
 
 // A point so close to an edge counts as on it [of the facet].
 constexpr double kOnEdge = 1e-9;
@@ -68,7 +68,7 @@ SurfacePieces::SurfacePieces(const Eigen::Matrix3Xd& rho0, std::vector<CornerNod
         const double turn =
             -inward(rho0, this->corners(facets[i]), a, b).dot(inward(rho0, this->corners(facets[j]), a, b));
         if (turn <= sharp) continue;
-        if (turn < kFlat) curved_ = true;
+        if (turn < kFlatTurn) curved_ = true;
         smooth.push_back({facets[i], facets[j], {a, b}});
         ++smooth_pairs[edge];
         pieces.join(facets[i], facets[j]);

@@ -18,6 +18,7 @@ std::vector<std::string> split(const std::string& line, char mark);
 // May be the name of a file or of a column: letters, digits, _ - . without a dot in front, at most kLongestName of them.
 inline constexpr int kLongestName = 100;
 bool is_plain_name(const std::string& text);
+bool ends_with(const std::string& text, const std::string& end);
 // Without blanks, tabs and carriage returns at both ends.
 std::string trimmed(const std::string& text);
 

@@ -38,17 +38,17 @@ class LineMaker {
     if (flowed <= 0.0 && defect <= round_off) return;  // nothing flowed
     const double bound = relative_bound * flowed + round_off;
     const double excess = bound > 0.0 ? defect / bound : std::numeric_limits<double>::infinity();
-    if (line_.verdict != Verdict::kNotExercised && excess <= excess_) return;
+    if (line_.verdict != AuditVerdict::kNotExercised && excess <= excess_) return;
     excess_ = excess;
     line_.defect = defect;
     line_.flowed = flowed;
     line_.relative = flowed > 0.0 ? defect / flowed : 0.0;
     line_.bound = bound;
     line_.window = window;
-    line_.verdict = excess <= 1.0 ? Verdict::kHolds : Verdict::kWrong;
+    line_.verdict = excess <= 1.0 ? AuditVerdict::kHolds : AuditVerdict::kWrong;
   }
   void leave_out(const std::string& why) {
-    line_.verdict = Verdict::kNotChecked;
+    line_.verdict = AuditVerdict::kNotChecked;
     line_.note = why;
   }
   AuditLine line() const { return line_; }
@@ -212,12 +212,12 @@ void energies(const GrainsAudit& grains, const MechanismAudit& mechanism, std::v
     line->unit = "J";
     line->flowed = flowed;
     line->relative = flowed > 0.0 ? line->defect / flowed : 0.0;
-    line->verdict = flowed > 0.0 ? Verdict::kTold : Verdict::kNotExercised;
+    line->verdict = flowed > 0.0 ? AuditVerdict::kTold : AuditVerdict::kNotExercised;
     lines.push_back(*line);
   }
 }
 
-std::string cell(double value) {
+std::string entry_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", value);
   return text;
@@ -225,13 +225,13 @@ std::string cell(double value) {
 
 }  // namespace
 
-std::string verdict_text(Verdict verdict) {
+std::string verdict_text(AuditVerdict verdict) {
   switch (verdict) {
-    case Verdict::kHolds: return "holds";
-    case Verdict::kWrong: return "WRONG";
-    case Verdict::kNotExercised: return "nothing flowed";
-    case Verdict::kNotChecked: return "not checked";
-    case Verdict::kTold: return "told";
+    case AuditVerdict::kHolds: return "holds";
+    case AuditVerdict::kWrong: return "WRONG";
+    case AuditVerdict::kNotExercised: return "nothing flowed";
+    case AuditVerdict::kNotChecked: return "not checked";
+    case AuditVerdict::kTold: return "told";
   }
   return "";
 }
@@ -256,15 +256,15 @@ std::string audit_table(const std::vector<AuditLine>& lines) {
   std::vector<std::string> notes;
   int holds = 0, wrong = 0;
   for (const AuditLine& line : lines) {
-    const bool measured = line.verdict == Verdict::kHolds || line.verdict == Verdict::kWrong;
-    const bool told = line.verdict == Verdict::kTold;
-    rows.push_back({line.quantity, line.unit, measured || told ? cell(line.defect) : "-",
-                    measured || told ? cell(line.relative) : "-",
+    const bool measured = line.verdict == AuditVerdict::kHolds || line.verdict == AuditVerdict::kWrong;
+    const bool told = line.verdict == AuditVerdict::kTold;
+    rows.push_back({line.quantity, line.unit, measured || told ? entry_text(line.defect) : "-",
+                    measured || told ? entry_text(line.relative) : "-",
                     line.window >= 0 && (measured || told) ? std::to_string(line.window) : "-",
-                    measured ? cell(line.bound) : "-", verdict_text(line.verdict)});
+                    measured ? entry_text(line.bound) : "-", verdict_text(line.verdict)});
     if (!line.note.empty()) notes.push_back(line.quantity + ": " + line.note);
-    holds += line.verdict == Verdict::kHolds ? 1 : 0;
-    wrong += line.verdict == Verdict::kWrong ? 1 : 0;
+    holds += line.verdict == AuditVerdict::kHolds ? 1 : 0;
+    wrong += line.verdict == AuditVerdict::kWrong ? 1 : 0;
   }
   std::vector<std::size_t> width(rows[0].size(), 0);
   for (const auto& row : rows)
@@ -281,7 +281,7 @@ std::string audit_table(const std::vector<AuditLine>& lines) {
 
 bool audit_holds(const std::vector<AuditLine>& lines) {
   return std::none_of(lines.begin(), lines.end(),
-                      [](const AuditLine& line) { return line.verdict == Verdict::kWrong; });
+                      [](const AuditLine& line) { return line.verdict == AuditVerdict::kWrong; });
 }
 
 }  // namespace footfall

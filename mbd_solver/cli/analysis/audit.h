@@ -9,14 +9,14 @@
 
 namespace footfall {
 
-enum class Verdict {
+enum class AuditVerdict {
   kHolds,
   kWrong,
   kNotExercised,  // nothing flowed
   kNotChecked,    // cannot be known; `note` says why
   kTold           // a figure without a bound
 };
-std::string verdict_text(Verdict verdict);
+std::string verdict_text(AuditVerdict verdict);
 
 // One line of the table: of all windows the one that is farthest out, measured by its own bound.
 struct AuditLine {
@@ -27,7 +27,7 @@ struct AuditLine {
   double relative = 0.0;  // defect over flowed; 0 where nothing flowed
   double bound = 0.0;     // of `defect` [unit]
   long window = -1;       // -1: of the whole run
-  Verdict verdict = Verdict::kNotExercised;
+  AuditVerdict verdict = AuditVerdict::kNotExercised;
   std::string note;
 };
 

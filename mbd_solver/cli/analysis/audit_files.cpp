@@ -11,17 +11,17 @@
 namespace footfall {
 namespace {
 
-using Cells = std::vector<std::string>;
+using Row = std::vector<std::string>;
 
 // Calls `take` with the cells of every line behind the first, whose number of cells they have.
-Cells for_each_line(const std::string& path, const std::function<void(const Cells&, const std::string&)>& take) {
+Row for_each_line(const std::string& path, const std::function<void(const Row&, const std::string&)>& take) {
   std::ifstream file(path);
   std::string line;
   if (!file || !std::getline(file, line))
     throw InputError(path + ": cannot be read; expected what an audited run writes (footfall audit SCENE)");
-  const Cells names = split(line, ',');
+  const Row names = split(line, ',');
   for (int number = 2; std::getline(file, line); ++number) {
-    const Cells cells = split(line, ',');
+    const Row cells = split(line, ',');
     const std::string where = path + ":" + std::to_string(number) + ": ";
     if (cells.size() != names.size())
       throw InputError(where + "has " + std::to_string(cells.size()) + " values, expected " +
@@ -39,7 +39,7 @@ double number(const std::string& text, const std::string& where) {
   return value;
 }
 
-Eigen::Vector3d vector(const Cells& cells, std::size_t at, const std::string& where) {
+Eigen::Vector3d vector(const Row& cells, std::size_t at, const std::string& where) {
   return {number(cells[at], where), number(cells[at + 1], where), number(cells[at + 2], where)};
 }
 
@@ -53,7 +53,7 @@ const AuditSource& AuditWindow::find(const std::string& kind, const std::string&
 
 GrainsAudit read_grains_audit(const std::string& path) {
   GrainsAudit audit;
-  for_each_line(path, [&audit](const Cells& cells, const std::string& where) {
+  for_each_line(path, [&audit](const Row& cells, const std::string& where) {
     if (cells.size() != 11) throw InputError(where + "expected eleven values");
     const long window = std::lround(number(cells[0], where));
     AuditSource one;
@@ -94,13 +94,13 @@ GrainsAudit read_grains_audit(const std::string& path) {
 
 MechanismAudit read_mechanism_audit(const std::string& path) {
   MechanismAudit audit;
-  std::vector<Cells> lines;
-  const Cells names = for_each_line(path, [&](const Cells& cells, const std::string& where) {
+  std::vector<Row> lines;
+  const Row names = for_each_line(path, [&](const Row& cells, const std::string& where) {
     for (const std::string& text : cells) number(text, where);
     lines.push_back(cells);
   });
   constexpr std::size_t kOwn = 11, kPerBody = 7;  // columns
-  for (const Cells& cells : lines) {
+  for (const Row& cells : lines) {
     MechanismRow& row = audit.rows.emplace_back();
     row.time = number(cells[0], path);
     row.momentum = vector(cells, 1, path);

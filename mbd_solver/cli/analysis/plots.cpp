@@ -8,16 +8,13 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/folder.h"
 #include "coupler/base/quote.h"
+#include "coupler/base/text.h"
 #include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/analysis/reduced_rows.h"
 
 namespace footfall {
 
 namespace {
-
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 
 constexpr double kKilo = 1e-3;
 

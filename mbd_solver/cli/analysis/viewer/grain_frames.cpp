@@ -75,15 +75,15 @@ void for_each_place(const std::vector<int>& all, const LeanFrame& frame, const A
   }
 }
 
-struct Bed {
+struct FrameBed {
   std::vector<double> times;  // [s]
   std::vector<LeanFrame> frames;
   std::vector<Number> numbers;
   std::vector<int> ids;  // of all frames, rising
 };
 
-Bed read_bed(const std::vector<std::pair<long, std::string>>& dumps, double dt) {
-  Bed bed;
+FrameBed read_bed(const std::vector<std::pair<long, std::string>>& dumps, double dt) {
+  FrameBed bed;
   for (const auto& [step, file] : dumps) {
     const BedFrame frame = read_bed_frame(file);
     if (bed.frames.empty())
@@ -100,7 +100,7 @@ Bed read_bed(const std::vector<std::pair<long, std::string>>& dumps, double dt) 
 }
 
 // How far the grains have come since the first frame, at the end of the colours [m].
-double farthest(const Bed& bed) {
+double farthest(const FrameBed& bed) {
   double most = 0.0;
   std::vector<Eigen::Vector3f> start(bed.ids.size());
   std::vector<bool> known(bed.ids.size(), false);
@@ -125,7 +125,7 @@ void add_grains(const std::string& run, double dt, FrameLimits& limits, PagePart
   const std::map<long, std::string> dumps = find_bed_frames(run);
   if (dumps.empty()) return;
   const std::size_t most = most_frames(limits, static_cast<std::size_t>(read_bed_frame(dumps.begin()->second).count()));
-  const Bed bed = read_bed(thinned(dumps, most), dt);
+  const FrameBed bed = read_bed(thinned(dumps, most), dt);
   const std::size_t n = bed.ids.size();
   if (bed.frames.size() < dumps.size())
     limits.notes.push_back("The run dumped its grains " + std::to_string(dumps.size()) + " times; " +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "coupler/base/text.h"
 #include "mbd_solver/cli/analysis/reduced_rows.h"
 #include "mbd_solver/cli/analysis/viewer/packed_series.h"
 
@@ -31,10 +32,6 @@ std::string harmless(const Json& json) {
 
 std::string element(const std::string& name, const std::string& type, const std::string& text) {
   return "<script type=\"" + type + "\" id=\"footfall-" + name + "\">" + text + "</script>\n";
-}
-
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 }  // namespace
