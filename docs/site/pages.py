@@ -27,6 +27,11 @@ def moved_links(text, folder):
             return words if bang else f"{words} (`{file.relative_to(root)}`)"
         return f"{bang}[{words}]({page}{'#' + anchor if anchor else ''})"
 
+    def image(match):
+        page = on_site((root / folder / match.group(2)).resolve())
+        return f'{match.group(1)}"{page}"' if page else match.group(0)
+
+    text = re.sub(r'(<img src=)"([^"]+)"', image, text)
     return re.sub(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)", link, text)
 
 
@@ -57,6 +62,12 @@ def copy_pages():
         target.write_bytes(file.read_bytes())
 
 
+def title_of(page):
+    """A page's first heading, or its file's name."""
+    found = re.search(r"(?m)^# (.+)$", (docs / page).read_text())
+    return found.group(1) if found else page.removesuffix(".md").replace("_", " ")
+
+
 def kind_of(s):
     """A schema's type in words."""
     if "anyOf" in s:
@@ -66,8 +77,8 @@ def kind_of(s):
     if "enum" in s:
         return ", ".join(f'`"{word}"`' for word in s["enum"])
     if s["type"] == "array":
-        few = s.get("maxItems") if s.get("maxItems") == s.get("minItems") else None
-        return f"{few or 'a list of'} × {kind_of(s['items'])}" if few else f"list of {kind_of(s['items'])}"
+        same = "minItems" in s and s.get("maxItems") == s["minItems"]
+        return f"{s['minItems']} × {kind_of(s['items'])}" if same else f"list of {kind_of(s['items'])}"
     words = {"number": "number", "integer": "whole number", "boolean": "true or false", "string": "text",
              "object": "table"}
     word = words[s["type"]] if isinstance(s["type"], str) else " or ".join(words[t] for t in s["type"])
@@ -117,6 +128,13 @@ def table_below(s):
     return None
 
 
+def reference_scene(section):
+    """What the reference scene says under [section...] or [[section...]], with its comments."""
+    text = (root / "inputs/reference/scene.toml").read_text()
+    blocks = re.split(r"(?m)^(?=\[)", text)
+    return "".join(b for b in blocks if re.match(rf"\[\[?{section}[.\]]", b)).strip()
+
+
 def reference():
     """One page per section of a scene; one for the commands' options. Returns their entries in the navigation."""
     schema = json.loads(subprocess.run([footfall, "schema"], check=True, capture_output=True, text=True).stdout)
@@ -131,6 +149,8 @@ def reference():
         lines = [f"# {below[0].format(key)}", "",
                  "Made from what the reader of scenes knows; the [scene page](../scene.md) tells what the keys mean."]
         tables(below[1], key, lines)
+        if example := reference_scene(key):
+            lines += ["", "## In the reference scene", "", "```toml", example, "```"]
         (docs / "keys" / f"{key}.md").write_text("\n".join(lines) + "\n")
         entries.append(f"      - {key}: keys/{key}.md")
     tables(plain, "", top)
@@ -153,11 +173,11 @@ examples = sorted(p.name for p in docs.glob("example_*.md"))
 others = sorted(p.name for p in docs.glob("*.md") if p.name not in named and p.name not in examples)
 lists = {
     "REFERENCE": reference(),
-    "EXAMPLES": [f"      - {(docs / e).read_text().splitlines()[0].lstrip('# ')}: {e}" for e in examples],
+    "EXAMPLES": [f"      - {title_of(e)}: {e}" for e in examples],
 }
 for word, entries in lists.items():
     config = config.replace(f" {word}\n", "\n" + "\n".join(entries) + "\n")
 if others:  # a page that nobody has put into the order yet
-    config += "  - More:\n" + "".join(f"      - {(docs / o).read_text().splitlines()[0].lstrip('# ')}: {o}\n" for o in others)
+    config += "  - More:\n" + "".join(f"      - {title_of(o)}: {o}\n" for o in others)
 config = config.replace("PAGES", str(docs)).replace("SITE", str(site.resolve()))
 (pages / "mkdocs.yml").write_text(config)
