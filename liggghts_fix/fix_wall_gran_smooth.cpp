@@ -154,8 +154,8 @@ bool FixWallGranSmooth::reaches(const SmoothMesh& smooth, TriMesh& mesh, double*
   if (nearest.gap > 0.0 && nearest.gap >= reach) return false;
 
   nearest.acts = true;
-  touch.on_border = !smooth.pieces.inside_piece(nearest.facet, nearest.weights);
-  if (touch.on_border) {
+  touch.nearest.on_border = !smooth.pieces.inside_piece(nearest.facet, nearest.weights);
+  if (touch.nearest.on_border) {
     double delta[3], weights[3];
     nearest.acts =
         mesh.resolveTriSphereContactBary(touch.grain, touch.element, r, x, delta, weights, region, true) < kFar;
@@ -180,7 +180,7 @@ double* FixWallGranSmooth::history_of(FixContactHistoryMesh& history, const Touc
   const int grain = touch.grain, facet = touch.nearest.facet, places = history.nneighs(grain);
   const double* past = nullptr;
   std::pair<bool, int> past_facet;
-  bool takes_over = pieces.curved() || !touch.on_border;
+  bool takes_over = pieces.curved() || !touch.nearest.on_border;
   for (int j = 0; j < places && takes_over; ++j) takes_over = history.partner(grain, j) != facet;
   for (int j = 0; j < places && takes_over && history.get_dnum() > 0; ++j) {
     const int other = history.partner(grain, j);

@@ -45,7 +45,6 @@ class FixWallGranSmooth final : public FixWallGran {
     footfall::FacetTouch nearest;
     int grain, element;  // local numbers of LIGGGHTS
     int before;          // another touch of the grain, or -1
-    bool on_border;      // of its piece
     double delta[3];     // from the grain's centre to the nearest point [m]
   };
 

@@ -44,12 +44,14 @@ class SurfacePieces {
 struct FacetTouch {
   int facet = 0;                    // number of the mesh element
   double gap = 0.0;                 // from the grain's surface to the facet; negative: overlap [m]
+  bool on_border = false;           // of its piece, at a sharp edge
   bool acts = true;                 // LIGGGHTS lets one of the facets at a sharp edge or corner act for all
   std::array<double, 3> weights{};  // of the facet's corners, at its point nearest to the grain's centre [-]
 };
 
 // Does the grain not touch `facet` because of `other`? It touches a smooth surface where their distance is least among
-// all points around. Of neighbours that are equally close the smaller number counts, on any rank.
+// all points around. Of neighbours that are equally close the smaller number counts, on any rank. Where all faces are
+// flat at first, sharp edges are LIGGGHTS' own affair: each straight one acts, as on a rigid body.
 bool yields(const FacetTouch& facet, const FacetTouch& other, const SurfacePieces& pieces);
 
 }  // namespace footfall

@@ -45,7 +45,7 @@ std::vector<Eigen::Vector2d> forces(const std::string& name, const Shape& shape,
                                     double sign = 1.0) {
   const RunFolder folder("curved_" + name);
   const double patch = std::sqrt(2.0 * kR * kOverlap);
-  write_stl((folder.path() / "body.stl").string(), tessellated(shape, w, (2.0 * std::max(patch, w)) / shape.radius));
+  write_stl((folder.path() / "body.stl").string(), tessellated(shape, w, (patch + 3.0 * w) / shape.radius));
   constexpr int kGrains = 40;
   std::ostringstream in;
   in.precision(17);
@@ -152,7 +152,7 @@ TEST(CurvedSurface, ThatIsRoundIsTheExactOneWithinTwoPercent) {
 // slides. Each facet that began anew would let it drop to nothing, and build up again over a twelfth of its width.
 TEST(CurvedSurface, HandsFrictionOnFromFacetToFacet) {
   const RunFolder folder("curved_friction");
-  const double radius = 5.0 * kR, width = 0.2 * kPatch, dt = 1e-5;
+  const double radius = 5.0 * kR, width = 0.5 * kPatch, dt = 1e-5;
   const int steps = 400;
   write_stl((folder.path() / "body.stl").string(), tessellated({false, radius}, width, 4.0 * kPatch / radius));
   std::ostringstream in;
@@ -168,7 +168,7 @@ TEST(CurvedSurface, HandsFrictionOnFromFacetToFacet) {
      << steps << "\n";
   folder.write("in", in.str());
   std::ostringstream partner;
-  const double speed = 0.5 * kPatch / (steps * dt);  // of the surface: two and a half facets
+  const double speed = 1.25 * kPatch / (steps * dt);  // of the surface: two and a half facets
   partner << "until " << steps * dt << " body drum body.stl 0 0 0 prescribed 0 0 0 0 " << speed / radius << " 0";
   const Outcome outcome = folder.coupled(1, "-in in", partner.str());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text;

@@ -56,19 +56,35 @@ TEST(SurfacePieces, KnowTheirBorders) {
   EXPECT_FALSE(pieces.inside_piece(2, {0.0, 0.5, 0.5})) << "the sharp edge";
 }
 
+FacetTouch touch(int facet, double gap) {
+  FacetTouch touch;
+  touch.facet = facet;
+  touch.gap = gap;
+  return touch;
+}
+
 TEST(SurfacePieces, TheNearestOfNeighboursIsTouched) {
   const SurfacePieces pieces = strip({0.2, 0.9});
-  const FacetTouch near{1, -2e-3, true, {}}, far{2, -1e-3, true, {}}, beyond{4, -3e-3, true, {}};
+  const FacetTouch near = touch(1, -2e-3), far = touch(2, -1e-3), beyond = touch(4, -3e-3);
   EXPECT_TRUE(yields(far, near, pieces));
   EXPECT_FALSE(yields(near, far, pieces));
   EXPECT_FALSE(yields(far, beyond, pieces)) << "another piece";
-  FacetTouch same = far;
-  same.gap = near.gap;
+  const FacetTouch same = touch(2, near.gap);
   EXPECT_TRUE(yields(same, near, pieces)) << "the smaller number of two";
   EXPECT_FALSE(yields(near, same, pieces));
   FacetTouch silent = near;
   silent.acts = false;
   EXPECT_TRUE(yields(silent, same, pieces)) << "of two that are equally close, the one that LIGGGHTS lets act";
+}
+
+TEST(SurfacePieces, OfFlatFacesLeaveSharpEdgesToLiggghts) {
+  FacetTouch near = touch(1, -2e-3);
+  const FacetTouch far = touch(2, -1e-3);
+  near.on_border = true;
+  EXPECT_TRUE(yields(far, near, strip({0.2})));
+  EXPECT_FALSE(yields(far, near, strip({0.0})));
+  near.on_border = false;
+  EXPECT_TRUE(yields(far, near, strip({0.0}))) << "a crease may open";
 }
 
 }  // namespace
