@@ -20,13 +20,13 @@ constexpr int kSteps = 300;
 struct Case {
   std::string model, boundary, processors, scheme, words;
   int ranks = 1, bodies = 1, every = 10;
-  bool clumps = false, wall_of_both = false;  // one fix wall/gran for meshes with and without a body
+  bool clumps = false;
 };
 
 std::string text_of(const Case& c) {
   return c.model + ", boundary " + c.boundary + ", ranks " + std::to_string(c.ranks) + " (" + c.processors +
          "), scheme " + c.scheme + ", bodies " + std::to_string(c.bodies) + ", every " + std::to_string(c.every) +
-         (c.clumps ? ", clumps" : "") + (c.wall_of_both ? ", one wall" : "");
+         (c.clumps ? ", clumps" : "");
 }
 
 template <std::size_t N>
@@ -49,7 +49,6 @@ Case draw(unsigned seed) {
   c.bodies = 1 + static_cast<int>(random() % 3);
   c.every = std::array{1, 5, 10, 25}[random() % 4];
   c.clumps = random() % 6 == 0;
-  c.wall_of_both = random() % 2 == 0;
   return c;
 }
 
@@ -88,11 +87,9 @@ std::string script(const Case& c) {
     meshes += " m_" + id;
     pairs += " mesh m_" + id + " body_" + id;
   }
-  const std::string n = std::to_string(c.bodies), more = std::to_string(c.bodies + 1);
-  s += c.wall_of_both
-           ? "fix w all wall/gran model " + c.model + " mesh n_meshes " + more + " meshes still" + meshes + "\n"
-           : "fix w all wall/gran model " + c.model + " mesh n_meshes " + n + " meshes" + meshes +
-                 "\nfix ws all wall/gran model " + c.model + " mesh n_meshes 1 meshes still\n";
+  // LIGGGHTS allows one such wall for all meshes.
+  s += "fix w all wall/gran model " + c.model + " mesh n_meshes " + std::to_string(c.bodies + 1) + " meshes still" +
+       meshes + "\n";
   s += c.clumps ? "fix integr all multisphere\nrun 1\nunfix ins\n" : "fix integr all nve/sphere\n";
   return s + "fix mbd all couple/mbd every " + std::to_string(c.every) + " gravity script" + pairs +
          "\nthermo 1000\nrun 105\nrun " + std::to_string(kSteps - 105) + "\n";
