@@ -92,6 +92,7 @@ void FixCoupleMbd::init() {
   script.may_end_early = !arguments_.end_of_scene;
   script.wants_masses = arguments_.mass_of_pair;
   if (arguments_.gravity_of_scene) read_gravity(*modify, script);
+  warn_of_clumps(*modify, script);
   link_.start(std::move(script));
   footfall::work_is_under_way();
   rows_of_output_.clear();

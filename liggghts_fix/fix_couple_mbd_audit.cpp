@@ -147,7 +147,7 @@ void GrainAudit::fix_done(Fix& fix) {
   remember();
   if (share == shares_.end()) return;
   source.now -= *share->second;
-  account("wall", std::string(fix.id) + " (meshes of no body)").now = *share->second;
+  account("wall", std::string(fix.id) + " (meshes of no body)").set(*share->second);
 }
 
 void GrainAudit::count_held() {
@@ -157,7 +157,7 @@ void GrainAudit::count_held() {
     if (!is_integrated(i)) held.head<3>() -= f, held.tail<3>() -= x.cross(f);
     if (!is_rotated(i)) held.tail<3>() -= wide(atom->torque[i]);
   }
-  account("held", "-").now = held;
+  account("held", "-").set(held);
 }
 
 // fix gravity leaves clumps to fix multisphere.
@@ -176,7 +176,7 @@ void GrainAudit::count_weight() {
       weight.head<3>() += mg;
       weight.tail<3>() += wide(atom->x[i]).cross(mg);
     }
-    account("weight", gravity->id).now = weight;
+    account("weight", gravity->id).set(weight);
     for (int body = 0; clumps_ != nullptr && body < clumps_->n_body(); ++body) {
       double x[3];
       clumps_->data().xcm(x, body);
@@ -186,8 +186,8 @@ void GrainAudit::count_weight() {
     }
   }
   if (clumps_ == nullptr) return;
-  account("gravity", clumps_->id).now = of_clumps;
-  account("weight", clumps_->id).now = of_clumps;
+  account("gravity", clumps_->id).set(of_clumps);
+  account("weight", clumps_->id).set(of_clumps);
 }
 
 void GrainAudit::count_bodies() {
@@ -195,10 +195,16 @@ void GrainAudit::count_bodies() {
     const footfall::DemBody& body = link_.body(i);
     const footfall::GeneralizedForce& Q = body.contact_force();
     const Vector F = Q.F_W.cast<Real>(), T = Q.T_W.cast<Real>();
-    Wrench& about_origin = account("body", link_.body_name(i)).now;
-    about_origin << F, T + body.pose().r.cast<Real>().cross(F);
-    Wrench& in_body = account("mean", link_.body_name(i)).now;
-    in_body << F, body.pose().rotation().cast<Real>().transpose() * T;
+    const Vector r = body.pose().r.cast<Real>();
+    const Real force_size = F.norm(), reach = body.boundary().rho0().colwise().norm().maxCoeff();
+    Account& about_origin = account("body", link_.body_name(i));
+    about_origin.now << F, T + r.cross(F);
+    about_origin.gross_force = force_size;
+    about_origin.gross_moment = T.norm() + (r.norm() + reach) * force_size;
+    Account& in_body = account("mean", link_.body_name(i));
+    in_body.now << F, body.pose().rotation().cast<Real>().transpose() * T;
+    in_body.gross_force = force_size;
+    in_body.gross_moment = T.norm() + reach * force_size;
   }
 }
 
@@ -218,9 +224,8 @@ void GrainAudit::forces_done(bool set_up) {
     const bool by_scheme = one.kind == "mean";
     const Real opening = by_scheme ? scheme.opening : 0.5L, closing = by_scheme ? scheme.closing : 0.5L;
     one.impulse += dt * (opening * one.before + closing * one.now);
-    const bool summed = one.gross_force == 0.0L && one.gross_moment == 0.0L;
-    one.force += dt * (summed ? one.now.head<3>().norm() : one.gross_force);
-    one.moment += dt * (summed ? one.now.tail<3>().norm() : one.gross_moment);
+    one.force += dt * one.gross_force;
+    one.moment += dt * one.gross_moment;
     one.before = one.now;
   }
   ++steps_;

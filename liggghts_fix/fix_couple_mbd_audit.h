@@ -22,7 +22,8 @@
 //   body_wall  a fix wall/gran on the meshes or beams of bodies
 //   fix        any other fix
 //   held       taken away from grains that nothing integrates
-//   body       on body `name`, as projected on it (DemBody), by the same weights; force, moment: of the sums
+//   body       on body `name`, as projected on it (DemBody), by the same weights; force, moment: of the sums, the moment
+//              with the largest arms that they can have
 //   mean       likewise, but by the weights of the scheme, l about Bo in B
 //   load       the same as it was sent: mean force and moment times the length of the window
 //   impulse    j: the Verlet impulse on body `name` as it was sent; lx: the work on it, likewise [J]
@@ -63,9 +64,15 @@ class GrainAudit final : private Pointers, public footfall::ForceWatch {
   // What one source does to the grains of this rank.
   struct Account {
     std::string kind, name;
-    Wrench now = Wrench::Zero();       // of the forces that stand [N, N m]
-    Wrench before = Wrench::Zero();    // one step ago
-    Wrench impulse = Wrench::Zero();   // since the window began [N s, N m s]
+    Wrench now = Wrench::Zero();      // of the forces that stand [N, N m]
+    Wrench before = Wrench::Zero();   // one step ago
+    Wrench impulse = Wrench::Zero();  // since the window began [N s, N m s]
+    // A sum of which the parts are not known.
+    void set(const Wrench& sum) {
+      now = sum;
+      gross_force = sum.head<3>().norm();
+      gross_moment = sum.tail<3>().norm();
+    }
     Real gross_force = 0.0L, gross_moment = 0.0L;  // now [N, N m]
     Real force = 0.0L, moment = 0.0L;              // integrals of them [N s, N m s]
   };
@@ -74,7 +81,7 @@ class GrainAudit final : private Pointers, public footfall::ForceWatch {
   bool is_integrated(int grain) const;  // its place, by some fix
   bool is_rotated(int grain) const;     // likewise its angle
   bool is_clump(int grain) const;
-  void remember();  // the forces that stand
+  void remember();                          // the forces that stand
   void add_source(Account& account) const;  // what has come to them since
   void count_held();
   void count_weight();

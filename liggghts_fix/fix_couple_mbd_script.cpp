@@ -1,6 +1,8 @@
 #include "liggghts_fix/fix_couple_mbd_script.h"
 
 #include "fix_gravity.h"
+#include "fix_multisphere.h"
+#include "fix_wall_gran.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "modify.h"
 
@@ -26,6 +28,18 @@ void read_gravity(Modify& modify, footfall::Start& script) {
     any = true;
   }
   script.gravity_known = any || grains_move;
+}
+
+void warn_of_clumps(Modify& modify, footfall::Start& script) {
+  const Fix* clumps = nullptr;
+  for (int i = 0; i < modify.nfix; ++i) {
+    if (dynamic_cast<FixMultisphere*>(modify.fix[i]) != nullptr) clumps = modify.fix[i];
+    if (clumps == nullptr || dynamic_cast<FixWallGran*>(modify.fix[i]) == nullptr) continue;
+    script.warnings.push_back(std::string("fix ") + clumps->id + " (multisphere) stands before fix " + modify.fix[i]->id +
+                              " (wall/gran): in the first half step of a run LIGGGHTS' clumps do not feel a wall behind "
+                              "them, and the mechanism does; let fix multisphere stand behind all walls");
+    return;
+  }
 }
 
 }  // namespace LAMMPS_NS

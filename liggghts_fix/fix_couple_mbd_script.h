@@ -9,5 +9,8 @@ class Modify;
 
 // Fills gravity and gravity_known of `script`; a warning where gravity cannot be compared.
 void read_gravity(Modify& modify, footfall::Start& script);
+// A warning where clumps (fix multisphere) stand before a wall: when a run is set up LIGGGHTS hands them the forces that
+// stand when their turn comes, and the first half step lacks those of the wall.
+void warn_of_clumps(Modify& modify, footfall::Start& script);
 
 }  // namespace LAMMPS_NS

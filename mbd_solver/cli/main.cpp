@@ -153,8 +153,7 @@ Action audit(CLI::App& command) {
   command.add_option("--windows", a->windows, "Windows of the coupling, from the start")
       ->check(positive())
       ->capture_default_str();
-  command.add_option("--until", a->run.until, "Go on until then [s], however many windows that are")
-      ->check(positive());
+  command.add_option("--until", a->run.until, "Go on until then [s], however many windows that are")->check(positive());
   command.add_option("--ranks", a->run.ranks, "LIGGGHTS processes")->check(positive());
   command.add_option("--set", a->run.settings, "key=value: change one value of the scene")->allow_extra_args(false);
   command.add_option("--scheme", a->run.scheme, "Coupling scheme (coupling.scheme)");

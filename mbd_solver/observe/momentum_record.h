@@ -11,9 +11,9 @@ namespace footfall {
 
 // Of all bodies together, in W.
 struct MomentumSum {
-  double mass = 0.0;                                   // [kg]
-  Eigen::Vector3d linear = Eigen::Vector3d::Zero();    // sum of m v [N s]
-  double size = 0.0;                                   // sum of |m v| [N s]
+  double mass = 0.0;                                 // [kg]
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero();  // sum of m v [N s]
+  double size = 0.0;                                 // sum of |m v| [N s]
 };
 // Of flexible bodies node by node: sum of m_j (dr + w x A rho_j + A Phi_j da), rho_j = rho0_j + Phi_j a (theory 1.2).
 MomentumSum momentum_of(const Model& model, const Kinematics& kinematics);

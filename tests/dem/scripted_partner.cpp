@@ -239,6 +239,7 @@ void couple(const Options& options, TransportMpi& transport, Link& link) {
 
   Start start;
   link.receive_patiently(start);
+  for (const std::string& warning : start.warnings) std::printf("scripted_partner: warning: %s\n", warning.c_str());
   std::vector<Body*> coupled;  // in the order of Start
   for (const std::string& name : start.bodies)
     for (Body& body : bodies)

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# scenes.sh FOOTFALL SOURCE OUT: footfall audit on every scene of inputs/ and examples/ that touches grains, short and on beds that are
+# poured in seconds. Scenes that differ in numbers alone (sweeps, validation) stand on these.
+set -u
+footfall=$1 source=$2 out=$3
+export FOOTFALL_CACHE=$out/cache
+failed=0
+rm -rf "$out/runs"
+mkdir -p "$out"
+audited=()
+# audit SCENE [OPTION...]
+audit() {
+  local scene=$1 name=${1//\//_}
+  shift
+  audited+=("$scene")
+  "$footfall" audit "$source/$scene" --out "$out/runs/$name" "$@" >"$out/$name.txt" 2>&1
+  local code=$?
+  if ((code != 0)) || ! grep -qE '^grains: linear momentum .* holds$' "$out/$name.txt"; then
+    echo "$scene: exit code $code"; cat "$out/$name.txt"; failed=1
+  else
+    echo "$scene: $(tail -n 1 "$out/$name.txt")"
+  fi
+}
+small_bed=(--set particles.bed.variables.depth=0.1 --set particles.bed.variables.settle=0.2)
+audit inputs/accuracy/scenes/loose.toml --windows 100
+audit inputs/accuracy/scenes/loose.toml --windows 100 --scheme tangent --ranks 2
+audit inputs/accuracy/scenes/two_mass.toml --windows 100
+audit inputs/accuracy/scenes/lattice.toml --windows 100
+audit inputs/accuracy/scenes/linear.toml --windows 100
+audit inputs/accuracy/scenes/flexible_pad.toml --windows 60
+audit inputs/accuracy/scenes/bed.toml --until 0.01 "${small_bed[@]}"
+audit inputs/dropped_sphere --until 0.05 --set bodies.ball.shape.radius=0.07 --set particles.variables.width=0.42 \
+  --set particles.bed.variables.width=0.42 --set particles.bed.variables.depth=0.2 --set particles.bed.variables.settle=0.5
+audit inputs/landing_mr --until 0.008 "${small_bed[@]}" --set particles.variables.width=0.5 --set particles.bed.variables.width=0.5 \
+  --set particles.bed.variables.fine=0.5 --set particles.bed.variables.fine_depth=0.1
+audit examples/flexible_rake --until 0.08 --set particles.bed.variables.settle=0.2 --set particles.bed.variables.depth=0.03
+
+# Every scene with grains is there; the reference scene names every key and is run by its own test.
+while IFS= read -r file; do
+  scene=${file#"$source/"}
+  scene=${scene%/scene.toml}
+  [[ " ${audited[*]} inputs/reference " == *" $scene "* ]] || { echo "$scene: touches grains and is not audited"; failed=1; }
+done < <(grep -rlE '^kind = "particles"' "$source/inputs" "$source/examples" --include=*.toml)
+exit $failed
