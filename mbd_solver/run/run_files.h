@@ -39,7 +39,7 @@ class RunFiles {
   Observation observation_;
   HistoryWriter history_;
   std::optional<MotionRecord> motion_;  // none without grains
-  std::optional<Drawing> drawing_;      // none unless the scene asks for pictures
+  std::optional<Drawing> drawing_;      // none without output.vtk, or without anything to draw
   VtkSeries pictures_;
   IntervalClock rows_, picture_turns_;
 };
