@@ -10,6 +10,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/failure_note.h"
 #include "coupler/programs.h"
+#include "mbd_solver/cli/analysis/grain_series.h"
 #include "mbd_solver/cli/analysis/results.h"
 #include "mbd_solver/cli/launch/grain_rows.h"
 #include "mbd_solver/cli/launch/liggghts_log.h"
@@ -100,6 +101,7 @@ int run_command(const RunArguments& arguments) {
   const int code = exit_code(end, status, fs::exists(log), fs::remove(note));
   settle_summary(out, status, code);
   if (!status.empty()) write_ledger(out);
+  if (!status.empty()) write_grain_series(out);
   if (!status.empty() && scene.output.plots) pictures = make_pictures(out);
   if (!status.empty() && !arguments.quiet) print_results(out, pictures);
   return code;

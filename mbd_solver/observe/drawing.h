@@ -10,6 +10,8 @@ class Drawing {
  public:
   // What the subject views must outlive this.
   explicit Drawing(const Subject& subject);
+  // No body has anything to draw.
+  bool empty() const { return parts_.empty(); }
   // The reference holds until the next call.
   const VtkFrame& frame(const Sample& sample);
 

@@ -13,6 +13,11 @@ const std::string& made(const std::string& folder) {
   return folder;
 }
 
+double picture_interval(const Scene& scene) {
+  constexpr double kPictures = 100.0;  // of a whole run, unless the scene says otherwise
+  return scene.output.vtk_interval > 0.0 ? scene.output.vtk_interval : scene.end_time / kPictures;
+}
+
 }  // namespace
 
 RunFiles::RunFiles(const Simulation& simulation, const std::string& folder, Beginning beginning)
@@ -21,12 +26,13 @@ RunFiles::RunFiles(const Simulation& simulation, const std::string& folder, Begi
       history_(folder_ + "history.csv", observation_.names(), observation_.units(), beginning),
       pictures_(folder, "bodies"),
       rows_(simulation.scene().output.interval, 0.0),
-      picture_turns_(simulation.scene().output.vtk_interval, 0.0) {
+      picture_turns_(picture_interval(simulation.scene()), 0.0) {
   if (simulation.coupled())
     motion_.emplace(simulation.subject(), simulation.kinematics(), folder_ + "motion", beginning);
   if (const char* const audit = std::getenv(kAuditFolder); audit != nullptr && simulation.coupled())
     audit_.emplace(simulation.subject(), audit);
   if (simulation.scene().output.vtk) drawing_.emplace(simulation.subject());
+  if (drawing_ && drawing_->empty()) drawing_.reset();
 }
 
 // Rows and pictures come at the first window end at or after each multiple of their interval.

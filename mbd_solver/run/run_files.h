@@ -35,7 +35,7 @@ class RunFiles {
   HistoryWriter history_;
   std::optional<MotionRecord> motion_;  // none without grains
   std::optional<MomentumRecord> audit_;  // none unless the environment asks for it (coupler/programs.h)
-  std::optional<Drawing> drawing_;      // none unless the scene asks for pictures
+  std::optional<Drawing> drawing_;       // none without output.vtk, or without anything to draw
   VtkSeries pictures_;
   IntervalClock rows_, picture_turns_;
 };

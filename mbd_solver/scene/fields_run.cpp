@@ -88,7 +88,7 @@ void visit_fields(FieldVisitor& v, OutputSpec& o) {
   v.field("reactions", &o.reactions, {});
   v.field("attitudes", &o.attitudes, {});
   v.field("vtk", &o.vtk, {});
-  v.field("vtk_interval", &o.vtk_interval, {Unit::kTime, Range::kPositive});
+  v.field("vtk_interval", &o.vtk_interval, {Unit::kTime, Range::kNotNegative});
   v.field("plots", &o.plots, {});
   v.field("checkpoint_interval", &o.checkpoint_interval, {Unit::kTime, Range::kNotNegative});
 }

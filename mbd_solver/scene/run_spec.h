@@ -150,8 +150,8 @@ struct OutputSpec {
   bool joints = true;                // coordinates of joints and their rates are recorded
   bool reactions = false;            // forces and moments of joints are recorded
   bool attitudes = true;             // angular velocities and quaternions of bodies are recorded
-  bool vtk = false;                  // deformed geometry, one file per frame
-  double vtk_interval = 0.01;        // [s]
+  bool vtk = true;                   // deformed geometry, one file per frame
+  double vtk_interval = 0.0;         // [s]; 0: a hundredth of the scene's time
   bool plots = true;                 // gnuplot pictures at the end of `footfall run`
   double checkpoint_interval = 0.0;  // [s]; 0: only when interrupted
 };

@@ -54,6 +54,12 @@ void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + html_text(t
 
 void HtmlPage::warning(const std::string& text) { body_ += "<p class=\"warning\">" + html_text(text) + "</p>\n"; }
 
+void HtmlPage::link(const std::string& file, const std::string& label, const std::string& text) {
+  body_ += "<p><a href=\"" + html_text(file) + "\">" + html_text(label) + "</a>: " + html_text(text) + "</p>\n";
+}
+
+void HtmlPage::plots(const std::string& elements) { body_ += "<div id=\"footfall-plots\"></div>\n" + elements; }
+
 void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool head) {
   body_ += "<table>\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -94,6 +100,9 @@ void HtmlPage::picture(const std::string& path, const std::string& caption) {
 std::string HtmlPage::text() const {
   return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
          "charset=\"utf-8\"/>\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
+         "style-src "
+         "'unsafe-inline'; img-src data:\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
          html_text(title_) + "</title>\n<style>" + kSheet + "</style>\n</head>\n<body>\n<h1>" + html_text(title_) +
          "</h1>\n<nav>" + contents_ + "</nav>\n" + body_ + "</body>\n</html>\n";

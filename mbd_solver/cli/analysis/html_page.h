@@ -14,6 +14,9 @@ class HtmlPage {
   void section(const std::string& heading);  // also an entry of the contents
   void paragraph(const std::string& text);
   void warning(const std::string& text);
+  void link(const std::string& file, const std::string& label, const std::string& text);  // "label: text"
+  // Interactive plots: what PageParts::elements makes, and the place that their script fills.
+  void plots(const std::string& elements);
   // The first row is the head, when `head`. Cells that are numbers stand to the right.
   void table(const std::vector<std::vector<std::string>>& rows, bool head = true);
   void preformatted(const std::string& text);

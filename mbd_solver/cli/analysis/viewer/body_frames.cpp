@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/cli/analysis/mechanism_shape.h"
@@ -24,6 +25,18 @@ std::vector<double> moments_of(const MechanismShapes& shapes, std::size_t most) 
   std::vector<double> chosen;
   for (std::size_t i = 0; i < most; ++i) chosen.push_back(all[i * (all.size() - 1) / (most - 1)]);
   return chosen;
+}
+
+// The bodies whose stress is known: others are drawn in their own colour, not in that of no stress.
+std::set<int> stressed_bodies(const std::vector<MechanismShape>& frames) {
+  std::set<int> stressed;
+  for (const MechanismShape& shape : frames) {
+    const Eigen::VectorXd* stress = cell_numbers(shape.frame, "von_mises_Pa");
+    const Eigen::VectorXd* body = cell_numbers(shape.frame, "body");
+    for (Eigen::Index i = 0; stress != nullptr && body != nullptr && i < stress->size(); ++i)
+      if ((*stress)(i) > 0.0) stressed.insert(static_cast<int>((*body)(i)));
+  }
+  return stressed;
 }
 
 void add_cells(const MechanismShape& first, PageParts& parts) {
@@ -75,7 +88,11 @@ void add_bodies(const std::string& run, const Json& summary, FrameLimits& limits
   if (points == 0) return;
 
   Json& bodies = parts.run["bodies"];
-  bodies = {{"points", points}, {"cells", cells}, {"times", times}, {"stress", stress}};
+  bodies = {{"points", points},
+            {"cells", cells},
+            {"times", times},
+            {"stress", stress},
+            {"stressed", stressed_bodies(frames)}};
   add_box(box, box, bodies);
   add_cells(frames.front(), parts);
   PackedSeries series(3 * points + (stress > 0.0 ? cells : 0));

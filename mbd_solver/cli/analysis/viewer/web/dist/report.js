@@ -24,7 +24,7 @@ THE SOFTWARE. */
 .plots .found li{padding:.35em .7em;cursor:pointer}
 .plots .found li:hover{background:#eef3f8}
 .plots .found li.on{font-weight:bold}
-.plots .chosen{margin:.4em 0;columns:15em}
+.plots .chosen{margin:.4em 0;columns:24em}
 .plots .chosen li{display:flex;align-items:center;gap:.4em;break-inside:avoid}
 .plots .chosen li span:nth-child(2){flex:1;overflow-wrap:anywhere}
 .plots .chosen output{font-variant-numeric:tabular-nums;white-space:nowrap}

@@ -7,11 +7,11 @@ import { kBox, kClip, kLight, kScale, boxUniforms, scaleUniforms } from "./shadi
 
 const kColour = /* glsl */ `
 uniform bool uStress;
-attribute vec3 tint;
+attribute vec4 tint;  // the last: its stress is known
 varying vec3 vColour, vEye;
 varying float vBehind;  // how far the clip plane leaves it out [m]
 void paint(float stress, vec3 x) {
-  vColour = uStress ? colourOf(stress) : tint;
+  vColour = uStress && tint.w > 0.5 ? colourOf(stress) : tint.rgb;
   vec4 eye = modelViewMatrix * vec4(x, 1.0);
   vEye = eye.xyz;
   gl_Position = projectionMatrix * eye;
@@ -73,16 +73,22 @@ export class Bodies {
     this.lines = await static32("lines", Uint32Array);          // two points each
     this.cellBody = await static32("cells", Uint32Array);       // body of each triangle, then of each line
     const radius = await static32("radius", Float32Array);
-    const { points, cells } = this.spec;
-    this.decoder = new SeriesDecoder(3 * points + (this.spec.stress > 0 ? cells : 0));
+    this.decoder = new SeriesDecoder(3 * this.spec.points + (this.spec.stress > 0 ? this.spec.cells : 0));
     const triangles = this.triangles.length / 3, lines = this.lines.length / 2;
-    const tint = (cell) => new three.Color(kBodies[this.cellBody[cell] % kBodies.length]).convertLinearToSRGB();
+    const tints = (cells, times) => {
+      const colour = new three.Color(), all = new Float32Array(4 * times * cells.length);
+      cells.forEach((cell, i) => {
+        const body = this.cellBody[cell];
+        colour.set(kBodies[body % kBodies.length]).convertLinearToSRGB();
+        for (let k = 0; k < times; ++k) all.set([colour.r, colour.g, colour.b, this.spec.stressed.includes(body) ? 1 : 0], 4 * (times * i + k));
+      });
+      return all;
+    };
+    const cells = (first, count) => Array.from({ length: count }, (_, i) => first + i);
     const sixteen = (count) => new three.BufferAttribute(new Uint16Array(4 * count), 4, true);
     if (triangles > 0) {
       const geometry = new three.BufferGeometry();
-      const tints = new Float32Array(9 * triangles);
-      for (let t = 0; t < triangles; ++t) for (let k = 0; k < 3; ++k) tint(t).toArray(tints, 9 * t + 3 * k);
-      geometry.setAttribute("tint", new three.BufferAttribute(tints, 3));
+      geometry.setAttribute("tint", new three.BufferAttribute(tints(cells(0, triangles), 3), 4));
       for (const name of ["a", "b"]) geometry.setAttribute(name, sixteen(3 * triangles));
       geometry.setAttribute("position", geometry.attributes.a);
       this.plates = new three.Mesh(geometry, this.material(kPlates));
@@ -93,9 +99,7 @@ export class Bodies {
       geometry.index = tube.index;
       geometry.setAttribute("position", tube.attributes.position);
       geometry.instanceCount = lines;
-      const tints = new Float32Array(3 * lines);
-      for (let l = 0; l < lines; ++l) tint(triangles + l).toArray(tints, 3 * l);
-      geometry.setAttribute("tint", new three.InstancedBufferAttribute(tints, 3));
+      geometry.setAttribute("tint", new three.InstancedBufferAttribute(tints(cells(triangles, lines), 1), 4));
       geometry.setAttribute("radius", new three.InstancedBufferAttribute(radius, 1));
       for (const name of ["a0", "a1", "b0", "b1"])
         geometry.setAttribute(name, new three.InstancedBufferAttribute(new Uint16Array(4 * lines), 4, true));
