@@ -99,6 +99,7 @@ inline constexpr auto kFields<Motion> = std::tuple{Field{"window", &Motion::wind
                                                    Field{"n", &Motion::n},
                                                    Field{"last_window", &Motion::last_window},
                                                    Field{"checkpoint", &Motion::checkpoint},
+                                                   Field{"quietly", &Motion::quietly},
                                                    Field{"bodies", &Motion::bodies}};
 
 template <>
@@ -133,7 +134,8 @@ inline constexpr auto kFields<ContactTangent> =
     std::tuple{Field{"K", &ContactTangent::K}, Field{"C", &ContactTangent::C}};
 
 template <>
-inline constexpr auto kFields<Kept> = std::tuple{Field{"window", &Kept::window}, Field{"step", &Kept::step}};
+inline constexpr auto kFields<Kept> =
+    std::tuple{Field{"window", &Kept::window}, Field{"step", &Kept::step}, Field{"done", &Kept::done}};
 
 template <>
 inline constexpr auto kFields<Close> =

@@ -23,7 +23,7 @@
 
 namespace footfall {
 
-inline constexpr std::int32_t kProtocolVersion = 3;
+inline constexpr std::int32_t kProtocolVersion = 4;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // LIGGGHTS' name of the units that both programs use.
@@ -97,6 +97,7 @@ struct Motion {
   std::int32_t n = 0;       // substeps of this window (the last one may be shorter)
   bool last_window = false;
   std::string checkpoint;  // folder in which the grains' side keeps itself after this window; empty: it does not
+  bool quietly = false;    // it does so without a trace in what follows, or not at all
   std::vector<BodyMotion> bodies;  // order of Start; see above
 };
 
@@ -135,6 +136,7 @@ struct Kept {
   static constexpr MessageKind kKind = MessageKind::kKept;
   std::int64_t window = 0;  // that of the Motion that asked for it
   std::int64_t step = 0;    // LIGGGHTS' step number there
+  bool done = true;         // false: it could not be done quietly; nothing was written
 };
 
 struct Close {

@@ -23,11 +23,8 @@ std::string vector_text(const Eigen::Vector3d& v) {
   return "(" + number(v[0]) + ", " + number(v[1]) + ", " + number(v[2]) + ")";
 }
 
-// The link's own file of a checkpoint.
-std::string memory_file(const std::string& folder) { return folder + "/grains.txt"; }
-
 Archive memory_in(const std::string& folder) {
-  const std::string file = memory_file(folder);
+  const std::string file = DemLink::memory_file(folder);
   const std::optional<std::string> text = read_whole_file(file);
   if (!text) throw InputError(file + ": cannot be read, but the run goes on from there");
   return Archive(file, *text);
@@ -63,7 +60,7 @@ std::string DemLink::wrong_grains() const {
          "coupled one";
 }
 
-void DemLink::keep(std::int64_t step, bool writes) {
+std::string DemLink::memory(std::int64_t step) {
   Archive archive;
   for (CoupledBody& body : geometry_.bodies) {
     const auto coupled = std::find(names_.begin(), names_.end(), body.boundary.name());
@@ -73,10 +70,14 @@ void DemLink::keep(std::int64_t step, bool writes) {
   }
   archive("step", step);
   visit(archive);
-  if (writes) write_whole_file(memory_file(motion_.checkpoint), archive.text());
+  return archive.text();
+}
+
+void DemLink::kept(std::int64_t step, bool done) {
   Kept kept;
   kept.window = motion_.window;
   kept.step = step;
+  kept.done = done;
   motion_.checkpoint.clear();
   link_->send(kept);
 }

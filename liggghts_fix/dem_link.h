@@ -66,9 +66,13 @@ class DemLink {
   bool asked_to_end() const { return asked_to_end_; }
 
   // Checkpoints: the folder in which this side has to keep itself after the window that has just ended; empty: it has
-  // not. Then keep(): all other files of the folder are there; one rank writes that of the link. `step` as for start().
+  // not. `step` as for start().
   std::string checkpoint() const { return substeps_left_ == 0 && windows_ > 0 ? motion_.checkpoint : ""; }
-  void keep(std::int64_t step, bool writes);
+  bool keeps_quietly() const { return motion_.quietly; }  // without a trace in what follows
+  static std::string memory_file(const std::string& folder) { return folder + "/grains.txt"; }
+  std::string memory(std::int64_t step);  // what stands in that file
+  // All files of the folder are there; done false: none is, as it could not be done quietly.
+  void kept(std::int64_t step, bool done);
   // The run goes on from a checkpoint. After the handshake.
   bool resumed() const { return memory_.has_value(); }
   std::string wrong_grains() const;  // what to say when LIGGGHTS has not read the grains of the checkpoint

@@ -13,6 +13,7 @@
 #include "integrate.h"
 #include "liggghts_fix/fix_couple_mbd_grains.h"
 #include "liggghts_fix/fix_couple_mbd_match.h"
+#include "liggghts_fix/fix_couple_mbd_restart.h"
 #include "liggghts_fix/fix_couple_mbd_script.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "liggghts_fix/mesh_order.h"
@@ -20,7 +21,6 @@
 #include "signal_handling.h"
 #include "tri_mesh.h"
 #include "update.h"
-#include "write_restart.h"
 
 namespace LAMMPS_NS {
 namespace {
@@ -134,13 +134,19 @@ void FixCoupleMbd::end_of_step() {
   if (const std::string folder = link_.checkpoint(); !folder.empty()) keep(folder);
 }
 
+void FixCoupleMbd::keep(const std::string& folder) {
+  const bool quietly = link_.keeps_quietly();
+  const std::string file = folder + "/grains.restart";
+  const bool done = !quietly || keep_grains_quietly(lmp, file);
+  if (!quietly) keep_grains(lmp, file);
+  if (done) keep_text(lmp, footfall::DemLink::memory_file(folder), link_.memory(update->ntimestep));
+  link_.kept(update->ntimestep, done);
+  if (!quietly) go_on_as_after_restart();
+}
+
 // A restart file brings the grains into another order and all forces are evaluated anew when it is read: here the same is
 // done, as by `write_restart` between two `run`, so that this run and the resumed one go on alike.
-void FixCoupleMbd::keep(const std::string& folder) {
-  std::string file = folder + "/grains.restart";
-  char* words[] = {file.data()};
-  WriteRestart(lmp).command(1, words);
-  link_.keep(update->ntimestep, comm->me == 0);
+void FixCoupleMbd::go_on_as_after_restart() {
   for (int i = 0; i < modify->nfix; ++i)
     if (auto* mesh = dynamic_cast<FixMeshSurface*>(modify->fix[i])) order_as_after_restart(mesh->triMesh());
   lmp->init();

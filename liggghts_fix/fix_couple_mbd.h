@@ -51,6 +51,7 @@ class FixCoupleMbd : public Fix {
 
  private:
   void keep(const std::string& folder);
+  void go_on_as_after_restart();
   void order_as_after_restart(TriMesh* mesh) const;
 
   footfall::DemLink& link_;

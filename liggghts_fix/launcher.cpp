@@ -19,6 +19,7 @@
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/failure_note.h"
+#include "coupler/base/file_error.h"
 #include "coupler/communicator.h"
 #include "coupler/interrupt.h"
 #include "coupler/link.h"
@@ -154,6 +155,8 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
     return stop(error, interrupted() ? kExitInterrupted : kExitFailed, communicator, dem_link);
   } catch (const NumericalError& error) {
     return stop(error, kExitFailed, communicator, dem_link);
+  } catch (const FileError& error) {
+    return stop(error, kExitFailed, communicator, dem_link);
   } catch (const std::exception& error) {  // a mistake of ours or no memory: perhaps on this rank alone
     say(error);
     abort_both_programs(kExitFailed);
@@ -163,6 +166,7 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write
   end_on_signals("liggghts_mbd");
   MPI_Init(&argc, &argv);
   int code = kExitDone;

@@ -53,6 +53,10 @@ Arguments parse(CLI::App& app, int argc, char** argv) {
   CLI::Option* of_integrator = app.add_option("--integrator", integrator, "Integrator (solver.integrator)");
   // What a run was started with stands in its checkpoint.
   for (CLI::Option* option : {file, out, settings, of_scheme, of_integrator}) resume->excludes(option);
+  app.add_option("--keep-every", arguments.run.keep_every,
+                 "Without output.checkpoint_interval: a checkpoint every so often on the clock [s]; 0: none")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   app.add_flag("--quiet", arguments.run.quiet, "No progress line");
   app.parse(argc, argv);
   if (arguments.scene.empty() && arguments.resume.empty()) throw CLI::RequiredError("SCENE, or --resume DIR,");

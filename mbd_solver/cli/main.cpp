@@ -58,6 +58,11 @@ Action run(CLI::App& command) {
                    "Run into the folder of an earlier run; the files that it made are removed first");
   command.add_flag("--trust-script", a->trust_script,
                    "LIGGGHTS scripts of the scene may run programs and write anywhere");
+  command
+      .add_option("--keep-every", a->keep_every,
+                  "Without output.checkpoint_interval: a checkpoint every so often on the clock [s]; 0: none")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command.add_flag("--quiet", a->quiet, "Only errors");
   const auto folder = std::make_shared<std::string>();
   CLI::Option* resume = command

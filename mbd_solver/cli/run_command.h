@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/output/checkpoint_folder.h"
+
 namespace footfall {
 
 struct RunArguments {
@@ -16,10 +18,11 @@ struct RunArguments {
   bool force = false;                 // into a folder with an earlier run, whose files are removed first
   bool trust_script = false;          // the script may run programs and write anywhere
   bool quiet = false;
-  bool resume = false;  // go on with the run in `out`; empty: the one last kept in runs
+  double keep_every = kKeepEvery;  // a checkpoint so often on the clock, where the scene asks for none [s]; 0: none
+  bool resume = false;             // go on with the run in `out`; empty: the one last kept in runs
 };
 
-// Of a resumed run only `until` and `quiet` may be said anew. Returns the exit code. Throws InputError, PartnerError.
+// Of a resumed run only `until`, `keep_every` and `quiet` may be said anew. Returns the exit code. Throws InputError, PartnerError.
 int run_command(const RunArguments& arguments);
 
 }  // namespace footfall

@@ -52,6 +52,12 @@ void demand_resumable(const ParticlesSpec& particles) {
                      "that -var bed can name those of the checkpoint");
 }
 
+// What a resumed run may be told anew.
+void append_common(std::vector<std::string>& words, const RunArguments& a) {
+  if (a.keep_every != kKeepEvery) words.insert(words.end(), {"--keep-every", number_text(a.keep_every, 12)});
+  if (a.quiet) words.push_back("--quiet");
+}
+
 std::vector<std::string> solver_words(const RunArguments& a, const std::string& out, const std::string& grains) {
   std::vector<std::string> words = {built_program("mbd_solver"), short_path(a.scene), "--out", out};
   if (a.until > 0.0) words.insert(words.end(), {"--until", number_text(a.until, 12)});
@@ -59,7 +65,7 @@ std::vector<std::string> solver_words(const RunArguments& a, const std::string& 
   if (!a.integrator.empty()) words.insert(words.end(), {"--integrator", a.integrator});
   for (const std::string& setting : a.settings) words.insert(words.end(), {"--set", setting});
   if (!grains.empty()) words.insert(words.end(), {"--set", "particles.grains=\"" + grains + "\""});
-  if (a.quiet) words.push_back("--quiet");
+  append_common(words, a);
   return words;
 }
 
@@ -168,7 +174,7 @@ RunPlan resumed_run(const RunArguments& a) {
   RunPlan plan{read_scene(start.scene_file, start.settings), out, log, std::move(folder), {}};
   std::vector<std::string> solver = {built_program("mbd_solver"), "--resume", out};
   if (a.until > 0.0) solver.insert(solver.end(), {"--until", number_text(a.until, 12)});
-  if (a.quiet) solver.push_back("--quiet");
+  append_common(solver, a);
   if (!plan.scene.touches_particles()) {
     plan.command.words = solver;
     return plan;

@@ -118,7 +118,7 @@ void CoupledRun::visit(Archive& archive) {
 }
 
 double CoupledRun::begin_window(const State& state, const Kinematics& kinematics,
-                                const std::function<std::string(double t_end)>& checkpoint_at, Inputs& inputs) {
+                                const std::function<WantedSet(double t_end)>& checkpoint_at, Inputs& inputs) {
   const double dt = agreement_.dt;
   const double left = std::round((t_end_ - state.time) / dt);  // substeps: may be more than an integer holds
   motion_.time = state.time;
@@ -127,7 +127,9 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   motion_.n = left < most ? std::max(1, static_cast<int>(left)) : most;
   motion_.last_window = left <= motion_.n;
   const double t_end = motion_.last_window ? t_end_ : state.time + motion_.n * dt;
-  motion_.checkpoint = motion_.last_window ? "" : checkpoint_at(t_end);
+  const WantedSet wanted_set = motion_.last_window ? WantedSet{} : checkpoint_at(t_end);
+  motion_.checkpoint = wanted_set.folder;
+  motion_.quietly = wanted_set.quietly;
 
   work_before_ = state.load_work;
 
@@ -166,7 +168,7 @@ void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
 }
 
 // Windows are counted at their end.
-void CoupledRun::wait_until_kept() { partner_.expect_kept(motion_.window - 1); }
+bool CoupledRun::wait_until_kept() { return partner_.expect_kept(motion_.window - 1); }
 
 // n of the next window, and up to which omega H it needs no warning.
 void CoupledRun::choose_window() {

@@ -25,6 +25,12 @@
 
 namespace footfall {
 
+// A checkpoint that shall be made at the end of a window.
+struct WantedSet {
+  std::string folder;    // empty: none
+  bool quietly = false;  // the grains' side writes it without a trace in what follows
+};
+
 class CoupledRun {
  public:
   // Shakes hands with LIGGGHTS. start: of the mechanism. mechanism, equations and transport must outlive this. resume:
@@ -33,18 +39,19 @@ class CoupledRun {
              double t_end, Transport& transport, const std::string& resume = "");
 
   // Sends the motion, waits for the load, writes it into inputs.loads (one per body of the model, sized by the caller).
-  // kinematics: with accelerations. checkpoint_at: the folder in which the grains' side shall keep itself at the window's
-  // end [s]; empty: it need not. Returns the window's end [s]; the present time when the script has ended, as it may:
-  // script_has_ended(). Throws NumericalError for a load that is not finite, PartnerError.
+  // kinematics: with accelerations. checkpoint_at: how the grains' side shall keep itself at the window's end [s].
+  // Returns the window's end [s]; the present time when the script has ended, as it may: script_has_ended(). Throws
+  // NumericalError for a load that is not finite, PartnerError.
   double begin_window(const State& state, const Kinematics& kinematics,
-                      const std::function<std::string(double t_end)>& checkpoint_at, Inputs& inputs);
+                      const std::function<WantedSet(double t_end)>& checkpoint_at, Inputs& inputs);
   // The mechanism has come to the window's end. Throws NumericalError when the coupling pumps energy or chatters
   // (CouplingWatch).
   void end_window(const State& state, const Kinematics& kinematics);
 
   // The grains' side was asked to keep itself at the end of the last window.
   bool keeps() const { return !motion_.checkpoint.empty(); }
-  void wait_until_kept();        // then its files are there
+  bool keeps_quietly() const { return motion_.quietly; }
+  bool wait_until_kept();        // then its files are there; false: it could not be done quietly
   void visit(Archive& archive);  // between two windows
 
   void close() { partner_.close(); }  // after the last window

@@ -117,12 +117,13 @@ const Load& DemPartner::exchange(const Motion& motion) {
   return load_;
 }
 
-void DemPartner::expect_kept(std::int64_t window) {
+bool DemPartner::expect_kept(std::int64_t window) {
   Kept kept;
   link_.receive(kept);
   if (kept.window != window)
     throw ProtocolError("a checkpoint after window " + std::to_string(kept.window) + ", expected one after window " +
                         std::to_string(window));
+  return kept.done;
 }
 
 }  // namespace footfall

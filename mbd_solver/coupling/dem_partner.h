@@ -44,8 +44,9 @@ class DemPartner {
   const Load& exchange(const Motion& motion);
   bool script_has_ended() const { return script_has_ended_; }
   const Load& load() const { return load_; }  // of the last window
-  // Waits until the grains' side has kept itself after this window, whose motion asked for it.
-  void expect_kept(std::int64_t window);
+  // Waits until the grains' side has kept itself after this window, whose motion asked for it; false when it has not,
+  // as it could not quietly.
+  bool expect_kept(std::int64_t window);
 
   void visit(Archive& archive) { archive("load", load_); }
   void close() {

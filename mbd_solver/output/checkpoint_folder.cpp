@@ -84,9 +84,23 @@ void CheckpointFolder::finish() {
   fs::rename(part_, whole, error);
   if (error) throw InputError(whole + ": cannot be written: " + error.message());
   sync_to_disk(folder_);
+  written_.push_back(n_);
   const std::vector<long> sets = sets_in(folder_);
   for (std::size_t i = 0; i < sets.size(); ++i)
     if (i >= kKept) fs::remove_all(folder_ + "/" + std::to_string(sets[i]), error);
+}
+
+void CheckpointFolder::drop() {
+  std::error_code ignored;
+  fs::remove_all(part_, ignored);
+}
+
+void CheckpointFolder::clear() {
+  std::error_code ignored;
+  for (const long n : written_) fs::remove_all(folder_ + "/" + std::to_string(n), ignored);
+  written_.clear();
+  if (!part_.empty()) fs::remove_all(part_, ignored);  // asked for at the end of a window that never came
+  fs::remove(folder_, ignored);
 }
 
 std::string newest_checkpoint(const std::string& run) {
@@ -98,8 +112,9 @@ std::string newest_checkpoint(const std::string& run) {
     if (wrong.empty()) return fs::absolute(set).lexically_normal().string();
     faults += "\n  " + set + ": " + wrong;
   }
-  throw InputError(run + ": has no checkpoint to go on from" + (faults.empty() ? "" : ":" + faults) +
-                   "\nA run writes one every output.checkpoint_interval, and when it is interrupted");
+  throw InputError(
+      run + ": has no checkpoint to go on from" + (faults.empty() ? "" : ":" + faults) +
+      "\nA run writes one every output.checkpoint_interval (without: every minute), and when it is interrupted");
 }
 
 }  // namespace footfall

@@ -3,8 +3,12 @@
 // a list of its files and their checksums, and is then renamed: a set without ".part" is whole. The last two are kept.
 
 #include <string>
+#include <vector>
 
 namespace footfall {
+
+// A run whose scene sets no checkpoint_interval is kept so often on the clock on the wall [s].
+inline constexpr double kKeepEvery = 60.0;
 
 // What was written to the file, or into the folder, outlives a power cut. Throws InputError when the disk refuses.
 void sync_to_disk(const std::string& path);
@@ -17,11 +21,14 @@ class CheckpointFolder {
   std::string begin(long n);
   // All files of the set are written. Throws InputError when the disk refuses; older sets are then still there.
   void finish();
+  void drop();   // instead: the set is none
+  void clear();  // removes the sets that were written here, and the folder when nothing else is in it
 
  private:
   std::string folder_;
   std::string part_;  // of the set that grows
   long n_ = 0;
+  std::vector<long> written_;
 };
 
 // The folder of the newest set of a run whose files are what their checksums say. Throws InputError when there is none,

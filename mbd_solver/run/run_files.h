@@ -3,9 +3,9 @@
 // next turn is.
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
+#include "coupler/base/file_error.h"
 #include "mbd_solver/observe/drawing.h"
 #include "mbd_solver/observe/motion_record.h"
 #include "mbd_solver/observe/observation.h"
@@ -14,12 +14,6 @@
 #include "mbd_solver/run/simulation.h"
 
 namespace footfall {
-
-// A file of a run that is under way cannot be written: full disk, folder gone. The message names the file. Exit code 1.
-class FileError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 class RunFiles {
  public:

@@ -13,6 +13,7 @@
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/run/run_files.h"
 #include "mbd_solver/run/run_summary.h"
+#include "mbd_solver/run/safety_clock.h"
 
 namespace footfall {
 namespace {
@@ -31,6 +32,19 @@ class WarningTeller {
  private:
   std::size_t told_ = 0;
 };
+
+// Sets take less than this share of the run: 1 / 300.
+constexpr double kRest = 300.0;
+
+// What a file of a run that is under way does not take is no mistake of the scene.
+template <class Write>
+auto as_file_error(const Write& write) {
+  try {
+    return write();
+  } catch (const InputError& error) {
+    throw FileError(error.what());
+  }
+}
 
 }  // namespace
 
@@ -75,26 +89,34 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   };
   CheckpointFolder checkpoints(options.out);
   std::string folder;  // of the checkpoint that is being written
+  // By default it is never felt: large sets come later. An interval that the user gives is kept to.
+  SafetyClock safety(scene.output.checkpoint_interval > 0.0 ? 0.0 : options.keep_every,
+                     options.keep_every == kKeepEvery ? kRest : 0.0);
   Keeper keep;
-  keep.begin = [&](long windows) { return folder = checkpoints.begin(windows); };
+  keep.begin = [&](long windows) {
+    safety.begin();
+    return folder = as_file_error([&] { return checkpoints.begin(windows); });
+  };
   keep.finish = [&] {
-    try {
+    as_file_error([&] {
       write_checkpoint(folder, scene, options.until, options.ranks, visit);
       checkpoints.finish();
-    } catch (const InputError& error) {
-      throw FileError(error.what());
-    }
+    });
+    safety.finish();
   };
+  keep.drop = [&] {
+    checkpoints.drop();
+    safety.try_again();
+  };
+  keep.overdue = [&] { return safety.overdue(); };
   const auto finish_files = [&] {
     progress.finish();
     files.flush();
   };
   const auto summarize = [&](const std::string& status, const std::string& reason) {
-    try {
+    as_file_error([&] {
       write_summary(options.out + "/summary.json", run_summary(simulation, taker, files.observation(), status, reason));
-    } catch (const InputError& error) {
-      throw FileError(error.what());
-    }
+    });
   };
 
   std::string why = "interrupted by the user";
@@ -127,6 +149,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   if (simulation.finished()) {
     const bool early = coupled && coupled->script_has_ended();
     summarize("done", early ? "the LIGGGHTS script ended the run, as it may" : "");
+    if (safety.runs()) checkpoints.clear();
     return kExitDone;
   }
   // The summary first: mpirun kills soon after it has asked for the end.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "coupler/transport.h"
+#include "mbd_solver/output/checkpoint_folder.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {
@@ -15,6 +16,8 @@ struct RunOptions {
   bool quiet = false;       // no progress line
   int ranks = 0;            // of LIGGGHTS; 0 without
   std::string checkpoint;   // folder of the set that the run goes on from; empty: from the start
+  // A scene without checkpoint_interval is kept every so often on the clock on the wall [s]; 0: never.
+  double keep_every = kKeepEvery;
 };
 
 // Runs the scene and writes its files. Returns the exit code: done or interrupted. `transport`: null without grains.

@@ -105,6 +105,19 @@ void Simulation::control() {
   if (control_.next_sample() > due) voltages_move_ = inputs_.voltages != voltages;
 }
 
+// started: on the clock on the wall [s].
+bool Simulation::keep_now(const Keeper& keep, bool quietly, double started) {
+  if (!quietly) {
+    checkpoints_.take_turn(state_.time);
+    integrator_->forget();
+  }
+  times_.total = wall_clock() - started;
+  if (!coupled_) keep.begin(window_);
+  const bool done = !coupled_ || coupled_->wait_until_kept();
+  done ? keep.finish() : keep.drop();
+  return done;
+}
+
 void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted,
                      const Keeper& keep) {
   const double started = wall_clock() - times_.total;
@@ -117,6 +130,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
   // changes it, windows end at samples, so that no step is cut.
   double on_the_way = 0.0;        // wall time of rows in a window [s]
   double last_row = state_.time;  // [s]
+  const auto overdue = [&] { return keep.overdue && keep.overdue(); };
   Rows rows;
   if (!coupled_) {
     rows.next = [&](double) { return next_stop(); };
@@ -129,6 +143,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
       take_sample();
       times_.total = row_started - started;
       observe(at);
+      if (overdue()) keep_now(keep, true, started);
       control();
       last_row = state_.time;
       on_the_way += wall_clock() - row_started;
@@ -138,24 +153,18 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
 
   // By a signal to this program, or to a rank of LIGGGHTS.
   const auto asked_to_end = [&] { return interrupted != 0 || (coupled_ && coupled_->asked_to_end()); };
-  const auto wanted = [&](double time) { return keep && (checkpoints_.is_due(time) || asked_to_end()); };
-  const auto folder = [&](double end) { return wanted(end) ? keep.begin(window_ + 1) : std::string(); };
+  const auto due = [&](double time) { return checkpoints_.is_due(time) || asked_to_end(); };
+  const auto set_at = [&](double end) {
+    if (!keep || !(due(end) || overdue())) return WantedSet{};
+    return WantedSet{keep.begin(window_ + 1), !due(end)};
+  };
 
   while (!finished()) {
     // Checkpoint: where the grains' side has kept itself as well.
-    const bool can_keep = keep && (!coupled_ || coupled_->keeps());
-    if (can_keep && wanted(state_.time)) {
-      checkpoints_.take_turn(state_.time);
-      integrator_->forget();
-      times_.total = wall_clock() - started;
-      if (coupled_) {
-        coupled_->wait_until_kept();
-      } else {
-        keep.begin(window_);
-      }
-      keep.finish();
-    }
-    if (asked_to_end() && (can_keep || !keep)) break;
+    bool kept = false;
+    if (keep && (coupled_ ? coupled_->keeps() : due(state_.time)))
+      kept = keep_now(keep, coupled_ && coupled_->keeps_quietly(), started);
+    if (asked_to_end() && (kept || !keep)) break;
 
     // Control: the voltages of the window.
     const double control_started = wall_clock();
@@ -165,7 +174,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     // Window: with grains motion goes out and the mean load comes in.
     const double t_end =
         coupled_
-            ? coupled_->begin_window(state_, at.kinematics, folder, inputs_)
+            ? coupled_->begin_window(state_, at.kinematics, set_at, inputs_)
             : std::min({voltages_move_ ? control_.next_sample() : t_end_, t_end_, keep ? checkpoints_.next() : t_end_});
     if (coupled_ && coupled_->script_has_ended()) break;
 

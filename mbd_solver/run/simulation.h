@@ -31,6 +31,10 @@ struct Keeper {
   // Makes the folder of the checkpoint after so many windows; both sides then write into it.
   std::function<std::string(long windows)> begin;
   std::function<void()> finish;  // writes this side's files, when those of the other are there
+  std::function<void()> drop;    // the other side could not keep itself now
+  // The run has gone on for long without being kept; empty: never. Then it is kept where it is without a trace in what
+  // follows; a run that is resumed there agrees with this one within its tolerances alone.
+  std::function<bool()> overdue;
 
   explicit operator bool() const { return begin != nullptr; }
 };
@@ -68,7 +72,9 @@ class Simulation {
 
  private:
   double next_stop() const;  // the next row or sample, or the end [s]
-  void control();            // samples the controllers that are due
+  // A set of both sides at the present time; false when the grains' side could not.
+  bool keep_now(const Keeper& keep, bool quietly, double started);
+  void control();  // samples the controllers that are due
   void check_finite() const;
   void take_sample() { sampler_.take(window_, finished(), coupled_ ? &coupled_->sample() : nullptr); }
 

@@ -78,7 +78,8 @@ std::vector<std::string> words_of(const RunRequest& request, const std::string& 
     words.insert(words.end(), {built_program("footfall"), "run", "--quiet", "--resume", folder});
     return words;
   }
-  words.insert(words.end(), {built_program("footfall"), "run", request.scene, "--quiet", "--force", "--out", folder});
+  words.insert(words.end(), {built_program("footfall"), "run", request.scene, "--quiet", "--force", "--keep-every", "0",
+                             "--out", folder});
   if (request.until > 0.0) words.insert(words.end(), {"--until", number_text(request.until)});
   for (const std::string& setting : request.settings) words.insert(words.end(), {"--set", setting});
   return words;

@@ -24,6 +24,7 @@ class LoopbackGrains {
     join();
   }
   Transport& transport() { return *mbd_end_; }
+  void cannot_keep_quietly_before(std::int64_t window) { cannot_before_ = window; }  // before the first motion
   // Waits for the end; what went wrong on the grains' side, or nothing.
   std::string join() {
     if (thread_.joinable()) thread_.join();
@@ -68,6 +69,11 @@ class LoopbackGrains {
       }
       answer(motion, load);
       link.send(load);
+      if (motion.checkpoint.empty()) continue;
+      Kept kept;
+      kept.window = motion.window;
+      kept.done = !(motion.quietly && motion.window < cannot_before_);
+      link.send(kept);
     }
     link.close();
   }
@@ -76,6 +82,7 @@ class LoopbackGrains {
   Accept accept_;
   std::vector<Motion> motions_;
   std::string failure_;
+  std::int64_t cannot_before_ = 0;
   std::unique_ptr<TransportLoopback> dem_end_, mbd_end_;
   std::thread thread_;
 };

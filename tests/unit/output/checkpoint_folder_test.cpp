@@ -53,6 +53,20 @@ TEST_F(CheckpointFolderTest, ADamagedSetIsPassedOver) {
   }
 }
 
+TEST_F(CheckpointFolderTest, WhatIsDroppedOrClearedIsGoneAndOlderSetsStay) {
+  keep(1);
+  CheckpointFolder folder(run_);
+  folder.begin(2);
+  folder.drop();
+  EXPECT_FALSE(there("2.part"));
+  folder.begin(3);
+  folder.finish();
+  EXPECT_TRUE(there("1") && there("3"));
+  folder.clear();
+  EXPECT_FALSE(there("3"));
+  EXPECT_EQ(fs::path(newest_checkpoint(run_)).filename(), "1");
+}
+
 TEST_F(CheckpointFolderTest, NoneIsAnError) { EXPECT_THROW(newest_checkpoint(run_), InputError); }
 
 }  // namespace
