@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kMostRows = 1e7;            // of history.csv
 constexpr double kMostFiles = 1e5;           // pictures, checkpoints
+constexpr double kMostSamples = 1e8;         // of a controller
 constexpr double kMostTriangles = 1e5;       // of a generated surface
 constexpr double kMostPlateTriangles = 2e4;  // finite elements
 constexpr int kMostElements = 2000;          // of a beam
@@ -43,10 +44,10 @@ void check_edge(const Source& source, const std::string& key, const ShapeSpec& s
 }
 
 // `events` over the run, one every `interval`.
-void check_count(const Scene& scene, const std::string& key, double interval, double most, const std::string& what,
-                 Findings& findings) {
+void check_count(const Scene& scene, const Source& source, const std::string& key, double interval, double most,
+                 const std::string& what, Findings& findings) {
   if (interval > 0.0 && scene.end_time / interval > most)
-    findings.error(scene.output.source, key,
+    findings.error(source, key,
                    "is " + number_text(interval) + " s: " + number_text(scene.end_time / interval, 3) + " " + what +
                        " until end_time, expected at most " + number_text(most) + "; give a longer one");
 }
@@ -59,9 +60,14 @@ void check_int(const Source& source, const std::string& key, int value, int most
 }  // namespace
 
 void check_limits(const Scene& scene, Findings& findings) {
-  check_count(scene, "interval", scene.output.interval, kMostRows, "rows", findings);
-  if (scene.output.vtk) check_count(scene, "vtk_interval", scene.output.vtk_interval, kMostFiles, "pictures", findings);
-  check_count(scene, "checkpoint_interval", scene.output.checkpoint_interval, kMostFiles, "checkpoints", findings);
+  const OutputSpec& output = scene.output;
+  check_count(scene, output.source, "interval", output.interval, kMostRows, "rows", findings);
+  if (output.vtk)
+    check_count(scene, output.source, "vtk_interval", output.vtk_interval, kMostFiles, "pictures", findings);
+  check_count(scene, output.source, "checkpoint_interval", output.checkpoint_interval, kMostFiles, "checkpoints",
+              findings);
+  for (const ControllerSpec& controller : scene.controllers)
+    check_count(scene, controller.source, "period", controller.period, kMostSamples, "samples", findings);
   if (scene.particles) check_int(scene.particles->source, "ranks", scene.particles->ranks, kMostRanks, findings);
   for (const BodySpec& body : scene.bodies) {
     if (!body.flexible) continue;

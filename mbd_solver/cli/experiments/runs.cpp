@@ -5,12 +5,14 @@
 #include <set>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/cli/experiments/text.h"
 #include "mbd_solver/cli/experiments/window_growth_run.h"
 
 namespace footfall {
 namespace {
 
+constexpr double kMostRuns = 1e5;
 constexpr std::size_t kLongest = 200;  // characters of a folder's name: the system allows 255, and ".done.json" follows
 
 // As part of a folder's name: LIGGGHTS splits paths at blanks.
@@ -61,10 +63,25 @@ std::vector<std::string> settings_of(const CurveSpec& curve, std::vector<std::st
   return curve.beside.empty() ? settings : filled(settings, curve.beside[static_cast<std::size_t>(at)], "{beside}");
 }
 
+// Before memory is taken for them.
+const ExperimentSpec& of_bearable_size(const ExperimentSpec& spec, bool short_form) {
+  double combinations = 1.0, values = spec.curves.empty() ? 1.0 : 0.0;
+  for (const ParameterSpec& parameter : spec.parameters)
+    combinations *= static_cast<double>((short_form ? parameter.short_choices : parameter.choices).size());
+  for (const CurveSpec& curve : spec.curves)
+    values += static_cast<double>((short_form ? curve.short_values : curve.values).size());
+  if (combinations * values > kMostRuns)
+    throw InputError(spec.file + ": makes " + number_text(combinations * values, 3) + " runs, expected at most " +
+                     number_text(kMostRuns) + "; give fewer values, or several files");
+  return spec;
+}
+
 class Planner {
  public:
   Planner(const ExperimentSpec& spec, bool short_form)
-      : spec_(spec), short_(short_form), combinations_(combinations_of(spec.parameters, short_form)) {}
+      : spec_(of_bearable_size(spec, short_form)),
+        short_(short_form),
+        combinations_(combinations_of(spec.parameters, short_form)) {}
 
   Plan plan() {
     if (spec_.growth) return growth_plan();
