@@ -10,8 +10,8 @@ command -v clang++ >/dev/null || { echo "run.sh: clang++ is missing (a Debian pa
 names=("$@")
 ((${#names[@]})) || names=(scene experiment fll mesh_stl mesh_obj mesh_ply mtx modal two_columns summary history messages)
 if [[ ! -f $build/build.ninja ]]; then
-  CXX=clang++ CC=clang cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DFOOTFALL_FUZZ=ON \
-    -DCMAKE_CXX_FLAGS="-fsanitize=fuzzer-no-link,address,undefined -DFOOTFALL_SANITIZED -Wno-error" >/dev/null
+  CXX=clang++ CC=clang cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Fuzz -DFOOTFALL_FUZZ=ON \
+    -DCMAKE_CXX_FLAGS="-O1 -fsanitize=fuzzer-no-link,address,undefined -DFOOTFALL_SANITIZED -Wno-error" >/dev/null
 fi
 cmake --build "$build" --target "${names[@]/#/libfuzzer_}"
 failed=0

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# run.sh [LABEL...]: the tests of these labels (default: unit bad_input) in a build of its own (build-sanitize) with the address and undefined-behaviour sanitizers
+# of g++. Every finding ends its test. Without labels also a part of the unit tests under valgrind, where it is installed, from the plain build.
+#   BUILD=FOLDER     the plain build (default build)
+set -uo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+build=$root/build-sanitize plain=${BUILD:-$root/build}
+labels=("$@")
+((${#labels[@]})) || labels=(unit bad_input)
+[[ -f $build/build.ninja ]] ||
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Sanitize -DCMAKE_CXX_FLAGS=-O1 -DFOOTFALL_SANITIZE=address,undefined >"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
+cmake --build "$build" -j 2 >"$build/build.log" 2>&1 || { tail -n 40 "$build/build.log"; exit 1; }
+export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 LSAN_OPTIONS=suppressions=$here/leaks.txt:print_suppressions=0
+export UBSAN_OPTIONS=print_stacktrace=1
+failed=0
+for label in "${labels[@]}"; do
+  ctest --test-dir "$build" -L "^$label\$" -E '^structure\.' --timeout 600 --output-on-failure >"$build/$label.txt" 2>&1 || failed=1
+  echo "$label, address and undefined: $(grep 'tests passed' "$build/$label.txt")"
+done
+(($#)) && exit $failed
+# As much as runs in a few minutes; gtest's own filter where a part is long.
+if command -v valgrind >/dev/null; then
+  for part in base coupler laws model controllers output integrator run; do
+    [[ -x $plain/bin/unit_$part ]] || continue
+    valgrind -q --error-exitcode=9 --leak-check=full --show-leak-kinds=definite --errors-for-leak-kinds=definite --suppressions="$here/valgrind.txt" \
+      --log-file="$build/valgrind_$part.txt" "$plain/bin/unit_$part" --gtest_brief=1 >"$build/valgrind_$part.out" 2>&1 || failed=1
+    echo "valgrind, unit_$part: $(tail -n 1 "$build/valgrind_$part.out"), $(grep -c 'ERROR SUMMARY\|==.*at 0x' "$build/valgrind_$part.txt") places told"
+  done
+fi
+exit $failed
