@@ -24,6 +24,11 @@ in_phase() {
     bed) grep -qs '^run' cache/beds/*/liggghts.log ;;
   esac
 }
+# The plate on grains that come from a bed, with these scripts.
+scene_of_plate() {
+  sed -e "s|^script = .*|script = \"$1\"|" "$here/../bad_input/plate_on_grains.scene"
+  printf '[particles.bed]\nscript = "%s"\n' "$2"
+}
 # The script that never ends, in each phase; 2.5e9 substeps to the end, more than 32 bits count.
 start_run() {
   local footfall=$1 phase=$3
@@ -32,17 +37,16 @@ start_run() {
   local more=("$@")
   rm -rf "$out" && mkdir -p "$out" && cd "$out" || exit 1
   export FOOTFALL_CACHE=$out/cache
-  local script="$here/endless.in"
-  sed -e "s|^script = .*|script = \"$script\"|" "$here/../bad_input/plate_on_grains.scene" >scene.toml
+  local script="$here/endless.in" bed="$here/endless_bed.in"
   if [[ $phase == start ]]; then
-    sed -e "s|\${here}|$here|" -e '/couple.lammps/i run 1000000000' "$script" >start.in
-    sed -i "s|^script = .*|script = \"$out/start.in\"|" scene.toml
+    script=$out/start.in
+    sed -e "s|\${here}|$here|" -e '/couple.lammps/i run 1000000000' "$here/endless.in" >start.in
   elif [[ $phase == bed ]]; then
-    sed -e "s|\${here}|$here|" -e '/couple.lammps/d' "$script" >bed.in
-    echo 'write_restart ${bed}' >>bed.in
-    printf '[particles.bed]\nscript = "%s/bed.in"\n' "$out" >>scene.toml
+    bed=$out/bed.in
+    sed -e "s|\${here}|$here|" -e '/write_restart/i run 1000000000' "$here/endless_bed.in" >bed.in
   fi
-  "$footfall" run scene.toml --ranks 2 --set end_time=2.5e5 --set output.interval=0.1 --set output.plots=false --out run "${more[@]}" >said.txt 2>&1 &
+  scene_of_plate "$script" "$bed" >scene.toml
+  "$footfall" run scene.toml --ranks 2 --set end_time=2.5e5 --set output.interval=0.03 --set output.plots=false --out run "${more[@]}" >said.txt 2>&1 &
   run=$!
   until in_phase "$phase"; do
     kill -0 "$run" 2>/dev/null || die "the run ended before it was in phase $phase"
