@@ -4,7 +4,8 @@
 #     PART     kills signals stops disk damage fuzz sanitizers endurance (default: all). Each keeps its lines in BUILD/reliability/PART.md; the page is put together
 #              of those that are there, so that parts may be made one by one.
 #     --short  a minute in all, and the page stays as it is
-#   BUILD=FOLDER (default build), FUZZ_SECONDS (300 for each target). The long form takes some hours on two cores.
+#   BUILD=FOLDER (default build), FUZZ_SECONDS (300 for each target), PART_SECONDS: kills and signals are tried for so long at most; the page says how many were.
+# The long form takes some hours on two cores.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD build=$(cd "${BUILD:-build}" && pwd)
@@ -17,14 +18,14 @@ footfall=$build/bin/footfall cli=tests/cli
 work=$build/reliability
 $short && work=$build/reliability_short
 mkdir -p "$work"
-failed=0
+failed=0 limit=${PART_SECONDS:-1000000}
 of() { $short && echo "$1" || echo "$2"; } # SHORT LONG
 quiet() { "$@" >"$work/log" 2>&1 || { failed=1; echo "FAILED: $*" >&2; tail -n 20 "$work/log" >&2; return 1; }; }
 verdict() { (($1 == 0)) && echo "held" || echo "**did not hold**"; }
 
 kills() {
   local log=$work/kills.log code=0
-  $cli/kills.sh "$footfall" "$work/kills" "$(of 2 100)" "${SEED:-1}" >"$log" 2>&1 || { code=1; failed=1; tail -n 5 "$log" >&2; }
+  $cli/kills.sh "$footfall" "$work/kills" "$(of 2 100)" "${SEED:-1}" "$limit" >"$log" 2>&1 || { code=1; failed=1; tail -n 5 "$log" >&2; }
   local total
   total=$(grep '^kills ' "$log")
   echo "| a program is killed (SIGKILL) at a random moment; then \`footfall run --resume\`, or anew where nothing was kept yet | $(grep -c '^[0-9]*: ' "$log"): $(sed -n 's/^phase //p' "$log" | paste -sd, | sed 's/,/, /g'); $(sed -n 's/^process //p' "$log" | paste -sd, | sed 's/,/, /g') | history, surfaces and pictures are those of the undisturbed run to the byte; ${total#kills *, } | $(verdict $code) | \`Kills.*\`, \`Resume.ToTheBit/*\` |"
@@ -33,9 +34,10 @@ kills() {
 signals() {
   local log=$work/signals.log code=0 process signal k
   : >"$log"
-  for process in $(of rank1 "footfall mpirun rank0 rank1 mbd_solver"); do
-    for signal in $(of TERM "TERM INT HUP QUIT USR1"); do
-      for ((k = 0; k < $(of 1 10); ++k)); do
+  for ((k = 0; k < $(of 1 10); ++k)); do
+    for process in $(of rank1 "footfall mpirun rank0 rank1 mbd_solver"); do
+      for signal in $(of TERM "TERM INT HUP QUIT USR1"); do
+        ((SECONDS < limit)) || break 3
         $cli/signals.sh "$footfall" "$work/signals" window "$process" "$signal" >>"$log" 2>&1 || { code=1; failed=1; echo "BAD $process $signal" >>"$log"; }
       done
     done
@@ -43,7 +45,7 @@ signals() {
   echo "| a signal (TERM, INT, HUP, QUIT, USR1) to one process of a run in its windows (footfall, mpirun, rank 0, rank 1, mbd_solver) | $(grep -c '^window, SIG' "$log") | exit code 3, a whole checkpoint from which the run goes on, nothing left; all gone after $(slowest "$log") s at most | $(verdict $code) | \`Signals.EndBothPrograms/*\` |"
   $short && return
   code=0
-  $cli/signals.sh "$footfall" "$work/signals" all >"$log" 2>&1 || { code=1; failed=1; }
+  $cli/signals.sh "$footfall" "$work/signals" all "$limit" >"$log" 2>&1 || { code=1; failed=1; }
   echo "| every signal, and SIGKILL, to every process in every phase (bed, start, window) | $(grep -c ', SIG' "$log") | exit code 3 (1 for SIGKILL), nothing left; all gone after $(slowest "$log") s at most | $(verdict $code) | \`Signals.EndBothPrograms/*\` |"
 }
 slowest() { sed -n 's/.*after \([0-9.]*\) s$/\1/p' "$1" | sort -n | tail -n 1; }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/run/run_scene.h"
+#include "mbd_solver/output/checkpoint_folder.h"
 
 namespace footfall {
 

@@ -7,6 +7,9 @@
 
 namespace footfall {
 
+// A run whose scene sets no checkpoint_interval is kept so often on the clock on the wall [s].
+inline constexpr double kKeepEvery = 60.0;
+
 // What was written to the file, or into the folder, outlives a power cut. Throws InputError when the disk refuses.
 void sync_to_disk(const std::string& path);
 

@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
-# kept_quietly.sh FOOTFALL OUT SCENE ARGS...: a run whose scene asks for no checkpoints is kept by the clock. That shows in nothing that it writes; after a kill
-# it goes on from there and comes to the same end, within the tolerance below; and a run that is done leaves no sets.
+# kept_quietly.sh FOOTFALL OUT WINDOW SCENE ARGS...: a run whose scene asks for no checkpoints is kept by the clock. That shows in nothing that it writes; after a kill
+# it goes on from there and comes to the same end, within the tolerance below; with grains it is to the byte the run that an ordinary checkpoint at the same place makes;
+# and a run that is done leaves no sets.
+#   WINDOW   length of a window [s]; 0 without grains
 set -u
-footfall=$1 out=$2; shift 2
-# Of places [m] and energies [J], over the largest value of their unit: the integrator's own tolerance (1e-6), and what contacts make of it. (Forces of an impact and
-# what hangs on them differ by some 1e-3 of their peak.)
-tolerance=1e-4
-die() { echo "$*"; cat "$out"/*.txt; exit 1; }
-rm -rf "$out" && mkdir -p "$out"
+source "$(dirname "$0")/run_to_end.sh"
+footfall=$1 out=$2 window=$3; shift 3
+# Of places [m] and energies [J], over the largest value of their unit: the integrator's own tolerance (1e-6), LIGGGHTS' new lists of neighbours, and what contacts make
+# of both. (Forces of an impact and what hangs on them differ by some 1e-2 of their peak.)
+tolerance=1e-3
+die() { echo "$*"; cat "$out"/*.txt; end_all; exit 1; }
+rm -rf "$out" && mkdir -p "$out" && cd "$out" || exit 1
 run() { "$footfall" run "${scene[@]}" --set output.plots=false --set output.interval=1e-4 --quiet "$@"; }
 scene=("$@")
 run --keep-every 0 --out "$out/never" >"$out/never.txt" 2>&1 || die "the run failed with code $?"
@@ -16,13 +19,13 @@ run --keep-every 0.01 --out "$out/kept" >"$out/kept.txt" 2>&1 || die "the run th
 cmp "$out/never/history.csv" "$out/kept/history.csv" || die "checkpoints show in the history"
 [[ -e $out/kept/checkpoint ]] && die "sets of a run that is done are left: $(ls "$out/kept/checkpoint")"
 
-# Killed at its second set.
+# Killed at its first set.
 run --keep-every 0.05 --out "$out/killed" >"$out/killed.txt" 2>&1 &
 front=$!
-until [[ $(ls "$out/killed/checkpoint" 2>/dev/null | grep -vc part) -ge 2 ]]; do kill -0 $front 2>/dev/null || die "the run ended before two sets were there"; sleep 0.01; done
-solver=$(pgrep -f "mbd_solver .*--out $out/killed" | head -n 1)
-kill -KILL "$solver"
+until [[ $(ls "$out/killed/checkpoint" 2>/dev/null | grep -vc part) -ge 1 ]]; do kill -0 $front 2>/dev/null || die "the run ended before a set was there"; sleep 0.01; done
+kill -KILL $(processes_of mbd_solver) || die "mbd_solver was not found"
 wait $front && die "a killed run ended well"
+kept=$(ls "$out/killed/checkpoint" | grep -v part | sort -n | tail -n 1)
 "$footfall" run --resume "$out/killed" --keep-every 0 --quiet >"$out/resumed.txt" 2>&1 || die "the resumed run failed with code $?"
 awk -F, -v tolerance=$tolerance '
   function size(x) { return x < 0 ? -x : x }
@@ -36,5 +39,13 @@ awk -F, -v tolerance=$tolerance '
     if (last != rows) { print "rows: " last " instead of " rows; exit 1 }
     exit worst > tolerance
   }' "$out/never/history.csv" "$out/killed/history.csv" || die "the resumed run comes to another end"
+if [[ $window != 0 ]]; then
+  # A set after the same window; the one after it comes behind the rows that are compared.
+  interval=$(awk -v n="$kept" -v h="$window" 'BEGIN { print (n - 0.5) * h }')
+  run --keep-every 0 --set output.checkpoint_interval="$interval" --out "$out/ordinary" >"$out/ordinary.txt" 2>&1 || die "the run with an ordinary set failed"
+  rows() { awk -F, -v end="$(awk -v i="$interval" 'BEGIN { print 2 * i }')" 'FNR < 3 || $1 < end' "$1/history.csv"; }
+  cmp <(rows "$out/killed") <(rows "$out/ordinary") || die "it is not the run that an ordinary set after window $kept makes"
+  echo "$(rows "$out/killed" | wc -l) rows are those of a run with an ordinary set after window $kept"
+fi
 rm -rf "$out"
 exit 0

@@ -46,7 +46,7 @@ start_run() {
     sed -e "s|\${here}|$here|" -e '/write_restart/i run 1000000000' "$here/endless_bed.in" >bed.in
   fi
   scene_of_plate "$script" "$bed" >scene.toml
-  "$footfall" run scene.toml --ranks 2 --set end_time=2.5e5 --set output.interval=0.1 --set output.plots=false --out run "${more[@]}" >said.txt 2>&1 &
+  "$footfall" run scene.toml --ranks 2 --set end_time=2.5e5 --set output.interval=0.03 --set output.plots=false --out run "${more[@]}" >said.txt 2>&1 &
   run=$!
   until in_phase "$phase"; do
     kill -0 "$run" 2>/dev/null || die "the run ended before it was in phase $phase"
