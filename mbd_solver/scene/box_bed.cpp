@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using Variables = std::map<std::string, std::string>;
 
-constexpr double kLooseFraction = 0.57, kDenseFraction = 0.61;  // solid fraction of settled beds [-]
+constexpr double kLooseFraction = 0.55, kDenseFraction = 0.61;  // solid fraction of settled beds [-]
+constexpr double kBelowSurface = 1.3;                           // radii that the mean surface lies below z = 0
 constexpr double kPouredHeight = 2.4;                           // of the loose column, over the depth of the bed
 constexpr double kPourFriction = 0.05;                          // packing = "dense"
 constexpr int kDigits = 12;
@@ -177,8 +178,9 @@ BoxNumbers box_numbers(const Scene& scene) {
     n.time_step = std::min(n.time_step, scene.particles->max_time_step);
   n.headroom = box.headroom.value_or(largest);
   n.margin = box.periodic ? 0.0 : box.margin.value_or(0.25 * largest);
+  const double filled = box.depth - kBelowSurface * *std::max_element(box.radius.begin(), box.radius.end());
   const double volume =
-      (box.packing == Packing::kDense ? kDenseFraction : kLooseFraction) * box.size[0] * box.size[1] * box.depth;
+      (box.packing == Packing::kDense ? kDenseFraction : kLooseFraction) * box.size[0] * box.size[1] * filled;
   for (std::size_t i = 0; i < box.radius.size(); ++i) {
     const bool alike = box.shares.empty() || box.radius.size() < 2;
     const double share =

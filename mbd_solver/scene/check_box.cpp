@@ -27,20 +27,25 @@ void check_restitution(const Source& source, const std::string& key, double valu
     findings.error(source, key, "is " + number_text(value) + ", expected 0.05 to 1: LIGGGHTS takes no less");
 }
 
+// An empty list beside another finding is one whose numbers were refused when it was read.
+bool has(const std::vector<double>& list, std::size_t fewest, std::size_t most, const Findings& findings) {
+  return (list.size() >= fewest && list.size() <= most) || (list.empty() && findings.has_errors());
+}
+
 void check_sizes(const Source& source, const BoxSpec& box, Findings& findings) {
-  if (box.size.size() != 2)
-    findings.error(source, "box.size",
-                   "has " + std::to_string(box.size.size()) + " numbers, expected [along x, along y] in m");
-  if (box.centre.size() != 2)
-    findings.error(source, "box.centre", "has " + std::to_string(box.centre.size()) + " numbers, expected [x, y] in m");
-  if (box.radius.empty() || box.radius.size() > 2)
+  const auto numbers = [](const std::vector<double>& list) {
+    return "has " + std::to_string(list.size()) + " numbers";
+  };
+  if (!has(box.size, 2, 2, findings))
+    findings.error(source, "box.size", numbers(box.size) + ", expected [along x, along y] in m");
+  if (!has(box.centre, 2, 2, findings))
+    findings.error(source, "box.centre", numbers(box.centre) + ", expected [x, y] in m");
+  if (!has(box.radius, 1, 2, findings))
     findings.error(source, "box.radius",
-                   "has " + std::to_string(box.radius.size()) +
-                       " numbers, expected one radius or two, in m; a bed of more "
-                       "needs a script of its own");
+                   numbers(box.radius) + ", expected one radius or two, in m; a bed of more needs a script of its own");
   if (!box.shares.empty() && (box.radius.size() != 2 || box.shares.size() != 2))
     findings.error(source, "box.shares",
-                   "has " + std::to_string(box.shares.size()) + " numbers beside " + std::to_string(box.radius.size()) +
+                   numbers(box.shares) + " beside " + std::to_string(box.radius.size()) +
                        " in radius, expected two of both, or no shares");
 }
 

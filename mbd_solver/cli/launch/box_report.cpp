@@ -24,6 +24,12 @@ namespace {
 
 std::string percent(double share) { return number_text(100.0 * share, 2) + " %"; }
 
+// Two digits are known: 1583 -> "1600".
+std::string round_count(double count) {
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(count)) - 1.0));
+  return std::to_string(std::lround(count / unit) * std::lround(unit));
+}
+
 // How much of the slab between two heights the grains fill [-].
 double solid_fraction(const std::vector<GrainPlace>& grains, double low, double high, double area) {
   double volume = 0.0;
@@ -62,7 +68,7 @@ std::string box_report(const Scene& scene) {
   if (box.radius.size() > 1) radii += " and " + number_text(box.radius.back());
   std::string text = "Bed: " + number_text(box.size[0]) + " x " + number_text(box.size[1]) + " m, " +
                      number_text(box.depth) + " m deep: floor at z = " + number_text(-box.depth) +
-                     " m, surface at z = 0; about " + number_text(n.grains, 2) + " grains of radius " + radii + " m\n";
+                     " m, surface at z = 0; about " + round_count(n.grains) + " grains of radius " + radii + " m\n";
   text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +
           (box.periodic ? "none beside it (periodic)\n" : number_text(n.margin) + " m beside the walls\n");
   text += "  time step: " + number_text(n.time_step) + " s, " + percent(n.time_step / n.rayleigh) +
