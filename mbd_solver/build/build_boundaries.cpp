@@ -122,8 +122,17 @@ bool add_round_shape(const Scene& scene, const BodySpec& body, const BoundarySpe
       for (const double side : {-0.5, 0.5})
         add_rim(shape.centre + side * shape.thickness * shape.axis.normalized(), shape.axis, shape.radius);
       return true;
+    case ShapeKind::kCylinder:
+      for (const double side : {-0.5, 0.5})
+        add_rim(shape.centre + side * shape.length * shape.axis.normalized(), shape.axis, shape.radius);
+      return true;
+    case ShapeKind::kCapsule:
+      for (const Eigen::Vector3d& end : {shape.from, shape.to})
+        entry.points.push_back({rigid_marker(entry.body, R_BD * (end - body.position)), 0.5 * shape.diameter});
+      return true;
     case ShapeKind::kBox:
     case ShapeKind::kDish:
+    case ShapeKind::kMesh:
     case ShapeKind::kPoints: return false;
   }
   FOOTFALL_DEMAND(false);

@@ -1,11 +1,10 @@
 // Where the mechanism starts: attitude about its mass centre, then moved, then set to its clearance above the ground.
 
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/build/grain_dump.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/model/up_direction.h"
@@ -13,47 +12,11 @@
 namespace footfall {
 namespace {
 
-struct Sphere {
-  Eigen::Vector3d centre;  // [m]
-  double radius;           // [m]
-};
-
-// Text dump of LIGGGHTS with columns x y z radius after a line "ITEM: ATOMS x y z radius".
-std::vector<Sphere> read_grains(const std::string& path) {
-  std::ifstream file(path);
-  if (!file)
-    throw InputError("particles.grains: cannot read " + path +
-                     "; it is written with the bed (dump custom x y z radius)");
-  std::vector<Sphere> grains;
-  std::string line;
-  bool atoms = false;
-  int number = 0;
-  while (std::getline(file, line)) {
-    ++number;
-    if (line.rfind("ITEM:", 0) == 0) {
-      atoms = line.rfind("ITEM: ATOMS", 0) == 0;
-      if (atoms) grains.clear();  // the last frame counts
-      continue;
-    }
-    if (!atoms) continue;
-    std::istringstream values(line);
-    Sphere grain;
-    if (!(values >> grain.centre.x() >> grain.centre.y() >> grain.centre.z() >> grain.radius))
-      throw InputError(path + ":" + std::to_string(number) + ": \"" + line + "\": expected x y z radius");
-    if (!grain.centre.allFinite() || !(grain.radius > 0.0) || !std::isfinite(grain.radius))
-      throw InputError(path + ":" + std::to_string(number) + ": \"" + line +
-                       "\": expected finite x y z and a positive radius");
-    grains.push_back(grain);
-  }
-  if (grains.empty()) throw InputError(path + ": holds no grains; expected a dump of x y z radius");
-  return grains;
-}
-
 // Height of the highest grain (its top) whose footprint overlaps the circle around one boundary, along `up`.
-double highest_under(const std::vector<Sphere>& grains, const Eigen::Vector3d& up, const Eigen::Vector3d& centre,
+double highest_under(const std::vector<GrainPlace>& grains, const Eigen::Vector3d& up, const Eigen::Vector3d& centre,
                      double reach) {
   double highest = -std::numeric_limits<double>::infinity();
-  for (const Sphere& grain : grains) {
+  for (const GrainPlace& grain : grains) {
     const Eigen::Vector3d d = grain.centre - centre;
     const double across = (d - up * up.dot(d)).norm();
     if (across < reach + grain.radius) highest = std::max(highest, up.dot(grain.centre) + grain.radius);
@@ -81,7 +44,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
 
   const Eigen::Vector3d up = up_direction(scene.gravity);
   const bool plane = scene.ground.kind == GroundKind::kPlane;
-  std::vector<Sphere> grains;
+  std::vector<GrainPlace> grains;
   const bool particles = scene.touches_particles();
   if (particles && !scene.particles->grains.empty()) grains = read_grains(scene.particles->grains);
   if (plane) placement.ground_height = up.dot(scene.ground.plane->point);

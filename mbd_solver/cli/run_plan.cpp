@@ -8,6 +8,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
+#include "mbd_solver/cli/launch/box_report.h"
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/grain_rows.h"
 #include "mbd_solver/cli/launch/programs.h"
@@ -158,6 +159,7 @@ RunPlan new_run(const RunArguments& a) {
   const int ranks = a.ranks > 0 ? a.ranks : particles.ranks;
   check_restart_files(particles);
   Bed bed;
+  keep_box_scripts(scene, out);
   if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet);
   // A scene that names its own grains keeps them.
   plan.command = both_programs(particles, ranks, out, bed.restart, plan.log,

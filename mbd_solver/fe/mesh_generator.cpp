@@ -52,6 +52,37 @@ TriangleMesh ring_mesh(int rings, const std::function<Vector3d(double, double)>&
   return mesh;
 }
 
+// Closed surface between a cap and its mirror image in z = 0. The last `around` vertices of the cap are its rim, a circle
+// at z = length / 2; its normals point outward. The first vertices are those of the cap.
+TriangleMesh capped(const TriangleMesh& cap, int around, double length, double edge) {
+  const int nodes = static_cast<int>(cap.vertices.size());
+  const int layers = parts(length, edge);
+  require_affordable(2.0 * static_cast<double>(cap.triangles.size()) + 2.0 * around * layers);
+  TriangleMesh mesh = cap;
+  for (const Vector3d& x : cap.vertices) mesh.vertices.emplace_back(x.x(), x.y(), -x.z());
+  for (int layer = 1; layer < layers; ++layer)
+    for (int i = 0; i < around; ++i) {
+      const Vector3d& x = cap.vertices[static_cast<std::size_t>(nodes - around + i)];
+      mesh.vertices.emplace_back(x.x(), x.y(), length * (static_cast<double>(layer) / layers - 0.5));
+    }
+  mesh.triangles.clear();
+  for (const Eigen::Vector3i& t : cap.triangles) {
+    mesh.triangles.push_back(t);
+    mesh.triangles.emplace_back(nodes + t[0], nodes + t[2], nodes + t[1]);
+  }
+  const auto on_rim = [&](int layer, int i) {  // from the lower cap, layer 0, to the upper one
+    if (layer == 0) return 2 * nodes - around + i % around;
+    if (layer == layers) return nodes - around + i % around;
+    return 2 * nodes + (layer - 1) * around + i % around;
+  };
+  for (int layer = 0; layer < layers; ++layer)
+    for (int i = 0; i < around; ++i) {
+      mesh.triangles.emplace_back(on_rim(layer, i), on_rim(layer, i + 1), on_rim(layer + 1, i + 1));
+      mesh.triangles.emplace_back(on_rim(layer, i), on_rim(layer + 1, i + 1), on_rim(layer + 1, i));
+    }
+  return mesh;
+}
+
 }  // namespace
 
 TriangleMesh disc_mesh(double radius, double edge) {
@@ -65,30 +96,8 @@ TriangleMesh disc_mesh(double radius, double edge) {
 TriangleMesh thick_disc_mesh(double radius, double thickness, double edge) {
   const TriangleMesh face = disc_mesh(radius, edge);
   require_length(thickness, "disc thickness");
-  const int nodes = static_cast<int>(face.vertices.size()), around = 6 * parts(radius, edge);
-  const int layers = parts(thickness, edge);
-  TriangleMesh mesh;
-  for (const double side : {0.5, -0.5})
-    for (const Vector3d& x : face.vertices) mesh.vertices.push_back(x + Vector3d(0.0, 0.0, side * thickness));
-  for (int layer = 1; layer < layers; ++layer)
-    for (int i = 0; i < around; ++i)
-      mesh.vertices.push_back(face.vertices[static_cast<std::size_t>(nodes - around + i)] +
-                              Vector3d(0.0, 0.0, thickness * (static_cast<double>(layer) / layers - 0.5)));
-  for (const Eigen::Vector3i& t : face.triangles) {
-    mesh.triangles.push_back(t);
-    mesh.triangles.emplace_back(nodes + t[0], nodes + t[2], nodes + t[1]);
-  }
-  const auto on_rim = [&](int layer, int i) {  // from the lower face, layer 0, to the upper one
-    if (layer == 0) return 2 * nodes - around + i % around;
-    if (layer == layers) return nodes - around + i % around;
-    return 2 * nodes + (layer - 1) * around + i % around;
-  };
-  for (int layer = 0; layer < layers; ++layer)
-    for (int i = 0; i < around; ++i) {
-      mesh.triangles.emplace_back(on_rim(layer, i), on_rim(layer, i + 1), on_rim(layer + 1, i + 1));
-      mesh.triangles.emplace_back(on_rim(layer, i), on_rim(layer + 1, i + 1), on_rim(layer + 1, i));
-    }
-  return mesh;
+  return capped(moved(face, Eigen::Matrix3d::Identity(), {0.0, 0.0, 0.5 * thickness}), 6 * parts(radius, edge),
+                thickness, edge);
 }
 
 TriangleMesh dish_mesh(double rim_radius, double depth, double edge) {
@@ -105,6 +114,15 @@ TriangleMesh dish_mesh(double rim_radius, double depth, double edge) {
     const double r = sphere * std::sin(theta);
     return Vector3d(r * std::cos(phi), r * std::sin(phi), 2.0 * sphere * std::pow(std::sin(0.5 * theta), 2));
   });
+}
+
+TriangleMesh capsule_mesh(double radius, double length, double edge) {
+  require_length(length, "capsule length");
+  TriangleMesh cap = dish_mesh(radius, radius, edge);  // seen in a mirror its normals point outward
+  for (Vector3d& x : cap.vertices) x.z() = 0.5 * length + radius - x.z();
+  const int around = 6 * parts(0.5 * kPi * radius, edge);
+  for (auto rim = cap.vertices.end() - around; rim != cap.vertices.end(); ++rim) rim->z() = 0.5 * length;
+  return capped(cap, around, length, edge);
 }
 
 // Six faces of right-angled triangles, their common edges welded.

@@ -14,6 +14,10 @@ TriangleMesh disc_mesh(double radius, double edge);
 // the rim between them. The first vertices are those of the upper face.
 TriangleMesh thick_disc_mesh(double radius, double thickness, double edge);
 
+// Closed capsule about the origin, axis z, normals outward: a cylinder of the given length with half a ball at each
+// end.
+TriangleMesh capsule_mesh(double radius, double length, double edge);
+
 // Spherical cap: lowest point (vertex 0) at the origin, rim of the given radius at height `depth`, opening
 // along z; normals point to the inside (+z at the lowest point). depth <= rim radius.
 TriangleMesh dish_mesh(double rim_radius, double depth, double edge);

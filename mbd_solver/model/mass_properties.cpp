@@ -75,6 +75,22 @@ MassProperties sphere_properties(double radius, double density) {
   return out;
 }
 
+// Half a ball of mass m has its centre 3/8 r from its flat side, the inertia 2/5 m r^2 about any axis through the middle
+// of that side that lies in it or is normal to it.
+MassProperties capsule_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter,
+                                  double density) {
+  const MassProperties middle = rod_properties(from, to, diameter, density);
+  const MassProperties ball = sphere_properties(0.5 * diameter, density);  // both ends together
+  const double r = 0.5 * diameter, half = 0.5 * (to - from).norm(), to_centre = 0.375 * r;
+  const double about_end = 0.4 * ball.mass * r * r;
+  const double across = about_end + ball.mass * (half * half + 2.0 * half * to_centre);
+  const Eigen::Vector3d e = (to - from).normalized();
+  MassProperties out = middle;
+  out.mass += ball.mass;
+  out.inertia += across * Eigen::Matrix3d::Identity() + (about_end - across) * e * e.transpose();
+  return out;
+}
+
 MassProperties with_mass(const MassProperties& solid, double mass) {
   demand_positive(mass, "mass [kg]");
   MassProperties out = solid;

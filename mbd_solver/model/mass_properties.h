@@ -20,6 +20,9 @@ MassProperties rod_properties(const Eigen::Vector3d& from, const Eigen::Vector3d
 // Flat round plate, centred at the origin, axis z.
 MassProperties disc_properties(double radius, double thickness, double density);
 MassProperties sphere_properties(double radius, double density);
+// A cylinder with half a ball at each end; from, to: the centres of the balls.
+MassProperties capsule_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter,
+                                  double density);
 
 // The same solid with another mass (density scaled).
 MassProperties with_mass(const MassProperties& solid, double mass);

@@ -5,6 +5,7 @@
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/model/stress_recovery.h"
+#include "mbd_solver/scene/boundary_surface.h"
 
 namespace footfall {
 namespace {
@@ -38,6 +39,8 @@ std::optional<ModalBoundary> from_shape(const BodySpec& body) {
     mesh = moved(disc_mesh(shape.radius, shape.radius / 3.0), axes_with_z(shape.axis), shape.centre);
   if (shape.kind == ShapeKind::kDish)
     mesh = moved(dish_mesh(shape.radius, shape.depth, shape.radius / 3.0), axes_with_z(shape.axis), shape.centre);
+  if (shape.kind == ShapeKind::kCylinder || shape.kind == ShapeKind::kCapsule || shape.kind == ShapeKind::kMesh)
+    mesh = shape_surface(body, {});
   if (mesh.triangles.empty()) return std::nullopt;
   return rigid(body.name, mesh.vertices, mesh.triangles, {}, body);
 }

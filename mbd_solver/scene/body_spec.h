@@ -23,7 +23,7 @@ struct MaterialSpec {
   double yield_stress = 0.0;            // [Pa]; 0: not known, no warning when it is passed
 };
 
-enum class ShapeKind { kBox, kTube, kRod, kDisc, kDish, kSphere, kPoints };
+enum class ShapeKind { kBox, kTube, kRod, kDisc, kDish, kSphere, kCylinder, kCapsule, kMesh, kPoints };
 constexpr std::string_view name_of(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::kBox: return "box";
@@ -32,6 +32,9 @@ constexpr std::string_view name_of(ShapeKind kind) {
     case ShapeKind::kDisc: return "disc";
     case ShapeKind::kDish: return "dish";
     case ShapeKind::kSphere: return "sphere";
+    case ShapeKind::kCylinder: return "cylinder";
+    case ShapeKind::kCapsule: return "capsule";
+    case ShapeKind::kMesh: return "mesh";
     case ShapeKind::kPoints: return "points";
   }
   return {};
@@ -41,17 +44,22 @@ constexpr std::string_view name_of(ShapeKind kind) {
 // dish: plate).
 struct ShapeSpec {
   ShapeKind kind = ShapeKind::kBox;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // box, disc, sphere; dish: its lowest point [m]
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   // disc, dish: normal; the dish opens along it [-]
-  Eigen::Vector3d from = Eigen::Vector3d::Zero();    // tube, rod: first end [m]
-  Eigen::Vector3d to = Eigen::Vector3d::Zero();      // tube, rod: second end [m]
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();    // box: edges along the body's axes [m]
-  double diameter = 0.0;                             // tube, rod: outer [m]
-  double wall = 0.0;                                 // tube [m]
-  double radius = 0.0;                               // disc, dish (of the rim), sphere [m]
-  double thickness = 0.0;                            // disc, dish [m]
-  double depth = 0.0;                                // dish: rim above the lowest point [m]
-  std::vector<Eigen::Vector3d> points;               // points: equal point masses [m]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();    // box, disc, sphere, cylinder; dish: its lowest point [m]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     // disc, dish: normal; the dish opens along it; cylinder [-]
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();      // tube, rod: first end; capsule: centre of its round end [m]
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();        // likewise the second end [m]
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();      // box: edges along the body's axes [m]
+  double diameter = 0.0;                               // tube, rod, capsule: outer [m]
+  double wall = 0.0;                                   // tube [m]
+  double radius = 0.0;                                 // disc, dish (of the rim), sphere, cylinder [m]
+  double length = 0.0;                                 // cylinder: along its axis [m]
+  double thickness = 0.0;                              // disc, dish [m]
+  double depth = 0.0;                                  // dish: rim above the lowest point [m]
+  std::vector<Eigen::Vector3d> points;                 // points: equal point masses [m]
+  std::string file;                                    // mesh: closed, STL, OBJ or PLY; placed by x -> R scale x + p
+  double scale = 1.0;                                  // mesh: metres per unit of the file [-]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // mesh: p, of the file's origin in D [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  // mesh: R, of the file's axes in D
 };
 
 // Cross section of the members of a frame: tube (diameter, wall), or the four numbers themselves.

@@ -26,9 +26,18 @@ double largest_size(const ShapeSpec& s) {
     case ShapeKind::kDisc:
     case ShapeKind::kDish:
     case ShapeKind::kSphere:
+    case ShapeKind::kMesh:
     case ShapeKind::kPoints: return 2.0 * s.radius;
+    case ShapeKind::kCylinder: return std::max(2.0 * s.radius, s.length);
+    case ShapeKind::kCapsule: return (s.to - s.from).norm() + s.diameter;
   }
   FOOTFALL_DEMAND(false);
+}
+
+}  // namespace
+
+TriangleMesh mesh_of_shape(const ShapeSpec& shape) {
+  return moved(read_mesh(shape.file, shape.scale), shape.orientation.toRotationMatrix(), shape.position);
 }
 
 TriangleMesh shape_surface(const BodySpec& body, const SurfaceSpec& surface) {
@@ -44,12 +53,15 @@ TriangleMesh shape_surface(const BodySpec& body, const SurfaceSpec& surface) {
                    axes_with_z(s.axis), s.centre);
     case ShapeKind::kDish: return moved(dish_mesh(s.radius, s.depth, edge), axes_with_z(s.axis), s.centre);
     case ShapeKind::kSphere: return moved(sphere_mesh(s.radius, edge), Eigen::Matrix3d::Identity(), s.centre);
+    case ShapeKind::kCylinder: return moved(thick_disc_mesh(s.radius, s.length, edge), axes_with_z(s.axis), s.centre);
+    case ShapeKind::kCapsule:
+      return moved(capsule_mesh(0.5 * s.diameter, (s.to - s.from).norm(), edge), axes_with_z(s.to - s.from),
+                   0.5 * (s.from + s.to));
+    case ShapeKind::kMesh: return mesh_of_shape(s);
     case ShapeKind::kPoints: break;
   }
   return {};
 }
-
-}  // namespace
 
 TriangleMesh cylinder_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double edge) {
   const double length = (to - from).norm(), radius = 0.5 * diameter;

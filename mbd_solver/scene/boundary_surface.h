@@ -14,6 +14,12 @@ namespace footfall {
 // degenerate or duplicate triangles, closed where demanded. Empty without a surface. Throws InputError.
 TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary);
 
+// The surface of the body's shape in D; a tenth of its size is the edge where the surface gives none. A mesh is read
+// from its file. Empty for points. Throws InputError.
+TriangleMesh shape_surface(const BodySpec& body, const SurfaceSpec& surface);
+// The file of a shape of kind mesh, scaled, turned and moved into D. Throws InputError.
+TriangleMesh mesh_of_shape(const ShapeSpec& shape);
+
 // Surface of a tube or rod between two points (closed cylinder), and of a sphere about the origin; edge: longest edge
 // wanted [m].
 TriangleMesh cylinder_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double edge);

@@ -25,6 +25,10 @@ void check_boundary(const Scene& scene, const BoundarySpec& boundary, Findings& 
     findings.error(
         source, "surface",
         "cannot be generated: body \"" + body.name + "\" has no shape with a surface; give surface.file or a shape");
+  const bool from_file = boundary.surface && (!boundary.surface->file.empty() ||
+                                              (body.shape && body.shape->kind == ShapeKind::kMesh && !own_mesh));
+  if (from_file && source.given("surface.element_size") && boundary.surface->from_script.empty())
+    findings.error(source, "surface.element_size", "means nothing for a mesh from a file; leave it out");
   if (boundary.surface && boundary.surface->file.empty()) {
     for (const char* key : {"scale", "position", "orientation"}) {
       if (source.given(std::string("surface.") + key))
@@ -96,7 +100,11 @@ void check_contact(const Scene& scene, Findings& findings) {
   if (kind == GroundKind::kPlane && !scene.ground.plane)
     findings.error(scene.ground.source, "plane", "is missing; ground.kind = \"plane\" needs [ground.plane]");
   if (kind == GroundKind::kParticles && !scene.particles)
-    findings.error(scene.ground.source, "kind", "is \"particles\", but there is no [particles] section with a script");
+    findings.error(scene.ground.source, "kind",
+                   "is \"particles\", but there is no [particles] section with a script or a box");
+  if (kind == GroundKind::kParticles && scene.particles && scene.particles->script.empty() && !scene.particles->box)
+    findings.error(scene.particles->source, "script",
+                   "is missing; name a LIGGGHTS script, or give [particles.box] for a plain bed");
   if (kind != GroundKind::kNone && scene.boundaries.empty())
     findings.error(scene.ground.source, "kind",
                    "gives a ground that nothing touches; add [[boundaries]], or set kind = \"none\"");

@@ -28,6 +28,10 @@ double triangles_on(const ShapeSpec& s, double edge) {
     case ShapeKind::kDisc: return 12.0 * squared(s.radius);
     case ShapeKind::kDish: return 6.0 * squared(s.radius + s.depth);
     case ShapeKind::kSphere: return 60.0 * squared(s.radius);
+    case ShapeKind::kCylinder: return 12.0 * squared(s.radius) + 4.0 * kPi * s.radius * s.length / (edge * edge);
+    case ShapeKind::kCapsule:
+      return 30.0 * squared(0.5 * s.diameter) + 2.0 * kPi * s.diameter * (s.to - s.from).norm() / (edge * edge);
+    case ShapeKind::kMesh:
     case ShapeKind::kPoints: return 0.0;
   }
   return 0.0;

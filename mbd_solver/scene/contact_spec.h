@@ -9,6 +9,7 @@
 
 #include "coupler/base/kinds.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
+#include "mbd_solver/scene/box_spec.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
@@ -28,7 +29,8 @@ constexpr std::string_view name_of(SurfaceFaces kind) {
 struct SurfaceSpec {
   double element_size = 0.0;  // edge length of generated triangles [m]; 0: a tenth of the shape's size
   std::string file;           // STL, OBJ or PLY, drawn in D; empty: from the shape (or the flexible body's mesh)
-  double scale = 1.0;         // metres per unit of the file [-]
+  std::string from_script;    // id of a mesh of particles.script, instead of file, scale, position and orientation
+  double scale = 1.0;         // metres per unit of the file [-]; the file is scaled, then turned, then moved
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               // of the file's origin in D [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  // of the file's axes in D
   bool closed = false;                                              // demand a watertight surface
@@ -99,8 +101,10 @@ struct ParticlesSpec {
   std::map<std::string, std::string> variables;  // -var name value
   int ranks = 2;                                 // LIGGGHTS processes
   std::optional<BedSpec> bed;                    // none: the script makes or reads its own particles
-  std::string grains;                    // text dump (x y z radius) of the grains at the start; the front door sets it:
-                                         // clearance counts from the highest grain under the boundaries
+  std::optional<BoxSpec>
+      box;             // instead of both scripts: they are then those of inputs/box, and the variables its numbers
+  std::string grains;  // text dump (x y z radius) of the grains at the start; the front door sets it:
+                       // clearance counts from the highest grain under the boundaries
   std::optional<double> surface_height;  // instead of grains: height of the bed's surface [m]
   double max_time_step = 1e-4;           // larger DEM steps are refused: wrong on this soil long before unstable [s]
 };

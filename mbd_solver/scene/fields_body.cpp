@@ -21,9 +21,14 @@ void visit_fields(FieldVisitor& v, ShapeSpec& s) {
   v.field("diameter", &s.diameter, {Unit::kLength, Range::kPositive});
   v.field("wall", &s.wall, {Unit::kLength, Range::kPositive});
   v.field("radius", &s.radius, {Unit::kLength, Range::kPositive});
+  v.field("length", &s.length, {Unit::kLength, Range::kPositive});
   v.field("thickness", &s.thickness, {Unit::kLength, Range::kPositive});
   v.field("depth", &s.depth, {Unit::kLength, Range::kPositive});
   v.field("points", &s.points, {Unit::kLength, Range::kAny, Meaning::kPoint});
+  v.field("file", &s.file, {Unit::kNone, Range::kAny, Meaning::kPath});
+  v.field("scale", &s.scale, {Unit::kNone, Range::kPositive});
+  v.field("position", &s.position, {Unit::kLength, Range::kAny, Meaning::kPoint});
+  v.field("orientation", &s.orientation, {});
 }
 
 void visit_fields(FieldVisitor& v, SectionSpec& s) {

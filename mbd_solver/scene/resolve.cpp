@@ -4,6 +4,8 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/scene/arrays.h"
+#include "mbd_solver/scene/box_bed.h"
+#include "mbd_solver/scene/script_mesh.h"
 #include "mbd_solver/scene/tracking_visitor.h"
 
 namespace footfall {
@@ -66,7 +68,9 @@ void resolve_scene(Scene& scene, Findings& findings) {
   visit_fields(paths, scene);
   resolve_joint_points(scene, findings);
   resolve_segments(scene, findings);
+  resolve_script_meshes(scene, findings);
   resolve_masses(scene, findings);
+  resolve_box(scene, findings);
   if (!scene.flexible) {
     for (BodySpec& body : scene.bodies) {
       if (body.flexible) body.flexible->enabled = false;

@@ -1,6 +1,6 @@
 #pragma once
-// Completes a scene that was read: copies of arrays, paths, points of joints, and mass, centre and inertia of every
-// body.
+// Completes a scene that was read: copies of arrays, paths, points of joints, mass, centre and inertia of every body,
+// and the scripts of a bed that is given by numbers.
 
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene.h"

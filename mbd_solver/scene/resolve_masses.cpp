@@ -6,7 +6,9 @@
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/pi.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/fe/polyhedron.h"
 #include "mbd_solver/model/mass_properties.h"
+#include "mbd_solver/scene/boundary_surface.h"
 #include "mbd_solver/scene/resolve.h"
 
 namespace footfall {
@@ -22,6 +24,9 @@ std::vector<std::string> needed_keys(ShapeKind kind) {
     case ShapeKind::kDisc: return {"centre", "axis", "radius", "thickness"};
     case ShapeKind::kDish: return {"centre", "axis", "radius", "depth", "thickness"};
     case ShapeKind::kSphere: return {"centre", "radius"};
+    case ShapeKind::kCylinder: return {"centre", "axis", "radius", "length"};
+    case ShapeKind::kCapsule: return {"from", "to", "diameter"};
+    case ShapeKind::kMesh: return {"file", "scale", "position", "orientation"};
     case ShapeKind::kPoints: return {"points"};
   }
   return {};
@@ -32,17 +37,19 @@ bool check_shape(const BodySpec& body, Findings& findings) {
   const std::vector<std::string> needed = needed_keys(shape.kind);
   const int before = findings.error_count();
   for (const std::string& key : needed) {
-    const bool has_default = key == "axis" || key == "centre";
+    const bool has_default =
+        key == "axis" || key == "centre" || key == "scale" || key == "position" || key == "orientation";
     if (!has_default && !body.source.given("shape." + key))
       findings.error(body.source, "shape." + key, "is missing; a " + std::string(name_of(shape.kind)) + " needs it");
   }
-  for (const char* key :
-       {"centre", "axis", "from", "to", "size", "diameter", "wall", "radius", "thickness", "depth", "points"}) {
+  for (const char* key : {"centre", "axis", "from", "to", "size", "diameter", "wall", "radius", "length", "thickness",
+                          "depth", "points", "file", "scale", "position", "orientation"}) {
     if (body.source.given(std::string("shape.") + key) && std::find(needed.begin(), needed.end(), key) == needed.end())
       findings.error(body.source, std::string("shape.") + key,
                      "means nothing for a " + std::string(name_of(shape.kind)) + "; leave it out");
   }
-  const bool long_body = shape.kind == ShapeKind::kTube || shape.kind == ShapeKind::kRod;
+  const bool long_body =
+      shape.kind == ShapeKind::kTube || shape.kind == ShapeKind::kRod || shape.kind == ShapeKind::kCapsule;
   if (long_body && !((shape.to - shape.from).norm() > 0.0))
     findings.error(body.source, "shape.to", "is the same point as \"from\"");
   if (shape.kind == ShapeKind::kTube && 2.0 * shape.wall > shape.diameter)
@@ -108,6 +115,9 @@ MassProperties shape_properties(const BodySpec& body, double density) {
     case ShapeKind::kDisc: return turned(disc_properties(s.radius, s.thickness, density), s.axis, s.centre);
     case ShapeKind::kDish: return turned(dish_properties(s, density), s.axis, s.centre);
     case ShapeKind::kSphere: return turned(sphere_properties(s.radius, density), Eigen::Vector3d::UnitZ(), s.centre);
+    case ShapeKind::kCylinder: return turned(disc_properties(s.radius, s.length, density), s.axis, s.centre);
+    case ShapeKind::kCapsule: return capsule_properties(s.from, s.to, s.diameter, density);
+    case ShapeKind::kMesh: return polyhedron_properties(mesh_of_shape(s), density, s.file);
     case ShapeKind::kPoints: break;
   }
   return point_properties(s.points);

@@ -231,9 +231,30 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::vecto
   return "";
 }
 
+// { axis = [x, y, z], angle_deg = phi }, as `rotate` of a mesh in a LIGGGHTS script.
+static std::string read_turn(const ConfigNode& node, Eigen::Quaterniond& target) {
+  const ConfigNode* axis_node = node.find("axis");
+  const ConfigNode* degrees = node.find("angle_deg");
+  const ConfigNode* angle_node = degrees ? degrees : node.find("angle");
+  if (!axis_node || !angle_node) return is_expected(node, "{ axis = [x, y, z], angle_deg = phi }");
+  Rule direction;
+  direction.meaning = Meaning::kDirection;
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  double angle = 0.0;
+  if (const std::string problem = read_value(*axis_node, {direction, 1.0, ""}, axis); !problem.empty())
+    return "axis " + problem;
+  const double factor = degrees ? unit_suffixes(Unit::kAngle).front().factor : 1.0;
+  if (const std::string problem = read_value(*angle_node, {Rule(), factor, ""}, angle); !problem.empty())
+    return "angle " + problem;
+  target = Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
+  return "";
+}
+
 std::string read_value(const ConfigNode& node, const ValueContext&, Eigen::Quaterniond& target) {
   const std::string expected =
-      "{ rpy_deg = [roll, pitch, yaw] }, { rpy = [...] } in rad, or { quaternion = [w, x, y, z] }";
+      "{ rpy_deg = [roll, pitch, yaw] }, { rpy = [...] } in rad, { quaternion = [w, x, y, z] }, or { axis = [x, y, z], "
+      "angle_deg = phi }";
+  if (node.kind == ConfigNode::Kind::kTable && node.table.size() == 2) return read_turn(node, target);
   if (node.kind != ConfigNode::Kind::kTable || node.table.size() != 1) return is_expected(node, expected);
   const auto& [key, value] = node.table.front();
   std::vector<double> v;

@@ -4,6 +4,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/cli/launch/box_report.h"
 #include "mbd_solver/scene/boundary_surface.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -24,6 +25,7 @@ void check_by_building(Scene scene) {
     const Mechanism mechanism = build_mechanism(scene);
     for (const std::string& warning : mechanism.warnings)
       std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
+    demand_inside_box(scene, mechanism);
   } catch (const InputError& error) {
     const std::string what = error.what();
     throw InputError(what.front() == '/' ? what : scene.file + ": " + what);
@@ -47,6 +49,7 @@ int check_command(const std::string& argument, const std::vector<std::string>& s
       "%s: good. %zu bodies (%g kg), %zu joints, %zu struts, %zu springs, %zu controllers, %zu boundaries on %s.\n",
       scene.file.c_str(), scene.bodies.size(), mass, scene.joints.size(), scene.struts.size(), scene.springs.size(),
       scene.controllers.size(), scene.boundaries.size(), grounds[static_cast<int>(scene.ground.kind)]);
+  if (scene.touches_particles() && scene.particles->box) std::fputs(box_report(scene).c_str(), stdout);
   return kExitDone;
 }
 

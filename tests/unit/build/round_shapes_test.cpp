@@ -31,10 +31,12 @@ const char* const kBall = "{ kind = \"sphere\", centre = [0, 0, 0.3], radius = 0
 const char* const kRod = "{ kind = \"rod\", from = [0, -0.15, 0], to = [0, 0.15, 0], diameter = 0.2 }";
 const char* const kTube = "{ kind = \"tube\", from = [0, -0.15, 0], to = [0, 0.15, 0], diameter = 0.2, wall = 0.02 }";
 const char* const kWheel = "{ kind = \"disc\", axis = \"y\", radius = 0.1, thickness = 0.05 }";
+const char* const kRoller = "{ kind = \"cylinder\", axis = \"y\", radius = 0.1, length = 0.3 }";
+const char* const kCapsule = "{ kind = \"capsule\", from = [0, -0.15, 0], to = [0, 0.15, 0], diameter = 0.2 }";
 const char* const kPlate = "{ kind = \"disc\", axis = \"z\", radius = 0.1, thickness = 0.05 }";
 
 TEST(RoundShape, StandsOnThePlaneWithItsLowestPlace) {
-  for (const char* shape : {kBall, kRod, kTube, kWheel})
+  for (const char* shape : {kBall, kRod, kTube, kWheel, kRoller, kCapsule})
     EXPECT_NEAR(built(shape).model.initial(0).r.z(), kRadius, 1e-15) << shape;
   EXPECT_NEAR(built(kPlate).model.initial(0).r.z(), 0.025, 1e-15);
   // Tilted: half the thickness along the axis, the radius across.
@@ -51,7 +53,10 @@ TEST(RoundShape, RollsDownASlopeAsRoundAsItIs) {
   const std::pair<const char*, double> shapes[] = {{kBall, 2.0 / 5.0},
                                                    {kRod, 1.0 / 2.0},
                                                    {kTube, 0.5 * (1.0 + inner * inner / (kRadius * kRadius))},
-                                                   {kWheel, 1.0 / 2.0}};
+                                                   {kWheel, 1.0 / 2.0},
+                                                   {kRoller, 1.0 / 2.0},
+                                                   // A cylinder 0.3 long and a ball: 9/13 and 4/13 of the mass.
+                                                   {kCapsule, (9.0 * 0.5 + 4.0 * 0.4) / 13.0}};
   for (const auto& [shape, J] : shapes) {
     const Mechanism mechanism = built(shape, {normal});
     test::Run run(mechanism.model);
@@ -104,7 +109,7 @@ TEST(RoundShape, DiscHasItsThicknessForGrains) {
 }
 
 TEST(RoundShape, DerivativesOfItsForceAreThoseOfDifferences) {
-  for (const char* shape : {kBall, kRod, kWheel, kPlate}) {
+  for (const char* shape : {kBall, kRod, kWheel, kPlate, kCapsule}) {
     for (const char* roll : {"initial.roll=0.02", "initial.roll=0.7"}) {
       const Mechanism mechanism =
           built(shape, {roll, "initial.pitch=0.4", "initial.clearance=-0.02", "ground.plane.friction_speed=0.5",

@@ -41,6 +41,44 @@ TEST(SceneMasses, BoxTurnsWithItsBodyAndKeepsItsInertiaThere) {
   EXPECT_NEAR((b.orientation * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm(), 0.0, kRoundOff);
 }
 
+TEST(SceneMasses, CylinderLiesAlongItsAxis) {
+  const BodySpec b = body_of(
+      "material = \"steel\"\nshape = { kind = \"cylinder\", centre = [1, 2, 3], axis = \"y\", radius = 0.1, length = "
+      "0.3 }\n");
+  EXPECT_NEAR(b.mass, 7850 * kPi * 0.01 * 0.3, kRoundOff * b.mass);
+  EXPECT_NEAR((b.position - Eigen::Vector3d(1, 2, 3)).norm(), 0.0, kRoundOff);
+  EXPECT_NEAR(b.inertia(1, 1), b.mass * 0.01 / 2, kRoundOff * b.mass);
+  EXPECT_NEAR(b.inertia(0, 0), b.mass * (0.01 / 4 + 0.09 / 12), kRoundOff * b.mass);
+}
+
+// m_c = rho pi r^2 L, m_b = rho 4/3 pi r^3, h = L/2: across m_c (r^2/4 + L^2/12) + m_b (2/5 r^2 + h^2 + 3/4 h r).
+TEST(SceneMasses, CapsuleIsACylinderAndABall) {
+  const BodySpec b = body_of(
+      "material = \"steel\"\nshape = { kind = \"capsule\", from = [0, 0, 1], to = [0.4, 0, 1], diameter = 0.2 }\n");
+  const double r = 0.1, L = 0.4, h = 0.2, m_c = 7850 * kPi * r * r * L, m_b = 7850 * 4.0 / 3.0 * kPi * r * r * r;
+  EXPECT_NEAR(b.mass, m_c + m_b, kRoundOff * b.mass);
+  EXPECT_NEAR((b.position - Eigen::Vector3d(0.2, 0, 1)).norm(), 0.0, kRoundOff);
+  EXPECT_NEAR(b.inertia(0, 0), m_c * r * r / 2 + m_b * 0.4 * r * r, kRoundOff * b.mass);
+  EXPECT_NEAR(b.inertia(2, 2), m_c * (r * r / 4 + L * L / 12) + m_b * (0.4 * r * r + h * h + 0.75 * h * r),
+              kRoundOff * b.mass);
+}
+
+// The file is scaled, then turned about its origin, then moved; the body's own axes are another matter. The box of
+// rock.stl is 100 x 60 x 40 mm from its origin on.
+TEST(SceneMasses, SolidOfAFileIsScaledTurnedAndMoved) {
+  const std::string file = FOOTFALL_SOURCE_DIR "/inputs/reference/rock.stl";
+  const BodySpec b =
+      body_of("material = \"steel\"\nshape = { kind = \"mesh\", file = \"" + file +
+              "\", scale = 0.001, orientation = { axis = \"z\", angle_deg = 90 }, position = [1, 0, 0] }\n"
+              "orientation = { rpy_deg = [0, 0, 90] }\n");
+  constexpr double kSingle = 1e-6;  // STL is read in single precision
+  EXPECT_NEAR(b.mass, 7850 * 0.1 * 0.06 * 0.04, kSingle * b.mass);
+  EXPECT_NEAR((b.position - Eigen::Vector3d(1 - 0.03, 0.05, 0.02)).norm(), 0.0, kSingle);
+  // Body axes along the file's.
+  EXPECT_NEAR(b.inertia(0, 0), b.mass / 12 * (0.06 * 0.06 + 0.04 * 0.04), kSingle * b.mass);
+  EXPECT_NEAR(b.inertia(1, 1), b.mass / 12 * (0.1 * 0.1 + 0.04 * 0.04), kSingle * b.mass);
+}
+
 // The closed form of the thin cap against the same surface cut into triangles: second order in their size.
 TEST(SceneMasses, DishAgreesWithItsOwnSurface) {
   const std::string entry =

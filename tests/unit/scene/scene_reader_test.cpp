@@ -25,7 +25,8 @@ std::set<std::string> difference(const std::set<std::string>& a, const std::set<
 }
 
 // Keys that contradict another key of the same entry and so cannot stand in one good scene with it.
-const std::set<std::string> kAlternatives = {"ground.plane.stiffness", "ground.plane.damping"};
+const std::set<std::string> kAlternatives = {"ground.plane.stiffness", "ground.plane.damping",
+                                             "boundaries[].surface.from_script"};
 
 // All functions of time have the same keys: those of one of them are enough.
 std::set<std::string> one_function(const std::set<std::string>& keys) {

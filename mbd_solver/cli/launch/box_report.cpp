@@ -1,0 +1,128 @@
+#include "mbd_solver/cli/launch/box_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/folder.h"
+#include "coupler/base/pi.h"
+#include "coupler/base/text.h"
+#include "coupler/base/whole_file.h"
+#include "mbd_solver/build/grain_dump.h"
+#include "mbd_solver/cli/launch/bed.h"
+#include "mbd_solver/cli/launch/bed_seal.h"
+#include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/model/rotation.h"
+#include "mbd_solver/scene/box_bed.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string percent(double share) { return number_text(100.0 * share, 2) + " %"; }
+
+// Two digits are known: 1583 -> "1600".
+std::string round_count(double count) {
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(count)) - 1.0));
+  return std::to_string(std::lround(count / unit) * std::lround(unit));
+}
+
+// How much of the slab between two heights the grains fill [-].
+double solid_fraction(const std::vector<GrainPlace>& grains, double low, double high, double area) {
+  double volume = 0.0;
+  for (const GrainPlace& grain : grains) {
+    const double r = grain.radius;
+    const double a = std::max(low - grain.centre.z(), -r), b = std::min(high - grain.centre.z(), r);
+    if (b > a) volume += kPi * (r * r * (b - a) - (b * b * b - a * a * a) / 3.0);
+  }
+  return volume / (area * (high - low));
+}
+
+std::string made_bed(const BoxSpec& box, const std::string& folder) {
+  if (!bed_is_made(folder)) return "  the bed is not made yet; the first run makes and keeps it\n";
+  const std::vector<GrainPlace> grains = read_grains((fs::path(folder) / kBedGrains).string());
+  double highest = -box.depth;
+  for (const GrainPlace& grain : grains) highest = std::max(highest, grain.centre.z() + grain.radius);
+  const double inner = solid_fraction(grains, -0.75 * box.depth, -0.25 * box.depth, box.size[0] * box.size[1]);
+  return "  the bed is made: " + std::to_string(grains.size()) +
+         " grains, the highest reaches z = " + number_text(highest, 3) + " m, solid fraction " + number_text(inner, 2) +
+         " in its middle half\n  " + short_path(folder) + "\n";
+}
+
+std::string toml_table(const std::map<std::string, std::string>& variables) {
+  std::string text;
+  for (const auto& [name, value] : variables) text += name + " = \"" + value + "\"\n";
+  return text;
+}
+
+}  // namespace
+
+std::string box_report(const Scene& scene) {
+  const ParticlesSpec& particles = *scene.particles;
+  const BoxSpec& box = *particles.box;
+  const BoxNumbers n = box_numbers(scene);
+  std::string radii = number_text(box.radius.front());
+  if (box.radius.size() > 1) radii += " and " + number_text(box.radius.back());
+  std::string text = "Bed: " + number_text(box.size[0]) + " x " + number_text(box.size[1]) + " m, " +
+                     number_text(box.depth) + " m deep: floor at z = " + number_text(-box.depth) +
+                     " m, surface at z = 0; about " + round_count(n.grains) + " grains of radius " + radii + " m\n";
+  text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +
+          (box.periodic ? "none beside it (periodic)\n" : number_text(n.margin) + " m beside the walls\n");
+  text += "  time step: " + number_text(n.time_step) + " s, " + percent(n.time_step / n.rayleigh) +
+          " of the Rayleigh time, " + percent(n.time_step / n.hertz) + " of the Hertz time; window: " +
+          (box.every ? std::to_string(*box.every) + " steps\n" : "chosen during the run\n");
+  return text + made_bed(box, bed_folder(*particles.bed));
+}
+
+void demand_inside_box(const Scene& scene, const Mechanism& mechanism) {
+  if (!scene.touches_particles() || !scene.particles->box) return;
+  const BoxSpec& box = *scene.particles->box;
+  const BoxNumbers n = box_numbers(scene);
+  constexpr double kOnTheSide = 1e-6;  // of the box
+  for (const BodyBoundary& entry : mechanism.boundaries) {
+    const BodyState& start = mechanism.model.initial(entry.body);
+    const Eigen::Matrix3Xd x = (rotation_matrix(start.L) * entry.boundary.rho0()).colwise() + start.r;
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      const double reach = 0.5 * box.size[k] + n.margin + kOnTheSide * box.size[k];
+      const double farthest = (x.row(axis).array() - box.centre[k]).abs().maxCoeff();
+      if (farthest > reach && entry.boundary.segments().empty())
+        throw InputError("body \"" + entry.boundary.name() + "\" reaches " + number_text(farthest, 4) +
+                         " m from the middle of the bed along " + (axis == 0 ? "x" : "y") + ", the simulation box " +
+                         number_text(reach, 4) +
+                         " m; make particles.box.size or particles.box.margin larger, or place the body inside");
+    }
+    const double top = x.row(2).maxCoeff();
+    if (top > n.headroom * (1.0 + kOnTheSide) && entry.boundary.segments().empty())
+      throw InputError("body \"" + entry.boundary.name() + "\" reaches up to z = " + number_text(top, 4) +
+                       " m, the simulation box to " + number_text(n.headroom, 4) +
+                       " m; make particles.box.headroom larger");
+  }
+}
+
+void keep_box_scripts(const Scene& scene, const std::string& out) {
+  if (!scene.touches_particles() || !scene.particles->box) return;
+  const ParticlesSpec& particles = *scene.particles;
+  const fs::path folder = fs::path(out) / "script";
+  make_folder(folder.string(), "choose another folder with --out");
+  for (const char* name : {"in.bed", "in.grains", "material.lammps", "walls.lammps", "energy.lammps"}) {
+    const std::string source = box_script(name);
+    const std::optional<std::string> text = read_whole_file(source);
+    if (!text) throw InputError(source + ": cannot be read");
+    write_whole_file((folder / name).string(), *text);
+  }
+  std::string text =
+      "# What [particles.box] of the scene stood for. To go on from these scripts, copy this folder beside the scene,\n"
+      "# put these lines in the place of [particles] and [particles.box], and edit the scripts.\n";
+  text += "[particles]\nscript = \"script/in.grains\"\nranks = " + std::to_string(particles.ranks) +
+          "\nsurface_height = " + number_text(*particles.surface_height, 12) +
+          "\nmax_time_step = " + number_text(particles.max_time_step, 12) + "\n[particles.variables]\n" +
+          toml_table(particles.variables) + "[particles.bed]\nscript = \"script/in.bed\"\n[particles.bed.variables]\n" +
+          toml_table(particles.bed->variables);
+  write_whole_file((folder / "particles.toml").string(), text);
+}
+
+}  // namespace footfall

@@ -1,0 +1,209 @@
+#include "mbd_solver/scene/box_bed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/scene/grain_time_step.h"
+
+namespace footfall {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Variables = std::map<std::string, std::string>;
+
+constexpr double kLooseFraction = 0.55, kDenseFraction = 0.61;  // solid fraction of settled beds [-]
+constexpr double kBelowSurface = 1.3;                           // radii that the mean surface lies below z = 0
+constexpr double kPouredHeight = 2.4;                           // of the loose column, over the depth of the bed
+constexpr double kPourFriction = 0.05;                          // packing = "dense"
+constexpr int kDigits = 12;
+
+std::string number(double value) { return number_text(value, kDigits); }
+
+ElasticGrain smallest_grain(const BoxSpec& box) {
+  const GrainMaterialSpec& m = box.material;
+  return {*std::min_element(box.radius.begin(), box.radius.end()), m.density, m.young, m.poisson};
+}
+
+// Speed of the uppermost grain that is poured [m/s].
+double pour_speed(const Scene& scene) {
+  return std::sqrt(2.0 * scene.gravity.norm() * (kPouredHeight - 1.0) * scene.particles->box->depth);
+}
+
+// The largest speed that is known before the run [m/s].
+double known_speed(const Scene& scene) {
+  double speed = std::max(pour_speed(scene), scene.initial.velocity.norm());
+  for (const BodyVelocitySpec& body : scene.initial.bodies)
+    speed = std::max(speed, body.velocity.value_or(Eigen::Vector3d::Zero()).norm());
+  return speed;
+}
+
+// `fraction` of the Rayleigh time, half of it of the Hertz time.
+double step_for(const BoxSpec& box, double speed) {
+  const ElasticGrain grain = smallest_grain(box);
+  return rounded_down(
+      std::min(box.rayleigh_fraction * rayleigh_time(grain), 0.5 * box.rayleigh_fraction * hertz_time(grain, speed)));
+}
+
+std::string contact_model(const BoxSpec& box) {
+  const GrainMaterialSpec& m = box.material;
+  std::string model = "hertz tangential history";
+  if (std::max(m.cohesion, box.bodies.cohesion.value_or(0.0)) > 0.0)
+    model += " cohesion " + std::string(name_of(m.cohesion_model));
+  if (m.rolling_model != RollingModel::kNone) model += " rolling_friction " + std::string(name_of(m.rolling_model));
+  return model;
+}
+
+bool is_prime(int n) {
+  for (int d = 2; static_cast<long>(d) * d <= n; ++d)
+    if (n % d == 0) return false;
+  return n > 1;
+}
+
+// LIGGGHTS wants primes above 10000; none of these is a seed of the scripts.
+int prime_of(int seed) {
+  int n = 20000000;
+  for (int k = 0; k < seed; ++k)
+    while (!is_prime(++n)) {
+    }
+  return n;
+}
+
+// What the script of the bed and that of the run must have alike.
+Variables common_variables(const Scene& scene) {
+  const BoxSpec& box = *scene.particles->box;
+  const GrainMaterialSpec& m = box.material;
+  const Eigen::Vector3d down = scene.gravity.normalized();
+  return {{"length", number(box.size[0])},
+          {"width", number(box.size[1])},
+          {"depth", number(box.depth)},
+          {"x", number(box.centre[0])},
+          {"y", number(box.centre[1])},
+          {"periodic", box.periodic ? "1" : "0"},
+          {"radius_1", number(box.radius.front())},
+          {"radius_2", number(box.radius.back())},
+          {"g", number(scene.gravity.norm())},
+          {"gx", number(down.x())},
+          {"gy", number(down.y())},
+          {"gz", number(down.z())},
+          {"model", contact_model(box)},
+          {"young", number(m.young)},
+          {"poisson", number(m.poisson)},
+          {"body_young", number(box.bodies.young)},
+          {"body_poisson", number(box.bodies.poisson)},
+          {"restitution", number(m.restitution)},
+          {"cohesion", number(m.cohesion)}};
+}
+
+Variables bed_variables(const Scene& scene) {
+  const BoxSpec& box = *scene.particles->box;
+  const BoxNumbers numbers = box_numbers(scene);
+  const bool dense = box.packing == Packing::kDense;
+  const double share = box.radius.size() < 2 ? 0.0
+                       : box.shares.empty()  ? 0.5
+                                             : box.shares[1] / (box.shares[0] + box.shares[1]);
+  Variables all = common_variables(scene);
+  all["margin"] = number(numbers.margin);
+  all["headroom"] = number(numbers.headroom);
+  all["share_2"] = number(share);
+  all["density"] = number(box.material.density);
+  all["seed"] = std::to_string(prime_of(box.seed));
+  all["dt"] = number(step_for(box, pour_speed(scene)));
+  all["pour_friction"] = number(dense ? kPourFriction : box.material.friction);
+  all["pour_rolling"] = number(dense ? 0.0 : box.material.rolling_friction);
+  return all;
+}
+
+Variables run_variables(const Scene& scene) {
+  const BoxSpec& box = *scene.particles->box;
+  const GrainMaterialSpec& m = box.material;
+  const BodyContactSpec& b = box.bodies;
+  Variables all = common_variables(scene);
+  all["dt"] = number(box_numbers(scene).time_step);
+  all["every"] = box.every ? std::to_string(*box.every) : "auto";
+  all["frames"] = number(box.frames);
+  all["friction"] = number(m.friction);
+  all["rolling"] = number(m.rolling_friction);
+  all["body_friction"] = number(b.friction.value_or(m.friction));
+  all["body_rolling"] = number(b.rolling_friction.value_or(m.rolling_friction));
+  all["body_restitution"] = number(b.restitution.value_or(m.restitution));
+  all["body_cohesion"] = number(b.cohesion.value_or(m.cohesion));
+  int meshes = 0, beams = 0;
+  std::string bodies, ids, pairs = "gravity scene", chains;
+  for (const BoundarySpec& boundary : scene.boundaries) {
+    const std::string& name = boundary.body;
+    if (boundary.surface) {
+      const std::string gap = meshes++ == 0 ? "" : " ";
+      bodies += gap + name;
+      ids += gap + "mesh_" + name;
+      pairs += " mesh mesh_" + name + " " + name;
+    }
+    if (boundary.beams) chains += (beams++ == 0 ? "body " : " body ") + name;
+  }
+  all["mesh_count"] = std::to_string(meshes);
+  all["beam_count"] = std::to_string(beams);
+  all["couples"] = pairs;
+  if (meshes > 0) all["mesh_bodies"] = bodies;
+  if (meshes > 0) all["meshes"] = ids;
+  if (beams > 0) all["beams"] = chains;
+  return all;
+}
+
+}  // namespace
+
+std::string box_script(const std::string& name) {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+  const fs::path installed = (program / "../share/footfall/box" / name).lexically_normal();
+  if (fs::is_regular_file(installed, error)) return installed.string();
+  const fs::path source = fs::path(FOOTFALL_INPUTS) / "box" / name;
+  if (fs::is_regular_file(source, error)) return source.string();
+  throw InputError("the script " + name + " that footfall brings along is neither " + installed.string() + " nor " +
+                   source.string() + "; install footfall again, or build it from a whole checkout");
+}
+
+BoxNumbers box_numbers(const Scene& scene) {
+  const BoxSpec& box = *scene.particles->box;
+  const ElasticGrain grain = smallest_grain(box);
+  const double largest = *std::max_element(box.size.begin(), box.size.end());
+  BoxNumbers n;
+  n.rayleigh = rayleigh_time(grain);
+  n.hertz = hertz_time(grain, known_speed(scene));
+  n.time_step = box.time_step.value_or(step_for(box, known_speed(scene)));
+  if (!box.time_step && scene.particles->source.given("max_time_step"))
+    n.time_step = std::min(n.time_step, scene.particles->max_time_step);
+  n.headroom = box.headroom.value_or(largest);
+  n.margin = box.periodic ? 0.0 : box.margin.value_or(0.25 * largest);
+  const double filled = box.depth - kBelowSurface * *std::max_element(box.radius.begin(), box.radius.end());
+  const double volume =
+      (box.packing == Packing::kDense ? kDenseFraction : kLooseFraction) * box.size[0] * box.size[1] * filled;
+  for (std::size_t i = 0; i < box.radius.size(); ++i) {
+    const bool alike = box.shares.empty() || box.radius.size() < 2;
+    const double share =
+        alike ? 1.0 / static_cast<double>(box.radius.size()) : box.shares[i] / (box.shares[0] + box.shares[1]);
+    n.grains += share * volume / (4.0 / 3.0 * kPi * std::pow(box.radius[i], 3));
+  }
+  return n;
+}
+
+void resolve_box(Scene& scene, Findings& findings) {
+  if (!scene.particles || !scene.particles->box || !check_box(scene, findings)) return;
+  ParticlesSpec& particles = *scene.particles;
+  if (!particles.script.empty() || particles.bed) return;  // a scene for other ground that holds both
+  try {
+    particles.script = box_script("in.grains");
+    particles.bed = BedSpec{box_script("in.bed"), bed_variables(scene)};
+  } catch (const InputError& e) {
+    findings.error(particles.source, "box", e.what());
+    return;
+  }
+  particles.variables.merge(run_variables(scene));
+  if (!particles.surface_height) particles.surface_height = 0.0;
+  if (!particles.source.given("max_time_step")) particles.max_time_step = box_numbers(scene).time_step;
+}
+
+}  // namespace footfall

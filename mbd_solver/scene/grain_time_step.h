@@ -1,0 +1,24 @@
+#pragma once
+// Which time step the grains can take.
+
+namespace footfall {
+
+struct ElasticGrain {
+  double radius;   // r [m]
+  double density;  // rho [kg/m3]
+  double young;    // E [Pa]
+  double poisson;  // nu [-]
+};
+
+// How long a Rayleigh wave takes around a grain [s]:
+//   pi r sqrt(rho / G) / (0.1631 nu + 0.8766),  G = E / (2 (1 + nu))
+double rayleigh_time(const ElasticGrain& grain);
+
+// How long two equal grains touch that meet at `speed` [m/s] > 0, by Hertz [s]:
+//   2.87 (m*^2 / (r* E*^2 speed))^(1/5),  m* = m / 2, r* = r / 2, E* = E / (2 (1 - nu^2))
+double hertz_time(const ElasticGrain& grain, double speed);
+
+// The largest number of two digits that is not above the value > 0: 8.84e-5 -> 8.8e-5.
+double rounded_down(double value);
+
+}  // namespace footfall

@@ -1,0 +1,113 @@
+#include "mbd_solver/scene/script_mesh.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/nearest_name.h"
+#include "coupler/base/pi.h"
+#include "mbd_solver/scene/script_text.h"
+
+namespace footfall {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+// Word `at` as a number. Throws InputError.
+double number_at(const Words& words, std::size_t at) {
+  const std::string word = at < words.size() ? words[at] : "";
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end != '\0') throw InputError("\"" + word + "\" stands where a number is expected");
+  return value;
+}
+
+Eigen::Vector3d vector_at(const Words& words, std::size_t at) {
+  return {number_at(words, at), number_at(words, at + 1), number_at(words, at + 2)};
+}
+
+// Throws InputError: what the line says cannot be taken over.
+void take_over(const ScriptCommand& command, const std::string& here, SurfaceSpec& surface) {
+  const Words& w = command.words;
+  double scale = 1.0;
+  Eigen::Quaterniond R = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  std::string file;
+  for (std::size_t i = 4; i < w.size(); ++i) {
+    if (w[i] == "file" && i + 1 < w.size()) file = w[++i];
+    if (w[i] == "fix") throw InputError("it gets its triangles from another fix, expected a file");
+    if (w[i] == "scale") {
+      const double factor = number_at(w, ++i);
+      if (!(factor > 0.0)) throw InputError("its scale is not positive");
+      scale *= factor;
+      p *= factor;
+    } else if (w[i] == "move") {
+      p += vector_at(w, i + 1);
+      i += 3;
+    } else if (w[i] == "rotate") {
+      if (i + 6 >= w.size() || w[i + 1] != "axis" || w[i + 5] != "angle")
+        throw InputError("expected: rotate axis x y z angle phi");
+      const Eigen::Vector3d axis = vector_at(w, i + 2);
+      if (axis.isZero(0.0)) throw InputError("its axis of rotation is zero");
+      const Eigen::Quaterniond Q(Eigen::AngleAxisd(number_at(w, i + 6) * kPi / 180.0, axis.normalized()));
+      R = (Q * R).normalized();
+      p = Q * p;
+      i += 6;
+    }
+  }
+  if (file.empty()) throw InputError("it names no file");
+  std::error_code ignored;
+  const fs::path near = fs::path(here) / file;
+  const fs::path found = fs::exists(near, ignored) ? near : fs::path(file);
+  if (!fs::is_regular_file(found, ignored))
+    throw InputError("its file \"" + file + "\" is neither in the script's folder nor where it is named from");
+  surface.file = fs::absolute(found, ignored).lexically_normal().string();
+  surface.scale = scale;
+  surface.orientation = R;
+  surface.position = p;
+}
+
+bool is_mesh(const ScriptCommand& command) {
+  return command.words.size() > 3 && command.words[0] == "fix" && command.words[3].rfind("mesh/surface", 0) == 0;
+}
+
+}  // namespace
+
+void resolve_script_meshes(Scene& scene, Findings& findings) {
+  for (BoundarySpec& boundary : scene.boundaries) {
+    if (!boundary.surface || boundary.surface->from_script.empty()) continue;
+    const std::string& id = boundary.surface->from_script;
+    const auto refuse = [&](const std::string& what) { findings.error(boundary.source, "surface.from_script", what); };
+    for (const char* key : {"file", "scale", "position", "orientation", "element_size"})
+      if (boundary.source.given(std::string("surface.") + key))
+        findings.error(boundary.source, std::string("surface.") + key,
+                       "stands beside from_script, which gives it; keep one");
+    if (!scene.particles || !scene.particles->source.given("script")) {
+      refuse("names the mesh \"" + id + "\" of a script, but the scene has no particles.script");
+      continue;
+    }
+    const std::string& file = scene.particles->script;
+    const ScriptText script(file, scene.particles->variables);
+    Words known;
+    const ScriptCommand* found = nullptr;
+    for (const ScriptCommand& command : script.commands()) {
+      if (!is_mesh(command)) continue;
+      known.push_back(command.words[1]);
+      if (command.words[1] == id) found = &command;
+    }
+    if (!found) {
+      refuse("there is no fix mesh/surface \"" + id + "\" in the script." + known_names("meshes", id, known));
+      continue;
+    }
+    try {
+      take_over(*found, fs::path(file).parent_path().string(), *boundary.surface);
+    } catch (const InputError& e) {
+      refuse("mesh \"" + id + "\" (" + found->file + ":" + std::to_string(found->line) + "): " + e.what());
+    }
+  }
+}
+
+}  // namespace footfall
