@@ -10,8 +10,6 @@
 
 namespace footfall {
 
-inline constexpr double kKeepEvery = 60.0;  // [s]
-
 struct RunOptions {
   std::string out = "out";  // folder for history.csv, summary.json, VTU
   double until = 0.0;       // end earlier than the scene [s]; 0: the scene's end
