@@ -26,7 +26,7 @@ Kratos (`basic_benchmarks/benchmark5DEM.mdpa`) and PySPH, 6 as in Kratos (`bench
 | 6 | aluminium alloy | 70 | 0.33 | 2700 | 0.1 | 0.2 down, spinning | 0.4 | 0.5 |
 
 - Peak, overlap and time of contact: Hertz. Restitution: the one that the script asks for (`limitForce on` takes the pull at the end of a contact away, and gives more: 0.32 for 0.2).
-- Speed along the plane and spin: a sphere that slides all through the contact, by Coulomb's impulse with the normal impulse that is found, at the arm of one radius (LIGGGHTS takes half the overlap off it). With
+- Speed along the plane and spin: a sphere that slides all through the contact, by Coulomb's impulse with the normal impulse that is found, at the arm of one radius less half the overlap, as LIGGGHTS takes it (1.1 % on polyethylene, else nothing). With
   `limitForce on tangential_damping off`: by default LIGGGHTS' tangential damping exceeds Coulomb's limit until the sphere slides, by 9 % of the impulse at e = 0.5. Angles and speeds at which a sphere sticks
   for a part of the contact have no closed form and are left out.
 

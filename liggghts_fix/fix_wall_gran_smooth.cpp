@@ -107,6 +107,8 @@ void FixWallGranSmooth::find_touches(FixMeshSurface& mesh_fix, const SmoothMesh&
   const int grains = atom->nlocal;
   if (last_.size() < static_cast<std::size_t>(grains)) last_.resize(static_cast<std::size_t>(grains), -1);
   touches_.clear();
+  const double reach = kSlack * std::max(1.0, neighbor->contactDistanceFactor);  // [of the grain's radius]
+  const double bulge = smooth.round ? smooth.round->largest_bulge() : 0.0;
   for (int element = 0; element < mesh.size(); ++element) {
     const std::vector<int>& near = neighbours.get_contact_list(element);
     if (near.empty()) continue;
@@ -115,8 +117,17 @@ void FixWallGranSmooth::find_touches(FixMeshSurface& mesh_fix, const SmoothMesh&
     Touch touch;
     touch.element = element;
     touch.nearest.facet = mesh.id(element);
+    // The ball around the facet: most grains of the list are not near it.
+    const Eigen::Map<const Eigen::Vector3d> a(nodes[element][0]), b(nodes[element][1]), c(nodes[element][2]);
+    const Eigen::Vector3d centre = (a + b + c) / 3.0;
+    const double around =
+        kSlack *
+            std::sqrt(std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(), (c - centre).squaredNorm()})) +
+        bulge;
     for (const int grain : near) {
       if (grain >= grains) continue;  // of another rank
+      const double farthest = reach * radius_[grain] + around;
+      if ((Eigen::Map<const Eigen::Vector3d>(x_[grain]) - centre).squaredNorm() > farthest * farthest) continue;
       touch.grain = grain;
       if (!reaches(smooth, mesh, nodes[element], normal, touch)) continue;
       int& last = last_[static_cast<std::size_t>(grain)];

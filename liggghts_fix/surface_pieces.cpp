@@ -129,6 +129,7 @@ bool SurfacePieces::inside_piece(int facet, const std::array<double, 3>& weights
 }
 
 bool yields(const FacetTouch& facet, const FacetTouch& other, const SurfacePieces& pieces) {
+  if (other.gap > facet.gap) return false;
   if (!pieces.curved() && (facet.on_border || other.on_border)) return false;
   const auto place = [](const FacetTouch& touch) { return std::tuple(touch.gap, !touch.acts, touch.facet); };
   return place(other) < place(facet) && pieces.are_neighbours(facet.facet, other.facet);

@@ -186,14 +186,18 @@ TEST(WallTests, Test3RestitutionIsTheOneGiven) {
 const char* const kCoulomb = " limitForce on tangential_damping off";
 
 // While a sphere slides all through the contact, friction gives mu times the normal impulse J = (1 + e) m v_n, with the
-// restitution e that is found: along the plane J_t = mu J against the sliding, and the spin changes by J_t r / I.
+// restitution e that is found: along the plane J_t = mu J against the sliding, and the spin changes by J_t a / I. The arm
+// a is shorter than the radius by half the overlap, as LIGGGHTS takes it; its mean over an elastic impulse,
+//   int s F dt / int F dt = s_max B(1.4, 0.5) / B(1, 0.5),
+// matters on polyethylene alone (1.1 %).
 void expect_sliding(const std::string& test, const std::string& where, const Sphere& s, double mu, const Throw& before,
                     const Throw& after, double tolerance) {
   const double J_t = mu * s.mass() * (after.v.z() - before.v.z());
   const double slip = before.v.x() - s.radius * before.omega.y();  // of the point of contact
   const double side = slip > 0.0 ? 1.0 : -1.0;
   const double v = before.v.x() - side * J_t / s.mass();
-  const double omega = before.omega.y() + side * J_t * s.radius / s.inertia();
+  const double mean_overlap = std::beta(1.4, 0.5) / std::beta(1.0, 0.5) * hertz(s, -before.v.z()).overlap;
+  const double omega = before.omega.y() + side * J_t * (s.radius - 0.5 * mean_overlap) / s.inertia();
   EXPECT_LT(compare(test, where + ": speed along the plane [m/s]", v, after.v.x()), tolerance);
   EXPECT_LT(compare(test, where + ": spin [rad/s]", omega, after.omega.y()), tolerance);
 }
