@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "mbd_solver/cli/analysis/replay_script.h"
+#include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/output/vtk_writer.h"
-#include "mbd_solver/scene/mesh_reader.h"
 
 namespace footfall {
 
