@@ -9,13 +9,14 @@ rooms=(coupler/base coupler liggghts_fix
   mbd_solver/{fe,model,model/laws,model/elements,model/controllers,dynamics,integrator}
   mbd_solver/{scene,build,coupling,output,observe,run} mbd_solver/cli/{launch,analysis,experiments})
 
-# "from" -> "to" for every include that crosses two rooms; model/joints belongs to model, coupler/schemes to coupler.
+# "from" -> "to" for every include that crosses two rooms; model/joints belongs to model, coupler/schemes to coupler, cli/analysis/viewer to
+# cli/analysis.
 arrows() {
   local room
   for room in "${rooms[@]}"; do
     [[ -d $room ]] || continue
-    find "$room" $([[ $room == coupler ]] && echo coupler/schemes) -maxdepth 1 -name '*.h' -o -maxdepth 1 -name '*.cpp' | sort | xargs grep -hoE '^#include "(coupler|liggghts_fix|mbd_solver)/[^"]*"' |
-      sed -E 's/#include "(.*)\/[^/]*"/\1/; s,model/joints,model,; s,coupler/schemes,coupler,' | sort -u | while read -r to; do
+    find "$room" $([[ $room == coupler ]] && echo coupler/schemes) $([[ $room == */analysis ]] && echo "$room/viewer") -maxdepth 1 -name '*.h' -o -maxdepth 1 -name '*.cpp' | sort | xargs grep -hoE '^#include "(coupler|liggghts_fix|mbd_solver)/[^"]*"' |
+      sed -E 's/#include "(.*)\/[^/]*"/\1/; s,model/joints,model,; s,coupler/schemes,coupler,; s,analysis/viewer,analysis,' | sort -u | while read -r to; do
         [[ $to == "$room" ]] || echo "  \"$room\" -> \"$to\";"
       done
   done

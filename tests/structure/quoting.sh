@@ -12,12 +12,13 @@ mapfile -t scripts < <(sources 'set terminal|set output|with lines')
 while IFS= read -r line; do
   complain "$line: a value in quotes; use gnuplot_text"
 done < <(grep -nE "(^|[^\\\\])(\\\\\"|')\" *(<<|\+) *[A-Za-z(]" "${scripts[@]}" | grep -vE 'InputError|known_names|is not one of|no value|has more|positive\(')
-# HTML: tags are written by the page alone.
+# HTML: tags are written by the pages alone. What page_parts.cpp puts into scripts has its own escapes (PageParts.NoTextOfASceneEndsItsElement).
+pages=(mbd_solver/cli/analysis/html_page.cpp mbd_solver/cli/analysis/viewer/view_page.cpp)
 while IFS= read -r file; do
-  [[ $file == mbd_solver/cli/analysis/html_page.cpp ]] || complain "$file: writes HTML; html_page.h does that"
+  [[ " ${pages[*]} mbd_solver/cli/analysis/viewer/page_parts.cpp " == *" $file "* ]] || complain "$file: writes HTML; html_page.h does that"
 done < <(sources '"[^"]*<(p|td|th|h[12]|pre|a|img|table|div|script)[ >]')
-grep -nE '(\+|=) *(text|heading|label|line|words|title_|caption)\b' mbd_solver/cli/analysis/html_page.cpp | grep -vE 'html_text|for \(|std::string (text|words) =' &&
-  complain "html_page.cpp: text that is not escaped"
+grep -nE '(\+|=) *(text|heading|label|line|words|title_?|caption|note|folder)\b' "${pages[@]}" | grep -vE 'html_text|for \(|std::string (text|words) =' &&
+  complain "a page holds text that is not escaped"
 # Shell: a line is made of shell_word, and the one command that a shell reads is fixed.
 while IFS=: read -r file number text; do
   [[ $file == mbd_solver/cli/launch/bed.cpp && $text == *'popen("dpkg-query'* || $file == liggghts_fix/no_programs.cpp ]] ||

@@ -68,8 +68,7 @@ std::vector<Moment> read_moments(const PicturesArguments& a, const Json& summary
         "footfall: the run drew no bodies (--set output.vtk=true does); only what touches the grains is shown\n");
   std::vector<Moment> moments;
   for (const std::size_t k : chosen)
-    moments.push_back(
-        {times[k], read_bed_frame(files[k]), shapes.empty() ? MechanismShape{} : shapes.near(times[k])});
+    moments.push_back({times[k], read_bed_frame(files[k]), shapes.empty() ? MechanismShape{} : shapes.near(times[k])});
   return moments;
 }
 

@@ -34,7 +34,10 @@ std::vector<std::string> missing_of(const Json& summary, const PageParts& parts)
     missing.push_back(
         "The run dumped no grains, so none are shown. Where its script knows the variable, run it with "
         "--set particles.variables.frames=0.01; else add a dump of id x y z vx vy vz radius to the script.");
-  if (parts.run.at("bodies").is_null()) missing.push_back("The run drew no bodies. Run it with --set output.vtk=true.");
+  if (parts.run.at("bodies").is_null())
+    missing.push_back(
+        "There are no drawings of bodies: either output.vtk was false, or no body of the scene has a shape or a "
+        "boundary.");
   return missing;
 }
 
