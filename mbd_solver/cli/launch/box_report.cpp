@@ -70,7 +70,7 @@ std::string box_report(const Scene& scene) {
                      number_text(box.depth) + " m deep: floor at z = " + number_text(-box.depth) +
                      " m, surface at z = 0; about " + round_count(n.grains) + " grains of radius " + radii + " m\n";
   text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +
-          (box.periodic ? "none beside it (periodic)\n" : number_text(n.margin) + " m beside the walls\n");
+          (box.periodic ? "beside it the bed goes on (periodic)\n" : number_text(n.margin) + " m beside the walls\n");
   text += "  time step: " + number_text(n.time_step) + " s, " + percent(n.time_step / n.rayleigh) +
           " of the Rayleigh time, " + percent(n.time_step / n.hertz) + " of the Hertz time; window: " +
           (box.every ? std::to_string(*box.every) + " steps\n" : "chosen during the run\n");
@@ -85,7 +85,7 @@ void demand_inside_box(const Scene& scene, const Mechanism& mechanism) {
   for (const BodyBoundary& entry : mechanism.boundaries) {
     const BodyState& start = mechanism.model.initial(entry.body);
     const Eigen::Matrix3Xd x = (rotation_matrix(start.L) * entry.boundary.rho0()).colwise() + start.r;
-    for (int axis = 0; axis < 2; ++axis) {
+    for (int axis = 0; axis < 2 && !box.periodic; ++axis) {
       const auto k = static_cast<std::size_t>(axis);
       const double reach = 0.5 * box.size[k] + n.margin + kOnTheSide * box.size[k];
       const double farthest = (x.row(axis).array() - box.centre[k]).abs().maxCoeff();
