@@ -121,6 +121,8 @@ ExperimentSpec read_experiment(const std::string& file) {
   TableReader t(file, "", root);
   t.take("title", s.title, "x_name", s.x_name, "scene", s.scene, "settings", s.settings, "until", s.until, "time_limit",
          s.time_limit, "repeats", s.repeats, "minimise", s.minimise);
+  // Nobody looks at hundreds of runs one by one; the file may ask for drawings all the same.
+  s.settings.insert(s.settings.begin(), "output.vtk=false");
   take_table(t, "short", [&](TableReader& form) { form.take("until", s.short_until, "settings", s.short_settings); });
   take_table(t, "reference", [&](TableReader& reference) {
     s.reference.emplace();

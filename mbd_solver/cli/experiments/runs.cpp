@@ -155,8 +155,7 @@ class Planner {
       RunRequest r;
       r.name = file_name(name) + (name.empty() || combination.name.empty() ? "" : "__") + combination.name;
       r.scene = combination.scene.empty() ? scene : combination.scene;
-      r.settings = {"output.vtk=false"};  // hundreds of runs are not looked at one by one; the file may ask for it
-      append(r.settings, spec_.settings);
+      r.settings = spec_.settings;
       if (short_) append(r.settings, spec_.short_settings);
       append(r.settings, settings);
       append(r.settings, combination.settings);

@@ -63,6 +63,7 @@ std::vector<RunRequest> growth_runs(const GrowthSpec& growth, const std::string&
       request.name = run_name(scheme, omega_h);
       request.scene = scene;
       request.settings = {"output.plots=false",
+                          "output.vtk=false",
                           "coupling.scheme=" + scheme,
                           "coupling.stop_on_energy_gain=false",
                           "particles.variables.every=" + std::to_string(n),

@@ -28,6 +28,16 @@ std::string complaint(const std::string& text) {
   return what;
 }
 
+TEST(ReadExperiment, AsksForNoDrawingsUnlessTheFileDoes) {
+  const std::string path = (std::filesystem::temp_directory_path() / "footfall_experiment_drawings.toml").string();
+  std::ofstream(path) << "scene = \"scene.toml\"\nsettings = [\"output.vtk=true\"]\n"
+                         "[[parameters]]\nname = \"v\"\nsettings = [\"x={value}\"]\nvalues = [1]\n"
+                         "[[figures]]\nname = \"m\"\nkey = \"k\"\n";
+  // The last word counts.
+  EXPECT_EQ(read_experiment(path).settings, (std::vector<std::string>{"output.vtk=false", "output.vtk=true"}));
+  std::filesystem::remove(path);
+}
+
 TEST(ReadExperiment, SaysWhatIsWrongWithCurvesAndFigures) {
   const std::string curve =
       "[reference]\n[[curves]]\nname = \"c\"\nsettings = [\"x={value}\", \"y={beside}\"]\nvalues = [1, 2]\n";
