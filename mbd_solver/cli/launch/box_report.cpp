@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string percent(double share) { return number_text(100.0 * share, 2) + " %"; }
+std::string share_text(double share) { return number_text(100.0 * share, 2) + " %"; }
 
 // Two digits are known: 1583 -> "1600".
 std::string round_count(double count) {
@@ -71,8 +71,8 @@ std::string box_report(const Scene& scene) {
                      " m, surface at z = 0; about " + round_count(n.grains) + " grains of radius " + radii + " m\n";
   text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +
           (box.periodic ? "beside it the bed goes on (periodic)\n" : number_text(n.margin) + " m beside the walls\n");
-  text += "  time step: " + number_text(n.time_step) + " s, " + percent(n.time_step / n.rayleigh) +
-          " of the Rayleigh time, " + percent(n.time_step / n.hertz) + " of the Hertz time; window: " +
+  text += "  time step: " + number_text(n.time_step) + " s, " + share_text(n.time_step / n.rayleigh) +
+          " of the Rayleigh time, " + share_text(n.time_step / n.hertz) + " of the Hertz time; window: " +
           (box.every ? std::to_string(*box.every) + " steps\n" : "chosen during the run\n");
   return text + made_bed(box, bed_folder(*particles.bed));
 }
