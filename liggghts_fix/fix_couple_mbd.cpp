@@ -92,6 +92,7 @@ void FixCoupleMbd::init() {
   script.may_end_early = !arguments_.end_of_scene;
   if (arguments_.gravity_of_scene) read_gravity(*modify, script);
   warn_of_clumps(*modify, script);
+  if (!link_.started()) warn_of_radius(lmp, script);
   link_.start(std::move(script));
   footfall::work_is_under_way();
   rows_of_output_.clear();

@@ -27,7 +27,7 @@ constexpr int kSide = 10;  // so many scenes side by side in x and y
 constexpr int kSideOnRanks = 3;
 constexpr double kCell = 0.4;  // [m]
 constexpr double kDt = 5e-5;   // [s]
-constexpr int kEvery = 5, kWindows = 24;
+constexpr int kEvery = 5, kWindows = 16;
 // Of the largest load on the body. Places of 4 m are rounded by 4e-16 m, overlaps of 1e-4 m so by 1e-11 at the worst.
 constexpr double kRoundOff = 1e-8;
 
@@ -208,7 +208,7 @@ Loads run(const World& w, const std::string& name) {
   const Outcome outcome = folder.mpirun("-np " + std::to_string(w.ranks) + " " + RunFolder::program("liggghts_mbd") +
                                             " -in in.grains -log log -screen none : -np 1 " +
                                             RunFolder::program("mbd_solver") + " scene.toml --quiet --out out",
-                                        120);
+                                        300);
   unsetenv(kAuditFolder);
   EXPECT_EQ(outcome.exit_code, 0) << name << ": " << outcome.text.substr(0, 2000);
   Loads loads;
@@ -324,7 +324,7 @@ void expect_same(unsigned seed, const char* model, int side, const std::vector<V
     touched += std::any_of(loads.begin(), loads.end(), [](const auto& load) { return !load.isZero(0.0); }) ? 1 : 0;
   std::printf("seeds %u to %u: %zu bodies, %d touched, %zu grains\n", seed,
               seed + static_cast<unsigned>(side * side) - 1, expected.size(), touched, world.grains.size());
-  EXPECT_GT(touched, 8 * static_cast<int>(expected.size()) / 10);
+  EXPECT_GT(touched, 7 * static_cast<int>(expected.size()) / 10);
   for (const Variant& variant : variants) {
     World other = world;
     variant.change(other);
