@@ -93,6 +93,7 @@ void FixCoupleMbd::init() {
   script.wants_masses = arguments_.mass_of_pair;
   if (arguments_.gravity_of_scene) read_gravity(*modify, script);
   warn_of_clumps(*modify, script);
+  if (!link_.started()) warn_of_radius(lmp, script);
   link_.start(std::move(script));
   footfall::work_is_under_way();
   rows_of_output_.clear();

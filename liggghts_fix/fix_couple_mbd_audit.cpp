@@ -214,7 +214,7 @@ void GrainAudit::forces_done(bool set_up) {
   count_weight();
   count_bodies();
   if (set_up) {
-    for (Account& one : accounts_) one.before = one.now;
+    for (Account& one : accounts_) one.remember();
     if (windows_ < 0) write_state(windows_), windows_ = 0;
     return;
   }
@@ -224,9 +224,9 @@ void GrainAudit::forces_done(bool set_up) {
     const bool by_scheme = one.kind == "mean";
     const Real opening = by_scheme ? scheme.opening : 0.5L, closing = by_scheme ? scheme.closing : 0.5L;
     one.impulse += dt * (opening * one.before + closing * one.now);
-    one.force += dt * one.gross_force;
-    one.moment += dt * one.gross_moment;
-    one.before = one.now;
+    one.force += 0.5L * dt * (one.gross_before[0] + one.gross_force);
+    one.moment += 0.5L * dt * (one.gross_before[1] + one.gross_moment);
+    one.remember();
   }
   ++steps_;
 }

@@ -67,6 +67,10 @@ class GrainAudit final : private Pointers, public footfall::ForceWatch {
     Wrench now = Wrench::Zero();      // of the forces that stand [N, N m]
     Wrench before = Wrench::Zero();   // one step ago
     Wrench impulse = Wrench::Zero();  // since the window began [N s, N m s]
+    void remember() {
+      before = now;
+      gross_before = {gross_force, gross_moment};
+    }
     // A sum of which the parts are not known.
     void set(const Wrench& sum) {
       now = sum;
@@ -74,6 +78,7 @@ class GrainAudit final : private Pointers, public footfall::ForceWatch {
       gross_moment = sum.tail<3>().norm();
     }
     Real gross_force = 0.0L, gross_moment = 0.0L;  // now [N, N m]
+    std::array<Real, 2> gross_before{};            // likewise, one step ago
     Real force = 0.0L, moment = 0.0L;              // integrals of them [N s, N m s]
   };
 

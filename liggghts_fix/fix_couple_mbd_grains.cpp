@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "atom.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "coupler/mpi_check.h"
+#include "input.h"
 #include "lammps.h"
+#include "variable.h"
 
 namespace LAMMPS_NS {
 namespace {
@@ -36,6 +40,32 @@ bool is_good(const Atom& atom, int i, int property) {
 }
 
 }  // namespace
+
+void warn_of_radius(LAMMPS* lmp, footfall::Start& script) {
+  static char name[] = "radius";
+  Variable& variables = *lmp->input->variable;
+  const int at = variables.find(name);
+  const Atom& atom = *lmp->atom;
+  if (at < 0 || atom.radius == nullptr) return;
+  const char* const text = variables.retrieve(name);
+  char* end = nullptr;
+  const double radius = text == nullptr ? 0.0 : std::strtod(text, &end);
+  if (text == nullptr || *end != '\0' || !is_positive(radius)) return;
+  // Largest of: has it, minus the smallest radius, the largest.
+  constexpr double kSame = 1e-6;
+  double found[3] = {0.0, -std::numeric_limits<double>::infinity(), 0.0};
+  for (int i = 0; i < atom.nlocal; ++i) {
+    if (std::abs(atom.radius[i] - radius) <= kSame * radius) found[0] = 1.0;
+    found[1] = std::max(found[1], -atom.radius[i]);
+    found[2] = std::max(found[2], atom.radius[i]);
+  }
+  footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, found, 3, MPI_DOUBLE, MPI_MAX, lmp->world), "MPI_Allreduce");
+  if (found[0] > 0.0 || found[2] == 0.0) return;
+  script.warnings.push_back("the run says radius = " + footfall::number_text(radius) +
+                            " m, but its grains have radii from " + footfall::number_text(-found[1]) + " to " +
+                            footfall::number_text(found[2]) +
+                            " m: the bed was poured under another radius; make them agree if this is not meant");
+}
 
 void check_grains(LAMMPS* lmp, const std::string& where) {
   const Atom& atom = *lmp->atom;

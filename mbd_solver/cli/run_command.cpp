@@ -12,6 +12,7 @@
 #include "coupler/programs.h"
 #include "mbd_solver/cli/analysis/grain_series.h"
 #include "mbd_solver/cli/analysis/results.h"
+#include "mbd_solver/cli/launch/bed_conditions.h"
 #include "mbd_solver/cli/launch/grain_rows.h"
 #include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/run_plan.h"
@@ -85,10 +86,13 @@ int run_command(const RunArguments& arguments) {
   command.environment[kFailureNote] = note.string();
   StoppedWatch stopped(scene.coupling.timeout + kLater);
   ReadingWatch reading(log, scene.coupling.timeout);
+  BedWatch bed(plan.bed_log, log);
   const ChildEnd end = run_child(command, kMechanismProgram, [&] {
+    bed();
     const std::string stuck = reading();
     return stuck.empty() ? stopped() : stuck;
   });
+  bed();
   if (arguments.resume) join_rows(out);
   const std::string errors = liggghts_errors(log);
   if (!errors.empty()) {

@@ -150,7 +150,7 @@ RunPlan new_run(const RunArguments& a) {
   keep_scripts_safe(scene, a);
   const std::string out = short_path(a.out.empty() ? new_run_folder(scene_name(scene.file)) : a.out);
   if (scene.touches_particles()) demand_whole_words(*scene.particles, out);
-  RunPlan plan{scene, out, (fs::path(out) / "liggghts.log").string(), OwnFolder(out, a.force), {}};
+  RunPlan plan{scene, out, (fs::path(out) / "liggghts.log").string(), OwnFolder(out, a.force), {}, ""};
   if (!scene.touches_particles()) {
     plan.command.words = solver_words(a, out, "");
     return plan;
@@ -161,6 +161,7 @@ RunPlan new_run(const RunArguments& a) {
   Bed bed;
   keep_box_scripts(scene, out);
   if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet);
+  if (!bed.restart.empty()) plan.bed_log = (fs::path(bed.restart).parent_path() / "liggghts.log").string();
   // A scene that names its own grains keeps them.
   plan.command = both_programs(particles, ranks, out, bed.restart, plan.log,
                                solver_words(a, out, particles.grains.empty() ? bed.grains : ""));
@@ -173,7 +174,7 @@ RunPlan resumed_run(const RunArguments& a) {
   const std::string checkpoint = newest_checkpoint(out);
   const RunStart start = read_run_start(checkpoint);
   const std::string log = (fs::path(out) / ("liggghts_" + fs::path(checkpoint).filename().string() + ".log")).string();
-  RunPlan plan{read_scene(start.scene_file, start.settings), out, log, std::move(folder), {}};
+  RunPlan plan{read_scene(start.scene_file, start.settings), out, log, std::move(folder), {}, ""};
   std::vector<std::string> solver = {built_program("mbd_solver"), "--resume", out};
   if (a.until > 0.0) solver.insert(solver.end(), {"--until", number_text(a.until, 12)});
   append_common(solver, a);

@@ -16,6 +16,7 @@ struct RunPlan {
   std::string out, log;  // folder of results; the log of LIGGGHTS
   OwnFolder folder;      // held until the run has ended
   Command command;
+  std::string bed_log;  // of LIGGGHTS, when it poured the bed; empty: there is none
 };
 
 // Makes the bed where there is none. Both throw InputError, Interrupted, PartnerError.

@@ -76,9 +76,11 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   if (resumed) restore_checkpoint(options.checkpoint, scene, visit);
   Progress progress(t_end, options.quiet);
   WarningTeller of_coupling, of_bodies, of_joints;
-  if (coupled) of_coupling.skip(coupled->watch().warnings());
-  of_bodies.skip(files.observation().flexible().warnings());
-  of_joints.skip(files.observation().joints().warnings());
+  if (resumed) {
+    if (coupled) of_coupling.skip(coupled->watch().warnings());
+    of_bodies.skip(files.observation().flexible().warnings());
+    of_joints.skip(files.observation().joints().warnings());
+  }
   const auto observe = [&](const Sample& sample) {
     taker.take(sample);
     files.write(sample);

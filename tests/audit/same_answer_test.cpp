@@ -1,6 +1,6 @@
 // The same answer, whatever should not matter: ranks and their grids, where the box stands, a grain written one period
 // away, a quarter turn, the mass of a driven body, units of length, mass and time, the order of bodies in scene and
-// script. 200 seeded small scenes, a hundred at a time side by side in one box, each a few dozen grains and one or two
+// script. 200 seeded small scenes, 25 at a time side by side in one box, each a few dozen grains and one or two
 // bodies; the loads of the first windows of contact agree to round-off. Ranks wait for each other at every mesh in every
 // step: what needs several is done with the first nine of them.
 
@@ -23,11 +23,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int kSide = 10;  // so many scenes side by side in x and y
+constexpr int kSide = 5;  // so many scenes side by side in x and y
 constexpr int kSideOnRanks = 3;
 constexpr double kCell = 0.4;  // [m]
 constexpr double kDt = 5e-5;   // [s]
-constexpr int kEvery = 5, kWindows = 24;
+constexpr int kEvery = 5, kWindows = 16;
 // Of the largest load on the body. Places of 4 m are rounded by 4e-16 m, overlaps of 1e-4 m so by 1e-11 at the worst.
 constexpr double kRoundOff = 1e-8;
 
@@ -208,7 +208,7 @@ Loads run(const World& w, const std::string& name) {
   const Outcome outcome = folder.mpirun("-np " + std::to_string(w.ranks) + " " + RunFolder::program("liggghts_mbd") +
                                             " -in in.grains -log log -screen none : -np 1 " +
                                             RunFolder::program("mbd_solver") + " scene.toml --quiet --out out",
-                                        120);
+                                        300);
   unsetenv(kAuditFolder);
   EXPECT_EQ(outcome.exit_code, 0) << name << ": " << outcome.text.substr(0, 2000);
   Loads loads;
@@ -309,11 +309,20 @@ const std::vector<Variant> kVariants = {
 };
 
 class SameAnswer : public testing::TestWithParam<std::pair<unsigned, const char*>> {};
+class SameAnswerOnRanks : public SameAnswer {};
+constexpr const char* kHertz = "hertz tangential history rolling_friction cdt";
+constexpr const char* kCohesive = "hertz tangential history cohesion sjkr2 rolling_friction epsd2";
+std::string seeds_name(const testing::TestParamInfo<std::pair<unsigned, const char*>>& one) {
+  return "seeds_" + std::to_string(one.param.first);
+}
 INSTANTIATE_TEST_SUITE_P(Scenes, SameAnswer,
-                         testing::Values(std::pair(1000U, "hertz tangential history rolling_friction cdt"),
-                                         std::pair(2000U,
-                                                   "hertz tangential history cohesion sjkr2 rolling_friction epsd2")),
-                         [](const auto& one) { return "seeds_" + std::to_string(one.param.first); });
+                         testing::Values(std::pair(1000U, kHertz), std::pair(1025U, kCohesive),
+                                         std::pair(1050U, kHertz), std::pair(1075U, kCohesive),
+                                         std::pair(1100U, kHertz), std::pair(1125U, kCohesive),
+                                         std::pair(1150U, kHertz), std::pair(1175U, kCohesive)),
+                         seeds_name);
+INSTANTIATE_TEST_SUITE_P(Scenes, SameAnswerOnRanks,
+                         testing::Values(std::pair(1000U, kHertz), std::pair(1025U, kCohesive)), seeds_name);
 
 void expect_same(unsigned seed, const char* model, int side, const std::vector<Variant>& variants) {
   const World world = make_world(seed, side, model);
@@ -324,7 +333,7 @@ void expect_same(unsigned seed, const char* model, int side, const std::vector<V
     touched += std::any_of(loads.begin(), loads.end(), [](const auto& load) { return !load.isZero(0.0); }) ? 1 : 0;
   std::printf("seeds %u to %u: %zu bodies, %d touched, %zu grains\n", seed,
               seed + static_cast<unsigned>(side * side) - 1, expected.size(), touched, world.grains.size());
-  EXPECT_GT(touched, 8 * static_cast<int>(expected.size()) / 10);
+  EXPECT_GT(touched, 7 * static_cast<int>(expected.size()) / 10);
   for (const Variant& variant : variants) {
     World other = world;
     variant.change(other);
@@ -337,7 +346,7 @@ void expect_same(unsigned seed, const char* model, int side, const std::vector<V
 }
 
 TEST_P(SameAnswer, WhateverShouldNotMatter) { expect_same(GetParam().first, GetParam().second, kSide, kVariants); }
-TEST_P(SameAnswer, OnRanks) { expect_same(GetParam().first, GetParam().second, kSideOnRanks, kOnRanks); }
+TEST_P(SameAnswerOnRanks, WhateverTheGrid) { expect_same(GetParam().first, GetParam().second, kSideOnRanks, kOnRanks); }
 
 }  // namespace
 }  // namespace footfall::test

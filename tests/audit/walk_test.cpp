@@ -69,7 +69,7 @@ std::string script(const Case& c) {
   if (c.clumps) {
     s += "fix pts all particletemplate/multisphere 15485863 atom_type 1 density constant 2600 nspheres 2 ntry 100000 "
          "spheres 0 0 0 0.02 0.02 0 0 0.02 type 1\nfix pdd all particledistribution/discrete 15485867 1 pts 1.0\n"
-         "region ins block -0.1 0.1 -0.1 0.1 0.0 0.2 units box\nfix ins all insert/pack seed 32452843 "
+         "region ins block -0.1 0.1 -0.1 0.1 -0.015 0.2 units box\nfix ins all insert/pack seed 32452843 "
          "distributiontemplate pdd vel constant 0.3 -0.2 -1.5 insert_every once overlapcheck yes all_in yes "
          "particles_in_region 40 region ins\n";
   } else {
@@ -82,8 +82,8 @@ std::string script(const Case& c) {
   std::string meshes, pairs;
   for (int k = 0; k < c.bodies; ++k) {
     const std::string id = std::to_string(k);
-    s += "fix m_" + id + " all mesh/surface file body.stl type 2 move " + std::array{"-0.05", "0.0", "-0.1"}[k] + " " +
-         std::array{"0.0", "0.06", "-0.05"}[k] + " " + std::array{"-0.0295", "0.19", "0.1"}[k] + "\n";
+    s += "fix m_" + id + " all mesh/surface file body.stl type 2 move " + std::array{"-0.05", "0.11", "-0.1"}[k] + " " +
+         std::array{"0.0", "0.06", "-0.05"}[k] + " " + std::array{"-0.0295", "0.157", "0.156"}[k] + "\n";
     meshes += " m_" + id;
     pairs += " mesh m_" + id + " body_" + id;
   }
@@ -97,9 +97,9 @@ std::string script(const Case& c) {
 
 std::string partner(const Case& c) {
   std::string s = "until " + std::to_string(kSteps * kDt) + " scheme " + c.scheme;
-  const std::array places{"-0.05 0.0 -0.0295", "0.0 0.06 0.19", "-0.1 -0.05 0.1"};
-  const std::array motions{"prescribed 0.1 0.2 0.3 0.5 -1.0 2.0", "free 2.0 0 0 0 -1.0 0 0 0",
-                           "free 0.5 1e4 0.2 0 0 0 0 0"};
+  const std::array places{"-0.05 0.0 -0.0295", "0.11 0.06 0.157", "-0.1 -0.05 0.156"};
+  const std::array motions{"prescribed 0.1 0.2 0.3 0.5 -1.0 2.0", "free 2.0 0 0 0 -2.5 0 0 0",
+                           "free 0.5 1e4 0.2 0 -2.5 0 0 0"};
   for (int k = 0; k < c.bodies; ++k)
     s += " body body_" + std::to_string(k) + " body.stl " + places[static_cast<std::size_t>(k)] + " " +
          motions[static_cast<std::size_t>(k)];
@@ -177,6 +177,8 @@ TEST(AuditOfARun, SeesClumpsThatMissTheForcesOfWallsBehindThem) {
   const std::string late = "fix integr all multisphere\nrun 1\nunfix ins\n";
   text.erase(text.find(late), late.size());
   text.insert(text.find("fix grav"), late);
+  const std::string from = "-0.015 0.2", deeper = "-0.03 0.2";  // pressed in when the run begins
+  text.replace(text.find(from), from.size(), deeper);
   const RunFolder folder("audit_clumps_before_walls");
   const std::vector<AuditLine> lines = audited(folder, c, text);
   EXPECT_EQ(line(lines, "grains: linear momentum").verdict, Verdict::kWrong) << audit_table(lines);
