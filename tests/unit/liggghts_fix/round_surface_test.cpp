@@ -34,12 +34,11 @@ TEST(RoundFacet, IsASphereToFourthOrder) {
   EXPECT_LT(coarse, std::pow(0.4, 4) / 64.0);
 }
 
-TEST(RoundFacet, NearestIsSquareToItInsideAndOutsideOfTheBall) {
+TEST(RoundFacet, NoPointIsNearerThanTheNearestInsideAndOutsideOfTheBall) {
   const RoundFacet facet(on_sphere(0.5), on_sphere(0.5));
   for (const double height : {0.2, 0.7, 1.2, 3.0}) {
     const Vector3d inner = height * Vector3d(0.03, 0.02, 1.0).normalized();
     const RoundFacet::Nearest found = facet.nearest(inner);
-    EXPECT_LT((found.point.normalized() - inner.normalized()).norm(), 3e-4);
     // No point of a fine grid is closer.
     double least = 1e300;
     for (int i = 0; i <= 200; ++i)

@@ -65,7 +65,7 @@ FacetTouch touch(int facet, double gap) {
 
 TEST(SurfacePieces, TheNearestOfNeighboursIsTouched) {
   const SurfacePieces pieces = strip({0.2, 0.9});
-  const FacetTouch near = touch(1, -2e-3), far = touch(2, -1e-3), beyond = touch(4, -3e-3);
+  const FacetTouch near = touch(0, -2e-3), far = touch(2, -1e-3), beyond = touch(4, -3e-3);
   EXPECT_TRUE(yields(far, near, pieces));
   EXPECT_FALSE(yields(near, far, pieces));
   EXPECT_FALSE(yields(far, beyond, pieces)) << "another piece";
@@ -78,7 +78,7 @@ TEST(SurfacePieces, TheNearestOfNeighboursIsTouched) {
 }
 
 TEST(SurfacePieces, OfFlatFacesLeaveSharpEdgesToLiggghts) {
-  FacetTouch near = touch(1, -2e-3);
+  FacetTouch near = touch(0, -2e-3);
   const FacetTouch far = touch(2, -1e-3);
   near.on_border = true;
   EXPECT_TRUE(yields(far, near, strip({0.2})));
