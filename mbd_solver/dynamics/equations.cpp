@@ -1,8 +1,11 @@
 #include "mbd_solver/dynamics/equations.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/dynamics/workspace.h"
 
 namespace footfall {
@@ -10,6 +13,39 @@ namespace {
 
 // eps of the equations of motion relative to the diagonal of Phi_v M^-1 Phi_v^T.
 constexpr double kRegularisation = 1e-12;
+// A body lighter than this share of the heaviest that joints connect it with counts as so heavy in eps. Between two heavy
+// bodies a light one makes Phi_v M^-1 Phi_v^T large on its diagonal alone; eps would be as large as what holds the two.
+constexpr double kLight = 1e-6;
+// Lighter than this share it is lost in the round-off of the heaviest.
+constexpr double kLost = 1e-15;
+
+// Per body: what eps takes its share of a row's length by, 1 for all but very light ones. Throws InputError.
+std::vector<double> shares_in_eps(const Model& model) {
+  std::vector<double> heaviest;
+  for (int i = 0; i < model.body_count(); ++i) heaviest.push_back(model.body(i).mass());
+  // Each pass carries the heaviest mass one joint further.
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (int j = 0; j < model.joint_count(); ++j) {
+      const int a = model.joint(j).m1.body, b = model.joint(j).m2.body;
+      if (a == kGround || b == kGround) continue;
+      double &at_a = heaviest[static_cast<std::size_t>(a)], &at_b = heaviest[static_cast<std::size_t>(b)];
+      changed = changed || at_a != at_b;
+      at_a = at_b = std::max(at_a, at_b);
+    }
+  }
+  for (int i = 0; i < model.body_count(); ++i) {
+    double& share = heaviest[static_cast<std::size_t>(i)];
+    if (model.body(i).mass() < kLost * share)
+      throw InputError(
+          "body \"" + model.body(i).name() + "\" weighs " + number_text(model.body(i).mass(), 3) +
+          " kg, and a body of " + number_text(share, 3) +
+          " kg hangs together with it by joints: masses that differ by more than a factor of 1e15 cannot be "
+          "told from each other's round-off. Make it heavier, or leave it out.");
+    share = std::min(1.0, model.body(i).mass() / (kLight * share));
+  }
+  return heaviest;
+}
 
 }  // namespace
 
@@ -27,11 +63,12 @@ Equations::~Equations() = default;
 void Equations::set_row_sizes(const State& state) {
   Workspace& w = *work_;
   load(state);
+  const std::vector<double> shares = shares_in_eps(model_);
   for_each_row(model_, layout_, w.kinematics, state.time, w.row,
                [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
                  const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
                  const int bodies[2] = {joint.m1.body, joint.m2.body};
-                 double size = 0.0;
+                 double size = 0.0, held = 0.0;
                  for (int i = 0; i < 2; ++i) {
                    const int n = pair.body[i]->size();
                    if (n == 0) continue;
@@ -39,9 +76,12 @@ void Equations::set_row_sizes(const State& state) {
                    body_mass_matrix(model_.body(bodies[i]), *pair.body[i],
                                     w.inertia[static_cast<std::size_t>(bodies[i])], M);
                    const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
-                   size += part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
+                   const double length2 = part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
+                   size += length2;
+                   held += shares[static_cast<std::size_t>(bodies[i])] * length2;
                  }
                  w.row_size[row] = size;
+                 w.eps[row] = kRegularisation * held;
                });
   w.smallest_size = w.row_size;
   for (const Redundancy& redundancy : w.redundancies) {
@@ -54,7 +94,7 @@ void Equations::set_row_sizes(const State& state) {
 
 void Equations::rest_rows() {
   Workspace& w = *work_;
-  w.regularisation = kRegularisation * w.row_size;
+  w.regularisation = w.eps;
   // A row that only gives a joint's coordinate its rotor: lambda = J q''.
   for (int row = 0; row < layout_.row_count; ++row) {
     const int joint = layout_.row_joint[static_cast<std::size_t>(row)];

@@ -5,7 +5,8 @@
 //   F_v      = M(q) dv + h(q, v) + Phi_v^T lambda - Q(t, q, v, z)
 //   F_z      = dz - g(q, v, z)
 //   F_lambda = phi'' + 2 alpha phi' + beta^2 phi - eps lambda          alpha, beta: Baumgarte (0 by default)
-// eps is a regularisation (relative 1e-12 of the size of Phi_v M^-1 Phi_v^T) for singular positions. Where rows depend on
+// eps is a regularisation (relative 1e-12 of the size of Phi_v M^-1 Phi_v^T, very light bodies counted heavier) for singular
+// positions. Where rows depend on
 // each other some of them rest: their eps is large (redundancy.h).
 // No function here allocates. One Equations object belongs to one thread (it owns the
 // workspace).
@@ -36,7 +37,7 @@ struct EnergySample {
 
 class Equations {
  public:
-  // `model` must outlive this object.
+  // `model` must outlive this object. Throws InputError when bodies that joints connect differ by more than 1e15 in mass.
   Equations(const Model& model, const Assembly& assembly, const Baumgarte& baumgarte = {});
   ~Equations();
 

@@ -176,7 +176,7 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
   y = rhs = Eigen::VectorXd::Zero(layout.size());
   last_q = Eigen::VectorXd::Zero(layout.q_size);
   last_v = Eigen::VectorXd::Zero(layout.v_size);
-  row_size = smallest_size = regularisation = Eigen::VectorXd::Zero(layout.row_count);
+  row_size = smallest_size = eps = regularisation = Eigen::VectorXd::Zero(layout.row_count);
 }
 
 // The full matrix: F_q in its own rows and, below, the columns of `lower` once for q (as often as a body has

@@ -85,8 +85,8 @@ struct Equations::Workspace {
   Eigen::VectorXd y, rhs;          // full vectors of accelerations()
   Eigen::VectorXd last_q, last_v;  // copies during projection
   // Per row [1/kg or 1/(kg m2)]: (Phi_v M^-1 Phi_v^T)_ii at the start; s^2 of make_smallest(), the same or its mean over a
-  // joint; eps
-  Eigen::VectorXd row_size, smallest_size, regularisation;
+  // joint; eps of rows that do not rest; that of all
+  Eigen::VectorXd row_size, smallest_size, eps, regularisation;
 
   std::vector<Redundancy> redundancies;
   bool redundancies_known = true;  // else found anew from the next state

@@ -34,6 +34,7 @@ struct IntegratorStatistics {
   // projection removed from them before.
   double drift_position = 0.0, drift_velocity = 0.0;
   double removed_position = 0.0, removed_velocity = 0.0;
+  double summed_error = 0.0;  // ida: of the estimated errors of all steps, in tolerances
 
   void count(const Equations::Drift& drift);  // at the end of a window
 };
@@ -64,6 +65,8 @@ class Integrator {
   // alone.
   virtual void forget() = 0;
   virtual const IntegratorStatistics& statistics() const = 0;
+  // What is to be told at the end of a run about its accuracy; empty: nothing.
+  virtual std::string warning() const { return {}; }
   // Goes on where another integrator, which was told to forget() there, has left off after such statistics.
   virtual void resume(const IntegratorStatistics& so_far) = 0;
 };

@@ -146,8 +146,8 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     std::fprintf(stderr, "mbd_solver: %s\n", why.c_str());
   }
   finish_files();
-  if (const std::string text = taker.balance_warning(); !text.empty())
-    std::fprintf(stderr, "mbd_solver: warning: %s\n", text.c_str());
+  for (const std::string& text : {taker.balance_warning(), simulation.integrator().warning()})
+    if (!text.empty()) std::fprintf(stderr, "mbd_solver: warning: %s\n", text.c_str());
   if (simulation.finished()) {
     const bool early = coupled && coupled->script_has_ended();
     summarize("done", early ? "the LIGGGHTS script ended the run, as it may" : "");

@@ -68,6 +68,7 @@ Json warnings_of(const Simulation& simulation, const FigureTaker& taker, const O
   add(observation.flexible().warnings());
   add(observation.joints().warnings());
   if (const std::string text = taker.balance_warning(); !text.empty()) warnings.push_back(text);
+  if (const std::string text = simulation.integrator().warning(); !text.empty()) warnings.push_back(text);
   return warnings;
 }
 

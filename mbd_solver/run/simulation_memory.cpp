@@ -39,7 +39,8 @@ inline constexpr auto kFields<IntegratorStatistics> =
                Field{"drift_position", &IntegratorStatistics::drift_position},
                Field{"drift_velocity", &IntegratorStatistics::drift_velocity},
                Field{"removed_position", &IntegratorStatistics::removed_position},
-               Field{"removed_velocity", &IntegratorStatistics::removed_velocity}};
+               Field{"removed_velocity", &IntegratorStatistics::removed_velocity},
+               Field{"summed_error", &IntegratorStatistics::summed_error}};
 
 template <>
 inline constexpr auto kFields<RunTimes> =
