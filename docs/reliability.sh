@@ -3,6 +3,7 @@
 #   docs/reliability.sh [--short] [PART...]
 #     PART     kills signals stops disk damage fuzz sanitizers endurance (default: all). Each keeps its lines in BUILD/reliability/PART.md; the page is put together
 #              of those that are there, so that parts may be made one by one.
+#     PART     page: puts the page together and does nothing else
 #     --short  a minute in all, and the page stays as it is
 #   BUILD=FOLDER (default build), FUZZ_SECONDS (300 for each target), PART_SECONDS: kills and signals are tried for so long at most; the page says how many were.
 # The long form takes some hours on two cores.
@@ -125,6 +126,7 @@ endurance() {
 }
 
 for part in "${parts[@]}"; do
+  [[ $part == page ]] && continue
   echo "reliability: $part" >&2
   $part >"$work/$part.new" && mv "$work/$part.new" "$work/$part.md"
 done
@@ -140,7 +142,9 @@ The killed run is a ball that drops onto some 400 grains on two ranks, with chec
 | what was done | tried | what has to come of it, and figures | | tests |
 |---|---|---|---|---|
 TEXT
-  for part in kills signals stops disk damage fuzz sanitizers endurance; do cat "$work/$part.md" 2>/dev/null; done
+  for part in kills signals stops disk damage fuzz sanitizers endurance; do
+    cat "$work/$part.md" 2>/dev/null || echo "| $part | not tried yet | | | |"
+  done
   cat <<'TEXT'
 
 - "All gone" is counted from the kill or signal until the last process of the run has ended. A program that is asked to end and cannot, because another one is stopped, ends 5 s after the signal.

@@ -24,6 +24,18 @@ code=0
 grep -q 'small/summary.json: cannot be written: File too large' small.txt || die "the message does not name the summary"
 [[ ! -e small/summary.json && ! -e small/summary.json.part ]] || die "half a summary is left"
 
+# A checkpoint and pictures, whose files are larger than the few rows of these runs.
+code=0
+(ulimit -f 4; exec "$solver" "$scene" --quiet --out kept --until 0.1 --set output.interval=0.05 --set output.checkpoint_interval=0.04) >kept.txt 2>&1 || code=$?
+[[ $code == 1 ]] || die "a checkpoint that cannot be written ended with $code, expected 1"
+grep -q 'kept/checkpoint/[0-9]*.part/start.json: cannot be written: File too large' kept.txt || die "the message does not name the file of the checkpoint"
+(($(wc -l <kept.txt) == 1)) || die "more than one message"
+compgen -G 'kept/checkpoint/*[0-9]' >/dev/null && die "half a set passes for a checkpoint"
+code=0
+(ulimit -f 16; exec "$solver" "$here/../../inputs/rigid_plane" --quiet --out drawn --until 0.002 --set flexible=false --set output.vtk=true) >drawn.txt 2>&1 || code=$?
+[[ $code == 1 ]] || die "pictures that cannot be written ended with $code, expected 1"
+grep -q 'drawn/bodies[^ ]*: cannot be written: File too large' drawn.txt || die "the message does not name the picture"
+
 "$solver" "$scene" --quiet --out gone --set end_time=1e5 >gone.txt 2>&1 &
 run=$!
 until [[ -s gone/history.csv ]] && (($(wc -l <gone/history.csv) > 4)); do kill -0 $run 2>/dev/null || die "the long run ended"; sleep 0.05; done

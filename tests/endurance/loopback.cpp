@@ -74,6 +74,11 @@ void serve(Transport& transport, long windows, long& at_tenth) {
     load.window = motion.window;
     load.bodies[0].mean.F_W.z() = 2.0 * 1.5;  // [N]
     link.send(load);
+    if (!motion.checkpoint.empty()) {
+      Kept kept;
+      kept.window = motion.window;
+      link.send(kept);
+    }
     if (motion.window == windows / 10) at_tenth = resident();
   }
   link.close();
@@ -98,10 +103,18 @@ int main(int argc, char** argv) {
     options.quiet = true;
     auto [grains, mechanism] = TransportLoopback::make_pair();
     long at_tenth = 0;
-    std::thread partner([&, end = grains.get()] { serve(*end, windows, at_tenth); });
+    std::string failure;
+    std::thread partner([&, end = grains.get()] {
+      try {
+        serve(*end, windows, at_tenth);
+      } catch (const std::exception& error) {
+        failure = error.what();
+      }
+    });
     const volatile std::sig_atomic_t never = 0;
     const int code = run_scene(scene, options, mechanism.get(), never);
     partner.join();
+    if (!failure.empty()) throw PartnerError(failure);
     const long at_end = resident();
     std::printf("%ld windows: %ld kB after a tenth of them, %ld kB at the end\n", windows, at_tenth, at_end);
     constexpr long kMost = 1024;  // [kB] pages that the allocator keeps back
