@@ -1,5 +1,5 @@
 #pragma once
-// Mass, centre and inertia of a solid of one density whose surface is a closed mesh.
+// Mass, centre and inertia of a solid of one density whose surface is a closed mesh: theory 1.1.
 
 #include <string>
 

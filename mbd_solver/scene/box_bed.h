@@ -10,7 +10,7 @@ namespace footfall {
 struct BoxNumbers {
   double rayleigh = 0.0, hertz = 0.0;  // times of the smallest grain [s]
   double time_step = 0.0;              // of the grains [s]
-  double grains = 0.0;                 // about so many, at a solid fraction of 0.57 or 0.61
+  double grains = 0.0;                 // about so many
   double headroom = 0.0;               // of the simulation box above z = 0 [m]
   double margin = 0.0;                 // of the simulation box around the walls [m]
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Which time step the grains can take.
+// Which time step the grains can take: theory 5.
 
 namespace footfall {
 

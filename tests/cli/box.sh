@@ -2,7 +2,7 @@
 # box.sh FOOTFALL OUT: a bed by numbers, [particles.box]: what it holds, and that it is the same run as its scripts taken over, and as a script that
 # somebody writes by hand: history and energies of the grains byte by byte.
 set -u
-footfall=$1 out=$2
+footfall=$1 out=$2 reference=$(cd "$(dirname "$0")/../../inputs/reference" && pwd)
 die() { echo "box.sh: $*"; exit 1; }
 rm -rf "$out" && mkdir -p "$out" && cd "$out" || die "cannot make $out"
 mechanism='end_time = 0.03
@@ -124,4 +124,14 @@ for other in taken hand; do
   cmp box/history.csv "$other/history.csv" || die "the run of $other.toml is another one"
 done
 cmp box/grains_energy.txt taken/grains_energy.txt || die "the grains of taken.toml have another energy"
+
+# A mesh of the script, taken over as it stands there: LIGGGHTS compares it with the scene's, triangle by triangle.
+cp "$reference/rock.stl" . || die "rock.stl is missing"
+sed 's|^fix geo .*||; s|^fix plate .*|fix plate all mesh/surface file rock.stl type 2 scale 0.0005 rotate axis 1 1 0 angle 40 move 0 0 0.02|' hand.in >mesh.in
+{
+  echo "$mechanism" | sed 's|surface = .*|surface = { from_script = "plate" }|; s|end_time = .*|end_time = 0.003|'
+  printf '[particles]\nscript = "mesh.in"\nranks = 1\nsurface_height = 0\n'
+  cat bed.toml
+} >mesh.toml
+run mesh
 exit 0

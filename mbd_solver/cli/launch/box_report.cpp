@@ -13,7 +13,6 @@
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/programs.h"
-#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/box_bed.h"
 
 namespace footfall {
@@ -84,7 +83,10 @@ void demand_inside_box(const Scene& scene, const Mechanism& mechanism) {
   constexpr double kOnTheSide = 1e-6;  // of the box
   for (const BodyBoundary& entry : mechanism.boundaries) {
     const BodyState& start = mechanism.model.initial(entry.body);
-    const Eigen::Matrix3Xd x = (rotation_matrix(start.L) * entry.boundary.rho0()).colwise() + start.r;
+    const Eigen::Matrix3Xd x =
+        (Eigen::Quaterniond(start.L[0], start.L[1], start.L[2], start.L[3]).toRotationMatrix() * entry.boundary.rho0())
+            .colwise() +
+        start.r;
     for (int axis = 0; axis < 2 && !box.periodic; ++axis) {
       const auto k = static_cast<std::size_t>(axis);
       const double reach = 0.5 * box.size[k] + n.margin + kOnTheSide * box.size[k];
