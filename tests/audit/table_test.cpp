@@ -71,9 +71,9 @@ TEST(AuditTable, HoldsWhereAllIsExact) {
   const AuditedRun run = exact_run();
   const std::vector<AuditLine> lines = audit_lines(run.grains, run.mechanism);
   EXPECT_TRUE(audit_holds(lines)) << audit_table(lines);
-  EXPECT_EQ(line(run, "grains: angular momentum").verdict, Verdict::kHolds);
-  EXPECT_EQ(line(run, "mechanism: linear momentum").verdict, Verdict::kHolds);
-  EXPECT_EQ(line(run, "gravity: linear impulse").verdict, Verdict::kNotExercised);
+  EXPECT_EQ(line(run, "grains: angular momentum").verdict, AuditVerdict::kHolds);
+  EXPECT_EQ(line(run, "mechanism: linear momentum").verdict, AuditVerdict::kHolds);
+  EXPECT_EQ(line(run, "gravity: linear impulse").verdict, AuditVerdict::kNotExercised);
 }
 
 struct Fault {
@@ -105,7 +105,7 @@ TEST_P(OneNumber, ThatIsWrongIsSeenInItsLineAndWindow) {
   AuditedRun run = exact_run();
   GetParam().make(run);
   const AuditLine found = line(run, GetParam().quantity);
-  EXPECT_EQ(found.verdict, Verdict::kWrong) << audit_table(audit_lines(run.grains, run.mechanism));
+  EXPECT_EQ(found.verdict, AuditVerdict::kWrong) << audit_table(audit_lines(run.grains, run.mechanism));
   EXPECT_GE(found.window, 1);
   EXPECT_FALSE(audit_holds(audit_lines(run.grains, run.mechanism)));
 }
@@ -114,7 +114,7 @@ TEST(AuditTable, LeavesOutWindowsInWhichGrainsCome) {
   AuditedRun run = exact_run();
   run.grains.windows[2].count = 4.0;
   run.grains.windows[2].state.linear *= 2.0;
-  EXPECT_EQ(line(run, "grains: linear momentum").verdict, Verdict::kHolds);
+  EXPECT_EQ(line(run, "grains: linear momentum").verdict, AuditVerdict::kHolds);
   EXPECT_NE(line(run, "grains: linear momentum").note, "");
 }
 
@@ -124,9 +124,9 @@ TEST(AuditTable, ChecksTheAngularMomentumThatAPeriodLeavesAlone) {
     for (AuditWindow& window : run.grains.windows) window.periodic = periodic;
     run.grains.windows[1].state.angular.y() += 1.0;  // an arm of a period along x
     run.grains.windows[1].state.angular.z() += 1.0;
-    EXPECT_EQ(line(run, "grains: angular momentum").verdict, periodic == 1 ? Verdict::kHolds : Verdict::kNotChecked);
+    EXPECT_EQ(line(run, "grains: angular momentum").verdict, periodic == 1 ? AuditVerdict::kHolds : AuditVerdict::kNotChecked);
     run.grains.windows[1].state.angular.x() += 1.0;
-    EXPECT_EQ(line(run, "grains: angular momentum").verdict, periodic == 1 ? Verdict::kWrong : Verdict::kNotChecked);
+    EXPECT_EQ(line(run, "grains: angular momentum").verdict, periodic == 1 ? AuditVerdict::kWrong : AuditVerdict::kNotChecked);
   }
 }
 

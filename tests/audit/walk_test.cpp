@@ -138,10 +138,10 @@ TEST_P(Walk, WhatGrainsLoseBodiesWallsAndGravityGet) {
     for (const char* const quantity : {"grains: linear momentum", "walls of bodies: linear impulse",
                                        "gravity: linear impulse", "load: impulse, counted and sent",
                                        "load: mean force, counted and sent", "load: mean moment, counted and sent"})
-      EXPECT_EQ(line(lines, quantity).verdict, Verdict::kHolds) << quantity;
+      EXPECT_EQ(line(lines, quantity).verdict, AuditVerdict::kHolds) << quantity;
     // Two periodic directions leave no component of it alone.
     EXPECT_EQ(line(lines, "grains: angular momentum").verdict,
-              c.boundary == "p p f" ? Verdict::kNotChecked : Verdict::kHolds);
+              c.boundary == "p p f" ? AuditVerdict::kNotChecked : AuditVerdict::kHolds);
     std::printf("seed %u: %s: linear %.1e, angular %.1e of what flowed\n", seed, text_of(c).c_str(),
                 line(lines, "grains: linear momentum").relative, line(lines, "grains: angular momentum").relative);
   }
@@ -181,7 +181,7 @@ TEST(AuditOfARun, SeesClumpsThatMissTheForcesOfWallsBehindThem) {
   text.replace(text.find(from), from.size(), deeper);
   const RunFolder folder("audit_clumps_before_walls");
   const std::vector<AuditLine> lines = audited(folder, c, text);
-  EXPECT_EQ(line(lines, "grains: linear momentum").verdict, Verdict::kWrong) << audit_table(lines);
+  EXPECT_EQ(line(lines, "grains: linear momentum").verdict, AuditVerdict::kWrong) << audit_table(lines);
   EXPECT_NE(folder.read("output.txt").find("fix integr (multisphere) stands before fix"), std::string::npos);
 }
 
