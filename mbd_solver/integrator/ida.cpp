@@ -233,21 +233,18 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
     add_work_between(from, row_time, inputs, state);
     from = row_time;
     check(IDAGetDky(memory, row_time, 0, scratch), "IDAGetDky");
-    check(IDAGetDky(memory, row_time, 1, scratch2), "IDAGetDky");
     equations.unpack(view(scratch), state);
     state.time = row_time;
-    rates = view(scratch2);
-    rates.tail(equations.layout().row_count) = view(scratch).tail(equations.layout().row_count);
     row = state;
     statistics.count(options.projection ? equations.project(row) : equations.check_closed(row));
-    equations.smallest_multipliers(row, rates.tail(equations.layout().row_count));
+    // Solved for: the slope of IDA's polynomial is far less exact than its values, just after a start most of all.
+    equations.accelerations(row, inputs, rates);
+    ++statistics.factorizations;
     if (!rows.on_row(row, rates)) return false;
   }
   add_work_between(from, t, inputs, state);
   equations.unpack(view(y), state);
   state.time = t;
-  rates = view(ydot);
-  rates.tail(equations.layout().row_count) = view(y).tail(equations.layout().row_count);
   return true;
 }
 
@@ -370,7 +367,9 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
   statistics_.count(drift);
   s.state_last = ended_by_row ? State{} : state;
   s.inputs_last = inputs;
-  if (!ended_by_row) s.equations.smallest_multipliers(state, s.rates.tail(s.equations.layout().row_count));
+  if (ended_by_row) return;
+  s.equations.accelerations(state, inputs, s.rates);
+  ++statistics_.factorizations;
 }
 
 }  // namespace footfall

