@@ -260,7 +260,7 @@ TEST(ForeignScript, ARotorOfElevenMeshesOfTwoMaterialsIsTheSumOfThem) {
       part.nodes.row(0).array() += 0.06;
       const Eigen::Vector3d along(0.0, -0.09 + 0.018 * k, 0.0);
       part.nodes =
-          (Eigen::AngleAxisd(0.5 * M_PI + 0.1 * (k - 5.5), Eigen::Vector3d::UnitY()).toRotationMatrix() * part.nodes)
+          (Eigen::AngleAxisd(0.5 * M_PI - 0.08 * k, Eigen::Vector3d::UnitY()).toRotationMatrix() * part.nodes)
               .eval();
       part.nodes.colwise() += along;
     }
@@ -288,7 +288,7 @@ TEST(ForeignScript, ARotorOfElevenMeshesOfTwoMaterialsIsTheSumOfThem) {
       parts + "fix w all wall/gran model hertz tangential history rolling_friction cdt mesh n_meshes " + wall + "\n";
   const auto loads = [&](const std::string& mesh_of_body, const std::string& of_bodies) {
     folder.write("in", head + "fix mbd all couple/mbd every 20" + mesh_of_body + "\nthermo 500\nrun 2000\n");
-    const Outcome outcome = folder.coupled(2, "-in in", "until 0.04 out table.csv" + of_bodies);
+    const Outcome outcome = folder.coupled(2, "-in in", "until 0.06 out table.csv" + of_bodies);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
     return Table(folder.path() / "table.csv");
   };
