@@ -39,9 +39,9 @@ class RunFiles {
   std::string folder_;
   Observation observation_;
   HistoryWriter history_;
-  std::optional<MotionRecord> motion_;  // none without grains
+  std::optional<MotionRecord> motion_;   // none without grains
   std::optional<MomentumRecord> audit_;  // none unless the environment asks for it (coupler/programs.h)
-  std::optional<Drawing> drawing_;      // none unless the scene asks for pictures
+  std::optional<Drawing> drawing_;       // none unless the scene asks for pictures
   VtkSeries pictures_;
   IntervalClock rows_, picture_turns_;
 };
