@@ -37,7 +37,7 @@ class DemLink {
   double dt() const { return dt_; }  // as started [s]
   bool started() const { return scheme_ != nullptr; }
   const Scheme& scheme() const { return *scheme_; }  // after start()
-  bool finished() const { return finished_; }  // the last window is done and both sides have closed
+  bool finished() const { return finished_; }        // the last window is done and both sides have closed
 
   int body_count() const { return static_cast<int>(names_.size()); }
   DemBody& body(int index) { return *bodies_[static_cast<std::size_t>(index)]; }

@@ -35,9 +35,10 @@ void warn_of_clumps(Modify& modify, footfall::Start& script) {
   for (int i = 0; i < modify.nfix; ++i) {
     if (dynamic_cast<FixMultisphere*>(modify.fix[i]) != nullptr) clumps = modify.fix[i];
     if (clumps == nullptr || dynamic_cast<FixWallGran*>(modify.fix[i]) == nullptr) continue;
-    script.warnings.push_back(std::string("fix ") + clumps->id + " (multisphere) stands before fix " + modify.fix[i]->id +
-                              " (wall/gran): in the first half step of a run LIGGGHTS' clumps do not feel a wall behind "
-                              "them, and the mechanism does; let fix multisphere stand behind all walls");
+    script.warnings.push_back(
+        std::string("fix ") + clumps->id + " (multisphere) stands before fix " + modify.fix[i]->id +
+        " (wall/gran): in the first half step of a run LIGGGHTS' clumps do not feel a wall behind "
+        "them, and the mechanism does; let fix multisphere stand behind all walls");
     return;
   }
 }

@@ -33,7 +33,7 @@ class RunFiles {
   std::string folder_;
   Observation observation_;
   HistoryWriter history_;
-  std::optional<MotionRecord> motion_;  // none without grains
+  std::optional<MotionRecord> motion_;   // none without grains
   std::optional<MomentumRecord> audit_;  // none unless the environment asks for it (coupler/programs.h)
   std::optional<Drawing> drawing_;       // none without output.vtk, or without anything to draw
   VtkSeries pictures_;

@@ -10,7 +10,7 @@ mkdir -p "$out"
 audited=()
 # audit SCENE [OPTION...]
 audit() {
-  local scene=$1 name=${1//\//_}
+  local scene=$1 name=${#audited[@]}_${1//\//_}
   shift
   audited+=("$scene")
   "$footfall" audit "$source/$scene" --out "$out/runs/$name" "$@" >"$out/$name.txt" 2>&1

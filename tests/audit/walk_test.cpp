@@ -69,7 +69,7 @@ std::string script(const Case& c) {
   if (c.clumps) {
     s += "fix pts all particletemplate/multisphere 15485863 atom_type 1 density constant 2600 nspheres 2 ntry 100000 "
          "spheres 0 0 0 0.02 0.02 0 0 0.02 type 1\nfix pdd all particledistribution/discrete 15485867 1 pts 1.0\n"
-         "region ins block -0.1 0.1 -0.1 0.1 -0.015 0.2 units box\nfix ins all insert/pack seed 32452843 "
+         "region ins block -0.1 0.1 -0.1 0.1 -0.015 0.13 units box\nfix ins all insert/pack seed 32452843 "
          "distributiontemplate pdd vel constant 0.3 -0.2 -1.5 insert_every once overlapcheck yes all_in yes "
          "particles_in_region 40 region ins\n";
   } else {
@@ -177,7 +177,7 @@ TEST(AuditOfARun, SeesClumpsThatMissTheForcesOfWallsBehindThem) {
   const std::string late = "fix integr all multisphere\nrun 1\nunfix ins\n";
   text.erase(text.find(late), late.size());
   text.insert(text.find("fix grav"), late);
-  const std::string from = "-0.015 0.2", deeper = "-0.03 0.2";  // pressed in when the run begins
+  const std::string from = "-0.015 0.13", deeper = "-0.03 0.13";  // pressed in when the run begins
   text.replace(text.find(from), from.size(), deeper);
   const RunFolder folder("audit_clumps_before_walls");
   const std::vector<AuditLine> lines = audited(folder, c, text);
