@@ -127,7 +127,7 @@ TEST(InitialJoints, MoveAClosedLoop) {
     EXPECT_NEAR(ends.first[0].z(), B.y(), tolerance);
     EXPECT_NEAR(ends.first[1].x(), C.x(), tolerance);
     EXPECT_NEAR(ends.first[1].z(), C.y(), tolerance);
-    EXPECT_NEAR((ends.first[2].head<1>()[0] - D.x()) * 2.0, C.x() - D.x(), tolerance);  // half way from D to C
+    EXPECT_NEAR((ends.first[2].x() - D.x()) * 2.0, C.x() - D.x(), tolerance);  // half way from D to C
     EXPECT_LT(ends.speed, tolerance);
   }
 }

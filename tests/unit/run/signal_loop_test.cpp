@@ -156,7 +156,7 @@ damping = 0.4
 [[signals]]
 name = "notch"
 kind = "notch"
-input = "sin(2 * pi * 3 * time)"
+input = "sin(2 * pi * 3 * time) "
 frequency = 3
 damping = 0.4
 )",
@@ -219,7 +219,7 @@ force = { signal = "push" }
   signal.run();
   ASSERT_EQ(spring.rows.size(), signal.rows.size());
   for (std::size_t row = 0; row < spring.rows.size(); ++row)
-    EXPECT_NEAR(spring.value(row, "mass.z"), signal.value(row, "mass.z"), 1e-9) << row;
+    EXPECT_NEAR(spring.value(row, "mass.z"), signal.value(row, "mass.z"), 1e-8) << row;  // 100 rtol, of two runs
   EXPECT_LT(signal.balance, 1e-7);
 }
 
@@ -229,7 +229,7 @@ TEST_P(SignalRuns, AStiffMeshIsAGear) {
 [[bodies]]
 name = "second"
 mass = 1.0
-inertia = [0.2, 0.3, 0.9]
+inertia = [0.5, 0.5, 0.9]
 position = [1, 0, 0]
 [[joints]]
 name = "axle2"
@@ -245,7 +245,7 @@ command = { signal = "reaction" }
 [[signals]]
 name = "mesh"
 kind = "expression"
-input = "1e5 * (axle.angle - 3 * axle2.angle) + 100 * (axle.angle_rate - 3 * axle2.angle_rate)"
+input = "1e5 * (axle.angle - 3 * axle2.angle) + 100 * (axle.angle_rate - 3 * axle2.angle_rate) "
 [[signals]]
 name = "reaction"
 kind = "expression"
@@ -373,7 +373,8 @@ name = "later"
 from = ["landed"]
 when = "state.since > 0.25"
 to = "done"
-)");
+)",
+                                       {"events.low.from=[\"falling\"]"});
   Record record(scene);
   record.run();
   EXPECT_EQ(record.value(0, "state.landed"), 1.0);
@@ -455,7 +456,8 @@ period = 0.01
                                        {"output.joints=false", "output.bodies=[]"});
   Record record(scene);
   record.run();
-  EXPECT_NEAR(record.last("signal.seen"), 2.0 + record.value(record.rows.size() - 2, "energy.kinetic"), 0.2);
+  // The torque is there from the first sample on: the speed is 4 t. The last sample is that of 0.99 s.
+  EXPECT_NEAR(record.last("signal.seen"), 2.0 + 0.25 * std::pow(4.0 * 0.99, 2), 1e-6);
 }
 
 // A filter that works in one state starts anew there.
@@ -474,9 +476,9 @@ states = ["landed"]
     record.run();
     for (std::size_t row = 0; row < record.rows.size(); ++row) {
       const double since = record.value(row, "state.since");
-      if (record.value(row, "state.landed") == 0.0) EXPECT_EQ(record.value(row, "signal.mean"), 0.0);
-      if (record.value(row, "state.landed") == 1.0)
-        EXPECT_LT(record.value(row, "signal.mean"), 2.0 * 2.0 * kPi * since + 1e-9);
+      const double mean = record.value(row, "signal.mean");
+      const bool landed = record.value(row, "state.landed") == 1.0;
+      EXPECT_LT(mean, landed ? 2.0 * 2.0 * kPi * since + 1e-9 : 1e-12) << row;
     }
     EXPECT_GT(record.last("signal.mean"), 1.0);
   }
