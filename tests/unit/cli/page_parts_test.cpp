@@ -23,7 +23,7 @@ TEST(PageParts, NoTextOfASceneEndsItsElement) {
   const std::string json = text.substr(text.find(begin) + begin.size());
   const std::string held = json.substr(0, json.find("</script>"));
   EXPECT_EQ(held.find_first_of("<>&"), std::string::npos) << held;
-  EXPECT_EQ(nlohmann::json::parse(held).at("title"), parts.run.at("title"));
+  EXPECT_EQ(nlohmann::ordered_json::parse(held).at("title"), parts.run.at("title"));
 }
 
 TEST(PageParts, TimeIsExactAndNamesFollowTheHistory) {
