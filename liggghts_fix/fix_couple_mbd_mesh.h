@@ -57,7 +57,7 @@ class CoupledMesh : protected Pointers {
   int body_ = 0;
   std::unique_ptr<MeshModuleMbd> module_;
   std::shared_ptr<SmoothMesh> smooth_;  // null: grains touch facets
-  Eigen::Matrix3Xd x_W_, v_W_;  // nodes of the body's boundary [m], [m/s]
+  Eigen::Matrix3Xd x_W_, v_W_;          // nodes of the body's boundary [m], [m/s]
   // Of a conveyor (surface_vel, surface_ang_vel), by element id: velocities of the corners relative to the body, in B
   // [m/s]; empty without.
   std::vector<Eigen::Matrix3d> belt_B_;

@@ -260,8 +260,7 @@ TEST(ForeignScript, ARotorOfElevenMeshesOfTwoMaterialsIsTheSumOfThem) {
       part.nodes.row(0).array() += 0.06;
       const Eigen::Vector3d along(0.0, -0.09 + 0.018 * k, 0.0);
       part.nodes =
-          (Eigen::AngleAxisd(0.5 * M_PI - 0.08 * k, Eigen::Vector3d::UnitY()).toRotationMatrix() * part.nodes)
-              .eval();
+          (Eigen::AngleAxisd(0.5 * M_PI - 0.08 * k, Eigen::Vector3d::UnitY()).toRotationMatrix() * part.nodes).eval();
       part.nodes.colwise() += along;
     }
     const std::string id = std::to_string(k);
