@@ -32,7 +32,9 @@ constexpr const char* kVelocityName = "v";  // element property that LIGGGHTS' c
 
 using NodeVelocities = MultiVectorContainer<double, 3, 3>;
 
-NodeVelocities* node_velocities(TriMesh* mesh) { return mesh->prop().getElementProperty<NodeVelocities>(kVelocityName); }
+NodeVelocities* node_velocities(TriMesh* mesh) {
+  return mesh->prop().getElementProperty<NodeVelocities>(kVelocityName);
+}
 
 }  // namespace
 

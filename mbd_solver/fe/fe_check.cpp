@@ -19,7 +19,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kSymmetric = 1e-6;    // largest |K - K^T| over largest |K|: files print six digits or more
 constexpr double kUnsupported = 1e-6;  // force of a rigid-body motion over the sum of its parts' magnitudes, likewise
-constexpr double kMassRank = 1e-12;        // singular below this fraction of the largest eigenvalue
+constexpr double kMassRank = 1e-12;    // singular below this fraction of the largest eigenvalue
 
 void check_mass(const FeModel& model, const std::string& who) {
   const std::string not_positive = who + ": mass matrix is not positive: ";

@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kTwoPi = 6.28318530717958647692;
-constexpr int kFirstGuess = 16;        // modes asked for first when only a frequency limit is known
+constexpr int kFirstGuess = 16;  // modes asked for first when only a frequency limit is known
 
 double lambda_of(double frequency) { return std::pow(kTwoPi * frequency, 2); }
 

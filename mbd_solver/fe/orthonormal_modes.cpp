@@ -19,7 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kRigidShape = 1e-6;       // a shape that loses all but this fraction of its norm was a rigid motion
+constexpr double kRigidShape = 1e-6;  // a shape that loses all but this fraction of its norm was a rigid motion
 constexpr double kDependent = 1e-12;  // least eigenvalue of the Gram matrix of unit shapes
 constexpr double kLowest = 0.1, kHighest = 1e6;  // plausible first elastic frequency [Hz]
 

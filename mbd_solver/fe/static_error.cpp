@@ -18,10 +18,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr double kShift = 1e-4;        // of the elastic scale; see balanced_solution
-constexpr int kPasses = 5;             // error 1e-4 to the sixth power, with a scale 100 times too high 1e-12
-constexpr double kSameDirection = 1e-9;    // singular value over the largest: less is round-off
-constexpr double kOnlyRigid = 1e-6;    // what is left of a unit load balanced at the interface: less is nothing
+constexpr double kShift = 1e-4;          // of the elastic scale; see balanced_solution
+constexpr int kPasses = 5;               // error 1e-4 to the sixth power, with a scale 100 times too high 1e-12
+constexpr double kSameDirection = 1e-9;  // singular value over the largest: less is round-off
+constexpr double kOnlyRigid = 1e-6;      // what is left of a unit load balanced at the interface: less is nothing
 
 // Rows and columns of one size, so that metres and radians can be compared.
 MatrixXd scaled(MatrixXd x) {

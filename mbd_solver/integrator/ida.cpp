@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kProjectAbove = 1e-9;       // drift [m or rad] that stays in a run that goes on
 constexpr double kProjectSpeedAbove = 5e-9;  // [m/s or rad/s]
-constexpr double kDriftKept = 10.0;              // drift that stays within a window [in absolute tolerances]
+constexpr double kDriftKept = 10.0;          // drift that stays within a window [in absolute tolerances]
 constexpr double kIgnored = 1e30;            // absolute tolerance of multipliers: they carry no error of their own
 // IDA's tolerance is that of one step, and the errors of some hundred steps add up: a tenth of what is asked for the end.
 constexpr double kShare = 0.1;

@@ -15,10 +15,10 @@ namespace footfall {
 
 struct ElementInput {
   PairMotion pair;
-  Eigen::Ref<const Eigen::VectorXd> z;         // inner states of this element
+  Eigen::Ref<const Eigen::VectorXd> z;  // inner states of this element
   Eigen::Ref<const Eigen::VectorXd>
-      voltages;  // controlled voltages [-] and signals; only continuous signals change within a step
-  double time = 0.0;                           // [s]
+      voltages;       // controlled voltages [-] and signals; only continuous signals change within a step
+  double time = 0.0;  // [s]
 };
 
 // Sized once by the assembler, zeroed before each call. n = pair.size(), m = state_count().

@@ -23,10 +23,10 @@ struct Subject {
 // At the start, and at the end of every window. Views of what the run owns: good until it goes on.
 struct Sample {
   const State& state;
-  const Inputs& inputs;          // of the window that ends here
+  const Inputs& inputs;             // of the window that ends here
   const Eigen::VectorXd& voltages;  // of the inputs, with the continuous signals now
-  const Eigen::VectorXd& rates;  // [dq; dv; dz; lambda]
-  const Kinematics& kinematics;  // of all bodies, with accelerations
+  const Eigen::VectorXd& rates;     // [dq; dv; dz; lambda]
+  const Kinematics& kinematics;     // of all bodies, with accelerations
   const EnergySample& energy;
   // of the ground on each body, F_W and T_W about Bo: mean of the grains over the window, or of the plane now
   const std::vector<GeneralizedForce>& contact;

@@ -26,7 +26,7 @@ struct DriveSpec {
   //   kSpeed: kp [N m s/rad], ki [N m/rad]; kPosition: kp [N m/rad], ki [N m/(rad s)], kd [N m s/rad]
   double kp = MotorParameters{}.kp, ki = MotorParameters{}.ki, kd = MotorParameters{}.kd;  // >= 0
   std::optional<double> max_torque;  // of the motor at rest [N m] > 0; not given: no limit. Of the brake
-  std::optional<double> max_speed;                   // of the motor without load [rad/s] > 0; not given: no limit
+  std::optional<double> max_speed;   // of the motor without load [rad/s] > 0; not given: no limit
   double gear_ratio = MotorParameters{}.gear_ratio;  // turns of the motor per turn of the joint > 0 [-]
   double efficiency = MotorParameters{}.efficiency;  // of the gear, in (0, 1] [-]
   double lag = BrakeParameters{}.lag;                // of the brake behind its command [s] > 0

@@ -62,11 +62,15 @@ Json type_of(const std::vector<Eigen::Vector2d>&, const Rule&) {  // pairs, or a
 }
 Json type_of(const Eigen::Quaterniond&, const Rule&) {
   const Json three = list_of(of_type("number"), 3, 3), four = list_of(of_type("number"), 4, 4);
-  Json table = of_type("object");
-  table["properties"] = {{"rpy_deg", three}, {"rpy", three}, {"quaternion", four}};
-  table["minProperties"] = table["maxProperties"] = 1;
-  table["additionalProperties"] = false;
-  return table;
+  const Json axis = any_of(three, {{"enum", {"x", "y", "z", "-x", "-y", "-z"}}});
+  Json one = of_type("object"), turn = of_type("object");
+  one["properties"] = {{"rpy_deg", three}, {"rpy", three}, {"quaternion", four}};
+  one["minProperties"] = one["maxProperties"] = 1;
+  one["additionalProperties"] = false;
+  turn["properties"] = {{"axis", axis}, {"angle_deg", of_type("number")}, {"angle", of_type("number")}};
+  turn["minProperties"] = turn["maxProperties"] = 2;
+  turn["additionalProperties"] = false;
+  return any_of(one, turn);
 }
 Json type_of(const Eigen::Matrix3d&, const Rule&) { return list_of(of_type("number"), 3, 6); }
 Json type_of(const std::map<std::string, std::string>&, const Rule&) {

@@ -124,9 +124,11 @@ TEST(AuditTable, ChecksTheAngularMomentumThatAPeriodLeavesAlone) {
     for (AuditWindow& window : run.grains.windows) window.periodic = periodic;
     run.grains.windows[1].state.angular.y() += 1.0;  // an arm of a period along x
     run.grains.windows[1].state.angular.z() += 1.0;
-    EXPECT_EQ(line(run, "grains: angular momentum").verdict, periodic == 1 ? AuditVerdict::kHolds : AuditVerdict::kNotChecked);
+    EXPECT_EQ(line(run, "grains: angular momentum").verdict,
+              periodic == 1 ? AuditVerdict::kHolds : AuditVerdict::kNotChecked);
     run.grains.windows[1].state.angular.x() += 1.0;
-    EXPECT_EQ(line(run, "grains: angular momentum").verdict, periodic == 1 ? AuditVerdict::kWrong : AuditVerdict::kNotChecked);
+    EXPECT_EQ(line(run, "grains: angular momentum").verdict,
+              periodic == 1 ? AuditVerdict::kWrong : AuditVerdict::kNotChecked);
   }
 }
 

@@ -36,9 +36,9 @@ constexpr std::string_view name_of(MotorKind kind) {
 struct MotorParameters {
   MotorKind kind = MotorKind::kTorque;
   TimeFunctionPtr command;  // c(t) [N m], [rad/s] or [rad]; StrutInput::command is added, its rate taken as 0
-  double kp = 0.0;                       // >= 0, > 0 for speed and position [N m s/rad or N m/rad]
-  double ki = 0.0;                       // >= 0 [N m/rad or N m/(rad s)]
-  double kd = 0.0;                       // >= 0, position [N m s/rad]
+  double kp = 0.0;          // >= 0, > 0 for speed and position [N m s/rad or N m/rad]
+  double ki = 0.0;          // >= 0 [N m/rad or N m/(rad s)]
+  double kd = 0.0;          // >= 0, position [N m s/rad]
   std::optional<double> largest_torque;  // tau_0: at rest > 0; not given: no limit [N m]
   std::optional<double> no_load_speed;   // omega_0 > 0; not given: tau_0 at any speed [rad/s]
   double gear_ratio = 1.0;               // g > 0 [-, rad/m]

@@ -165,7 +165,7 @@ TEST_P(EverySignalKind, DrivesAForceWhoseWorkIsCounted) {
   ASSERT_EQ(mechanism.signals.size(), 1u);
   EXPECT_EQ(mechanism.sampled.empty(), GetParam() != "rate_limit");
   EXPECT_EQ(mechanism.model.signals() == nullptr, GetParam() == "rate_limit");
-  test::Run run(mechanism.model, "one_step", test::tight(1e-11));
+  test::Run run(mechanism.model, "one_step", test::tight(1e-12));
   run.inputs = inputs_of(mechanism);
   const double before = run.energy().stored.total();
   run.to(0.1);

@@ -45,6 +45,7 @@ TEST(Motor, GearTakesItsShareBothWays) {
 
 TEST(Motor, HasTheDerivativesOfItsForceAndRates) {
   for (const MotorKind kind : every<MotorKind>()) {
+    if (kind == MotorKind::kBrake) continue;  // a law of its own, brake_test.cpp
     const Motor law(parameters(kind));
     for (const double x : {-0.5, 0.3, 0.45, 2.0})
       for (const double v : {-2.0, -0.0005, 0.0004, 0.11, 1.3, 4.0})
@@ -54,6 +55,7 @@ TEST(Motor, HasTheDerivativesOfItsForceAndRates) {
 
 TEST(Motor, GivesWhatTheJointAndTheGearTake) {
   for (const MotorKind kind : every<MotorKind>()) {
+    if (kind == MotorKind::kBrake) continue;  // a law of its own, brake_test.cpp
     const Motor law(parameters(kind));
     const Eigen::VectorXd z = Eigen::VectorXd::Constant(law.state_count(), 0.1);
     for (const double v : {-2.0, -0.0005, 0.0004, 0.11, 1.3}) {

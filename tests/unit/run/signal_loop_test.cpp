@@ -194,8 +194,8 @@ bodies = ["ground", "mass"]
 point = [0, 0, 0]
 axis = "z"
 [solver]
-rtol = 1e-10
-atol = 1e-11
+rtol = 1e-11
+atol = 1e-12
 [output]
 interval = 0.1
 )";
@@ -219,7 +219,7 @@ force = { signal = "push" }
   signal.run();
   ASSERT_EQ(spring.rows.size(), signal.rows.size());
   for (std::size_t row = 0; row < spring.rows.size(); ++row)
-    EXPECT_NEAR(spring.value(row, "mass.z"), signal.value(row, "mass.z"), 1e-8) << row;  // 100 rtol, of two runs
+    EXPECT_NEAR(spring.value(row, "mass.z"), signal.value(row, "mass.z"), 1e-9) << row;  // 100 rtol, of two runs
   EXPECT_LT(signal.balance, 1e-7);
 }
 
