@@ -9,6 +9,7 @@
 #include "mbd_solver/build/fuzzy_block.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/signals/body_entries.h"
+#include "mbd_solver/model/signals/continuous_signals.h"
 #include "mbd_solver/model/signals/limit_blocks.h"
 #include "mbd_solver/model/signals/linear_filter.h"
 #include "mbd_solver/model/signals/lookup_table.h"
@@ -148,7 +149,7 @@ void add_continuous(const Scene& scene, SignalChain chain, Mechanism& mechanism)
     sensors.push_back(std::move(sensor));
   }
   mechanism.model.set_signals(
-      std::make_unique<ContinuousSignals>(std::move(chain), std::move(sources), std::move(sensors)));
+      std::make_shared<const ContinuousSignals>(std::move(chain), std::move(sources), std::move(sensors)));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "mbd_solver/dynamics/layout.h"
 
+#include "mbd_solver/model/signals/continuous_signals.h"
+
 namespace footfall {
 
 Layout::Layout(const Model& model) {

@@ -5,6 +5,7 @@
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/dynamics/workspace.h"
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/model/signals/continuous_signals.h"
 
 namespace footfall {
 namespace {

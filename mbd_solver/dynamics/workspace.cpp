@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mbd_solver/model/signals/continuous_signals.h"
+
 namespace footfall {
 namespace {
 

@@ -10,9 +10,10 @@
 #include "mbd_solver/model/force_element.h"
 #include "mbd_solver/model/joints/joint.h"
 #include "mbd_solver/model/marker.h"
-#include "mbd_solver/model/signals/continuous_signals.h"
 
 namespace footfall {
+
+class ContinuousSignals;  // signals/continuous_signals.h, who knows joints and elements
 
 class Model {
  public:
@@ -24,7 +25,7 @@ class Model {
   int add_joint(Joint joint);
   int add_force(std::unique_ptr<ForceElement> element);
   // Once, after what they measure.
-  void set_signals(std::unique_ptr<ContinuousSignals> signals) { signals_ = std::move(signals); }
+  void set_signals(std::shared_ptr<const ContinuousSignals> signals) { signals_ = std::move(signals); }
 
   const Eigen::Vector3d& gravity() const { return gravity_; }
   int body_count() const { return static_cast<int>(bodies_.size()); }
@@ -51,7 +52,7 @@ class Model {
   std::vector<BodyState> initial_;
   std::vector<Joint> joints_;
   std::vector<std::unique_ptr<ForceElement>> forces_;
-  std::unique_ptr<ContinuousSignals> signals_;
+  std::shared_ptr<const ContinuousSignals> signals_;
 };
 
 }  // namespace footfall

@@ -4,6 +4,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/nearest_name.h"
+#include "mbd_solver/model/signals/continuous_signals.h"
 
 namespace footfall {
 namespace {

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "coupler/messages.h"
 #include "tests/dem/coupled_run.h"
 
 namespace footfall::test {
@@ -35,8 +36,8 @@ std::vector<Case> cases() {
   // The partner misbehaves.
   add({"ForeignProtocol",
        2,
-       {"liggghts_mbd: ERROR: message Geometry: the partner speaks protocol version 1001, this program "
-        "version 3",
+       {"liggghts_mbd: ERROR: message Geometry: the partner speaks protocol version " +
+            std::to_string(kProtocolVersion + 998) + ", this program version " + std::to_string(kProtocolVersion),
         "scripted_partner: ERROR: liggghts_mbd stopped: message Geometry"},
        "",
        "until 0.01 misbehave version"});
