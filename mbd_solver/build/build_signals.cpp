@@ -9,7 +9,6 @@
 #include "mbd_solver/build/fuzzy_block.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/signals/body_entries.h"
-#include "mbd_solver/model/signals/continuous_signals.h"
 #include "mbd_solver/model/signals/limit_blocks.h"
 #include "mbd_solver/model/signals/linear_filter.h"
 #include "mbd_solver/model/signals/lookup_table.h"

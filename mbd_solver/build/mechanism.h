@@ -11,6 +11,7 @@
 #include "mbd_solver/model/controllers/controller.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/model.h"
+#include "mbd_solver/model/signals/continuous_signals.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {
