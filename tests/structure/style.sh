@@ -5,7 +5,8 @@
 #   style.sh --all    clang-format on the whole tree
 set -u
 cd "$(dirname "$0")/../.."
-build=${FOOTFALL_BUILD:-build}
+# A folder of its own: the front door builds whole libraries as one source, and clang-tidy wants to know each.
+build=${FOOTFALL_BUILD:-build}/style
 deadline=$((EPOCHSECONDS + 15))  # [s], of clang-tidy
 failed=0
 
