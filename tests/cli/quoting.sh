@@ -18,7 +18,8 @@ TOML
 "$footfall" run scene.toml --out run --quiet >"$out/run.txt" 2>&1 || die "the run failed"
 [[ -s run/plots/overview.png ]] || die "there are no plots"
 "$footfall" report run >"$out/report.txt" 2>&1 || die "the report failed"
-! grep -q '<script>' run/report.html || die "a title is HTML in the page"
+! grep -q '<script>x' run/report.html || die "a title is HTML in the page"
+grep -q '&lt;script&gt;x' run/report.html || die "the page does not show the title"
 clean
 
 # The texts of an experiment.
