@@ -24,12 +24,10 @@ namespace {
 
 constexpr double kProjectAbove = 1e-9;       // drift [m or rad] that stays in a run that goes on
 constexpr double kProjectSpeedAbove = 5e-9;  // [m/s or rad/s]
-constexpr double kDriftKept = 10.0;          // drift that stays within a window [in absolute tolerances]
+constexpr double kDriftKept = 100.0;         // drift that stays within a window [in absolute tolerances]
 constexpr double kIgnored = 1e30;            // absolute tolerance of multipliers: they carry no error of their own
-// IDA's tolerance is that of one step, and the errors of some hundred steps add up: a tenth of what is asked for the end.
-constexpr double kShare = 0.1;
-constexpr double kTold = 100.0;  // [tolerances] sum of the errors of all steps that a run warns of
-constexpr int kRenewRest = 10;   // steps after which resting rows are looked at
+constexpr double kTold = 100.0;              // [tolerances] sum of the errors of all steps that a run warns of
+constexpr int kRenewRest = 10;               // steps after which resting rows are looked at
 // Gauss-Legendre with three points, exact to fifth order as IDA is.
 const double kGaussNode[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
 constexpr double kGaussWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
@@ -68,7 +66,6 @@ struct Ida::Sundials {
   void add_work_between(double begin, double end, const Inputs& inputs, State& state);
   void count(IntegratorStatistics& statistics);
   double step_error();
-  bool project(State& state, Equations::Drift& drift);
 
   static int residual(realtype t, N_Vector y, N_Vector ydot, N_Vector F, void* self);
   static int jacobian(realtype t, realtype c, N_Vector y, N_Vector ydot, N_Vector F, SUNMatrix J, void* self, N_Vector,
@@ -79,7 +76,6 @@ struct Ida::Sundials {
 
   Equations& equations;
   IntegratorOptions options;
-  ErrorNorm norm;
   SUNContext context = nullptr;
   void* memory = nullptr;
   N_Vector y = nullptr, ydot = nullptr, scratch = nullptr, scratch2 = nullptr;
@@ -99,7 +95,7 @@ struct Ida::Sundials {
   long jacobians = 0;
 };
 
-Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o) : equations(e), options(o), norm(e.layout(), o) {
+Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o) : equations(e), options(o) {
   const Layout& layout = equations.layout();
   const int n = layout.size();
   if (SUNContext_Create(nullptr, &context) != 0) throw NumericalError("SUNContext_Create failed.");
@@ -123,8 +119,8 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o) : equations(e)
   check(IDASetErrHandlerFn(memory, &Sundials::message, this), "IDASetErrHandlerFn");
   check(IDASetUserData(memory, this), "IDASetUserData");
   writable(scratch).setConstant(kIgnored);
-  writable(scratch).head(layout.lambda0()) = kShare * norm.absolute();
-  check(IDASVtolerances(memory, kShare * options.rtol, scratch), "IDASVtolerances");
+  writable(scratch).head(layout.lambda0()) = ErrorNorm(layout, options).absolute();
+  check(IDASVtolerances(memory, options.rtol, scratch), "IDASVtolerances");
   writable(scratch).setOnes();
   writable(scratch).tail(layout.row_count).setZero();
   check(IDASetId(memory, scratch), "IDASetId");
@@ -233,46 +229,31 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
     add_work_between(from, row_time, inputs, state);
     from = row_time;
     check(IDAGetDky(memory, row_time, 0, scratch), "IDAGetDky");
+    check(IDAGetDky(memory, row_time, 1, scratch2), "IDAGetDky");
     equations.unpack(view(scratch), state);
     state.time = row_time;
+    rates = view(scratch2);
+    rates.tail(equations.layout().row_count) = view(scratch).tail(equations.layout().row_count);
     row = state;
     statistics.count(options.projection ? equations.project(row) : equations.check_closed(row));
-    // Solved for: the slope of IDA's polynomial is far less exact than its values, just after a start most of all.
-    equations.accelerations(row, inputs, rates);
-    ++statistics.factorizations;
+    equations.smallest_multipliers(row, rates.tail(equations.layout().row_count));
     if (!rows.on_row(row, rates)) return false;
   }
   add_work_between(from, t, inputs, state);
   equations.unpack(view(y), state);
   state.time = t;
+  rates = view(ydot);
+  rates.tail(equations.layout().row_count) = view(y).tail(equations.layout().row_count);
   return true;
 }
 
-// The error of the last step, in tolerances of the run: root mean square over q, v and z.
+// The error of the last step, in tolerances: root mean square over q, v and z.
 double Ida::Sundials::step_error() {
   const int count = equations.layout().lambda0();
   if (count == 0) return 0.0;
   check(IDAGetEstLocalErrors(memory, scratch), "IDAGetEstLocalErrors");
   check(IDAGetErrWeights(memory, scratch2), "IDAGetErrWeights");
-  return kShare * std::sqrt(view(scratch).head(count).cwiseProduct(view(scratch2).head(count)).squaredNorm() / count);
-}
-
-// False near a singular position, where projection would take energy away: the state stays as it is, and a later step
-// beyond the position is projected.
-bool Ida::Sundials::project(State& state, Equations::Drift& drift) {
-  const Layout& layout = equations.layout();
-  row = state;
-  const Equations::Drift removed = equations.project(row);
-  norm.set(view(y));
-  Eigen::Map<Eigen::VectorXd> moved = writable(scratch);
-  moved.setZero();
-  moved.head(layout.q_size) = row.q - state.q;
-  moved.segment(layout.v0(), layout.v_size) = row.v - state.v;
-  if (norm.far(moved)) return false;
-  state.q = row.q;
-  state.v = row.v;
-  drift = removed;
-  return true;
+  return std::sqrt(view(scratch).head(count).cwiseProduct(view(scratch2).head(count)).squaredNorm() / count);
 }
 
 // Work integrals on IDA's own interpolant, within its last step.
@@ -353,23 +334,19 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
         (drift.position < std::max(kProjectAbove, kDriftKept * s.options.atol) &&
          drift.velocity < std::max(kProjectSpeedAbove, kDriftKept * s.options.atol_velocity)))
       continue;
-    if (!s.project(state, drift)) continue;
-    statistics_.count(drift);
+    statistics_.count(s.equations.project(state));
     s.restart(state, inputs, statistics_);
     s.check(IDASetStopTime(s.memory, t_end), "IDASetStopTime");
   }
   s.count(statistics_);
   ++statistics_.windows;
 
-  // What is handed out has no drift; IDA itself goes on from where it is.
-  if (s.options.projection && (drift.position > kProjectAbove || drift.velocity > kProjectSpeedAbove))
-    s.project(state, drift);
-  statistics_.count(drift);
   s.state_last = ended_by_row ? State{} : state;
   s.inputs_last = inputs;
-  if (ended_by_row) return;
-  s.equations.accelerations(state, inputs, s.rates);
-  ++statistics_.factorizations;
+  if (s.options.projection && (drift.position > kProjectAbove || drift.velocity > kProjectSpeedAbove))
+    drift = s.equations.project(state);
+  statistics_.count(drift);
+  if (!ended_by_row) s.equations.smallest_multipliers(state, s.rates.tail(s.equations.layout().row_count));
 }
 
 }  // namespace footfall

@@ -2,9 +2,7 @@
 // SUNDIALS IDA: variable-order BDF on the same residual and the same analytic Jacobian (KLU). A window with
 // other loads or voltages (or a state that was changed from outside, a projection included) is a new initial
 // value problem: IDA starts again at first order. While nothing changes it goes on, and drift is projected
-// within a window only when it passes ten absolute tolerances; what is handed out is projected, and IDA goes on from where
-// it is. Its tolerance is that of one step: it is given a tenth of what is asked for, and warns when the errors of all its
-// steps add up to more than a hundred times that.
+// only when it passes kProjectAbove.
 
 #include <memory>
 

@@ -23,6 +23,7 @@ bool OneStep::close_end(double t) {
   const Equations::Drift drift = equations_.drift(end_);
   closed_ = careful_ > 0 || drift.position > kDrift * options_.atol || drift.velocity > kDrift * options_.atol_velocity;
   if (!closed_) return true;
+  equations_.forget();  // pivots that a row of the output has chosen shall not turn the motion
   try {
     end_drift_ = equations_.project(end_, careful_ > 0 ? Equations::Close::kFully : Equations::Close::kAsPromised);
   } catch (const NumericalError& error) {   // a joint that does not close
@@ -46,11 +47,13 @@ bool OneStep::close_end(double t) {
 }
 
 void OneStep::start_clean(const Inputs& inputs, State& state) {
+  equations_.forget();  // likewise
   statistics_.count(equations_.project(state, Equations::Close::kFully));
   renew_rates(inputs, state);
 }
 
 void OneStep::renew_rates(const Inputs& inputs, const State& state) {
+  equations_.forget();
   equations_.accelerations(state, inputs, K_[0]);
   ++statistics_.factorizations;
   equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
