@@ -23,7 +23,7 @@ bool OneStep::close_end(double t) {
   const Equations::Drift drift = equations_.drift(end_);
   closed_ = careful_ > 0 || drift.position > kDrift * options_.atol || drift.velocity > kDrift * options_.atol_velocity;
   if (!closed_) return true;
-  equations_.forget();  // pivots that a row of the output has chosen shall not turn the motion
+  if (careful_ > 0) equations_.forget();  // pivots that a row of the output has chosen shall not turn the motion
   try {
     end_drift_ = equations_.project(end_, careful_ > 0 ? Equations::Close::kFully : Equations::Close::kAsPromised);
   } catch (const NumericalError& error) {   // a joint that does not close
