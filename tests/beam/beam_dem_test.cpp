@@ -192,7 +192,7 @@ Eigen::Vector3d from_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 // of every sphere with every beam, against a search through all segments. Every beam is a body of its own,
 // all in one fix.
 TEST(BeamRuns, ThousandSpheresAmongFiftyBeamsFeelTheForcesOfABruteForceSearch) {
-  Random random(21);
+  RandomBeams random(21);
   const int spheres = 1000, beams = 50;
   std::vector<Eigen::Vector3d> x;
   std::vector<double> r;

@@ -13,8 +13,8 @@
 namespace footfall {
 namespace {
 
-constexpr double kCrank = 0.15, kRod = 0.3, kDiameter = 0.006;  // [m]
-constexpr double kGain = 5.0;                                   // crank angle kGain t^4 [rad]: a start without a jolt
+constexpr double kCrank = 0.15, kRod = 0.3, kRodDiameter = 0.006;  // [m]
+constexpr double kGain = 5.0;  // crank angle kGain t^4 [rad]: a start without a jolt
 constexpr int kElements = 8, kMiddle = 4;
 
 double crank_angle(double t) { return kGain * std::pow(t, 4); }
@@ -35,7 +35,7 @@ struct SliderCrank {
     options.interface_nodes = {0};
     options.pinned_nodes = {kElements};
     modal = std::make_shared<const ModalBody>(
-        reduce(straight_beam(pin, wrist, kElements, rod_section(kDiameter), steel), options, "rod").body);
+        reduce(straight_beam(pin, wrist, kElements, rod_section(kRodDiameter), steel), options, "rod").body);
     const Body flexible("rod", modal);
     state.r = 0.5 * (pin + wrist);
     rod = model.add_body(young > 0.0 ? flexible : Body("rod", flexible.mass(), flexible.rigid_inertia()), state);
@@ -113,7 +113,9 @@ class ChordSolution {
  private:
   static constexpr int kModes = 5;
   static constexpr double kStep = 1e-5;  // [s]; the fifth mode has 2.1e4 rad/s
-  static double omega2(int n) { return std::pow(n * kPi / kRod, 4) * 207e9 / 7850.0 * kDiameter * kDiameter / 16.0; }
+  static double omega2(int n) {
+    return std::pow(n * kPi / kRod, 4) * 207e9 / 7850.0 * kRodDiameter * kRodDiameter / 16.0;
+  }
   double t_ = 0.0, q_[kModes + 1] = {}, dq_[kModes + 1] = {};
 };
 

@@ -13,8 +13,8 @@
 namespace footfall {
 namespace {
 
-const Material kSteel{7850.0, 207e9, 0.3};
-constexpr double kLength = 1.0, kDiameter = 0.004;  // [m]
+const Material kStripSteel{7850.0, 207e9, 0.3};
+constexpr double kStripLength = 1.0, kStripDiameter = 0.004;  // [m]
 
 // Tip of the elastica EI theta'' = -q (L - s) cos theta, theta(0) = theta'(L) = 0, q L^3 / EI = load; in units of L,
 // downwards.
@@ -74,18 +74,18 @@ struct Bent {
 };
 
 Bent bend(double load) {
-  const FeModel beam =
-      straight_beam(Eigen::Vector3d::Zero(), Eigen::Vector3d(kLength, 0, 0), 10, rod_section(kDiameter), kSteel);
+  const FeModel beam = straight_beam(Eigen::Vector3d::Zero(), Eigen::Vector3d(kStripLength, 0, 0), 10,
+                                     rod_section(kStripDiameter), kStripSteel);
   BasisOptions options;
   options.mode_count = 6;
   options.damping_ratio = {1.0};  // so that it settles
   options.interface_nodes = {0, 10};
   const Body body("beam", std::make_shared<const ModalBody>(reduce(beam, options, "beam").body));
-  const BeamSection section = rod_section(kDiameter);
-  const double q = load * kSteel.young * section.bending_y / std::pow(kLength, 3);
-  Model model({0.0, 0.0, -q / (kSteel.density * section.area)});
+  const BeamSection section = rod_section(kStripDiameter);
+  const double q = load * kStripSteel.young * section.bending_y / std::pow(kStripLength, 3);
+  Model model({0.0, 0.0, -q / (kStripSteel.density * section.area)});
   BodyState state;
-  state.r = {0.5 * kLength, 0.0, 0.0};
+  state.r = {0.5 * kStripLength, 0.0, 0.0};
   model.add_body(body, state);
   model.add_joint(fixed_joint("clamp", ground_marker(Eigen::Vector3d::Zero()),
                               node_marker(0, model.body(0), 0, Eigen::Vector3d::Zero())));
@@ -94,7 +94,7 @@ Bent bend(double load) {
   const BodyKinematics b = run.body(0);
   const ModalBody& modal = *body.modal();
   const Eigen::Vector3d tip = b.r + b.A * (modal.rho0.col(10) + modal.Phi.middleRows(30, 3) * b.a);
-  return {-tip.z() / kLength, elastica_tip(load), largest_deflection(modal, b.a) / kLength};
+  return {-tip.z() / kStripLength, elastica_tip(load), largest_deflection(modal, b.a) / kStripLength};
 }
 
 TEST(LargeDeflection, ReferenceIsLinearForSmallLoadsAndAgreesWithAChainOfBars) {

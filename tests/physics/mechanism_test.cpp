@@ -24,10 +24,10 @@ int add_rod(Model& model, const std::string& name, const Eigen::Vector3d& from, 
 using test::hinge;
 using test::n_four_bar;
 
-class Kind : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Integrators, Kind, ::testing::Values("one_step", "ida"));
+class MechanismBy : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Integrators, MechanismBy, ::testing::Values("one_step", "ida"));
 
-TEST_P(Kind, PendulumKeepsItsPeriod) {
+TEST_P(MechanismBy, PendulumKeepsItsPeriod) {
   // Rod of length l about its end, released at rest at amplitude A: T = 4 sqrt(2 l / (3 g)) K(sin(A/2)).
   const double amplitude = 2.0, g = 9.81;
   Model model({0.0, -g, 0.0});
@@ -69,7 +69,7 @@ class PointForce : public ForceElement {
   Eigen::Vector3d force_;
 };
 
-TEST_P(Kind, SliderCrankReachesThePublishedState) {
+TEST_P(MechanismBy, SliderCrankReachesThePublishedState) {
   // The mechanism of the SUNDIALS example idaSlCrank_dns: crank of radius 0.5 and inertia 1 about the origin;
   // connecting rod of mass 1 and inertia 2 whose centre slides along x, with the crank pin at -1 and a
   // constant force of 1 N along x at +1 on its own axis; spring and damper (1 N/m, free length 1 m, 1 N s/m)
@@ -105,7 +105,7 @@ TEST_P(Kind, SliderCrankReachesThePublishedState) {
   EXPECT_LT(std::abs(run.imbalance()), 1e-5);
 }
 
-TEST_P(Kind, FourBarPassesItsSingularPositionsWithItsEnergy) {
+TEST_P(MechanismBy, FourBarPassesItsSingularPositionsWithItsEnergy) {
   // Whenever all posts lie flat the mechanism could change its branch and Phi_v loses rank. The benchmark
   // asks for 10 s with an energy error below 0.1 J; at this tolerance a hundred times less must come out.
   const Model model = n_four_bar(2);

@@ -122,12 +122,12 @@ TEST_P(RandomMechanisms, BothIntegratorsAgree) {
   });
 }
 
-// Momentum, and moment of momentum about the mass centre.
-struct Momentum {
+// Momenta, and moment of momentum about the mass centre.
+struct Momenta {
   Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear;
 };
-Momentum momentum(const Plan& plan, const Motion& motion) {
-  Momentum out;
+Momenta momentum(const Plan& plan, const Motion& motion) {
+  Momenta out;
   double mass = 0.0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < motion.size(); ++i) {
@@ -158,7 +158,7 @@ TEST_P(RandomMechanisms, KeepTheirEnergyAndTheirMomentum) {
       const double speed = test::size_of(start, end).speed, share = tolerance(plan, rtol);
       EXPECT_LT(std::abs(run.imbalance()), share * mass * speed * speed) << kind;
       if (!free) continue;
-      const Momentum before = momentum(plan, start), after = momentum(plan, end);
+      const Momenta before = momentum(plan, start), after = momentum(plan, end);
       EXPECT_LT((after.linear - before.linear - mass * plan.regular_until * plan.gravity).norm(), share * mass * speed)
           << kind;
       EXPECT_LT((after.angular - before.angular).norm(), share * mass * speed) << kind;  // bodies of about 1 m

@@ -16,12 +16,14 @@
 namespace footfall {
 namespace {
 
-const Material kSteel{7850.0, 207e9, 0.3};
-constexpr double kLength = 1.0;     // [m]
-constexpr double kDiameter = 0.01;  // [m]
+const Material kBeamSteel{7850.0, 207e9, 0.3};
+constexpr double kBeamLength = 1.0;     // [m]
+constexpr double kBeamDiameter = 0.01;  // [m]
 
 // sqrt(EI / (m L^4)): the unit of spin rates and frequencies [1/s].
-double unit() { return std::sqrt(kSteel.young / kSteel.density) * kDiameter / 4.0 / (kLength * kLength); }
+double unit() {
+  return std::sqrt(kBeamSteel.young / kBeamSteel.density) * kBeamDiameter / 4.0 / (kBeamLength * kBeamLength);
+}
 
 enum class Plane { kFlap, kLag };  // bending along the spin axis, and across it
 
@@ -98,10 +100,11 @@ double first_shape(double x, bool clamped) {
 
 struct Spinning {
   Spinning(double eta, Plane plane, bool clamped) : rate(eta * unit()), direction(plane == Plane::kFlap ? 2 : 1) {
-    constexpr int kElements = 10;
+    constexpr int kBeamElements = 10;
     const double x0 = clamped ? 0.0 : -0.5;
-    const FeModel beam = straight_beam(Eigen::Vector3d(x0 * kLength, 0, 0), Eigen::Vector3d((x0 + 1.0) * kLength, 0, 0),
-                                       kElements, rod_section(kDiameter), kSteel);
+    const FeModel beam =
+        straight_beam(Eigen::Vector3d(x0 * kBeamLength, 0, 0), Eigen::Vector3d((x0 + 1.0) * kBeamLength, 0, 0),
+                      kBeamElements, rod_section(kBeamDiameter), kBeamSteel);
     BasisOptions options;
     options.mode_count = 10;
     options.damping_ratio = {0.0};
@@ -109,10 +112,10 @@ struct Spinning {
     if (clamped) options.interface_nodes = {0};
     modal = std::make_shared<const ModalBody>(reduce(beam, options, "beam").body);
     const Body body("beam", modal);
-    tip = kElements;
+    tip = kBeamElements;
     // A small velocity in the first mode, split into motion of the frame and of the modes.
     BodyState state;
-    state.r = {(x0 + 0.5) * kLength, 0.0, 0.0};
+    state.r = {(x0 + 0.5) * kBeamLength, 0.0, 0.0};
     state.w = {0.0, 0.0, rate};
     state.dr = state.w.cross(state.r);
     state.a = Eigen::VectorXd::Zero(body.mode_count());
@@ -121,7 +124,7 @@ struct Spinning {
     for (int j = 0; j < modal->node_count(); ++j) {
       const Eigen::Vector3d rho = modal->rho0.col(j);
       Eigen::Vector3d v = Eigen::Vector3d::Zero();
-      v(direction) = 1e-4 * first_shape((state.r.x() + rho.x()) / kLength - x0, clamped);
+      v(direction) = 1e-4 * first_shape((state.r.x() + rho.x()) / kBeamLength - x0, clamped);
       state.dr += modal->node_mass(j) / body.mass() * v;
       spin += modal->node_mass(j) * rho.cross(v);
       state.da += modal->node_mass(j) * modal->Phi.middleRows(3 * j, 3).transpose() * v;
@@ -221,7 +224,7 @@ TEST(SpinningBar, StretchesByItsCentrifugalLoad) {
   for (bool about_end : {true, false}) {
     const double x0 = about_end ? 0.0 : -0.5 * L;
     const FeModel bar =
-        straight_beam(Eigen::Vector3d(x0, 0, 0), Eigen::Vector3d(x0 + L, 0, 0), 8, rod_section(0.06), kSteel);
+        straight_beam(Eigen::Vector3d(x0, 0, 0), Eigen::Vector3d(x0 + L, 0, 0), 8, rod_section(0.06), kBeamSteel);
     BasisOptions options;
     options.mode_count = 6;
     options.damping_ratio = {0.7};  // so that it settles
@@ -253,7 +256,7 @@ TEST(SpinningBar, StretchesByItsCentrifugalLoad) {
     const double stretch = (at(8) - at(0)).norm() - L;
     const double radius = about_end ? L : 0.5 * L, parts = about_end ? 1.0 : 2.0;
     const double spin = b.w.norm();  // of a free bar it falls as the bar grows
-    const double exact = parts * kSteel.density * spin * spin * std::pow(radius, 3) / (3.0 * kSteel.young);
+    const double exact = parts * kBeamSteel.density * spin * spin * std::pow(radius, 3) / (3.0 * kBeamSteel.young);
     std::printf("  about its %s: stretch %.6g m, exact %.6g m (%+.2e)\n", about_end ? "end" : "middle", stretch, exact,
                 stretch / exact - 1.0);
     EXPECT_NEAR(stretch, exact, 0.005 * exact);

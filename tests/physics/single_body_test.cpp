@@ -13,10 +13,10 @@
 namespace footfall {
 namespace {
 
-class Kind : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Integrators, Kind, ::testing::Values("one_step", "ida"));
+class SingleBodyBy : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Integrators, SingleBodyBy, ::testing::Values("one_step", "ida"));
 
-TEST_P(Kind, SymmetricTopNutatesAsInClosedForm) {
+TEST_P(SingleBodyBy, SymmetricTopNutatesAsInClosedForm) {
   // w = H / J1 + w3 (1 - J3 / J1) e3: the attitude turns about H at |H| / J1 and about its own axis at w3 (1
   // - J3 / J1).
   Model model;
@@ -68,7 +68,7 @@ std::unique_ptr<StrutLaw> dashpot(double c) {
   return std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{0.0, c, 0.0, 0.0});
 }
 
-TEST_P(Kind, ViscousOscillatorDecaysAsInClosedForm) {
+TEST_P(SingleBodyBy, ViscousOscillatorDecaysAsInClosedForm) {
   const double k = 200.0, m = 2.0, c = 4.0, z0 = 0.1, t = 1.3;
   Oscillator o(spring(k), dashpot(c), m, z0);
   test::Run run(o.model, GetParam(), test::tight(1e-9));
@@ -82,7 +82,7 @@ TEST_P(Kind, ViscousOscillatorDecaysAsInClosedForm) {
   EXPECT_LT(std::abs(run.imbalance()), 1e-5 * run.start_energy());
 }
 
-TEST_P(Kind, CoulombOscillatorLosesTheSameAmplitudeEveryHalfPeriod) {
+TEST_P(SingleBodyBy, CoulombOscillatorLosesTheSameAmplitudeEveryHalfPeriod) {
   // Turning points 2 F / k closer to the middle after each half period. Regularised at 1e-5 m/s, against
   // speeds of 1 m/s.
   const double k = 400.0, m = 1.0, F = 2.0, z0 = 0.05;
@@ -122,7 +122,7 @@ struct Ball {
   const RigidPlane* element = nullptr;
 };
 
-TEST_P(Kind, ElasticImpactHasHertzDepthAndDuration) {
+TEST_P(SingleBodyBy, ElasticImpactHasHertzDepthAndDuration) {
   RigidPlane::Parameters plane;
   plane.stiffness = 1e6;
   plane.friction = 0.0;
@@ -147,7 +147,7 @@ TEST_P(Kind, ElasticImpactHasHertzDepthAndDuration) {
   EXPECT_NEAR(run.body(ball.body).dr.z(), v, 1e-5 * v);
 }
 
-TEST_P(Kind, BounceHasItsRestitution) {
+TEST_P(SingleBodyBy, BounceHasItsRestitution) {
   for (double e : {0.3, 0.8}) {
     RigidPlane::Parameters plane;
     plane.stiffness = 1e6;
@@ -166,7 +166,7 @@ TEST_P(Kind, BounceHasItsRestitution) {
   }
 }
 
-TEST_P(Kind, SlidingBallEndsUpRollingAtFiveSevenths) {
+TEST_P(SingleBodyBy, SlidingBallEndsUpRollingAtFiveSevenths) {
   // Friction at the lowest point: m v changes by its impulse, J w by its moment; rolling without slip leaves
   // 5/7 of the speed.
   RigidPlane::Parameters plane;
@@ -187,7 +187,7 @@ TEST_P(Kind, SlidingBallEndsUpRollingAtFiveSevenths) {
   EXPECT_LT(std::abs(run.imbalance()), 1e-5);
 }
 
-TEST_P(Kind, PrescribedMotionDoesTheWorkItReports) {
+TEST_P(SingleBodyBy, PrescribedMotionDoesTheWorkItReports) {
   // A mass shaken along z, turned about z: kinetic energy comes from the drive alone.
   Model model({0.0, 0.0, -2.0});
   const int body = model.add_body(Body("plate", 3.0, Eigen::Vector3d(1.0, 1.0, 2.0).asDiagonal()), {});
@@ -210,7 +210,7 @@ TEST_P(Kind, PrescribedMotionDoesTheWorkItReports) {
   EXPECT_LT(std::abs(run.imbalance()), 1e-5 * run.state.supplied[Supply::kMotion]);
 }
 
-TEST_P(Kind, ConstantLoadDoesForceTimesWay) {
+TEST_P(SingleBodyBy, ConstantLoadDoesForceTimesWay) {
   Model model;
   const int body = model.add_body(Body("body", 2.0, Eigen::Vector3d(1.0, 2.0, 2.5).asDiagonal()), {});
   test::Run run(model, GetParam(), test::tight(1e-8));

@@ -16,6 +16,11 @@ inline std::filesystem::path lander_file() {
   return std::string(FOOTFALL_SOURCE_DIR) + "/inputs/controllers/lander.fll";
 }
 
+inline const FuzzySystem& lander() {
+  static const FuzzySystem system(lander_file());
+  return system;
+}
+
 inline std::string lander_text() {
   std::ifstream in(lander_file());
   std::ostringstream text;

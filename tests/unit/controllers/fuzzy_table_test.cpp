@@ -12,11 +12,6 @@
 namespace footfall {
 namespace {
 
-const FuzzySystem& lander() {
-  static const FuzzySystem system(lander_file());
-  return system;
-}
-
 Eigen::VectorXd from_table(const FuzzyTable& of, const FuzzyInput& x) {
   Eigen::VectorXd u(of.output_count());
   of.evaluate(x, u);

@@ -11,11 +11,6 @@
 namespace footfall {
 namespace {
 
-const FuzzySystem& lander() {
-  static const FuzzySystem system(lander_file());
-  return system;
-}
-
 TEST(Fuzzy, EqualsFuzzyLitesOwnEvaluationOfTheFile) {
   const std::unique_ptr<fl::Engine> engine(fl::FllImporter().fromFile(lander_file().string()));
   std::mt19937_64 generator(1);

@@ -11,7 +11,7 @@
 namespace footfall {
 namespace {
 
-ControllerMeasurement measurement(double acceleration, double velocity = 0.0, double rate = 0.0) {
+ControllerMeasurement measured(double acceleration, double velocity = 0.0, double rate = 0.0) {
   ControllerMeasurement m;
   m.acceleration = acceleration;
   m.velocity = velocity;
@@ -29,7 +29,7 @@ TEST(ConstantController, AnswersItsVoltages) {
   ConstantControllerParameters p;
   p.voltages = Eigen::Vector3d(0.0, 0.5, 1.0);
   ConstantController controller(p);
-  EXPECT_EQ(sample(controller, measurement(30.0)), p.voltages);
+  EXPECT_EQ(sample(controller, measured(30.0)), p.voltages);
   EXPECT_EQ(controller.memory().size(), 0);
 }
 
@@ -47,28 +47,28 @@ TEST(ConstantController, RefusesVoltagesOutsideZeroToOne) {
 
 TEST(SkyhookController, IsOnWhileTheStrutOpposesTheBody) {
   SkyhookController controller({});
-  EXPECT_EQ(sample(controller, measurement(0.0, -3.0, 2.0))[0], 1.0);  // sinks, strut compresses: it brakes
+  EXPECT_EQ(sample(controller, measured(0.0, -3.0, 2.0))[0], 1.0);  // sinks, strut compresses: it brakes
   // rises, strut compresses: it would push on
-  EXPECT_EQ(sample(controller, measurement(0.0, 1.0, 2.0))[0], 0.0);
-  EXPECT_EQ(sample(controller, measurement(0.0, 1.0, -2.0))[0], 1.0);   // rises, strut extends: it holds back
-  EXPECT_EQ(sample(controller, measurement(0.0, -1.0, -2.0))[0], 0.0);  // sinks, strut extends
+  EXPECT_EQ(sample(controller, measured(0.0, 1.0, 2.0))[0], 0.0);
+  EXPECT_EQ(sample(controller, measured(0.0, 1.0, -2.0))[0], 1.0);   // rises, strut extends: it holds back
+  EXPECT_EQ(sample(controller, measured(0.0, -1.0, -2.0))[0], 0.0);  // sinks, strut extends
 }
 
 TEST(SkyhookController, KeepsItsValueInsideTheDeadband) {
   SkyhookController controller({});
-  EXPECT_EQ(sample(controller, measurement(0.0, -3.0, 0.001))[0], 0.0);  // nothing decided yet: off
-  sample(controller, measurement(0.0, -3.0, 2.0));
-  EXPECT_EQ(sample(controller, measurement(0.0, 3.0, 0.001))[0], 1.0);
-  EXPECT_EQ(sample(controller, measurement(0.0, 0.001, 2.0))[0], 1.0);
+  EXPECT_EQ(sample(controller, measured(0.0, -3.0, 0.001))[0], 0.0);  // nothing decided yet: off
+  sample(controller, measured(0.0, -3.0, 2.0));
+  EXPECT_EQ(sample(controller, measured(0.0, 3.0, 0.001))[0], 1.0);
+  EXPECT_EQ(sample(controller, measured(0.0, 0.001, 2.0))[0], 1.0);
 }
 
 TEST(SkyhookController, DecidesEachStrutAloneAndResumes) {
   SkyhookController one({}), two({});
-  ControllerMeasurement m = measurement(0.0, -3.0);
+  ControllerMeasurement m = measured(0.0, -3.0);
   m.strut_rate << 1.0, -1.0, 0.0, 2.0;
   EXPECT_EQ(sample(one, m), Eigen::Vector4d(1.0, 0.0, 0.0, 1.0));
   two.restore(one.memory());
-  EXPECT_EQ(sample(two, measurement(0.0)), Eigen::Vector4d(1.0, 0.0, 0.0, 1.0));
+  EXPECT_EQ(sample(two, measured(0.0)), Eigen::Vector4d(1.0, 0.0, 0.0, 1.0));
 }
 
 TEST(PidController, IsProportionalToTheFilteredError) {
@@ -77,7 +77,7 @@ TEST(PidController, IsProportionalToTheFilteredError) {
   p.bias = 0.2;
   PidController controller(p);
   // the first sample passes the filter
-  EXPECT_NEAR(sample(controller, measurement(20.0))[0], 0.2 + 0.03 * (29.4 - 20.0), 1e-12);
+  EXPECT_NEAR(sample(controller, measured(20.0))[0], 0.2 + 0.03 * (29.4 - 20.0), 1e-12);
 }
 
 TEST(PidController, IntegralRemovesTheErrorOfALinearPlant) {
@@ -86,16 +86,16 @@ TEST(PidController, IntegralRemovesTheErrorOfALinearPlant) {
   p.ki = 2.0;
   PidController controller(p);
   double u = 0.0;
-  for (int k = 0; k < 2000; ++k) u = sample(controller, measurement(20.0 + 15.0 * u))[2];
+  for (int k = 0; k < 2000; ++k) u = sample(controller, measured(20.0 + 15.0 * u))[2];
   EXPECT_NEAR(u, 9.4 / 15.0, 1e-6);
 }
 
 TEST(PidController, DoesNotWindUpInFreeFallOrSaturation) {
   PidController controller({});
-  for (int k = 0; k < 5000; ++k) sample(controller, measurement(-1.63));
+  for (int k = 0; k < 5000; ++k) sample(controller, measured(-1.63));
   EXPECT_EQ(controller.memory()[AccelerationFilter::kMemory], 0.0);
-  for (int k = 0; k < 20; ++k) sample(controller, measurement(60.0));  // until the filter has left free fall
-  for (int k = 0; k < 5000; ++k) EXPECT_EQ(sample(controller, measurement(60.0))[0], 0.0);
+  for (int k = 0; k < 20; ++k) sample(controller, measured(60.0));  // until the filter has left free fall
+  for (int k = 0; k < 5000; ++k) EXPECT_EQ(sample(controller, measured(60.0))[0], 0.0);
   const double integral = controller.memory()[AccelerationFilter::kMemory];
   EXPECT_GE(integral, -0.1);  // held since U reached 0
 }
@@ -105,12 +105,12 @@ TEST(PidController, VoltagesStayInRangeAndResumeToTheBit) {
   p.kd = 1e-3;
   PidController one(p), two(p);
   for (int k = 0; k < 200; ++k) {
-    const Eigen::VectorXd u = sample(one, measurement(40.0 * std::sin(0.1 * k)));
+    const Eigen::VectorXd u = sample(one, measured(40.0 * std::sin(0.1 * k)));
     EXPECT_TRUE((u.array() >= 0.0).all() && (u.array() <= 1.0).all());
   }
   two.restore(one.memory());
   for (int k = 200; k < 260; ++k)
-    EXPECT_EQ(sample(one, measurement(40.0 * std::sin(0.1 * k))), sample(two, measurement(40.0 * std::sin(0.1 * k))));
+    EXPECT_EQ(sample(one, measured(40.0 * std::sin(0.1 * k))), sample(two, measured(40.0 * std::sin(0.1 * k))));
 }
 
 TEST(SimpleControllers, RefuseNonsense) {

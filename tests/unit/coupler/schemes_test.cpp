@@ -18,7 +18,7 @@
 namespace footfall {
 namespace {
 
-using Names = std::set<std::string>;
+using SchemeNames = std::set<std::string>;
 
 std::string file(const std::string& path) {
   std::ifstream in(std::string(FOOTFALL_SOURCE_DIR) + "/" + path);
@@ -27,9 +27,9 @@ std::string file(const std::string& path) {
 }
 
 // The first group of every match of `pattern` in `text`.
-Names found(const std::string& text, const std::string& pattern) {
+SchemeNames found(const std::string& text, const std::string& pattern) {
   const std::regex regex(pattern);
-  Names names;
+  SchemeNames names;
   for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it) names.insert((*it)[1]);
   return names;
 }
@@ -43,17 +43,18 @@ std::string part(const std::string& text, const std::string& from, const std::st
 }
 
 TEST(Schemes, HaveNamesOfTheirOwn) {
-  const Names names(scheme_names().begin(), scheme_names().end());
+  const SchemeNames names(scheme_names().begin(), scheme_names().end());
   EXPECT_EQ(names.size(), scheme_names().size());
   for (const std::string& name : scheme_names()) EXPECT_EQ(make_scheme(name)->name(), name);
 }
 
 TEST(Schemes, EveryOneIsListedEverywhere) {
-  const Names names(scheme_names().begin(), scheme_names().end());
+  const SchemeNames names(scheme_names().begin(), scheme_names().end());
 
   const std::string theory = part(file("docs/theory.md"), "| scheme | path in the window |", "\n\n");
   EXPECT_EQ(found(theory, "\n\\| `([a-z-]+)`"), names) << "the table of schemes in docs/theory.md";
-  EXPECT_EQ(found(theory, "\n\\| `([a-z-]+)` \\(default\\)"), Names{std::string(kDefaultScheme)}) << "docs/theory.md";
+  EXPECT_EQ(found(theory, "\n\\| `([a-z-]+)` \\(default\\)"), SchemeNames{std::string(kDefaultScheme)})
+      << "docs/theory.md";
 
   const std::string key = part(file("inputs/reference/scene.toml"), "\nscheme = ", "\n[");
   const std::string line = part(key, "scheme = ", "\n");
@@ -65,7 +66,7 @@ TEST(Schemes, EveryOneIsListedEverywhere) {
 }
 
 TEST(Schemes, EveryOneHasItsPairOfFilesAndNoFileIsForgottenInTheRegistry) {
-  Names in_files;
+  SchemeNames in_files;
   for (const auto& entry : std::filesystem::directory_iterator(FOOTFALL_SOURCE_DIR "/coupler/schemes")) {
     if (entry.path().extension() != ".h") continue;
     const std::string stem = entry.path().stem().string();
@@ -76,7 +77,7 @@ TEST(Schemes, EveryOneHasItsPairOfFilesAndNoFileIsForgottenInTheRegistry) {
       EXPECT_EQ(name, stem);
     }
   }
-  EXPECT_EQ(in_files, Names(scheme_names().begin(), scheme_names().end()));
+  EXPECT_EQ(in_files, SchemeNames(scheme_names().begin(), scheme_names().end()));
 }
 
 TEST(Schemes, AnUnknownNameIsToldAllKnownOnes) {

@@ -17,13 +17,13 @@ constexpr int kSubsteps = 40;
 constexpr double kDt = 1e-3;  // [s]
 
 class EveryScheme : public testing::TestWithParam<std::string> {};
-std::string test_name(const testing::TestParamInfo<std::string>& scheme) {
+std::string of_scheme(const testing::TestParamInfo<std::string>& scheme) {
   std::string name = scheme.param;
   for (char& c : name)
     if (c == '-') c = '_';
   return name;
 }
-INSTANTIATE_TEST_SUITE_P(Schemes, EveryScheme, testing::ValuesIn(scheme_names()), test_name);
+INSTANTIATE_TEST_SUITE_P(Schemes, EveryScheme, testing::ValuesIn(scheme_names()), of_scheme);
 
 // A path that stands a little beside the state that the next window starts from.
 struct Beside {

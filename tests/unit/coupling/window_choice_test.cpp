@@ -9,7 +9,7 @@
 namespace footfall {
 namespace {
 
-constexpr double kDt = 1e-4;  // [s]
+constexpr double kSubstep = 1e-4;  // [s]
 
 CouplingSpec spec() {
   CouplingSpec spec;
@@ -23,16 +23,16 @@ CouplingSpec spec() {
 WindowChoice::Body pressed(double gap) { return {10.0, 1e5, gap, 0.0, {0.0, 0.0, 100.0}}; }
 
 TEST(WindowChoice, FliesInTheLongestWindowsAndLandsBeforeItsTime) {
-  WindowChoice choice(spec(), kDt, 1.0);
+  WindowChoice choice(spec(), kSubstep, 1.0);
   choice.start({{10.0, 0.0, 0.0, std::numeric_limits<double>::infinity()}});
   EXPECT_EQ(choice.substeps(), 100);
-  choice.observe(100, {{10.0, 0.0, 0.0, 20.5 * kDt}});
+  choice.observe(100, {{10.0, 0.0, 0.0, 20.5 * kSubstep}});
   EXPECT_LE(choice.substeps(), 20);
   EXPECT_GE(choice.substeps(), 10);
 }
 
 TEST(WindowChoice, AmongGrainsWithoutAFirstContactTakesSingleSubsteps) {
-  WindowChoice choice(spec(), kDt, 1.0);
+  WindowChoice choice(spec(), kSubstep, 1.0);
   choice.start({{10.0}});
   EXPECT_EQ(choice.substeps(), 1);
   choice.observe(1, {{10.0}});
@@ -40,7 +40,7 @@ TEST(WindowChoice, AmongGrainsWithoutAFirstContactTakesSingleSubsteps) {
 }
 
 TEST(WindowChoice, NeverPassesTheLimitOfOmegaH) {
-  WindowChoice choice(spec(), kDt, 1.0);
+  WindowChoice choice(spec(), kSubstep, 1.0);
   choice.start({pressed(0.0)});
   for (int k = 0; k < 20; ++k) choice.observe(choice.substeps(), {pressed(0.0)});
   EXPECT_LE(choice.substeps(), 50);
@@ -49,10 +49,10 @@ TEST(WindowChoice, NeverPassesTheLimitOfOmegaH) {
 
 TEST(WindowChoice, SettlesWhereTheEstimateMeetsTheTolerance) {
   // A gap of 1/2 a H^2 with a = F / m, and F the force scale: eta = (omega H)^2 / 2 = 0.9 tolerance at omega H = 0.134.
-  WindowChoice choice(spec(), kDt, 1.0);
+  WindowChoice choice(spec(), kSubstep, 1.0);
   choice.start({pressed(0.0)});
   for (int k = 0; k < 20; ++k) {
-    const double H = choice.substeps() * kDt;
+    const double H = choice.substeps() * kSubstep;
     choice.observe(choice.substeps(), {pressed(0.5 * 100.0 / 10.0 * H * H)});
   }
   EXPECT_GE(choice.substeps(), 12);
@@ -61,7 +61,7 @@ TEST(WindowChoice, SettlesWhereTheEstimateMeetsTheTolerance) {
 }
 
 TEST(WindowChoice, ShrinksAtOnceAndGrowsByTwoAtMost) {
-  WindowChoice choice(spec(), kDt, 1.0);
+  WindowChoice choice(spec(), kSubstep, 1.0);
   choice.start({pressed(0.0)});
   choice.observe(40, {pressed(1e-4)});  // eta = 0.1
   EXPECT_EQ(choice.substeps(), 12);     // 40 sqrt(0.09)
@@ -70,7 +70,7 @@ TEST(WindowChoice, ShrinksAtOnceAndGrowsByTwoAtMost) {
 }
 
 TEST(WindowChoice, TheStiffestBodyDecides) {
-  WindowChoice choice(spec(), kDt, 1.0);
+  WindowChoice choice(spec(), kSubstep, 1.0);
   choice.start({pressed(0.0), {10.0, 0.0, 0.0, 1.0}});
   WindowChoice::Body stiff = pressed(0.0);
   stiff.stiffness = 1e7;
@@ -88,7 +88,7 @@ WindowChoice::Body sinking(int window, double gap) {
 }
 
 TEST(WindowChoice, GrainsThatGiveWayAreSofterThanTheirContacts) {
-  WindowChoice choice(spec(), kDt, 1.0);
+  WindowChoice choice(spec(), kSubstep, 1.0);
   choice.start({pressed(0.0)});
   choice.observe(40, {sinking(0, 1e-4)});
   EXPECT_NEAR(choice.estimate(), 1e5 * 1e-4 / 100.0, 1e-12);
@@ -104,7 +104,7 @@ TEST(WindowChoice, GrainsThatGiveWayAreSofterThanTheirContacts) {
 TEST(WindowChoice, OnGrainsThatGiveWayOmegaHMayBeLargerWhileContactsStand) {
   CouplingSpec long_windows = spec();
   long_windows.max_substeps = 1000;
-  WindowChoice choice(long_windows, kDt, 1.0);
+  WindowChoice choice(long_windows, kSubstep, 1.0);
   choice.start({pressed(0.0)});
   int k = 0;
   for (; k < 20; ++k) choice.observe(choice.substeps(), {sinking(k, 0.0)});
@@ -117,7 +117,7 @@ TEST(WindowChoice, OnGrainsThatGiveWayOmegaHMayBeLargerWhileContactsStand) {
 }
 
 TEST(WindowChoice, BeforeItsFirstContactABodyTakesTheStiffnessThatOthersHaveMet) {
-  WindowChoice choice(spec(), kDt, 1.0);
+  WindowChoice choice(spec(), kSubstep, 1.0);
   choice.start({{10.0}, {10.0}});
   WindowChoice::Body stiff = pressed(0.0);
   stiff.stiffness = 1e7;

@@ -13,12 +13,6 @@ namespace footfall {
 namespace {
 
 // Of fifth order: a second-order run would take ten thousand steps for the same.
-IntegratorOptions precise(double tolerance) {
-  IntegratorOptions options = test::tight(tolerance);
-  options.order = 5;
-  return options;
-}
-
 constexpr double kMass = 2.0, kInertia = 0.5;  // [kg], about every axis [kg m2]
 // rtol of the runs is 1e-11; positions, speeds and works are of order one to ten, and works are summed step by step.
 constexpr double kTolerance = 1e-7;
@@ -37,7 +31,7 @@ struct FreeBody {
 
 TEST(AppliedForce, ConstantMovesABodyAlongAParabola) {
   const FreeBody body(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), polynomial({3.0}), nullptr);
-  test::Run run(body.model, "one_step", precise(1e-11));
+  test::Run run(body.model, "one_step", test::precise(1e-11));
   run.to(2.0);
   EXPECT_NEAR(run.body(0).r.z(), 0.5 * 3.0 / kMass * 4.0, kTolerance);
   EXPECT_NEAR(run.body(0).dr.z(), 3.0 / kMass * 2.0, kTolerance);
@@ -48,7 +42,7 @@ TEST(AppliedForce, ConstantMovesABodyAlongAParabola) {
 TEST(AppliedForce, TorqueSpinsUpOverTime) {
   // m(t) = 0.2 + 0.6 t:  w = (0.2 t + 0.3 t^2) / I, about x of the body
   const FreeBody body(Eigen::Vector3d(0.3, 0.2, 0.1), std::nullopt, nullptr, polynomial({0.2, 0.6}));
-  test::Run run(body.model, "one_step", precise(1e-11));
+  test::Run run(body.model, "one_step", test::precise(1e-11));
   run.to(2.0);
   const double w = (0.4 + 1.2) / kInertia;
   EXPECT_NEAR(run.body(0).w.x(), w, kTolerance);
@@ -63,7 +57,7 @@ TEST(AppliedForce, FollowsTheBody) {
   BodyState initial;
   initial.w = W * Eigen::Vector3d::UnitZ();
   const FreeBody body(Eigen::Vector3d::Zero(), std::nullopt, polynomial({F}), nullptr, initial);
-  test::Run run(body.model, "one_step", precise(1e-11));
+  test::Run run(body.model, "one_step", test::precise(1e-11));
   run.to(t);
   const Eigen::Vector3d r = F / (kMass * W * W) * Eigen::Vector3d(1.0 - std::cos(W * t), W * t - std::sin(W * t), 0.0);
   const Eigen::Vector3d v = F / (kMass * W) * Eigen::Vector3d(std::sin(W * t), 1.0 - std::cos(W * t), 0.0);
@@ -76,7 +70,7 @@ TEST(AppliedForce, FollowsTheBody) {
 TEST(AppliedForce, StandsInSpaceAndMovesWithItsPoint) {
   const double F = 4.0;
   const FreeBody body(Eigen::Vector3d(0.4, 0.0, 0.0), -F / F * Eigen::Vector3d::UnitZ(), polynomial({F}), nullptr);
-  test::Run run(body.model, "one_step", precise(1e-11));
+  test::Run run(body.model, "one_step", test::precise(1e-11));
   run.to(1.5);
   const BodyKinematics at = run.body(0);
   const double fallen = 0.0 - (at.r + at.A * Eigen::Vector3d(0.4, 0.0, 0.0)).z();
@@ -87,7 +81,7 @@ TEST(AppliedForce, StandsInSpaceAndMovesWithItsPoint) {
 
 TEST(AppliedForce, IsTheSameOnBothIntegrators) {
   const FreeBody body(Eigen::Vector3d(0.1, 0.2, 0.3), std::nullopt, sine(3.0, 2.0), sine(0.5, 1.0, 0.3));
-  test::Run one(body.model, "one_step", precise(1e-10)), other(body.model, "ida", precise(1e-10));
+  test::Run one(body.model, "one_step", test::precise(1e-10)), other(body.model, "ida", test::precise(1e-10));
   one.to(1.0);
   other.to(1.0);
   EXPECT_LT((one.state.q - other.state.q).norm(), 1e-6);  // the errors of both

@@ -18,14 +18,8 @@ namespace footfall {
 namespace {
 
 // Of fifth order: a second-order run would take ten thousand steps for the same.
-IntegratorOptions precise(double tolerance) {
-  IntegratorOptions options = test::tight(tolerance);
-  options.order = 5;
-  return options;
-}
-
-constexpr double kInertia = 0.1;     // of the wheel about its axis [kg m2]; mass of the slider in kg
-constexpr double kTolerance = 1e-7;  // rtol of the runs is 1e-10, over some hundred steps
+constexpr double kWheelInertia = 0.1;          // of the wheel about its axis [kg m2]; mass of the slider in kg
+constexpr double kCoordinateTolerance = 1e-7;  // rtol of the runs is 1e-10, over some hundred steps
 
 // A body on the ground that turns about, or slides along, z.
 struct Axle {
@@ -34,7 +28,9 @@ struct Axle {
       : model(gravity), kind(coordinate) {
     BodyState initial;
     (kind == Coordinate::kAngle ? initial.w : initial.dr).z() = rate;
-    model.add_body(Body("body", kInertia, Eigen::Vector3d(kInertia, kInertia, kInertia).asDiagonal()), initial);
+    model.add_body(
+        Body("body", kWheelInertia, Eigen::Vector3d(kWheelInertia, kWheelInertia, kWheelInertia).asDiagonal()),
+        initial);
     const Marker m1 = ground_marker(Eigen::Vector3d::Zero()),
                  m2 = body_marker(0, model.body(0), Eigen::Vector3d::Zero());
     model.add_joint(kind == Coordinate::kAngle ? revolute_joint("axle", m1, m2) : prismatic_joint("axle", m1, m2));
@@ -80,12 +76,12 @@ TEST_P(Both, RotorAddsItsInertiaBehindTheGear) {
   axle.add(std::make_unique<Motor>(p));
   axle.add_rotor(J * g * g);
   for (const char* integrator : {"one_step", "ida"}) {
-    test::Run run(axle.model, integrator, precise(1e-10));
+    test::Run run(axle.model, integrator, test::precise(1e-10));
     run.to(t, 3);
-    const double speed = g * tau * t / (kInertia + J * g * g);
-    EXPECT_NEAR(rate(run, GetParam()), speed, kTolerance * speed) << integrator;
+    const double speed = g * tau * t / (kWheelInertia + J * g * g);
+    EXPECT_NEAR(rate(run, GetParam()), speed, kCoordinateTolerance * speed) << integrator;
     EXPECT_NEAR(sample(run, axle.model).q, 0.5 * speed * t, 1e-6 * speed * t) << integrator;  // more than one turn
-    EXPECT_NEAR(run.energy().stored[Stored::kKinetic], 0.5 * (kInertia + J * g * g) * speed * speed, 1e-6)
+    EXPECT_NEAR(run.energy().stored[Stored::kKinetic], 0.5 * (kWheelInertia + J * g * g) * speed * speed, 1e-6)
         << integrator;
     EXPECT_NEAR(run.imbalance(), 0.0, 1e-6) << integrator;
   }
@@ -99,10 +95,12 @@ TEST_P(Both, MotorSpeedsUpToItsNoLoadSpeed) {
   p.largest_torque = tau_0;
   p.no_load_speed = omega_0;
   axle.add(std::make_unique<Motor>(p));
-  test::Run run(axle.model, "one_step", precise(1e-10));
+  test::Run run(axle.model, "one_step", test::precise(1e-10));
   run.to(t);
-  EXPECT_NEAR(rate(run, GetParam()), omega_0 * (1.0 - std::exp(-t * tau_0 / (kInertia * omega_0))), kTolerance);
-  EXPECT_NEAR(run.state.supplied[Supply::kDrive], 0.5 * kInertia * std::pow(rate(run, GetParam()), 2), kTolerance);
+  EXPECT_NEAR(rate(run, GetParam()), omega_0 * (1.0 - std::exp(-t * tau_0 / (kWheelInertia * omega_0))),
+              kCoordinateTolerance);
+  EXPECT_NEAR(run.state.supplied[Supply::kDrive], 0.5 * kWheelInertia * std::pow(rate(run, GetParam()), 2),
+              kCoordinateTolerance);
 }
 
 // I q'' = -kp q - kd q' towards a command of 0.3, from rest: the damped oscillator.
@@ -113,12 +111,12 @@ TEST_P(Both, MotorHoldsAPosition) {
   p.kp = kp;
   p.kd = kd;
   axle.add(std::make_unique<Motor>(p));
-  test::Run run(axle.model, "one_step", precise(1e-10));
+  test::Run run(axle.model, "one_step", test::precise(1e-10));
   run.to(t);
-  const double d = 0.5 * kd / kInertia, w = std::sqrt(kp / kInertia - d * d);
+  const double d = 0.5 * kd / kWheelInertia, w = std::sqrt(kp / kWheelInertia - d * d);
   const double exact = c * (1.0 - std::exp(-d * t) * (std::cos(w * t) + d / w * std::sin(w * t)));
-  EXPECT_NEAR(sample(run, axle.model).q, exact, kTolerance);
-  EXPECT_NEAR(run.imbalance(), 0.0, kTolerance);
+  EXPECT_NEAR(sample(run, axle.model).q, exact, kCoordinateTolerance);
+  EXPECT_NEAR(run.imbalance(), 0.0, kCoordinateTolerance);
 }
 
 // Under a load a proportional motor stays short; the integral takes the rest away.
@@ -131,7 +129,7 @@ TEST_P(Both, IntegralTakesTheErrorAway) {
   p.ki = 5.0;
   axle.add(std::make_unique<Motor>(load));
   axle.add(std::make_unique<Motor>(p));
-  test::Run run(axle.model, "one_step", precise(1e-9));
+  test::Run run(axle.model, "one_step", test::precise(1e-9));
   run.to(20.0);
   EXPECT_NEAR(sample(run, axle.model, 1).q, 2.0, 1e-6);  // exp(-20 / 1.2 s) of the start
   EXPECT_NEAR(sample(run, axle.model, 1).force, 0.7, 1e-6);
@@ -148,7 +146,7 @@ TEST_P(Both, LimitedMotorDoesNotWindUp) {
   p.largest_torque = 0.1;
   axle.add(std::make_unique<Motor>(p));
   axle.add(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{0.0, 0.2, 0.0, 0.0}));
-  test::Run run(axle.model, "one_step", precise(1e-7));
+  test::Run run(axle.model, "one_step", test::precise(1e-7));
   double largest = 0.0;
   for (int i = 1; i <= 150; ++i) {
     run.to(0.2 * i);
@@ -166,9 +164,9 @@ TEST_P(Both, GearLosesItsShare) {
   p.gear_ratio = g;
   p.efficiency = eta;
   axle.add(std::make_unique<Motor>(p));
-  test::Run run(axle.model, "one_step", precise(1e-10));
+  test::Run run(axle.model, "one_step", test::precise(1e-10));
   run.to(t);
-  const double speed = eta * g * tau * t / kInertia;
+  const double speed = eta * g * tau * t / kWheelInertia;
   EXPECT_NEAR(rate(run, GetParam()), speed, 1e-4 * speed);  // the loss sets in over 1e-3 rad/s at the start
   EXPECT_NEAR(run.state.dissipated[Dissipation::kFriction], (1.0 - eta) * run.state.supplied[Supply::kDrive],
               1e-4 * run.state.supplied[Supply::kDrive]);
@@ -182,14 +180,14 @@ TEST_P(Both, FrictionStopsAndHolds) {
   JointFrictionParameters p;
   p.coulomb = p.breakaway = F;
   axle.add(std::make_unique<JointFriction>(p));
-  test::Run run(axle.model, "one_step", precise(1e-8));
-  const double half = 0.5 * w * kInertia / F;
+  test::Run run(axle.model, "one_step", test::precise(1e-8));
+  const double half = 0.5 * w * kWheelInertia / F;
   run.to(half);
   // The bristle is bent within 1e-4 / 3 s: the speed lags by F / I of that.
   EXPECT_NEAR(rate(run, GetParam()), 0.5 * w, 1e-3);
   run.to(half + 5.0);
   EXPECT_LT(std::abs(rate(run, GetParam())), 1e-6);
-  EXPECT_NEAR(run.state.dissipated[Dissipation::kFriction], 0.5 * kInertia * w * w, 1e-4);
+  EXPECT_NEAR(run.state.dissipated[Dissipation::kFriction], 0.5 * kWheelInertia * w * w, 1e-4);
   EXPECT_NEAR(run.imbalance(), 0.0, 1e-5);
 }
 
@@ -201,7 +199,7 @@ TEST_P(Both, FrictionSticksWithoutCreeping) {
   p.coulomb = p.breakaway = F;
   axle.add(std::make_unique<JointFriction>(p));
   axle.add(std::make_unique<Motor>(motor(MotorKind::kTorque, sum({polynomial({0.5 * F}), sine(0.1 * F, 1.0)}))));
-  test::Run run(axle.model, "one_step", precise(1e-9));
+  test::Run run(axle.model, "one_step", test::precise(1e-9));
   run.to(2.0);
   const double before = sample(run, axle.model).q;
   run.to(22.0, 10);
@@ -218,7 +216,7 @@ TEST_P(Both, FrictionLetsGoAboveBreakaway) {
   p.viscous = 0.05;
   axle.add(std::make_unique<JointFriction>(p));
   axle.add(std::make_unique<Motor>(motor(MotorKind::kTorque, polynomial({load}))));
-  test::Run run(axle.model, "one_step", precise(1e-9));
+  test::Run run(axle.model, "one_step", test::precise(1e-9));
   run.to(t + 10.0);
   EXPECT_NEAR(rate(run, GetParam()), (load - F) / 0.05, 0.05 * (load - F) / 0.05);  // exp(-t c / I) of the start
   EXPECT_NEAR(run.imbalance(), 0.0, 1e-6);
@@ -233,7 +231,7 @@ TEST_P(Both, StopTurnsItBack) {
   p.stiffness = 1e4;
   p.dissipation = 0.0;
   axle.add(std::make_unique<EndStop>(p));
-  test::Run run(axle.model, "one_step", precise(1e-9));
+  test::Run run(axle.model, "one_step", test::precise(1e-9));
   run.to(0.4);
   EXPECT_NEAR(rate(run, GetParam()), -2.0, 1e-5);
   run.to(0.9);
@@ -254,7 +252,7 @@ TEST(JointForce, SpringGoesOnOverTurns) {
   LinearSpringDamperParameters p;
   p.stiffness = 0.4;
   axle.add(std::make_unique<LinearSpringDamper>(p));
-  test::Run run(axle.model, "one_step", precise(1e-10));
+  test::Run run(axle.model, "one_step", test::precise(1e-10));
   for (int i = 1; i <= 40; ++i) {
     run.to(0.1 * i);
     EXPECT_NEAR(sample(run, axle.model).q, 6.0 * std::sin(2.0 * run.state.time), 1e-6);
@@ -277,13 +275,13 @@ TEST(Rotor, KeepsTheSpinsOfFreeBodies) {
   std::vector<std::unique_ptr<StrutLaw>> laws;
   laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{0.0, 0.2, 0.0, 0.0}));
   model.add_force(std::make_unique<JointForce>("drag", m1, m2, Coordinate::kAngle, std::move(laws)));
-  test::Run run(model, "one_step", precise(1e-10));
+  test::Run run(model, "one_step", test::precise(1e-10));
   run.to(3.0, 3);
   // mu = I1 I2 / (I1 + I2):  (mu + J) q'' = -c q'
   const double mu = I1 * I2 / (I1 + I2), q_rate = 3.0 * std::exp(-0.2 * 3.0 / (mu + J));
-  EXPECT_NEAR(run.body(1).w.z() - run.body(0).w.z(), q_rate, kTolerance);
-  EXPECT_NEAR(I1 * run.body(0).w.z() + I2 * run.body(1).w.z(), I1 * 2.0 + I2 * 5.0, kTolerance);
-  EXPECT_NEAR(run.imbalance(), 0.0, kTolerance);
+  EXPECT_NEAR(run.body(1).w.z() - run.body(0).w.z(), q_rate, kCoordinateTolerance);
+  EXPECT_NEAR(I1 * run.body(0).w.z() + I2 * run.body(1).w.z(), I1 * 2.0 + I2 * 5.0, kCoordinateTolerance);
+  EXPECT_NEAR(run.imbalance(), 0.0, kCoordinateTolerance);
 }
 
 // A light wheel with a heavy rotor: the rotor does not count as redundant, nor is it held against the joint's closing.
@@ -320,7 +318,7 @@ TEST(Joints, ConstantVelocityTurnsEvenly) {
   Joint axle = revolute_joint("axle", ground_marker(Eigen::Vector3d::Zero(), bent), at(1, bent));
   axle.rows.erase(axle.rows.begin(), axle.rows.begin() + 3);  // the joint holds the points
   model.add_joint(axle);
-  test::Run run(model, "one_step", precise(1e-9));
+  test::Run run(model, "one_step", test::precise(1e-9));
   for (int i = 1; i <= 20; ++i) {
     run.to(0.1 * i);
     EXPECT_NEAR(run.body(1).w.dot(out), speed, 1e-6) << run.state.time;
@@ -336,10 +334,10 @@ TEST(Joints, PlanarSlidesAndTurns) {
   model.add_body(Body("puck", 1.0, 0.1 * Eigen::Matrix3d::Identity()), state);
   model.add_joint(
       planar_joint("table", ground_marker(Eigen::Vector3d::Zero()), model.marker_at(0, Eigen::Vector3d::Zero())));
-  test::Run run(model, "one_step", precise(1e-9));
+  test::Run run(model, "one_step", test::precise(1e-9));
   run.to(2.0);
-  EXPECT_LT((run.body(0).r - Eigen::Vector3d(2.0, 4.0, 0.0)).norm(), kTolerance);
-  EXPECT_NEAR(run.body(0).w.z(), 3.0, kTolerance);
+  EXPECT_LT((run.body(0).r - Eigen::Vector3d(2.0, 4.0, 0.0)).norm(), kCoordinateTolerance);
+  EXPECT_NEAR(run.body(0).w.z(), 3.0, kCoordinateTolerance);
 }
 
 }  // namespace

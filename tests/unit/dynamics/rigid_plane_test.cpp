@@ -10,7 +10,7 @@
 namespace footfall {
 namespace {
 
-constexpr double kGravity = 9.81, kMass = 2.0, kStiffness = 1e6;
+constexpr double kGravity = 9.81, kBlockMass = 2.0, kStiffness = 1e6;
 
 // A block that stands on a plane through the origin, inclined about y, on a grid of points; x runs down the slope.
 struct Block {
@@ -21,12 +21,12 @@ struct Block {
     plane.damping = 10.0;
     plane.friction = friction;
     const int count = points_per_side * points_per_side;
-    const double overlap = std::pow(kMass * kGravity * std::cos(slope) / (count * kStiffness), 2.0 / 3.0);
+    const double overlap = std::pow(kBlockMass * kGravity * std::cos(slope) / (count * kStiffness), 2.0 / 3.0);
     BodyState state;
     state.L = quaternion_about(Eigen::Vector3d::UnitY(), slope);
     state.r = (0.05 - overlap) * plane.normal;
     state.dr = speed * down;
-    model.add_body(Body("block", kMass, 0.02 * Eigen::Matrix3d::Identity()), state);
+    model.add_body(Body("block", kBlockMass, 0.02 * Eigen::Matrix3d::Identity()), state);
     std::vector<ContactPoint> points;
     for (int i = 0; i < count; ++i) {
       const double x = i % points_per_side, y = i / points_per_side;
@@ -85,7 +85,7 @@ TEST_P(OnThePlane, ThrownBlockStopsAndStays) {
   run.to(1.0, 5);
   EXPECT_NEAR(block.way(run), v * v / (2.0 * mu * kGravity), 1e-3);  // it rocks when it stops
   EXPECT_LT(block.speed(run), 1e-6);
-  EXPECT_NEAR(run.state.dissipated.total(), 0.5 * kMass * v * v, 1e-4);
+  EXPECT_NEAR(run.state.dissipated.total(), 0.5 * kBlockMass * v * v, 1e-4);
   EXPECT_LT(std::abs(run.imbalance()), 1e-4);
 }
 

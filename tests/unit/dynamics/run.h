@@ -69,5 +69,11 @@ inline IntegratorOptions tight(double tolerance) {
   options.rtol = options.atol = options.atol_velocity = tolerance;
   return options;
 }
+// The same by the method of fifth order.
+inline IntegratorOptions precise(double tolerance) {
+  IntegratorOptions options = tight(tolerance);
+  options.order = 5;
+  return options;
+}
 
 }  // namespace footfall::test

@@ -6,16 +6,16 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
+#include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
 namespace {
 
+using namespace test;
+
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Vector12d = Eigen::Matrix<double, 12, 1>;
-
-constexpr double kRoundOff = 1e-12;  // relative
-const Material kSteel{7850.0, 207e9, 0.3};
 
 // Displacements of the free end of a cantilever (first end held) under forces and moments there.
 Eigen::Matrix<double, 6, 1> tip(double length, const BeamSection& section, const Eigen::Matrix<double, 6, 1>& load) {
@@ -38,7 +38,7 @@ TEST(BeamElement, CantileverBendsStretchesAndTwistsAsTheTextbookSays) {
     if (axis == 3) exact(3) = P * L / (G * s.torsion);
     if (axis == 4) exact(4) = P * L / (E * s.bending_y), exact(2) = -P * L * L / (2.0 * E * s.bending_y);
     if (axis == 5) exact(5) = P * L / (E * s.bending_z), exact(1) = P * L * L / (2.0 * E * s.bending_z);
-    EXPECT_LT((u - exact).norm(), kRoundOff * exact.norm()) << "load " << axis;
+    EXPECT_LT((u - exact).norm(), kFeRoundOff * exact.norm()) << "load " << axis;
   }
 }
 
@@ -59,21 +59,21 @@ TEST(BeamElement, RigidMotionMeetsNoForceAndNoStressInAnyOrientation) {
         u(6 * end + k) = 1.0;
       }
     }
-    EXPECT_LT((K * u).norm(), kRoundOff * K.norm());
-    EXPECT_LT((S * u).norm(), kRoundOff * S.norm());
+    EXPECT_LT((K * u).norm(), kFeRoundOff * K.norm());
+    EXPECT_LT((S * u).norm(), kFeRoundOff * S.norm());
   }
-  EXPECT_LT((K - K.transpose()).norm(), kRoundOff * K.norm());
+  EXPECT_LT((K - K.transpose()).norm(), kFeRoundOff * K.norm());
 }
 
 TEST(BeamElement, AxesAreARightHandedFrameThatFollowsTheHint) {
   for (const Vector3d& to : {Vector3d(1, 0, 0), Vector3d(0, 0, 2), Vector3d(-0.3, 0.4, -0.1)}) {
     const Matrix3d R = beam_axes(Vector3d::Zero(), to);
-    EXPECT_LT((R.transpose() * R - Matrix3d::Identity()).norm(), kRoundOff);
-    EXPECT_NEAR(R.determinant(), 1.0, kRoundOff);
-    EXPECT_LT((R.col(0) - to.normalized()).norm(), kRoundOff);
+    EXPECT_LT((R.transpose() * R - Matrix3d::Identity()).norm(), kFeRoundOff);
+    EXPECT_NEAR(R.determinant(), 1.0, kFeRoundOff);
+    EXPECT_LT((R.col(0) - to.normalized()).norm(), kFeRoundOff);
   }
   const Matrix3d R = beam_axes(Vector3d::Zero(), Vector3d(2, 0, 0), Vector3d(0.7, 1, 0));
-  EXPECT_LT((R.col(2) - Vector3d::UnitY()).norm(), kRoundOff) << "z goes up as far as x allows";
+  EXPECT_LT((R.col(2) - Vector3d::UnitY()).norm(), kFeRoundOff) << "z goes up as far as x allows";
 }
 
 TEST(BeamElement, StressOfTheOuterFibreIsMomentOverSectionModulus) {
@@ -88,23 +88,23 @@ TEST(BeamElement, StressOfTheOuterFibreIsMomentOverSectionModulus) {
   const double W = kPi * d * d * d / 32.0;
   const double axial = N / s.area;
   // At the root the load along +y stretches the fibre at -y (point 2) and compresses the one at +y (point 0).
-  EXPECT_NEAR(sigma(0), axial - P * L / W, kRoundOff * P * L / W);
-  EXPECT_NEAR(sigma(6 * 2), axial + P * L / W, kRoundOff * P * L / W);
+  EXPECT_NEAR(sigma(0), axial - P * L / W, kFeRoundOff * P * L / W);
+  EXPECT_NEAR(sigma(6 * 2), axial + P * L / W, kFeRoundOff * P * L / W);
   for (int point = 0; point < kBeamStressPoints; ++point) {
     const double shear = std::hypot(sigma(6 * point + 3), sigma(6 * point + 5));
-    EXPECT_NEAR(shear, T / (2.0 * W), kRoundOff * T / W);
+    EXPECT_NEAR(shear, T / (2.0 * W), kFeRoundOff * T / W);
   }
-  for (int point = 4; point < 8; ++point) EXPECT_NEAR(sigma(6 * point), axial, kRoundOff * P * L / W) << "free end";
+  for (int point = 4; point < 8; ++point) EXPECT_NEAR(sigma(6 * point), axial, kFeRoundOff * P * L / W) << "free end";
   // Torsion about +x moves material at +y towards +z.
   EXPECT_GT(sigma(5), 0.0);
 }
 
 TEST(BeamSection, TubesAndRodsHaveTheClosedFormConstants) {
   const BeamSection tube = tube_section(0.09, 0.005);
-  EXPECT_NEAR(tube.area, kPi / 4.0 * (0.09 * 0.09 - 0.08 * 0.08), kRoundOff);
-  EXPECT_NEAR(tube.bending_y, kPi / 64.0 * (std::pow(0.09, 4) - std::pow(0.08, 4)), kRoundOff);
-  EXPECT_NEAR(tube.torsion, tube.bending_y + tube.bending_z, kRoundOff);
-  EXPECT_NEAR(rod_section(0.05).area, kPi / 4.0 * 0.05 * 0.05, kRoundOff);
+  EXPECT_NEAR(tube.area, kPi / 4.0 * (0.09 * 0.09 - 0.08 * 0.08), kFeRoundOff);
+  EXPECT_NEAR(tube.bending_y, kPi / 64.0 * (std::pow(0.09, 4) - std::pow(0.08, 4)), kFeRoundOff);
+  EXPECT_NEAR(tube.torsion, tube.bending_y + tube.bending_z, kFeRoundOff);
+  EXPECT_NEAR(rod_section(0.05).area, kPi / 4.0 * 0.05 * 0.05, kFeRoundOff);
 }
 
 TEST(BeamSection, RectangularTorsionMatchesTheTable) {

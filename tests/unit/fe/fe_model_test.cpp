@@ -9,24 +9,16 @@
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/node_lookup.h"
+#include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
 namespace {
 
+using namespace test;
+
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-constexpr double kRoundOff = 1e-12;  // relative
-const Material kSteel{7850.0, 207e9, 0.3};
-
-BeamMember member(int first, int second, int section = 0) {
-  BeamMember result;
-  result.first = first;
-  result.second = second;
-  result.section = section;
-  return result;
-}
 
 // The message of the InputError that a call throws.
 template <typename Call>
@@ -39,8 +31,6 @@ std::string refusal(const Call& call) {
   return "(accepted)";
 }
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 TEST(StraightBeam, HasTheExactMassPropertiesOfACylinder) {
   const double d = 0.05, L = 0.8;
   const Vector3d from(0.1, 0.2, 0.3), axis = Vector3d(1, -2, 0.5).normalized();
@@ -49,9 +39,9 @@ TEST(StraightBeam, HasTheExactMassPropertiesOfACylinder) {
     const double m = kSteel.density * kPi / 4.0 * d * d * L;
     const double along = m * d * d / 8.0, across = m * (d * d / 16.0 + L * L / 12.0);
     const Matrix3d J = across * Matrix3d::Identity() + (along - across) * axis * axis.transpose();
-    EXPECT_NEAR(body.mass, m, kRoundOff * m);
-    EXPECT_LT((body.centre - (from + 0.5 * L * axis)).norm(), kRoundOff);
-    EXPECT_LT((body.inertia - J).norm(), kRoundOff * J.norm()) << n << " elements";
+    EXPECT_NEAR(body.mass, m, kFeRoundOff * m);
+    EXPECT_LT((body.centre - (from + 0.5 * L * axis)).norm(), kFeRoundOff);
+    EXPECT_LT((body.inertia - J).norm(), kFeRoundOff * J.norm()) << n << " elements";
   }
 }
 
@@ -61,13 +51,13 @@ TEST(PlateModel, WeighsAreaTimesThicknessAndWithMassWhatIsWanted) {
   const FeModel model = plate_model(disc_mesh(R, R / n), t, kSteel);
   const double polygon = 3.0 * n * R * R * std::sin(kPi / (3.0 * n));
   const MassProperties body = mass_properties(model);
-  EXPECT_NEAR(body.mass, kSteel.density * t * polygon, kRoundOff * body.mass);
-  EXPECT_LT(body.centre.norm(), kRoundOff);
+  EXPECT_NEAR(body.mass, kSteel.density * t * polygon, kFeRoundOff * body.mass);
+  EXPECT_LT(body.centre.norm(), kFeRoundOff);
   const double disc = 0.5 * body.mass * R * R;  // about the axis
   EXPECT_NEAR(body.inertia(2, 2), disc, 0.01 * disc) << "lumping at corners adds (edge/radius)^2, the polygon takes";
   const MassProperties heavier = mass_properties(with_mass(model, 20.0));
-  EXPECT_NEAR(heavier.mass, 20.0, kRoundOff * 20.0);
-  EXPECT_LT((heavier.inertia - 20.0 / body.mass * body.inertia).norm(), kRoundOff * heavier.inertia.norm());
+  EXPECT_NEAR(heavier.mass, 20.0, kFeRoundOff * 20.0);
+  EXPECT_LT((heavier.inertia - 20.0 / body.mass * body.inertia).norm(), kFeRoundOff * heavier.inertia.norm());
 }
 
 TEST(Frame, OfTwoMembersAtARightAngleDeflectsAsWorkedOutByHand) {

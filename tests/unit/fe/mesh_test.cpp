@@ -8,13 +8,14 @@
 #include "coupler/base/pi.h"
 #include "mbd_solver/fe/mesh_check.h"
 #include "mbd_solver/fe/mesh_generator.h"
+#include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
 namespace {
 
-using Eigen::Vector3d;
+using namespace test;
 
-constexpr double kRoundOff = 1e-12;
+using Eigen::Vector3d;
 
 Vector3d area_vector(const TriangleMesh& mesh, const Eigen::Vector3i& t) {
   const Vector3d& p = mesh.vertices[static_cast<std::size_t>(t(0))];
@@ -43,8 +44,6 @@ std::string finding(const TriangleMesh& mesh, const MeshDemands& wanted) {
   return findings.empty() ? "" : findings[0];
 }
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 TEST(DiscMesh, HasSymmetricRingsOfNearUniformTriangles) {
   const double R = 0.2;
   const int n = 7;
@@ -67,13 +66,13 @@ TEST(DiscMesh, HasSymmetricRingsOfNearUniformTriangles) {
   EXPECT_GT(shortest, 0.99 * R / n);
   EXPECT_LT(longest, 1.45 * R / n) << "a diagonal from a spoke: sqrt(1 + (pi/3)^2)";
   // Area of the inscribed polygon of 6 n sides.
-  EXPECT_NEAR(area(mesh), 3.0 * n * R * R * std::sin(2.0 * kPi / (6 * n)), kRoundOff);
+  EXPECT_NEAR(area(mesh), 3.0 * n * R * R * std::sin(2.0 * kPi / (6 * n)), kFeRoundOff);
   // Turned by 60 degrees the vertices fall on themselves.
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(kPi / 3.0, Vector3d::UnitZ()).toRotationMatrix();
   for (const Vector3d& p : mesh.vertices) {
     double nearest = R;
     for (const Vector3d& q : mesh.vertices) nearest = std::min(nearest, (turn * p - q).norm());
-    EXPECT_LT(nearest, kRoundOff);
+    EXPECT_LT(nearest, kFeRoundOff);
   }
 }
 
@@ -83,15 +82,15 @@ TEST(DishMesh, LiesOnItsSphereAndOpensUpwards) {
   const double sphere = (a * a + d * d) / (2.0 * d);
   double highest = 0.0;
   for (const Vector3d& p : mesh.vertices) {
-    EXPECT_NEAR((p - Vector3d(0, 0, sphere)).norm(), sphere, kRoundOff);
+    EXPECT_NEAR((p - Vector3d(0, 0, sphere)).norm(), sphere, kFeRoundOff);
     highest = std::max(highest, p.z());
   }
-  EXPECT_NEAR(highest, d, kRoundOff);
-  EXPECT_NEAR(mesh.vertices.back().head<2>().norm(), a, kRoundOff) << "the last ring is the rim";
+  EXPECT_NEAR(highest, d, kFeRoundOff);
+  EXPECT_NEAR(mesh.vertices.back().head<2>().norm(), a, kFeRoundOff) << "the last ring is the rim";
   for (const Eigen::Vector3i& t : mesh.triangles) EXPECT_GT(area_vector(mesh, t).z(), 0.0);
   EXPECT_TRUE(mesh_findings(mesh, demands(false, true, true)).empty());
   EXPECT_NEAR(area(mesh), kPi * (a * a + d * d), 0.01 * kPi * a * a) << "cap area pi (a^2 + d^2), less the facets'";
-  EXPECT_NEAR(dish_mesh(a, a, 0.02).vertices.back().z(), a, kRoundOff) << "a half sphere";
+  EXPECT_NEAR(dish_mesh(a, a, 0.02).vertices.back().z(), a, kFeRoundOff) << "a half sphere";
 }
 
 // The volume within the polygon of its rim, 6 n corners of n rings.
@@ -103,7 +102,7 @@ TEST(ThickDiscMesh, IsClosedAndHoldsItsVolume) {
     for (const Eigen::Vector3i& t : mesh.triangles)
       volume += area_vector(mesh, t).dot(mesh.vertices[static_cast<std::size_t>(t(0))]) / 3.0;
     const double corners = 24.0;
-    EXPECT_NEAR(volume, thickness * 0.5 * corners * 0.04 * std::sin(2.0 * kPi / corners), kRoundOff)
+    EXPECT_NEAR(volume, thickness * 0.5 * corners * 0.04 * std::sin(2.0 * kPi / corners), kFeRoundOff)
         << "positive: normals outward";
   }
 }
@@ -115,8 +114,8 @@ TEST(BoxMesh, IsClosedAndFacesOutward) {
   double volume = 0.0;
   for (const Eigen::Vector3i& t : mesh.triangles)
     volume += area_vector(mesh, t).dot(mesh.vertices[static_cast<std::size_t>(t(0))]) / 3.0;
-  EXPECT_NEAR(volume, size.prod(), kRoundOff) << "positive: normals outward";
-  EXPECT_NEAR(area(mesh), 2.0 * (0.06 + 0.1 + 0.15), kRoundOff);
+  EXPECT_NEAR(volume, size.prod(), kFeRoundOff) << "positive: normals outward";
+  EXPECT_NEAR(area(mesh), 2.0 * (0.06 + 0.1 + 0.15), kFeRoundOff);
 }
 
 TEST(MeshGenerators, RefuseWhatIsNoShape) {
@@ -146,8 +145,8 @@ TEST(MovedMesh, KeepsItsShape) {
   const TriangleMesh disc = disc_mesh(1.0, 0.5);
   const Eigen::Matrix3d R = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   const TriangleMesh mesh = moved(disc, R, Vector3d(1, 2, 3));
-  EXPECT_NEAR(area(mesh), area(disc), kRoundOff);
-  EXPECT_LT((mesh.vertices[0] - Vector3d(1, 2, 3)).norm(), kRoundOff);
+  EXPECT_NEAR(area(mesh), area(disc), kFeRoundOff);
+  EXPECT_LT((mesh.vertices[0] - Vector3d(1, 2, 3)).norm(), kFeRoundOff);
 }
 
 TEST(MeshCheck, NamesTheTrianglesOfEveryDefect) {

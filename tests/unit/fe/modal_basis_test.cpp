@@ -12,27 +12,21 @@
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/model/modal_inertia.h"
 #include "mbd_solver/model/stress_recovery.h"
+#include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
 namespace {
+
+using namespace test;
 
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-const Material kSteel{7850.0, 207e9, 0.3};
-
 FeModel strut() { return straight_beam({0.2, 0.1, 0.0}, {0.7, 0.4, 1.0}, 8, tube_section(0.05, 0.008), kSteel); }
 FeModel pad() { return plate_model(disc_mesh(0.2, 0.05), 0.008, kSteel); }
 FeModel dish() { return plate_model(dish_mesh(0.2, 0.04, 0.05), 0.004, kSteel); }
-
-BeamMember member(int first, int second) {
-  BeamMember result;
-  result.first = first;
-  result.second = second;
-  return result;
-}
 
 BasisOptions craig_bampton(int modes, std::vector<int> interface, std::vector<int> pinned = {}) {
   BasisOptions options;
@@ -48,18 +42,6 @@ BasisOptions free_free(int modes) {
   options.mode_count = modes;
   return options;
 }
-
-template <typename Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "(accepted)";
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 // The contract of modal_body.h, to round-off.
 void expect_contract(const ModalBody& body) {

@@ -10,15 +10,16 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/fe/node_lookup.h"
+#include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
 namespace {
 
+using namespace test;
+
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-const Material kSteel{7850.0, 207e9, 0.3};
 
 // A file that is removed with its owner.
 class TemporaryFile {
@@ -37,25 +38,6 @@ class TemporaryFile {
  private:
   std::string path_;
 };
-
-template <typename Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "(accepted)";
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-BeamMember member(int first, int second) {
-  BeamMember result;
-  result.first = first;
-  result.second = second;
-  return result;
-}
 
 FeModel frame() {
   return beam_model({{0, 0, 0}, {0.5, 0, 0.1}, {0.4, 0.6, 0}}, {member(0, 1), member(1, 2), member(2, 0)},

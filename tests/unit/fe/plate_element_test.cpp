@@ -8,16 +8,18 @@
 
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/fe_model.h"
+#include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
 namespace {
+
+using namespace test;
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Vector18d = Eigen::Matrix<double, 18, 1>;
 
-constexpr double kRoundOff = 1e-12;  // relative
 const Material kAluminium{2700.0, 70e9, 0.33};
 constexpr double kThickness = 0.01;
 
@@ -26,15 +28,15 @@ const Vector3d kCorner[3] = {Vector3d(0.1, 0.2, -0.1), Vector3d(0.9, 0.3, 0.3), 
 TEST(PlateElement, OnlyTheSixRigidMotionsMeetNoForce) {
   const PlateElement element(kCorner[0], kCorner[1], kCorner[2], kThickness, kAluminium);
   const Matrix18d K = element.stiffness();
-  EXPECT_LT((K - K.transpose()).norm(), kRoundOff * K.norm());
+  EXPECT_LT((K - K.transpose()).norm(), kFeRoundOff * K.norm());
   for (int k = 0; k < 6; ++k) {
     Vector18d u = Vector18d::Zero();
     for (int i = 0; i < 3; ++i) {
       u.segment<3>(6 * i) = k < 3 ? Vector3d(Vector3d::Unit(k)) : Vector3d(Vector3d::Unit(k - 3).cross(kCorner[i]));
       if (k >= 3) u(6 * i + k) = 1.0;
     }
-    EXPECT_LT((K * u).norm(), kRoundOff * K.norm());
-    EXPECT_LT((element.stress() * u).norm(), kRoundOff * element.stress().norm());
+    EXPECT_LT((K * u).norm(), kFeRoundOff * K.norm());
+    EXPECT_LT((element.stress() * u).norm(), kFeRoundOff * element.stress().norm());
   }
   const VectorXd values = Eigen::SelfAdjointEigenSolver<Matrix18d>(K).eigenvalues();
   EXPECT_LT(values.head<6>().cwiseAbs().maxCoeff(), 1e-11 * values(17));
@@ -47,7 +49,7 @@ TEST(PlateElement, DoesNotDependOnTheOrderOfItsCorners) {
   const PlateElement b(kCorner[1], kCorner[2], kCorner[0], kThickness, kAluminium);
   Matrix18d P = Matrix18d::Zero();  // corner i of b is corner i + 1 of a
   for (int i = 0; i < 3; ++i) P.block<6, 6>(6 * i, 6 * ((i + 1) % 3)).setIdentity();
-  EXPECT_LT((P.transpose() * b.stiffness() * P - a.stiffness()).norm(), kRoundOff * a.stiffness().norm());
+  EXPECT_LT((P.transpose() * b.stiffness() * P - a.stiffness()).norm(), kFeRoundOff * a.stiffness().norm());
 }
 
 // An irregular patch in the xy plane: four corners and one node off the centre.
@@ -84,7 +86,7 @@ TEST(PlateElement, PassesThePatchTestOfConstantCurvatureAndConstantStrain) {
     return u;
   };
   const VectorXd u = patch_solution(model, field);
-  EXPECT_LT((u.segment<6>(24) - field(model.nodes.col(4))).norm(), kRoundOff * u.norm());
+  EXPECT_LT((u.segment<6>(24) - field(model.nodes.col(4))).norm(), kFeRoundOff * u.norm());
 
   // Stress in the elements' own axes, turned back into x and y; strain of the surface z = +-t/2 is -z w'' +
   // membrane.

@@ -8,14 +8,17 @@
 #include "mbd_solver/fe/mesh_check.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/polyhedron.h"
+#include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
 namespace {
 
+using namespace test;
+
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kRoundOff = 1e-12, kDensity = 2500.0;
+constexpr double kDensity = 2500.0;
 
 TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
   const int first = static_cast<int>(a.vertices.size());
@@ -64,10 +67,10 @@ TEST(Polyhedron, TetrahedronIsThatOfTheTextbook) {
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   const MassProperties p = polyhedron_properties(mesh, 1.0, "tetrahedron");
   const double V = a * a * a / 6.0;
-  EXPECT_NEAR(p.mass, V, kRoundOff);
-  EXPECT_LT((p.centre - Vector3d::Constant(a / 4.0)).norm(), kRoundOff);
-  EXPECT_NEAR(p.inertia(0, 0), 2.0 * (a * a / 10.0 - a * a / 16.0) * V, kRoundOff);
-  EXPECT_NEAR(p.inertia(0, 1), -(a * a / 20.0 - a * a / 16.0) * V, kRoundOff);
+  EXPECT_NEAR(p.mass, V, kFeRoundOff);
+  EXPECT_LT((p.centre - Vector3d::Constant(a / 4.0)).norm(), kFeRoundOff);
+  EXPECT_NEAR(p.inertia(0, 0), 2.0 * (a * a / 10.0 - a * a / 16.0) * V, kFeRoundOff);
+  EXPECT_NEAR(p.inertia(0, 1), -(a * a / 20.0 - a * a / 16.0) * V, kFeRoundOff);
 }
 
 // The polyhedron in a capsule comes to the closed form with the square of its edges.
@@ -80,7 +83,7 @@ TEST(Polyhedron, CapsuleComesToItsClosedFormWithSecondOrder) {
     demands.closed = demands.connected = demands.oriented = true;
     EXPECT_TRUE(mesh_findings(mesh, demands).empty());
     const MassProperties p = polyhedron_properties(mesh, kDensity, "capsule");
-    EXPECT_LT(p.centre.norm(), kRoundOff);
+    EXPECT_LT(p.centre.norm(), kFeRoundOff);
     const double error = (p.inertia - exact.inertia).norm() / exact.inertia.norm();
     if (before > 0.0) {
       EXPECT_NEAR(std::log2(before / error), 2.0, 0.05);  // terms of fourth order: (pi / 12 / 4)^2 of it
@@ -103,8 +106,8 @@ TEST(Polyhedron, CavityIsTakenAway) {
   const MassProperties hollow =
       polyhedron_properties(joined(box_mesh(outer, 1.0), inside_out(box_mesh(inner, 1.0))), kDensity, "hollow");
   const MassProperties a = box_properties(outer, kDensity), b = box_properties(inner, kDensity);
-  EXPECT_NEAR(hollow.mass, a.mass - b.mass, kRoundOff * a.mass);
-  EXPECT_LT((hollow.inertia - (a.inertia - b.inertia)).norm(), kRoundOff * a.inertia.norm());
+  EXPECT_NEAR(hollow.mass, a.mass - b.mass, kFeRoundOff * a.mass);
+  EXPECT_LT((hollow.inertia - (a.inertia - b.inertia)).norm(), kFeRoundOff * a.inertia.norm());
 }
 
 TEST(Polyhedron, OfSeveralPiecesIsTheirSum) {

@@ -8,15 +8,16 @@
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"
+#include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
 namespace {
 
+using namespace test;
+
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-const Material kSteel{7850.0, 207e9, 0.3};
 
 // A beam pulled at three points, P/2 up at the ends and P down in the middle: four sections, moment P L / 4
 // in the middle, W = pi d^3/32.

@@ -9,7 +9,7 @@
 namespace footfall {
 namespace {
 
-constexpr double kEnd = 0.5, kInterval = 0.001;  // [s]
+constexpr double kLast = 0.5, kInterval = 0.001;  // [s]
 
 struct Row {
   State state;
@@ -48,8 +48,8 @@ TEST_P(Way, RowsCostNoStepAndChangeNothing) {
   const Model model = test::smooth_loop(3);
   test::Run plain(model, GetParam().kind, options()), with_rows(model, GetParam().kind, options());
   std::vector<Row> rows;
-  plain.to(kEnd);
-  with_rows.integrator->advance(with_rows.state, kEnd, with_rows.inputs, every_interval(rows));
+  plain.to(kLast);
+  with_rows.integrator->advance(with_rows.state, kLast, with_rows.inputs, every_interval(rows));
   EXPECT_EQ(rows.size(), 499u);
   EXPECT_EQ(plain.integrator->statistics().steps, with_rows.integrator->statistics().steps);
   EXPECT_LT(plain.integrator->statistics().steps, 300);
@@ -65,7 +65,7 @@ TEST_P(Way, RowsAreWhereStepsThatEndThereWouldBe) {
     const Model model = test::smooth_loop(seed);
     test::Run run(model, GetParam().kind, options());
     std::vector<Row> rows;
-    run.integrator->advance(run.state, kEnd, run.inputs, every_interval(rows));
+    run.integrator->advance(run.state, kLast, run.inputs, every_interval(rows));
     IntegratorOptions tight = options();
     tight.order = 5;
     tight.rtol = tight.atol = tight.atol_velocity = 1e-10;
@@ -87,7 +87,7 @@ TEST_P(Way, RowsKeepTheConditionsOfTheJoints) {
   const Model model = test::smooth_loop(4);
   test::Run run(model, GetParam().kind, options());
   std::vector<Row> rows;
-  run.integrator->advance(run.state, kEnd, run.inputs, every_interval(rows));
+  run.integrator->advance(run.state, kLast, run.inputs, every_interval(rows));
   for (const Row& row : rows) {
     EXPECT_LT(run.equations.drift(row.state).position, 1e-9);
     EXPECT_LT(run.equations.drift(row.state).velocity, 1e-8);
@@ -100,14 +100,14 @@ TEST_P(Way, RowThatSaysNoEndsTheWindowThere) {
   const Model model = test::smooth_loop(5);
   test::Run run(model, GetParam().kind, options()), whole(model, GetParam().kind, options());
   std::vector<Row> rows;
-  run.integrator->advance(run.state, kEnd, run.inputs, every_interval(rows, 0.1234));
+  run.integrator->advance(run.state, kLast, run.inputs, every_interval(rows, 0.1234));
   EXPECT_NEAR(run.state.time, 0.124, 1e-12);
   EXPECT_EQ(rows.back().state.time, run.state.time);
   EXPECT_TRUE(rows.back().state.q.isApprox(run.state.q, 1e-12));
   EXPECT_TRUE(rows.back().rates == run.integrator->end_rates());
   // And goes on as if nothing had been, within the tolerance.
-  run.to(kEnd);
-  whole.to(kEnd);
+  run.to(kLast);
+  whole.to(kLast);
   EXPECT_LT((run.state.q - whole.state.q).norm(), 3e-4);
 }
 
@@ -121,7 +121,7 @@ TEST(Rows, AreAsCloseAsStepsThatEndThereAtATightTolerance) {
     options.order = 5;
     test::Run run(model, "one_step", options), ends(model, "one_step", options);
     std::vector<Row> rows;
-    run.integrator->advance(run.state, kEnd, run.inputs, every_interval(rows));
+    run.integrator->advance(run.state, kLast, run.inputs, every_interval(rows));
     for (std::size_t i = 36; i < rows.size(); i += 37) {
       const State& state = rows[i].state;
       ends.to(state.time);

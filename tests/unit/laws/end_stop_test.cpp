@@ -7,7 +7,6 @@ namespace footfall {
 namespace {
 
 using namespace law_checks;
-const Eigen::VectorXd kNoState;
 
 EndStopParameters both() {
   EndStopParameters p;
@@ -42,19 +41,19 @@ TEST(EndStop, MassLosesWhatTheStopDissipates) {
   const double h = 2e-5;
   StrutOutput out(0);
   const auto acceleration = [&](double xx, double vv) {
-    law.evaluate({xx, vv, 0.0, kNoState}, out);
+    law.evaluate({xx, vv, 0.0, law_checks::kNoState}, out);
     return -out.force / mass;
   };
   int bounces = 0;
   bool inside = true;
   for (int i = 0; i < 100000; ++i) {  // 2 s, classical Runge-Kutta; lost power by Simpson's rule of the same stages
-    const double k1x = v, k1v = acceleration(x, v), p1 = dissipated(law, {x, v, 0.0, kNoState});
+    const double k1x = v, k1v = acceleration(x, v), p1 = dissipated(law, {x, v, 0.0, law_checks::kNoState});
     const double x2 = x + h / 2 * k1x, v2 = v + h / 2 * k1v, k2v = acceleration(x2, v2),
-                 p2 = dissipated(law, {x2, v2, 0.0, kNoState});
+                 p2 = dissipated(law, {x2, v2, 0.0, law_checks::kNoState});
     const double x3 = x + h / 2 * v2, v3 = v + h / 2 * k2v, k3v = acceleration(x3, v3),
-                 p3 = dissipated(law, {x3, v3, 0.0, kNoState});
+                 p3 = dissipated(law, {x3, v3, 0.0, law_checks::kNoState});
     const double x4 = x + h * v3, v4 = v + h * k3v, k4v = acceleration(x4, v4),
-                 p4 = dissipated(law, {x4, v4, 0.0, kNoState});
+                 p4 = dissipated(law, {x4, v4, 0.0, law_checks::kNoState});
     x += h / 6 * (k1x + 2 * v2 + 2 * v3 + v4);
     v += h / 6 * (k1v + 2 * k2v + 2 * k3v + k4v);
     lost += h / 6 * (p1 + 2 * p2 + 2 * p3 + p4);
@@ -67,7 +66,7 @@ TEST(EndStop, MassLosesWhatTheStopDissipates) {
     inside = now_inside;
   }
   EXPECT_GE(bounces, 3);
-  const double energy = 0.5 * mass * v * v + law.stored_energy({x, v, 0.0, kNoState});
+  const double energy = 0.5 * mass * v * v + law.stored_energy({x, v, 0.0, law_checks::kNoState});
   EXPECT_NEAR(energy + lost, 0.5 * mass, 1e-6 * 0.5 * mass);
 }
 
@@ -75,8 +74,8 @@ TEST(EndStop, DerivativesAreThoseOfTheForce) {
   const EndStop law(both());
   for (double x : {-0.01, -0.0003, 0.1, 0.3203, 0.33})
     for (double v : {-3.0, -0.1, 0.2, 4.0}) {
-      expect_derivatives(law, x, v, 0.0, kNoState, 1e-2, 1.0);
-      expect_power_identity(law, x, v, 0.0, kNoState);
+      expect_derivatives(law, x, v, 0.0, law_checks::kNoState, 1e-2, 1.0);
+      expect_power_identity(law, x, v, 0.0, law_checks::kNoState);
     }
 }
 
@@ -85,7 +84,7 @@ TEST(EndStop, DissipatesWhatItTakes) {
   for (unsigned seed : {1u, 2u, 3u}) {
     // The kinks of the second derivative at limit and toe leave Runge-Kutta second-order jumps: 1e5 steps
     // bring them below 1e-8.
-    const Along run = drive(law, random_motion(seed, 0.16, 0.35), 0.0, 1.0, 100000, 0.0, kNoState);
+    const Along run = drive(law, random_motion(seed, 0.16, 0.35), 0.0, 1.0, 100000, 0.0, law_checks::kNoState);
     EXPECT_GT(run.work, 1.0) << "seed " << seed << " does not reach the stop";
     EXPECT_NEAR(run.work, run.dissipated + run.stored - run.stored_start, 1e-8 * run.work);
   }

@@ -8,7 +8,6 @@ namespace footfall {
 namespace {
 
 using namespace law_checks;
-const Eigen::VectorXd kNoState;
 
 TEST(GasSpring, FollowsEquation13) {
   const GasSpring law({});
@@ -38,10 +37,10 @@ TEST(GasSpring, StoredEnergyIsTheWorkOfItsForce) {
     // 1e-10 of the work.
     const Motion motion{[](double t) { return 0.15 * (1.0 - std::cos(t)); },
                         [](double t) { return 0.15 * std::sin(t); }};
-    const Along in = drive(law, motion, 0.0, kPi, 4000, 0.0, kNoState);
+    const Along in = drive(law, motion, 0.0, kPi, 4000, 0.0, law_checks::kNoState);
     EXPECT_NEAR(in.work, in.stored - in.stored_start, 1e-8 * in.work) << "exponent " << exponent;
     EXPECT_EQ(in.dissipated, 0.0);
-    const Along cycle = drive(law, motion, 0.0, 2.0 * kPi, 8000, 0.0, kNoState);
+    const Along cycle = drive(law, motion, 0.0, 2.0 * kPi, 8000, 0.0, law_checks::kNoState);
     EXPECT_NEAR(cycle.work, 0.0, 1e-8 * in.work) << "the gas gives back what it took";
   }
 }
@@ -49,8 +48,8 @@ TEST(GasSpring, StoredEnergyIsTheWorkOfItsForce) {
 TEST(GasSpring, DerivativesAreThoseOfTheForce) {
   const GasSpring law({});
   for (double x = -0.3; x < 0.34; x += 0.02) {
-    expect_derivatives(law, x, 1.0, 0.5, kNoState, 0.1, 1.0);
-    expect_power_identity(law, x, -2.0, 0.5, kNoState);
+    expect_derivatives(law, x, 1.0, 0.5, law_checks::kNoState, 0.1, 1.0);
+    expect_power_identity(law, x, -2.0, 0.5, law_checks::kNoState);
   }
 }
 
@@ -61,7 +60,7 @@ TEST(GasSpring, HasNoValueOnceItsVolumeIsUsedUp) {
   expect_contains(text, "0.347704 m");
   EXPECT_THROW(force(law, law.stroke_limit()), NumericalError);
   EXPECT_THROW(force(law, std::nan("")), NumericalError);
-  EXPECT_THROW(law.stored_energy({0.36, 0.0, 0.0, kNoState}), NumericalError);
+  EXPECT_THROW(law.stored_energy({0.36, 0.0, 0.0, law_checks::kNoState}), NumericalError);
 }
 
 TEST(GasSpring, RefusesNonsense) {

@@ -15,6 +15,8 @@
 
 namespace footfall::law_checks {
 
+inline const Eigen::VectorXd kNoState;
+
 inline double force(const StrutLaw& law, double stroke, double rate, double voltage, const Eigen::VectorXd& z) {
   StrutOutput out(law.state_count());
   law.evaluate({stroke, rate, voltage, z}, out);

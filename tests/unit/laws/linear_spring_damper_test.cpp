@@ -8,7 +8,6 @@ namespace footfall {
 namespace {
 
 using namespace law_checks;
-const Eigen::VectorXd kNoState;
 const LinearSpringDamperParameters kLaw{1000.0, 20.0, 0.1, 50.0};
 
 TEST(LinearSpringDamper, IsLinear) {
@@ -22,17 +21,17 @@ TEST(LinearSpringDamper, SineLoopIsAnEllipse) {
   const double A = 0.2, omega = 5.0, area = kPi * 20.0 * omega * A * A;
   const Motion motion{[&](double t) { return A * std::sin(omega * t); },
                       [&](double t) { return A * omega * std::cos(omega * t); }};
-  const Along run = drive(law, motion, 0.0, 2.0 * kPi / omega, 2000, 0.0, kNoState);
+  const Along run = drive(law, motion, 0.0, 2.0 * kPi / omega, 2000, 0.0, law_checks::kNoState);
   EXPECT_NEAR(run.work, area, 1e-8 * area);
   EXPECT_NEAR(run.dissipated, area, 1e-8 * area);
 }
 
 TEST(LinearSpringDamper, DissipatesWhatItTakes) {
   const LinearSpringDamper law(kLaw);
-  const Along run = drive(law, random_motion(7, 0.0, 0.3), 0.0, 1.3, 4000, 0.0, kNoState);
+  const Along run = drive(law, random_motion(7, 0.0, 0.3), 0.0, 1.3, 4000, 0.0, law_checks::kNoState);
   EXPECT_NEAR(run.work, run.dissipated + run.stored - run.stored_start, 1e-8 * run.dissipated);
-  expect_derivatives(law, 0.2, -1.0, 0.0, kNoState, 0.1, 1.0);
-  expect_power_identity(law, 0.2, -1.0, 0.0, kNoState);
+  expect_derivatives(law, 0.2, -1.0, 0.0, law_checks::kNoState, 0.1, 1.0);
+  expect_power_identity(law, 0.2, -1.0, 0.0, law_checks::kNoState);
 }
 
 TEST(LinearSpringDamper, RefusesNonsense) {

@@ -7,7 +7,6 @@ namespace footfall {
 namespace {
 
 using namespace law_checks;
-const Eigen::VectorXd kNoState;
 
 MotorParameters parameters(MotorKind kind) {
   MotorParameters p;

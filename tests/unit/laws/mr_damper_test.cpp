@@ -9,7 +9,6 @@ namespace footfall {
 namespace {
 
 using namespace law_checks;
-const Eigen::VectorXd kNoState;
 
 MrGeometry geometry() {
   MrGeometry g;
@@ -43,7 +42,8 @@ TEST(MrDamper, SawToothLoopHasTheAreaOfItsRectangle) {
     const Motion up{[&](double t) { return -A + v0 * t; }, [&](double) { return v0; }};
     const Motion down{[&](double t) { return A - v0 * t; }, [&](double) { return -v0; }};
     const double T = 2.0 * A / v0;
-    const Along first = drive(law, up, 0.0, T, 50, u, kNoState), second = drive(law, down, 0.0, T, 50, u, kNoState);
+    const Along first = drive(law, up, 0.0, T, 50, u, law_checks::kNoState),
+                second = drive(law, down, 0.0, T, 50, u, law_checks::kNoState);
     const double area = 4.0 * A * (u * 8278.72 * std::tanh(v0 / 0.02) + 3651.19 * v0);
     EXPECT_NEAR(first.work + second.work, area, 1e-8 * area);
     EXPECT_NEAR(first.dissipated + second.dissipated, area, 1e-8 * area);
@@ -61,9 +61,9 @@ TEST(MrDamper, SineLoopHasTheAreaOfEllipseAndRectangle) {
   const double period = 2.0 * kPi / omega;
   const MrDamper law({});
   const double ellipse = kPi * 3651.19 * omega * A * A;
-  const Along viscous = drive(law, motion, 0.0, period, 4000, 0.0, kNoState);
+  const Along viscous = drive(law, motion, 0.0, period, 4000, 0.0, law_checks::kNoState);
   EXPECT_NEAR(viscous.work, ellipse, 1e-8 * ellipse);
-  const Along both = drive(law, motion, 0.0, period, 4000, 1.0, kNoState);
+  const Along both = drive(law, motion, 0.0, period, 4000, 1.0, law_checks::kNoState);
   const double deficit = 4.0 * 8278.72 * 0.02 * 0.02 / (A * omega * omega) * kPi * kPi / 24.0;
   EXPECT_NEAR(both.work - viscous.work, 4.0 * A * 8278.72 - deficit, 0.01 * deficit);
 }

@@ -9,7 +9,6 @@ namespace footfall {
 namespace {
 
 using namespace law_checks;
-const Eigen::VectorXd kNoState;
 
 TableLawParameters example() {
   TableLawParameters p;
@@ -65,7 +64,7 @@ TEST(TableLaw, ReproducesABilinearLaw) {
     for (double v : {-2.9, -0.3, 0.4, 2.0}) {
       EXPECT_NEAR(force(law, x, v), 5000.0 * x + 300.0 * v, 1e-9);
       // trapezoids of the nodes
-      EXPECT_NEAR(law.stored_energy({x, v, 0.0, kNoState}), 2500.0 * x * x, 0.25 * 2500.0 * 0.2 * 0.2);
+      EXPECT_NEAR(law.stored_energy({x, v, 0.0, law_checks::kNoState}), 2500.0 * x * x, 0.25 * 2500.0 * 0.2 * 0.2);
     }
 }
 
@@ -73,7 +72,7 @@ TEST(TableLaw, DissipatesWhatItTakesAlsoOutsideTheTable) {
   const TableLaw law(example());
   for (unsigned seed : {1u, 2u, 3u}) {
     const Motion motion = random_motion(seed, 0.15, 0.4);
-    const Along run = drive(law, motion, 0.0, 1.0, 50000, 0.0, kNoState);
+    const Along run = drive(law, motion, 0.0, 1.0, 50000, 0.0, law_checks::kNoState);
     // Kinks of the force at the table's lines: second-order jumps in each of the few hundred crossings.
     EXPECT_NEAR(run.work, run.dissipated + run.stored - run.stored_start, 1e-8 * run.dissipated);
   }
@@ -83,8 +82,8 @@ TEST(TableLaw, DerivativesAreThoseOfTheForce) {
   const TableLaw law(example());
   for (double x : {-0.2, 0.03, 0.22, 0.5})
     for (double v : {-4.0, -0.4, -0.03, 0.06, 1.0, 5.0}) {
-      expect_derivatives(law, x, v, 0.0, kNoState, 0.01, 0.01);
-      expect_power_identity(law, x, v, 0.0, kNoState);
+      expect_derivatives(law, x, v, 0.0, law_checks::kNoState, 0.01, 0.01);
+      expect_power_identity(law, x, v, 0.0, law_checks::kNoState);
     }
 }
 

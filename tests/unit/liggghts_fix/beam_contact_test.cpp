@@ -14,8 +14,8 @@ namespace footfall {
 namespace {
 
 using test::closest;
-using test::Random;
 using test::random_chain;
+using test::RandomBeams;
 
 // Lengths here are of order 1 m and take a few dozen operations.
 constexpr double kRoundOff = 1e-14;
@@ -64,7 +64,7 @@ double gap_by_search(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double 
 }
 
 TEST(BeamContact, ClosestPointIsTheOneASearchFinds) {
-  Random random(1);
+  RandomBeams random(1);
   for (int k = 0; k < 50; ++k) {
     const BeamChain chain(random_chain(random, 1 + k % 9), 0);
     for (int i = 0; i < 200; ++i) {

@@ -11,14 +11,14 @@ namespace footfall {
 namespace {
 
 using test::closest;
-using test::Random;
 using test::random_chain;
+using test::RandomBeams;
 
 // Sum of force times velocity at the contact points = generalized force times generalized velocity, for any
 // motion and modes, and for bodies whose nodal rotations are not known.
 TEST(BeamMotion, ForcesAtContactPointsDoTheWorkThatTheBodyReceives) {
   for (const bool with_rotations : {true, false}) {
-    Random random(with_rotations ? 2 : 3);
+    RandomBeams random(with_rotations ? 2 : 3);
     const int nodes = 6, modes = 4;
     std::vector<BeamSegment> segments;
     for (int i = 1; i < nodes; ++i) segments.push_back({i - 1, i, 0.07, 0});
@@ -57,7 +57,7 @@ TEST(BeamMotion, ForcesAtContactPointsDoTheWorkThatTheBodyReceives) {
 // Nodes of a chain go with the body's boundary, no further than largest_travel() says; for a mere shift it
 // says exactly how far.
 TEST(BeamMotion, NodesFollowTheBodyAndTravelNoFurtherThanTheirBound) {
-  Random random(5);
+  RandomBeams random(5);
   const int nodes = 7, modes = 3;
   std::vector<BeamSegment> segments;
   for (int i = 2; i < nodes; ++i) segments.push_back({i - 1, i, 0.07, 4});  // node 0 is not of the chain
@@ -89,7 +89,7 @@ TEST(BeamMotion, NodesFollowTheBodyAndTravelNoFurtherThanTheirBound) {
 // The velocity of the contact point is the rate at which the material point there moves: against a small
 // rotation of a rigid body.
 TEST(BeamMotion, VelocityOfTheContactPointIsThatOfTheMaterial) {
-  Random random(4);
+  RandomBeams random(4);
   const ModalBoundary boundary = random_chain(random, 3);
   BodyMotion motion;
   motion.r = random.vector(1.0);

@@ -11,8 +11,8 @@
 namespace footfall {
 namespace {
 
-using test::Random;
 using test::random_chain;
+using test::RandomBeams;
 
 // Grains in the layout LIGGGHTS has: a pointer per grain.
 struct Bed {
@@ -73,7 +73,7 @@ int expect_all_touches(const BeamChain& chain, const Bed& bed, const BeamNeighbo
 }
 
 TEST(BeamNeighbours, ThousandSpheresAgainstFiftyBeamsAsByBruteForce) {
-  Random random(11);
+  RandomBeams random(11);
   Bed bed;
   for (int i = 0; i < 1000; ++i) bed.add(random.vector(1.0), random.between(0.05, 0.25), i % 7 == 0 ? 2 : 1);
   int touching = 0;
@@ -92,7 +92,7 @@ TEST(BeamNeighbours, ThousandSpheresAgainstFiftyBeamsAsByBruteForce) {
 // the grains here wander as far as they may, back and forth, while the chain turns, sways and moves through
 // them.
 TEST(BeamNeighbours, MovingBeamsAndGrainsMissNoTouch) {
-  Random random(12);
+  RandomBeams random(12);
   const double skin = 0.03;
   Bed bed;
   for (int i = 0; i < 400; ++i) bed.add(random.vector(1.0), random.between(0.02, 0.1));
@@ -122,7 +122,7 @@ TEST(BeamNeighbours, MovingBeamsAndGrainsMissNoTouch) {
 }
 
 TEST(BeamNeighbours, AChainAtRestKeepsItsList) {
-  Random random(13);
+  RandomBeams random(13);
   Bed bed;
   for (int i = 0; i < 100; ++i) bed.add(random.vector(1.0), 0.05);
   const BeamChain chain(random_chain(random, 5), 0);
@@ -133,7 +133,7 @@ TEST(BeamNeighbours, AChainAtRestKeepsItsList) {
 }
 
 TEST(BeamNeighbours, AChainFarFromTheGrainsLooksAtNoGrain) {
-  Random random(14);
+  RandomBeams random(14);
   Bed bed;
   for (int i = 0; i < 1000; ++i) bed.add(random.vector(1.0), 0.05);
   BeamChain chain(random_chain(random, 20), 0);
@@ -151,7 +151,7 @@ TEST(BeamNeighbours, AChainFarFromTheGrainsLooksAtNoGrain) {
 
 // Until some node has come nearer by the clearance, brute force finds no touch either.
 TEST(BeamNeighbours, WithinItsClearanceAFarChainTouchesNothing) {
-  Random random(17);
+  RandomBeams random(17);
   Bed bed;
   for (int i = 0; i < 300; ++i) bed.add(random.vector(1.0), random.between(0.02, 0.1));
   BeamChain chain(random_chain(random, 8), 0);
@@ -177,7 +177,7 @@ TEST(BeamNeighbours, WithinItsClearanceAFarChainTouchesNothing) {
 // Grains around one end of a beam of 32 and of 1024 segments of the same size: the same pairs, and a search
 // that grows only with the depth of the tree of boxes.
 TEST(BeamNeighbours, CostGrowsWithWhatIsTouchedNotWithTheNumberOfSegments) {
-  Random random(15);
+  RandomBeams random(15);
   Bed bed;
   for (int i = 0; i < 500; ++i) bed.add(random.vector(0.3), 0.03);
   const auto straight = [](int segments) {
@@ -203,7 +203,7 @@ TEST(BeamNeighbours, CostGrowsWithWhatIsTouchedNotWithTheNumberOfSegments) {
 
 // A grain at x + n L touches what a grain at x touches: here n is any, and the chain longer or shorter than the box.
 TEST(BeamNeighbours, InAPeriodicBoxTheNearestImageIsTouched) {
-  Random random(907);
+  RandomBeams random(907);
   const Eigen::Vector3d periods(0.7, 0.0, 1.1);
   int touching = 0, elsewhere = 0;
   for (int trial = 0; trial < 40; ++trial) {
@@ -241,7 +241,7 @@ TEST(BeamNeighbours, InAPeriodicBoxTheNearestImageIsTouched) {
 }
 
 TEST(BeamNeighbours, NoGrainsNoList) {
-  Random random(16);
+  RandomBeams random(16);
   Bed bed;
   const BeamChain chain(random_chain(random, 3), 0);
   BeamNeighbours list(0.01);

@@ -9,7 +9,7 @@
 namespace footfall {
 namespace {
 
-CoupleMbdArguments parsed(const std::string& after_style) {
+CoupleMbdArguments parsed_fix(const std::string& after_style) {
   std::istringstream in("m all couple/mbd " + after_style);
   std::vector<std::string> words;
   for (std::string word; in >> word;) words.push_back(word);
@@ -22,7 +22,7 @@ CoupleMbdArguments parsed(const std::string& after_style) {
 std::string complaint(const std::string& after_style) {
   const std::string begin = "fix m couple/mbd: ";
   try {
-    parsed(after_style);
+    parsed_fix(after_style);
   } catch (const InputError& error) {
     const std::string message = error.what();
     EXPECT_EQ(message.substr(0, begin.size()), begin);
@@ -36,7 +36,7 @@ const std::string kUsage =
     "[lost SHARE] [surface smooth|facets|round] [edge DEGREES] [damping_mass grain|pair] [mesh MESH-ID BODY]...";
 
 TEST(CoupleMbdArguments, TakeWhatTheCommandSays) {
-  const CoupleMbdArguments all = parsed("every 5 patience 0.5 mesh pad1 foot_1 mesh pad2 foot_2");
+  const CoupleMbdArguments all = parsed_fix("every 5 patience 0.5 mesh pad1 foot_1 mesh pad2 foot_2");
   EXPECT_EQ(all.every, 5);
   EXPECT_EQ(all.patience, 0.5);
   ASSERT_EQ(all.meshes.size(), 2U);
@@ -45,7 +45,7 @@ TEST(CoupleMbdArguments, TakeWhatTheCommandSays) {
 }
 
 TEST(CoupleMbdArguments, LeaveOutWhatIsNotSaid) {
-  const CoupleMbdArguments least = parsed("every auto");
+  const CoupleMbdArguments least = parsed_fix("every auto");
   EXPECT_EQ(least.every, 0);
   EXPECT_FALSE(least.patience);
   EXPECT_TRUE(least.gravity_of_scene);
@@ -56,7 +56,7 @@ TEST(CoupleMbdArguments, LeaveOutWhatIsNotSaid) {
 
 TEST(CoupleMbdArguments, TakeKeywordsInAnyOrder) {
   const CoupleMbdArguments all =
-      parsed("every 5 lost 0.2 mesh upper drum end script mesh lower drum gravity script patience 3");
+      parsed_fix("every 5 lost 0.2 mesh upper drum end script mesh lower drum gravity script patience 3");
   EXPECT_FALSE(all.gravity_of_scene);
   EXPECT_FALSE(all.end_of_scene);
   EXPECT_EQ(all.max_lost, 0.2);
@@ -68,17 +68,17 @@ TEST(CoupleMbdArguments, TakeKeywordsInAnyOrder) {
 
 TEST(CoupleMbdArguments, SayHowGrainsTouch) {
   using Surface = CoupleMbdArguments::Surface;
-  EXPECT_EQ(parsed("every 5").surface, Surface::kSmooth);
-  EXPECT_EQ(parsed("every 5 surface facets").surface, Surface::kFacets);
-  EXPECT_EQ(parsed("every 5 surface round").surface, Surface::kRound);
+  EXPECT_EQ(parsed_fix("every 5").surface, Surface::kSmooth);
+  EXPECT_EQ(parsed_fix("every 5 surface facets").surface, Surface::kFacets);
+  EXPECT_EQ(parsed_fix("every 5 surface round").surface, Surface::kRound);
   EXPECT_EQ(complaint("every 5 surface flat"), "`surface` needs `smooth`, `facets` or `round`, not \"flat\"");
-  EXPECT_DOUBLE_EQ(parsed("every 5").edge_angle, M_PI / 6.0);
-  EXPECT_DOUBLE_EQ(parsed("every 5 edge 45").edge_angle, M_PI / 4.0);
+  EXPECT_DOUBLE_EQ(parsed_fix("every 5").edge_angle, M_PI / 6.0);
+  EXPECT_DOUBLE_EQ(parsed_fix("every 5 edge 45").edge_angle, M_PI / 4.0);
   for (const char* angle : {"0", "91", "sharp"})
     EXPECT_EQ(complaint(std::string("every 5 edge ") + angle),
               std::string("`edge` needs an angle above 0 and up to 90 degrees, not \"") + angle + "\"");
-  EXPECT_FALSE(parsed("every 5").mass_of_pair);
-  EXPECT_TRUE(parsed("every 5 damping_mass pair").mass_of_pair);
+  EXPECT_FALSE(parsed_fix("every 5").mass_of_pair);
+  EXPECT_TRUE(parsed_fix("every 5 damping_mass pair").mass_of_pair);
   EXPECT_EQ(complaint("every 5 damping_mass wall"), "`damping_mass` needs `grain` or `pair`, not \"wall\"");
 }
 

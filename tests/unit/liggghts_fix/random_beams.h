@@ -10,9 +10,9 @@
 
 namespace footfall::test {
 
-class Random {
+class RandomBeams {
  public:
-  explicit Random(unsigned seed) : seed_(seed), engine_(seed) {}
+  explicit RandomBeams(unsigned seed) : seed_(seed), engine_(seed) {}
   unsigned seed() const { return seed_; }
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
   // Each component between -size and size.
@@ -28,7 +28,7 @@ class Random {
 
 // A winding chain inside a box of a few metres: steps of 0.05 to 0.4 m, turning up to about 60 degrees,
 // radius 0.02 to 0.1 m.
-inline ModalBoundary random_chain(Random& random, int segments) {
+inline ModalBoundary random_chain(RandomBeams& random, int segments) {
   Eigen::Matrix3Xd nodes(3, segments + 1);
   nodes.col(0) = random.vector(1.0);
   Eigen::Vector3d direction = random.vector(1.0).normalized();

@@ -7,20 +7,20 @@
 namespace footfall {
 namespace {
 
-constexpr double kRoundOff = 1e-14;  // of a few products and roots
+constexpr double kWallRoundOff = 1e-14;  // of a few products and roots
 
 // Equal materials: E* = E / (2 (1 - nu^2)), G* = G / (2 (2 - nu)) with G = E / (2 (1 + nu)).
 TEST(WallContact, EqualMaterialsGiveTheKnownModuli) {
   const ElasticConstants m{6e6, 0.3};
   const WallContact contact = hertz_mindlin(m, m);
-  EXPECT_NEAR(contact.young, 6e6 / (2.0 * (1.0 - 0.09)), kRoundOff * 6e6);
-  EXPECT_NEAR(contact.shear, 6e6 / (2.0 * 1.3) / (2.0 * 1.7), kRoundOff * 6e6);
+  EXPECT_NEAR(contact.young, 6e6 / (2.0 * (1.0 - 0.09)), kWallRoundOff * 6e6);
+  EXPECT_NEAR(contact.shear, 6e6 / (2.0 * 1.3) / (2.0 * 1.7), kWallRoundOff * 6e6);
 }
 
 TEST(WallContact, GrainAndWallMayChangePlaces) {
   const ElasticConstants grain{6e6, 0.3}, wall{1e9, 0.25};
-  EXPECT_NEAR(hertz_mindlin(grain, wall).young, hertz_mindlin(wall, grain).young, kRoundOff * 6e6);
-  EXPECT_NEAR(hertz_mindlin(grain, wall).shear, hertz_mindlin(wall, grain).shear, kRoundOff * 6e6);
+  EXPECT_NEAR(hertz_mindlin(grain, wall).young, hertz_mindlin(wall, grain).young, kWallRoundOff * 6e6);
+  EXPECT_NEAR(hertz_mindlin(grain, wall).shear, hertz_mindlin(wall, grain).shear, kWallRoundOff * 6e6);
 }
 
 // F = 4/3 E* sqrt(R) delta^(3/2), so dF/ddelta = 2 E* sqrt(R delta).

@@ -27,7 +27,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kRoundOff = 1e-13;  // relative; sums of some 100 terms of either sign
+constexpr double kSumRoundOff = 1e-13;  // relative; sums of some 100 terms of either sign
 
 Matrix3d skew(const Vector3d& x) {
   Matrix3d m;
@@ -118,15 +118,15 @@ TEST(ModalInertia, EqualsTheSumsOverNodesAtRandomStates) {
       inertia.mass_matrix(x.a, M);
       inertia.velocity_and_elastic_force(x.a, x.v, h);
       direct_sums(body, x.a, x.v, M_direct, h_direct);
-      EXPECT_LT((M - M_direct).norm(), kRoundOff * M_direct.norm());
-      EXPECT_LT((h - h_direct).norm(), kRoundOff * h_direct.norm() + kRoundOff);
+      EXPECT_LT((M - M_direct).norm(), kSumRoundOff * M_direct.norm());
+      EXPECT_LT((h - h_direct).norm(), kSumRoundOff * h_direct.norm() + kSumRoundOff);
       EXPECT_EQ((M - M.transpose()).norm(), 0.0);
       EXPECT_EQ(M.llt().info(), Eigen::Success);
-      EXPECT_NEAR(inertia.kinetic_energy(x.a, x.v), 0.5 * x.v.dot(M_direct * x.v), kRoundOff * M_direct.norm());
+      EXPECT_NEAR(inertia.kinetic_energy(x.a, x.v), 0.5 * x.v.dot(M_direct * x.v), kSumRoundOff * M_direct.norm());
       const Vector3d c = M_direct.block<3, 3>(3, 0)(2, 1) * Vector3d::UnitX() +
                          M_direct.block<3, 3>(3, 0)(0, 2) * Vector3d::UnitY() +
                          M_direct.block<3, 3>(3, 0)(1, 0) * Vector3d::UnitZ();
-      EXPECT_LT((inertia.centre_of_mass(x.a) * inertia.mass() - c).norm(), kRoundOff * M_direct.norm());
+      EXPECT_LT((inertia.centre_of_mass(x.a) * inertia.mass() - c).norm(), kSumRoundOff * M_direct.norm());
     }
   }
 }
@@ -249,8 +249,8 @@ TEST(ModalInertia, WithoutModesIsTheRigidBody) {
   const VectorXd g = residual(rigid, x.a, x.v, x.dv);
   VectorXd euler(6);
   euler << body.node_mass.sum() * x.dv.head<3>(), J * x.dv.tail<3>() + w.cross(J * w);
-  EXPECT_LT((g - euler).norm(), kRoundOff);
-  EXPECT_LT((residual(flexible, x.a, x.v, x.dv) - euler).norm(), kRoundOff * 10.0);
+  EXPECT_LT((g - euler).norm(), kSumRoundOff);
+  EXPECT_LT((residual(flexible, x.a, x.v, x.dv) - euler).norm(), kSumRoundOff * 10.0);
 }
 
 TEST(ModalInertia, EvaluatesWithoutTheHeap) {

@@ -9,14 +9,13 @@
 #include "mbd_solver/run/safety_clock.h"
 #include "mbd_solver/run/simulation.h"
 #include "tests/unit/coupling/loopback_grains.h"
+#include "tests/unit/run/never.h"
 #include "tests/unit/scene/scene_text.h"
 
 namespace footfall {
 namespace {
 
 using test::LoopbackGrains;
-
-const volatile std::sig_atomic_t kNever = 0;
 
 // A ball on a string: nothing that the integrator takes exactly.
 const std::string kPendulum = R"(end_time = 0.05
@@ -72,7 +71,7 @@ States states_of(Simulation& simulation, const Keeper& keep) {
         states.emplace_back(sample.state.q.data(), sample.state.q.data() + sample.state.q.size());
         states.back().insert(states.back().end(), sample.state.v.data(), sample.state.v.data() + sample.state.v.size());
       },
-      kNever, keep);
+      test::kNever, keep);
   return states;
 }
 

@@ -8,12 +8,11 @@
 #include <csignal>
 
 #include "mbd_solver/run/simulation.h"
+#include "tests/unit/run/never.h"
 #include "tests/unit/scene/scene_text.h"
 
 namespace footfall {
 namespace {
-
-const volatile std::sig_atomic_t kNever = 0;
 
 // Places of all bodies at the start and at the end of a run.
 struct Ends {
@@ -32,7 +31,7 @@ Ends ends_of(const Scene& scene) {
         }
         if (ends.first.empty()) ends.first = ends.last;
       },
-      kNever);
+      test::kNever);
   return ends;
 }
 

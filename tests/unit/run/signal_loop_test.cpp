@@ -13,12 +13,11 @@
 #include "mbd_solver/observe/figures.h"
 #include "mbd_solver/observe/observation.h"
 #include "mbd_solver/run/simulation.h"
+#include "tests/unit/run/never.h"
 #include "tests/unit/scene/scene_text.h"
 
 namespace footfall {
 namespace {
-
-const volatile std::sig_atomic_t kNever = 0;
 
 // A wheel of 0.5 kg m2 on a hinge, without gravity.
 const std::string kWheel = R"(end_time = 1.0
@@ -70,7 +69,7 @@ struct Record {
           rows.push_back(observation.row(sample));
           figures.take(sample);
         },
-        kNever, keep);
+        test::kNever, keep);
     balance = figures.figures().energy_balance;
   }
   double value(std::size_t row, const std::string& name) const {

@@ -14,6 +14,7 @@
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/run/run_scene.h"
 #include "tests/unit/coupling/loopback_grains.h"
+#include "tests/unit/run/never.h"
 #include "tests/unit/scene/scene_text.h"
 
 namespace footfall {
@@ -24,9 +25,8 @@ using test::LoopbackGrains;
 constexpr double kMass = 2.0, kGravity = 1.5, kEnd = 0.0123;  // [kg], [m/s2], [s]: no multiple of a window
 constexpr double kDt = 1e-4;
 constexpr int kSubsteps = 4;
-const volatile std::sig_atomic_t kNever = 0;
 
-const std::string kBall = R"(end_time = 0.0123
+const std::string kThrownBall = R"(end_time = 0.0123
 gravity = [0, 0, -1.5]
 [[bodies]]
 name = "ball"
@@ -38,7 +38,7 @@ velocity = [0.5, 0, -1.0]
 [output]
 interval = 1e-3
 )";
-const std::string kOnGrains = kBall + R"(
+const std::string kBallOnGrains = kThrownBall + R"(
 [[boundaries]]
 body = "ball"
 [boundaries.beams]
@@ -54,7 +54,7 @@ script = "in.grains"
 struct GrainScene {
   explicit GrainScene(const std::vector<std::string>& settings = {})
       : script(folder.write("in.grains", "timestep 1e-4\nfix mbd all couple/mbd every 4 mesh m ball\n")),
-        scene(folder.read(kOnGrains, settings)) {}
+        scene(folder.read(kBallOnGrains, settings)) {}
   SceneText folder;
   std::string script;
   Scene scene;
@@ -84,14 +84,14 @@ Row row_of(const Sample& s) {
 }
 std::vector<Row> rows_of(Simulation& simulation) {
   std::vector<Row> rows;
-  simulation.run([&rows](const Sample& s) { rows.push_back(row_of(s)); }, kNever);
+  simulation.run([&rows](const Sample& s) { rows.push_back(row_of(s)); }, test::kNever);
   return rows;
 }
 
 constexpr double kRoundOff = 1e-12;  // constant forces: the one-step method is exact
 
 TEST(Simulation, OfAFreeBodyIsTheParabola) {
-  const Scene scene = SceneText().read(kBall);
+  const Scene scene = SceneText().read(kThrownBall);
   Simulation simulation(scene, scene.end_time, nullptr);
   for (const Row& row : rows_of(simulation)) {
     EXPECT_NEAR(row.x, 0.5 * row.time, kRoundOff);
@@ -102,7 +102,7 @@ TEST(Simulation, OfAFreeBodyIsTheParabola) {
 }
 
 TEST(Simulation, ObservesTheStartEveryRowAndTheEndOnce) {
-  const Scene scene = SceneText().read(kBall);
+  const Scene scene = SceneText().read(kThrownBall);
   Simulation simulation(scene, scene.end_time, nullptr);
   const std::vector<Row> rows = rows_of(simulation);
   ASSERT_EQ(rows.size(), 14u);  // 0, 1, ... 12 ms, and 12.3 ms
@@ -123,7 +123,7 @@ body = "ball"
 outputs = ["U1"]
 period_ms = 0.4
 )";
-  const Scene scene = SceneText().read(kBall + controller);
+  const Scene scene = SceneText().read(kThrownBall + controller);
   Simulation simulation(scene, 2e-3, nullptr);
   std::vector<double> times;
   for (const Row& row : rows_of(simulation)) times.push_back(row.time);
@@ -133,7 +133,7 @@ period_ms = 0.4
 }
 
 TEST(Simulation, ThatIsInterruptedEndsWithItsWindow) {
-  const Scene scene = SceneText().read(kBall);
+  const Scene scene = SceneText().read(kThrownBall);
   Simulation simulation(scene, scene.end_time, nullptr);
   volatile std::sig_atomic_t interrupted = 0;
   long windows = 0;
@@ -149,7 +149,7 @@ TEST(Simulation, ThatIsInterruptedEndsWithItsWindow) {
 
 // Nothing of the coupling: not constructed, not sent, not sampled, not written.
 TEST(Simulation, WithoutGrainsMakesNothingOfTheCoupling) {
-  const Scene scene = SceneText().read(kBall);
+  const Scene scene = SceneText().read(kThrownBall);
   Simulation simulation(scene, scene.end_time, nullptr);
   EXPECT_EQ(simulation.coupled(), nullptr);
   EXPECT_EQ(simulation.subject().agreement, nullptr);
@@ -158,7 +158,7 @@ TEST(Simulation, WithoutGrainsMakesNothingOfTheCoupling) {
         EXPECT_EQ(sample.coupling, nullptr);
         EXPECT_TRUE(sample.inputs.loads.empty());
       },
-      kNever);
+      test::kNever);
   for (const std::string& name : Observation(simulation.subject()).names())
     EXPECT_NE(name.rfind("coupling.", 0), 0u) << name;
 }
@@ -182,7 +182,7 @@ TEST(Simulation, WithGrainsThatPushForEverFallsAsInOtherGravity) {
   LoopbackGrains grains(start(), pushes({0.0, 0.0, 1.0}));
   Simulation pushed(on.scene, on.scene.end_time, &grains.transport());
   const Row end = rows_of(pushed).back();
-  const Scene other = SceneText().read(kBall, {"gravity=[0,0,-1.0]"});
+  const Scene other = SceneText().read(kThrownBall, {"gravity=[0,0,-1.0]"});
   Simulation free(other, other.end_time, nullptr);
   const Row expected = rows_of(free).back();
   EXPECT_NEAR(end.z, expected.z, kRoundOff);
@@ -223,7 +223,7 @@ TEST(Simulation, SamplesWhatTheCouplingTells) {
         EXPECT_NEAR(sample.coupling->omega_h[0], sample.window > 0 ? 20.0 * kSubsteps * kDt : 0.0, kRoundOff);
         EXPECT_NEAR(sample.coupling->energy_residual, sample.window > 0 ? 0.01 : 0.0, kRoundOff);
       },
-      kNever);
+      test::kNever);
   EXPECT_EQ(simulation.coupled()->load().particles, 1000);
 }
 
@@ -240,7 +240,7 @@ TEST(Simulation, WithEveryAutoFliesInLongWindows) {
 
 // Led along its path against an alternating force: round-off of its work, and a window's impulse, are no energy of its.
 TEST(Simulation, DoesNotJudgeABodyThatIsLed) {
-  const std::string led = kOnGrains + R"(
+  const std::string led = kBallOnGrains + R"(
 [[joints]]
 name = "drive"
 type = "prescribed"
@@ -306,7 +306,7 @@ TEST(Simulation, TwiceIsTheSameToTheBit) {
 
 TEST(RunScene, WithoutGrainsWritesNothingOfTheCoupling) {
   const SceneText folder;
-  const Scene scene = folder.read(kBall);
+  const Scene scene = folder.read(kThrownBall);
   RunOptions options;
   options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();
   options.quiet = true;

@@ -16,7 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr double kRoundOff = 1e-12;  // values here are of order one
+constexpr double kValueRoundOff = 1e-12;  // values here are of order one
 
 std::set<std::string> difference(const std::set<std::string>& a, const std::set<std::string>& b) {
   std::set<std::string> result;
@@ -83,10 +83,10 @@ points = [[0, 0, 1], [1, 0, 0]]
 stops = { max_mm = 300 }
 spring = { preload_kN = 2 }
 )");
-  EXPECT_NEAR(scene.solver.max_step, 0.002, kRoundOff);
-  EXPECT_NEAR(scene.initial.roll, kPi / 2, kRoundOff);
-  EXPECT_NEAR(scene.initial.angular_velocity[0], 2 * kPi, kRoundOff);
-  EXPECT_NEAR(*scene.struts[0].stops->max, 0.3, kRoundOff);
+  EXPECT_NEAR(scene.solver.max_step, 0.002, kValueRoundOff);
+  EXPECT_NEAR(scene.initial.roll, kPi / 2, kValueRoundOff);
+  EXPECT_NEAR(scene.initial.angular_velocity[0], 2 * kPi, kValueRoundOff);
+  EXPECT_NEAR(*scene.struts[0].stops->max, 0.3, kValueRoundOff);
   EXPECT_NEAR(scene.struts[0].spring->preload, 2000.0, 1e-9);
 }
 
@@ -172,7 +172,7 @@ TEST(SceneSettings, WinOverTheSameKeyInAnotherUnit) {
   const std::string findings = text.findings(kPendulum + "[initial]\nroll_deg = 10\n", {"initial.roll=0.5"});
   EXPECT_THAT(findings, HasSubstr("is given twice"));
   EXPECT_NEAR(text.read(kPendulum + "[initial]\nroll_deg = 10\n", {"initial.roll_deg=20"}).initial.roll, kPi / 9,
-              kRoundOff);
+              kValueRoundOff);
 }
 
 TEST(SceneSettings, RefuseUnknownPathsWithAGuess) {
@@ -214,12 +214,12 @@ bodies = ["leg_{leg}"]
   EXPECT_EQ(scene.output.bodies, (std::vector<std::string>{"leg_1", "leg_2", "leg_3", "leg_4"}));
   EXPECT_EQ(scene.joints[1].bodies[1], "leg_2");
   const double c = std::sqrt(0.5);
-  EXPECT_NEAR((scene.bodies[2].position - Eigen::Vector3d(-1.5 * c, 1.5 * c, 0)).norm(), 0.0, kRoundOff);
-  EXPECT_NEAR((scene.joints[1].axis - Eigen::Vector3d(-c, -c, 0)).norm(), 0.0, kRoundOff);
+  EXPECT_NEAR((scene.bodies[2].position - Eigen::Vector3d(-1.5 * c, 1.5 * c, 0)).norm(), 0.0, kValueRoundOff);
+  EXPECT_NEAR((scene.joints[1].axis - Eigen::Vector3d(-c, -c, 0)).norm(), 0.0, kValueRoundOff);
   // Body axes turn with the copy, so all copies have the same inertia in their own axes.
-  EXPECT_NEAR((scene.bodies[1].inertia - scene.bodies[4].inertia).norm(), 0.0, kRoundOff);
+  EXPECT_NEAR((scene.bodies[1].inertia - scene.bodies[4].inertia).norm(), 0.0, kValueRoundOff);
   EXPECT_NEAR((scene.bodies[2].orientation * Eigen::Vector3d::UnitX() - Eigen::Vector3d(-c, c, 0)).norm(), 0.0,
-              kRoundOff);
+              kValueRoundOff);
 }
 
 TEST(SceneArrays, NameThatBelongsToNoArrayIsAFinding) {

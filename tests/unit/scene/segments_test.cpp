@@ -11,7 +11,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr double kRoundOff = 1e-12;
+constexpr double kSegmentRoundOff = 1e-12;
 
 std::string arm(const std::string& flexible, const std::string& more = "") {
   return "end_time = 1\n[materials.steel]\ndensity = 7850\nyoung_GPa = 207\n[[bodies]]\nname = \"arm\"\n"
@@ -31,8 +31,8 @@ TEST(Segments, AreEqualPiecesJoinedInARow) {
   for (int k = 0; k < 4; ++k) {
     const BodySpec& body = cut.bodies[static_cast<std::size_t>(k)];
     EXPECT_EQ(body.name, "arm_" + std::to_string(k + 1));
-    EXPECT_NEAR(body.mass, whole.bodies[0].mass / 4, kRoundOff);
-    EXPECT_NEAR((body.position - Eigen::Vector3d(0.25 + 0.5 * k, 0, 1)).norm(), 0.0, kRoundOff);
+    EXPECT_NEAR(body.mass, whole.bodies[0].mass / 4, kSegmentRoundOff);
+    EXPECT_NEAR((body.position - Eigen::Vector3d(0.25 + 0.5 * k, 0, 1)).norm(), 0.0, kSegmentRoundOff);
     EXPECT_EQ(body.flexible->modes, 2);  // what a short piece needs beside its static shapes
   }
   ASSERT_EQ(cut.joints.size(), 4u);
@@ -41,10 +41,10 @@ TEST(Segments, AreEqualPiecesJoinedInARow) {
     const JointSpec& joint = cut.joints[static_cast<std::size_t>(k)];
     EXPECT_EQ(joint.type, JointType::kFixed);
     EXPECT_THAT(joint.bodies, ElementsAre("arm_" + std::to_string(k), "arm_" + std::to_string(k + 1)));
-    EXPECT_NEAR((joint.point_b - Eigen::Vector3d(0.5 * k, 0, 1)).norm(), 0.0, kRoundOff);
+    EXPECT_NEAR((joint.point_b - Eigen::Vector3d(0.5 * k, 0, 1)).norm(), 0.0, kSegmentRoundOff);
   }
-  EXPECT_NEAR(total_mass(cut), total_mass(whole), kRoundOff);
-  EXPECT_NEAR((mass_centre(cut) - mass_centre(whole)).norm(), 0.0, kRoundOff);
+  EXPECT_NEAR(total_mass(cut), total_mass(whole), kSegmentRoundOff);
+  EXPECT_NEAR((mass_centre(cut) - mass_centre(whole)).norm(), 0.0, kSegmentRoundOff);
 }
 
 TEST(Segments, WhatIsAttachedGoesToTheSegmentAtItsPoint) {
@@ -66,7 +66,7 @@ TEST(Segments, WhatIsAttachedGoesToTheSegmentAtItsPoint) {
   EXPECT_EQ(scene.boundaries[2].beams->segments, 2);
   ASSERT_EQ(scene.initial.bodies.size(), 4u);
   // v = v_centre + w x (c_k - c): (0, 2, 0) x (-0.75, 0, 0) = (0, 0, 1.5)
-  EXPECT_NEAR((*scene.initial.bodies[0].velocity - Eigen::Vector3d(1, 0, 1.5)).norm(), 0.0, kRoundOff);
+  EXPECT_NEAR((*scene.initial.bodies[0].velocity - Eigen::Vector3d(1, 0, 1.5)).norm(), 0.0, kSegmentRoundOff);
 }
 
 TEST(Segments, ACutBelongsToTheEarlierOne) {
