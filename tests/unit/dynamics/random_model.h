@@ -239,7 +239,7 @@ inline Assembly as_given(const Model& model) {
   out.rank = layout.row_count;
   out.state.q.resize(layout.q_size);
   out.state.v.resize(layout.v_size);
-  out.state.z.resize(layout.z_size);
+  out.state.z = Eigen::VectorXd::Zero(layout.z_size);  // as assembly.cpp has it: signals count turns from zero
   for (int i = 0; i < model.body_count(); ++i) {
     const BodyState& body = model.initial(i);
     out.state.q.segment(layout.body_q[static_cast<std::size_t>(i)], 7 + model.body(i).mode_count()) << body.r, body.L,
