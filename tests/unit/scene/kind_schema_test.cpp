@@ -25,7 +25,8 @@ Names keys_of_entries(const std::string& family) {
 
 Names keys_of_kinds(const std::string& family) {
   Names keys;
-  for (const auto& [kind, uses] : kind_schema()[family].items())
+  const Json schema = kind_schema();
+  for (const auto& [kind, uses] : schema[family].items())
     for (const char* use : {"required", "optional"})
       for (const Json& key : uses[use]) keys.insert(key.get<std::string>());
   return keys;
@@ -39,7 +40,8 @@ TEST(KindSchema, EveryKeyOfAJointBelongsToAKindOrToAll) {
 }
 
 TEST(KindSchema, NamesOnlyKeysThatTheReaderKnows) {
-  for (const auto& [family, kinds] : kind_schema().items()) {
+  const Json schema = kind_schema();
+  for (const auto& [family, kinds] : schema.items()) {
     const Names known = keys_of_entries(family);
     EXPECT_GT(kinds.size(), 2U) << family;
     for (const std::string& key : keys_of_kinds(family)) EXPECT_EQ(known.count(key), 1U) << family << ": " << key;
