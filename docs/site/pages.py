@@ -175,10 +175,11 @@ kFamilies = [("Joints", "joints", "type", "theory.md#21-joints"), ("Laws of a st
 
 
 def kinds_told(heading):
-    """{kind: what it is} of the first table below the heading of docs/scene.md that begins so."""
+    """What the first table below the heading of docs/scene.md tells of (its second head), and {kind: what it is}."""
     text = (root / "docs/scene.md").read_text().split(f"\n## {heading}", 1)[1].split("\n## ", 1)[0]
     table = re.search(r"(?m)^(\| `.*\n)+", text).group(0)
-    return {kind: what for kind, what in re.findall(r"(?m)^\| `([^`]+)` \| (.*?) \|$", table)}
+    head = re.findall(r"(?m)^\| [a-z]+ \| (.*?) \|$", text[:text.index(table)])[-1]
+    return head, {kind: what for kind, what in re.findall(r"(?m)^\| `([^`]+)` \| (.*?) \|$", table)}
 
 
 def entry_in_reference(section, key, kind):
@@ -212,9 +213,10 @@ def kinds():
         properties = (place.get("items") or place["additionalProperties"])["properties"]
         of_kinds = schema.get("x-kinds", {}).get(section, {})
         owned = {k for uses in of_kinds.values() for use in uses.values() for k in use}
-        for kind, what in kinds_told(heading).items():
+        head, told = kinds_told(heading)
+        for kind, what in told.items():
             lines = [f"# {kind}", "", f"One of the kinds of `[[{section}]]`" + (f", `{key} = \"{kind}\"`." if key else f": its section `{kind}`."),
-                     "", f"In words: {what}", "", f"[All kinds](../scene.md#{slug(heading_of(heading))}), [theory](../{theory}), [all keys](../keys/{section}.md).", ""]
+                     "", f"{head[0].upper() + head[1:]}: {what}", "", f"[All kinds](../scene.md#{slug(heading_of(heading))}), [theory](../{theory}), [all keys](../keys/{section}.md).", ""]
             if key is None:
                 lines += ["## Keys"]
                 tables(table_below(properties[kind])[1], f"{section}.{kind}", lines)
