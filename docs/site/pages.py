@@ -82,6 +82,8 @@ def kind_of(s):
         return f'`"{s["const"]}"`'
     if "enum" in s:
         return ", ".join(f'`"{word}"`' for word in s["enum"])
+    if not s:
+        return "see what it means"
     if s["type"] == "array":
         same = "minItems" in s and s.get("maxItems") == s["minItems"]
         return f"{s['minItems']} × {kind_of(s['items'])}" if same else f"list of {kind_of(s['items'])}"
@@ -273,6 +275,17 @@ def api():
     (docs / "api.md").write_text("\n".join(text) + "\n")
 
 
+def experiments():
+    """The keys of the files of sweep and accuracy."""
+    schema = json.loads(subprocess.run([footfall, "schema", "--experiments"], check=True, capture_output=True, text=True).stdout)
+    lines = ["# Files of sweep and accuracy", "", "Made from what the reader of experiments knows. What the keys mean stands in the source, at the end of this page.", ""]
+    tables(schema, "", lines)
+    header = (root / "mbd_solver/cli/experiments/experiment.h").read_text()
+    words = re.findall(r"(?m)^//(.*)$", header[:header.index("#include")])
+    lines += ["", "## What the keys mean", "", "```text", *(w.removeprefix(" ") for w in words), "```"]
+    (docs / "keys" / "experiments.md").write_text("\n".join(lines) + "\n")
+
+
 docs.mkdir()
 copy_pages()
 config = (root / "docs/site/mkdocs.yml").read_text()
@@ -286,6 +299,7 @@ lists = {
     "EXAMPLES": [f"      - {title_of(e)}: {e}" for e in examples],
 }
 api()
+experiments()
 for word, entries in lists.items():
     config = config.replace(f" {word}\n", "\n" + "\n".join(entries) + "\n")
 if others:  # a page that nobody has put into the order yet
