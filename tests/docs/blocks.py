@@ -6,7 +6,7 @@
 FOOTFALL is the built program, PAGE a path in the checkout. OUT becomes a folder that looks like a checkout. A command block is one of ```sh. Comments
 before a block say what the test has to know; the reader of the page does not see them:
 
-    <!-- short: OPTIONS -->   these options at the end of `run` and `audit` (without it --until 0.02)
+    <!-- short: OPTIONS -->   these options at the end of `run` and `audit` (without it --until 0.02, or less)
     <!-- exit: CODE -->       how the last command of the block ends (without it 0)
     <!-- file: NAME -->       the block is the text of this file; it is written before the next commands
     <!-- append: NAME -->     it is added to this file
@@ -26,7 +26,8 @@ import sys
 kRoot = pathlib.Path(__file__).resolve().parents[2]
 kComing = {"new", "plot", "watch"}
 kOthers = {"mpirun", "python3", "mkdir", "cp", "cat", "ls", "sed", "diff"}  # and programs of the checkout, by their path
-kSeconds = 280  # for one command
+kSeconds = 280   # for one command
+kUntil = "0.02"  # of a scene [s]
 kWatched = 10   # for one that follows a run
 
 
@@ -82,7 +83,10 @@ def shortened(words, block):
     if command in ("run", "audit") and "--resume" not in words:
         if "short" in block.marks:
             return words + shlex.split(block.marks["short"])
-        return words if "--until" in words else words + ["--until", "0.02"]
+        if "--until" not in words:
+            return words + ["--until", kUntil]
+        at = words.index("--until") + 1
+        return words[:at] + [min(words[at], kUntil, key=float)] + words[at + 1:]
     if command in ("sweep", "accuracy"):
         return words + ["--short"]
     return ["./footfall", "test", "--help"] if command == "test" else words
