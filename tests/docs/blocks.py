@@ -128,8 +128,8 @@ class Page:
             if line.startswith("cp -r /usr/share/doc/liggghts/") and not pathlib.Path(shlex.split(line)[2]).exists():
                 print("the package liggghts-doc is missing: page left out")
                 sys.exit(0)
-            if inside := re.match(r"\(cd (\S+) && \.(\./footfall .*)\)$", line):  # (cd FOLDER && ../footfall ...)
-                folder, line = folder / inside.group(1), inside.group(2)
+            if inside := re.match(r"\(cd (\S+) && (.*)\)$", line):  # (cd FOLDER && ../footfall ...)
+                folder, line = folder / inside.group(1), inside.group(2).replace("../footfall ", "./footfall ", 1)
             words = shlex.split(line)
             if words[0] == "./footfall":
                 watched = words[1] == "watch"

@@ -1,4 +1,5 @@
-// The schema of experiments says what the reader does: every shipped file is valid by its keys and types.
+// experiment_schema() of mbd_solver/cli/experiments/experiment_reader.cpp says what the reader does: every shipped file
+// is valid by its keys and types.
 #include <gtest/gtest.h>
 
 #include <algorithm>
