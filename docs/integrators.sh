@@ -10,10 +10,12 @@ for study in "${studies[@]}"; do ./footfall accuracy "inputs/accuracy/$study.tom
   cat <<'TEXT'
 # The mechanism alone: error against run time
 
-Made by `docs/integrators.sh`; each section by `footfall accuracy inputs/accuracy/FILE`. Errors are against the one-step method with a tolerance of 1e-8 (1e-10 for
-the slider-crank), so the last digits of IDA are as much its own as the reference's. On the lander the one-step method reaches the same error several times faster than
-IDA with rigid bodies and about twenty times faster with flexible ones: impacts and a sampled controller make a multistep method start again and again. That is why it
-is the default, with projection: Baumgarte's terms cost as much and leave the drift of its column. Fixed steps are for orders and for comparison.
+Made by `docs/integrators.sh`; each section by `footfall accuracy inputs/accuracy/FILE`. Errors are against the one-step method with a tolerance of 1e-8 (1e-10 for the slider-crank). So the last digits of IDA
+may be errors of the reference as well.
+
+On the lander the one-step method reaches the same error several times faster than IDA with rigid bodies, and about twenty times faster with flexible ones. Impacts and a sampled controller make a multistep
+method start again and again. So the one-step method is the default. Projection is the default too: Baumgarte's terms cost as much and leave a drift (see its column). Fixed steps are there for orders and for
+comparison.
 TEXT
   for study in "${studies[@]}"; do
     printf '\n'; sed '1s/^#/##/' "$runs/$study.md"

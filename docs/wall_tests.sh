@@ -11,11 +11,11 @@ FOOTFALL_WALL_TESTS=$rows "$build/bin/dem_wall_tests" >&2
   cat <<'TEXT'
 # A sphere on a coupled plane
 
-Made by `docs/wall_tests.sh`; the same tests run in `ctest -R WallTests`. The wall tests, numbers 2 to 6, of Chung and Ooi, *Benchmark tests for verifying discrete element modelling codes at
-particle impact level*, Granular Matter 13, 643 (2011), with a plane that is the mesh of a coupled body at rest, 1000 times stiffer than the sphere, window by window.
+Made by `docs/wall_tests.sh`; the same tests run in `ctest -R WallTests`. These are the wall tests, numbers 2 to 6, of Chung and Ooi, *Benchmark tests for verifying discrete element modelling codes at particle
+impact level*, Granular Matter 13, 643 (2011). The plane is the mesh of a coupled body at rest, 1000 times stiffer than the sphere.
 
-Materials, sizes and speeds are those that other codes give for these tests: 2 to 4 as in Yade (yade-dev/trunk, its scripts Test2.py to Test4.py of these benchmarks; Kratos has the same), 5 as in
-Kratos (`basic_benchmarks/benchmark5DEM.mdpa`) and PySPH, 6 as in Kratos (`benchmark6DEM.mdpa`). The paper itself was not at hand. Test 6 on nylon is left out: no source for its constants was found.
+The paper itself was not at hand. Materials, sizes and speeds are those that other codes give for these tests: 2 to 4 as in Yade (yade-dev/trunk, its scripts Test2.py to Test4.py; Kratos has the same), 5 as in
+Kratos (`basic_benchmarks/benchmark5DEM.mdpa`) and PySPH, 6 as in Kratos (`benchmark6DEM.mdpa`). Test 6 on nylon is left out: no source for its constants was found.
 
 | test | sphere | Young's modulus [GPa] | Poisson's ratio | density [kg/m3] | radius [m] | speed [m/s] | friction | restitution |
 |---|---|---|---|---|---|---|---|---|
@@ -25,10 +25,11 @@ Kratos (`basic_benchmarks/benchmark5DEM.mdpa`) and PySPH, 6 as in Kratos (`bench
 | 5 | steel; polyethylene | 208; 1 | 0.30; 0.40 | 7850; 1400 | 0.00001 | 5 down, to 70 along | 0.3 | 1 |
 | 6 | aluminium alloy | 70 | 0.33 | 2700 | 0.1 | 0.2 down, spinning | 0.4 | 0.5 |
 
-- Peak, overlap and time of contact: Hertz. Restitution: the one that the script asks for (`limitForce on` takes the pull at the end of a contact away, and gives more: 0.32 for 0.2).
-- Speed along the plane and spin: a sphere that slides all through the contact, by Coulomb's impulse with the normal impulse that is found, at the arm of one radius less half the overlap, as LIGGGHTS takes it (1.1 % on polyethylene, else nothing). With
-  `limitForce on tangential_damping off`: by default LIGGGHTS' tangential damping exceeds Coulomb's limit until the sphere slides, by 9 % of the impulse at e = 0.5. Angles and speeds at which a sphere sticks
-  for a part of the contact have no closed form and are left out.
+- Peak force, overlap and time of contact are Hertz's. The restitution is that of the script. (`limitForce on` takes away the pull at the end of a contact, and gives more: 0.32 for 0.2.)
+- Speed along the plane and spin are those of a sphere that slides all through the contact: Coulomb's impulse, with the normal impulse that is found. Its arm is one radius less half the overlap, as LIGGGHTS takes
+  it; that matters on polyethylene alone (1.1 %).
+- These runs have `limitForce on tangential_damping off`: by default LIGGGHTS' tangential damping exceeds Coulomb's limit until the sphere slides, by 9 % of the impulse at e = 0.5.
+- Angles and speeds at which a sphere sticks for a part of the contact have no closed form and are left out.
 
 | test | figure | closed form | found | difference [%] |
 |---|---|---|---|---|

@@ -39,7 +39,8 @@ void DemLink::greet(const std::string& unit_style) {
         std::string("couple/mbd: this LIGGGHTS runs without a multibody partner. Start both programs together: ") +
         kStartBoth);
   if (unit_style != kUnitStyle)
-    throw InputError("couple/mbd: the script has \"units " + unit_style + "\"; footfall couples in \"units si\" only");
+    throw InputError("couple/mbd: the script has \"units " + unit_style +
+                     "\"; footfall couples in \"units si\" only: write it in metres, kilograms and seconds");
   Hello hello;
   hello.unit_style = unit_style;
   link_->send(hello);

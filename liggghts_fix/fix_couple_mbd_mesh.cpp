@@ -42,7 +42,10 @@ CoupledMesh::CoupledMesh(LAMMPS* lmp_, const std::string& asker, const footfall:
                          footfall::DemLink& link)
     : Pointers(lmp_), link_(link), mesh_id_(pair.mesh), where_(asker + "mesh " + mesh_id_ + ": ") {
   fix_ = dynamic_cast<FixMeshSurface*>(modify->find_fix_id(mesh_id_.c_str()));
-  if (fix_ == nullptr) throw InputError(where_ + "no fix mesh/surface of this id stands before this line");
+  if (fix_ == nullptr)
+    throw InputError(where_ +
+                     "no fix mesh/surface of this id stands before this line; correct the "
+                     "id, or move this line below its mesh");
   if (fix_->triMesh()->isMoving() || fix_->triMesh()->isDeforming())
     throw InputError(where_ + "another fix or a servo moves it already");
   if (footfall::surface_velocity_varies(fix_))

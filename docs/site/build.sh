@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the site: docs/site/build.sh [OUT] (default: build/site). Needs Debian's mkdocs, and footfall built for the reference.
+# Makes the site: docs/site/build.sh [OUT] (default: build/site). Needs Debian's mkdocs, and footfall built for the reference. With Debian's doxygen it has the C++ API too.
+# Asks no network.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -10,6 +11,11 @@ command -v mkdocs >/dev/null || { echo "docs/site/build.sh: mkdocs is missing; a
 
 pages=$(mktemp -d)
 trap 'rm -rf "$pages"' EXIT
+if command -v doxygen >/dev/null; then
+  (cd "$root" && { cat "$here/Doxyfile"; echo "OUTPUT_DIRECTORY = \"$pages\""; } | doxygen -) >"$pages/doxygen.log" 2>&1 ||
+    { tail -n 20 "$pages/doxygen.log" >&2; exit 1; }
+fi
 python3 "$here/pages.py" "$root" "$build/bin/footfall" "$pages" "$out"
 mkdocs --quiet build --strict --config-file "$pages/mkdocs.yml"
+[[ ! -d $pages/cpp ]] || cp -r "$pages/cpp" "$out/cpp"
 echo "$out/index.html"

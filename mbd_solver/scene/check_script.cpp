@@ -70,6 +70,45 @@ void check_bodies_named(const ScriptText& script, const Scene& scene, Findings& 
   }
 }
 
+// `couple/mbd ... mesh ID BODY`: ID is a mesh of the script. What LIGGGHTS alone can put together is not known here.
+void check_meshes_named(const ScriptText& script, const Scene& scene, Findings& findings) {
+  std::vector<std::string> meshes;
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    if (w[0] != "fix" || w.size() < 4) continue;
+    if (w[3].rfind("mesh/surface", 0) == 0) meshes.push_back(w[1]);
+    if (w[3] != "couple/mbd" || command.conditional || !script.whole()) continue;
+    const bool computed = std::any_of(meshes.begin(), meshes.end(),
+                                      [](const std::string& id) { return id.find("${") != std::string::npos; });
+    for (std::size_t i = 4; i + 2 < w.size() && !computed; ++i) {
+      if (w[i] != "mesh" || w[i + 1].find("${") != std::string::npos) continue;
+      if (std::find(meshes.begin(), meshes.end(), w[i + 1]) == meshes.end())
+        findings.error(scene.particles->source, "script",
+                       place(command) + " couples the mesh \"" + w[i + 1] +
+                           "\", but no fix mesh/surface of this id stands before this line." +
+                           known_names("meshes", w[i + 1], meshes));
+    }
+  }
+}
+
+// A script that reads a settled bed, and a scene that does not say how it is made.
+void check_bed_is_given(const ScriptText& script, const ParticlesSpec& particles, Findings& findings) {
+  if (particles.bed || particles.box) return;
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    if (w[0] == "write_restart" || w[0] == "restart") return;  // it may be its own
+    if (w[0] != "read_restart" || w.size() < 2 || command.conditional) continue;
+    const bool unknown = w[1].find("${") != std::string::npos;
+    std::error_code ignored;
+    if (unknown ? w[1].find("${bed}") == std::string::npos : std::filesystem::exists(w[1], ignored)) continue;
+    findings.error(particles.source, "script",
+                   place(command) + " reads a settled bed, " + w[1] +
+                       (unknown ? ", which nothing gives" : ", and there is no such file") +
+                       "; add [particles.bed] with the script that makes it (script = \"in.bed\"), or name a restart "
+                       "file: variables = { bed = \"FILE\" }");
+  }
+}
+
 // LIGGGHTS replaces ${name} until none is left: for ever, where a value leads back to its own name.
 void check_values(const std::map<std::string, std::string>& variables, const std::string& key, const Source& source,
                   Findings& findings) {
@@ -208,6 +247,8 @@ void check_script(const Scene& scene, Findings& findings) {
   }
   if (couples) check_time_step(script, particles, findings);
   check_bodies_named(script, scene, findings);
+  check_meshes_named(script, scene, findings);
+  check_bed_is_given(script, particles, findings);
   check_gravity(script, scene, findings);
   check_values(particles.variables, "variables", particles.source, findings);
   check_variables(script, particles.variables, "variables", particles.source, findings);

@@ -134,8 +134,39 @@ void check_bodies(const Scene& scene, Findings& findings) {
     check_body_name(scene, scene.output.source, "bodies", name, findings);
 }
 
+// A body beside a mechanism that nothing connects to it and that touches nothing is mostly a joint that was forgotten.
+void warn_of_loose_bodies(const Scene& scene, Findings& findings) {
+  if (scene.joints.empty()) return;
+  std::vector<std::string> used;
+  const auto use = [&](const auto& entries) {
+    for (const auto& entry : entries) used.insert(used.end(), entry.bodies.begin(), entry.bodies.end());
+  };
+  use(scene.joints);
+  use(scene.struts);
+  use(scene.springs);
+  for (const ForceSpec& force : scene.forces) used.push_back(force.body);
+  for (const BoundarySpec& boundary : scene.boundaries) used.push_back(boundary.body);
+  for (const BodySpec& body : scene.bodies)
+    if (std::find(used.begin(), used.end(), body.name) == used.end())
+      findings.warning(body.source, "name",
+                       "nothing is connected to \"" + body.name +
+                           "\": no joint, strut, spring, force or boundary names it; add a joint, or take it out");
+}
+
+// A plane is stood on along gravity.
+void warn_of_gravity_upwards(const Scene& scene, Findings& findings) {
+  if (scene.ground.kind != GroundKind::kPlane || !scene.ground.plane) return;
+  const double along = scene.gravity.dot(scene.ground.plane->normal);
+  if (along > 1e-9)
+    findings.warning(scene.source, "gravity",
+                     "points away from the ground, " + number_text(along) +
+                         " m/s2 along its normal: bodies fall off it; expected the other sign, such as [0, 0, -9.81]");
+}
+
 void check_scene(const Scene& scene, Findings& findings) {
   check_bodies(scene, findings);
+  warn_of_loose_bodies(scene, findings);
+  warn_of_gravity_upwards(scene, findings);
   check_joints(scene, findings);
   check_drives(scene, findings);
   check_initial_joints(scene, findings);

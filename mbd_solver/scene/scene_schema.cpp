@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "mbd_solver/scene/field_json.h"
+#include "mbd_solver/scene/kind_schema.h"
 #include "mbd_solver/scene/units.h"
 
 namespace footfall {
@@ -168,6 +169,7 @@ std::string scene_schema() {
   writer.root["properties"]["base"] = std::move(base);
   Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Scene of footfall"}};
   schema.update(writer.root);
+  schema["x-kinds"] = kind_schema();
   return schema.dump(2);
 }
 

@@ -183,7 +183,7 @@ TEST(CurvedSurface, HandsFrictionOnFromFacetToFacet) {
   EXPECT_NEAR(least, 0.3, 0.02);  // normals of the facets stray by a quarter of a degree
 }
 
-// What `surface facets` leaves as in stock LIGGGHTS: these are the factors of docs/fixes.md.
+// What `surface facets` leaves as in stock LIGGGHTS: these are the factors of docs/fixes/couple_mbd.md.
 TEST(CurvedSurface, OfManyFacetsAddsUpInStockContacts) {
   EXPECT_GT(range({false, 10.0, 0.2, 1.0}, "surface facets", "facets").least, 3.0);
   EXPECT_GT(range({true, 10.0, 0.2, 1.0}, "surface facets", "facets").least, 12.0);

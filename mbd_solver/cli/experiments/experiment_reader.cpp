@@ -71,16 +71,6 @@ void read_curve(TableReader& t, CurveSpec& c) {
     t.fail(*t.next("default"), "default", "is \"" + c.default_value + "\", expected one of the values");
 }
 
-// [key] as a table of its own, when it is there.
-template <class Read>
-void take_table(TableReader& t, const std::string& key, const Read& read) {
-  const ConfigNode* node = t.next(key);
-  if (!node) return;
-  TableReader table(t.file(), key, *node);
-  read(table);
-  table.done();
-}
-
 // Scenes stand beside the file.
 void find_scenes(ExperimentSpec& spec) {
   const auto find = [&](std::string& scene) {
@@ -111,24 +101,17 @@ void check_runs(const TableReader& t, const ExperimentSpec& s) {
   if (!s.curves.empty() && !s.is_map()) t.require("figures", !s.figures.empty());
 }
 
-}  // namespace
-
-ExperimentSpec read_experiment(const std::string& file) {
-  const ConfigNode root = parse_toml_file(file);
-  ExperimentSpec s;
-  s.file = file;
-  s.folder = fs::absolute(file).parent_path().string();
-  TableReader t(file, "", root);
+void read_keys(TableReader& t, ExperimentSpec& s) {
   t.take("title", s.title, "x_name", s.x_name, "scene", s.scene, "settings", s.settings, "until", s.until, "time_limit",
          s.time_limit, "repeats", s.repeats, "minimise", s.minimise);
   // Nobody looks at hundreds of runs one by one; the file may ask for drawings all the same.
   s.settings.insert(s.settings.begin(), "output.vtk=false");
-  take_table(t, "short", [&](TableReader& form) { form.take("until", s.short_until, "settings", s.short_settings); });
-  take_table(t, "reference", [&](TableReader& reference) {
+  t.take_table("short", [&](TableReader& form) { form.take("until", s.short_until, "settings", s.short_settings); });
+  t.take_table("reference", [&](TableReader& reference) {
     s.reference.emplace();
     reference.take("scene", s.reference->scene, "settings", s.reference->settings);
   });
-  take_table(t, "growth", [&](TableReader& growth) {
+  t.take_table("growth", [&](TableReader& growth) {
     s.growth.emplace();
     growth.take("omega_h", s.growth->omega_h, "substeps", s.growth->substeps);
     growth.require("omega_h", !s.growth->omega_h.empty());
@@ -151,11 +134,33 @@ ExperimentSpec read_experiment(const std::string& file) {
   });
   t.take_list("plots", s.plots, read_plot);
   t.take_list("fits", s.fits, read_fit);
+}
+
+}  // namespace
+
+ExperimentSpec read_experiment(const std::string& file) {
+  const ConfigNode root = parse_toml_file(file);
+  ExperimentSpec s;
+  s.file = file;
+  s.folder = fs::absolute(file).parent_path().string();
+  TableReader t(file, "", root);
+  read_keys(t, s);
   t.done();
   find_scenes(s);
   check_runs(t, s);
   check_sections(t, s);
   return s;
+}
+
+std::string experiment_schema() {
+  nlohmann::ordered_json keys;
+  TableReader t(keys);
+  ExperimentSpec s;
+  read_keys(t, s);
+  nlohmann::ordered_json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                                   {"title", "Experiment of footfall"}};
+  schema.update(keys);
+  return schema.dump(2);
 }
 
 std::vector<std::string> filled(std::vector<std::string> texts, const std::string& value, const std::string& mark) {

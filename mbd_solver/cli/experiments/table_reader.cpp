@@ -11,16 +11,50 @@
 
 namespace footfall {
 
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const ConfigNode& empty_table() {
+  static const ConfigNode node = [] {
+    ConfigNode table;
+    table.kind = ConfigNode::Kind::kTable;
+    return table;
+  }();
+  return node;
+}
+
+// A value, or a list of such.
+Json one_or_more(const Json& type) { return {{"anyOf", {type, {{"type", "array"}, {"items", type}}}}}; }
+
+}  // namespace
+
+TableReader::TableReader(Json& schema) : node_(empty_table()), schema_(&schema) {
+  schema = {{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
+}
+
+// What is known of a key already stays.
+void TableReader::list(const std::string& key, Json type) {
+  Json& place = (*schema_)["properties"][key];
+  if (place.is_null() || place.empty()) place = std::move(type);
+}
+
 TableReader::TableReader(const std::string& file, const std::string& path, const ConfigNode& node)
     : file_(file), path_(path), node_(node) {
   if (node.kind != ConfigNode::Kind::kTable) fail(node, "", "is " + node.description() + ", expected a table");
 }
 
 void TableReader::take(const std::string& key, std::string& out) {
+  if (schema_) {
+    list(key, {{"type", {"string", "number"}}});
+    out = "x";
+    return;
+  }
   if (const ConfigNode* value = next(key)) out = text(key, *value);
 }
 
 void TableReader::take(const std::string& key, double& out) {
+  if (schema_) return list(key, {{"type", "number"}});
   const ConfigNode* value = next(key);
   if (!value) return;
   if (!value->is_number()) fail(*value, key, "is " + value->description() + ", expected a number");
@@ -28,12 +62,14 @@ void TableReader::take(const std::string& key, double& out) {
 }
 
 void TableReader::take(const std::string& key, int& out) {
+  if (schema_) return list(key, {{"type", "integer"}});
   double number = out;
   take(key, number);
   out = static_cast<int>(number);
 }
 
 void TableReader::take(const std::string& key, bool& out) {
+  if (schema_) return list(key, {{"type", "boolean"}});
   const ConfigNode* value = next(key);
   if (!value) return;
   if (value->kind != ConfigNode::Kind::kFlag)
@@ -42,6 +78,11 @@ void TableReader::take(const std::string& key, bool& out) {
 }
 
 void TableReader::take(const std::string& key, std::vector<std::string>& out) {
+  if (schema_) {
+    list(key, one_or_more({{"type", {"string", "number"}}}));
+    out = {"x"};
+    return;
+  }
   const ConfigNode* value = next(key);
   if (!value) return;
   out.clear();
@@ -53,6 +94,11 @@ void TableReader::take(const std::string& key, std::vector<std::string>& out) {
 }
 
 void TableReader::take(const std::string& key, std::vector<double>& out) {
+  if (schema_) {
+    list(key, one_or_more({{"type", {"number", "string"}}}));  // "" is none
+    out = {1.0};
+    return;
+  }
   std::vector<std::string> texts;
   take(key, texts);
   for (const std::string& text : texts) {
@@ -73,6 +119,10 @@ void TableReader::take_file_name(const std::string& key, std::string& out) {
 }
 
 const ConfigNode* TableReader::next(const std::string& key) {
+  if (schema_) {
+    list(key, Json::object());  // any value
+    return &node_;
+  }
   known_.push_back(key);
   return node_.find(key);
 }

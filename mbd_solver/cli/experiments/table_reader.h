@@ -1,10 +1,13 @@
 #pragma once
-// Reads one table of an experiment's file key by key; what nobody took is unknown, and is told with a guess.
+// Reads one table of an experiment's file key by key; what nobody took is unknown, and is told with a guess. The same
+// functions that read a file list their keys for the schema of experiments: there every key is taken for given.
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "coupler/base/errors.h"
 #include "mbd_solver/scene/config_node.h"
 
 namespace footfall {
@@ -13,6 +16,11 @@ class TableReader {
  public:
   // `path` of the table within the file, for messages; `file` and `node` must outlive the reader.
   TableReader(const std::string& file, const std::string& path, const ConfigNode& node);
+
+  // Reads no file: the keys that are asked for become properties of this JSON schema, with their types. Values are "x",
+  // 1 and the like, so that a reading function goes on to its last key; where it then finds that they do not fit
+  // together, take_list ends it.
+  explicit TableReader(nlohmann::ordered_json& schema);
 
   // Each leaves `out` alone when the key is not there. Throws InputError "file:line: path.key: what is wrong, what was
   // expected".
@@ -32,6 +40,12 @@ class TableReader {
   // The value that a word stands for.
   template <class Value>
   void take_one_of(const std::string& key, Value& out, const std::vector<std::pair<std::string, Value>>& known) {
+    if (schema_) {
+      auto words = nlohmann::ordered_json::array();
+      for (const auto& one : known) words.push_back(one.first);
+      list(key, {{"enum", words}});
+      return;
+    }
     std::string word;
     take(key, word);
     if (!next(key)) return;
@@ -48,6 +62,17 @@ class TableReader {
   // [[key]]: read(TableReader&, Spec&) for each entry.
   template <class Spec, class Read>
   void take_list(const std::string& key, std::vector<Spec>& out, const Read& read) {
+    if (schema_) {
+      nlohmann::ordered_json entry;
+      out.emplace_back();
+      try {
+        TableReader table(entry);
+        read(table, out.back());
+      } catch (const InputError&) {  // its keys are listed
+      }
+      list(key, {{"type", "array"}, {"items", entry}});
+      return;
+    }
     const ConfigNode* value = next(key);
     if (!value) return;
     if (value->kind != ConfigNode::Kind::kList) fail(*value, key, "expected [[" + key + "]]");
@@ -57,6 +82,22 @@ class TableReader {
       read(table, out.back());
       table.done();
     }
+  }
+  // [key]: read(TableReader&) when it is there.
+  template <class Read>
+  void take_table(const std::string& key, const Read& read) {
+    if (schema_) {
+      nlohmann::ordered_json entry;
+      TableReader table(entry);
+      read(table);
+      list(key, entry);
+      return;
+    }
+    const ConfigNode* node = next(key);
+    if (!node) return;
+    TableReader table(file_, key, *node);
+    read(table);
+    table.done();
   }
   const ConfigNode* next(const std::string& key);  // marks the key as known; null when it is not there
   const std::string& file() const { return file_; }
@@ -68,9 +109,11 @@ class TableReader {
 
  private:
   std::string text(const std::string& key, const ConfigNode& value) const;
+  void list(const std::string& key, nlohmann::ordered_json type);
 
   std::string file_, path_;
   const ConfigNode& node_;
+  nlohmann::ordered_json* schema_ = nullptr;
   std::vector<std::string> known_;
 };
 

@@ -51,6 +51,15 @@ std::string made_bed(const BoxSpec& box, const std::string& folder) {
          " in its middle half\n  " + short_path(folder) + "\n";
 }
 
+// A mesh that was drawn in millimetres and read in metres is larger than anything that stands on a box of grains.
+std::string in_millimetres(const Eigen::Matrix3Xd& x) {
+  constexpr double kTooLarge = 20.0;  // [m]
+  const double size = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();
+  if (size < kTooLarge) return "";
+  return ". The body measures " + number_text(size, 3) +
+         " m: if its mesh is drawn in millimetres, give it scale = 0.001";
+}
+
 std::string toml_table(const std::map<std::string, std::string>& variables) {
   std::string text;
   for (const auto& [name, value] : variables) text += name + " = \"" + value + "\"\n";
@@ -95,13 +104,14 @@ void demand_inside_box(const Scene& scene, const Mechanism& mechanism) {
         throw InputError("body \"" + entry.boundary.name() + "\" reaches " + number_text(farthest, 4) +
                          " m from the middle of the bed along " + (axis == 0 ? "x" : "y") + ", the simulation box " +
                          number_text(reach, 4) +
-                         " m; make particles.box.size or particles.box.margin larger, or place the body inside");
+                         " m; make particles.box.size or particles.box.margin larger, or place the body inside" +
+                         in_millimetres(x));
     }
     const double top = x.row(2).maxCoeff();
     if (top > n.headroom * (1.0 + kOnTheSide) && entry.boundary.segments().empty())
       throw InputError("body \"" + entry.boundary.name() + "\" reaches up to z = " + number_text(top, 4) +
                        " m, the simulation box to " + number_text(n.headroom, 4) +
-                       " m; make particles.box.headroom larger");
+                       " m; make particles.box.headroom larger" + in_millimetres(x));
   }
 }
 

@@ -1,0 +1,45 @@
+#include "mbd_solver/scene/kind_schema.h"
+
+#include "mbd_solver/scene/joint_spec.h"
+#include "mbd_solver/scene/kind_keys.h"
+
+namespace footfall {
+namespace {
+
+Json keys_of_joint(const JointTraits& traits) {
+  Json required = Json::array(), optional = Json::array();
+  const auto add = [&](const char* key, KeyUse use) {
+    if (use == KeyUse::kRequired) required.push_back(key);
+    if (use == KeyUse::kOptional) optional.push_back(key);
+  };
+  add("axis", traits.axis);
+  add("axis2", traits.axis2);
+  add("length", traits.length);
+  add("motion", traits.motion);
+  add("angle", traits.turns ? KeyUse::kOptional : KeyUse::kUnused);
+  add("displacement", traits.slides ? KeyUse::kOptional : KeyUse::kUnused);
+  return {{"required", required}, {"optional", optional}};
+}
+
+// Which of them must be given the checks know alone.
+template <class Kind>
+Json every_kind() {
+  Json all = Json::object();
+  for (const Kind kind : every<Kind>())
+    all[std::string(name_of(kind))] = {{"required", Json::array()}, {"optional", keys_of(kind)}};
+  return all;
+}
+
+}  // namespace
+
+Json kind_schema() {
+  Json joints = Json::object();
+  for (const JointType type : every<JointType>()) joints[std::string(name_of(type))] = keys_of_joint(traits_of(type));
+  return {{"joints", joints},
+          {"springs", every_kind<SpringKind>()},
+          {"drives", every_kind<MotorKind>()},
+          {"controllers", every_kind<ControllerKind>()},
+          {"signals", every_kind<SignalKind>()}};
+}
+
+}  // namespace footfall

@@ -1,0 +1,226 @@
+#!/usr/bin/env python3
+"""Runs every command block of a page, shortened, as a reader would run it from the checkout.
+
+    blocks.py FOOTFALL OUT PAGE [--only-lint]
+
+FOOTFALL is the built program, PAGE a path in the checkout. OUT becomes a folder that looks like a checkout. A command block is one of ```sh. Comments
+before a block say what the test has to know; the reader of the page does not see them:
+
+    <!-- short: OPTIONS -->   these options at the end of `run` and `audit` (without it --until 0.02, or less)
+    <!-- exit: CODE -->       how the last command of the block ends (without it 0)
+    <!-- file: NAME -->       the block is the text of this file; it is written before the next commands
+    <!-- append: NAME -->     it is added to this file
+    <!-- edit: NAME | from WORDS -->  it takes the place of the file's lines from the first one that begins with WORDS to the end; `above WORDS`: it is put above that line
+    <!-- shorten: NAME | REGEX | TEXT -->  in a file that the page has made, the test alone; stands anywhere
+    <!-- says -->             each line of the block is in the output of the last commands; ... stands for any text
+    <!-- pair: NAME -->       likewise, in what footfall says of the pair NAME of tests/bad_input
+
+The subcommands are asked of the program. Those of kComing may be missing in it: a block that has one is then left out, and said so.
+"""
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+
+kRoot = pathlib.Path(__file__).resolve().parents[2]
+kComing = {"new", "plot", "watch"}
+kOthers = {"mpirun", "python3", "mkdir", "cp", "cat", "ls", "sed", "diff"}  # and programs of the checkout, by their path
+kSeconds = 280   # for one command
+kUntil = "0.02"  # of a scene [s]
+kWatched = 10   # for one that follows a run
+
+
+class Block:
+    def __init__(self, line, language, marks, lines):
+        self.line, self.language, self.marks, self.lines = line, language, marks, lines
+
+
+def blocks_of(text):
+    """The fenced blocks of a page with the comments that stand right before them."""
+    found, marks, lines = [], {}, text.split("\n")
+    i = 0
+    while i < len(lines):
+        fence = re.match(r"^(\s*)```(\w*)\s*$", lines[i])
+        mark = re.match(r"^\s*<!-- (short|exit|file|append|edit|shorten|says|pair)(?:: (.*?))? -->\s*$", lines[i])
+        if mark and mark.group(1) == "shorten":
+            found.append(Block(i + 1, "", {"shorten": mark.group(2)}, []))
+        elif mark:
+            marks[mark.group(1)] = mark.group(2) or ""
+        elif fence:
+            end = next(k for k in range(i + 1, len(lines)) if lines[k].strip() == "```")
+            found.append(Block(i + 1, fence.group(2), marks, lines[i + 1:end]))
+            i, marks = end, {}
+        elif lines[i].strip():
+            marks = {}
+        i += 1
+    return found
+
+
+def commands_of(block):
+    """The lines of a command block; one that ends with \\ goes on in the next."""
+    text = "\n".join(block.lines).replace("\\\n", " ")
+    return [line for line in (re.sub(r"(^|\s)#.*$", "", one).strip() for one in text.split("\n")) if line]
+
+
+def lint(page, text):
+    """A command that a reader would copy stands in a block that is run."""
+    wrong = []
+    for block in blocks_of(text):
+        for line in block.lines:
+            if block.language != "sh" and "says" not in block.marks and "pair" not in block.marks \
+                    and re.match(r"\s*(\./footfall|\(cd \S+ && \.\./footfall|footfall (run|check|view|sweep|audit) |mpirun|build/bin/)", line) \
+                    and " ... " not in line:
+                wrong.append(f"{page}:{block.line}: \"{line.strip()}\" stands in a block that no test runs; begin it with ```sh")
+    plain = re.sub(r"(?ms)^```.*?^```$", "", text)
+    for line in re.findall(r"(?m)^(?:    |\t)\s*(?:\./)?footfall .*$", plain):
+        wrong.append(f"{page}: \"{line.strip()}\" is indented; begin its block with ```sh")
+    return wrong
+
+
+def shortened(words, block):
+    command = words[1]
+    if command in ("run", "audit") and "--resume" not in words:
+        if "short" in block.marks:
+            return words + shlex.split(block.marks["short"])
+        if "--until" not in words:
+            return words + ["--until", kUntil]
+        at = words.index("--until") + 1
+        return words[:at] + [min(words[at], kUntil, key=float)] + words[at + 1:]
+    if command in ("sweep", "accuracy"):
+        return words + ["--short"]
+    return ["./footfall", "test", "--help"] if command == "test" else words
+
+
+class Page:
+    def __init__(self, footfall, out, page):
+        self.footfall, self.folder, self.page = footfall, out, page
+        listed = subprocess.run([footfall, "--help"], capture_output=True, text=True, check=True).stdout
+        self.known = set(re.findall(r"(?m)^  ([a-z]+)\s", listed.split("Subcommands:")[1]))
+        self.output, self.failed, self.ran = "", [], 0
+
+    def prepare(self):
+        subprocess.run(["rm", "-rf", str(self.folder)], check=True)
+        self.folder.mkdir(parents=True)
+        for name in ("inputs", "examples", "docs"):  # copies: what a block writes into them stays here
+            subprocess.run(["cp", "-r", str(kRoot / name), str(self.folder)], check=True)
+        (self.folder / "build").symlink_to(self.footfall.parent.parent)
+        door = self.folder / "footfall"
+        door.write_text(f"#!/bin/sh\nexec {shlex.quote(str(self.footfall))} \"$@\"\n")
+        door.chmod(0o755)
+
+    def complain(self, block, what):
+        self.failed.append(f"{self.page}:{block.line}: {what}")
+
+    def run(self, block):
+        lines = commands_of(block)
+        subcommands = re.findall(r"(?m)^(?:\(cd \S+ && \.)?\./footfall (\S+)", "\n".join(lines))
+        missing = [s for s in subcommands if s not in self.known and not s.startswith("-")]
+        if missing:
+            if set(missing) <= kComing:
+                print(f"{self.page}:{block.line}: left out: footfall {missing[0]} is not built here")
+            else:
+                self.complain(block, f"footfall {missing[0]}: there is no such command")
+            return
+        self.output = ""
+        for k, line in enumerate(lines):
+            watched, folder = False, self.folder
+            if line.startswith("cp -r /usr/share/doc/liggghts/") and not pathlib.Path(shlex.split(line)[2]).exists():
+                print("the package liggghts-doc is missing: page left out")
+                sys.exit(0)
+            if inside := re.match(r"\(cd (\S+) && (.*)\)$", line):  # (cd FOLDER && ../footfall ...)
+                folder, line = folder / inside.group(1), inside.group(2).replace("../footfall ", "./footfall ", 1)
+            words = shlex.split(line)
+            if words[0] == "./footfall":
+                watched = words[1] == "watch"
+                line = " ".join(shlex.quote(w) for w in [str(self.folder / "footfall"), *shortened(words, block)[1:]])
+            elif words[0] not in kOthers and not ("/" in words[0] and (self.folder / words[0]).is_file()):
+                self.complain(block, f"{words[0]}: this test does not know the command")
+                return
+            wanted = int(block.marks.get("exit", 0)) if k + 1 == len(lines) else 0
+            print(f"+ {line}", flush=True)
+            done = subprocess.run(["timeout", "-k", "5", str(kWatched if watched else kSeconds), "bash", "-c", line],
+                                  cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+            self.output += done.stdout + done.stderr
+            self.ran += 1
+            if done.returncode != wanted and not (watched and done.returncode == 124):
+                print(done.stdout[-3000:] + done.stderr[-3000:])
+                self.complain(block, f"`{line}` ended with {done.returncode}, expected {wanted}")
+                return
+
+    def ask_pair(self, name):
+        pair = kRoot / "tests/bad_input" / name
+        done = subprocess.run([str(pair.parent / "run_pair"), str(self.footfall), str(pair), str(self.folder / "pairs" / name)],
+                              capture_output=True, text=True)
+        self.output = done.stdout
+        return done.returncode == 0
+
+    def must_say(self, block):
+        said = re.sub(r"\S*/tests/bad_input/", "", self.output).replace(str(self.folder) + "/", "")
+        self.ran += 1
+        for line in block.lines:
+            pattern = ".*".join(re.escape(part) for part in line.strip().split("..."))
+            if not re.search(pattern, said):
+                self.complain(block, f"footfall does not say: {line.strip()}\nIt says:\n{said[-3000:]}")
+
+    def edit(self, block):
+        """Puts a block into a file where a reader would put it by hand, or replaces what the test has no time for."""
+        mark = "edit" if "edit" in block.marks else "shorten"
+        name, *how = (part.strip() for part in block.marks[mark].split(" | "))
+        file = self.folder / name
+        lines = file.read_text().split("\n")
+        if mark == "shorten":
+            text, count = re.subn(how[0], how[1], "\n".join(lines))
+            file.write_text(text)
+        else:
+            where, words = how[0].split(" ", 1)
+            at = [k for k, line in enumerate(lines) if line.startswith(words)]
+            count = len(at)
+            if at:
+                lines[at[0]:] = block.lines + ([""] if where == "from" else lines[at[0]:])
+                file.write_text("\n".join(lines))
+        if count == 0:
+            self.complain(block, f"{name}: nothing there is {how[0]}")
+
+    def go(self, text):
+        self.prepare()
+        for block in blocks_of(text):
+            if "file" in block.marks:
+                file = self.folder / block.marks["file"]
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text("\n".join(block.lines) + "\n")
+            elif "append" in block.marks:
+                with (self.folder / block.marks["append"]).open("a") as file:
+                    file.write("\n" + "\n".join(block.lines) + "\n")
+            elif "edit" in block.marks or "shorten" in block.marks:
+                self.edit(block)
+            elif "pair" in block.marks:
+                if not self.ask_pair(block.marks["pair"]):
+                    self.complain(block, f"the pair {block.marks['pair']} fails: {self.output}")
+                self.must_say(block)
+            elif "says" in block.marks:
+                self.must_say(block)
+            elif block.language == "sh":
+                self.run(block)
+            if self.failed:
+                break  # later blocks stand on this one
+        if self.ran == 0:
+            self.failed.append(f"{self.page}: no block was run")
+
+
+def main():
+    words = [w for w in sys.argv[1:] if not w.startswith("--")]
+    if "--only-lint" in sys.argv:
+        pages = [kRoot / "README.md", *sorted((kRoot / "docs").rglob("*.md")), *sorted((kRoot / "examples").rglob("*.md"))]
+        failed = [w for p in pages for w in lint(p.relative_to(kRoot), p.read_text())]
+    else:
+        page = Page(pathlib.Path(words[0]).resolve(), pathlib.Path(words[1]).resolve(), words[2])
+        page.go((kRoot / words[2]).read_text())
+        failed = page.failed
+        print(f"{page.ran} commands and messages")
+    for one in failed:
+        print("FAILED:", one)
+    return 1 if failed else 0
+
+
+sys.exit(main())

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Every style that liggghts_mbd registers has its page in docs/fixes, in LIGGGHTS' own form, and every keyword that its
+# reader knows has a line there. A page of no style, and a line of no keyword, fail as well.
+set -u
+cd "$(dirname "$0")/../.."
+failed=0
+complain() { echo "$*"; failed=1; }
+page_of() { echo "docs/fixes/$(tr / _ <<<"$1").md"; }
+
+styles=$(grep -ohE 'register_fix_style\(lmp, "[^"]+"' liggghts_fix/*.cpp | sed 's/.*"\(.*\)"/\1/')
+# The loop of let_meshes_resume registers all styles that begin so.
+prefix=$(sed -n 's/.*style\.rfind("\([^"]*\)", 0) != 0) continue;.*/\1/p' liggghts_fix/liggghts_access.cpp)
+[[ -n $prefix ]] || complain "liggghts_access.cpp: the prefix of the meshes was not found"
+styles+=$'\n'$prefix
+(($(wc -l <<<"$styles") >= 5)) || complain "only these registered styles were found: $styles"
+
+# The words that a reader compares or lists; those that it refuses have no line.
+keywords_of() {
+  case $1 in
+    couple/mbd) grep -oE 'keyword == "[a-z_]+"|words\[3\] != "[a-z_]+"' liggghts_fix/couple_mbd_arguments.cpp ;;
+    couple/mbd/geometry) grep -oE 'strcmp\(arg\[3\], "[a-z_]+"' liggghts_fix/fix_couple_mbd_geometry.cpp ;;
+    wall/gran/beam)
+      grep -oE '(word (!=|==)) "[a-z_]+"' liggghts_fix/beam_arguments.cpp
+      grep 'kModelKeywords =' liggghts_fix/beam_arguments.cpp | grep -oE '"[a-z_]+"' ;;
+    mesh/surface) grep -oE 'strcmp\(words\[3\], "[a-z_]+"' liggghts_fix/liggghts_access.cpp ;;
+  esac | sed -E 's/.*"([a-z_]+)"/\1/' | sort -u
+}
+
+for style in $styles; do
+  page=$(page_of "$style")
+  [[ -f $page ]] || { complain "fix $style has no page: write $page"; continue; }
+  [[ $(head -n 1 "$page") == "# fix $style command" ]] || complain "$page: the first line must be: # fix $style command"
+  told=$(sed -n '/^## Syntax/,/^## Examples/p' "$page" | sed -nE 's/^\| `([a-z_]+)` \|.*/\1/p' | sort -u)
+  difference=$(diff <(keywords_of "$style") <(echo -n "${told:+$told$'\n'}")) ||
+    complain "$page: keywords of the reader (<) and of the table under Syntax (>) differ:"$'\n'"$difference"
+  grep -qF "(fixes/$(basename "$page"))" docs/fixes.md || complain "docs/fixes.md has no link to $page"
+done
+headings="Syntax Examples Description Restart Restrictions Related Default"
+for page in docs/fixes/*.md; do
+  found=$(sed -nE 's/^## ([A-Za-z]+).*/\1/p' "$page" | tr '\n' ' ')
+  [[ ${found% } == "$headings" ]] || complain "$page: headings are \"${found% }\", expected \"$headings\""
+  [[ $page == docs/fixes/audit.md ]] && continue  # no fix: counts beside them
+  grep -qxF "$page" < <(for style in $styles; do page_of "$style"; done) || complain "$page: no style of this name is registered"
+done
+exit $failed
