@@ -68,19 +68,20 @@ signals() {
   echo "| SIGKILL, and two signals one after the other, to each process | $(grep -c ', SIG' "$log"); did not hold: $(grep -c '^BAD' "$log") | exit code 1 and 3; nothing is left behind; all gone after $(slowest "$log") s at most | $(verdict $code) | \`Signals.EndBothPrograms/*\` |"
 }
 
-# On a machine with twenty others that never rest, in the same share of the processor.
+# On a machine where ten programs want each core: what is missing to that is started.
 load() {
   $short && return
-  local log=$work/load.log code=0 idle=() k
-  for ((k = 0; k < 10 * $(nproc); ++k)); do
+  local log=$work/load.log code=0 idle=() k before after others
+  read -r before others </proc/loadavg
+  for ((k = ${before%.*}; k < 10 * $(nproc); ++k)); do
     bash -c 'while :; do :; done' &
     idle+=($!)
   done
   JOBS=1 $cli/signals.sh "$footfall" "$work/load" many 10 footfall "TERM INT HUP QUIT USR1" "window checkpoint exchange" "$limit" >"$log" 2>&1 || failed
-  kill "${idle[@]}"
-  wait "${idle[@]}" 2>/dev/null
+  ((${#idle[@]} == 0)) || { kill "${idle[@]}"; wait "${idle[@]}" 2>/dev/null; }
+  read -r after others </proc/loadavg
   grep '^BAD' "$log" >&2
-  signals_line "$log" $code "the same to the front door, while ten programs for each core compute as hard as they can"
+  signals_line "$log" $code "the same to the front door of a run on a machine on which ten programs want each core (load $before by others at the start, ${#idle[@]} of our own added, $after at the end)"
 }
 
 stops() {

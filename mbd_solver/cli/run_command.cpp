@@ -110,10 +110,19 @@ int run_command(const RunArguments& arguments) {
   }
   std::vector<std::string> pictures;
   const std::string status = status_of(out);
-  const int code = exit_code(end, status, fs::exists(log), fs::remove(note));
-  settle_summary(out, status, code);
-  if (!status.empty()) write_ledger(out);
-  if (!status.empty()) write_grain_series(out);
+  int code = exit_code(end, status, fs::exists(log), fs::remove(note));
+  // The run has begun: a disk that takes no more is no mistake of the scene, and does not hide how the run ended.
+  const auto attempt = [&code](const auto& write) {
+    try {
+      write();
+    } catch (const InputError& error) {
+      std::fprintf(stderr, "footfall: %s\n", error.what());
+      if (code == kExitDone || code == kExitInterrupted) code = kExitFailed;
+    }
+  };
+  attempt([&] { settle_summary(out, status, code); });
+  if (!status.empty()) attempt([&] { write_ledger(out); });
+  if (!status.empty()) attempt([&] { write_grain_series(out); });
   if (!status.empty() && scene.output.plots) pictures = make_pictures(out);
   if (!status.empty() && !arguments.quiet) print_results(out, pictures);
   signals.ignore();
