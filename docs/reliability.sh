@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Remakes docs/reliability.md: what was done to runs, and what came of it.
 #   docs/reliability.sh [--short] [PART...]
-#     PART     kills signals load stops disk damage keeping fuzz sanitizers endurance (default: all, in three rows side by side). Each keeps its lines in
+#     PART     kills signals load stops disk damage keeping fuzz sanitizers endurance (default: all, in four rows side by side). Each keeps its lines in
 #              BUILD/reliability/PART.md; of parts that are made one by one the page is put together of those that are there.
 #     PART     page: puts the page together and does nothing else
 #     --short  a minute in all, and the page stays as it is
@@ -14,14 +14,15 @@ set -uo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD build=$(cd "${BUILD:-build}" && pwd)
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-short=false
+short=false as_row=false
 [[ ${1-} == --short ]] && { short=true; shift; }
+[[ ${1-} == --row ]] && { as_row=true; shift; } # of a whole run
 parts=("$@")
 all=(kills signals load stops disk damage keeping fuzz sanitizers endurance)
 work=$build/reliability cli=tests/cli
 $short && work=$build/reliability_short
 mkdir -p "$work"
-if [[ ${parts[*]} != page ]]; then
+if [[ ${parts[*]} != page ]] && ! $as_row; then
   ((${#parts[@]})) || rm -f "$work"/*.md "$work"/*.failed
   rm -rf "$work/bin" && cp -r "$build/bin" "$work/bin"
 fi
@@ -34,7 +35,7 @@ table_of() { sed -n "s/^$1 //p" "$2" | awk '{ n[$1] += $2 } END { for (k in n) p
 
 kills() {
   local log=$work/kills.log code=0 jobs k
-  jobs=$(of 1 2)
+  jobs=$(of 1 4)
   rm -f "$log".*
   for ((k = 1; k <= jobs; ++k)); do
     $cli/kills.sh "$footfall" "$work/kills_$k" "$(of 2 $((100 / jobs)))" "$((${SEED:-1} + k))" "$limit" >"$log.$k" 2>&1 &
@@ -148,7 +149,7 @@ fuzz() {
 sanitizers() {
   $short && return
   local log=$work/sanitizers.log code=0
-  BUILD=$build nice tests/sanitize/run.sh >"$log" 2>&1 || failed
+  BUILD=$work nice tests/sanitize/run.sh >"$log" 2>&1 || failed
   echo "| tests with address and undefined sanitizers (g++), unit tests under valgrind (memcheck) | $(sed -n 's/^\([a-z_]*\), address and undefined: \(.*\)/\1 \2/p' "$log" | paste -sd';' | sed 's/;/; /g'); valgrind: $(sed -n 's/^valgrind, unit_\([a-z_]*\):.*/\1/p' "$log" | paste -sd, | sed 's/,/, /g') | no finding | $(verdict $code) | |"
 }
 
@@ -178,11 +179,16 @@ if ((${#parts[@]})) || $short; then
   ((${#parts[@]})) || parts=("${all[@]}")
   row "${parts[@]}"
 else
-  row fuzz &
-  row sanitizers endurance &
-  row load kills signals stops disk damage keeping
+  # Each row as a session, to which Linux gives a share of its own; so that a part of many programs does not starve the others.
+  rows=("kills keeping" "load signals stops disk damage" "fuzz" "endurance sanitizers") leaders=()
+  for parts_of_row in "${rows[@]}"; do
+    setsid docs/reliability.sh --row $parts_of_row &
+    leaders+=($!)
+  done
+  trap 'kill -- "${leaders[@]/#/-}"' INT TERM HUP
   wait
 fi
+$as_row && exit 0
 ended=0
 compgen -G "$work/*.failed" >/dev/null && ended=1
 $short && exit $ended

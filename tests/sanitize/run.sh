@@ -3,13 +3,14 @@
 # sanitizers of g++. Every finding ends its test. Without labels also a part of the unit tests under valgrind, where it is installed, from the plain build.
 #   BUILD=FOLDER     the plain build (default build)
 #   BUILT=1          takes the tests as they are built; TARGETS: what is built (default all; tests that are not there are counted)
+#   LABELS           instead of the default, with valgrind
 #   SECONDS_OF_TEST  a test that takes longer, sanitized, is left out and counted (default 120)
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 build=$root/build-sanitize plain=${BUILD:-$root/build}
 labels=("$@")
-((${#labels[@]})) || labels=(unit bad_input physics mpi)
+((${#labels[@]})) || labels=(${LABELS:-unit bad_input physics mpi})
 [[ -f $build/build.ninja ]] ||
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Sanitize -DCMAKE_CXX_FLAGS=-O1 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
     -DFOOTFALL_SANITIZE=address,undefined >"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
