@@ -7,7 +7,7 @@
 #     --short  a minute in all, and the page stays as it is
 #   BUILD=FOLDER     default build: all tests built. The programs are copied first, so that nobody changes them meanwhile.
 #   BUILT=1          takes the builds of fuzz and sanitizers as they are
-#   PART_SECONDS     kills, signals and load are tried for so long at most (default 900 each); the page says how many were
+#   PART_SECONDS     kills and signals are tried for so long at most, load half as long (default 900); the page says how many were
 #   FUZZ_SECONDS     for each target (default 300; an hour: 3600); KEEP_SCENE, KEEP_ARGS: the run whose keeping is timed; PLANE_SECONDS
 # The long form takes some 40 minutes on two cores that are shared, and hours with PART_SECONDS=100000 FUZZ_SECONDS=3600.
 set -uo pipefail
@@ -78,7 +78,7 @@ load() {
     bash -c 'while :; do :; done' &
     idle+=($!)
   done
-  JOBS=1 $cli/signals.sh "$footfall" "$work/load" many 10 footfall "TERM INT HUP QUIT USR1" "window checkpoint exchange" "$limit" >"$log" 2>&1 || failed
+  JOBS=1 $cli/signals.sh "$footfall" "$work/load" many 10 footfall "TERM INT HUP QUIT USR1" "window checkpoint exchange" "$((limit / 2))" >"$log" 2>&1 || failed
   ((${#idle[@]} == 0)) || { kill "${idle[@]}"; wait "${idle[@]}" 2>/dev/null; }
   read -r after others </proc/loadavg
   grep '^BAD' "$log" >&2
