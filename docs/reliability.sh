@@ -35,7 +35,7 @@ table_of() { sed -n "s/^$1 //p" "$2" | awk '{ n[$1] += $2 } END { for (k in n) p
 
 kills() {
   local log=$work/kills.log code=0 jobs k
-  jobs=$(of 1 4)
+  jobs=${KILL_JOBS:-1}
   rm -f "$log".*
   for ((k = 1; k <= jobs; ++k)); do
     $cli/kills.sh "$footfall" "$work/kills_$k" "$(of 2 $((100 / jobs)))" "$((${SEED:-1} + k))" "$limit" >"$log.$k" 2>&1 &
@@ -50,7 +50,7 @@ kills() {
 # Of a log of signals.sh: how many, and how many of those that were to leave a checkpoint did.
 signals_line() { # LOG CODE WHAT
   local log=$1 kept='^\(window\|exchange\|checkpoint\), .*code 3, sets'
-  echo "| $3 | $(grep -c ', SIG' "$log"): $(sed -n 's/^\([a-z]*\), SIG.*/phase \1 1/p; s/^BAD \([a-z]*\),.*/phase \1 1/p' "$log" | table_of phase /dev/stdin); did not hold: $(grep -c '^BAD' "$log") | exit code 3, and the run goes on from a whole checkpoint: $(grep "$kept" "$log" | grep -vc 'sets no') of $(grep -c "$kept" "$log") in the three phases that can have one; nothing is left behind; all gone after $(slowest "$log") s at most | $(verdict "$2") | \`Signals.EndBothPrograms/*\` |"
+  echo "| $3 | $(grep -c ', SIG\|^BAD' "$log"): $(sed -n 's/^\([a-z]*\), SIG.*/phase \1 1/p; s/^BAD \([a-z]*\),.*/phase \1 1/p' "$log" | table_of phase /dev/stdin); did not hold: $(grep -c '^BAD' "$log") | exit code 3, and the run goes on from a whole checkpoint: $(grep "$kept" "$log" | grep -vc 'sets no') of $(grep -c "$kept" "$log") in the three phases that can have one; nothing is left behind; all gone after $(slowest "$log") s at most | $(verdict "$2") | \`Signals.EndBothPrograms/*\` |"
 }
 
 signals() {
@@ -60,11 +60,11 @@ signals() {
     $cli/signals.sh "$footfall" "$work/signals" window footfall TWICE >>"$log" 2>&1 || failed
     return
   fi
-  JOBS=3 $cli/signals.sh "$footfall" "$work/signals" many 10 "footfall mpirun rank0 rank1 mbd_solver" "$names" "window bed checkpoint start exchange handshake shutdown" "$limit" >"$log" 2>&1 || failed
+  JOBS=${JOBS:-2} $cli/signals.sh "$footfall" "$work/signals" many 10 "footfall mpirun rank0 rank1 mbd_solver" "$names" "window bed checkpoint start exchange handshake shutdown" "$limit" >"$log" 2>&1 || failed
   grep '^BAD' "$log" >&2
   signals_line "$log" $code "a signal (TERM, INT, HUP, QUIT, USR1) to one process (footfall, mpirun, rank 0, rank 1, mbd_solver), ten times each pair, the phases in turn"
   code=0
-  JOBS=3 $cli/signals.sh "$footfall" "$work/signals" many 2 "footfall mpirun rank0 rank1 mbd_solver" "KILL TWICE" "window checkpoint" "$limit" >"$log" 2>&1 || failed
+  JOBS=${JOBS:-2} $cli/signals.sh "$footfall" "$work/signals" many 2 "footfall mpirun rank0 rank1 mbd_solver" "KILL TWICE" "window checkpoint" "$limit" >"$log" 2>&1 || failed
   grep '^BAD' "$log" >&2
   echo "| SIGKILL, and two signals one after the other, to each process | $(grep -c ', SIG' "$log"); did not hold: $(grep -c '^BAD' "$log") | exit code 1 and 3; nothing is left behind; all gone after $(slowest "$log") s at most | $(verdict $code) | \`Signals.EndBothPrograms/*\` |"
 }
@@ -143,7 +143,7 @@ fuzz() {
     return
   fi
   JOBS=2 nice tests/fuzz/run.sh "$seconds" >"$log" 2>&1 || failed
-  echo "| every reader is fed with rubbish (libFuzzer, address and undefined sanitizers), $seconds s for each of $(grep -c ': .*Done [0-9]* runs' "$log") targets | $(sed -n 's/^\([a-z_]*\): Done \([0-9]*\) runs.*/\1 \2/p' "$log" | sort | paste -sd, | sed 's/,/, /g') inputs | refused in the reader's own words, or read; no crash, no hang above 10 s | $(verdict $code) | \`fuzz.*\` (the kept inputs, and some thousand damaged ones) |"
+  echo "| every reader is fed with rubbish (libFuzzer, address and undefined sanitizers), $seconds s for each of $(grep -c ': [0-9]* runs' "$log") targets | $(sed -n 's/^\([a-z_]*\): \([0-9]*\) runs.*/\1 \2/p' "$log" | sort | paste -sd, | sed 's/,/, /g') inputs | refused in the reader's own words, or read; no crash, no hang above 10 s | $(verdict $code) | \`fuzz.*\` (the kept inputs, and some thousand damaged ones) |"
 }
 
 sanitizers() {

@@ -67,7 +67,8 @@ begin_run() {
     shutdown) end=0.05 ;;
   esac
   scene_of_plate "$script" "$bed" >scene.toml
-  "$footfall" run scene.toml --ranks 2 --set end_time=$end --set output.interval=0.03 --set output.plots=false --out run "${more[@]}" >said.txt 2>&1 &
+  # Whoever started us may ignore signals (nohup).
+  env --default-signal "$footfall" run scene.toml --ranks 2 --set end_time=$end --set output.interval=0.03 --set output.plots=false --out run "${more[@]}" >said.txt 2>&1 &
   run=$!
   local pause=0.05
   [[ $phase == @(handshake|checkpoint|shutdown) ]] && pause=0.002
