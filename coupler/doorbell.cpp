@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -46,11 +47,11 @@ Doorbell::~Doorbell() {
   if (socket_ >= 0) close(socket_);
 }
 
-void Doorbell::ring(int seat) const {
-  if (socket_ < 0) return;
+bool Doorbell::ring(int seat) const {
+  if (socket_ < 0) return false;
   const Address other(job_, seat);
-  // Nobody there, or rung so often that the queue is full: both are fine.
-  (void)sendto(socket_, "!", 1, MSG_NOSIGNAL, other.get(), other.size);
+  // Rung so often that the queue is full: that is fine.
+  return sendto(socket_, "!", 1, MSG_NOSIGNAL, other.get(), other.size) >= 0 || errno != ECONNREFUSED;
 }
 
 void Doorbell::wait(double seconds) const {

@@ -19,7 +19,7 @@ class Doorbell {
 
   // False where the machine gives no local socket: waits last their whole time.
   bool works() const { return socket_ >= 0; }
-  void ring(int seat) const;        // never blocks and never fails
+  bool ring(int seat) const;        // never blocks; false when nobody sits there (any more)
   void wait(double seconds) const;  // until rung, or so long; a ring since the last wait counts
 
  private:

@@ -2,15 +2,20 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 
 namespace footfall {
 namespace {
 
-constexpr double kWindow = 2.0;      // for the window that is under way [s]
-constexpr double kFromParent = 0.2;  // likewise, before mpirun kills [s]
+// After the signal, all less than kEnding [s]:
+constexpr double kInAll = 7.0;       // for a partner that goes on
+constexpr double kSilence = 5.0;     // for one that says nothing: it is stopped, or hangs
+constexpr double kWarned = 4.5;      // for either, where mpirun has warned and will kill
+constexpr double kFromParent = 0.2;  // for either, where it has not
 
 // One per process, as signals are. Handlers touch nothing else, and call nothing that a handler may not call.
 volatile std::sig_atomic_t g_interrupted = 0;
@@ -19,6 +24,7 @@ volatile std::sig_atomic_t g_under_way = 0;
 volatile std::sig_atomic_t g_exit_code = kExitInterrupted;
 timespec g_when{};
 const char* g_program = "footfall";
+bool g_parent_warns = false;
 
 double seconds(const timespec& time) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
@@ -31,7 +37,8 @@ void tell(const char* what) {
   (void)!write(STDERR_FILENO, what, std::strlen(what));
 }
 
-void note(int, siginfo_t* info, void*) {
+void note(int signal, siginfo_t* info, void*) {
+  if (signal == SIGCONT && !from_parent(*info)) return;
   if (!g_under_way) {
     if (!from_parent(*info)) tell(": interrupted before there was anything to keep\n");
     _exit(kExitInterrupted);
@@ -66,6 +73,8 @@ void end_on_signals(const char* program) {
   action.sa_flags = SA_SIGINFO | SA_RESTART;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1})
     if (signal != SIGHUP || !is_ignored(signal)) sigaction(signal, &action, nullptr);
+  g_parent_warns = std::getenv(kLauncherWarns) != nullptr;
+  if (g_parent_warns) sigaction(SIGCONT, &action, nullptr);
 }
 
 bool is_ignored(int signal) {
@@ -77,14 +86,14 @@ void work_is_under_way() { g_under_way = 1; }
 
 const volatile std::sig_atomic_t& interrupted() { return g_interrupted; }
 
-double seconds_since_interrupt() {
-  if (!g_interrupted) return 0.0;
+bool waited_enough(double waited) {
+  if (!g_interrupted) return false;
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
-  return seconds(now) - seconds(g_when);
+  const double since = seconds(now) - seconds(g_when);
+  if (g_by_parent) return since > (g_parent_warns ? kWarned : kFromParent);
+  return since > kInAll || std::min(since, waited) > kSilence;
 }
-
-double grace_after_interrupt() { return g_by_parent ? kFromParent : kWindow; }
 
 void end_within(unsigned seconds, int exit_code) {
   if (g_interrupted) return;

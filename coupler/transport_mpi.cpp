@@ -50,7 +50,7 @@ void TransportMpi::send(MessageKind kind, const Bytes& bytes) {
   check_mpi(MPI_Isend(sending_.data(), static_cast<int>(sending_.size()), MPI_BYTE, partner_root_,
                       static_cast<int>(kind), exchange_, &request_),
             "MPI_Isend");
-  if (doorbell_) doorbell_->ring(partner_root_);
+  if (doorbell_ && doorbell_->ring(partner_root_)) partner_heard_ = true;
 }
 
 bool TransportMpi::poll() {
@@ -94,8 +94,22 @@ void TransportMpi::wake_own_ranks() const {
   for (std::size_t rank = 1; rank < own_seats_.size(); ++rank) doorbell_->ring(own_seats_[rank]);
 }
 
+// Its bell was there, and has been missing for so long that its last message has come.
+bool TransportMpi::partner_is_gone() {
+  constexpr double kLastMessage = 0.5;  // [s]
+  if (!partner_heard_ || doorbell_->ring(partner_root_)) {
+    gone_since_ = 0.0;
+    return false;
+  }
+  const double now = wall_clock();
+  if (gone_since_ == 0.0) gone_since_ = now;
+  return now - gone_since_ > kLastMessage;
+}
+
 MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
   const double start = wall_clock();
+  constexpr double kBetweenLooks = 0.2;  // at the partner [s]
+  double next_look = start + kBetweenLooks;
   PoliteWait wait(doorbell_, expected_wait_);
   MPI_Status status;
   for (;;) {
@@ -105,8 +119,12 @@ MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
     if (patience > 0.0 && wall_clock() - start > patience)
       throw PartnerError(partner_ + " has said nothing for " + std::to_string(patience) + " s");
     // The last word has a wait of its own (Link::fail).
-    if (!parted() && interrupted() && seconds_since_interrupt() > grace_after_interrupt())
+    if (!parted() && waited_enough(wall_clock() - start))
       throw Interrupted("stopped by a signal while " + partner_ + " was waited for");
+    if (wall_clock() > next_look) {
+      if (partner_is_gone()) throw PartnerError(partner_ + " is gone");
+      next_look = wall_clock() + kBetweenLooks;
+    }
     wait.nap();
   }
   const double waited = wall_clock() - start;

@@ -29,6 +29,7 @@ class TransportMpi : public Transport {
 
  private:
   bool finish_last_send(double patience);
+  bool partner_is_gone();
   void wake_own_ranks() const;
   MessageKind receive_at_root(Bytes& bytes, double patience);
 
@@ -44,7 +45,9 @@ class TransportMpi : public Transport {
   double expected_wait_ = 0.0;
   double last_wait_ = 0.0;  // [s]
   int last_kind_ = 0;
-  Bytes sending_;  // owned until the send is complete
+  bool partner_heard_ = false;  // its doorbell
+  double gone_since_ = 0.0;     // on the clock [s]; 0: it is there
+  Bytes sending_;               // owned until the send is complete
   MPI_Request request_ = MPI_REQUEST_NULL;
 };
 

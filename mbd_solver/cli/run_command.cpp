@@ -9,13 +9,17 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/failure_note.h"
+#include "coupler/interrupt.h"
 #include "coupler/programs.h"
 #include "mbd_solver/cli/analysis/grain_series.h"
 #include "mbd_solver/cli/analysis/results.h"
 #include "mbd_solver/cli/launch/bed_conditions.h"
 #include "mbd_solver/cli/launch/grain_rows.h"
 #include "mbd_solver/cli/launch/liggghts_log.h"
+#include "mbd_solver/cli/launch/process.h"
+#include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/run_plan.h"
+#include "mbd_solver/output/checkpoint_folder.h"
 #include "mbd_solver/output/summary.h"
 
 namespace footfall {
@@ -70,6 +74,7 @@ void settle_summary(const std::string& out, const std::string& status, int code)
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
+  end_on_signals("footfall");
   RunPlan plan = arguments.resume ? resumed_run(arguments) : new_run(arguments);
   const Scene& scene = plan.scene;
   const std::string &out = plan.out, &log = plan.log;
@@ -87,12 +92,15 @@ int run_command(const RunArguments& arguments) {
   StoppedWatch stopped(scene.coupling.timeout + kLater);
   ReadingWatch reading(log, scene.coupling.timeout);
   BedWatch bed(plan.bed_log, log);
+  leave_time_to_end(command);
+  const SignalsHeld signals;  // what the run has left is put in order first
   const ChildEnd end = run_child(command, kMechanismProgram, [&] {
     bed();
     const std::string stuck = reading();
     return stuck.empty() ? stopped() : stuck;
   });
   bed();
+  remove_unfinished_sets(out);
   if (arguments.resume) join_rows(out);
   const std::string errors = liggghts_errors(log);
   if (!errors.empty()) {
@@ -102,12 +110,22 @@ int run_command(const RunArguments& arguments) {
   }
   std::vector<std::string> pictures;
   const std::string status = status_of(out);
-  const int code = exit_code(end, status, fs::exists(log), fs::remove(note));
-  settle_summary(out, status, code);
-  if (!status.empty()) write_ledger(out);
-  if (!status.empty()) write_grain_series(out);
+  int code = exit_code(end, status, fs::exists(log), fs::remove(note));
+  // The run has begun: a disk that takes no more is no mistake of the scene, and does not hide how the run ended.
+  const auto attempt = [&code](const auto& write) {
+    try {
+      write();
+    } catch (const InputError& error) {
+      std::fprintf(stderr, "footfall: %s\n", error.what());
+      if (code == kExitDone || code == kExitInterrupted) code = kExitFailed;
+    }
+  };
+  attempt([&] { settle_summary(out, status, code); });
+  if (!status.empty()) attempt([&] { write_ledger(out); });
+  if (!status.empty()) attempt([&] { write_grain_series(out); });
   if (!status.empty() && scene.output.plots) pictures = make_pictures(out);
   if (!status.empty() && !arguments.quiet) print_results(out, pictures);
+  signals.ignore();
   return code;
 }
 

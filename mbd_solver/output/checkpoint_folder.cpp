@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kKept = 2;  // sets
+constexpr const char* kPart = ".part";
 constexpr const char* kChecksums = "checksums.txt";
 
 // The numbers of the whole sets, newest first.
@@ -62,7 +63,7 @@ void sync_to_disk(const std::string& path) {
 
 std::string CheckpointFolder::begin(long n) {
   n_ = n;
-  part_ = folder_ + "/" + std::to_string(n) + ".part";
+  part_ = folder_ + "/" + std::to_string(n) + kPart;
   std::error_code error;
   fs::remove_all(part_, error);
   make_folder(part_);
@@ -84,6 +85,7 @@ void CheckpointFolder::finish() {
   fs::rename(part_, whole, error);
   if (error) throw InputError(whole + ": cannot be written: " + error.message());
   sync_to_disk(folder_);
+  part_.clear();
   written_.push_back(n_);
   const std::vector<long> sets = sets_in(folder_);
   for (std::size_t i = 0; i < sets.size(); ++i)
@@ -91,16 +93,29 @@ void CheckpointFolder::finish() {
 }
 
 void CheckpointFolder::drop() {
+  if (part_.empty()) return;
   std::error_code ignored;
   fs::remove_all(part_, ignored);
+  fs::remove(folder_, ignored);  // unless it holds a set
+  part_.clear();
 }
 
 void CheckpointFolder::clear() {
   std::error_code ignored;
   for (const long n : written_) fs::remove_all(folder_ + "/" + std::to_string(n), ignored);
   written_.clear();
-  if (!part_.empty()) fs::remove_all(part_, ignored);  // asked for at the end of a window that never came
+  drop();  // asked for at the end of a window that never came
   fs::remove(folder_, ignored);
+}
+
+void remove_unfinished_sets(const std::string& run) {
+  const fs::path folder = fs::path(run) / "checkpoint";
+  std::error_code ignored;
+  std::vector<fs::path> unfinished;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == kPart) unfinished.push_back(entry.path());
+  for (const fs::path& part : unfinished) fs::remove_all(part, ignored);
+  fs::remove(folder, ignored);  // unless it holds a set
 }
 
 std::string newest_checkpoint(const std::string& run) {

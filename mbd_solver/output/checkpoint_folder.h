@@ -16,12 +16,15 @@ void sync_to_disk(const std::string& path);
 class CheckpointFolder {
  public:
   explicit CheckpointFolder(const std::string& run) : folder_(run + "/checkpoint") {}
+  ~CheckpointFolder() { drop(); }
+  CheckpointFolder(const CheckpointFolder&) = delete;
+  CheckpointFolder& operator=(const CheckpointFolder&) = delete;
 
   // Makes the empty folder of set n, which then takes the files, and returns its absolute path. Throws InputError.
   std::string begin(long n);
   // All files of the set are written. Throws InputError when the disk refuses; older sets are then still there.
   void finish();
-  void drop();   // instead: the set is none
+  void drop();   // instead, or at the end: a set that is not finished is none
   void clear();  // removes the sets that were written here, and the folder when nothing else is in it
 
  private:
@@ -30,6 +33,9 @@ class CheckpointFolder {
   long n_ = 0;
   std::vector<long> written_;
 };
+
+// What programs that were killed have left of sets that were growing. Nobody may be writing there any more.
+void remove_unfinished_sets(const std::string& run);
 
 // The folder of the newest set of a run whose files are what their checksums say. Throws InputError when there is none,
 // and says what is wrong with those that there are.

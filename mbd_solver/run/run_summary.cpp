@@ -88,6 +88,7 @@ void add_costs(const Simulation& simulation, Json& json) {
   json["dem_wall_s"] = dem;
   json["mbd_wall_s"] = times.mbd;
   json["control_wall_s"] = times.control;
+  json["checkpoint_wall_s"] = times.keeping;
   // What the exchange costs beyond the partner's own work.
   json["exchange_wall_s"] = std::max(0.0, waited - dem);
 }

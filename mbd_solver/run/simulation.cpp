@@ -125,10 +125,12 @@ bool Simulation::keep_now(const Keeper& keep, bool quietly, double started) {
     checkpoints_.take_turn(state_.time);
     integrator_->forget();
   }
-  times_.total = wall_clock() - started;
+  const double begun = wall_clock();
+  times_.total = begun - started;
   if (!coupled_) keep.begin(window_);
   const bool done = !coupled_ || coupled_->wait_until_kept();
   done ? keep.finish() : keep.drop();
+  times_.keeping += wall_clock() - begun;
   return done;
 }
 

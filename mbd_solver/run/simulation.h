@@ -24,6 +24,7 @@ struct RunTimes {
   double total = 0.0;    // wall time of the loop [s]
   double mbd = 0.0;      // in the integrator [s]
   double control = 0.0;  // in controllers [s]
+  double keeping = 0.0;  // in checkpoints: the grains' side is waited for, and files are written [s]
 };
 
 // Who keeps a run so that it can be gone on with.

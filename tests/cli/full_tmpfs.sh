@@ -17,7 +17,8 @@ for size in 16 32 48 64 96 128 192 256 384 512 1024; do
   if [[ $code == 1 ]]; then
     grep -q 'cannot be written\|cannot be brought\|No space left' said.txt || die "$size kB: nothing tells of the disk"
   elif [[ $code != 0 ]]; then
-    [[ $code == 2 ]] && grep -q 'cannot be made\|cannot be written\|No space left' said.txt || die "$size kB: exit code $code"
+    # Before the first row it is a wrong folder.
+    [[ $code == 2 && $(cat disk/run/history.csv 2>/dev/null | wc -l) -le 2 ]] && grep -q 'cannot be made\|cannot be written\|No space left' said.txt || die "$size kB: exit code $code"
   fi
   if [[ -s disk/run/history.csv ]] && (($(wc -l <disk/run/history.csv) > 2)); then
     cells=$(sed -n 2p disk/run/history.csv | tr -cd , | wc -c)

@@ -33,7 +33,7 @@ same() {
 }
 same "$base/straight/again" || { echo "kills.sh: two undisturbed runs differ"; exit 1; }
 
-nap() { sleep "$(printf '0.%03d' "$1")"; }
+moment() { nap "$(printf '0.%03d' "$1")"; } # [ms]
 ready() { # phase
   case $1 in
     bed) grep -qs '^run' cache/beds/*/liggghts.log ;;
@@ -70,12 +70,15 @@ for ((i = 0; killed < count; ++i)); do
   [[ $phase == bed ]] && FOOTFALL_CACHE=$out/cache
   "$footfall" run "${scene[@]}" --out run >said.txt 2>&1 &
   run=$!
-  until ready "$phase"; do kill -0 "$run" 2>/dev/null || break; done
+  until ready "$phase"; do
+    kill -0 "$run" 2>/dev/null || break
+    nap 0.002
+  done
   case $phase in
-    bed) nap $((RANDOM % 300)) ;;
-    start) nap $((RANDOM % 60)) ;;
-    handshake | checkpoint | shutdown) nap $((RANDOM % 12)) ;;
-    window) nap $((RANDOM % (took > 999 ? 999 : took))) ;;
+    bed) moment $((RANDOM % 300)) ;;
+    start) moment $((RANDOM % 60)) ;;
+    handshake | checkpoint | shutdown) moment $((RANDOM % 12)) ;;
+    window) moment $((RANDOM % (took > 999 ? 999 : took))) ;;
   esac
   ids=$(victim "$process")
   if [[ -z $ids ]] || ! kill -KILL $ids 2>/dev/null; then
@@ -83,9 +86,9 @@ for ((i = 0; killed < count; ++i)); do
     wait_for_end 60 || fail "a run that was not killed does not end"
     continue
   fi
-  start=$(date +%s%N)
+  start=$(now)
   wait_for_end 60 || fail "$phase, $process: still there: $(processes_of "" | tr '\n' ' ')"
-  tenths=$((($(date +%s%N) - start) / 100000000))
+  tenths=$(((gone - start) / 100000))
   ((tenths > slowest)) && slowest=$tenths
   killed=$((killed + 1))
   of_phase[$phase]=$((${of_phase[$phase]:-0} + 1)) of_process[$process]=$((${of_process[$process]:-0} + 1))

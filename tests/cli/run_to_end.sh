@@ -1,27 +1,37 @@
 # Sourced by tests that end a run by force: a run whose processes are found by their working folder, and never by name alone.
-#   start_run FOOTFALL OUT PHASE [OPTION...]   starts one in OUT and waits until it is in the phase; sets `run`
+#   start_run FOOTFALL OUT PHASE [OPTION...]   starts one in OUT and waits until it is in the phase; sets `run`. BEDS: the bed comes from this folder
+#   begin_run FOOTFALL OUT PHASE [OPTION...]   the same; false when it has ended before
 #   processes_of NAME                          process ids of a program of the run, in rising order; "" for all
-#   wait_for_end SECONDS                       sets `code`; false when it is still there
+#   wait_for_end SECONDS                       sets `code`, and `gone`: when the last process was [us]; false when it is still there
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 set -m # a process in the background then ignores no signal
+exec {never}<> <(:)
+nap() { read -rt "$1" -u "$never"; } # without a process, which a machine with much else to do starts late
+now() { echo "${EPOCHREALTIME/[.,]/}"; } # [us]
 processes_of() {
-  local folder
-  for folder in /proc/[0-9]*; do
-    [[ $(readlink "$folder/cwd") == "$out" ]] || continue
-    case $(readlink "$folder/exe") in
-      *"/$1") echo "${folder#/proc/}" ;;
+  local folders
+  mapfile -t folders < <(find /proc/[0-9]*/cwd -maxdepth 0 -lname "$out" -printf '%h/exe\n' 2>/dev/null)
+  ((${#folders[@]})) || return 0
+  find "${folders[@]}" -maxdepth 0 -printf '%h %l\n' 2>/dev/null | while read -r folder program; do
+    case $program in
+      *"/$1" | *"/$1 (deleted)") echo "${folder#/proc/}" ;;
       */footfall | */orterun | */prterun | */liggghts_mbd | */mbd_solver) [[ -z $1 ]] && echo "${folder#/proc/}" ;;
     esac
-  done 2>/dev/null | sort -n
+  done | sort -n
 }
 end_all() { local left; left=$(processes_of ""); [[ -z $left ]] || kill -KILL $left; }
 die() { echo "$*"; tail -n 20 "$out/said.txt"; end_all; exit 1; }
 
+# Rows of the history, its two lines of names included.
+rows() { local lines=(); mapfile -t lines 2>/dev/null <run/history.csv; echo ${#lines[@]}; }
 in_phase() {
   case $1 in
-    window) [[ -f run/history.csv && $(wc -l <run/history.csv) -gt 3 ]] ;;
+    bed) grep -qs '^run' "$FOOTFALL_CACHE"/beds/*/liggghts.log ;;
     start) grep -qs '^run' run/liggghts.log && [[ -n $(processes_of mbd_solver) ]] ;;
-    bed) grep -qs '^run' cache/beds/*/liggghts.log ;;
+    handshake) grep -qs '^fix geo' run/liggghts.log ;;
+    window | exchange) [[ -f run/history.csv ]] && (($(rows) > 3)) ;;
+    checkpoint) compgen -G 'run/checkpoint/*.part' >/dev/null ;;
+    shutdown) grep -qs '^0.0[45]' run/history.csv ;;
   esac
 }
 # The plate on grains that come from a bed, with these scripts.
@@ -30,39 +40,61 @@ scene_of_plate() {
   printf '[particles.bed]\nscript = "%s"\n' "$2"
 }
 # The script that never ends, in each phase; 2.5e9 substeps to the end, more than 32 bits count.
-start_run() {
+start_run() { begin_run "$@" || die "the run ended before it was in phase $3"; }
+begin_run() {
   local footfall=$1 phase=$3
   out=$2
   shift 3
-  local more=("$@")
+  local more=("$@") end=2.5e5
   rm -rf "$out" && mkdir -p "$out" && cd "$out" || exit 1
-  export FOOTFALL_CACHE=$out/cache
+  out=$PWD
+  export FOOTFALL_CACHE=${BEDS:-$out/cache}
+  [[ $phase == bed ]] && FOOTFALL_CACHE=$out/cache
   local script="$here/endless.in" bed="$here/endless_bed.in"
-  if [[ $phase == start ]]; then
-    script=$out/start.in
-    sed -e "s|\${here}|$here|" -e '/couple.lammps/i run 1000000000' "$here/endless.in" >start.in
-  elif [[ $phase == bed ]]; then
-    bed=$out/bed.in
-    sed -e "s|\${here}|$here|" -e '/write_restart/i run 1000000000' "$here/endless_bed.in" >bed.in
-  fi
+  case $phase in
+    bed)
+      bed=$out/bed.in
+      sed -e "s|\${here}|$here|" -e '/write_restart/i run 1000000000' "$here/endless_bed.in" >bed.in
+      ;;
+    start)
+      script=$out/start.in
+      sed -e "s|\${here}|$here|" -e '/couple.lammps/i run 1000000000' "$here/endless.in" >start.in
+      ;;
+    checkpoint)
+      more+=(--set output.checkpoint_interval=0.01)
+      end=900
+      ;;
+    shutdown) end=0.05 ;;
+  esac
   scene_of_plate "$script" "$bed" >scene.toml
-  "$footfall" run scene.toml --ranks 2 --set end_time=2.5e5 --set output.interval=0.03 --set output.plots=false --out run "${more[@]}" >said.txt 2>&1 &
+  # Whoever started us may ignore signals (nohup).
+  env --default-signal "$footfall" run scene.toml --ranks 2 --set end_time=$end --set output.interval=0.03 --set output.plots=false --out run "${more[@]}" >said.txt 2>&1 &
   run=$!
+  local pause=0.05
+  [[ $phase == @(handshake|checkpoint|shutdown) ]] && pause=0.002
   until in_phase "$phase"; do
-    kill -0 "$run" 2>/dev/null || die "the run ended before it was in phase $phase"
-    sleep 0.1
+    kill -0 "$run" 2>/dev/null || return 1
+    nap $pause
   done
+  case $phase in
+    exchange) nap "0.$((100 + RANDOM % 400))" ;;
+    handshake | shutdown) nap "0.0$((10 + RANDOM % 90))" ;;
+  esac
+  return 0
 }
 wait_for_end() {
-  local tenths
-  for ((tenths = 10 * $1; tenths > 0; --tenths)); do
-    if ! kill -0 "$run" 2>/dev/null; then
-      wait "$run"
-      code=$?
-      until [[ -z $(processes_of "") ]]; do ((tenths-- > 0)) || return 1; sleep 0.1; done
-      return 0
-    fi
-    sleep 0.1
+  local last=$(($(now) + $1 * 1000000))
+  while kill -0 "$run" 2>/dev/null; do
+    (($(now) < last)) || return 1
+    nap 0.02
   done
-  return 1
+  wait "$run"
+  code=$?
+  gone=$(now)
+  while [[ -n $(processes_of "") ]]; do
+    (($(now) < last)) || return 1
+    nap 0.02
+    gone=$(now)
+  done
+  return 0
 }

@@ -8,9 +8,9 @@ start_run "$1" "$2" "$phase" --set coupling.timeout=2
 stopped=$(processes_of "$program" | head -n 1)
 [[ -n $stopped ]] || die "$program was not found"
 kill -STOP "$stopped"
-start=$SECONDS
+start=$(now)
 wait_for_end 60 || die "still there: $(processes_of "" | tr '\n' ' ')"
-echo "$phase, $program stopped: ended with code $code after $((SECONDS - start)) s"
+echo "$phase, $program stopped: ended with code $code after $(((gone - start) / 1000000)) s"
 [[ $code == 1 ]] || die "exit code $code, expected 1"
 grep -q 'has said nothing for\|nothing for 2\|has been stopped for' said.txt || die "no message tells of the silent partner"
 grep -q '"status": "failed"' run/summary.json || die "the summary does not say failed"

@@ -1,22 +1,29 @@
 #!/usr/bin/env bash
-# run.sh [LABEL...]: the tests of these labels (default: unit bad_input) in a build of its own (build-sanitize) with the address and undefined-behaviour sanitizers
-# of g++. Every finding ends its test. Without labels also a part of the unit tests under valgrind, where it is installed, from the plain build.
+# run.sh [LABEL...]: the tests of these labels (default: unit bad_input physics mpi) in a build of its own (build-sanitize) with the address and undefined-behaviour
+# sanitizers of g++. Every finding ends its test. Without labels also a part of the unit tests under valgrind, where it is installed, from the plain build.
 #   BUILD=FOLDER     the plain build (default build)
+#   BUILT=1          takes the tests as they are built; TARGETS: what is built (default all; tests that are not there are counted)
+#   LABELS           instead of the default, with valgrind
+#   SECONDS_OF_TEST  a test that takes longer, sanitized, is left out and counted (default 120)
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 build=$root/build-sanitize plain=${BUILD:-$root/build}
 labels=("$@")
-((${#labels[@]})) || labels=(unit bad_input)
+((${#labels[@]})) || labels=(${LABELS:-unit bad_input physics mpi})
 [[ -f $build/build.ninja ]] ||
-  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Sanitize -DCMAKE_CXX_FLAGS=-O1 -DFOOTFALL_SANITIZE=address,undefined >"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
-cmake --build "$build" -j 2 >"$build/build.log" 2>&1 || { tail -n 40 "$build/build.log"; exit 1; }
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Sanitize -DCMAKE_CXX_FLAGS=-O1 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
+    -DFOOTFALL_SANITIZE=address,undefined >"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
+[[ -n ${BUILT-} ]] || cmake --build "$build" -j 2 --target ${TARGETS:-all} >"$build/build.log" 2>&1 || { tail -n 40 "$build/build.log"; exit 1; }
 export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 LSAN_OPTIONS=suppressions=$here/leaks.txt:print_suppressions=0
 export UBSAN_OPTIONS=print_stacktrace=1
 failed=0
 for label in "${labels[@]}"; do
-  ctest --test-dir "$build" -L "^$label\$" -E '^structure\.' --timeout 600 --output-on-failure >"$build/$label.txt" 2>&1 || failed=1
-  echo "$label, address and undefined: $(grep 'tests passed' "$build/$label.txt")"
+  ctest --test-dir "$build" -L "^$label\$" -E '^structure\.' --timeout "${SECONDS_OF_TEST:-120}" --output-on-failure >"$build/$label.txt" 2>&1
+  absent=$(grep -c '\*\*\*Not Run\|_NOT_BUILT' "$build/$label.txt")
+  late=$(grep -c '\*\*\*Timeout' "$build/$label.txt") bad=$(grep -c '\*\*\*Failed\|\*\*\*Exception' "$build/$label.txt")
+  ((bad == 0)) || failed=1
+  echo "$label, address and undefined: $(grep -c ' Passed ' "$build/$label.txt") passed, $bad failed, $late too long, $absent not built"
 done
 (($#)) && exit $failed
 # As much as runs in a few minutes; gtest's own filter where a part is long.

@@ -19,6 +19,7 @@
 #include "coupler/programs.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/liggghts_log.h"
+#include "mbd_solver/cli/launch/process.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/scene/script_text.h"
 
@@ -194,6 +195,7 @@ Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet) {
                    damage_of_bed(target).c_str());
       const Draft away(target, draft_name(target));
     }
+    const SignalsHeld signals;  // until the draft is gone or kept
     Draft draft(draft_name(target));
     make_bed(spec, ranks, quiet, draft);
     draft.keep(target);

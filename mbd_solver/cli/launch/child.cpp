@@ -26,9 +26,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 // Ten seconds in all, from a signal to the last process.
-constexpr std::chrono::seconds kGrace(kEnding + 1);  // to write a checkpoint and end in order
+constexpr std::chrono::seconds kGrace(kEnding + 1);  // to write a checkpoint and end in order, before SIGKILL
 constexpr std::chrono::seconds kAfterEnd(1);         // from the end of the child to SIGTERM for what it left behind
 constexpr std::chrono::seconds kAfterTerm(1);        // from SIGTERM to SIGKILL
+constexpr std::chrono::milliseconds kSecondThought(500);  // from the first signal to a SIGINT that is meant as a second
 
 // Every process below this one; on request those alone that are stopped.
 std::vector<pid_t> descendants(bool stopped_alone = false) {
@@ -56,6 +57,21 @@ std::vector<pid_t> descendants(bool stopped_alone = false) {
   const auto left_out = [&](pid_t pid) { return stopped_alone && stopped.count(pid) == 0; };
   found.erase(std::remove_if(found.begin(), found.end(), left_out), found.end());
   return found;
+}
+
+// Lets go of its sleep a launcher that waits for programs which have all ended: mpirun, when it has asked them to end,
+// looks again seconds later. SIGCHLD wakes it, and says nothing to others.
+void wake_lonely(pid_t launcher) {
+  const std::string folder = "/proc/" + std::to_string(launcher);
+  std::ifstream children(folder + "/task/" + std::to_string(launcher) + "/children");
+  for (pid_t child = 0; children >> child;) {
+    std::ifstream stat("/proc/" + std::to_string(child) + "/stat");
+    std::string line;
+    std::getline(stat, line);
+    const std::size_t end = line.rfind(')');
+    if (end != std::string::npos && line.compare(end, 3, ") Z") != 0) return;
+  }
+  kill(launcher, SIGCHLD);
 }
 
 std::string program_of(pid_t pid) {
@@ -116,24 +132,31 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
   ChildEnd end;
   int status = 0;
   bool ended = false, terminated = false;
-  Clock::time_point deadline = Clock::time_point::max();
+  Clock::time_point deadline = Clock::time_point::max(), asked = deadline;
   const auto terminate = [&] {
     send_all(descendants(), terminated ? SIGKILL : SIGTERM);
     terminated = true;
     deadline = Clock::now() + kAfterTerm;
   };
   while (!ended || !descendants().empty()) {
-    const bool signalled = signals.wait();
-    if (signalled && !end.interrupted && ask_gracefully(graceful)) {
-      deadline = Clock::now() + kGrace;
-    } else if (signalled) {
+    const int signal = signals.wait();
+    if (signal != 0 && !end.interrupted) {
+      end.interrupted = true;
+      asked = Clock::now();
+      if (ask_gracefully(graceful)) {
+        deadline = asked + kGrace;
+        terminated = true;  // they have been asked: what is left is to kill
+      } else {
+        terminate();
+      }
+    } else if (signal == SIGINT && Clock::now() > asked + kSecondThought) {
       terminate();
     }
-    end.interrupted = end.interrupted || signalled;
     if (reap(pid, status)) {
       ended = true;
       if (deadline == Clock::time_point::max()) deadline = Clock::now() + kAfterEnd;
     }
+    if (!ended) wake_lonely(pid);
     if (Clock::now() > deadline) terminate();
     if (!tick || ended || end.interrupted || !end.given_up.empty()) continue;
     end.given_up = tick();

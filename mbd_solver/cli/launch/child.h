@@ -25,9 +25,10 @@ struct ChildEnd {
 
 // Runs a command to its end. `tick` is called about five times a second; what it returns, unless empty, is why the
 // command is to be ended now. A signal that asks for the end is forwarded as SIGINT to every descendant whose program is
-// `graceful` (the one that ends the others in order), or as SIGTERM to all when there is none; who is still there some
-// seconds later, or at a second signal, is killed. Returns with no descendant left. Throws InputError when the program
-// cannot be started.
+// `graceful` (the one that ends the others in order), or as SIGTERM to all when there is none. Who is still there some
+// seconds later is killed. More signals change nothing (terminals and batch systems send several at once), but for
+// another SIGINT later: who types it twice does not want to wait. Returns with no descendant left, ten seconds after
+// the first signal at the latest. Throws InputError when the program cannot be started.
 ChildEnd run_child(const Command& command, const std::string& graceful = "",
                    const std::function<std::string()>& tick = {});
 

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -19,10 +20,10 @@ namespace {
 
 constexpr std::chrono::nanoseconds kTick = std::chrono::milliseconds(200);
 
-[[noreturn]] void become(const Command& command, const sigset_t& old_mask) {
+[[noreturn]] void become(const Command& command, const sigset_t& held) {
   setpgid(0, 0);  // Ctrl-C in the terminal reaches the front door alone, which then ends the others in order
   prctl(PR_SET_PDEATHSIG, SIGTERM);
-  sigprocmask(SIG_SETMASK, &old_mask, nullptr);
+  sigprocmask(SIG_UNBLOCK, &held, nullptr);
   const int nothing = open("/dev/null", O_RDONLY);
   if (nothing >= 0) dup2(nothing, STDIN_FILENO);
   if (!command.folder.empty() && chdir(command.folder.c_str()) != 0) _exit(kCannotStart);
@@ -53,16 +54,20 @@ SignalsHeld::SignalsHeld() {
 
 SignalsHeld::~SignalsHeld() { sigprocmask(SIG_SETMASK, &old_, nullptr); }
 
-bool SignalsHeld::wait() const {
+int SignalsHeld::wait() const {
   const timespec tick{0, kTick.count()};
   const int signal = sigtimedwait(&held_, nullptr, &tick);
-  return signal > 0 && signal != SIGCHLD;
+  return signal > 0 && signal != SIGCHLD ? signal : 0;
+}
+
+void SignalsHeld::ignore() const {
+  for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGUSR1, SIGHUP}) std::signal(signal, SIG_IGN);
 }
 
 pid_t start_process(const Command& command, const SignalsHeld& signals) {
   const pid_t pid = fork();
   if (pid < 0) throw InputError("cannot start " + command.words[0] + ": " + std::strerror(errno));
-  if (pid == 0) become(command, signals.old_mask());
+  if (pid == 0) become(command, signals.held());
   return pid;
 }
 

@@ -9,7 +9,7 @@
 namespace footfall {
 
 // While one of these lives, SIGCHLD and the signals that ask for the end (SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1)
-// are taken one by one instead of interrupting us.
+// are taken one by one instead of interrupting us. They may be held within each other.
 class SignalsHeld {
  public:
   SignalsHeld();
@@ -17,9 +17,11 @@ class SignalsHeld {
   SignalsHeld(const SignalsHeld&) = delete;
   SignalsHeld& operator=(const SignalsHeld&) = delete;
 
-  const sigset_t& old_mask() const { return old_; }
-  // Waits for at most one tick (a fifth of a second). True for a signal that asks for the end.
-  bool wait() const;
+  const sigset_t& held() const { return held_; }
+  // Waits for at most one tick (a fifth of a second). The signal that asks for the end; 0 when none has come.
+  int wait() const;
+  // From here on they change nothing any more, nor do those that have come and were not waited for.
+  void ignore() const;
 
  private:
   sigset_t held_, old_;

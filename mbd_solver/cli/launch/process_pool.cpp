@@ -32,7 +32,7 @@ bool run_pool(const std::vector<Command>& commands, int jobs, const std::functio
       running[start_process(commands[next], signals)] = static_cast<int>(next);
       ++next;
     }
-    if (signals.wait()) {
+    if (signals.wait() != 0) {
       interrupted = true;
       for (const auto& [pid, number] : running) kill(pid, SIGINT);
     }

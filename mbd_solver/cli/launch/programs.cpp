@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
+#include "coupler/interrupt.h"
 
 namespace footfall {
 
@@ -36,6 +37,12 @@ Command mpirun() {
   // mbd_solver sleeps while the grains move: one process more than cores costs nothing, but Open MPI must be told.
   command.words.insert(command.words.end(), {"--oversubscribe", "--bind-to", "none", "--quiet"});
   return command;
+}
+
+void leave_time_to_end(Command& mpirun) {
+  // SIGCONT, so many seconds, SIGTERM, as many again, SIGKILL.
+  mpirun.environment["OMPI_MCA_odls_base_sigkill_timeout"] = "3";
+  mpirun.environment[kLauncherWarns] = "1";
 }
 
 std::vector<std::string> script_arguments(const std::string& script,

@@ -14,6 +14,10 @@ std::string built_program(const std::string& name);
 // mpirun with what this machine needs: permission for root, more processes than cores, no binding of ranks to cores.
 Command mpirun();
 
+// From here on this mpirun, asked to end or with a program that has died, gives the others some seconds to write a
+// checkpoint before it kills, and they know of it at once.
+void leave_time_to_end(Command& mpirun);
+
 // What the scene's -var options say, in the order LIGGGHTS gets them: here (folder of the script), then the variables.
 std::vector<std::string> script_arguments(const std::string& script,
                                           const std::map<std::string, std::string>& variables);

@@ -58,6 +58,16 @@ TEST_F(CliTest, AnInterruptEndsInOrderThroughTheGracefulProgram) {
   EXPECT_EQ(end.code, 3);
 }
 
+// Terminals and batch systems send several signals at once: the program still gets its time.
+TEST_F(CliTest, MoreSignalsDoNotCutAnOrderlyEnd) {
+  const std::string program = std::filesystem::canonical("/bin/sh").filename();
+  const ChildEnd end = run_child(
+      shell("trap 'sleep 1; exit 3' INT; kill -TERM $PPID; sleep 0.3; kill -HUP $PPID; kill -TERM $PPID; sleep 5"),
+      program);
+  EXPECT_TRUE(end.interrupted);
+  EXPECT_EQ(end.code, 3);
+}
+
 TEST_F(CliTest, AnInterruptWithoutGracefulProgramTerminates) {
   const ChildEnd end = run_child(shell("kill -INT $PPID; while :; do sleep 0.05; done"), "nobody");
   EXPECT_TRUE(end.interrupted);

@@ -39,6 +39,16 @@ TEST(Doorbell, RingBeforeTheNapCountsOnce) {
   EXPECT_GE(seconds_of_wait(sleeper, 0.05), 0.04) << "all rings are heard at once";
 }
 
+TEST(Doorbell, KnowsWhetherSomebodyIsThere) {
+  const Doorbell bell(job(), 0);
+  EXPECT_FALSE(bell.ring(7));
+  {
+    const Doorbell other(job(), 7);
+    for (int i = 0; i < 100; ++i) EXPECT_TRUE(bell.ring(7)) << "also where the queue is full";
+  }
+  EXPECT_FALSE(bell.ring(7));
+}
+
 TEST(Doorbell, RingingNobodyAndATakenSeatAreHarmless) {
   const Doorbell bell(job(), 0);
   bell.ring(7);

@@ -34,9 +34,25 @@ TEST_F(CheckpointFolderTest, TheLastTwoSetsAreKept) {
 
 TEST_F(CheckpointFolderTest, ASetThatIsNotFinishedDoesNotCount) {
   keep(1);
-  std::ofstream(CheckpointFolder(run_).begin(2) + "/run.txt") << "half of it";
-  EXPECT_TRUE(there("2.part"));
-  EXPECT_EQ(fs::path(newest_checkpoint(run_)).filename(), "1");
+  {
+    CheckpointFolder folder(run_);
+    std::ofstream(folder.begin(2) + "/run.txt") << "half of it";
+    EXPECT_TRUE(there("2.part"));
+    EXPECT_EQ(fs::path(newest_checkpoint(run_)).filename(), "1");
+  }
+  EXPECT_FALSE(there("2.part")) << "it went with who wrote it";
+}
+
+TEST_F(CheckpointFolderTest, WhatProgramsThatWereKilledHaveLeftIsRemoved) {
+  fs::create_directories(run_ + "/checkpoint/3.part");
+  std::ofstream(run_ + "/checkpoint/3.part/run.txt") << "half of it";
+  remove_unfinished_sets(run_);
+  EXPECT_FALSE(fs::exists(run_ + "/checkpoint")) << "there was nothing else in it";
+  keep(1);
+  fs::create_directories(run_ + "/checkpoint/3.part");
+  remove_unfinished_sets(run_);
+  EXPECT_TRUE(there("1"));
+  EXPECT_FALSE(there("3.part"));
 }
 
 TEST_F(CheckpointFolderTest, ADamagedSetIsPassedOver) {
