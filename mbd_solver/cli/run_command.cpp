@@ -11,6 +11,7 @@
 #include "coupler/base/failure_note.h"
 #include "coupler/programs.h"
 #include "mbd_solver/cli/analysis/grain_series.h"
+#include "mbd_solver/cli/analysis/paraview_script.h"
 #include "mbd_solver/cli/analysis/results.h"
 #include "mbd_solver/cli/launch/bed_conditions.h"
 #include "mbd_solver/cli/launch/grain_rows.h"
@@ -87,8 +88,10 @@ int run_command(const RunArguments& arguments) {
   StoppedWatch stopped(scene.coupling.timeout + kLater);
   ReadingWatch reading(log, scene.coupling.timeout);
   BedWatch bed(plan.bed_log, log);
+  SettlingLine settling(log, (fs::path(out) / "history.csv").string(), arguments.quiet);
   const ChildEnd end = run_child(command, kMechanismProgram, [&] {
     bed();
+    settling();
     const std::string stuck = reading();
     return stuck.empty() ? stopped() : stuck;
   });
@@ -106,6 +109,7 @@ int run_command(const RunArguments& arguments) {
   settle_summary(out, status, code);
   if (!status.empty()) write_ledger(out);
   if (!status.empty()) write_grain_series(out);
+  if (!status.empty()) write_paraview_script(out);
   if (!status.empty() && scene.output.plots) pictures = make_pictures(out);
   if (!status.empty() && !arguments.quiet) print_results(out, pictures);
   return code;
