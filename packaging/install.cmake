@@ -9,7 +9,7 @@ install(TARGETS footfall mbd_solver liggghts_mbd RUNTIME DESTINATION ${CMAKE_INS
 # Programs find these from their own place: ../share/footfall (mbd_solver/scene/shipped_files.h).
 set(share share/footfall)
 install(DIRECTORY inputs examples DESTINATION ${share} COMPONENT runtime)
-install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+install(FILES README.md CHANGELOG.md LICENSE packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT runtime
   FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.txt" PATTERN site EXCLUDE)
 

@@ -24,17 +24,17 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "liggghts")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "footfall-dev, paraview")
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "flexible multibody mechanisms against beds of grains
- footfall computes what happens when a mechanism touches a bed of grains:
- LIGGGHTS moves the grains, a multibody solver moves the mechanism with its
- flexible bodies, dampers and controllers. Its first use is a four-legged
- lunar lander with magnetorheological dampers.")
+footfall computes what happens when a mechanism touches a bed of grains:
+LIGGGHTS moves the grains, a multibody solver moves the mechanism with its
+flexible bodies, dampers and controllers. Its first use is a four-legged
+lunar lander with magnetorheological dampers.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME footfall-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "footfall (= ${PROJECT_VERSION}), g++, cmake, libopenmpi-dev, libeigen3-dev, libsundials-dev, libsuitesparse-dev, libtomlplusplus-dev, libfuzzylite-dev, libmuparser-dev, libassimp-dev, nlohmann-json3-dev, libpugixml-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "headers and libraries of footfall
- With these a program of your own couples its mechanism to LIGGGHTS, or uses
- the multibody solver: find_package(footfall), footfall::coupler and
- footfall::mbd_solver.")
+With these a program of your own couples its mechanism to LIGGGHTS, or uses
+the multibody solver: find_package(footfall), footfall::coupler and
+footfall::mbd_solver.")
 include(CPack)

@@ -13,21 +13,21 @@ options() { "$footfall" "$1" --help | sed -n '/^Options:/,$ s/^  \(-[^ ]*\).*/\1
 plain() { sed 's/\\-/-/g; s/\\f[BIR]//g' "$1"; }
 count=0
 for command in $commands; do
-  plain "$out/footfall.1" | grep -qE "^footfall $command( |\$)" || die "footfall.1 lacks $command"
+  plain "$out/footfall.1" | grep -E "^footfall $command( |\$)" > /dev/null || die "footfall.1 lacks $command"
   page=$out/footfall-$command.1
   grep -q "    $command) words=" "$out/footfall.bash" || die "footfall.bash lacks $command"
   grep -q "    '$command:" "$out/_footfall" || die "_footfall lacks $command"
   for option in $(options "$command"); do
     count=$((count + 1))
-    plain "$page" | grep -qE -- "(^|, )$option( |,|\$)" || die "$page lacks $option"
-    grep -E "^    $command\) words=" "$out/footfall.bash" | grep -qE -- "[' ]$option[' ]" || die "footfall.bash lacks $command $option"
-    sed -n "/^    $command) _arguments/,/;;/p" "$out/_footfall" | grep -qF -- "$option[" || die "_footfall lacks $command $option"
+    plain "$page" | grep -E -- "(^|, )$option( |,|\$)" > /dev/null || die "$page lacks $option"
+    grep -E "^    $command\) words=" "$out/footfall.bash" | grep -E -- "[' ]$option[' ]" > /dev/null || die "footfall.bash lacks $command $option"
+    sed -n "/^    $command) _arguments/,/;;/p" "$out/_footfall" | grep -F -- "$option[" > /dev/null || die "_footfall lacks $command $option"
   done
 done
 ((count > 60)) || die "only $count options were looked for"
-! "$footfall" --help | grep -q "^  help" || die "the hidden command is listed"
+! "$footfall" --help | grep "^  help" > /dev/null || die "the hidden command is listed"
 "$footfall" help --man run | diff - "$out/footfall-run.1"
-"$footfall" help run | grep -q -- --resume || die "footfall help run says nothing of --resume"
+"$footfall" help run | grep -- --resume > /dev/null || die "footfall help run says nothing of --resume"
 
 if command -v man > /dev/null; then
   for page in "$out"/*.1; do
@@ -43,9 +43,9 @@ complete_words() {
 }
 [[ $(complete_words "$footfall" surf) == surfaces ]] || die "bash does not complete surf"
 [[ $(complete_words "$footfall" run --res) == --resume ]] || die "bash does not complete run --res"
-complete_words "$footfall" new x --from "" | grep -qx wheel || die "bash does not offer the case wheel"
+complete_words "$footfall" new x --from "" | grep -x wheel > /dev/null || die "bash does not offer the case wheel"
 
 # What is misspelt is guessed, command or option.
 told() { "$footfall" "$@" 2>&1 || [[ $? == 2 ]]; }
-told rnu | grep -q 'Did you mean "run"?' || die "a misspelt command is not guessed"
-told run --untl=1 | grep -q 'Did you mean "--until"?' || die "a misspelt option is not guessed"
+told rnu | grep 'Did you mean "run"?' > /dev/null || die "a misspelt command is not guessed"
+told run --untl=1 | grep 'Did you mean "--until"?' > /dev/null || die "a misspelt option is not guessed"

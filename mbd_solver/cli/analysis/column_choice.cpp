@@ -191,10 +191,11 @@ Panels panels_of(const History& history, const Names& columns) {
     const DrawnUnit drawn = drawn_unit(unit, std::max(-low, high));
     const std::string ending = common_ending(names);
     const Quantity* quantity = quantity_of(unit);
-    const std::string what = !ending.empty() ? ending : quantity ? quantity->name : "";
+    const bool is_word = ending.size() > 3;  // "force", "angle_rate", but not "az"
+    const std::string what = is_word ? ending : quantity ? quantity->name : ending;
     std::vector<Group> groups;
     if (names.size() > kSeriesColours) groups = by_number(names);
-    if (groups.empty()) groups = by_eights(names, names.size() == 1 ? names.front() : what);
+    if (groups.empty()) groups = by_eights(names, names.size() == 1 ? names.front() : "");
     panels.multiples = panels.multiples || groups.size() > 1;
     for (Group& group : groups) {
       if (group.columns.size() > 1) shorten(group.labels, ending);

@@ -169,7 +169,12 @@ std::vector<std::string> write_plot_scripts(const std::string& folder, const std
 std::string write_page_script(const std::string& folder, const PlotPage& page) {
   make_folder(folder);
   const int count = static_cast<int>(page.figures.size()), rows = (count + page.columns - 1) / page.columns;
-  std::string drawing;
+  // Curves of all panels stand above each other, whatever their legends.
+  std::size_t longest = 0;
+  for (const Figure& figure : page.figures)
+    for (const Curve& curve : figure.curves)
+      if (figure.curves.size() > 1) longest = std::max(longest, curve.title.size());
+  std::string drawing = "set lmargin 11\nset rmargin " + std::to_string(longest > 0 ? longest + 7 : 3) + "\n";
   for (const Figure& figure : page.figures) drawing += plot_command(figure);
   if (count > 1)
     drawing = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(page.columns) + " title " +
