@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # view_speed.sh FOOTFALL [GRAINS [FRAMES]]: how fast the page of footfall view is in headless Chromium, whose renderer is software: a made bed
-# of 50 000 grains and 100 frames with one impact. Prints the time to the first picture, to all frames, and pictures a second while it
-# plays, alone and while the eye turns. Needs chromium and python3.
+# of 50 000 grains and 100 frames with one impact. Prints the time to the first picture, to all frames, pictures a second while it plays, alone
+# and while the eye turns, and the processor time of a picture, which says on a busy machine what an idle one would do. Needs chromium and python3.
 set -euo pipefail
+set -m  # the browser and its processes are a group of their own
 footfall=$(realpath "$1") grains=${2:-50000} frames=${3:-100}
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
@@ -36,9 +37,9 @@ cat >> "$work/run/view.html" <<'JS'
   const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
   while (document.body.dataset.state !== "ready") await wait(50);
   const { stage, player } = window.footfall;
-  let drawn = 0;
+  let drawn = 0, pictures = 0;
   const draw = stage.draw.bind(stage);
-  stage.draw = () => { draw(); ++drawn; };
+  stage.draw = () => { draw(); ++drawn; ++pictures; };
   player.seconds = 6;
   const measured = async (turn) => {
     player.seek(player.start);
@@ -53,7 +54,10 @@ cat >> "$work/run/view.html" <<'JS'
     }
     return (1000 * drawn) / (performance.now() - began);
   };
+  console.log("view-speed-begin");
+  pictures = 0;
   const plays = await measured(false), turns = await measured(true);
+  console.log(`view-speed-end ${pictures}`);
   const { width, height } = stage.renderer.domElement;
   console.log(`view-speed: first picture ${document.body.dataset.firstFrame} ms, all frames ${document.body.dataset.loaded} ms, ` +
     `${plays.toFixed(1)} pictures a second, ${turns.toFixed(1)} while the eye turns, at ${width} x ${height} pixels`);
@@ -63,9 +67,21 @@ JS
 chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$work/profile" --window-size=1280,800 \
   --remote-debugging-port=0 --enable-logging=stderr --v=0 "file://$work/run/view.html" > "$work/log" 2>&1 &
 browser=$!
-for ((i = 0; i < 900; ++i)); do
-  grep -q 'view-speed:\|Uncaught' "$work/log" && break
-  kill -0 "$browser" 2> /dev/null || break
-  sleep 0.2
-done
+# Processor time of the browser and all its processes so far [ticks].
+ticks() { awk -v group="$(ps -o pgid= "$browser" | tr -d ' ')" '$5 == group { sum += $14 + $15 } END { print sum }' /proc/[0-9]*/stat 2> /dev/null; }
+until_said() {
+  for ((i = 0; i < 3000; ++i)); do
+    grep -q -e "$1" -e Uncaught "$work/log" && return
+    kill -0 "$browser" 2> /dev/null || return 0
+    sleep 0.1
+  done
+}
+until_said view-speed-begin
+before=$(ticks)
+until_said view-speed-end
+after=$(ticks)
+until_said view-speed:
 grep -oE 'view-speed: [^"]*' "$work/log" | head -n 1 || { grep CONSOLE "$work/log"; tail -n 5 "$work/log"; exit 1; }
+pictures=$(grep -oE 'view-speed-end [0-9]+' "$work/log" | head -n 1 | cut -d ' ' -f 2)
+awk -v t="$((after - before))" -v hz="$(getconf CLK_TCK)" -v n="$pictures" -v cores="$(nproc)" \
+  'BEGIN { ms = 1000 * t / hz / n; printf "processor time: %.0f ms a picture, so at most %.0f pictures a second on %d free cores\n", ms, 1000 * cores / ms, cores }'

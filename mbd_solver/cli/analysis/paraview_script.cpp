@@ -54,6 +54,8 @@ for name in sorted(os.listdir(here)):
         ColorBy(shown, ("POINTS", "v", "Magnitude"))
         shown.RescaleTransferFunctionToDataRangeOverTime()
         shown.SetScalarBarVisibility(view, True)
+        bar = GetScalarBar(GetColorTransferFunction("v"), view)
+        bar.Title, bar.ComponentTitle = "speed [m/s]", ""
 
 GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
 view.CameraViewUp = [0, 0, 1]
