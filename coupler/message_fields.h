@@ -87,7 +87,8 @@ inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt},
                                                   Field{"gravity_known", &Start::gravity_known},
                                                   Field{"may_end_early", &Start::may_end_early},
                                                   Field{"warnings", &Start::warnings},
-                                                  Field{"wants_masses", &Start::wants_masses}};
+                                                  Field{"wants_masses", &Start::wants_masses},
+                                                  Field{"grains_version", &Start::grains_version}};
 
 template <>
 inline constexpr auto kFields<Accept> =

@@ -23,7 +23,7 @@
 
 namespace footfall {
 
-inline constexpr std::int32_t kProtocolVersion = 4;
+inline constexpr std::int32_t kProtocolVersion = 5;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // LIGGGHTS' name of the units that both programs use.
@@ -74,6 +74,7 @@ struct Start {
   bool may_end_early = false;         // the script's end may end the coupled run before the scene's
   std::vector<std::string> warnings;  // for the user, who reads them from the mechanism's side
   bool wants_masses = false;          // the grains' side asks for Motion::inverse_masses
+  std::string grains_version;         // of LIGGGHTS, as it names itself
 };
 
 struct Accept {

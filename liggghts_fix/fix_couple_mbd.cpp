@@ -20,6 +20,7 @@
 #include "modify.h"
 #include "signal_handling.h"
 #include "tri_mesh.h"
+#include "universe.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -91,6 +92,9 @@ void FixCoupleMbd::init() {
   script.step = update->ntimestep;
   script.may_end_early = !arguments_.end_of_scene;
   script.wants_masses = arguments_.mass_of_pair;
+  const std::string version = universe->version;  // "Version LIGGGHTS-PUBLIC 3.8.0, compiled ..."
+  const std::size_t name = version.find("LIGGGHTS");
+  script.grains_version = name == std::string::npos ? version : version.substr(name, version.find(',') - name);
   if (arguments_.gravity_of_scene) read_gravity(*modify, script);
   warn_of_clumps(*modify, script);
   if (!link_.started()) warn_of_radius(lmp, script);

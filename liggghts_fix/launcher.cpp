@@ -35,6 +35,7 @@
 #include "liggghts_fix/fix_wall_gran_smooth.h"
 #include "liggghts_fix/last_words.h"
 #include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/past_screen.h"
 #include "liggghts_fix/program_world.h"
 #include "signal_handling.h"
 
@@ -97,6 +98,7 @@ LAMMPS_NS::Fix* create_fix(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) {
 
 int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_link) {
   const bool silent = mend_screen_none(argc, argv);
+  if (silent) silence_what_goes_past_the_screen();
   // Not owned by a pointer that deletes it on the way of an exception: a LIGGGHTS stopped in mid-step cannot be taken
   // down in order.
   auto* lmp = new LAMMPS_NS::LAMMPS(argc, argv, communicator.world());

@@ -133,6 +133,10 @@ int run_coupled(const Arguments& arguments, const Communicator& communicator) {
   Arguments with_ranks = arguments;
   MPI_Comm_size(MPI_COMM_WORLD, &with_ranks.run.ranks);
   --with_ranks.run.ranks;  // this one
+  char version[MPI_MAX_LIBRARY_VERSION_STRING] = "";
+  int length = 0;
+  MPI_Get_library_version(version, &length);
+  with_ranks.run.mpi_version = std::string(version).substr(0, std::string(version).find(','));
   const int code = guarded([&] { return run_with(with_ranks, transport); });
   // MPI_Finalize would wait for a partner that is stopped or hung.
   if (transport.given_up()) abort_both_programs(code);

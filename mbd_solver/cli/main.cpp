@@ -22,28 +22,30 @@
 #include "mbd_solver/cli/audit_command.h"
 #include "mbd_solver/cli/experiments/experiment_command.h"
 #include "mbd_solver/cli/experiments/experiment_reader.h"
+#include "mbd_solver/cli/help_pages.h"
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/positive.h"
 #include "mbd_solver/cli/run_command.h"
+#include "mbd_solver/cli/user_commands.h"
 #include "mbd_solver/scene/scene_schema.h"
+#include "mbd_solver/scene/shipped_files.h"
 
 using namespace footfall;
 
 namespace {
 
-// The scene of ./footfall run: here, or else in the checkout that this program was built in.
+// The scene of ./footfall run: here, or else that which comes with this program.
 std::string default_scene() {
   const std::string name = "inputs/landing_mr";
   if (std::filesystem::exists(name)) return name;
-  const std::filesystem::path checkout =
-      std::filesystem::path(built_program("footfall")).parent_path().parent_path().parent_path();
-  const std::filesystem::path scene = checkout / name;
-  return std::filesystem::exists(scene) ? scene.string() : name;
+  try {
+    return shipped_file(name);
+  } catch (const InputError&) {
+    return name;  // whoever needs it says that it is not there
+  }
 }
-
-using Action = std::function<int()>;
 
 // ---- the options of each subcommand, and what it does once they are read ----
 
@@ -223,6 +225,8 @@ Action test(CLI::App& command) {
                      "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example, accuracy");
   return [label] {
     const std::string build = std::filesystem::path(built_program("footfall")).parent_path().parent_path().string();
+    if (!std::filesystem::exists(std::filesystem::path(build) / "CTestTestfile.cmake"))
+      throw InputError(build + ": holds no tests: an installed program has none. Run ./footfall test in a checkout");
     Command ctest{{"ctest", "--test-dir", build, "--output-on-failure", "-j2"}, {}, "", ""};
     if (!label->empty()) ctest.words.insert(ctest.words.end(), {"-L", *label});
     return run_child(ctest).code == 0 ? kExitDone : kExitFailed;
@@ -246,6 +250,7 @@ struct Subcommand {
 };
 constexpr Subcommand kSubcommands[] = {
     {"run", "Run a scene: bed, both programs, summary, pictures", run},
+    {"new", "Make a folder with a scene of your own to edit, from an example", new_case},
     {"check", "Check a scene: every finding as file:line: key: what is wrong", check},
     {"schema", "Print the JSON schema of scenes or experiments, for editors that complete and check", schema},
     {"surfaces", "Draw the control surfaces of a scene's fuzzy controllers", surfaces},
@@ -253,6 +258,8 @@ constexpr Subcommand kSubcommands[] = {
     {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},
     {"audit", "Check that what grains lose mechanism and walls get: momentum and energy, window by window", audit},
     {"pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures", pictures},
+    {"plot", "Plot columns of a run's history: DIR/plots", plot_columns},
+    {"watch", "Follow a run that is under way, in the terminal or as a page", watch_run},
     {"view", "One HTML page that plays a run in 3D, with plots: DIR/view.html", view},
     {"report", "One HTML page for a run or a sweep: DIR/report.html", report},
     {"accuracy", "Error against run time (a study), or a stability map: CSV, picture, table", accuracy},
@@ -263,6 +270,7 @@ constexpr Subcommand kSubcommands[] = {
 void require_subcommand(const std::string& word) {
   std::vector<std::string> names;
   for (const Subcommand& subcommand : kSubcommands) names.emplace_back(subcommand.name);
+  if (word == "help") return;
   if (word.empty() || word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return;
   throw InputError("footfall " + word + ": unknown command." + known_names("commands", word, names) +
                    " `footfall --help` tells what each does.");
@@ -280,10 +288,16 @@ int main(int argc, char** argv) {
     CLI::App* command = app.add_subcommand(subcommand.name, subcommand.what);
     command->callback([&action, act = subcommand.prepare(*command)] { action = act; });
   }
+  CLI::App* help = app.add_subcommand("help", "Print help, or write man pages and completion")->group("");
+  help->callback([&action, act = print_help(app, *help)] { action = act; });
   try {
     if (argc > 1) require_subcommand(argv[1]);
     app.parse(argc, argv);
     return action();
+  } catch (const CLI::ExtrasError& e) {
+    std::fprintf(stderr, "footfall: %s.%s `footfall %s --help` tells what there is.\n", e.what(),
+                 meant_option(app, {argv + 1, argv + argc}).c_str(), argv[1]);
+    return kExitBadInput;
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? kExitDone : kExitBadInput;
   } catch (const InputError& e) {

@@ -12,6 +12,7 @@
 #include "coupler/interrupt.h"
 #include "coupler/programs.h"
 #include "mbd_solver/cli/analysis/grain_series.h"
+#include "mbd_solver/cli/analysis/paraview_script.h"
 #include "mbd_solver/cli/analysis/results.h"
 #include "mbd_solver/cli/launch/bed_conditions.h"
 #include "mbd_solver/cli/launch/grain_rows.h"
@@ -94,8 +95,10 @@ int run_command(const RunArguments& arguments) {
   BedWatch bed(plan.bed_log, log);
   leave_time_to_end(command);
   const SignalsHeld signals;  // what the run has left is put in order first
+  SettlingLine settling(log, (fs::path(out) / "history.csv").string(), arguments.quiet);
   const ChildEnd end = run_child(command, kMechanismProgram, [&] {
     bed();
+    settling();
     const std::string stuck = reading();
     return stuck.empty() ? stopped() : stuck;
   });
@@ -123,6 +126,7 @@ int run_command(const RunArguments& arguments) {
   attempt([&] { settle_summary(out, status, code); });
   if (!status.empty()) attempt([&] { write_ledger(out); });
   if (!status.empty()) attempt([&] { write_grain_series(out); });
+  if (!status.empty()) attempt([&] { write_paraview_script(out); });
   if (!status.empty() && scene.output.plots) pictures = make_pictures(out);
   if (!status.empty() && !arguments.quiet) print_results(out, pictures);
   signals.ignore();

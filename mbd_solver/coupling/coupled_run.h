@@ -64,6 +64,7 @@ class CoupledRun {
   bool script_has_ended() const { return partner_.script_has_ended(); }
   bool asked_to_end() const { return partner_.load().asked_to_end; }  // by a signal to a rank of LIGGGHTS
   const CouplingWatch& watch() const { return *watch_; }
+  const std::string& grains_version() const { return partner_.grains_version(); }  // of LIGGGHTS
   double dem_seconds() const { return dem_seconds_; }  // spent by LIGGGHTS on its windows [s]
   double seconds_waited() const { return waited_; }  // for LIGGGHTS, its work included, until the last window's end [s]
 

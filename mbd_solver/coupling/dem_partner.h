@@ -34,6 +34,7 @@ class DemPartner {
   double dt() const { return start_.dt; }    // substep of the grains [s]
   int substeps() const { return start_.n; }  // n of the script; 0: `every auto`
   bool wants_masses() const { return start_.wants_masses; }
+  const std::string& grains_version() const { return start_.grains_version; }
   // index in `bodies` of each body of Motion and Load, in their order
   const std::vector<int>& coupled() const { return coupled_; }
 

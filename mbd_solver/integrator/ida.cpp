@@ -3,6 +3,7 @@
 #include <ida/ida.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
+#include <sundials/sundials_version.h>
 #include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
@@ -347,6 +348,12 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
     drift = s.equations.project(state);
   statistics_.count(drift);
   if (!ended_by_row) s.equations.smallest_multipliers(state, s.rates.tail(s.equations.layout().row_count));
+}
+
+std::string sundials_version() {
+  char version[64] = "unknown";
+  SUNDIALSGetVersion(version, sizeof version);
+  return version;
 }
 
 }  // namespace footfall

@@ -5,6 +5,7 @@
 // only when it passes kProjectAbove.
 
 #include <memory>
+#include <string>
 
 #include "mbd_solver/integrator/integrator.h"
 
@@ -28,5 +29,8 @@ class Ida : public Integrator {
   std::unique_ptr<Sundials> ida_;
   IntegratorStatistics statistics_;
 };
+
+// Of the library, "6.4.1".
+std::string sundials_version();
 
 }  // namespace footfall

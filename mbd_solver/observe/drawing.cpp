@@ -67,9 +67,13 @@ Drawing::Drawing(const Subject& subject) : model_(subject.mechanism.model) {
     for (const BeamSegment& s : part.shape.segments())
       frame_.lines.emplace_back(s.start + part.first_point, s.end + part.first_point);
   frame_.points.resize(3, points);
-  frame_.point_vectors = {{"displacement", Eigen::Matrix3Xd::Zero(3, points)}};
+  frame_.point_vectors = {{"displacement", Eigen::Matrix3Xd::Zero(3, points)},
+                          {"velocity", Eigen::Matrix3Xd::Zero(3, points)}};
   const auto cells = static_cast<Eigen::Index>(frame_.triangles.size() + frame_.lines.size());
   frame_.cell_numbers = {{"von_mises_Pa", Eigen::VectorXd::Zero(cells)}, {"body", Eigen::VectorXd::Zero(cells)}};
+  std::vector<std::string> names;
+  for (int i = 0; i < model_.body_count(); ++i) names.push_back(model_.body(i).name());
+  frame_.texts = {{"body_names", names}};  // by the number of the cells' "body"
 }
 
 const VtkFrame& Drawing::frame(const Sample& sample) {
@@ -82,6 +86,8 @@ const VtkFrame& Drawing::frame(const Sample& sample) {
     Eigen::Matrix3Xd x(3, part.shape.node_count());
     part.shape.node_positions(motion, x);
     frame_.points.middleCols(part.first_point, x.cols()) = x;
+    part.shape.node_velocities(motion, x);
+    frame_.point_vectors[1].second.middleCols(part.first_point, x.cols()) = x;
     if (s > 0) {
       const Eigen::VectorXd u_B = part.shape.Phi() * motion.a;
       frame_.point_vectors[0].second.middleCols(part.first_point, x.cols()) =

@@ -63,6 +63,22 @@ void add_cells(pugi::xml_node piece, const VtkFrame& frame) {
   data_array(cells, "UInt8", "types", 1).text() = types.c_str();
 }
 
+// VTK writes a text as the numbers of its bytes, with a zero behind.
+void add_texts(pugi::xml_node grid, const VtkFrame& frame) {
+  if (frame.texts.empty()) return;
+  pugi::xml_node field = grid.append_child("FieldData");
+  for (const auto& [name, texts] : frame.texts) {
+    std::string bytes;
+    for (const std::string& text : texts) {
+      for (const char c : text) bytes += std::to_string(static_cast<unsigned char>(c)) + " ";
+      bytes += "0 ";
+    }
+    pugi::xml_node array = data_array(field, "String", name, 1);
+    array.append_attribute("NumberOfTuples") = static_cast<int>(texts.size());
+    array.text() = bytes.c_str();
+  }
+}
+
 void save(const pugi::xml_document& document, const std::string& path) {
   std::ostringstream text;
   document.save(text, " ");
@@ -148,7 +164,9 @@ void VtkSeries::write(double time, const VtkFrame& frame) {
   if (!frame.points.allFinite())
     throw NumericalError("t = " + std::to_string(time) + " s: geometry of " + name_ + " is not finite");
   pugi::xml_document document;
-  pugi::xml_node piece = vtk_file(document, "UnstructuredGrid").append_child("UnstructuredGrid").append_child("Piece");
+  pugi::xml_node grid = vtk_file(document, "UnstructuredGrid").append_child("UnstructuredGrid");
+  add_texts(grid, frame);
+  pugi::xml_node piece = grid.append_child("Piece");
   piece.append_attribute("NumberOfPoints") = static_cast<int>(frame.points.cols());
   piece.append_attribute("NumberOfCells") = static_cast<int>(frame.triangles.size() + frame.lines.size());
   data_array(piece.append_child("Points"), "Float64", "Points", 3).text() = numbers(frame.points).c_str();

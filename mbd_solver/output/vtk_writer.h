@@ -16,6 +16,8 @@ struct VtkFrame {
   // Arrays by name: vectors of points, 3 x N; numbers of points, N; numbers of cells, triangles first, then lines.
   std::vector<std::pair<std::string, Eigen::Matrix3Xd>> point_vectors;
   std::vector<std::pair<std::string, Eigen::VectorXd>> cell_numbers;
+  // Texts of the whole frame, by name: a ParaView shows them, and its Python finds them as field data.
+  std::vector<std::pair<std::string, std::vector<std::string>>> texts;
 };
 
 class VtkSeries {
@@ -37,7 +39,7 @@ class VtkSeries {
   std::vector<std::pair<double, std::string>> frames_;
 };
 
-// Read back what VtkSeries wrote: times and file names of a .pvd; one frame, without vectors of points. Throw
+// Read back what VtkSeries wrote: times and file names of a .pvd; one frame, without vectors of points and texts. Throw
 // InputError naming the file.
 std::vector<std::pair<double, std::string>> read_vtk_series(const std::string& pvd);
 VtkFrame read_vtk_frame(const std::string& vtu);

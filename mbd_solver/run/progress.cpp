@@ -2,15 +2,13 @@
 
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 
 #include "coupler/base/clock.h"
 
 namespace footfall {
 namespace {
-
-constexpr double kTerminalPause = 0.2;  // between two versions of the line [s]
-constexpr double kFilePause = 5.0;      // between two lines in a file [s]
 
 // Under mpirun this program writes to a pseudo-terminal of mpirun's, whatever stands behind: the front door says what
 // it is.
@@ -21,28 +19,36 @@ bool on_terminal() {
 
 }  // namespace
 
-Progress::Progress(double t_end, bool quiet)
-    : t_end_(t_end), quiet_(quiet), terminal_(on_terminal()), started_(wall_clock()) {}
+Progress::Progress(double t_end, bool quiet) : t_end_(t_end), live_(quiet, on_terminal()), started_(wall_clock()) {}
 
 void Progress::show(double time, long windows, double contact_force) {
-  if (quiet_) return;
-  const double wall = wall_clock();
-  if (wall - last_ < (terminal_ ? kTerminalPause : kFilePause)) return;
-  last_ = wall;
-  const double spent = wall - started_;
-  const double factor = spent > 0.0 ? time / spent : 0.0;  // simulated per real second
-  const double left = factor > 0.0 ? (t_end_ - time) / factor : 0.0;
-  std::printf("%st = %.4f of %g s | %.2e x real time | %.0f s left | %ld windows | contact %.2f kN%s",
-              terminal_ ? "\r" : "", time, t_end_, factor, left, windows, contact_force / 1e3,
-              terminal_ ? "   " : "\n");
-  std::fflush(stdout);
-  open_ = terminal_;
+  if (!begun_) {
+    from_ = time;
+    started_ = wall_clock();
+  }
+  begun_ = true;
+  shown_ = false;
+  time_ = time;
+  windows_ = windows;
+  contact_force_ = contact_force;
+  if (!live_.due(time / t_end_)) return;
+  live_.show(line());
+  shown_ = true;
+}
+
+std::string Progress::line() const {
+  const double spent = wall_clock() - started_;
+  const double factor = spent > 0.0 ? (time_ - from_) / spent : 0.0;  // simulated per real second
+  char rest[120];
+  std::snprintf(rest, sizeof rest, " | %.1e x real time | %ld windows | contact %.2f kN", factor, windows_,
+                contact_force_ / 1e3);
+  return time_text(time_, t_end_, {time_ / t_end_, (time_ - from_) / t_end_, spent}) + rest;
 }
 
 void Progress::finish() {
-  if (open_) std::printf("\n");
-  open_ = false;
-  std::fflush(stdout);
+  if (begun_ && !shown_) live_.show(line());
+  shown_ = true;
+  live_.finish();
 }
 
 }  // namespace footfall

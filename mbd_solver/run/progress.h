@@ -1,24 +1,30 @@
 #pragma once
-// The progress line: simulated time, real-time factor, time left, windows, contact force.
+// What a run says while it goes on: simulated time, time left, real-time factor, windows, contact force.
 
-#include <cstdio>
+#include <string>
+
+#include "coupler/base/live_line.h"
 
 namespace footfall {
 
 class Progress {
  public:
-  // On a terminal the line rewrites itself; elsewhere a new line comes every few seconds.
+  // On a terminal the line rewrites itself; elsewhere there is one per per cent.
   Progress(double t_end, bool quiet);
   void show(double time, long windows, double contact_force);
-  void finish();  // ends the line
+  void finish();  // the last state, and the end of the line
 
  private:
+  std::string line() const;
+
   double t_end_;  // [s]
-  bool quiet_;
-  bool terminal_;
-  double started_;   // wall clock [s]
-  double last_ = 0;  // wall clock of the last line [s]
-  bool open_ = false;
+  LiveLine live_;
+  double started_;            // wall clock [s]
+  double from_ = 0.0;         // time of the first state: of a resumed run not zero [s]
+  double time_ = 0.0;         // of the last state [s]
+  double contact_force_ = 0;  // likewise [N]
+  long windows_ = 0;          // likewise
+  bool begun_ = false, shown_ = false;
 };
 
 }  // namespace footfall

@@ -1,6 +1,7 @@
 #include "mbd_solver/run/run_scene.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 
 #include "coupler/base/errors.h"
@@ -8,6 +9,7 @@
 #include "coupler/base/made_files.h"
 #include "coupler/interrupt.h"
 #include "mbd_solver/output/checkpoint_folder.h"
+#include "mbd_solver/output/run_note.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/progress.h"
@@ -74,6 +76,10 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     archive("figures", taker);
   };
   if (resumed) restore_checkpoint(options.checkpoint, scene, visit);
+  as_file_error([&] {
+    const std::string file = std::filesystem::absolute(scene.file).lexically_normal().string();
+    write_run_note(options.out, {scene.title, file, t_end});
+  });
   Progress progress(t_end, options.quiet);
   WarningTeller of_coupling, of_bodies, of_joints;
   if (resumed) {
@@ -117,7 +123,8 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   };
   const auto summarize = [&](const std::string& status, const std::string& reason) {
     as_file_error([&] {
-      write_summary(options.out + "/summary.json", run_summary(simulation, taker, files.observation(), status, reason));
+      write_summary(options.out + "/summary.json",
+                    run_summary(simulation, taker, files.observation(), status, reason, options.mpi_version));
     });
   };
 

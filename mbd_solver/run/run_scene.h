@@ -18,6 +18,7 @@ struct RunOptions {
   std::string checkpoint;   // folder of the set that the run goes on from; empty: from the start
   // A scene without checkpoint_interval is kept every so often on the clock on the wall [s]; 0: never.
   double keep_every = kKeepEvery;
+  std::string mpi_version;  // of the library, for the summary; empty: not used
 };
 
 // Runs the scene and writes its files. Returns the exit code: done or interrupted. `transport`: null without grains.

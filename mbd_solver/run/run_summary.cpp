@@ -5,8 +5,10 @@
 #include <filesystem>
 
 #include "coupler/base/pi.h"
+#include "mbd_solver/integrator/ida.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/up_direction.h"
+#include "mbd_solver/output/machine.h"
 #include "mbd_solver/scene/scene_json.h"
 
 namespace footfall {
@@ -105,7 +107,7 @@ void add_creep(const Scene& scene, Json& json) {
 }  // namespace
 
 Json run_summary(const Simulation& simulation, const FigureTaker& taker, const Observation& observation,
-                 const std::string& status, const std::string& reason) {
+                 const std::string& status, const std::string& reason, const std::string& mpi_version) {
   const Figures& figures = taker.figures();
   const FlexibleBodies& flexible = observation.flexible();
   const IntegratorStatistics& statistics = simulation.integrator().statistics();
@@ -132,7 +134,13 @@ Json run_summary(const Simulation& simulation, const FigureTaker& taker, const O
   json["integrator"] = simulation.integrator().name();
   json["active"] = active_parts(simulation, flexible);
   json["warnings"] = warnings_of(simulation, taker, observation);
-  json["versions"]["footfall"] = FOOTFALL_VERSION;
+  Json& versions = json["versions"];
+  versions["footfall"] = FOOTFALL_VERSION;
+  if (simulation.coupled()) versions["LIGGGHTS"] = simulation.coupled()->grains_version();
+  if (!mpi_version.empty()) versions["MPI"] = mpi_version;
+  versions["SUNDIALS"] = sundials_version();
+  versions["compiler"] = compiler_version();
+  json["machine"] = machine();
   json["scene_file"] = std::filesystem::absolute(simulation.scene().file).lexically_normal().string();
   json["settings"] = simulation.scene().settings;
   json["scene"] = Json::parse(scene_json(simulation.scene()));

@@ -10,9 +10,9 @@
 
 namespace footfall {
 
-// status: "done", "interrupted" or "failed"; reason: of a failure, else empty.
+// status: "done", "interrupted" or "failed"; reason: of a failure, else empty; mpi_version: empty without MPI.
 nlohmann::ordered_json run_summary(const Simulation& simulation, const FigureTaker& taker,
-                                   const Observation& observation, const std::string& status,
-                                   const std::string& reason);
+                                   const Observation& observation, const std::string& status, const std::string& reason,
+                                   const std::string& mpi_version);
 
 }  // namespace footfall

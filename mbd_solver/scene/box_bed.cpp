@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/grain_time_step.h"
+#include "mbd_solver/scene/shipped_files.h"
 
 namespace footfall {
 
 namespace {
 
-namespace fs = std::filesystem;
 using Variables = std::map<std::string, std::string>;
 
 constexpr double kLooseFraction = 0.55, kDenseFraction = 0.61;  // solid fraction of settled beds [-]
@@ -155,16 +154,7 @@ Variables run_variables(const Scene& scene) {
 
 }  // namespace
 
-std::string box_script(const std::string& name) {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-  const fs::path installed = (program / "../share/footfall/box" / name).lexically_normal();
-  if (fs::is_regular_file(installed, error)) return installed.string();
-  const fs::path source = fs::path(FOOTFALL_INPUTS) / "box" / name;
-  if (fs::is_regular_file(source, error)) return source.string();
-  throw InputError("the script " + name + " that footfall brings along is neither " + installed.string() + " nor " +
-                   source.string() + "; install footfall again, or build it from a whole checkout");
-}
+std::string box_script(const std::string& name) { return shipped_file("inputs/box/" + name); }
 
 BoxNumbers box_numbers(const Scene& scene) {
   const BoxSpec& box = *scene.particles->box;

@@ -24,7 +24,7 @@ void resolve_box(Scene& scene, Findings& findings);
 // What is wrong with the box; true when nothing is.
 bool check_box(const Scene& scene, Findings& findings);
 
-// Where a script of inputs/box is: beside the program (../share/footfall/box), or in the source tree. Throws InputError.
+// Where a script of inputs/box is (shipped_files.h). Throws InputError.
 std::string box_script(const std::string& name);
 
 }  // namespace footfall

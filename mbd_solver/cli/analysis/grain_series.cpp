@@ -1,5 +1,6 @@
 #include "mbd_solver/cli/analysis/grain_series.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -8,12 +9,35 @@
 #include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/analysis/bed_frames.h"
 #include "mbd_solver/cli/analysis/mechanism_shape.h"
+#include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
 
 namespace footfall {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+namespace {
+
+// Length of the window that ends with each drawing [s]. Where the run chose its windows, the history tells how many
+// substeps the one at the next row had.
+std::vector<double> windows_before(const std::string& out, const std::vector<double>& drawn, double dt,
+                                   const Json& summary) {
+  if (summary.contains("substeps_per_window") && summary.at("substeps_per_window").is_number())
+    return std::vector<double>(drawn.size(), dt * summary.at("substeps_per_window").get<double>());
+  const History history = read_history((fs::path(out) / "history.csv").string());
+  const std::vector<double>&times = history.column("time"), &substeps = history.column("coupling.substeps");
+  std::vector<double> windows;
+  if (times.empty()) return std::vector<double>(drawn.size(), dt);
+  for (const double t : drawn) {
+    const auto row = std::lower_bound(times.begin(), times.end(), t - 0.5 * dt) - times.begin();
+    const std::size_t k = std::min(static_cast<std::size_t>(row), times.size() - 1);
+    windows.push_back(dt * std::max(1.0, substeps[k]));
+  }
+  return windows;
+}
+
+}  // namespace
 
 void write_grain_series(const std::string& out) {
   try {
@@ -25,13 +49,12 @@ void write_grain_series(const std::string& out) {
     std::vector<double> drawn;
     if (const fs::path pvd = fs::path(out) / "bodies.pvd"; fs::exists(pvd))
       for (const auto& [time, file] : read_vtk_series(pvd.string())) drawn.push_back(time);
-    const bool fixed = summary.contains("substeps_per_window") && summary.at("substeps_per_window").is_number();
-    const double window = dt * (fixed ? summary.at("substeps_per_window").get<double>() : 1.0);
+    const std::vector<double> windows = windows_before(out, drawn, dt, summary);
     Json series = {{"file-series-version", "1.0"}, {"files", Json::array()}};
     for (const auto& [step, file] : dumps) {
       double time = static_cast<double>(step) * dt;
       if (!drawn.empty())
-        if (const double t = drawn[nearest(drawn, time)]; std::abs(t - time) < 1.001 * window) time = t;
+        if (const std::size_t k = nearest(drawn, time); std::abs(drawn[k] - time) < 1.001 * windows[k]) time = drawn[k];
       series["files"].push_back({{"name", fs::path(file).filename().string()}, {"time", time}});
     }
     const std::string stem = fs::path(dumps.begin()->second).stem().string();

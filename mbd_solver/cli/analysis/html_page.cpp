@@ -103,9 +103,10 @@ std::string HtmlPage::text() const {
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
          "style-src "
          "'unsafe-inline'; img-src data:\"/>\n"
-         "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
-         html_text(title_) + "</title>\n<style>" + kSheet + "</style>\n</head>\n<body>\n<h1>" + html_text(title_) +
-         "</h1>\n<nav>" + contents_ + "</nav>\n" + body_ + "</body>\n</html>\n";
+         "<meta name=\"viewport\" content=\"width=device-width\"/>\n" +
+         (refresh_ > 0 ? "<meta http-equiv=\"refresh\" content=\"" + std::to_string(refresh_) + "\"/>\n" : "") +
+         "<title>" + html_text(title_) + "</title>\n<style>" + kSheet + "</style>\n</head>\n<body>\n<h1>" +
+         html_text(title_) + "</h1>\n<nav>" + contents_ + "</nav>\n" + body_ + "</body>\n</html>\n";
 }
 
 }  // namespace footfall

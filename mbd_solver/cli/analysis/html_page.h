@@ -26,10 +26,14 @@ class HtmlPage {
   // when it cannot be read.
   void picture(const std::string& path, const std::string& caption = "");
 
+  // The browser reads the page anew after so long [s].
+  void refresh(int seconds) { refresh_ = seconds; }
+
   std::string text() const;
 
  private:
   std::string title_, contents_, body_;
+  int refresh_ = 0;
   int sections_ = 0;
 };
 

@@ -2,15 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <sstream>
 
-#include "coupler/base/errors.h"
-#include "coupler/base/folder.h"
-#include "coupler/base/quote.h"
 #include "coupler/base/text.h"
-#include "coupler/base/whole_file.h"
-#include "mbd_solver/cli/analysis/reduced_rows.h"
 
 namespace footfall {
 
@@ -81,101 +74,6 @@ std::vector<Curve> dissipation_curves(const History& history) {
   if (grains && largest(history, "work.contact") > 0.0)
     curves.push_back({"taken by the grains", of("work.contact", -kKilo)});
   return curves;
-}
-
-constexpr const char* kStyle = R"(set datafile separator ","
-set datafile columnheaders
-set encoding utf8
-set border 3 lw 1 lc rgb "#404040"
-set tics nomirror out
-set grid lw 1 lc rgb "#e0e0e0"
-set xlabel "time [s]"
-set linetype 1 lw 1.8 lc rgb "#0072b2"
-set linetype 2 lw 1.8 lc rgb "#d55e00"
-set linetype 3 lw 1.8 lc rgb "#009e73"
-set linetype 4 lw 1.8 lc rgb "#cc79a7"
-set linetype 5 lw 1.8 lc rgb "#e69f00"
-set linetype 6 lw 1.8 lc rgb "#56b4e9"
-set linetype 7 lw 1.8 lc rgb "#000000"
-set linetype 8 lw 1.8 lc rgb "#999999"
-set linetype 9 lw 1.8 lc rgb "#f0e442"
-set linetype cycle 9
-)";
-
-constexpr std::size_t kBlack = 7;  // line type
-
-// The curves of a figure stand in data blocks, $name_0, $name_1 ...: gnuplot reads the long rows of the history once a
-// block, not once a curve.
-constexpr std::size_t kBlockCurves = 13;  // a `using` of gnuplot takes 14 columns, and the first is the time
-
-std::string block_name(const Figure& figure, std::size_t curve) {
-  return "$" + figure.name + "_" + std::to_string(curve / kBlockCurves);
-}
-
-std::string data_blocks(const std::vector<Figure>& figures) {
-  std::ostringstream text;
-  for (const Figure& figure : figures) {
-    for (std::size_t i = 0; i < figure.curves.size(); ++i) {
-      if (i % kBlockCurves == 0)
-        text << "set table " << block_name(figure, i) << " separator tab\nplot " << gnuplot_text(figure.file)
-             << " using (column(\"time\"))";
-      text << ":" << figure.curves[i].formula.gnuplot();
-      if (i % kBlockCurves == kBlockCurves - 1 || i + 1 == figure.curves.size()) text << " with table\nunset table\n";
-    }
-  }
-  text << "unset datafile columnheaders\nset datafile separator tab\n";
-  return text.str();
-}
-
-std::string curve(const Figure& figure, std::size_t i) {
-  return block_name(figure, i) + " using 1:" + std::to_string(i % kBlockCurves + 2);
-}
-
-// From the uppermost band to the lowest, so that each is painted over the rest of those above it.
-std::string bands(const Figure& figure) {
-  std::string text;
-  for (std::size_t i = figure.curves.size(); i > 0; --i)
-    text += (text.empty() ? "" : ", \\\n     ") + curve(figure, i - 1) +
-            " with filledcurves y1=0 fs solid 1 noborder lc rgb " + gnuplot_text(figure.curves[i - 1].colour) +
-            " title " + gnuplot_text(figure.curves[i - 1].title);
-  return text;
-}
-
-std::string lines(const Figure& figure) {
-  std::string text;
-  for (std::size_t i = 0; i < figure.curves.size(); ++i) {
-    const std::size_t style = figure.curves[i].title == "total" ? kBlack : i + 1;
-    text += (i ? ", \\\n     " : "") + curve(figure, i) + " with lines lt " + std::to_string(style) + " title " +
-            gnuplot_text(figure.curves[i].title);
-  }
-  return text;
-}
-
-std::string plot_command(const Figure& figure) {
-  std::ostringstream text;
-  text << "set title " << gnuplot_text(figure.title) << " noenhanced\nset ylabel " << gnuplot_text(figure.axis)
-       << " noenhanced\n";
-  text << (figure.curves.size() == 1 ? "unset key\n" : "set key outside right center samplen 1.5 noenhanced\n");
-  if (figure.stacked) text << "set yrange [0:]\n";
-  text << "plot " << (figure.stacked ? bands(figure) : lines(figure)) << "\n";
-  if (figure.stacked) text << "set yrange [*:*]\n";
-  return text.str();
-}
-
-// The same drawing on both terminals.
-std::string script(const std::string& name, const std::string& file, const std::string& data,
-                   const std::string& drawing, int width, int height) {
-  std::ostringstream text;
-  const std::string size = "size " + std::to_string(width) + "," + std::to_string(height);
-  text << "# gnuplot " << name << ".gp draws " << name << ".png and " << name << ".svg from " << file << "\n"
-       << kStyle << data;
-  text << "set terminal pngcairo " << size << " font \"DejaVu Sans,11\"\nset output " << gnuplot_text(name + ".png")
-       << "\n"
-       << drawing;
-  text << "set terminal svg " << size << " font \"DejaVu Sans,11\" background rgb \"white\"\nset output "
-       << gnuplot_text(name + ".svg") << "\n"
-       << drawing;
-  return text.str();
 }
 
 }  // namespace
@@ -255,52 +153,6 @@ Figure ledger_figure(const History& ledger) {
     figure.curves.push_back({bands[i].title, edge, bands[i].colour});
   }
   return figure;
-}
-
-void reduce_long_figures(std::vector<Figure>& figures, const History& history, const std::string& folder) {
-  constexpr std::size_t kSpans = 2000;  // more than a picture has pixels
-  const std::vector<double>& time = history.column("time");
-  if (time.size() <= 2 * kSpans) return;
-  make_folder(folder);
-  const std::vector<std::size_t> rows = rows_to_draw(time, kSpans);
-  for (Figure& figure : figures) {
-    History drawn;
-    drawn.names = {"time"};
-    drawn.units = {"s"};
-    drawn.columns.resize(1);
-    for (const std::size_t row : rows) drawn.columns.front().push_back(time[row]);
-    for (std::size_t i = 0; i < figure.curves.size(); ++i) {
-      drawn.columns.push_back(drawn_values(figure.curves[i].formula.values(history), rows));
-      drawn.names.push_back("curve_" + std::to_string(i + 1));
-      drawn.units.push_back(figure.axis);
-      figure.curves[i].formula = of(drawn.names.back());
-    }
-    figure.file = figure.name + ".csv";
-    write_history((std::filesystem::path(folder) / figure.file).string(), drawn);
-  }
-}
-
-std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures,
-                                            const std::string& title) {
-  make_folder(folder);
-  std::vector<std::string> names;
-  const auto write = [&](const std::string& name, const std::string& text) {
-    const std::string file = (std::filesystem::path(folder) / (name + ".gp")).string();
-    write_whole_file(file, text);
-    names.push_back(name + ".gp");
-  };
-  std::string page;
-  for (const Figure& figure : figures) {
-    write(figure.name, script(figure.name, figure.file, data_blocks({figure}), plot_command(figure), 900, 520));
-    page += plot_command(figure);
-  }
-  if (figures.empty()) return names;
-  const int columns = 2, rows = (static_cast<int>(figures.size()) + columns - 1) / columns;
-  const std::string layout = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) +
-                             " title " + gnuplot_text(title) + " noenhanced\n";
-  write("overview", script("overview", figures.front().file, data_blocks(figures), layout + page + "unset multiplot\n",
-                           1500, 380 * rows));
-  return names;
 }
 
 }  // namespace footfall

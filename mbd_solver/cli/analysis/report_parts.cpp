@@ -116,6 +116,9 @@ void show_versions(const Json& summary, HtmlPage& page) {
   const Json versions = summary.value("versions", Json::object());
   for (const auto& [name, version] : versions.items())
     rows.push_back({name, version.is_string() ? version.get<std::string>() : version.dump()});
+  const Json machine = summary.value("machine", Json::object());
+  for (const auto& [name, value] : machine.items())
+    rows.push_back({name, value.is_string() ? value.get<std::string>() : value.dump()});
   rows.push_back({"integrator", summary.value("integrator", "unknown")});
   page.table(rows, false);
 }

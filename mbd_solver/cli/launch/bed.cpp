@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/file_lock.h"
 #include "coupler/base/fingerprint.h"
@@ -121,21 +122,24 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
   const std::vector<std::string> script = script_arguments(spec.script, spec.variables);
   command.words.insert(command.words.end(), script.begin(), script.end());
   command.words.insert(command.words.end(), {"-var", "bed", restart, "-log", log, "-screen", "none"});
-  const bool terminal = isatty(STDOUT_FILENO) == 1;
+  LiveLine live(quiet, isatty(STDOUT_FILENO) == 1);
   if (!quiet) std::printf("Making the bed, once: %s\n", shell_line(command).c_str());
   std::fflush(stdout);
   StoppedWatch stopped(kSilence);
   ReadingWatch reading(log, kSilence);
+  const double started = wall_clock();
   const auto show = [&] {
-    if (!quiet && terminal) {
-      std::printf("\rbed: %-40s", log_progress(log).c_str());
-      std::fflush(stdout);
+    const LogProgress progress = log_progress(log);
+    if (live.due(progress.share())) {
+      const std::string left =
+          progress.runs > 1 ? "" : time_left({progress.share(), progress.share(), wall_clock() - started});
+      live.show("bed: " + progress.text() + (left.empty() ? "" : ", " + left));
     }
     const std::string stuck = reading();
     return stuck.empty() ? stopped() : stuck;
   };
   const ChildEnd end = run_child(command, "", show);
-  if (!quiet && terminal) std::printf("\r%-46s\r", "");
+  live.finish(true);
   const std::string said = read_whole_file(command.output).value_or("");
   if (end.interrupted || was_asked_to_end(end.code) ||
       (end.code == kExitFailed && said.find(kStoppedWord) != std::string::npos && liggghts_errors(log).empty()))

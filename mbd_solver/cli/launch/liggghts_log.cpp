@@ -1,5 +1,8 @@
 #include "mbd_solver/cli/launch/liggghts_log.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -25,19 +28,62 @@ std::string last_line(const std::string& path) {
 
 }  // namespace
 
-std::string log_progress(const std::string& log) {
+LogProgress log_progress(const std::string& log) {
   std::ifstream file(log);
   std::string line;
-  long step = -1, last = -1;
+  LogProgress p;
   while (std::getline(file, line)) {
     long number = 0;
     char rest = 0;
-    if (std::sscanf(line.c_str(), "run %ld %c", &number, &rest) == 1 && number > 0) last = number;
     double columns[2];
-    if (std::sscanf(line.c_str(), "%ld %lf %lf", &number, &columns[0], &columns[1]) == 3) step = number;
+    if (std::sscanf(line.c_str(), "run %ld %c", &number, &rest) == 1 && number > 0) {
+      p.first = std::max(0L, p.step);
+      p.last = p.first + number;
+      ++p.runs;
+    } else if (std::sscanf(line.c_str(), "reset_timestep %ld %c", &number, &rest) == 1) {
+      p.step = number;
+    } else if (std::sscanf(line.c_str(), "%ld %lf %lf", &number, &columns[0], &columns[1]) == 3) {
+      p.step = number;
+    }
   }
-  if (step < 0) return "setting up";
-  return "step " + std::to_string(step) + (last > 0 ? " of " + std::to_string(last) : "");
+  return p;
+}
+
+double LogProgress::share() const {
+  return begun() ? std::clamp(static_cast<double>(step - first) / static_cast<double>(last - first), 0.0, 1.0) : 0.0;
+}
+
+std::string LogProgress::text() const {
+  if (!begun()) return "setting up";
+  return (runs > 1 ? "run " + std::to_string(runs) + ", " : "") + "step " + std::to_string(step - first) + " of " +
+         std::to_string(last - first) + " (" + percent_text(share()) + ")";
+}
+
+SettlingLine::SettlingLine(std::string log, std::string begun, bool quiet)
+    : log_(std::move(log)),
+      begun_(std::move(begun)),
+      live_(quiet, isatty(STDOUT_FILENO) == 1),
+      started_(wall_clock()) {}
+
+void SettlingLine::operator()() {
+  constexpr long kEndless = 100000000;  // a run command of so many steps waits for the end of the scene
+  const double now = wall_clock();
+  if (over_ || now < next_look_) return;
+  next_look_ = now + 0.5;
+  if (std::ifstream(begun_).good()) {
+    over_ = true;
+    live_.finish(true);
+    return;
+  }
+  const LogProgress p = log_progress(log_);
+  if (!p.begun() || p.last - p.first >= kEndless || p.step == p.first) return;
+  if (p.runs != runs_) {
+    runs_ = p.runs;
+    started_ = now;
+    share_ = p.share();
+  }
+  const std::string left = time_left({p.share(), p.share() - share_, now - started_});
+  if (live_.due(p.share())) live_.show("before the coupling: " + p.text() + (left.empty() ? "" : ", " + left));
 }
 
 std::string liggghts_errors(const std::string& log) {

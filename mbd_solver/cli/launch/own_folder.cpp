@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 // What every run makes, whatever becomes of it: noted at its start.
-const std::vector<std::string> kEvery = {"history.csv", "summary.json", "ledger.csv",
-                                         "bodies.pvd",  "liggghts.log", "grains_energy.txt"};
+const std::vector<std::string> kEvery = {"history.csv",  "summary.json",      "ledger.csv", "bodies.pvd",
+                                         "liggghts.log", "grains_energy.txt", "run.json",   "paraview.py"};
 // What a run may write besides.
 constexpr const char* kSome[] = {"bodies_[0-9]*.vtu", "*.vtk.series", "motion/*.csv", "motion/*.stl",      "plots/*.gp",
                                  "plots/*.csv",       "plots/*.png",  "plots/*.svg",  "plots/gnuplot.log", "script/*"};

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "coupler/base/errors.h"
@@ -25,6 +26,11 @@ std::string built_program(const std::string& name) {
   if (!fs::exists(program, error))
     throw InputError(program.string() + ": there is no such program; build footfall with ./footfall, or cmake --build");
   return program.string();
+}
+
+std::string called_as() {
+  const char* name = std::getenv("FOOTFALL_CALLED_AS");
+  return name && *name ? name : "footfall";
 }
 
 Command mpirun() {

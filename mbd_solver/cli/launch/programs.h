@@ -11,6 +11,9 @@ namespace footfall {
 // A program built with footfall (beside it), as a path. Throws InputError when it is not there.
 std::string built_program(const std::string& name);
 
+// How the user calls the front door, for lines to be copied: "./footfall" of a checkout, else "footfall".
+std::string called_as();
+
 // mpirun with what this machine needs: permission for root, more processes than cores, no binding of ranks to cores.
 Command mpirun();
 

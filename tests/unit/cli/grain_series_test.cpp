@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/output/vtk_writer.h"
 
@@ -46,6 +47,26 @@ TEST(GrainSeries, StepsTogetherWithTheDrawingsOfTheBodies) {
     EXPECT_NEAR(series.at("files")[k].at("time").get<double>(), expected[k], 1e-12);
     EXPECT_EQ(series.at("files")[k].at("name"), "grains_" + std::to_string(100 * k) + ".vtk");
   }
+  fs::remove_all(folder);
+}
+
+// The run chose windows of 4 substeps, then of 2: the drawings come 0.3 ms and 0.1 ms behind the dumps; the last one comes 0.3 ms behind,
+// which is no window of 2.
+TEST(GrainSeries, StepsTogetherWithTheDrawingsWhereTheRunChoseItsWindows) {
+  const std::string folder = run_folder();
+  for (const int step : {0, 100, 200, 300}) dump(folder, step);
+  write_summary(folder + "/summary.json", {{"dt_dem_s", 1e-4}, {"substeps_per_window", "auto"}});
+  write_history(folder + "/history.csv",
+                {{"time", "coupling.substeps"}, {"s", "-"}, {{0.0, 0.0103, 0.0201, 0.0303}, {0.0, 4.0, 2.0, 2.0}}});
+  VtkFrame frame;
+  frame.points = Eigen::Matrix3Xd::Zero(3, 1);
+  VtkSeries bodies(folder, "bodies");
+  for (const double t : {0.0, 0.0103, 0.0201, 0.0303}) bodies.write(t, frame);
+  write_grain_series(folder);
+  std::ifstream file(folder + "/grains.vtk.series");
+  const nlohmann::json series = nlohmann::json::parse(file);
+  const double expected[] = {0.0, 0.0103, 0.0201, 0.03};
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(series.at("files")[k].at("time").get<double>(), expected[k], 1e-12);
   fs::remove_all(folder);
 }
 

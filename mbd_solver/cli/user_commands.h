@@ -1,0 +1,18 @@
+#pragma once
+// Options of the commands around a run: a case to begin with, plots, a look at a run that is under way, help. As in
+// main.cpp, each returns what it does once its options are read.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace footfall {
+
+using Action = std::function<int()>;
+
+Action new_case(CLI::App& command);
+Action plot_columns(CLI::App& command);
+Action watch_run(CLI::App& command);
+// Not listed: `footfall help [COMMAND]`, and --man, --bash, --zsh, --write, which the installation uses.
+Action print_help(CLI::App& app, CLI::App& command);
+
+}  // namespace footfall

@@ -1,0 +1,22 @@
+#include "mbd_solver/scene/shipped_files.h"
+
+#include <filesystem>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+std::string shipped_file(const std::string& path) {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+  const fs::path installed = (program / "../share/footfall" / path).lexically_normal();
+  if (fs::exists(installed, error)) return installed.string();
+  const fs::path source = fs::path(FOOTFALL_CHECKOUT) / path;
+  if (fs::exists(source, error)) return source.string();
+  throw InputError(path + ", which footfall brings along, is neither " + installed.string() + " nor " +
+                   source.string() + "; install footfall again, or build it from a whole checkout");
+}
+
+}  // namespace footfall

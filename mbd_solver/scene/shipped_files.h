@@ -1,0 +1,13 @@
+#pragma once
+// What comes with the program: inputs, examples, scripts of beds. An installed program finds it beside itself, one in a
+// build folder in the checkout that it was built from. Nothing is written there.
+
+#include <string>
+
+namespace footfall {
+
+// The file or folder as a path: "inputs/landing_mr" is PREFIX/share/footfall/inputs/landing_mr of a program
+// PREFIX/bin/NAME, or CHECKOUT/inputs/landing_mr. Throws InputError, naming both places, when it is in neither.
+std::string shipped_file(const std::string& path);
+
+}  // namespace footfall

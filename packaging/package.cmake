@@ -1,0 +1,40 @@
+# Debian packages: cpack -G DEB in the build folder makes footfall_VERSION_ARCH.deb and footfall-dev_VERSION_ARCH.deb.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME footfall)
+set(CPACK_PACKAGE_VENDOR footfall)
+set(CPACK_PACKAGE_CONTACT "footfall developers <footfall@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL runtime development)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+# Libraries by dpkg-shlibdeps. LIGGGHTS of this version alone: the launcher reaches into its private members.
+get_directory_property(liggghts DIRECTORY liggghts_fix DEFINITION LIGGGHTS_VERSION)
+string(REGEX REPLACE "[0-9]+$" "" liggghts_series "${liggghts}")
+string(REGEX MATCH "[0-9]+$" liggghts_patch "${liggghts}")
+math(EXPR liggghts_next "${liggghts_patch} + 1")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME footfall)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS
+  "libliggghts3 (>= ${liggghts}), libliggghts3 (<< ${liggghts_series}${liggghts_next}~), openmpi-bin, gnuplot-nox | gnuplot, fonts-dejavu-core")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "liggghts")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "footfall-dev, paraview")
+set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "flexible multibody mechanisms against beds of grains
+footfall computes what happens when a mechanism touches a bed of grains:
+LIGGGHTS moves the grains, a multibody solver moves the mechanism with its
+flexible bodies, dampers and controllers. Its first use is a four-legged
+lunar lander with magnetorheological dampers.")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME footfall-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  "footfall (= ${PROJECT_VERSION}), g++, cmake, libopenmpi-dev, libeigen3-dev, libsundials-dev, libsuitesparse-dev, libtomlplusplus-dev, libfuzzylite-dev, libmuparser-dev, libassimp-dev, nlohmann-json3-dev, libpugixml-dev, zlib1g-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "headers and libraries of footfall
+With these a program of your own couples its mechanism to LIGGGHTS, or uses
+the multibody solver: find_package(footfall), footfall::coupler and
+footfall::mbd_solver.")
+include(CPack)

@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# packaging/try_package.sh DEB... [--whole] [--keep]: installs the packages in a clean Debian 12 (debootstrap, network, root), runs the landing there as root
+# and as an ordinary user on a small bed (--whole: the landing itself once, too), builds the C++ example where footfall-dev is among
+# them, removes everything and looks for what is left. --keep: the clean system stays for the next trial, in $TRY_ROOT.
+set -euo pipefail
+whole=0 keep=0 packages=()
+for word in "$@"; do
+  case $word in
+    --whole) whole=1 ;;
+    --keep) keep=1 ;;
+    *) packages+=("$(realpath "$word")") ;;
+  esac
+done
+((${#packages[@]})) || { echo "try_package.sh: expected packages, as cpack -G DEB makes them" >&2; exit 2; }
+((EUID == 0)) || { echo "try_package.sh: needs root, for debootstrap and chroot" >&2; exit 2; }
+command -v debootstrap > /dev/null || { echo "try_package.sh: debootstrap is missing; apt-get install debootstrap" >&2; exit 2; }
+base=${TRY_ROOT:-$(mktemp -d)}/bookworm
+root=$base.trial
+die() { echo "try_package.sh: $*" >&2; exit 1; }
+clean() {
+  for place in dev/shm proc; do mountpoint -q "$root/$place" && umount "$root/$place"; done
+  rm -rf "$root"
+  ((keep)) || rm -rf "$base"
+}
+trap clean EXIT
+
+if [[ ! -f $base/.ready ]]; then
+  echo "A clean Debian 12 in $base"
+  debootstrap --variant=minbase bookworm "$base" > "$base.log" 2>&1 || { tail "$base.log"; die "debootstrap failed"; }
+  chroot "$base" apt-get update > "$base.log" 2>&1 || { tail "$base.log"; die "no package lists"; }
+  touch "$base/.ready"
+fi
+cp -a "$base" "$root"
+mount -t proc proc "$root/proc"
+mount -t tmpfs tmpfs "$root/dev/shm"
+# inside COMMAND...: as root; as_user COMMAND: as an ordinary user, in her home.
+inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive LANG=C.UTF-8 "$@"; }
+as_user() { chroot --userspec=tester:tester "$root" env -i PATH=/usr/bin:/bin HOME=/home/tester LANG=C.UTF-8 sh -c "cd && $1"; }
+inside useradd --create-home --shell /bin/sh tester
+# All files but those that every installation of a package changes.
+files() { (cd "$root" && find . -xdev \( -path ./proc -o -path ./home -o -path ./root -o -path ./tmp -o -path ./dev -o -path ./var/cache -o -path ./var/log -o -path ./var/lib/apt \
+  -o -path ./var/lib/dpkg -o -path ./trial \) -prune -o -print | sort); }
+
+mkdir "$root/trial"
+cp "${packages[@]}" "$root/trial"
+chmod -R a+rX "$root/trial"
+inside dpkg-query -W -f '${Package}\n' | sort > "$root.before"
+files > "$root.files_before"
+echo "Installing $(basename -a "${packages[@]}" | tr '\n' ' ')"
+inside sh -c 'apt-get install -y --no-install-recommends /trial/*.deb' > "$root.log" 2>&1 || { tail -n 30 "$root.log"; die "cannot be installed"; }
+inside sh -c 'dpkg -s footfall' | grep -E '^(Version|Installed-Size|Depends)'
+files > "$root.files_installed"
+touch "$root/trial/installed"
+
+bed='--set particles.bed.variables.width=1.1 --set particles.variables.width=1.1 --set particles.bed.variables.depth=0.12 --set particles.bed.variables.fine=0.4
+  --set particles.bed.variables.fine_depth=0.06 --set particles.bed.variables.rest=0.05 --ranks 1'
+bed=$(tr '\n' ' ' <<< "$bed")
+echo "Landing as root"
+inside sh -c "cd && footfall run --until 0.01 $bed" > "$root.said" 2>&1 || { tail -n 20 "$root.said"; die "does not run as root"; }
+echo "Landing as an ordinary user"
+as_user "footfall run --until 0.01 $bed" > "$root.said" 2>&1 || { tail -n 20 "$root.said"; die "does not run as an ordinary user"; }
+tail -n 25 "$root.said" | grep -E 'done|grains |plots/overview' || die "has no results"
+as_user "footfall new my_wheel --from wheel && footfall check my_wheel && footfall run my_wheel --until 0.02 --quiet && footfall plot runs/my_wheel wheel.v && footfall view runs/my_wheel &&
+  footfall report runs/my_wheel" > "$root.said" 2>&1 || { tail -n 20 "$root.said"; die "a case of one's own does not run"; }
+((!whole)) || { echo "The whole landing"; as_user "footfall run" > "$root.said" 2>&1 || { tail "$root.said"; die "the landing does not run"; }; tail -n 30 "$root.said"; }
+if [[ -d $root/usr/include/footfall ]]; then
+  echo "The C++ example against footfall-dev"
+  as_user "cp -r /usr/share/footfall/examples/own_mechanism_cpp own && cd own && cmake -S . -B build && cmake --build build &&
+    mpirun --oversubscribe -np 1 liggghts_mbd -in in.tamper -screen none : -np 1 build/tamper > tamper.csv" > "$root.said" 2>&1 || { tail -n 30 "$root.said"; die "does not build or run"; }
+  tail -n 1 "$root.said"
+fi
+[[ -z $(find "$root/usr" "$root/etc" -newer "$root/trial/installed" -type f) ]] || die "a run wrote into the system"
+
+echo "Removing"
+inside sh -c 'apt-get purge -y --autoremove footfall footfall-dev' > "$root.log" 2>&1 || { tail "$root.log"; die "cannot be removed"; }
+# What its dependencies leave behind is theirs: nothing of the package's own may be left.
+left=$(comm -13 "$root.files_before" <(files) | grep -i footfall || true)
+[[ -z $left ]] || { echo "$left"; die "this is left"; }
+[[ -z $(inside dpkg-query -W -f '${Package}\n' | grep footfall) ]] || die "the packages are still known"
+others=$(comm -13 "$root.before" <(inside dpkg-query -W -f '${Package} ${db:Status-Status}\n' | sed -n 's/ installed$//p' | sort))
+[[ -z $others ]] || die "packages stay: $others"
+echo "Removed without a trace"
