@@ -87,7 +87,7 @@ bool write_output(const ExperimentSpec& spec, const Plan& plan, const Results& r
   write_whole_file(path_of(place, "runs.csv"), run_table(spec, plan, results).csv());
   write_whole_file(path_of(place, "cases.csv"), case_table(spec, results.cases).csv());
   write_whole_file(path_of(place, "cases.md"), case_page(spec, results.cases));
-  say(case_page(spec, results.cases));
+  if (spec.curves.empty()) say(case_page(spec, results.cases));
   for (const CaseResult& c : results.cases)
     if (c.code != 0) std::printf("%s ended with code %d: %s\n", c.plan.name.c_str(), c.code, c.message.c_str());
   const bool expected = write_statements(spec, results, place);

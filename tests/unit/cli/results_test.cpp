@@ -64,7 +64,7 @@ TEST_F(ResultsTest, AFailedRunIsLeftOutOfTheMeanAndTold) {
 TEST_F(ResultsTest, RankingLeavesOutWhatIsBeyondTheLimits) {
   spec_.minimise = "peak";
   EXPECT_THAT(ranking(spec_, cases_of(spec_, plan_, runs_)), ElementsAre(0, 1));
-  spec_.limits = {{"peak", 7.0}};
+  spec_.limits = {{"peak", 7.0, {}}};
   EXPECT_THAT(ranking(spec_, cases_of(spec_, plan_, runs_)), ElementsAre(0));
 }
 
