@@ -59,7 +59,9 @@ class GrainAudit final : private Pointers, public footfall::ForceWatch {
 
  private:
   using Real = long double;  // sums over many grains, of which little is left
+  using Vector = Eigen::Matrix<Real, 3, 1>;
   using Wrench = Eigen::Matrix<Real, 6, 1>;
+  static Vector wide(const double* x) { return {x[0], x[1], x[2]}; }
 
   // What one source does to the grains of this rank.
   struct Account {

@@ -21,7 +21,6 @@
 #include "mbd_solver/cli/analysis/viewer/view_page.h"
 #include "mbd_solver/cli/audit_command.h"
 #include "mbd_solver/cli/experiments/experiment_command.h"
-#include "mbd_solver/cli/experiments/experiment_reader.h"
 #include "mbd_solver/cli/help_pages.h"
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"

@@ -52,6 +52,8 @@ class OneStep : public Integrator {
   double next_step(double h) const;                            // after a step h of error error_
   [[noreturn]] void give_up(double t, const std::string& what) const;
 
+  static constexpr double kSlow = 0.2;  // convergence rate above which the Jacobian is renewed before the next step
+
   Equations& equations_;
   IntegratorOptions options_;
   const Tableau& tableau_;

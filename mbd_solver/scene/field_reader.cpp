@@ -183,10 +183,16 @@ class FieldReader final : public FieldVisitor {
 
 }  // namespace
 
-void read_fields(const ConfigNode& root, Scene& scene, Findings& findings) {
-  FieldReader reader(root, scene.folder, findings);
-  visit_fields(reader, scene);
+void read_fields(const ConfigNode& root, const std::string& folder, const std::function<void(FieldVisitor&)>& describe,
+                 Findings& findings) {
+  FieldReader reader(root, folder, findings);
+  describe(reader);
   reader.finish();
+}
+
+void read_fields(const ConfigNode& root, Scene& scene, Findings& findings) {
+  read_fields(
+      root, scene.folder, [&](FieldVisitor& reader) { visit_fields(reader, scene); }, findings);
 }
 
 }  // namespace footfall

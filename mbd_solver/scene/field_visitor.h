@@ -44,8 +44,9 @@ enum class Unit {
 enum class Range { kAny, kPositive, kNotNegative, kUnitInterval };
 
 // What a vector or a string is. The copies of an array turn points, directions (unit vectors) and free vectors; names
-// of entries are copied with "{array}" replaced; paths are joined with the scene's folder and must exist.
-enum class Meaning { kPlain, kPoint, kDirection, kFree, kName, kPath };
+// of entries are copied with "{array}" replaced; paths are joined with the scene's folder and must exist. Words are texts
+// that may be written as numbers, and a list of one as that one.
+enum class Meaning { kPlain, kPoint, kDirection, kFree, kName, kPath, kWords };
 
 struct Rule {
   Unit unit = Unit::kNone;

@@ -50,8 +50,17 @@ Json vector_of(const Rule& rule) {
 Json type_of(const double&, const Rule& rule) { return number(rule); }
 Json type_of(const int&, const Rule& rule) { return whole(rule); }
 Json type_of(const bool&, const Rule&) { return of_type("boolean"); }
-Json type_of(const std::string&, const Rule&) { return of_type("string"); }
-Json type_of(const std::vector<std::string>&, const Rule&) { return list_of(of_type("string"), 0, 0); }
+// A number may stand for its text where words are meant.
+Json word(const Rule& rule) {
+  Json type = of_type("string");
+  if (rule.meaning == Meaning::kWords) type["type"] = {"string", "number"};
+  return type;
+}
+Json type_of(const std::string&, const Rule& rule) { return word(rule); }
+Json type_of(const std::vector<std::string>&, const Rule& rule) {
+  const Json list = list_of(word(rule), 0, 0);
+  return rule.meaning == Meaning::kWords ? any_of(word(rule), list) : list;
+}
 Json type_of(const std::array<std::string, 2>&, const Rule&) { return list_of(of_type("string"), 2, 2); }
 Json type_of(const Eigen::Vector3d&, const Rule& rule) { return vector_of(rule); }
 Json type_of(const std::vector<Eigen::Vector3d>&, const Rule& rule) { return list_of(vector_of(rule), 0, 0); }
@@ -100,8 +109,8 @@ std::string description(const Rule& rule, const std::string& unit) {
 
 class SchemaWriter final : public FieldVisitor {
  public:
-  Json root = open_table();
-  SchemaWriter() { stack_.push_back(&root); }
+  // on_bases: a file may be laid over another one, and leave out what that has.
+  explicit SchemaWriter(bool on_bases) : on_bases_(on_bases), root(open_table()) { stack_.push_back(&root); }
 
   void field(const std::string& key, const FieldRef& ref, const Rule& rule) override {
     if (key.empty()) return;
@@ -147,30 +156,46 @@ class SchemaWriter final : public FieldVisitor {
 
  private:
   // A table that knows its keys; `without` drops keys of a base.
-  static Json open_table() {
+  Json open_table() const {
     Json table = of_type("object");
-    table["properties"] = {{"without", list_of(of_type("string"), 0, 0)}};
+    table["properties"] = Json::object();
+    if (on_bases_) table["properties"]["without"] = list_of(of_type("string"), 0, 0);
     table["additionalProperties"] = false;
     return table;
   }
   Json& properties() { return (*stack_.back())["properties"]; }
 
+  bool on_bases_;
   std::vector<Json*> stack_;
+
+ public:
+  Json root;
 };
+
+Json titled(const std::string& title, const Json& keys) {
+  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
+  schema.update(keys);
+  return schema;
+}
 
 }  // namespace
 
 std::string scene_schema() {
-  SchemaWriter writer;
+  SchemaWriter writer(true);
   Scene scene;
   visit_fields(writer, scene);
   Json base = of_type("string");
   base["description"] = "A scene that this one is laid over.";
   writer.root["properties"]["base"] = std::move(base);
-  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Scene of footfall"}};
-  schema.update(writer.root);
+  Json schema = titled("Scene of footfall", writer.root);
   schema["x-kinds"] = kind_schema();
   return schema.dump(2);
+}
+
+std::string keys_schema(const std::string& title, const std::function<void(FieldVisitor&)>& visit) {
+  SchemaWriter writer(false);
+  visit(writer);
+  return titled(title, writer.root).dump(2);
 }
 
 }  // namespace footfall

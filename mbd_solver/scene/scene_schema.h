@@ -6,10 +6,16 @@
 // What only the reader can tell is not in it: keys that are required (a base may give them), names that must exist,
 // keys that belong to other kinds, values of two keys that contradict each other. `footfall check` tells these.
 
+#include <functional>
 #include <string>
 
 namespace footfall {
 
+class FieldVisitor;
+
 std::string scene_schema();
+
+// Of another kind of file whose keys are described in the same way (experiments): visit walks them.
+std::string keys_schema(const std::string& title, const std::function<void(FieldVisitor&)>& visit);
 
 }  // namespace footfall

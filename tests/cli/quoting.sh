@@ -52,7 +52,7 @@ for name in ../../ran /tmp/ran .ran 'a b' "$(printf 'a%.0s' {1..120})"; do
   experiment "$name" > bad.toml
   "$footfall" sweep bad.toml --out bad >"$out/bad.txt" 2>&1
   [[ $? == 2 ]] || die "a plot named \"$name\" was not refused"
-  grep -q 'bad.toml:.*plots.name: is "' "$out/bad.txt" || die "the message does not name the plot"
+  grep -q 'bad.toml:.*plots[.].*name: is text "' "$out/bad.txt" || die "the message does not name the plot"
 done
 [[ ! -e bad ]] || die "a refused sweep wrote something"
 clean

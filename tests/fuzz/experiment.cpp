@@ -1,4 +1,4 @@
-#include "mbd_solver/cli/experiments/experiment_reader.h"
+#include "mbd_solver/cli/experiments/experiment.h"
 #include "tests/fuzz/feed.h"
 
 using namespace footfall;

@@ -3,11 +3,28 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/quote.h"
+#include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/launch/child.h"
 
 namespace footfall {
 
 namespace fs = std::filesystem;
+
+std::string write_drawing(const std::string& folder, const std::string& name, const PictureSize& size,
+                          const std::string& setup, const std::string& drawing) {
+  const std::string paper =
+      " size " + std::to_string(size.width) + "," + std::to_string(size.height) + " font \"DejaVu Sans,11\"";
+  const auto on = [&](const std::string& terminal, const std::string& file) {
+    return "set terminal " + terminal + "\nset output " + gnuplot_text(file) + "\n" + drawing;
+  };
+  const std::string script = name + ".gp";
+  write_whole_file((fs::path(folder) / script).string(),
+                   "# gnuplot " + gnuplot_text(script) + " draws a PNG and an SVG\n" + setup +
+                       on("pngcairo" + paper, name + ".png") +
+                       on("svg" + paper + " background rgb \"white\"", name + ".svg"));
+  return script;
+}
 
 std::vector<std::string> run_gnuplot(const std::string& folder, const std::vector<std::string>& scripts) {
   std::vector<std::string> pictures;

@@ -7,7 +7,7 @@
 #include "coupler/base/folder.h"
 #include "coupler/base/quote.h"
 #include "coupler/base/text.h"
-#include "coupler/base/whole_file.h"
+#include "mbd_solver/cli/analysis/gnuplot.h"
 #include "mbd_solver/cli/analysis/reduced_rows.h"
 
 namespace footfall {
@@ -100,22 +100,6 @@ std::string plot_command(const Figure& figure) {
   return text.str();
 }
 
-// The same drawing on both terminals.
-std::string script(const std::string& name, const std::string& file, const std::string& data,
-                   const std::string& drawing, int width, int height) {
-  std::ostringstream text;
-  const std::string size = "size " + std::to_string(width) + "," + std::to_string(height);
-  text << "# gnuplot " << name << ".gp draws " << name << ".png and " << name << ".svg from " << file << "\n"
-       << kStyle << data;
-  text << "set terminal pngcairo " << size << " font \"DejaVu Sans,11\"\nset output " << gnuplot_text(name + ".png")
-       << "\n"
-       << drawing;
-  text << "set terminal svg " << size << " font \"DejaVu Sans,11\" background rgb \"white\"\nset output "
-       << gnuplot_text(name + ".svg") << "\n"
-       << drawing;
-  return text.str();
-}
-
 }  // namespace
 
 std::string series_colour(int series) { return kColours[series % kSeriesColours]; }
@@ -147,22 +131,18 @@ std::vector<std::string> write_plot_scripts(const std::string& folder, const std
                                             const std::string& title) {
   make_folder(folder);
   std::vector<std::string> names;
-  const auto write = [&](const std::string& name, const std::string& text) {
-    const std::string file = (std::filesystem::path(folder) / (name + ".gp")).string();
-    write_whole_file(file, text);
-    names.push_back(name + ".gp");
-  };
   std::string page;
   for (const Figure& figure : figures) {
-    write(figure.name, script(figure.name, figure.file, data_blocks({figure}), plot_command(figure), 900, 520));
+    names.push_back(
+        write_drawing(folder, figure.name, {900, 520}, kStyle + data_blocks({figure}), plot_command(figure)));
     page += plot_command(figure);
   }
   if (figures.empty()) return names;
   const int columns = 2, rows = (static_cast<int>(figures.size()) + columns - 1) / columns;
   const std::string layout = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) +
                              " title " + gnuplot_text(title) + " noenhanced\n";
-  write("overview", script("overview", figures.front().file, data_blocks(figures), layout + page + "unset multiplot\n",
-                           1500, 380 * rows));
+  names.push_back(write_drawing(folder, "overview", {1500, 380 * rows}, kStyle + data_blocks(figures),
+                                layout + page + "unset multiplot\n"));
   return names;
 }
 
@@ -179,11 +159,7 @@ std::string write_page_script(const std::string& folder, const PlotPage& page) {
   if (count > 1)
     drawing = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(page.columns) + " title " +
               gnuplot_text(page.title) + " noenhanced\n" + drawing + "unset multiplot\n";
-  const std::string file = page.name + ".gp";
-  write_whole_file(
-      (std::filesystem::path(folder) / file).string(),
-      script(page.name, page.figures.front().file, data_blocks(page.figures), drawing, page.width, page.height));
-  return file;
+  return write_drawing(folder, page.name, {page.width, page.height}, kStyle + data_blocks(page.figures), drawing);
 }
 
 }  // namespace footfall

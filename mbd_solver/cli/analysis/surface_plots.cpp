@@ -7,6 +7,7 @@
 #include "coupler/base/folder.h"
 #include "coupler/base/quote.h"
 #include "coupler/base/whole_file.h"
+#include "mbd_solver/cli/analysis/gnuplot.h"
 
 namespace footfall {
 
@@ -22,24 +23,16 @@ std::string write_surface_script(const std::string& folder, const SurfacePicture
       data << picture.x[i] << ' ' << picture.y[j] << ' ' << picture.z(i, j) << '\n';
     data << '\n';
   }
-  std::ostringstream script;
-  script << "# gnuplot " << picture.name << ".gp draws " << picture.name << ".png and " << picture.name << ".svg from "
-         << picture.name << ".dat\n"
-         << "set encoding utf8\nunset key\nset hidden3d\nset pm3d depthorder border lc rgb \"#404040\" lw 0.3\nset "
-            "view 60, 230\nset ticslevel 0\n"
-         << "set palette defined (0 \"#2c4c8c\", 0.5 \"#7fc8b0\", 1 \"#f4e04d\")\nset zrange [0:1]\nset cbrange [0:1]\n"
-         << "set title " << gnuplot_text(picture.title) << " noenhanced\nset xlabel " << gnuplot_text(picture.x_axis)
-         << " noenhanced\nset ylabel " << gnuplot_text(picture.y_axis) << " noenhanced\nset zlabel "
-         << gnuplot_text(picture.z_axis) << " noenhanced rotate\n";
-  for (const auto& [terminal, ending] :
-       {std::pair("pngcairo size 900,680 font \"DejaVu Sans,11\"", ".png"),
-        std::pair("svg size 900,680 font \"DejaVu Sans,11\" background rgb \"white\"", ".svg")}) {
-    script << "set terminal " << terminal << "\nset output " << gnuplot_text(picture.name + ending) << "\nsplot "
-           << gnuplot_text(picture.name + ".dat") << " with pm3d\n";
-  }
   write_whole_file(base.string() + ".dat", data.str());
-  write_whole_file(base.string() + ".gp", script.str());
-  return picture.name + ".gp";
+  const std::string setup =
+      "set encoding utf8\nunset key\nset hidden3d\nset pm3d depthorder border lc rgb \"#404040\" lw 0.3\n"
+      "set view 60, 230\nset ticslevel 0\n"
+      "set palette defined (0 \"#2c4c8c\", 0.5 \"#7fc8b0\", 1 \"#f4e04d\")\nset zrange [0:1]\nset cbrange [0:1]\n";
+  return write_drawing(folder, picture.name, {900, 680}, setup,
+                       "set title " + gnuplot_text(picture.title) + " noenhanced\nset xlabel " +
+                           gnuplot_text(picture.x_axis) + " noenhanced\nset ylabel " + gnuplot_text(picture.y_axis) +
+                           " noenhanced\nset zlabel " + gnuplot_text(picture.z_axis) + " noenhanced rotate\nsplot " +
+                           gnuplot_text(picture.name + ".dat") + " with pm3d\n");
 }
 
 }  // namespace footfall

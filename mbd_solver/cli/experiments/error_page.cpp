@@ -2,14 +2,16 @@
 
 #include <cmath>
 #include <sstream>
-#include <string>
 
-#include "coupler/base/whole_file.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/cli/experiments/advice.h"
-#include "mbd_solver/cli/experiments/text.h"
 
 namespace footfall {
 namespace {
+
+std::string curve_of(const ExperimentSpec& spec, const CaseResult& point) {
+  return point.plan.curve < 0 ? "reference" : spec.curves[static_cast<std::size_t>(point.plan.curve)].name;
+}
 
 // Enough of a message for a cell.
 std::string one_line(const std::string& message) {
@@ -19,108 +21,153 @@ std::string one_line(const std::string& message) {
 }
 
 // "12 ± 3 %"
-std::string error_text(double error, double standard_error) {
-  return percent(error) + (standard_error > 0.0 ? " ± " + percent(standard_error) : "") + " %";
+std::string error_text(const SampledFigure& f) {
+  return percent(f.error) + (f.standard_error > 0.0 ? " ± " + percent(f.standard_error) : "") + " %";
 }
 
-std::string error_cell(const ErrorTable& table, const CaseResult& point, std::size_t m) {
-  const SampledFigure& f = point.figures[m];
+std::string error_cell(const Results& results, const CaseResult& point, const SampledFigure& f) {
   if (!std::isfinite(f.error)) return "";
-  if (table.members == 1) return percent(f.error);
+  if (results.members == 1) return percent(f.error);
   if (!std::isfinite(f.mean)) return percent(f.error) + " %";  // of whole curves: no figure
   const std::string figure = number_text(f.mean, 4) + " ± " + number_text(f.spread, 2);
-  return point.plan.is_reference ? figure : figure + "; " + error_text(f.error, f.standard_error);
+  return point.plan.is_reference ? figure : figure + "; " + error_text(f);
 }
 
-void write_row(std::ostream& out, const ErrorTable& table, const CaseResult& point) {
-  out << "| " << table.curve_of(point) << " | " << point.plan.value << " | ";
+std::vector<std::string> page_row(const ExperimentSpec& spec, const Results& results, const CaseResult& point) {
+  std::vector<std::string> row = {curve_of(spec, point), point.plan.value};
   if (point.code != 0) {
-    out << "ended with code " << point.code << ": " << one_line(point.message) << " |\n";
-    return;
+    row.push_back("ended with code " + std::to_string(point.code) + ": " + one_line(point.message));
+    return row;
   }
-  out << number_text(table.grains ? point.windows : point.steps) << " |";
-  for (std::size_t m = 0; m < table.figures.size(); ++m) out << ' ' << error_cell(table, point, m) << " |";
-  if (table.grains) out << ' ' << number_text(table.run_time(point), 3) << " |";
-  out << ' ' << number_text(table.members > 1 ? point.cost.cpu : point.cost.wall, 3) << " |\n";
+  const bool grains = results.grains();
+  row.push_back(number_text(grains ? point.windows : point.steps));
+  for (const SampledFigure& f : point.figures) row.push_back(error_cell(results, point, f));
+  if (grains) row.push_back(number_text(point.own_time(), 3));
+  row.push_back(number_text(results.members > 1 ? point.cost.cpu : point.cost.wall, 3));
+  return row;
 }
 
-// Value, its largest error and its run time: three cells.
-std::string advice_cells(const Advice& a) {
-  if (a.best.empty()) return " none was done | | |";
-  std::string text = a.value.empty() ? " none; best is " + a.best : " " + a.value;
-  if (!a.apart.empty()) text += ", but for " + a.apart + " (" + percent(a.apart_error) + " %)";
-  if (!a.resolved) text += " (not resolved)";
-  text += " | " + error_text(a.error, a.standard_error) + ", " + a.figure + " | ";
-  return text + (a.time_ratio > 0.0 ? fixed_text(a.time_ratio, 2) : "") + " |";
+// Value, its largest error and its run time.
+std::vector<std::string> advice_cells(const ExperimentSpec& spec, const Advice& a) {
+  if (!a.point) return {"none was done", "", ""};
+  std::string value = (a.within ? "" : "none; best is ") + a.point->plan.value;
+  if (a.apart != kNoFigure)
+    value += ", but for " + spec.figures[a.apart].name + " (" + percent(a.point->figures[a.apart].error) + " %)";
+  if (!a.resolved) value += " (not resolved)";
+  return {value, error_text(a.largest()) + ", " + spec.figures[a.worst].name,
+          a.time_ratio > 0.0 ? fixed_text(a.time_ratio, 2) : ""};
+}
+
+std::string errors_with_defaults(const ExperimentSpec& spec, const Results& results) {
+  const std::vector<Advice> defaults = errors_of_defaults(spec, results);
+  if (defaults.empty()) return "";
+  std::vector<std::string> errors;
+  for (const Advice& a : defaults)
+    errors.push_back((errors.empty() ? "" : "\"" + curve_of(spec, *a.point) + "\": ") + error_text(a.largest()) +
+                     " of " + spec.figures[a.worst].name + " at " + a.point->plan.value);
+  return "\nWith the scene's own values the largest error is that of \"" + curve_of(spec, *defaults.front().point) +
+         "\": " + joined(errors, "; ") + ".\n";
+}
+
+std::string scatter_of_reference(const ExperimentSpec& spec, const Results& results) {
+  const CaseResult& reference = *points_of(results).front();
+  if (results.members == 1 || !reference.plan.is_reference) return "";
+  std::vector<std::string> scatters;
+  for (std::size_t m = 0; m < spec.figures.size(); ++m) {
+    const SampledFigure& f = reference.figures[m];
+    if (std::isfinite(f.mean) && f.mean != 0.0)
+      scatters.push_back(percent(f.spread / std::abs(f.mean)) + " % (" + spec.figures[m].name + ")");
+  }
+  const double share = 1.0 / std::sqrt(static_cast<double>(results.members));
+  return "\nFrom sample to sample the figures of the reference scatter by " + joined(scatters) + ";\nof a mean of " +
+         std::to_string(results.members) + " by " + fixed_text(share, 2) +
+         " times that. Errors are told closer because run and reference start from the same samples.\n";
 }
 
 }  // namespace
 
-void write_recommendations(std::ostream& out, const ErrorTable& table) {
+std::vector<const CaseResult*> points_of(const Results& results) {
+  std::vector<const CaseResult*> references, points;
+  for (const CaseResult& c : results.cases) (c.plan.is_reference ? references : points).push_back(&c);
+  if (results.members > 1) points.insert(points.begin(), references.begin(), references.end());
+  return points;
+}
+
+Table error_table(const ExperimentSpec& spec, const Results& results) {
+  const bool samples = results.members > 1;
+  std::vector<std::string> head = {"curve", "value", "x", "exit_code"};
+  for (const auto& [name, time] : kTimes) head.push_back(name);
+  append(head, {"steps", "windows"});
+  for (const FigureSpec& figure : spec.figures) append(head, {"error." + figure.name, "order." + figure.name});
+  if (samples)
+    for (const FigureSpec& figure : spec.figures)
+      append(head, {"mean." + figure.name, "spread." + figure.name, "standard_error." + figure.name});
+  Table table(head);
+  const CaseResult* before = nullptr;  // of the same curve
+  for (const CaseResult* point : points_of(results)) {
+    if (before && (before->plan.curve != point->plan.curve || before->plan.is_reference)) before = nullptr;
+    std::vector<std::string> row = {curve_of(spec, *point), point->plan.value, number_text(point->plan.x),
+                                    std::to_string(point->code)};
+    for (const auto& [name, time] : kTimes) row.push_back(number_text(point->cost.*time, 4));
+    append(row, {number_text(point->steps), number_text(point->windows)});
+    for (std::size_t m = 0; m < spec.figures.size(); ++m) {
+      const double error = point->figures[m].error;
+      double order = 0.0;
+      if (before && before->code == 0 && point->code == 0)
+        order = observed_order({{before->plan.x, before->figures[m].error}, {point->plan.x, error}});
+      append(row, {cell(error), order != 0.0 ? fixed_text(order, 2) : ""});
+    }
+    if (samples)
+      for (const SampledFigure& f : point->figures) append(row, {cell(f.mean), cell(f.spread), cell(f.standard_error)});
+    table.add(row);
+    before = point;
+  }
+  return table;
+}
+
+std::string recommendations(const ExperimentSpec& spec, const Results& results) {
+  std::ostringstream out;
   out << "\n## Recommended settings\n\nThe cheapest value of each curve from which on all errors are within 1 % and "
          "within 5 %, with its largest error and its processor time over\n"
          "that of the scene's own value, or of the reference where the curve has no such value.";
-  if (table.members > 1)
-    out << " ± is what " << table.members
+  if (results.members > 1)
+    out << " ± is what " << results.members
         << " samples leave open: the deviation of the error from\nsample to sample over the root of their number; "
            "where it passes the limit, the value is not resolved.";
   out << " Where no value keeps all figures within\nthe limit but one does without the worst of them, it is told with "
-         "that one's error.";
-  out << "\n\n| curve | within 1 % | largest error | time | within 5 % | largest error | time "
-         "|\n|---|---|---|---|---|---|---|\n";
-  const std::vector<Advice> fine = advice_of(table, 0.01), coarse = advice_of(table, 0.05);
-  for (std::size_t c = 0; c < fine.size(); ++c)
-    out << "| " << fine[c].curve << " |" << advice_cells(fine[c]) << advice_cells(coarse[c]) << '\n';
-
-  const std::vector<Advice> defaults = errors_of_defaults(table);
-  if (!defaults.empty()) {
-    out << "\nWith the scene's own values the largest error is that of \"" << defaults.front().curve << "\"";
-    for (std::size_t k = 0; k < defaults.size(); ++k)
-      out << (k == 0 ? ": " : "; \"" + defaults[k].curve + "\": ")
-          << error_text(defaults[k].error, defaults[k].standard_error) << " of " << defaults[k].figure << " at "
-          << defaults[k].value;
-    out << ".\n";
+         "that one's error.\n\n";
+  Table table({"curve", "within 1 %", "largest error", "time", "within 5 %", "largest error", "time"});
+  const std::vector<Advice> fine = advice_of(spec, results, 0.01), coarse = advice_of(spec, results, 0.05);
+  for (std::size_t c = 0; c < fine.size(); ++c) {
+    std::vector<std::string> row = {spec.curves[c].name};
+    append(row, advice_cells(spec, fine[c]));
+    append(row, advice_cells(spec, coarse[c]));
+    table.add(row);
   }
-  if (table.members > 1 && !table.references.empty()) {
-    out << "\nFrom sample to sample the figures of the reference scatter by";
-    const CaseResult& reference = table.references.front();
-    bool first = true;
-    for (std::size_t m = 0; m < table.figures.size(); ++m) {
-      const SampledFigure& f = reference.figures[m];
-      if (!std::isfinite(f.mean) || f.mean == 0.0) continue;
-      const double scatter = f.spread / std::abs(f.mean);
-      out << (first ? " " : ", ") << percent(scatter) << " % (" << table.figures[m] << ")";
-      first = false;
-    }
-    out << ";\nof a mean of " << table.members << " by "
-        << fixed_text(1.0 / std::sqrt(static_cast<double>(table.members)), 2)
-        << " times that. Errors are told closer because run and reference start from the same samples.\n";
-  }
+  out << table.page() << errors_with_defaults(spec, results) << scatter_of_reference(spec, results);
+  return out.str();
 }
 
-void write_error_page(const std::string& path, const ErrorTable& table, const std::string& command) {
+std::string error_page(const ExperimentSpec& spec, const Results& results, const std::string& command) {
+  const bool samples = results.members > 1, grains = results.grains();
+  std::vector<std::string> head = {"curve", "value", grains ? "windows" : "steps"};
+  append(head, names_in(spec.figures));
+  if (grains) head.push_back("mechanism + exchange");
+  head.push_back(samples ? "processor time" : grains ? "whole" : "run time");
+  Table table(head);
+  for (const CaseResult* point : points_of(results)) table.add(page_row(spec, results, *point));
   std::ostringstream out;
-  const bool samples = table.members > 1;
-  out << "# " << table.title << "\n\n";
-  if (samples) {
-    out << "Mean and spread (standard deviation) over " << table.members
-        << " samples; then the error of the mean against the reference's of the same curve, and its standard "
-           "error.\nRun times in s; processor time is that of all programs, without the bed.\n\n";
-  } else {
-    out << "Errors in percent of the reference; run times in s.\n\n";
+  out << "# " << spec.title << "\n\n";
+  if (!samples) {
+    out << "Errors in percent of the reference; run times in s.\n\n" << table.page();
+    return out.str();
   }
-  if (samples) out << "Made by `" << command << "`.\n\n";
-  out << "| curve | value |" << (table.grains ? " windows |" : " steps |");
-  for (const std::string& figure : table.figures) out << ' ' << figure << " |";
-  if (table.grains) out << " mechanism + exchange |";
-  out << (samples ? " processor time |\n" : table.grains ? " whole |\n" : " run time |\n") << "|---|---|---|---|";
-  for (std::size_t m = 0; m < table.figures.size() + (table.grains ? 1 : 0); ++m) out << "---|";
-  out << '\n';
-  if (samples)
-    for (const CaseResult& reference : table.references) write_row(out, table, reference);
-  for (const CaseResult& point : table.points) write_row(out, table, point);
-  if (samples) write_recommendations(out, table);
-  write_whole_file(path, out.str());
+  out << "Mean and spread (standard deviation) over " << results.members
+      << " samples; then the error of the mean against the reference's of the same curve, and its standard "
+         "error.\nRun times in s; processor time is that of all programs, without the bed.\n\nMade by `"
+      << command << "`.\n\n"
+      << table.page() << recommendations(spec, results);
+  return out.str();
 }
 
 }  // namespace footfall

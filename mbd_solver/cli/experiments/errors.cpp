@@ -1,8 +1,8 @@
 #include "mbd_solver/cli/experiments/errors.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 #include "coupler/base/errors.h"
@@ -20,10 +20,9 @@ double value_at(const std::vector<double>& times, const std::vector<double>& val
 
 // Mean and standard deviation (0 for one value).
 std::pair<double, double> mean_and_spread(const std::vector<double>& values) {
-  const double n = static_cast<double>(values.size()), mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double squares = 0.0;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return {mean, std::sqrt(squares / std::max(1.0, n - 1.0))};
+  const Eigen::Map<const Eigen::ArrayXd> x(values.data(), static_cast<Eigen::Index>(values.size()));
+  const double mean = x.mean(), freedoms = std::max(1.0, static_cast<double>(values.size()) - 1.0);
+  return {mean, std::sqrt((x - mean).square().sum() / freedoms)};
 }
 
 }  // namespace
@@ -83,19 +82,23 @@ SampledFigure sampled_figure(const std::vector<double>& figures, const std::vect
   return {mean, spread, std::abs(difference) / size, scatter / std::sqrt(static_cast<double>(figures.size())) / size};
 }
 
-double observed_order(const std::vector<std::pair<double, double>>& points) {
-  double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+double slope(const std::vector<std::pair<double, double>>& points) {
+  double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
   for (const auto& [x, y] : points) {
-    if (!(x > 0.0) || !(y > 0.0)) continue;
-    const double lx = std::log(x), ly = std::log(y);
-    n += 1.0;
-    sx += lx;
-    sy += ly;
-    sxx += lx * lx;
-    sxy += lx * ly;
+    sx += x;
+    sy += y;
+    sxx += x * x;
+    sxy += x * y;
   }
-  const double spread = n * sxx - sx * sx;
+  const double n = static_cast<double>(points.size()), spread = n * sxx - sx * sx;
   return n < 2.0 || spread <= 0.0 ? 0.0 : (n * sxy - sx * sy) / spread;
+}
+
+double observed_order(const std::vector<std::pair<double, double>>& points) {
+  std::vector<std::pair<double, double>> logs;
+  for (const auto& [x, y] : points)
+    if (x > 0.0 && y > 0.0) logs.emplace_back(std::log(x), std::log(y));
+  return slope(logs);
 }
 
 }  // namespace footfall

@@ -39,7 +39,9 @@ SampledFigure sampled_figure(const std::vector<double>& figures);
 // member: deviation / sqrt(members), of the reference's mean. One reference per figure.
 SampledFigure sampled_figure(const std::vector<double>& figures, const std::vector<double>& reference);
 
-// Slope of log error over log x by least squares; 0 for fewer than two points with positive values.
+// Slope of y over x by least squares; 0 for fewer than two different x.
+double slope(const std::vector<std::pair<double, double>>& points);
+// Slope of log error over log x, of the points with positive values.
 double observed_order(const std::vector<std::pair<double, double>>& points);
 
 }  // namespace footfall

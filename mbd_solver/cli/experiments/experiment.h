@@ -54,6 +54,7 @@
 
 #include "mbd_solver/cli/experiments/figures.h"
 #include "mbd_solver/cli/experiments/fit_spec.h"
+#include "mbd_solver/scene/source.h"
 
 namespace footfall {
 
@@ -64,8 +65,10 @@ struct ChoiceSpec {
 
 struct ParameterSpec {
   std::string name;
-  std::vector<ChoiceSpec> choices, short_choices;
+  std::vector<std::string> settings, values, short_values;  // as the file gives them
+  std::vector<ChoiceSpec> choices, short_choices;           // its choices, or one for each value
   bool ensemble = false;
+  Source source;
 };
 
 // How runs must end, and what is looked at: see verdicts.h.
@@ -88,6 +91,7 @@ struct CurveSpec {
   double scale = 1.0;         // for values that are numbers
   double until = 0.0;         // [s]; 0: the experiment's
   EndSpec end;
+  Source source;
 };
 
 struct ReferenceSpec {
@@ -95,9 +99,15 @@ struct ReferenceSpec {
   std::vector<std::string> settings;
 };
 
+struct ShortSpec {
+  double until = 0.0;  // [s]; 0: that of the whole form
+  std::vector<std::string> settings;
+};
+
 struct LimitSpec {
   std::string figure;
   double most = 0.0;
+  Source source;
 };
 
 struct PlotSpec {
@@ -106,17 +116,20 @@ struct PlotSpec {
 
 struct PrintedSpec {
   std::string name;
-  std::vector<double> values;  // as ExperimentSpec::figures; NaN: not printed
+  std::vector<std::string> values;  // numbers, as ExperimentSpec::figures; empty: not printed
+  Source source;
 };
 
+// About a case; with `order` or `error`, about a curve.
 struct StatementSpec {
-  enum class Kind { kFigure, kOrder, kError };
-  Kind kind = Kind::kFigure;
   std::string text, figure, why;
-  std::string of_case, against;  // kFigure; against empty: the figure itself
-  std::string curve;             // kOrder, kError
+  std::string of_case, against;  // against empty: the figure itself
+  std::string curve;
+  std::vector<double> order;    // its bounds: empty, or two
+  std::optional<double> error;  // its most [-]
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
   bool must = false;  // [[expect]]
+  Source source;
 };
 
 struct GrowthSpec {
@@ -127,23 +140,33 @@ struct GrowthSpec {
 struct ExperimentSpec {
   std::string file, folder;  // of the file
   std::string title, scene, x_name = "value", minimise;
-  std::vector<std::string> settings, short_settings;
-  double until = 0.0, short_until = 0.0;  // [s]; 0: the scene's end time; that of the whole form
-  int time_limit = 0;                     // [s]; 0: none
+  std::vector<std::string> settings;
+  double until = 0.0;  // [s]; 0: the scene's end time
+  int time_limit = 0;  // [s]; 0: none
   int repeats = 1;
+  ShortSpec short_form;
   std::vector<ParameterSpec> parameters;
   std::vector<CurveSpec> curves;
   std::optional<ReferenceSpec> reference;
   std::vector<FigureSpec> figures;
   std::vector<LimitSpec> limits;
   std::vector<PrintedSpec> printed;
-  std::vector<StatementSpec> statements;
+  std::vector<StatementSpec> statements, expected;  // those of [[expect]] stand in both
   std::vector<PlotSpec> plots;
   std::vector<FitSpec> fits;
   std::optional<GrowthSpec> growth;
+  Source source;
 
   bool is_map() const { return !curves.empty() && !curves.front().end.ends.empty(); }
 };
+
+class FieldVisitor;
+void visit_fields(FieldVisitor& v, ExperimentSpec& spec);  // its keys
+// Throws InputError "file:line: key: what is wrong, what was expected", all that is wrong at once.
+ExperimentSpec read_experiment(const std::string& file);
+
+// JSON schema (draft 2020-12) of these files, from the same keys.
+std::string experiment_schema();
 
 // "{value}" in every text replaced, or another mark.
 std::vector<std::string> filled(std::vector<std::string> texts, const std::string& value,
@@ -155,6 +178,13 @@ int index_of(const std::vector<Named>& list, const std::string& name) {
   for (std::size_t i = 0; i < list.size(); ++i)
     if (list[i].name == name) return static_cast<int>(i);
   return -1;
+}
+
+template <class Named>
+std::vector<std::string> names_in(const std::vector<Named>& list) {
+  std::vector<std::string> names;
+  for (const Named& entry : list) names.push_back(entry.name);
+  return names;
 }
 
 }  // namespace footfall

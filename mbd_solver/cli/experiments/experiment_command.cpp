@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <numeric>
 #include <sstream>
 #include <thread>
 
@@ -13,10 +13,9 @@
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/quote.h"
 #include "coupler/base/whole_file.h"
+#include "mbd_solver/cli/experiments/experiment.h"
 #include "mbd_solver/cli/experiments/experiment_output.h"
-#include "mbd_solver/cli/experiments/experiment_reader.h"
 #include "mbd_solver/cli/experiments/run_store.h"
-#include "mbd_solver/cli/experiments/text.h"
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/process_pool.h"
 #include "mbd_solver/cli/launch/programs.h"
@@ -30,16 +29,13 @@ namespace {
 
 // One curve alone, with what is said about it.
 ExperimentSpec with_curve(ExperimentSpec spec, const std::string& name) {
-  std::vector<std::string> names;
-  for (const CurveSpec& curve : spec.curves) names.push_back(curve.name);
-  const auto others = [&](const auto& named) { return named != name; };
-  if (std::find(names.begin(), names.end(), name) == names.end())
-    throw InputError(spec.file + ": no case \"" + name + "\"." + known_names("cases", name, names));
-  auto& curves = spec.curves;
-  curves.erase(std::remove_if(curves.begin(), curves.end(), [&](const CurveSpec& c) { return others(c.name); }),
-               curves.end());
+  const int k = index_of(spec.curves, name);
+  if (k < 0)
+    throw InputError(spec.file + ": no case \"" + name + "\"." + known_names("cases", name, names_in(spec.curves)));
+  const CurveSpec curve = spec.curves[static_cast<std::size_t>(k)];
+  spec.curves = {curve};
   auto& said = spec.statements;
-  said.erase(std::remove_if(said.begin(), said.end(), [&](const StatementSpec& s) { return others(s.curve); }),
+  said.erase(std::remove_if(said.begin(), said.end(), [&](const StatementSpec& s) { return s.curve != name; }),
              said.end());
   return spec;
 }
@@ -101,10 +97,9 @@ void make_beds(const RunStore& store, const ExperimentArguments& a, const std::s
   });
   if (interrupted) throw Interrupted("interrupted while making the beds; those that are done are kept");
   if (failed < 0) return;
-  std::ostringstream reason;
-  reason << std::ifstream(commands[static_cast<std::size_t>(failed)].output).rdbuf();
-  if (failed_with == kExitBadInput) throw InputError(reason.str());
-  throw PartnerError(reason.str());
+  const std::string reason = read_whole_file(commands[static_cast<std::size_t>(failed)].output).value_or("");
+  if (failed_with == kExitBadInput) throw InputError(reason);
+  throw PartnerError(reason);
 }
 
 void say_end(const RunStore& store, std::size_t run) {
@@ -127,23 +122,24 @@ int experiment_command(const ExperimentArguments& a) {
     return OutputPlace{short_path(out), name, a.table, "./footfall " + a.command + " " + a.file, a.short_form};
   }();
   RunStore store((fs::path(place.folder) / "runs").string(), a.resume);
-  std::vector<std::size_t> numbers;
-  for (const RunRequest& run : plan.runs) numbers.push_back(store.add(run));
-  const int count = static_cast<int>(numbers.size());
+  for (const RunRequest& run : plan.runs) store.add(run);
+  const int count = static_cast<int>(plan.runs.size());
   if (a.only >= count)
     throw InputError("--only " + std::to_string(a.only) + ": there are runs 0 to " + std::to_string(count - 1));
   make_folder(place.folder);
   // Elements of a job array share it; each of their runs has a folder of its own.
   const FileLock lock = a.only < 0 && !a.merge ? lock_folder(place.folder) : FileLock();
-  const auto write = [&] { return write_output(spec, plan, store, numbers, place) ? kExitDone : kExitFailed; };
+  const auto write = [&] {
+    return write_output(spec, plan, results_of(spec, plan, store), place) ? kExitDone : kExitFailed;
+  };
   if (a.merge) return write();
   if (a.slurm) {
-    write_slurm(a, place.folder, numbers.size(), store.most_ranks());
+    write_slurm(a, place.folder, plan.runs.size(), store.most_ranks());
     return kExitDone;
   }
 
-  const std::vector<std::size_t> chosen =
-      a.only < 0 ? numbers : std::vector<std::size_t>{numbers[static_cast<std::size_t>(a.only)]};
+  std::vector<std::size_t> chosen(a.only < 0 ? plan.runs.size() : 1);
+  std::iota(chosen.begin(), chosen.end(), static_cast<std::size_t>(std::max(0, a.only)));
   const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int jobs = a.jobs > 0 ? a.jobs : std::max(1, machine / store.most_ranks());
   if (a.only >= 0)

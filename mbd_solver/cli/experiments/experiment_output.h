@@ -2,9 +2,8 @@
 // Everything that an experiment writes when its runs are done.
 
 #include <string>
-#include <vector>
 
-#include "mbd_solver/cli/experiments/run_store.h"
+#include "mbd_solver/cli/experiments/results.h"
 
 namespace footfall {
 
@@ -15,9 +14,8 @@ struct OutputPlace {
   bool short_form = false;   // without fits, which need all runs
 };
 
-// Prints and writes it into the folder. `numbers`: of the plan's runs in the store. True when all that the file expects
-// came out; of [[parameters]], when every run is done as well.
-bool write_output(const ExperimentSpec& spec, const Plan& plan, const RunStore& store,
-                  const std::vector<std::size_t>& numbers, const OutputPlace& place);
+// Prints and writes it into the folder. True when all that the file expects came out; of [[parameters]], when every run
+// is done as well.
+bool write_output(const ExperimentSpec& spec, const Plan& plan, const Results& results, const OutputPlace& place);
 
 }  // namespace footfall

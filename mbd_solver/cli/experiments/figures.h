@@ -13,28 +13,42 @@
 //     error, until           see errors.h
 
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "mbd_solver/scene/source.h"
 
 namespace footfall {
 
-enum class Reduction {
-  kMax,        // "max"
-  kMin,        // "min"
-  kFinal,      // "final"
-  kLargest,    // "largest": of the absolute values
-  kDrop,       // "drop": first value minus the least
-  kPeaks,      // "peaks": number of maxima that stand out by at least `prominence` times the largest value
-  kVariation,  // "variation": sum of |x_i+1 - x_i|, how much a curve goes up and down
-};
+enum class Reduction { kMax, kMin, kFinal, kLargest, kDrop, kPeaks, kVariation };
+
+constexpr std::string_view name_of(Reduction reduction) {
+  switch (reduction) {
+    case Reduction::kMax: return "max";
+    case Reduction::kMin: return "min";
+    case Reduction::kFinal: return "final";
+    case Reduction::kLargest: return "largest";      // of the absolute values
+    case Reduction::kDrop: return "drop";            // first value minus the least
+    case Reduction::kPeaks: return "peaks";          // maxima that stand out by `prominence` times the largest value
+    case Reduction::kVariation: return "variation";  // sum of |x_i+1 - x_i|, how much a curve goes up and down
+  }
+  return "";
+}
 
 // Against the reference.
-enum class ErrorKind {
-  kRelative,  // "relative": difference of the figures, of the reference's figure
-  // "rms": root mean square of the columns' difference over the run, of the reference's swing; no number of one run
-  kRms,
-  kFinal,   // "final": likewise at the last row
-  kItself,  // "itself": the figure is an error, and needs no reference
-};
+enum class ErrorKind { kRelative, kRms, kFinal, kItself };
+
+constexpr std::string_view name_of(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::kRelative:
+      return "relative";  // difference of the figures, of the reference's figure
+    // Root mean square of the columns' difference over the run, of the reference's swing; no number of one run.
+    case ErrorKind::kRms: return "rms";
+    case ErrorKind::kFinal: return "final";    // likewise at the last row
+    case ErrorKind::kItself: return "itself";  // the figure is an error, and needs no reference
+  }
+  return "";
+}
 
 struct FigureSpec {
   std::string name;
@@ -46,6 +60,7 @@ struct FigureSpec {
   std::string over;  // empty: none
   ErrorKind error = ErrorKind::kRelative;
   double until = 0.0;  // kRms, kFinal: rows up to this time [s]; 0: all
+  Source source;
 
   // The whole curve is compared: there is no number of one run.
   bool compares_curves() const { return error == ErrorKind::kRms || error == ErrorKind::kFinal; }

@@ -14,24 +14,26 @@
 //       published              { Uehara = 0.5 }: exponents that others found; who gives all of them gets a law with
 //                              only A fitted
 
+#include <map>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "mbd_solver/scene/source.h"
 
 namespace footfall {
 
 struct FitFactor {
-  int line = 0;
   std::string name;
   std::vector<std::string> sum;
-  std::vector<std::pair<std::string, double>> published;  // who, exponent
+  std::map<std::string, std::string> published;  // exponents, by who found them
+  Source source;
 };
 
 struct FitSpec {
-  int line = 0;
   std::string name, figure, label, marks;
-  std::vector<std::pair<std::string, std::string>> where;  // parameter, value
+  std::map<std::string, std::string> where;  // values, by their parameters
   std::vector<FitFactor> factors;
+  Source source;
 };
 
 }  // namespace footfall

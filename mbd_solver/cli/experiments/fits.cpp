@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <optional>
-#include <sstream>
+#include <set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/quote.h"
+#include "coupler/base/text.h"
 #include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/analysis/gnuplot.h"
-#include "mbd_solver/cli/experiments/text.h"
+#include "mbd_solver/cli/experiments/table.h"
 
 namespace footfall {
 
@@ -30,6 +29,11 @@ std::string law_text(const FitSpec& fit, const PowerLaw& law) {
   return text;
 }
 
+// Where a message about the fit points to.
+std::string place_of(const ExperimentSpec& spec, const FitSpec& fit) {
+  return spec.file + ":" + std::to_string(fit.source.line) + ": " + fit.source.path;
+}
+
 // " with diameter 0.24": which runs are meant.
 std::string where_text(const FitSpec& fit) {
   std::string text;
@@ -37,132 +41,125 @@ std::string where_text(const FitSpec& fit) {
   return text;
 }
 
-// Those who published, in the order of the file.
-std::vector<std::string> publishers(const FitSpec& fit) {
-  std::vector<std::string> names;
+// Those who published.
+std::set<std::string> publishers(const FitSpec& fit) {
+  std::set<std::string> names;
   for (const FitFactor& factor : fit.factors)
-    for (const auto& [who, exponent] : factor.published)
-      if (std::find(names.begin(), names.end(), who) == names.end()) names.push_back(who);
+    for (const auto& [who, exponent] : factor.published) names.insert(who);
   return names;
 }
 
-std::optional<double> published_by(const FitFactor& factor, const std::string& who) {
-  for (const auto& [name, exponent] : factor.published)
-    if (name == who) return exponent;
-  return std::nullopt;
-}
-
-// Laws with published exponents, of those who give every one: only the factor A is fitted.
-std::vector<std::pair<std::string, PowerLaw>> published_laws(const FitSpec& fit, const FitData& data) {
-  std::vector<std::pair<std::string, PowerLaw>> laws;
-  for (const std::string& who : publishers(fit)) {
-    Eigen::VectorXd exponents(static_cast<Eigen::Index>(fit.factors.size()));
-    bool all = true;
-    for (std::size_t k = 0; k < fit.factors.size(); ++k) {
-      const std::optional<double> exponent = published_by(fit.factors[k], who);
-      all = all && exponent;
-      exponents[static_cast<Eigen::Index>(k)] = exponent.value_or(0.0);
-    }
-    if (all) laws.emplace_back(who, fit_factor(data.x, data.y, exponents));
-  }
-  return laws;
+// The exponent in the file's words; empty: not published by them.
+std::string published_by(const FitFactor& factor, const std::string& who) {
+  const auto found = factor.published.find(who);
+  return found == factor.published.end() ? "" : number_text(*number_in(found->second), kShort);
 }
 
 struct FitResult {
   FitData data;
   PowerLaw law;
-  std::vector<std::pair<std::string, PowerLaw>> published;
+  std::vector<std::pair<std::string, PowerLaw>> published;  // of those who give every exponent: only A is fitted
 };
 
-void write_page(std::ostream& out, const FitSpec& fit, const FitResult& r) {
-  const std::vector<std::string> names = publishers(fit);
-  out << "\n`" << law_text(fit, r.law) << "`: " << r.data.runs.size() << " runs" << where_text(fit)
-      << ", R^2 = " << fixed_text(r.law.r_squared, 4) << ", scatter " << fixed_text(100.0 * r.law.scatter, 1)
-      << " %\n\n| exponent of | found | standard error | 95 % interval |";
-  for (const std::string& who : names) out << ' ' << who << " |";
-  out << "\n|---|---|---|---|";
-  for (std::size_t k = 0; k < names.size(); ++k) out << "---|";
-  out << '\n';
+FitResult fitted(const ExperimentSpec& spec, const FitSpec& fit, const Plan& plan,
+                 const std::vector<RunResult>& results) {
+  FitResult r;
+  r.data = fit_data(spec, fit, plan, results);
+  try {
+    r.law = fit_power_law(r.data.x, r.data.y);
+  } catch (const InputError& error) {
+    throw InputError(place_of(spec, fit) + ": " + error.what());
+  }
+  for (const std::string& who : publishers(fit)) {
+    std::vector<double> exponents;
+    for (const FitFactor& factor : fit.factors)
+      if (factor.published.count(who) > 0) exponents.push_back(*number_in(factor.published.at(who)));
+    if (exponents.size() < fit.factors.size()) continue;
+    const Eigen::Map<const Eigen::VectorXd> given(exponents.data(), r.data.x.cols());
+    r.published.emplace_back(who, fit_factor(r.data.x, r.data.y, given));
+  }
+  return r;
+}
+
+std::string fit_page(const FitSpec& fit, const FitResult& r) {
+  const auto quality = [](const PowerLaw& law) {
+    return ", R^2 = " + fixed_text(law.r_squared, 4) + ", scatter " + fixed_text(100.0 * law.scatter, 1) + " %\n";
+  };
+  std::vector<std::string> head = {"exponent of", "found", "standard error", "95 % interval"};
+  for (const std::string& who : publishers(fit)) head.push_back(who);
+  Table table(head);
   for (std::size_t k = 0; k < fit.factors.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    out << "| " << fit.factors[k].name << " | " << fixed_text(r.law.exponents[i], 3) << " | "
-        << fixed_text(r.law.errors[i], 3) << " | " << fixed_text(r.law.lower[i], 3) << " to "
-        << fixed_text(r.law.upper[i], 3) << " |";
-    for (const std::string& who : names) {
-      const std::optional<double> exponent = published_by(fit.factors[k], who);
-      out << ' ' << (exponent ? number_text(*exponent, kShort) : "") << " |";
-    }
-    out << '\n';
+    std::vector<std::string> row = {fit.factors[k].name, fixed_text(r.law.exponents[i], 3),
+                                    fixed_text(r.law.errors[i], 3),
+                                    fixed_text(r.law.lower[i], 3) + " to " + fixed_text(r.law.upper[i], 3)};
+    for (const std::string& who : publishers(fit)) row.push_back(published_by(fit.factors[k], who));
+    table.add(row);
   }
+  std::string text = "\n`" + law_text(fit, r.law) + "`: " + std::to_string(r.data.runs.size()) + " runs" +
+                     where_text(fit) + quality(r.law) + "\n" + table.page();
   for (const auto& [who, law] : r.published)
-    out << "\nWith the exponents of " << who << ": `" << law_text(fit, law)
-        << "`, R^2 = " << fixed_text(law.r_squared, 4) << ", scatter " << fixed_text(100.0 * law.scatter, 1) << " %\n";
+    text += "\nWith the exponents of " + who + ": `" + law_text(fit, law) + "`" + quality(law);
+  return text;
 }
 
-void write_rows(std::ostream& out, const FitSpec& fit, const FitResult& r) {
-  const auto row = [&](const std::string& law, const std::string& what, double value, double error, double low,
-                       double high, const PowerLaw& of) {
-    out << fit.name << ',' << csv_field(law) << ',' << csv_field(what) << ',' << number_text(value) << ','
-        << number_text(error) << ',' << number_text(low) << ',' << number_text(high) << ',' << r.data.runs.size() << ','
-        << of.degrees_of_freedom << ',' << number_text(of.r_squared) << ',' << number_text(of.scatter) << '\n';
+void add_rows(const FitSpec& fit, const FitResult& r, const std::string& name, const PowerLaw& law, Table& table) {
+  const auto add = [&](const std::string& what, double value, double error, double low, double high) {
+    std::vector<std::string> row = {fit.name, name, what};
+    for (const double number : {value, error, low, high}) row.push_back(number_text(number));
+    append(row, {std::to_string(r.data.runs.size()), std::to_string(law.degrees_of_freedom), number_text(law.r_squared),
+                 number_text(law.scatter)});
+    table.add(row);
   };
-  const auto rows = [&](const std::string& name, const PowerLaw& law) {
-    row(name, "factor", law.factor, std::nan(""), law.factor_interval.first, law.factor_interval.second, law);
-    for (std::size_t k = 0; k < fit.factors.size(); ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      row(name, fit.factors[k].name, law.exponents[i], law.errors[i], law.lower[i], law.upper[i], law);
-    }
-  };
-  rows("fitted", r.law);
-  for (const auto& [who, law] : r.published) rows(who, law);
+  add("factor", law.factor, std::nan(""), law.factor_interval.first, law.factor_interval.second);
+  for (std::size_t k = 0; k < fit.factors.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    add(fit.factors[k].name, law.exponents[i], law.errors[i], law.lower[i], law.upper[i]);
+  }
 }
 
-// Measured over fitted, one symbol per value of the parameter `marks`; the line is the law.
-std::string draw_fit(const ExperimentSpec& spec, const FitSpec& fit, const Plan& plan, const FitResult& r,
-                     const std::string& folder) {
-  std::ostringstream out;
-  const int marks = index_of(spec.parameters, fit.marks);
-  std::vector<std::string> values = {""};
-  if (marks >= 0) {
-    values.clear();
-    for (const ChoiceSpec& choice : spec.parameters[static_cast<std::size_t>(marks)].choices)
-      values.push_back(choice.name);
-  }
-  std::string curves;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const std::string data = "$d" + std::to_string(k + 1);
-    out << data << " << EOD\n";
-    bool any = false;
-    for (std::size_t i = 0; i < r.data.runs.size(); ++i) {
-      if (marks >= 0 && plan.runs[r.data.runs[i]].values[static_cast<std::size_t>(marks)] != values[k]) continue;
-      const auto row = static_cast<Eigen::Index>(i);
-      out << number_text(r.law.at(r.data.x.row(row).transpose())) << ' ' << number_text(r.data.y[row]) << '\n';
-      any = true;
-    }
-    out << "EOD\n";
-    if (any)
-      curves += ", " + data + " using 1:2 with points pt " + std::to_string(2 * k + 5) + " ps 1.3 lc " +
-                std::to_string(k + 1) +
-                (marks >= 0 ? " title " + gnuplot_text(fit.marks + " " + values[k]) : " notitle");
-  }
-  // Round numbers between the decades, so that every picture has more than one number on each axis.
-  std::string tics;
-  const double low = r.data.y.minCoeff(), high = r.data.y.maxCoeff();
+// Round numbers between the decades, so that every picture has more than one number on each axis.
+std::string tics_between(double low, double high) {
+  std::vector<std::string> tics;
   for (int decade = static_cast<int>(std::floor(std::log10(low)));
        decade <= static_cast<int>(std::ceil(std::log10(high))); ++decade)
-    for (const int digit : {1, 2, 3, 5})
-      tics += (tics.empty() ? "" : ", ") + number_text(digit * std::pow(10.0, decade), kShort);
+    for (const int digit : {1, 2, 3, 5}) tics.push_back(number_text(digit * std::pow(10.0, decade), kShort));
+  return "(" + joined(tics) + ")";
+}
+
+// Measured over fitted, one symbol per value of the parameter `marks`; the line is the law. Returns the script.
+std::string draw_fit(const ExperimentSpec& spec, const FitSpec& fit, const Plan& plan, const FitResult& r,
+                     const std::string& folder) {
+  const int marks = index_of(spec.parameters, fit.marks);
+  const auto mark_of = [&](std::size_t run) {
+    return marks < 0 ? "" : plan.runs[run].values[static_cast<std::size_t>(marks)];
+  };
+  std::vector<std::string> values = {""};
+  if (marks >= 0) values = names_in(spec.parameters[static_cast<std::size_t>(marks)].choices);
+  std::string data;
+  std::vector<std::string> curves = {"x with lines lc rgb 'gray40' title 'the law'"};
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    std::string points;
+    for (std::size_t i = 0; i < r.data.runs.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      if (mark_of(r.data.runs[i]) == values[k])
+        points += number_text(r.law.at(r.data.x.row(row).transpose())) + " " + number_text(r.data.y[row]) + "\n";
+    }
+    if (points.empty()) continue;
+    const std::string color = std::to_string(k + 1), block = "$d" + color;
+    data += block + " << EOD\n" + points + "EOD\n";
+    curves.push_back(block + " using 1:2 with points pt " + std::to_string(2 * k + 5) + " ps 1.3 lc " + color +
+                     " title " + gnuplot_text(marks < 0 ? "" : fit.marks + " " + values[k]));
+  }
+  const double low = r.data.y.minCoeff(), high = r.data.y.maxCoeff();
+  const std::string tics = tics_between(low, high);
   const std::string range = "[" + number_text(low / 1.2) + ":" + number_text(high * 1.2) + "]";
-  out << "set logscale xy\nset grid\nset size square\nset xtics (" << tics << ")\nset ytics (" << tics
-      << ")\nset xrange " << range << "\nset yrange " << range << "\nset title "
-      << gnuplot_text(spec.title + where_text(fit)) << " noenhanced\nset xlabel " << gnuplot_text(law_text(fit, r.law))
-      << " noenhanced\nset ylabel " << gnuplot_text(fit.figure) << " noenhanced\nset key left top noenhanced\n"
-      << "set terminal pngcairo size 760,720 font 'sans,11'\nset output " << gnuplot_text(fit.name + ".png")
-      << "\nplot x with lines lc rgb 'gray40' title " << gnuplot_text("the law") << curves
-      << "\nset terminal svg size 760,720 font 'sans,11'\nset output " << gnuplot_text(fit.name + ".svg")
-      << "\nreplot\n";
-  write_whole_file((fs::path(folder) / (fit.name + ".gp")).string(), out.str());
-  return fit.name + ".gp";
+  return write_drawing(folder, fit.name, {760, 720}, data,
+                       "set logscale xy\nset grid\nset size square\nset xtics " + tics + "\nset ytics " + tics +
+                           "\nset xrange " + range + "\nset yrange " + range + "\nset title " +
+                           gnuplot_text(spec.title + where_text(fit)) + " noenhanced\nset xlabel " +
+                           gnuplot_text(law_text(fit, r.law)) + " noenhanced\nset ylabel " + gnuplot_text(fit.figure) +
+                           " noenhanced\nset key left top noenhanced\nplot " + joined(curves) + "\n");
 }
 
 }  // namespace
@@ -182,9 +179,8 @@ FitData fit_data(const ExperimentSpec& spec, const FitSpec& fit, const Plan& pla
   data.y.resize(data.x.rows());
   const auto positive = [&](double value, const std::string& what, std::size_t run) {
     if (!(value > 0.0))
-      throw InputError(spec.file + ":" + std::to_string(fit.line) + ": fits." + what + ": is " +
-                       number_text(value, kShort) + " in the run " + plan.runs[run].name +
-                       ", expected more than 0 in a power law");
+      throw InputError(place_of(spec, fit) + "." + what + ": is " + number_text(value, kShort) + " in the run " +
+                       plan.runs[run].name + ", expected more than 0 in a power law");
     return value;
   };
   for (Eigen::Index row = 0; row < data.x.rows(); ++row) {
@@ -207,42 +203,26 @@ FitData fit_data(const ExperimentSpec& spec, const FitSpec& fit, const Plan& pla
 std::vector<std::string> write_fits(const ExperimentSpec& spec, const Plan& plan, const std::vector<RunResult>& results,
                                     const std::string& folder) {
   if (spec.fits.empty()) return {};
-  const std::string table = (fs::path(folder) / "fits.csv").string(), page = (fs::path(folder) / "fits.md").string();
   std::vector<FitResult> found;
-  for (const FitSpec& fit : spec.fits) {
-    FitResult r;
-    r.data = fit_data(spec, fit, plan, results);
-    try {
-      r.law = fit_power_law(r.data.x, r.data.y);
-    } catch (const InputError& error) {
-      throw InputError(spec.file + ":" + std::to_string(fit.line) + ": fits: " + fit.name + ": " + error.what());
-    }
-    r.published = published_laws(fit, r.data);
-    found.push_back(std::move(r));
-  }
-  std::ostringstream csv, md;
-  csv << "fit,law,exponent_of,value,standard_error,low_95,high_95,runs,degrees_of_freedom,r_squared,scatter\n";
-  md << "Made by `./footfall sweep " << spec.file << "`.\n";
+  for (const FitSpec& fit : spec.fits) found.push_back(fitted(spec, fit, plan, results));
+  Table table({"fit", "law", "exponent_of", "value", "standard_error", "low_95", "high_95", "runs",
+               "degrees_of_freedom", "r_squared", "scatter"});
+  std::string page = "Made by `./footfall sweep " + spec.file + "`.\n";
   std::vector<std::string> scripts;
   for (std::size_t f = 0; f < spec.fits.size(); ++f) {
     const FitSpec& fit = spec.fits[f];
-    const FitResult& r = found[f];
-    std::printf("%s   (%zu runs%s)\n", law_text(fit, r.law).c_str(), r.data.runs.size(), where_text(fit).c_str());
-    for (std::size_t k = 0; k < fit.factors.size(); ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      std::printf("  exponent of %-16s %.3f +- %.3f, 95 %% in %.3f to %.3f", fit.factors[k].name.c_str(),
-                  r.law.exponents[i], r.law.errors[i], r.law.lower[i], r.law.upper[i]);
-      for (const auto& [who, exponent] : fit.factors[k].published) std::printf("; %s %.3g", who.c_str(), exponent);
-      std::printf("\n");
-    }
-    write_rows(csv, fit, r);
-    write_page(md, fit, r);
-    scripts.push_back(draw_fit(spec, fit, plan, r, folder));
+    add_rows(fit, found[f], "fitted", found[f].law, table);
+    for (const auto& [who, law] : found[f].published) add_rows(fit, found[f], who, law, table);
+    const std::string section = fit_page(fit, found[f]);
+    std::printf("%s", section.c_str());
+    page += section;
+    scripts.push_back(draw_fit(spec, fit, plan, found[f], folder));
   }
-  write_whole_file(table, csv.str());
-  write_whole_file(page, md.str());
+  const std::string csv = (fs::path(folder) / "fits.csv").string(), md = (fs::path(folder) / "fits.md").string();
+  write_whole_file(csv, table.csv());
+  write_whole_file(md, page);
   std::vector<std::string> files = run_gnuplot(folder, scripts);
-  files.insert(files.begin(), {table, page});
+  files.insert(files.begin(), {csv, md});
   return files;
 }
 

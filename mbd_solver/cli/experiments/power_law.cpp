@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <cmath>
+#include <unsupported/Eigen/SpecialFunctions>
 
 #include "coupler/base/errors.h"
 
@@ -10,18 +11,10 @@ namespace footfall {
 namespace {
 
 constexpr double kConfidence = 0.95;
-constexpr double kHalfPi = 1.57079632679489661923;
 
-// Probability that |t| < sqrt(n) tan(theta): a finite sum for whole n (Abramowitz and Stegun, 26.7.3 and 26.7.4).
-double student_probability(double theta, int n) {
-  const double c = std::cos(theta), s = std::sin(theta);
-  const bool odd = n % 2 == 1;
-  double term = odd ? c : 1.0, sum = n == 1 ? 0.0 : term;
-  for (int k = odd ? 3 : 2; k < n; k += 2) {
-    term *= c * c * (k - 1.0) / k;
-    sum += term;
-  }
-  return odd ? (theta + s * sum) / kHalfPi : s * sum;
+// Probability that |t| < x (Abramowitz and Stegun, 26.7.1).
+double student_probability(double x, int degrees) {
+  return 1.0 - Eigen::numext::betainc(0.5 * degrees, 0.5, degrees / (degrees + x * x));
 }
 
 void demand_rows(Eigen::Index rows, Eigen::Index coefficients) {
@@ -41,12 +34,13 @@ void judge(PowerLaw& law, const Eigen::VectorXd& log_y, const Eigen::VectorXd& e
 
 double student_t(double confidence, int degrees) {
   FOOTFALL_DEMAND(confidence > 0.0 && confidence < 1.0 && degrees >= 1);
-  double low = 0.0, high = kHalfPi;
-  while (high - low > 1e-15) {
+  double low = 0.0, high = 1.0;
+  while (student_probability(high, degrees) < confidence) high *= 2.0;
+  while (high - low > 1e-15 * high) {
     const double middle = 0.5 * (low + high);
     (student_probability(middle, degrees) < confidence ? low : high) = middle;
   }
-  return std::sqrt(degrees) * std::tan(0.5 * (low + high));
+  return high;
 }
 
 double PowerLaw::at(const Eigen::VectorXd& x) const {

@@ -8,8 +8,6 @@
 namespace footfall {
 namespace {
 
-constexpr double kNotKnown = SampledFigure::kNone;
-
 std::size_t figure_index(const ExperimentSpec& spec, const std::string& name) {
   return static_cast<std::size_t>(index_of(spec.figures, name));
 }
@@ -28,11 +26,7 @@ CaseResult case_of(const ExperimentSpec& spec, const PlannedCase& plan, const st
   const double share = 1.0 / static_cast<double>(c.done.size());
   for (const std::size_t run : c.done) {
     const RunEnd& r = runs[run].end;
-    c.cost.wall += share * r.cost.wall;
-    c.cost.dem += share * r.cost.dem;
-    c.cost.mbd += share * r.cost.mbd;
-    c.cost.exchange += share * r.cost.exchange;
-    c.cost.cpu += share * r.cost.cpu;
+    for (const auto& [name, time] : kTimes) c.cost.*time += share * r.cost.*time;
     c.steps += share * r.summary.value("steps", 0.0);
     c.windows += share * r.summary.value("windows", 0.0);
   }
@@ -76,21 +70,27 @@ bool Results::all_done() const {
   return std::all_of(runs.begin(), runs.end(), [](const RunResult& run) { return run.end.done(); });
 }
 
+bool Results::grains() const {
+  return std::any_of(cases.begin(), cases.end(),
+                     [](const CaseResult& c) { return !c.plan.is_reference && c.cost.dem > 0.0; });
+}
+
 std::vector<CaseResult> cases_of(const ExperimentSpec& spec, const Plan& plan, const std::vector<RunResult>& runs) {
   std::vector<CaseResult> cases;
   for (const PlannedCase& c : plan.cases) cases.push_back(case_of(spec, c, runs));
   return cases;
 }
 
-Results results_of(const ExperimentSpec& spec, const Plan& plan, const RunStore& store,
-                   const std::vector<std::size_t>& numbers) {
+Results results_of(const ExperimentSpec& spec, const Plan& plan, const RunStore& store) {
   Results results;
-  for (const std::size_t run : numbers) {
+  results.members = plan.members;
+  for (std::size_t run = 0; run < plan.runs.size(); ++run) {
     const RunEnd end = store.end_of(run);
     results.runs.push_back({end, end.done() ? figures_of_run(spec.figures, end.folder, spec.file)
-                                            : std::vector<double>(spec.figures.size(), kNotKnown)});
+                                            : std::vector<double>(spec.figures.size(), SampledFigure::kNone)});
   }
   results.cases = cases_of(spec, plan, results.runs);
+  if (spec.figures.empty()) return results;  // nothing to compare
   for (CaseResult& c : results.cases) {
     const int k = c.plan.is_reference ? static_cast<int>(&c - results.cases.data()) : c.plan.reference;
     const CaseResult* reference = k < 0 ? nullptr : &results.cases[static_cast<std::size_t>(k)];
@@ -114,38 +114,27 @@ std::vector<std::size_t> ranking(const ExperimentSpec& spec, const std::vector<C
   return order;
 }
 
-std::vector<std::pair<double, double>> error_line(const std::vector<CaseResult>& cases, int curve, std::size_t figure) {
+double order_of(const std::vector<CaseResult>& cases, int curve, std::size_t figure) {
   std::vector<std::pair<double, double>> line;
   for (const CaseResult& c : cases)
-    if (c.plan.curve == curve && !c.plan.is_reference && c.plan.x > 0.0 && c.figures[figure].error > 0.0)
-      line.emplace_back(c.plan.x, c.figures[figure].error);
-  return line;
+    if (c.is_of(curve)) line.emplace_back(c.plan.x, c.figures[figure].error);
+  return observed_order(line);
 }
 
 std::vector<Outcome> outcomes_of(const ExperimentSpec& spec, const std::vector<CaseResult>& cases) {
   std::vector<Outcome> outcomes;
   for (const StatementSpec& s : spec.statements) {
     const std::size_t k = figure_index(spec, s.figure);
-    const auto mean = [&](const std::string& name) {
-      for (const CaseResult& c : cases)
-        if (c.plan.name == name) return c.figures[k].mean;
-      return kNotKnown;  // left out of the short form
-    };
     const int curve = index_of(spec.curves, s.curve);
-    Outcome o{kNotKnown, kNotKnown, kNotKnown, false};
-    switch (s.kind) {
-      case StatementSpec::Kind::kFigure:
-        o.value = mean(s.of_case);
-        if (!s.against.empty()) o.reference = mean(s.against);
-        o.judged = s.against.empty() ? o.value : o.value / o.reference;
-        break;
-      case StatementSpec::Kind::kOrder: o.judged = o.value = observed_order(error_line(cases, curve, k)); break;
-      case StatementSpec::Kind::kError:
-        // Of the last value, also where it is zero and no point of a logarithmic line.
-        for (const CaseResult& c : cases)
-          if (c.plan.curve == curve && !c.plan.is_reference) o.judged = o.value = c.figures[k].error;
-        break;
+    Outcome o;
+    for (const CaseResult& c : cases) {  // some are left out of the short form
+      if (c.plan.name == s.of_case) o.value = c.figures[k].mean;
+      if (!s.against.empty() && c.plan.name == s.against) o.reference = c.figures[k].mean;
+      // Of the last value, also where it is zero and no point of a logarithmic line.
+      if (s.error && c.is_of(curve)) o.value = c.figures[k].error;
     }
+    if (!s.order.empty()) o.value = order_of(cases, curve, k);
+    o.judged = s.against.empty() ? o.value : o.value / o.reference;
     o.came_out = o.judged >= s.least && o.judged <= s.most;
     outcomes.push_back(o);
   }

@@ -52,22 +52,24 @@ std::string last_message(const std::string& log) {
   return own.empty() ? last : own;
 }
 
-Json read_json(const std::string& file) {
+// Empty when there is none, or when it is cut short.
+Json read_object(const std::string& file) {
   std::ifstream in(file);
-  return in ? Json::parse(in, nullptr, false) : Json();
+  const Json json = in ? Json::parse(in, nullptr, false) : Json();
+  return json.is_object() ? json : Json::object();
 }
 
 // The text of an entry; empty when there is none.
 std::string text_in(const Json& json, const char* key) {
-  return json.is_object() && json.contains(key) && json.at(key).is_string() ? json.at(key).get<std::string>() : "";
+  return json.contains(key) && json.at(key).is_string() ? json.at(key).get<std::string>() : "";
 }
 
 // Of a summary, or of a record.
 RunCost cost_of(const Json& from) {
-  const auto time = [&](const char* key) {
-    return from.is_object() && from.contains(key) && from.at(key).is_number() ? from.at(key).get<double>() : 0.0;
-  };
-  return {time("wall_s"), time("dem_wall_s"), time("mbd_wall_s"), time("exchange_wall_s"), time("cpu_s")};
+  RunCost cost;
+  for (const auto& [key, time] : kTimes)
+    if (from.contains(key) && from.at(key).is_number()) cost.*time = from.at(key).get<double>();
+  return cost;
 }
 
 // A hung run is asked to end as Ctrl-C asks it, and ends its programs in order; only then it is killed.
@@ -124,9 +126,8 @@ bool RunStore::is_done(std::size_t run) const {
   const Entry& home = runs_[runs_[run].home];
   if (home.code >= 0) return home.code == kExitDone;
   if (!keep_ || home.recipe.empty()) return false;
-  const Json record = read_json(record_file(run));
-  return record.is_object() && text_in(record, "recipe") == home.recipe &&
-         text_in(read_json((fs::path(folder(run)) / "summary.json").string()), "status") == "done";
+  return text_in(read_object(record_file(run)), "recipe") == home.recipe &&
+         text_in(read_object(summary_file(run)), "status") == "done";
 }
 
 int RunStore::most_ranks() const {
@@ -154,10 +155,9 @@ void RunStore::make_bed(std::size_t run, bool quiet) const {
 bool RunStore::can_resume(std::size_t run) const {
   const Entry& home = runs_[runs_[run].home];
   if (!keep_ || !home.keeps || home.recipe.empty() || home.request.repeats > 1) return false;
-  const Json begun = read_json(begun_file(run));
-  if (!begun.is_object() || text_in(begun, "recipe") != home.recipe) return false;
-  const Json summary = read_json((fs::path(folder(run)) / "summary.json").string());
-  if (summary.is_object() && text_in(summary, "status") != "interrupted") return false;
+  if (text_in(read_object(begun_file(run)), "recipe") != home.recipe) return false;
+  const Json summary = read_object(summary_file(run));
+  if (!summary.empty() && text_in(summary, "status") != "interrupted") return false;
   try {
     newest_checkpoint(folder(run));
     return true;
@@ -176,18 +176,14 @@ std::vector<std::size_t> RunStore::left(const std::vector<std::size_t>& runs) co
 
 void RunStore::note_end(Entry& entry, int code, double cpu, bool first) {
   entry.code = code;
-  const Json summary = read_json((fs::path(folder(entry.home)) / "summary.json").string());
-  if (!summary.is_object()) return;
+  const Json summary = read_object(summary_file(entry.home));
+  if (summary.empty()) return;
   RunCost cost = cost_of(summary);
   cost.cpu = cpu;
   if (first || cost.wall < entry.cost.wall) entry.cost = cost;
   if (code != kExitDone || entry.recipe.empty()) return;
-  const RunCost& c = entry.cost;
-  const Json kept = {{"wall_s", c.wall},
-                     {"dem_wall_s", c.dem},
-                     {"mbd_wall_s", c.mbd},
-                     {"exchange_wall_s", c.exchange},
-                     {"cpu_s", c.cpu}};
+  Json kept;
+  for (const auto& [key, time] : kTimes) kept[key] = entry.cost.*time;
   write_whole_file(record_file(entry.home), Json{{"recipe", entry.recipe}, {"cost", kept}}.dump(1) + "\n");
 }
 
@@ -222,10 +218,9 @@ RunEnd RunStore::end_of(std::size_t run) const {
   const Entry& home = runs_[runs_[run].home];
   RunEnd end;
   end.folder = folder(run);
-  const std::string summary = (fs::path(end.folder) / "summary.json").string();
   end.status = "missing";
-  if (fs::exists(summary)) {
-    const Json found = read_json(summary);
+  if (fs::exists(summary_file(run))) {
+    const Json found = read_object(summary_file(run));
     end.status = text_in(found, "status");
     if (end.status.empty()) {  // cut short: this run has failed, not the experiment
       end.status = "damaged";
@@ -235,15 +230,10 @@ RunEnd RunStore::end_of(std::size_t run) const {
         if (warning.is_string()) end.warnings.push_back(warning);
     }
   }
-  end.code = home.code == kExitDone && end.status == "damaged" ? kExitFailed
-             : home.code >= 0                                  ? home.code
-             : end.status == "done"                            ? kExitDone
-                                                               : kExitFailed;
-  end.cost = home.cost;
-  if (home.code < 0) {
-    const Json record = read_json(record_file(run));
-    end.cost = cost_of(record.is_object() ? record.value("cost", Json::object()) : Json::object());
-  }
+  end.code = home.code < 0 ? (end.status == "done" ? kExitDone : kExitFailed) : home.code;
+  if (end.code == kExitDone && end.status == "damaged") end.code = kExitFailed;
+  const Json record = read_object(record_file(run));
+  end.cost = home.code < 0 && record.contains("cost") ? cost_of(record.at("cost")) : home.cost;
   if (end.code == RunEnd::kHung)
     end.message = "hangs: no end within " + std::to_string(home.request.time_limit) + " s";
   else if (end.code != kExitDone)

@@ -5,6 +5,7 @@
 // runs may be added while it goes. A run that was stopped goes on from its checkpoint, if it is made from the same as when
 // it began (FOLDER.begun.json).
 
+#include <array>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -25,6 +26,13 @@ struct RunCost {
   double wall = 0.0, dem = 0.0, mbd = 0.0, exchange = 0.0;
   double cpu = 0.0;  // of all its programs, which other jobs of the machine hardly change
 };
+// Their names in summaries and tables.
+inline constexpr std::array<std::pair<const char*, double RunCost::*>, 5> kTimes = {
+    {{"wall_s", &RunCost::wall},
+     {"dem_wall_s", &RunCost::dem},
+     {"mbd_wall_s", &RunCost::mbd},
+     {"exchange_wall_s", &RunCost::exchange},
+     {"cpu_s", &RunCost::cpu}}};
 
 // How a run ended.
 struct RunEnd {
@@ -45,8 +53,8 @@ class RunStore {
   // Below `folder`; `keep`: runs that were done before are taken as they are.
   RunStore(std::string folder, bool keep) : folder_(std::move(folder)), keep_(keep) {}
 
-  // Returns the number of the run. A run with the recipe of an earlier one is that one. Reads the scene: throws
-  // InputError for a wrong one, unless the request says that it may be.
+  // Returns the number of the run, from 0 in their order. A run with the recipe of an earlier one is that one. Reads the
+  // scene: throws InputError for a wrong one, unless the request says that it may be.
   std::size_t add(const RunRequest& request);
 
   const RunRequest& request(std::size_t run) const { return runs_[run].request; }
@@ -77,6 +85,7 @@ class RunStore {
   };
   std::string record_file(std::size_t run) const { return folder(run) + ".done.json"; }
   std::string begun_file(std::size_t run) const { return folder(run) + ".begun.json"; }
+  std::string summary_file(std::size_t run) const { return folder(run) + "/summary.json"; }
   bool can_resume(std::size_t run) const;
   void note_end(Entry& entry, int code, double cpu, bool first);
 

@@ -6,8 +6,8 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/cli/experiments/text.h"
-#include "mbd_solver/cli/experiments/window_growth_run.h"
+#include "mbd_solver/cli/experiments/table.h"
+#include "mbd_solver/cli/experiments/window_growth.h"
 
 namespace footfall {
 namespace {
@@ -21,10 +21,6 @@ std::string file_name(std::string text) {
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-' && c != '+') c = '_';
   if (!text.empty() && text.front() == '.') text.front() = '_';
   return text;
-}
-
-void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
-  list.insert(list.end(), more.begin(), more.end());
 }
 
 // One choice of every parameter.
@@ -156,10 +152,10 @@ class Planner {
       r.name = file_name(name) + (name.empty() || combination.name.empty() ? "" : "__") + combination.name;
       r.scene = combination.scene.empty() ? scene : combination.scene;
       r.settings = spec_.settings;
-      if (short_) append(r.settings, spec_.short_settings);
+      if (short_) append(r.settings, spec_.short_form.settings);
       append(r.settings, settings);
       append(r.settings, combination.settings);
-      r.until = until > 0.0 ? until : short_ && spec_.short_until > 0.0 ? spec_.short_until : spec_.until;
+      r.until = until > 0.0 ? until : short_ && spec_.short_form.until > 0.0 ? spec_.short_form.until : spec_.until;
       r.time_limit = spec_.time_limit;
       r.repeats = shape.is_reference ? 1 : spec_.repeats;
       r.may_be_refused = spec_.is_map();
@@ -182,6 +178,13 @@ class Planner {
 };
 
 }  // namespace
+
+std::vector<std::string> filled(std::vector<std::string> texts, const std::string& value, const std::string& mark) {
+  for (std::string& text : texts)
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size()))
+      text.replace(at, mark.size(), value);
+  return texts;
+}
 
 Plan plan_of(const ExperimentSpec& spec, bool short_form) { return Planner(spec, short_form).plan(); }
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/cli/experiments/run_store.h"
+#include "mbd_solver/cli/experiments/results.h"
 
 namespace footfall {
 
@@ -27,10 +27,9 @@ struct Verdict {
   bool as_expected = false;
 };
 
-// `numbers`: of the plan's runs in the store.
-std::vector<Verdict> verdicts_of(const ExperimentSpec& spec, const Plan& plan, const RunStore& store,
-                                 const std::vector<std::size_t>& numbers);
+// One per case, but for references. Throws NumericalError when a reference was not done.
+std::vector<Verdict> verdicts_of(const ExperimentSpec& spec, const Results& results);
 // The table as Markdown.
-void write_verdicts(const std::string& path, const ExperimentSpec& spec, const std::vector<Verdict>& verdicts);
+std::string verdict_page(const ExperimentSpec& spec, const std::vector<Verdict>& verdicts);
 
 }  // namespace footfall

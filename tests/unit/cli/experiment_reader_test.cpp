@@ -1,5 +1,5 @@
-// What the file of an experiment must hold.
-#include "mbd_solver/cli/experiments/experiment_reader.h"
+// What the file of an experiment must hold: mbd_solver/cli/experiments/experiment_reader.cpp.
+#include "mbd_solver/cli/experiments/experiment.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,8 +51,9 @@ TEST(ReadExperiment, SaysWhatIsWrongWithCurvesAndFigures) {
               HasSubstr("is \"7\", expected one of the values"));
   EXPECT_THAT(complaint(curve + figure),
               HasSubstr("expected either key (of summary.json) or columns (of history.csv)"));
-  EXPECT_THAT(complaint(curve + figure + "columns = [\"a\"]\nreduce = \"mean\"\n"),
-              HasSubstr("is \"mean\", expected max, min, final, largest, drop, peaks or variation"));
+  EXPECT_THAT(
+      complaint(curve + figure + "columns = [\"a\"]\nreduce = \"mean\"\n"),
+      HasSubstr("is text \"mean\", which is none of the choices. Known choices: max, min, final, largest, drop"));
 }
 
 TEST(ReadExperiment, SaysWhatIsWrongWithStatementsAndPrintedFigures) {
@@ -70,7 +71,7 @@ TEST(ReadExperiment, SaysWhatIsWrongWithStatementsAndPrintedFigures) {
   EXPECT_THAT(complaint(figure + "[[printed]]\nname = \"p\"\nvalues = [\"much\"]\n"),
               HasSubstr("\"much\" is not a number"));
   EXPECT_THAT(complaint(figure + "[[figures]]\nname = \"f\"\ncolumns = [\"x\"]\nreduce = \"mean\"\n"),
-              HasSubstr("expected max, min, final, largest, drop, peaks or variation"));
+              HasSubstr("which is none of the choices"));
   EXPECT_THAT(complaint(figure + "[[figures]]\nname = \"f\"\nkey = \"x\"\naverage = true\n"),
               HasSubstr("expected at least two columns"));
 }

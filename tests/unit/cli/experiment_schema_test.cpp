@@ -1,4 +1,4 @@
-// experiment_schema() of mbd_solver/cli/experiments/experiment_reader.cpp says what the reader does: every shipped file
+// experiment_schema() of mbd_solver/cli/experiments says what the reader does: every shipped file
 // is valid by its keys and types.
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "mbd_solver/cli/experiments/experiment_reader.h"
+#include "mbd_solver/cli/experiments/experiment.h"
 #include "mbd_solver/scene/config_node.h"
 
 namespace footfall {

@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/experiments/experiment_reader.h"
+#include "mbd_solver/cli/experiments/experiment.h"
 
 namespace footfall {
 namespace {
@@ -139,18 +139,19 @@ TEST_F(FitsTest, WrongFilesAreTold) {
     EXPECT_THAT([&] { read_with(from, to); }, ThrowsMessage<InputError>(HasSubstr(message))) << to;
   };
   expect("figure = \"depth [m]\"\nlabel", "figure = \"width\"\nlabel",
-         "sweep.toml:17: fits.figure: \"width\" is not one of [[figures]]");
+         "sweep.toml:19: fits.law.figure: \"width\" is not one of [[figures]]");
   expect("sum = \"density\"", "sum = \"rho\"",
-         "sweep.toml:22: fits.factors.sum: \"rho\" is neither one of [[parameters]] nor one of [[figures]]");
+         "sweep.toml:24: fits.law.factors.rho.sum: \"rho\" is not one of [[parameters]], nor of [[figures]]");
   expect("sum = \"density\"", "sum = \"colour\"",
-         "fits.factors.sum: parameter \"colour\" has the value \"red\", expected numbers in a power law");
-  expect("marks = \"density\"", "marks = \"size\"", "fits.marks: \"size\" is not one of [[parameters]]");
-  expect("Walsh = 0.25", "Walsh = \"1/4\"", "published.Walsh: is text \"1/4\", expected a number");
-  expect("{ Uehara = 0.5 }", "0.5", "published: is the number 0.5, expected { Name = exponent }");
-  expect("label = \"d\"", "where = { size = 1 }", "sweep.toml:17: fits.where: \"size\" is not one of [[parameters]]");
-  expect("label = \"d\"", "where = { density = 3 }", "fits.where: parameter \"density\" has no value \"3\"");
-  expect("label = \"d\"", "where = 5", "fits.where: is the number 5, expected a table");
-  expect("label = \"d\"", "labels = \"d\"", "labels: is not known; did you mean \"label\"?");
+         "fits.law.factors.rho.sum: parameter \"colour\" has the value \"red\", expected numbers in a power law");
+  expect("marks = \"density\"", "marks = \"size\"", "fits.law.marks: \"size\" is not one of [[parameters]]");
+  expect("Walsh = 0.25", "Walsh = \"1/4\"", "published.Walsh: is \"1/4\", expected a number");
+  expect("{ Uehara = 0.5 }", "0.5", "published: is the number 0.5, expected a table");
+  expect("label = \"d\"", "where = { size = 1 }",
+         "sweep.toml:20: fits.law.where: \"size\" is not one of [[parameters]]");
+  expect("label = \"d\"", "where = { density = 3 }", "fits.law.where: parameter \"density\" has no value \"3\"");
+  expect("label = \"d\"", "where = 5", "fits.law.where: is the number 5, expected a table");
+  expect("label = \"d\"", "labels = \"d\"", "labels: unknown key.");
 }
 
 TEST_F(FitsTest, NumbersWithoutALogarithmAreTold) {
@@ -160,7 +161,7 @@ TEST_F(FitsTest, NumbersWithoutALogarithmAreTold) {
   results[5].figures[0] = -0.01;
   EXPECT_THAT([&] { fit_data(sweep, sweep.fits[0], plan, results); },
               ThrowsMessage<InputError>(HasSubstr(
-                  "fits.figure: is -0.01 in the run density_1000__height_1.6__colour_blue, expected more than 0")));
+                  "fits.law.figure: is -0.01 in the run density_1000__height_1.6__colour_blue, expected more than 0")));
   for (RunResult& result : results) result.end.code = 1;
   EXPECT_THAT([&] { write_fits(sweep, plan, results, folder_.string()); },
               ThrowsMessage<InputError>(HasSubstr("0 values for 3 coefficients")));

@@ -64,7 +64,7 @@ TEST_F(ResultsTest, AFailedRunIsLeftOutOfTheMeanAndTold) {
 TEST_F(ResultsTest, RankingLeavesOutWhatIsBeyondTheLimits) {
   spec_.minimise = "peak";
   EXPECT_THAT(ranking(spec_, cases_of(spec_, plan_, runs_)), ElementsAre(0, 1));
-  spec_.limits = {{"peak", 7.0}};
+  spec_.limits = {{"peak", 7.0, {}}};
   EXPECT_THAT(ranking(spec_, cases_of(spec_, plan_, runs_)), ElementsAre(0));
 }
 
@@ -94,7 +94,7 @@ TEST_F(ResultsTest, AnOrderIsTheSlopeOfTheErrorsOfItsCurve) {
   spec_.curves.resize(1);
   spec_.curves[0].name = "window";
   StatementSpec statement;
-  statement.kind = StatementSpec::Kind::kOrder;
+  statement.order = {1.9, 2.1};
   statement.figure = "peak";
   statement.curve = "window";
   statement.least = 1.9;
@@ -110,7 +110,8 @@ TEST_F(ResultsTest, AnOrderIsTheSlopeOfTheErrorsOfItsCurve) {
   cases[0].plan.is_reference = true;  // no point of the line, whatever its numbers
   cases[0].figures[0].error = 1.0;
   EXPECT_NEAR(outcomes_of(spec_, cases)[0].judged, 2.0, 1e-12);
-  spec_.statements[0].kind = StatementSpec::Kind::kError;
+  spec_.statements[0].order.clear();
+  spec_.statements[0].error = 0.1;
   EXPECT_DOUBLE_EQ(outcomes_of(spec_, cases)[0].judged, 16e-3);  // the last value's
 }
 

@@ -68,8 +68,7 @@ TEST(PlanOf, EveryCaseKnowsWhatItIsComparedWith) {
 TEST(PlanOf, ShortFormTakesItsOwnValuesTimeAndSettings) {
   ExperimentSpec spec = two_curves();
   spec.until = 2.0;
-  spec.short_until = 0.1;
-  spec.short_settings = {"small=1"};
+  spec.short_form = {0.1, {"small=1"}};
   const Plan plan = plan_of(spec, true);
   EXPECT_THAT(names(plan), ElementsAre("reference__seed_7", "window_2__seed_7", "time_step_reference__seed_7",
                                        "time_step_1e-4__seed_7"));

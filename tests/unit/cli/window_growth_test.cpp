@@ -1,9 +1,9 @@
-// mbd_solver/cli/experiments/window_growth_run.h: growth per window from the values of a motion.
+// mbd_solver/cli/experiments/window_growth.h: growth per window from the values of a motion.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "mbd_solver/cli/experiments/window_growth_run.h"
+#include "mbd_solver/cli/experiments/window_growth.h"
 
 namespace footfall {
 namespace {

@@ -1,0 +1,59 @@
+#pragma once
+// The memory of SUNDIALS' IDA: who owns it, what it calls, and one step of it. Only ida.cpp and ida_sundials.cpp look
+// into it.
+
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sunlinsol/sunlinsol_klu.h>
+#include <sunmatrix/sunmatrix_sparse.h>
+
+#include <exception>
+#include <string>
+
+#include "mbd_solver/integrator/ida.h"
+
+namespace footfall {
+
+struct Ida::Sundials {
+  Sundials(Equations& equations, const IntegratorOptions& options);
+  ~Sundials();
+
+  // Every return code of SUNDIALS goes through here.
+  void check(int flag, const char* function);
+  [[noreturn]] void give_up(const std::string& what);
+  void restart(const State& state, const Inputs& inputs, IntegratorStatistics& statistics);
+  // One step of IDA, with the rows in it; false: a row has ended the window, and state and rates are at it.
+  bool step(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
+  void add_work_between(double begin, double end, const Inputs& inputs, State& state);
+  void count(IntegratorStatistics& statistics);
+  double step_error();
+
+  static int residual(realtype t, N_Vector y, N_Vector ydot, N_Vector F, void* self);
+  static int jacobian(realtype t, realtype c, N_Vector y, N_Vector ydot, N_Vector F, SUNMatrix J, void* self, N_Vector,
+                      N_Vector, N_Vector);
+  static void message(int code, const char* module, const char* function, char* text, void* self);
+  template <typename Work>
+  int guarded(Work work);
+
+  Equations& equations;
+  IntegratorOptions options;
+  SUNContext context = nullptr;
+  void* memory = nullptr;
+  N_Vector y = nullptr, ydot = nullptr, scratch = nullptr, scratch2 = nullptr;
+  SUNMatrix matrix = nullptr;
+  SUNLinearSolver solver = nullptr;
+  const Inputs* inputs_now = nullptr;  // during one call of IDASolve
+  Inputs inputs_last;
+  State state_last;       // as returned; empty: start anew
+  State row;              // projected, for the caller
+  double row_time = 0.0;  // of the next row [s]
+  double t = 0.0;
+  Eigen::VectorXd rates;
+  EnergySample energy;
+  std::exception_ptr fatal;  // from inside a callback
+  std::string complaint;
+  long counted[5] = {0, 0, 0, 0, 0};  // steps, residuals, factorizations, rejected, failures: of the present start
+  long jacobians = 0;
+};
+
+}  // namespace footfall
