@@ -23,7 +23,7 @@
 
 namespace footfall {
 
-inline constexpr std::int32_t kProtocolVersion = 4;
+inline constexpr std::int32_t kProtocolVersion = 5;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // LIGGGHTS' name of the units that both programs use.
@@ -61,6 +61,14 @@ struct Geometry {
   std::string resume;               // folder of the checkpoint that the run goes on from; empty: a new run
 };
 
+// A wall of the script that stands still: a mesh, or a plane where it has no corners. Grains touch it from both sides.
+struct StaticWall {
+  std::string name;                                  // of its fix
+  std::vector<Eigen::Vector3d> corners;              // three for each triangle, in W [m]
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();   // of the plane, in W [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // of the plane, unit vector in W; zero for a mesh
+};
+
 struct Start {
   static constexpr MessageKind kKind = MessageKind::kStart;
   double dt = 0.0;                  // substep of the grains [s]
@@ -74,6 +82,7 @@ struct Start {
   bool may_end_early = false;         // the script's end may end the coupled run before the scene's
   std::vector<std::string> warnings;  // for the user, who reads them from the mechanism's side
   bool wants_masses = false;          // the grains' side asks for Motion::inverse_masses
+  std::vector<StaticWall> walls;      // what bodies of the scene must not go through
 };
 
 struct Accept {
@@ -82,6 +91,7 @@ struct Accept {
   double t_end = 0.0;      // end of the scene [s]
   std::int32_t n_max = 0;  // largest n that any Motion will ask for
   double patience = 0.0;   // how long each side bears the other's silence in a run [s]; 0: as the receiver has it
+  std::vector<std::string> held_by_walls;  // bodies that planes and static meshes of the script stop: [[contacts]]
 };
 
 // What a body's BodyMotion carries here:
@@ -130,7 +140,8 @@ struct Load {
   bool asked_to_end = false;  // by a signal to one of its ranks; both programs end after a checkpoint, if they can
   // of the DEM side since its last Load or Accept, set-up and output included, waiting excluded [s]
   double wall_seconds = 0.0;
-  std::vector<BodyLoad> bodies;  // order of Start
+  std::vector<BodyLoad> bodies;         // order of Start
+  std::vector<std::string> gone_walls;  // of Start::walls: no longer there, or they move now
 };
 
 // The grains' side has written its files of the checkpoint.
