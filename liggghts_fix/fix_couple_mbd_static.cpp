@@ -1,6 +1,6 @@
 #include "liggghts_fix/fix_couple_mbd_static.h"
 
-#include <algorithm>
+#include <map>
 #include <set>
 
 #include "coupler/mpi_check.h"
@@ -35,12 +35,15 @@ std::vector<footfall::StaticWall> plane_of(const std::string& name, PrimitiveWal
   return {plane};
 }
 
-// Every triangle stands on one rank.
+// In the order of their ids. Before its first run LIGGGHTS has all triangles on every rank, then each on one.
 std::vector<Eigen::Vector3d> all_corners(TriMesh& mesh, MPI_Comm world) {
+  constexpr std::size_t kNumbers = 10;  // of a triangle: id, nine coordinates
   std::vector<double> mine;
   double*** const nodes = footfall::mesh_nodes(&mesh);
-  for (int i = 0; i < mesh.sizeLocal(); ++i)
+  for (int i = 0; i < mesh.sizeLocal(); ++i) {
+    mine.push_back(mesh.id(i));
     for (int k = 0; k < 3; ++k) mine.insert(mine.end(), nodes[i][k], nodes[i][k] + 3);
+  }
   int ranks = 1;
   MPI_Comm_size(world, &ranks);
   const int count = static_cast<int>(mine.size());
@@ -51,11 +54,16 @@ std::vector<Eigen::Vector3d> all_corners(TriMesh& mesh, MPI_Comm world) {
     starts[rank] = all;
     all += counts[rank];
   }
-  std::vector<Eigen::Vector3d> corners(static_cast<std::size_t>(all / 3));
-  double* const out = corners.empty() ? nullptr : corners.front().data();
+  std::vector<double> numbers(static_cast<std::size_t>(all));
   footfall::check_mpi(
-      MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, out, counts.data(), starts.data(), MPI_DOUBLE, world),
+      MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, numbers.data(), counts.data(), starts.data(), MPI_DOUBLE, world),
       "MPI_Allgatherv");
+  std::map<int, const double*> by_id;
+  for (std::size_t i = 0; i < numbers.size(); i += kNumbers)
+    by_id.emplace(static_cast<int>(numbers[i]), &numbers[i + 1]);
+  std::vector<Eigen::Vector3d> corners;
+  for (const auto& [id, x] : by_id)
+    for (int k = 0; k < 3; ++k) corners.emplace_back(x[3 * k], x[3 * k + 1], x[3 * k + 2]);
   return corners;
 }
 

@@ -168,7 +168,7 @@ SurfaceSides ContactSurface::sides_of(const std::vector<Eigen::Vector3d>& points
     take(count);
   }
   for (const auto& mesh : meshes_) {
-    std::vector<Count> counts(mesh->pieces.open.size());
+    std::vector<Count> counts(mesh->pieces.open.size()), beside(counts.size());  // nearest to a border
     std::vector<Candidate> nearest(counts.size());
     for (const Eigen::Vector3d& p : points) {
       for (Candidate& one : nearest) one.distance = std::numeric_limits<double>::infinity();
@@ -178,9 +178,12 @@ SurfaceSides ContactSurface::sides_of(const std::vector<Eigen::Vector3d>& points
         if (c.distance < best.distance) best = c;
       }
       for (std::size_t k = 0; k < counts.size(); ++k)
-        if (!mesh->on_border(nearest[k])) counts[k].add(mesh->side(nearest[k], p), nearest[k].distance);
+        (mesh->on_border(nearest[k]) ? beside : counts)[k].add(mesh->side(nearest[k], p), nearest[k].distance);
     }
-    for (const Count& count : counts) take(count);
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+      const bool over_it = counts[k].plus + counts[k].minus > 0;
+      take(over_it ? counts[k] : Count{beside[k].plus, beside[k].minus, 0.0, 0.0});  // beside it nobody stands across
+    }
   }
   return sides;
 }
