@@ -79,6 +79,11 @@ inline constexpr auto kFields<BodyMotion> =
                Field{"ddr", &BodyMotion::ddr}, Field{"dw", &BodyMotion::dw}, Field{"dda", &BodyMotion::dda}};
 
 template <>
+inline constexpr auto kFields<StaticWall> =
+    std::tuple{Field{"name", &StaticWall::name}, Field{"corners", &StaticWall::corners},
+               Field{"point", &StaticWall::point}, Field{"normal", &StaticWall::normal}};
+
+template <>
 inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt},
                                                   Field{"n", &Start::n},
                                                   Field{"step", &Start::step},
@@ -88,12 +93,13 @@ inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt},
                                                   Field{"may_end_early", &Start::may_end_early},
                                                   Field{"warnings", &Start::warnings},
                                                   Field{"wants_masses", &Start::wants_masses},
-                                                  Field{"grains_version", &Start::grains_version}};
+                                                  Field{"grains_version", &Start::grains_version},
+                                                  Field{"walls", &Start::walls}};
 
 template <>
 inline constexpr auto kFields<Accept> =
     std::tuple{Field{"scheme", &Accept::scheme}, Field{"t_end", &Accept::t_end}, Field{"n_max", &Accept::n_max},
-               Field{"patience", &Accept::patience}};
+               Field{"patience", &Accept::patience}, Field{"held_by_walls", &Accept::held_by_walls}};
 
 template <>
 inline constexpr auto kFields<Motion> = std::tuple{Field{"window", &Motion::window},
@@ -112,7 +118,8 @@ inline constexpr auto kFields<Load> = std::tuple{Field{"window", &Load::window},
                                                  Field{"warnings", &Load::warnings},
                                                  Field{"asked_to_end", &Load::asked_to_end},
                                                  Field{"wall_seconds", &Load::wall_seconds},
-                                                 Field{"bodies", &Load::bodies}};
+                                                 Field{"bodies", &Load::bodies},
+                                                 Field{"gone_walls", &Load::gone_walls}};
 
 template <>
 inline constexpr auto kFields<BodyLoad> =

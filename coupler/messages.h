@@ -61,6 +61,14 @@ struct Geometry {
   std::string resume;               // folder of the checkpoint that the run goes on from; empty: a new run
 };
 
+// A wall of the script that stands still: a mesh, or a plane where it has no corners. Grains touch it from both sides.
+struct StaticWall {
+  std::string name;                                  // of its fix
+  std::vector<Eigen::Vector3d> corners;              // three for each triangle, in W [m]
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();   // of the plane, in W [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // of the plane, unit vector in W; zero for a mesh
+};
+
 struct Start {
   static constexpr MessageKind kKind = MessageKind::kStart;
   double dt = 0.0;                  // substep of the grains [s]
@@ -75,6 +83,7 @@ struct Start {
   std::vector<std::string> warnings;  // for the user, who reads them from the mechanism's side
   bool wants_masses = false;          // the grains' side asks for Motion::inverse_masses
   std::string grains_version;         // of LIGGGHTS, as it names itself
+  std::vector<StaticWall> walls;      // what bodies of the scene must not go through
 };
 
 struct Accept {
@@ -83,6 +92,7 @@ struct Accept {
   double t_end = 0.0;      // end of the scene [s]
   std::int32_t n_max = 0;  // largest n that any Motion will ask for
   double patience = 0.0;   // how long each side bears the other's silence in a run [s]; 0: as the receiver has it
+  std::vector<std::string> held_by_walls;  // bodies that planes and static meshes of the script stop: [[contacts]]
 };
 
 // What a body's BodyMotion carries here:
@@ -131,7 +141,8 @@ struct Load {
   bool asked_to_end = false;  // by a signal to one of its ranks; both programs end after a checkpoint, if they can
   // of the DEM side since its last Load or Accept, set-up and output included, waiting excluded [s]
   double wall_seconds = 0.0;
-  std::vector<BodyLoad> bodies;  // order of Start
+  std::vector<BodyLoad> bodies;         // order of Start
+  std::vector<std::string> gone_walls;  // of Start::walls: no longer there, or they move now
 };
 
 // The grains' side has written its files of the checkpoint.

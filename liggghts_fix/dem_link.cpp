@@ -308,9 +308,22 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
   sent_ = now;
   link_->send(load_);
   load_.warnings.clear();
+  load_.gone_walls.clear();
   if (!last_window_) return;
   finished_ = true;
   link_->close();
+}
+
+void DemLink::wall_is_gone(const std::string& name) {
+  std::vector<StaticWall>& walls = script_.walls;
+  walls.erase(std::remove_if(walls.begin(), walls.end(), [&](const StaticWall& wall) { return wall.name == name; }),
+              walls.end());
+  load_.gone_walls.push_back(name);
+}
+
+bool DemLink::is_held_by_walls(int body) const {
+  const std::vector<std::string>& held = accept_.held_by_walls;
+  return std::find(held.begin(), held.end(), body_name(body)) != held.end();
 }
 
 void DemLink::uncoupled_by(const std::string& command) {

@@ -80,6 +80,11 @@ class DemLink {
 
   // Of the grains, zero where it is not known [m/s2]. After start().
   const Eigen::Vector3d& script_gravity() const { return script_.gravity; }
+  // As sent at the start. One that has gone since, or moves now, is told with the next load, once. After start().
+  const std::vector<StaticWall>& script_walls() const { return script_.walls; }
+  void wall_is_gone(const std::string& name);
+  // Planes and static meshes of the script stop this body: the scene says so. After start().
+  bool is_held_by_walls(int body) const;
   // For the user, with the next load.
   void warn(const std::string& text) { load_.warnings.push_back(text); }
   double time() const { return motion_.time + dt_ * (motion_.n - substeps_left_); }  // at the end of this substep [s]

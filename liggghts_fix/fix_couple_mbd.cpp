@@ -15,6 +15,7 @@
 #include "liggghts_fix/fix_couple_mbd_match.h"
 #include "liggghts_fix/fix_couple_mbd_restart.h"
 #include "liggghts_fix/fix_couple_mbd_script.h"
+#include "liggghts_fix/fix_couple_mbd_static.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "liggghts_fix/mesh_order.h"
 #include "modify.h"
@@ -97,7 +98,12 @@ void FixCoupleMbd::init() {
   script.grains_version = name == std::string::npos ? version : version.substr(name, version.find(',') - name);
   if (arguments_.gravity_of_scene) read_gravity(*modify, script);
   warn_of_clumps(*modify, script);
-  if (!link_.started()) warn_of_radius(lmp, script);
+  if (!link_.started()) {
+    warn_of_radius(lmp, script);
+    script.walls = static_walls(*modify, world, script.warnings);
+  } else {
+    for (const std::string& wall : gone_walls(*modify, link_.script_walls())) link_.wall_is_gone(wall);
+  }
   link_.start(std::move(script));
   footfall::work_is_under_way();
   rows_of_output_.clear();

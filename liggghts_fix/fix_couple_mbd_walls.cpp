@@ -39,7 +39,10 @@ void WallWatch::look(Modify& modify, footfall::DemLink& link, double time) {
   for (int i = 0; i < modify.nfix; ++i) {
     auto* const wall = dynamic_cast<FixWallGran*>(modify.fix[i]);
     if (wall == nullptr || wall->is_mesh_wall() || dynamic_cast<FixWallGranBeam*>(wall) != nullptr) continue;
-    for (int body = 0; body < link.body_count(); ++body) look(wall->id, *wall->primitiveWall(), link, body, time);
+    PrimitiveWall& surface = *wall->primitiveWall();
+    const bool is_plane = surface.axis() < 0;
+    for (int body = 0; body < link.body_count(); ++body)
+      if (!is_plane || !link.is_held_by_walls(body)) look(wall->id, surface, link, body, time);
   }
   before_ = now_;
 }

@@ -101,8 +101,8 @@ Marker rigid_marker(int index, const Eigen::Vector3d& s0, const Eigen::Vector3d&
 }
 
 // The surface of a rigid round body on a plane, in place of its nodes; false where the nodes are the surface.
-bool add_round_shape(const Scene& scene, const BodySpec& body, const BoundarySpec& spec, BodyBoundary& entry) {
-  if (scene.ground.kind != GroundKind::kPlane || !spec.surface || !spec.surface->file.empty()) return false;
+bool add_round_shape(const BodySpec& body, const BoundarySpec& spec, BodyBoundary& entry) {
+  if (!spec.surface || !spec.surface->file.empty()) return false;
   if (spec.surface->faces == SurfaceFaces::kMiddle) return false;
   const ShapeSpec& shape = *body.shape;
   const Eigen::Matrix3d R_BD = body.orientation.toRotationMatrix().transpose();
@@ -143,7 +143,35 @@ bool touches_ground(const GroundSpec& ground, const std::string& body) {
   return std::find(ground.plane->bodies.begin(), ground.plane->bodies.end(), body) != ground.plane->bodies.end();
 }
 
+const BoundarySpec& spec_of(const Scene& scene, const BodyBoundary& entry) {
+  for (const BoundarySpec& spec : scene.boundaries)
+    if (spec.body == entry.boundary.name()) return spec;
+  FOOTFALL_DEMAND(false);
+}
+
 }  // namespace
+
+void add_plane_places(const Scene& scene, const Body& body, BodyBoundary& entry) {
+  const BodySpec& spec = scene.bodies[static_cast<std::size_t>(entry.body)];
+  const bool round = body.modal() == nullptr && add_round_shape(spec, spec_of(scene, entry), entry);
+  for (ContactPoint& point : contact_points(entry.body, body, entry.boundary))
+    if (!round || point.radius > 0.0) entry.points.push_back(std::move(point));  // of beams
+}
+
+const ShapeSpec* round_shape(const Scene& scene, const BodyBoundary& entry) {
+  const BodySpec& body = scene.bodies[static_cast<std::size_t>(entry.body)];
+  const BoundarySpec& spec = spec_of(scene, entry);
+  if (entry.boundary.mode_count() > 0 || !spec.surface || !spec.surface->file.empty() || !body.shape) return nullptr;
+  const bool ball = body.shape->kind == ShapeKind::kSphere || body.shape->kind == ShapeKind::kCapsule;
+  return ball ? &*body.shape : nullptr;
+}
+
+std::vector<ContactPoint> contact_places(const Scene& scene, const Body& body, const BodyBoundary& entry) {
+  if (round_shape(scene, entry) == nullptr) return contact_points(entry.body, body, entry.boundary);
+  BodyBoundary round{entry.body, entry.boundary, {}, {}};
+  add_plane_places(scene, body, round);
+  return round.points;
+}
 
 double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const Eigen::VectorXd& a) {
   double lowest = std::numeric_limits<double>::infinity();
@@ -168,9 +196,11 @@ std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector
     const Body carrier =
         flexible[i].modal ? Body(body.name, flexible[i].modal) : Body(body.name, body.mass, body.inertia);
     BodyBoundary& entry = boundaries.back();
-    const bool round = !flexible[i].modal && add_round_shape(scene, body, spec, entry);
-    for (ContactPoint& point : contact_points(index, carrier, entry.boundary))
-      if (!round || point.radius > 0.0) entry.points.push_back(std::move(point));  // of beams
+    if (scene.ground.kind == GroundKind::kPlane) {
+      add_plane_places(scene, carrier, entry);
+    } else {
+      entry.points = contact_points(index, carrier, entry.boundary);
+    }
   }
   return boundaries;
 }

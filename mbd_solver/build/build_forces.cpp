@@ -8,7 +8,6 @@
 #include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/elements/applied_force.h"
 #include "mbd_solver/model/elements/bushing.h"
-#include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/elements/torsional_spring.h"
 #include "mbd_solver/model/laws/end_stop.h"
@@ -197,33 +196,6 @@ void add_forces(const Scene& scene, Mechanism& mechanism) {
     model.add_force(std::make_unique<AppliedForce>("force/" + spec.name, model.marker_at(body, p_W, axes_W),
                                                    turns ? std::nullopt : std::optional(spec.direction),
                                                    magnitude(spec.force), magnitude(spec.torque)));
-  }
-}
-
-void add_plane(const Scene& scene, Mechanism& mechanism) {
-  if (scene.ground.kind != GroundKind::kPlane) return;
-  const PlaneSpec& spec = *scene.ground.plane;
-  RigidPlane::Parameters p;
-  p.point = spec.point;
-  p.normal = spec.normal;
-  p.friction = spec.friction;
-  if (spec.friction_speed) {
-    p.slip_speed = *spec.friction_speed;
-    p.stick_time = 0.0;
-  }
-  // Hertz on a flat: k = 4/3 E* sqrt(R), E* = E / (1 - nu^2).
-  p.stiffness = spec.stiffness ? *spec.stiffness
-                               : 4.0 / 3.0 * spec.young.value_or(0.0) / (1.0 - spec.poisson * spec.poisson) *
-                                     std::sqrt(spec.contact_radius);
-  const double speed = spec.impact_speed.value_or(scene.initial.velocity.norm());
-  p.damping = spec.damping       ? *spec.damping
-              : spec.restitution ? contact_damping_for_restitution(*spec.restitution, speed > 0.0 ? speed : 1.0)
-                                 : 0.0;
-  for (const BodyBoundary& entry : mechanism.boundaries) {
-    if (entry.points.empty() && entry.rims.empty()) continue;
-    mechanism.planes.push_back(mechanism.model.add_force(
-        std::make_unique<RigidPlane>("ground/" + entry.boundary.name(), entry.points, p, entry.rims)));
-    mechanism.plane_bodies.push_back(entry.body);
   }
 }
 

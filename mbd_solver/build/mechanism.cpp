@@ -48,7 +48,7 @@ Mechanism build_mechanism(const Scene& scene) {
   const std::vector<FlexibleBody> flexible = build_flexible_bodies(scene, warnings);
   std::vector<BodyBoundary> boundaries = build_boundaries(scene, flexible);
   Mechanism mechanism{
-      place(scene, boundaries, flexible), Model(scene.gravity), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, -1, {}};
+      place(scene, boundaries, flexible), Model(scene.gravity), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, -1, {}};
   mechanism.boundaries = std::move(boundaries);
   mechanism.warnings = std::move(warnings);
   add_bodies(scene, flexible, mechanism);
@@ -60,6 +60,7 @@ Mechanism build_mechanism(const Scene& scene) {
   add_springs(scene, mechanism);
   add_forces(scene, mechanism);
   add_plane(scene, mechanism);
+  add_contacts(scene, mechanism);
   add_signals(scene, mechanism);
   return mechanism;
 }

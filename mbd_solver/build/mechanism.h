@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "coupler/messages.h"
 #include "coupler/modal_boundary.h"
 #include "mbd_solver/model/controllers/controller.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
+#include "mbd_solver/model/elements/surface_contact.h"
 #include "mbd_solver/model/model.h"
 #include "mbd_solver/model/signals/continuous_signals.h"
 #include "mbd_solver/scene/scene.h"
@@ -44,6 +46,13 @@ struct BodyBoundary {
   std::vector<ContactRim> rims;      // a rigid sphere, rod, tube or disc meets a plane as what it is, not by its nodes:
                                      // its centre is a point, or it has two rims
 };                                   // Without points and rims: ground.plane.bodies leaves it out.
+
+// What of a body meets a plane: its points and rims are filled.
+void add_plane_places(const Scene& scene, const Body& body, BodyBoundary& entry);
+// The sphere or capsule that a rigid boundary is as a whole; null where its nodes are the surface.
+const ShapeSpec* round_shape(const Scene& scene, const BodyBoundary& entry);
+// What of a body meets meshes and other bodies: a ball for a sphere, two for a capsule, else the nodes.
+std::vector<ContactPoint> contact_places(const Scene& scene, const Body& body, const BodyBoundary& entry);
 
 // Lowest place of a boundary along the unit vector n_B (in body axes), counted from Bo [m], with the modes at `a`;
 // infinity without points and rims.
@@ -81,6 +90,18 @@ struct ControllerEntry {
   std::vector<std::string> outputs;
 };
 
+// A contact of the scene between bodies, or of a body and the script's walls.
+struct ContactEntry {
+  int force = 0;  // index of its SurfaceContact in the model
+  int body_1 = 0;
+  int body_2 = kGround;  // kGround: walls
+  // Of walls: what the contact sees of them, empty until they are known; and the places of the body.
+  std::shared_ptr<SurfaceSeen> walls;
+  std::vector<ContactPoint> places;
+
+  bool holds(int a, int b) const { return (a == body_1 && b == body_2) || (a == body_2 && b == body_1); }
+};
+
 // A signal or a state of the scene, and the place of its value among the voltages of a run.
 struct PlaceEntry {
   std::string name;
@@ -93,7 +114,8 @@ struct Mechanism {
   std::vector<BodyBoundary> boundaries;
   std::vector<StrutEntry> struts;
   std::vector<int> planes;        // force indices of rigid-plane contacts, one per touching body
-  std::vector<int> plane_bodies;  // their bodies
+  std::vector<int> plane_bodies;  // their bodies; one may touch several planes
+  std::vector<ContactEntry> contacts;
   std::vector<ControllerEntry> controllers;
   std::vector<CoordinateEntry> coordinates;
   std::vector<DriveEntry> drives;
@@ -118,6 +140,10 @@ struct FlexibleBody {
 // One entry per body of the scene; `modal` is null for rigid bodies. Warnings are appended.
 std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<std::string>& warnings);
 
+// The script's walls, known when a coupled run begins; again when some are gone. Throws InputError when a body that they
+// hold stands on both sides of one.
+void set_walls(const std::vector<StaticWall>& walls, Mechanism& mechanism);
+
 // The boundary of each entry of scene.boundaries, in the order of the scene.
 std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible);
 
@@ -132,6 +158,7 @@ void add_struts(const Scene& scene, Mechanism& mechanism);  // after add_control
 void add_springs(const Scene& scene, Mechanism& mechanism);
 void add_forces(const Scene& scene, Mechanism& mechanism);
 void add_plane(const Scene& scene, Mechanism& mechanism);
+void add_contacts(const Scene& scene, Mechanism& mechanism);
 void add_controllers(const Scene& scene, Mechanism& mechanism);
 void add_signal_places(const Scene& scene, Mechanism& mechanism);  // before what they drive
 void add_signals(const Scene& scene, Mechanism& mechanism);        // after what they measure

@@ -27,11 +27,19 @@ double stated(const Scene& scene, const std::string& name) {
   return *end == '\0' ? value : 0.0;
 }
 
-DemTerms terms_of(const Scene& scene, double t_end, const std::string& resume) {
+std::vector<std::string> held_by_walls(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (const ContactEntry& entry : mechanism.contacts)
+    if (entry.walls != nullptr) names.push_back(mechanism.model.body(entry.body_1).name());
+  return names;
+}
+
+DemTerms terms_of(const Scene& scene, const Mechanism& mechanism, double t_end, const std::string& resume) {
   DemTerms terms;
   terms.scheme = scene.coupling.scheme;
   terms.t_end = t_end;
   terms.gravity = scene.gravity;
+  terms.held_by_walls = held_by_walls(mechanism);
   terms.resume = resume;
   terms.n_max = scene.coupling.max_substeps;
   terms.max_dt = scene.particles->max_time_step;
@@ -64,7 +72,7 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations
       gravity_(scene.gravity),
       up_(up_direction(scene.gravity)),
       scheme_(make_scheme(scene.coupling.scheme)),
-      partner_(transport, bodies_with_boundary(mechanism, start), terms_of(scene, t_end, resume),
+      partner_(transport, bodies_with_boundary(mechanism, start), terms_of(scene, mechanism, t_end, resume),
                scene.coupling.timeout),
       agreement_{partner_.dt(), partner_.substeps(), partner_.coupled(), scheme_.get()} {
   std::vector<std::string> names;

@@ -62,6 +62,9 @@ class CoupledRun {
   const Load& load() const { return partner_.load(); }      // likewise; empty before the first
   // The LIGGGHTS script has said that it may end before the scene does, and has.
   bool script_has_ended() const { return partner_.script_has_ended(); }
+  // Planes and static meshes of the script, as it began to run; those that have gone since, told with the last load.
+  const std::vector<StaticWall>& walls() const { return partner_.walls(); }
+  const std::vector<std::string>& gone_walls() const { return partner_.load().gone_walls; }
   bool asked_to_end() const { return partner_.load().asked_to_end; }  // by a signal to a rank of LIGGGHTS
   const CouplingWatch& watch() const { return *watch_; }
   const std::string& grains_version() const { return partner_.grains_version(); }  // of LIGGGHTS

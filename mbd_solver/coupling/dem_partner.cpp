@@ -48,6 +48,7 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     accept.t_end = terms.t_end;
     accept.n_max = start_.n > 0 ? start_.n : terms.n_max;
     accept.patience = patience;
+    accept.held_by_walls = terms.held_by_walls;
     link_.send(accept);
     seconds_before_ = link_.seconds_waited();
   } catch (const ProtocolError& error) {

@@ -21,6 +21,7 @@ struct DemTerms {
   double expected_dt = 0.0;                           // stated by the scene for the script; 0: not stated [s]
   int expected_n = 0;                                 // likewise
   int n_max = 1;                                      // longest window when the script has `every auto`
+  std::vector<std::string> held_by_walls;             // bodies that the script's walls stop: [[contacts]] with walls
   std::string resume;  // folder of the checkpoint that both sides go on from; empty: a new run
 };
 
@@ -37,6 +38,9 @@ class DemPartner {
   const std::string& grains_version() const { return start_.grains_version; }
   // index in `bodies` of each body of Motion and Load, in their order
   const std::vector<int>& coupled() const { return coupled_; }
+
+  // Of the script; those that still stand where they stood when it began to run.
+  const std::vector<StaticWall>& walls() const { return start_.walls; }
 
   // For the user: what the script said and is no error.
   const std::vector<std::string>& warnings() const { return warnings_; }

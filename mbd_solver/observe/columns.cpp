@@ -181,7 +181,7 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
           kFlexible, {name}, [k, &flexible](const Sample&) -> const FlexibleFigures& { return flexible.now(k); },
           Column::Reads::kFlexible);
   }
-  if (subject.scene.ground.kind != GroundKind::kNone)
+  if (subject.scene.ground.kind != GroundKind::kNone || !mechanism.planes.empty() || !mechanism.contacts.empty())
     for (const BodyBoundary& entry : mechanism.boundaries)
       out.add(kContact, {entry.boundary.name()},
               [i = static_cast<std::size_t>(entry.body)](const Sample& s) -> const GeneralizedForce& {

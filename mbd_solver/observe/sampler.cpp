@@ -36,12 +36,27 @@ void Sampler::update_contact() {
     contact_[i].T_W = kinematics_.of(static_cast<int>(i)).A * loads[i].T_B;
   }
   const Mechanism& mechanism = subject_.mechanism;
+  const auto add = [&](int body, const Vector6d& wrench) {
+    GeneralizedForce& contact = contact_[static_cast<std::size_t>(body)];
+    contact.F_W += wrench.head<3>();
+    contact.T_W += wrench.tail<3>();
+  };
+  if (loads.empty())
+    for (GeneralizedForce& contact : contact_) contact.set_zero();
   for (std::size_t k = 0; k < mechanism.planes.size(); ++k) {
     const auto& plane = static_cast<const RigidPlane&>(mechanism.model.force(mechanism.planes[k]));
-    const Vector6d wrench = plane.wrench(element_input(subject_, sample_, mechanism.planes[k]));
-    GeneralizedForce& contact = contact_[static_cast<std::size_t>(mechanism.plane_bodies[k])];
-    contact.F_W = wrench.head<3>();
-    contact.T_W = wrench.tail<3>();
+    add(mechanism.plane_bodies[k], plane.wrench(element_input(subject_, sample_, mechanism.planes[k])));
+  }
+  for (const ContactEntry& entry : mechanism.contacts) {
+    const auto& contact = static_cast<const SurfaceContact&>(mechanism.model.force(entry.force));
+    const Vector6d on_1 = contact.wrench(element_input(subject_, sample_, entry.force));
+    add(entry.body_1, on_1);
+    if (entry.body_2 == kGround) continue;
+    // The opposite, about the other one's Bo.
+    const Eigen::Vector3d arm = kinematics_.of(entry.body_1).r - kinematics_.of(entry.body_2).r;
+    Vector6d on_2 = -on_1;
+    on_2.tail<3>() -= arm.cross(Eigen::Vector3d(on_1.head<3>()));
+    add(entry.body_2, on_2);
   }
 }
 

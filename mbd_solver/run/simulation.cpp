@@ -66,12 +66,34 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       sampler_({scene_, mechanism_, equations_.layout()}, equations_, state_, rates_, inputs_),
       checkpoints_(scene.output.checkpoint_interval, scene.output.checkpoint_interval) {
   inputs_.voltages = mechanism_.voltages;
+  const Kinematics drawn = kinematics();
   if (scene.initial.settle && resume.empty()) start_settled();
   equations_.settle_signals(nullptr, inputs_, state_);
-  if (!partner_transport) return;
-  inputs_.loads.resize(static_cast<std::size_t>(mechanism_.model.body_count()));
-  coupled_ =
-      std::make_unique<CoupledRun>(scene, mechanism_, equations_, kinematics(), t_end, *partner_transport, resume);
+  if (partner_transport) {
+    inputs_.loads.resize(static_cast<std::size_t>(mechanism_.model.body_count()));
+    coupled_ =
+        std::make_unique<CoupledRun>(scene, mechanism_, equations_, kinematics(), t_end, *partner_transport, resume);
+    walls_ = coupled_->walls();
+    set_walls(walls_, mechanism_);
+  }
+  collisions_ = std::make_unique<CollisionWatch>(scene, mechanism_, walls_, drawn);
+  for (const std::string& note : collisions_->notes()) assembly_.notes.push_back(note);
+  if (collisions_->watches_nothing()) collisions_.reset();
+}
+
+// Walls that the script has taken away hold nothing any more.
+void Simulation::look_for_collisions() {
+  if (coupled_ && !coupled_->gone_walls().empty()) {
+    const std::vector<std::string>& gone = coupled_->gone_walls();
+    walls_.erase(std::remove_if(walls_.begin(), walls_.end(),
+                                [&](const StaticWall& wall) {
+                                  return std::find(gone.begin(), gone.end(), wall.name) != gone.end();
+                                }),
+                 walls_.end());
+    set_walls(walls_, mechanism_);
+    if (collisions_) collisions_->forget_walls(gone);
+  }
+  if (collisions_) collisions_->look(subject(), sampler_.sample());
 }
 
 void Simulation::start_settled() {
@@ -140,6 +162,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
   const Sample& at = sampler_.sample();  // always of the present state
   if (!resumed_) equations_.accelerations(state_, inputs_, rates_);
   take_sample();
+  if (collisions_) collisions_->begin(at.kinematics);
   if (!resumed_) let_events_happen();
   if (!resumed_) observe(at);
   checked_ = state_;
@@ -159,6 +182,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
       check_finite();
       ++window_;
       take_sample();
+      look_for_collisions();
       if (event_holds()) {
         event_ahead_ = true;
         --window_;
@@ -216,6 +240,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
 
     // Observe.
     take_sample();
+    look_for_collisions();
     if (event_ahead_ || event_holds()) find_event();
     if (coupled_) coupled_->end_window(state_, at.kinematics);
     times_.total = wall_clock() - started;

@@ -15,6 +15,7 @@
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/integrator/integrator.h"
 #include "mbd_solver/observe/sampler.h"
+#include "mbd_solver/run/collision_watch.h"
 #include "mbd_solver/run/control_loop.h"
 #include "mbd_solver/run/interval_clock.h"
 
@@ -67,8 +68,9 @@ class Simulation {
   const RunTimes& times() const { return times_; }
   bool finished() const;  // the end time has been reached
   Subject subject() const;
-  Kinematics kinematics() const;                    // of the present state, accelerations zero
-  CoupledRun* coupled() { return coupled_.get(); }  // null without grains
+  Kinematics kinematics() const;                                          // of the present state, accelerations zero
+  const CollisionWatch* collisions() const { return collisions_.get(); }  // null where nothing can meet
+  CoupledRun* coupled() { return coupled_.get(); }                        // null without grains
   const CoupledRun* coupled() const { return coupled_.get(); }
 
  private:
@@ -82,6 +84,7 @@ class Simulation {
   void find_event();         // back to its instant, in (checked_, state_.time]; then it happens
   void let_events_happen();  // all that hold now
   void check_finite() const;
+  void look_for_collisions();
   void take_sample() { sampler_.take(window_, finished(), coupled_ ? &coupled_->sample() : nullptr); }
 
   const Scene& scene_;
@@ -100,6 +103,8 @@ class Simulation {
   State checked_;              // the last one where no condition held; only with events without a period
   Sampler sampler_;
   std::unique_ptr<CoupledRun> coupled_;
+  std::unique_ptr<CollisionWatch> collisions_;  // null where nothing can meet
+  std::vector<StaticWall> walls_;               // of the script, those that stand
   IntervalClock checkpoints_;
   bool resumed_ = false;  // the sample of the present state has been observed
   RunTimes times_;

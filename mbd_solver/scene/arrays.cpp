@@ -156,6 +156,7 @@ void apply_arrays(Scene& scene, Findings& findings) {
     copy_entries(scene.forces, array);
     copy_entries(scene.drives, array);
     copy_entries(scene.boundaries, array);
+    copy_entries(scene.contacts, array);
     copy_entries(scene.initial.bodies, array);
     NameExpander expander("{" + array.name + "}", array.count);
     visit_fields(expander, scene);

@@ -56,23 +56,97 @@ void check_boundary(const Scene& scene, const BoundarySpec& boundary, Findings& 
     findings.error(source, "beams.radius", "is missing; only a tube or rod has a diameter");
 }
 
+// prefix: before the keys in a message.
+void check_law(const Scene& scene, const Source& source, const std::string& prefix, const ContactLawSpec& law,
+               Findings& findings) {
+  if (law.young && law.stiffness)
+    findings.error(source, prefix + "stiffness", "stands beside young, from which it follows; keep one");
+  if (!law.young && !law.stiffness)
+    findings.error(source, prefix + "young", "is missing; give young [Pa] or stiffness [N/m^1.5]");
+  if (law.restitution && law.damping)
+    findings.error(source, prefix + "damping", "stands beside restitution, from which it follows; keep one");
+  if (law.restitution && *law.restitution <= 0.0)
+    findings.error(source, prefix + "restitution", "is 0, expected more than 0 (up to 1)");
+  if (law.restitution && *law.restitution < 1.0 && !law.impact_speed && scene.initial.velocity.isZero())
+    findings.error(source, prefix + "impact_speed",
+                   "is missing; restitution holds at one speed, and initial.velocity gives none");
+  if (!(law.poisson > -1.0 && law.poisson < 0.5))
+    findings.error(source, prefix + "poisson",
+                   "is " + number_text(law.poisson) + ", expected more than -1 and less than 0.5");
+}
+
+void check_has_boundary(const Scene& scene, const Source& source, const char* key, const std::string& name,
+                        Findings& findings) {
+  std::vector<std::string> names;
+  for (const BoundarySpec& b : scene.boundaries) names.push_back(b.body);
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    findings.error(source, key,
+                   "\"" + name + "\" has no entry in [[boundaries]]." + known_names("boundaries", name, names));
+}
+
+bool bends(const Scene& scene, const std::string& name) {
+  for (const BodySpec& body : scene.bodies)
+    if (body.name == name) return scene.flexible && body.flexible && body.flexible->enabled;
+  return false;
+}
+
+void check_pair(const Scene& scene, const ContactSpec& contact, Findings& findings) {
+  const Source& source = contact.source;
+  if (contact.between.size() != 2) {
+    findings.error(source, "between",
+                   "names " + std::to_string(contact.between.size()) +
+                       ", expected two bodies, or a body and \"plane\" (or walls = true instead)");
+    return;
+  }
+  const std::string &first = contact.between[0], &second = contact.between[1];
+  check_has_boundary(scene, source, "between", first, findings);
+  if (!contact.with_plane()) check_has_boundary(scene, source, "between", second, findings);
+  if (first == second) findings.error(source, "between", "names \"" + first + "\" twice");
+  if (contact.ignore && contact.with_plane())
+    findings.error(source, "ignore", "is for two bodies; for a body without contact with a plane give none");
+  if (!contact.ignore && bends(scene, first) && bends(scene, second))
+    findings.error(source, "between", "names two flexible bodies: one of them must be rigid, the other's places touch its "
+                                      "surface");
+}
+
+void check_contacts(const Scene& scene, Findings& findings) {
+  for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+    const ContactSpec& contact = scene.contacts[i];
+    const Source& source = contact.source;
+    if (contact.walls) {
+      if (!contact.between.empty()) findings.error(source, "walls", "stands beside between; give each its own entry");
+      if (contact.ignore) findings.error(source, "ignore", "is for two bodies, not for walls");
+      if (!scene.touches_particles())
+        findings.error(source, "walls", "are those of a LIGGGHTS script, but ground.kind is not \"particles\"");
+      if (scene.boundaries.empty())
+        findings.error(source, "walls", "touch [[boundaries]], but there are none");
+      for (const std::string& name : contact.bodies) check_has_boundary(scene, source, "bodies", name, findings);
+    } else {
+      check_pair(scene, contact, findings);
+      if (!contact.bodies.empty()) findings.error(source, "bodies", "belong to walls = true; between names its bodies");
+    }
+    for (const char* key : {"point", "normal"})
+      if (source.given(key) && !contact.with_plane())
+        findings.error(source, key, "belongs to a plane: between = [\"BODY\", \"plane\"]");
+    if (!contact.ignore) check_law(scene, source, "", contact, findings);
+    for (std::size_t j = 0; j < i; ++j) {
+      const ContactSpec& other = scene.contacts[j];
+      const bool same = contact.between.size() == 2 && !contact.with_plane() && other.between.size() == 2 &&
+                        std::is_permutation(contact.between.begin(), contact.between.end(), other.between.begin());
+      const bool shared = contact.bodies.empty() || other.bodies.empty() ||
+                          std::find_first_of(contact.bodies.begin(), contact.bodies.end(), other.bodies.begin(),
+                                             other.bodies.end()) != contact.bodies.end();
+      if (same || (contact.walls && other.walls && shared))
+        findings.error(source, contact.walls ? "walls" : "between",
+                       "stand in an earlier entry already: the contact would count twice");
+    }
+  }
+}
+
 void check_plane(const Scene& scene, Findings& findings) {
   const PlaneSpec& plane = *scene.ground.plane;
   const Source& source = scene.ground.source;
-  if (plane.young && plane.stiffness)
-    findings.error(source, "plane.stiffness", "stands beside young, from which it follows; keep one");
-  if (!plane.young && !plane.stiffness)
-    findings.error(source, "plane.young", "is missing; give young [Pa] or stiffness [N/m^1.5]");
-  if (plane.restitution && plane.damping)
-    findings.error(source, "plane.damping", "stands beside restitution, from which it follows; keep one");
-  if (plane.restitution && *plane.restitution <= 0.0)
-    findings.error(source, "plane.restitution", "is 0, expected more than 0 (up to 1)");
-  if (plane.restitution && *plane.restitution < 1.0 && !plane.impact_speed && scene.initial.velocity.isZero())
-    findings.error(source, "plane.impact_speed",
-                   "is missing; restitution holds at one speed, and initial.velocity gives none");
-  if (!(plane.poisson > -1.0 && plane.poisson < 0.5))
-    findings.error(source, "plane.poisson",
-                   "is " + number_text(plane.poisson) + ", expected more than -1 and less than 0.5");
+  check_law(scene, source, "plane.", plane, findings);
   std::vector<std::string> names;
   for (const BoundarySpec& b : scene.boundaries) names.push_back(b.body);
   for (const std::string& name : plane.bodies) {
@@ -95,6 +169,7 @@ void check_contact(const Scene& scene, Findings& findings) {
     }
     check_boundary(scene, boundary, findings);
   }
+  check_contacts(scene, findings);
   if (scene.ground.plane) check_plane(scene, findings);
   const GroundKind kind = scene.ground.kind;
   if (kind == GroundKind::kPlane && !scene.ground.plane)

@@ -64,13 +64,11 @@ constexpr std::string_view name_of(GroundKind kind) {
   return {};
 }
 
-// Contact of every boundary node (theory 7): f_n = k delta^1.5 g(d delta'), friction mu f_n while
+// Law of a contact place (theory 6.4): f_n = k delta^1.5 g(d delta'), friction mu f_n while
 // it slides, a spring while it sticks. With friction_speed: mu f_n v_t / sqrt(v_t^2 + friction_speed^2), no springs.
 // k = stiffness, or by Hertz from young: 4/3 young / (1 - poisson^2) sqrt(contact_radius). d = damping, or from
 // restitution.
-struct PlaneSpec {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();      // in W [m]
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();    // out of the ground, unit vector in W
+struct ContactLawSpec {
   std::optional<double> young;                          // [Pa]
   double poisson = 0.3;                                 // [-]
   double contact_radius = 0.02;                         // of each node [m]
@@ -80,7 +78,26 @@ struct PlaneSpec {
   std::optional<double> damping;                        // d, instead of restitution [s/m]
   double friction = RigidPlane::Parameters{}.friction;  // [-] >= 0
   std::optional<double> friction_speed;                 // not given: true stick. Else it creeps [m/s] > 0
-  std::vector<std::string> bodies;                      // which boundaries touch it; empty: all
+};
+
+struct PlaneSpec : ContactLawSpec {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    // in W [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of the ground, unit vector in W
+  std::vector<std::string> bodies;                    // which boundaries touch it; empty: all
+};
+
+inline constexpr const char* kPlaneWord = "plane";  // in ContactSpec::between
+
+// Contact of two bodies with boundaries, of one and a plane, or of all and the script's walls.
+struct ContactSpec : ContactLawSpec {
+  Source source;
+  std::vector<std::string> between;                   // two bodies, or a body and "plane"; empty with walls
+  bool walls = false;                                 // planes and static meshes of the LIGGGHTS script
+  std::vector<std::string> bodies;                    // with walls: which boundaries; empty: all
+  bool ignore = false;                                // the two pass through each other, and nothing tells
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    // of the plane, in W [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // of the plane, where the body is, unit vector in W
+  bool with_plane() const { return between.size() == 2 && between[1] == kPlaneWord; }
 };
 
 struct GroundSpec {

@@ -146,6 +146,7 @@ void visit_fields(FieldVisitor& v, InitialJointSpec& joint);
 void visit_fields(FieldVisitor& v, BoundarySpec& boundary);
 void visit_fields(FieldVisitor& v, SurfaceSpec& surface);
 void visit_fields(FieldVisitor& v, BeamsSpec& beams);
+void visit_fields(FieldVisitor& v, ContactSpec& contact);
 void visit_fields(FieldVisitor& v, GroundSpec& ground);
 void visit_fields(FieldVisitor& v, PlaneSpec& plane);
 void visit_fields(FieldVisitor& v, ParticlesSpec& particles);

@@ -27,9 +27,9 @@ void visit_fields(FieldVisitor& v, BoundarySpec& b) {
   v.section("beams", b.beams);
 }
 
-void visit_fields(FieldVisitor& v, PlaneSpec& p) {
-  v.field("point", &p.point, {Unit::kLength});
-  v.field("normal", &p.normal, {Unit::kNone, Range::kAny, Meaning::kDirection});
+namespace {
+
+void visit_law(FieldVisitor& v, ContactLawSpec& p) {
   v.field("young", &p.young, {Unit::kPressure, Range::kPositive});
   v.field("poisson", &p.poisson, {});
   v.field("contact_radius", &p.contact_radius, {Unit::kLength, Range::kPositive});
@@ -39,7 +39,26 @@ void visit_fields(FieldVisitor& v, PlaneSpec& p) {
   v.field("damping", &p.damping, {Unit::kNone, Range::kNotNegative});
   v.field("friction", &p.friction, {Unit::kNone, Range::kNotNegative});
   v.field("friction_speed", &p.friction_speed, {Unit::kVelocity, Range::kPositive});
+}
+
+}  // namespace
+
+void visit_fields(FieldVisitor& v, PlaneSpec& p) {
+  v.field("point", &p.point, {Unit::kLength});
+  v.field("normal", &p.normal, {Unit::kNone, Range::kAny, Meaning::kDirection});
+  visit_law(v, p);
   v.field("bodies", &p.bodies, {Unit::kNone, Range::kAny, Meaning::kName});
+}
+
+void visit_fields(FieldVisitor& v, ContactSpec& c) {
+  v.field("", &c.source, {});
+  v.field("between", &c.between, {Unit::kNone, Range::kAny, Meaning::kName});
+  v.field("walls", &c.walls, {});
+  v.field("bodies", &c.bodies, {Unit::kNone, Range::kAny, Meaning::kName});
+  v.field("ignore", &c.ignore, {});
+  v.field("point", &c.point, {Unit::kLength, Range::kAny, Meaning::kPoint});
+  v.field("normal", &c.normal, {Unit::kNone, Range::kAny, Meaning::kDirection});
+  visit_law(v, c);
 }
 
 void visit_fields(FieldVisitor& v, GroundSpec& g) {

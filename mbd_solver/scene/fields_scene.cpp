@@ -27,6 +27,7 @@ void visit_fields(FieldVisitor& v, Scene& s) {
   v.list("forces", s.forces);
   v.list("drives", s.drives);
   v.list("boundaries", s.boundaries);
+  v.list("contacts", s.contacts);
   v.section("ground", s.ground);
   v.section("particles", s.particles);
   v.list("controllers", s.controllers);

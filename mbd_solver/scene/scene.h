@@ -52,6 +52,7 @@ struct Scene {
   std::vector<ForceSpec> forces;
   std::vector<DriveSpec> drives;
   std::vector<BoundarySpec> boundaries;
+  std::vector<ContactSpec> contacts;
   GroundSpec ground;
   std::optional<ParticlesSpec> particles;  // needed by ground.kind = "particles"
   std::vector<ControllerSpec> controllers;

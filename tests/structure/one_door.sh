@@ -18,6 +18,7 @@ door() {
 door '(ida|sundials|nvector|sunmatrix|sunlinsol)/' 'mbd_solver/integrator/ida*'
 door 'toml\+\+' 'mbd_solver/scene/scene_reader.cpp'
 door 'fl/' 'mbd_solver/model/controllers/fuzzy_engine.h'
+door 'fcl/' 'mbd_solver/model/surface/*.cpp'
 door 'muParser' 'mbd_solver/model/signals/expression.cpp'
 door 'assimp/' 'mbd_solver/scene/mesh_reader.cpp'
 door 'pugixml' 'mbd_solver/output/vtk_writer.cpp'

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
@@ -11,48 +10,10 @@
 namespace footfall {
 namespace {
 
-// g(u) and its derivative, see the header.
-struct Approach {
-  double value, slope;
-};
-Approach approach(double u) {
-  if (u >= 0.0) return {1.0 + u, 1.0};
-  const double e = std::exp(u);
-  return {e, e};
-}
-
 constexpr int kRimPlaces = 12;     // m of a round edge: the second lowest is 0.13 R above the lowest
-constexpr double kStretch = 10.0;  // |clip(u)| / v_s at most: u there gives 99.5 % of mu f_n
 constexpr double kUpright = 1e-9;  // s below which no place of an edge is lowest: the edge lies flat
 
-// Energy per k/m taken up by a damped approach at u = d v, minus that given back when leaving at w = d e v
-// (times d^2).
-double restitution_defect(double u, double e) {
-  const double w = e * u;
-  return (u - std::log1p(u)) - ((w - 1.0) * std::exp(w) + 1.0);
-}
-
 }  // namespace
-
-double contact_damping_for_restitution(double e, double impact_speed) {
-  if (!(e > 0.0 && e <= 1.0)) throw InputError("restitution is " + std::to_string(e) + "; it must be in (0, 1].");
-  if (!(impact_speed > 0.0)) throw InputError("the impact speed of a restitution must be positive.");
-  if (e == 1.0) return 0.0;
-  // The defect rises from 0 like (1 - e^2) u^2 / 2 and falls to minus infinity: bracket the zero, then halve.
-  double low = 1e-9, high = 1.0;
-  while (restitution_defect(high, e) > 0.0) high *= 2.0;
-  for (int i = 0; i < 200; ++i) {
-    const double middle = 0.5 * (low + high);
-    (restitution_defect(middle, e) > 0.0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high) / impact_speed;
-}
-
-double creep_speed(double mu, double slip_speed, double slope) {
-  const double tangent = std::tan(slope);
-  if (!(tangent < mu)) return std::numeric_limits<double>::infinity();
-  return slip_speed * tangent / std::sqrt(mu * mu - tangent * tangent);
-}
 
 // One point in contact: everything the force and its derivatives need.
 struct RigidPlane::Contact {
@@ -86,10 +47,7 @@ RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const
   const std::string where = "rigid plane of \"" + this->name() + "\": ";
   if (points_.empty() && rims_.empty()) throw InputError(where + "no contact points given.");
   if (!(parameters_.normal.norm() > 0.0)) throw InputError(where + "the normal must not be zero.");
-  if (!(parameters_.stiffness > 0.0)) throw InputError(where + "stiffness must be positive.");
-  if (!(parameters_.damping >= 0.0 && parameters_.friction >= 0.0))
-    throw InputError(where + "damping and friction must not be negative.");
-  if (!(parameters_.slip_speed > 0.0)) throw InputError(where + "slip_speed must be positive.");
+  parameters_.check(where);
   parameters_.normal.normalize();
   for (const ContactPoint& point : points_) {
     FOOTFALL_DEMAND(point.marker.body == bodies()[0] && point.marker.body != kGround);
@@ -128,22 +86,14 @@ bool RigidPlane::contact(const ElementInput& in, const Marker& marker, double ra
   if (parameters_.stick_time > 0.0) out.spring = tangents_ * in.z.segment<2>(2 * place) / parameters_.stick_time;
   out.u = out.slip + out.spring;
 
-  const double root = std::sqrt(out.overlap);
-  const Approach g = approach(parameters_.damping * out.closing);
-  out.elastic = parameters_.stiffness * out.overlap * root;
-  out.normal_force = out.elastic * g.value;
-  out.by_overlap = 1.5 * parameters_.stiffness * root * g.value;
-  out.by_closing = out.elastic * parameters_.damping * g.slope;
+  const ContactLaw::Normal normal = parameters_.normal_force(out.overlap, out.closing);
+  out.elastic = normal.elastic;
+  out.normal_force = normal.force;
+  out.by_overlap = normal.by_overlap;
+  out.by_closing = normal.by_closing;
   out.inverse_speed = 1.0 / std::sqrt(out.u.squaredNorm() + parameters_.slip_speed * parameters_.slip_speed);
   out.force = out.normal_force * (n - parameters_.friction * out.inverse_speed * out.u);
   return true;
-}
-
-RigidPlane::Clipped RigidPlane::clip(const Eigen::Vector3d& u) const {
-  const double size = u.norm(), most = kStretch * parameters_.slip_speed;
-  if (size <= most) return {u, Eigen::Matrix3d::Identity()};
-  const Eigen::Vector3d e = u / size;
-  return {most * e, (most / size) * (Eigen::Matrix3d::Identity() - e * e.transpose())};
 }
 
 template <class Use>
@@ -190,7 +140,7 @@ void RigidPlane::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q
   each_contact(in, [&](const Contact& at) {
     at.p.add_transposed(at.force, Q);
     Q.segment<3>(3) -= at.radius * parameters_.normal.cross(at.force);
-    if (springs) dz.segment<2>(2 * at.place) += tangents_.transpose() * clip(at.u).value;
+    if (springs) dz.segment<2>(2 * at.place) += tangents_.transpose() * parameters_.clip(at.u).value;
   });
 }
 
@@ -218,7 +168,7 @@ bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out
     by_x_.setZero();
     at.p.add_jacobian(X_);
     at.p.add_rate_jacobian(by_x_);
-    const Eigen::Matrix<double, 2, 3> dxi_by_u = tangents_.transpose() * clip(at.u).slope;
+    const Eigen::Matrix<double, 2, 3> dxi_by_u = tangents_.transpose() * parameters_.clip(at.u).slope;
     if (tau > 0.0) {
       out.ddz_dx.middleRows<2>(2 * at.place).noalias() += dxi_by_u.lazyProduct(by_x_);
       out.ddz_dx.block<2, 3>(2 * at.place, 3) += dxi_by_u * skew(w) * at.wander;
@@ -253,7 +203,7 @@ void RigidPlane::add_energy(const ElementInput& in, StoredEnergy& stored, Dissip
     if (tau == 0.0) return;
     // Stored mu f psi(xi), f = k delta^1.5: its rate is no loss.
     const double root = std::sqrt(at.spring.squaredNorm() + v_s * v_s), psi = tau * (root - v_s);
-    const Eigen::Vector3d rate = clip(at.u).value - at.spring;  // xi'
+    const Eigen::Vector3d rate = parameters_.clip(at.u).value - at.spring;  // xi'
     stored[Stored::kContact] += mu * at.elastic * psi;
     power[Dissipation::kFriction] -=
         mu * (at.elastic * at.spring.dot(rate) / root + 1.5 * at.elastic / at.overlap * at.closing * psi);

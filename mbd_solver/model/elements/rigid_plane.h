@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mbd_solver/model/elements/contact_law.h"
 #include "mbd_solver/model/force_element.h"
 
 namespace footfall {
@@ -36,23 +37,11 @@ struct ContactRim {
   double radius = 0.0;  // [m] > 0
 };
 
-// d [s/m] for restitution e in (0, 1] at impact speed [m/s] > 0. Throws InputError outside.
-double contact_damping_for_restitution(double e, double impact_speed);
-
-// Without springs: how fast what would stick on a slope [rad] creeps down it [m/s]: mu v / sqrt(v^2 + v_s^2) = tan slope gives
-// v = v_s tan slope / sqrt(mu^2 - tan^2 slope). Infinite where it slides, tan slope >= mu.
-double creep_speed(double mu, double slip_speed, double slope);
-
 class RigidPlane : public ForceElement {
  public:
-  struct Parameters {
+  struct Parameters : ContactLaw {  // of each point
     Eigen::Vector3d point = Eigen::Vector3d::Zero();    // p0, any point of the plane, in W [m]
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // n, out of the ground
-    double stiffness = 0.0;                             // k of each point [N/m^1.5] > 0
-    double damping = 0.0;                               // d [s/m] >= 0
-    double friction = 0.3;                              // mu >= 0
-    double slip_speed = 1e-3;                           // v_s [m/s] > 0: |u| at which friction is 71 % of mu f_n
-    double stick_time = 0.01;                           // tau [s] >= 0
   };
   // All points and rims on one body, at least one. Throws InputError on values outside their range.
   RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters,
@@ -71,11 +60,6 @@ class RigidPlane : public ForceElement {
 
  private:
   struct Contact;
-  struct Clipped {
-    Eigen::Vector3d value;
-    Eigen::Matrix3d slope;
-  };
-  Clipped clip(const Eigen::Vector3d& u) const;
   bool far(const BodyKinematics& body) const;  // bounding sphere clear of the plane: one comparison
   int place_count() const;
   bool contact(const ElementInput& in, const Marker& marker, double radius, int place, Contact& out) const;

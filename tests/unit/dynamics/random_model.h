@@ -16,6 +16,7 @@
 #include "mbd_solver/model/elements/joint_force.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/strut.h"
+#include "mbd_solver/model/elements/surface_contact.h"
 #include "mbd_solver/model/elements/torsional_spring.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "mbd_solver/model/model.h"
@@ -167,6 +168,61 @@ inline std::vector<Joint> all_joints(Random& random, const Model& model, int bod
           prescribed_joint("driven" + tail, m(body_1), m(body_2), driven)};
 }
 
+// Places of one body that touch each kind of surface, on a rigid body or standing still: a capsule (side and end), and the
+// face, an edge and a corner of triangles, from outside and from within.
+inline std::unique_ptr<ForceElement> surface_contact(const Model& model, const std::string& name, int body_1,
+                                                     int body_2, const ContactLaw& law) {
+  Random random(41);  // of its own: what others draw stays
+  const bool turned = body_1 == kGround;
+  const int with_places = turned ? body_2 : body_1;
+  int with_surface = turned ? body_1 : body_2;
+  int places_on = with_places;
+  if (with_surface != kGround && model.body(with_surface).mode_count() > 0) {
+    places_on = model.body(with_places).mode_count() > 0 ? with_places : with_surface;
+    with_surface = places_on == with_surface ? with_places : kGround;
+  }
+  ContactSurface surface;
+  SurfaceContact::Side side;
+  std::vector<Eigen::Vector3d> corners;
+  std::vector<Eigen::Vector3i> triangles;
+  for (int k = 0; k < 6; ++k) {
+    const double radius = k == 5 ? 0.0 : 0.3;
+    const Marker marker = random_marker(random, model, places_on);
+    side.points.push_back({marker, radius});
+    Eigen::Vector3d p = model.initial_position(marker);
+    if (with_surface != kGround) {
+      const BodyState& state = model.initial(with_surface);
+      p = rotation_matrix(state.L).transpose() * (p - state.r);
+    }
+    const Eigen::Matrix3d R = random.axes();
+    if (k < 2) {
+      const Eigen::Vector3d middle = p + 0.25 * R.col(0);
+      surface.add_capsule(middle - (k == 0 ? 0.4 : 0.0) * R.col(1), middle + 0.5 * R.col(1) + 0.1 * k * R.col(0), 0.1);
+      continue;
+    }
+    // A triangle 0.15 below p: under its middle, its edge, its corner; or 0.05 above it.
+    const int first = static_cast<int>(corners.size());
+    const Eigen::Vector3d foot = p + (k == 5 ? 0.05 : -0.15) * R.col(2);
+    const Eigen::Vector3d shift = k == 3   ? Eigen::Vector3d(0.0, 0.35, 0.0)
+                                  : k == 4 ? Eigen::Vector3d(0.55, 0.35, 0.0)
+                                           : Eigen::Vector3d(0.0, 0.0, 0.0);
+    for (const Eigen::Vector3d& corner :
+         {Eigen::Vector3d(-0.5, -0.3, 0.0), Eigen::Vector3d(0.5, -0.3, 0.0), Eigen::Vector3d(0.0, 0.6, 0.0)})
+      corners.push_back(foot + R * (corner + shift));
+    triangles.emplace_back(first, first + 1, first + 2);
+  }
+  Eigen::Matrix3Xd vertices(3, static_cast<Eigen::Index>(corners.size()));
+  for (std::size_t i = 0; i < corners.size(); ++i) vertices.col(static_cast<Eigen::Index>(i)) = corners[i];
+  surface.add_triangles(vertices, triangles);
+  auto seen = std::make_shared<SurfaceSeen>();
+  seen->sides.assign(triangles.size(), 1.0);
+  seen->surface = std::make_shared<ContactSurface>(std::move(surface));
+  side.seen = seen;
+  side.depth = 0.2;
+  side.slot = 0;
+  return std::make_unique<SurfaceContact>(name, places_on, with_surface, std::vector<SurfaceContact::Side>{side}, law);
+}
+
 // One of each kind of force element between the given bodies (a plane under the first of them that is a
 // body).
 inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, const Model& model, int body_1,
@@ -213,6 +269,7 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
   plane.stick_time = 0.5;
   out.push_back(std::make_unique<RigidPlane>(
       "plane" + tail, std::vector<ContactPoint>{{m(standing), 0.0}, {m(standing), 0.25}, {m(standing), 0.1}}, plane));
+  out.push_back(surface_contact(model, "surface" + tail, body_1, body_2, plane));
   return out;
 }
 

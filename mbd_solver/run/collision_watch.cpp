@@ -1,0 +1,231 @@
+#include "mbd_solver/run/collision_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/model/elements/surface_contact.h"
+#include "mbd_solver/model/rotation.h"
+
+namespace footfall {
+namespace {
+
+// Ways shorter than this are not halved any more [of the reach].
+constexpr double kShortest = 1e-9;
+// A long way between two samples, for bodies that a contact holds apart [of the smaller one's reach].
+constexpr double kLong = 0.1;
+
+bool joined(const Model& model, int body_1, int body_2) {
+  for (int i = 0; i < model.joint_count(); ++i) {
+    const int a = model.joint(i).m1.body, b = model.joint(i).m2.body;
+    if ((a == body_1 && b == body_2) || (a == body_2 && b == body_1)) return true;
+  }
+  return false;
+}
+
+FramePose between(const FramePose& from, const FramePose& to) {
+  const Eigen::Quaterniond a(from.R), b(to.R);
+  return {a.slerp(0.5, b).toRotationMatrix(), 0.5 * (from.p + to.p)};
+}
+
+}  // namespace
+
+CollisionWatch::CollisionWatch(const Scene& scene, const Mechanism& mechanism, const std::vector<StaticWall>& walls,
+                               const Kinematics& start) {
+  const bool meshes = std::any_of(walls.begin(), walls.end(), [](const StaticWall& w) { return !w.corners.empty(); });
+  if (mechanism.boundaries.size() + (meshes ? 1 : 0) < 2) return;
+  for (const BodyBoundary& entry : mechanism.boundaries) add_body(entry);
+  const std::size_t bodies = surfaces_.size();
+  for (const StaticWall& wall : walls)
+    if (!wall.corners.empty()) add_wall(wall);
+  const auto allowed = [&](int body_1, int body_2) {
+    for (const ContactSpec& spec : scene.contacts)
+      if (spec.ignore && std::count(spec.between.begin(), spec.between.end(), mechanism.model.body(body_1).name()) &&
+          std::count(spec.between.begin(), spec.between.end(), mechanism.model.body(body_2).name()))
+        return true;
+    return false;
+  };
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    for (std::size_t j = 0; j < std::min(i, bodies); ++j) {
+      Pair pair;
+      pair.first = i;
+      pair.second = j;
+      const int body_1 = surfaces_[i].body, body_2 = surfaces_[j].body;
+      if (body_1 != kGround && (joined(mechanism.model, body_1, body_2) || allowed(body_1, body_2))) continue;
+      for (const ContactEntry& entry : mechanism.contacts)
+        if (entry.holds(body_1, body_2)) pair.contact = entry.force;
+      pair.seen = pair.last = place(pair, start);
+      pair.gap = gap(pair, pair.seen).distance;
+      if (pair.gap <= 0.0 && pair.contact < 0) {
+        const bool wall = body_1 == kGround;
+        notes_.push_back((wall ? "body \"" + surfaces_[j].name + "\" and mesh " + surfaces_[i].name + " of the script"
+                               : "bodies \"" + surfaces_[j].name + "\" and \"" + surfaces_[i].name + "\"") +
+                         " overlap at the start: whether they go through each other is not watched.");
+        continue;
+      }
+      pairs_.push_back(std::move(pair));
+    }
+  }
+}
+
+void CollisionWatch::add_body(const BodyBoundary& entry) {
+  const ModalBoundary& boundary = entry.boundary;
+  Surface surface;
+  surface.name = boundary.name();
+  surface.body = entry.body;
+  surface.boundary = &boundary;
+  surface.bent = Eigen::VectorXd::Zero(boundary.mode_count());
+  if (!boundary.triangles().empty()) surface.parts.emplace_back(boundary.rho0(), boundary.triangles());
+  std::map<double, std::vector<Eigen::Vector3i>> beams;  // by radius
+  for (const BeamSegment& segment : boundary.segments())
+    beams[segment.radius].emplace_back(segment.start, segment.start, segment.end);
+  for (const auto& [radius, lines] : beams) surface.parts.emplace_back(boundary.rho0(), lines, radius);
+  if (surface.parts.empty()) return;
+  for (const SurfaceModel& part : surface.parts) surface.reach = std::max(surface.reach, part.reach());
+  for (int j = 0; j < boundary.node_count() && boundary.mode_count() > 0; ++j)
+    surface.modal_reach = std::max(surface.modal_reach, boundary.Phi().middleRows(3 * j, 3).norm());
+  surfaces_.push_back(std::move(surface));
+}
+
+void CollisionWatch::add_wall(const StaticWall& wall) {
+  Surface surface;
+  surface.name = wall.name;
+  surface.boundary = nullptr;
+  const auto count = static_cast<Eigen::Index>(wall.corners.size());
+  Eigen::Matrix3Xd vertices(3, count);
+  std::vector<Eigen::Vector3i> triangles;
+  for (Eigen::Index i = 0; i < count; ++i) vertices.col(i) = wall.corners[static_cast<std::size_t>(i)];
+  for (int i = 0; i < static_cast<int>(count); i += 3) triangles.emplace_back(i, i + 1, i + 2);
+  surface.parts.emplace_back(vertices, std::move(triangles));
+  surfaces_.push_back(std::move(surface));
+}
+
+void CollisionWatch::forget_walls(const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(),
+                              [&](const Pair& pair) {
+                                const Surface& first = surfaces_[pair.first];
+                                return first.body == kGround && std::count(names.begin(), names.end(), first.name) > 0;
+                              }),
+               pairs_.end());
+}
+
+void CollisionWatch::bend(Surface& surface, const Eigen::VectorXd& a) {
+  if (a.size() == 0 || surface.bent == a) return;
+  Eigen::Matrix3Xd rho = surface.boundary->rho0();
+  Eigen::Map<Eigen::VectorXd>(rho.data(), rho.size()) += surface.boundary->Phi() * a;
+  for (SurfaceModel& part : surface.parts) part.move(rho);
+  surface.bent = a;
+}
+
+CollisionWatch::Place CollisionWatch::place(const Pair& pair, const Kinematics& kinematics) const {
+  const BodyKinematics& first = kinematics.of(surfaces_[pair.first].body);
+  const BodyKinematics& second = kinematics.of(surfaces_[pair.second].body);
+  return {{first.A.transpose() * second.A, first.A.transpose() * (second.r - first.r)}, first.a, second.a};
+}
+
+double CollisionWatch::travel(const Pair& pair, const Place& from, const Place& to) const {
+  const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
+  double way = (to.pose.p - from.pose.p).norm() + second.reach * (to.pose.R - from.pose.R).norm() / std::sqrt(2.0);
+  if (first.modal_reach > 0.0) way += first.modal_reach * (to.a_1 - from.a_1).norm();
+  if (second.modal_reach > 0.0) way += second.modal_reach * (to.a_2 - from.a_2).norm();
+  return way;
+}
+
+SurfaceGap CollisionWatch::gap(const Pair& pair, const Place& at) {
+  Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
+  if (first.boundary != nullptr) bend(first, at.a_1);
+  bend(second, at.a_2);
+  SurfaceGap least;
+  bool any = false;
+  for (const SurfaceModel& a : first.parts) {
+    for (const SurfaceModel& b : second.parts) {
+      const SurfaceGap one = gap_between(a, b, at.pose);
+      if (!any || one.distance < least.distance) least = one;
+      any = true;
+    }
+  }
+  return least;
+}
+
+// Neither end touches. Between them the second moves on a straight line and turns evenly.
+bool CollisionWatch::met_on_the_way(const Pair& pair, const Place& from, double gap_from, const Place& to,
+                                    double gap_to, SurfaceGap& met) {
+  const double way = travel(pair, from, to);
+  if (way < gap_from + gap_to || way < kShortest * surfaces_[pair.second].reach) return false;
+  const Place middle{between(from.pose, to.pose), 0.5 * (from.a_1 + to.a_1), 0.5 * (from.a_2 + to.a_2)};
+  met = gap(pair, middle);
+  const double gap_middle = met.distance;
+  return gap_middle <= 0.0 || met_on_the_way(pair, from, gap_from, middle, gap_middle, met) ||
+         met_on_the_way(pair, middle, gap_middle, to, gap_to, met);
+}
+
+void CollisionWatch::begin(const Kinematics& kinematics) {
+  for (Pair& pair : pairs_) {
+    pair.seen = pair.last = place(pair, kinematics);
+    pair.gap = 0.0;
+  }
+}
+
+// What a contact holds bounces between two samples; only on a long way it can have passed without being felt.
+bool CollisionWatch::may_have_passed(const Pair& pair, const Place& now) const {
+  const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
+  const double smaller = first.body == kGround ? second.reach : std::min(first.reach, second.reach);
+  return pair.contact < 0 || travel(pair, pair.last, now) > kLong * smaller;
+}
+
+void CollisionWatch::look(const Subject& subject, const Sample& sample) {
+  for (Pair& pair : pairs_) {
+    Place now = place(pair, sample.kinematics);
+    const bool far = travel(pair, pair.seen, now) < pair.gap;
+    if (!far) {
+      const auto held = [&] {
+        if (pair.contact < 0) return false;
+        const auto& contact = static_cast<const SurfaceContact&>(subject.mechanism.model.force(pair.contact));
+        return contact.largest_overlap(element_input(subject, sample, pair.contact)) > 0.0;
+      };
+      if (held()) {  // it touches, and is held there: looked at again when it lets go
+        pair.gap = 0.0;
+        pair.seen = now;
+      } else {
+        SurfaceGap found = gap(pair, now);
+        const double gap_now = found.distance;
+        const double gap_last = std::max(0.0, pair.gap - travel(pair, pair.seen, pair.last));
+        const bool met = gap_now <= 0.0 ||
+                         (may_have_passed(pair, now) && met_on_the_way(pair, pair.last, gap_last, now, gap_now, found));
+        if (met) tell(pair, sample, found.place);
+        pair.gap = gap_now;
+        pair.seen = now;
+      }
+    }
+    pair.last = std::move(now);
+  }
+}
+
+void CollisionWatch::tell(const Pair& pair, const Sample& sample, const Eigen::Vector3d& place) const {
+  const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
+  const BodyKinematics& frame = sample.kinematics.of(first.body);
+  const Eigen::Vector3d p_W = frame.r + frame.A * place;
+  const std::string at =
+      " at (" + number_text(p_W[0]) + ", " + number_text(p_W[1]) + ", " + number_text(p_W[2]) + ") m";
+  const bool wall = first.body == kGround;
+  std::string what = "t = " + number_text(sample.state.time) + " s: body \"" + second.name + "\" goes through " +
+                     (wall ? "mesh " + first.name + " of the script" : "body \"" + first.name + "\"") + at;
+  if (pair.contact >= 0) {
+    what +=
+        " where no place of its contact touches: edges that cross each other, or a thin part, pass between the "
+        "places. Make the surfaces finer, or the contact stiffer";
+  } else if (wall) {
+    what +=
+        ": LIGGGHTS' walls stop grains only. Let them hold the body ([[contacts]] with walls = true), or end the "
+        "scene before";
+  } else {
+    what += ": nothing holds them apart. Give them a contact ([[contacts]] between = [\"" + first.name + "\", \"" +
+            second.name + "\"]), or let them pass (the same with ignore = true)";
+  }
+  throw NumericalError(what);
+}
+
+}  // namespace footfall
