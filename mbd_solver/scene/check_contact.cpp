@@ -84,7 +84,7 @@ void check_has_boundary(const Scene& scene, const Source& source, const char* ke
                    "\"" + name + "\" has no entry in [[boundaries]]." + known_names("boundaries", name, names));
 }
 
-bool bends(const Scene& scene, const std::string& name) {
+bool is_bent(const Scene& scene, const std::string& name) {
   for (const BodySpec& body : scene.bodies)
     if (body.name == name) return scene.flexible && body.flexible && body.flexible->enabled;
   return false;
@@ -104,7 +104,7 @@ void check_pair(const Scene& scene, const ContactSpec& contact, Findings& findin
   if (first == second) findings.error(source, "between", "names \"" + first + "\" twice");
   if (contact.ignore && contact.with_plane())
     findings.error(source, "ignore", "is for two bodies; for a body without contact with a plane give none");
-  if (!contact.ignore && bends(scene, first) && bends(scene, second))
+  if (!contact.ignore && is_bent(scene, first) && bends(scene, second))
     findings.error(source, "between", "names two flexible bodies: one of them must be rigid, the other's places touch its "
                                       "surface");
 }

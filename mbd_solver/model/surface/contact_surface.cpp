@@ -17,17 +17,17 @@ constexpr double kOneSurface = 0.93969262078590838;  // cos 20 degrees: minima o
 constexpr double kSamePoint = 1e-12;                 // nearest points so near are one [of their size]
 constexpr double kOnIt = 1e-14;                      // a point so near has no direction to its nearest point [m]
 
-struct Candidate {
-  std::size_t triangle = 0;
-  NearestPoint at;
-  double distance = 0.0;  // of p [m] >= 0
-};
-
 double sign_of(double x) { return x < 0.0 ? -1.0 : 1.0; }
 
 }  // namespace
 
 struct ContactSurface::Triangles {
+  struct Candidate {
+    std::size_t triangle = 0;
+    NearestPoint at;
+    double distance = 0.0;  // of p [m] >= 0
+  };
+
   TrianglePieces pieces;
   fcl::BVHModel<fcl::AABBd> tree;
   mutable std::vector<Candidate> near;  // scratch
@@ -169,12 +169,12 @@ SurfaceSides ContactSurface::sides_of(const std::vector<Eigen::Vector3d>& points
   }
   for (const auto& mesh : meshes_) {
     std::vector<Count> counts(mesh->pieces.open.size()), beside(counts.size());  // nearest to a border
-    std::vector<Candidate> nearest(counts.size());
+    std::vector<Triangles::Candidate> nearest(counts.size());
     for (const Eigen::Vector3d& p : points) {
-      for (Candidate& one : nearest) one.distance = std::numeric_limits<double>::infinity();
+      for (Triangles::Candidate& one : nearest) one.distance = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < mesh->pieces.triangles.size(); ++i) {
-        const Candidate c = mesh->candidate(i, p);
-        Candidate& best = nearest[static_cast<std::size_t>(mesh->pieces.triangles[i].piece)];
+        const Triangles::Candidate c = mesh->candidate(i, p);
+        Triangles::Candidate& best = nearest[static_cast<std::size_t>(mesh->pieces.triangles[i].piece)];
         if (c.distance < best.distance) best = c;
       }
       for (std::size_t k = 0; k < counts.size(); ++k)
@@ -222,8 +222,8 @@ void ContactSurface::touches(const Eigen::Vector3d& p, double radius, double dep
     piece += mesh->pieces.open.size();
     if (mesh->near.empty()) continue;
     std::sort(mesh->near.begin(), mesh->near.end(),
-              [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
-    const auto touch = [&](const Candidate& c) {
+              [](const Triangles::Candidate& a, const Triangles::Candidate& b) { return a.distance < b.distance; });
+    const auto touch = [&](const Triangles::Candidate& c) {
       const auto k = static_cast<std::size_t>(mesh->pieces.triangles[c.triangle].piece);
       const bool alike = mesh->pieces.open[k] && radius > 0.0;  // both sides
       return mesh->touch(c, p, alike ? mesh->side(c, p) : sides[first_piece + k]);
@@ -231,12 +231,11 @@ void ContactSurface::touches(const Eigen::Vector3d& p, double radius, double dep
     // Within: the nearest place alone.
     const SurfaceTouch first = touch(mesh->near.front());
     if (first.distance < 0.0 || radius == 0.0) {
-      if (first.distance < 0.0 && -first.distance < depth && !mesh->on_border(mesh->near.front()))
-        out.push_back(first);
+      if (first.distance < 0.0 && -first.distance < depth && !mesh->on_border(mesh->near.front())) out.push_back(first);
       continue;
     }
     const auto of_this_mesh = static_cast<std::ptrdiff_t>(out.size());
-    for (const Candidate& c : mesh->near) {
+    for (const Triangles::Candidate& c : mesh->near) {
       if (c.distance >= radius) break;
       const SurfaceTouch one = touch(c);
       if (one.distance < 0.0 || !mesh->is_minimum(c, p)) continue;
