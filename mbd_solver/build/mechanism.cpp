@@ -48,7 +48,7 @@ Mechanism build_mechanism(const Scene& scene) {
   const std::vector<FlexibleBody> flexible = build_flexible_bodies(scene, warnings);
   std::vector<BodyBoundary> boundaries = build_boundaries(scene, flexible);
   Mechanism mechanism{
-      place(scene, boundaries, flexible), Model(scene.gravity), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, -1, {}};
+      place(scene, boundaries, flexible), Model(scene.gravity), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, -1, {}};
   mechanism.boundaries = std::move(boundaries);
   mechanism.warnings = std::move(warnings);
   add_bodies(scene, flexible, mechanism);
@@ -56,6 +56,7 @@ Mechanism build_mechanism(const Scene& scene) {
   add_controllers(scene, mechanism);
   add_signal_places(scene, mechanism);
   add_drives(scene, mechanism);
+  add_gears(scene, mechanism);
   add_struts(scene, mechanism);
   add_springs(scene, mechanism);
   add_forces(scene, mechanism);
