@@ -84,7 +84,7 @@ void grow_tree(Plan& plan, Numbers& numbers, bool grounded) {
 void close_loop(Plan& plan, Numbers& numbers, bool grounded, bool driven, int least = 1) {
   constexpr JointKind kKinds[] = {JointKind::kSpherical, JointKind::kUniversal, JointKind::kRevolute,
                                   JointKind::kCylindrical, JointKind::kPrismatic};
-  const int bodies = grounded ? numbers.whole(driven ? 3 : 2, 4) : numbers.whole(3, 5),
+  const int bodies = grounded ? numbers.whole(driven || least > 1 ? 3 : 2, 4) : numbers.whole(3, 5),
             joints = grounded ? bodies + 1 : bodies;
   std::vector<JointKind> kinds(static_cast<std::size_t>(joints));
   int freedom = 0;
