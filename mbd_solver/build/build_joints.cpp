@@ -53,6 +53,11 @@ Joint build(const JointSpec& spec, const Model& model, int a, int b, const Place
       const auto [m1, m2] = markers(along_z, along_z);
       return distance_joint(spec.name, m1, m2, spec.length.value_or((spec.point_b - spec.point_a).norm()));
     }
+    case JointType::kRolling: {
+      const bool disc = spec.source.given("axis2");
+      const auto [m1, m2] = markers(along_z, disc ? axes_with_z(spec.axis2) : along_z);
+      return rolling_joint(spec.name, m1, m2, *spec.radius, disc);
+    }
     case JointType::kPointOnPlane: {
       const auto [m1, m2] = markers(along_z, along_z);
       return point_on_plane_joint(spec.name, m1, m2);

@@ -56,6 +56,7 @@ Mechanism build_mechanism(const Scene& scene) {
   add_controllers(scene, mechanism);
   add_signal_places(scene, mechanism);
   add_drives(scene, mechanism);
+  add_gears(scene, mechanism);
   add_struts(scene, mechanism);
   add_springs(scene, mechanism);
   add_forces(scene, mechanism);

@@ -76,6 +76,12 @@ struct DriveEntry {
   Coordinate coordinate = Coordinate::kAngle;
 };
 
+struct GearEntry {
+  std::string name;
+  int joint = 0;                               // index in the model of the first of its joints
+  Coordinate coordinate = Coordinate::kAngle;  // of that
+};
+
 struct ControllerEntry {
   std::string name;
   std::unique_ptr<Controller> controller;
@@ -121,6 +127,7 @@ struct Mechanism {
   std::vector<DriveEntry> drives;
   Eigen::VectorXd voltages;  // at the start: constants of struts without controller, first outputs; then signals
   std::vector<std::string> warnings;
+  std::vector<GearEntry> gears;
   std::vector<PlaceEntry> signals;
   std::vector<PlaceEntry> states;   // 1 in this state of the scene, else 0
   int state_since = -1;             // place of the time at which the present state began [s]; -1: no states
@@ -154,6 +161,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
 void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism);
 void add_joints(const Scene& scene, Mechanism& mechanism);
 void add_drives(const Scene& scene, Mechanism& mechanism);  // after add_joints
+void add_gears(const Scene& scene, Mechanism& mechanism);   // after add_joints
 void add_struts(const Scene& scene, Mechanism& mechanism);  // after add_controllers
 void add_springs(const Scene& scene, Mechanism& mechanism);
 void add_forces(const Scene& scene, Mechanism& mechanism);

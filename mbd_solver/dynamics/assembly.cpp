@@ -11,6 +11,8 @@
 #include "mbd_solver/dynamics/body_force.h"
 #include "mbd_solver/dynamics/constraint_rows.h"
 #include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/model/elements/turn_counter.h"
+#include "mbd_solver/model/joints/whole_turns.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
@@ -160,24 +162,55 @@ void note_speeds(const Model& model, const Layout& layout, const Eigen::VectorXd
                       " m/s and " + number(dw.norm()) + " rad/s.");
 }
 
+// The angles of gears (state.z) as they are; with dx, as they will be after this step of the bodies.
+void follow_turns(const Model& model, const Layout& layout, const Kinematics& kinematics, const Eigen::VectorXd* dx,
+                  State& state) {
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const int z = layout.joint_turns[static_cast<std::size_t>(j)];
+    if (z < 0) continue;
+    const Joint& joint = model.joint(j);
+    const PairMotion pair = kinematics.pair(joint.m1.body, joint.m2.body);
+    const JointCoordinate q(Coordinate::kAngle, pair, joint.m1, joint.m2);
+    state.z[z] = nearest_turn(q.value(), state.z[z]);
+    if (dx == nullptr) continue;
+    Eigen::VectorXd q_x = Eigen::VectorXd::Zero(pair.size());
+    q.add_gradient(1.0, q_x);
+    const int bodies[2] = {joint.m1.body, joint.m2.body};
+    for (int i = 0; i < 2; ++i) {
+      const int n = pair.body[i]->size();
+      if (n > 0)
+        state.z[z] +=
+            q_x.segment(pair.offset(i), n).dot(dx->segment(layout.body_v[static_cast<std::size_t>(bodies[i])], n));
+    }
+  }
+}
+
 // Gauss-Newton with the smallest correction, until the gaps no longer fall.
-void close_joints(const Layout& layout, ConstraintRows& rows, State& state) {
+void close_joints(const Model& model, const Layout& layout, ConstraintRows& rows, State& state) {
   double last = HUGE_VAL;
   for (int i = 0; i < kMostClosingSteps; ++i) {
     const double now = rows.phi.lpNorm<Eigen::Infinity>();
     if (now <= 1e-15 || (now <= kAssembled && now >= 0.5 * last)) break;
     last = now;
-    add_increment(layout, rows.correction(rows.phi, kClosingRank), state.q);
+    const Eigen::VectorXd dx = rows.correction(rows.phi, kClosingRank);
+    follow_turns(model, layout, rows.kinematics(), &dx, state);
+    add_increment(layout, dx, state.q);
     rows.evaluate(state);
   }
+  follow_turns(model, layout, rows.kinematics(), nullptr, state);
 }
 
-// The model without its forces, and one more condition per given coordinate: it goes from the drawing's zero at t = 0
+// The model without its forces but what counts turns, and one more condition per given coordinate: it goes from the drawing's zero at t = 0
 // to its value at t = 1.
 Model model_on_the_way(const Model& model, const std::vector<StartCoordinate>& start) {
   Model out;
   for (int i = 0; i < model.body_count(); ++i) out.add_body(model.body(i), model.initial(i));
-  for (int j = 0; j < model.joint_count(); ++j) out.add_joint(model.joint(j));
+  for (int j = 0; j < model.joint_count(); ++j) {
+    Joint joint = model.joint(j);
+    if (joint.turn_counter >= 0)
+      joint.turn_counter = out.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, joint.m1, joint.m2));
+    out.add_joint(std::move(joint));
+  }
   for (const StartCoordinate& given : start) {
     const Joint& joint = model.joint(given.joint);
     PrescribedMotion motion;
@@ -208,20 +241,25 @@ void put_back_first_body(const Model& model, const Layout& layout, State& state)
 // Moves the coordinates to their values in small steps, so that loops stay on their branch.
 void move_to_start(const Model& model, const std::vector<StartCoordinate>& start, State& state) {
   const Model on_the_way = model_on_the_way(model, start);
-  const Layout layout(on_the_way);
+  const Layout layout(on_the_way), all(model);
   ConstraintRows rows(on_the_way, layout);
+  Eigen::VectorXd z = state.z;
+  state.z = Eigen::VectorXd::Zero(layout.z_size);
   double longest = 0.0;
   for (const StartCoordinate& given : start) longest = std::max(longest, std::abs(given.value));
   const int steps = 1 + static_cast<int>(longest / kStartStep);
   for (int k = 1; k <= steps; ++k) {
     state.time = static_cast<double>(k) / steps;
     rows.evaluate(state);
-    close_joints(layout, rows, state);
+    close_joints(on_the_way, layout, rows, state);
     check_contradiction(on_the_way, layout, rows.phi, 1.0,
                         "on the way to the coordinates of [initial.joints] they do not close; they stay open",
                         "m or rad");
   }
   state.time = 0.0;
+  for (std::size_t j = 0; j < all.joint_turns.size(); ++j)
+    if (all.joint_turns[j] >= 0) z[all.joint_turns[j]] = state.z[layout.joint_turns[j]];
+  state.z = std::move(z);
   put_back_first_body(model, layout, state);
 }
 
@@ -237,7 +275,7 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   rows.evaluate(out.state);
   out.largest_gap = check_gaps(model, layout, rows, out.state.time, options.gap_tolerance);
 
-  close_joints(layout, rows, out.state);
+  close_joints(model, layout, rows, out.state);
   check_contradiction(model, layout, rows.phi, 1.0, "together they cannot be closed; they stay open", "m or rad");
   if (out.largest_gap > kTellGap)
     out.notes.push_back("the drawing does not quite close: joints were open by up to " + number(out.largest_gap) +
@@ -259,6 +297,8 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
 
   out.redundant = rows.redundant(options.rank_tolerance);
   out.rank = layout.row_count;
+  for (int j = 0; j < model.joint_count(); ++j)
+    for (const ConstraintRow& row : model.joint(j).rows) out.rank -= row.inertia > 0.0 ? 1 : 0;  // rotors hold nothing
   for (const RedundantGroup& group : out.redundant) out.rank -= static_cast<int>(group.dropped.size());
   note_redundant(model, layout, out);
   return out;

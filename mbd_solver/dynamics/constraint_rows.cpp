@@ -59,6 +59,7 @@ ConstraintRows::ConstraintRows(const Model& model, const Layout& layout)
 void ConstraintRows::evaluate(const State& state) {
   const int m = layout_.row_count;
   kinematics_.load(layout_, state.q, state.v, Eigen::VectorXd());
+  kinematics_.load_turns(layout_, state.z);
   factors_.clear();
   for (int i = 0; i < model_.body_count(); ++i) {
     const int n = kinematics_.of(i).size();
@@ -79,9 +80,9 @@ void ConstraintRows::evaluate(const State& state) {
     MarkerVectors vectors(pair, joint.m1, joint.m2);
     for (std::size_t k = 0; k < joint.rows.size(); ++k) {
       const int row = layout_.joint_row[static_cast<std::size_t>(j)] + static_cast<int>(k);
-      const RowValue value = evaluate_row(joint.rows[k], state.time, vectors, phi_v);
-      phi[row] = value.phi;
-      rate[row] = value.rate;
+      const RowValue value = evaluate_row(joint.rows[k], state.time, vectors, phi_v, kinematics_.turns(j));
+      phi[row] += value.phi;
+      rate[row] += value.rate;
       for (int i = 0; i < 2; ++i) {  // C^-1 of each body
         if (bodies[i] == kGround) continue;
         Eigen::Ref<Eigen::VectorXd> part = phi_v.segment(pair.offset(i), pair.body[i]->size());
@@ -89,7 +90,7 @@ void ConstraintRows::evaluate(const State& state) {
       }
       if (joint.rows[k].inertia > 0.0) phi_v.setZero();  // a rotor closes nothing
       const double size = phi_v.norm();
-      if (size > 0.0) scale[row] = 1.0 / size;
+      if (size > 0.0 && layout_.shared[static_cast<std::size_t>(row)] == 0) scale[row] = 1.0 / size;
       for (int i = 0; i < 2; ++i) {
         if (bodies[i] == kGround) continue;
         const int v = layout_.body_v[static_cast<std::size_t>(bodies[i])];
@@ -101,6 +102,13 @@ void ConstraintRows::evaluate(const State& state) {
   transposed_.resize(layout_.v_size, m);
   transposed_.setFromTriplets(entries.begin(), entries.end());
   transposed_.makeCompressed();
+  // The rows of gears are sums: their lengths are known only now.
+  for (int row = 0; row < m; ++row) {
+    if (layout_.shared[static_cast<std::size_t>(row)] == 0) continue;
+    const double size = transposed_.col(row).norm();
+    if (size > 0.0) scale[row] = 1.0 / size;
+    transposed_.col(row) *= scale[row];
+  }
 }
 
 Eigen::VectorXd ConstraintRows::correction(const Eigen::VectorXd& defect, double rank_tolerance) const {

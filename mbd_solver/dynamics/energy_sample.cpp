@@ -49,12 +49,12 @@ void Equations::energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, con
   }
   // The joint forces -Phi_v^T lambda do work -lambda Phi_v v, which is zero but for prescribed motions.
   for_each_row(model_, layout_, w.kinematics, t, w.row,
-               [&](int row, const PairMotion&, const Eigen::Ref<Eigen::VectorXd>&, const RowValue& value) {
+               [&](const RowPlace& at, const PairMotion&, const Eigen::Ref<Eigen::VectorXd>&, const RowValue& value) {
                  // A rotor: 1/2 J q'^2, J = 1 / eps.
                  if (value.speed != 0.0)
-                   out.stored[Stored::kKinetic] += 0.5 * value.speed * value.speed / w.regularisation[row];
+                   out.stored[Stored::kKinetic] += 0.5 * value.speed * value.speed / w.regularisation[at.row];
                  if (value.phi_t != 0.0)
-                   out.supplied[Supply::kMotion] -= y[layout_.lambda0() + row] * (value.rate - value.phi_t);
+                   out.supplied[Supply::kMotion] -= y[layout_.lambda0() + at.row] * (value.rate - value.phi_t);
                });
 }
 

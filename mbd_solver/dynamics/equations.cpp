@@ -26,12 +26,18 @@ std::vector<double> shares_in_eps(const Model& model) {
   // Each pass carries the heaviest mass one joint further.
   for (bool changed = true; changed;) {
     changed = false;
-    for (int j = 0; j < model.joint_count(); ++j) {
-      const int a = model.joint(j).m1.body, b = model.joint(j).m2.body;
-      if (a == kGround || b == kGround) continue;
+    const auto connect = [&](int a, int b) {
+      if (a == kGround || b == kGround) return;
       double &at_a = heaviest[static_cast<std::size_t>(a)], &at_b = heaviest[static_cast<std::size_t>(b)];
       changed = changed || at_a != at_b;
       at_a = at_b = std::max(at_a, at_b);
+    };
+    for (int j = 0; j < model.joint_count(); ++j) {
+      const Joint& joint = model.joint(j);
+      connect(joint.m1.body, joint.m2.body);
+      if (joint.row_of < 0) continue;
+      for (const int other : {model.joint(joint.row_of).m1.body, model.joint(joint.row_of).m2.body})
+        for (const int own : {joint.m1.body, joint.m2.body}) connect(other, own);
     }
   }
   for (int i = 0; i < model.body_count(); ++i) {
@@ -64,25 +70,25 @@ void Equations::set_row_sizes(const State& state) {
   Workspace& w = *work_;
   load(state);
   const std::vector<double> shares = shares_in_eps(model_);
-  for_each_row(model_, layout_, w.kinematics, state.time, w.row,
-               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-                 const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
-                 const int bodies[2] = {joint.m1.body, joint.m2.body};
-                 double size = 0.0, held = 0.0;
-                 for (int i = 0; i < 2; ++i) {
-                   const int n = pair.body[i]->size();
-                   if (n == 0) continue;
-                   Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
-                   body_mass_matrix(model_.body(bodies[i]), *pair.body[i],
-                                    w.inertia[static_cast<std::size_t>(bodies[i])], M);
-                   const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
-                   const double length2 = part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
-                   size += length2;
-                   held += shares[static_cast<std::size_t>(bodies[i])] * length2;
-                 }
-                 w.row_size[row] = size;
-                 w.eps[row] = kRegularisation * held;
-               });
+  for_each_row(
+      model_, layout_, w.kinematics, state.time, w.row,
+      [&](const RowPlace& at, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+        const Joint& joint = model_.joint(at.joint);
+        const int bodies[2] = {joint.m1.body, joint.m2.body};
+        double size = 0.0, held = 0.0;
+        for (int i = 0; i < 2; ++i) {
+          const int n = pair.body[i]->size();
+          if (n == 0) continue;
+          Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
+          body_mass_matrix(model_.body(bodies[i]), *pair.body[i], w.inertia[static_cast<std::size_t>(bodies[i])], M);
+          const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
+          const double length2 = part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
+          size += length2;
+          held += shares[static_cast<std::size_t>(bodies[i])] * length2;
+        }
+        w.row_size[at.row] += size;  // of a gear, without what its members share on one body: an estimate
+        w.eps[at.row] += kRegularisation * held;
+      });
   w.smallest_size = w.row_size;
   for (const Redundancy& redundancy : w.redundancies) {
     for (std::size_t i = 0; i < redundancy.rows().size(); ++i) {
@@ -109,7 +115,10 @@ void Equations::rest_rows() {
     }
 }
 
-void Equations::load(const State& state) { work_->kinematics.load(layout_, state.q, state.v, work_->empty); }
+void Equations::load(const State& state) {
+  work_->kinematics.load(layout_, state.q, state.v, work_->empty);
+  work_->kinematics.load_turns(layout_, state.z);
+}
 
 const BodyKinematics& Equations::motion(int body) const { return work_->kinematics.of(body); }
 
@@ -138,6 +147,7 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
   const auto lambda = y.segment(layout_.lambda0(), layout_.row_count);
   w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size),
                     ydot.segment(layout_.v0(), layout_.v_size));
+  w.kinematics.load_turns(layout_, y.segment(layout_.z0(), layout_.z_size));
   F = ydot;
   F.segment(layout_.v0(), layout_.v_size).setZero();
 
@@ -161,19 +171,24 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
 
   // Joints: Phi_v^T lambda into the forces, phi'' into their own rows.
   const double alpha2 = 2.0 * baumgarte_.alpha, beta2 = baumgarte_.beta * baumgarte_.beta;
-  for_each_row(model_, layout_, w.kinematics, t, w.row,
-               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue& value) {
-                 const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
-                 const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
-                 for (int i = 0; i < 2; ++i) {
-                   const int n = pair.body[i]->size();
-                   if (n > 0)
-                     F.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n) +=
-                         lambda[row] * phi_v.segment(pair.offset(i), n);
-                 }
-                 F[layout_.lambda0() + row] =
-                     value.acc + alpha2 * value.rate + beta2 * value.phi - w.regularisation[row] * lambda[row];
-               });
+  for_each_row(
+      model_, layout_, w.kinematics, t, w.row,
+      [&](const RowPlace& at, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue& value) {
+        const Joint& joint = model_.joint(at.joint);
+        const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
+        for (int i = 0; i < 2; ++i) {
+          const int n = pair.body[i]->size();
+          if (n > 0)
+            F.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n) +=
+                lambda[at.row] * phi_v.segment(pair.offset(i), n);
+        }
+        double& condition = F[layout_.lambda0() + at.row];
+        if (at.adds) {
+          condition += value.acc + alpha2 * value.rate + beta2 * value.phi;
+        } else {
+          condition = value.acc + alpha2 * value.rate + beta2 * value.phi - w.regularisation[at.row] * lambda[at.row];
+        }
+      });
 
   // Continuous signals, then force elements.
   const Eigen::VectorXd& voltages = voltages_at(t, y, inputs);

@@ -58,7 +58,6 @@ void Equations::add_joint_derivatives(int index, double t, double c, const Eigen
   double* stiffness = w.stiffness.data();
   const bool closes = joint.rows.front().inertia == 0.0;  // else a rotor
   const double alpha2 = closes ? 2.0 * baumgarte_.alpha : 0.0;
-  const double beta2 = closes ? baumgarte_.beta * baumgarte_.beta : 0.0;
 
   Eigen::Ref<Eigen::MatrixXd> K = w.K.topLeftCorner(n, n);
   Eigen::Ref<Eigen::VectorXd> phi_v = w.row.head(n), rate_dx = w.row2.head(n), acc_dx = w.row3.head(n),
@@ -66,7 +65,8 @@ void Equations::add_joint_derivatives(int index, double t, double c, const Eigen
   K.setZero();
   for (std::size_t k = 0; k < joint.rows.size(); ++k) {
     const int local = static_cast<int>(k), row = layout_.joint_row[static_cast<std::size_t>(index)] + local;
-    evaluate_row(joint.rows[k], t, vectors, phi_v);
+    const double beta2 = closes && joint.rows[k].holds_positions() ? baumgarte_.beta * baumgarte_.beta : 0.0;
+    evaluate_row(joint.rows[k], t, vectors, phi_v);  // phi alone depends on whole turns
     row_derivatives(joint.rows[k], t, vectors, lambda[row], rate_dx, acc_dx, acc_dv, K);
     // F_lambda = phi'' + 2 alpha phi' + beta^2 phi - eps lambda
     if (alpha2 != 0.0 || beta2 != 0.0) acc_dx += alpha2 * rate_dx + beta2 * phi_v;

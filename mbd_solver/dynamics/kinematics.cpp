@@ -9,6 +9,9 @@ Kinematics::Kinematics(const Model& model) : bodies_(static_cast<std::size_t>(mo
     body.modes = model.body(i).mode_count();
     body.a = body.da = body.dda = Eigen::VectorXd::Zero(body.modes);
   }
+  for (int j = 0; j < model.joint_count(); ++j)
+    if (model.joint(j).turn_counter >= 0) turning_.push_back(j);
+  if (!turning_.empty()) turns_.resize(static_cast<std::size_t>(model.joint_count()), 0.0);
 }
 
 void Kinematics::load(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q,

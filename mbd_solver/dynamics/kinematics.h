@@ -16,11 +16,19 @@ class Kinematics {
   // dv may be empty: then accelerations are zero.
   void load(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q,
             const Eigen::Ref<const Eigen::VectorXd>& v, const Eigen::Ref<const Eigen::VectorXd>& dv);
+  // The inner states that count the turns of gears.
+  void load_turns(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& z) {
+    for (const int joint : turning_)
+      turns_[static_cast<std::size_t>(joint)] = z[layout.joint_turns[static_cast<std::size_t>(joint)]];
+  }
+  double turns(int joint) const { return turning_.empty() ? 0.0 : turns_[static_cast<std::size_t>(joint)]; }  // [rad]
   const BodyKinematics& of(int body) const { return bodies_[static_cast<std::size_t>(body + 1)]; }  // kGround is -1
   PairMotion pair(int body_1, int body_2) const { return {{&of(body_1), &of(body_2)}}; }
 
  private:
   std::vector<BodyKinematics> bodies_;  // the ground first
+  std::vector<int> turning_;            // joints that are members of gears and angles
+  std::vector<double> turns_;           // per joint; empty without gears
 };
 
 // What a message tells of a body: position, velocity and acceleration. `motion` is sized: for the body's modes, or for

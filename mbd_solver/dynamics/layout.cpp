@@ -19,9 +19,17 @@ Layout::Layout(const Model& model) {
   signal_z = z_size;
   if (model.signals()) z_size += model.signals()->state_count();
   for (int i = 0; i < model.joint_count(); ++i) {
+    const Joint& joint = model.joint(i);
+    joint_turns.push_back(joint.turn_counter < 0 ? -1 : force_z[static_cast<std::size_t>(joint.turn_counter)]);
+    if (joint.row_of >= 0) {
+      joint_row.push_back(joint_row[static_cast<std::size_t>(joint.row_of)]);
+      shared[static_cast<std::size_t>(joint_row.back())] = 1;
+      continue;
+    }
     joint_row.push_back(row_count);
-    for (std::size_t k = 0; k < model.joint(i).rows.size(); ++k) row_joint.push_back(i);
+    for (std::size_t k = 0; k < joint.rows.size(); ++k) row_joint.push_back(i);
     row_count = static_cast<int>(row_joint.size());
+    shared.resize(row_joint.size(), 0);
   }
 }
 

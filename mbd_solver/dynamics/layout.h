@@ -19,8 +19,10 @@ struct Layout {
   std::vector<int> body_q, body_v;  // first entry of each body in q and in v
   std::vector<int> force_z;         // first inner state of each force element in z
   int signal_z = 0;                 // first state of the continuous signals in z; they end it
-  std::vector<int> joint_row;       // first row of each joint among all rows
-  std::vector<int> row_joint;       // for each of all rows: its joint
+  std::vector<int> joint_row;       // first row of each joint among all rows; members of a gear share one
+  std::vector<int> row_joint;       // for each of all rows: its joint, the first member of a gear
+  std::vector<int> joint_turns;     // for each joint: the inner state that counts its turns for a gear in z, or -1
+  std::vector<char> shared;         // for each of all rows: whether several joints add to it
 };
 
 }  // namespace footfall

@@ -58,10 +58,11 @@ Equations::Drift Equations::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> 
   Workspace& w = *work_;
   Drift out;
   phi.setZero();
+  rate.setZero();
   for_each_row(model_, layout_, w.kinematics, t, w.row,
-               [&](int row, const PairMotion&, const Eigen::Ref<Eigen::VectorXd>&, const RowValue& value) {
-                 phi[row] = value.phi;
-                 rate[row] = value.rate;
+               [&](const RowPlace& at, const PairMotion&, const Eigen::Ref<Eigen::VectorXd>&, const RowValue& value) {
+                 phi[at.row] += value.phi;
+                 rate[at.row] += value.rate;
                });
   if (layout_.row_count > 0) {
     out.position = phi.cwiseAbs().maxCoeff(&out.worst_row);

@@ -152,19 +152,17 @@ void Equations::fill_saddle(double t, double mass, const Eigen::VectorXd& diagon
     body_mass_matrix(model_.body(i), w.kinematics.of(i), w.inertia[at], M);
     for (int k = 0; k < n; ++k) w.saddle_mass[at].add_column(values, k, mass * M.col(k));
   }
-  int joint = -1, local = 0;
-  for_each_row(model_, layout_, w.kinematics, t, w.row,
-               [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-                 local = layout_.row_joint[static_cast<std::size_t>(row)] == joint ? local + 1 : 0;
-                 joint = layout_.row_joint[static_cast<std::size_t>(row)];
-                 const PairPlaces& places = w.saddle_joint[static_cast<std::size_t>(joint)];
-                 for (int i = 0; i < 2; ++i) {
-                   const int n = pair.body[i]->size();
-                   if (n == 0) continue;
-                   places.v_extra[i].add_column(values, local, phi_v.segment(pair.offset(i), n));
-                   for (int k = 0; k < n; ++k) places.extra_v[i].add(values, local, k, phi_v[pair.offset(i) + k]);
-                 }
-               });
+  for_each_row(
+      model_, layout_, w.kinematics, t, w.row,
+      [&](const RowPlace& at, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+        const PairPlaces& places = w.saddle_joint[static_cast<std::size_t>(at.joint)];
+        for (int i = 0; i < 2; ++i) {
+          const int n = pair.body[i]->size();
+          if (n == 0) continue;
+          places.v_extra[i].add_column(values, at.local, phi_v.segment(pair.offset(i), n));
+          for (int k = 0; k < n; ++k) places.extra_v[i].add(values, at.local, k, phi_v[pair.offset(i) + k]);
+        }
+      });
   for (std::size_t row = 0; row < w.saddle_diagonal.size(); ++row)
     values[w.saddle_diagonal[row]] -= diagonal[static_cast<Eigen::Index>(row)];
 }
@@ -249,16 +247,16 @@ void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eig
   }
   for_each_row(
       model_, layout_, w.kinematics, t, w.row,
-      [&](int row, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-        const Joint& joint = model_.joint(layout_.row_joint[static_cast<std::size_t>(row)]);
+      [&](const RowPlace& at, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+        const Joint& joint = model_.joint(at.joint);
         const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
-        double sum = 0.0;
+        double sum = at.adds ? out[layout_.lambda0() + at.row] : 0.0;
         for (int i = 0; i < 2; ++i) {
           const int n = pair.body[i]->size();
           if (n > 0)
             sum += phi_v.segment(pair.offset(i), n).dot(x.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n));
         }
-        out[layout_.lambda0() + row] = sum;
+        out[layout_.lambda0() + at.row] = sum;
       });
 }
 

@@ -92,7 +92,13 @@ struct Equations::Workspace {
   bool redundancies_known = true;  // else found anew from the next state
 };
 
-// Calls visit(global row, phi_v, value) for every row of every joint. phi_v is a scratch row of the pair.
+// Where a row stands: among all rows, its joint, among the rows of the joint.
+struct RowPlace {
+  int row, joint, local;
+  bool adds;  // to the row of an earlier joint, the first member of its gear
+};
+
+// Calls visit(place, pair, phi_v, value) for every row of every joint. phi_v is a scratch row of the pair.
 template <typename Visit>
 void for_each_row(const Model& model, const Layout& layout, const Kinematics& kinematics, double t,
                   Eigen::VectorXd& scratch, Visit visit) {
@@ -102,8 +108,10 @@ void for_each_row(const Model& model, const Layout& layout, const Kinematics& ki
     const PairMotion& pair = vectors.pair();
     Eigen::Ref<Eigen::VectorXd> phi_v = scratch.head(pair.size());
     for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-      const RowValue value = evaluate_row(joint.rows[k], t, vectors, phi_v);
-      visit(layout.joint_row[static_cast<std::size_t>(j)] + static_cast<int>(k), pair, phi_v, value);
+      const RowValue value = evaluate_row(joint.rows[k], t, vectors, phi_v, kinematics.turns(j));
+      const int local = static_cast<int>(k);
+      visit(RowPlace{layout.joint_row[static_cast<std::size_t>(j)] + local, j, local, joint.row_of >= 0}, pair, phi_v,
+            value);
     }
   }
 }

@@ -51,6 +51,10 @@ constexpr Entry<JointForceSample> kDriveForce[] = {
 constexpr Entry<JointForceSample> kDrivePower[] = {
     {"<drive>.power", "W", [](const JointForceSample& s) { return s.supply; }}};
 
+// On the first coordinate of the gear.
+constexpr Entry<double> kGearTorque[] = {{"<gear>.torque", "N m", itself}};
+constexpr Entry<double> kGearForce[] = {{"<gear>.force", "N", itself}};
+
 constexpr Entry<StrutSample> kStrut[] = {{"<strut>.stroke", "m", [](const StrutSample& s) { return s.stroke; }},
                                          {"<strut>.rate", "m/s", [](const StrutSample& s) { return s.rate; }},
                                          {"<strut>.force", "N", [](const StrutSample& s) { return s.force; }}};
@@ -82,8 +86,8 @@ template <class Visit>
 void for_each_table(Visit visit) {
   visit(kTime), visit(kBodyEntries), visit(kAttitudeEntries), visit(kFlexible), visit(kContact), visit(kAngle),
       visit(kDisplacement), visit(kReaction), visit(kDriveTorque), visit(kDriveForce), visit(kDrivePower),
-      visit(kStrut), visit(kVoltage), visit(kSignal), visit(kState), visit(kStateSince), visit(kStored),
-      visit(kEnergyTotal);
+      visit(kGearTorque), visit(kGearForce), visit(kStrut), visit(kVoltage), visit(kSignal), visit(kState),
+      visit(kStateSince), visit(kStored), visit(kEnergyTotal);
   visit(kDissipated), visit(kWork), visit(kSupplied), visit(kCoupling), visit(kChosenWindows), visit(kOmegaH);
 }
 
@@ -160,6 +164,16 @@ void add_joints(const Subject& subject, const JointFigures& joints, Columns& out
       case Coordinate::kDisplacement: out.add(kDriveForce, {drive.name}, sample); break;
     }
     out.add(kDrivePower, {drive.name}, sample);
+  }
+  for (const GearEntry& gear : mechanism.gears) {
+    const int row = subject.layout.joint_row[static_cast<std::size_t>(gear.joint)];
+    const auto reaction = [row, count = subject.layout.row_count](const Sample& s) {
+      return -s.rates.tail(count)[row];
+    };
+    switch (gear.coordinate) {
+      case Coordinate::kAngle: out.add(kGearTorque, {gear.name}, reaction); break;
+      case Coordinate::kDisplacement: out.add(kGearForce, {gear.name}, reaction); break;
+    }
   }
 }
 

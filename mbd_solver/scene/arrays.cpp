@@ -155,6 +155,7 @@ void apply_arrays(Scene& scene, Findings& findings) {
     copy_entries(scene.springs, array);
     copy_entries(scene.forces, array);
     copy_entries(scene.drives, array);
+    copy_entries(scene.gears, array);
     copy_entries(scene.boundaries, array);
     copy_entries(scene.contacts, array);
     copy_entries(scene.initial.bodies, array);

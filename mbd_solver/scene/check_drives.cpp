@@ -34,17 +34,6 @@ void check_coordinate(const JointSpec& joint, const std::string& key, bool has, 
     findings.error(joint.source, key + ".spring", "has neither stiffness nor damping");
 }
 
-const JointSpec* find_joint(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
-                            Findings& findings) {
-  std::vector<std::string> names;
-  for (const JointSpec& joint : scene.joints) names.push_back(joint.name);
-  const auto found =
-      std::find_if(scene.joints.begin(), scene.joints.end(), [&](const JointSpec& j) { return j.name == name; });
-  if (found != scene.joints.end()) return &*found;
-  findings.error(source, key, "unknown joint \"" + name + "\"." + known_names("joints", name, names));
-  return nullptr;
-}
-
 // The joint exists and leaves the coordinate free.
 void check_place(const Scene& scene, const DriveSpec& drive, Findings& findings) {
   if (drive.joint.empty()) return;
@@ -70,6 +59,17 @@ void check_place(const Scene& scene, const DriveSpec& drive, Findings& findings)
 }
 
 }  // namespace
+
+const JointSpec* find_joint(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
+                            Findings& findings) {
+  std::vector<std::string> names;
+  for (const JointSpec& joint : scene.joints) names.push_back(joint.name);
+  const auto found =
+      std::find_if(scene.joints.begin(), scene.joints.end(), [&](const JointSpec& j) { return j.name == name; });
+  if (found != scene.joints.end()) return &*found;
+  findings.error(source, key, "unknown joint \"" + name + "\"." + known_names("joints", name, names));
+  return nullptr;
+}
 
 void check_initial_joints(const Scene& scene, Findings& findings) {
   for (const InitialJointSpec& given : scene.initial.joints) {

@@ -29,6 +29,16 @@ void check_points(const JointSpec& joint, double largest_gap, Findings& findings
                        joint.bodies[1] + "\"; expected points within " + number_text(largest_gap) +
                        " m in the design position (initial.largest_gap closes larger gaps)");
   }
+  if (joint.type == JointType::kRolling && joint.radius) {
+    // A disc on its edge stands lower when it leans.
+    const double lean = source.given("axis2") ? joint.axis.cross(joint.axis2).norm() : 1.0;
+    const double height = joint.axis.dot(joint.point_b - joint.point_a);
+    if (std::abs(height - *joint.radius * lean) > largest_gap)
+      findings.error(source, "point_b",
+                     "stands " + number_text(height) + " m above the plane, expected " +
+                         number_text(*joint.radius * lean) + " m" +
+                         (lean < 1.0 ? ", radius times the sine of the angle between axis and axis2" : ", the radius"));
+  }
   if (joint.type != JointType::kDistance) return;
   if (gap == 0.0) {
     findings.error(source, "point_b", "is the same point as point_a; a distance joint needs two, some way apart");
@@ -159,6 +169,13 @@ void check_joints(const Scene& scene, Findings& findings) {
     if (joint.type == JointType::kPrescribed && cosine > kSameDirection)
       findings.error(joint.source, "axis2",
                      "is parallel to axis; expected the x direction of the joint, across its z = axis");
+    if (traits.radius == KeyUse::kRequired && !joint.radius)
+      findings.error(joint.source, "radius", "is missing; that of the wheel, m");
+    if (joint.type == JointType::kRolling && joint.source.given("axis2") && cosine > kSameDirection)
+      findings.error(joint.source, "axis2",
+                     "is parallel to axis: the disc lies flat; expected it to stand on its edge");
+    if (traits.radius == KeyUse::kUnused && joint.radius)
+      findings.error(joint.source, "radius", "means nothing for this type of joint; leave it out");
     if (traits.axis2 == KeyUse::kUnused && joint.source.given("axis2"))
       findings.error(joint.source, "axis2", "means nothing for this type of joint; leave it out");
     if (traits.length == KeyUse::kUnused && joint.source.given("length"))

@@ -142,6 +142,7 @@ void visit_fields(FieldVisitor& v, TableSpec& table);
 void visit_fields(FieldVisitor& v, SpringSpec& spring);
 void visit_fields(FieldVisitor& v, ForceSpec& force);
 void visit_fields(FieldVisitor& v, DriveSpec& drive);
+void visit_fields(FieldVisitor& v, GearSpec& gear);
 void visit_fields(FieldVisitor& v, InitialJointSpec& joint);
 void visit_fields(FieldVisitor& v, BoundarySpec& boundary);
 void visit_fields(FieldVisitor& v, SurfaceSpec& surface);

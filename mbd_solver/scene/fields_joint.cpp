@@ -56,11 +56,20 @@ void visit_fields(FieldVisitor& v, JointSpec& j) {
   v.field("axis", &j.axis, {Unit::kNone, Range::kAny, Meaning::kDirection});
   v.field("axis2", &j.axis2, {Unit::kNone, Range::kAny, Meaning::kDirection});
   v.field("length", &j.length, {Unit::kLength, Range::kPositive});
+  v.field("radius", &j.radius, {Unit::kLength, Range::kPositive});
   v.section("motion", j.motion);
   v.section("angle", j.angle, Presence::kOptional,
             [](FieldVisitor& w, CoordinateSpec& c) { visit_fields(w, c, CoordinateChoice::kAngle); });
   v.section("displacement", j.displacement, Presence::kOptional,
             [](FieldVisitor& w, CoordinateSpec& c) { visit_fields(w, c, CoordinateChoice::kDisplacement); });
+}
+
+void visit_fields(FieldVisitor& v, GearSpec& g) {
+  v.field("", &g.source, {});
+  v.field("name", &g.name, {Unit::kNone, Range::kAny, Meaning::kName, true});
+  v.field("joints", &g.joints, {Unit::kNone, Range::kAny, Meaning::kName, true});
+  v.field("factors", &g.factors, {Unit::kNone, Range::kAny, Meaning::kPlain, true});
+  v.field("coordinates", &g.coordinates, {});
 }
 
 void visit_fields(FieldVisitor& v, DriveSpec& d) {

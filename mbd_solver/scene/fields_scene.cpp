@@ -26,6 +26,7 @@ void visit_fields(FieldVisitor& v, Scene& s) {
   v.list("springs", s.springs);
   v.list("forces", s.forces);
   v.list("drives", s.drives);
+  v.list("gears", s.gears);
   v.list("boundaries", s.boundaries);
   v.list("contacts", s.contacts);
   v.section("ground", s.ground);

@@ -25,6 +25,7 @@ enum class JointType {
   kPointOnPlane,
   kPlanar,
   kConstantVelocity,
+  kRolling,
   kPrescribed
 };
 
@@ -37,6 +38,7 @@ struct JointTraits {
   KeyUse axis;
   KeyUse axis2;
   KeyUse length;
+  KeyUse radius;
   KeyUse motion;
   bool points_may_differ;  // in the drawing
   bool holds_attitude;     // transmits moments
@@ -46,18 +48,19 @@ struct JointTraits {
 constexpr JointTraits traits_of(JointType type) {
   constexpr KeyUse no = KeyUse::kUnused, may = KeyUse::kOptional, must = KeyUse::kRequired;
   switch (
-      type) {  //                                                axis  axis2 length motion differ attitude turns slides
-    case JointType::kFixed: return {"fixed", may, no, no, no, false, true, false, false};
-    case JointType::kSpherical: return {"spherical", may, no, no, no, false, false, false, false};
-    case JointType::kUniversal: return {"universal", must, must, no, no, false, false, false, false};
-    case JointType::kRevolute: return {"revolute", must, no, no, no, false, true, true, false};
-    case JointType::kPrismatic: return {"prismatic", must, no, no, no, false, true, false, true};
-    case JointType::kCylindrical: return {"cylindrical", must, no, no, no, false, true, true, true};
-    case JointType::kDistance: return {"distance", may, no, may, no, true, false, false, false};
-    case JointType::kPointOnPlane: return {"point_on_plane", must, no, no, no, true, false, false, false};
-    case JointType::kPlanar: return {"planar", must, no, no, no, false, true, false, false};
-    case JointType::kConstantVelocity: return {"constant_velocity", must, no, no, no, false, true, false, false};
-    case JointType::kPrescribed: return {"prescribed", may, may, no, must, false, true, false, false};
+      type) {  //                                            axis axis2 length radius motion differ attitude turns slides
+    case JointType::kFixed: return {"fixed", may, no, no, no, no, false, true, false, false};
+    case JointType::kSpherical: return {"spherical", may, no, no, no, no, false, false, false, false};
+    case JointType::kUniversal: return {"universal", must, must, no, no, no, false, false, false, false};
+    case JointType::kRevolute: return {"revolute", must, no, no, no, no, false, true, true, false};
+    case JointType::kPrismatic: return {"prismatic", must, no, no, no, no, false, true, false, true};
+    case JointType::kCylindrical: return {"cylindrical", must, no, no, no, no, false, true, true, true};
+    case JointType::kDistance: return {"distance", may, no, may, no, no, true, false, false, false};
+    case JointType::kPointOnPlane: return {"point_on_plane", must, no, no, no, no, true, false, false, false};
+    case JointType::kPlanar: return {"planar", must, no, no, no, no, false, true, false, false};
+    case JointType::kConstantVelocity: return {"constant_velocity", must, no, no, no, no, false, true, false, false};
+    case JointType::kRolling: return {"rolling", must, may, no, must, no, true, true, false, false};
+    case JointType::kPrescribed: return {"prescribed", may, may, no, no, must, false, true, false, false};
   }
   return {};
 }
@@ -135,15 +138,17 @@ struct JointSpec {
   std::array<std::string, 2> bodies;     // a, b; "ground" is allowed for one of them
   std::optional<Eigen::Vector3d> point;  // gives both of the next two [m]
   // The joint's point on a and on b in D [m], resolved by scene_reader. They may differ for distance and point_on_plane
-  // (a: a point of the plane) only; else the gap is checked.
+  // (a: a point of the plane), and rolling (likewise; b: the centre of the wheel) only; else the gap is checked.
   Eigen::Vector3d point_a = Eigen::Vector3d::Zero();
   Eigen::Vector3d point_b = Eigen::Vector3d::Zero();
   // unit vector; revolute, prismatic, cylindrical, prescribed; universal: axis
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  // fixed in a; point_on_plane: normal of the plane, fixed in a
-  // universal: axis fixed in b, perpendicular to `axis`; prescribed: x axis
+  // fixed in a; point_on_plane, rolling: normal of the plane, fixed in a
+  // universal: axis fixed in b, perpendicular to `axis`; prescribed: x axis; rolling: axis of a disc, fixed in b (not
+  // given: a sphere)
   Eigen::Vector3d axis2 = Eigen::Vector3d::UnitX();
   std::optional<double> length;                // distance [m]; not given: that of the points
+  std::optional<double> radius;                // rolling [m] > 0
   std::optional<MotionSpec> motion;            // prescribed
   std::optional<CoordinateSpec> angle;         // revolute, cylindrical
   std::optional<CoordinateSpec> displacement;  // prismatic, cylindrical

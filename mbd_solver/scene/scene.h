@@ -11,6 +11,7 @@
 #include "mbd_solver/scene/contact_spec.h"
 #include "mbd_solver/scene/drive_spec.h"
 #include "mbd_solver/scene/force_spec.h"
+#include "mbd_solver/scene/gear_spec.h"
 #include "mbd_solver/scene/joint_spec.h"
 #include "mbd_solver/scene/run_spec.h"
 #include "mbd_solver/scene/signal_spec.h"
@@ -51,6 +52,7 @@ struct Scene {
   std::vector<SpringSpec> springs;
   std::vector<ForceSpec> forces;
   std::vector<DriveSpec> drives;
+  std::vector<GearSpec> gears;
   std::vector<BoundarySpec> boundaries;
   std::vector<ContactSpec> contacts;
   GroundSpec ground;
@@ -69,7 +71,10 @@ struct Scene {
   const MaterialSpec& material(const std::string& name) const;
   // The coordinate that a drive moves, of a checked scene.
   CoordinateChoice coordinate_of(const DriveSpec& drive) const;
+  // The coordinate that the gear's joint of this index takes part with, of a checked scene.
+  CoordinateChoice coordinate_of(const GearSpec& gear, std::size_t index) const;
   int joint_index(const std::string& name) const;  // FOOTFALL_DEMAND likewise
+  CoordinateChoice only_coordinate(const std::string& joint) const;  // of a joint that has one
   bool touches_particles() const { return ground.kind == GroundKind::kParticles; }
 };
 

@@ -22,8 +22,18 @@ int Scene::joint_index(const std::string& name) const {
 }
 
 CoordinateChoice Scene::coordinate_of(const DriveSpec& drive) const {
-  if (drive.coordinate != CoordinateChoice::kAuto) return drive.coordinate;
-  const JointTraits traits = traits_of(joints[static_cast<std::size_t>(joint_index(drive.joint))].type);
+  return drive.coordinate != CoordinateChoice::kAuto ? drive.coordinate : only_coordinate(drive.joint);
+}
+
+CoordinateChoice Scene::coordinate_of(const GearSpec& gear, std::size_t index) const {
+  if (index < gear.coordinates.size())
+    for (const CoordinateChoice choice : {CoordinateChoice::kAngle, CoordinateChoice::kDisplacement})
+      if (gear.coordinates[index] == name_of(choice)) return choice;
+  return only_coordinate(gear.joints[index]);
+}
+
+CoordinateChoice Scene::only_coordinate(const std::string& joint) const {
+  const JointTraits traits = traits_of(joints[static_cast<std::size_t>(joint_index(joint))].type);
   FOOTFALL_DEMAND(traits.turns != traits.slides);
   return traits.turns ? CoordinateChoice::kAngle : CoordinateChoice::kDisplacement;
 }
@@ -169,6 +179,7 @@ void check_scene(const Scene& scene, Findings& findings) {
   warn_of_gravity_upwards(scene, findings);
   check_joints(scene, findings);
   check_drives(scene, findings);
+  check_gears(scene, findings);
   check_initial_joints(scene, findings);
   check_controllers(scene, findings);
   check_signals(scene, findings);

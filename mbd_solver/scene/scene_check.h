@@ -14,6 +14,7 @@ void check_bodies(const Scene& scene, Findings& findings);
 void check_joints(const Scene& scene, Findings& findings);
 void check_initial_joints(const Scene& scene, Findings& findings);
 void check_drives(const Scene& scene, Findings& findings);
+void check_gears(const Scene& scene, Findings& findings);
 void check_struts(const Scene& scene, Findings& findings);
 void check_springs(const Scene& scene, Findings& findings);
 void check_forces(const Scene& scene, Findings& findings);
@@ -35,6 +36,10 @@ void check_body_name(const Scene& scene, const Source& source, const std::string
 // "signal" of an entry names one of the scene; empty: none is asked for.
 void check_signal_name(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
                        Findings& findings);
+
+// The joint of this name; null, with a finding, where there is none.
+const JointSpec* find_joint(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
+                            Findings& findings);
 
 // A function of time: an amplitude has a frequency, times of a table rise.
 void check_function(const Source& source, const std::string& key, const std::optional<TimeFunctionSpec>& f,

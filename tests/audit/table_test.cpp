@@ -110,6 +110,23 @@ TEST_P(OneNumber, ThatIsWrongIsSeenInItsLineAndWindow) {
   EXPECT_FALSE(audit_holds(audit_lines(run.grains, run.mechanism)));
 }
 
+// The scene ends within a step of the grains: the mechanism feels the last window's mean force for a part of it.
+TEST(AuditTable, TakesALastWindowThatTheEndOfTheSceneCuts) {
+  AuditedRun run = exact_run();
+  const MechanismRow before = run.mechanism.rows[run.mechanism.rows.size() - 2];
+  MechanismRow& last = run.mechanism.rows.back();
+  last.time = before.time + 0.6 * (last.time - before.time);
+  last.momentum = before.momentum + 0.6 * (last.momentum - before.momentum);
+  EXPECT_EQ(line(run, "mechanism: linear momentum").verdict, AuditVerdict::kHolds);
+  last.momentum *= 1.0 + 1e-5;
+  EXPECT_EQ(line(run, "mechanism: linear momentum").verdict, AuditVerdict::kWrong);
+  // No other window may be cut.
+  AuditedRun other = exact_run();
+  other.mechanism.rows[1].time *= 0.6;
+  other.mechanism.rows[1].momentum *= 0.6;
+  EXPECT_EQ(line(other, "mechanism: linear momentum").verdict, AuditVerdict::kWrong);
+}
+
 TEST(AuditTable, LeavesOutWindowsInWhichGrainsCome) {
   AuditedRun run = exact_run();
   run.grains.windows[2].count = 4.0;

@@ -67,7 +67,6 @@ CheckedCase squeezer_case() {
   out.run = [](const std::string& kind, double rtol) {
     const Model model = squeezer();
     Run run(model, kind, as_a_scene(rtol));
-    run.inputs = squeezer_motor(model);
     run.to(0.03);
     return Outcome{squeezer_error(run), std::abs(run.imbalance()), run.integrator->statistics().steps};
   };

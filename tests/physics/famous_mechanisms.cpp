@@ -5,8 +5,10 @@
 
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/model/elements/bushing.h"
+#include "mbd_solver/model/elements/joint_force.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/laws/motor.h"
 #include "tests/physics/mechanisms.h"
 
 namespace footfall::test {
@@ -80,15 +82,13 @@ Model squeezer() {
   const Vector2d D = B + sd * along(gamma) + sc * across(gamma);
   model.add_force(spring_damper("spring", model.marker_at(kGround, in_space(C)), model.marker_at(k3, in_space(D)),
                                 4530.0, 0.0, 0.07785));
+  MotorParameters motor;
+  motor.command = polynomial({0.033});
+  std::vector<std::unique_ptr<StrutLaw>> laws;
+  laws.push_back(std::make_unique<Motor>(motor));
+  model.add_force(
+      std::make_unique<JointForce>("motor", model.joint(0).m1, model.joint(0).m2, Coordinate::kAngle, std::move(laws)));
   return model;
-}
-
-Inputs squeezer_motor(const Model& model) {
-  Inputs inputs;
-  inputs.voltages = Eigen::VectorXd::Zero(4);
-  inputs.loads.resize(static_cast<std::size_t>(model.body_count()));
-  inputs.loads[0].T_B = {0.0, 0.0, 0.033};
-  return inputs;
 }
 
 double squeezer_error(Run& run) {

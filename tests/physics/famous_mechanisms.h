@@ -11,8 +11,7 @@ namespace footfall::test {
 
 // Andrews' squeezing mechanism (Test Set for IVP Solvers; Hairer and Wanner, Solving ODEs II, VII.7): seven plane bodies,
 // ten hinges, one spring, one motor. One degree of freedom, 50 conditions, nine too many.
-Model squeezer();
-Inputs squeezer_motor(const Model& model);  // 0.033 N m on the crank
+Model squeezer();  // its motor, 0.033 N m, is a drive on the crank's hinge
 // Largest error of the seven angles at t = 0.03 s, relative to the largest of them.
 double squeezer_error(Run& run);
 

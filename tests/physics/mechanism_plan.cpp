@@ -5,14 +5,18 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/assembly.h"
+#include "mbd_solver/model/joints/gear.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall::test {
 namespace {
 
 Joint build(const PlannedJoint& joint, const Model& model) {
+  const bool rolls = joint.kind == JointKind::kDisc || joint.kind == JointKind::kSphere;
   const Marker m1 = model.marker_at(joint.body_1, joint.point_1, joint.axes),
-               m2 = model.marker_at(joint.body_2, joint.point_2, joint.axes);
+               m2 = model.marker_at(joint.body_2, joint.point_2, rolls ? joint.axes_2 : joint.axes);
+  const Eigen::Vector3d normal = joint.axes.col(2);
+  const double height = normal.dot(joint.point_2 - joint.point_1);
   switch (joint.kind) {
     case JointKind::kFixed: return fixed_joint(joint.name, m1, m2);
     case JointKind::kSpherical: return spherical_joint(joint.name, m1, m2);
@@ -23,6 +27,11 @@ Joint build(const PlannedJoint& joint, const Model& model) {
     case JointKind::kDistance: return distance_joint(joint.name, m1, m2, (joint.point_2 - joint.point_1).norm());
     case JointKind::kPlane:
     case JointKind::kAxialHold: return point_on_plane_joint(joint.name, m1, m2);
+    case JointKind::kDisc: {
+      const double s = normal.cross(Eigen::Vector3d(joint.axes_2.col(2))).norm();
+      return rolling_joint(joint.name, m1, m2, height / s, true);
+    }
+    case JointKind::kSphere: return rolling_joint(joint.name, m1, m2, height, false);
     case JointKind::kDriven: {
       PrescribedMotion motion;
       for (TimeFunctionPtr& component : motion.translation) component = polynomial({0.0});
@@ -49,7 +58,24 @@ Model build(const Plan& plan) {
     model.add_force(force.make(force.name, model.marker_at(force.body_1, force.point_1, force.axes),
                                model.marker_at(force.body_2, force.point_2, force.axes),
                                (force.point_2 - force.point_1).norm()));
+  for (const PlannedRotor& planned : plan.rotors) {
+    const Joint& joint = model.joint(joint_index(model, planned.joint));
+    model.add_joint(rotor("rotor_" + planned.joint, joint.m1, joint.m2, planned.coordinate, planned.inertia));
+  }
+  for (const PlannedGear& gear : plan.gears) {
+    std::vector<GearMember> members;
+    for (const PlannedGear::Member& member : gear.members)
+      members.push_back({joint_index(model, member.joint), member.coordinate, member.factor});
+    add_gear(model, gear.name, members);
+  }
   return model;
+}
+
+int joint_index(const Model& model, const std::string& name) {
+  for (int j = 0; j < model.joint_count(); ++j)
+    if (model.joint(j).name == name) return j;
+  FOOTFALL_DEMAND(false);
+  return -1;
 }
 
 Plan settled(Plan plan) {
@@ -79,6 +105,7 @@ Plan moved(Plan plan, const Eigen::Matrix3d& R, const Eigen::Vector3d& d) {
     move(joint.point_1);
     move(joint.point_2);
     joint.axes = R * joint.axes;
+    joint.axes_2 = R * joint.axes_2;
   }
   for (PlannedForce& force : plan.forces) {
     move(force.point_1);
@@ -105,6 +132,11 @@ Plan reordered(Plan plan, const std::vector<int>& order) {
     force.body_1 = renumbered(force.body_1, order);
     force.body_2 = renumbered(force.body_2, order);
   }
+  for (PlannedGear& gear : plan.gears) {
+    for (PlannedGear::Member& member : gear.members) member.joint = "renamed_" + member.joint;
+    std::reverse(gear.members.begin(), gear.members.end());
+  }
+  for (PlannedRotor& rotor : plan.rotors) rotor.joint = "renamed_" + rotor.joint;
   std::reverse(plan.joints.begin(), plan.joints.end());
   std::reverse(plan.forces.begin(), plan.forces.end());
   return plan;

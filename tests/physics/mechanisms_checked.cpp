@@ -90,9 +90,11 @@ void print_case(const CheckedCase& mechanism, bool brief, Summary& summary) {
 void print_random(bool brief, Summary& summary) {
   const unsigned seeds = brief ? 2 : 25;
   std::printf(
-      "\n## %u random mechanisms\n\nEight families of %u, each from its seed: trees and loops with every kind of "
+      "\n## %u random mechanisms\n\nTwelve families of %u, each from its seed: trees and loops with every kind of "
       "joint, springs, gas springs, MR dampers, stops, honeycombs, tables and bushings; four-bars and "
-      "parallelograms; Bennett, Bricard and Sarrus; driven loops. They move for 0.5 s, or until they come near a "
+      "parallelograms; Bennett, Bricard and Sarrus; driven loops; loops with motors, with brakes, friction and limits, "
+      "with "
+      "gears, and on rolling wheels. They move for 0.5 s, or until they come near a "
       "position in which their conditions lose rank.\n\nCompared: all bodies at the end, relative to the size of the "
       "motion.\nReference: own run of the one-step method at rtol 1e-11.\n\n",
       8 * seeds, seeds);

@@ -3,12 +3,16 @@
 #include <cmath>
 
 #include "mbd_solver/model/elements/bushing.h"
+#include "mbd_solver/model/elements/joint_force.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/elements/torsional_spring.h"
+#include "mbd_solver/model/laws/brake.h"
 #include "mbd_solver/model/laws/end_stop.h"
 #include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/honeycomb.h"
+#include "mbd_solver/model/laws/joint_friction.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/laws/motor.h"
 #include "mbd_solver/model/laws/mr_damper.h"
 #include "mbd_solver/model/laws/table_law.h"
 
@@ -121,7 +125,101 @@ void add_torsion(Plan& plan, Numbers& numbers, PlannedForce force) {
   }
 }
 
+// A law on a coordinate of a joint; of its angle where it has both.
+bool add_on_coordinate(Plan& plan, const PlannedJoint& joint, const std::string& name,
+                       const std::function<std::unique_ptr<StrutLaw>()>& law) {
+  const bool slides = joint.kind == JointKind::kPrismatic;
+  if (!slides && joint.kind != JointKind::kRevolute && joint.kind != JointKind::kCylindrical) return false;
+  const Coordinate coordinate = slides ? Coordinate::kDisplacement : Coordinate::kAngle;
+  PlannedForce force;
+  force.name = name;
+  force.body_1 = joint.body_1;
+  force.body_2 = joint.body_2;
+  force.point_1 = force.point_2 = joint.point_1;
+  force.axes = joint.axes;
+  force.make = [=](const std::string& own_name, const Marker& m1, const Marker& m2, double) {
+    Laws laws;
+    laws.push_back(law());
+    return std::make_unique<JointForce>(own_name, m1, m2, coordinate, std::move(laws));
+  };
+  plan.forces.push_back(force);
+  return true;
+}
+
+MotorParameters random_motor(Numbers& numbers, int kind) {
+  MotorParameters motor;
+  motor.kind = kind == 0 ? MotorKind::kTorque : kind == 1 ? MotorKind::kSpeed : MotorKind::kPosition;
+  motor.gear_ratio = numbers.between(1.0, 20.0);
+  const double share = 1.0 / motor.gear_ratio;  // of the motor's torque in the joint's
+  motor.command = kind == 0
+                      ? sum({polynomial({2.0 * share * numbers.between(-1.0, 1.0)}), sine(2.0 * share, 2.0)})
+                      : sum({polynomial({numbers.between(-0.5, 0.5), numbers.between(-1.0, 1.0)}), sine(0.3, 1.5)});
+  if (kind == 0) return motor;
+  motor.kp = share * numbers.between(1.0, 5.0);
+  motor.ki = numbers.one_in(2) ? share * numbers.between(2.0, 10.0) : 0.0;
+  if (kind == 2) motor.kd = share * numbers.between(0.1, 0.5);
+  return motor;
+}
+
 }  // namespace
+
+void add_random_drives(Plan& plan, Numbers& numbers) {
+  int kind = numbers.whole(0, 2);
+  for (const PlannedJoint& joint : plan.joints) {
+    const MotorParameters motor = random_motor(numbers, kind);
+    const double rotor = numbers.one_in(2) ? numbers.between(0.01, 0.3) : 0.0;
+    if (!add_on_coordinate(plan, joint, "motor_" + joint.name, [=] { return std::make_unique<Motor>(motor); }))
+      continue;
+    kind = (kind + 1) % 3;
+    if (rotor > 0.0)
+      plan.rotors.push_back(
+          {joint.name, joint.kind == JointKind::kPrismatic ? Coordinate::kDisplacement : Coordinate::kAngle, rotor});
+  }
+}
+
+void add_random_limits(Plan& plan, Numbers& numbers) {
+  plan.rough = true;
+  int kind = numbers.whole(0, 3);
+  for (const PlannedJoint& joint : plan.joints) {
+    const double share = numbers.between(0.3, 1.0);
+    MotorParameters motor = random_motor(numbers, numbers.whole(0, 2));
+    motor.largest_torque = 2.0 * share / motor.gear_ratio;
+    motor.no_load_speed = 5.0 * motor.gear_ratio;
+    motor.efficiency = 0.8;
+    const auto law = [=]() -> std::unique_ptr<StrutLaw> {
+      switch (kind) {
+        case 0: return std::make_unique<Motor>(motor);
+        case 1: {
+          JointFrictionParameters friction;
+          friction.coulomb = share;
+          friction.breakaway = 1.3 * share;
+          friction.stribeck_speed = 0.1;
+          friction.viscous = 0.05;
+          friction.stick_displacement = 0.01;
+          return std::make_unique<JointFriction>(friction);
+        }
+        case 2: {
+          BrakeParameters brake;
+          brake.command = sum({polynomial({0.4}), sine(0.8, 3.0)});
+          brake.largest_force = 2.0 * share;
+          brake.lag = 0.02;
+          brake.stick_displacement = 0.01;
+          return std::make_unique<Brake>(brake);
+        }
+        default: {
+          EndStopParameters stop;
+          stop.smallest_stroke = -0.2 * share;
+          stop.largest_stroke = 0.1;
+          stop.stiffness = 200.0;
+          stop.dissipation = 0.3;
+          stop.toe = 0.01;
+          return std::make_unique<EndStop>(stop);
+        }
+      }
+    };
+    if (add_on_coordinate(plan, joint, "law_" + joint.name, law)) kind = (kind + 1) % 4;
+  }
+}
 
 void add_random_forces(Plan& plan, Numbers& numbers, bool free) {
   const int bodies = static_cast<int>(plan.bodies.size()), count = numbers.whole(0, 3);

@@ -10,4 +10,9 @@ namespace footfall::test {
 // the plan rough when a law among them has kinks.
 void add_random_forces(Plan& plan, Numbers& numbers, bool free);
 
+// What acts on the coordinates of its hinges, cylinders and slides: drives of every kind, with rotors ...
+void add_random_drives(Plan& plan, Numbers& numbers);
+// ... and with limits, losses, brakes, friction and stops: laws with kinks. Marks the plan rough.
+void add_random_limits(Plan& plan, Numbers& numbers);
+
 }  // namespace footfall::test

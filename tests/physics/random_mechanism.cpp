@@ -51,6 +51,8 @@ int conditions(JointKind kind) {
     case JointKind::kPrismatic: return 5;
     case JointKind::kUniversal:
     case JointKind::kCylindrical: return 4;
+    case JointKind::kDisc:
+    case JointKind::kSphere:
     case JointKind::kSpherical: return 3;
     case JointKind::kDistance:
     case JointKind::kPlane:
@@ -79,10 +81,10 @@ void grow_tree(Plan& plan, Numbers& numbers, bool grounded) {
 
 // A chain through the corners of a random polygon: from the ground to the ground, or a ring. Joints are drawn until one
 // to four degrees of freedom are left beside those of the ring as a whole.
-void close_loop(Plan& plan, Numbers& numbers, bool grounded, bool driven) {
+void close_loop(Plan& plan, Numbers& numbers, bool grounded, bool driven, int least = 1) {
   constexpr JointKind kKinds[] = {JointKind::kSpherical, JointKind::kUniversal, JointKind::kRevolute,
                                   JointKind::kCylindrical, JointKind::kPrismatic};
-  const int bodies = grounded ? numbers.whole(driven ? 3 : 2, 4) : numbers.whole(3, 5),
+  const int bodies = grounded ? numbers.whole(driven || least > 1 ? 3 : 2, 4) : numbers.whole(3, 5),
             joints = grounded ? bodies + 1 : bodies;
   std::vector<JointKind> kinds(static_cast<std::size_t>(joints));
   int freedom = 0;
@@ -91,7 +93,7 @@ void close_loop(Plan& plan, Numbers& numbers, bool grounded, bool driven) {
     for (JointKind& kind : kinds) kind = kKinds[numbers.whole(0, 4)];
     kinds.front() = JointKind::kRevolute;  // what is driven, or carries a spring
     for (const JointKind kind : kinds) freedom -= conditions(kind);
-  } while (freedom < (driven ? 2 : 1) || freedom > 4);
+  } while (freedom < (driven ? 2 : least) || freedom > 4);
   if (driven) kinds.front() = JointKind::kDriven;
   std::vector<Vector3d> corners;
   const double turn = 2.0 * M_PI / joints;
@@ -108,6 +110,50 @@ void close_loop(Plan& plan, Numbers& numbers, bool grounded, bool driven) {
   }
   plan.joints.front().drive_rate = numbers.between(-2.0, 2.0);
   plan.joints.front().drive_sway = numbers.between(-0.2, 0.2);
+}
+
+// A chain of two or three bodies from a hinge on the ground to a wheel that rolls on a plane of the ground, or to a plane
+// that rolls on a wheel that stands.
+void close_by_rolling(Plan& plan, Numbers& numbers) {
+  constexpr JointKind kKinds[] = {JointKind::kSpherical, JointKind::kUniversal, JointKind::kRevolute};
+  const int bodies = numbers.whole(2, 3);
+  std::vector<JointKind> kinds(static_cast<std::size_t>(bodies));
+  int freedom = 0;
+  do {
+    freedom = 6 * bodies - 3;
+    for (JointKind& kind : kinds) kind = kKinds[numbers.whole(0, 2)];
+    for (const JointKind kind : kinds) freedom -= conditions(kind);
+  } while (freedom < 1 || freedom > 5);
+  Vector3d point = Vector3d::Zero();
+  for (int i = 0; i < bodies; ++i) {
+    const Vector3d next = point + Vector3d(0.5, 0.0, 0.1) + numbers.vector(0.2);
+    add_body(plan, numbers, 0.5 * (point + next));
+    add_joint(plan, kinds[static_cast<std::size_t>(i)], i - 1, i, point, numbers.axes());
+    point = next;
+  }
+  const bool wheel_moves = numbers.one_in(2);
+  add_joint(plan, numbers.one_in(2) ? JointKind::kDisc : JointKind::kSphere, wheel_moves ? kGround : bodies - 1,
+            wheel_moves ? bodies - 1 : kGround, point, numbers.axes());
+  PlannedJoint& rolling = plan.joints.back();
+  const Vector3d n = rolling.axes.col(2);
+  rolling.point_2 += numbers.between(0.2, 0.5) * n + 0.1 * rolling.axes.col(0);
+  // The disc leans by at most some 50 degrees.
+  rolling.axes_2 = axes_with_z(rolling.axes.col(1) + numbers.between(-0.8, 0.8) * n);
+}
+
+// Two or three coordinates of a loop, if it has so many.
+void add_gears(Plan& plan, Numbers& numbers) {
+  PlannedGear gear;
+  gear.name = "gear";
+  for (const PlannedJoint& joint : plan.joints) {
+    if (gear.members.size() == 3) break;
+    const double factor = numbers.between(0.5, 2.0) * (numbers.one_in(2) ? -1.0 : 1.0);
+    if (joint.kind == JointKind::kRevolute || joint.kind == JointKind::kCylindrical)
+      gear.members.push_back({joint.name, Coordinate::kAngle, factor});
+    if (joint.kind == JointKind::kPrismatic || joint.kind == JointKind::kCylindrical)
+      gear.members.push_back({joint.name, Coordinate::kDisplacement, 3.0 * factor});
+  }
+  if (gear.members.size() >= 2) plan.gears.push_back(gear);
 }
 
 // Hinges through the corners, about the axes; the last side is the ground.
@@ -254,6 +300,10 @@ const char* name_of(Family family) {
     case Family::kParallelogram: return "Parallelogram";
     case Family::kOverclosed: return "Overclosed";
     case Family::kDrivenLoop: return "DrivenLoop";
+    case Family::kMotorLoop: return "MotorLoop";
+    case Family::kLimitLoop: return "LimitLoop";
+    case Family::kGearLoop: return "GearLoop";
+    case Family::kRollingLoop: return "RollingLoop";
   }
   return "";
 }
@@ -277,6 +327,19 @@ Plan random_mechanism(Family family, unsigned seed) {
       break;
     }
     case Family::kDrivenLoop: close_loop(plan, numbers, true, true); break;
+    case Family::kMotorLoop:
+      close_loop(plan, numbers, true, false);
+      add_random_drives(plan, numbers);
+      break;
+    case Family::kLimitLoop:
+      close_loop(plan, numbers, true, false);
+      add_random_limits(plan, numbers);
+      break;
+    case Family::kGearLoop:
+      close_loop(plan, numbers, true, false, 2);
+      add_gears(plan, numbers);
+      break;
+    case Family::kRollingLoop: close_by_rolling(plan, numbers); break;
   }
   add_random_forces(plan, numbers, free);
   plan = settled(plan);

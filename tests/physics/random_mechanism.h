@@ -14,10 +14,15 @@ enum class Family {
   kFourBar,        // planar, four hinges: three conditions too many
   kParallelogram,  // a row of them, or a slider-crank: planar as well
   kOverclosed,     // Bennett, Bricard, Sarrus: spatial loops that move only because of their measures
-  kDrivenLoop      // ground to ground, the first hinge driven
+  kDrivenLoop,     // ground to ground, the first hinge driven
+  kMotorLoop,      // motors and rotors on every hinge, cylinder and slide of a loop
+  kLimitLoop,      // the same with limits, losses, brakes, friction and stops
+  kGearLoop,       // two or three coordinates of a loop in a gear
+  kRollingLoop     // from a hinge on the ground to a wheel that rolls on it, or on which a plane rolls
 };
-constexpr Family kFamilies[] = {Family::kTree,    Family::kFreeTree,      Family::kLoop,       Family::kFreeLoop,
-                                Family::kFourBar, Family::kParallelogram, Family::kOverclosed, Family::kDrivenLoop};
+constexpr Family kFamilies[] = {Family::kTree,      Family::kFreeTree,      Family::kLoop,       Family::kFreeLoop,
+                                Family::kFourBar,   Family::kParallelogram, Family::kOverclosed, Family::kDrivenLoop,
+                                Family::kMotorLoop, Family::kLimitLoop,     Family::kGearLoop,   Family::kRollingLoop};
 const char* name_of(Family family);
 
 // Settled: the start fits the joints. seed = 1, 2, ... within its family.

@@ -1,4 +1,4 @@
-// Two hundred random mechanisms, 25 of each family: what must hold for all of them. Every failure prints family and
+// Three hundred random mechanisms, 25 of each family: what must hold for all of them. Every failure prints family and
 // seed; random_mechanism(family, seed) makes the mechanism again.
 
 #include <gtest/gtest.h>

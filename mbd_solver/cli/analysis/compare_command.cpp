@@ -178,7 +178,9 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
   std::string remark;
   if (other.empty()) {
     const std::string motion = fs::absolute(fs::path(run) / "motion").lexically_normal().string();
-    const Replay replay = stock_replay(summary.at("scene").at("particles").at("script"), motion, out.string(), dt);
+    const Json& particles = summary.at("scene").at("particles");
+    const Replay replay = stock_replay(particles.at("script"), motion, out.string(), dt,
+                                       particles.value("variables", std::map<std::string, std::string>{}));
     write(out / "in.stock", replay.script);
     for (const auto& [name, text] : replay.files) write(out / name, text);
     run_stock(summary.at("scene").at("particles"), out, quiet);

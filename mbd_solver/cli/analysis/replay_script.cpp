@@ -56,6 +56,52 @@ std::vector<std::string> logical_lines(const std::string& path, const std::strin
   return lines;
 }
 
+using Variables = std::map<std::string, std::string>;
+
+std::string with(std::string line, const std::string& name, const std::string& value) {
+  const std::string mark = "${" + name + "}";
+  for (std::size_t at = line.find(mark); at != std::string::npos; at = line.find(mark, at + value.size()))
+    line.replace(at, mark.size(), value);
+  return line;
+}
+
+// ${NAME} of every known variable, twice for those that stand in another.
+std::string with_all(std::string line, const Variables& variables) {
+  for (int pass = 0; pass < 2; ++pass)
+    for (const auto& [name, value] : variables) line = with(line, name, value);
+  return line;
+}
+
+// Lines with their loops over meshes written out,
+//   variable NAME index VALUES / label L / lines / next NAME / jump SELF L
+// and with the values of variables where they couple. variables: those that the run was given; the script's own join them.
+std::vector<std::string> written_out(const std::vector<std::string>& lines, Variables& variables) {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Words w = words_of(lines[i]);
+    if (w.size() > 3 && w[0] == "variable" && w[2] == "index") {
+      std::string value;
+      for (std::size_t k = 3; k < w.size(); ++k) value += (k == 3 ? "" : " ") + w[k];
+      value.erase(std::remove(value.begin(), value.end(), '"'), value.end());
+      variables.emplace(w[1], value);
+      const Words label = i + 1 < lines.size() ? words_of(lines[i + 1]) : Words();
+      std::size_t end = i + 2;
+      if (label.size() > 1 && label[0] == "label")
+        while (end < lines.size() && words_of(lines[end]) != Words{"jump", "SELF", label[1]}) ++end;
+      if (label.size() > 1 && label[0] == "label" && end < lines.size()) {
+        for (const std::string& one : words_of(with_all(variables[w[1]], variables)))
+          for (std::size_t k = i + 2; k < end; ++k)
+            if (words_of(lines[k]) != Words{"next", w[1]}) out.push_back(with(lines[k], w[1], one));
+        i = end;
+        continue;
+      }
+    }
+    const bool couples = w.size() > 3 && w[0] == "fix" && w[3] == "couple/mbd";
+    out.push_back(couples ? with_all(lines[i], variables) : lines[i]);
+  }
+  return out;
+}
+
 std::string number(double value) { return number_text(value, 15); }
 
 Eigen::Matrix3d rotation(const std::vector<double>& pose) {
@@ -184,14 +230,16 @@ std::vector<std::string> recorded_bodies(const std::string& folder) {
   return bodies;
 }
 
-Replay stock_replay(const std::string& script, const std::string& motion, const std::string& out, double dt) {
+Replay stock_replay(const std::string& script, const std::string& motion, const std::string& out, double dt,
+                    Variables variables) {
   Replay replay;
   std::map<std::string, std::string> geometry;  // fix couple/mbd/geometry -> body
   std::vector<std::string> gone;                // ids of fixes that stock LIGGGHTS does not have
   std::ostringstream text;
   text << "# Written by footfall compare: " << script << " for stock LIGGGHTS.\n";
   bool coupled = false;
-  for (const std::string& line : logical_lines(script, fs::path(script).parent_path().string())) {
+  for (const std::string& line :
+       written_out(logical_lines(script, fs::path(script).parent_path().string()), variables)) {
     Words w = words_of(line);
     const std::string style = w.size() > 3 && w[0] == "fix" ? w[3] : "";
     if (style == "couple/mbd/geometry" && w.size() > 5) {
@@ -209,7 +257,9 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
       text << movers(w, motion, out, dt, replay) << "\n";
     } else if (line.find("wall/gran/beam") != std::string::npos) {
       if (!style.empty()) gone.push_back(w[1]);
-      if (!style.empty()) replay.notes.push_back("fix " + w[1] + ": stock LIGGGHTS has no wall of beams");
+      const bool has = !style.empty() || (variables.count("beam_count") > 0 && variables.at("beam_count") != "0");
+      if (has)
+        replay.notes.push_back("fix " + (style.empty() ? "beams" : w[1]) + ": stock LIGGGHTS has no wall of beams");
     } else if (coupled && !w.empty() && w[0] == "run") {
       text << final_run(replay) << "\n";
       break;

@@ -31,8 +31,9 @@ struct Replay {
 };
 
 // `script`: the coupled run's. `motion`: its DIR/motion. `out`: folder of the replay, whose files the script names. dt:
-// of the grains [s].
+// of the grains [s]. variables: what the run's LIGGGHTS was given on its command line.
 // Throws InputError when the script has no coupling, or no mesh of it was recorded.
-Replay stock_replay(const std::string& script, const std::string& motion, const std::string& out, double dt);
+Replay stock_replay(const std::string& script, const std::string& motion, const std::string& out, double dt,
+                    std::map<std::string, std::string> variables = {});
 
 }  // namespace footfall

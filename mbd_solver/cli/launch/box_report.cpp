@@ -11,6 +11,7 @@
 #include "coupler/base/whole_file.h"
 #include "mbd_solver/build/grain_dump.h"
 #include "mbd_solver/cli/launch/bed.h"
+#include "mbd_solver/cli/launch/bed_contacts.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/scene/box_bed.h"
@@ -20,6 +21,8 @@ namespace footfall {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr double kLargeOverlap = 0.05;  // as that of which a run warns
 
 std::string share_text(double share) { return number_text(100.0 * share, 2) + " %"; }
 
@@ -46,9 +49,16 @@ std::string made_bed(const BoxSpec& box, const std::string& folder) {
   double highest = -box.depth;
   for (const GrainPlace& grain : grains) highest = std::max(highest, grain.centre.z() + grain.radius);
   const double inner = solid_fraction(grains, -0.75 * box.depth, -0.25 * box.depth, box.size[0] * box.size[1]);
-  return "  the bed is made: " + std::to_string(grains.size()) +
-         " grains, the highest reaches z = " + number_text(highest, 3) + " m, solid fraction " + number_text(inner, 2) +
-         " in its middle half\n  " + short_path(folder) + "\n";
+  const BedContacts contacts = bed_contacts(grains);
+  std::string text = "  the bed is made: " + std::to_string(grains.size()) +
+                     " grains, the highest reaches z = " + number_text(highest, 3) + " m, solid fraction " +
+                     number_text(inner, 2) + " in its middle half";
+  if (contacts.coordination > 0.0) text += ", " + number_text(contacts.coordination, 2) + " contacts per grain";
+  text += ", overlaps up to " + share_text(contacts.largest_overlap) + " of the radius\n";
+  if (contacts.largest_overlap > kLargeOverlap)
+    text += "  warning: at rest grains overlap by more than " + share_text(kLargeOverlap) +
+            ": their contact law holds for less. Raise material.young (the time step falls with its root)\n";
+  return text + "  " + short_path(folder) + "\n";
 }
 
 // A mesh that was drawn in millimetres and read in metres is larger than anything that stands on a box of grains.

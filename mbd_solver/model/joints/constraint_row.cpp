@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mbd_solver/model/joints/whole_turns.h"
+
 namespace footfall {
 namespace {
 
@@ -43,32 +45,41 @@ Coefficients coefficients(const ConstraintRow& row, double t) {
   return out;
 }
 
-// phi'' = q''
-RowValue evaluate_rotor(const ConstraintRow& row, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v) {
+// A rotor: phi'' = q''. A member of a gear: phi = scale q.
+RowValue evaluate_coordinate(const ConstraintRow& row, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v,
+                             double near) {
   const JointCoordinate q(*row.coordinate, vectors.pair(), vectors.marker(0), vectors.marker(1));
   phi_v.setZero();
-  q.add_gradient(1.0, phi_v);
+  q.add_gradient(row.scale, phi_v);
   RowValue out;
-  out.acc = q.acc();
-  out.speed = q.rate();
+  out.acc = row.scale * q.acc();
+  if (row.inertia > 0.0) {
+    out.speed = q.rate();
+  } else {
+    out.phi = row.scale * (*row.coordinate == Coordinate::kAngle ? nearest_turn(q.value(), near) : q.value());
+    out.rate = row.scale * q.rate();
+  }
   return out;
 }
 
-void rotor_derivatives(const ConstraintRow& row, MarkerVectors& vectors, double lambda,
-                       Eigen::Ref<Eigen::VectorXd> acc_dx, Eigen::Ref<Eigen::VectorXd> acc_dv,
-                       Eigen::Ref<Eigen::MatrixXd> K) {
+void coordinate_derivatives(const ConstraintRow& row, MarkerVectors& vectors, double lambda,
+                            Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
+                            Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K) {
   const JointCoordinate q(*row.coordinate, vectors.pair(), vectors.marker(0), vectors.marker(1));
   CoordinateScratch& scratch = *row.scratch;
-  q.add_acc_by_position(1.0, scratch, acc_dx);
-  q.add_acc_by_velocity(1.0, scratch, acc_dv);
-  if (lambda != 0.0) q.add_second(lambda, scratch, K);
+  if (row.inertia == 0.0) q.add_rate_by_position(row.scale, scratch, rate_dx);
+  q.add_acc_by_position(row.scale, scratch, acc_dx);
+  q.add_acc_by_velocity(row.scale, scratch, acc_dv);
+  if (lambda != 0.0) q.add_second(row.scale * lambda, scratch, K);
 }
 
 }  // namespace
 
-RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v) {
+RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v,
+                      double near) {
   // D = alpha.beta,  D' = alpha'.beta + alpha.beta',  D'' = alpha''.beta + 2 alpha'.beta' + alpha.beta''
-  if (row.coordinate) return evaluate_rotor(row, vectors, phi_v);
+  if (row.coordinate) return evaluate_coordinate(row, vectors, phi_v, near);
+  if (row.law) return row.law->evaluate(row.law_row, vectors, phi_v);
   const Coefficients at = coefficients(row, t);
   RowValue out{-at.f.value, -at.f.rate, -at.f.accel, -at.f.rate};
   phi_v.setZero();
@@ -96,7 +107,8 @@ void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors,
   rate_dx.setZero();
   acc_dx.setZero();
   acc_dv.setZero();
-  if (row.coordinate) return rotor_derivatives(row, vectors, lambda, acc_dx, acc_dv, K);
+  if (row.coordinate) return coordinate_derivatives(row, vectors, lambda, rate_dx, acc_dx, acc_dv, K);
+  if (row.law) return row.law->add_derivatives(row.law_row, vectors, lambda, rate_dx, acc_dx, acc_dv, K);
   const Coefficients at = coefficients(row, t);
   for (int i = 0; i < row.term_count; ++i) {
     const KinematicVector& alpha = vector_of(row.terms[i].alpha, vectors);

@@ -14,6 +14,8 @@
 
 namespace footfall {
 
+class RowLaw;
+
 // What a factor of a dot product is.
 struct Factor {
   enum class Kind { kWorldDirection, kAxis1, kAxis2, kDifference } kind = Kind::kDifference;
@@ -36,12 +38,18 @@ struct ConstraintRow {
   double offset = 0.0;     // constant part of f
   TimeFunctionPtr motion;  // f(t) of a prescribed coordinate; null otherwise
   bool rotation = false;   // motion is an angle (see above), else a displacement
-  // A rotor: no condition, but inertia J of a joint's coordinate q. Its multiplier is lambda = J q'', so that
-  //   M dv + h + Phi_v^T lambda = Q,  q'' - lambda / J = 0
-  // phi and phi' are zero; there is nothing to close.
+  // What is written on a coordinate q of a joint:
+  // - a rotor: no condition, but the inertia J of q. Its multiplier is lambda = J q'', so that
+  //     M dv + h + Phi_v^T lambda = Q,  q'' - lambda / J = 0
+  //   phi and phi' are zero; there is nothing to close.
+  // - a member of a gear (J = 0): its share `scale` q of the sum that is zero.
   std::optional<Coordinate> coordinate;
-  double inertia = 0.0;                        // J > 0 [kg m2 or kg]
-  std::shared_ptr<CoordinateScratch> scratch;  // of the rotor
+  double inertia = 0.0;                        // J of a rotor > 0 [kg m2 or kg]
+  std::shared_ptr<CoordinateScratch> scratch;  // of the coordinate
+  // A condition that is no sum of dot products: row `law_row` of a law (rolling.h).
+  std::shared_ptr<const RowLaw> law;
+  int law_row = 0;
+  bool holds_positions() const;  // else phi' alone is a condition, phi stays 0 (nonholonomic)
 };
 
 // Values of one row at one instant. n = size of the pair of bodies.
@@ -53,8 +61,22 @@ struct RowValue {
   double speed = 0.0;  // q' of a rotor [rad/s or m/s]
 };
 
-// phi, phi', phi'' and jacobian row Phi_v (n, overwritten).
-RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v);
+// What rows beyond dot products are written by. Arguments as in the two functions below.
+class RowLaw {
+ public:
+  virtual ~RowLaw() = default;
+  virtual bool holds_positions(int row) const = 0;
+  virtual RowValue evaluate(int row, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v) const = 0;
+  // Everything adds.
+  virtual void add_derivatives(int row, MarkerVectors& vectors, double lambda, Eigen::Ref<Eigen::VectorXd> rate_dx,
+                               Eigen::Ref<Eigen::VectorXd> acc_dx, Eigen::Ref<Eigen::VectorXd> acc_dv,
+                               Eigen::Ref<Eigen::MatrixXd> K) const = 0;
+};
+inline bool ConstraintRow::holds_positions() const { return !law || law->holds_positions(law_row); }
+
+// phi, phi', phi'' and jacobian row Phi_v (n, overwritten). near: an angle of a gear is the turn nearest to it [rad].
+RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v,
+                      double near = 0.0);
 
 // Derivatives, all overwritten but the last:
 //   rate_dx = d phi' / dx, acc_dx = d phi'' / dx, acc_dv = d phi'' / dv (n each)

@@ -17,6 +17,9 @@ struct Joint {
   std::string kind;  // "revolute", ...
   Marker m1, m2;     // on bodies m1.body and m2.body (or kGround)
   std::vector<ConstraintRow> rows;
+  // A member of a gear (gear.h) but its first one: the joint, added before, whose row it adds to. It has none of its own.
+  int row_of = -1;
+  int turn_counter = -1;  // of a member that is an angle: the force element that counts its turns
 };
 
 // Force and moment [N, N m] that the joint exerts on its body 2, about the point of marker 2, in W.
@@ -38,6 +41,9 @@ Joint constant_velocity_joint(std::string name, Marker m1, Marker m2);
 // No condition: a rotor that turns with a coordinate of a joint.
 // Its inertia, reduced to the coordinate: J > 0 [kg m2 or kg]
 Joint rotor(std::string name, Marker m1, Marker m2, Coordinate coordinate, double inertia);
+// 3: a wheel of radius > 0 [m] rolls without slip on the plane of marker 1 (normal z1); its centre is the point of marker 2.
+// A thin disc with the axis z2, or a sphere.
+Joint rolling_joint(std::string name, Marker m1, Marker m2, double radius, bool disc);
 // 1: |p2 - p1| = length > 0 [m] (InputError)
 Joint distance_joint(std::string name, Marker m1, Marker m2, double length);
 // 1: z1.(p2 - p1) = height [m]

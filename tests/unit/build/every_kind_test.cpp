@@ -95,6 +95,15 @@ TEST_P(EveryJointType, DoesNoWorkButThatOfItsMotion) { expect_energy_balance(bui
 
 INSTANTIATE_TEST_SUITE_P(Registered, EveryJointType, ValuesIn(names_of<JointType>()), name_of_test);
 
+TEST(Gears, HaveTheDerivativesOfTheirResidualAndDoNoWork) {
+  const Mechanism mechanism = build(test::gear_scene());
+  ASSERT_EQ(mechanism.gears.size(), 1u);
+  EXPECT_EQ(mechanism.gears[0].coordinate, Coordinate::kDisplacement);
+  EXPECT_EQ(mechanism.model.joint(mechanism.gears[0].joint).kind, "gear");
+  expect_derivatives(mechanism);
+  expect_energy_balance(mechanism);
+}
+
 // The tests of tests/unit/dynamics take their joints, between flexible bodies too, from one list.
 TEST(JointSpecimens, AreOneOfEachType) {
   test::Random random(1);

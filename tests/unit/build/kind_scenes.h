@@ -22,6 +22,7 @@ inline const KeysOfKind kJointKeys = {
     {"point_on_plane", "point_a = [0.5, 0.1, 0]\npoint_b = [0.5, 0.3, 0]\naxis = \"z\""},
     {"planar", "point = [0.5, 0.1, 0]\naxis = [1, 2, 3]"},
     {"constant_velocity", "point = [0.5, 0.1, 0]\naxis = [1, 2, 3]"},
+    {"rolling", "point_a = [0.5, 0, 0]\npoint_b = [1, 0.2, 0.3]\nradius = 0.3\naxis = \"z\"\naxis2 = [1, 2, 0]"},
     {"prescribed",
      "point = [0.5, 0.1, 0]\naxis = \"y\"\n[joints.motion]\nx = { amplitude = 0.1, frequency = 2 }\n"
      "z = { table = [[0, 0], [0.5, 0.1], [1, 0.1]] }\n"
@@ -88,6 +89,31 @@ inline const KeysOfKind kSignalKeys = {
               "inputs = [\"2 + 0.1 * b.x\", \"0\", \"b.vx\", \"0\"]"},
 };
 
+// Joints of a third body on both, and gears of two and of three coordinates.
+inline const std::string kGears = R"([[bodies]]
+name = "c"
+mass = 1.5
+inertia = [0.07, 0.06, 0.08]
+position = [0.3, 0.8, 0.2]
+[[joints]]
+name = "hinge"
+type = "revolute"
+bodies = ["a", "b"]
+point = [0.5, 0.1, 0]
+axis = [1, 2, 3]
+[[joints]]
+name = "screw"
+type = "cylindrical"
+bodies = ["a", "c"]
+point = [0.2, 0.5, 0]
+axis = [0, 1, 1]
+[[gears]]
+name = "thread"
+joints = ["screw", "screw", "hinge"]
+coordinates = ["displacement", "angle", "auto"]
+factors = [2, -0.1, 0.3]
+)";
+
 // Two bodies that move and turn against each other.
 inline const std::string kTwoBodies = R"(end_time = 1.0
 [[bodies]]
@@ -147,6 +173,7 @@ inline std::string drive_scene(const std::string& kind) {
          "[[drives]]\nname = \"motor\"\njoint = \"hinge\"\ngear_ratio = 3\nrotor_inertia = 0.01\nkind = \"" +
          kind + "\"\n" + keys_of_kind(kDriveKeys, kind) + "\n";
 }
+inline std::string gear_scene() { return kTwoBodies + kGears; }
 inline std::string controller_scene(const std::string& kind) {
   return kTwoBodies + "[[controllers]]\nname = \"c\"\nbody = \"a\"\nkind = \"" + kind + "\"\n" +
          keys_of_kind(kControllerKeys, kind) + "\n";

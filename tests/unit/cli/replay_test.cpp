@@ -57,6 +57,31 @@ TEST_F(ReplayTest, TakesTheCouplingOutAndPutsMoversIn) {
   EXPECT_NE(r.notes[0].find("fix rod"), std::string::npos);
 }
 
+// The script of [particles.box] names its meshes in a loop over a variable.
+TEST_F(ReplayTest, WritesLoopsOverMeshesOut) {
+  record_pad();
+  std::filesystem::copy_file(folder_ / "motion/pad.csv", folder_ / "motion/foot.csv");
+  const std::map<std::string, std::string> variables = {{"mesh_bodies", "pad foot"},
+                                                        {"mesh_count", "2"},
+                                                        {"beam_count", "1"},
+                                                        {"meshes", "mesh_pad mesh_foot"},
+                                                        {"couples", "mesh mesh_pad pad mesh mesh_foot foot"}};
+  const Replay r = stock_replay(FOOTFALL_SOURCE_DIR "/inputs/box/in.grains", (folder_ / "motion").string(),
+                                (folder_ / "out").string(), 1e-3, variables);
+  EXPECT_EQ(r.bodies, (std::vector<std::string>{"pad", "foot"}));
+  for (const char* body : {"pad", "foot"})
+    EXPECT_NE(r.script.find("fix mesh_" + std::string(body) + " all mesh/surface/stress file " +
+                            (folder_ / "motion" / body).string() + ".stl type 2"),
+              std::string::npos)
+        << r.script;
+  for (const char* gone : {"all couple/mbd", "${body}", "next_body", "gran/beam", "f_mbd"})
+    EXPECT_EQ(r.script.find(gone), std::string::npos) << gone << "\n" << r.script;
+  EXPECT_NE(r.script.find("fix contact all wall/gran model ${model} mesh n_meshes ${mesh_count} meshes ${meshes}"),
+            std::string::npos);
+  ASSERT_EQ(r.notes.size(), 1u);
+  EXPECT_NE(r.notes[0].find("beams"), std::string::npos);
+}
+
 TEST_F(ReplayTest, VelocitiesAreThoseOfTheWindows) {
   record_pad();
   const Replay r = replay(kScript);

@@ -103,6 +103,31 @@ TEST_P(Both, MotorSpeedsUpToItsNoLoadSpeed) {
               kCoordinateTolerance);
 }
 
+// The whole motor: its rotor behind the gear, and a torque that falls with the motor's speed. It speeds up to omega_0 / g,
+// (I + J g^2) w' = g tau_0 (1 - g w / omega_0), and gives less the faster it is.
+TEST_P(Both, MotorWithRotorAndLimitsSpinsUp) {
+  const double tau_0 = 0.03, omega_0 = 60.0, g = 5.0, J = 2e-3, t = 1.5;
+  Axle axle(GetParam());
+  MotorParameters p = motor(MotorKind::kTorque, polynomial({10.0}));
+  p.largest_torque = tau_0;
+  p.no_load_speed = omega_0;
+  p.gear_ratio = g;
+  axle.add(std::make_unique<Motor>(p));
+  axle.add_rotor(J * g * g);
+  const double inertia = kInertia + J * g * g, end = omega_0 / g;
+  for (const char* integrator : {"one_step", "ida"}) {
+    test::Run run(axle.model, integrator, precise(1e-10));
+    for (const double at : {0.3 * t, t, 20.0 * t}) {
+      run.to(at, 4);
+      const double speed = end * (1.0 - std::exp(-g * tau_0 * at / (inertia * end)));
+      EXPECT_NEAR(rate(run, GetParam()), speed, kTolerance * end) << integrator;
+      EXPECT_NEAR(sample(run, axle.model).force, g * tau_0 * (1.0 - speed / end), kTolerance) << integrator;
+      EXPECT_NEAR(run.state.supplied[Supply::kDrive], 0.5 * inertia * speed * speed, kTolerance * end * end)
+          << integrator;
+    }
+  }
+}
+
 // I q'' = -kp q - kd q' towards a command of 0.3, from rest: the damped oscillator.
 TEST_P(Both, MotorHoldsAPosition) {
   const double kp = 4.0, kd = 0.3, c = 0.3, t = 0.7;
@@ -291,6 +316,7 @@ TEST(Rotor, IsNoCondition) {
   const Assembly assembly = assemble(axle.model);
   EXPECT_TRUE(assembly.redundant.empty());
   EXPECT_TRUE(assembly.notes.empty());
+  EXPECT_EQ(assembly.rank, 5);
 }
 
 // Input and output of a constant-velocity joint turn alike while bent by 30 degrees; those of a universal joint do not.

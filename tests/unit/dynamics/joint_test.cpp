@@ -74,7 +74,9 @@ TEST_P(EveryJoint, RatesAreTimeDerivatives) {
       const RowValue now = value(joint, row, t, at_);
       const RowValue next = value(joint, row, t + dt, later(*layout_, at_, dt));
       const RowValue last = value(joint, row, t - dt, later(*layout_, at_, -dt));
-      EXPECT_NEAR(now.rate, (next.phi - last.phi) / (2.0 * dt), tolerance) << joint.name;
+      if (row.holds_positions()) {
+        EXPECT_NEAR(now.rate, (next.phi - last.phi) / (2.0 * dt), tolerance) << joint.name;
+      }
       EXPECT_NEAR(now.acc, (next.rate - last.rate) / (2.0 * dt), tolerance) << joint.name;
     }
   }
@@ -107,7 +109,7 @@ TEST(Joint, LeavesTheFreedomOfItsKind) {
   test::Random random(3);
   const Model model = test::random_bodies(random);
   const std::vector<Joint> joints = test::all_joints(random, model, 0, 2);
-  const std::vector<std::size_t> rows = {6, 3, 4, 5, 5, 4, 1, 1, 3, 4, 5};
+  const std::vector<std::size_t> rows = {6, 3, 4, 5, 5, 4, 1, 1, 3, 4, 3, 5};
   ASSERT_EQ(joints.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(joints[i].rows.size(), rows[i]) << joints[i].kind;
 }

@@ -18,6 +18,7 @@
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/elements/surface_contact.h"
 #include "mbd_solver/model/elements/torsional_spring.h"
+#include "mbd_solver/model/joints/gear.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "mbd_solver/model/model.h"
 
@@ -165,6 +166,7 @@ inline std::vector<Joint> all_joints(Random& random, const Model& model, int bod
           point_on_plane_joint("plane" + tail, m(body_1), m(body_2), 0.2),
           planar_joint("planar" + tail, m(body_1), m(body_2)),
           constant_velocity_joint("constant_velocity" + tail, m(body_1), m(body_2)),
+          rolling_joint("rolling" + tail, m(body_1), m(body_2), 0.4, true),
           prescribed_joint("driven" + tail, m(body_1), m(body_2), driven)};
 }
 
@@ -275,7 +277,7 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
 
 // Everything at once: each kind of joint and element rigid-rigid, rigid-flexible, flexible-flexible, and to
 // the ground.
-inline Model everything(Random& random) {  // rotors of both coordinates, too
+inline Model everything(Random& random) {  // rotors of both coordinates, rolling spheres, gears, too
   Model model = random_bodies(random);
   const int pairs[5][2] = {{0, 1}, {1, 3}, {0, 2}, {kGround, 1}, {2, kGround}};
   for (const auto& pair : pairs) {
@@ -285,7 +287,17 @@ inline Model everything(Random& random) {  // rotors of both coordinates, too
     for (const Coordinate coordinate : {Coordinate::kAngle, Coordinate::kDisplacement})
       model.add_joint(rotor("rotor_" + std::to_string(model.joint_count()), random_marker(random, model, pair[0]),
                             random_marker(random, model, pair[1]), coordinate, 0.7));
+    model.add_joint(rolling_joint("sphere_" + std::to_string(model.joint_count()),
+                                  random_marker(random, model, pair[0]), random_marker(random, model, pair[1]), 0.6,
+                                  false));
   }
+  const int joints = model.joint_count() / 5;  // per pair
+  add_gear(model, "gear", {{3, Coordinate::kAngle, 1.3}, {joints + 3, Coordinate::kAngle, -2.6}});
+  add_gear(model, "differential",
+           {{2 * joints + 4, Coordinate::kDisplacement, -0.4},
+            {joints + 5, Coordinate::kAngle, 0.7},
+            {3 * joints + 5, Coordinate::kAngle, 1.9},
+            {4 * joints + 4, Coordinate::kDisplacement, 2.2}});
   return model;
 }
 

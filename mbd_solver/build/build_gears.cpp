@@ -1,0 +1,20 @@
+// Gears of the scene, between coordinates of its joints.
+
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/model/joints/gear.h"
+
+namespace footfall {
+
+void add_gears(const Scene& scene, Mechanism& mechanism) {
+  for (const GearSpec& spec : scene.gears) {
+    std::vector<GearMember> members;
+    for (std::size_t i = 0; i < spec.joints.size(); ++i)
+      members.push_back(
+          {scene.joint_index(spec.joints[i]),
+           scene.coordinate_of(spec, i) == CoordinateChoice::kAngle ? Coordinate::kAngle : Coordinate::kDisplacement,
+           spec.factors[i]});
+    mechanism.gears.push_back({spec.name, add_gear(mechanism.model, spec.name, members), members[0].coordinate});
+  }
+}
+
+}  // namespace footfall

@@ -1,0 +1,37 @@
+#include "mbd_solver/model/joints/gear.h"
+
+#include <cmath>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/model/elements/turn_counter.h"
+
+namespace footfall {
+
+int add_gear(Model& model, const std::string& name, const std::vector<GearMember>& members) {
+  FOOTFALL_DEMAND(members.size() >= 2);
+  int first = -1;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const GearMember& member = members[i];
+    FOOTFALL_DEMAND(std::isfinite(member.factor) && member.factor != 0.0);
+    const Marker m1 = model.joint(member.joint).m1, m2 = model.joint(member.joint).m2;
+    Joint joint;
+    joint.name = i == 0 ? name : name + "/" + std::to_string(i + 1);
+    joint.kind = "gear";
+    joint.m1 = m1;
+    joint.m2 = m2;
+    joint.row_of = first;
+    ConstraintRow row;
+    row.unit = members[0].coordinate == Coordinate::kAngle ? ConstraintRow::Unit::kAngle : ConstraintRow::Unit::kLength;
+    row.scale = member.factor / members[0].factor;
+    row.coordinate = member.coordinate;
+    row.scratch = std::make_shared<CoordinateScratch>(12 + m1.S.cols() + m2.S.cols());
+    joint.rows = {row};
+    if (member.coordinate == Coordinate::kAngle)
+      joint.turn_counter = model.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, m1, m2));
+    const int index = model.add_joint(std::move(joint));
+    if (first < 0) first = index;
+  }
+  return first;
+}
+
+}  // namespace footfall

@@ -1,0 +1,24 @@
+#pragma once
+// A gear, a rack, a differential: a weighted sum of coordinates of joints that is zero,
+//   phi = sum_i f_i q_i = 0,   q_i = 0 in the drawing,   angles over any number of turns (TurnCounter)
+// divided by f_1, so that phi has the unit of the first coordinate and its multiplier is minus the torque or force that the
+// gear brings on it: Q_i = -lambda f_i / f_1. It does no work. theory 2.1.
+// In the model it is one joint per coordinate between the two bodies of that; they share one row.
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/model/model.h"
+
+namespace footfall {
+
+struct GearMember {
+  int joint = 0;  // of the model: its markers, z along the axis
+  Coordinate coordinate = Coordinate::kAngle;
+  double factor = 1.0;  // f_i, not zero [1/rad or 1/m, up to a common unit]
+};
+
+// Index of the first of the joints that it adds; at least two members. Their names are NAME, NAME/2 ...
+int add_gear(Model& model, const std::string& name, const std::vector<GearMember>& members);
+
+}  // namespace footfall

@@ -1,0 +1,75 @@
+// Gears: joints that exist and have the coordinate, a factor for each.
+#include <algorithm>
+
+#include "coupler/base/text.h"
+#include "mbd_solver/scene/scene_check.h"
+
+namespace footfall {
+
+namespace {
+
+// The joint of this index exists and leaves its coordinate free.
+void check_member(const Scene& scene, const GearSpec& gear, std::size_t i, Findings& findings) {
+  const JointSpec* joint = find_joint(scene, gear.source, "joints", gear.joints[i], findings);
+  if (!joint) return;
+  const JointTraits traits = traits_of(joint->type);
+  const std::string type(traits.name), name = "\"" + joint->name + "\"";
+  if (!traits.turns && !traits.slides) {
+    findings.error(gear.source, "joints",
+                   name + " is " + type +
+                       "; a gear connects angles and displacements of revolute, prismatic or cylindrical joints");
+    return;
+  }
+  const std::string choice = i < gear.coordinates.size() ? gear.coordinates[i] : "auto";
+  const std::vector<std::string> known = names_of<CoordinateChoice>();
+  if (std::find(known.begin(), known.end(), choice) == known.end()) {
+    findings.error(gear.source, "coordinates",
+                   "has \"" + choice + "\"; expected \"angle\", \"displacement\" or \"auto\" for each joint");
+  } else if (choice == "auto" && traits.turns && traits.slides) {
+    findings.error(gear.source, "coordinates",
+                   name + " is " + type +
+                       " and has two; expected \"angle\" or \"displacement\" for it, for example [\"" +
+                       (i == 0 ? "angle\", \"auto" : "auto\", \"angle") + "\"]");
+  } else if ((choice == "angle" && !traits.turns) || (choice == "displacement" && !traits.slides)) {
+    findings.error(gear.source, "coordinates",
+                   "has \"" + choice + "\" for " + name + ", which a " + type + " joint does not have");
+  }
+  const std::size_t last = std::min(i, gear.coordinates.size());
+  for (std::size_t k = 0; k < i; ++k) {
+    if (gear.joints[k] != gear.joints[i]) continue;
+    const std::string before = k < last ? gear.coordinates[k] : "auto";
+    if (before == choice)
+      findings.error(gear.source, "joints", name + " stands there twice with the same coordinate; add up its factors");
+  }
+}
+
+}  // namespace
+
+void check_gears(const Scene& scene, Findings& findings) {
+  check_unique_names(scene.gears, "gear", findings);
+  for (const GearSpec& gear : scene.gears) {
+    for (const JointSpec& joint : scene.joints)
+      if (!gear.name.empty() && joint.name == gear.name)
+        findings.error(gear.source, "name",
+                       "is that of a joint (line " + std::to_string(joint.source.line) + "); names must differ");
+    if (gear.source.given("joints")) {
+      if (gear.joints.size() < 2)
+        findings.error(gear.source, "joints", "names " + std::to_string(gear.joints.size()) + ", expected two or more");
+      for (std::size_t i = 0; i < gear.joints.size(); ++i) check_member(scene, gear, i, findings);
+    }
+    if (gear.source.given("joints") && gear.source.given("factors") && gear.factors.size() != gear.joints.size())
+      findings.error(gear.source, "factors",
+                     "has " + std::to_string(gear.factors.size()) + " numbers for " +
+                         std::to_string(gear.joints.size()) +
+                         " joints; expected one for each: the sum of factor times coordinate stays zero");
+    if (!gear.coordinates.empty() && gear.coordinates.size() != gear.joints.size())
+      findings.error(gear.source, "coordinates",
+                     "has " + std::to_string(gear.coordinates.size()) + " for " + std::to_string(gear.joints.size()) +
+                         " joints; expected one for each");
+    for (const double factor : gear.factors)
+      if (factor == 0.0)
+        findings.error(gear.source, "factors", "has a 0; leave that joint out, or give it the radius or teeth it has");
+  }
+}
+
+}  // namespace footfall

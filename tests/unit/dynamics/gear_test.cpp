@@ -1,0 +1,215 @@
+// mbd_solver/model/joints/gear.h: gears, racks and differentials against their equations of motion in one coordinate.
+
+#include "mbd_solver/model/joints/gear.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mbd_solver/model/elements/applied_force.h"
+#include "mbd_solver/model/elements/turn_counter.h"
+#include "mbd_solver/model/joints/whole_turns.h"
+#include "tests/unit/dynamics/run.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kTolerance = 1e-8;  // rtol of the runs is 1e-11, over some hundred steps
+
+IntegratorOptions precise() {
+  IntegratorOptions options = test::tight(1e-11);
+  options.order = 5;
+  return options;
+}
+
+const Eigen::Vector3d kZ = Eigen::Vector3d::UnitZ();
+
+// A body that turns about z, or slides along it, at a place of its own.
+int add_moving(Model& model, const std::string& name, double inertia, Coordinate kind, int base = kGround,
+               double mass = 1.0) {
+  BodyState state;
+  state.r = Eigen::Vector3d(model.body_count(), 0.5, 0.0);
+  const double m = kind == Coordinate::kAngle ? mass : inertia;
+  const int body = model.add_body(Body(name, m, inertia * Eigen::Matrix3d::Identity()), state);
+  const Marker m1 = model.marker_at(base, state.r), m2 = model.marker_at(body, state.r);
+  return model.add_joint(kind == Coordinate::kAngle ? revolute_joint(name, m1, m2) : prismatic_joint(name, m1, m2));
+}
+
+// A constant torque about z, or force along it.
+void push(Model& model, int body, Coordinate kind, double size) {
+  const Marker centre = body_marker(body, model.body(body), Eigen::Vector3d::Zero());
+  const TimeFunctionPtr on = polynomial({size}), off = polynomial({0.0});
+  const bool turns = kind == Coordinate::kAngle;
+  model.add_force(
+      std::make_unique<AppliedForce>("push_" + std::to_string(body), centre, kZ, turns ? off : on, turns ? on : off));
+}
+
+double q_rate(test::Run& run, int body, Coordinate kind) {
+  return kind == Coordinate::kAngle ? run.body(body).w.z() : run.body(body).dr.z();
+}
+
+// What the gear brings on its first coordinate.
+double reaction(test::Run& run, int joint) {
+  Eigen::VectorXd rates(run.equations.layout().size());
+  run.equations.accelerations(run.state, run.inputs, rates);
+  const Layout& layout = run.equations.layout();
+  return -rates[layout.lambda0() + layout.joint_row[static_cast<std::size_t>(joint)]];
+}
+
+class Gears : public ::testing::TestWithParam<std::pair<std::string, Baumgarte>> {};
+
+// Teeth n1 and n2 outside of each other, torque T on the first: q1'' (I1 + I2 (n1/n2)^2) = T, for 28 turns.
+TEST_P(Gears, PairTurnsAsItsInertias) {
+  const double I1 = 0.02, I2 = 0.7, n1 = 17.0, n2 = 53.0, T = 0.4, t = 9.0;
+  Model model;
+  add_moving(model, "pinion", I1, Coordinate::kAngle);
+  add_moving(model, "wheel", I2, Coordinate::kAngle);
+  const int gear = add_gear(model, "mesh", {{0, Coordinate::kAngle, n1}, {1, Coordinate::kAngle, n2}});
+  push(model, 0, Coordinate::kAngle, T);
+  test::Run run(model, GetParam().first, precise(), GetParam().second);
+  const double ratio = n1 / n2, acc = T / (I1 + I2 * ratio * ratio);
+  for (int i = 1; i <= 3; ++i) {
+    run.to(t * i / 3.0, 3);
+    const double speed = acc * run.state.time;
+    EXPECT_NEAR(q_rate(run, 0, Coordinate::kAngle), speed, kTolerance * speed);
+    EXPECT_NEAR(q_rate(run, 1, Coordinate::kAngle), -ratio * speed, kTolerance * speed);
+    EXPECT_NEAR(reaction(run, gear), I1 * acc - T, kTolerance * T);
+    const Equations::Drift drift = run.equations.drift(run.state);
+    EXPECT_LT(drift.position, 1e-7);  // phi over many turns; Baumgarte's terms leave some of it
+    EXPECT_NEAR(run.imbalance(), 0.0, kTolerance * run.energy().stored.total());
+  }
+  const Layout& layout = run.equations.layout();
+  const double turned = run.state.z[layout.joint_turns[static_cast<std::size_t>(gear)]];
+  EXPECT_GT(turned, 25.0 * 2.0 * kPi);
+  EXPECT_NEAR(turned, 0.5 * acc * t * t, 1e-6 * turned);
+}
+
+// A pinion of radius r under a torque T lifts a rack of mass m: (I + m r^2) q'' = T - m g r. The tooth force is m (g + r q'').
+TEST_P(Gears, RackLiftsAMass) {
+  const double I = 0.03, r = 0.05, m = 4.0, g = 9.81, T = 3.0, t = 2.0;
+  Model model(Eigen::Vector3d(0.0, 0.0, -g));
+  add_moving(model, "pinion", I, Coordinate::kAngle);
+  add_moving(model, "rack", m, Coordinate::kDisplacement);
+  const int gear = add_gear(model, "mesh", {{1, Coordinate::kDisplacement, -1.0}, {0, Coordinate::kAngle, r}});
+  push(model, 0, Coordinate::kAngle, T);
+  test::Run run(model, GetParam().first, precise(), GetParam().second);
+  run.to(t, 2);
+  const double acc = (T - m * g * r) / (I + m * r * r);
+  EXPECT_NEAR(q_rate(run, 0, Coordinate::kAngle), acc * t, kTolerance * acc * t);
+  EXPECT_NEAR(run.body(1).r.z(), 0.5 * r * acc * t * t, kTolerance * r * acc * t * t);
+  EXPECT_NEAR(reaction(run, gear), m * (g + r * acc), kTolerance * m * g);
+  EXPECT_NEAR(run.imbalance(), 0.0, kTolerance * run.energy().stored.total());
+}
+
+// q1 + q2 = 2 q3:  I_i q_i'' = T_i - lambda f_i,  lambda = sum f_i T_i / I_i / sum f_i^2 / I_i
+TEST_P(Gears, DifferentialSharesTorques) {
+  const double I[3] = {0.1, 0.25, 0.4}, f[3] = {1.0, 1.0, -2.0}, T[3] = {0.3, -0.1, 0.5}, t = 6.0;
+  Model model;
+  double top = 0.0, bottom = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    add_moving(model, "shaft_" + std::to_string(i), I[i], Coordinate::kAngle);
+    push(model, i, Coordinate::kAngle, T[i]);
+    top += f[i] * T[i] / I[i];
+    bottom += f[i] * f[i] / I[i];
+  }
+  const int gear =
+      add_gear(model, "differential",
+               {{0, Coordinate::kAngle, f[0]}, {1, Coordinate::kAngle, f[1]}, {2, Coordinate::kAngle, f[2]}});
+  test::Run run(model, GetParam().first, precise(), GetParam().second);
+  run.to(t, 4);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(q_rate(run, i, Coordinate::kAngle), (T[i] - top / bottom * f[i]) / I[i] * t, kTolerance * 30.0);
+  EXPECT_NEAR(reaction(run, gear), -top / bottom, kTolerance);
+  EXPECT_NEAR(run.imbalance(), 0.0, kTolerance * run.energy().stored.total());
+}
+
+// Sun (radius r_s), a planet (r_p) on a carrier, ring held: the meshes r_s (q_s - q_c) + r_p q_p = 0 and
+// (r_s + 2 r_p) (0 - q_c) - r_p q_p = 0 share bodies. w_c = w_s r_s / (2 (r_s + r_p)).
+TEST_P(Gears, PlanetaryGearHasItsRatio) {
+  const double rs = 0.03, rp = 0.05, rr = rs + 2.0 * rp, Is = 0.01, Ip = 0.004, mp = 0.8, Ic = 0.2, T = 0.6, t = 3.0;
+  Model model;
+  BodyState centre, planet;
+  planet.r = Eigen::Vector3d(rs + rp, 0.0, 0.0);
+  model.add_body(Body("sun", 1.0, Is * Eigen::Matrix3d::Identity()), centre);
+  model.add_body(Body("carrier", 1.0, Ic * Eigen::Matrix3d::Identity()), centre);
+  model.add_body(Body("planet", mp, Ip * Eigen::Matrix3d::Identity()), planet);
+  const auto axle = [&](const std::string& name, int a, int b, const Eigen::Vector3d& p) {
+    return model.add_joint(revolute_joint(name, model.marker_at(a, p), model.marker_at(b, p)));
+  };
+  const int sun = axle("sun", kGround, 0, centre.r), carrier = axle("carrier", kGround, 1, centre.r),
+            pin = axle("pin", 1, 2, planet.r);
+  const Coordinate angle = Coordinate::kAngle;
+  add_gear(model, "inner", {{sun, angle, rs}, {carrier, angle, -rs}, {pin, angle, rp}});
+  add_gear(model, "outer", {{carrier, angle, -rr}, {pin, angle, -rp}});
+  push(model, 0, angle, T);
+  test::Run run(model, GetParam().first, precise(), GetParam().second);
+  EXPECT_TRUE(run.assembly.redundant.size() <= 1u);  // joints about parallel axes; the gears are none of them
+  run.to(t, 3);
+  const double c = rs / (rs + rr), p = -rr / rp * c;  // per turn of the sun: carrier, planet on it
+  const double inertia = Is + (Ic + mp * (rs + rp) * (rs + rp)) * c * c + Ip * (c + p) * (c + p);
+  EXPECT_NEAR(run.body(0).w.z(), T / inertia * t, kTolerance * T / inertia * t);
+  EXPECT_NEAR(run.body(1).w.z(), c * T / inertia * t, kTolerance * T / inertia * t);
+  EXPECT_NEAR(run.imbalance(), 0.0, kTolerance * run.energy().stored.total());
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, Gears,
+                         ::testing::Values(std::pair("one_step", Baumgarte{}),
+                                           std::pair("one_step", Baumgarte{20.0, 20.0}), std::pair("ida", Baumgarte{})),
+                         [](const auto& with) {
+                           return with.param.first + (with.param.second.alpha > 0.0 ? "_baumgarte" : "");
+                         });
+
+// Two gears in a row, ten and four times as fast: the last wheel starts at 80 rad, far beyond a turn.
+TEST(GearStart, OtherWheelsFollowOverManyTurns) {
+  Model model;
+  for (const char* name : {"first", "second", "third"}) add_moving(model, name, 0.1, Coordinate::kAngle);
+  const int one = add_gear(model, "one", {{0, Coordinate::kAngle, 10.0}, {1, Coordinate::kAngle, 1.0}});
+  const int two = add_gear(model, "two", {{1, Coordinate::kAngle, -4.0}, {2, Coordinate::kAngle, -1.0}});
+  AssemblyOptions options;
+  options.start = {{0, Coordinate::kAngle, 2.0}};
+  const Assembly assembly = assemble(model, options);
+  const Layout layout(model);
+  const auto angle = [&](int joint) { return assembly.state.z[layout.joint_turns[static_cast<std::size_t>(joint)]]; };
+  EXPECT_NEAR(angle(one), 2.0, 1e-9);
+  EXPECT_NEAR(angle(one + 1), -20.0, 1e-9);
+  EXPECT_NEAR(angle(two + 1), 80.0, 1e-9);
+  Equations equations(model, assembly);
+  EXPECT_LT(equations.drift(assembly.state).position, 1e-9);
+}
+
+// Wheels that turn towards each other at speeds that do not fit: the smallest change makes them fit, and a note tells.
+TEST(GearStart, SpeedsAreMadeToFit) {
+  Model model;
+  const double I[2] = {0.1, 0.3}, w = 5.0;
+  for (int i = 0; i < 2; ++i) {
+    BodyState state;
+    state.r = Eigen::Vector3d(i, 0.0, 0.0);
+    state.w = i == 0 ? Eigen::Vector3d(w * kZ) : Eigen::Vector3d::Zero();
+    model.add_body(Body("wheel_" + std::to_string(i), 1.0, I[i] * Eigen::Matrix3d::Identity()), state);
+    model.add_joint(
+        revolute_joint("axle_" + std::to_string(i), model.marker_at(kGround, state.r), model.marker_at(i, state.r)));
+  }
+  add_gear(model, "mesh", {{0, Coordinate::kAngle, 1.0}, {1, Coordinate::kAngle, 1.0}});
+  const Assembly assembly = assemble(model);
+  ASSERT_EQ(assembly.notes.size(), 1u);
+  EXPECT_NE(assembly.notes[0].find("mesh"), std::string::npos) << assembly.notes[0];
+  // An impact: I0 (w0' - w) = I1 w1' with w1' = -w0'
+  EXPECT_NEAR(assembly.state.v[5], I[0] * w / (I[0] + I[1]), 1e-12);
+  EXPECT_NEAR(assembly.state.v[11], -I[0] * w / (I[0] + I[1]), 1e-12);
+}
+
+// A gear that says again what another one says is redundant, not contradictory.
+TEST(GearStart, GearTwiceIsRedundant) {
+  Model model;
+  for (const char* name : {"first", "second"}) add_moving(model, name, 0.1, Coordinate::kAngle);
+  for (const char* name : {"mesh", "again"})
+    add_gear(model, name, {{0, Coordinate::kAngle, 1.0}, {1, Coordinate::kAngle, 2.0}});
+  push(model, 0, Coordinate::kAngle, 0.3);
+  test::Run run(model, "one_step", precise());
+  ASSERT_EQ(run.assembly.redundant.size(), 1u);
+  run.to(2.0);
+  EXPECT_NEAR(run.body(0).w.z(), 0.3 / (0.1 + 0.1 / 4.0) * 2.0, 1e-7);
+}
+
+}  // namespace
+}  // namespace footfall
