@@ -34,6 +34,13 @@ std::vector<std::string> names_of(const CLI::Option& option) {
 }
 bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
+// What stands behind an option: "TEXT", "NUMBER", "CASE".
+std::string value_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();  // "FLOAT:NUMBER > 0"
+  const std::string name = type.substr(0, type.find(':'));
+  return name == "FLOAT" || name == "INT" || name == "UINT" ? "NUMBER" : name;
+}
+
 // "[SCENE]", "DIR": as they stand in a line.
 std::string places_of(const CLI::App& command) {
   std::string text;
@@ -67,7 +74,7 @@ std::string options_section(const CLI::App& command) {
       if (!positional) {
         for (const std::string& name : names_of(*option))
           term += (term.empty() ? "" : ", ") + ("\\fB" + roff(name) + "\\fR");
-        if (takes_value(*option)) term += " \\fI" + roff(option->get_type_name()) + "\\fR";
+        if (takes_value(*option)) term += " \\fI" + roff(value_of(*option)) + "\\fR";
       }
       text += ".TP\n" + term + "\n" + roff(option->get_description());
       if (const std::string value = option->get_default_str(); !value.empty() && !positional)

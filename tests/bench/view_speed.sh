@@ -68,7 +68,7 @@ chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable
   --remote-debugging-port=0 --enable-logging=stderr --v=0 "file://$work/run/view.html" > "$work/log" 2>&1 &
 browser=$!
 # Processor time of the browser and all its processes so far [ticks].
-ticks() { awk -v group="$(ps -o pgid= "$browser" | tr -d ' ')" '$5 == group { sum += $14 + $15 } END { print sum }' /proc/[0-9]*/stat 2> /dev/null; }
+ticks() { awk -v group="$(ps -o pgid= "$browser" | tr -d ' ')" '$5 == group { sum += $14 + $15 } END { print sum }' /proc/[0-9]*/stat 2> /dev/null || true; }  # some end meanwhile
 until_said() {
   for ((i = 0; i < 3000; ++i)); do
     grep -q -e "$1" -e Uncaught "$work/log" && return

@@ -28,3 +28,17 @@ code=0; "$footfall" watch run > /dev/null || code=$?
 mkdir empty
 code=0; "$footfall" watch empty > refused 2>&1 || code=$?
 [[ $code == 2 ]] && grep -q 'neither a run' refused || die "a folder without run is not refused"
+
+# A script that settles its grains first says how far it is.
+mkdir settling
+cat > settling/in.plate <<SCRIPT
+variable here index .
+variable out index .
+include $here/../bad_input/box.lammps
+thermo 2000
+run 400000
+include $here/../bad_input/couple.lammps
+run 1000000
+SCRIPT
+"$footfall" run "$here/../bad_input/plate_on_grains.scene" --set particles.script="\"$out/settling/in.plate\"" --until 0.01 --out settling/run > settling/said 2>&1
+grep -qE '^before the coupling: step [0-9]+ of 400000' settling/said || { cat settling/said; die "a settling script says nothing"; }

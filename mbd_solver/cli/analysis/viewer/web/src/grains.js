@@ -150,8 +150,8 @@ export class Grains {
     return k;
   }
 
-  // Before a picture of this size is drawn: only what can be seen is placed and drawn, or all.
-  leaveOutHidden(on, camera, width, height) {
+  // Before a picture of this size is drawn: only what can be seen is placed and drawn, or all. rough: in hidden.js.
+  leaveOutHidden(on, camera, width, height, rough) {
     this.all.visible = !on;
     if (this.few) this.few.visible = on;
     if (!on) return;
@@ -159,7 +159,7 @@ export class Grains {
     const uniforms = this.material.uniforms;
     const [a, b] = this.shown.map((frame) => frame.positions.array);
     const mix = uniforms.uMix.value;
-    const view = { a, b, mix, box: this.spec.box, radius: this.radius, camera, clip: uniforms.uClip.value, width, height };
+    const view = { a, b, mix, box: this.spec.box, radius: this.radius, camera, clip: uniforms.uClip.value, width, height, rough };
     const count = this.hidden.find(view);
     const { position, look } = this.few.geometry.attributes;
     const start = this.frames[0].positions.array, { low, size } = this.spec.box;

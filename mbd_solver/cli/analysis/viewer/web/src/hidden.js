@@ -1,8 +1,10 @@
 // Which grains can be seen. A bed shows its outermost grains alone, and a machine without graphics card is slow at drawing
 // points: those behind others are left out. Nothing that would be seen is lost: a cell of the mask counts as covered
 // only when one disc covers all of it, and a grain is left out only when nearer ones cover every cell that it touches.
+// While the picture moves a rough answer does: a cell is its centre alone, and slivers narrower than a cell may be lost.
 
 const kFineness = 2.5;  // cells of the mask in the radius of a grain
+const kRough = 1.5;     // likewise, of a rough answer
 const kDepths = 65536;
 
 export class HiddenGrains {
@@ -18,8 +20,8 @@ export class HiddenGrains {
   }
 
   // a, b: frames of four 16-bit numbers; mix between them; box { low, size }; radius [m]; clip: normal, distance;
-  // width, height of the picture [pixels]. Returns how many stand in `seen`.
-  find({ a, b, mix, box, radius, camera, clip, width, height }) {
+  // width, height of the picture [pixels]; rough: see above. Returns how many stand in `seen`.
+  find({ a, b, mix, box, radius, camera, clip, width, height, rough }) {
     const view = camera.matrixWorldInverse.elements, P = camera.projectionMatrix.elements;
     const perPixel = P[5] * 0.5 * height;  // pixels of a metre at the distance of one metre
     const n = radius.length;
@@ -47,7 +49,8 @@ export class HiddenGrains {
       this.seen[count++] = i;
     }
     this.sort(count, nearest, farthest);
-    return this.cover(count, Math.min(8, Math.max(0.75, sum / count / kFineness)), width, height);
+    const cell = sum / count / (rough ? kRough : kFineness);
+    return this.cover(count, Math.min(8, Math.max(0.75, cell)), width, height, rough);
   }
 
   // The first `count` of `seen` into `order`, the nearest first.
@@ -60,7 +63,7 @@ export class HiddenGrains {
     for (let j = 0; j < count; ++j) order[places[(depth[seen[j]] - nearest) * scale | 0]++] = seen[j];
   }
 
-  cover(count, cell, width, height) {
+  cover(count, cell, width, height, rough) {
     const columns = Math.ceil(width / cell), rows = Math.ceil(height / cell);
     if (this.mask.length !== columns * rows) this.mask = new Uint8Array(columns * rows);
     const { mask, order, seen } = this;
@@ -71,6 +74,23 @@ export class HiddenGrains {
       const left = Math.max(0, Math.floor(x - r)), right = Math.min(columns - 1, Math.floor(x + r));
       const bottom = Math.max(0, Math.floor(y - r)), top = Math.min(rows - 1, Math.floor(y + r));
       let open = false;
+      if (rough) {
+        let touched = false;
+        for (let v = bottom; v <= top; ++v) {
+          const dy = v + 0.5 - y, reach = Math.sqrt(Math.max(0, rr - dy * dy));
+          const last = Math.min(right, Math.floor(x + reach - 0.5));
+          for (let k = v * columns + Math.max(left, Math.ceil(x - reach - 0.5)), end = v * columns + last; k <= end; ++k) {
+            touched = true;
+            if (mask[k]) continue;
+            mask[k] = 1;
+            open = true;
+          }
+        }
+        // A grain between four centres: the cell that it stands in says whether nearer ones cover it.
+        if (!touched) open = !mask[Math.min(rows - 1, Math.max(0, Math.floor(y))) * columns + Math.min(columns - 1, Math.max(0, Math.floor(x)))];
+        if (open) seen[found++] = i;
+        continue;
+      }
       for (let v = bottom; v <= top; ++v) {
         const dy = Math.abs(v + 0.5 - y), inY = Math.max(0, dy - 0.5), outY = dy + 0.5;
         for (let u = left; u <= right; ++u) {

@@ -40,6 +40,11 @@ export class Stage {
     this.addGround();
     this.orbit = new OrbitControls(this.camera, this.renderer.domElement);
     this.orbit.addEventListener("change", () => this.wish());
+    this.orbit.addEventListener("start", () => (this.turning = true));
+    this.orbit.addEventListener("end", () => {
+      this.turning = false;
+      this.wish();
+    });
     this.look(-65, 24);
     this.clip = { axis: "", share: 0.5, flip: false };
     new ResizeObserver(() => this.resize()).observe(place);
@@ -150,6 +155,8 @@ export class Stage {
   // While it plays, a slow machine draws fewer pixels; the full picture comes back when it stands.
   suitRate(rate, playing) {
     if (!this.scene) return;
+    if (this.playing && !playing) this.wish();  // the exact picture
+    this.playing = playing;
     const full = Math.min(window.devicePixelRatio || 1, 2);
     let ratio = this.ratio;
     if (!playing) ratio = full;
@@ -170,7 +177,7 @@ export class Stage {
     if (!this.scene || !this.hasFrames) return;
     this.camera.updateMatrixWorld();
     const { width, height } = this.renderer.domElement;
-    this.grains?.leaveOutHidden(this.sparing, this.camera, width, height);
+    this.grains?.leaveOutHidden(this.sparing, this.camera, width, height, this.playing || this.turning);
     this.renderer.render(this.scene, this.camera);
   }
 }
