@@ -70,7 +70,8 @@ void check_bodies_named(const ScriptText& script, const Scene& scene, Findings& 
   }
 }
 
-// `couple/mbd ... mesh ID BODY`: ID is a mesh of the script. What LIGGGHTS alone can put together is not known here.
+// `couple/mbd ... mesh ID BODY` where ID resembles a mesh that the script has made, and is none: it is misspelt. LIGGGHTS
+// tells what resembles nothing.
 void check_meshes_named(const ScriptText& script, const Scene& scene, Findings& findings) {
   std::vector<std::string> meshes;
   for (const ScriptCommand& command : script.commands()) {
@@ -82,7 +83,8 @@ void check_meshes_named(const ScriptText& script, const Scene& scene, Findings& 
                                       [](const std::string& id) { return id.find("${") != std::string::npos; });
     for (std::size_t i = 4; i + 2 < w.size() && !computed; ++i) {
       if (w[i] != "mesh" || w[i + 1].find("${") != std::string::npos) continue;
-      if (std::find(meshes.begin(), meshes.end(), w[i + 1]) == meshes.end())
+      const bool known = std::find(meshes.begin(), meshes.end(), w[i + 1]) != meshes.end();
+      if (!known && !nearest_name(w[i + 1], meshes).empty())
         findings.error(scene.particles->source, "script",
                        place(command) + " couples the mesh \"" + w[i + 1] +
                            "\", but no fix mesh/surface of this id stands before this line." +
