@@ -231,8 +231,7 @@ void ContactSurface::touches(const Eigen::Vector3d& p, double radius, double dep
     // Within: the nearest place alone.
     const SurfaceTouch first = touch(mesh->near.front());
     if (first.distance < 0.0 || radius == 0.0) {
-      if (first.distance < 0.0 && -first.distance < depth && !mesh->on_border(mesh->near.front()))
-        out.push_back(first);
+      if (first.distance < 0.0 && -first.distance < depth && !mesh->on_border(mesh->near.front())) out.push_back(first);
       continue;
     }
     const auto of_this_mesh = static_cast<std::ptrdiff_t>(out.size());
