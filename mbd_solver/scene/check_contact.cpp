@@ -104,9 +104,10 @@ void check_pair(const Scene& scene, const ContactSpec& contact, Findings& findin
   if (first == second) findings.error(source, "between", "names \"" + first + "\" twice");
   if (contact.ignore && contact.with_plane())
     findings.error(source, "ignore", "is for two bodies; for a body without contact with a plane give none");
-  if (!contact.ignore && is_bent(scene, first) && bends(scene, second))
-    findings.error(source, "between", "names two flexible bodies: one of them must be rigid, the other's places touch its "
-                                      "surface");
+  if (!contact.ignore && is_bent(scene, first) && is_bent(scene, second))
+    findings.error(source, "between",
+                   "names two flexible bodies: one of them must be rigid, the other's places touch its "
+                   "surface");
 }
 
 void check_contacts(const Scene& scene, Findings& findings) {
@@ -118,8 +119,7 @@ void check_contacts(const Scene& scene, Findings& findings) {
       if (contact.ignore) findings.error(source, "ignore", "is for two bodies, not for walls");
       if (!scene.touches_particles())
         findings.error(source, "walls", "are those of a LIGGGHTS script, but ground.kind is not \"particles\"");
-      if (scene.boundaries.empty())
-        findings.error(source, "walls", "touch [[boundaries]], but there are none");
+      if (scene.boundaries.empty()) findings.error(source, "walls", "touch [[boundaries]], but there are none");
       for (const std::string& name : contact.bodies) check_has_boundary(scene, source, "bodies", name, findings);
     } else {
       check_pair(scene, contact, findings);

@@ -39,7 +39,7 @@ struct ContactRim {
 
 class RigidPlane : public ForceElement {
  public:
-  struct Parameters : ContactLaw {  // of each point
+  struct Parameters : ContactLaw {                      // of each point
     Eigen::Vector3d point = Eigen::Vector3d::Zero();    // p0, any point of the plane, in W [m]
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // n, out of the ground
   };

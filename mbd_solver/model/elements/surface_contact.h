@@ -64,8 +64,8 @@ class SurfaceContact : public ForceElement {
   std::vector<double> reach_, flexible_reach_;  // of each side's points [m], [m per unit of a]
   ContactLaw law_;
   int places_ = 0;
-  mutable std::vector<SurfaceTouch> touches_;                  // scratch
-  mutable std::vector<Contact> contacts_;                      // scratch: of one place
+  mutable std::vector<SurfaceTouch> touches_;                       // scratch
+  mutable std::vector<Contact> contacts_;                           // scratch: of one place
   mutable Eigen::Matrix3Xd X_, D_, N_, G_, g_x_, f_x_, f_v_, u_x_;  // scratch, 3 x n
 };
 
