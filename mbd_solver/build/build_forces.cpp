@@ -8,8 +8,8 @@
 #include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/elements/applied_force.h"
 #include "mbd_solver/model/elements/bushing.h"
+#include "mbd_solver/model/elements/joint_force.h"
 #include "mbd_solver/model/elements/strut.h"
-#include "mbd_solver/model/elements/torsional_spring.h"
 #include "mbd_solver/model/laws/end_stop.h"
 #include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/honeycomb.h"
@@ -149,12 +149,12 @@ std::unique_ptr<ForceElement> build(const SpringSpec& spec, const Scene& scene, 
   switch (spec.kind) {
     case SpringKind::kTorsion: {
       const Eigen::Matrix3d axes = placement.R_WD * axes_with_z(spec.axis);
-      TorsionalSpring::Parameters p;
+      LinearSpringDamperParameters p;
       p.stiffness = spec.stiffness.x();
       p.damping = spec.damping.x();
-      p.free_angle = spec.rest_angle;
-      return std::make_unique<TorsionalSpring>(spec.name, model.marker_at(a, placement.point(spec.point), axes),
-                                               model.marker_at(b, placement.point(spec.point), axes), p);
+      p.free_stroke = spec.rest_angle;
+      return torsional_spring(spec.name, model.marker_at(a, placement.point(spec.point), axes),
+                              model.marker_at(b, placement.point(spec.point), axes), p);
     }
     case SpringKind::kCentring: {
       Bushing::Parameters p;

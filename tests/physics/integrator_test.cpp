@@ -29,9 +29,9 @@ Model double_pendulum() {
       spherical_joint("pivot", ground_marker(Eigen::Vector3d::Zero()), model.marker_at(0, Eigen::Vector3d::Zero())));
   model.add_joint(revolute_joint("elbow", model.marker_at(0, {1.0, 0.0, 0.0}, axes_with_z({0.0, 1.0, 0.0})),
                                  model.marker_at(1, {1.0, 0.0, 0.0}, axes_with_z({0.0, 1.0, 0.0}))));
-  TorsionalSpring::Parameters damper;
+  LinearSpringDamperParameters damper;
   damper.damping = 0.05;
-  model.add_force(std::make_unique<TorsionalSpring>("damper", model.joint(1).m1, model.joint(1).m2, damper));
+  model.add_force(torsional_spring("damper", model.joint(1).m1, model.joint(1).m2, damper));
   return model;
 }
 

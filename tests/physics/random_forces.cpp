@@ -5,7 +5,6 @@
 #include "mbd_solver/model/elements/bushing.h"
 #include "mbd_solver/model/elements/joint_force.h"
 #include "mbd_solver/model/elements/strut.h"
-#include "mbd_solver/model/elements/torsional_spring.h"
 #include "mbd_solver/model/laws/brake.h"
 #include "mbd_solver/model/laws/end_stop.h"
 #include "mbd_solver/model/laws/gas_spring.h"
@@ -113,12 +112,12 @@ void add_torsion(Plan& plan, Numbers& numbers, PlannedForce force) {
     force.body_2 = joint.body_2;
     force.point_1 = force.point_2 = joint.point_1;
     force.axes = joint.axes;
-    TorsionalSpring::Parameters spring;
+    LinearSpringDamperParameters spring;
     spring.stiffness = numbers.between(2.0, 10.0);
     spring.damping = numbers.between(0.0, 0.3);
-    spring.free_angle = numbers.between(-0.5, 0.5);
+    spring.free_stroke = numbers.between(-0.5, 0.5);
     force.make = [=](const std::string& name, const Marker& m1, const Marker& m2, double) {
-      return std::make_unique<TorsionalSpring>(name, m1, m2, spring);
+      return torsional_spring(name, m1, m2, spring);
     };
     plan.forces.push_back(force);
     return;

@@ -127,4 +127,12 @@ JointForceSample JointForce::sample(const ElementInput& in) const {
   return out;
 }
 
+std::unique_ptr<JointForce> torsional_spring(std::string name, Marker m1, Marker m2,
+                                             const LinearSpringDamperParameters& parameters) {
+  std::vector<std::unique_ptr<StrutLaw>> laws;
+  laws.push_back(std::make_unique<LinearSpringDamper>(parameters));
+  return std::make_unique<JointForce>(std::move(name), std::move(m1), std::move(m2), Coordinate::kAngle,
+                                      std::move(laws));
+}
+
 }  // namespace footfall

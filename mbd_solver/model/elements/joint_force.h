@@ -10,6 +10,7 @@
 
 #include "mbd_solver/model/force_element.h"
 #include "mbd_solver/model/joints/joint_coordinate.h"
+#include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "mbd_solver/model/laws/strut_law.h"
 
 namespace footfall {
@@ -55,5 +56,11 @@ class JointForce : public ForceElement {
   mutable Eigen::VectorXd row_, row_rate_;  // scratch rows of size n
   mutable CoordinateScratch scratch_;
 };
+
+// Spring and damper on the angle about the common z axis of two markers: torque on body 2 about z1
+//   T = -k (phi - phi0) - c phi',  phi0 = free_stroke
+// theory 3.5.
+std::unique_ptr<JointForce> torsional_spring(std::string name, Marker m1, Marker m2,
+                                             const LinearSpringDamperParameters& parameters);
 
 }  // namespace footfall

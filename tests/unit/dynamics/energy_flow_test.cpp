@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "coupler/base/pi.h"
-#include "mbd_solver/model/elements/torsional_spring.h"
+#include "mbd_solver/model/elements/joint_force.h"
 #include "tests/unit/dynamics/run.h"
 
 namespace footfall {
@@ -62,11 +62,11 @@ Model two_wheels(const Eigen::Vector3d& frame) {
   const int second = model.add_body(Body("b", 1.0, 0.1 * Eigen::Matrix3d::Identity()), b);
   model.add_joint(revolute_joint("bearing", model.marker_at(first, Eigen::Vector3d::Zero()),
                                  model.marker_at(second, Eigen::Vector3d::Zero())));
-  TorsionalSpring::Parameters parameters;
+  LinearSpringDamperParameters parameters;
   parameters.stiffness = 4.0;
   parameters.damping = 0.05;
-  model.add_force(std::make_unique<TorsionalSpring>("spring", model.marker_at(first, Eigen::Vector3d::Zero()),
-                                                    model.marker_at(second, Eigen::Vector3d::Zero()), parameters));
+  model.add_force(torsional_spring("spring", model.marker_at(first, Eigen::Vector3d::Zero()),
+                                   model.marker_at(second, Eigen::Vector3d::Zero()), parameters));
   return model;
 }
 

@@ -156,15 +156,15 @@ class WheelOnASpring : public ::testing::TestWithParam<const char*> {
     const int wheel = model.add_body(Body("wheel", 1.0, 0.1 * Eigen::Matrix3d::Identity()), thrown);
     model.add_joint(revolute_joint("bearing", model.marker_at(kGround, Eigen::Vector3d::Zero()),
                                    model.marker_at(wheel, Eigen::Vector3d::Zero())));
-    TorsionalSpring::Parameters parameters;
+    LinearSpringDamperParameters parameters;
     parameters.stiffness = 0.4;
-    model.add_force(std::make_unique<TorsionalSpring>("spring", model.marker_at(kGround, Eigen::Vector3d::Zero()),
-                                                      model.marker_at(wheel, Eigen::Vector3d::Zero()), parameters));
+    model.add_force(torsional_spring("spring", model.marker_at(kGround, Eigen::Vector3d::Zero()),
+                                     model.marker_at(wheel, Eigen::Vector3d::Zero()), parameters));
   }
   // Angle [rad] and rate [rad/s] of the spring.
-  static Eigen::Vector3d spring(test::Run& run) {
+  static JointForceSample spring(test::Run& run) {
     run.equations.load(run.state);
-    return static_cast<const TorsionalSpring&>(run.equations.model().force(0))
+    return static_cast<const JointForce&>(run.equations.model().force(0))
         .sample(run.equations.element_input(0, run.state, run.inputs));
   }
   // Of angles of 6 rad and rates of 12 rad/s, each of some ten thousand steps exact to 1e-9. A missed turn is 6.3.
@@ -177,8 +177,8 @@ TEST_P(WheelOnASpring, TurnsBackAtSixRadians) {
   for (int k = 1; k <= 12; ++k) {
     run.to(0.25 * k);
     const double t = run.state.time;
-    EXPECT_NEAR(spring(run)[0], 6.0 * std::sin(2.0 * t), kTolerance) << t;
-    EXPECT_NEAR(spring(run)[1], 12.0 * std::cos(2.0 * t), kTolerance) << t;
+    EXPECT_NEAR(spring(run).q, 6.0 * std::sin(2.0 * t), kTolerance) << t;
+    EXPECT_NEAR(spring(run).rate, 12.0 * std::cos(2.0 * t), kTolerance) << t;
     EXPECT_LT(std::abs(run.imbalance()), 1e-6 * run.start_energy()) << t;  // order of the integrator's own error
   }
 }
@@ -188,9 +188,9 @@ TEST_P(WheelOnASpring, KnowsItsTurnsAfterAResumption) {
   test::Run first(model, GetParam(), test::tight(1e-9)), second(model, GetParam(), test::tight(1e-9));
   first.to(0.7);
   second.state = first.state;
-  EXPECT_NEAR(spring(second)[0], 6.0 * std::sin(1.4), kTolerance);
+  EXPECT_NEAR(spring(second).q, 6.0 * std::sin(1.4), kTolerance);
   second.to(1.2);
-  EXPECT_NEAR(spring(second)[0], 6.0 * std::sin(2.4), kTolerance);
+  EXPECT_NEAR(spring(second).q, 6.0 * std::sin(2.4), kTolerance);
 }
 
 TEST_P(WheelOnASpring, CountsAHundredTurns) {
@@ -203,13 +203,13 @@ TEST_P(WheelOnASpring, CountsAHundredTurns) {
   motion.hold_other_rotations = true;
   driven.add_joint(prescribed_joint("drive", driven.marker_at(kGround, Eigen::Vector3d::Zero()),
                                     driven.marker_at(wheel, Eigen::Vector3d::Zero()), motion));
-  TorsionalSpring::Parameters parameters;
+  LinearSpringDamperParameters parameters;
   parameters.stiffness = 0.4;
-  driven.add_force(std::make_unique<TorsionalSpring>("spring", driven.marker_at(kGround, Eigen::Vector3d::Zero()),
-                                                     driven.marker_at(wheel, Eigen::Vector3d::Zero()), parameters));
+  driven.add_force(torsional_spring("spring", driven.marker_at(kGround, Eigen::Vector3d::Zero()),
+                                    driven.marker_at(wheel, Eigen::Vector3d::Zero()), parameters));
   test::Run run(driven, GetParam());
   run.to(6.3, 63);
-  EXPECT_NEAR(spring(run)[0], 630.0, 1e-6);  // what the projection leaves of the drive's angle, and more
+  EXPECT_NEAR(spring(run).q, 630.0, 1e-6);  // what the projection leaves of the drive's angle, and more
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, WheelOnASpring, ::testing::Values("one_step", "ida"));

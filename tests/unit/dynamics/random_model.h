@@ -17,7 +17,6 @@
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/elements/surface_contact.h"
-#include "mbd_solver/model/elements/torsional_spring.h"
 #include "mbd_solver/model/joints/gear.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "mbd_solver/model/model.h"
@@ -237,11 +236,11 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
   laws.push_back(std::make_unique<CoupledLaw>());
   laws.push_back(std::make_unique<CoupledLaw>());
   out.push_back(std::make_unique<Strut>("strut" + tail, m(body_1), m(body_2), std::move(laws), 1.1, 1));
-  TorsionalSpring::Parameters torsion;
+  LinearSpringDamperParameters torsion;
   torsion.stiffness = 7.0;
   torsion.damping = 1.5;
-  torsion.free_angle = 0.2;
-  out.push_back(std::make_unique<TorsionalSpring>("torsion" + tail, m(body_1), m(body_2), torsion));
+  torsion.free_stroke = 0.2;
+  out.push_back(torsional_spring("torsion" + tail, m(body_1), m(body_2), torsion));
   Bushing::Parameters bushing;
   bushing.stiffness = {30.0, 20.0, 10.0};
   bushing.damping = {2.0, 3.0, 1.0};
