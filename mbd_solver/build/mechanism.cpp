@@ -47,8 +47,23 @@ Mechanism build_mechanism(const Scene& scene) {
   std::vector<std::string> warnings = scene.warnings;
   const std::vector<FlexibleBody> flexible = build_flexible_bodies(scene, warnings);
   std::vector<BodyBoundary> boundaries = build_boundaries(scene, flexible);
-  Mechanism mechanism{
-      place(scene, boundaries, flexible), Model(scene.gravity), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, -1, {}};
+  Mechanism mechanism{place(scene, boundaries, flexible),
+                      Model(scene.gravity),
+                      {},
+                      {},
+                      {},
+                      {},
+                      {},
+                      {},
+                      {},
+                      {},
+                      {},
+                      {},
+                      {},
+                      {},
+                      {},
+                      -1,
+                      {}};
   mechanism.boundaries = std::move(boundaries);
   mechanism.warnings = std::move(warnings);
   add_bodies(scene, flexible, mechanism);
