@@ -20,6 +20,7 @@
 #include "mbd_solver/cli/analysis/surfaces_command.h"
 #include "mbd_solver/cli/analysis/viewer/view_page.h"
 #include "mbd_solver/cli/audit_command.h"
+#include "mbd_solver/cli/experiments/experiment.h"
 #include "mbd_solver/cli/experiments/experiment_command.h"
 #include "mbd_solver/cli/help_pages.h"
 #include "mbd_solver/cli/launch/check_command.h"

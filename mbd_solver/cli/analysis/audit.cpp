@@ -20,7 +20,7 @@ constexpr double kEps = std::numeric_limits<double>::epsilon();
 // Round-off: every half step rounds the velocity of every grain, and every contact its force.
 constexpr double kRoundingsPerStep = 4.0, kRoundingsOfForce = 100.0;
 // Lengths of windows that differ by less are the same: sums of many time steps.
-constexpr double kSameTime = 1e-9;
+constexpr double kSameMoment = 1e-9;
 
 // Linear, or angular about the origin.
 struct Impulse {
@@ -167,7 +167,7 @@ void balance_of_mechanism(const GrainsAudit& grains, const MechanismAudit& mecha
     const MechanismRow &from = mechanism.rows[k - 1], &to = mechanism.rows[k];
     // The end of the scene cuts the last window short, within a step of the grains: they finish their step.
     const double whole = grains.windows[k - 1].length, moved = to.time - from.time;
-    const bool cut = k + 1 == mechanism.rows.size() && moved < (1.0 - kSameTime) * whole;
+    const bool cut = k + 1 == mechanism.rows.size() && moved < (1.0 - kSameMoment) * whole;
     const double H = cut ? moved : whole;
     Vector3d got = H * to.mass * to.gravity;
     double flowed = got.norm();
