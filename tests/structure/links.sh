@@ -3,6 +3,9 @@
 set -u
 cd "$(dirname "$0")/../.."
 failed=0
+# The headings of a file as anchors, found once.
+declare -A known
+anchors_of() { [[ -v known[$1] ]] || known[$1]=$'\n'$(anchors "$1")$'\n'; }
 anchors() { grep -E '^#+ ' "$1" | sed -E 's/^#+ //; s/[`*]//g' | tr '[:upper:]' '[:lower:]' | sed -E 's/[^a-z0-9 _-]//g; s/ /-/g'; }
 linked=" README.md "
 for page in README.md docs/*.md docs/*/*.md examples/*/README.md; do
@@ -12,14 +15,18 @@ for page in README.md docs/*.md docs/*/*.md examples/*/README.md; do
     file=${target%%#*} anchor=""
     [[ $target == *#* ]] && anchor=${target#*#}
     path=$page
-    [[ -n $file ]] && path=$(realpath -m --relative-to=. "$(dirname "$page")/$file")
+    folder=./
+    [[ $page == */* ]] && folder=${page%/*}/
+    [[ -n $file ]] && path=$folder$file && path=${path#./}
+    while [[ $path =~ ^(.*/)?[^/.][^/]*/\.\./(.*)$ ]]; do path=${BASH_REMATCH[1]}${BASH_REMATCH[2]}; done
     linked+="$path "
     [[ -e $path ]] || { echo "$page: link to $target: there is no $path"; failed=1; continue; }
-    [[ -z $anchor ]] || anchors "$path" | grep -qxF "$anchor" || { echo "$page: link to $target: $path has no such heading"; failed=1; }
+    [[ -z $anchor ]] || { anchors_of "$path"; [[ ${known[$path]} == *$'\n'"$anchor"$'\n'* ]]; } || { echo "$page: link to $target: $path has no such heading"; failed=1; }
   done < <(sed -E '/^```/,/^```/d; s/`[^`]*`//g' "$page" | grep -oE '\]\([^) ]+' | sed 's/^](//'; grep -oE '<img src="[^"]+' "$page" | sed 's/.*"//')
 done
+readme=$(<README.md)
 for page in docs/*.md docs/tutorials/*.md; do
-  grep -qF "]($page" README.md || { echo "README.md does not link $page"; failed=1; }
+  [[ $readme == *"]($page"* ]] || { echo "README.md does not link $page"; failed=1; }
 done
 for page in docs/fixes/*.md; do
   [[ $linked == *" $page "* ]] || { echo "$page: no page links to it"; failed=1; }
