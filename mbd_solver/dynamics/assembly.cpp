@@ -144,6 +144,17 @@ void note_redundant(const Model& model, const Layout& layout, Assembly& out) {
                         " and are redundant: its reactions are the smallest that hold.");
 }
 
+// What a gear turned by more than half a turn on the way to the start: laws and histories count from the turn it is in.
+void note_turns(const Model& model, const Layout& layout, Assembly& out) {
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const int z = layout.joint_turns[static_cast<std::size_t>(j)];
+    if (z < 0 || std::abs(out.state.z[z]) <= kPi) continue;
+    out.notes.push_back("joint \"" + model.joint(j).name + "\": its gear starts with an angle of " +
+                        number(out.state.z[z]) +
+                        " rad; what else acts on that angle, and its column, count from the nearest turn.");
+  }
+}
+
 // What the given velocities were changed by, and where they did not fit.
 void note_speeds(const Model& model, const Layout& layout, const Eigen::VectorXd& rate, const Eigen::VectorXd& change,
                  double tolerance, Assembly& out) {
@@ -283,6 +294,7 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   if (!options.start.empty()) {
     move_to_start(model, options.start, out.state);
     rows.evaluate(out.state);
+    note_turns(model, layout, out);
   }
 
   // Velocities: the smallest change that satisfies Phi_v v + Phi_t = 0. Twice, for round-off.

@@ -1,7 +1,9 @@
 // What acts on the coordinates of joints: stops, friction, springs, drives.
 #include <algorithm>
+#include <cmath>
 
 #include "coupler/base/nearest_name.h"
+#include "coupler/base/pi.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/kind_keys.h"
 #include "mbd_solver/scene/scene_check.h"
@@ -78,6 +80,10 @@ void check_initial_joints(const Scene& scene, Findings& findings) {
     const JointTraits traits = traits_of(joint->type);
     const std::string type(traits.name);
     if (given.angle && !traits.turns) findings.error(given.source, "angle", "is no coordinate of a " + type + " joint");
+    if (given.angle && std::abs(*given.angle) > kPi)
+      findings.error(given.source, "angle",
+                     "is " + number_text(*given.angle * 180.0 / kPi, 6) +
+                         " degrees; expected at most half a turn: what acts on the angle counts its turns from there");
     if (given.displacement && !traits.slides)
       findings.error(given.source, "displacement", "is no coordinate of a " + type + " joint");
     if (!given.angle && !given.displacement)
