@@ -20,6 +20,7 @@
 #include "mbd_solver/cli/analysis/surfaces_command.h"
 #include "mbd_solver/cli/analysis/viewer/view_page.h"
 #include "mbd_solver/cli/audit_command.h"
+#include "mbd_solver/cli/experiments/experiment.h"
 #include "mbd_solver/cli/experiments/experiment_command.h"
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
@@ -228,9 +229,11 @@ Action test(CLI::App& command) {
   };
 }
 
-Action schema(CLI::App&) {
-  return [] {
-    std::printf("%s\n", scene_schema().c_str());
+Action schema(CLI::App& command) {
+  const auto experiments = std::make_shared<bool>(false);
+  command.add_flag("--experiments", *experiments, "Of the files of footfall sweep and footfall accuracy instead");
+  return [experiments] {
+    std::printf("%s\n", (*experiments ? experiment_schema() : scene_schema()).c_str());
     return kExitDone;
   };
 }
@@ -244,7 +247,7 @@ struct Subcommand {
 constexpr Subcommand kSubcommands[] = {
     {"run", "Run a scene: bed, both programs, summary, pictures", run},
     {"check", "Check a scene: every finding as file:line: key: what is wrong", check},
-    {"schema", "Print the JSON schema of scenes, for editors that complete and check", schema},
+    {"schema", "Print the JSON schema of scenes or experiments, for editors that complete and check", schema},
     {"surfaces", "Draw the control surfaces of a scene's fuzzy controllers", surfaces},
     {"sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted", sweep},
     {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},

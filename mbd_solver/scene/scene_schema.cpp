@@ -1,5 +1,6 @@
 #include "mbd_solver/scene/scene_schema.h"
 
+#include <cmath>
 #include <type_traits>
 
 #include "mbd_solver/scene/field_json.h"
@@ -49,8 +50,13 @@ Json vector_of(const Rule& rule) {
 Json type_of(const double&, const Rule& rule) { return number(rule); }
 Json type_of(const int&, const Rule& rule) { return whole(rule); }
 Json type_of(const bool&, const Rule&) { return of_type("boolean"); }
-Json type_of(const std::string&, const Rule&) { return of_type("string"); }
-Json type_of(const std::vector<std::string>&, const Rule&) { return list_of(of_type("string"), 0, 0); }
+Json type_of(const std::string&, const Rule& rule) {
+  return rule.meaning == Meaning::kWords ? Json{{"type", {"string", "number"}}} : of_type("string");
+}
+Json type_of(const std::vector<std::string>&, const Rule& rule) {
+  const Json word = type_of(std::string(), rule), list = list_of(word, 0, 0);
+  return rule.meaning == Meaning::kWords ? any_of(word, list) : list;
+}
 Json type_of(const std::array<std::string, 2>&, const Rule&) { return list_of(of_type("string"), 2, 2); }
 Json type_of(const Eigen::Vector3d&, const Rule& rule) { return vector_of(rule); }
 Json type_of(const std::vector<Eigen::Vector3d>&, const Rule& rule) { return list_of(vector_of(rule), 0, 0); }
@@ -99,8 +105,12 @@ std::string description(const Rule& rule, const std::string& unit) {
 
 class SchemaWriter final : public FieldVisitor {
  public:
-  Json root = open_table();
-  SchemaWriter() { stack_.push_back(&root); }
+  // `layers`: tables may drop keys of a base.
+  explicit SchemaWriter(bool layers) : layers_(layers) {
+    root = open_table();
+    stack_.push_back(&root);
+  }
+  Json root;
 
   void field(const std::string& key, const FieldRef& ref, const Rule& rule) override {
     if (key.empty()) return;
@@ -115,7 +125,8 @@ class SchemaWriter final : public FieldVisitor {
       properties()[key + unit.suffix] = std::move(other);
     }
     const Json value = rule.required ? Json() : json_of(ref);
-    if (!value.is_null() && value != "" && value != Json::array()) type["default"] = value;
+    const bool bound = value.is_number() && std::isinf(value.get<double>());  // none is given
+    if (!value.is_null() && value != "" && value != Json::array() && !bound) type["default"] = value;
     properties()[key] = std::move(type);
   }
 
@@ -145,30 +156,42 @@ class SchemaWriter final : public FieldVisitor {
   void end_list() override { stack_.pop_back(); }
 
  private:
-  // A table that knows its keys; `without` drops keys of a base.
-  static Json open_table() {
+  // A table that knows its keys.
+  Json open_table() const {
     Json table = of_type("object");
-    table["properties"] = {{"without", list_of(of_type("string"), 0, 0)}};
+    table["properties"] = Json::object();
+    if (layers_) table["properties"]["without"] = list_of(of_type("string"), 0, 0);
     table["additionalProperties"] = false;
     return table;
   }
   Json& properties() { return (*stack_.back())["properties"]; }
 
+  bool layers_;
   std::vector<Json*> stack_;
 };
 
+Json schema_text(const std::string& title, const Json& root) {
+  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
+  schema.update(root);
+  return schema;
+}
+
 }  // namespace
 
+std::string schema_of(const std::string& title, const std::function<void(FieldVisitor&)>& describe) {
+  SchemaWriter writer(false);
+  describe(writer);
+  return schema_text(title, writer.root).dump(2);
+}
+
 std::string scene_schema() {
-  SchemaWriter writer;
+  SchemaWriter writer(true);
   Scene scene;
   visit_fields(writer, scene);
   Json base = of_type("string");
   base["description"] = "A scene that this one is laid over.";
   writer.root["properties"]["base"] = std::move(base);
-  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Scene of footfall"}};
-  schema.update(writer.root);
-  return schema.dump(2);
+  return schema_text("Scene of footfall", writer.root).dump(2);
 }
 
 }  // namespace footfall

@@ -1,6 +1,7 @@
 // The keys of an experiment's file, described as those of a scene are (scene/field_visitor.h).
 #include "mbd_solver/cli/experiments/experiment.h"
 #include "mbd_solver/scene/field_visitor.h"
+#include "mbd_solver/scene/scene_schema.h"
 
 namespace footfall {
 
@@ -129,6 +130,11 @@ void visit_fields(FieldVisitor& v, ExperimentSpec& s) {
   v.list("expect", s.expected);
   v.list("plots", s.plots);
   v.list("fits", s.fits);
+}
+
+std::string experiment_schema() {
+  ExperimentSpec defaults;
+  return schema_of("Experiment of footfall", [&](FieldVisitor& v) { visit_fields(v, defaults); });
 }
 
 }  // namespace footfall
