@@ -22,8 +22,6 @@ constexpr double kOpen = 1e-6;  // [m or rad]
 // Without projection (Baumgarte terms, or nothing) joints drift; open by more than this they have failed.
 constexpr double kTornOpen = 1e-3;  // [m or rad]; what assembly closes silently
 
-std::string open_at(double t) { return "t = " + std::to_string(t) + " s: "; }
-
 }  // namespace
 
 Equations::Drift Equations::drift(const State& state) {
@@ -46,8 +44,9 @@ void Equations::demand_closed(double t, const Drift& drift, double tolerance) co
       joint.rows[static_cast<std::size_t>(drift.worst_row - layout_.joint_row[static_cast<std::size_t>(index)])];
   std::ostringstream text;
   text.precision(3);
-  text << open_at(t) << "joint \"" << joint.name << "\" (" << joint.kind << ") is open by " << drift.position_left
-       << (row.unit == ConstraintRow::Unit::kLength ? " m" : " rad") << " and does not close (at most " << tolerance
+  text << "t = " << std::to_string(t) << " s: joint \"" << joint.name << "\" (" << joint.kind << ") is open by "
+       << drift.position_left << (row.unit == ConstraintRow::Unit::kLength ? " m" : " rad")
+       << " and does not close (at most " << tolerance
        << "). Look for masses or inertias that differ by more than a factor of 1e6 between neighbours, for a position "
           "in which the mechanism jams, and for motions that contradict each other; then try a smaller rtol or "
           "max_step.";

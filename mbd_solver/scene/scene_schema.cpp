@@ -1,5 +1,6 @@
 #include "mbd_solver/scene/scene_schema.h"
 
+#include <cmath>
 #include <type_traits>
 
 #include "mbd_solver/scene/field_json.h"
@@ -50,16 +51,12 @@ Json vector_of(const Rule& rule) {
 Json type_of(const double&, const Rule& rule) { return number(rule); }
 Json type_of(const int&, const Rule& rule) { return whole(rule); }
 Json type_of(const bool&, const Rule&) { return of_type("boolean"); }
-// A number may stand for its text where words are meant.
-Json word(const Rule& rule) {
-  Json type = of_type("string");
-  if (rule.meaning == Meaning::kWords) type["type"] = {"string", "number"};
-  return type;
+Json type_of(const std::string&, const Rule& rule) {
+  return rule.meaning == Meaning::kWords ? Json{{"type", {"string", "number"}}} : of_type("string");
 }
-Json type_of(const std::string&, const Rule& rule) { return word(rule); }
 Json type_of(const std::vector<std::string>&, const Rule& rule) {
-  const Json list = list_of(word(rule), 0, 0);
-  return rule.meaning == Meaning::kWords ? any_of(word(rule), list) : list;
+  const Json word = type_of(std::string(), rule), list = list_of(word, 0, 0);
+  return rule.meaning == Meaning::kWords ? any_of(word, list) : list;
 }
 Json type_of(const std::array<std::string, 2>&, const Rule&) { return list_of(of_type("string"), 2, 2); }
 Json type_of(const Eigen::Vector3d&, const Rule& rule) { return vector_of(rule); }
@@ -109,8 +106,12 @@ std::string description(const Rule& rule, const std::string& unit) {
 
 class SchemaWriter final : public FieldVisitor {
  public:
-  // on_bases: a file may be laid over another one, and leave out what that has.
-  explicit SchemaWriter(bool on_bases) : on_bases_(on_bases), root(open_table()) { stack_.push_back(&root); }
+  // `layers`: tables may drop keys of a base.
+  explicit SchemaWriter(bool layers) : layers_(layers) {
+    root = open_table();
+    stack_.push_back(&root);
+  }
+  Json root;
 
   void field(const std::string& key, const FieldRef& ref, const Rule& rule) override {
     if (key.empty()) return;
@@ -125,7 +126,8 @@ class SchemaWriter final : public FieldVisitor {
       properties()[key + unit.suffix] = std::move(other);
     }
     const Json value = rule.required ? Json() : json_of(ref);
-    if (!value.is_null() && value != "" && value != Json::array()) type["default"] = value;
+    const bool bound = value.is_number() && std::isinf(value.get<double>());  // none is given
+    if (!value.is_null() && value != "" && value != Json::array() && !bound) type["default"] = value;
     properties()[key] = std::move(type);
   }
 
@@ -155,30 +157,33 @@ class SchemaWriter final : public FieldVisitor {
   void end_list() override { stack_.pop_back(); }
 
  private:
-  // A table that knows its keys; `without` drops keys of a base.
+  // A table that knows its keys.
   Json open_table() const {
     Json table = of_type("object");
     table["properties"] = Json::object();
-    if (on_bases_) table["properties"]["without"] = list_of(of_type("string"), 0, 0);
+    if (layers_) table["properties"]["without"] = list_of(of_type("string"), 0, 0);
     table["additionalProperties"] = false;
     return table;
   }
   Json& properties() { return (*stack_.back())["properties"]; }
 
-  bool on_bases_;
+  bool layers_;
   std::vector<Json*> stack_;
-
- public:
-  Json root;
 };
 
-Json titled(const std::string& title, const Json& keys) {
+Json schema_text(const std::string& title, const Json& root) {
   Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
-  schema.update(keys);
+  schema.update(root);
   return schema;
 }
 
 }  // namespace
+
+std::string schema_of(const std::string& title, const std::function<void(FieldVisitor&)>& describe) {
+  SchemaWriter writer(false);
+  describe(writer);
+  return schema_text(title, writer.root).dump(2);
+}
 
 std::string scene_schema() {
   SchemaWriter writer(true);
@@ -187,15 +192,9 @@ std::string scene_schema() {
   Json base = of_type("string");
   base["description"] = "A scene that this one is laid over.";
   writer.root["properties"]["base"] = std::move(base);
-  Json schema = titled("Scene of footfall", writer.root);
+  Json schema = schema_text("Scene of footfall", writer.root);
   schema["x-kinds"] = kind_schema();
   return schema.dump(2);
-}
-
-std::string keys_schema(const std::string& title, const std::function<void(FieldVisitor&)>& visit) {
-  SchemaWriter writer(false);
-  visit(writer);
-  return titled(title, writer.root).dump(2);
 }
 
 }  // namespace footfall

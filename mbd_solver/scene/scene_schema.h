@@ -14,8 +14,7 @@ namespace footfall {
 class FieldVisitor;
 
 std::string scene_schema();
-
-// Of another kind of file whose keys are described in the same way (experiments): visit walks them.
-std::string keys_schema(const std::string& title, const std::function<void(FieldVisitor&)>& visit);
+// Of any other file whose keys are described (field_visitor.h).
+std::string schema_of(const std::string& title, const std::function<void(FieldVisitor&)>& describe);
 
 }  // namespace footfall

@@ -164,8 +164,7 @@ class FieldVisitor;
 void visit_fields(FieldVisitor& v, ExperimentSpec& spec);  // its keys
 // Throws InputError "file:line: key: what is wrong, what was expected", all that is wrong at once.
 ExperimentSpec read_experiment(const std::string& file);
-
-// JSON schema (draft 2020-12) of these files, from the same keys.
+// JSON schema (draft 2020-12) of these files, from the same description as the reader's.
 std::string experiment_schema();
 
 // "{value}" in every text replaced, or another mark.

@@ -15,14 +15,14 @@ const Rule kFileName{Unit::kNone, Range::kAny, Meaning::kName, true};
 const Rule kPositive{Unit::kNone, Range::kPositive};
 const Rule kNotNegative{Unit::kNone, Range::kNotNegative};
 
-struct Field {
+struct KeyedMember {
   const char* key;
   FieldRef member;
 };
 
 // Keys of one rule.
-void fields(FieldVisitor& v, const Rule& rule, const std::vector<Field>& list) {
-  for (const Field& field : list) v.field(field.key, field.member, rule);
+void fields(FieldVisitor& v, const Rule& rule, const std::vector<KeyedMember>& list) {
+  for (const KeyedMember& one : list) v.field(one.key, one.member, rule);
 }
 
 }  // namespace
@@ -133,10 +133,8 @@ void visit_fields(FieldVisitor& v, ExperimentSpec& s) {
 }
 
 std::string experiment_schema() {
-  return keys_schema("Experiment of footfall", [](FieldVisitor& keys) {
-    ExperimentSpec spec;
-    visit_fields(keys, spec);
-  });
+  ExperimentSpec defaults;
+  return schema_of("Experiment of footfall", [&](FieldVisitor& v) { visit_fields(v, defaults); });
 }
 
 }  // namespace footfall

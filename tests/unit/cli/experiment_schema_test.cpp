@@ -1,4 +1,4 @@
-// experiment_schema() of mbd_solver/cli/experiments says what the reader does: every shipped file
+// experiment_schema() of mbd_solver/cli/experiments/experiment_fields.cpp says what the reader does: every shipped file
 // is valid by its keys and types.
 #include <gtest/gtest.h>
 
@@ -41,9 +41,10 @@ std::string wrong(const ConfigNode& value, const Json& s, const std::string& pat
   for (const ConfigNode& item : value.list)
     if (const std::string problem = wrong(item, s["items"], path + "[]"); !problem.empty()) return problem;
   for (const auto& [key, item] : value.table) {
-    if (!s["properties"].contains(key)) return path + ": knows no " + key;
-    if (const std::string problem = wrong(item, s["properties"][key], path + "." + key); !problem.empty())
-      return problem;
+    const bool known = s.contains("properties") && s["properties"].contains(key);
+    if (!known && !s["additionalProperties"].is_object()) return path + ": knows no " + key;
+    const Json& of_key = known ? s["properties"][key] : s["additionalProperties"];
+    if (const std::string problem = wrong(item, of_key, path + "." + key); !problem.empty()) return problem;
   }
   return "";
 }
