@@ -73,7 +73,7 @@ struct Scene {
   CoordinateChoice coordinate_of(const DriveSpec& drive) const;
   // The coordinate that the gear's joint of this index takes part with, of a checked scene.
   CoordinateChoice coordinate_of(const GearSpec& gear, std::size_t index) const;
-  int joint_index(const std::string& name) const;  // FOOTFALL_DEMAND likewise
+  int joint_index(const std::string& name) const;                    // FOOTFALL_DEMAND likewise
   CoordinateChoice only_coordinate(const std::string& joint) const;  // of a joint that has one
   bool touches_particles() const { return ground.kind == GroundKind::kParticles; }
 };
