@@ -14,13 +14,7 @@
 namespace footfall {
 namespace {
 
-constexpr double kTolerance = 1e-8;  // rtol of the runs is 1e-11, over some hundred steps
-
-IntegratorOptions precise() {
-  IntegratorOptions options = test::tight(1e-11);
-  options.order = 5;
-  return options;
-}
+constexpr double kGearTolerance = 1e-8;  // rtol of the runs is 1e-11, over some hundred steps
 
 const Eigen::Vector3d kZ = Eigen::Vector3d::UnitZ();
 
@@ -66,17 +60,17 @@ TEST_P(Gears, PairTurnsAsItsInertias) {
   add_moving(model, "wheel", I2, Coordinate::kAngle);
   const int gear = add_gear(model, "mesh", {{0, Coordinate::kAngle, n1}, {1, Coordinate::kAngle, n2}});
   push(model, 0, Coordinate::kAngle, T);
-  test::Run run(model, GetParam().first, precise(), GetParam().second);
+  test::Run run(model, GetParam().first, test::precise(1e-11), GetParam().second);
   const double ratio = n1 / n2, acc = T / (I1 + I2 * ratio * ratio);
   for (int i = 1; i <= 3; ++i) {
     run.to(t * i / 3.0, 3);
     const double speed = acc * run.state.time;
-    EXPECT_NEAR(q_rate(run, 0, Coordinate::kAngle), speed, kTolerance * speed);
-    EXPECT_NEAR(q_rate(run, 1, Coordinate::kAngle), -ratio * speed, kTolerance * speed);
-    EXPECT_NEAR(reaction(run, gear), I1 * acc - T, kTolerance * T);
+    EXPECT_NEAR(q_rate(run, 0, Coordinate::kAngle), speed, kGearTolerance * speed);
+    EXPECT_NEAR(q_rate(run, 1, Coordinate::kAngle), -ratio * speed, kGearTolerance * speed);
+    EXPECT_NEAR(reaction(run, gear), I1 * acc - T, kGearTolerance * T);
     const Equations::Drift drift = run.equations.drift(run.state);
     EXPECT_LT(drift.position, 1e-7);  // phi over many turns; Baumgarte's terms leave some of it
-    EXPECT_NEAR(run.imbalance(), 0.0, kTolerance * run.energy().stored.total());
+    EXPECT_NEAR(run.imbalance(), 0.0, kGearTolerance * run.energy().stored.total());
   }
   const Layout& layout = run.equations.layout();
   const double turned = run.state.z[layout.joint_turns[static_cast<std::size_t>(gear)]];
@@ -92,13 +86,13 @@ TEST_P(Gears, RackLiftsAMass) {
   add_moving(model, "rack", m, Coordinate::kDisplacement);
   const int gear = add_gear(model, "mesh", {{1, Coordinate::kDisplacement, -1.0}, {0, Coordinate::kAngle, r}});
   push(model, 0, Coordinate::kAngle, T);
-  test::Run run(model, GetParam().first, precise(), GetParam().second);
+  test::Run run(model, GetParam().first, test::precise(1e-11), GetParam().second);
   run.to(t, 2);
   const double acc = (T - m * g * r) / (I + m * r * r);
-  EXPECT_NEAR(q_rate(run, 0, Coordinate::kAngle), acc * t, kTolerance * acc * t);
-  EXPECT_NEAR(run.body(1).r.z(), 0.5 * r * acc * t * t, kTolerance * r * acc * t * t);
-  EXPECT_NEAR(reaction(run, gear), m * (g + r * acc), kTolerance * m * g);
-  EXPECT_NEAR(run.imbalance(), 0.0, kTolerance * run.energy().stored.total());
+  EXPECT_NEAR(q_rate(run, 0, Coordinate::kAngle), acc * t, kGearTolerance * acc * t);
+  EXPECT_NEAR(run.body(1).r.z(), 0.5 * r * acc * t * t, kGearTolerance * r * acc * t * t);
+  EXPECT_NEAR(reaction(run, gear), m * (g + r * acc), kGearTolerance * m * g);
+  EXPECT_NEAR(run.imbalance(), 0.0, kGearTolerance * run.energy().stored.total());
 }
 
 // q1 + q2 = 2 q3:  I_i q_i'' = T_i - lambda f_i,  lambda = sum f_i T_i / I_i / sum f_i^2 / I_i
@@ -115,12 +109,12 @@ TEST_P(Gears, DifferentialSharesTorques) {
   const int gear =
       add_gear(model, "differential",
                {{0, Coordinate::kAngle, f[0]}, {1, Coordinate::kAngle, f[1]}, {2, Coordinate::kAngle, f[2]}});
-  test::Run run(model, GetParam().first, precise(), GetParam().second);
+  test::Run run(model, GetParam().first, test::precise(1e-11), GetParam().second);
   run.to(t, 4);
   for (int i = 0; i < 3; ++i)
-    EXPECT_NEAR(q_rate(run, i, Coordinate::kAngle), (T[i] - top / bottom * f[i]) / I[i] * t, kTolerance * 30.0);
-  EXPECT_NEAR(reaction(run, gear), -top / bottom, kTolerance);
-  EXPECT_NEAR(run.imbalance(), 0.0, kTolerance * run.energy().stored.total());
+    EXPECT_NEAR(q_rate(run, i, Coordinate::kAngle), (T[i] - top / bottom * f[i]) / I[i] * t, kGearTolerance * 30.0);
+  EXPECT_NEAR(reaction(run, gear), -top / bottom, kGearTolerance);
+  EXPECT_NEAR(run.imbalance(), 0.0, kGearTolerance * run.energy().stored.total());
 }
 
 // Sun (radius r_s), a planet (r_p) on a carrier, ring held: the meshes r_s (q_s - q_c) + r_p q_p = 0 and
@@ -142,14 +136,14 @@ TEST_P(Gears, PlanetaryGearHasItsRatio) {
   add_gear(model, "inner", {{sun, angle, rs}, {carrier, angle, -rs}, {pin, angle, rp}});
   add_gear(model, "outer", {{carrier, angle, -rr}, {pin, angle, -rp}});
   push(model, 0, angle, T);
-  test::Run run(model, GetParam().first, precise(), GetParam().second);
+  test::Run run(model, GetParam().first, test::precise(1e-11), GetParam().second);
   EXPECT_TRUE(run.assembly.redundant.size() <= 1u);  // joints about parallel axes; the gears are none of them
   run.to(t, 3);
   const double c = rs / (rs + rr), p = -rr / rp * c;  // per turn of the sun: carrier, planet on it
   const double inertia = Is + (Ic + mp * (rs + rp) * (rs + rp)) * c * c + Ip * (c + p) * (c + p);
-  EXPECT_NEAR(run.body(0).w.z(), T / inertia * t, kTolerance * T / inertia * t);
-  EXPECT_NEAR(run.body(1).w.z(), c * T / inertia * t, kTolerance * T / inertia * t);
-  EXPECT_NEAR(run.imbalance(), 0.0, kTolerance * run.energy().stored.total());
+  EXPECT_NEAR(run.body(0).w.z(), T / inertia * t, kGearTolerance * T / inertia * t);
+  EXPECT_NEAR(run.body(1).w.z(), c * T / inertia * t, kGearTolerance * T / inertia * t);
+  EXPECT_NEAR(run.imbalance(), 0.0, kGearTolerance * run.energy().stored.total());
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, Gears,
@@ -205,7 +199,7 @@ TEST(GearStart, GearTwiceIsRedundant) {
   for (const char* name : {"mesh", "again"})
     add_gear(model, name, {{0, Coordinate::kAngle, 1.0}, {1, Coordinate::kAngle, 2.0}});
   push(model, 0, Coordinate::kAngle, 0.3);
-  test::Run run(model, "one_step", precise());
+  test::Run run(model, "one_step", test::precise(1e-11));
   ASSERT_EQ(run.assembly.redundant.size(), 1u);
   run.to(2.0);
   EXPECT_NEAR(run.body(0).w.z(), 0.3 / (0.1 + 0.1 / 4.0) * 2.0, 1e-7);

@@ -116,7 +116,7 @@ TEST_P(Both, MotorWithRotorAndLimitsSpinsUp) {
   axle.add_rotor(J * g * g);
   const double inertia = kInertia + J * g * g, end = omega_0 / g;
   for (const char* integrator : {"one_step", "ida"}) {
-    test::Run run(axle.model, integrator, precise(1e-10));
+    test::Run run(axle.model, integrator, test::precise(1e-10));
     for (const double at : {0.3 * t, t, 20.0 * t}) {
       run.to(at, 4);
       const double speed = end * (1.0 - std::exp(-g * tau_0 * at / (inertia * end)));

@@ -14,14 +14,8 @@
 namespace footfall {
 namespace {
 
-constexpr double kTolerance = 1e-8;  // rtol of the runs is 1e-11, over some hundred steps
-constexpr double kG = 9.81;          // [m/s2]
-
-IntegratorOptions precise() {
-  IntegratorOptions options = test::tight(1e-11);
-  options.order = 5;
-  return options;
-}
+constexpr double kRollingTolerance = 1e-8;  // rtol of the runs is 1e-11, over some hundred steps
+constexpr double kG = 9.81;                 // [m/s2]
 
 // Multipliers of the three rows of joint 0 turned into the force on the wheel, in the axes of the plane.
 Eigen::Vector3d force_on_wheel(test::Run& run, int joint = 0) {
@@ -48,17 +42,17 @@ TEST_P(Rolls, DownASlope) {
     if (disc) axes << 1, 0, 0, 0, 0, 1, 0, -1, 0;  // columns x, -z, y
     model.add_joint(
         rolling_joint("rolling", ground_marker(Eigen::Vector3d::Zero()), model.marker_at(0, state.r, axes), R, disc));
-    test::Run run(model, GetParam(), precise());
+    test::Run run(model, GetParam(), test::precise(1e-11));
     run.to(t, 3);
     const double acc = kG * std::sin(a) / (1.0 + share);
-    EXPECT_NEAR(run.body(0).dr.x(), acc * t, kTolerance * acc * t) << disc;
-    EXPECT_NEAR(run.body(0).r.x(), 0.5 * acc * t * t, kTolerance * acc * t * t) << disc;
-    EXPECT_NEAR(run.body(0).w.y(), acc * t / R, kTolerance * acc * t / R) << disc;
+    EXPECT_NEAR(run.body(0).dr.x(), acc * t, kRollingTolerance * acc * t) << disc;
+    EXPECT_NEAR(run.body(0).r.x(), 0.5 * acc * t * t, kRollingTolerance * acc * t * t) << disc;
+    EXPECT_NEAR(run.body(0).w.y(), acc * t / R, kRollingTolerance * acc * t / R) << disc;
     const Eigen::Vector3d force = force_on_wheel(run);
-    EXPECT_NEAR(force.x(), -share * m * acc, kTolerance * m * kG) << disc;
-    EXPECT_NEAR(force.y(), 0.0, kTolerance * m * kG) << disc;
-    EXPECT_NEAR(force.z(), m * kG * std::cos(a), kTolerance * m * kG) << disc;
-    EXPECT_NEAR(run.imbalance(), 0.0, kTolerance * m * kG) << disc;
+    EXPECT_NEAR(force.x(), -share * m * acc, kRollingTolerance * m * kG) << disc;
+    EXPECT_NEAR(force.y(), 0.0, kRollingTolerance * m * kG) << disc;
+    EXPECT_NEAR(force.z(), m * kG * std::cos(a), kRollingTolerance * m * kG) << disc;
+    EXPECT_NEAR(run.imbalance(), 0.0, kRollingTolerance * m * kG) << disc;
   }
 }
 
@@ -80,7 +74,7 @@ TEST_P(Rolls, CoinInACircle) {
   model.add_body(Body("coin", m, Eigen::Vector3d(A, A, C).asDiagonal()), state);
   model.add_joint(rolling_joint("rolling", ground_marker(Eigen::Vector3d::Zero()),
                                 body_marker(0, model.body(0), Eigen::Vector3d::Zero()), R, true));
-  test::Run run(model, GetParam(), precise());
+  test::Run run(model, GetParam(), test::precise(1e-11));
   EXPECT_TRUE(run.assembly.notes.empty());  // these speeds fit
   const double radius = R * sigma / Omega;  // c'' = R sigma Omega k: the centre of the circle lies along k
   const Eigen::Vector3d centre = state.r + radius * Eigen::Vector3d::UnitX();
@@ -92,7 +86,7 @@ TEST_P(Rolls, CoinInACircle) {
     EXPECT_LT((coin.A.col(2) - (s * k + c * n)).norm(), 1e-6) << run.state.time;
     EXPECT_LT((coin.r - (centre - radius * k)).norm(), 1e-6) << run.state.time;
     EXPECT_LT((force_on_wheel(run) - m * (kG * n + R * sigma * Omega * k)).norm(), 1e-5) << run.state.time;
-    EXPECT_NEAR(run.imbalance(), 0.0, kTolerance * m * kG);
+    EXPECT_NEAR(run.imbalance(), 0.0, kRollingTolerance * m * kG);
   }
 }
 
@@ -117,7 +111,7 @@ TEST_P(Rolls, BallOnATurntable) {
   const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   model.add_joint(rolling_joint("rolling", model.marker_at(0, origin), model.marker_at(1, ball.r), R, false));
   model.add_joint(prescribed_joint("motor", ground_marker(origin), model.marker_at(0, origin), turning));
-  test::Run run(model, GetParam(), precise());
+  test::Run run(model, GetParam(), test::precise(1e-11));
   EXPECT_TRUE(run.assembly.notes.empty());
   run.to(t, 8);
   const double orbit = 2.0 / 7.0 * Omega;
@@ -130,7 +124,7 @@ TEST_P(Rolls, BallOnATurntable) {
   // IDA's multipliers stand under no error test: where rows turn among each other, as on this table, they grow off, and with
   // them the work of its motor, by joules. The motion does not feel it. Open; theory 2.3.
   if (GetParam() == "one_step") {
-    EXPECT_NEAR(run.imbalance(), 0.0, kTolerance * m * kG);
+    EXPECT_NEAR(run.imbalance(), 0.0, kRollingTolerance * m * kG);
   }
 }
 

@@ -9,7 +9,7 @@
 namespace footfall {
 namespace {
 
-constexpr double kRoundOff = 1e-12;
+constexpr double kSurfaceRoundOff = 1e-12;
 
 // The unit cube about the origin.
 SurfaceModel cube() {
@@ -37,14 +37,14 @@ SurfaceModel line(double radius) {
 
 TEST(SurfaceModel, DistanceOfTwoCubesIsThatOfFaceEdgeAndCorner) {
   const SurfaceModel a = cube(), b = cube();
-  EXPECT_NEAR(gap_between(a, b, {Eigen::Matrix3d::Identity(), {1.3, 0.2, 0.1}}).distance, 0.3, kRoundOff);
-  EXPECT_NEAR(gap_between(a, b, {Eigen::Matrix3d::Identity(), {1.3, 1.4, 0.1}}).distance, 0.5, kRoundOff);
-  EXPECT_NEAR(gap_between(a, b, {Eigen::Matrix3d::Identity(), {1.2, 1.2, 1.1}}).distance, 0.3, kRoundOff);
+  EXPECT_NEAR(gap_between(a, b, {Eigen::Matrix3d::Identity(), {1.3, 0.2, 0.1}}).distance, 0.3, kSurfaceRoundOff);
+  EXPECT_NEAR(gap_between(a, b, {Eigen::Matrix3d::Identity(), {1.3, 1.4, 0.1}}).distance, 0.5, kSurfaceRoundOff);
+  EXPECT_NEAR(gap_between(a, b, {Eigen::Matrix3d::Identity(), {1.2, 1.2, 1.1}}).distance, 0.3, kSurfaceRoundOff);
   const double half = 0.5 * std::sqrt(2.0);  // turned about z by 45 degrees its edge comes first
   const FramePose turned{rotation_matrix(quaternion_about(Eigen::Vector3d::UnitZ(), std::atan(1.0))), {2.0, 0.0, 0.3}};
   const SurfaceGap gap = gap_between(a, b, turned);
-  EXPECT_NEAR(gap.distance, 1.5 - half, kRoundOff);
-  EXPECT_NEAR(gap.place.x(), 0.5 * (0.5 + 2.0 - half), kRoundOff);
+  EXPECT_NEAR(gap.distance, 1.5 - half, kSurfaceRoundOff);
+  EXPECT_NEAR(gap.place.x(), 0.5 * (0.5 + 2.0 - half), kSurfaceRoundOff);
 }
 
 TEST(SurfaceModel, SurfacesThatCrossHaveNoDistanceAndAPlaceInBoth) {
@@ -55,7 +55,7 @@ TEST(SurfaceModel, SurfacesThatCrossHaveNoDistanceAndAPlaceInBoth) {
   // One within the other does not cross it.
   Eigen::Matrix3Xd small(3, 3);
   small << 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0;
-  EXPECT_NEAR(gap_between(a, SurfaceModel(small, {{0, 1, 2}}), {}).distance, 0.4, kRoundOff);
+  EXPECT_NEAR(gap_between(a, SurfaceModel(small, {{0, 1, 2}}), {}).distance, 0.4, kSurfaceRoundOff);
 }
 
 TEST(SurfaceModel, ABeamIsAsThickAsItIs) {

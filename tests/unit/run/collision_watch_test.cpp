@@ -147,11 +147,11 @@ TEST(BodyContact, ABallInAFunnelOfFourPlanesComesToRestInItsMiddle) {
 
 // ---- walls of a script ----
 
-constexpr double kDt = 1e-4;
+constexpr double kSubstep = 1e-4;
 
 Start with_floor() {
   Start start;
-  start.dt = kDt;
+  start.dt = kSubstep;
   start.n = 10;
   start.bodies = {"ball"};
   StaticWall floor;

@@ -13,7 +13,7 @@ namespace {
 using Names = std::set<std::string>;
 
 // Keys of an entry of [[family]] as the reader knows them, without those in other units.
-Names keys_of_entries(const std::string& family) {
+Names keys_of_schema(const std::string& family) {
   const Json schema = Json::parse(scene_schema());
   const Json& place = schema["properties"][family];
   const Json& entry = place.contains("items") ? place["items"] : place["additionalProperties"];
@@ -33,7 +33,7 @@ Names keys_of_kinds(const std::string& family) {
 }
 
 TEST(KindSchema, EveryKeyOfAJointBelongsToAKindOrToAll) {
-  Names expected = keys_of_entries("joints");
+  Names expected = keys_of_schema("joints");
   for (const char* of_all : {"name", "type", "bodies", "point", "point_a", "point_b"})
     EXPECT_EQ(expected.erase(of_all), 1U);
   EXPECT_EQ(keys_of_kinds("joints"), expected);
@@ -42,7 +42,7 @@ TEST(KindSchema, EveryKeyOfAJointBelongsToAKindOrToAll) {
 TEST(KindSchema, NamesOnlyKeysThatTheReaderKnows) {
   const Json schema = kind_schema();
   for (const auto& [family, kinds] : schema.items()) {
-    const Names known = keys_of_entries(family);
+    const Names known = keys_of_schema(family);
     EXPECT_GT(kinds.size(), 2U) << family;
     for (const std::string& key : keys_of_kinds(family)) EXPECT_EQ(known.count(key), 1U) << family << ": " << key;
   }
