@@ -15,6 +15,7 @@ Json keys_of_joint(const JointTraits& traits) {
   add("axis", traits.axis);
   add("axis2", traits.axis2);
   add("length", traits.length);
+  add("radius", traits.radius);
   add("motion", traits.motion);
   add("angle", traits.turns ? KeyUse::kOptional : KeyUse::kUnused);
   add("displacement", traits.slides ? KeyUse::kOptional : KeyUse::kUnused);

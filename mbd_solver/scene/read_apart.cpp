@@ -17,10 +17,11 @@ namespace footfall {
 
 namespace {
 
-constexpr rlim_t kSeconds = 60;              // of processor time
-constexpr rlim_t kMemory = rlim_t{1} << 30;  // [bytes], and
-constexpr rlim_t kMemoryPerByte = 200;       // of the file
-constexpr char kGood = '+', kWrong = '-';    // first character of an answer
+constexpr rlim_t kSeconds = 5;                    // of processor time: so many, and one for each
+constexpr std::size_t kBytesPerSecond = 1000000;  // of the file (a slow machine reads ten times as many)
+constexpr rlim_t kMemory = rlim_t{1} << 30;       // [bytes], and
+constexpr rlim_t kMemoryPerByte = 200;            // of the file
+constexpr char kGood = '+', kWrong = '-';         // first character of an answer
 constexpr int kCrashes[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
 
 // Address space that we have already [bytes].
@@ -30,6 +31,8 @@ rlim_t memory_now() {
   file >> pages;
   return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
+
+rlim_t seconds_for(std::size_t bytes) { return kSeconds + static_cast<rlim_t>(bytes / kBytesPerSecond); }
 
 void limit(int resource, rlim_t most) {
   const rlimit both{most, most};
@@ -49,7 +52,7 @@ void send(int pipe, const std::string& text) {
                          const std::function<std::string()>& read) {
   for (const int crash : kCrashes) signal(crash, SIG_DFL);  // no report of ours or MPI's
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, kSeconds);
+  limit(RLIMIT_CPU, seconds_for(bytes));
 #if !defined(__SANITIZE_ADDRESS__) && !defined(FOOTFALL_SANITIZED)  // sanitizers reserve terabytes
   limit(RLIMIT_AS, memory_now() + kMemory + kMemoryPerByte * static_cast<rlim_t>(bytes));
 #endif
@@ -98,7 +101,7 @@ std::string read_apart(const std::string& file, std::size_t bytes, const std::fu
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
-    throw InputError(file + ": was not read within " + std::to_string(kSeconds) + " s; is it damaged?");
+    throw InputError(file + ": was not read within " + std::to_string(seconds_for(bytes)) + " s; is it damaged?");
   if (WIFSIGNALED(status))
     throw InputError(file + ": its reader crashed (" + strsignal(WTERMSIG(status)) + "); the file is damaged");
   if (text.empty()) throw InputError(file + ": its reader ended without a word; the file is damaged");

@@ -41,7 +41,7 @@ audit examples/04_arm --until 0.05
 audit examples/05_auger --until 0.06
 audit examples/06_gripper --until 0.3
 audit examples/07_rover --until 0.0532          # ends within a window
-audit examples/08_lander --until 0.2503
+audit examples/08_touchdown --until 0.2503
 
 # Every scene with grains is there; the reference scene names every key and is run by its own test.
 while IFS= read -r file; do

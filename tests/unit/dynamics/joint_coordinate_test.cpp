@@ -114,15 +114,15 @@ TEST_P(Both, MotorWithRotorAndLimitsSpinsUp) {
   p.gear_ratio = g;
   axle.add(std::make_unique<Motor>(p));
   axle.add_rotor(J * g * g);
-  const double inertia = kInertia + J * g * g, end = omega_0 / g;
+  const double inertia = kWheelInertia + J * g * g, end = omega_0 / g;
   for (const char* integrator : {"one_step", "ida"}) {
     test::Run run(axle.model, integrator, test::precise(1e-10));
     for (const double at : {0.3 * t, t, 20.0 * t}) {
       run.to(at, 4);
       const double speed = end * (1.0 - std::exp(-g * tau_0 * at / (inertia * end)));
-      EXPECT_NEAR(rate(run, GetParam()), speed, kTolerance * end) << integrator;
-      EXPECT_NEAR(sample(run, axle.model).force, g * tau_0 * (1.0 - speed / end), kTolerance) << integrator;
-      EXPECT_NEAR(run.state.supplied[Supply::kDrive], 0.5 * inertia * speed * speed, kTolerance * end * end)
+      EXPECT_NEAR(rate(run, GetParam()), speed, kCoordinateTolerance * end) << integrator;
+      EXPECT_NEAR(sample(run, axle.model).force, g * tau_0 * (1.0 - speed / end), kCoordinateTolerance) << integrator;
+      EXPECT_NEAR(run.state.supplied[Supply::kDrive], 0.5 * inertia * speed * speed, kCoordinateTolerance * end * end)
           << integrator;
     }
   }
