@@ -35,10 +35,10 @@ cat > settling/in.plate <<SCRIPT
 variable here index .
 variable out index .
 include $here/../bad_input/box.lammps
-thermo 2000
-run 400000
+thermo 50000
+run 12000000
 include $here/../bad_input/couple.lammps
 run 1000000
 SCRIPT
 "$footfall" run "$here/../bad_input/plate_on_grains.scene" --set particles.script="\"$out/settling/in.plate\"" --until 0.01 --out settling/run > settling/said 2>&1
-grep -qE '^before the coupling: step [0-9]+ of 400000' settling/said || { cat settling/said; die "a settling script says nothing"; }
+grep -qE '^before the coupling: step [0-9]+ of 12000000' settling/said || { cat settling/said; die "a settling script says nothing"; }
