@@ -3,6 +3,7 @@
 # the user's cache, results into the working folder. The C++ example and a program of the solver are built against it.
 set -euo pipefail
 build=$1 source=$2
+export CMAKE_GENERATOR=Ninja  # make may be missing
 work=$(mktemp -d)
 trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
 die() { echo "install.sh: $*"; exit 1; }
