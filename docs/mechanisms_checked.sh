@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Remakes docs/mechanisms_checked.md: mechanisms with known answers, and 200 random ones, over tolerances. Some minutes.
+# Remakes docs/mechanisms_checked.md: mechanisms with known answers, and 300 random ones, over tolerances. Some minutes.
 #   docs/mechanisms_checked.sh [BUILD]     BUILD: build folder (default build)
 set -euo pipefail
 cd "$(dirname "$0")/.."
