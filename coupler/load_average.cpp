@@ -19,24 +19,20 @@ void apply(const MeanLoad& mean, const BodyMotion& motion, GeneralizedForce& out
   out.Q_a = mean.Q_a;
 }
 
-LoadAverage::LoadAverage(const Scheme& scheme, int modes)
-    : weights_(scheme.weights()),
-      F_W_(Eigen::Vector3d::Zero()),
-      T_B_(Eigen::Vector3d::Zero()),
-      Q_a_(Eigen::VectorXd::Zero(modes)),
-      sum_(modes) {}
+LoadAverage::LoadAverage(const Scheme& scheme, int modes) : weights_(scheme.weights()), standing_(modes), sum_(modes) {}
 
 void LoadAverage::set_standing(const GeneralizedForce& Q, const BodyMotion& pose) {
-  F_W_ = Q.F_W;
-  T_B_ = pose.rotation().transpose() * Q.T_W;
-  Q_a_ = Q.Q_a;
+  standing_.F_W = Q.F_W;
+  standing_.T_B = pose.rotation().transpose() * Q.T_W;
+  standing_.Q_a = Q.Q_a;
 }
 
 void LoadAverage::begin_window(const BoundaryStep& jump, const BodyMotion& pose) {
   sum_.set_zero();
   time_ = 0.0;
   // The jump is made under the force that stands before it.
-  sum_.jump_work = F_W_.dot(jump.r) + T_B_.dot(pose.rotation().transpose() * jump.theta_W) + Q_a_.dot(jump.a);
+  sum_.jump_work = standing_.F_W.dot(jump.r) + standing_.T_B.dot(pose.rotation().transpose() * jump.theta_W) +
+                   standing_.Q_a.dot(jump.a);
   sum_.work = sum_.jump_work;
 }
 
@@ -46,19 +42,19 @@ void LoadAverage::add_step(const GeneralizedForce& Q, const BodyMotion& pose, co
   const Eigen::Vector3d T_B = R_BW * Q.T_W;
   // A rotation vector has the same components in B before and after the turn that it describes.
   const Eigen::Vector3d theta_B = R_BW * step.theta_W;
-  const Eigen::Vector3d F_mean = c0 * F_W_ + c1 * Q.F_W;
-  const Eigen::Vector3d T_mean = c0 * T_B_ + c1 * T_B;
+  const Eigen::Vector3d F_mean = c0 * standing_.F_W + c1 * Q.F_W;
+  const Eigen::Vector3d T_mean = c0 * standing_.T_B + c1 * T_B;
   sum_.F_W += dt * F_mean;
   sum_.T_B += dt * T_mean;
   sum_.work += F_mean.dot(step.r) + T_mean.dot(theta_B);
-  sum_.impulse_W += 0.5 * dt * (F_W_ + Q.F_W);
-  if (Q_a_.size() > 0) {
-    sum_.Q_a += dt * (c0 * Q_a_ + c1 * Q.Q_a);
-    sum_.work += c0 * Q_a_.dot(step.a) + c1 * Q.Q_a.dot(step.a);
-    Q_a_ = Q.Q_a;
+  sum_.impulse_W += 0.5 * dt * (standing_.F_W + Q.F_W);
+  if (standing_.Q_a.size() > 0) {
+    sum_.Q_a += dt * (c0 * standing_.Q_a + c1 * Q.Q_a);
+    sum_.work += c0 * standing_.Q_a.dot(step.a) + c1 * Q.Q_a.dot(step.a);
+    standing_.Q_a = Q.Q_a;
   }
-  F_W_ = Q.F_W;
-  T_B_ = T_B;
+  standing_.F_W = Q.F_W;
+  standing_.T_B = T_B;
   time_ += dt;
 }
 

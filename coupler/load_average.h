@@ -23,6 +23,15 @@ struct MeanLoad {
   Eigen::Vector3d impulse_W = Eigen::Vector3d::Zero();  // what Verlet really gave: half weights in every scheme [N s]
 };
 
+// The force at the end of a substep: the next one opens with it. F_W, T_B, Q_a as above.
+struct StandingForce {
+  explicit StandingForce(int modes = 0) : Q_a(Eigen::VectorXd::Zero(modes)) {}
+
+  Eigen::Vector3d F_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d T_B = Eigen::Vector3d::Zero();
+  Eigen::VectorXd Q_a;
+};
+
 // The load at t as the bodies feel it under a mean load: F_W, T_W = R_WB T_B, Q_a.
 void apply(const MeanLoad& mean, const BodyMotion& motion, GeneralizedForce& out);
 
@@ -36,6 +45,8 @@ class LoadAverage {
   // The force standing before the first substep (the set-up of a run evaluates it); replaces what the last
   // substep left.
   void set_standing(const GeneralizedForce& Q, const BodyMotion& pose);
+  void set_standing(const StandingForce& force) { standing_ = force; }
+  const StandingForce& standing() const { return standing_; }
   // A window begins: `jump` and `pose` are the path's after its begin_window. The force standing stays.
   void begin_window(const BoundaryStep& jump, const BodyMotion& pose);
   // After a substep of dt [s] that moved the boundary by `step` to `pose`, where the forces are now Q.
@@ -45,8 +56,7 @@ class LoadAverage {
 
  private:
   StepWeights weights_;
-  Eigen::Vector3d F_W_, T_B_;  // standing force: what the next substep opens with
-  Eigen::VectorXd Q_a_;
+  StandingForce standing_;
   MeanLoad sum_;       // time integrals, then means
   double time_ = 0.0;  // since begin_window [s]
 };

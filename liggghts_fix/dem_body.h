@@ -50,6 +50,9 @@ class DemBody {
   void add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope);
   // The forces just evaluated stand before the next substep (a run was set up).
   void take_standing();
+  // They go on from a set-up as they were before it.
+  void set_standing(const StandingForce& force) { average_.set_standing(force); }
+  const StandingForce& standing() const { return average_.standing(); }  // of this rank
   void end_substep(double dt);
   // Of the contacts on this rank since clear_contacts.
   const GeneralizedForce& contact_force() const { return now_; }
@@ -66,7 +69,7 @@ class DemBody {
   const BodyLoad& load() const { return load_; }
   // Mean moment about Bo in W at the end of the window [N m].
   Eigen::Vector3d mean_moment_W() const { return pose().rotation() * load_.mean.T_B; }
-  // Between two windows. The force that stands is evaluated anew when a run is set up.
+  // Between two windows, but the force that stands: each rank has its part of it (DemLink::standing).
   void visit(Archive& archive);
   // Work that the mean load of the last window does between two computed states [J].
   double work_between(const BodyMotion& from, const BodyMotion& to) const;

@@ -86,6 +86,7 @@ void DemLink::kept(std::int64_t step, bool done) {
 // Between two windows.
 void DemLink::visit(Archive& archive) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) archive(names_[i].c_str(), *bodies_[i]);
+  archive("standing", kept_standing_);
   archive("at_last_start", at_last_start_);
   archive("windows", windows_);
   archive("lost", load_.lost);
@@ -182,6 +183,33 @@ void DemLink::start(Start script) {
 void DemLink::expect_set_up() {
   for (const auto& body : bodies_) body->clear_contacts();
   forces_are_new_ = true;
+}
+
+std::vector<double> DemLink::standing() const {
+  std::vector<double> row;
+  for (const auto& body : bodies_) {
+    const StandingForce& force = body->standing();
+    row.insert(row.end(), force.F_W.data(), force.F_W.data() + 3);
+    row.insert(row.end(), force.T_B.data(), force.T_B.data() + 3);
+    row.insert(row.end(), force.Q_a.data(), force.Q_a.data() + force.Q_a.size());
+  }
+  return row;
+}
+
+void DemLink::stand_as_kept(bool on_this_rank) {
+  const double* next = kept_standing_.data();
+  for (const auto& body : bodies_) {
+    StandingForce force(body->boundary().mode_count());
+    if (on_this_rank) {
+      force.F_W = Eigen::Map<const Eigen::Vector3d>(next);
+      force.T_B = Eigen::Map<const Eigen::Vector3d>(next + 3);
+      force.Q_a = Eigen::Map<const Eigen::VectorXd>(next + 6, force.Q_a.size());
+    }
+    next += 6 + force.Q_a.size();
+    body->set_standing(force);
+  }
+  FOOTFALL_DEMAND(next == kept_standing_.data() + kept_standing_.size());
+  forces_are_new_ = false;
 }
 
 void DemLink::begin_substep(std::int64_t step) {

@@ -45,6 +45,11 @@ class DemLink {
 
   // A run is set up: LIGGGHTS evaluates all forces anew, and they stand before the next substep. After start().
   void expect_set_up();
+  // Not so behind a checkpoint, where the forces of the last step stand on. standing: of this rank, all bodies in a row
+  // of numbers; the sum of all ranks is kept, and then stands on one of them.
+  std::vector<double> standing() const;
+  void keep_standing(std::vector<double> of_all_ranks) { kept_standing_ = std::move(of_all_ranks); }
+  void stand_as_kept(bool on_this_rank);
   // Before the grains' substep `step`: opens a window if none is open (receives Motion), advances every boundary, and
   // forgets the contacts of the last step. Every fix that needs the new poses calls it; the first one of a step acts.
   void begin_substep(std::int64_t step);
@@ -143,8 +148,9 @@ class DemLink {
   bool finished_ = false;
   bool asked_to_end_ = false;
   bool forces_are_new_ = false;  // the set-up of a run has evaluated them
-  std::int64_t step_ = -1;       // the last one begun
-  int substeps_left_ = 0;        // of the open window; 0: none is open
+  std::vector<double> kept_standing_;
+  std::int64_t step_ = -1;  // the last one begun
+  int substeps_left_ = 0;   // of the open window; 0: none is open
   std::int64_t windows_ = 0;
   double window_work_ = 0.0;    // of the last complete window [J]
   double work_given_ = 0.0;     // [J]

@@ -67,6 +67,7 @@ int FixCoupleMbd::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::FIN
 
 void FixCoupleMbd::post_create() {
   for (const auto& mesh : meshes_) mesh->attach();
+  if (link_.resumed()) expect_held_forces(lmp);
 }
 
 void FixCoupleMbd::pre_delete(bool unfixed) {
@@ -104,6 +105,7 @@ void FixCoupleMbd::init() {
   } else {
     for (const std::string& wall : gone_walls(*modify, link_.script_walls())) link_.wall_is_gone(wall);
   }
+  const bool first_run = !link_.started();
   link_.start(std::move(script));
   footfall::work_is_under_way();
   rows_of_output_.clear();
@@ -116,6 +118,7 @@ void FixCoupleMbd::init() {
   size_array_rows = link_.body_count();
   for (const auto& mesh : meshes_) mesh->begin_run(style, torque_before_, arguments_);
   link_.expect_set_up();
+  if (first_run && link_.resumed()) link_.stand_as_kept(comm->me == 0);
 }
 
 void FixCoupleMbd::initial_integrate(int) {
@@ -136,11 +139,24 @@ void FixCoupleMbd::final_integrate() {
   if (!link_.end_substep()) return;
   walls_.look(*modify, link_, link_.time());
   link_.write_shares(atom->nlocal, footfall::interrupted() != 0, row_);
-  rows_.resize(row_.size() * static_cast<std::size_t>(comm->nprocs));
-  const int count = static_cast<int>(row_.size());
-  footfall::check_mpi(MPI_Allgather(row_.data(), count, MPI_DOUBLE, rows_.data(), count, MPI_DOUBLE, world),
-                      "MPI_Allgather");
+  gather(row_);
   link_.finish_window(rows_, comm->nprocs);
+}
+
+// In the order of the ranks: the same bits on all.
+std::vector<double> FixCoupleMbd::sum_over_ranks(const std::vector<double>& row) {
+  gather(row);
+  std::vector<double> sum(row.size(), 0.0);
+  for (std::size_t i = 0; i < rows_.size(); ++i) sum[i % row.size()] += rows_[i];
+  return sum;
+}
+
+// rows_: one behind the other.
+void FixCoupleMbd::gather(const std::vector<double>& row) {
+  rows_.resize(row.size() * static_cast<std::size_t>(comm->nprocs));
+  const int count = static_cast<int>(row.size());
+  footfall::check_mpi(MPI_Allgather(row.data(), count, MPI_DOUBLE, rows_.data(), count, MPI_DOUBLE, world),
+                      "MPI_Allgather");
 }
 
 void FixCoupleMbd::end_of_step() {
@@ -150,15 +166,18 @@ void FixCoupleMbd::end_of_step() {
 void FixCoupleMbd::keep(const std::string& folder) {
   const bool quietly = link_.keeps_quietly();
   const std::string file = folder + "/grains.restart";
+  link_.keep_standing(sum_over_ranks(link_.standing()));
   const bool done = !quietly || keep_grains_quietly(lmp, file);
   if (!quietly) keep_grains(lmp, file);
   if (done) keep_text(lmp, footfall::DemLink::memory_file(folder), link_.memory(update->ntimestep));
   link_.kept(update->ntimestep, done);
-  if (!quietly) go_on_as_after_restart();
+  if (quietly) return;
+  go_on_as_after_restart();
+  link_.stand_as_kept(comm->me == 0);
 }
 
-// A restart file brings the grains into another order and all forces are evaluated anew when it is read: here the same is
-// done, as by `write_restart` between two `run`, so that this run and the resumed one go on alike.
+// A restart file brings the grains into another order and lists and contacts are made anew when it is read: here the same
+// is done, as by `write_restart` between two `run`, so that this run and the resumed one go on alike.
 void FixCoupleMbd::go_on_as_after_restart() {
   for (int i = 0; i < modify->nfix; ++i)
     if (auto* mesh = dynamic_cast<FixMeshSurface*>(modify->fix[i])) order_as_after_restart(mesh->triMesh());

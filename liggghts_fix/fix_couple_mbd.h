@@ -50,6 +50,8 @@ class FixCoupleMbd : public Fix {
   double compute_array(int i, int j) override;
 
  private:
+  void gather(const std::vector<double>& row);
+  std::vector<double> sum_over_ranks(const std::vector<double>& row);
   void keep(const std::string& folder);
   void go_on_as_after_restart();
   void order_as_after_restart(TriMesh* mesh) const;

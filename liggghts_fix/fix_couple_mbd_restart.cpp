@@ -4,6 +4,8 @@
 #include <mpi.h>
 
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "atom.h"
 #include "comm.h"
@@ -56,6 +58,32 @@ void watched(LAMMPS* lmp, const std::string& file, const Write& write) {
     throw footfall::FileError(file + ": cannot be written whole: the disk is full, or its limit is reached");
 }
 
+// A fix property/atom of LIGGGHTS: force [N], moment [N m], and 1 while they wait to be returned.
+constexpr char kHeldForces[] = "footfall_forces";
+enum HeldColumn { kForce = 0, kMoment = 3, kWaits = 6, kHeldColumns };
+
+Fix* held_forces(const LAMMPS* lmp) {
+  const int place = lmp->modify->find_fix(kHeldForces);
+  return place < 0 ? nullptr : lmp->modify->fix[place];
+}
+
+// They go with the grains through files, other orders and other ranks.
+void hold_forces(LAMMPS* lmp) {
+  if (held_forces(lmp) == nullptr) {
+    expect_held_forces(lmp);
+    held_forces(lmp)->just_created = false;  // else LIGGGHTS sets defaults when it inits
+  }
+  const Atom& atom = *lmp->atom;
+  double* const* const held = held_forces(lmp)->array_atom;
+  for (int i = 0; i < atom.nlocal; ++i) {
+    for (int c = 0; c < 3; ++c) {
+      held[i][kForce + c] = atom.f[i][c];
+      held[i][kMoment + c] = atom.torque[i][c];
+    }
+    held[i][kWaits] = 1.0;
+  }
+}
+
 bool all_grains_in_box(LAMMPS* lmp) {
   const Domain& box = *lmp->domain;
   const Atom& atom = *lmp->atom;
@@ -68,6 +96,7 @@ bool all_grains_in_box(LAMMPS* lmp) {
 }  // namespace
 
 void keep_grains(LAMMPS* lmp, std::string file) {
+  hold_forces(lmp);
   watched(lmp, file, [&] {
     char* words[] = {file.data()};
     WriteRestart(lmp).command(1, words);
@@ -83,8 +112,34 @@ bool keep_grains_quietly(LAMMPS* lmp, std::string file) {
     if (dynamic_cast<FixContactHistoryMesh*>(fix) != nullptr) continue;
     if (auto* history = dynamic_cast<FixContactHistory*>(fix)) history->pre_exchange();
   }
+  const bool held_before = held_forces(lmp) != nullptr;
+  hold_forces(lmp);
   watched(lmp, file, [&] { WriteRestart(lmp).write(file.data()); });
+  if (!held_before) lmp->modify->delete_fix(kHeldForces);
   return true;
+}
+
+void expect_held_forces(LAMMPS* lmp) {
+  std::vector<std::string> words = {kHeldForces, "all", "property/atom", kHeldForces, "vector", "yes", "no", "no"};
+  words.insert(words.end(), kHeldColumns, "0.");
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  lmp->modify->add_fix(static_cast<int>(pointers.size()), pointers.data());
+}
+
+void return_held_forces(LAMMPS* lmp) {
+  const Fix* const fix = held_forces(lmp);
+  if (fix == nullptr) return;
+  const Atom& atom = *lmp->atom;
+  for (int i = 0; i < atom.nlocal; ++i) {
+    double* const held = fix->array_atom[i];
+    if (held[kWaits] != 1.0) continue;
+    for (int c = 0; c < 3; ++c) {
+      atom.f[i][c] = held[kForce + c];
+      atom.torque[i][c] = held[kMoment + c];
+    }
+    held[kWaits] = 0.0;
+  }
 }
 
 void keep_text(LAMMPS* lmp, const std::string& file, const std::string& text) {

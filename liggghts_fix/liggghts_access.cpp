@@ -20,6 +20,7 @@
 #include "fix_wall_gran.h"
 #include "lammps.h"
 #include "liggghts_fix/dem_link.h"
+#include "liggghts_fix/fix_couple_mbd_restart.h"
 #include "modify.h"
 #include "tri_mesh.h"
 #include "update.h"
@@ -320,17 +321,18 @@ void LAMMPS_NS::Modify::setup(int vflag) {
   footfall::ForceWatch* const watch = footfall::watch_of(footfall::OpenModify::owner(this));
   if (watch == nullptr || update->whichflag != kRun) {
     setup(this, vflag);
-    return;
+  } else {
+    watch->pairs_done(true);
+    update->whichflag = kNothing;
+    setup(this, vflag);
+    update->whichflag = kRun;
+    for (int i = 0; i < nfix; ++i) {
+      fix[i]->setup(vflag);
+      watch->fix_done(*fix[i]);
+    }
+    watch->forces_done(true);
   }
-  watch->pairs_done(true);
-  update->whichflag = kNothing;
-  setup(this, vflag);
-  update->whichflag = kRun;
-  for (int i = 0; i < nfix; ++i) {
-    fix[i]->setup(vflag);
-    watch->fix_done(*fix[i]);
-  }
-  watch->forces_done(true);
+  return_held_forces(lmp);
 }
 
 void LAMMPS_NS::Modify::end_of_step() {
