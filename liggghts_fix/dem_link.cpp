@@ -7,7 +7,6 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
-#include "coupler/base/whole_file.h"
 #include "coupler/finite_check.h"
 #include "coupler/message_fields.h"
 #include "coupler/programs.h"
@@ -21,13 +20,6 @@ std::string number(double value) { return number_text(value, 10); }
 
 std::string vector_text(const Eigen::Vector3d& v) {
   return "(" + number(v[0]) + ", " + number(v[1]) + ", " + number(v[2]) + ")";
-}
-
-Archive memory_in(const std::string& folder) {
-  const std::string file = DemLink::memory_file(folder);
-  const std::optional<std::string> text = read_whole_file(file);
-  if (!text) throw InputError(file + ": cannot be read, but the run goes on from there");
-  return Archive(file, *text);
 }
 
 }  // namespace
@@ -48,53 +40,7 @@ void DemLink::greet(const std::string& unit_style) {
   check_partner(link_->partner(), kProtocolVersion, geometry_.footfall_version);
   demand_finite(geometry_, link_->partner());
   greeted_ = true;
-  if (geometry_.resume.empty()) return;
-  // Where the boundaries stand now: what meshes are held against, and beams start from.
-  memory_ = memory_in(geometry_.resume);
-  for (CoupledBody& body : geometry_.bodies) (*memory_)(body.boundary.name().c_str(), body.initial);
-}
-
-std::string DemLink::wrong_grains() const {
-  return "couple/mbd: the run goes on from " + geometry_.resume +
-         ", but the script has not read its grains: " + "`read_restart` must read " + geometry_.resume +
-         "/grains.restart (scripts of footfall: -var bed FILE), without reset_timestep and without a `run` before the "
-         "coupled one";
-}
-
-std::string DemLink::memory(std::int64_t step) {
-  Archive archive;
-  for (CoupledBody& body : geometry_.bodies) {
-    const auto coupled = std::find(names_.begin(), names_.end(), body.boundary.name());
-    BodyMotion pose =
-        coupled == names_.end() ? body.initial : bodies_[static_cast<std::size_t>(coupled - names_.begin())]->pose();
-    archive(body.boundary.name().c_str(), pose);
-  }
-  archive("step", step);
-  visit(archive);
-  return archive.text();
-}
-
-void DemLink::kept(std::int64_t step, bool done) {
-  Kept kept;
-  kept.window = motion_.window;
-  kept.step = step;
-  kept.done = done;
-  motion_.checkpoint.clear();
-  link_->send(kept);
-}
-
-// Between two windows.
-void DemLink::visit(Archive& archive) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) archive(names_[i].c_str(), *bodies_[i]);
-  archive("standing", kept_standing_);
-  archive("at_last_start", at_last_start_);
-  archive("windows", windows_);
-  archive("lost", load_.lost);
-  archive("window_work", window_work_);
-  archive("work_given", work_given_);
-  archive("work_received", work_received_);
-  archive("work", work_);
-  archive("overlap", overlap_);
+  if (!geometry_.resume.empty()) read_memory();
 }
 
 void DemLink::set_patience(double seconds) {
@@ -172,44 +118,12 @@ void DemLink::start(Start script) {
   for (const std::string& name : names_)
     bodies_.push_back(std::make_unique<DemBody>(scene_body(name, kUnitStyle), *scheme_));
   load_.bodies.resize(names_.size());
-  if (!memory_) return;
-  std::int64_t kept_step = 0;
-  (*memory_)("step", kept_step);
-  if (kept_step != script_.step) throw InputError(wrong_grains());
-  visit(*memory_);
-  memory_->finish();
+  if (memory_) go_on_from_memory();
 }
 
 void DemLink::expect_set_up() {
   for (const auto& body : bodies_) body->clear_contacts();
   forces_are_new_ = true;
-}
-
-std::vector<double> DemLink::standing() const {
-  std::vector<double> row;
-  for (const auto& body : bodies_) {
-    const StandingForce& force = body->standing();
-    row.insert(row.end(), force.F_W.data(), force.F_W.data() + 3);
-    row.insert(row.end(), force.T_B.data(), force.T_B.data() + 3);
-    row.insert(row.end(), force.Q_a.data(), force.Q_a.data() + force.Q_a.size());
-  }
-  return row;
-}
-
-void DemLink::stand_as_kept(bool on_this_rank) {
-  const double* next = kept_standing_.data();
-  for (const auto& body : bodies_) {
-    StandingForce force(body->boundary().mode_count());
-    if (on_this_rank) {
-      force.F_W = Eigen::Map<const Eigen::Vector3d>(next);
-      force.T_B = Eigen::Map<const Eigen::Vector3d>(next + 3);
-      force.Q_a = Eigen::Map<const Eigen::VectorXd>(next + 6, force.Q_a.size());
-    }
-    next += 6 + force.Q_a.size();
-    body->set_standing(force);
-  }
-  FOOTFALL_DEMAND(next == kept_standing_.data() + kept_standing_.size());
-  forces_are_new_ = false;
 }
 
 void DemLink::begin_substep(std::int64_t step) {

@@ -117,6 +117,8 @@ class DemLink {
 
  private:
   void greet(const std::string& unit_style);
+  void read_memory();
+  void go_on_from_memory();
   void visit(Archive& archive);
   void begin_window();
   void tell_untouched(std::vector<std::string>& warnings) const;
