@@ -7,7 +7,7 @@
 //   settings               ["key=value", ...] for every run
 //   until                  instead of the scene's end time [s]
 //   time_limit             a run that takes longer hangs [s]; 0: none
-//   repeats                of every run; the shortest of the run times counts
+//   repeats                of every run, once with --short; the shortest of the run times counts
 //   minimise               a figure: ranks the cases within the limits
 //   [short]                what --short changes: until, and settings besides the others
 //
@@ -28,7 +28,7 @@
 //     reference              settings of a reference of its own, besides those of [reference]; {value} is replaced
 //     ends                   how the runs must end: a stability map (verdicts.h has the other keys)
 //   [reference]            settings, scene: the run that the others are compared with
-//   [growth]               omega_h, substeps: growth per window instead of all that (window_growth.h)
+//   [growth]               omega_h, short, substeps: growth per window instead of all that (window_growth.h)
 //
 // What is told.
 //
@@ -133,8 +133,8 @@ struct StatementSpec {
 };
 
 struct GrowthSpec {
-  std::vector<double> omega_h;  // [-]
-  int substeps = 20;            // per window
+  std::vector<double> omega_h, short_omega_h;  // [-]; short_omega_h empty: all
+  int substeps = 20;                           // per window
 };
 
 struct ExperimentSpec {

@@ -114,7 +114,10 @@ void say_end(const RunStore& store, std::size_t run) {
 }  // namespace
 
 int experiment_command(const ExperimentArguments& a) {
-  const ExperimentSpec whole = read_experiment(a.file), spec = a.of_case.empty() ? whole : with_curve(whole, a.of_case);
+  ExperimentSpec spec = read_experiment(a.file);
+  if (!a.of_case.empty()) spec = with_curve(spec, a.of_case);
+  if (a.short_form && spec.growth && !spec.growth->short_omega_h.empty())
+    spec.growth->omega_h = spec.growth->short_omega_h;
   const Plan plan = plan_of(spec, a.short_form);
   const OutputPlace place = [&] {
     const std::string name = fs::path(a.file).stem().string();

@@ -63,7 +63,7 @@ static void visit_fields(FieldVisitor& v, ShortSpec& s) {
 }
 
 static void visit_fields(FieldVisitor& v, GrowthSpec& g) {
-  fields(v, kPositive, {{"omega_h", &g.omega_h}, {"substeps", &g.substeps}});
+  fields(v, kPositive, {{"omega_h", &g.omega_h}, {"short", &g.short_omega_h}, {"substeps", &g.substeps}});
 }
 
 static void visit_fields(FieldVisitor& v, FigureSpec& f) {

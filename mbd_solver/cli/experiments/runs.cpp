@@ -157,7 +157,7 @@ class Planner {
       append(r.settings, combination.settings);
       r.until = until > 0.0 ? until : short_ && spec_.short_form.until > 0.0 ? spec_.short_form.until : spec_.until;
       r.time_limit = spec_.time_limit;
-      r.repeats = shape.is_reference ? 1 : spec_.repeats;
+      r.repeats = shape.is_reference || short_ ? 1 : spec_.repeats;
       r.may_be_refused = spec_.is_map();
       r.values = combination.values;
       plan_.runs.push_back(r);
