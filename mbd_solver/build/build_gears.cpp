@@ -1,5 +1,6 @@
 // Gears of the scene, between coordinates of its joints.
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/joints/gear.h"
 
@@ -13,6 +14,17 @@ void add_gears(const Scene& scene, Mechanism& mechanism) {
           {scene.joint_index(spec.joints[i]),
            scene.coordinate_of(spec, i) == CoordinateChoice::kAngle ? Coordinate::kAngle : Coordinate::kDisplacement,
            spec.factors[i]});
+    if (!spec.curve.empty()) {
+      std::vector<double> q, y;
+      for (const Eigen::Vector2d& point : spec.curve) {
+        q.push_back(point[0]);
+        y.push_back(point[1]);
+      }
+      if (spec.closed && members.back().coordinate == Coordinate::kAngle) q.back() = q.front() + 2.0 * kPi;  // exactly
+      members.back().curve =
+          std::make_shared<CubicSpline>("gears." + spec.name + ".curve", q, y,
+                                        spec.closed ? CubicSpline::Ends::kClosed : CubicSpline::Ends::kNatural);
+    }
     mechanism.gears.push_back({spec.name, add_gear(mechanism.model, spec.name, members), members[0].coordinate});
   }
 }

@@ -1,6 +1,8 @@
 // Gears: joints that exist and have the coordinate, a factor for each.
 #include <algorithm>
+#include <cmath>
 
+#include "coupler/base/pi.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/scene_check.h"
 
@@ -43,6 +45,31 @@ void check_member(const Scene& scene, const GearSpec& gear, std::size_t i, Findi
   }
 }
 
+// The last joint turns or pushes the cam.
+void check_cam(const Scene& scene, const GearSpec& gear, Findings& findings) {
+  const std::vector<Eigen::Vector2d>& curve = gear.curve;
+  if (curve.empty()) {
+    if (gear.source.given("closed"))
+      findings.error(gear.source, "closed", "says how a curve goes on; give `curve` too");
+    return;
+  }
+  if (gear.closed && curve.size() < 3) {
+    findings.error(gear.source, "curve", "is closed and has 2 points, expected at least 3");
+    return;
+  }
+  if (gear.closed && curve.front()[1] != curve.back()[1])
+    findings.error(gear.source, "curve",
+                   "is closed, but begins with the value " + number_text(curve.front()[1]) + " and ends with " +
+                       number_text(curve.back()[1]) + "; expected the same value at both ends");
+  if (gear.joints.empty() || !find_joint(scene, gear.source, "joints", gear.joints.back(), findings)) return;
+  if (scene.coordinate_of(gear, gear.joints.size() - 1) != CoordinateChoice::kAngle) return;
+  const double span = curve.back()[0] - curve.front()[0];
+  if (gear.closed ? std::abs(span - 2.0 * kPi) > 1e-3 : span > 2.0 * kPi + 1e-3)
+    findings.error(gear.source, "curve",
+                   "spans " + number_text(span) + " rad; expected " +
+                       (gear.closed ? "one turn of a closed curve, 2 pi" : "at most one turn, 2 pi, of an angle"));
+}
+
 }  // namespace
 
 void check_gears(const Scene& scene, Findings& findings) {
@@ -66,6 +93,7 @@ void check_gears(const Scene& scene, Findings& findings) {
       findings.error(gear.source, "coordinates",
                      "has " + std::to_string(gear.coordinates.size()) + " for " + std::to_string(gear.joints.size()) +
                          " joints; expected one for each");
+    check_cam(scene, gear, findings);
     for (const double factor : gear.factors)
       if (factor == 0.0)
         findings.error(gear.source, "factors", "has a 0; leave that joint out, or give it the radius or teeth it has");

@@ -70,6 +70,8 @@ void visit_fields(FieldVisitor& v, GearSpec& g) {
   v.field("joints", &g.joints, {Unit::kNone, Range::kAny, Meaning::kName, true});
   v.field("factors", &g.factors, {Unit::kNone, Range::kAny, Meaning::kPlain, true});
   v.field("coordinates", &g.coordinates, {});
+  v.field("curve", &g.curve, {});
+  v.field("closed", &g.closed, {});
 }
 
 void visit_fields(FieldVisitor& v, DriveSpec& d) {

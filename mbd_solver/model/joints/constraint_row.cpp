@@ -45,13 +45,27 @@ Coefficients coefficients(const ConstraintRow& row, double t) {
   return out;
 }
 
-// A rotor: phi'' = q''. A member of a gear: phi = scale q.
+// y(q) of a cam. An angle counts from the turn in which it is nearest to the middle of the curve.
+CubicSpline::Value lift(const ConstraintRow& row, double q) {
+  if (*row.coordinate == Coordinate::kAngle) q = nearest_turn(q, 0.5 * (row.curve->first() + row.curve->last()));
+  return row.curve->at(q);
+}
+
+// A rotor: phi'' = q''. A member of a gear: phi = scale q. A cam: phi = scale (y(q) - y(0)).
 RowValue evaluate_coordinate(const ConstraintRow& row, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v,
                              double near) {
   const JointCoordinate q(*row.coordinate, vectors.pair(), vectors.marker(0), vectors.marker(1));
   phi_v.setZero();
-  q.add_gradient(row.scale, phi_v);
   RowValue out;
+  if (row.curve) {
+    const CubicSpline::Value y = lift(row, q.value());
+    q.add_gradient(row.scale * y.slope, phi_v);
+    out.phi = row.scale * (y.value - lift(row, 0.0).value);
+    out.rate = row.scale * y.slope * q.rate();
+    out.acc = row.scale * (y.slope * q.acc() + y.curvature * q.rate() * q.rate());
+    return out;
+  }
+  q.add_gradient(row.scale, phi_v);
   out.acc = row.scale * q.acc();
   if (row.inertia > 0.0) {
     out.speed = q.rate();
@@ -67,6 +81,24 @@ void coordinate_derivatives(const ConstraintRow& row, MarkerVectors& vectors, do
                             Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K) {
   const JointCoordinate q(*row.coordinate, vectors.pair(), vectors.marker(0), vectors.marker(1));
   CoordinateScratch& scratch = *row.scratch;
+  if (row.curve) {
+    const CubicSpline::Value y = lift(row, q.value());
+    const double slope = row.scale * y.slope, curvature = row.scale * y.curvature, third = row.scale * y.third;
+    // phi' = y' q',  phi'' = y' q'' + y'' q'^2
+    q.add_rate_by_position(slope, scratch, rate_dx);
+    q.add_gradient(curvature * q.rate(), rate_dx);
+    q.add_acc_by_position(slope, scratch, acc_dx);
+    q.add_rate_by_position(2.0 * curvature * q.rate(), scratch, acc_dx);
+    q.add_gradient(curvature * q.acc() + third * q.rate() * q.rate(), acc_dx);
+    q.add_acc_by_velocity(slope, scratch, acc_dv);
+    q.add_gradient(2.0 * curvature * q.rate(), acc_dv);
+    if (lambda == 0.0) return;
+    q.add_second(slope * lambda, scratch, K);
+    scratch.row.setZero();
+    q.add_gradient(1.0, scratch.row);
+    K.noalias() += (curvature * lambda) * scratch.row * scratch.row.transpose();
+    return;
+  }
   if (row.inertia == 0.0) q.add_rate_by_position(row.scale, scratch, rate_dx);
   q.add_acc_by_position(row.scale, scratch, acc_dx);
   q.add_acc_by_velocity(row.scale, scratch, acc_dv);

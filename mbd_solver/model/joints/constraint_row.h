@@ -10,6 +10,7 @@
 
 #include "mbd_solver/model/joints/joint_coordinate.h"
 #include "mbd_solver/model/kinematic_vector.h"
+#include "mbd_solver/model/laws/cubic_spline.h"
 #include "mbd_solver/model/laws/time_function.h"
 
 namespace footfall {
@@ -42,10 +43,11 @@ struct ConstraintRow {
   // - a rotor: no condition, but the inertia J of q. Its multiplier is lambda = J q'', so that
   //     M dv + h + Phi_v^T lambda = Q,  q'' - lambda / J = 0
   //   phi and phi' are zero; there is nothing to close.
-  // - a member of a gear (J = 0): its share `scale` q of the sum that is zero.
+  // - a member of a gear (J = 0): its share `scale` q of the sum that is zero; of a cam: `scale` (y(q) - y(0)).
   std::optional<Coordinate> coordinate;
   double inertia = 0.0;                        // J of a rotor > 0 [kg m2 or kg]
   std::shared_ptr<CoordinateScratch> scratch;  // of the coordinate
+  std::shared_ptr<const CubicSpline> curve;    // y of a cam
   // A condition that is no sum of dot products: row `law_row` of a law (rolling.h).
   std::shared_ptr<const RowLaw> law;
   int law_row = 0;

@@ -24,9 +24,10 @@ int add_gear(Model& model, const std::string& name, const std::vector<GearMember
     row.unit = members[0].coordinate == Coordinate::kAngle ? ConstraintRow::Unit::kAngle : ConstraintRow::Unit::kLength;
     row.scale = member.factor / members[0].factor;
     row.coordinate = member.coordinate;
+    row.curve = member.curve;
     row.scratch = std::make_shared<CoordinateScratch>(12 + m1.S.cols() + m2.S.cols());
     joint.rows = {row};
-    if (member.coordinate == Coordinate::kAngle)
+    if (member.coordinate == Coordinate::kAngle && !member.curve)
       joint.turn_counter = model.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, m1, m2));
     const int index = model.add_joint(std::move(joint));
     if (first < 0) first = index;

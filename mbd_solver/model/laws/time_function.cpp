@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/laws/cubic_spline.h"
 
 namespace footfall {
 namespace {
@@ -56,47 +57,17 @@ class Sine : public TimeFunction {
   double amplitude_, omega_, phase_, mean_;
 };
 
-class Spline : public TimeFunction {
+class Table : public TimeFunction {
  public:
-  Spline(std::vector<double> times, std::vector<double> values)
-      : t_(std::move(times)), f_(std::move(values)), m_(t_.size(), 0.0) {
-    if (t_.size() < 2 || t_.size() != f_.size())
-      throw InputError("a table over time needs at least two points, and as many values as times.");
-    for (std::size_t i = 1; i < t_.size(); ++i) {
-      if (!(t_[i] > t_[i - 1]))
-        throw InputError("the times of a table must rise: " + std::to_string(t_[i]) + " s follows " +
-                         std::to_string(t_[i - 1]) + " s.");
-    }
-    // Second derivatives m of the natural spline: tridiagonal system, Thomas' algorithm.
-    const std::size_t n = t_.size();
-    std::vector<double> upper(n, 0.0);
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      const double left = t_[i] - t_[i - 1], right = t_[i + 1] - t_[i];
-      const double rhs = 6.0 * ((f_[i + 1] - f_[i]) / right - (f_[i] - f_[i - 1]) / left);
-      const double pivot = 2.0 * (left + right) - left * upper[i - 1];
-      upper[i] = right / pivot;
-      m_[i] = (rhs - left * m_[i - 1]) / pivot;
-    }
-    for (std::size_t i = n - 1; i-- > 1;) m_[i] -= upper[i] * m_[i + 1];
-  }
+  Table(std::vector<double> times, std::vector<double> values)
+      : spline_("a table over time", std::move(times), std::move(values)) {}
   TimeValue at(double t) const override {
-    if (t <= t_.front()) return tangent(inside(0, t_.front()), t - t_.front());
-    if (t >= t_.back()) return tangent(inside(t_.size() - 2, t_.back()), t - t_.back());
-    const auto next = std::upper_bound(t_.begin(), t_.end(), t);
-    return inside(static_cast<std::size_t>(next - t_.begin()) - 1, t);
+    const CubicSpline::Value f = spline_.at(t);
+    return {f.value, f.slope, f.curvature};
   }
 
  private:
-  static TimeValue tangent(const TimeValue& end, double dt) { return {end.value + end.rate * dt, end.rate, 0.0}; }
-  TimeValue inside(std::size_t i, double t) const {
-    const double h = t_[i + 1] - t_[i];
-    const double b = (t - t_[i]) / h, a = 1.0 - b;
-    return {a * f_[i] + b * f_[i + 1] + ((a * a * a - a) * m_[i] + (b * b * b - b) * m_[i + 1]) * h * h / 6.0,
-            (f_[i + 1] - f_[i]) / h + ((1.0 - 3.0 * a * a) * m_[i] + (3.0 * b * b - 1.0) * m_[i + 1]) * h / 6.0,
-            a * m_[i] + b * m_[i + 1]};
-  }
-
-  std::vector<double> t_, f_, m_;
+  CubicSpline spline_;
 };
 
 class Sum : public TimeFunction {
@@ -133,7 +104,7 @@ TimeFunctionPtr sine(double amplitude, double frequency, double phase, double me
 }
 
 TimeFunctionPtr table(std::vector<double> times, std::vector<double> values) {
-  return std::make_shared<Spline>(std::move(times), std::move(values));
+  return std::make_shared<Table>(std::move(times), std::move(values));
 }
 
 TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms) { return std::make_shared<Sum>(std::move(terms)); }

@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Registered, EveryJointType, ValuesIn(names_of<JointType
 
 TEST(Gears, HaveTheDerivativesOfTheirResidualAndDoNoWork) {
   const Mechanism mechanism = build(test::gear_scene());
-  ASSERT_EQ(mechanism.gears.size(), 1u);
+  ASSERT_EQ(mechanism.gears.size(), 2u);
   EXPECT_EQ(mechanism.gears[0].coordinate, Coordinate::kDisplacement);
   EXPECT_EQ(mechanism.model.joint(mechanism.gears[0].joint).kind, "gear");
   expect_derivatives(mechanism);

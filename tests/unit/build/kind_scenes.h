@@ -112,6 +112,13 @@ name = "thread"
 joints = ["screw", "screw", "hinge"]
 coordinates = ["displacement", "angle", "auto"]
 factors = [2, -0.1, 0.3]
+[[gears]]
+name = "cam"
+joints = ["screw", "hinge"]
+coordinates = ["displacement", "angle"]
+factors = [1, -0.4]
+curve = [[-3.0, 0.2], [-1.2, -0.1], [0.3, 0.4], [1.9, 0.1], [3.2831853, 0.2]]
+closed = true
 )";
 
 // Two bodies that move and turn against each other.

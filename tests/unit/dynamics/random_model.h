@@ -297,6 +297,11 @@ inline Model everything(Random& random) {  // rotors of both coordinates, rollin
             {joints + 5, Coordinate::kAngle, 0.7},
             {3 * joints + 5, Coordinate::kAngle, 1.9},
             {4 * joints + 4, Coordinate::kDisplacement, 2.2}});
+  const auto lift = std::make_shared<CubicSpline>("lift", std::vector<double>{-3.0, -1.0, 0.5, 2.0, 3.0},
+                                                  std::vector<double>{0.3, -0.2, 0.6, 0.1, 0.8});
+  add_gear(model, "cam",
+           {{joints + 4, Coordinate::kDisplacement, 1.0}, {2 * joints + 3, Coordinate::kAngle, -0.8, lift}});
+  add_gear(model, "slope", {{3, Coordinate::kAngle, 1.0}, {3 * joints + 4, Coordinate::kDisplacement, 1.7, lift}});
   return model;
 }
 
