@@ -1,6 +1,7 @@
 #include "mbd_solver/cli/analysis/plots.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "coupler/base/text.h"
@@ -76,6 +77,43 @@ std::vector<Curve> dissipation_curves(const History& history) {
   return curves;
 }
 
+// "leg_2_primary" -> "leg_*_primary"
+std::string with_stars_for_numbers(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    if (std::isdigit(static_cast<unsigned char>(c)) == 0)
+      out += c;
+    else if (out.empty() || out.back() != '*')
+      out += '*';
+  }
+  return out;
+}
+
+// More series than there are colours: a figure for each group whose names differ by numbers alone, as the primary struts of
+// all legs.
+void add_readable(const Figure& figure, std::vector<Figure>& out) {
+  if (figure.curves.size() <= kSeriesColours) {
+    out.push_back(figure);
+    return;
+  }
+  std::vector<std::pair<std::string, std::vector<Curve>>> groups;
+  for (const Curve& curve : figure.curves) {
+    const std::string group = with_stars_for_numbers(curve.title);
+    const auto at = std::find_if(groups.rbegin(), groups.rend(), [&](const auto& g) { return g.first == group; });
+    if (at == groups.rend() || at->second.size() == kSeriesColours)
+      groups.push_back({group, {curve}});
+    else
+      at->second.push_back(curve);
+  }
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    Figure part = figure;
+    if (i > 0) part.name += "_" + std::to_string(i + 1);
+    part.title += ": " + groups[i].first;
+    part.curves = groups[i].second;
+    out.push_back(part);
+  }
+}
+
 }  // namespace
 
 std::vector<Figure> standard_figures(const History& history, const std::string& observed) {
@@ -98,9 +136,10 @@ std::vector<Figure> standard_figures(const History& history, const std::string& 
   figures.push_back(
       {"strut_forces", "Strut forces, compression positive", "force [kN]", curves_of(history, ".force", kKilo)});
   figures.push_back({"contact_forces", "Contact forces", "force on the body [kN]", contact_curves(history)});
-  figures.erase(std::remove_if(figures.begin(), figures.end(), [](const Figure& f) { return f.curves.empty(); }),
-                figures.end());
-  return figures;
+  std::vector<Figure> readable;
+  for (const Figure& figure : figures)
+    if (!figure.curves.empty()) add_readable(figure, readable);
+  return readable;
 }
 
 Figure ledger_figure(const History& ledger) {

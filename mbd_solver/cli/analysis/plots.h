@@ -10,7 +10,7 @@
 
 namespace footfall {
 
-// The figures that a history with these columns can show. `observed`: the body whose motion is drawn; empty: the first
+// The figures that a history with these columns can show, none with more curves than there are colours. `observed`: the body whose motion is drawn; empty: the first
 // with an acceleration.
 std::vector<Figure> standard_figures(const History& history, const std::string& observed);
 

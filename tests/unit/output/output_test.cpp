@@ -116,6 +116,21 @@ TEST(Figures, ShowWhatTheHistoryHoldsAndLeaveOutTheRest) {
             (std::vector<std::string>{"acceleration", "velocity", "descent", "energy", "strokes", "contact_forces"}));
 }
 
+TEST(Figures, HaveNoMoreSeriesThanColours) {
+  History h = lander_history();
+  for (const std::string strut : {"primary", "left", "right"})
+    for (int leg = 1; leg <= 4; ++leg) h.names.push_back("leg_" + std::to_string(leg) + "_" + strut + ".force");
+  h.units.assign(h.names.size(), "N");
+  h.columns.resize(h.names.size(), {1.0, 2.0});
+  std::vector<std::string> titles;
+  for (const Figure& figure : standard_figures(h, "")) {
+    EXPECT_LE(figure.curves.size(), static_cast<std::size_t>(kSeriesColours)) << figure.name;
+    if (figure.name.rfind("strut_forces", 0) == 0) titles.push_back(figure.name + " " + figure.title.substr(34));
+  }
+  EXPECT_EQ(titles, (std::vector<std::string>{"strut_forces : leg_*_primary", "strut_forces_2 : leg_*_left",
+                                              "strut_forces_3 : leg_*_right"}));
+}
+
 TEST_F(OutputTest, ScriptsDrawWithGnuplotAsPngAndSvg) {
   const History history = lander_history();
   HistoryWriter writer(file("history.csv"), history.names, history.units);
