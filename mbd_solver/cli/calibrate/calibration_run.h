@@ -13,10 +13,9 @@ struct StageOutcome {
 };
 
 struct CalibrationOutcome {
-  const Evaluation* start = nullptr;            // as the last stage runs it
-  const Evaluation* best = nullptr;             // likewise
-  const Evaluation* confirmed_start = nullptr;  // with no stage's settings, all seeds
-  const Evaluation* confirmed = nullptr;
+  const Evaluation* start = nullptr;      // as the last stage runs it
+  const Evaluation* best = nullptr;       // likewise
+  const Evaluation* confirmed = nullptr;  // with no stage's settings, all seeds
   std::vector<StageOutcome> stages;
   std::vector<const Evaluation*> around;  // difference_sets
   Determination determination;

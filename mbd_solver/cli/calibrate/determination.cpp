@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/cli/experiments/power_law.h"
 
 namespace footfall {
 
@@ -48,14 +49,6 @@ double solve_by_halving(double (*tail)(double), double wanted) {
 
 double normal_quantile(double confidence) {
   return solve_by_halving([](double x) { return 0.5 * std::erfc(x / std::sqrt(2.0)); }, 0.5 * (1.0 - confidence));
-}
-
-// Expansion in 1 / freedom [Abramowitz, Stegun 26.7.5]: from 3 on it is right to one per cent at 95 %.
-double student_quantile(double confidence, int freedom) {
-  const double x = normal_quantile(confidence), n = freedom;
-  const double x3 = x * x * x, x5 = x3 * x * x, x7 = x5 * x * x;
-  return x + (x3 + x) / (4.0 * n) + (5.0 * x5 + 16.0 * x3 + 3.0 * x) / (96.0 * n * n) +
-         (3.0 * x7 + 19.0 * x5 + 17.0 * x3 - 15.0 * x) / (384.0 * n * n * n);
 }
 
 std::string Interval::is_determined() const { return share < 0.25 ? "yes" : share < 0.75 ? "weakly" : "no"; }
@@ -105,7 +98,7 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
     if (d.jacobian.row(k).cwiseAbs().maxCoeff() > kFeltFrom) ++d.rows;
   const int freedom = d.rows - static_cast<int>(n);
   if (freedom > 0) d.scale = std::max(1.0, best.misfit / freedom);
-  const double q = d.scale > 1.0 ? student_quantile(spec.confidence, freedom) : normal_quantile(spec.confidence);
+  const double q = d.scale > 1.0 ? student_t(spec.confidence, freedom) : normal_quantile(spec.confidence);
 
   // By directions, so that those which nothing holds are told. Narrower than the range they count as held.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(d.jacobian.transpose() * d.jacobian);

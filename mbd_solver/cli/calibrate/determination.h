@@ -54,9 +54,7 @@ struct Pull {
 std::vector<Pull> pulls_of(const CalibrationSpec& spec, const Evaluation& best,
                            const std::vector<const Evaluation*>& around);
 
-// x that a standard normal variable exceeds with probability (1 - confidence) / 2; of Student's t with so many degrees
-// of freedom.
+// x that a standard normal variable exceeds with probability (1 - confidence) / 2.
 double normal_quantile(double confidence);
-double student_quantile(double confidence, int freedom);
 
 }  // namespace footfall

@@ -129,6 +129,10 @@ Evaluation Evaluations::evaluation_of(const Shares& shares, const std::vector<st
       e.cpu += end.cost.cpu;
       ++e.runs;
       failed = failed || !end.done();
+      // Whoever ended it, it says nothing about the set.
+      if (end.code == kExitInterrupted || (end.code > 128 && spec_.time_limit == 0))
+        throw PartnerError("the run " + end.folder + " was ended from outside (code " + std::to_string(end.code) +
+                           "); the same command goes on");
       if (!end.done())
         e.message = spec_.scenes[scene].name + ": " + (end.message.empty() ? end.status : end.message);
       else

@@ -42,7 +42,8 @@ class Evaluations {
   // Null when its runs are not done yet. The misfit of a set that breaks a constraint is kBroken (1 + by how much).
   const Evaluation* known(const Fidelity& fidelity, const Shares& shares);
   // Runs what is missing of the sets, at most `jobs` runs at once. False when it was interrupted. Throws InputError for
-  // a scene that cannot be read, when `must_be_read`; else such a set has failed.
+  // a scene that cannot be read, when `must_be_read`; else such a set has failed. Throws PartnerError when somebody
+  // ended a run.
   bool carry_out(const Fidelity& fidelity, const std::vector<Shares>& sets, int jobs, bool must_be_read = false);
 
   int most_ranks() const { return store_.most_ranks(); }
