@@ -13,7 +13,8 @@ namespace footfall {
 namespace {
 
 std::string drawn(const std::string& folder, const std::string& name, int height, const std::string& drawing) {
-  return write_drawing(folder, name, {1000, height}, kCsv, "unset logscale\nset autoscale\nset grid\n" + drawing);
+  return write_drawing(folder, name, {1000, height}, kCsv,
+                       "unset logscale\nset autoscale\nunset ylabel\nset ytics noenhanced\nset grid\n" + drawing);
 }
 
 double off(const TargetResult& t) {

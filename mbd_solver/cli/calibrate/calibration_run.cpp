@@ -19,12 +19,29 @@ double hours_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count() / 3600.0;
 }
 
-// Of `sets` sets like `one`, [h]. Those of a local search wait for one another.
-double hours_of(const Evaluation& one, int sets, int jobs, bool one_by_one) {
-  const double run = one.lasted > 0.0 ? one.lasted : one.wall / std::max(1, one.runs);
-  const double rounds = one_by_one ? std::ceil(static_cast<double>(one.runs) / jobs) * sets
-                                   : std::ceil(static_cast<double>(one.runs) * sets / jobs);
-  return rounds * run / 3600.0;
+// Of one run of a set, as it went in the pool [s]; where it was done before, what it says of itself and what the pool
+// adds to others.
+double run_time(const Evaluation& one, double added) {
+  return one.lasted > 0.0 ? one.lasted : one.wall / std::max(1, one.runs) + added;
+}
+
+// What `count` sets of so many runs like those of `one` take.
+struct Share {
+  std::string what;
+  const Evaluation& one;
+  int sets, runs;  // runs: of each set
+  bool one_by_one;
+};
+
+void add_share(Prediction& p, const Share& share, int jobs, double added) {
+  const double rounds = share.one_by_one ? std::ceil(static_cast<double>(share.runs) / jobs) * share.sets
+                                         : std::ceil(static_cast<double>(share.runs) * share.sets / jobs);
+  const double hours = rounds * run_time(share.one, added) / 3600.0;
+  p.hours += hours;
+  p.sets += share.sets;
+  p.runs += share.sets * share.runs;
+  p.lines.push_back(share.what + ": " + std::to_string(share.sets) + (share.sets == 1 ? " set, " : " sets, ") +
+                    std::to_string(share.sets * share.runs) + " runs, " + number_text(hours, 3) + " h");
 }
 
 // With no stage's settings, on one seed: what the confirmation takes for each.
@@ -32,15 +49,6 @@ Fidelity whole_once(const CalibrationSpec& spec) {
   Fidelity fidelity = full_fidelity(spec);
   fidelity.seeds = 1;
   return fidelity;
-}
-
-void say_hours(Prediction& p, const std::string& what, const Evaluation& one, int sets, int jobs, bool one_by_one) {
-  const double hours = hours_of(one, sets, jobs, one_by_one);
-  p.hours += hours;
-  p.sets += sets;
-  p.runs += sets * one.runs;
-  p.lines.push_back(what + ": " + std::to_string(sets) + " sets, " + std::to_string(sets * one.runs) + " runs, " +
-                    number_text(hours, 3) + " h");
 }
 
 }  // namespace
@@ -62,15 +70,24 @@ bool CalibrationRun::start() {
 }
 
 Prediction CalibrationRun::predict() const {
-  Prediction p;
   const Shares at = start_of(spec_);
-  const int n = static_cast<int>(at.size());
-  for (const StageSpec& stage : spec_.stages)
-    say_hours(p, "stage " + std::string(name_of(stage.method)), *evaluations_.known(fidelity_of(spec_, stage), at),
-              stage.evaluations, jobs_, goes_one_by_one(stage.method));
-  say_hours(p, "differences about the best set", *outcome_.start, 2 * n, jobs_, false);
-  say_hours(p, "confirmation over all seeds", *evaluations_.known(whole_once(spec_), at), full_fidelity(spec_).seeds,
-            jobs_, false);
+  const Evaluation& whole = *evaluations_.known(whole_once(spec_), at);
+  std::vector<const Evaluation*> starts = {&whole};
+  for (const StageSpec& stage : spec_.stages) starts.push_back(evaluations_.known(fidelity_of(spec_, stage), at));
+  double added = 0.0;  // to a run by the pool: its start and its end
+  for (const Evaluation* e : starts)
+    if (e->lasted > 0.0) added = std::max(added, e->lasted - e->wall / std::max(1, e->runs));
+  Prediction p;
+  for (std::size_t k = 0; k < spec_.stages.size(); ++k)
+    add_share(p,
+              {"stage " + std::string(name_of(spec_.stages[k].method)), *starts[k + 1], spec_.stages[k].evaluations,
+               starts[k + 1]->runs, goes_one_by_one(spec_.stages[k].method)},
+              jobs_, added);
+  add_share(
+      p,
+      {"differences about the best set", *starts.back(), 2 * static_cast<int>(at.size()), starts.back()->runs, false},
+      jobs_, added);
+  add_share(p, {"confirmation", whole, 1, whole.runs * full_fidelity(spec_).seeds, false}, jobs_, added);
   return p;
 }
 

@@ -110,7 +110,7 @@ TEST(ShippedCalibrations, CanBeRead) {
     EXPECT_NO_THROW(read_calibration(entry.path())) << entry.path();
     ++count;
   }
-  EXPECT_GE(count, 3);
+  EXPECT_GE(count, 4);
 }
 
 // 24 statements, and the two numbers of Table 2 beside them.
