@@ -78,10 +78,16 @@ PagePart best_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
 PagePart targets_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
   PagePart part;
   part.heading = "The targets";
-  part.text = "Met at the start: " + std::to_string(o.start->met()) + " of " + std::to_string(spec.targets.size()) +
-              ", at the best set " + std::to_string(o.best->met()) + ", confirmed " +
-              std::to_string(o.confirmed->met()) + ". Misfit: " + number_text(o.start->misfit, 4) + " at the start, " +
-              number_text(o.best->misfit, 4) + " at the best set. Off: distance of the confirmed value [tolerances].";
+  part.text =
+      "Met at the start: " + std::to_string(o.start->met()) + " of " + std::to_string(spec.targets.size()) +
+      ", at the best set " + std::to_string(o.best->met()) + ", confirmed " + std::to_string(o.confirmed->met()) +
+      ". Misfit: " + number_text(o.start->misfit, 4) + " at the start, " + number_text(o.best->misfit, 4) +
+      " at the best set as the last stage runs it, " + number_text(o.confirmed->misfit, 4) +
+      " confirmed: with no stage's settings, over all seeds. Off: distance of the confirmed value [tolerances].";
+  if (o.confirmed->met() < o.best->met())
+    part.text += "\n\nThe runs of the last stage say something else than whole ones: " + std::to_string(o.best->met()) +
+                 " targets met become " + std::to_string(o.confirmed->met()) +
+                 ". Give the file a last stage with dearer runs, or more seeds, before the best set is believed.";
   PageRows rows = {{"target", "wanted", "tolerance", "weight", "start", "best", "confirmed", "off", "met", "source"}};
   for (std::size_t t = 0; t < spec.targets.size(); ++t) {
     const TargetSpec& target = spec.targets[t];
@@ -198,8 +204,9 @@ PagePart together_part(const CalibrationSpec& spec, const CalibrationOutcome& o,
 PagePart search_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
   PagePart part;
   part.heading = "The search";
-  part.text = "Time told beforehand: " + number_text(o.predicted, 3) + " h; taken: " + number_text(o.taken, 3) + " h" +
-              (o.whole_time ? "." : " (runs that were done before are not in it).");
+  if (o.whole_time)
+    part.text =
+        "Time told beforehand: " + number_text(o.predicted, 3) + " h; taken: " + number_text(o.taken, 3) + " h.";
   part.rows = {{"stage", "sets", "runs", "misfit at its end", "why it ended"}};
   for (std::size_t k = 0; k < o.stages.size(); ++k) {
     const StageOutcome& stage = o.stages[k];
