@@ -20,6 +20,8 @@
 #include "mbd_solver/cli/analysis/surfaces_command.h"
 #include "mbd_solver/cli/analysis/viewer/view_page.h"
 #include "mbd_solver/cli/audit_command.h"
+#include "mbd_solver/cli/calibrate/calibrate_command.h"
+#include "mbd_solver/cli/calibrate/calibration.h"
 #include "mbd_solver/cli/experiments/experiment.h"
 #include "mbd_solver/cli/experiments/experiment_command.h"
 #include "mbd_solver/cli/help_pages.h"
@@ -135,6 +137,16 @@ Action sweep(CLI::App& command) {
   return [a] { return experiment_command(*a); };
 }
 
+Action calibrate(CLI::App& command) {
+  const auto a = std::make_shared<CalibrateArguments>();
+  command.add_option("FILE", a->file, "Calibration, as in inputs/calibrations")->required()->check(CLI::ExistingFile);
+  command.add_option("--out", a->out, "Folder for results (default: runs/calibrations/NAME)");
+  command.add_option("--jobs", a->jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
+  command.add_option("--table", a->table, "Write the page to this file as well, as Markdown");
+  command.add_flag("--estimate", a->estimate, "Run the start, tell how long all will take, and stop");
+  return [a] { return calibrate_command(*a); };
+}
+
 Action compare(CLI::App& command) {
   struct Arguments {
     std::string run, other;
@@ -234,10 +246,16 @@ Action test(CLI::App& command) {
 }
 
 Action schema(CLI::App& command) {
-  const auto experiments = std::make_shared<bool>(false);
-  command.add_flag("--experiments", *experiments, "Of the files of footfall sweep and footfall accuracy instead");
-  return [experiments] {
-    std::printf("%s\n", (*experiments ? experiment_schema() : scene_schema()).c_str());
+  const auto experiments = std::make_shared<bool>(false), calibrations = std::make_shared<bool>(false);
+  CLI::Option* of_experiments =
+      command.add_flag("--experiments", *experiments, "Of the files of footfall sweep and footfall accuracy instead");
+  command.add_flag("--calibrations", *calibrations, "Of the files of footfall calibrate instead")
+      ->excludes(of_experiments);
+  return [experiments, calibrations] {
+    std::printf("%s\n", (*experiments    ? experiment_schema()
+                         : *calibrations ? calibration_schema()
+                                         : scene_schema())
+                            .c_str());
     return kExitDone;
   };
 }
@@ -252,9 +270,11 @@ constexpr Subcommand kSubcommands[] = {
     {"run", "Run a scene: bed, both programs, summary, pictures", run},
     {"new", "Make a folder with a scene of your own to edit, from an example", new_case},
     {"check", "Check a scene: every finding as file:line: key: what is wrong", check},
-    {"schema", "Print the JSON schema of scenes or experiments, for editors that complete and check", schema},
+    {"schema", "Print the JSON schema of scenes, experiments or calibrations, for editors that complete and check",
+     schema},
     {"surfaces", "Draw the control surfaces of a scene's fuzzy controllers", surfaces},
     {"sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted", sweep},
+    {"calibrate", "Find the parameters with which runs meet targets, and how far targets determine them", calibrate},
     {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},
     {"audit", "Check that what grains lose mechanism and walls get: momentum and energy, window by window", audit},
     {"pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures", pictures},

@@ -19,6 +19,7 @@ door '(ida|sundials|nvector|sunmatrix|sunlinsol)/' 'mbd_solver/integrator/ida*'
 door 'toml\+\+' 'mbd_solver/scene/scene_reader.cpp'
 door 'fl/' 'mbd_solver/model/controllers/fuzzy_engine.h'
 door 'fcl/' 'mbd_solver/model/surface/*.cpp'
+door 'nlopt' 'mbd_solver/cli/calibrate/search.cpp'
 door 'muParser' 'mbd_solver/model/signals/expression.cpp'
 door 'assimp/' 'mbd_solver/scene/mesh_reader.cpp'
 door 'pugixml' 'mbd_solver/output/vtk_writer.cpp'
@@ -60,7 +61,8 @@ declare -A may=(
   [mbd_solver/cli/launch]='mbd_solver/build'
   [mbd_solver/cli/analysis]='mbd_solver/cli/launch mbd_solver/output'
   [mbd_solver/cli/experiments]='mbd_solver/cli/analysis mbd_solver/coupling'
-  [mbd_solver/cli]='mbd_solver/cli/experiments'
+  [mbd_solver/cli/calibrate]='mbd_solver/cli/experiments'
+  [mbd_solver/cli]='mbd_solver/cli/calibrate'
 )
 # room FILE: the nearest folder around it that the table knows.
 room() {

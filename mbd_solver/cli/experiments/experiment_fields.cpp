@@ -66,7 +66,7 @@ static void visit_fields(FieldVisitor& v, GrowthSpec& g) {
   fields(v, kPositive, {{"omega_h", &g.omega_h}, {"short", &g.short_omega_h}, {"substeps", &g.substeps}});
 }
 
-static void visit_fields(FieldVisitor& v, FigureSpec& f) {
+void visit_fields(FieldVisitor& v, FigureSpec& f) {
   fields(v, kAny, {{"", &f.source}, {"key", &f.key}, {"average", &f.average}, {"over", &f.over}});
   fields(v, kName, {{"name", &f.name}});
   fields(v, kWords, {{"columns", &f.columns}});

@@ -66,6 +66,9 @@ struct FigureSpec {
   bool compares_curves() const { return error == ErrorKind::kRms || error == ErrorKind::kFinal; }
 };
 
+class FieldVisitor;
+void visit_fields(FieldVisitor& v, FigureSpec& figure);  // its keys
+
 // Of the finished run in `folder`; NaN when its history is empty, or for figures that compare curves. Throws
 // InputError, beginning with `file`, when the run has no such figure.
 std::vector<double> figures_of_run(const std::vector<FigureSpec>& figures, const std::string& folder,

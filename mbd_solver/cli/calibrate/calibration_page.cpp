@@ -1,0 +1,294 @@
+#include "mbd_solver/cli/calibrate/calibration_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "coupler/base/text.h"
+#include "mbd_solver/cli/analysis/html_page.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using PageRows = std::vector<std::vector<std::string>>;
+
+constexpr double kSearchEnded = 1.0;  // a linear step gains no more misfit than this
+
+// "0.9 to 1.1", "at least 2", "0.5".
+std::string wanted(const TargetSpec& t) {
+  if (t.is_curve()) return "curve " + fs::path(t.file).filename().string();
+  if (t.value) return number_text(*t.value);
+  if (t.least == t.most) return number_text(t.least);
+  if (std::isinf(t.least)) return "at most " + number_text(t.most);
+  if (std::isinf(t.most)) return "at least " + number_text(t.least);
+  return number_text(t.least) + " to " + number_text(t.most);
+}
+
+// In tolerances; of a curve the root mean square.
+double distance(const TargetResult& t) {
+  double sum = 0.0;
+  for (const double r : t.residuals) sum += r * r;
+  return std::sqrt(sum / static_cast<double>(t.residuals.size()));
+}
+
+std::string value_text(const TargetSpec& spec, const TargetResult& t) {
+  if (t.failed) return "failed";
+  if (spec.is_curve()) return "within " + number_text(distance(t), 3) + " tolerances";
+  return number_text(t.values.front(), 4) + (t.of_seed.size() > 1 ? " +- " + number_text(t.spread.front(), 2) : "");
+}
+
+int seeds_that_meet(const TargetSpec& spec, const TargetResult& t) {
+  if (t.of_seed.size() < 2 || spec.is_curve()) return t.is_met() ? static_cast<int>(t.of_seed.size()) : 0;
+  return static_cast<int>(std::count_if(t.of_seed.begin(), t.of_seed.end(), [&](const std::vector<double>& y) {
+    return TargetResult::met({residual_of(spec, y.front())});
+  }));
+}
+
+PagePart best_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
+  PagePart part;
+  part.heading = "The best set";
+  const Determination& d = o.determination;
+  part.text = "Intervals of " + percent(spec.confidence) + " %, from " + std::to_string(d.rows) +
+              " numbers that feel a parameter" +
+              (d.scale > 1.0 ? ", widened by " + number_text(std::sqrt(d.scale), 3) +
+                                   " because the misfit is larger than the tolerances allow"
+                             : "") +
+              ". \"No\": the interval takes three quarters of the range or more, so the targets do not say.";
+  if (d.gain > kSearchEnded)
+    part.text += "\n\nThe search has not ended: a linear step would lower the misfit by about " +
+                 number_text(d.gain, 3) + " of " + number_text(o.best->misfit, 3) +
+                 ". Give the last stage more evaluations before the intervals are believed.";
+  PageRows rows = {{"parameter", "range", "scale", "start", "best", "interval", "determined", "source of the range"}};
+  const Shares start = start_of(spec);
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
+    const SoughtParameter& p = spec.parameters[i];
+    const Interval& interval = d.intervals[i];
+    rows.push_back({p.name, number_text(p.least) + " to " + number_text(p.most), std::string(name_of(p.scale)),
+                    number_text(p.value(start[i])), number_text(p.value(o.best->shares[i])),
+                    number_text(interval.least, 4) + " to " + number_text(interval.most, 4),
+                    interval.is_determined() + (interval.at_edge ? "; at the end of its range" : ""), p.origin});
+  }
+  part.rows = rows;
+  return part;
+}
+
+PagePart targets_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
+  PagePart part;
+  part.heading = "The targets";
+  part.text =
+      "Met at the start: " + std::to_string(o.start->met()) + " of " + std::to_string(spec.targets.size()) +
+      ", at the best set " + std::to_string(o.best->met()) + ", confirmed " + std::to_string(o.confirmed->met()) +
+      ". Misfit: " + number_text(o.start->misfit, 4) + " at the start, " + number_text(o.best->misfit, 4) +
+      " at the best set as the last stage runs it, " + number_text(o.confirmed->misfit, 4) +
+      " confirmed: with no stage's settings, over all seeds. Off: distance of the confirmed value [tolerances].";
+  if (o.confirmed->met() < o.best->met())
+    part.text += "\n\nThe runs of the last stage say something else than whole ones: " + std::to_string(o.best->met()) +
+                 " targets met become " + std::to_string(o.confirmed->met()) +
+                 ". Give the file a last stage with dearer runs, or more seeds, before the best set is believed.";
+  PageRows rows = {{"target", "wanted", "tolerance", "weight", "start", "best", "confirmed", "off", "met", "source"}};
+  for (std::size_t t = 0; t < spec.targets.size(); ++t) {
+    const TargetSpec& target = spec.targets[t];
+    const TargetResult& confirmed = o.confirmed->targets[t];
+    std::string met = confirmed.is_met() ? "yes" : "no";
+    if (confirmed.of_seed.size() > 1)
+      met += ", " + std::to_string(seeds_that_meet(target, confirmed)) + " of " +
+             std::to_string(confirmed.of_seed.size()) + " seeds";
+    rows.push_back({target.name, wanted(target), number_text(target.tolerance), number_text(target.weight),
+                    value_text(target, o.start->targets[t]), value_text(target, o.best->targets[t]),
+                    value_text(target, confirmed), number_text(distance(confirmed), 3), met, target.origin});
+  }
+  part.rows = rows;
+  return part;
+}
+
+PagePart sensitivity_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
+  PagePart part;
+  part.heading = "What each parameter does";
+  part.text =
+      "Change of each target over the whole range of a parameter, to first order about the best set [tolerances]"
+      "; of a curve without sign.";
+  PageRows rows = {{"target"}};
+  append(rows.front(), names_in(spec.parameters));
+  for (std::size_t t = 0; t < spec.targets.size(); ++t) {
+    std::vector<std::string> row = {spec.targets[t].name};
+    for (std::size_t i = 0; i < spec.parameters.size(); ++i)
+      row.push_back(
+          number_text(o.determination.sensitivity(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(i)), 3));
+    rows.push_back(row);
+  }
+  part.rows = rows;
+  return part;
+}
+
+std::string direction_text(const CalibrationSpec& spec, const Eigen::VectorXd& direction) {
+  std::vector<std::string> texts;
+  for (Eigen::Index i = 0; i < direction.size(); ++i)
+    if (std::abs(direction[i]) > 0.1)
+      texts.push_back(spec.parameters[static_cast<std::size_t>(i)].name + " " + (direction[i] > 0.0 ? "+" : "") +
+                      number_text(direction[i], 2));
+  return joined(texts);
+}
+
+PagePart correlation_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
+  PagePart part;
+  part.heading = "What goes together";
+  part.text = "Correlation of the parameters: near 1 or -1, the targets see only a combination of the two.";
+  for (const Eigen::VectorXd& direction : o.determination.loose)
+    part.text += "\n\nNothing holds the direction " + direction_text(spec, direction) + " (shares of the ranges).";
+  PageRows rows = {{"parameter"}};
+  append(rows.front(), names_in(spec.parameters));
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
+    std::vector<std::string> row = {spec.parameters[i].name};
+    for (std::size_t k = 0; k < spec.parameters.size(); ++k)
+      row.push_back(
+          fixed_text(o.determination.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)), 2));
+    rows.push_back(row);
+  }
+  part.rows = rows;
+  return part;
+}
+
+PagePart pull_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
+  PagePart part;
+  part.heading = "Which targets pull against each other";
+  if (o.pulls.empty()) {
+    part.text = "All targets that are single numbers are met at the best set.";
+    return part;
+  }
+  part.text =
+      "For each target that the best set does not meet: the smallest step that would meet it to first order, and"
+      " what that step costs the others. A step longer than a range is out of reach.";
+  PageRows rows = {{"target", "off", "step, shares of the ranges", "costs [tolerances]"}};
+  for (const Pull& pull : o.pulls) {
+    std::vector<std::string> costs;
+    for (const auto& [s, cost] : pull.costs) costs.push_back(spec.targets[s].name + " +" + number_text(cost, 2));
+    std::vector<std::string> step;
+    for (Eigen::Index i = 0; i < pull.step.size(); ++i)
+      if (std::abs(pull.step[i]) > 0.02)
+        step.push_back(spec.parameters[static_cast<std::size_t>(i)].name + (pull.step[i] > 0.0 ? " +" : " ") +
+                       number_text(pull.step[i], 2));
+    rows.push_back({spec.targets[pull.target].name, number_text(distance(o.best->targets[pull.target]), 3),
+                    pull.felt ? joined(step) : "no parameter moves it here",
+                    costs.empty() ? "nothing" : joined(costs)});
+  }
+  part.rows = rows;
+  return part;
+}
+
+PagePart together_part(const CalibrationSpec& spec, const CalibrationOutcome& o,
+                       const std::vector<const Evaluation*>& sets) {
+  PagePart part;
+  const Apart found = apart(spec, sets);
+  const Evaluation* most = most_met(sets);
+  part.text = "Of the " + std::to_string(sets.size()) +
+              " sets that the last stage and the differences ran, the one that "
+              "meets most meets " +
+              std::to_string(most->met()) + " of " + std::to_string(spec.targets.size()) + " (misfit " +
+              number_text(most->misfit, 4) + "; the best set meets " + std::to_string(o.best->met()) + ").";
+  std::vector<std::string> never;
+  for (const std::size_t t : found.never) never.push_back(spec.targets[t].name);
+  part.text +=
+      never.empty() ? " Every target was met by some set." : "\n\nMet by none of them: " + joined(never, "; ") + ".";
+  if (found.pairs.empty()) return part;
+  part.text += "\n\nEach met by some sets, and by none together:";
+  part.rows = {{"target", "and target", "sets that meet the one", "the other", "both"}};
+  for (const Apart::Pair& pair : found.pairs)
+    part.rows.push_back({spec.targets[pair.a].name, spec.targets[pair.b].name, std::to_string(pair.met_a),
+                         std::to_string(pair.met_b), "0"});
+  return part;
+}
+
+PagePart search_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
+  PagePart part;
+  part.heading = "The search";
+  if (o.whole_time)
+    part.text =
+        "Time told beforehand: " + number_text(o.predicted, 3) + " h; taken: " + number_text(o.taken, 3) + " h.";
+  part.rows = {{"stage", "sets", "runs", "misfit at its end", "why it ended"}};
+  for (std::size_t k = 0; k < o.stages.size(); ++k) {
+    const StageOutcome& stage = o.stages[k];
+    int runs = 0;
+    for (const Evaluation* e : stage.evaluations) runs += e->runs;
+    part.rows.push_back({std::string(name_of(spec.stages[k].method)), std::to_string(stage.evaluations.size()),
+                         std::to_string(runs), number_text(stage.best, 5), stage.way.end});
+  }
+  return part;
+}
+
+}  // namespace
+
+const Evaluation* most_met(const std::vector<const Evaluation*>& sets) {
+  const Evaluation* most = sets.front();
+  for (const Evaluation* e : sets)
+    if (e->met() > most->met() || (e->met() == most->met() && e->misfit < most->misfit)) most = e;
+  return most;
+}
+
+Apart apart(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {
+  const auto count = [&](std::size_t a, std::size_t b) {
+    return static_cast<int>(std::count_if(sets.begin(), sets.end(), [&](const Evaluation* e) {
+      return e->targets[a].is_met() && e->targets[b].is_met();
+    }));
+  };
+  Apart found;
+  for (std::size_t a = 0; a < spec.targets.size(); ++a) {
+    if (count(a, a) == 0) found.never.push_back(a);
+    for (std::size_t b = a + 1; b < spec.targets.size(); ++b)
+      if (count(a, a) > 0 && count(b, b) > 0 && count(a, b) == 0)
+        found.pairs.push_back({a, b, count(a, a), count(b, b)});
+  }
+  return found;
+}
+
+std::vector<PagePart> calibration_parts(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
+                                        const std::vector<const Evaluation*>& comparable, const std::string& command,
+                                        const std::vector<std::string>& pictures) {
+  PagePart first, last;
+  first.text = "Made by `" + command + "`.";
+  last.heading = "Pictures";
+  last.pictures = pictures;
+  std::vector<PagePart> parts = {first,
+                                 best_part(spec, outcome),
+                                 targets_part(spec, outcome),
+                                 sensitivity_part(spec, outcome),
+                                 correlation_part(spec, outcome),
+                                 pull_part(spec, outcome),
+                                 together_part(spec, outcome, comparable),
+                                 search_part(spec, outcome)};
+  if (!pictures.empty()) parts.push_back(last);
+  return parts;
+}
+
+std::string markdown(const std::string& title, const std::vector<PagePart>& parts) {
+  std::string page = "# " + title + "\n";
+  for (const PagePart& part : parts) {
+    if (!part.heading.empty()) page += "\n## " + part.heading + "\n";
+    if (!part.text.empty()) page += "\n" + part.text + "\n";
+    if (!part.rows.empty()) {
+      Table table(part.rows.front());
+      for (std::size_t k = 1; k < part.rows.size(); ++k) table.add(part.rows[k]);
+      page += "\n" + table.page();
+    }
+    for (const std::string& picture : part.pictures) {
+      const std::string name = fs::path(picture).filename().string();
+      page += "\n![" + fs::path(name).stem().string() + "](" + name + ")\n";
+    }
+  }
+  return page;
+}
+
+std::string html(const std::string& title, const std::vector<PagePart>& parts) {
+  HtmlPage page(title);
+  for (const PagePart& part : parts) {
+    if (!part.heading.empty()) page.section(part.heading);
+    if (!part.text.empty()) page.paragraph(part.text);
+    if (!part.rows.empty()) page.table(part.rows);
+    for (const std::string& picture : part.pictures) page.picture(picture);
+  }
+  return page.text();
+}
+
+}  // namespace footfall

@@ -1,0 +1,51 @@
+#pragma once
+// What a calibration found, as a page: once as Markdown, once as HTML; and as tables for programs.
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/cli/calibrate/calibration_run.h"
+#include "mbd_solver/cli/experiments/table.h"
+
+namespace footfall {
+
+struct PagePart {
+  std::string heading;                         // empty: goes on under the one before
+  std::string text;                            // before the table
+  std::vector<std::vector<std::string>> rows;  // the head first; empty: no table
+  std::vector<std::string> pictures;           // PNG files
+};
+
+// `command`: that makes it again. `pictures`: what draw_calibration made.
+std::vector<PagePart> calibration_parts(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
+                                        const std::vector<const Evaluation*>& comparable, const std::string& command,
+                                        const std::vector<std::string>& pictures);
+std::string markdown(const std::string& title, const std::vector<PagePart>& parts);
+std::string html(const std::string& title, const std::vector<PagePart>& parts);
+
+// Every set of every stage in the order of the search: stage, parameters, misfit, targets.
+Table way_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome);
+// Shares of the ranges: best, interval.
+Table parameter_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome);
+// Misfit of each target at the start and at the best set [tolerances].
+Table target_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome);
+
+// Draws misfit.png, parameters.png and targets.png in `folder` from misfit.csv, parameters.csv and targets.csv, which
+// it writes. Throws InputError when gnuplot is missing or fails.
+std::vector<std::string> draw_calibration(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
+                                          const std::string& folder);
+
+// The set of those given that meets most targets; the least misfit decides between equals.
+const Evaluation* most_met(const std::vector<const Evaluation*>& sets);
+// Pairs of targets that some set meets alone, and no set together; and targets that none meets.
+struct Apart {
+  std::vector<std::size_t> never;
+  struct Pair {
+    std::size_t a, b;
+    int met_a, met_b;  // sets
+  };
+  std::vector<Pair> pairs;
+};
+Apart apart(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
+
+}  // namespace footfall

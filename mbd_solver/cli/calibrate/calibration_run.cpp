@@ -1,0 +1,180 @@
+#include "mbd_solver/cli/calibrate/calibration_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/cli/calibrate/gauss_newton.h"
+
+namespace footfall {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double hours_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count() / 3600.0;
+}
+
+// Of one run of a set, as it went in the pool [s]; where it was done before, what it says of itself and what the pool
+// adds to others.
+double run_time(const Evaluation& one, double added) {
+  return one.lasted > 0.0 ? one.lasted : one.wall / std::max(1, one.runs) + added;
+}
+
+// What `count` sets of so many runs like those of `one` take.
+struct Share {
+  std::string what;
+  const Evaluation& one;
+  int sets, runs;  // runs: of each set
+  bool one_by_one;
+};
+
+void add_share(Prediction& p, const Share& share, int jobs, double added) {
+  const double rounds = share.one_by_one ? std::ceil(static_cast<double>(share.runs) / jobs) * share.sets
+                                         : std::ceil(static_cast<double>(share.runs) * share.sets / jobs);
+  const double hours = rounds * run_time(share.one, added) / 3600.0;
+  p.hours += hours;
+  p.sets += share.sets;
+  p.runs += share.sets * share.runs;
+  p.lines.push_back(share.what + ": " + std::to_string(share.sets) + (share.sets == 1 ? " set, " : " sets, ") +
+                    std::to_string(share.sets * share.runs) + " runs, " + number_text(hours, 3) + " h");
+}
+
+// With no stage's settings, on one seed: what the confirmation takes for each.
+Fidelity whole_once(const CalibrationSpec& spec) {
+  Fidelity fidelity = full_fidelity(spec);
+  fidelity.seeds = 1;
+  return fidelity;
+}
+
+}  // namespace
+
+bool CalibrationRun::start() {
+  const Shares at = start_of(spec_);
+  std::vector<Fidelity> all;
+  for (const StageSpec& stage : spec_.stages) all.push_back(fidelity_of(spec_, stage));
+  all.push_back(whole_once(spec_));
+  for (const Fidelity& fidelity : all) {
+    if (!evaluations_.carry_out(fidelity, {at}, jobs_, true)) return false;
+    const Evaluation& e = *evaluations_.known(fidelity, at);
+    if (!e.message.empty())
+      throw NumericalError(spec_.file + ": a run of the start did not end well: " + e.message +
+                           "; give parameters a start from which every scene runs");
+  }
+  outcome_.start = evaluations_.known(all[all.size() - 2], at);
+  return true;
+}
+
+Prediction CalibrationRun::predict() const {
+  const Shares at = start_of(spec_);
+  const Evaluation& whole = *evaluations_.known(whole_once(spec_), at);
+  std::vector<const Evaluation*> starts = {&whole};
+  for (const StageSpec& stage : spec_.stages) starts.push_back(evaluations_.known(fidelity_of(spec_, stage), at));
+  double added = 0.0;  // to a run by the pool: its start and its end
+  for (const Evaluation* e : starts)
+    if (e->lasted > 0.0) added = std::max(added, e->lasted - e->wall / std::max(1, e->runs));
+  Prediction p;
+  for (std::size_t k = 0; k < spec_.stages.size(); ++k)
+    add_share(p,
+              {"stage " + std::string(name_of(spec_.stages[k].method)), *starts[k + 1], spec_.stages[k].evaluations,
+               starts[k + 1]->runs, goes_one_by_one(spec_.stages[k].method)},
+              jobs_, added);
+  add_share(
+      p,
+      {"differences about the best set", *starts.back(), 2 * static_cast<int>(at.size()), starts.back()->runs, false},
+      jobs_, added);
+  add_share(p, {"confirmation", whole, 1, whole.runs * full_fidelity(spec_).seeds, false}, jobs_, added);
+  return p;
+}
+
+bool CalibrationRun::walk_stage(const StageSpec& asked, Shares& at) {
+  const Fidelity fidelity = fidelity_of(spec_, asked);
+  if (!evaluations_.carry_out(fidelity, {at}, jobs_)) return false;
+  const Evaluation& from = *evaluations_.known(fidelity, at);
+  const int runs_per_set = static_cast<int>(spec_.scenes.size()) * fidelity.seeds;
+  StageSpec stage = asked;
+  if (spec_.limits.runs > 0)
+    stage.evaluations = std::min(stage.evaluations, (spec_.limits.runs - runs_) / runs_per_set);
+  StageOutcome outcome;
+  outcome.best = from.misfit;
+  if (stage.evaluations <= 0) outcome.way.end = "limit of runs reached";
+  for (std::size_t said = 0; stage.evaluations > 0;) {
+    double spent = spent_;
+    const auto may_go_on = [&](const Shares&) {
+      return spec_.limits.hours <= 0.0 || spent < 3600.0 * spec_.limits.hours;
+    };
+    SearchQuestions questions;
+    questions.may_go_on = may_go_on;
+    questions.misfit = [&](const Shares& set) -> std::optional<double> {
+      const Evaluation* e = evaluations_.known(fidelity, set);
+      if (!e) return {};
+      spent += e->cpu;
+      return e->misfit;
+    };
+    LeastSquaresQuestions squares;
+    squares.may_go_on = may_go_on;
+    squares.residuals = [&](const Shares& set) -> std::optional<std::vector<double>> {
+      const Evaluation* e = evaluations_.known(fidelity, set);
+      if (!e) return {};
+      spent += e->cpu;
+      return e->message.empty() ? e->residuals(spec_) : std::vector<double>();
+    };
+    outcome.way = stage.method == SearchMethod::kGaussNewton
+                      ? walk_least_squares(stage, at, spec_.step, squares)
+                      : walk(stage, at, questions, static_cast<std::size_t>((jobs_ + runs_per_set - 1) / runs_per_set));
+    const StageWay& way = outcome.way;
+    if (way.sets.size() >= said + 10 || (way.wanted.empty() && !way.sets.empty())) {
+      said = way.sets.size();
+      std::printf("%s: %zu sets, best misfit %s\n", std::string(name_of(stage.method)).c_str(), said,
+                  number_text(std::min(way.misfit, from.misfit), 5).c_str());
+      std::fflush(stdout);
+    }
+    if (way.wanted.empty()) break;
+    if (!evaluations_.carry_out(fidelity, way.wanted, jobs_)) return false;
+  }
+  for (const Shares& set : outcome.way.sets) {
+    outcome.evaluations.push_back(evaluations_.known(fidelity, set));
+    runs_ += outcome.evaluations.back()->runs;
+    spent_ += outcome.evaluations.back()->cpu;
+  }
+  if (outcome.way.misfit < from.misfit) {
+    at = outcome.way.best;
+    outcome.best = outcome.way.misfit;
+  }
+  outcome_.stages.push_back(outcome);
+  return true;
+}
+
+bool CalibrationRun::search() {
+  const Clock::time_point began = Clock::now();
+  const int reused = evaluations_.runs_reused();
+  outcome_.predicted = predict().hours;
+  Shares at = start_of(spec_);
+  for (const StageSpec& stage : spec_.stages)
+    if (!walk_stage(stage, at)) return false;
+  const Fidelity last = fidelity_of(spec_, spec_.stages.back());
+  const std::vector<Shares> sets = difference_sets(spec_, at);
+  if (!evaluations_.carry_out(last, sets, jobs_)) return false;
+  if (!evaluations_.carry_out(full_fidelity(spec_), {at}, jobs_)) return false;
+  outcome_.best = evaluations_.known(last, at);
+  outcome_.confirmed = evaluations_.known(full_fidelity(spec_), at);
+  for (const Shares& set : sets) outcome_.around.push_back(evaluations_.known(last, set));
+  outcome_.determination = determination_of(spec_, *outcome_.best, outcome_.around);
+  outcome_.pulls = pulls_of(spec_, *outcome_.best, outcome_.around);
+  outcome_.taken = hours_since(began);
+  outcome_.whole_time = reused == 0 || evaluations_.runs_done() > 9 * evaluations_.runs_reused();
+  return true;
+}
+
+std::vector<const Evaluation*> CalibrationRun::comparable() const {
+  std::vector<const Evaluation*> sets = outcome_.stages.back().evaluations;
+  sets.insert(sets.end(), outcome_.around.begin(), outcome_.around.end());
+  sets.push_back(outcome_.best);
+  return sets;
+}
+
+}  // namespace footfall

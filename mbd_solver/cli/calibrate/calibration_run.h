@@ -1,0 +1,59 @@
+#pragma once
+// A whole calibration: start, stages, differences about the best set, confirmation. What came out of it, for the page.
+
+#include "mbd_solver/cli/calibrate/determination.h"
+#include "mbd_solver/cli/calibrate/search.h"
+
+namespace footfall {
+
+struct StageOutcome {
+  StageWay way;                                // complete
+  std::vector<const Evaluation*> evaluations;  // of way.sets
+  double best = 0.0;                           // misfit, of the stage's best or its start
+};
+
+struct CalibrationOutcome {
+  const Evaluation* start = nullptr;      // as the last stage runs it
+  const Evaluation* best = nullptr;       // likewise
+  const Evaluation* confirmed = nullptr;  // with no stage's settings, all seeds
+  std::vector<StageOutcome> stages;
+  std::vector<const Evaluation*> around;  // difference_sets
+  Determination determination;
+  std::vector<Pull> pulls;
+  double predicted = 0.0, taken = 0.0;  // [h]
+  bool whole_time = true;               // no run was done before: predicted and taken can be compared
+};
+
+// The time that is left after the start's runs, of which `jobs` go side by side [h]; and what is said about it.
+struct Prediction {
+  double hours = 0.0;
+  int sets = 0, runs = 0;
+  std::vector<std::string> lines;  // how the hours split
+};
+
+class CalibrationRun {
+ public:
+  CalibrationRun(const CalibrationSpec& spec, Evaluations& evaluations, int jobs)
+      : spec_(spec), evaluations_(evaluations), jobs_(jobs) {}
+
+  // The start, as every stage and the confirmation run it. False when interrupted. Throws NumericalError when it fails.
+  bool start();
+  Prediction predict() const;  // after start()
+  // All the rest. False when interrupted.
+  bool search();
+  const CalibrationOutcome& outcome() const { return outcome_; }
+  // The sets of the last stage, and those about the best: what is known of which targets go together.
+  std::vector<const Evaluation*> comparable() const;
+
+ private:
+  bool walk_stage(const StageSpec& stage, Shares& at);
+
+  const CalibrationSpec& spec_;
+  Evaluations& evaluations_;
+  int jobs_;
+  int runs_ = 0;        // of the search's ways so far
+  double spent_ = 0.0;  // by them [s of one core]
+  CalibrationOutcome outcome_;
+};
+
+}  // namespace footfall

@@ -1,0 +1,68 @@
+#pragma once
+// Sets of parameters and what their runs say. All runs stand in one store (experiments/run_store.h): one that is
+// finished is never done again, whoever asks for it.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/cli/calibrate/misfit.h"
+#include "mbd_solver/cli/experiments/run_store.h"
+
+namespace footfall {
+
+// How a set is run: a stage's cheaper settings, or none; and how many of the seeds.
+struct Fidelity {
+  std::vector<std::string> settings;
+  double until = 0.0;  // [s]; 0: not changed
+  int seeds = 1;
+};
+Fidelity fidelity_of(const CalibrationSpec& spec, const StageSpec& stage);
+Fidelity full_fidelity(const CalibrationSpec& spec);  // no stage's settings, all seeds
+
+struct Evaluation {
+  Shares shares;
+  double misfit = 0.0;                // Phi
+  std::vector<TargetResult> targets;  // as CalibrationSpec::targets
+  std::string message;                // of a run that failed
+  double wall = 0.0, cpu = 0.0;       // of its runs, together [s]
+  int runs = 0;
+  double lasted = 0.0;  // of the whole round that it was run in, per run and job [s]; 0: done before
+
+  int met() const;                                                   // number of targets
+  std::vector<double> residuals(const CalibrationSpec& spec) const;  // sqrt(w) r, all after one another
+};
+
+class Evaluations {
+ public:
+  // `folder`: of the store.
+  Evaluations(const CalibrationSpec& spec, const std::string& folder) : spec_(spec), store_(folder, true) {}
+
+  // Null when its runs are not done yet. The misfit of a set that breaks a constraint is kBroken (1 + by how much).
+  const Evaluation* known(const Fidelity& fidelity, const Shares& shares);
+  // Runs what is missing of the sets, at most `jobs` runs at once. False when it was interrupted. Throws InputError for
+  // a scene that cannot be read, when `must_be_read`; else such a set has failed. Throws PartnerError when somebody
+  // ended a run.
+  bool carry_out(const Fidelity& fidelity, const std::vector<Shares>& sets, int jobs, bool must_be_read = false);
+
+  int most_ranks() const { return store_.most_ranks(); }
+  int runs_done() const { return runs_done_; }      // by this process
+  int runs_reused() const { return runs_reused_; }  // done before
+  static constexpr double kBroken = 1e6;
+
+  // "--set" of one scene's run at this set, without seeds.
+  std::vector<std::string> settings(const Fidelity& fidelity, std::size_t scene, const Shares& shares) const;
+
+ private:
+  std::string key(const Fidelity& fidelity, const Shares& shares) const;
+  RunRequest request(const Fidelity& fidelity, std::size_t scene, int seed, const Shares& shares) const;
+  Evaluation evaluation_of(const Shares& shares, const std::vector<std::vector<std::size_t>>& runs) const;
+
+  const CalibrationSpec& spec_;
+  RunStore store_;
+  std::map<std::string, Evaluation> known_;
+  int runs_done_ = 0, runs_reused_ = 0;
+};
+
+}  // namespace footfall

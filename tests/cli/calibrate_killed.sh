@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# A calibration of some 200 runs, killed five times, loses no finished run and ends as the undisturbed one, which goes run by run.
+#   calibrate_killed.sh FOOTFALL CALIBRATION OUT
+set -eu
+footfall=$1 calibration=$2 out=$3
+inputs=$(dirname "$calibration")
+rm -rf "$out"; mkdir -p "$out"
+die() { echo "calibrate_killed.sh: $*" >&2; exit 1; }
+
+# The shipped drop tests, shorter, with 100 sets of a random search and a local one.
+sed '/^\[\[stages\]\]/,$d' "$calibration" >"$out/many.toml"
+sed -i "s|\"strut/|\"$inputs/strut/|; s|^step = .*|until = 0.05|" "$out/many.toml"
+printf '[[stages]]\nmethod = "crs2"\nevaluations = 60\n[[stages]]\nmethod = "bobyqa"\nevaluations = 40\nprecision = 1e-9\n' >>"$out/many.toml"
+
+"$footfall" calibrate "$out/many.toml" --out "$out/whole" --jobs 1 >"$out/whole.txt" 2>&1 || { cat "$out/whole.txt"; die "the undisturbed one failed"; }
+runs=$(find "$out/whole/runs" -name '*.done.json' | wc -l)
+((runs >= 200)) || die "$runs runs, expected at least 200"
+
+records() { find "$out/parts/runs" -name '*.done.json' -printf '%f %i %T@\n' 2>/dev/null | sort; }
+for ((kill = 1; kill <= 5; ++kill)); do
+  "$footfall" calibrate "$out/many.toml" --out "$out/parts" --jobs 2 >"$out/part_$kill.txt" 2>&1 &
+  calibrate=$!
+  until (($(records | wc -l) >= 35 * kill)); do
+    kill -0 "$calibrate" 2>/dev/null || { cat "$out/part_$kill.txt"; die "it ended before kill $kill"; }
+    sleep 0.05
+  done
+  kill -KILL "$calibrate"
+  wait "$calibrate" 2>/dev/null || true
+  sleep 0.3                            # its runs end with it
+  records >"$out/records_$kill.txt"
+done
+"$footfall" calibrate "$out/many.toml" --out "$out/parts" --jobs 2 >"$out/rest.txt" 2>&1 || { cat "$out/rest.txt"; die "the rest failed"; }
+records >"$out/records.txt"
+for ((kill = 1; kill <= 5; ++kill)); do
+  lost=$(comm -23 "$out/records_$kill.txt" "$out/records.txt")
+  [[ -z $lost ]] || die "runs that were finished at kill $kill were done again: $lost"
+done
+for file in way.csv best.txt most_met.txt parameters.csv targets.csv; do
+  cmp "$out/whole/$file" "$out/parts/$file" || die "$file differs from that of the undisturbed one"
+done
+echo "$runs runs; killed at $(for ((k = 1; k <= 5; ++k)); do wc -l <"$out/records_$k.txt"; done | paste -sd' ') of them; no finished run was done again"
