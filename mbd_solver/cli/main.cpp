@@ -255,6 +255,8 @@ constexpr Subcommand kSubcommands[] = {
     {"schema", "Print the JSON schema of scenes or experiments, for editors that complete and check", schema},
     {"surfaces", "Draw the control surfaces of a scene's fuzzy controllers", surfaces},
     {"sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted", sweep},
+    {"rig", "Measure a bed of grains with an instrument: plate, cone, wheel, shear ring, slope, sphere, drawn plate",
+     rig},
     {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},
     {"audit", "Check that what grains lose mechanism and walls get: momentum and energy, window by window", audit},
     {"pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures", pictures},
