@@ -8,6 +8,10 @@
 //
 //   d1 = (0.25 / mu) (rho_s / rho_b) D,   k = 12 mu (rho_b / rho_s)^(1/2) m g / D     PRE 87, 052208 (2013)
 //
+// At high speed the depth is linear in the speed of the impact, and the time to the stop the same for all [Goldman and
+// Umbanhowar, PRE 77, 021308 (2008)]: told are R^2 of a line through the depths and the time at the largest speed over that
+// at the next one.
+//
 // rho_s of the sphere, rho_b of the bed. Their product does not know the friction mu: it is 3.
 #include <algorithm>
 #include <array>
@@ -24,6 +28,27 @@ namespace {
 
 constexpr int kDropBins = 40;
 constexpr double kDropFirst = 2.0;  // grain radii
+// A run's impact: speed [m/s], depth [m] and time [s] of its first stop.
+struct Stop {
+  double speed = 0.0, depth = 0.0, time = 0.0;
+};
+
+// Of three speeds or more; else NaN.
+std::vector<RigAnswer> linear_depth(std::vector<Stop> stops) {
+  std::sort(stops.begin(), stops.end(), [](const Stop& a, const Stop& b) { return a.speed < b.speed; });
+  const auto count = static_cast<Eigen::Index>(stops.size());
+  Eigen::MatrixXd A(count, 2);
+  Eigen::VectorXd depth(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Stop& stop = stops[static_cast<std::size_t>(i)];
+    A.row(i) << 1.0, stop.speed;
+    depth(i) = stop.depth;
+  }
+  const double ratio = count < 3 ? std::nan("") : stops.back().time / stops[stops.size() - 2].time;
+  return {{"R^2 of depth linear in speed", "", depth.allFinite() ? least_squares(A, depth).r_squared : std::nan("")},
+          {"time to the stop, largest speed over the next", "", ratio}};
+}
+
 constexpr double kSolidLoose = 0.55, kSolidDense = 0.61;
 
 }  // namespace
@@ -32,6 +57,7 @@ RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
   RigSample sample;
   std::vector<std::array<double, 3>> rows;  // z, v^2, a + g
   std::vector<RigAnswer> depths;
+  std::vector<Stop> stops;
   for (const RigRun& run : runs) {
     const BodySpec& ball = body_of(run, "ball");
     if (!ball.shape || ball.shape->kind != ShapeKind::kSphere)
@@ -51,9 +77,10 @@ RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
     for (double& value : curve.y) value /= gravity_of(run);
     sample.curves.push_back(curve);
     for (std::size_t i = 0; i < a.x.size(); ++i) rows.push_back({a.x[i], s.y[i], a.y[i]});
-    depths.push_back(
-        {"depth at its first stop, impact at " + number_text(std::abs(run.scene.initial.velocity.z()), 3) + " m/s", "m",
-         stop < v.size() ? deepest : std::nan("")});
+    const double speed = std::abs(run.scene.initial.velocity.z()), none = std::nan("");
+    const bool stopped = stop < v.size();
+    stops.push_back({speed, stopped ? deepest : none, stopped ? history.columns.front()[stop] : none});
+    depths.push_back({"depth at its first stop, impact at " + number_text(speed, 3) + " m/s", "m", stops.back().depth});
   }
   Eigen::MatrixXd A(static_cast<Eigen::Index>(rows.size()), 2);
   Eigen::VectorXd y(A.rows());
@@ -77,6 +104,7 @@ RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
                     {"mu by d1", "", 0.25 * (rho_s / rho_b) * D / d1},
                     {"mu by k", "", k * D / (m * g) / (12.0 * std::sqrt(rho_b / rho_s))},
                     {"k d1 over its law", "", k * d1 / (m * g) * std::sqrt(rho_s / rho_b) * (rho_b / rho_s)}};
+  for (const RigAnswer& more : linear_depth(stops)) sample.answers.push_back(more);
   for (const RigAnswer& depth : depths) sample.answers.push_back(depth);
   return sample;
 }
