@@ -48,6 +48,13 @@ Table answer_table(const std::vector<RigVariant>& variants) {
   return table;
 }
 
+// A bound lies within the interval. R^2 and the like cannot pass 1, so that bound is none.
+bool is_open(const RigClaim& claim, const RigStatistic& s) {
+  if (!std::isfinite(s.interval)) return false;
+  const auto holds = [&](double bound) { return std::abs(bound - s.mean) < s.interval; };
+  return holds(claim.least) || (claim.most != 1.0 && holds(claim.most));
+}
+
 std::string claim_lines(const Rig& rig, const RigVariant& own) {
   std::string text;
   const std::vector<RigAnswer>& answers = own.samples.front().answers;
@@ -58,7 +65,9 @@ std::string claim_lines(const Rig& rig, const RigVariant& own) {
     const RigStatistic s = statistic_of(own.samples, static_cast<std::size_t>(found - answers.begin()));
     const bool so = s.mean >= claim.least && s.mean <= claim.most;
     text += "| " + claim.text + " (" + claim.source + ") | " + number_text(claim.least) + " to " +
-            number_text(claim.most) + " | " + answer_text(s.mean) + " | " + (so ? "yes" : "no") + " |\n";
+            number_text(claim.most) + " | " + answer_text(s.mean) +
+            (std::isfinite(s.interval) ? " +- " + number_text(s.interval, 2) : "") + " | " + (so ? "yes" : "no") +
+            (is_open(claim, s) ? ", but the interval leaves it open" : "") + " |\n";
   }
   return text.empty() ? text : "\n| law | asked | found | met |\n|---|---|---|---|\n" + text;
 }
