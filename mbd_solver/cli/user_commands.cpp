@@ -13,6 +13,8 @@
 #include "mbd_solver/cli/launch/new_case.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/positive.h"
+#include "mbd_solver/cli/rigs/rig.h"
+#include "mbd_solver/cli/rigs/rig_command.h"
 
 namespace footfall {
 
@@ -52,6 +54,31 @@ Action new_case(CLI::App& command) {
                 called_as().c_str(), a->name.c_str(), called_as().c_str(), a->name.c_str());
     return kExitDone;
   };
+}
+
+Action rig(CLI::App& command) {
+  const auto a = std::make_shared<RigArguments>();
+  std::string names;
+  for (const Rig& one : all_rigs()) names += std::string(names.empty() ? "" : "; ") + one.name + ": " + one.what;
+  command.add_option("NAME", a->name, names)->required();
+  command
+      .add_option("--file", a->file, "Experiment instead of inputs/rigs/NAME.toml: a copy of it that you have edited")
+      ->check(CLI::ExistingFile);
+  command.add_option("--out", a->out, "Folder for results (default: runs/rigs/NAME)");
+  command.add_option("--set", a->settings, "key=value: change one value of the scene, in every run")
+      ->allow_extra_args(false);
+  command.add_option("--gravity", a->gravity, "earth, moon, mars, or a number [m/s2] (default: the scene's, earth)");
+  command.add_option("--samples", a->samples, "Samples of the bed (default: 3)")->check(positive());
+  command.add_flag(
+      "--checks", a->checks,
+      "Also with a bed of twice the size, grains of half the size, and at half the speed: tells what moves "
+      "by more than 5 %. Takes many times as long");
+  command.add_option("--jobs", a->jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
+  command.add_flag("--short", a->short_form,
+                   "A short form on a small bed, as the tests run it; its answers mean nothing");
+  command.add_option("--only", a->only, "This run alone, without tables")->check(CLI::Range(0, 1 << 30));
+  command.add_flag("--list", a->list, "Make the beds, list the runs, and stop");
+  return [a] { return rig_command(*a); };
 }
 
 Action plot_columns(CLI::App& command) {

@@ -10,6 +10,7 @@ namespace footfall {
 using Action = std::function<int()>;
 
 Action new_case(CLI::App& command);
+Action rig(CLI::App& command);
 Action plot_columns(CLI::App& command);
 Action watch_run(CLI::App& command);
 // Not listed: `footfall help [COMMAND]`, and --man, --bash, --zsh, --write, which the installation uses.

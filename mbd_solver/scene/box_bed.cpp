@@ -109,6 +109,9 @@ Variables bed_variables(const Scene& scene) {
   all["margin"] = number(numbers.margin);
   all["headroom"] = number(numbers.headroom);
   all["share_2"] = number(share);
+  all["pit_x1"] = number(box.pit.empty() ? 0.0 : box.pit[0]);
+  all["pit_x2"] = number(box.pit.empty() ? 0.0 : box.pit[1]);
+  all["pit_depth"] = number(box.pit.empty() ? 0.0 : box.pit_depth);
   all["density"] = number(box.material.density);
   all["seed"] = std::to_string(prime_of(box.seed));
   all["dt"] = number(step_for(box, pour_speed(scene)));

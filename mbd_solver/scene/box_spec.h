@@ -69,7 +69,9 @@ struct BoxSpec {
   std::vector<double> radius;               // of the grains, one or two [m]
   std::vector<double> shares;               // of two radii in the mass; empty: alike [-]
   std::vector<double> centre = {0.0, 0.0};  // of the bed along x and y of W [m]
-  bool periodic = false;                    // it goes on at its sides; else walls of grain material
+  std::vector<double> pit;  // [x_1, x_2]: there the settled bed is taken away, across its width; empty: nowhere
+  double pit_depth = 0.0;   // of the pit below the surface [m]
+  bool periodic = false;    // it goes on at its sides; else walls of grain material
   Packing packing = Packing::kLoose;
   int seed = 1;                     // another sample of the bed for each number >= 1
   std::optional<double> headroom;   // of the simulation box above the surface [m]

@@ -77,6 +77,32 @@ void check_box_time_step(const Scene& scene, Findings& findings) {
                      "particles.max_time_step if you know that they are right");
 }
 
+// Whole columns of the bed down to a depth, part of it only.
+void check_pit(const Source& source, const BoxSpec& box, Findings& findings) {
+  if (box.pit.empty()) {
+    if (source.given("box.pit_depth"))
+      findings.error(source, "box.pit_depth", "stands without box.pit, which says where along x the pit is");
+    return;
+  }
+  const double left = box.centre[0] - 0.5 * box.size[0], right = box.centre[0] + 0.5 * box.size[0];
+  if (box.pit.size() != 2 || !(box.pit[0] < box.pit[1]) || box.pit[1] <= left || box.pit[0] >= right ||
+      (box.pit[0] <= left && box.pit[1] >= right))
+    findings.error(
+        source, "box.pit",
+        "is [" +
+            [&] {
+              std::vector<std::string> texts;
+              for (const double x : box.pit) texts.push_back(number_text(x));
+              return joined(texts);
+            }() +
+            "], expected [x_1, x_2] in m, x_1 < x_2, a part of the bed from x = " + number_text(left) + " to " +
+            number_text(right));
+  if (!(box.pit_depth > 0.0 && box.pit_depth <= box.depth))
+    findings.error(source, "box.pit_depth",
+                   "is " + number_text(box.pit_depth) + " m, expected more than 0 and at most the depth of the bed, " +
+                       number_text(box.depth) + " m");
+}
+
 // Words of a LIGGGHTS script and parts of its ids.
 void check_names(const Scene& scene, Findings& findings) {
   for (const BoundarySpec& boundary : scene.boundaries) {
@@ -136,6 +162,7 @@ bool check_box(const Scene& scene, Findings& findings) {
                      !box.radius.empty();
   if (!whole || findings.error_count() > before) return false;
   check_against_grains(source, box, findings);
+  check_pit(source, box, findings);
   check_box_time_step(scene, findings);
   if (const double grains = box_numbers(scene).grains; grains > kMostGrains)
     findings.error(source, "box.radius",

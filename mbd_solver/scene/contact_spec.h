@@ -117,6 +117,7 @@ struct ParticlesSpec {
   std::string script;  // LIGGGHTS script of the coupled run; gets -var out DIR, -var bed FILE, and:
   std::map<std::string, std::string> variables;  // -var name value
   int ranks = 2;                                 // LIGGGHTS processes
+  std::string soil;                              // of the box: what it says comes from inputs/soils/NAME.toml (soil.h)
   std::optional<BedSpec> bed;                    // none: the script makes or reads its own particles
   std::optional<BoxSpec>
       box;             // instead of both scripts: they are then those of inputs/box, and the variables its numbers

@@ -99,6 +99,8 @@ void visit_fields(FieldVisitor& v, BoxSpec& b) {
   v.field("radius", &b.radius, {Unit::kLength, Range::kPositive, Meaning::kPlain, true});
   v.field("shares", &b.shares, {Unit::kNone, Range::kPositive});
   v.field("centre", &b.centre, {Unit::kLength});
+  v.field("pit", &b.pit, {Unit::kLength});
+  v.field("pit_depth", &b.pit_depth, {Unit::kLength, Range::kPositive});
   v.field("periodic", &b.periodic, {});
   v.choice("packing", b.packing);
   v.field("seed", &b.seed, {Unit::kNone, Range::kPositive});
@@ -117,6 +119,7 @@ void visit_fields(FieldVisitor& v, ParticlesSpec& p) {
   v.field("script", &p.script, {Unit::kNone, Range::kAny, Meaning::kPath});
   v.field("variables", &p.variables, {});
   v.field("ranks", &p.ranks, {Unit::kNone, Range::kPositive});
+  v.field("soil", &p.soil, {});
   v.section("bed", p.bed);
   v.section("box", p.box);
   v.field("grains", &p.grains, {Unit::kNone, Range::kAny, Meaning::kPath});

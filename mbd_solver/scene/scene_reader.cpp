@@ -16,6 +16,7 @@
 #include "mbd_solver/scene/resolve.h"
 #include "mbd_solver/scene/scene_base.h"
 #include "mbd_solver/scene/scene_check.h"
+#include "mbd_solver/scene/soil.h"
 
 namespace footfall {
 
@@ -201,6 +202,7 @@ Scene read_scene(const std::string& argument, const std::vector<std::string>& se
   ConfigNode root = parse_scene_with_base(file);
   Findings findings(file);
   for (const std::string& setting : settings) apply_setting(root, setting, findings);
+  add_soil(root, findings);
 
   Scene scene;
   scene.file = file;

@@ -87,7 +87,7 @@ def shortened(words, block):
             return words + ["--until", kUntil]
         at = words.index("--until") + 1
         return words[:at] + [min(words[at], kUntil, key=float)] + words[at + 1:]
-    if command in ("sweep", "accuracy"):
+    if command in ("sweep", "accuracy", "rig"):
         return words + ["--short"]
     return ["./footfall", "test", "--help"] if command == "test" else words
 

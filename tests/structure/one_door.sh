@@ -62,7 +62,8 @@ declare -A may=(
   [mbd_solver/cli/analysis]='mbd_solver/cli/launch mbd_solver/output'
   [mbd_solver/cli/experiments]='mbd_solver/cli/analysis mbd_solver/coupling'
   [mbd_solver/cli/calibrate]='mbd_solver/cli/experiments'
-  [mbd_solver/cli]='mbd_solver/cli/calibrate'
+  [mbd_solver/cli/rigs]='mbd_solver/cli/experiments'
+  [mbd_solver/cli]='mbd_solver/cli/calibrate mbd_solver/cli/rigs'
 )
 # room FILE: the nearest folder around it that the table knows.
 room() {

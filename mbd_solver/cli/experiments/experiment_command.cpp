@@ -42,7 +42,10 @@ ExperimentSpec with_curve(ExperimentSpec spec, const std::string& name) {
 
 // The same command again, for one run or for all.
 std::vector<std::string> words_again(const ExperimentArguments& a, const std::string& file, const std::string& out) {
-  std::vector<std::string> words = {built_program("footfall"), a.command, file, "--out", out};
+  std::vector<std::string> words = {built_program("footfall")};
+  words.insert(words.end(), a.again.begin(), a.again.end());
+  if (a.again.empty()) words.insert(words.end(), {a.command, file});
+  words.insert(words.end(), {"--out", out});
   if (a.short_form) words.push_back("--short");
   if (!a.of_case.empty()) words.insert(words.end(), {"--case", a.of_case});
   return words;
@@ -115,14 +118,17 @@ void say_end(const RunStore& store, std::size_t run) {
 
 int experiment_command(const ExperimentArguments& a) {
   ExperimentSpec spec = read_experiment(a.file);
+  if (a.change) a.change(spec);
   if (!a.of_case.empty()) spec = with_curve(spec, a.of_case);
   if (a.short_form && spec.growth && !spec.growth->short_omega_h.empty())
     spec.growth->omega_h = spec.growth->short_omega_h;
-  const Plan plan = plan_of(spec, a.short_form);
+  Plan plan = plan_of(spec, a.short_form);
+  if (a.extend) a.extend(plan);
   const OutputPlace place = [&] {
     const std::string name = fs::path(a.file).stem().string();
     const std::string out = fs::absolute(a.out.empty() ? (fs::path(a.runs) / name).string() : a.out).string();
-    return OutputPlace{short_path(out), name, a.table, "./footfall " + a.command + " " + a.file, a.short_form};
+    const std::string words = a.again.empty() ? a.command + " " + a.file : shell_line({a.again, {}, "", ""});
+    return OutputPlace{short_path(out), name, a.table, "./footfall " + words, a.short_form};
   }();
   RunStore store((fs::path(place.folder) / "runs").string(), a.resume);
   for (const RunRequest& run : plan.runs) store.add(run);
@@ -133,7 +139,10 @@ int experiment_command(const ExperimentArguments& a) {
   // Elements of a job array share it; each of their runs has a folder of its own.
   const FileLock lock = a.only < 0 && !a.merge ? lock_folder(place.folder) : FileLock();
   const auto write = [&] {
-    return write_output(spec, plan, results_of(spec, plan, store), place) ? kExitDone : kExitFailed;
+    const Results results = results_of(spec, plan, store);
+    const bool good =
+        a.write ? a.write(spec, plan, results, place.folder, place.command) : write_output(spec, plan, results, place);
+    return good ? kExitDone : kExitFailed;
   };
   if (a.merge) return write();
   if (a.slurm) {

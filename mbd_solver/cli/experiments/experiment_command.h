@@ -3,9 +3,15 @@
 // pictures at the end. The two names differ in their defaults: accuracy measures run times, so one run at a time, each
 // done anew.
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace footfall {
+
+struct ExperimentSpec;
+struct Plan;
+struct Results;
 
 struct ExperimentArguments {
   std::string command;  // its name: sweep or accuracy
@@ -21,6 +27,13 @@ struct ExperimentArguments {
   bool merge = false;       // no runs: tables and plots of what is there
   bool list = false;        // no runs: beds, and their numbers, names and settings
   bool slurm = false;       // no runs: writes OUT/sweep.sbatch, the experiment as a Slurm job array
+
+  // For a command that makes its own of an experiment, as footfall rig does; each may be empty.
+  std::vector<std::string> again;               // words of the same command, instead of command and file
+  std::function<void(ExperimentSpec&)> change;  // of what the file says
+  std::function<void(Plan&)> extend;            // of its runs; cases stay as they are
+  // Instead of write_output: with the folder and the line of the command. True when all came out.
+  std::function<bool(const ExperimentSpec&, const Plan&, const Results&, const std::string&, const std::string&)> write;
 };
 
 // Returns the exit code: 0; 1 when something that the file expects did not come out, or a run of [[parameters]] failed;

@@ -1,0 +1,21 @@
+#pragma once
+// The checks that a rig makes of itself: the same with a bed of twice the size, with grains of half the size, at half the
+// speed.
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/scene/scene.h"
+
+namespace footfall {
+
+struct RigCheck {
+  std::string name;
+  std::vector<std::string> settings;  // of --set
+};
+
+// Of a scene with a box. Half the speed: every prescribed motion that is a polynomial of time, c_k -> c_k / 2^k, and twice
+// the end time `until` [s]; only where `slow`. Throws InputError where a motion is something else.
+std::vector<RigCheck> checks_of(const Scene& scene, bool slow);
+
+}  // namespace footfall

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# rigs.sh FOOTFALL OUT NAME: the short form of a rig, or NAME = messages: what it says to what cannot be.
+set -u
+footfall=$1 out=$2 name=$3
+die() { echo "rigs.sh: $*"; exit 1; }
+rm -rf "$out" && mkdir -p "$out" && cd "$out" || die "cannot make $out"
+
+says() {  # CODE PATTERN WORDS...
+  local code=$1 pattern=$2 text got; shift 2
+  text=$("$footfall" "$@" 2>&1); got=$?
+  [[ $got -eq $code ]] || die "$*: exit $got instead of $code: $text"
+  grep -q -- "$pattern" <<<"$text" || die "$*: says: $text"
+}
+if [[ $name == messages ]]; then
+  says 2 'there is no such rig. Known rigs: plate, cone, .*Did you mean "plate"?' rig plat
+  says 2 'expected earth, moon, mars, or a number' rig plate --gravity venus
+  says 2 'the rig varies this key itself, as its "width"; copy ' rig plate --set 'bodies.plate.shape.size=[1,1,1]'
+  says 2 'the rig varies this key itself, as its "seed"; --samples says' rig plate --set particles.box.seed=4
+  says 2 'unknown key' rig plate --set particles.box.colour=3 --list
+  says 2 'there is no soil "mud"' rig plate --set particles.soil=mud --list
+  exit 0
+fi
+"$footfall" rig "$name" --short --out out >log.txt 2>&1 || { cat log.txt; die "the short form failed"; }
+for file in $name.md $name.csv ${name}_curves.csv; do [[ -s out/$file ]] || die "$file is missing"; done
+grep -q '^| answer | unit | mean' out/$name.md || die "$name.md has no table"
+cat out/$name.md
+# The same command again does no run again.
+"$footfall" rig "$name" --short --out out >again.txt 2>&1 || die "a second time it fails"
+grep -q '^0 runs to do' again.txt || die "it runs again: $(grep 'runs to do' again.txt)"
