@@ -50,7 +50,7 @@ Vector6d tangent_increment(const TangentLoad& t, const BodyKinematics& at, const
 
 }  // namespace
 
-InertiaScratch::InertiaScratch(int modes) {
+InertiaScratch::InertiaScratch(int modes) : slopes(modes) {
   if (modes == 0) return;
   const int n = 6 + modes;
   v = dv = g = force = Eigen::VectorXd::Zero(n);
@@ -71,9 +71,7 @@ void add_body_force(const Body& body, const BodyKinematics& at, const Eigen::Vec
     return;
   }
   turn_into_body(at, s);
-  body.inertia().velocity_and_elastic_force(at.a, s.v, s.g);
-  body.inertia().mass_matrix(at.a, s.M);
-  s.g.noalias() += s.M * s.dv;
+  body.inertia().inertia_force(at.a, s.v, s.dv, s.slopes, s.M, s.g);
   F.head<3>() -= body.mass() * gravity;
   F.head<3>() += at.A * s.g.head<3>();
   F.segment<3>(3) += at.A * s.g.segment<3>(3);
@@ -107,9 +105,7 @@ void body_derivatives(const Body& body, const BodyKinematics& at, InertiaScratch
     return;
   }
   turn_into_body(at, s);
-  body.inertia().velocity_and_elastic_force(at.a, s.v, s.g);
-  body.inertia().mass_matrix(at.a, s.M);
-  s.g.noalias() += s.M * s.dv;
+  body.inertia().inertia_force(at.a, s.v, s.dv, s.slopes, s.M, s.g);
   body.inertia().derivatives(at.a, s.v, s.dv, s.dg_da, s.dg_dv);
   turn_matrix(at.A, s.M, M);
   turn_matrix(at.A, s.dg_dv, dF_dv);

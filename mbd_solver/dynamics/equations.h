@@ -16,6 +16,7 @@
 #include <string>
 
 #include "mbd_solver/dynamics/assembly.h"
+#include "mbd_solver/dynamics/condensed_lu.h"
 #include "mbd_solver/dynamics/layout.h"
 #include "mbd_solver/dynamics/redundancy.h"
 #include "mbd_solver/model/external_load.h"
@@ -59,6 +60,8 @@ class Equations {
                                                       const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
                                                       const Inputs& inputs);
   const Eigen::SparseMatrix<double>& reduced_pattern() const;
+  // States of contacts, which may be eliminated before it is factored (condensed_lu.h).
+  std::vector<InnerStates> inner_states() const;
   // out -= d[F_v; F_z; F_lambda]/dx dx, with the derivatives of the last Jacobian.
   // dx as v; out as [v; z; lambda].
   void subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> out) const;
@@ -70,6 +73,12 @@ class Equations {
   // complete dy/dt with the multipliers in the place of their rates. Throws NumericalError naming time and
   // body when not finite.
   void accelerations(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> ydot_and_lambda);
+
+  // One step of the same from rates that are nearly right, with the factors of an earlier solve: out is corrected, change
+  // is by how much (of dv and lambda; else 0). Where the factors are old its corrections fall by what the matrix has
+  // changed since. False: there are no factors, or rows are redundant, or a law has no value here.
+  bool correct_rates(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> out,
+                     Eigen::Ref<Eigen::VectorXd> change);
 
   // Of all lambda with the same reactions on the bodies together, that of the smallest sum (s_i lambda_i)^2 (redundancy.h).
   // Nothing changes where no rows are redundant.
@@ -99,6 +108,8 @@ class Equations {
 
   // Energies and powers at (t, y); multipliers enter the power of prescribed motions.
   void energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs, EnergySample& out);
+  // The powers alone, which is all that the time integrals of a step need: out.stored has no meaning.
+  void powers(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs, EnergySample& out);
 
   // Voltages and signals at a state: those of the inputs, continuous signals at their present values.
   void signals(const State& state, const Inputs& inputs, Eigen::VectorXd& out);
@@ -127,6 +138,8 @@ class Equations {
  private:
   struct Workspace;
   void set_row_sizes(const State& state);
+  void sample_energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs, bool stored_by_bodies,
+                     EnergySample& out);
   void rest_rows();  // regularisation of all rows
   void demand_fitting(const Inputs& inputs) const;
   // At the loaded kinematics: of the inputs, or with the continuous signals among them. Also the rates of their states.

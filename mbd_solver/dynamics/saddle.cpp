@@ -27,6 +27,7 @@ std::string at_time(double t) { return "t = " + std::to_string(t) + " s: "; }
 
 void Equations::forget() {
   work_->saddle_lu->forget();
+  work_->saddle_factored = false;
   work_->redundancies_known = work_->redundancies.empty();
 }
 
@@ -34,7 +35,7 @@ bool Equations::factor_saddle(const State& state) {
   Workspace& w = *work_;
   const auto factor = [&] {
     fill_saddle(state.time, 1.0, w.regularisation);
-    return w.saddle_lu->factor();
+    return w.saddle_factored = w.saddle_lu->factor();
   };
   if (!w.redundancies_known) find_redundancies(state);
   bool done = factor();
@@ -231,6 +232,30 @@ void Equations::accelerations(const State& state, const Inputs& inputs, Eigen::R
       throw NumericalError(at_time(state.time) + entry_name(static_cast<int>(i)) + " or its rate is not finite.");
   }
   throw NumericalError(at_time(state.time) + "the equations of motion are singular; does every body have a mass?");
+}
+
+bool Equations::correct_rates(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> out,
+                              Eigen::Ref<Eigen::VectorXd> change) {
+  Workspace& w = *work_;
+  if (!w.saddle_factored || !w.redundancies.empty()) return false;
+  demand_fitting(inputs);
+  pack(state, out.tail(layout_.row_count), w.y);
+  try {
+    residual(state.time, w.y, out, inputs, w.rhs);
+  } catch (const NumericalError&) {
+    return false;
+  }
+  out.head(layout_.q_size) -= w.rhs.head(layout_.q_size);
+  out.segment(layout_.z0(), layout_.z_size) -= w.rhs.segment(layout_.z0(), layout_.z_size);
+  w.saddle_x.head(layout_.v_size) = w.rhs.segment(layout_.v0(), layout_.v_size);
+  w.saddle_x.tail(layout_.row_count) = w.rhs.tail(layout_.row_count);
+  w.saddle_lu->solve(w.saddle_x);
+  change.setZero();
+  change.segment(layout_.v0(), layout_.v_size) = w.saddle_x.head(layout_.v_size);
+  change.tail(layout_.row_count) = w.saddle_x.tail(layout_.row_count);
+  out.segment(layout_.v0(), layout_.v_size) -= w.saddle_x.head(layout_.v_size);
+  out.tail(layout_.row_count) -= w.saddle_x.tail(layout_.row_count);
+  return out.allFinite();
 }
 
 void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x,

@@ -94,6 +94,13 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
     most_states = std::max(most_states, m);
   }
   row = row2 = row3 = row4 = Eigen::VectorXd::Zero(std::max(n, most_states));
+  for (int j = 0; j < model.joint_count(); ++j) {
+    for (const ConstraintRow& r : model.joint(j).rows) {
+      if (!r.motion && !(r.inertia > 0.0) && !r.law) continue;
+      working_joints.push_back(j);
+      break;
+    }
+  }
   body_places.resize(static_cast<std::size_t>(model.body_count()));
   joint_places.resize(static_cast<std::size_t>(model.joint_count()));
   saddle_joint.resize(static_cast<std::size_t>(model.joint_count()));

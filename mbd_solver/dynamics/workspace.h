@@ -79,6 +79,7 @@ struct Equations::Workspace {
   std::vector<PairPlaces> saddle_joint;  // extra_v: Phi_v, v_extra: its transpose
   std::vector<int> saddle_diagonal;
   std::unique_ptr<SparseLu> saddle_lu;
+  bool saddle_factored = false;           // saddle_lu has factors
   std::unique_ptr<SparseLu> smallest_lu;  // of the same pattern, for make_smallest()
   Eigen::VectorXd saddle_x, rest_x, phi_rate;
   Eigen::VectorXd reaction;        // Phi_v^T lambda
@@ -87,6 +88,8 @@ struct Equations::Workspace {
   // Per row [1/kg or 1/(kg m2)]: (Phi_v M^-1 Phi_v^T)_ii at the start; s^2 of make_smallest(), the same or its mean over a
   // joint; eps of rows that do not rest; that of all
   Eigen::VectorXd row_size, smallest_size, eps, regularisation;
+
+  std::vector<int> working_joints;  // with rows that move with time or turn a rotor: the others do no work
 
   std::vector<Redundancy> redundancies;
   bool redundancies_known = true;  // else found anew from the next state
@@ -98,22 +101,27 @@ struct RowPlace {
   bool adds;  // to the row of an earlier joint, the first member of its gear
 };
 
-// Calls visit(place, pair, phi_v, value) for every row of every joint. phi_v is a scratch row of the pair.
+// Calls visit(place, pair, phi_v, value) for every row of joint j. phi_v is a scratch row of the pair.
+template <typename Visit>
+void for_each_row_of(int j, const Model& model, const Layout& layout, const Kinematics& kinematics, double t,
+                     Eigen::VectorXd& scratch, Visit visit) {
+  const Joint& joint = model.joint(j);
+  MarkerVectors vectors(kinematics.pair(joint.m1.body, joint.m2.body), joint.m1, joint.m2);
+  const PairMotion& pair = vectors.pair();
+  Eigen::Ref<Eigen::VectorXd> phi_v = scratch.head(pair.size());
+  for (std::size_t k = 0; k < joint.rows.size(); ++k) {
+    const RowValue value = evaluate_row(joint.rows[k], t, vectors, phi_v, kinematics.turns(j));
+    const int local = static_cast<int>(k);
+    visit(RowPlace{layout.joint_row[static_cast<std::size_t>(j)] + local, j, local, joint.row_of >= 0}, pair, phi_v,
+          value);
+  }
+}
+
+// For every row of every joint.
 template <typename Visit>
 void for_each_row(const Model& model, const Layout& layout, const Kinematics& kinematics, double t,
                   Eigen::VectorXd& scratch, Visit visit) {
-  for (int j = 0; j < model.joint_count(); ++j) {
-    const Joint& joint = model.joint(j);
-    MarkerVectors vectors(kinematics.pair(joint.m1.body, joint.m2.body), joint.m1, joint.m2);
-    const PairMotion& pair = vectors.pair();
-    Eigen::Ref<Eigen::VectorXd> phi_v = scratch.head(pair.size());
-    for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-      const RowValue value = evaluate_row(joint.rows[k], t, vectors, phi_v, kinematics.turns(j));
-      const int local = static_cast<int>(k);
-      visit(RowPlace{layout.joint_row[static_cast<std::size_t>(j)] + local, j, local, joint.row_of >= 0}, pair, phi_v,
-            value);
-    }
-  }
+  for (int j = 0; j < model.joint_count(); ++j) for_each_row_of(j, model, layout, kinematics, t, scratch, visit);
 }
 
 // First velocity coordinate of each body of a pair in v; -1 for the ground.

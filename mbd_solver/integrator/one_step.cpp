@@ -24,7 +24,8 @@ constexpr double kFirst = 0.01;  // of y changes in the first step of all
 // Steps that fail in a row, or in turn with others, have come near a singular position: a failure counts kFailure, a step
 // that succeeds takes one away, and beyond kTrouble the next kCareful steps start without any drift.
 constexpr int kFailure = 2, kTrouble = 2, kCareful = 20;
-constexpr double kNear = 1e-9;     // of a step
+constexpr double kSame = 1.2;   // steps of fifth order that would grow by less stay as they are, and so do the factors
+constexpr double kNear = 1e-9;  // of a step
 constexpr double kStretch = 10.0;  // so many steps before its end a window is divided into equal ones
 
 }  // namespace
@@ -36,13 +37,13 @@ OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
       norm_(equations.layout(), options) {
   const int n = equations.layout().size();
   const std::size_t stages = static_cast<std::size_t>(tableau_.stages);
-  y_ = Ydot_ = known_ = F_ = change_ = rates_ = row_rates_ = Eigen::VectorXd::Zero(n);
+  y_ = Ydot_ = known_ = F_ = change_ = rates_ = left_ = row_rates_ = Eigen::VectorXd::Zero(n);
   dx_ = Eigen::VectorXd::Zero(equations.layout().v_size);
   K_.assign(stages, Eigen::VectorXd::Zero(n));
   Y_.assign(stages, Eigen::VectorXd::Zero(n));
   energy_.resize(stages);
   before_.assign(tableau_.predictors[3] < 0 ? 3 : 4, Eigen::VectorXd::Zero(n));
-  lu_ = std::make_unique<SparseLu>(equations.reduced_pattern());
+  lu_ = std::make_unique<CondensedLu>(equations.reduced_pattern(), equations.inner_states());
 }
 
 void OneStep::forget() {
@@ -50,6 +51,7 @@ void OneStep::forget() {
   rate_ = 1.0;
   h_before_ = 0.0;
   trouble_ = careful_ = 0;
+  left_time_ = -std::numeric_limits<double>::infinity();
   lu_->forget();
   equations_.forget();
 }
@@ -57,11 +59,7 @@ void OneStep::forget() {
 void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) {
   const Layout& layout = equations_.layout();
   FOOTFALL_DEMAND(t_end > state.time);
-  // Rates at the start under the loads of this window.
-  equations_.accelerations(state, inputs, K_[0]);
-  ++statistics_.factorizations;
-  equations_.pack(state, K_[0].tail(layout.row_count), y_);
-  equations_.energy(state.time, y_, inputs, energy_[0]);
+  start_window(inputs, state);
   row_time_ = rows.after(state.time);
 
   double h = state.step > 0.0 ? state.step : std::min(t_end - state.time, first_step());
@@ -75,6 +73,7 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
     if (outcome == Outcome::kAccepted) {
       trouble_ = std::max(0, trouble_ - 1);
       h = next_step(step);
+      if (tableau_.order > 2 && h > step && h < kSame * step) h = step;
       goes_on = accept(t, step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
       if (const std::string slow = watch.complaint(state.time); !slow.empty()) give_up(state.time, slow);
       continue;
@@ -99,6 +98,8 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
   rates_ = K_[0];
   statistics_.count(options_.projection ? equations_.project(state) : equations_.check_closed(state));
   equations_.smallest_multipliers(state, rates_.tail(layout.row_count));
+  left_time_ = state.time;
+  equations_.pack(state, rates_.tail(layout.row_count), left_);
 }
 
 double OneStep::first_step() {
@@ -196,7 +197,7 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   const std::size_t last = K_.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
     const double b = i < last ? tableau_.a[last][i] : tableau_.gamma;
-    if (i > 0) equations_.energy(t + tableau_.c[i] * h, Y_[i], inputs, energy_[i]);
+    if (i > 0) equations_.powers(t + tableau_.c[i] * h, Y_[i], inputs, energy_[i]);
     if (b != 0.0) add_work(energy_[i], h * b, state);
   }
   equations_.unpack(Y_.back(), state);

@@ -5,12 +5,14 @@
 //   estimate: e = h sum (b - b^)_i K_i, filtered by the iteration matrix, so that stiff parts do not shrink the step
 // Positions follow from velocities in closed form, so Newton iterates [v; z; lambda] alone, with the reduced Jacobian at
 // c = 1 / (h gamma). Multipliers have no rates. The Jacobian and its factors are kept while Newton converges fast.
+// Steps of the fifth order that would grow by less than a fifth stay as long as they are for that reason.
 // Newton stops when what it leaves is small beside the error of the step itself (as the step before lets expect), so that
 // smaller steps have smaller errors although there are more of them.
 
+#include <limits>
 #include <vector>
 
-#include "mbd_solver/dynamics/sparse_lu.h"
+#include "mbd_solver/dynamics/condensed_lu.h"
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/integrator.h"
 #include "mbd_solver/integrator/tableau.h"
@@ -41,6 +43,9 @@ class OneStep : public Integrator {
   bool solve_stage(int stage, double t, double h, const Inputs& inputs);
   // Jacobian at y with rates K, and its factors.
   bool refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& K, double c, const Inputs& inputs);
+  void start_window(const Inputs& inputs,
+                    const State& state);  // y_, K_[0] and energy_[0] under the loads of this window
+  bool follow_rates(const Inputs& inputs, const State& state);  // K_[0] from that of the window before
   bool close_end(double t);  // end_ where it is to be taken; false: projection would take energy away
   // Moves state on, gives the rows on the way; false: one of them has ended the window.
   bool accept(double t, double h, double t_new, double t_end, const Inputs& inputs, const Rows& rows, State& state);
@@ -59,7 +64,7 @@ class OneStep : public Integrator {
   const Tableau& tableau_;
   IntegratorStatistics statistics_;
   ErrorNorm norm_;
-  std::unique_ptr<SparseLu> lu_;
+  std::unique_ptr<CondensedLu> lu_;
   double factored_c_ = 0.0;        // c of the factors, 0: none
   bool fresh_ = false;             // the Jacobian belongs to this step
   bool at_stages_ = false;         // it is renewed at every stage
@@ -69,9 +74,11 @@ class OneStep : public Integrator {
   int worst_ = -1;                 // entry of y that failed last
   std::string complaint_;          // of a force law that had no value
 
-  Eigen::VectorXd y_;               // at the start of the step
-  std::vector<Eigen::VectorXd> K_;  // rates of the stages; multipliers in the tail
-  std::vector<Eigen::VectorXd> Y_;  // values of the stages; Y_[0] is not used
+  Eigen::VectorXd y_;                                            // at the start of the step
+  std::vector<Eigen::VectorXd> K_;                               // rates of the stages; multipliers in the tail
+  std::vector<Eigen::VectorXd> Y_;                               // values of the stages; Y_[0] is not used
+  Eigen::VectorXd left_;                                         // y at the end of the last window, without drift
+  double left_time_ = -std::numeric_limits<double>::infinity();  // its time [s]
   Eigen::VectorXd Ydot_, known_, F_, change_, dx_, rates_;
   std::vector<EnergySample> energy_;  // powers at the stages
 

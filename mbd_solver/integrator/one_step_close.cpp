@@ -1,5 +1,6 @@
 // Drift at the end of a step, and in singular positions (theory 2.4).
 #include <cmath>
+#include <limits>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
@@ -11,6 +12,11 @@ namespace {
 // Drift [in absolute tolerances] that stays within a window; states that are handed out have none.
 constexpr double kDrift = 0.1;
 constexpr double kOpen = 1e3;  // error of a step whose end does not close
+
+// A window that goes on where the last one ended starts from its rates, corrected with factors of the saddle matrix that are
+// at hand, until the correction changes a step by less than this share of the tolerance.
+constexpr double kRateError = 1e-4;
+constexpr int kMostCorrections = 4;
 
 }  // namespace
 
@@ -52,12 +58,41 @@ void OneStep::start_clean(const Inputs& inputs, State& state) {
   renew_rates(inputs, state);
 }
 
+void OneStep::start_window(const Inputs& inputs, const State& state) {
+  if (!follow_rates(inputs, state)) {
+    equations_.accelerations(state, inputs, K_[0]);
+    ++statistics_.factorizations;
+  }
+  equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
+  equations_.powers(state.time, y_, inputs, energy_[0]);
+}
+
+bool OneStep::follow_rates(const Inputs& inputs, const State& state) {
+  if (!inputs.loads.empty() || state.time != left_time_ || !(state.step > 0.0)) return false;
+  const int m = equations_.layout().lambda0();
+  equations_.pack(state, rates_.tail(equations_.layout().row_count), y_);
+  if (y_.head(m) != left_.head(m)) return false;
+  K_[0] = rates_;
+  norm_.set(y_);
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostCorrections; ++i) {
+    if (!equations_.correct_rates(state, inputs, K_[0], change_)) return false;
+    ++statistics_.residuals;
+    change_ *= state.step;
+    const double size = norm_(change_);
+    if (size <= kRateError) return true;
+    if (!(size < 0.1 * last)) return false;
+    last = size;
+  }
+  return false;
+}
+
 void OneStep::renew_rates(const Inputs& inputs, const State& state) {
   equations_.forget();
   equations_.accelerations(state, inputs, K_[0]);
   ++statistics_.factorizations;
   equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
-  equations_.energy(state.time, y_, inputs, energy_[0]);
+  equations_.powers(state.time, y_, inputs, energy_[0]);
 }
 
 }  // namespace footfall

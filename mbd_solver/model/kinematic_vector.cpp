@@ -45,9 +45,18 @@ void KinematicVector::add_term(const PairMotion& pair, int slot, double sign, bo
     t.y.setZero();
     t.z.setZero();
   } else {
-    const Eigen::Vector3d u = u0 + U * b.a;
-    const Eigen::Vector3d du = U * b.da;
-    const Eigen::Vector3d ddu = U * b.dda;
+    // U a, U da and U dda in one pass: most of the work on a flexible body.
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero(), du = Eigen::Vector3d::Zero(), ddu = Eigen::Vector3d::Zero();
+    const double* column = U.data();
+    for (int k = 0; k < b.modes; ++k, column += 3) {
+      const double a = b.a[k], da = b.da[k], dda = b.dda[k];
+      for (int i = 0; i < 3; ++i) {
+        sum[i] += column[i] * a;
+        du[i] += column[i] * da;
+        ddu[i] += column[i] * dda;
+      }
+    }
+    const Eigen::Vector3d u = u0 + sum;
     t.x.noalias() = b.A * u;
     t.y.noalias() = b.A * du;
     t.z.noalias() = b.A * ddu;

@@ -37,6 +37,7 @@ ModalInertia::ModalInertia(double mass, const Matrix3d& inertia)
       J2_(0, 0),
       C0_(3, 0),
       C1_(0, 0),
+      G1_(0, 0),
       Mff_(0, 0),
       K_(0),
       C_(0) {
@@ -87,6 +88,9 @@ ModalInertia::ModalInertia(const ModalBody& body)
     }
   }
   Mff_ = 0.5 * (Mff_ + Mff_.transpose()).eval();
+  G1_.setZero(3 * s, s);
+  for (int k = 0; k < modes_; ++k)
+    for (int l = 0; l < modes_; ++l) G1_.block<3, 1>(3 * k, l) = coupling_slope(l, k) - coupling_slope(k, l);
   const Vector3d c = S0_ / (mass_ > 0.0 ? mass_ : 1.0);
   require_positive(mass_, J0_ + mass_ * skew(c) * skew(c), body.name);
 }
@@ -163,6 +167,55 @@ void ModalInertia::velocity_and_elastic_force(const Vec& a, const Vec& v, Eigen:
   }
   h.head<3>() = force;
   h.segment<3>(3) = moment + w.cross(H);
+}
+
+// The two functions above, with the sums over l as columns: the same terms in the same order.
+void ModalInertia::inertia_force(const Vec& a, const Vec& v, const Vec& dv, Slopes& slopes,
+                                 Eigen::Ref<Eigen::MatrixXd> M, Eigen::Ref<Eigen::VectorXd> g) const {
+  const Index size = 6 + modes_;
+  FOOTFALL_DEMAND(a.size() == modes_ && v.size() == size && dv.size() == size && g.size() == size);
+  FOOTFALL_DEMAND(M.rows() == size && M.cols() == size && slopes.dJ.size() == 9 * modes_);
+  slopes.dJ = Eigen::Map<const Eigen::VectorXd>(J1_.data(), J1_.size());
+  slopes.C = Eigen::Map<const Eigen::VectorXd>(C0_.data(), C0_.size());
+  slopes.dC.setZero();
+  slopes.gyroscopic.setZero();
+  for (int l = 0; l < modes_; ++l) {
+    const double da = v(6 + l);
+    slopes.dJ += a(l) * J2_.col(l);
+    slopes.C += a(l) * C1_.col(l);
+    slopes.dC += da * C1_.col(l);
+    slopes.gyroscopic += da * G1_.col(l);
+  }
+
+  const Vector3d w = v.segment<3>(3), S = first_moment(a);
+  Matrix3d J = J0_;
+  Vector3d H = J0_ * w, moment = Vector3d::Zero();
+  Vector3d force = w.cross(w.cross(S));
+  for (int k = 0; k < modes_; ++k) {
+    const double da = v(6 + k);
+    const Eigen::Map<const Matrix3d> J1(&J1_(0, k)), dJ(&slopes.dJ(9 * k));
+    const Vector3d C = slopes.C.segment<3>(3 * k);
+    J += 0.5 * a(k) * (J1 + dJ);
+    const Vector3d J1w = J1 * w, dJw = dJ * w;
+    H += 0.5 * a(k) * (J1w + dJw) + da * C;
+    force += 2.0 * da * w.cross(S1_.col(k));
+    moment += da * (dJw + slopes.dC.segment<3>(3 * k));
+    g(6 + k) = -0.5 * w.dot(dJw) + w.dot(slopes.gyroscopic.segment<3>(3 * k)) + C_(k) * da + K_(k) * a(k);
+    M.block<3, 1>(0, 6 + k) = S1_.col(k);
+    M.block<3, 1>(3, 6 + k) = C;
+    M.block<1, 3>(6 + k, 0) = S1_.col(k).transpose();
+    M.block<1, 3>(6 + k, 3) = C.transpose();
+  }
+  g.head<3>() = force;
+  g.segment<3>(3) = moment + w.cross(H);
+
+  const Matrix3d Sx = skew(S);
+  M.topLeftCorner<3, 3>() = mass_ * Matrix3d::Identity();
+  M.block<3, 3>(0, 3) = -Sx;
+  M.block<3, 3>(3, 0) = Sx;
+  M.block<3, 3>(3, 3) = 0.5 * (J + J.transpose());
+  M.bottomRightCorner(modes_, modes_) = Mff_;
+  g.noalias() += M * dv;
 }
 
 // Row by row the derivatives of g = M(a) dv + h(a, v), with dv = [ddr; dw; dda]; see the two functions above.

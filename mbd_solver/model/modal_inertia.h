@@ -30,6 +30,14 @@ class ModalInertia {
   // h(a, v): 6+s.
   void velocity_and_elastic_force(const Eigen::Ref<const Eigen::VectorXd>& a,
                                   const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::Ref<Eigen::VectorXd> h) const;
+  // g = M(a) dv + h(a, v) (6+s) and M(a), with the slopes of the inertia computed once for both. `slopes`: scratch.
+  struct Slopes {
+    explicit Slopes(int modes = 0) : dJ(9 * modes), C(3 * modes), dC(3 * modes), gyroscopic(3 * modes) {}
+    Eigen::VectorXd dJ, C, dC, gyroscopic;  // of mode k: rows 9k.. and 3k..
+  };
+  void inertia_force(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& v,
+                     const Eigen::Ref<const Eigen::VectorXd>& dv, Slopes& slopes, Eigen::Ref<Eigen::MatrixXd> M,
+                     Eigen::Ref<Eigen::VectorXd> g) const;
   // Derivatives of g = M(a) dv + h(a, v) at fixed dv: dg_da (6+s) x s, dg_dv (6+s) x (6+s). (dg_ddv is M.)
   void derivatives(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& v,
                    const Eigen::Ref<const Eigen::VectorXd>& dv, Eigen::Ref<Eigen::MatrixXd> dg_da,
@@ -59,6 +67,7 @@ class ModalInertia {
   Eigen::MatrixXd J2_;     // 9s x s: rows 9k.., column l: d2J/da_l da_k
   Eigen::Matrix3Xd C0_;    // 3 x s: sum m rho0~ Phi + J_j Psi
   Eigen::MatrixXd C1_;     // 3s x s: rows 3k.., column l: sum m Phi_l x Phi_k + t_l x J_j t_k - 1/2 J_j (t_l x t_k)
+  Eigen::MatrixXd G1_;     // 3s x s: rows 3k.., column l: dC_k/da_l - dC_l/da_k
   Eigen::MatrixXd Mff_;    // s x s: sum m Phi^T Phi + Psi^T J_j Psi
   Eigen::VectorXd K_, C_;  // s: diagonal modal stiffness [1/s2] and damping [1/s]
 };

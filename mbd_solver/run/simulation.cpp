@@ -66,6 +66,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       sampler_({scene_, mechanism_, equations_.layout()}, equations_, state_, rates_, inputs_),
       checkpoints_(scene.output.checkpoint_interval, scene.output.checkpoint_interval) {
   inputs_.voltages = mechanism_.voltages;
+  voltages_move_ = std::isfinite(control_.next_sample());  // else nothing samples: rows alone end no window
   const Kinematics drawn = kinematics();
   if (scene.initial.settle && resume.empty()) start_settled();
   equations_.settle_signals(nullptr, inputs_, state_);

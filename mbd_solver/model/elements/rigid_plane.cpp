@@ -1,6 +1,7 @@
 #include "mbd_solver/model/elements/rigid_plane.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "coupler/base/errors.h"
@@ -12,6 +13,26 @@ namespace {
 
 constexpr int kRimPlaces = 12;     // m of a round edge: the second lowest is 0.13 R above the lowest
 constexpr double kUpright = 1e-9;  // s below which no place of an edge is lowest: the edge lies flat
+constexpr double kClear = 1e-9;    // [m]: a place higher than this does not touch, whatever the round-off
+
+// Of place k of a round edge.
+double rim_cosine(int k) {
+  static const std::array<double, kRimPlaces> cosines = [] {
+    std::array<double, kRimPlaces> out{};
+    for (int i = 0; i < kRimPlaces; ++i) out[static_cast<std::size_t>(i)] = std::cos(2.0 * kPi * i / kRimPlaces);
+    return out;
+  }();
+  return cosines[static_cast<std::size_t>(k)];
+}
+
+double rim_sine(int k) {
+  static const std::array<double, kRimPlaces> sines = [] {
+    std::array<double, kRimPlaces> out{};
+    for (int i = 0; i < kRimPlaces; ++i) out[static_cast<std::size_t>(i)] = std::sin(2.0 * kPi * i / kRimPlaces);
+    return out;
+  }();
+  return sines[static_cast<std::size_t>(k)];
+}
 
 }  // namespace
 
@@ -108,10 +129,11 @@ void RigidPlane::each_contact(const ElementInput& in, const ContactRim& rim, int
   const bool tilted = s > kUpright;
   const Eigen::Vector3d e_0 = tilted ? Eigen::Vector3d(down / s) : Eigen::Vector3d(body.A * rim.marker.axes.col(0));
   const Eigen::Vector3d b = a.cross(e_0);
+  const double height = n.dot(centre - parameters_.point);
   Contact at;
   for (int k = 0; k < kRimPlaces; ++k) {
-    const double angle = 2.0 * kPi * k / kRimPlaces;
-    const Eigen::Vector3d e_k = std::cos(angle) * e_0 + std::sin(angle) * b;
+    const Eigen::Vector3d e_k = rim_cosine(k) * e_0 + rim_sine(k) * b;
+    if (height + rim.radius * n.dot(e_k) > kClear) continue;
     on_rim_.s0 = rim.marker.s0 + rim.radius * (body.A.transpose() * e_k);
     if (!contact(in, on_rim_, 0.0, first_place + k, at)) continue;
     // b stays level while the body turns by dtheta: the places turn about a by psi = -(b x n).dtheta / s on top.
@@ -123,10 +145,19 @@ void RigidPlane::each_contact(const ElementInput& in, const ContactRim& rim, int
 template <class Use>
 void RigidPlane::each_contact(const ElementInput& in, Use use) const {
   if (far(*in.pair.body[0])) return;
+  // Heights first: most places touch nothing, and their velocities are not wanted.
+  const BodyKinematics& body = *in.pair.body[0];
+  const Eigen::Vector3d n_B = body.A.transpose() * parameters_.normal;
+  const double height = parameters_.normal.dot(body.r - parameters_.point);
   Contact at;
   int place = 0;
-  for (const ContactPoint& point : points_)
-    if (contact(in, point.marker, point.radius, place++, at)) use(at);
+  for (const ContactPoint& point : points_) {
+    const Marker& m = point.marker;
+    double h = height + n_B.dot(m.s0);
+    for (Eigen::Index k = 0; k < m.S.cols(); ++k) h += n_B.dot(m.S.col(k)) * body.a[k];
+    if (h - point.radius <= kClear && contact(in, m, point.radius, place, at)) use(at);
+    ++place;
+  }
   for (const ContactRim& rim : rims_) {
     each_contact(in, rim, place, use);
     place += kRimPlaces;

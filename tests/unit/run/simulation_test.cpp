@@ -337,5 +337,19 @@ TEST(RunScene, OnGrainsTellsOfBothSides) {
   EXPECT_EQ(summary["active"], nlohmann::ordered_json({"bodies", "particles"}));
 }
 
+// Rows are read from the steps: without anything that samples the whole run is one window.
+TEST(Simulation, RowsEndNoStepWhereNothingIsSampled) {
+  SceneText folder;
+  long steps[2];
+  for (int k = 0; k < 2; ++k) {
+    const Scene scene = folder.read(kThrownBall, {k == 0 ? "output.interval=1" : "output.interval=1e-4"});
+    Simulation simulation(scene, kEnd, nullptr);
+    simulation.run([](const Sample&) {}, test::kNever);
+    steps[k] = simulation.integrator().statistics().steps;
+    EXPECT_EQ(simulation.integrator().statistics().windows, 1) << k;
+  }
+  EXPECT_EQ(steps[0], steps[1]);
+}
+
 }  // namespace
 }  // namespace footfall

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# What a step costs against the size of a mechanism: chains of rigid bodies, and ten flexible rods with more and more modes. Instructions of the whole program
+# by valgrind, which do not depend on what else runs: the difference of two runs of fixed steps, so without the start.
+#   tests/bench/size.sh BUILD [OUT]      OUT (default runs/size) gets size.csv, size.md and size.png. Needs valgrind and gnuplot.
+set -euo pipefail
+solver=$(realpath "$1")/bin/mbd_solver out=${2:-runs/size}
+mkdir -p "$out"; out=$(realpath "$out")
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
+
+# scene BODIES MODES of each: a chain of rods, each 0.2 m, that hangs level from a ball joint and falls.
+scene() {
+  awk -v n="$1" -v modes="$2" 'BEGIN {
+    print "title = \"chain\"\nend_time = 1\ngravity = [0, 0, -9.81]\n[materials.steel]\ndensity = 7850\nyoung = 2.1e11\npoisson = 0.3"
+    for (i = 1; i <= n; ++i) {
+      printf "[[bodies]]\nname = \"rod_%d\"\nmaterial = \"steel\"\nshape = { kind = \"rod\", from = [%g, 0, 0], to = [%g, 0, 0], diameter = 0.02 }\n", i, 0.2 * (i - 1), 0.2 * i
+      if (modes > 0) printf "flexible = { modes = %d, elements = 24 }\n", modes
+    }
+    for (i = 1; i <= n; ++i) {
+      before = i == 1 ? "ground" : "rod_" (i - 1)
+      printf "[[joints]]\nname = \"joint_%d\"\ntype = \"%s\"\nbodies = [\"%s\", \"rod_%d\"]\npoint = [%g, 0, 0]\n", i, i % 2 ? "spherical" : "revolute", before, i, 0.2 * (i - 1)
+      if (i % 2 == 0) print "axis = \"y\""
+    }
+    print "[solver]\nerror_control = false\nmax_step = 5e-4\n[output]\ninterval = 1\nplots = false\nvtk = false"
+  }' > "$work/scene.toml"
+}
+instructions() {  # UNTIL
+  rm -rf "$work/run"
+  valgrind --tool=callgrind --callgrind-out-file="$work/callgrind" "$solver" "$work/scene.toml" --quiet --keep-every 0 --until "$1" --out "$work/run" > "$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
+  sed -n 's/^\(summary\|totals\): //p' "$work/callgrind" | head -n 1
+}
+# kind, size (what grows), bodies, modes of each
+measure() {
+  scene "$3" "$4"
+  local few many
+  few=$(instructions 0.01) many=$(instructions 0.02)
+  awk -v kind="$1" -v size="$2" -v a="$few" -v b="$many" 'BEGIN { printf "%s,%d,%.4g\n", kind, size, (b - a) / 20 }' | tee -a "$out/size.csv"
+}
+
+echo "kind,size,instructions_per_step" > "$out/size.csv"
+for n in 10 20 50 100 200 400; do measure bodies "$n" "$n" 0; done
+for m in 0 5 10 20 30 50; do measure modes $((10 * m)) 10 "$m"; done
+
+slope() {  # of kind $1 between sizes $2 and $3, on logarithmic scales
+  awk -F, -v kind="$1" -v a="$2" -v b="$3" '$1 == kind { y[$2] = $3 } END { printf "%.2f", log(y[b] / y[a]) / log(b / a) }' "$out/size.csv"
+}
+{
+  echo "| what grows | size | instructions of a step | of each |"
+  echo "|---|---|---|---|"
+  awk -F, 'NR > 1 { printf "| %s | %d | %.2e | %s |\n", $1, $2, $3, ($2 > 0 ? sprintf("%.2e", $3 / $2) : "-") }' "$out/size.csv"
+  printf '\nSlopes on logarithmic scales: %s from 10 to 100 bodies, %s from 100 to 400; %s from 50 to 200 modes, %s from 200 to 500.\n' \
+    "$(slope bodies 10 100)" "$(slope bodies 100 400)" "$(slope modes 50 200)" "$(slope modes 200 500)"
+} > "$out/size.md"
+gnuplot <<END
+set terminal pngcairo size 900,600
+set output "$out/size.png"
+set logscale xy
+set xlabel "bodies, or modes of ten bodies together"
+set ylabel "instructions of a step"
+set format y "10^{%L}"
+set grid
+set key left top
+set datafile separator ","
+plot "< grep '^bodies' '$out/size.csv'" using 2:3 with linespoints lw 2 title "rigid bodies in a chain", \
+     "< grep '^modes' '$out/size.csv' | grep -v ',0,'" using 2:3 with linespoints lw 2 title "modes of ten rods", \
+     1e5*x dashtype 2 lc rgb "grey" title "linear"
+END
+cat "$out/size.md"
