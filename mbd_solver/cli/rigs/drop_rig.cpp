@@ -29,18 +29,18 @@ namespace {
 constexpr int kDropBins = 40;
 constexpr double kDropFirst = 2.0;  // grain radii
 // A run's impact: speed [m/s], depth [m] and time [s] of its first stop.
-struct Stop {
+struct Standstill {
   double speed = 0.0, depth = 0.0, time = 0.0;
 };
 
 // Of three speeds or more; else NaN.
-std::vector<RigAnswer> linear_depth(std::vector<Stop> stops) {
-  std::sort(stops.begin(), stops.end(), [](const Stop& a, const Stop& b) { return a.speed < b.speed; });
+std::vector<RigAnswer> linear_depth(std::vector<Standstill> stops) {
+  std::sort(stops.begin(), stops.end(), [](const Standstill& a, const Standstill& b) { return a.speed < b.speed; });
   const auto count = static_cast<Eigen::Index>(stops.size());
   Eigen::MatrixXd A(count, 2);
   Eigen::VectorXd depth(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Stop& stop = stops[static_cast<std::size_t>(i)];
+    const Standstill& stop = stops[static_cast<std::size_t>(i)];
     A.row(i) << 1.0, stop.speed;
     depth(i) = stop.depth;
   }
@@ -57,7 +57,7 @@ RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
   RigSample sample;
   std::vector<std::array<double, 3>> rows;  // z, v^2, a + g
   std::vector<RigAnswer> depths;
-  std::vector<Stop> stops;
+  std::vector<Standstill> stops;
   for (const RigRun& run : runs) {
     const BodySpec& ball = body_of(run, "ball");
     if (!ball.shape || ball.shape->kind != ShapeKind::kSphere)

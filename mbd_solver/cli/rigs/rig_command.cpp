@@ -74,12 +74,12 @@ void add_checks(Plan& plan, const Rig& rig, bool wanted) {
 // The finished runs, by check and sample. A sample of which a run is missing is left out, and said so.
 std::vector<RigVariant> variants_of(const Rig& rig, const ExperimentSpec& spec, const Plan& plan,
                                     const Results& results) {
-  struct Group {
+  struct VariantRuns {
     std::string check;
     std::vector<RigRun> runs;
     bool whole = true;
   };
-  std::vector<std::pair<std::string, Group>> groups;  // by the values of check and ensemble, in their order
+  std::vector<std::pair<std::string, VariantRuns>> groups;  // by the values of check and ensemble, in their order
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     const RunRequest& request = plan.runs[i];
     const std::string check = request.values.back();
@@ -92,7 +92,7 @@ std::vector<RigVariant> variants_of(const Rig& rig, const ExperimentSpec& spec, 
         name += (name.empty() ? "" : ", ") + parameter.name + " " + request.values[p];
     }
     auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == key; });
-    if (group == groups.end()) group = groups.insert(group, {key, Group{check, {}, true}});
+    if (group == groups.end()) group = groups.insert(group, {key, VariantRuns{check, {}, true}});
     if (!results.runs[i].end.done()) {
       std::printf("%s ended with code %d: %s; its sample of the bed is left out\n", request.name.c_str(),
                   results.runs[i].end.code, results.runs[i].end.message.c_str());
