@@ -20,7 +20,6 @@ trap 'rm -f "$page"' EXIT
   cat docs/soil_laws/head.txt
   table rft rft --samples 1
   cat docs/soil_laws/rft.txt
-  table rft_smooth rft --samples 1 --set particles.box.bodies.friction=0.1
   cat docs/soil_laws/sphere.txt
   table sphere sphere --samples 2
   cat docs/soil_laws/rigs.txt

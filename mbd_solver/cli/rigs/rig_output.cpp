@@ -82,11 +82,13 @@ std::string draw_curves(const Rig& rig, const RigVariant& own, const std::string
     for (std::size_t c = 0; c < own.samples[k].curves.size(); ++c) {
       const RigCurve& curve = own.samples[k].curves[c];
       if (curve.x.empty()) continue;
+      const bool line = std::is_sorted(curve.x.begin(), curve.x.end());
       for (std::size_t i = 0; i < curve.x.size(); ++i)
         table.add({curve.name, number_text(curve.x[i], 8), number_text(curve.y[i], 8)});
       lines.push_back(gnuplot_text(file) + " every ::" + std::to_string(row) +
-                      "::" + std::to_string(row + curve.x.size() - 1) + " using 2:3 with linespoints ps 0.6 lc " +
-                      std::to_string(c + 1) + (k == 0 ? " title " + gnuplot_text(curve.name) : " notitle"));
+                      "::" + std::to_string(row + curve.x.size() - 1) + " using 2:3 with " + (line ? "lines" : "") +
+                      "points ps 0.8 lc " + std::to_string(c + 1) +
+                      (k == 0 ? " title " + gnuplot_text(curve.name) : " notitle"));
       row += curve.x.size();
     }
   }
