@@ -38,8 +38,6 @@ using namespace footfall;
 
 namespace {
 
-constexpr double kTryFor = 2.0;  // of footfall check --time [s]
-
 // The scene of ./footfall run: here, or else that which comes with this program.
 std::string default_scene() {
   const std::string name = "inputs/landing_mr";
@@ -98,9 +96,7 @@ Action check(CLI::App& command) {
   a->scene = default_scene();
   command.add_option("SCENE", a->scene, "Scene file, or folder with scene.toml")->capture_default_str();
   command.add_option("--set", a->settings, "key=value: change one value of the scene")->allow_extra_args(false);
-  const auto time = std::make_shared<bool>(false);
-  command.add_flag("--time", *time, "Tell how long the run will take, by two seconds of it (scenes without grains)");
-  return [a, time] { return check_command(a->scene, a->settings, *time ? kTryFor : 0.0); };
+  return [a] { return check_command(a->scene, a->settings); };
 }
 
 Action surfaces(CLI::App& command) {

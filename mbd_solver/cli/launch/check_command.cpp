@@ -5,7 +5,6 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/cli/launch/box_report.h"
-#include "mbd_solver/cli/launch/run_time.h"
 #include "mbd_solver/scene/boundary_surface.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -41,7 +40,7 @@ Scene checked_scene(const std::string& argument, const std::vector<std::string>&
   return scene;
 }
 
-int check_command(const std::string& argument, const std::vector<std::string>& settings, double try_for) {
+int check_command(const std::string& argument, const std::vector<std::string>& settings) {
   const Scene scene = checked_scene(argument, settings);
   const char* grounds[] = {"no ground", "a rigid plane", "particles"};
   double mass = 0.0;
@@ -51,14 +50,6 @@ int check_command(const std::string& argument, const std::vector<std::string>& s
       scene.file.c_str(), scene.bodies.size(), mass, scene.joints.size(), scene.struts.size(), scene.springs.size(),
       scene.controllers.size(), scene.boundaries.size(), grounds[static_cast<int>(scene.ground.kind)]);
   if (scene.touches_particles() && scene.particles->box) std::fputs(box_report(scene).c_str(), stdout);
-  if (try_for > 0.0) {
-    if (scene.touches_particles())
-      throw InputError(scene.file +
-                       ": --time runs mechanisms without grains; this scene's ground is \"particles\". "
-                       "Leave --time out, or try `--set ground.kind=plane` where the scene has a plane");
-    std::fflush(stdout);
-    std::fputs(run_time_report(argument, settings, scene.end_time, try_for).c_str(), stdout);
-  }
   return kExitDone;
 }
 

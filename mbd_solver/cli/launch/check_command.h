@@ -13,8 +13,7 @@ namespace footfall {
 // Warnings go to standard error. Throws InputError.
 Scene checked_scene(const std::string& argument, const std::vector<std::string>& settings);
 
-// Prints what the scene holds, and with try_for > 0 how long its run will take, by a run of so many seconds on the clock
-// (run_time.h). Returns the exit code. Throws InputError with every finding.
-int check_command(const std::string& argument, const std::vector<std::string>& settings, double try_for = 0.0);
+// Prints what the scene holds. Returns the exit code. Throws InputError with every finding.
+int check_command(const std::string& argument, const std::vector<std::string>& settings);
 
 }  // namespace footfall
