@@ -16,7 +16,6 @@
 #include <string>
 
 #include "mbd_solver/dynamics/assembly.h"
-#include "mbd_solver/dynamics/condensed_lu.h"
 #include "mbd_solver/dynamics/layout.h"
 #include "mbd_solver/dynamics/redundancy.h"
 #include "mbd_solver/model/external_load.h"
@@ -60,8 +59,6 @@ class Equations {
                                                       const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
                                                       const Inputs& inputs);
   const Eigen::SparseMatrix<double>& reduced_pattern() const;
-  // States of contacts, which may be eliminated before it is factored (condensed_lu.h).
-  std::vector<InnerStates> inner_states() const;
   // out -= d[F_v; F_z; F_lambda]/dx dx, with the derivatives of the last Jacobian.
   // dx as v; out as [v; z; lambda].
   void subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> out) const;

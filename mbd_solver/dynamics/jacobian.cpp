@@ -194,19 +194,6 @@ const Eigen::SparseMatrix<double>& Equations::jacobian(double t, const Eigen::Re
 
 const Eigen::SparseMatrix<double>& Equations::reduced_pattern() const { return work_->reduced; }
 
-// Only elements of many small blocks; what signals drive or measure is left in.
-std::vector<InnerStates> Equations::inner_states() const {
-  constexpr int kLargestBlock = 3;
-  std::vector<InnerStates> out;
-  for (int i = 0; i < model_.force_count(); ++i) {
-    const ForceElement& element = model_.force(i);
-    const int count = element.state_count(), block = element.state_block();
-    if (count <= block || block > kLargestBlock || element.voltage_count() > 0) continue;
-    out.push_back({layout_.v_size + layout_.force_z[static_cast<std::size_t>(i)], count, block});
-  }
-  return out;
-}
-
 const Eigen::SparseMatrix<double>& Equations::reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                                                const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
                                                                const Inputs& inputs) {

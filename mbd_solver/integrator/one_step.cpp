@@ -43,7 +43,7 @@ OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
   Y_.assign(stages, Eigen::VectorXd::Zero(n));
   energy_.resize(stages);
   before_.assign(tableau_.predictors[3] < 0 ? 3 : 4, Eigen::VectorXd::Zero(n));
-  lu_ = std::make_unique<CondensedLu>(equations.reduced_pattern(), equations.inner_states());
+  lu_ = std::make_unique<SparseLu>(equations.reduced_pattern());
 }
 
 void OneStep::forget() {
