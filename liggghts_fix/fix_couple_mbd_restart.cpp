@@ -96,7 +96,7 @@ bool all_grains_in_box(LAMMPS* lmp) {
 }  // namespace
 
 void keep_grains(LAMMPS* lmp, std::string file) {
-  // Behind all other fixes, in a resumed run too, so that its files are the same; the command makes LIGGGHTS' lists anew.
+  // Behind all other fixes, in a resumed run too: its files are the same. The command makes LIGGGHTS' lists anew.
   if (held_forces(lmp) != nullptr) lmp->modify->delete_fix(kHeldForces);
   hold_forces(lmp);
   watched(lmp, file, [&] {

@@ -8,10 +8,10 @@ namespace LAMMPS_NS {
 
 class LAMMPS;
 
-// Both files hold the forces and moments on the grains too. LIGGGHTS evaluates them anew when a run is set up, but not as
-// a step does: contacts that slide count as sticking there, because their history stands still, and brake by their whole
-// damping for half a step (an impact's kinetic energy: -2 % at a step of 10 % of Rayleigh's time). Clumps keep what
-// LIGGGHTS evaluates.
+// Both files hold the forces and moments on the grains too. LIGGGHTS evaluates them anew when a run is set up, but not
+// as a step does: contacts that slide count as sticking there, because their history stands still, and brake by their
+// whole damping for half a step (an impact's kinetic energy: -2 % at a step of 10 % of Rayleigh's time). Clumps keep
+// what LIGGGHTS evaluates.
 
 // LIGGGHTS' command `write_restart`: brings the grains into their boxes and into a new order before.
 void keep_grains(LAMMPS* lmp, std::string file);

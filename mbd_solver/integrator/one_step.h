@@ -43,8 +43,8 @@ class OneStep : public Integrator {
   bool solve_stage(int stage, double t, double h, const Inputs& inputs);
   // Jacobian at y with rates K, and its factors.
   bool refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& K, double c, const Inputs& inputs);
-  void start_window(const Inputs& inputs,
-                    const State& state);  // y_, K_[0] and energy_[0] under the loads of this window
+  // y_, K_[0] and energy_[0] under the loads of this window.
+  void start_window(const Inputs& inputs, const State& state);
   bool follow_rates(const Inputs& inputs, const State& state);  // K_[0] from that of the window before
   bool close_end(double t);  // end_ where it is to be taken; false: projection would take energy away
   // Moves state on, gives the rows on the way; false: one of them has ended the window.

@@ -89,8 +89,8 @@ std::string with_stars_for_numbers(const std::string& name) {
   return out;
 }
 
-// More series than there are colours: a figure for each group whose names differ by numbers alone, as the primary struts of
-// all legs.
+// More series than there are colours: a figure for each group whose names differ by numbers alone, as the primary
+// struts of all legs.
 void add_readable(const Figure& figure, std::vector<Figure>& out) {
   if (figure.curves.size() <= kSeriesColours) {
     out.push_back(figure);
