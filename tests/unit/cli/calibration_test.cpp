@@ -3,9 +3,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "coupler/base/errors.h"
@@ -21,8 +23,12 @@ const std::string kRest =
     "[[stages]]\nmethod = \"bobyqa\"\nevaluations = 10\n";
 
 CalibrationSpec read_text(const std::string& text) {
-  const std::string path = (std::filesystem::temp_directory_path() / "footfall_calibration_test.toml").string();
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("footfall_calibration_" + std::to_string(::getpid()) + ".toml"))
+          .string();
   std::ofstream(path) << "scene = \"scene.toml\"\n" << text;
+  const std::unique_ptr<const std::string, void (*)(const std::string*)> gone(
+      &path, [](const std::string* file) { std::filesystem::remove(*file); });
   return read_calibration(path);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -16,7 +17,9 @@ using ::testing::HasSubstr;
 
 // What read_experiment says of a file with this text; empty when nothing is wrong.
 std::string complaint(const std::string& text) {
-  const std::string path = (std::filesystem::temp_directory_path() / "footfall_experiment_test.toml").string();
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("footfall_experiment_" + std::to_string(::getpid()) + ".toml"))
+          .string();
   std::ofstream(path) << "scene = \"scene.toml\"\n" << text;
   std::string what;
   try {
@@ -29,7 +32,8 @@ std::string complaint(const std::string& text) {
 }
 
 TEST(ReadExperiment, AsksForNoDrawingsUnlessTheFileDoes) {
-  const std::string path = (std::filesystem::temp_directory_path() / "footfall_experiment_drawings.toml").string();
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("footfall_drawings_" + std::to_string(::getpid()) + ".toml")).string();
   std::ofstream(path) << "scene = \"scene.toml\"\nsettings = [\"output.vtk=true\"]\n"
                          "[[parameters]]\nname = \"v\"\nsettings = [\"x={value}\"]\nvalues = [1]\n"
                          "[[figures]]\nname = \"m\"\nkey = \"k\"\n";

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -35,7 +36,8 @@ TEST(CountPeaks, ShoulderIsNoPeakAndARiseAtTheEndIsOne) {
 }
 
 TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "footfall_figures_test";
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("footfall_figures_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "summary.json") << "{\"weight\": 2.0}";
   std::ofstream(folder / "history.csv") << "# units: s,N,N\ntime,a,b\n0,1,5\n1,3,-1\n2,2,4\n";
@@ -56,7 +58,8 @@ TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
 }
 
 TEST(FiguresOfRun, AreReducedColumnsOverAKeyOfTheSummary) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "footfall_figures_over_test";
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("footfall_figures_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "summary.json") << "{\"reference_energy_J\": 50.0}\n";
   std::ofstream(folder / "history.csv") << "# units: s,J\ntime,work.contact\n0,0\n0.1,-20\n0.2,-10\n";

@@ -2,6 +2,7 @@
 #include "mbd_solver/cli/analysis/grain_series.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -17,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string run_folder() {
-  const std::string folder = (fs::temp_directory_path() / "footfall_grain_series").string();
+  const std::string folder =
+      (fs::temp_directory_path() / ("footfall_grain_series_" + std::to_string(::getpid()))).string();
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;

@@ -2,6 +2,7 @@
 #include "mbd_solver/cli/analysis/html_page.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -34,7 +35,8 @@ TEST(HtmlPage, EscapesWhatItIsGiven) {
 }
 
 TEST(HtmlPage, PicturesStandInThePage) {
-  const std::string file = (std::filesystem::temp_directory_path() / "footfall_dot.png").string();
+  const std::string file =
+      (std::filesystem::temp_directory_path() / ("footfall_dot_" + std::to_string(::getpid()) + ".png")).string();
   std::ofstream(file, std::ios::binary) << "PNG!";
   HtmlPage page("t");
   page.picture(file);

@@ -1,5 +1,6 @@
 // mbd_solver/cli/rigs: the fits of rigs on runs whose soil is known exactly.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -22,7 +23,8 @@ constexpr double kOfBins = 5e-3;
 RigRun run_with(const std::string& name, const BodySpec& body, const History& history) {
   RigRun run;
   run.name = name;
-  run.folder = (std::filesystem::path(testing::TempDir()) / ("rig_" + name)).string();
+  run.folder =
+      (std::filesystem::path(testing::TempDir()) / ("rig_" + std::to_string(::getpid()) + "_" + name)).string();
   std::filesystem::create_directories(run.folder);
   write_history(run.folder + "/history.csv", history);
   run.scene.bodies = {body};
