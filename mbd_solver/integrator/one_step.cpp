@@ -24,8 +24,7 @@ constexpr double kFirst = 0.01;  // of y changes in the first step of all
 // Steps that fail in a row, or in turn with others, have come near a singular position: a failure counts kFailure, a step
 // that succeeds takes one away, and beyond kTrouble the next kCareful steps start without any drift.
 constexpr int kFailure = 2, kTrouble = 2, kCareful = 20;
-constexpr double kSame = 1.2;   // steps of fifth order that would grow by less stay as they are, and so do the factors
-constexpr double kNear = 1e-9;  // of a step
+constexpr double kNear = 1e-9;     // of a step
 constexpr double kStretch = 10.0;  // so many steps before its end a window is divided into equal ones
 
 }  // namespace
@@ -73,7 +72,6 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
     if (outcome == Outcome::kAccepted) {
       trouble_ = std::max(0, trouble_ - 1);
       h = next_step(step);
-      if (tableau_.order > 2 && h > step && h < kSame * step) h = step;
       goes_on = accept(t, step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
       if (const std::string slow = watch.complaint(state.time); !slow.empty()) give_up(state.time, slow);
       continue;

@@ -5,7 +5,6 @@
 //   estimate: e = h sum (b - b^)_i K_i, filtered by the iteration matrix, so that stiff parts do not shrink the step
 // Positions follow from velocities in closed form, so Newton iterates [v; z; lambda] alone, with the reduced Jacobian at
 // c = 1 / (h gamma). Multipliers have no rates. The Jacobian and its factors are kept while Newton converges fast.
-// Steps of the fifth order that would grow by less than a fifth stay as long as they are for that reason.
 // Newton stops when what it leaves is small beside the error of the step itself (as the step before lets expect), so that
 // smaller steps have smaller errors although there are more of them.
 

@@ -42,6 +42,16 @@ audit examples/05_auger --until 0.06
 audit examples/06_gripper --until 0.3
 audit examples/07_rover --until 0.0532          # ends within a window
 audit examples/08_touchdown --until 0.2503
+box() { echo "--set particles.box.size=$1 --set particles.box.depth=$2"; }
+audit inputs/rigs/scenes/plate.toml --until 0.06 $(box [0.24,0.24] 0.06)
+audit inputs/rigs/scenes/cone.toml --until 0.12 $(box [0.16,0.16] 0.1) --set bodies.cone.shape.scale=0.03
+audit inputs/rigs/scenes/wheel.toml --until 0.04 $(box [0.54,0.14] 0.05)
+audit inputs/rigs/scenes/shear.toml --until 0.05 $(box [0.24,0.24] 0.05)
+# The gate stands: grains lean on it.
+audit inputs/rigs/scenes/repose.toml --until 0.1 --set 'joints.draw.motion.x.polynomial=[0,0]' $(box [0.32,0.08] 0.06) --set 'particles.box.pit=[0,0.16]' --set particles.box.pit_depth=0.04 \
+  --set 'bodies.gate.shape.size=[0.01,0.078,0.08]'
+audit inputs/rigs/scenes/sphere.toml --until 0.04 $(box [0.24,0.24] 0.12) --set bodies.ball.shape.radius=0.04
+audit inputs/rigs/scenes/rft.toml --until 0.1 $(box [0.42,0.1] 0.12)
 
 # Every scene with grains is there; the reference scene names every key and is run by its own test.
 while IFS= read -r file; do

@@ -165,9 +165,9 @@ void balance_of_mechanism(const GrainsAudit& grains, const MechanismAudit& mecha
   LineMaker momentum("mechanism: linear momentum", "N s");
   for (std::size_t k = 1; k < mechanism.rows.size() && k <= grains.windows.size(); ++k) {
     const MechanismRow &from = mechanism.rows[k - 1], &to = mechanism.rows[k];
-    // The end of the scene cuts the last window short, within a step of the grains: they finish their step.
+    // The scene may end within a step of the grains: the last window is theirs to the nearest whole step.
     const double whole = grains.windows[k - 1].length, moved = to.time - from.time;
-    const bool cut = k + 1 == mechanism.rows.size() && moved < (1.0 - kSameMoment) * whole;
+    const bool cut = k + 1 == mechanism.rows.size() && std::abs(moved - whole) > kSameMoment * whole;
     const double H = cut ? moved : whole;
     Vector3d got = H * to.mass * to.gravity;
     double flowed = got.norm();
