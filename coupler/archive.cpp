@@ -127,19 +127,21 @@ void Archive::operator()(const char* name, std::vector<bool>& value) {
   for (const char mark : marks) value.push_back(mark == '1');
 }
 
-void Archive::shape(const char* name, Eigen::Index& rows, Eigen::Index& cols) {
+void Archive::shape(const char* name, Eigen::Index& rows, Eigen::Index& cols, std::array<int, 2> fixed) {
   begin(name);
   if (!restores_) {
     text_ += " " + std::to_string(rows) + " " + std::to_string(cols);
     return;
   }
-  const Eigen::Index before = rows * cols;
+  const std::array<Eigen::Index, 2> before = {rows, cols};
   rows = std::strtol(word().c_str(), nullptr, 10);
   cols = std::strtol(word().c_str(), nullptr, 10);
-  if (rows < 0 || cols < 0 || rows * cols > static_cast<Eigen::Index>(text_.size()) ||
-      (before > 0 && before != rows * cols))
+  const auto most = static_cast<Eigen::Index>(text_.size());
+  const auto fits = [](Eigen::Index found, int type) { return type == Eigen::Dynamic || found == type; };
+  if (rows < 0 || cols < 0 || rows > most || cols > most || rows * cols > most || !fits(rows, fixed[0]) ||
+      !fits(cols, fixed[1]) || (before[0] * before[1] > 0 && (rows != before[0] || cols != before[1])))
     complain("has " + std::to_string(rows) + " x " + std::to_string(cols) + " numbers, expected " +
-             std::to_string(before));
+             std::to_string(before[0]) + " x " + std::to_string(before[1]));
 }
 
 void Archive::numbers(double* values, Eigen::Index count) {

@@ -42,7 +42,7 @@ class Archive {
   template <class Derived>
   void operator()(const char* name, Eigen::PlainObjectBase<Derived>& value) {
     Eigen::Index rows = value.rows(), cols = value.cols();
-    shape(name, rows, cols);
+    shape(name, rows, cols, {Derived::RowsAtCompileTime, Derived::ColsAtCompileTime});
     if (restores_) value.resize(rows, cols);
     numbers(value.data(), value.size());
   }
@@ -82,11 +82,12 @@ class Archive {
   void item(const char* name, std::size_t i, Item& value) {
     (*this)((std::string(name) + "." + std::to_string(i)).c_str(), value);
   }
-  void begin(const char* name);                                          // a line: writes or demands its name
-  std::string word();                                                    // restores: the next one of the line
-  void end();                                                            // of the line
-  void shape(const char* name, Eigen::Index& rows, Eigen::Index& cols);  // begins a line
-  void numbers(double* values, Eigen::Index count);                      // ends it
+  void begin(const char* name);  // a line: writes or demands its name
+  std::string word();            // restores: the next one of the line
+  void end();                    // of the line
+  // Begins a line. `fixed`: rows and columns of the type, Eigen::Dynamic where it leaves them open.
+  void shape(const char* name, Eigen::Index& rows, Eigen::Index& cols, std::array<int, 2> fixed);
+  void numbers(double* values, Eigen::Index count);  // ends it
   long checked_count(long count, std::size_t present) const;
   [[noreturn]] void complain(const std::string& what) const;
 

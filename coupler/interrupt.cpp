@@ -73,6 +73,8 @@ void end_on_signals(const char* program) {
   action.sa_flags = SA_SIGINFO | SA_RESTART;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1})
     if (signal != SIGHUP || !is_ignored(signal)) sigaction(signal, &action, nullptr);
+  // What we say goes through the launcher. When that is gone, a word to nobody must not kill us before we are kept.
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) std::signal(SIGPIPE, SIG_IGN);
   g_parent_warns = std::getenv(kLauncherWarns) != nullptr;
   if (g_parent_warns) sigaction(SIGCONT, &action, nullptr);
 }

@@ -17,7 +17,7 @@ class Interrupted : public PartnerError {
 // From here on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGUSR1 end this program with kExitInterrupted: at once while there is
 // nothing to keep, and after work_is_under_way() in order, by a flag. Then the first signal starts a time limit: a
 // program that is still there kEnding later ends without a word to anybody but standard error. `program`: its name, for
-// that word; it must outlive the program. A SIGHUP that is ignored (nohup) stays so. With kLauncherWarns in the
+// that word; it must outlive the program. A SIGHUP that is ignored (nohup) stays so. Under mpirun SIGPIPE is ignored. With kLauncherWarns in the
 // environment a SIGCONT of the parent process is such a signal, too.
 void end_on_signals(const char* program);
 void work_is_under_way();

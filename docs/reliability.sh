@@ -122,7 +122,7 @@ damage() {
   $cli/damaged_runs.sh "$footfall" "$work/damaged_runs" >"$log" 2>&1 || failed
   echo "| summaries cut or strange, read by report, pictures, compare, sweep | 18 | exit code 2; a sweep does the run again | $(verdict $code) | \`cli.damaged_runs\` |"
   code=0
-  $cli/damaged_bed.sh "$footfall" "$work/damaged_bed" inputs/dropped_sphere >"$log" 2>&1 || failed
+  $cli/damaged_bed.sh "$footfall" "$work/damaged_bed" "$root/inputs/dropped_sphere" >"$log" 2>&1 || failed
   echo "| beds empty, cut, changed, missing, without seal; a cut restart file of a script | 6 | made again with a warning; exit code 2 for the script's own | $(verdict $code) | \`Bed.ThatIsDamagedIsToldAndMadeAgain\` |"
   code=0
   ctest --test-dir "$build" -L bad_input >"$log" 2>&1 || failed
@@ -211,6 +211,7 @@ TEXT
 - "All gone" is counted from the kill or signal until the last process of the run has ended.
 - After a signal a program gives its partner 7 s for a window and a checkpoint, and 5 s where it says nothing; 8 s after the signal it ends by itself, and a second later the front door
   kills what is left. A signal to mpirun gives 6 s: then mpirun kills.
+- SIGQUIT ends mpirun at once, and a second later Open MPI ends its programs. The front door asks them to write a checkpoint in that second; a window that is longer leaves no new one.
 - A set of files that is not whole never counts as a checkpoint: it grows under another name and is renamed when checksums of all its files are on the disk ([resume.md](resume.md)).
   What is left of one goes when all programs have ended, unless the front door itself was killed.
 - Killed is not powered off: what a disk has confirmed and then loses is not tried here.

@@ -1,12 +1,22 @@
 #include "mbd_solver/build/grain_dump.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "coupler/base/errors.h"
 
 namespace footfall {
+
+namespace {
+
+InputError wrong_line(const std::string& path, int number, const std::string& line, const char* expected) {
+  return InputError(path + ":" + std::to_string(number) + ": \"" + line + "\": expected " + expected);
+}
+
+}  // namespace
 
 std::vector<GrainPlace> read_grains(const std::string& path) {
   std::ifstream file(path);
@@ -15,27 +25,36 @@ std::vector<GrainPlace> read_grains(const std::string& path) {
                      "; it is written with the bed (dump custom x y z radius)");
   std::vector<GrainPlace> grains;
   std::string line;
-  bool atoms = false;
+  bool atoms = false, clumps = false;
   int number = 0;
   while (std::getline(file, line)) {
     ++number;
     if (line.rfind("ITEM:", 0) == 0) {
       atoms = line.rfind("ITEM: ATOMS", 0) == 0;
       if (atoms) grains.clear();  // the last frame counts
+      if (atoms) clumps = line.find(" radius mol") != std::string::npos;
       continue;
     }
     if (!atoms) continue;
     std::istringstream values(line);
     GrainPlace grain;
-    if (!(values >> grain.centre.x() >> grain.centre.y() >> grain.centre.z() >> grain.radius))
-      throw InputError(path + ":" + std::to_string(number) + ": \"" + line + "\": expected x y z radius");
+    values >> grain.centre.x() >> grain.centre.y() >> grain.centre.z() >> grain.radius;
+    if (clumps) values >> grain.clump;
+    if (!values) throw wrong_line(path, number, line, clumps ? "x y z radius mol" : "x y z radius");
+    grain.clump = std::max(0, grain.clump);  // LIGGGHTS: -1 in none
     if (!grain.centre.allFinite() || !(grain.radius > 0.0) || !std::isfinite(grain.radius))
-      throw InputError(path + ":" + std::to_string(number) + ": \"" + line +
-                       "\": expected finite x y z and a positive radius");
+      throw wrong_line(path, number, line, "finite x y z and a positive radius");
     grains.push_back(grain);
   }
   if (grains.empty()) throw InputError(path + ": holds no grains; expected a dump of x y z radius");
   return grains;
+}
+
+std::size_t count_grains(const std::vector<GrainPlace>& spheres) {
+  std::set<int> clumps;
+  std::size_t count = 0;
+  for (const GrainPlace& sphere : spheres) count += sphere.clump == 0 || clumps.insert(sphere.clump).second ? 1 : 0;
+  return count;
 }
 
 }  // namespace footfall

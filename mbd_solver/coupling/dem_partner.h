@@ -54,7 +54,11 @@ class DemPartner {
   // as it could not quietly.
   bool expect_kept(std::int64_t window);
 
-  void visit(Archive& archive) { archive("load", load_); }
+  // A signal ends the run that it meets: what goes on from its checkpoint was not asked to end.
+  void visit(Archive& archive) {
+    archive("load", load_);
+    if (archive.restores()) load_.asked_to_end = false;
+  }
   void close() {
     if (!link_.closed()) link_.close();
   }

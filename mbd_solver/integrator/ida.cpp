@@ -15,9 +15,10 @@ namespace {
 
 constexpr double kProjectAbove = 1e-9;       // drift [m or rad] that stays in a run that goes on
 constexpr double kProjectSpeedAbove = 5e-9;  // [m/s or rad/s]
-constexpr double kDriftKept = 100.0;         // drift that stays within a window [in absolute tolerances]
-constexpr double kTold = 100.0;              // [tolerances] sum of the errors of all steps that a run warns of
-constexpr int kRenewRest = 10;               // steps after which resting rows are looked at
+constexpr double kDriftKept = 100.0;         // drift that stays within a window [in absolute tolerances of a step]
+// Sum of the errors of all steps [tolerances] that a run warns of; a motion may make them ten times larger.
+constexpr double kTold = 10.0;
+constexpr int kRenewRest = 10;  // steps after which resting rows are looked at
 
 bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return a.size() == b.size() && a == b; }
 
@@ -78,27 +79,33 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
   Equations::Drift drift;
   int steps = 0;
   ProgressWatch watch(state.time, t_end);
+  const double kept_position = std::max(kProjectAbove, kDriftKept * s.share * s.options.atol);
+  const double kept_velocity = std::max(kProjectSpeedAbove, kDriftKept * s.share * s.options.atol_velocity);
   while (!ended_by_row && state.time < t_end) {
     ended_by_row = !s.step(t_end, inputs, rows, state, statistics_);
     if (++steps % kRenewRest == 0) s.equations.renew_rest(state);
     if (const std::string slow = watch.complaint(state.time); !slow.empty()) s.give_up(slow);
     drift = s.options.projection ? s.equations.drift(state) : s.equations.check_closed(state);
-    // Each projection costs a start: IDA falls back to first order and a small step.
     if (ended_by_row || state.time >= t_end || !s.options.projection ||
-        (drift.position < std::max(kProjectAbove, kDriftKept * s.options.atol) &&
-         drift.velocity < std::max(kProjectSpeedAbove, kDriftKept * s.options.atol_velocity)))
+        (drift.position < kept_position && drift.velocity < kept_velocity))
       continue;
     statistics_.count(s.equations.project(state));
+    if (s.move_history(state)) continue;
+    s.equations.forget();  // pivots of other positions shall not turn the motion here
+    s.equations.project(state, Equations::Close::kFully);
     s.restart(state, inputs, statistics_);
     s.check(IDASetStopTime(s.memory, t_end), "IDASetStopTime");
   }
   s.count(statistics_);
   ++statistics_.windows;
 
-  s.state_last = ended_by_row ? State{} : state;
-  s.inputs_last = inputs;
-  if (s.options.projection && (drift.position > kProjectAbove || drift.velocity > kProjectSpeedAbove))
+  bool goes_on_next = !ended_by_row;
+  if (s.options.projection && (drift.position > kProjectAbove || drift.velocity > kProjectSpeedAbove)) {
     drift = s.equations.project(state);
+    goes_on_next = goes_on_next && s.move_history(state);
+  }
+  s.state_last = goes_on_next ? state : State{};
+  s.inputs_last = inputs;
   statistics_.count(drift);
   if (!ended_by_row) s.equations.smallest_multipliers(state, s.rates.tail(s.equations.layout().row_count));
 }

@@ -1,6 +1,8 @@
 #include "mbd_solver/integrator/ida_sundials.h"
 
 #include <ida/ida.h>
+#include <ida/ida_impl.h>
+#include <sunnonlinsol/sunnonlinsol_newton.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +17,19 @@
 namespace footfall {
 namespace {
 
-constexpr double kIgnored = 1e30;  // absolute tolerance of multipliers: they carry no error of their own
+constexpr double kIgnored = 1e-30;  // weight of multipliers: they carry no error of their own
+// Share of the tolerances that one step may err by; all of them from kAllFrom on, where shorter steps find no way over
+// singular positions.
+constexpr double kStepShare = 0.1, kAllFrom = 1e-8;  // [-], [rtol]
+constexpr double kMoves = 0.1;  // [tolerances] that projection moves a regular position by, at most
+// Multipliers have to settle all the same: each step extrapolates those of the steps before, by which errors grow many
+// times, and a small step does not see them in v. Relative to the largest of them.
+constexpr double kReactions = 100.0, kLeastReactions = 1e-9;  // [rtol]; [-], round-off
+constexpr double kNoReaction = 1e-3;                          // the largest counts at least as this [N, N m]
+constexpr int kMostForReactions = 3;                          // iterations before they need a new Jacobian
+// IDA keeps a Jacobian while its c is right within 5/3, and scales corrections by 2 / (1 + ratio of c): a first correction
+// may leave a quarter of a multiplier's error. Newton fails when an iteration leaves more than kSlowest (as in IDA).
+constexpr double kFirstRate = 0.25, kSlowest = 0.9;
 // Gauss-Legendre with three points, exact to fifth order as IDA is.
 const double kGaussNode[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
 constexpr double kGaussWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
@@ -25,7 +39,8 @@ Eigen::Map<Eigen::VectorXd> writable(N_Vector x) { return {N_VGetArrayPointer(x)
 
 }  // namespace
 
-Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o) : equations(e), options(o) {
+Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
+    : equations(e), options(o), norm(e.layout(), o), share(std::clamp(kAllFrom / o.rtol, kStepShare, 1.0)) {
   const Layout& layout = equations.layout();
   const int n = layout.size();
   if (SUNContext_Create(nullptr, &context) != 0) throw NumericalError("SUNContext_Create failed.");
@@ -48,15 +63,17 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o) : equations(e)
   check(IDAInit(memory, &Sundials::residual, 0.0, y, ydot), "IDAInit");
   check(IDASetErrHandlerFn(memory, &Sundials::message, this), "IDASetErrHandlerFn");
   check(IDASetUserData(memory, this), "IDASetUserData");
-  writable(scratch).setConstant(kIgnored);
-  writable(scratch).head(layout.lambda0()) = ErrorNorm(layout, options).absolute();
-  check(IDASVtolerances(memory, options.rtol, scratch), "IDASVtolerances");
+  check(IDAWFtolerances(memory, &Sundials::weights), "IDAWFtolerances");
   writable(scratch).setOnes();
   writable(scratch).tail(layout.row_count).setZero();
   check(IDASetId(memory, scratch), "IDASetId");
   check(IDASetSuppressAlg(memory, SUNTRUE), "IDASetSuppressAlg");
   check(IDASetLinearSolver(memory, solver, matrix), "IDASetLinearSolver");
   check(IDASetJacFn(memory, &Sundials::jacobian), "IDASetJacFn");
+  newton = SUNNonlinSol_Newton(y, context);
+  FOOTFALL_DEMAND(newton != nullptr);
+  check(IDASetNonlinearSolver(memory, newton), "IDASetNonlinearSolver");
+  check(SUNNonlinSolSetConvTestFn(newton, &Sundials::settled, this), "SUNNonlinSolSetConvTestFn");
   check(IDASetMinStep(memory, options.min_step), "IDASetMinStep");
   if (options.max_step > 0.0) check(IDASetMaxStep(memory, options.max_step), "IDASetMaxStep");
   rates = Eigen::VectorXd::Zero(n);
@@ -64,6 +81,7 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o) : equations(e)
 
 Ida::Sundials::~Sundials() {
   IDAFree(&memory);
+  SUNNonlinSolFree(newton);
   SUNLinSolFree(solver);
   SUNMatDestroy(matrix);
   for (N_Vector x : {y, ydot, scratch, scratch2}) N_VDestroy(x);
@@ -132,7 +150,47 @@ int Ida::Sundials::jacobian(realtype time, realtype c, N_Vector y, N_Vector ydot
     std::copy_n(values.innerIndexPtr(), values.nonZeros(), SUNSparseMatrix_IndexValues(J));
     std::copy_n(values.valuePtr(), values.nonZeros(), SUNSparseMatrix_Data(J));
     ++s.jacobians;
+    s.fresh = true;
   });
+}
+
+// What is still missing after a correction is correction x rate / (1 - rate). IDA's own test takes the rate of a step before
+// for the first correction, however small it was: once multipliers settled at a second correction of 1e-13, it let pass
+// whatever the next first corrections left of them.
+int Ida::Sundials::settled(SUNNonlinearSolver newton, N_Vector, N_Vector change, realtype tolerance, N_Vector weight,
+                           void* self) {
+  Sundials& s = *static_cast<Sundials*>(self);
+  const double size = N_VWrmsNorm(change, weight);
+  const int rows = s.equations.layout().row_count;
+  const double reactions = rows == 0 ? 0.0 : view(change).tail(rows).lpNorm<Eigen::Infinity>() / s.reaction_tolerance;
+  int iteration = 0;
+  if (SUNNonlinSolGetCurIter(newton, &iteration) != SUN_NLS_SUCCESS) return SUN_NLS_EXT_FAIL;
+  double rate = kFirstRate;
+  if (iteration == 0) {
+    s.first_change = size;
+  } else {
+    rate = std::pow(size / s.first_change, 1.0 / iteration);
+    if (!(rate <= kSlowest)) return SUN_NLS_CONV_RECVR;
+  }
+  if (size > 0.0 && rate / (1.0 - rate) * size > tolerance) return SUN_NLS_CONTINUE;
+  // Near a singular position multipliers do not settle even with the Jacobian of this step: then the motion alone counts.
+  if (reactions > 1.0 && iteration + 1 < kMostForReactions) return SUN_NLS_CONTINUE;
+  if (reactions > 1.0 && !s.fresh) return SUN_NLS_CONV_RECVR;
+  s.fresh = false;
+  return SUN_NLS_SUCCESS;
+}
+
+int Ida::Sundials::weights(N_Vector y, N_Vector weight, void* self) {
+  Sundials& s = *static_cast<Sundials*>(self);
+  const int head = s.equations.layout().lambda0(), rows = s.equations.layout().row_count;
+  const Eigen::Map<const Eigen::VectorXd> now = view(y);
+  writable(weight).head(head) =
+      (s.share * (s.options.rtol * now.head(head).cwiseAbs() + s.norm.absolute())).cwiseInverse();
+  if (rows == 0) return 0;
+  s.reaction_tolerance = std::max(kReactions * s.options.rtol, kLeastReactions) *
+                         std::max(now.tail(rows).lpNorm<Eigen::Infinity>(), kNoReaction);
+  writable(weight).tail(rows).setConstant(kIgnored);
+  return now.allFinite() ? 0 : -1;
 }
 
 void Ida::Sundials::restart(const State& state, const Inputs& inputs, IntegratorStatistics& statistics) {
@@ -147,6 +205,21 @@ void Ida::Sundials::restart(const State& state, const Inputs& inputs, Integrator
   check(IDAReInit(memory, state.time, y, ydot), "IDAReInit");
   std::fill(std::begin(counted), std::end(counted), 0L);
   t = state.time;
+}
+
+// phi[0] is y_n, phi[j] are differences of y_n, y_(n-1), ...: with phi[0] alone all of them move.
+bool Ida::Sundials::move_history(const State& state) {
+  const Layout& layout = equations.layout();
+  Eigen::Map<Eigen::VectorXd> newest = writable(static_cast<IDAMem>(memory)->ida_phi[0]);
+  norm.set(newest);
+  Eigen::Map<Eigen::VectorXd> moved = writable(scratch);
+  moved.setZero();
+  moved.head(layout.q_size) = state.q - newest.head(layout.q_size);
+  moved.segment(layout.v0(), layout.v_size) = state.v - newest.segment(layout.v0(), layout.v_size);
+  if (!(norm(moved) <= kMoves)) return false;
+  newest.head(layout.q_size) = state.q;
+  newest.segment(layout.v0(), layout.v_size) = state.v;
+  return true;
 }
 
 bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, State& state,
@@ -177,13 +250,13 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
   return true;
 }
 
-// The error of the last step, in tolerances: root mean square over q, v and z.
+// Root mean square over q, v and z.
 double Ida::Sundials::step_error() {
   const int count = equations.layout().lambda0();
   if (count == 0) return 0.0;
   check(IDAGetEstLocalErrors(memory, scratch), "IDAGetEstLocalErrors");
   check(IDAGetErrWeights(memory, scratch2), "IDAGetErrWeights");
-  return std::sqrt(view(scratch).head(count).cwiseProduct(view(scratch2).head(count)).squaredNorm() / count);
+  return share * std::sqrt(view(scratch).head(count).cwiseProduct(view(scratch2).head(count)).squaredNorm() / count);
 }
 
 // Work integrals on IDA's own interpolant, within its last step.

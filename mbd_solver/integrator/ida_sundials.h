@@ -4,12 +4,14 @@
 
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
+#include <sundials/sundials_nonlinearsolver.h>
 #include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
 #include <exception>
 #include <string>
 
+#include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/ida.h"
 
 namespace footfall {
@@ -22,26 +24,38 @@ struct Ida::Sundials {
   void check(int flag, const char* function);
   [[noreturn]] void give_up(const std::string& what);
   void restart(const State& state, const Inputs& inputs, IntegratorStatistics& statistics);
+  // All values of the history, the newest and those before, move by what projection has moved the newest to `state`. False:
+  // that is far, a singular position is near; nothing moves, and IDA has to start again.
+  bool move_history(const State& state);
   // One step of IDA, with the rows in it; false: a row has ended the window, and state and rates are at it.
   bool step(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
   void add_work_between(double begin, double end, const Inputs& inputs, State& state);
   void count(IntegratorStatistics& statistics);
-  double step_error();
+  double step_error();  // of the last step, in tolerances of the scene
 
   static int residual(realtype t, N_Vector y, N_Vector ydot, N_Vector F, void* self);
   static int jacobian(realtype t, realtype c, N_Vector y, N_Vector ydot, N_Vector F, SUNMatrix J, void* self, N_Vector,
                       N_Vector, N_Vector);
+  static int settled(SUNNonlinearSolver newton, N_Vector, N_Vector change, realtype tolerance, N_Vector weight,
+                     void* self);
+  static int weights(N_Vector y, N_Vector weight, void* self);
   static void message(int code, const char* module, const char* function, char* text, void* self);
   template <typename Work>
   int guarded(Work work);
 
   Equations& equations;
   IntegratorOptions options;
+  ErrorNorm norm;  // of the scene's tolerances
+  double share;    // of them, that one step may err by
   SUNContext context = nullptr;
   void* memory = nullptr;
   N_Vector y = nullptr, ydot = nullptr, scratch = nullptr, scratch2 = nullptr;
   SUNMatrix matrix = nullptr;
   SUNLinearSolver solver = nullptr;
+  SUNNonlinearSolver newton = nullptr;
+  bool fresh = false;                  // the Jacobian is of the step that Newton is in
+  double reaction_tolerance = 1.0;     // of multipliers in Newton's iteration [N, N m]
+  double first_change = 0.0;           // of Newton's iteration in this step [tolerances]
   const Inputs* inputs_now = nullptr;  // during one call of IDASolve
   Inputs inputs_last;
   State state_last;       // as returned; empty: start anew

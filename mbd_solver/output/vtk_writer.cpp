@@ -101,6 +101,17 @@ std::vector<double> numbers_in(pugi::xml_node parent, const char* name) {
 
 }  // namespace
 
+void write_vtk_list(const std::string& pvd, const std::vector<std::pair<double, std::string>>& frames) {
+  pugi::xml_document list;
+  pugi::xml_node collection = vtk_file(list, "Collection").append_child("Collection");
+  for (const auto& [time, file] : frames) {
+    pugi::xml_node entry = collection.append_child("DataSet");
+    entry.append_attribute("timestep") = time;
+    entry.append_attribute("file") = file.c_str();
+  }
+  save(list, pvd);
+}
+
 std::vector<std::pair<double, std::string>> read_vtk_series(const std::string& pvd) {
   pugi::xml_document document;
   std::vector<std::pair<double, std::string>> frames;
@@ -180,15 +191,7 @@ void VtkSeries::write(double time, const VtkFrame& frame) {
 
   list(time);
   save(document, folder_ + "/" + frames_.back().second);
-
-  pugi::xml_document list;
-  pugi::xml_node collection = vtk_file(list, "Collection").append_child("Collection");
-  for (const auto& [t, file] : frames_) {
-    pugi::xml_node entry = collection.append_child("DataSet");
-    entry.append_attribute("timestep") = t;
-    entry.append_attribute("file") = file.c_str();
-  }
-  save(list, folder_ + "/" + name_ + ".pvd");
+  write_vtk_list(folder_ + "/" + name_ + ".pvd", frames_);
 }
 
 }  // namespace footfall

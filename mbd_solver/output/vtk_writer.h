@@ -39,6 +39,9 @@ class VtkSeries {
   std::vector<std::pair<double, std::string>> frames_;
 };
 
+// A .pvd: times [s] and names of the files beside it. Throws InputError when it cannot be written.
+void write_vtk_list(const std::string& pvd, const std::vector<std::pair<double, std::string>>& frames);
+
 // Read back what VtkSeries wrote: times and file names of a .pvd; one frame, without vectors of points and texts. Throw
 // InputError naming the file.
 std::vector<std::pair<double, std::string>> read_vtk_series(const std::string& pvd);

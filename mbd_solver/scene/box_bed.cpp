@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/scene/clump_shape.h"
 #include "mbd_solver/scene/grain_time_step.h"
 #include "mbd_solver/scene/shipped_files.h"
 
@@ -18,19 +20,33 @@ using Variables = std::map<std::string, std::string>;
 constexpr double kLooseFraction = 0.55, kDenseFraction = 0.61;  // solid fraction of settled beds [-]
 constexpr double kBelowSurface = 1.3;                           // radii that the mean surface lies below z = 0
 constexpr double kPouredHeight = 2.4;                           // of the loose column, over the depth of the bed
+constexpr double kPouredClumps = 4.8;                           // the same of clumps, which need more space
+constexpr double kFilledByClumps = 0.14;                        // of that column [-]
 constexpr double kPourFriction = 0.05;                          // packing = "dense"
 constexpr int kDigits = 12;
 
 std::string number(double value) { return number_text(value, kDigits); }
 
+std::vector<Clump> clumps_of(const BoxSpec& box) {
+  std::vector<Clump> clumps;
+  for (const double radius : box.radius)
+    for (const std::string& name : box.clumps) clumps.push_back(clump_of(clump_shape(name), radius));
+  return clumps;
+}
+
+// Of clumps: one of their spheres. It is lighter than the clump, so its times are the shorter ones.
 ElasticGrain smallest_grain(const BoxSpec& box) {
   const GrainMaterialSpec& m = box.material;
-  return {*std::min_element(box.radius.begin(), box.radius.end()), m.density, m.young, m.poisson};
+  double radius = *std::min_element(box.radius.begin(), box.radius.end());
+  for (const Clump& clump : clumps_of(box)) radius = std::min(radius, clump.radius);
+  return {radius, m.density, m.young, m.poisson};
 }
 
 // Speed of the uppermost grain that is poured [m/s].
 double pour_speed(const Scene& scene) {
-  return std::sqrt(2.0 * scene.gravity.norm() * (kPouredHeight - 1.0) * scene.particles->box->depth);
+  const BoxSpec& box = *scene.particles->box;
+  const double height = box.clumps.empty() ? kPouredHeight : kPouredClumps;
+  return std::sqrt(2.0 * scene.gravity.norm() * (height - 1.0) * box.depth);
 }
 
 // The largest speed that is known before the run [m/s].
@@ -48,13 +64,52 @@ double step_for(const BoxSpec& box, double speed) {
       std::min(box.rayleigh_fraction * rayleigh_time(grain), 0.5 * box.rayleigh_fraction * hertz_time(grain, speed)));
 }
 
-std::string contact_model(const BoxSpec& box) {
+std::string contact_model(const Scene& scene) {
+  const BoxSpec& box = *scene.particles->box;
   const GrainMaterialSpec& m = box.material;
   std::string model = "hertz tangential history";
   if (std::max(m.cohesion, box.bodies.cohesion.value_or(0.0)) > 0.0)
     model += " cohesion " + std::string(name_of(m.cohesion_model));
-  if (m.rolling_model != RollingModel::kNone) model += " rolling_friction " + std::string(name_of(m.rolling_model));
+  if (const RollingModel rolling = rolling_model_of(scene); rolling != RollingModel::kNone)
+    model += " rolling_friction " + std::string(name_of(rolling));
   return model;
+}
+
+// Share of the k-th of `count` kinds; alike without `shares`.
+double share_of(const std::vector<double>& shares, std::size_t k, std::size_t count) {
+  if (shares.empty() || count < 2) return 1.0 / static_cast<double>(count);
+  return shares[k] / std::accumulate(shares.begin(), shares.end(), 0.0);
+}
+
+// The words of LIGGGHTS' templates, each in quotes, and of their distribution by mass. Mass and inertia are given, so that
+// LIGGGHTS guesses only which share of a clump's volume each sphere is (ntry), for its own counting.
+void add_clumps(const BoxSpec& box, Variables& all) {
+  const std::vector<Clump> clumps = clumps_of(box);
+  if (clumps.empty()) return;
+  const double density = box.material.density;
+  double level = 0.0;
+  std::string words, mix = std::to_string(clumps.size());
+  for (std::size_t k = 0; k < clumps.size(); ++k) {
+    const Clump& clump = clumps[k];
+    const std::size_t shapes = box.clumps.size();
+    words +=
+        std::string(k == 0 ? "" : " ") + "'nspheres " + std::to_string(clump.centres.cols()) + " ntry 1000000 spheres";
+    for (Eigen::Index i = 0; i < clump.centres.cols(); ++i) {
+      for (int c = 0; c < 3; ++c) words += " " + number(clump.centres(c, i));
+      words += " " + number(clump.radius);
+    }
+    words += " mass " + number(density * clump.volume) + " inertia_tensor";
+    for (const auto& [r, c] : {std::pair{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}})
+      words += " " + number(density * clump.inertia(r, c));
+    words += " use_density'";
+    mix += " clump_" + std::to_string(k + 1) + " " +
+           number(share_of(box.shares, k / shapes, box.radius.size()) * share_of(box.clump_shares, k % shapes, shapes));
+    level = std::max(level, clump.radius);
+  }
+  all["clump_words"] = words;
+  all["clump_mix"] = mix;
+  all["filled"] = number(kFilledByClumps);
+  all["level"] = number(-level);
 }
 
 bool is_prime(int n) {
@@ -77,7 +132,8 @@ Variables common_variables(const Scene& scene) {
   const BoxSpec& box = *scene.particles->box;
   const GrainMaterialSpec& m = box.material;
   const Eigen::Vector3d down = scene.gravity.normalized();
-  return {{"length", number(box.size[0])},
+  return {{"clumps", box.clumps.empty() ? "0" : "1"},
+          {"length", number(box.size[0])},
           {"width", number(box.size[1])},
           {"depth", number(box.depth)},
           {"x", number(box.centre[0])},
@@ -89,7 +145,7 @@ Variables common_variables(const Scene& scene) {
           {"gx", number(down.x())},
           {"gy", number(down.y())},
           {"gz", number(down.z())},
-          {"model", contact_model(box)},
+          {"model", contact_model(scene)},
           {"young", number(m.young)},
           {"poisson", number(m.poisson)},
           {"body_young", number(box.bodies.young)},
@@ -102,9 +158,7 @@ Variables bed_variables(const Scene& scene) {
   const BoxSpec& box = *scene.particles->box;
   const BoxNumbers numbers = box_numbers(scene);
   const bool dense = box.packing == Packing::kDense;
-  const double share = box.radius.size() < 2 ? 0.0
-                       : box.shares.empty()  ? 0.5
-                                             : box.shares[1] / (box.shares[0] + box.shares[1]);
+  const double share = box.radius.size() < 2 ? 0.0 : share_of(box.shares, 1, 2);
   Variables all = common_variables(scene);
   all["margin"] = number(numbers.margin);
   all["headroom"] = number(numbers.headroom);
@@ -117,6 +171,7 @@ Variables bed_variables(const Scene& scene) {
   all["dt"] = number(step_for(box, pour_speed(scene)));
   all["pour_friction"] = number(dense ? kPourFriction : box.material.friction);
   all["pour_rolling"] = number(dense ? 0.0 : box.material.rolling_friction);
+  add_clumps(box, all);
   return all;
 }
 
@@ -159,6 +214,12 @@ Variables run_variables(const Scene& scene) {
 
 std::string box_script(const std::string& name) { return shipped_file("inputs/box/" + name); }
 
+RollingModel rolling_model_of(const Scene& scene) {
+  const ParticlesSpec& particles = *scene.particles;
+  const bool corners = !particles.box->clumps.empty() && !particles.source.given("box.material.rolling_model");
+  return corners ? RollingModel::kNone : particles.box->material.rolling_model;
+}
+
 BoxNumbers box_numbers(const Scene& scene) {
   const BoxSpec& box = *scene.particles->box;
   const ElasticGrain grain = smallest_grain(box);
@@ -175,9 +236,7 @@ BoxNumbers box_numbers(const Scene& scene) {
   const double volume =
       (box.packing == Packing::kDense ? kDenseFraction : kLooseFraction) * box.size[0] * box.size[1] * filled;
   for (std::size_t i = 0; i < box.radius.size(); ++i) {
-    const bool alike = box.shares.empty() || box.radius.size() < 2;
-    const double share =
-        alike ? 1.0 / static_cast<double>(box.radius.size()) : box.shares[i] / (box.shares[0] + box.shares[1]);
+    const double share = share_of(box.shares, i, box.radius.size());
     n.grains += share * volume / (4.0 / 3.0 * kPi * std::pow(box.radius[i], 3));
   }
   return n;

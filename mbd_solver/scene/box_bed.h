@@ -17,6 +17,9 @@ struct BoxNumbers {
 // Of a scene whose box is whole (no finding of check_box).
 BoxNumbers box_numbers(const Scene& scene);
 
+// Rolling friction stands for corners: clumps, which have their own, have none unless the scene names a model.
+RollingModel rolling_model_of(const Scene& scene);
+
 // Names both scripts, their variables (those that the scene gives itself stay), surface_height and max_time_step. What
 // cannot be becomes a finding. Nothing without a box.
 void resolve_box(Scene& scene, Findings& findings);

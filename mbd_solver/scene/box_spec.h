@@ -48,11 +48,11 @@ struct GrainMaterialSpec {
   double young = 1e7;       // [Pa] > 0
   double poisson = 0.3;     // [-] in (-1, 0.5)
   // Grain on grain:
-  double restitution = 0.3;       // [-] in [0.05, 1]
-  double friction = 0.5;          // [-] >= 0
-  double rolling_friction = 0.2;  // [-] >= 0
-  RollingModel rolling_model = RollingModel::kCdt;
-  double cohesion = 0.0;  // cohesion energy density [J/m3] >= 0
+  double restitution = 0.3;                         // [-] in [0.05, 1]
+  double friction = 0.5;                            // [-] >= 0
+  double rolling_friction = 0.2;                    // [-] >= 0
+  RollingModel rolling_model = RollingModel::kCdt;  // of clumps none, unless it is given
+  double cohesion = 0.0;                            // cohesion energy density [J/m3] >= 0
   CohesionModel cohesion_model = CohesionModel::kSjkr;
 };
 
@@ -66,8 +66,10 @@ struct BodyContactSpec {
 struct BoxSpec {
   std::vector<double> size;                 // along x and y [m]
   double depth = 0.0;                       // of the levelled bed: floor at z = -depth, surface at z = 0 of W [m]
-  std::vector<double> radius;               // of the grains, one or two [m]
+  std::vector<double> radius;               // of the grains, one or two; of clumps: of the sphere of their volume [m]
   std::vector<double> shares;               // of two radii in the mass; empty: alike [-]
+  std::vector<std::string> clumps;          // shapes of the grains (clump_shape.h); empty: spheres
+  std::vector<double> clump_shares;         // of the shapes in the mass; empty: alike [-]
   std::vector<double> centre = {0.0, 0.0};  // of the bed along x and y of W [m]
   std::vector<double> pit;  // [x_1, x_2]: there the settled bed is taken away, across its width; empty: nowhere
   double pit_depth = 0.0;   // of the pit below the surface [m]

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/box_bed.h"
+#include "mbd_solver/scene/clump_shape.h"
 #include "mbd_solver/scene/grain_time_step.h"
 
 namespace footfall {
@@ -47,6 +49,23 @@ void check_sizes(const Source& source, const BoxSpec& box, Findings& findings) {
     findings.error(source, "box.shares",
                    numbers(box.shares) + " beside " + std::to_string(box.radius.size()) +
                        " in radius, expected two of both, or no shares");
+}
+
+void check_clumps(const Source& source, const BoxSpec& box, Findings& findings) {
+  constexpr std::size_t kMostKinds = 12;  // templates of inputs/box/in.bed
+  for (const std::string& name : box.clumps) {
+    const std::vector<std::string> names = names_of<ClumpShape>();
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      findings.error(source, "box.clumps", "there is no clump \"" + name + "\"." + known_names("clumps", name, names));
+  }
+  if (box.clumps.size() * box.radius.size() > kMostKinds)
+    findings.error(source, "box.clumps",
+                   "has " + std::to_string(box.clumps.size()) + " shapes beside " + std::to_string(box.radius.size()) +
+                       " radii, expected at most twelve of both together");
+  if (!box.clump_shares.empty() && box.clump_shares.size() != box.clumps.size())
+    findings.error(source, "box.clump_shares",
+                   "has " + std::to_string(box.clump_shares.size()) + " numbers beside " +
+                       std::to_string(box.clumps.size()) + " clumps, expected one for each, or no shares");
 }
 
 void check_against_grains(const Source& source, const BoxSpec& box, Findings& findings) {
@@ -143,6 +162,7 @@ bool check_box(const Scene& scene, Findings& findings) {
     check_names(scene, findings);
   }
   check_sizes(source, box, findings);
+  check_clumps(source, box, findings);
   const GrainMaterialSpec& m = box.material;
   check_ratio(source, "box.material.poisson", m.poisson, findings);
   check_ratio(source, "box.bodies.poisson", box.bodies.poisson, findings);

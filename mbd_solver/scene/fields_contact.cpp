@@ -98,6 +98,8 @@ void visit_fields(FieldVisitor& v, BoxSpec& b) {
   v.field("depth", &b.depth, {Unit::kLength, Range::kPositive, Meaning::kPlain, true});
   v.field("radius", &b.radius, {Unit::kLength, Range::kPositive, Meaning::kPlain, true});
   v.field("shares", &b.shares, {Unit::kNone, Range::kPositive});
+  v.field("clumps", &b.clumps, {});
+  v.field("clump_shares", &b.clump_shares, {Unit::kNone, Range::kPositive});
   v.field("centre", &b.centre, {Unit::kLength});
   v.field("pit", &b.pit, {Unit::kLength});
   v.field("pit_depth", &b.pit_depth, {Unit::kLength, Range::kPositive});

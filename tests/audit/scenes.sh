@@ -39,6 +39,7 @@ audit examples/02_wheel --until 0.05
 audit examples/03_scoop --until 0.4
 audit examples/04_arm --until 0.7             # its plate touches at 0.5 s
 audit examples/05_auger --until 0.06
+audit inputs/landing_soils --until 0.03
 audit examples/06_gripper --until 0.3
 audit examples/07_rover --until 0.0532          # ends within a window
 audit examples/08_touchdown --until 0.2503

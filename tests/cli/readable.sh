@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # readable.sh FOOTFALL OUT: what other programs read of a run. history.csv is one line of comment, one of names, then numbers alone (pandas where it
-# is installed); summary.json names all versions and the machine; drawings have names and velocities; grains and bodies step together.
+# is installed); summary.json names all versions and the machine; drawings have names and velocities; grains.pvd and bodies.pvd step together,
+# and what stands in a .vtp is the dump.
 set -euo pipefail
 footfall=$1 out=$2 here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$out" && mkdir -p "$out"
 "$footfall" run "$here/../../examples/02_wheel" --until 0.04 --set particles.box.frames=0.01 --set output.vtk_interval=0.01 --quiet --out "$out/run"
 command -v python3 > /dev/null || { echo "no python3 here: not read"; exit 0; }
 python3 - "$out/run" <<'PY'
-import csv, json, math, os, sys
+import base64, csv, json, math, os, struct, sys, zlib
 import xml.etree.ElementTree as xml
 run = sys.argv[1]
 lines = open(run + "/history.csv").read().split("\n")
@@ -40,10 +41,37 @@ codes = [int(c) for c in arrays["body_names"].text.split()]
 assert "".join(chr(c) if c else " " for c in codes).split() == ["wheel", "axle"], codes
 velocity = [float(v) for v in arrays["velocity"].text.split()]
 assert len(velocity) == len(arrays["Points"].text.split()) and max(map(abs, velocity)) > 0.01
-series = [name for name in os.listdir(run) if name.endswith(".vtk.series")]
-assert len(series) == 1
-grains = [entry["time"] for entry in json.load(open(os.path.join(run, series[0])))["files"]]
+grains = [(float(e.get("timestep")), e.get("file")) for e in xml.parse(run + "/grains.pvd").iter("DataSet")]
 times = [time for time, _ in drawn]
-assert len(grains) >= 4 and all(time in times for time in grains), (grains, times)
+assert len(grains) >= 4 and all(time in times for time, _ in grains), (grains, times)
+
+# An array of a .vtp: a header of four numbers (one block, its bytes, 0, those of its zlib) and the block, each in base64.
+def packed(array):
+    text = array.text.strip()
+    blocks, size, last, small = struct.unpack("<4I", base64.b64decode(text[:24])[:16])
+    block = base64.b64decode(text[24:])
+    assert (blocks, last, small) == (1, 0, len(block))
+    bytes = zlib.decompress(block)
+    assert len(bytes) == size
+    return struct.unpack("<%d%s" % (size // 4, {"Float32": "f", "Int32": "i"}[array.get("type")]), bytes)
+
+# The last dump as LIGGGHTS wrote it: POINTS n float, then three numbers each; fields NAME components n type.
+words = open(os.path.join(run, grains[-1][1].replace(".vtp", ".vtk"))).read().split()
+at = words.index("POINTS")
+n = int(words[at + 1])
+def dumped(name, components):
+    first = at + 3 if name == "POINTS" else next(k + 4 for k in range(at, len(words)) if words[k] == name and words[k + 2] == str(n))
+    return [float(w) for w in words[first:first + components * n]]
+piece = next(xml.parse(os.path.join(run, grains[-1][1])).iter("Piece"))
+arrays = {a.get("Name"): a for a in piece.iter("DataArray")}
+assert int(piece.get("NumberOfPoints")) == n > 1000
+ids = dumped("id", 1)
+order = sorted(range(n), key=lambda i: ids[i])
+for name, field, components in (("Points", "POINTS", 3), ("velocity", "v", 3), ("radius", "radius", 1), ("id", "id", 1)):
+    found, raw = packed(arrays[name]), dumped(field, components)
+    assert len(found) == components * n
+    for place, i in enumerate(order):
+        for c in range(components):
+            assert abs(found[components * place + c] - raw[components * i + c]) <= 1e-6 * abs(raw[components * i + c]) + 1e-37, (name, i)  # below, single precision has fewer digits
 compile(open(run + "/paraview.py").read(), "paraview.py", "exec")
 PY

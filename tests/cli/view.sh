@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # view.sh FOOTFALL OUT: the page of a run with grains, of one without, and of one that drew nothing; it loads nothing, and a browser without
-# network (where Chromium is installed) shows it without a complaint. Where node is installed, what the page holds is read back.
+# network (where Chromium is installed) shows it without a complaint, painted grains as shaded ones. Where node is installed, what the page holds is read back.
 set -euo pipefail
 footfall=$1 out=$2 here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$out" && mkdir -p "$out"
@@ -56,3 +56,40 @@ for run in grains mechanism history; do
   grep -q 'class="uplot' "$profile/dom" || die "$run: no plot"
   [[ $run == history ]] || grep -q '<canvas data-engine=' "$profile/dom" || die "$run: no picture"
 done
+
+# Where no graphics card draws, the page paints the grains itself: the picture is that of its shader, but for the rims of the discs.
+mkdir -p "$out/painted"
+cp "$out/grains/view.html" "$out/painted/view.html"
+cat >> "$out/painted/view.html" <<'JS'
+<script>
+(async () => {
+  while (document.body.dataset.state !== "ready") await new Promise((resolve) => setTimeout(resolve, 50));
+  const { stage, player } = window.footfall;
+  const picture = (paints, empty) => {
+    stage.paints = paints;
+    stage.grains.object.visible = !empty;
+    stage.draw();
+    const gl = stage.renderer.getContext(), { width, height } = stage.renderer.domElement, bytes = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return bytes;
+  };
+  const pixels = (a, b, least) => {
+    let count = 0;
+    for (let k = 0; k < a.length; k += 4) if (Math.max(...[0, 1, 2].map((c) => Math.abs(a[k + c] - b[k + c]))) > least) ++count;
+    return count;
+  };
+  document.body.dataset.paints = stage.paints;
+  player.seek(0.5 * (player.start + player.end));
+  const shaded = picture(false, false), painted = picture(true, false), none = picture(true, true);
+  document.body.dataset.grains = pixels(shaded, none, 12);
+  document.body.dataset.differ = pixels(shaded, painted, 12);
+})();
+</script>
+JS
+timeout 280 chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$profile" \
+  --window-size=800,600 --virtual-time-budget=20000 --dump-dom "file://$out/painted/view.html" > "$profile/dom" 2> "$profile/log" || die "painted: chromium ended with $?"
+body=$(grep -o '<body[^>]*>' "$profile/dom")
+value() { sed -n "s/.* data-$1=\"\([^\"]*\)\".*/\1/p" <<< "$body"; }
+[[ $(value paints) == true ]] || die "the page does not paint its grains: $body"
+(($(value grains) > 1000)) || die "too few pixels show grains: $body"
+(($(value differ) * 50 < $(value grains))) || die "the painted grains are not the shaded ones: $body"

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
+#include <string>
 
 #include "tests/dem/coupled_run.h"
 
@@ -80,10 +82,21 @@ void expect_same_loads(const Table& a, const Table& b) {
 
 const char* const kSliding = "prescribed 2.0 0.1 0.0 0.0 0.0 1.5";  // across the carpet, turning about z
 
-class PadsOn : public testing::TestWithParam<std::pair<int, const char*>> {};
+// Ranks of LIGGGHTS and their grid: cuts through pads, ranks without grains; more ranks than there are cores.
+class PadsOn : public testing::TestWithParam<std::pair<int, std::string>> {};
+std::string grid_of(const testing::TestParamInfo<std::pair<int, std::string>>& info) {
+  std::string grid = info.param.second;
+  std::replace(grid.begin(), grid.end(), ' ', 'x');
+  return grid;
+}
 INSTANTIATE_TEST_SUITE_P(Ranks, PadsOn,
                          testing::Values(std::pair(2, "2 1 1"), std::pair(2, "1 2 1"), std::pair(3, "3 1 1"),
-                                         std::pair(4, "4 1 1"), std::pair(4, "2 2 1"), std::pair(2, "1 1 2")));
+                                         std::pair(4, "4 1 1"), std::pair(4, "2 2 1"), std::pair(2, "1 1 2"),
+                                         std::pair(8, "4 2 1")),
+                         grid_of);
+// Half a minute on two cores: tests/scale/ranks.sh.
+INSTANTIATE_TEST_SUITE_P(DISABLED_ManyRanks, PadsOn, testing::Values(std::pair(16, "4 4 1"), std::pair(16, "8 2 1")),
+                         grid_of);
 
 const Table& on_one_rank() {
   // Each test is a process of its own and may run beside the others.
@@ -94,8 +107,7 @@ const Table& on_one_rank() {
 TEST_P(PadsOn, GivesTheLoadsOfOneRank) {
   const auto [ranks, processors] = GetParam();
   std::string name = "ranks_" + std::to_string(ranks) + "_" + processors;
-  for (char& c : name)
-    if (c == ' ') c = 'x';
+  std::replace(name.begin(), name.end(), ' ', 'x');
   expect_same_loads(on_one_rank(), run_pads(RunFolder(name), ranks, processors, kSliding));
 }
 

@@ -10,7 +10,7 @@ seconds=${1:-60}; shift || true
 build=$root/build-fuzz
 command -v clang++ >/dev/null || { echo "run.sh: clang++ is missing (a Debian package: clang)"; exit 2; }
 names=("$@")
-((${#names[@]})) || names=(messages fll summary history modal mtx two_columns mesh_stl mesh_obj mesh_ply experiment scene)
+((${#names[@]})) || names=(messages fll summary history modal mtx two_columns mesh_stl mesh_obj mesh_ply experiment scene calibration start checkpoint bed)
 if [[ ! -f $build/build.ninja ]]; then
   CXX=clang++ CC=clang cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Fuzz -DFOOTFALL_FUZZ=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
     -DCMAKE_CXX_FLAGS="-O1 -fsanitize=fuzzer-no-link,address,undefined -DFOOTFALL_SANITIZED -w" >/dev/null

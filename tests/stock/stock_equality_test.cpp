@@ -42,26 +42,59 @@ TEST_P(OnRanks, AScriptWithoutOurFixesGivesTheSameBits) {
   EXPECT_EQ(thermo_lines(folder.read("log.stock")), thermo_lines(folder.read("log.ours")));
 }
 
+// A plate goes down at (0.1, -0.05, speed) m/s until `end` [s], moved by fix move/mesh in stock LIGGGHTS and through the
+// coupling: the same dumps and lines of thermo. `script` takes a name for its dumps and the mover. Gives the force on the
+// plate at the end [N].
+template <class Script>
+double force_of_plate_as_in_stock(const RunFolder& folder, int ranks, const Script& script, const std::string& speed,
+                                  const std::string& end, const std::vector<int>& dumps) {
+  write_stl((folder.path() / "plate.stl").string(), box(kPlate, 3));
+  folder.write("in.stock", script("stock", "fix c all move/mesh mesh m linear 0.1 -0.05 " + speed + "\n"));
+  folder.write("in.ours", script("ours", "fix mbd all couple/mbd every 5 mesh m plate\n"));
+  const Outcome stock = folder.alone(kStock, ranks, "-in in.stock -log log.stock");
+  const Outcome ours =
+      folder.coupled(ranks, "-in in.ours -log log.ours",
+                     "until " + end + " body plate plate.stl 0 0 0.24 prescribed 0.1 -0.05 " + speed + " 0 0 0");
+  EXPECT_EQ(stock.exit_code, 0) << stock.text;
+  EXPECT_EQ(ours.exit_code, 0) << ours.text;
+  if (stock.exit_code != 0 || ours.exit_code != 0) return 0.0;
+  expect_same_dumps(folder, "stock", "ours", dumps);
+  const auto lines = thermo_lines(folder.read("log.ours"));
+  EXPECT_EQ(thermo_lines(folder.read("log.stock")), lines);
+  return std::stod(lines.back()[4]);
+}
+
 TEST_P(OnRanks, APlateInTranslationGivesTheBitsOfMoveMesh) {
   const int ranks = GetParam();
   const RunFolder folder("stock_translation_" + std::to_string(ranks));
-  write_stl((folder.path() / "plate.stl").string(), box(kPlate, 3));
   const auto script = [&](const std::string& name, const std::string& mover) {
     return small_bed(ranks == 1 ? "1 1 1" : "2 1 1") +
            "fix m all mesh/surface/stress file plate.stl type 2 move 0 0 0.24\n" + mesh_wall() + mover + thermo() +
            dump_every(200, name) + "run 1000\n";
   };
-  folder.write("in.stock", script("stock", "fix c all move/mesh mesh m linear 0.1 -0.05 -1.0\n"));
-  folder.write("in.ours", script("ours", "fix mbd all couple/mbd every 5 mesh m plate\n"));
-  const Outcome stock = folder.alone(kStock, ranks, "-in in.stock -log log.stock");
-  const Outcome ours = folder.coupled(ranks, "-in in.ours -log log.ours",
-                                      "until 0.05 body plate plate.stl 0 0 0.24 prescribed 0.1 -0.05 -1.0 0 0 0");
-  ASSERT_EQ(stock.exit_code, 0) << stock.text;
-  ASSERT_EQ(ours.exit_code, 0) << ours.text;
-  expect_same_dumps(folder, "stock", "ours", {0, 200, 400, 600, 800, 1000});
-  const auto lines = thermo_lines(folder.read("log.ours"));
-  EXPECT_EQ(thermo_lines(folder.read("log.stock")), lines);
-  EXPECT_GT(std::stod(lines.back()[4]), 1000.0);  // the plate is well inside the bed [N]
+  EXPECT_GT(force_of_plate_as_in_stock(folder, ranks, script, "-1.0", "0.05", {0, 200, 400, 600, 800, 1000}),
+            1000.0);  // the plate is well inside the bed [N]
+}
+
+// Clumps of two spheres (fix multisphere, below all walls) that fall on a floor under a plate that comes down.
+TEST_P(OnRanks, ClumpsUnderAPlateInTranslationAreThoseOfStock) {
+  const int ranks = GetParam();
+  const RunFolder folder("stock_clumps_" + std::to_string(ranks));
+  const auto script = [&](const std::string& name, const std::string& mover) {
+    return script_head("-0.3 0.3 -0.3 0.3 -0.05 0.6", ranks == 1 ? "1 1 1" : "2 1 1") +
+           "fix grav all gravity 9.81 vector 0 0 -1\nfix floor all wall/gran model hertz tangential history "
+           "rolling_friction cdt primitive type 1 zplane 0.0\n"
+           "fix pts all particletemplate/multisphere 15485863 atom_type 1 density constant 2600 nspheres 2 ntry 100000 "
+           "spheres -0.017 0 0 0.02 0.017 0 0 0.02 type 1\nfix pdd all particledistribution/discrete 15485867 1 pts "
+           "1.0\n"
+           "region ins block -0.15 0.15 -0.15 0.15 0.0 0.22 units box\nfix ins all insert/pack seed 32452843 "
+           "distributiontemplate pdd vel constant 0 0 -1.0 insert_every once overlapcheck yes all_in yes orientation "
+           "random particles_in_region 60 region ins\n"
+           "fix m all mesh/surface/stress file plate.stl type 2 move 0 0 0.24\n" +
+           mesh_wall() + "fix integr all multisphere\n" + mover + thermo() + dump_every(200, name) + "run 600\n";
+  };
+  EXPECT_GT(force_of_plate_as_in_stock(folder, ranks, script, "-2.0", "0.03", {200, 400, 600}),
+            10.0);  // the plate is on the clumps [N]
 }
 
 TEST_P(OnRanks, APlateInRotationGivesMoveMeshToRoundOff) {

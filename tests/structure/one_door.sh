@@ -15,7 +15,7 @@ door() {
     ((allowed)) || complain "$file includes $pattern; only $* may"
   done < <(grep -rlE "^#include [<\"]$pattern" coupler mbd_solver liggghts_fix --include=*.h --include=*.cpp)
 }
-door '(ida|sundials|nvector|sunmatrix|sunlinsol)/' 'mbd_solver/integrator/ida*'
+door '(ida|sundials|nvector|sunmatrix|sunlinsol|sunnonlinsol)/' 'mbd_solver/integrator/ida*'
 door 'toml\+\+' 'mbd_solver/scene/scene_reader.cpp'
 door 'fl/' 'mbd_solver/model/controllers/fuzzy_engine.h'
 door 'fcl/' 'mbd_solver/model/surface/*.cpp'

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/whole_file.h"
-#include "mbd_solver/cli/analysis/bed_frames.h"
+#include "mbd_solver/cli/analysis/html_page.h"
 #include "mbd_solver/cli/analysis/mechanism_shape.h"
+#include "mbd_solver/cli/analysis/viewer/packed_series.h"
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
+#include "mbd_solver/output/vtk_writer.h"
 
 namespace footfall {
 
@@ -37,7 +41,43 @@ std::vector<double> windows_before(const std::string& out, const std::vector<dou
   return windows;
 }
 
+template <class Number>
+std::string bytes_of(const std::vector<Number>& numbers) {
+  std::string bytes(sizeof(Number) * numbers.size(), '\0');
+  if (!numbers.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  return bytes;
+}
+
+template <class Number>
+std::string data_array(const char* type, const char* name, int components, const std::vector<Number>& numbers) {
+  const std::string bytes = bytes_of(numbers), packed = bytes.empty() ? "" : packed_bytes(bytes);
+  std::vector<std::uint32_t> header = {0, 0, 0};  // blocks, bytes of a block, bytes of a last one that is smaller
+  if (!bytes.empty()) {
+    const auto padding = static_cast<std::size_t>(std::count(packed.end() - 2, packed.end(), '='));
+    header = {1, static_cast<std::uint32_t>(bytes.size()), 0,
+              static_cast<std::uint32_t>(packed.size() / 4 * 3 - padding)};
+  }
+  return std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
+         std::to_string(components) + "\" format=\"binary\">" + base64(bytes_of(header)) + packed + "</DataArray>\n";
+}
+
+std::vector<float> singles(const Eigen::Matrix3Xd& x) { return {x.data(), x.data() + x.size()}; }
+
 }  // namespace
+
+std::string grain_polydata(const BedFrame& frame) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\" "
+      "compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n<Piece NumberOfPoints=\"" +
+      std::to_string(frame.count()) +
+      "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<PointData>\n";
+  text += data_array("Int32", "id", 1, std::vector<std::int32_t>(frame.id.begin(), frame.id.end()));
+  text += data_array("Float32", "radius", 1, std::vector<float>(frame.radius.begin(), frame.radius.end()));
+  if (frame.v.cols() > 0) text += data_array("Float32", "velocity", 3, singles(frame.v));
+  if (frame.f.cols() > 0) text += data_array("Float32", "force", 3, singles(frame.f));
+  text += "</PointData>\n<Points>\n" + data_array("Float32", "Points", 3, singles(frame.x));
+  return text + "</Points>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+}
 
 void write_grain_series(const std::string& out) {
   try {
@@ -45,21 +85,22 @@ void write_grain_series(const std::string& out) {
     const double dt = summary.value("dt_dem_s", 0.0);
     if (!(dt > 0.0)) return;
     const std::map<long, std::string> dumps = find_bed_frames(out);
-    if (dumps.empty() || fs::path(dumps.begin()->second).extension() != ".vtk") return;
+    if (dumps.empty()) return;
     std::vector<double> drawn;
     if (const fs::path pvd = fs::path(out) / "bodies.pvd"; fs::exists(pvd))
       for (const auto& [time, file] : read_vtk_series(pvd.string())) drawn.push_back(time);
     const std::vector<double> windows = windows_before(out, drawn, dt, summary);
-    Json series = {{"file-series-version", "1.0"}, {"files", Json::array()}};
+    std::vector<std::pair<double, std::string>> list;
     for (const auto& [step, file] : dumps) {
       double time = static_cast<double>(step) * dt;
       if (!drawn.empty())
         if (const std::size_t k = nearest(drawn, time); std::abs(drawn[k] - time) < 1.001 * windows[k]) time = drawn[k];
-      series["files"].push_back({{"name", fs::path(file).filename().string()}, {"time", time}});
+      const fs::path made = fs::path(file).replace_extension(".vtp");
+      write_whole_file(made.string(), grain_polydata(read_bed_frame(file)), "is the disk full?");
+      list.emplace_back(time, made.filename().string());
     }
     const std::string stem = fs::path(dumps.begin()->second).stem().string();
-    write_whole_file((fs::path(out) / (stem.substr(0, stem.rfind('_')) + ".vtk.series")).string(),
-                     series.dump(1) + "\n", "is the disk full?");
+    write_vtk_list((fs::path(out) / (stem.substr(0, stem.rfind('_')) + ".pvd")).string(), list);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "footfall: warning: no list of the grains' dumps: %s\n", e.what());
   }

@@ -36,10 +36,9 @@ if file_of("bodies.pvd"):
     ColorBy(shown, ("CELLS", "body"))
 
 for name in sorted(os.listdir(here)):
-    if not name.endswith(".vtk.series"):
+    if not name.endswith(".pvd") or name == "bodies.pvd":
         continue
-    grains = OpenDataFile(os.path.join(here, name))
-    RenameSource(name[: -len(".vtk.series")], grains)
+    grains = PVDReader(registrationName=name[: -len(".pvd")], FileName=file_of(name))
     grains.UpdatePipeline()
     shown = Show(grains, view)
     known = [array.Name for array in grains.PointData]
@@ -50,11 +49,11 @@ for name in sorted(os.listdir(here)):
         shown.SetScaleArray = ["POINTS", "radius"]
         shown.UseScaleFunction = 0
         shown.GaussianRadius = 1.0
-    if "v" in known:
-        ColorBy(shown, ("POINTS", "v", "Magnitude"))
+    if "velocity" in known:
+        ColorBy(shown, ("POINTS", "velocity", "Magnitude"))
         shown.RescaleTransferFunctionToDataRangeOverTime()
         shown.SetScalarBarVisibility(view, True)
-        bar = GetScalarBar(GetColorTransferFunction("v"), view)
+        bar = GetScalarBar(GetColorTransferFunction("velocity"), view)
         bar.Title, bar.ComponentTitle = "speed [m/s]", ""
 
 GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
@@ -66,9 +65,8 @@ Render(view)
 )";
 
 bool drew_something(const fs::path& out) {
-  if (fs::exists(out / "bodies.pvd")) return true;
   for (const fs::directory_entry& entry : fs::directory_iterator(out))
-    if (entry.path().extension() == ".series") return true;
+    if (entry.path().extension() == ".pvd") return true;
   return false;
 }
 

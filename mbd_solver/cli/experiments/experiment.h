@@ -86,10 +86,11 @@ struct CurveSpec {
   std::string name, scene;             // scene empty: the experiment's
   std::vector<std::string> settings;   // "{value}" and "{beside}" are replaced
   std::vector<std::string> reference;  // likewise; empty: [reference] alone
-  std::vector<std::string> values, short_values, beside;
-  std::string default_value;  // empty: none of the values
-  double scale = 1.0;         // for values that are numbers
-  double until = 0.0;         // [s]; 0: the experiment's
+  std::vector<std::string> values, beside;
+  std::vector<std::string> short_values = {""};  // of the short form; {""}: the first value; empty: none
+  std::string default_value;                     // empty: none of the values
+  double scale = 1.0;                            // for values that are numbers
+  double until = 0.0;                            // [s]; 0: the experiment's
   EndSpec end;
   Source source;
 };

@@ -68,7 +68,7 @@ class Checker {
     const std::vector<std::string>& ends = c.end.ends;
     if (c.values.empty() && !ends.empty()) c.values = {""};  // one run
     if (c.values.empty()) return wrong(c.source, "values", "are missing");
-    if (c.short_values.empty()) c.short_values = {c.values.front()};
+    if (c.short_values == CurveSpec().short_values) c.short_values = {c.values.front()};
     if (ends.size() > 1 && ends.size() != c.values.size())
       wrong(c.source, "ends", "expected one way to end for all, or one per value");
     for (const std::string& end : ends)

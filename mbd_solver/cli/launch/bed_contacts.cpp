@@ -27,7 +27,8 @@ BedContacts bed_contacts(const std::vector<GrainPlace>& grains) {
   for (std::size_t i = 0; i < grains.size(); ++i) cells[cell_of(grains[i].centre)].push_back(i);
 
   const double quarter = 0.25 * (high.z() - low.z());
-  double inner = 0.0, touches = 0.0;
+  double touches = 0.0;
+  std::vector<GrainPlace> inside;
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const GrainPlace& grain = grains[i];
     const Eigen::Vector3d margin = (grain.centre - low).cwiseMin(high - grain.centre);
@@ -37,16 +38,16 @@ BedContacts bed_contacts(const std::vector<GrainPlace>& grains) {
       const auto found = cells.find({cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1});
       if (found == cells.end()) continue;
       for (const std::size_t j : found->second) {
-        if (j == i) continue;
+        if (j == i || (grain.clump != 0 && grain.clump == grains[j].clump)) continue;
         const double overlap = grain.radius + grains[j].radius - (grain.centre - grains[j].centre).norm();
         if (overlap <= 0.0) continue;
         out.largest_overlap = std::max(out.largest_overlap, overlap / std::min(grain.radius, grains[j].radius));
         touches += counts ? 1.0 : 0.0;
       }
     }
-    inner += counts ? 1.0 : 0.0;
+    if (counts) inside.push_back(grain);
   }
-  if (inner > 0.0) out.coordination = touches / inner;
+  if (!inside.empty()) out.coordination = touches / static_cast<double>(count_grains(inside));
   return out;
 }
 

@@ -8,7 +8,7 @@
 namespace footfall {
 
 struct BedContacts {
-  // Touching neighbours of a grain, on the average over those in the middle half of the depth, three radii and more from
+  // Contacts of a grain with others (two clumps may have several), on the average over those in the middle half of the depth, three radii and more from
   // the outermost grains along x and y; 0 where there are none.
   double coordination = 0.0;
   double largest_overlap = 0.0;  // of two grains, of the smaller radius [-]

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <map>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/folder.h"
@@ -15,6 +17,7 @@
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/scene/box_bed.h"
+#include "mbd_solver/scene/clump_shape.h"
 
 namespace footfall {
 
@@ -32,13 +35,36 @@ std::string round_count(double count) {
   return std::to_string(std::lround(count / unit) * std::lround(unit));
 }
 
+// What of a sphere's volume counts: where spheres of its clump overlap they share [-].
+std::vector<double> own_shares(const std::vector<GrainPlace>& spheres, const BoxSpec& box) {
+  std::map<int, int> size;  // of each clump
+  for (const GrainPlace& sphere : spheres) ++size[sphere.clump];
+  std::vector<double> shares;
+  for (const GrainPlace& sphere : spheres) {
+    double share = 1.0, nearest = std::numeric_limits<double>::infinity();
+    for (const double radius : box.radius)
+      for (const std::string& name : box.clumps) {
+        const Clump clump = clump_of(clump_shape(name), radius);
+        const double away = std::abs(clump.radius - sphere.radius);
+        if (clump.centres.cols() != size[sphere.clump] || away >= nearest) continue;
+        nearest = away;
+        share =
+            clump.volume / (static_cast<double>(clump.centres.cols()) * 4.0 / 3.0 * kPi * std::pow(clump.radius, 3));
+      }
+    shares.push_back(share);
+  }
+  return shares;
+}
+
 // How much of the slab between two heights the grains fill [-].
-double solid_fraction(const std::vector<GrainPlace>& grains, double low, double high, double area) {
+double solid_fraction(const std::vector<GrainPlace>& grains, const std::vector<double>& shares, double low, double high,
+                      double area) {
   double volume = 0.0;
-  for (const GrainPlace& grain : grains) {
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    const GrainPlace& grain = grains[i];
     const double r = grain.radius;
     const double a = std::max(low - grain.centre.z(), -r), b = std::min(high - grain.centre.z(), r);
-    if (b > a) volume += kPi * (r * r * (b - a) - (b * b * b - a * a * a) / 3.0);
+    if (b > a) volume += shares[i] * kPi * (r * r * (b - a) - (b * b * b - a * a * a) / 3.0);
   }
   return volume / (area * (high - low));
 }
@@ -48,17 +74,34 @@ std::string made_bed(const BoxSpec& box, const std::string& folder) {
   const std::vector<GrainPlace> grains = read_grains((fs::path(folder) / kBedGrains).string());
   double highest = -box.depth;
   for (const GrainPlace& grain : grains) highest = std::max(highest, grain.centre.z() + grain.radius);
-  const double inner = solid_fraction(grains, -0.75 * box.depth, -0.25 * box.depth, box.size[0] * box.size[1]);
+  const double inner =
+      solid_fraction(grains, own_shares(grains, box), -0.75 * box.depth, -0.25 * box.depth, box.size[0] * box.size[1]);
   const BedContacts contacts = bed_contacts(grains);
-  std::string text = "  the bed is made: " + std::to_string(grains.size()) +
-                     " grains, the highest reaches z = " + number_text(highest, 3) + " m, solid fraction " +
+  const std::size_t count = count_grains(grains);
+  const std::string what = box.clumps.empty() ? " grains" : " clumps of " + std::to_string(grains.size()) + " spheres";
+  std::string text = "  the bed is made: " + std::to_string(count) + what +
+                     ", the highest reaches z = " + number_text(highest, 3) + " m, solid fraction " +
                      number_text(inner, 2) + " in its middle half";
-  if (contacts.coordination > 0.0) text += ", " + number_text(contacts.coordination, 2) + " contacts per grain";
+  if (contacts.coordination > 0.0)
+    text += ", " + number_text(contacts.coordination, 2) + " contacts per " + (box.clumps.empty() ? "grain" : "clump");
   text += ", overlaps up to " + share_text(contacts.largest_overlap) + " of the radius\n";
   if (contacts.largest_overlap > kLargeOverlap)
     text += "  warning: at rest grains overlap by more than " + share_text(kLargeOverlap) +
             ": their contact law holds for less. Raise material.young (the time step falls with its root)\n";
   return text + "  " + short_path(folder) + "\n";
+}
+
+std::string clumps_text(const Scene& scene) {
+  const BoxSpec& box = *scene.particles->box;
+  std::vector<std::string> shapes;
+  for (const std::string& name : box.clumps) {
+    const Clump clump = clump_of(clump_shape(name), box.radius.front());
+    shapes.push_back(name + " (" + std::to_string(clump.centres.cols()) + " spheres of radius " +
+                     number_text(clump.radius, 3) + " m)");
+  }
+  const std::string rolling(name_of(rolling_model_of(scene)));
+  return "  clumps: " + joined(shapes) +
+         "; each weighs what a sphere of its radius weighs, overlaps count once; rolling friction: " + rolling + "\n";
 }
 
 // A mesh that was drawn in millimetres and read in metres is larger than anything that stands on a box of grains.
@@ -87,6 +130,7 @@ std::string box_report(const Scene& scene) {
   std::string text = "Bed: " + number_text(box.size[0]) + " x " + number_text(box.size[1]) + " m, " +
                      number_text(box.depth) + " m deep: floor at z = " + number_text(-box.depth) +
                      " m, surface at z = 0; about " + round_count(n.grains) + " grains of radius " + radii + " m\n";
+  if (!box.clumps.empty()) text += clumps_text(scene);
   text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +
           (box.periodic ? "beside it the bed goes on (periodic)\n" : number_text(n.margin) + " m beside the walls\n");
   text += "  time step: " + number_text(n.time_step) + " s, " + share_text(n.time_step / n.rayleigh) +

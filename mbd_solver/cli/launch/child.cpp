@@ -154,7 +154,11 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
     }
     if (reap(pid, status)) {
       ended = true;
-      if (deadline == Clock::time_point::max()) deadline = Clock::now() + kAfterEnd;
+      if (deadline == Clock::time_point::max()) {
+        // Of a launcher that a signal has ended nobody hears, and Open MPI ends its programs a second later.
+        terminated = was_asked_to_end(exit_code_of(status)) && ask_gracefully(graceful);
+        deadline = Clock::now() + (terminated ? kGrace : kAfterEnd);
+      }
     }
     if (!ended) wake_lonely(pid);
     if (Clock::now() > deadline) terminate();
@@ -163,7 +167,7 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
     if (!end.given_up.empty()) terminate();
   }
   reap(pid, status);  // orphans killed last
-  end.code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  end.code = exit_code_of(status);
   if (end.code == kCannotStart) throw InputError("cannot start " + command.words[0] + "; is it installed?");
   return end;
 }

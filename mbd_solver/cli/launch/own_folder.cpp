@@ -18,8 +18,9 @@ namespace {
 const std::vector<std::string> kEvery = {"history.csv",  "summary.json",      "ledger.csv", "bodies.pvd",
                                          "liggghts.log", "grains_energy.txt", "run.json",   "paraview.py"};
 // What a run may write besides.
-constexpr const char* kSome[] = {"bodies_[0-9]*.vtu", "*.vtk.series", "motion/*.csv", "motion/*.stl",      "plots/*.gp",
-                                 "plots/*.csv",       "plots/*.png",  "plots/*.svg",  "plots/gnuplot.log", "script/*"};
+constexpr const char* kSome[] = {"bodies_[0-9]*.vtu", "*.vtk.series", "*_[0-9]*.vtp",      "*.pvd",
+                                 "motion/*.csv",      "motion/*.stl", "plots/*.gp",        "plots/*.csv",
+                                 "plots/*.png",       "plots/*.svg",  "plots/gnuplot.log", "script/*"};
 
 bool is_written_by_runs(const std::string& name) {
   if (std::find(kEvery.begin(), kEvery.end(), name) != kEvery.end()) return true;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -70,5 +71,7 @@ pid_t start_process(const Command& command, const SignalsHeld& signals) {
   if (pid == 0) become(command, signals.held());
   return pid;
 }
+
+int exit_code_of(int status) { return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status); }
 
 }  // namespace footfall

@@ -33,4 +33,7 @@ constexpr int kCannotStart = 127;  // exit code of a process whose program could
 // no process; a program that is not there ends with kCannotStart.
 pid_t start_process(const Command& command, const SignalsHeld& signals);
 
+// Of what waitpid() has said of a process that has ended: a signal counts as 128 + its number, as in a shell.
+int exit_code_of(int status);
+
 }  // namespace footfall

@@ -11,8 +11,6 @@ namespace footfall {
 
 namespace {
 
-int exit_code(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
-
 double processor_time(const rusage& usage) {
   const auto seconds = [](const timeval& t) {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
@@ -43,7 +41,7 @@ bool run_pool(const std::vector<Command>& commands, int jobs, const std::functio
         ++it;
         continue;
       }
-      ended(it->second, exit_code(status), processor_time(usage));
+      ended(it->second, exit_code_of(status), processor_time(usage));
       it = running.erase(it);
     }
   }

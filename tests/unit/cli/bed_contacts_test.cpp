@@ -43,5 +43,14 @@ TEST(BedContacts, SmallGrainsCountByTheirOwnRadius) {
   EXPECT_EQ(bed_contacts({}).coordination, 0.0);
 }
 
+// Two clumps of two spheres each, one above the other: their spheres overlap within a clump and touch across.
+TEST(BedContacts, SpheresOfOneClumpDoNotTouch) {
+  const std::vector<GrainPlace> clumps = {
+      {{0, 0, 0}, 0.01, 1}, {{0.017, 0, 0}, 0.01, 1}, {{0, 0, 0.0199}, 0.01, 2}, {{0.017, 0, 0.0199}, 0.01, 2}};
+  EXPECT_NEAR(bed_contacts(clumps).largest_overlap, 0.01, 1e-12);
+  EXPECT_EQ(count_grains(clumps), 2u);
+  EXPECT_EQ(count_grains({{{0, 0, 0}, 0.01}, {{0, 0, 1}, 0.01}}), 2u);
+}
+
 }  // namespace
 }  // namespace footfall

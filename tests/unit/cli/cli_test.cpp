@@ -39,6 +39,17 @@ TEST_F(CliTest, ChildTakesEnvironmentFolderAndOutputFile) {
   EXPECT_EQ(text("out.txt"), "red\n" + std::filesystem::canonical(folder_).string() + "\n");
 }
 
+// mpirun dies of SIGQUIT without a word to its programs; they may take seconds to write a checkpoint.
+TEST_F(CliTest, WhatALauncherLeavesBehindIsAskedToEndInOrderWhenASignalHasEndedIt) {
+  const std::string program = std::filesystem::canonical("/bin/sh").filename();
+  Command command = shell(
+      "env --default-signal sh -c \"trap 'sleep 3; echo done > late; exit 3' INT; while :; do sleep 0.05; done\" & "
+      "sleep 0.5; kill -QUIT $$");
+  command.folder = folder_.string();
+  EXPECT_EQ(run_child(command, program).code, 128 + SIGQUIT);
+  EXPECT_EQ(text("late"), "done\n");
+}
+
 // A grandchild that outlives its parent, and does not listen to SIGTERM, is gone when run_child returns.
 TEST_F(CliTest, NothingOfAChildSurvives) {
   Command command = shell("(trap '' TERM; while :; do sleep 0.05; done) & echo $! > pid; exit 4");

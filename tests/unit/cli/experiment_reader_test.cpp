@@ -42,6 +42,21 @@ TEST(ReadExperiment, AsksForNoDrawingsUnlessTheFileDoes) {
   std::filesystem::remove(path);
 }
 
+TEST(ReadExperiment, TheShortFormOfACurveIsItsFirstValueUnlessTheFileSaysOtherwise) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("footfall_short_" + std::to_string(::getpid()) + ".toml")).string();
+  const auto shortened = [&](const std::string& words) {
+    std::ofstream(path) << "scene = \"scene.toml\"\n[reference]\n[[curves]]\nname = \"c\"\nsettings = [\"x={value}\"]\n"
+                           "values = [1, 2]\n" +
+                               words + "[[figures]]\nname = \"m\"\nkey = \"k\"\n";
+    return read_experiment(path).curves[0].short_values;
+  };
+  EXPECT_EQ(shortened(""), std::vector<std::string>{"1"});
+  EXPECT_EQ(shortened("short = [2]\n"), std::vector<std::string>{"2"});
+  EXPECT_EQ(shortened("short = []\n"), std::vector<std::string>{});
+  std::filesystem::remove(path);
+}
+
 TEST(ReadExperiment, SaysWhatIsWrongWithCurvesAndFigures) {
   const std::string curve =
       "[reference]\n[[curves]]\nname = \"c\"\nsettings = [\"x={value}\", \"y={beside}\"]\nvalues = [1, 2]\n";

@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
@@ -41,13 +40,13 @@ TEST(GrainSeries, StepsTogetherWithTheDrawingsOfTheBodies) {
   VtkSeries bodies(folder, "bodies");
   for (const double t : {0.0, 0.0102, 0.0201}) bodies.write(t, frame);
   write_grain_series(folder);
-  std::ifstream file(folder + "/grains.vtk.series");
-  const nlohmann::json series = nlohmann::json::parse(file);
-  ASSERT_EQ(series.at("files").size(), 4u);
+  const auto series = read_vtk_series(folder + "/grains.pvd");
+  ASSERT_EQ(series.size(), 4u);
   const double expected[] = {0.0, 0.0102, 0.0201, 0.03};
   for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_NEAR(series.at("files")[k].at("time").get<double>(), expected[k], 1e-12);
-    EXPECT_EQ(series.at("files")[k].at("name"), "grains_" + std::to_string(100 * k) + ".vtk");
+    EXPECT_NEAR(series[k].first, expected[k], 1e-12);
+    EXPECT_EQ(series[k].second, "grains_" + std::to_string(100 * k) + ".vtp");
+    EXPECT_TRUE(fs::exists(folder + "/" + series[k].second));
   }
   fs::remove_all(folder);
 }
@@ -65,10 +64,10 @@ TEST(GrainSeries, StepsTogetherWithTheDrawingsWhereTheRunChoseItsWindows) {
   VtkSeries bodies(folder, "bodies");
   for (const double t : {0.0, 0.0103, 0.0201, 0.0303}) bodies.write(t, frame);
   write_grain_series(folder);
-  std::ifstream file(folder + "/grains.vtk.series");
-  const nlohmann::json series = nlohmann::json::parse(file);
+  const auto series = read_vtk_series(folder + "/grains.pvd");
+  ASSERT_EQ(series.size(), 4u);
   const double expected[] = {0.0, 0.0103, 0.0201, 0.03};
-  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(series.at("files")[k].at("time").get<double>(), expected[k], 1e-12);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(series[k].first, expected[k], 1e-12);
   fs::remove_all(folder);
 }
 
@@ -76,7 +75,7 @@ TEST(GrainSeries, ARunWithoutGrainsGetsNone) {
   const std::string folder = run_folder();
   write_summary(folder + "/summary.json", {{"status", "done"}});
   write_grain_series(folder);
-  EXPECT_FALSE(fs::exists(folder + "/grains.vtk.series"));
+  EXPECT_FALSE(fs::exists(folder + "/grains.pvd"));
   fs::remove_all(folder);
 }
 

@@ -127,5 +127,17 @@ TEST(Archive, VectorsOfAnotherLengthAreRefused) {
   EXPECT_THROW(too_long("q", four), InputError);
 }
 
+// Rows without columns were taken for rows of one number each, which nobody had made room for.
+TEST(Archive, ShapesThatATypeCannotHaveAreRefused) {
+  for (const char* text : {"q 3 0\n", "q 0 3\n", "q 1 3 1 2 3\n", "q -1 1\n"}) {
+    Eigen::VectorXd q;
+    Archive archive("run.txt", text);
+    EXPECT_THROW(archive("q", q), InputError) << text;
+  }
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  Archive lying("run.txt", "r 1 3 0x1p+0 0x1p+0 0x1p+0\n");
+  EXPECT_THROW(lying("r", place), InputError);
+}
+
 }  // namespace
 }  // namespace footfall

@@ -71,7 +71,8 @@ TEST(BoxBed, ItsScriptsAgreeWithTheScene) {
            {},
            {"particles.box.packing=\"dense\"", "particles.box.bodies={friction=0.9,cohesion=10}"},
            {"particles.box.periodic=true", "particles.box.radius=[0.006,0.008]"},
-           {"gravity=[0.3,0,-1.6]", "particles.box.every=3", "particles.box.material.cohesion=100"}}) {
+           {"gravity=[0.3,0,-1.6]", "particles.box.every=3", "particles.box.material.cohesion=100"},
+           {"particles.box.clumps=[\"pair\",\"octahedron\"]", "particles.box.radius=[0.006,0.008]"}}) {
     const Scene scene = text.read(kPlate, settings);
     EXPECT_TRUE(scene.warnings.empty()) << (scene.warnings.empty() ? "" : scene.warnings[0]);
     const ScriptText script(scene.particles->script, scene.particles->variables);
@@ -90,6 +91,38 @@ TEST(BoxBed, BodiesAreCoupledAsTheSceneSays) {
   EXPECT_EQ(v.at("couples"), "gravity scene mesh mesh_plate plate");
   EXPECT_EQ(v.at("beams"), "body tine");
   EXPECT_EQ(v.at("every"), "auto");
+}
+
+// Of one radius, with shares in the mass: the words of LIGGGHTS' templates, in quotes, and of their distribution.
+TEST(BoxBed, ClumpsBecomeTemplatesOfLiggghts) {
+  const SceneText text;
+  const Scene scene =
+      text.read(kPlate, {"particles.box.clumps=[\"pair\",\"tetrahedron\"]", "particles.box.clump_shares=[1,3]"});
+  const auto bed = scene.particles->bed->variables;
+  EXPECT_EQ(bed.at("clumps"), "1");
+  EXPECT_EQ(scene.particles->variables.at("clumps"), "1");
+  EXPECT_EQ(bed.at("clump_mix"), "2 clump_1 0.25 clump_2 0.75");
+  const std::string& words = bed.at("clump_words");
+  EXPECT_EQ(words.find("'nspheres 2 ntry 1000000 spheres -0.0055"), 0u) << words;
+  EXPECT_NE(words.find("' 'nspheres 4 "), std::string::npos) << words;
+  // Each weighs what a sphere of its radius does: 2600 * 4/3 pi 0.008^3.
+  EXPECT_NE(words.find(" mass 0.00557611752061 "), std::string::npos) << words;
+  EXPECT_NE(words.find(" use_density'"), std::string::npos) << words;
+  EXPECT_DOUBLE_EQ(box_numbers(scene).grains, box_numbers(text.read(kPlate)).grains);
+  EXPECT_LT(box_numbers(scene).time_step, box_numbers(text.read(kPlate)).time_step);  // by its smallest sphere
+}
+
+// It stands for corners.
+TEST(BoxBed, ClumpsHaveRollingFrictionOnlyWhenTheSceneNamesAModel) {
+  const SceneText text;
+  const auto model = [&](const std::vector<std::string>& settings) {
+    return text.read(kPlate, settings).particles->variables.at("model");
+  };
+  const std::string clumps = "particles.box.clumps=[\"pair\"]";
+  EXPECT_EQ(model({}), "hertz tangential history rolling_friction cdt");
+  EXPECT_EQ(model({clumps}), "hertz tangential history");
+  EXPECT_EQ(model({clumps, "particles.box.material.rolling_model=\"cdt\""}),
+            "hertz tangential history rolling_friction cdt");
 }
 
 // A change of what only the run knows asks for no other bed; the density does.

@@ -48,6 +48,24 @@ void main() {
   gl_FragColor = vec4(vColour * lightOn(n.z < 0.0 ? -n : n), 1.0);
 }`;
 
+// The unit tube: points around its ends and in their middles, and three corners of each triangle of its side and of its two ends. Every line
+// has points of its own: software renderers take longer over an instance than over its points.
+const kTube = (() => {
+  const sides = 8, points = [], corners = [], ends = [[], []];
+  for (let k = 0; k < 2 * sides; ++k) {
+    const angle = (2 * Math.PI * (k % sides)) / sides;
+    points.push([Math.cos(angle), Math.sin(angle), k < sides ? 0 : 1]);
+  }
+  points.push([0, 0, 0], [0, 0, 1]);
+  for (let k = 0; k < sides; ++k) {
+    const next = (k + 1) % sides;
+    corners.push(k, next, sides + next, k, sides + next, sides + k);
+    ends[0].push(next, k, 2 * sides);
+    ends[1].push(sides + k, sides + next, 2 * sides + 1);
+  }
+  return { points, corners, ends };
+})();
+
 export class Bodies {
   constructor(spec) {
     this.spec = spec;
@@ -94,15 +112,13 @@ export class Bodies {
       this.plates = new three.Mesh(geometry, this.material(kPlates));
     }
     if (lines > 0) {
-      const tube = new three.CylinderGeometry(1, 1, 1, 10, 1).rotateX(Math.PI / 2).translate(0, 0, 0.5);
-      const geometry = new three.InstancedBufferGeometry();
-      geometry.index = tube.index;
-      geometry.setAttribute("position", tube.attributes.position);
-      geometry.instanceCount = lines;
-      geometry.setAttribute("tint", new three.InstancedBufferAttribute(tints(cells(triangles, lines), 1), 4));
-      geometry.setAttribute("radius", new three.InstancedBufferAttribute(radius, 1));
-      for (const name of ["a0", "a1", "b0", "b1"])
-        geometry.setAttribute(name, new three.InstancedBufferAttribute(new Uint16Array(4 * lines), 4, true));
+      const geometry = new three.BufferGeometry();
+      geometry.setIndex(this.tubeCorners());
+      geometry.setAttribute("position", new three.Float32BufferAttribute(Array(lines).fill(kTube.points.flat()).flat(), 3));
+      const copies = kTube.points.length;
+      geometry.setAttribute("tint", new three.BufferAttribute(tints(cells(triangles, lines), copies), 4));
+      geometry.setAttribute("radius", new three.BufferAttribute(Float32Array.from({ length: copies * lines }, (_, i) => radius[(i / copies) | 0]), 1));
+      for (const name of ["a0", "a1", "b0", "b1"]) geometry.setAttribute(name, sixteen(copies * lines));
       this.tubes = new three.Mesh(geometry, this.material(kTubes));
     }
     for (const mesh of [this.plates, this.tubes]) {
@@ -119,6 +135,18 @@ export class Bodies {
     if (k === this.times.length) return false;
     this.frames.push(this.decoder.next(await takeChunk(`bodies-${k}`)));
     return true;
+  }
+
+  // An end where another line goes on is not closed: nobody sees it.
+  tubeCorners() {
+    const lines = this.lines.length / 2, met = new Map(), all = [];
+    for (const point of this.lines) met.set(point, (met.get(point) ?? 0) + 1);
+    for (let l = 0; l < lines; ++l) {
+      const open = [0, 1].filter((end) => met.get(this.lines[2 * l + end]) === 1);
+      for (const corners of [kTube.corners, ...open.map((end) => kTube.ends[end])])
+        for (const corner of corners) all.push(l * kTube.points.length + corner);
+    }
+    return all;
   }
 
   // Place `to` of an array of four numbers each gets the position of a point and the stress of a cell.
@@ -140,8 +168,11 @@ export class Bodies {
     if (this.tubes)
       for (const end of [0, 1]) {
         const attribute = this.tubes.geometry.attributes[letter + end];
-        for (let l = 0; l < this.lines.length / 2; ++l)
-          Bodies.put(attribute.array, l, values, points, this.lines[2 * l + end], stress(triangles + l));
+        const copies = kTube.points.length;
+        for (let i = 0; i < (copies * this.lines.length) / 2; ++i) {
+          const l = (i / copies) | 0;
+          Bodies.put(attribute.array, i, values, points, this.lines[2 * l + end], stress(triangles + l));
+        }
         attribute.needsUpdate = true;
       }
   }

@@ -1,10 +1,10 @@
 // Grains as points that are shaded as spheres: one point each, moved by the shader between two frames.
 import * as three from "three";
 import { SeriesDecoder, joinPlanes } from "./decode.js";
-import { HiddenGrains } from "./hidden.js";
 import { indexBefore, takeChunk } from "./page.js";
 import { kMaps } from "./colours.js";
-import { kBox, kClip, kLight, kScale, boxUniforms, scaleUniforms } from "./shading.js";
+import { GrainPainter } from "./painter.js";
+import { kBox, kClip, kLight, kScale, boxUniforms, lightOn, scaleUniforms } from "./shading.js";
 
 const kVertex = /* glsl */ `
 ${kScale}${kBox}${kClip}
@@ -28,18 +28,6 @@ void main() {
   gl_Position = projectionMatrix * eye;
   gl_PointSize = max(1.0, radius * projectionMatrix[1][1] * uPixels / gl_Position.w);
   if (a.x >= 1.0 || clipped(x)) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
-}`;
-
-// The same for grains that leaveOutHidden() has placed.
-const kPlaced = /* glsl */ `
-${kScale}
-attribute vec2 look;  // radius [m], share of the colours
-uniform float uPixels;
-flat out vec3 vColour;
-void main() {
-  vColour = colourOf(look.y);
-  gl_Position = projectionMatrix * (modelViewMatrix * vec4(position, 1.0));
-  gl_PointSize = max(1.0, look.x * projectionMatrix[1][1] * uPixels / gl_Position.w);
 }`;
 
 const kFragment = /* glsl */ `
@@ -150,49 +138,42 @@ export class Grains {
     return k;
   }
 
-  // Before a picture of this size is drawn: only what can be seen is placed and drawn, or all. rough: in hidden.js.
-  leaveOutHidden(on, camera, width, height, rough) {
+  // Before a picture of this size is drawn: the processor paints the grains, or the points of the shader are drawn.
+  paint(on, camera, width, height) {
     this.all.visible = !on;
-    if (this.few) this.few.visible = on;
+    if (this.painter) this.painter.object.visible = on;
     if (!on) return;
-    if (!this.few) this.makeFew();
+    if (!this.painter) {
+      this.painter = new GrainPainter(this.spec.count, kMaps.sand, lightOn);
+      this.object.add(this.painter.object);
+    }
     const uniforms = this.material.uniforms;
     const [a, b] = this.shown.map((frame) => frame.positions.array);
-    const mix = uniforms.uMix.value;
-    const view = { a, b, mix, box: this.spec.box, radius: this.radius, camera, clip: uniforms.uClip.value, width, height, rough };
-    const count = this.hidden.find(view);
-    const { position, look } = this.few.geometry.attributes;
-    const start = this.frames[0].positions.array, { low, size } = this.spec.box;
-    const colour = uniforms.uColour.value, upper = uniforms.uUpper.value * 65535 * 65535, largest = uniforms.uLargest.value;
-    for (let j = 0; j < count; ++j) {
-      const i = this.hidden.seen[j], k = 4 * i, m = b[k] === 65535 ? 0 : mix;
+    const view = { a, b, mix: uniforms.uMix.value, box: this.spec.box, radius: this.radius, camera, clip: uniforms.uClip.value, width, height };
+    this.painter.paint({ ...view, share: this.shareOfColours(a, b) });
+  }
+
+  // What kVertex computes: the share of the colours of a grain that stands at mix between frames a and b.
+  shareOfColours(a, b) {
+    const uniforms = this.material.uniforms, colour = uniforms.uColour.value;
+    if (colour === 1) {
+      const upper = uniforms.uUpper.value * 65535 * 65535;
+      return (i, mix) => {
+        const value = a[4 * i + 3] + mix * (b[4 * i + 3] - a[4 * i + 3]);
+        return (value * value) / upper;
+      };
+    }
+    if (colour !== 2) return () => 0;
+    const start = this.frames[0].positions.array, largest = uniforms.uLargest.value, { size } = this.spec.box;
+    return (i, mix) => {
+      const k = 4 * i;
+      if (start[k] === 65535) return 0;
       let way = 0;
       for (let axis = 0; axis < 3; ++axis) {
-        const place = a[k + axis] + m * (b[k + axis] - a[k + axis]);
-        position.array[3 * j + axis] = low[axis] + (size[axis] * place) / 65534;
-        const d = (size[axis] * (place - start[k + axis])) / 65534;
+        const d = (size[axis] * (a[k + axis] + mix * (b[k + axis] - a[k + axis]) - start[k + axis])) / 65534;
         way += d * d;
       }
-      const value = a[k + 3] + m * (b[k + 3] - a[k + 3]);
-      look.array[2 * j] = this.radius[i];
-      look.array[2 * j + 1] = colour === 1 ? (value * value) / upper : colour === 2 && start[k] !== 65535 ? Math.sqrt(way) / largest : 0;
-    }
-    for (const [attribute, numbers] of [[position, 3], [look, 2]]) {
-      attribute.clearUpdateRanges();
-      attribute.addUpdateRange(0, numbers * count);
-      attribute.needsUpdate = true;
-    }
-    this.few.geometry.setDrawRange(0, count);
-  }
-  makeFew() {
-    this.hidden = new HiddenGrains(this.spec.count);
-    const geometry = new three.BufferGeometry();
-    for (const [name, numbers] of [["position", 3], ["look", 2]])
-      geometry.setAttribute(name, new three.BufferAttribute(new Float32Array(numbers * this.spec.count), numbers).setUsage(three.DynamicDrawUsage));
-    const { uStops, uShares, uPixels } = this.material.uniforms;
-    const material = new three.ShaderMaterial({ vertexShader: kPlaced, fragmentShader: kFragment, uniforms: { uStops, uShares, uPixels } });
-    this.few = new three.Points(geometry, material);
-    this.few.frustumCulled = false;
-    this.object.add(this.few);
+      return Math.sqrt(way) / largest;
+    };
   }
 }

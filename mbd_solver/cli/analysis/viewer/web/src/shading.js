@@ -17,6 +17,7 @@ vec3 placed(vec4 a, vec4 b) { return uLow + uSize * (65535.0 / 65534.0) * mix(a.
 // A light from the upper left behind the eye, and some from the sky. n: normal in the eye's axes.
 export const kLight = /* glsl */ `
 float lightOn(vec3 n) { return 0.42 + 0.58 * max(0.0, dot(n, vec3(-0.33, 0.62, 0.71))); }`;
+export const lightOn = (x, y, z) => 0.42 + 0.58 * Math.max(0, -0.33 * x + 0.62 * y + 0.71 * z);
 
 // Half of space can be left out: where dot(x, normal) > distance. A zero normal leaves out nothing.
 export const kClip = /* glsl */ `

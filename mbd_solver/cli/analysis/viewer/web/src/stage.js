@@ -8,7 +8,7 @@ import { Grains } from "./grains.js";
 const kAxes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 const kLowest = 0.5;    // pixels of the picture per pixel of the page
 const kWanted = 30;     // pictures in a second
-const kSparedAtMost = 3e5;  // grains: of more, to look for hidden ones takes longer than to draw them
+const kPaintedAtMost = 3e5;  // grains: of more, to place and sort them takes longer than to draw them
 
 export class Stage {
   constructor(place, run) {
@@ -22,7 +22,7 @@ export class Stage {
     this.renderer.setClearColor(0xeef1f4);
     this.ratio = Math.min(window.devicePixelRatio || 1, 2);
     place.append(this.renderer.domElement);
-    this.sparing = this.drawsInSoftware() && run.grains?.count < kSparedAtMost;
+    this.paints = this.drawsInSoftware() && run.grains?.count < kPaintedAtMost;
     this.scene = new three.Scene();
     this.camera = new three.PerspectiveCamera(35, 1, 0.01, 1000);
     this.camera.up.set(0, 0, 1);
@@ -40,11 +40,6 @@ export class Stage {
     this.addGround();
     this.orbit = new OrbitControls(this.camera, this.renderer.domElement);
     this.orbit.addEventListener("change", () => this.wish());
-    this.orbit.addEventListener("start", () => (this.turning = true));
-    this.orbit.addEventListener("end", () => {
-      this.turning = false;
-      this.wish();
-    });
     this.look(-65, 24);
     this.clip = { axis: "", share: 0.5, flip: false };
     new ResizeObserver(() => this.resize()).observe(place);
@@ -155,8 +150,6 @@ export class Stage {
   // While it plays, a slow machine draws fewer pixels; the full picture comes back when it stands.
   suitRate(rate, playing) {
     if (!this.scene) return;
-    if (this.playing && !playing) this.wish();  // the exact picture
-    this.playing = playing;
     const full = Math.min(window.devicePixelRatio || 1, 2);
     let ratio = this.ratio;
     if (!playing) ratio = full;
@@ -177,7 +170,7 @@ export class Stage {
     if (!this.scene || !this.hasFrames) return;
     this.camera.updateMatrixWorld();
     const { width, height } = this.renderer.domElement;
-    this.grains?.leaveOutHidden(this.sparing, this.camera, width, height, this.playing || this.turning);
+    this.grains?.paint(this.paints, this.camera, width, height);
     this.renderer.render(this.scene, this.camera);
   }
 }
