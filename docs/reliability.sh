@@ -20,6 +20,7 @@ short=false as_row=false
 parts=("$@")
 all=(kills signals load stops disk damage keeping fuzz sanitizers endurance)
 work=$build/reliability cli=tests/cli
+version="$(git rev-parse --short HEAD 2>/dev/null || echo "no commit") ($(date +%F))"
 $short && work=$build/reliability_short
 mkdir -p "$work"
 if [[ ${parts[*]} != page ]] && ! $as_row; then
@@ -173,6 +174,7 @@ row() { # PART...
     rm -f "$work/$part.failed"
     echo "reliability: $part, $(date +%T)" >&2
     $part >"$work/$part.new" && mv "$work/$part.new" "$work/$part.md"
+    echo "$part at $version" >"$work/$part.made"
   done
 }
 if ((${#parts[@]})) || $short; then
@@ -214,8 +216,9 @@ TEXT
 - SIGQUIT ends mpirun at once, and a second later Open MPI ends its programs. The front door asks them to write a checkpoint in that second; a window that is longer leaves no new one.
 - A set of files that is not whole never counts as a checkpoint: it grows under another name and is renamed when checksums of all its files are on the disk ([resume.md](resume.md)).
   What is left of one goes when all programs have ended, unless the front door itself was killed.
+- Each part and the commit whose programs it tried: MADE.
 - Killed is not powered off: what a disk has confirmed and then loses is not tried here.
 - Neither program has threads of its own, nor has the front door: there is nothing for the thread sanitizer. `tests/unit` has threads where two ends of a conversation run in one process.
 TEXT
-} > docs/reliability.md
+} | sed "s/ MADE\.$/ $(for part in "${all[@]}"; do cat "$work/$part.made" 2>/dev/null; done | paste -sd, | sed 's/,/, /g')./" > docs/reliability.md
 exit $ended
