@@ -40,6 +40,14 @@ std::string status_of(const std::string& out) {
 int exit_code(const ChildEnd& end, const std::string& status, bool begun, bool noted) {
   const bool asked = was_asked_to_end(end.code) || (end.code == kExitFailed && begun && !noted);
   if (status == "done" && end.code == kExitDone) return kExitDone;
+  if (end.crashed && !noted && (status == "done" || status == "interrupted")) {
+    // Seen of Open MPI 4.1 that got SIGTERM while it ended by itself.
+    std::fprintf(stderr,
+                 "footfall: warning: mpirun itself crashed (signal %d, %s) when both programs had ended; what they "
+                 "wrote is whole\n",
+                 end.code - 128, strsignal(end.code - 128));
+    return status == "done" ? kExitDone : kExitInterrupted;
+  }
   if (end.interrupted || (asked && end.given_up.empty())) {
     if (status.empty()) std::fprintf(stderr, "footfall: interrupted before there was anything to keep\n");
     return kExitInterrupted;

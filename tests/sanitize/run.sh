@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # run.sh [LABEL...]: the tests of these labels (default: unit bad_input physics mpi) in a build of its own (build-sanitize) with the address and undefined-behaviour
-# sanitizers of g++. Every finding ends its test. Without labels also a part of the unit tests under valgrind, where it is installed, from the plain build.
+# sanitizers of g++. Every finding ends its test. Without labels also the tests that have threads under the thread sanitizer (build-sanitize-thread), and a part of
+# the unit tests under valgrind, where it is installed, from the plain build.
 #   BUILD=FOLDER     the plain build (default build)
 #   BUILT=1          takes the tests as they are built; TARGETS: what is built (default all; tests that are not there are counted)
 #   LABELS           instead of the default, with valgrind
@@ -26,6 +27,17 @@ for label in "${labels[@]}"; do
   echo "$label, address and undefined: $(grep -c ' Passed ' "$build/$label.txt") passed, $bad failed, $late too long, $absent not built"
 done
 (($#)) && exit $failed
+# Threads are in tests alone, where two ends of a conversation run in one process.
+threads=$root/build-sanitize-thread threaded=(unit_coupler unit_liggghts_fix unit_coupling two_mass_loopback_test)
+[[ -f $threads/build.ninja ]] ||
+  cmake -S "$root" -B "$threads" -G Ninja -DCMAKE_BUILD_TYPE=Sanitize -DCMAKE_CXX_FLAGS=-O1 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
+    -DFOOTFALL_SANITIZE=thread >"$threads.log" 2>&1 || { cat "$threads.log"; exit 1; }
+[[ -n ${BUILT-} ]] || cmake --build "$threads" -j 2 --target "${threaded[@]}" >"$threads/build.log" 2>&1 || { tail -n 40 "$threads/build.log"; exit 1; }
+for name in "${threaded[@]}"; do
+  [[ -x $threads/bin/$name ]] || continue
+  TSAN_OPTIONS=halt_on_error=1 "$threads/bin/$name" --gtest_brief=1 >"$threads/$name.txt" 2>&1 || failed=1
+  echo "$name, threads: $(grep -a 'tests* ran\|PASSED' "$threads/$name.txt" | tail -n 1 | sed 's/.*] *//'), $(grep -c 'WARNING: ThreadSanitizer' "$threads/$name.txt") findings"
+done
 # As much as runs in a few minutes; gtest's own filter where a part is long.
 if command -v valgrind >/dev/null; then
   for part in base coupler laws model controllers output integrator run; do

@@ -95,6 +95,12 @@ bool ask_gracefully(const std::string& graceful) {
   return asked;
 }
 
+bool is_fault(int signal) {
+  for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+    if (signal == fault) return true;
+  return false;
+}
+
 // Collects every child that ended (orphans of the child come to us). True when `pid` is among them; `status` is then
 // its status.
 bool reap(pid_t pid, int& status) {
@@ -168,6 +174,7 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
   }
   reap(pid, status);  // orphans killed last
   end.code = exit_code_of(status);
+  end.crashed = WIFSIGNALED(status) && is_fault(WTERMSIG(status));
   if (end.code == kCannotStart) throw InputError("cannot start " + command.words[0] + "; is it installed?");
   return end;
 }

@@ -24,6 +24,9 @@ Command shell(const std::string& script) { return {{"sh", "-c", script}, {}, "",
 TEST_F(CliTest, ChildGivesItsExitCode) {
   EXPECT_EQ(run_child(shell("exit 3")).code, 3);
   EXPECT_EQ(run_child(shell("kill -KILL $$")).code, 128 + SIGKILL);
+  EXPECT_FALSE(run_child(shell("kill -KILL $$")).crashed);
+  EXPECT_TRUE(run_child(shell("kill -SEGV $$")).crashed);
+  EXPECT_FALSE(run_child(shell("exit 139")).crashed);  // what mpirun gives when a program of it has crashed
 }
 
 TEST_F(CliTest, ChildThatCannotBeStartedIsNamed) {
