@@ -93,6 +93,12 @@ std::string shortened(const std::string& text, int steps) {
          "\"%d %d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g\"\nrun 0\n";
 }
 
+// Of grains that fix insert/stream has read from a restart file, LIGGGHTS 3.8 writes velocities from memory that nobody
+// has set: numbers of 1e-310, others in every run of the same program. They count as zero.
+std::string last_state(const RunFolder& folder, const std::string& name) {
+  return std::regex_replace(folder.read(name + ".last"), std::regex("-?[0-9.]+e-3[012][0-9]"), "0");
+}
+
 TEST_P(DebianExample, GivesTheSameBitsOnBothPrograms) {
   if (!fs::exists(kExamples)) GTEST_SKIP() << kExamples << " is missing: the package liggghts-doc is not installed";
   const Example example = GetParam();
@@ -116,8 +122,8 @@ TEST_P(DebianExample, GivesTheSameBitsOnBothPrograms) {
     std::printf("not run by Debian's LIGGGHTS: %s\n", example.script);
     return;
   }
-  const std::string last = folder.read("stock.last");
-  EXPECT_TRUE(last == folder.read("ours.last")) << "the grains differ";
+  const std::string last = last_state(folder, "stock");
+  EXPECT_TRUE(last == last_state(folder, "ours")) << "the grains differ";
   std::printf("%zu lines of grains\n", count(last, "\n"));
 }
 
