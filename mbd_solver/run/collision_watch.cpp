@@ -12,10 +12,12 @@
 namespace footfall {
 namespace {
 
-// Ways shorter than this are not halved any more [of the reach].
+// Ways shorter than this are not halved any more [of the radius].
 constexpr double kShortest = 1e-9;
-// A long way between two samples, for bodies that a contact holds apart [of the smaller one's reach].
+// A long way between two samples, for bodies that a contact holds apart [of the smaller one's radius].
 constexpr double kLong = 0.1;
+// Spheres so far apart tell enough [of the smaller one's radius].
+constexpr double kWellApart = 0.1;
 
 bool joined(const Model& model, int body_1, int body_2) {
   for (int i = 0; i < model.joint_count(); ++i) {
@@ -83,7 +85,7 @@ void CollisionWatch::add_body(const BodyBoundary& entry) {
     beams[segment.radius].emplace_back(segment.start, segment.start, segment.end);
   for (const auto& [radius, lines] : beams) surface.parts.emplace_back(boundary.rho0(), lines, radius);
   if (surface.parts.empty()) return;
-  for (const SurfaceModel& part : surface.parts) surface.reach = std::max(surface.reach, part.reach());
+  surround(surface);
   for (int j = 0; j < boundary.node_count() && boundary.mode_count() > 0; ++j)
     surface.modal_reach = std::max(surface.modal_reach, boundary.Phi().middleRows(3 * j, 3).norm());
   surfaces_.push_back(std::move(surface));
@@ -99,7 +101,16 @@ void CollisionWatch::add_wall(const StaticWall& wall) {
   for (Eigen::Index i = 0; i < count; ++i) vertices.col(i) = wall.corners[static_cast<std::size_t>(i)];
   for (int i = 0; i < static_cast<int>(count); i += 3) triangles.emplace_back(i, i + 1, i + 2);
   surface.parts.emplace_back(vertices, std::move(triangles));
+  surround(surface);
   surfaces_.push_back(std::move(surface));
+}
+
+void CollisionWatch::surround(Surface& surface) {
+  surface.centre.setZero();
+  for (const SurfaceModel& part : surface.parts) surface.centre += part.centre();
+  surface.centre /= static_cast<double>(surface.parts.size());
+  for (const SurfaceModel& part : surface.parts)
+    surface.radius = std::max(surface.radius, (part.centre() - surface.centre).norm() + part.radius());
 }
 
 void CollisionWatch::forget_walls(const std::vector<std::string>& names) {
@@ -128,14 +139,26 @@ CollisionWatch::Place CollisionWatch::place(const Pair& pair, const Kinematics& 
 
 double CollisionWatch::travel(const Pair& pair, const Place& from, const Place& to) const {
   const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
-  double way = (to.pose.p - from.pose.p).norm() + second.reach * (to.pose.R - from.pose.R).norm() / std::sqrt(2.0);
+  const Eigen::Matrix3d dR = to.pose.R - from.pose.R;
+  double way = (to.pose.p - from.pose.p + dR * second.centre).norm() + second.radius * dR.norm() / std::sqrt(2.0);
   if (first.modal_reach > 0.0) way += first.modal_reach * (to.a_1 - from.a_1).norm();
   if (second.modal_reach > 0.0) way += second.modal_reach * (to.a_2 - from.a_2).norm();
   return way;
 }
 
+// Negative where the spheres cross.
+double CollisionWatch::between_spheres(const Pair& pair, const Place& at) const {
+  const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
+  double distance = (at.pose.p + at.pose.R * second.centre - first.centre).norm() - first.radius - second.radius;
+  if (first.modal_reach > 0.0) distance -= first.modal_reach * at.a_1.norm();
+  if (second.modal_reach > 0.0) distance -= second.modal_reach * at.a_2.norm();
+  return distance;
+}
+
 SurfaceGap CollisionWatch::gap(const Pair& pair, const Place& at) {
   Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
+  if (const double apart = between_spheres(pair, at); apart > kWellApart * std::min(first.radius, second.radius))
+    return {apart, Eigen::Vector3d::Zero()};
   if (first.boundary != nullptr) bend(first, at.a_1);
   bend(second, at.a_2);
   SurfaceGap least;
@@ -154,7 +177,7 @@ SurfaceGap CollisionWatch::gap(const Pair& pair, const Place& at) {
 bool CollisionWatch::met_on_the_way(const Pair& pair, const Place& from, double gap_from, const Place& to,
                                     double gap_to, SurfaceGap& met) {
   const double way = travel(pair, from, to);
-  if (way < gap_from + gap_to || way < kShortest * surfaces_[pair.second].reach) return false;
+  if (way < gap_from + gap_to || way < kShortest * surfaces_[pair.second].radius) return false;
   const Place middle{between(from.pose, to.pose), 0.5 * (from.a_1 + to.a_1), 0.5 * (from.a_2 + to.a_2)};
   met = gap(pair, middle);
   const double gap_middle = met.distance;
@@ -172,7 +195,7 @@ void CollisionWatch::begin(const Kinematics& kinematics) {
 // What a contact holds bounces between two samples; only on a long way it can have passed without being felt.
 bool CollisionWatch::may_have_passed(const Pair& pair, const Place& now) const {
   const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
-  const double smaller = first.body == kGround ? second.reach : std::min(first.reach, second.reach);
+  const double smaller = first.body == kGround ? second.radius : std::min(first.radius, second.radius);
   return pair.contact < 0 || travel(pair, pair.last, now) > kLong * smaller;
 }
 

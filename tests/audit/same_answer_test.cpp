@@ -194,7 +194,7 @@ std::string scene_of(const World& w) {
   s << "[ground]\nkind = \"particles\"\n[particles]\nscript = \"in.grains\"\nmax_time_step = 1\n[initial]\n"
     << of_bodies << "[solver]\nerror_control = false\nmax_step = " << H << "\nrtol = 1e-12\natol = 1e-14\n"
     << "[coupling]\nstop_on_energy_gain = false\nstop_on_chatter = false\n[output]\ninterval = " << kWindows * H
-    << "\nplots = false\n";
+    << "\nplots = false\nvtk = false\n";
   return s.str();
 }
 

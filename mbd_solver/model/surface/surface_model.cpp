@@ -5,6 +5,7 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "coupler/base/errors.h"
@@ -41,7 +42,10 @@ SurfaceModel::SurfaceModel(const Eigen::Matrix3Xd& vertices, std::vector<Eigen::
   model.beginModel(static_cast<int>(three.size()), static_cast<int>(points.size()));
   model.addSubModel(points, three);
   FOOTFALL_DEMAND(model.endModel() == fcl::BVH_OK);
-  for (const Eigen::Vector3d& point : points) reach_ = std::max(reach_, point.norm() + thickness_);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : points) box.extend(point);
+  centre_ = box.center();
+  for (const Eigen::Vector3d& point : points) radius_ = std::max(radius_, (point - centre_).norm() + thickness_);
 }
 
 SurfaceModel::~SurfaceModel() = default;

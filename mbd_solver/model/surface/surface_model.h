@@ -28,7 +28,9 @@ class SurfaceModel {
   SurfaceModel(SurfaceModel&&) noexcept;
 
   void move(const Eigen::Matrix3Xd& vertices);  // the same triangles with their vertices elsewhere
-  double reach() const { return reach_; }       // no point is farther from the origin of the frame [m]
+  // The sphere that holds all of it as it was made: centre in the frame of the surface, and radius [m].
+  const Eigen::Vector3d& centre() const { return centre_; }
+  double radius() const { return radius_; }
 
   // Smallest distance between a and b; b stands in the frame of a as b_in_a says.
   friend SurfaceGap gap_between(const SurfaceModel& a, const SurfaceModel& b, const FramePose& b_in_a);
@@ -39,7 +41,8 @@ class SurfaceModel {
   struct Tree;
   std::vector<Eigen::Vector3i> triangles_;
   double thickness_;
-  double reach_ = 0.0;
+  Eigen::Vector3d centre_;
+  double radius_ = 0.0;
   std::unique_ptr<Tree> tree_;
 };
 
