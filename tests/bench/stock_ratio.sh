@@ -5,15 +5,17 @@
 #     -r  ranks of LIGGGHTS on both sides (default 2); the mechanism has one more
 #     -p  pairs (default 3); ten tell one per cent on a quiet machine
 #     -t  simulated time [s] (default 0.1)
+#     -c  counts instructions of LIGGGHTS instead (valgrind's callgrind, one rank, one pair): a ratio that does not depend on what else the machine does;
+#         try -t 0.01
 #     -s  a file that keeps the medians of every call; what changed since the last call of the same kind is told
 # BED.restart and BED.restart.grains are what `footfall run` keeps (its printed line names them).
 set -eu
-(( $# >= 2 )) || { sed -n '2,9p' "$0"; exit 2; }
+(( $# >= 2 )) || { sed -n '2,11p' "$0"; exit 2; }
 build=$(realpath "$1") bed=$(realpath "$2"); shift 2
-ranks=2 pairs=3 seconds=0.1 store=
-while getopts r:p:t:s: option; do
+ranks=2 pairs=3 seconds=0.1 store= count=
+while getopts r:p:t:cs: option; do
   case $option in
-    r) ranks=$OPTARG ;; p) pairs=$OPTARG ;; t) seconds=$OPTARG ;; s) store=$(realpath -m "$OPTARG") ;;
+    c) count=yes ranks=1 pairs=1 ;; r) ranks=$OPTARG ;; p) pairs=$OPTARG ;; t) seconds=$OPTARG ;; s) store=$(realpath -m "$OPTARG") ;;
     *) exit 2 ;;
   esac
 done
@@ -41,13 +43,14 @@ seconds_of() {
   { time "$@" > "$work/out" 2>&1; } 2> "$work/time" || { cat "$work/out" >&2; exit 1; }
   awk '{ print $1, $2 + $3 }' "$work/time"
 }
+counted() { [[ -z $count ]] || echo "valgrind --tool=callgrind --callgrind-out-file=$work/$1"; }
 # The pads start 5 mm above the highest grain under the first of them, as the lander does.
 height=$(awk '($1 - 1.2374)^2 + ($2 - 1.2374)^2 < 0.04 && $3 + $4 > top { top = $3 + $4 } END { print top + 0.005 }' "$bed.grains")
 
 cd "$work"
 for pair in $(seq "$pairs"); do
   rm -rf "$work/run"
-  ours=$(seconds_of $mpi "$build/bin/liggghts_mbd" -in "$root/inputs/landing_mr/in.regolith" -var here "$root/inputs/landing_mr" -var bed "$bed" -var frames 0 -log ours.log : \
+  ours=$(seconds_of $mpi $(counted ours.count) "$build/bin/liggghts_mbd" -in "$root/inputs/landing_mr/in.regolith" -var here "$root/inputs/landing_mr" -var bed "$bed" -var frames 0 -log ours.log : \
     -np 1 "$build/bin/mbd_solver" "$root/inputs/landing_mr" --quiet --until "$seconds" --set particles.grains="$bed.grains" --out "$work/run" "$@")
   # Slope changes at every second row of the history for 60 ms, then at every tenth.
   awk -F, -v dt=1e-4 '
@@ -65,7 +68,12 @@ for pair in $(seq "$pairs"); do
         printf "\n"
       }
     }' run/history.csv > motion.lammps
-  stock=$(seconds_of $mpi liggghts -in "$root/tests/bench/in.stock_landing" -var here "$root/inputs/landing_mr" -var bed "$bed" -var pad pad.stl -var height "$height" -var steps "$steps" -log stock.log)
+  stock=$(seconds_of $mpi $(counted stock.count) liggghts -in "$root/tests/bench/in.stock_landing" -var here "$root/inputs/landing_mr" -var bed "$bed" -var pad pad.stl -var height "$height" -var steps "$steps" -log stock.log)
+  if [[ -n $count ]]; then
+    read -r ours stock < <(sed -n 's/^summary: //p' ours.count stock.count | paste -sd' ')
+    awk -v a="$ours" -v b="$stock" -v t="$seconds" 'BEGIN { printf "%g s, instructions of LIGGGHTS on one rank: coupled %.6g, stock %.6g, ratio %.4f\n", t, a, b, a / b }'
+    exit
+  fi
   parts=$(grep -E '"(dem|mbd|exchange)_wall_s"' run/summary.json | tr -d ' \n"' | sed 's/_wall_s:/ /g')
   echo "$ours $stock" >> pairs.txt
   awk -v a="$ours" -v b="$stock" -v parts="$parts" -v lists="$(sed -n 's/Neighbor list builds = //p' ours.log)" -v stock_lists="$(sed -n 's/Neighbor list builds = //p' stock.log)" '
