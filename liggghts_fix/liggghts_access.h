@@ -1,6 +1,6 @@
 #pragma once
-// The one place that reaches private and protected members of LIGGGHTS 3.8.0 (see notes in the source). Everything else
-// uses its public interface. CMake refuses other versions.
+// The one place that reaches private and protected members of LIGGGHTS 3.8.0 (liggghts_access_members.h says how).
+// Everything else uses its public interface. CMake refuses other versions.
 
 #include <string>
 #include <vector>

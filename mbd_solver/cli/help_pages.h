@@ -1,6 +1,6 @@
 #pragma once
 // Man pages and completion of shells, made from what --help says: the commands, their options and the texts of both
-// stand in the table of main.cpp alone.
+// stand in the table of subcommands.cpp alone.
 
 #include <CLI/CLI.hpp>
 #include <string>

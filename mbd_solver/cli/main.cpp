@@ -5,293 +5,23 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/nearest_name.h"
 #include "coupler/interrupt.h"
-#include "mbd_solver/cli/analysis/compare_command.h"
-#include "mbd_solver/cli/analysis/pictures_command.h"
-#include "mbd_solver/cli/analysis/report_command.h"
-#include "mbd_solver/cli/analysis/surfaces_command.h"
-#include "mbd_solver/cli/analysis/viewer/view_page.h"
-#include "mbd_solver/cli/audit_command.h"
-#include "mbd_solver/cli/calibrate/calibrate_command.h"
-#include "mbd_solver/cli/calibrate/calibration.h"
-#include "mbd_solver/cli/experiments/experiment.h"
-#include "mbd_solver/cli/experiments/experiment_command.h"
 #include "mbd_solver/cli/help_pages.h"
-#include "mbd_solver/cli/launch/check_command.h"
-#include "mbd_solver/cli/launch/child.h"
-#include "mbd_solver/cli/launch/programs.h"
-#include "mbd_solver/cli/positive.h"
-#include "mbd_solver/cli/run_command.h"
-#include "mbd_solver/cli/user_commands.h"
-#include "mbd_solver/scene/scene_schema.h"
-#include "mbd_solver/scene/shipped_files.h"
+#include "mbd_solver/cli/subcommands.h"
 
 using namespace footfall;
 
 namespace {
 
-// The scene of ./footfall run: here, or else that which comes with this program.
-std::string default_scene() {
-  const std::string name = "inputs/landing_mr";
-  if (std::filesystem::exists(name)) return name;
-  try {
-    return shipped_file(name);
-  } catch (const InputError&) {
-    return name;  // whoever needs it says that it is not there
-  }
-}
-
-// ---- the options of each subcommand, and what it does once they are read ----
-
-Action run(CLI::App& command) {
-  const auto a = std::make_shared<RunArguments>();
-  a->scene = default_scene();
-  CLI::Option* scene =
-      command.add_option("SCENE", a->scene, "Scene file, or folder with scene.toml")->capture_default_str();
-  CLI::Option* out =
-      command.add_option("--out", a->out, "Folder for results (default: runs/NAME, the first that is free)");
-  command.add_option("--until", a->until, "End earlier than the scene says [s]")->check(positive());
-  CLI::Option* ranks = command.add_option("--ranks", a->ranks, "LIGGGHTS processes")->check(positive());
-  CLI::Option* settings = command
-                              .add_option("--set", a->settings,
-                                          "key=value: change one value of the scene, for example solver.integrator=ida")
-                              ->allow_extra_args(false);
-  CLI::Option* scheme = command.add_option("--scheme", a->scheme, "Coupling scheme (coupling.scheme)");
-  CLI::Option* integrator = command.add_option("--integrator", a->integrator, "Integrator (solver.integrator)");
-  command.add_flag("--force", a->force,
-                   "Run into the folder of an earlier run; the files that it made are removed first");
-  command.add_flag("--trust-script", a->trust_script,
-                   "LIGGGHTS scripts of the scene may run programs and write anywhere");
-  command
-      .add_option("--keep-every", a->keep_every,
-                  "Without output.checkpoint_interval: a checkpoint every so often on the clock [s]; 0: none")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command.add_flag("--quiet", a->quiet, "Only errors");
-  const auto folder = std::make_shared<std::string>();
-  CLI::Option* resume = command
-                            .add_option("--resume", *folder,
-                                        "Go on from the newest checkpoint of the run in this folder (default: the "
-                                        "run in runs that was kept last)")
-                            ->expected(0, 1);
-  // What a run was started with stands in its checkpoint.
-  for (CLI::Option* option : {scene, out, ranks, settings, scheme, integrator}) resume->excludes(option);
-  return [a, resume, folder] {
-    a->resume = resume->count() > 0;
-    if (a->resume) a->out = *folder;
-    return run_command(*a);
-  };
-}
-
-Action check(CLI::App& command) {
-  const auto a = std::make_shared<RunArguments>();
-  a->scene = default_scene();
-  command.add_option("SCENE", a->scene, "Scene file, or folder with scene.toml")->capture_default_str();
-  command.add_option("--set", a->settings, "key=value: change one value of the scene")->allow_extra_args(false);
-  return [a] { return check_command(a->scene, a->settings); };
-}
-
-Action surfaces(CLI::App& command) {
-  const auto a = std::make_shared<RunArguments>();
-  a->scene = default_scene();
-  command.add_option("SCENE", a->scene, "Scene file, or folder with scene.toml")->capture_default_str();
-  command.add_option("--out", a->out, "Folder for the pictures (default: runs/surfaces)");
-  command.add_option("--set", a->settings, "key=value: change one value of the scene")->allow_extra_args(false);
-  return [a] { return surfaces_command(a->scene, a->settings, a->out.empty() ? "runs/surfaces" : a->out); };
-}
-
-// What `footfall sweep` and `footfall accuracy` have in common: both run an experiment.
-void add_experiment_options(CLI::App& command, ExperimentArguments& a) {
-  command.add_option("FILE", a.file, "Experiment, as in inputs/sweeps and inputs/accuracy")
-      ->required()
-      ->check(CLI::ExistingFile);
-  command.add_option("--out", a.out, "Folder for results (default: " + a.runs + "/NAME)");
-  command
-      .add_option("--jobs", a.jobs,
-                  "Runs at once (default: " + (a.jobs ? std::to_string(a.jobs) : "as many as fit the cores") + ")")
-      ->check(positive());
-  command.add_option("--case", a.of_case, "This curve, or case of a stability map, alone");
-  command.add_option("--only", a.only, "This run alone, without tables (one element of a job array)")
-      ->check(CLI::Range(0, 1 << 30));
-  command.add_option("--table", a.table, "Write the table to this file as well, as Markdown");
-  command.add_flag("--short", a.short_form, "The short form, as the tests run it");
-  command.add_flag("--list", a.list, "Make the beds, list the runs, and stop");
-  command.add_flag("--merge", a.merge, "Tables and plots of what is there");
-  command.add_flag("--slurm", a.slurm, "Write sweep.sbatch, the experiment as a Slurm job array, and stop");
-}
-
-Action sweep(CLI::App& command) {
-  const auto a = std::make_shared<ExperimentArguments>();
-  a->command = "sweep";
-  a->runs = "runs/sweeps";
-  a->resume = true;
-  add_experiment_options(command, *a);
-  return [a] { return experiment_command(*a); };
-}
-
-Action calibrate(CLI::App& command) {
-  const auto a = std::make_shared<CalibrateArguments>();
-  command.add_option("FILE", a->file, "Calibration, as in inputs/calibrations")->required()->check(CLI::ExistingFile);
-  command.add_option("--out", a->out, "Folder for results (default: runs/calibrations/NAME)");
-  command.add_option("--jobs", a->jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
-  command.add_option("--table", a->table, "Write the page to this file as well, as Markdown");
-  command.add_flag("--estimate", a->estimate, "Run the start, tell how long all will take, and stop");
-  return [a] { return calibrate_command(*a); };
-}
-
-Action compare(CLI::App& command) {
-  struct Arguments {
-    std::string run, other;
-    bool trust_script = false, quiet = false;
-  };
-  const auto a = std::make_shared<Arguments>();
-  command.add_option("DIR", a->run, "Folder of a run with grains")->required();
-  command.add_option("OTHER", a->other, "Folder of another run (default: stock LIGGGHTS replays the motion of DIR)");
-  command.add_flag("--quiet", a->quiet, "Only errors; the table stands in DIR/compare/comparison.txt");
-  command.add_flag("--trust-script", a->trust_script, "The script of DIR may run programs and write anywhere");
-  return [a] { return compare_command(a->run, a->other, a->trust_script, a->quiet); };
-}
-
-Action audit(CLI::App& command) {
-  const auto a = std::make_shared<AuditArguments>();
-  a->run.scene = default_scene();
-  command.add_option("SCENE", a->run.scene, "Scene file, or folder with scene.toml")->capture_default_str();
-  command.add_option("--out", a->run.out, "Folder for results (default: runs/audit, the first that is free)");
-  command.add_option("--windows", a->windows, "Windows of the coupling, from the start")
-      ->check(positive())
-      ->capture_default_str();
-  command.add_option("--until", a->run.until, "Go on until then [s], however many windows that are")->check(positive());
-  command.add_option("--ranks", a->run.ranks, "LIGGGHTS processes")->check(positive());
-  command.add_option("--set", a->run.settings, "key=value: change one value of the scene")->allow_extra_args(false);
-  command.add_option("--scheme", a->run.scheme, "Coupling scheme (coupling.scheme)");
-  command.add_flag("--force", a->run.force,
-                   "Run into the folder of an earlier run; the files that it made are removed first");
-  command.add_flag("--trust-script", a->run.trust_script,
-                   "LIGGGHTS scripts of the scene may run programs and write anywhere");
-  return [a] { return audit_command(*a); };
-}
-
-Action pictures(CLI::App& command) {
-  const auto a = std::make_shared<PicturesArguments>();
-  command.add_option("DIR", a->run, "Folder of a run that dumped its grains")->required();
-  command.add_option("--times", a->times, "Times [s], separated by commas; the nearest dumps are drawn")
-      ->delimiter(',')
-      ->capture_default_str();
-  command
-      .add_option("--view", a->view, "Where the eye is: azimuth,elevation [deg] (default: -65,28; with a cut: -90,12)")
-      ->delimiter(',')
-      ->expected(2);
-  command.add_flag("--cut", a->cut,
-                   "Leave out the grains in front of the foremost coupled surface, to look into its crater");
-  command.add_option("--cut-at", a->cut_at, "Leave out the grains with y below this [m]")->expected(1);
-  command.add_option("--fastest", a->fastest, "Speed at the end of the colours [m/s] (default: from the grains)")
-      ->check(positive());
-  command.add_option("--width", a->width, "Width of the drawing [pixels]")
-      ->check(CLI::Range(100, 20000))
-      ->capture_default_str();
-  return [a] { return pictures_command(*a); };
-}
-
-Action view(CLI::App& command) {
-  const auto a = std::make_shared<ViewArguments>();
-  command.add_option("DIR", a->run, "Folder of a run")->required();
-  command.add_option("--frames", a->frames, "Dumps of the grains that the page holds, at most (default: about 100 MB)")
-      ->check(CLI::Range(2, 100000));
-  return [a] {
-    std::printf("%s\n", short_path(write_view(*a)).c_str());
-    return kExitDone;
-  };
-}
-
-Action report(CLI::App& command) {
-  const auto folder = std::make_shared<std::string>();
-  command.add_option("DIR", *folder, "Folder of a run or of a sweep")->required();
-  return [folder] {
-    std::printf("%s\n", short_path(write_report(*folder)).c_str());
-    return kExitDone;
-  };
-}
-
-Action accuracy(CLI::App& command) {
-  const auto a = std::make_shared<ExperimentArguments>();
-  a->command = "accuracy";
-  a->runs = "runs/accuracy";
-  a->jobs = 1;
-  add_experiment_options(command, *a);
-  command.add_flag("--resume", a->resume,
-                   "Keep the runs in the folder that were done with the same scene, settings and script");
-  return [a] { return experiment_command(*a); };
-}
-
-Action test(CLI::App& command) {
-  const auto label = std::make_shared<std::string>();
-  command.add_option("-L,--label", *label,
-                     "Only tests of this label: unit, physics, mpi, dem, stock, bad_input, example, accuracy");
-  return [label] {
-    const std::string build = std::filesystem::path(built_program("footfall")).parent_path().parent_path().string();
-    if (!std::filesystem::exists(std::filesystem::path(build) / "CTestTestfile.cmake"))
-      throw InputError(build + ": holds no tests: an installed program has none. Run ./footfall test in a checkout");
-    Command ctest{{"ctest", "--test-dir", build, "--output-on-failure", "-j2"}, {}, "", ""};
-    if (!label->empty()) ctest.words.insert(ctest.words.end(), {"-L", *label});
-    return run_child(ctest).code == 0 ? kExitDone : kExitFailed;
-  };
-}
-
-Action schema(CLI::App& command) {
-  const auto experiments = std::make_shared<bool>(false), calibrations = std::make_shared<bool>(false);
-  CLI::Option* of_experiments =
-      command.add_flag("--experiments", *experiments, "Of the files of footfall sweep and footfall accuracy instead");
-  command.add_flag("--calibrations", *calibrations, "Of the files of footfall calibrate instead")
-      ->excludes(of_experiments);
-  return [experiments, calibrations] {
-    std::printf("%s\n", (*experiments    ? experiment_schema()
-                         : *calibrations ? calibration_schema()
-                                         : scene_schema())
-                            .c_str());
-    return kExitDone;
-  };
-}
-
-// The subcommands, as --help shows them; docs/commands.md has a line for each.
-struct Subcommand {
-  const char* name;
-  const char* what;
-  Action (*prepare)(CLI::App& command);
-};
-constexpr Subcommand kSubcommands[] = {
-    {"run", "Run a scene: bed, both programs, summary, pictures", run},
-    {"new", "Make a folder with a scene of your own to edit, from an example", new_case},
-    {"check", "Check a scene: every finding as file:line: key: what is wrong", check},
-    {"schema", "Print the JSON schema of scenes, experiments or calibrations, for editors that complete and check",
-     schema},
-    {"surfaces", "Draw the control surfaces of a scene's fuzzy controllers", surfaces},
-    {"sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted", sweep},
-    {"calibrate", "Find the parameters with which runs meet targets, and how far targets determine them", calibrate},
-    {"rig", "Measure a bed of grains with an instrument: plate, cone, wheel, shear ring, slope, sphere, drawn plate",
-     rig},
-    {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},
-    {"audit", "Check that what grains lose mechanism and walls get: momentum and energy, window by window", audit},
-    {"pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures", pictures},
-    {"plot", "Plot columns of a run's history: DIR/plots", plot_columns},
-    {"watch", "Follow a run that is under way, in the terminal or as a page", watch_run},
-    {"view", "One HTML page that plays a run in 3D, with plots: DIR/view.html", view},
-    {"report", "One HTML page for a run or a sweep: DIR/report.html", report},
-    {"accuracy", "Error against run time (a study), or a stability map: CSV, picture, table", accuracy},
-    {"test", "Run the tests of this build (./footfall test builds them first)", test},
-};
-
 // What was meant by a first word that is neither a subcommand nor an option.
 void require_subcommand(const std::string& word) {
   std::vector<std::string> names;
-  for (const Subcommand& subcommand : kSubcommands) names.emplace_back(subcommand.name);
+  for (const Subcommand& subcommand : subcommands()) names.emplace_back(subcommand.name);
   if (word == "help") return;
   if (word.empty() || word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return;
   throw InputError("footfall " + word + ": unknown command." + known_names("commands", word, names) +
@@ -306,7 +36,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write
   Action action;
-  for (const Subcommand& subcommand : kSubcommands) {
+  for (const Subcommand& subcommand : subcommands()) {
     CLI::App* command = app.add_subcommand(subcommand.name, subcommand.what);
     command->callback([&action, act = subcommand.prepare(*command)] { action = act; });
   }

@@ -1,6 +1,6 @@
 #pragma once
 // Options of the commands around a run: a case to begin with, plots, a look at a run that is under way, help. As in
-// main.cpp, each returns what it does once its options are read.
+// subcommands.cpp, each returns what it does once its options are read.
 
 #include <CLI/CLI.hpp>
 #include <functional>

@@ -5,17 +5,11 @@
 #include <vector>
 
 #include "mbd_solver/dynamics/constraint_rows.h"
+#include "mbd_solver/dynamics/start_coordinates.h"
 #include "mbd_solver/model/model.h"
 #include "mbd_solver/model/state.h"
 
 namespace footfall {
-
-// A coordinate of a joint at the start; the others follow by the smallest motion of the bodies.
-struct StartCoordinate {
-  int joint = 0;
-  Coordinate coordinate = Coordinate::kAngle;
-  double value = 0.0;  // [rad or m]
-};
 
 struct AssemblyOptions {
   double gap_tolerance = 1e-3;    // largest initial gap [m] or misalignment [rad] that is closed silently

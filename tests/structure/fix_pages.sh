@@ -9,8 +9,8 @@ page_of() { echo "docs/fixes/$(tr / _ <<<"$1").md"; }
 
 styles=$(grep -ohE 'register_fix_style\(lmp, "[^"]+"' liggghts_fix/*.cpp | sed 's/.*"\(.*\)"/\1/')
 # The loop of let_meshes_resume registers all styles that begin so.
-prefix=$(sed -n 's/.*style\.rfind("\([^"]*\)", 0) != 0) continue;.*/\1/p' liggghts_fix/liggghts_access.cpp)
-[[ -n $prefix ]] || complain "liggghts_access.cpp: the prefix of the meshes was not found"
+prefix=$(sed -n 's/.*style\.rfind("\([^"]*\)", 0) != 0) continue;.*/\1/p' liggghts_fix/liggghts_access_styles.cpp)
+[[ -n $prefix ]] || complain "liggghts_access_styles.cpp: the prefix of the meshes was not found"
 styles+=$'\n'$prefix
 (($(wc -l <<<"$styles") >= 5)) || complain "only these registered styles were found: $styles"
 
@@ -22,7 +22,7 @@ keywords_of() {
     wall/gran/beam)
       grep -oE '(word (!=|==)) "[a-z_]+"' liggghts_fix/beam_arguments.cpp
       grep 'kModelKeywords =' liggghts_fix/beam_arguments.cpp | grep -oE '"[a-z_]+"' ;;
-    mesh/surface) grep -oE 'strcmp\(words\[3\], "[a-z_]+"' liggghts_fix/liggghts_access.cpp ;;
+    mesh/surface) grep -oE 'strcmp\(words\[3\], "[a-z_]+"' liggghts_fix/liggghts_access_styles.cpp ;;
   esac | sed -E 's/.*"([a-z_]+)"/\1/' | sort -u
 }
 

@@ -26,13 +26,13 @@ door 'pugixml' 'mbd_solver/output/vtk_writer.cpp'
 door 'zlib' 'mbd_solver/cli/analysis/viewer/packed_series.cpp'
 door 'mpi\.h' 'coupler/communicator.*' 'coupler/doorbell.*' 'coupler/polite_wait.*' 'coupler/mpi_check.*' 'coupler/abort_guard.*' 'coupler/transport_mpi.*' 'mbd_solver/main.cpp' \
   'liggghts_fix/launcher.cpp' 'liggghts_fix/program_world.*' 'liggghts_fix/last_words.cpp' \
-  'liggghts_fix/liggghts_access.cpp' 'liggghts_fix/fix_*'
+  'liggghts_fix/liggghts_access*.cpp' 'liggghts_fix/fix_*'
 door '(coupler/(communicator|doorbell|polite_wait|mpi_check|abort_guard|transport_mpi)\.h)' 'coupler/communicator.*' 'coupler/doorbell.*' \
   'coupler/polite_wait.*' 'coupler/mpi_check.*' 'coupler/abort_guard.*' \
   'coupler/transport_mpi.*' 'mbd_solver/main.cpp' 'liggghts_fix/launcher.cpp' 'liggghts_fix/fix_*' \
   'liggghts_fix/no_programs.cpp'
 door '(lammps|fix|fix_[a-z_]*|mesh_module|atom|modify|neighbor|comm|domain|update|error|input|tri_mesh|signal_handling)\.h' \
-  'liggghts_fix/fix_*' 'liggghts_fix/mesh_module_*' 'liggghts_fix/liggghts_access.*' 'liggghts_fix/launcher.cpp' \
+  'liggghts_fix/fix_*' 'liggghts_fix/mesh_module_*' 'liggghts_fix/liggghts_access*' 'liggghts_fix/launcher.cpp' \
   'liggghts_fix/no_programs.cpp'
 while IFS=: read -r file include; do
   complain "$file: $include: coupler/base is plain C++; only locks and whole files talk to the operating system"

@@ -1,0 +1,20 @@
+#pragma once
+// The subcommands of footfall.
+
+#include <CLI/CLI.hpp>
+#include <vector>
+
+#include "mbd_solver/cli/user_commands.h"
+
+namespace footfall {
+
+struct Subcommand {
+  const char* name;
+  const char* what;                      // as --help shows it
+  Action (*prepare)(CLI::App& command);  // adds its options; returns what it does once they are read
+};
+
+// In the order of --help; docs/commands.md has a line for each.
+const std::vector<Subcommand>& subcommands();
+
+}  // namespace footfall
