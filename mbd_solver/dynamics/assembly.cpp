@@ -231,6 +231,75 @@ Model model_on_the_way(const Model& model, const std::vector<StartCoordinate>& s
   return out;
 }
 
+// The same bodies and joints, and none of the bodies can bend.
+Model unbendable(const Model& on_the_way) {
+  Model out;
+  for (int i = 0; i < on_the_way.body_count(); ++i) {
+    const Body& body = on_the_way.body(i);
+    BodyState start = on_the_way.initial(i);
+    if (body.mode_count() == 0) {
+      out.add_body(body, start);
+      continue;
+    }
+    ModalBody modal = *body.modal();
+    for (Eigen::MatrixXd* shapes : {&modal.Phi, &modal.Psi, &modal.stress_modes}) shapes->resize(shapes->rows(), 0);
+    modal.stiffness.resize(0);
+    modal.damping.resize(0);
+    start.a.resize(0);
+    start.da.resize(0);
+    out.add_body(Body(body.name(), std::make_shared<const ModalBody>(std::move(modal))), start);
+  }
+  for (int j = 0; j < on_the_way.joint_count(); ++j) {
+    Joint joint = on_the_way.joint(j);
+    if (joint.turn_counter >= 0)
+      joint.turn_counter = out.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, joint.m1, joint.m2));
+    out.add_joint(std::move(joint));
+  }
+  return out;
+}
+
+// Closes the joints of a model on its way by moving its bodies without bending them. In the metric of masses a stiff
+// body is bent as easily as it is turned: the smallest motion alone would leave it with great forces.
+class UnbentClosing {
+ public:
+  UnbentClosing(const Model& on_the_way, const Layout& layout)
+      : layout_(layout), model_(unbendable(on_the_way)), rigid_(model_), rows_(model_, rigid_) {
+    for (int i = 0; i < on_the_way.body_count(); ++i) bends_ = bends_ || on_the_way.body(i).mode_count() > 0;
+  }
+  // Leaves the state as it is where that is not enough.
+  void close(State& state) {
+    if (!bends_) return;
+    State moved = state;
+    moved.q.resize(rigid_.q_size);
+    moved.v = Eigen::VectorXd::Zero(rigid_.v_size);
+    for (std::size_t i = 0; i < layout_.body_q.size(); ++i)
+      moved.q.segment<7>(rigid_.body_q[i]) = state.q.segment<7>(layout_.body_q[i]);
+    rows_.evaluate(moved);
+    close_joints(model_, rigid_, rows_, moved);
+    if (rows_.phi.lpNorm<Eigen::Infinity>() > kContradiction) return;
+    for (std::size_t i = 0; i < layout_.body_q.size(); ++i)
+      state.q.segment<7>(layout_.body_q[i]) = moved.q.segment<7>(rigid_.body_q[i]);
+    state.z = moved.z;
+  }
+
+ private:
+  const Layout& layout_;
+  Model model_;
+  Layout rigid_;
+  ConstraintRows rows_;
+  bool bends_ = false;
+};
+
+// A drawing that is open by more than its digits.
+void close_drawing(const Model& model, State& state) {
+  const Model on_the_way = model_on_the_way(model, {});
+  const Layout layout(on_the_way);
+  State closed = state;
+  closed.z = Eigen::VectorXd::Zero(layout.z_size);
+  UnbentClosing(on_the_way, layout).close(closed);
+  state.q = closed.q;
+}
+
 // A mechanism that no joint holds to the ground keeps its first body where it was drawn.
 void put_back_first_body(const Model& model, const Layout& layout, State& state) {
   for (int j = 0; j < model.joint_count(); ++j)
@@ -254,6 +323,7 @@ void move_to_start(const Model& model, const std::vector<StartCoordinate>& start
   const Model on_the_way = model_on_the_way(model, start);
   const Layout layout(on_the_way), all(model);
   ConstraintRows rows(on_the_way, layout);
+  UnbentClosing unbent(on_the_way, layout);
   Eigen::VectorXd z = state.z;
   state.z = Eigen::VectorXd::Zero(layout.z_size);
   double longest = 0.0;
@@ -261,6 +331,7 @@ void move_to_start(const Model& model, const std::vector<StartCoordinate>& start
   const int steps = 1 + static_cast<int>(longest / kStartStep);
   for (int k = 1; k <= steps; ++k) {
     state.time = static_cast<double>(k) / steps;
+    unbent.close(state);
     rows.evaluate(state);
     close_joints(on_the_way, layout, rows, state);
     check_contradiction(on_the_way, layout, rows.phi, 1.0,
@@ -286,6 +357,10 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   rows.evaluate(out.state);
   out.largest_gap = check_gaps(model, layout, rows, out.state.time, options.gap_tolerance);
 
+  if (out.largest_gap > kTellGap) {
+    close_drawing(model, out.state);
+    rows.evaluate(out.state);
+  }
   close_joints(model, layout, rows, out.state);
   check_contradiction(model, layout, rows.phi, 1.0, "together they cannot be closed; they stay open", "m or rad");
   if (out.largest_gap > kTellGap)
