@@ -11,6 +11,7 @@
 #include "mbd_solver/dynamics/constraint_rows.h"
 #include "mbd_solver/dynamics/joint_closing.h"
 #include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/dynamics/unbent_closing.h"
 
 namespace footfall {
 namespace {
@@ -155,6 +156,10 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   rows.evaluate(out.state);
   out.largest_gap = check_gaps(model, layout, rows, out.state.time, options.gap_tolerance);
 
+  if (out.largest_gap > kTellGap) {
+    close_unbent(model, out.state);
+    rows.evaluate(out.state);
+  }
   close_joints(model, layout, rows, out.state);
   check_contradiction(model, layout, rows.phi, 1.0, "together they cannot be closed; they stay open", "m or rad");
   if (out.largest_gap > kTellGap)

@@ -11,8 +11,7 @@ namespace footfall {
 namespace {
 
 constexpr int kMostClosingSteps = 30;
-constexpr double kAssembled = 1e-12;     // [m or rad]: what double precision reaches for mechanisms of metres
-constexpr double kContradiction = 1e-8;  // what remains above this cannot be closed
+constexpr double kAssembled = 1e-12;  // [m or rad]: what double precision reaches for mechanisms of metres
 // While the joints are still open by a gap g, redundant conditions look independent to about g: they must not
 // steer the closing.
 constexpr double kClosingRank = 1e-5;

@@ -10,6 +10,8 @@
 
 namespace footfall {
 
+constexpr double kContradiction = 1e-8;  // [m or rad]: what remains above this cannot be closed
+
 // Gauss-Newton with the smallest correction, until the gaps no longer fall; angles of gears go along. `rows` stand at
 // `state`, before and after.
 void close_joints(const Model& model, const Layout& layout, ConstraintRows& rows, State& state);

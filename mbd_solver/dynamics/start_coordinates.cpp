@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "mbd_solver/dynamics/constraint_rows.h"
 #include "mbd_solver/dynamics/joint_closing.h"
-#include "mbd_solver/model/elements/turn_counter.h"
+#include "mbd_solver/dynamics/unbent_closing.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
@@ -15,17 +14,9 @@ namespace {
 
 constexpr double kStartStep = 0.05;  // [rad or m]: of a coordinate on its way to the start
 
-// The model without its forces but what counts turns, and one more condition per given coordinate: it goes from the
-// drawing's zero at t = 0 to its value at t = 1.
+// One more condition per given coordinate: it goes from the drawing's zero at t = 0 to its value at t = 1.
 Model model_on_the_way(const Model& model, const std::vector<StartCoordinate>& start) {
-  Model out;
-  for (int i = 0; i < model.body_count(); ++i) out.add_body(model.body(i), model.initial(i));
-  for (int j = 0; j < model.joint_count(); ++j) {
-    Joint joint = model.joint(j);
-    if (joint.turn_counter >= 0)
-      joint.turn_counter = out.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, joint.m1, joint.m2));
-    out.add_joint(std::move(joint));
-  }
+  Model out = without_forces(model);
   for (const StartCoordinate& given : start) {
     const Joint& joint = model.joint(given.joint);
     PrescribedMotion motion;
@@ -59,6 +50,7 @@ void move_to_start(const Model& model, const std::vector<StartCoordinate>& start
   const Model on_the_way = model_on_the_way(model, start);
   const Layout layout(on_the_way), all(model);
   ConstraintRows rows(on_the_way, layout);
+  UnbentClosing unbent(on_the_way, layout);
   Eigen::VectorXd z = state.z;
   state.z = Eigen::VectorXd::Zero(layout.z_size);
   double longest = 0.0;
@@ -66,6 +58,7 @@ void move_to_start(const Model& model, const std::vector<StartCoordinate>& start
   const int steps = 1 + static_cast<int>(longest / kStartStep);
   for (int k = 1; k <= steps; ++k) {
     state.time = static_cast<double>(k) / steps;
+    unbent.close(state);
     rows.evaluate(state);
     close_joints(on_the_way, layout, rows, state);
     check_contradiction(on_the_way, layout, rows.phi, 1.0,

@@ -56,7 +56,7 @@ cat >> "$work/run/view.html" <<'JS'
     return (1000 * drawn) / (performance.now() - began);
   };
   const plays = await measured(false), turns = await measured(true);
-  // Sixty pictures of full size for the processor time: as many as are drawn, whatever else the machine does.
+  // Sixty pictures of full size for the processor time, as they are drawn while it plays: as many as are drawn, whatever else the machine does.
   player.play(false);
   const screen = () => new Promise((resolve) => requestAnimationFrame(resolve));
   await wait(500);
@@ -64,8 +64,10 @@ cat >> "$work/run/view.html" <<'JS'
   pictures = 0;
   for (let k = 0; k < 60; ++k) {
     await screen();
+    player.playing = true;  // slider, numbers and plots follow as often as then
     player.seek(player.start + ((player.end - player.start) * (k + 0.5)) / 60);
   }
+  player.playing = false;
   await screen();
   await screen();
   console.log(`view-speed-end ${pictures}`);
@@ -79,7 +81,11 @@ chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable
   --remote-debugging-port=0 --enable-logging=stderr --v=0 "file://$work/run/view.html" > "$work/log" 2>&1 &
 browser=$!
 # Processor time of the browser and all its processes so far [ticks].
-ticks() { awk -v group="$(ps -o pgid= "$browser" | tr -d ' ')" '$5 == group { sum += $14 + $15 } END { print sum }' /proc/[0-9]*/stat 2> /dev/null || true; }  # some end meanwhile
+ticks() {
+  local stat
+  for stat in /proc/[0-9]*/stat; do cat "$stat" 2> /dev/null || true; done |  # some end meanwhile
+    awk -v group="$(ps -o pgid= "$browser" | tr -d ' ')" '$5 == group { sum += $14 + $15 } END { print sum + 0 }'
+}
 until_said() {
   for ((i = 0; i < 3000; ++i)); do
     grep -q -e "$1" -e Uncaught "$work/log" && return

@@ -26,6 +26,25 @@ TEST(PageParts, NoTextOfASceneEndsItsElement) {
   EXPECT_EQ(nlohmann::ordered_json::parse(held).at("title"), parts.run.at("title"));
 }
 
+// A browser reads a page from its beginning: what the first picture needs comes first, then frame by frame.
+TEST(PageParts, StandInTheOrderInWhichTheyAreShown) {
+  PageParts parts;
+  parts.run["title"] = "order";
+  for (const char* name : {"grains", "bodies"})
+    for (std::size_t k = 0; k < 11; ++k) parts.add_frame(name, k, "AA==");
+  parts.chunks.emplace_back("history", "AA==");
+  const std::string text = parts.elements("run();");
+  std::size_t last = 0;
+  for (const char* mark :
+       {"\"footfall-run\"", "run();", "\"footfall-grains-0\"", "\"footfall-bodies-0\"", "\"footfall-history\"",
+        "\"footfall-grains-1\"", "\"footfall-bodies-1\"", "\"footfall-grains-2\"", "\"footfall-bodies-10\""}) {
+    const std::size_t at = text.find(mark);
+    ASSERT_NE(at, std::string::npos) << mark;
+    EXPECT_GT(at, last) << mark;
+    last = at;
+  }
+}
+
 TEST(PageParts, TimeIsExactAndNamesFollowTheHistory) {
   PageParts parts;
   History history = history_of({"time", "a.z", "b.z"}, 3);

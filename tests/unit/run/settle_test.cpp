@@ -131,5 +131,106 @@ TEST(InitialJoints, MoveAClosedLoop) {
   }
 }
 
+// Bodies of aluminium: a crank up from A = (0, 0), a thin coupler that bends, a rocker up from D = (0.4, 0).
+std::string flexible_loop(double coupler_end, const std::string& rest) {
+  const auto rod = [](const std::string& name, double x1, double z1, double x2, double z2, double diameter) {
+    const auto point = [](double x, double z) { return "[" + std::to_string(x) + ", 0, " + std::to_string(z) + "]"; };
+    return "[[bodies]]\nname = \"" + name + "\"\nmaterial = \"al\"\nshape = { kind = \"rod\", from = " + point(x1, z1) +
+           ", to = " + point(x2, z2) + ", diameter = " + std::to_string(diameter) + " }\n";
+  };
+  return "end_time = 0.001\ngravity = [0, 0, 0]\n[materials.al]\ndensity = 2700\nyoung = 7e10\n" +
+         rod("crank", 0, 0, 0, 0.1, 0.02) + rod("coupler", 0, 0.1, coupler_end, 0.3, 0.008) +
+         "flexible = { modes = 4, elements = 6 }\n" + rod("rocker", 0.4, 0, 0.4, 0.3, 0.02) +
+         hinge("a", "ground", "crank", 0, 0) + hinge("b", "crank", "coupler", 0, 0.1) +
+         "[[joints]]\nname = \"c\"\ntype = \"spherical\"\nbodies = [\"coupler\", \"rocker\"]\npoint_a = [" +
+         std::to_string(coupler_end) + ", 0, 0.3]\npoint_b = [0.4, 0, 0.3]\n" + hinge("d", "ground", "rocker", 0.4, 0) +
+         rest;
+}
+// Largest modal amplitude at the start, and the place of the rocker's middle.
+struct Bent {
+  double amplitude = 0.0;
+  Eigen::Vector3d rocker;
+};
+Bent bent_at_start(const Scene& scene) {
+  Simulation simulation(scene, scene.end_time, nullptr);
+  Bent bent;
+  bool first = true;
+  simulation.run(
+      [&](const Sample& sample) {
+        if (first) bent = {sample.kinematics.of(1).a.lpNorm<Eigen::Infinity>(), sample.kinematics.of(2).r};
+        first = false;
+      },
+      test::kNever);
+  return bent;
+}
+
+// A loop goes to its start by turning its bodies, not by bending them: the rocker is where the rigid linkage has it.
+TEST(InitialJoints, TurnBodiesRatherThanBendThem) {
+  const double angle = 0.8;
+  const Bent bent = bent_at_start(
+      SceneText().read(flexible_loop(0.4, "[initial.joints.a]\nangle = " + std::to_string(angle) + "\n")));
+  const Eigen::Vector2d B(0.1 * std::sin(angle), 0.1 * std::cos(angle)), D(0.4, 0.0), BD = D - B;
+  const double coupler = std::hypot(0.4, 0.2), rocker = 0.3, d = BD.norm();
+  const double along = (coupler * coupler - rocker * rocker + d * d) / (2.0 * d);
+  const double across = std::sqrt(coupler * coupler - along * along);
+  const Eigen::Vector2d e = BD / d, C = B + along * e + across * Eigen::Vector2d(-e.y(), e.x());
+  const double tolerance = 1e-9;  // of the closing [m]
+  EXPECT_NEAR(2.0 * (bent.rocker.x() - D.x()), C.x() - D.x(), tolerance);
+  EXPECT_NEAR(2.0 * bent.rocker.z(), C.y(), tolerance);
+  EXPECT_LT(bent.amplitude, tolerance);
+}
+
+// So does a drawing that does not quite close.
+TEST(LargestGap, IsClosedByTurningBodiesRatherThanByBendingThem) {
+  const Bent bent = bent_at_start(SceneText().read(flexible_loop(0.403, "[initial]\nlargest_gap = 0.005\n")));
+  EXPECT_LT(bent.amplitude, 1e-9);
+  EXPECT_GT(std::abs(bent.rocker.x() - 0.4), 1e-4);
+}
+
+// Where the joints leave no other way, a body bends: a clamped beam whose end is led 1 mm aside.
+TEST(InitialJoints, BendABodyThatIsHeld) {
+  const Scene scene = SceneText().read(R"(end_time = 0.001
+gravity = [0, 0, 0]
+[materials.al]
+density = 2700
+young = 7e10
+[[bodies]]
+name = "tip"
+mass = 0.1
+inertia = [1e-4, 1e-4, 1e-4]
+position = [0.3, 0, 0]
+[[bodies]]
+name = "beam"
+material = "al"
+shape = { kind = "rod", from = [0, 0, 0], to = [0.3, 0, 0], diameter = 0.01 }
+flexible = { modes = 4, elements = 6 }
+[[bodies]]
+name = "spare"
+mass = 0.1
+inertia = [1e-4, 1e-4, 1e-4]
+position = [9, 0, 0]
+[[joints]]
+name = "clamp"
+type = "fixed"
+bodies = ["ground", "beam"]
+point = [0, 0, 0]
+[[joints]]
+name = "end"
+type = "spherical"
+bodies = ["beam", "tip"]
+point = [0.3, 0, 0]
+[[joints]]
+name = "rail"
+type = "prismatic"
+bodies = ["ground", "tip"]
+point = [0.3, 0, 0]
+axis = "z"
+[initial.joints.rail]
+displacement = 0.001
+)");
+  EXPECT_GT(bent_at_start(scene).amplitude, 1e-5);
+  EXPECT_NEAR(ends_of(scene).first[0].z(), 0.001, 1e-9);
+}
+
 }  // namespace
 }  // namespace footfall

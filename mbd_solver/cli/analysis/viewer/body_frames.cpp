@@ -110,7 +110,7 @@ void add_bodies(const std::string& run, const Json& summary, FrameLimits& limits
         values.push_back(static_cast<std::uint16_t>(65535.0 * std::clamp(share, 0.0, 1.0)));
       }
     }
-    parts.chunks.emplace_back("bodies-" + std::to_string(k), series.add(values));
+    parts.add_frame("bodies", k, series.add(values));
   }
 }
 

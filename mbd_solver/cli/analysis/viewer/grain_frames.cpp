@@ -171,7 +171,7 @@ void add_grains(const std::string& run, double dt, FrameLimits& limits, PagePart
         values[(3 + j) * n + place] =
             root_number(static_cast<double>(frame.numbers(static_cast<Eigen::Index>(j), i)), largest[j]);
     });
-    parts.chunks.emplace_back("grains-" + std::to_string(k), series.add(values));
+    parts.add_frame("grains", k, series.add(values));
   }
 }
 

@@ -36,10 +36,17 @@ std::string element(const std::string& name, const std::string& type, const std:
 
 }  // namespace
 
+void PageParts::add_frame(const std::string& name, std::size_t k, std::string text) {
+  (k == 0 ? chunks : later[k]).emplace_back(name + "-" + std::to_string(k), std::move(text));
+}
+
 std::string PageParts::elements(const std::string& script) const {
   std::string text = element("run", "application/json", harmless(run));
+  text += "<script>//<![CDATA[\n" + script + "\n//]]></script>\n";
   for (const auto& [name, chunk] : chunks) text += element(name, "text/plain", chunk);
-  return text + "<script>//<![CDATA[\n" + script + "\n//]]></script>\n";
+  for (const auto& [k, frame] : later)
+    for (const auto& [name, chunk] : frame) text += element(name, "text/plain", chunk);
+  return text;
 }
 
 void add_history(const History& history, const std::vector<std::string>& shown, PageParts& parts) {

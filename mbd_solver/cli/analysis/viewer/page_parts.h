@@ -2,6 +2,7 @@
 // What a page of a run holds for its scripts: one JSON with all that is small, and chunks of packed numbers by name.
 // web/src/page.js takes them.
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -12,10 +13,17 @@
 namespace footfall {
 
 struct PageParts {
-  nlohmann::ordered_json run;
-  std::vector<std::pair<std::string, std::string>> chunks;  // name, text: base64, as packed_series.h makes it
+  using Chunk = std::pair<std::string, std::string>;  // name, text: base64, as packed_series.h makes it
 
-  // As elements of a page: the JSON, the chunks, then the script. Well-formed XML as well, whatever the texts hold.
+  nlohmann::ordered_json run;
+  std::vector<Chunk> chunks;                             // what the first picture needs
+  std::map<std::size_t, std::vector<Chunk>> later = {};  // by frame
+
+  // The chunk NAME-k of frame k.
+  void add_frame(const std::string& name, std::size_t k, std::string text);
+
+  // As elements of a page: the JSON, the script, the chunks, frame by frame. The script draws while a browser still
+  // reads the frames. Well-formed XML as well, whatever the texts hold.
   std::string elements(const std::string& script) const;
 };
 

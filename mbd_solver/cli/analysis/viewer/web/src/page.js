@@ -5,9 +5,20 @@ export function runOfPage() {
   return JSON.parse(document.getElementById("footfall-run").textContent);
 }
 
+const kWait = 5;  // before it is looked whether more of the page has come [ms]
+
+// The element, once the browser has read all of it: something follows it, or the page is at its end.
+async function wholeElement(id) {
+  for (;;) {
+    const ended = document.readyState !== "loading", element = document.getElementById(id);
+    if (ended || element?.nextElementSibling) return element;
+    await new Promise((resolve) => setTimeout(resolve, kWait));
+  }
+}
+
 // The chunk is taken out of the page: it is needed once.
 export async function takeChunk(name) {
-  const element = document.getElementById(`footfall-${name}`);
+  const element = await wholeElement(`footfall-${name}`);
   if (!element) throw new Error(`the page lacks its part "${name}"; was the file cut off?`);
   const text = element.textContent;
   element.remove();

@@ -3,45 +3,43 @@
 // every disc for itself. What is seen is what the shader of grains.js draws.
 import * as three from "three";
 
-const kDepths = 65535;  // steps from the nearest to the farthest grain; 0 is nothing
+const kDepths = 16383;  // steps from the nearest to the farthest grain; 0 is nothing
 const kLights = 64, kColours = 128, kCells = 64;  // entries of the tables
+const kTile = 2;        // a tile has 2^2 pixels along its side
 
-// Depths are steps; uNear, uStep: the first and one [m]. P: of the projection.
+// A pixel: 6 bits of red, green and blue each, and 14 of the depth. Depths are steps; uNear, uStep: the first and one [m].
 const kVertex = /* glsl */ `
-void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }`;
+uniform vec4 uBounds;  // of the picture that holds grains, -1 ... 1
+void main() { gl_Position = vec4(mix(uBounds.xy, uBounds.zw, position.xy), 0.0, 1.0); }`;
 const kFragment = /* glsl */ `
 precision highp usampler2D;
-uniform sampler2D uPicture;
-uniform usampler2D uDepths;
+uniform usampler2D uPixels;
 uniform float uNear, uStep;
 uniform mat4 uProjection;
 void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy);
-  uint depth = texelFetch(uDepths, at, 0).r;
-  if (depth == 0u) discard;
-  gl_FragColor = vec4(texelFetch(uPicture, at, 0).rgb, 1.0);
-  gl_FragDepth = 0.5 + 0.5 * (uProjection[3][2] / (uNear + uStep * float(depth - 1u)) - uProjection[2][2]);
+  uint pixel = texelFetch(uPixels, ivec2(gl_FragCoord.xy), 0).r;
+  if (pixel == 0u) discard;
+  gl_FragColor = vec4(vec3((uvec3(pixel) >> uvec3(26u, 20u, 14u)) & 63u) / 63.0, 1.0);
+  gl_FragDepth = 0.5 + 0.5 * (uProjection[3][2] / (uNear + uStep * float((pixel & 16383u) - 1u)) - uProjection[2][2]);
 }`;
 
 export class GrainPainter {
   // map: of the colours, in colours.js; lightOn(x, y, z): as in shading.js.
   constructor(count, map, lightOn) {
-    this.x = new Float32Array(count);       // of the disc [pixels]
-    this.y = new Float32Array(count);
-    this.r = new Float32Array(count);
-    this.depth = new Float32Array(count);   // along the line of sight [m]
-    this.seen = new Uint32Array(count);
+    this.discs = new Float32Array(4 * count);  // in the picture: x, y, radius [pixels], depth along the line of sight [m]
+    this.grain = new Uint32Array(count);       // of each disc
+    this.steps = new Uint16Array(count);       // depth of each disc
     this.order = new Uint32Array(count);
-    this.places = new Uint32Array(kDepths + 1);
+    this.places = new Uint32Array(kDepths + 2);
     this.makeTables(map, lightOn);
     const geometry = new three.BufferGeometry();
-    geometry.setAttribute("position", new three.BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
-    this.uniforms = { uPicture: { value: null }, uDepths: { value: null }, uNear: { value: 0 }, uStep: { value: 0 }, uProjection: { value: null } };
+    geometry.setAttribute("position", new three.BufferAttribute(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0]), 3));
+    this.uniforms = { uPixels: { value: null }, uBounds: { value: new three.Vector4() }, uNear: { value: 0 }, uStep: { value: 0 }, uProjection: { value: null } };
     this.object = new three.Mesh(geometry, new three.ShaderMaterial({ vertexShader: kVertex, fragmentShader: kFragment, uniforms: this.uniforms }));
     this.object.frustumCulled = false;
   }
 
-  // light: by the place in a disc; palette: colours of the map under each light.
+  // light: by the place in a disc; palette: colours of the map under each light, where a pixel has them.
   makeTables(map, lightOn) {
     this.light = new Uint8Array(kCells * kCells);
     const dark = 0.42, bright = 1;
@@ -51,8 +49,7 @@ export class GrainPainter {
         const share = (lightOn(x, y, z) - dark) / (bright - dark);
         this.light[v * kCells + u] = Math.round((kLights - 1) * Math.min(1, Math.max(0, share)));
       }
-    this.palette = new Uint32Array(kColours * kLights);
-    const bytes = new Uint8Array(this.palette.buffer);
+    this.palette = new Int32Array(kColours * kLights);
     for (let c = 0; c < kColours; ++c) {
       const share = c / (kColours - 1);
       let k = 1;
@@ -61,7 +58,8 @@ export class GrainPainter {
       for (let l = 0; l < kLights; ++l)
         for (let rgb = 0; rgb < 3; ++rgb) {
           const colour = map.stops[k - 1][rgb] + m * (map.stops[k][rgb] - map.stops[k - 1][rgb]);
-          bytes[4 * (c * kLights + l) + rgb] = Math.min(255, Math.round(colour * (dark + ((bright - dark) * l) / (kLights - 1))));
+          const six = Math.min(63, Math.round((colour * (dark + ((bright - dark) * l) / (kLights - 1)) * 63) / 255));
+          this.palette[c * kLights + l] |= six << (26 - 6 * rgb);
         }
     }
   }
@@ -69,87 +67,116 @@ export class GrainPainter {
   resize(width, height) {
     if (this.width === width && this.height === height) return;
     Object.assign(this, { width, height });
-    for (const { value } of [this.uniforms.uPicture, this.uniforms.uDepths]) value?.dispose();
-    this.picture = new Uint32Array(width * height);
-    this.depths = new Uint16Array(width * height);
-    const depths = new three.DataTexture(this.depths, width, height, three.RedIntegerFormat, three.UnsignedShortType);
-    depths.internalFormat = "R16UI";
-    depths.unpackAlignment = 2;
-    this.uniforms.uDepths.value = depths;
-    this.uniforms.uPicture.value = new three.DataTexture(new Uint8Array(this.picture.buffer), width, height);
+    this.uniforms.uPixels.value?.dispose();
+    this.pixels = new Int32Array(width * height);
+    const texture = new three.DataTexture(new Uint32Array(this.pixels.buffer), width, height, three.RedIntegerFormat, three.UnsignedIntType);
+    texture.internalFormat = "R32UI";
+    this.uniforms.uPixels.value = texture;
+    // Of each tile, the pixels that are still free: first those that it has.
+    const side = 1 << kTile, columns = Math.ceil(width / side), rows = Math.ceil(height / side);
+    this.columns = columns;
+    this.free = new Uint8Array(columns * rows);
+    this.empty = Uint8Array.from(this.free, (_, t) => Math.min(side, width - side * (t % columns)) * Math.min(side, height - side * ((t / columns) | 0)));
   }
 
   // a, b: frames of four 16-bit numbers; mix between them; box { low, size }; radius [m]; clip: normal, distance; share(i, mix): of
   // the colours, of a grain; width, height of the picture [pixels]. Returns how many grains are in the picture.
   paint({ a, b, mix, box, radius, camera, clip, width, height, share }) {
     this.resize(width, height);
-    const view = camera.matrixWorldInverse.elements, P = camera.projectionMatrix.elements;
-    const perPixel = P[5] * 0.5 * height;  // pixels of a metre at the distance of one metre
-    const { low, size } = box;
-    const sx = size[0] / 65534, sy = size[1] / 65534, sz = size[2] / 65534;
-    let nearest = Infinity, farthest = 0, count = 0;
-    for (let i = 0; i < radius.length; ++i) {
-      const k = 4 * i;
-      if (a[k] === 65535) continue;
-      const m = b[k] === 65535 ? 0 : mix;
-      const x = low[0] + sx * (a[k] + m * (b[k] - a[k]));
-      const y = low[1] + sy * (a[k + 1] + m * (b[k + 1] - a[k + 1]));
-      const z = low[2] + sz * (a[k + 2] + m * (b[k + 2] - a[k + 2]));
-      if (x * clip.x + y * clip.y + z * clip.z > clip.w) continue;
-      const depth = -(view[2] * x + view[6] * y + view[10] * z + view[14]);
-      if (depth < camera.near) continue;
-      const scale = perPixel / depth, r = Math.max(0.5, scale * radius[i]);
-      const px = 0.5 * width + scale * (view[0] * x + view[4] * y + view[8] * z + view[12]);
-      const py = 0.5 * height + scale * (view[1] * x + view[5] * y + view[9] * z + view[13]);
-      if (px < -r || py < -r || px > width + r || py > height + r) continue;
-      this.x[i] = px;
-      this.y[i] = py;
-      this.r[i] = r;
-      this.depth[i] = depth;
-      if (depth < nearest) nearest = depth;
-      if (depth > farthest) farthest = depth;
-      this.seen[count++] = i;
-    }
-    const step = (farthest - nearest || 1) / (kDepths - 1);
+    const { nearest, step, count } = this.place({ a, b, mix, box, radius, camera, clip, width, height });
     this.sort(count, nearest, step);
-    this.depths.fill(0);
+    this.pixels.fill(0);
+    this.free.set(this.empty);
     for (let j = 0; j < count; ++j) {
-      const i = this.order[j];
-      this.disc(i, 1 + (((this.depth[i] - nearest) / step) | 0), share, b[4 * i] === 65535 ? 0 : mix);
+      const d = this.order[j];
+      if (this.covered(d)) continue;
+      const i = this.grain[d];
+      this.disc(d, share, i, b[4 * i] === 65535 ? 0 : mix);
     }
     this.uniforms.uNear.value = nearest;
     this.uniforms.uStep.value = step;
     this.uniforms.uProjection.value = camera.projectionMatrix;
-    this.uniforms.uPicture.value.needsUpdate = true;
-    this.uniforms.uDepths.value.needsUpdate = true;
+    this.uniforms.uPixels.value.needsUpdate = true;
     return count;
   }
 
-  // The first `count` of `seen` into `order`, the nearest first.
+  // Discs of the grains that are in the picture.
+  place({ a, b, mix, box, radius, camera, clip, width, height }) {
+    const { discs, grain } = this;
+    const V = camera.matrixWorldInverse.elements, perPixel = camera.projectionMatrix.elements[5] * 0.5 * height;  // pixels of a metre at the distance of one metre
+    const { low, size } = box, sx = size[0] / 65534, sy = size[1] / 65534, sz = size[2] / 65534, near = camera.near;
+    // In the eye's axes, and along the normal of the clip plane, straight from the numbers of a frame.
+    const ux = V[0] * sx, uy = V[4] * sy, uz = V[8] * sz, u0 = V[0] * low[0] + V[4] * low[1] + V[8] * low[2] + V[12];
+    const vx = V[1] * sx, vy = V[5] * sy, vz = V[9] * sz, v0 = V[1] * low[0] + V[5] * low[1] + V[9] * low[2] + V[13];
+    const wx = -V[2] * sx, wy = -V[6] * sy, wz = -V[10] * sz, w0 = -(V[2] * low[0] + V[6] * low[1] + V[10] * low[2] + V[14]);
+    const cx = clip.x * sx, cy = clip.y * sy, cz = clip.z * sz, c0 = clip.x * low[0] + clip.y * low[1] + clip.z * low[2] - clip.w;
+    let nearest = Infinity, farthest = 0, count = 0, left = width, right = 0, bottom = height, top = 0;
+    for (let i = 0, k = 0; i < radius.length; ++i, k += 4) {
+      let x = a[k], y = a[k + 1], z = a[k + 2];
+      if (x === 65535) continue;
+      if (b[k] !== 65535) {
+        x += mix * (b[k] - x);
+        y += mix * (b[k + 1] - y);
+        z += mix * (b[k + 2] - z);
+      }
+      if (cx * x + cy * y + cz * z + c0 > 0) continue;
+      const depth = wx * x + wy * y + wz * z + w0;
+      if (depth < near) continue;
+      const scale = perPixel / depth, r = Math.max(0.5, scale * radius[i]);
+      const px = 0.5 * width + scale * (ux * x + uy * y + uz * z + u0), py = 0.5 * height + scale * (vx * x + vy * y + vz * z + v0);
+      if (px < -r || py < -r || px > width + r || py > height + r) continue;
+      const d = 4 * count;
+      discs[d] = px;
+      discs[d + 1] = py;
+      discs[d + 2] = r;
+      discs[d + 3] = depth;
+      grain[count++] = i;
+      if (depth < nearest) nearest = depth;
+      if (depth > farthest) farthest = depth;
+      if (px - r < left) left = px - r;
+      if (px + r > right) right = px + r;
+      if (py - r < bottom) bottom = py - r;
+      if (py + r > top) top = py + r;
+    }
+    const end = (at, all) => Math.min(1, Math.max(-1, (2 * at) / all - 1));
+    this.uniforms.uBounds.value.set(end(left - 1, width), end(bottom - 1, height), end(right + 1, width), end(top + 1, height));
+    return { nearest, step: (farthest - nearest || 1) / (kDepths - 1), count };
+  }
+
+  // The first `count` discs into `order`, the nearest first.
   sort(count, nearest, step) {
-    const { places, seen, order, depth } = this;
+    const { places, steps, order, discs } = this;
     places.fill(0);
-    for (let j = 0; j < count; ++j) ++places[(((depth[seen[j]] - nearest) / step) | 0) + 1];
-    for (let d = 1; d <= kDepths; ++d) places[d] += places[d - 1];
-    for (let j = 0; j < count; ++j) order[places[((depth[seen[j]] - nearest) / step) | 0]++] = seen[j];
+    for (let d = 0; d < count; ++d) ++places[(steps[d] = 1 + (((discs[4 * d + 3] - nearest) / step) | 0)) + 1];
+    for (let s = 1; s < places.length; ++s) places[s] += places[s - 1];
+    for (let d = 0; d < count; ++d) order[places[steps[d]]++] = d;
+  }
+
+  // Is no pixel free in the tiles that a disc may touch?
+  covered(d) {
+    const { discs, free, columns, width, height } = this;
+    const x = discs[4 * d], y = discs[4 * d + 1], r = discs[4 * d + 2];
+    const first = Math.max(0, x - r) >> kTile, last = Math.min(width - 1, x + r) >> kTile, top = Math.min(height - 1, y + r) >> kTile;
+    for (let v = Math.max(0, y - r) >> kTile; v <= top; ++v) for (let t = v * columns + first; t <= v * columns + last; ++t) if (free[t] !== 0) return false;
+    return true;
   }
 
   // Pixels whose centres lie in the disc and on which nothing nearer stands.
-  disc(i, depth, share, mix) {
-    const { width, height, depths, picture, light, palette } = this;
-    const x = this.x[i], y = this.y[i], r = this.r[i], rr = r * r;
+  disc(d, share, i, mix) {
+    const { width, height, pixels, light, palette, free, columns, discs } = this;
+    const x = discs[4 * d], y = discs[4 * d + 1], r = discs[4 * d + 2], rr = r * r, depth = this.steps[d];
     const toCell = (0.5 * kCells - 0.01) / r, middle = 0.5 * kCells;
     const top = Math.min(height - 1, Math.floor(y + r - 0.5));
     let colour = -1;
     for (let v = Math.max(0, Math.ceil(y - r - 0.5)); v <= top; ++v) {
       const dy = v + 0.5 - y, reach = Math.sqrt(Math.max(0, rr - dy * dy));
       const first = Math.max(0, Math.ceil(x - reach - 0.5)), last = Math.min(width - 1, Math.floor(x + reach - 0.5));
-      const lights = kCells * ((dy * toCell + middle) | 0);
+      const lights = kCells * ((dy * toCell + middle) | 0), tiles = (v >> kTile) * columns;
       for (let u = first, k = v * width + first; u <= last; ++u, ++k) {
-        if (depths[k] !== 0) continue;
+        if (pixels[k] !== 0) continue;
         if (colour < 0) colour = kLights * Math.round((kColours - 1) * Math.min(1, Math.max(0, share(i, mix))));
-        depths[k] = depth;
-        picture[k] = palette[colour + light[lights + (((u + 0.5 - x) * toCell + middle) | 0)]];
+        pixels[k] = palette[colour + light[lights + (((u + 0.5 - x) * toCell + middle) | 0)]] | depth;
+        --free[tiles + (u >> kTile)];
       }
     }
   }

@@ -10,6 +10,7 @@ export class Player {
     this.playing = false;
     this.onTime = () => {};
     this.onPlaying = () => {};
+    this.onStopped = () => {};
     this.drawn = [];   // moments of the last pictures, for the rate [ms]
   }
 
@@ -30,6 +31,7 @@ export class Player {
     this.onPlaying(on);
     this.last = null;
     this.drawn = [];
+    if (!on) this.onStopped();
     if (on) requestAnimationFrame((now) => this.tick(now));
   }
   tick(now) {

@@ -18,7 +18,7 @@ export class Stage {
     this.time = 0;
     this.controls = null;
     if (!run.grains && !run.bodies) return;
-    this.renderer = new three.WebGLRenderer({ antialias: false, powerPreference: "high-performance", preserveDrawingBuffer: true });
+    this.renderer = new three.WebGLRenderer({ antialias: false, powerPreference: "high-performance" });
     this.renderer.setClearColor(0xeef1f4);
     this.ratio = Math.min(window.devicePixelRatio || 1, 2);
     place.append(this.renderer.domElement);

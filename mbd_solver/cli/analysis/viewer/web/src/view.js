@@ -16,11 +16,14 @@ function fail(error) {
   console.error(error);
 }
 
+// While it plays, numbers, slider and lines in the plots follow so often [ms]: to draw the page anew takes a software renderer longer than the
+// picture does.
+const kTold = 80;
+
 // Between two frames the browser may draw and answer.
 const breath = () => new Promise((resolve) => setTimeout(resolve, 0));
 
 async function start() {
-  const began = performance.now();
   const sheet = document.createElement("style");
   sheet.textContent = plotStyle + ownPlotStyle + style;
   document.head.append(sheet);
@@ -39,14 +42,19 @@ async function start() {
   const plots = new Plots(document.getElementById("footfall-plots"), history, run.shown, (t) => player.seek(t));
   const controls = new Controls(run, stage, player);
   stage.controls = controls;
+  let told = -Infinity;
   player.onTime = (t) => {
     stage.setTime(t);
+    const now = performance.now();
+    if (player.playing && now - told < kTold) return;
+    told = now;
     plots.showTime(t);
     controls.showTime(t);
   };
+  player.onStopped = () => player.seek(player.time);
   player.seek(player.start);
   stage.draw();
-  document.body.dataset.firstFrame = Math.round(performance.now() - began);
+  document.body.dataset.firstFrame = Math.round(performance.now());  // since the browser began with the page [ms]
   document.body.dataset.state = "loading";
   for (let more = true; more; ) {
     more = await stage.loadNext();
@@ -54,7 +62,7 @@ async function start() {
     await breath();
   }
   player.seek(player.time);
-  document.body.dataset.loaded = Math.round(performance.now() - began);
+  document.body.dataset.loaded = Math.round(performance.now());
   document.body.dataset.state = "ready";
   window.footfall = { run, stage, player, plots };
 }
