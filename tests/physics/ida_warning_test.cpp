@@ -28,6 +28,11 @@ TEST(IdaWarning, ComesWhereTheEndIsOffByHundredsOfTolerances) {
   EXPECT_NE(warning.find("add up to"), std::string::npos) << "error " << error << " tolerances; " << warning;
 }
 
+TEST(IdaWarning, ComesWhereStiffPartsVibrateAtItsTolerance) {
+  // Thousands of steps in the first seconds of a spin-up: their errors add up.
+  EXPECT_NE(warning_after(test::spin_up_beam(8), 1.5, 1e-6).find("add up to"), std::string::npos);
+}
+
 TEST(IdaWarning, StaysAwayWhereTheErrorsAreFew) { EXPECT_EQ(warning_after(test::flyball_governor(), 1e-3, 1e-6), ""); }
 
 }  // namespace
