@@ -25,7 +25,7 @@ constexpr char kGood = '+', kWrong = '-';         // first character of an answe
 constexpr int kCrashes[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
 
 // Address space that we have already [bytes].
-rlim_t memory_now() {
+[[maybe_unused]] rlim_t memory_now() {
   std::ifstream file("/proc/self/statm");
   rlim_t pages = 0;
   file >> pages;
