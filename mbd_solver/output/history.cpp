@@ -1,6 +1,7 @@
 #include "mbd_solver/output/history.h"
 
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -17,6 +18,19 @@ namespace footfall {
 namespace {
 
 const std::string kUnitsMark = "# units: ";
+
+// The number at the start of a cell, and what follows it. from_chars is several times as fast as strtod, which takes what
+// it refuses: blanks and signs before a number, and numbers that count as zero.
+double number_at(const char* cell, const char* end_of_line, const char*& end) {
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(cell, end_of_line, value);
+  end = stop;
+  if (error == std::errc() && (stop == end_of_line || *stop == ',')) return value;
+  char* rest = nullptr;
+  value = std::strtod(cell, &rest);
+  end = rest;
+  return value;
+}
 
 [[noreturn]] void throw_bad_row(const std::string& path, int number, const std::string& line,
                                 const std::vector<std::string>& names, std::size_t column) {
@@ -122,10 +136,10 @@ History read_history(const std::string& path) {
     throw InputError(path + ":2: has " + std::to_string(history.names.size()) + " names for " +
                      std::to_string(history.units.size()) + " units");
   for (int number = 3; std::getline(file, line); ++number) {
-    const char* cell = line.c_str();
+    const char *cell = line.c_str(), *const end_of_line = cell + line.size();
     for (std::size_t i = 0; i < history.names.size(); ++i) {
-      char* end = nullptr;
-      const double value = std::strtod(cell, &end);  // the smallest numbers of all count as they are
+      const char* end = nullptr;
+      const double value = number_at(cell, end_of_line, end);
       const bool last = i + 1 == history.names.size();
       if (end == cell || *end != (last ? '\0' : ',') || !std::isfinite(value))
         throw_bad_row(path, number, line, history.names, i);
