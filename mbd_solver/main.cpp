@@ -58,6 +58,10 @@ Arguments parse(CLI::App& app, int argc, char** argv) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_flag("--quiet", arguments.run.quiet, "No progress line");
+  app.add_option("--try-for", arguments.run.try_for,
+                 "A trial: ends after so many seconds, and tells its pace in summary.json; nothing is kept")
+      ->check(positive())
+      ->excludes(resume);
   app.parse(argc, argv);
   if (arguments.scene.empty() && arguments.resume.empty()) throw CLI::RequiredError("SCENE, or --resume DIR,");
   if (!scheme.empty()) arguments.settings.push_back("coupling.scheme=\"" + scheme + "\"");

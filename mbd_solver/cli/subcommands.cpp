@@ -21,6 +21,7 @@
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/positive.h"
 #include "mbd_solver/cli/run_command.h"
+#include "mbd_solver/cli/trial_command.h"
 #include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/scene/shipped_files.h"
 
@@ -37,6 +38,8 @@ std::string default_scene() {
     return name;  // whoever needs it says that it is not there
   }
 }
+
+constexpr double kTrial = 2.0;  // [s]
 
 // ---- the options of each subcommand, and what it does once they are read ----
 
@@ -85,7 +88,18 @@ Action check(CLI::App& command) {
   a->scene = default_scene();
   command.add_option("SCENE", a->scene, "Scene file, or folder with scene.toml")->capture_default_str();
   command.add_option("--set", a->settings, "key=value: change one value of the scene")->allow_extra_args(false);
-  return [a] { return check_command(a->scene, a->settings); };
+  const auto seconds = std::make_shared<double>(0.0);  // a bare --time leaves it so
+  CLI::Option* time =
+      command
+          .add_option("--time", *seconds,
+                      "Also run it for so many seconds (default: 2) and tell how long the whole run takes")
+          ->expected(0, 1)
+          ->check(positive());
+  command.add_option("--ranks", a->ranks, "LIGGGHTS processes, for --time")->check(positive())->needs(time);
+  return [a, time, seconds] {
+    const int code = check_command(a->scene, a->settings);
+    return code == kExitDone && time->count() > 0 ? trial_command(*a, *seconds > 0.0 ? *seconds : kTrial) : code;
+  };
 }
 
 Action surfaces(CLI::App& command) {

@@ -16,6 +16,7 @@
 #include "mbd_solver/run/run_files.h"
 #include "mbd_solver/run/run_summary.h"
 #include "mbd_solver/run/safety_clock.h"
+#include "mbd_solver/run/trial.h"
 
 namespace footfall {
 namespace {
@@ -87,6 +88,8 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     of_bodies.skip(files.observation().flexible().warnings());
     of_joints.skip(files.observation().joints().warnings());
   }
+  Trial trial(options.try_for);
+  volatile std::sig_atomic_t trial_ends = 0;
   const auto observe = [&](const Sample& sample) {
     taker.take(sample);
     files.write(sample);
@@ -94,6 +97,8 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     if (coupled) of_coupling.tell(coupled->watch().warnings());
     of_bodies.tell(files.observation().flexible().warnings());
     of_joints.tell(files.observation().joints().warnings());
+    trial.look(simulation, sample.state.time);
+    if (trial.over() || interrupted != 0) trial_ends = 1;
   };
   CheckpointFolder checkpoints(options.out);
   std::string folder;  // of the checkpoint that is being written
@@ -123,15 +128,16 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
   };
   const auto summarize = [&](const std::string& status, const std::string& reason) {
     as_file_error([&] {
-      write_summary(options.out + "/summary.json",
-                    run_summary(simulation, taker, files.observation(), status, reason, options.mpi_version));
+      auto summary = run_summary(simulation, taker, files.observation(), status, reason, options.mpi_version);
+      if (trial.runs()) summary["trial"] = trial.marks();
+      write_summary(options.out + "/summary.json", summary);
     });
   };
 
-  std::string why = "interrupted by the user";
+  std::string why = trial.runs() ? "the trial is over" : "interrupted by the user";
   work_is_under_way();
   try {
-    simulation.run(observe, interrupted, keep);
+    trial.runs() ? simulation.run(observe, trial_ends) : simulation.run(observe, interrupted, keep);
   } catch (const std::exception& error) {
     // What cannot be written now is no second message.
     const auto attempt = [](const auto& write) {

@@ -18,6 +18,7 @@ struct RunOptions {
   std::string checkpoint;   // folder of the set that the run goes on from; empty: from the start
   // A scene without checkpoint_interval is kept every so often on the clock on the wall [s]; 0: never.
   double keep_every = kKeepEvery;
+  double try_for = 0.0;     // a trial (trial.h): ends after so many seconds on the wall; 0: the run goes to its end
   std::string mpi_version;  // of the library, for the summary; empty: not used
 };
 

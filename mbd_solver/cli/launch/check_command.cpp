@@ -5,6 +5,7 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/cli/launch/box_report.h"
+#include "mbd_solver/cli/launch/script_report.h"
 #include "mbd_solver/scene/boundary_surface.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -49,7 +50,8 @@ int check_command(const std::string& argument, const std::vector<std::string>& s
       "%s: good. %zu bodies (%g kg), %zu joints, %zu struts, %zu springs, %zu controllers, %zu boundaries on %s.\n",
       scene.file.c_str(), scene.bodies.size(), mass, scene.joints.size(), scene.struts.size(), scene.springs.size(),
       scene.controllers.size(), scene.boundaries.size(), grounds[static_cast<int>(scene.ground.kind)]);
-  if (scene.touches_particles() && scene.particles->box) std::fputs(box_report(scene).c_str(), stdout);
+  if (scene.touches_particles())
+    std::fputs((scene.particles->box ? box_report(scene) : script_report(scene)).c_str(), stdout);
   return kExitDone;
 }
 

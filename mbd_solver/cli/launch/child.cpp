@@ -179,6 +179,16 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
   return end;
 }
 
+double memory_of_descendants() {
+  double sum = 0.0;
+  for (const pid_t pid : descendants()) {
+    std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+    for (std::string word; status >> word;)
+      if (double kilobytes = 0.0; word == "RssAnon:" && status >> kilobytes) sum += 1024.0 * kilobytes;
+  }
+  return sum;
+}
+
 bool was_asked_to_end(int exit_code) {
   if (exit_code == kExitInterrupted) return true;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1})

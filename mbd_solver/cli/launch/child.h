@@ -46,6 +46,9 @@ class StoppedWatch {
   std::map<pid_t, double> since_;  // wall clock [s] from which on each one was seen stopped
 };
 
+// What all processes below this one have of their own now [bytes]: without files and libraries that they share.
+double memory_of_descendants();
+
 // Of a program that was asked to end: it says so, or died of a signal that asks for the end.
 bool was_asked_to_end(int exit_code);
 
