@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-all=(rft rft_smooth sphere janssen footpad plate shear box repose cone)
+all=(rft rft_smooth rft_far sphere walls janssen footpad plate shear box repose cone)
 parts=("${@:2}")
 ((${#parts[@]})) || parts=("${all[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -26,7 +26,11 @@ sweep() { "$footfall" sweep "$1" --out "$2" "${few[@]}" >&2; echo "\`footfall sw
 
 part_rft() { rig rft rft --samples 1; cp "$out/rft/rft.png" docs/soil_laws_rft.png; }
 part_rft_smooth() { rig rft_smooth rft --samples 1 --set particles.box.bodies.friction=0.27; cp "$out/rft_smooth/rft.png" docs/soil_laws_rft_smooth.png; }
+part_rft_far() {
+  rig rft_far rft --samples 1 --set particles.box.bodies.friction=0.27 --set particles.box.size=[0.62,0.2] --set particles.box.centre=[0.1,0]; cp "$out/rft_far/rft.png" docs/soil_laws_rft_far.png
+}
 part_sphere() { rig sphere sphere --samples 2; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
+part_walls() { sweep inputs/laws/walls.toml "$out/walls"; grep "^[|]" "$out/walls/cases.md"; }
 part_plate() { rig plate plate --samples 2; }
 part_shear() { rig shear shear --samples 2; }
 part_repose() { rig repose repose --samples 2; }
@@ -63,8 +67,9 @@ done
 # PART...: tables, where they were made.
 tables() { local part; for part in "$@"; do cat "$laws/made/$part.txt"; echo; done; }
 {
-  cat $laws/head.txt; tables rft; cat $laws/rft.txt; tables rft_smooth; cat $laws/rft_smooth.txt
+  cat $laws/head.txt; tables rft; cat $laws/rft.txt; cat $laws/rft_choice.txt; tables rft_smooth rft_far; cat $laws/rft_found.txt
   cat $laws/sphere.txt; tables sphere; cat $laws/sphere_found.txt
+  cat $laws/walls.txt; tables walls; cat $laws/walls_found.txt
   cat $laws/janssen.txt; tables janssen; cat $laws/janssen_found.txt
   cat $laws/footpad.txt; tables footpad; cat $laws/footpad_found.txt
   cat $laws/rigs.txt

@@ -34,9 +34,10 @@ side=0.12 density=2600 radius=0.005 g=9.81
     print "| answer | unit | mean | 95 % interval: +- | samples |\n|---|---|---|---|---|"
     for (k = 1; k <= samples; ++k) {
       i = seeds[k]; d = n[i] * q[i] - s[i]^2
+      if (n[i] < 2) { print "inputs/rigs/box.sh: two loads or more are needed" > "/dev/stderr"; exit 1 }
       slope = (n[i] * st[i] - s[i] * t[i]) / d; c[k] = (t[i] - slope * s[i]) / n[i]
       phi[k] = atan2(slope, 1) * 180 / 3.14159265
-      rest = tt[i] - c[k] * t[i] - slope * st[i]; r2[k] = 1 - rest / (tt[i] - t[i]^2 / n[i])
+      rest = tt[i] - c[k] * t[i] - slope * st[i]; all = tt[i] - t[i]^2 / n[i]; r2[k] = all > 0 ? 1 - rest / all : 0
     }
     tell("friction angle phi", "deg", phi, samples); tell("cohesion c", "Pa", c, samples); tell("R^2", "", r2, samples)
     for (j = 1; j <= many; ++j) {
