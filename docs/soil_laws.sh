@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-all=(rft rft_smooth rft_far sphere walls janssen footpad plate shear box repose cone)
+all=(rft rft_smooth sphere walls janssen janssen_drawn footpad plate shear box repose cone)
 parts=("${@:2}")
 ((${#parts[@]})) || parts=("${all[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -25,9 +25,12 @@ rig() {
 sweep() { "$footfall" sweep "$1" --out "$2" "${few[@]}" >&2; echo "\`footfall sweep $1\`:"; echo; }
 
 part_rft() { rig rft rft --samples 1; cp "$out/rft/rft.png" docs/soil_laws_rft.png; }
-part_rft_smooth() { rig rft_smooth rft --samples 1 --set particles.box.bodies.friction=0.27; cp "$out/rft_smooth/rft.png" docs/soil_laws_rft_smooth.png; }
-part_rft_far() {
-  rig rft_far rft --samples 1 --set particles.box.bodies.friction=0.27 --set particles.box.size=[0.62,0.2] --set particles.box.centre=[0.1,0]; cp "$out/rft_far/rft.png" docs/soil_laws_rft_far.png
+part_rft_smooth() {
+  rig rft_smooth rft --samples 1 --set particles.box.bodies.friction=0.27
+  echo "By depth, from the same runs (\`docs/soil_laws/rft_depths.awk\`; alpha in N/cm^3, means over the six plates):"
+  echo
+  awk -f $laws/rft_depths.awk "$out"/rft_smooth/runs/*/history.csv
+  cp "$out/rft_smooth/rft.png" docs/soil_laws_rft_smooth.png
 }
 part_sphere() { rig sphere sphere --samples 2; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
 part_walls() { sweep inputs/laws/walls.toml "$out/walls"; grep "^[|]" "$out/walls/cases.md"; }
@@ -36,20 +39,24 @@ part_shear() { rig shear shear --samples 2; }
 part_repose() { rig repose repose --samples 2; }
 part_cone() { rig cone cone --samples 2; }
 part_box() { sweep inputs/rigs/box.toml "$out/box"; inputs/rigs/box.sh "$out/box"; cp "$out/box/shear.png" docs/soil_laws_box.png; }
-part_janssen() {
-  sweep inputs/laws/janssen.toml "$out/janssen"
-  awk -v points="$out/janssen/points.txt" -f $laws/student.awk -f $laws/janssen.awk "$out/janssen/runs.csv"
+# NAME: columns of inputs/laws/NAME.toml, table and picture.
+columns() {
+  sweep "inputs/laws/$1.toml" "$out/$1"
+  awk -v points="$out/$1/points.txt" -f $laws/student.awk -f $laws/janssen.awk "$out/$1/runs.csv"
   gnuplot <<PLOT
 set terminal pngcairo size 900,600
-set output "docs/soil_laws_janssen.png"
+set output "docs/soil_laws_$1.png"
 set xlabel "weight of the grains [N]"
 set ylabel "weight on the floor [N]"
 set key bottom right
-Ws = $(<"$out/janssen/points.txt.ws")
-set yrange [0:*]
-plot "$out/janssen/points.txt" with points pt 7 title "runs", Ws * (1 - exp(-x / Ws)) lw 2 title "Janssen, mean W_s", [0:2*Ws] x dt 2 lc "gray" title "no friction"
+Ws = $(<"$out/$1/points.txt.ws")
+set xrange [0:40]
+set yrange [0:25]
+plot "$out/$1/points.txt" with points pt 7 title "columns", Ws * (1 - exp(-x / Ws)) lw 2 title "Janssen, mean W_s", x dt 2 lc "gray" title "no friction of walls"
 PLOT
 }
+part_janssen() { columns janssen; }
+part_janssen_drawn() { columns janssen_drawn; }
 part_footpad() {
   sweep inputs/laws/footpad.toml "$out/footpad"
   awk -f $laws/student.awk -f $laws/footpad.awk "$out"/footpad/runs/*/history.csv
@@ -67,10 +74,10 @@ done
 # PART...: tables, where they were made.
 tables() { local part; for part in "$@"; do cat "$laws/made/$part.txt"; echo; done; }
 {
-  cat $laws/head.txt; tables rft; cat $laws/rft.txt; cat $laws/rft_choice.txt; tables rft_smooth rft_far; cat $laws/rft_found.txt
+  cat $laws/head.txt; tables rft; cat $laws/rft.txt; cat $laws/rft_choice.txt; tables rft_smooth; cat $laws/rft_found.txt
   cat $laws/sphere.txt; tables sphere; cat $laws/sphere_found.txt
   cat $laws/walls.txt; tables walls; cat $laws/walls_found.txt
-  cat $laws/janssen.txt; tables janssen; cat $laws/janssen_found.txt
+  cat $laws/janssen.txt; tables janssen; cat $laws/janssen_drawn.txt; tables janssen_drawn; cat $laws/janssen_found.txt
   cat $laws/footpad.txt; tables footpad; cat $laws/footpad_found.txt
   cat $laws/rigs.txt
   for part in plate shear box repose cone; do echo "### $part"; echo; tables $part; [[ ! -f $laws/${part}_found.txt ]] || { cat $laws/${part}_found.txt; echo; }; done
