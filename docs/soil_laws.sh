@@ -27,6 +27,7 @@ sweep() { "$footfall" sweep "$1" --out "$2" "${few[@]}" >&2; echo "\`footfall sw
 part_rft() { rig rft rft --samples 1; cp "$out/rft/rft.png" docs/soil_laws_rft.png; }
 part_rft_smooth() {
   rig rft_smooth rft --samples 1 --set particles.box.bodies.friction=0.27
+  echo
   echo "By depth, from the same runs (\`docs/soil_laws/rft_depths.awk\`; alpha in N/cm^3, means over the six plates):"
   echo
   awk -f $laws/rft_depths.awk "$out"/rft_smooth/runs/*/history.csv
@@ -71,15 +72,22 @@ for part in "${parts[@]}"; do
   mkdir -p $laws/made
   cp "$made/$part" "$laws/made/$part.txt"
 done
-# PART...: tables, where they were made.
-tables() { local part; for part in "$@"; do cat "$laws/made/$part.txt"; echo; done; }
+# PART: its text, its tables and what was found; nothing before its tables were made.
+part_of_page() {
+  local part=$1
+  [[ -f $laws/made/$part.txt ]] || return 0
+  [[ ! -f $laws/$part.txt ]] || { cat "$laws/$part.txt"; echo; }
+  cat "$laws/made/$part.txt"
+  echo
+  [[ ! -f $laws/${part}_found.txt ]] || { cat "$laws/${part}_found.txt"; echo; }
+}
 {
-  cat $laws/head.txt; tables rft; cat $laws/rft.txt; cat $laws/rft_choice.txt; tables rft_smooth; cat $laws/rft_found.txt
-  cat $laws/sphere.txt; tables sphere; cat $laws/sphere_found.txt
-  cat $laws/walls.txt; tables walls; cat $laws/walls_found.txt
-  cat $laws/janssen.txt; tables janssen; cat $laws/janssen_drawn.txt; tables janssen_drawn; cat $laws/janssen_found.txt
-  cat $laws/footpad.txt; tables footpad; cat $laws/footpad_found.txt
+  cat $laws/head.txt
+  for part in rft rft_smooth sphere walls janssen janssen_drawn footpad; do part_of_page $part; done
   cat $laws/rigs.txt
-  for part in plate shear box repose cone; do echo "### $part"; echo; tables $part; [[ ! -f $laws/${part}_found.txt ]] || { cat $laws/${part}_found.txt; echo; }; done
+  for part in plate shear box repose cone; do
+    [[ ! -f $laws/made/$part.txt ]] || { echo "### $part"; echo; part_of_page $part; }
+  done
+  cat $laws/not_run.txt
 } | cat -s > "$made/page"
 cp "$made/page" docs/soil_laws.md
