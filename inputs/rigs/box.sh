@@ -6,10 +6,10 @@ set -euo pipefail
 dir=$1
 side=0.12 density=2600 radius=0.005 g=9.81
 {
-  read -r header
+  read -r _
   while IFS=, read -r _ load seed status _ grains; do
     [[ $status == done ]] || { echo "load $load, seed $seed: $status" >&2; exit 1; }
-    awk -F, -v load="$load" -v seed="$seed" -v area="$side*$side" -v n="$grains" -v side=$side -v rho=$density -v r=$radius -v g=$g '
+    awk -F, -v load="$load" -v seed="$seed" -v n="$grains" -v side=$side -v rho=$density -v r=$radius -v g=$g '
       /^#/ { next }
       !named { for (i = 1; i <= NF; ++i) at[$i] = i; named = 1; next }
       { t[++rows] = $at["time"]; x[rows] = $at["tray.contact.fx"]; z[rows] = $at["tray.contact.fz"] }
