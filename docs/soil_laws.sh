@@ -1,33 +1,93 @@
 #!/usr/bin/env bash
-# Remakes docs/soil_laws.md and its pictures: known laws of soil, and what the rigs of docs/rigs.md measure on their default bed. About half an hour on two
-# cores; runs that are done are kept.
-#   docs/soil_laws.sh [BUILD]     BUILD: the build folder (default build)
+# Remakes docs/soil_laws.md and its pictures: known laws of soil, and what the rigs of docs/rigs.md measure on their default bed. Some hours on two cores; runs that are done are
+# kept in runs/rigs (or $SOIL_RUNS).
+#   docs/soil_laws.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: these parts alone, of those listed below; "page": no part, the page alone
+# The tables of a part are kept in docs/soil_laws/made/PART.txt, and the page is put together of them and of the texts in docs/soil_laws.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
-out=runs/rigs
+out=${SOIL_RUNS:-runs/rigs}
+jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
+all=(rft rft_smooth sphere walls janssen janssen_drawn footpad plate shear box repose cone)
+parts=("${@:2}")
+((${#parts[@]})) || parts=("${all[@]}")
+few=(); ((jobs == 0)) || few=(--jobs "$jobs")
+laws=docs/soil_laws
+
 # FOLDER RIG OPTIONS...: the table of a rig and the command that makes it.
-table() {
-  local folder=$1 rig=$2; shift 2
-  "$footfall" rig "$rig" --out "$out/$folder" "$@" >&2
-  echo "\`footfall rig $rig $*\`:"
-  sed -e '/^## /d' -e '/^Made by/d' "$out/$folder/$rig.md" | cat -s
-  echo
+rig() {
+  local folder=$1 name=$2 option words=(); shift 2
+  "$footfall" rig "$name" --out "$out/$folder" "${few[@]}" "$@" >&2
+  for option in "$@"; do [[ $option == *['[" ']* ]] && words+=("'$option'") || words+=("$option"); done
+  echo "\`footfall rig $name ${words[*]}\`:"
+  sed -e '/^## /d' -e '/^Made by/d' "$out/$folder/$name.md" | cat -s
 }
-page=$(mktemp)
-trap 'rm -f "$page"' EXIT
+sweep() { "$footfall" sweep "$1" --out "$2" "${few[@]}" >&2; echo "\`footfall sweep $1\`:"; echo; }
+
+part_rft() { rig rft rft --samples 1; cp "$out/rft/rft.png" docs/soil_laws_rft.png; }
+part_rft_smooth() {
+  rig rft_smooth rft --samples 1 --set particles.box.bodies.friction=0.27
+  echo
+  echo "By depth, from the same runs (\`docs/soil_laws/rft_depths.awk\`; alpha in N/cm^3, means over the six plates):"
+  echo
+  awk -f $laws/rft_depths.awk "$out"/rft_smooth/runs/*/history.csv
+  cp "$out/rft_smooth/rft.png" docs/soil_laws_rft_smooth.png
+}
+part_sphere() { rig sphere sphere --samples 2; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
+part_walls() { sweep inputs/laws/walls.toml "$out/walls"; grep "^[|]" "$out/walls/cases.md"; }
+part_plate() { rig plate plate --samples 2; }
+part_shear() { rig shear shear --samples 2; }
+part_repose() { rig repose repose --samples 2; }
+part_cone() { rig cone cone --samples 2; }
+part_box() { sweep inputs/rigs/box.toml "$out/box"; inputs/rigs/box.sh "$out/box"; cp "$out/box/shear.png" docs/soil_laws_box.png; }
+# NAME: columns of inputs/laws/NAME.toml, table and picture.
+columns() {
+  sweep "inputs/laws/$1.toml" "$out/$1"
+  awk -v points="$out/$1/points.txt" -f $laws/student.awk -f $laws/janssen.awk "$out/$1/runs.csv"
+  gnuplot <<PLOT
+set terminal pngcairo size 900,600
+set output "docs/soil_laws_$1.png"
+set xlabel "weight of the grains [N]"
+set ylabel "weight on the floor [N]"
+set key bottom right
+Ws = $(<"$out/$1/points.txt.ws")
+set xrange [0:40]
+set yrange [0:25]
+plot "$out/$1/points.txt" with points pt 7 title "columns", Ws * (1 - exp(-x / Ws)) lw 2 title "Janssen, mean W_s", x dt 2 lc "gray" title "no friction of walls"
+PLOT
+}
+part_janssen() { columns janssen; }
+part_janssen_drawn() { columns janssen_drawn; }
+part_footpad() {
+  sweep inputs/laws/footpad.toml "$out/footpad"
+  awk -f $laws/student.awk -f $laws/footpad.awk "$out"/footpad/runs/*/history.csv
+}
+
+made=$(mktemp -d)
+trap 'rm -rf "$made"' EXIT
+for part in "${parts[@]}"; do
+  [[ $part != page ]] || continue
+  [[ " ${all[*]} " == *" $part "* ]] || { echo "docs/soil_laws.sh: there is no part \"$part\"; known: ${all[*]}" >&2; exit 2; }
+  "part_$part" > "$made/$part"
+  mkdir -p $laws/made
+  cp "$made/$part" "$laws/made/$part.txt"
+done
+# PART: its text, its tables and what was found; nothing before its tables were made.
+part_of_page() {
+  local part=$1
+  [[ -f $laws/made/$part.txt ]] || return 0
+  [[ ! -f $laws/$part.txt ]] || { cat "$laws/$part.txt"; echo; }
+  cat "$laws/made/$part.txt"
+  echo
+  [[ ! -f $laws/${part}_found.txt ]] || { cat "$laws/${part}_found.txt"; echo; }
+}
 {
-  cat docs/soil_laws/head.txt
-  table rft rft --samples 1
-  cat docs/soil_laws/rft.txt
-  cat docs/soil_laws/sphere.txt
-  table sphere sphere --samples 2
-  cat docs/soil_laws/rigs.txt
-  for rig in plate shear repose cone; do
-    echo "### $rig"
-    echo
-    table $rig $rig --samples 2
+  cat $laws/head.txt
+  for part in rft rft_smooth sphere walls janssen janssen_drawn footpad; do part_of_page $part; done
+  cat $laws/rigs.txt
+  for part in plate shear box repose cone; do
+    [[ ! -f $laws/made/$part.txt ]] || { echo "### $part"; echo; part_of_page $part; }
   done
-} > "$page"
-cp "$page" docs/soil_laws.md
-for rig in rft sphere; do cp "$out/$rig/$rig.png" "docs/soil_laws_$rig.png"; done
+  cat $laws/not_run.txt
+} | cat -s > "$made/page"
+cp "$made/page" docs/soil_laws.md
