@@ -39,10 +39,10 @@ ContactMass::ContactMass(Equations& equations, int body, const ModalBoundary& bo
       mass_(equations.model().body(body).mass()),
       reach_(boundary.rho0().colwise().norm().maxCoeff()),
       largest_mode_(largest_mode(boundary)),
-      rates_(equations.layout().size()),
-      moved_(rates_) {}
+      q_(equations.layout().v_size),
+      moved_(q_) {}
 
-double ContactMass::along(const ExternalLoad& felt, const State& state, const Inputs& inputs, double H) {
+double ContactMass::along(const ExternalLoad& felt, const State& state, double H) {
   const double f = felt.F_W.norm();
   if (f == 0.0) return mass_;
   const Body& body = equations_.model().body(body_);
@@ -60,24 +60,16 @@ double ContactMass::along(const ExternalLoad& felt, const State& state, const In
     mass_ = 1.0 / (1.0 / own + T.dot(body.rigid_inertia().ldlt().solve(T)) + Q.squaredNorm());
     return mass_;
   }
-  // As large as what gives the body alone 1 m/s2: far above the round-off of accelerations.
-  const Eigen::Vector3d F_W = own * F, T_B = own * T;
-  probe_ = inputs;
-  ExternalLoad& load = probe_.loads[static_cast<std::size_t>(body_)];
-  load.F_W += F_W;
-  load.T_B += T_B;
-  const Eigen::VectorXd Q_a = own * Q;
-  if (Q_a.size() > 0) load.Q_a += Q_a;
-  equations_.accelerations(state, inputs, rates_);
-  equations_.accelerations(state, probe_, moved_);
-  const int first = equations_.layout().v0() + equations_.layout().body_v[static_cast<std::size_t>(body_)];
-  const auto dv = [&](int from, auto size) {
-    return moved_.segment(first + from, size) - rates_.segment(first + from, size);
-  };
   equations_.load(state);
-  double power = F_W.dot(dv(0, 3)) + (equations_.motion(body_).A * T_B).dot(dv(3, 3));
-  if (Q_a.size() > 0) power += Q_a.dot(dv(6, Q_a.size()));
-  mass_ = power * kHeld > own ? own * own / power : std::numeric_limits<double>::infinity();
+  const int first = equations_.layout().body_v[static_cast<std::size_t>(body_)];
+  q_.setZero();
+  q_.segment<3>(first) = F;
+  q_.segment<3>(first + 3) = equations_.motion(body_).A * T;
+  q_.segment(first + 6, Q.size()) = Q;
+  moved_ = q_;
+  equations_.respond(state, moved_);
+  const double yields = q_.dot(moved_);  // [1/kg]
+  mass_ = yields * own * kHeld > 1.0 ? 1.0 / yields : std::numeric_limits<double>::infinity();
   return mass_;
 }
 

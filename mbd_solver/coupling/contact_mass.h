@@ -21,11 +21,11 @@ class ContactMass {
 
   // H [s] of the window: a mode of angular frequency Omega that swings within it yields as a spring and not as a mass,
   // and counts with 1 / (1 + (Omega H)^4), as in fast_modes.h.
-  // [kg] at `state` under `felt`, the load on the body in `inputs`. Without a force: as it was when there was one, at
+  // [kg] at `state` under the load `felt` on the body. Without a force: as it was when there was one, at
   // the start the body's own.
-  double along(const ExternalLoad& felt, const State& state, const Inputs& inputs, double H);
+  double along(const ExternalLoad& felt, const State& state, double H);
   double last() const { return mass_; }            // as it was found last [kg]
-  bool asks_mechanism() const { return joined_; }  // along() solves for accelerations twice
+  bool asks_mechanism() const { return joined_; }  // along() solves for accelerations
   void visit(Archive& archive) { archive("mass", mass_); }
 
  private:
@@ -35,9 +35,8 @@ class ContactMass {
   double mass_;            // [kg]
   double reach_;           // largest |rho0| [m]
   double largest_mode_;    // of all nodes: largest |Phi_j|
-  Inputs probe_;           // inputs with the body's load
-  Eigen::VectorXd rates_;  // under the inputs
-  Eigen::VectorXd moved_;  // under those of probe_
+  Eigen::VectorXd q_;      // as v: what pushes, 1 N
+  Eigen::VectorXd moved_;  // M^-1 q
 };
 
 }  // namespace footfall

@@ -160,8 +160,8 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
     const bool touched = !inputs.loads[body].F_W.isZero(0.0);
     if (!touched || coupled.mass_age >= kMassHolds) coupled.mass_age = 0;
     const bool anew = coupled.mass_age == 0 || !coupled.contact_mass.asks_mechanism();
-    watched_[k].mass = anew ? coupled.contact_mass.along(inputs.loads[body], state, inputs, motion_.n * dt)
-                            : coupled.contact_mass.last();
+    watched_[k].mass =
+        anew ? coupled.contact_mass.along(inputs.loads[body], state, motion_.n * dt) : coupled.contact_mass.last();
     if (touched) ++coupled.mass_age;
   }
   return t_end;

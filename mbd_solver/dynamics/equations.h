@@ -77,6 +77,11 @@ class Equations {
   bool correct_rates(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> out,
                      Eigen::Ref<Eigen::VectorXd> change);
 
+  // What generalized forces f (as v) add to the accelerations that joints, motions and resting rows leave:
+  //   [M, Phi_v^T; Phi_v, -eps] [a; lambda] = [f; 0],   f becomes a
+  // Throws NumericalError when that is singular.
+  void respond(const State& state, Eigen::Ref<Eigen::VectorXd> f);
+
   // Of all lambda with the same reactions on the bodies together, that of the smallest sum (s_i lambda_i)^2 (redundancy.h).
   // Nothing changes where no rows are redundant.
   void smallest_multipliers(const State& state, Eigen::Ref<Eigen::VectorXd> lambda);

@@ -234,6 +234,18 @@ void Equations::accelerations(const State& state, const Inputs& inputs, Eigen::R
   throw NumericalError(at_time(state.time) + "the equations of motion are singular; does every body have a mass?");
 }
 
+void Equations::respond(const State& state, Eigen::Ref<Eigen::VectorXd> f) {
+  Workspace& w = *work_;
+  load(state);
+  const bool solvable = factor_saddle(state);
+  w.saddle_x.head(layout_.v_size) = f;
+  w.saddle_x.tail(layout_.row_count).setZero();
+  if (solvable) w.saddle_lu->solve(w.saddle_x);
+  f = w.saddle_x.head(layout_.v_size);
+  if (!solvable || !f.allFinite())
+    throw NumericalError(at_time(state.time) + "the equations of motion are singular; does every body have a mass?");
+}
+
 bool Equations::correct_rates(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> out,
                               Eigen::Ref<Eigen::VectorXd> change) {
   Workspace& w = *work_;

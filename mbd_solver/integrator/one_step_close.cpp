@@ -68,7 +68,7 @@ void OneStep::start_window(const Inputs& inputs, const State& state) {
 }
 
 bool OneStep::follow_rates(const Inputs& inputs, const State& state) {
-  if (!inputs.loads.empty() || state.time != left_time_ || !(state.step > 0.0)) return false;
+  if (state.time != left_time_ || !(state.step > 0.0)) return false;
   const int m = equations_.layout().lambda0();
   equations_.pack(state, rates_.tail(equations_.layout().row_count), y_);
   if (y_.head(m) != left_.head(m)) return false;

@@ -42,7 +42,7 @@ double mass(const std::string& scene, const Vector3d& F_W, const Vector3d& T_B =
   inputs.loads.resize(1);
   inputs.loads[0].F_W = F_W;
   inputs.loads[0].T_B = T_B;
-  return contact.along(inputs.loads[0], assembly.state, inputs, 1e-3);
+  return contact.along(inputs.loads[0], assembly.state, 1e-3);
 }
 
 TEST(ContactMass, OfAFreeBodyIsItsMass) {
