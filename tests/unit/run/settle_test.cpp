@@ -7,6 +7,7 @@
 #include <cmath>
 #include <csignal>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/run/simulation.h"
 #include "tests/unit/run/never.h"
 #include "tests/unit/scene/scene_text.h"
@@ -50,6 +51,58 @@ std::string rail(const std::string& name, const std::string& a, const std::strin
 }
 
 const std::string kHead = "end_time = 0.5\ngravity = [0, 0, -9.81]\n[initial]\nsettle = true\n";
+
+// A flexible beam on the three springs of a planar joint, across the weight and turned by a torque: however it bends, each
+// spring bears what acts along it.
+TEST(Settle, FindsWhereThePlanarJointOfABeamBearsIt) {
+  const Scene scene = SceneText().read(R"(end_time = 0.01
+gravity = [3, -2, -9]
+[initial]
+settle = true
+[materials.al]
+density = 2700
+young = 7e10
+[[bodies]]
+name = "beam"
+material = "al"
+shape = { kind = "rod", from = [-0.3, 0, 0], to = [0.3, 0, 0], diameter = 0.01 }
+flexible = { modes = 4, elements = 6 }
+[[joints]]
+name = "table"
+type = "planar"
+bodies = ["ground", "beam"]
+point = [0, 0, 0]
+axis = "z"
+axis2 = [1, 1, 0.3]
+[joints.angle]
+spring = { stiffness = 2, damping = 0.02 }
+[joints.displacement_x]
+spring = { stiffness = 40, damping = 2 }
+[joints.displacement_y]
+spring = { stiffness = 60, damping = 2 }
+[[forces]]
+name = "twist"
+body = "beam"
+point = [0, 0, 0]
+direction = [0, 0, 1]
+torque = { polynomial = [0.7] }
+)");
+  Simulation simulation(scene, scene.end_time, nullptr);
+  Eigen::Vector3d q;
+  simulation.run(
+      [&](const Sample& sample) {
+        const Joint& table = simulation.mechanism().model.joint(0);
+        for (int i = 0; i < 3; ++i)
+          q[i] = JointCoordinate(simulation.mechanism().coordinates[static_cast<std::size_t>(i)].coordinate,
+                                 sample.kinematics.pair(table.m1.body, table.m2.body), table.m1, table.m2)
+                     .value();
+      },
+      test::kNever);
+  const double mass = 2700.0 * 0.6 * 0.25 * kPi * 1e-4, diagonal = std::sqrt(0.5);
+  EXPECT_NEAR(q[0], 0.7 / 2.0, 1e-5);
+  EXPECT_NEAR(q[1], mass * (3.0 - 2.0) * diagonal / 40.0, 1e-6);
+  EXPECT_NEAR(q[2], mass * (-3.0 - 2.0) * diagonal / 60.0, 1e-6);
+}
 
 // Two weights on two springs: each spring bears what hangs on it.
 TEST(Settle, FindsWhereSpringsBearTheirWeights) {
