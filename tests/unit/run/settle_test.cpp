@@ -184,6 +184,44 @@ TEST(InitialJoints, MoveAClosedLoop) {
   }
 }
 
+// All coordinates of a joint that has several.
+TEST(InitialJoints, MoveEveryCoordinateOfAJoint) {
+  const Scene scene = SceneText().read("end_time = 0.001\ngravity = [0, 0, 0]\n" + body("puck", 1.0, 0, 0) +
+                                       body("drill", 1.0, 1, 0) + R"([[joints]]
+name = "table"
+type = "planar"
+bodies = ["ground", "puck"]
+point = [0, 0, 0]
+axis = "z"
+axis2 = [1, 1, 0]
+[[joints]]
+name = "guide"
+type = "cylindrical"
+bodies = ["ground", "drill"]
+point = [1, 0, 0]
+axis = "z"
+[initial.joints.table]
+angle = 0.5
+displacement_x = 0.02
+displacement_y = -0.01
+[initial.joints.guide]
+angle = -0.7
+displacement = 0.03
+)");
+  Simulation simulation(scene, scene.end_time, nullptr);
+  const Ends ends = ends_of(scene);
+  const double diagonal = std::sqrt(0.5), tolerance = 1e-9;  // of the closing [m]
+  EXPECT_LT((ends.first[0] - diagonal * Eigen::Vector3d(0.02 + 0.01, 0.02 - 0.01, 0.0)).norm(), tolerance);
+  EXPECT_LT((ends.first[1] - Eigen::Vector3d(1.0, 0.0, 0.03)).norm(), tolerance);
+  simulation.run(
+      [&](const Sample& sample) {
+        const Eigen::Matrix3d A = sample.kinematics.of(0).A, B = sample.kinematics.of(1).A;
+        EXPECT_NEAR(std::atan2(A(1, 0), A(0, 0)), 0.5, tolerance);
+        EXPECT_NEAR(std::atan2(B(1, 0), B(0, 0)), -0.7, tolerance);
+      },
+      test::kNever);
+}
+
 // Bodies of aluminium: a crank up from A = (0, 0), a thin coupler that bends, a rocker up from D = (0.4, 0).
 std::string flexible_loop(double coupler_end, const std::string& rest) {
   const auto rod = [](const std::string& name, double x1, double z1, double x2, double z2, double diameter) {
