@@ -82,24 +82,33 @@ int add_joint_force(const std::string& name, int joint, Coordinate coordinate, L
 
 }  // namespace
 
+Coordinate coordinate_of(CoordinateChoice choice) {
+  switch (choice) {
+    case CoordinateChoice::kAngle: return Coordinate::kAngle;
+    case CoordinateChoice::kDisplacement: return Coordinate::kDisplacement;
+    case CoordinateChoice::kDisplacementX: return Coordinate::kDisplacementX;
+    case CoordinateChoice::kDisplacementY: return Coordinate::kDisplacementY;
+    case CoordinateChoice::kAuto: break;
+  }
+  FOOTFALL_DEMAND(false);
+}
+
 void add_drives(const Scene& scene, Mechanism& mechanism) {
   Model& model = mechanism.model;
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {
     const JointSpec& spec = scene.joints[i];
     const int joint = static_cast<int>(i);
-    const JointTraits traits = traits_of(spec.type);
-    if (traits.turns) mechanism.coordinates.push_back({spec.name, joint, Coordinate::kAngle});
-    if (traits.slides) mechanism.coordinates.push_back({spec.name, joint, Coordinate::kDisplacement});
-    if (spec.angle)
-      add_joint_force("joint/" + spec.name + "/angle", joint, Coordinate::kAngle, laws_of(*spec.angle), model);
-    if (spec.displacement)
-      add_joint_force("joint/" + spec.name + "/displacement", joint, Coordinate::kDisplacement,
-                      laws_of(*spec.displacement), model);
+    for (const CoordinateChoice choice : coordinates_of(spec.type)) {
+      const Coordinate coordinate = coordinate_of(choice);
+      mechanism.coordinates.push_back({spec.name, joint, coordinate});
+      if (const std::optional<CoordinateSpec>& acting = spec.acting_on(choice))
+        add_joint_force("joint/" + spec.name + "/" + std::string(name_of(coordinate)), joint, coordinate,
+                        laws_of(*acting), model);
+    }
   }
   for (const DriveSpec& spec : scene.drives) {
     const int joint = scene.joint_index(spec.joint);
-    const Coordinate coordinate =
-        scene.coordinate_of(spec) == CoordinateChoice::kAngle ? Coordinate::kAngle : Coordinate::kDisplacement;
+    const Coordinate coordinate = coordinate_of(scene.coordinate_of(spec));
     Laws laws;
     laws.push_back(build(spec));
     const int force = add_joint_force("drive/" + spec.name, joint, coordinate, std::move(laws), model,

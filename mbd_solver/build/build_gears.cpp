@@ -11,9 +11,7 @@ void add_gears(const Scene& scene, Mechanism& mechanism) {
     std::vector<GearMember> members;
     for (std::size_t i = 0; i < spec.joints.size(); ++i)
       members.push_back(
-          {scene.joint_index(spec.joints[i]),
-           scene.coordinate_of(spec, i) == CoordinateChoice::kAngle ? Coordinate::kAngle : Coordinate::kDisplacement,
-           spec.factors[i]});
+          {scene.joint_index(spec.joints[i]), coordinate_of(scene.coordinate_of(spec, i)), spec.factors[i]});
     if (!spec.curve.empty()) {
       std::vector<double> q, y;
       for (const Eigen::Vector2d& point : spec.curve) {

@@ -41,7 +41,11 @@ Joint build(const JointSpec& spec, const Model& model, int a, int b, const Place
     case JointType::kRevolute: return along_axis(revolute_joint);
     case JointType::kPrismatic: return along_axis(prismatic_joint);
     case JointType::kCylindrical: return along_axis(cylindrical_joint);
-    case JointType::kPlanar: return along_axis(planar_joint);
+    case JointType::kPlanar: {
+      const Eigen::Matrix3d axes = axes_with_z(spec.axis, spec.axis2);
+      const auto [m1, m2] = markers(axes, axes);
+      return planar_joint(spec.name, m1, m2);
+    }
     case JointType::kConstantVelocity: return along_axis(constant_velocity_joint);
     case JointType::kUniversal: {
       const Eigen::Vector3d across = spec.axis.cross(spec.axis2);  // x of a along `axis`, y of b along `axis2`

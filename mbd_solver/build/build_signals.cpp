@@ -106,7 +106,7 @@ std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string&
   const Model& model = mechanism.model;
   if (auto sensor = body_sensor(model, name)) return sensor;
   for (const CoordinateEntry& entry : mechanism.coordinates) {
-    const std::string coordinate = entry.coordinate == Coordinate::kAngle ? "angle" : "displacement";
+    const std::string coordinate(name_of(entry.coordinate));
     const Joint& joint = model.joint(entry.joint);
     if (is(name, entry.name, coordinate)) return std::make_unique<CoordinateSensor>(joint, entry.coordinate);
     if (is(name, entry.name, coordinate + "_rate"))
@@ -124,7 +124,7 @@ std::vector<std::string> continuous_names(const Mechanism& mechanism) {
   std::vector<std::string> names = {"time"};
   for (const PlaceEntry& entry : mechanism.signals) names.push_back("signal." + entry.name);
   for (const CoordinateEntry& entry : mechanism.coordinates)
-    names.push_back(entry.name + (entry.coordinate == Coordinate::kAngle ? ".angle" : ".displacement"));
+    names.push_back(entry.name + "." + std::string(name_of(entry.coordinate)));
   for (int i = 0; i < mechanism.model.body_count(); ++i) names.push_back(mechanism.model.body(i).name() + ".z");
   for (const StrutEntry& entry : mechanism.struts) names.push_back(entry.name + ".stroke");
   return names;

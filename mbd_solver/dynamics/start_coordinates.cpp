@@ -20,8 +20,11 @@ Model model_on_the_way(const Model& model, const std::vector<StartCoordinate>& s
   for (const StartCoordinate& given : start) {
     const Joint& joint = model.joint(given.joint);
     PrescribedMotion motion;
-    (given.coordinate == Coordinate::kAngle ? motion.rotation : motion.translation[2]) = polynomial({0.0, given.value});
-    out.add_joint(prescribed_joint("start of " + joint.name, joint.m1, joint.m2, motion));
+    const auto axis = static_cast<std::size_t>(axis_of(given.coordinate));
+    (given.coordinate == Coordinate::kAngle ? motion.rotation : motion.translation[axis]) =
+        polynomial({0.0, given.value});
+    out.add_joint(prescribed_joint("start of " + joint.name + "." + std::string(name_of(given.coordinate)), joint.m1,
+                                   joint.m2, motion));
   }
   return out;
 }

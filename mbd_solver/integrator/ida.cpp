@@ -15,7 +15,11 @@ namespace {
 
 constexpr double kProjectAbove = 1e-9;       // drift [m or rad] that stays in a run that goes on
 constexpr double kProjectSpeedAbove = 5e-9;  // [m/s or rad/s]
-constexpr double kDriftKept = 100.0;         // drift that stays within a window [in absolute tolerances of a step]
+// Drift that stays within a window [in absolute tolerances of a step], at least round-off. At a distance s from a position
+// in which conditions become dependent, loops that are open by d ask for multipliers of d / s^2: what is more than a part of
+// a step's error turns the motion there, and no step is short enough for what the multipliers then do.
+constexpr double kDriftKept = 0.1;
+constexpr double kLeastDrift = 1e-12, kLeastSpeedDrift = 1e-11;  // [m or rad], [m/s or rad/s]
 // Sum of the errors of all steps [tolerances] that a run warns of; a motion may make them ten times larger.
 constexpr double kTold = 10.0;
 constexpr int kRenewRest = 10;  // steps after which resting rows are looked at
@@ -79,8 +83,8 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
   Equations::Drift drift;
   int steps = 0;
   ProgressWatch watch(state.time, t_end);
-  const double kept_position = std::max(kProjectAbove, kDriftKept * s.share * s.options.atol);
-  const double kept_velocity = std::max(kProjectSpeedAbove, kDriftKept * s.share * s.options.atol_velocity);
+  const double kept_position = std::max(kLeastDrift, kDriftKept * s.share * s.options.atol);
+  const double kept_velocity = std::max(kLeastSpeedDrift, kDriftKept * s.share * s.options.atol_velocity);
   while (!ended_by_row && state.time < t_end) {
     ended_by_row = !s.step(t_end, inputs, rows, state, statistics_);
     if (++steps % kRenewRest == 0) s.equations.renew_rest(state);
@@ -89,7 +93,7 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
     if (ended_by_row || state.time >= t_end || !s.options.projection ||
         (drift.position < kept_position && drift.velocity < kept_velocity))
       continue;
-    statistics_.count(s.equations.project(state));
+    statistics_.count(s.equations.project(state, Equations::Close::kFully));
     if (s.move_history(state)) continue;
     s.equations.forget();  // pivots of other positions shall not turn the motion here
     s.equations.project(state, Equations::Close::kFully);

@@ -18,10 +18,9 @@ namespace footfall {
 namespace {
 
 constexpr double kIgnored = 1e-30;  // weight of multipliers: they carry no error of their own
-// Share of the tolerances that one step may err by; all of them from kAllFrom on, where shorter steps find no way over
-// singular positions.
-constexpr double kStepShare = 0.1, kAllFrom = 1e-8;  // [-], [rtol]
-constexpr double kMoves = 0.1;  // [tolerances] that projection moves a regular position by, at most
+// Share of the tolerances that one step may err by; all of them from kAllFrom on, where a tenth comes near the round-off
+// of multipliers.
+constexpr double kStepShare = 0.1, kAllFrom = 1e-9;  // [-], [rtol]
 // Multipliers have to settle all the same: each step extrapolates those of the steps before, by which errors grow many
 // times, and a small step does not see them in v. Relative to the largest of them.
 constexpr double kReactions = 100.0, kLeastReactions = 1e-9;  // [rtol]; [-], round-off
@@ -216,7 +215,7 @@ bool Ida::Sundials::move_history(const State& state) {
   moved.setZero();
   moved.head(layout.q_size) = state.q - newest.head(layout.q_size);
   moved.segment(layout.v0(), layout.v_size) = state.v - newest.segment(layout.v0(), layout.v_size);
-  if (!(norm(moved) <= kMoves)) return false;
+  if (!(norm(moved) <= share)) return false;  // drift of a regular position is a part of the error of a step
   newest.head(layout.q_size) = state.q;
   newest.segment(layout.v0(), layout.v_size) = state.v;
   return true;
@@ -240,7 +239,9 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
     row = state;
     statistics.count(options.projection ? equations.project(row) : equations.check_closed(row));
     equations.smallest_multipliers(row, rates.tail(equations.layout().row_count));
-    if (!rows.on_row(row, rates)) return false;
+    if (rows.on_row(row, rates)) continue;
+    state = row;
+    return false;
   }
   add_work_between(from, t, inputs, state);
   equations.unpack(view(y), state);

@@ -37,6 +37,14 @@ constexpr Entry<CoordinateFigures> kDisplacement[] = {
     {"<joint>.displacement", "m", [](const CoordinateFigures& q) { return q.value; }},
     {"<joint>.displacement_rate", "m/s", [](const CoordinateFigures& q) { return q.rate; }}};
 
+constexpr Entry<CoordinateFigures> kDisplacementX[] = {
+    {"<joint>.displacement_x", "m", [](const CoordinateFigures& q) { return q.value; }},
+    {"<joint>.displacement_x_rate", "m/s", [](const CoordinateFigures& q) { return q.rate; }}};
+
+constexpr Entry<CoordinateFigures> kDisplacementY[] = {
+    {"<joint>.displacement_y", "m", [](const CoordinateFigures& q) { return q.value; }},
+    {"<joint>.displacement_y_rate", "m/s", [](const CoordinateFigures& q) { return q.rate; }}};
+
 constexpr Entry<Vector6d> kReaction[] = {{"<joint>.fx", "N", [](const Vector6d& R) { return R(0); }},
                                          {"<joint>.fy", "N", [](const Vector6d& R) { return R(1); }},
                                          {"<joint>.fz", "N", [](const Vector6d& R) { return R(2); }},
@@ -85,9 +93,9 @@ constexpr Entry<double> kOmegaH[] = {{"coupling.omega_h.<body>", "-", itself}};
 template <class Visit>
 void for_each_table(Visit visit) {
   visit(kTime), visit(kBodyEntries), visit(kAttitudeEntries), visit(kFlexible), visit(kContact), visit(kAngle),
-      visit(kDisplacement), visit(kReaction), visit(kDriveTorque), visit(kDriveForce), visit(kDrivePower),
-      visit(kGearTorque), visit(kGearForce), visit(kStrut), visit(kVoltage), visit(kSignal), visit(kState),
-      visit(kStateSince), visit(kStored), visit(kEnergyTotal);
+      visit(kDisplacement), visit(kDisplacementX), visit(kDisplacementY), visit(kReaction), visit(kDriveTorque),
+      visit(kDriveForce), visit(kDrivePower), visit(kGearTorque), visit(kGearForce), visit(kStrut), visit(kVoltage),
+      visit(kSignal), visit(kState), visit(kStateSince), visit(kStored), visit(kEnergyTotal);
   visit(kDissipated), visit(kWork), visit(kSupplied), visit(kCoupling), visit(kChosenWindows), visit(kOmegaH);
 }
 
@@ -148,6 +156,8 @@ void add_joints(const Subject& subject, const JointFigures& joints, Columns& out
     switch (entry.coordinate) {
       case Coordinate::kAngle: out.add(kAngle, {entry.name}, figures, Column::Reads::kJoints); break;
       case Coordinate::kDisplacement: out.add(kDisplacement, {entry.name}, figures, Column::Reads::kJoints); break;
+      case Coordinate::kDisplacementX: out.add(kDisplacementX, {entry.name}, figures, Column::Reads::kJoints); break;
+      case Coordinate::kDisplacementY: out.add(kDisplacementY, {entry.name}, figures, Column::Reads::kJoints); break;
     }
   }
   for (std::size_t j = 0; subject.scene.output.reactions && j < subject.scene.joints.size(); ++j)
@@ -159,9 +169,10 @@ void add_joints(const Subject& subject, const JointFigures& joints, Columns& out
       return static_cast<const JointForce&>(subject.mechanism.model.force(force))
           .sample(element_input(subject, s, force));
     };
-    switch (drive.coordinate) {
-      case Coordinate::kAngle: out.add(kDriveTorque, {drive.name}, sample); break;
-      case Coordinate::kDisplacement: out.add(kDriveForce, {drive.name}, sample); break;
+    if (drive.coordinate == Coordinate::kAngle) {
+      out.add(kDriveTorque, {drive.name}, sample);
+    } else {
+      out.add(kDriveForce, {drive.name}, sample);
     }
     out.add(kDrivePower, {drive.name}, sample);
   }
@@ -170,9 +181,10 @@ void add_joints(const Subject& subject, const JointFigures& joints, Columns& out
     const auto reaction = [row, count = subject.layout.row_count](const Sample& s) {
       return -s.rates.tail(count)[row];
     };
-    switch (gear.coordinate) {
-      case Coordinate::kAngle: out.add(kGearTorque, {gear.name}, reaction); break;
-      case Coordinate::kDisplacement: out.add(kGearForce, {gear.name}, reaction); break;
+    if (gear.coordinate == Coordinate::kAngle) {
+      out.add(kGearTorque, {gear.name}, reaction);
+    } else {
+      out.add(kGearForce, {gear.name}, reaction);
     }
   }
 }

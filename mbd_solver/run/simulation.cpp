@@ -44,8 +44,8 @@ AssemblyOptions assembly_options(const Scene& scene) {
   options.gap_tolerance = std::max(options.gap_tolerance, scene.initial.largest_gap);
   for (const InitialJointSpec& given : scene.initial.joints) {
     const int joint = scene.joint_index(given.name);
-    if (given.angle) options.start.push_back({joint, Coordinate::kAngle, *given.angle});
-    if (given.displacement) options.start.push_back({joint, Coordinate::kDisplacement, *given.displacement});
+    for (const CoordinateChoice choice : coordinates_of(scene.joints[static_cast<std::size_t>(joint)].type))
+      if (given.value(choice)) options.start.push_back({joint, coordinate_of(choice), *given.value(choice)});
   }
   return options;
 }

@@ -12,14 +12,25 @@ namespace footfall {
 
 namespace {
 
-void check_coordinate(const JointSpec& joint, const std::string& key, bool has, const std::optional<CoordinateSpec>& c,
-                      Findings& findings) {
+// Types of joints that have this coordinate.
+std::string joints_with(CoordinateChoice coordinate) {
+  std::vector<std::string> names;
+  for (const JointType type : every<JointType>())
+    if (has_coordinate(type, coordinate)) names.emplace_back(name_of(type));
+  return joined(names, " or ");
+}
+
+std::string no_coordinate(CoordinateChoice coordinate, JointType type) {
+  const std::string names = coordinate_names(type);
+  return "is no coordinate of a " + std::string(name_of(type)) + " joint; expected " +
+         (names.empty() ? "" : names + " of it, or ") + "a joint of type " + joints_with(coordinate);
+}
+
+void check_coordinate(const JointSpec& joint, CoordinateChoice coordinate, Findings& findings) {
+  const std::optional<CoordinateSpec>& c = joint.acting_on(coordinate);
   if (!c) return;
-  const std::string type(name_of(joint.type));
-  if (!has)
-    findings.error(joint.source, key,
-                   "is no coordinate of a " + type + " joint; expected " +
-                       (key == "angle" ? "a revolute or cylindrical" : "a prismatic or cylindrical") + " joint");
+  const std::string key(name_of(coordinate));
+  if (!has_coordinate(joint.type, coordinate)) findings.error(joint.source, key, no_coordinate(coordinate, joint.type));
   if (!c->stops && !c->friction && !c->spring)
     findings.error(joint.source, key, "has nothing that acts; give at least one of stops, friction, spring");
   if (c->stops) {
@@ -41,23 +52,26 @@ void check_place(const Scene& scene, const DriveSpec& drive, Findings& findings)
   if (drive.joint.empty()) return;
   const JointSpec* found = find_joint(scene, drive.source, "joint", drive.joint, findings);
   if (!found) return;
-  const JointTraits traits = traits_of(found->type);
-  const std::string type(traits.name);
-  if (!traits.turns && !traits.slides) {
+  const std::string type(name_of(found->type));
+  const std::vector<CoordinateChoice> has = coordinates_of(found->type);
+  if (has.empty()) {
     findings.error(drive.source, "joint",
                    "\"" + drive.joint + "\" is " + type +
-                       "; a drive moves the angle or the displacement of a revolute, prismatic or cylindrical joint");
+                       "; a drive moves the angle or the displacement of a revolute, prismatic, cylindrical or planar "
+                       "joint");
     return;
   }
   if (drive.coordinate == CoordinateChoice::kAuto) {
-    if (traits.turns && traits.slides)
+    if (has.size() > 1)
       findings.error(drive.source, "coordinate",
-                     "is missing; a " + type + " joint has two, expected \"angle\" or \"displacement\"");
+                     "is missing; a " + type + " joint has " + (has.size() == 2 ? "two" : "three") + ", expected " +
+                         coordinate_names(found->type));
     return;
   }
-  if (drive.coordinate == CoordinateChoice::kAngle ? !traits.turns : !traits.slides)
+  if (!has_coordinate(found->type, drive.coordinate))
     findings.error(drive.source, "coordinate",
-                   "is \"" + std::string(name_of(drive.coordinate)) + "\", which a " + type + " joint does not have");
+                   "is \"" + std::string(name_of(drive.coordinate)) + "\", which a " + type +
+                       " joint does not have; expected " + coordinate_names(found->type));
 }
 
 }  // namespace
@@ -77,17 +91,18 @@ void check_initial_joints(const Scene& scene, Findings& findings) {
   for (const InitialJointSpec& given : scene.initial.joints) {
     const JointSpec* joint = find_joint(scene, given.source, "", given.name, findings);
     if (!joint) continue;
-    const JointTraits traits = traits_of(joint->type);
-    const std::string type(traits.name);
-    if (given.angle && !traits.turns) findings.error(given.source, "angle", "is no coordinate of a " + type + " joint");
+    bool empty = true;
+    for (const CoordinateChoice coordinate : every<CoordinateChoice>()) {
+      if (!given.value(coordinate)) continue;
+      empty = false;
+      if (!has_coordinate(joint->type, coordinate))
+        findings.error(given.source, std::string(name_of(coordinate)), no_coordinate(coordinate, joint->type));
+    }
     if (given.angle && std::abs(*given.angle) > kPi)
       findings.error(given.source, "angle",
                      "is " + number_text(*given.angle * 180.0 / kPi, 6) +
                          " degrees; expected at most half a turn: what acts on the angle counts its turns from there");
-    if (given.displacement && !traits.slides)
-      findings.error(given.source, "displacement", "is no coordinate of a " + type + " joint");
-    if (!given.angle && !given.displacement)
-      findings.error(given.source, "", "is empty; expected angle or displacement, for example angle_deg = 30");
+    if (empty) findings.error(given.source, "", "is empty; expected angle or displacement, for example angle_deg = 30");
   }
   if (scene.initial.settle) {
     if (scene.touches_particles())
@@ -107,8 +122,7 @@ void check_initial_joints(const Scene& scene, Findings& findings) {
 void check_drives(const Scene& scene, Findings& findings) {
   for (const JointSpec& joint : scene.joints) {
     if (!joint.source.given("type")) continue;
-    check_coordinate(joint, "angle", traits_of(joint.type).turns, joint.angle, findings);
-    check_coordinate(joint, "displacement", traits_of(joint.type).slides, joint.displacement, findings);
+    for (const CoordinateChoice coordinate : every<CoordinateChoice>()) check_coordinate(joint, coordinate, findings);
   }
   check_unique_names(scene.drives, "drive", findings);
   for (const DriveSpec& drive : scene.drives) {

@@ -14,27 +14,31 @@ namespace {
 void check_member(const Scene& scene, const GearSpec& gear, std::size_t i, Findings& findings) {
   const JointSpec* joint = find_joint(scene, gear.source, "joints", gear.joints[i], findings);
   if (!joint) return;
-  const JointTraits traits = traits_of(joint->type);
-  const std::string type(traits.name), name = "\"" + joint->name + "\"";
-  if (!traits.turns && !traits.slides) {
-    findings.error(gear.source, "joints",
-                   name + " is " + type +
-                       "; a gear connects angles and displacements of revolute, prismatic or cylindrical joints");
+  const std::vector<CoordinateChoice> has = coordinates_of(joint->type);
+  const std::string type(name_of(joint->type)), name = "\"" + joint->name + "\"";
+  if (has.empty()) {
+    findings.error(
+        gear.source, "joints",
+        name + " is " + type +
+            "; a gear connects angles and displacements of revolute, prismatic, cylindrical or planar joints");
     return;
   }
   const std::string choice = i < gear.coordinates.size() ? gear.coordinates[i] : "auto";
+  const auto named = [&](CoordinateChoice c) { return name_of(c) == choice; };
   const std::vector<std::string> known = names_of<CoordinateChoice>();
   if (std::find(known.begin(), known.end(), choice) == known.end()) {
     findings.error(gear.source, "coordinates",
-                   "has \"" + choice + "\"; expected \"angle\", \"displacement\" or \"auto\" for each joint");
-  } else if (choice == "auto" && traits.turns && traits.slides) {
+                   "has \"" + choice + "\"; expected " + coordinate_names(joint->type) +
+                       (has.size() == 1 ? " or \"auto\"" : "") + " for " + name);
+  } else if (choice == "auto" && has.size() > 1) {
     findings.error(gear.source, "coordinates",
-                   name + " is " + type +
-                       " and has two; expected \"angle\" or \"displacement\" for it, for example [\"" +
+                   name + " is " + type + " and has " + (has.size() == 2 ? "two" : "three") + "; expected " +
+                       coordinate_names(joint->type) + " for it, for example [\"" +
                        (i == 0 ? "angle\", \"auto" : "auto\", \"angle") + "\"]");
-  } else if ((choice == "angle" && !traits.turns) || (choice == "displacement" && !traits.slides)) {
+  } else if (choice != "auto" && std::none_of(has.begin(), has.end(), named)) {
     findings.error(gear.source, "coordinates",
-                   "has \"" + choice + "\" for " + name + ", which a " + type + " joint does not have");
+                   "has \"" + choice + "\" for " + name + ", which a " + type + " joint does not have; expected " +
+                       coordinate_names(joint->type));
   }
   const std::size_t last = std::min(i, gear.coordinates.size());
   for (std::size_t k = 0; k < i; ++k) {

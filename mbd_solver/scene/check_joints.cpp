@@ -166,7 +166,8 @@ void check_joints(const Scene& scene, Findings& findings) {
       findings.error(joint.source, "axis2",
                      "makes " + number_text(std::acos(std::min(1.0, cosine)) * 180.0 / kPi) +
                          " degrees with axis; expected 90 in the design position");
-    if (joint.type == JointType::kPrescribed && cosine > kSameDirection)
+    const bool planar = joint.type == JointType::kPlanar && joint.source.given("axis2");
+    if ((joint.type == JointType::kPrescribed || planar) && cosine > kSameDirection)
       findings.error(joint.source, "axis2",
                      "is parallel to axis; expected the x direction of the joint, across its z = axis");
     if (traits.radius == KeyUse::kRequired && !joint.radius)

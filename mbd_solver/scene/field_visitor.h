@@ -129,7 +129,7 @@ void visit_fields(FieldVisitor& v, SectionSpec& section);
 void visit_fields(FieldVisitor& v, JointSpec& joint);
 void visit_fields(FieldVisitor& v, MotionSpec& motion);
 void visit_fields(FieldVisitor& v, TimeFunctionSpec& function, Unit unit);
-void visit_fields(FieldVisitor& v, CoordinateSpec& coordinate, CoordinateChoice which);
+void visit_fields(FieldVisitor& v, CoordinateSpec& coordinate, Unit unit);
 void visit_fields(FieldVisitor& v, StrutSpec& strut);
 void visit_fields(FieldVisitor& v, GasSpec& gas);
 void visit_fields(FieldVisitor& v, MrSpec& mr);

@@ -22,8 +22,7 @@ void visit_fields(FieldVisitor& v, MotionSpec& m) {
   v.field("hold_other_rotations", &m.hold_other_rotations, {});
 }
 
-void visit_fields(FieldVisitor& v, CoordinateSpec& c, CoordinateChoice which) {
-  const Unit unit = which == CoordinateChoice::kAngle ? Unit::kAngle : Unit::kLength;
+void visit_fields(FieldVisitor& v, CoordinateSpec& c, Unit unit) {
   v.section("stops", c.stops, Presence::kOptional, [unit](FieldVisitor& w, JointStopsSpec& s) {
     w.field("min", &s.min, {unit});
     w.field("max", &s.max, {unit});
@@ -58,10 +57,12 @@ void visit_fields(FieldVisitor& v, JointSpec& j) {
   v.field("length", &j.length, {Unit::kLength, Range::kPositive});
   v.field("radius", &j.radius, {Unit::kLength, Range::kPositive});
   v.section("motion", j.motion);
+  const auto along = [](FieldVisitor& w, CoordinateSpec& c) { visit_fields(w, c, Unit::kLength); };
   v.section("angle", j.angle, Presence::kOptional,
-            [](FieldVisitor& w, CoordinateSpec& c) { visit_fields(w, c, CoordinateChoice::kAngle); });
-  v.section("displacement", j.displacement, Presence::kOptional,
-            [](FieldVisitor& w, CoordinateSpec& c) { visit_fields(w, c, CoordinateChoice::kDisplacement); });
+            [](FieldVisitor& w, CoordinateSpec& c) { visit_fields(w, c, Unit::kAngle); });
+  v.section("displacement", j.displacement, Presence::kOptional, along);
+  v.section("displacement_x", j.displacement_x, Presence::kOptional, along);
+  v.section("displacement_y", j.displacement_y, Presence::kOptional, along);
 }
 
 void visit_fields(FieldVisitor& v, GearSpec& g) {

@@ -14,6 +14,8 @@ void visit_fields(FieldVisitor& v, InitialJointSpec& j) {
   v.field("", &j.source, {});
   v.field("angle", &j.angle, {Unit::kAngle});
   v.field("displacement", &j.displacement, {Unit::kLength});
+  v.field("displacement_x", &j.displacement_x, {Unit::kLength});
+  v.field("displacement_y", &j.displacement_y, {Unit::kLength});
 }
 
 void visit_fields(FieldVisitor& v, InitialSpec& i) {

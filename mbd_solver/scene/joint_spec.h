@@ -44,23 +44,25 @@ struct JointTraits {
   bool holds_attitude;     // transmits moments
   bool turns;              // its angle about `axis` is a coordinate
   bool slides;             // its displacement along `axis` is a coordinate
+  bool slides_across;      // those along x and y of its frame are (z = axis, x = axis2)
 };
 constexpr JointTraits traits_of(JointType type) {
   constexpr KeyUse no = KeyUse::kUnused, may = KeyUse::kOptional, must = KeyUse::kRequired;
   switch (
-      type) {  //                                            axis axis2 length radius motion differ attitude turns slides
-    case JointType::kFixed: return {"fixed", may, no, no, no, no, false, true, false, false};
-    case JointType::kSpherical: return {"spherical", may, no, no, no, no, false, false, false, false};
-    case JointType::kUniversal: return {"universal", must, must, no, no, no, false, false, false, false};
-    case JointType::kRevolute: return {"revolute", must, no, no, no, no, false, true, true, false};
-    case JointType::kPrismatic: return {"prismatic", must, no, no, no, no, false, true, false, true};
-    case JointType::kCylindrical: return {"cylindrical", must, no, no, no, no, false, true, true, true};
-    case JointType::kDistance: return {"distance", may, no, may, no, no, true, false, false, false};
-    case JointType::kPointOnPlane: return {"point_on_plane", must, no, no, no, no, true, false, false, false};
-    case JointType::kPlanar: return {"planar", must, no, no, no, no, false, true, false, false};
-    case JointType::kConstantVelocity: return {"constant_velocity", must, no, no, no, no, false, true, false, false};
-    case JointType::kRolling: return {"rolling", must, may, no, must, no, true, true, false, false};
-    case JointType::kPrescribed: return {"prescribed", may, may, no, no, must, false, true, false, false};
+      type) {  //                                            axis axis2 length radius motion differ attitude turns slides across
+    case JointType::kFixed: return {"fixed", may, no, no, no, no, false, true, false, false, false};
+    case JointType::kSpherical: return {"spherical", may, no, no, no, no, false, false, false, false, false};
+    case JointType::kUniversal: return {"universal", must, must, no, no, no, false, false, false, false, false};
+    case JointType::kRevolute: return {"revolute", must, no, no, no, no, false, true, true, false, false};
+    case JointType::kPrismatic: return {"prismatic", must, no, no, no, no, false, true, false, true, false};
+    case JointType::kCylindrical: return {"cylindrical", must, no, no, no, no, false, true, true, true, false};
+    case JointType::kDistance: return {"distance", may, no, may, no, no, true, false, false, false, false};
+    case JointType::kPointOnPlane: return {"point_on_plane", must, no, no, no, no, true, false, false, false, false};
+    case JointType::kPlanar: return {"planar", must, may, no, no, no, false, true, true, false, true};
+    case JointType::kConstantVelocity:
+      return {"constant_velocity", must, no, no, no, no, false, true, false, false, false};
+    case JointType::kRolling: return {"rolling", must, may, no, must, no, true, true, false, false, false};
+    case JointType::kPrescribed: return {"prescribed", may, may, no, no, must, false, true, false, false, false};
   }
   return {};
 }
@@ -87,18 +89,27 @@ struct MotionSpec {
 
 // The coordinates that a joint leaves free: body b relative to body a, zero in the drawing.
 enum class CoordinateChoice {
-  kAuto,         // the one that there is
-  kAngle,        // about the axis [rad]: revolute, cylindrical
-  kDisplacement  // along the axis [m]: prismatic, cylindrical
+  kAuto,           // the one that there is
+  kAngle,          // about the axis [rad]: revolute, cylindrical, planar
+  kDisplacement,   // along the axis [m]: prismatic, cylindrical
+  kDisplacementX,  // across the axis [m]: planar; x of the joint's frame, which turns with a: axis2, made perpendicular
+  kDisplacementY   // y = z cross x
 };
 constexpr std::string_view name_of(CoordinateChoice choice) {
   switch (choice) {
     case CoordinateChoice::kAuto: return "auto";
     case CoordinateChoice::kAngle: return "angle";
     case CoordinateChoice::kDisplacement: return "displacement";
+    case CoordinateChoice::kDisplacementX: return "displacement_x";
+    case CoordinateChoice::kDisplacementY: return "displacement_y";
   }
   return {};
 }
+// Those of a type of joint; none has kAuto.
+std::vector<CoordinateChoice> coordinates_of(JointType type);
+bool has_coordinate(JointType type, CoordinateChoice coordinate);
+// For messages: "angle", "displacement_x" or "displacement_y"
+std::string coordinate_names(JointType type);
 
 // Elastic ends with dissipation: those of a strut, on a joint's coordinate.
 struct JointStopsSpec {
@@ -141,17 +152,18 @@ struct JointSpec {
   // (a: a point of the plane), and rolling (likewise; b: the centre of the wheel) only; else the gap is checked.
   Eigen::Vector3d point_a = Eigen::Vector3d::Zero();
   Eigen::Vector3d point_b = Eigen::Vector3d::Zero();
-  // unit vector; revolute, prismatic, cylindrical, prescribed; universal: axis
+  // unit vector; revolute, prismatic, cylindrical, planar, prescribed; universal: axis
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   // fixed in a; point_on_plane, rolling: normal of the plane, fixed in a
-  // universal: axis fixed in b, perpendicular to `axis`; prescribed: x axis; rolling: axis of a disc, fixed in b (not
-  // given: a sphere)
+  // universal: axis fixed in b, perpendicular to `axis`; prescribed, planar: x axis; rolling: axis of a disc, fixed in b
+  // (not given: a sphere)
   Eigen::Vector3d axis2 = Eigen::Vector3d::UnitX();
-  std::optional<double> length;                // distance [m]; not given: that of the points
-  std::optional<double> radius;                // rolling [m] > 0
-  std::optional<MotionSpec> motion;            // prescribed
-  std::optional<CoordinateSpec> angle;         // revolute, cylindrical
-  std::optional<CoordinateSpec> displacement;  // prismatic, cylindrical
+  std::optional<double> length;      // distance [m]; not given: that of the points
+  std::optional<double> radius;      // rolling [m] > 0
+  std::optional<MotionSpec> motion;  // prescribed
+  // What acts on its coordinates, where it has them.
+  std::optional<CoordinateSpec> angle, displacement, displacement_x, displacement_y;
+  const std::optional<CoordinateSpec>& acting_on(CoordinateChoice coordinate) const;  // none on kAuto
 };
 
 }  // namespace footfall

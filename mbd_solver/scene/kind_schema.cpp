@@ -6,7 +6,8 @@
 namespace footfall {
 namespace {
 
-Json keys_of_joint(const JointTraits& traits) {
+Json keys_of_joint(JointType type) {
+  const JointTraits traits = traits_of(type);
   Json required = Json::array(), optional = Json::array();
   const auto add = [&](const char* key, KeyUse use) {
     if (use == KeyUse::kRequired) required.push_back(key);
@@ -17,8 +18,7 @@ Json keys_of_joint(const JointTraits& traits) {
   add("length", traits.length);
   add("radius", traits.radius);
   add("motion", traits.motion);
-  add("angle", traits.turns ? KeyUse::kOptional : KeyUse::kUnused);
-  add("displacement", traits.slides ? KeyUse::kOptional : KeyUse::kUnused);
+  for (const CoordinateChoice coordinate : coordinates_of(type)) optional.push_back(name_of(coordinate));
   return {{"required", required}, {"optional", optional}};
 }
 
@@ -35,7 +35,7 @@ Json every_kind() {
 
 Json kind_schema() {
   Json joints = Json::object();
-  for (const JointType type : every<JointType>()) joints[std::string(name_of(type))] = keys_of_joint(traits_of(type));
+  for (const JointType type : every<JointType>()) joints[std::string(name_of(type))] = keys_of_joint(type);
   return {{"joints", joints},
           {"springs", every_kind<SpringKind>()},
           {"drives", every_kind<MotorKind>()},

@@ -11,6 +11,7 @@
 #include "mbd_solver/model/controllers/fuzzy_controller.h"
 #include "mbd_solver/model/controllers/pid_controller.h"
 #include "mbd_solver/model/controllers/skyhook_controller.h"
+#include "mbd_solver/scene/joint_spec.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
@@ -27,9 +28,10 @@ struct BodyVelocitySpec {
 // A coordinate of a joint at the start, instead of the drawing's zero.
 struct InitialJointSpec {
   Source source;
-  std::string name;                    // of the joint
-  std::optional<double> angle;         // [rad]
-  std::optional<double> displacement;  // [m]
+  std::string name;                                                       // of the joint
+  std::optional<double> angle;                                            // [rad]
+  std::optional<double> displacement, displacement_x, displacement_y;     // [m]
+  const std::optional<double>& value(CoordinateChoice coordinate) const;  // none of kAuto
 };
 
 // Places the drawing D in W: turned about the total mass centre by R_WD = Rz(yaw) Ry(pitch) Rx(roll), moved by

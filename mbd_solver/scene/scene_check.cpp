@@ -27,15 +27,15 @@ CoordinateChoice Scene::coordinate_of(const DriveSpec& drive) const {
 
 CoordinateChoice Scene::coordinate_of(const GearSpec& gear, std::size_t index) const {
   if (index < gear.coordinates.size())
-    for (const CoordinateChoice choice : {CoordinateChoice::kAngle, CoordinateChoice::kDisplacement})
-      if (gear.coordinates[index] == name_of(choice)) return choice;
+    for (const CoordinateChoice choice : every<CoordinateChoice>())
+      if (choice != CoordinateChoice::kAuto && gear.coordinates[index] == name_of(choice)) return choice;
   return only_coordinate(gear.joints[index]);
 }
 
 CoordinateChoice Scene::only_coordinate(const std::string& joint) const {
-  const JointTraits traits = traits_of(joints[static_cast<std::size_t>(joint_index(joint))].type);
-  FOOTFALL_DEMAND(traits.turns != traits.slides);
-  return traits.turns ? CoordinateChoice::kAngle : CoordinateChoice::kDisplacement;
+  const std::vector<CoordinateChoice> has = coordinates_of(joints[static_cast<std::size_t>(joint_index(joint))].type);
+  FOOTFALL_DEMAND(has.size() == 1);
+  return has.front();
 }
 
 const MaterialSpec& Scene::material(const std::string& name) const {

@@ -161,11 +161,10 @@ CheckedCase four_bar_case(int cells, double t_end) {
              " s. When the posts lie flat it could change its branch, and its conditions lose rank.";
   out.compared = "Energy with rows every 10 ms and every 33 ms, relative to the weight of all rods times 1 m.";
   out.source = "The energy; the benchmark asks for less than 0.1 J at N = 2 over 10 s.";
-  if (cells <= 2) out.tolerances = {1e-4, 1e-6, 1e-8};
-  if (cells > 2) out.tolerances = {1e-4, 1e-6};
-  if (cells > 6) out.tolerances = {1e-6};
+  out.tolerances = {1e-4, 1e-6, 1e-7, 1e-8};
+  if (cells > 2) out.tolerances = {1e-4, 1e-6, 1e-8};
+  if (cells > 6) out.tolerances = {1e-6, 1e-7};
   out.in_short = false;
-  out.why = "With IDA tighter tolerances may lose more energy where the posts lie flat, 3.6 J at N = 2 and 1e-7.";
   const double scale = 9.81 * (2 * cells + 1);
   out.run = [=](const std::string& kind, double rtol) {
     Outcome worst;
@@ -187,8 +186,6 @@ CheckedCase singular_case(Family family, unsigned seed, const std::string& name,
   out.compared = "All bodies after 0.5 s, relative to the size of the motion; energy at every 0.01 s.";
   out.source = "Own run of the one-step method at rtol 1e-8.";
   out.tolerances = {1e-4, 1e-5, 1e-6, 1e-7};
-  out.why = "IDA is nearer to a branch of its own at some tolerances.";
-  out.held_ida = HUGE_VAL;
   out.in_short = false;
   out.run = against_own_run([=] { return build(random_mechanism(family, seed)); }, 0.01, 0.5, "one_step", 1e-8);
   return out;
@@ -268,6 +265,7 @@ std::vector<CheckedCase> checked_cases() {
                     "position in which all plates lie flat."));
   out.push_back(singular_case(Family::kParallelogram, 21, "Three parallelograms through their flat position",
                               "A row as the N-four-bar, of random measures, with a strut, as its posts lie down."));
+  out.back().why = "At tighter tolerances the steps of IDA shrink into the position (docs/theory.md, 2.4).";
   out.push_back(spin_up_case());
   out.push_back(rotor_case());
   return out;

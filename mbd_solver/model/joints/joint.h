@@ -35,7 +35,7 @@ Joint universal_joint(std::string name, Marker m1, Marker m2);
 Joint revolute_joint(std::string name, Marker m1, Marker m2);     // 5: turns about z
 Joint prismatic_joint(std::string name, Marker m1, Marker m2);    // 5: slides along z, attitudes coincide
 Joint cylindrical_joint(std::string name, Marker m1, Marker m2);  // 4: turns about and slides along z
-Joint planar_joint(std::string name, Marker m1, Marker m2);       // 3: slides across z and turns about it
+Joint planar_joint(std::string name, Marker m1, Marker m2);       // 3: slides along x1 and y1, turns about z
 // 4: points coincide; z1 and z2 may bend against each other, and turn at the same speed about themselves
 Joint constant_velocity_joint(std::string name, Marker m1, Marker m2);
 // No condition: a rotor that turns with a coordinate of a joint.

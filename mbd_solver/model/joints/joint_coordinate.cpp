@@ -9,7 +9,7 @@ namespace footfall {
 JointCoordinate::JointCoordinate(Coordinate kind, const PairMotion& pair, const Marker& m1, const Marker& m2)
     : angle_(kind == Coordinate::kAngle) {
   if (!angle_) {
-    a_ = KinematicVector::axis(pair, 0, m1, 2);
+    a_ = KinematicVector::axis(pair, 0, m1, axis_of(kind));
     b_ = KinematicVector::difference(pair, m1, m2);
     q_ = a_.value().dot(b_.value());
     dq_ = dot_rate(a_, b_);

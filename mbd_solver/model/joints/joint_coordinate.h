@@ -2,16 +2,42 @@
 // A coordinate q of a joint: body 2 against body 1, with the derivatives that forces, rotors and histories need.
 //   angle about z1:         q = atan2(s, c),  s = y1.x2,  c = x1.x2,  q' = (c s' - s c') / rho,  rho = s^2 + c^2
 //                           q'' = (c s'' - s c'') / rho - q' rho' / rho
-//   displacement along z1:  q = z1.(p2 - p1)
+//   displacement along e:   q = e.(p2 - p1),  e = z1, x1 or y1, which turns with body 1
 // An angle is in (-pi, pi]; who needs whole turns counts them. theory 2.1.
 
 #include <Eigen/Dense>
+#include <string_view>
 
+#include "coupler/base/kinds.h"
 #include "mbd_solver/model/kinematic_vector.h"
 
 namespace footfall {
 
-enum class Coordinate { kAngle, kDisplacement };  // [rad], [m]
+enum class Coordinate {
+  kAngle,          // about z1 [rad]
+  kDisplacement,   // along z1 [m]
+  kDisplacementX,  // along x1 [m]: of a planar joint, as the next
+  kDisplacementY   // along y1 [m]
+};
+constexpr std::string_view name_of(Coordinate coordinate) {
+  switch (coordinate) {
+    case Coordinate::kAngle: return "angle";
+    case Coordinate::kDisplacement: return "displacement";
+    case Coordinate::kDisplacementX: return "displacement_x";
+    case Coordinate::kDisplacementY: return "displacement_y";
+  }
+  return {};
+}
+// Which axis of marker 1 it turns about, or slides along: 0, 1, 2.
+constexpr int axis_of(Coordinate coordinate) {
+  switch (coordinate) {
+    case Coordinate::kDisplacementX: return 0;
+    case Coordinate::kDisplacementY: return 1;
+    case Coordinate::kAngle:
+    case Coordinate::kDisplacement: break;
+  }
+  return 2;
+}
 
 // Rows of a pair, sized once.
 struct CoordinateScratch {
@@ -36,7 +62,7 @@ class JointCoordinate {
 
  private:
   bool angle_;
-  KinematicVector a_, b_;  // y1, x2; z1, p2 - p1
+  KinematicVector a_, b_;  // y1, x2; e, p2 - p1
   KinematicVector x1_;     // angle
   double s_ = 0.0, c_ = 0.0, ds_ = 0.0, dc_ = 0.0, rho_ = 1.0, drho_ = 0.0;
   double q_, dq_, ddq_;

@@ -104,6 +104,21 @@ TEST(Gears, HaveTheDerivativesOfTheirResidualAndDoNoWork) {
   expect_energy_balance(mechanism);
 }
 
+TEST(PlanarJoints, HaveLawsDrivesAndGearsOnTheirThreeCoordinates) {
+  const Mechanism mechanism = build(test::planar_scene());
+  ASSERT_EQ(mechanism.coordinates.size(), 3u);
+  EXPECT_EQ(mechanism.coordinates[1].coordinate, Coordinate::kDisplacementX);
+  EXPECT_EQ(mechanism.drives[0].coordinate, Coordinate::kDisplacementY);
+  // x lies as drawn, across the axis.
+  const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 3).normalized(), x(1, -1, 0.2);
+  const Eigen::Vector3d drawn = mechanism.placement.R_WD * (x - x.dot(axis) * axis).normalized();
+  const Joint& table = mechanism.model.joint(0);
+  const BodyState& a = mechanism.model.initial(0);
+  EXPECT_LT((rotation_matrix(a.L) * table.m1.axes.col(0) - drawn).norm(), 1e-12);
+  expect_derivatives(mechanism);
+  EXPECT_GT(expect_energy_balance(mechanism), kActs);
+}
+
 // The tests of tests/unit/dynamics take their joints, between flexible bodies too, from one list.
 TEST(JointSpecimens, AreOneOfEachType) {
   test::Random random(1);

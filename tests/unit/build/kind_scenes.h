@@ -180,6 +180,22 @@ inline std::string drive_scene(const std::string& kind) {
          "[[drives]]\nname = \"motor\"\njoint = \"hinge\"\ngear_ratio = 3\nrotor_inertia = 0.01\nkind = \"" +
          kind + "\"\n" + keys_of_kind(kDriveKeys, kind) + "\n";
 }
+// Laws, a drive and a gear on the three coordinates of a planar joint.
+inline std::string planar_scene() {
+  const std::string law =
+      "stops = { min = -0.05, max = 0.05, stiffness = 100, dissipation = 0.5, toe = 0.1 }\n"
+      "friction = { coulomb = 0.05, breakaway = 0.08, stribeck_speed = 0.5, viscous = 0.1, stick_displacement = 0.1 }\n"
+      "spring = { stiffness = 5, damping = 0.1, rest = 0.1 }\n";
+  return kTwoBodies +
+         "[[joints]]\nname = \"table\"\ntype = \"planar\"\nbodies = [\"a\", \"b\"]\npoint = [0.5, 0.1, 0]\n"
+         "axis = [1, 2, 3]\naxis2 = [1, -1, 0.2]\n[joints.angle]\n" +
+         law + "[joints.displacement_x]\n" + law + "[joints.displacement_y]\n" + law +
+         "[[drives]]\nname = \"motor\"\njoint = \"table\"\ncoordinate = \"displacement_y\"\ngear_ratio = 3\n"
+         "rotor_inertia = 0.01\nkind = \"position\"\n" +
+         keys_of_kind(kDriveKeys, "position") +
+         "\n[[gears]]\nname = \"rack\"\njoints = [\"table\", \"table\"]\n"
+         "coordinates = [\"displacement_x\", \"angle\"]\nfactors = [1, -0.3]\n";
+}
 inline std::string gear_scene() { return kTwoBodies + kGears; }
 inline std::string controller_scene(const std::string& kind) {
   return kTwoBodies + "[[controllers]]\nname = \"c\"\nbody = \"a\"\nkind = \"" + kind + "\"\n" +

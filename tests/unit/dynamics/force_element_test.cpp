@@ -44,14 +44,14 @@ TEST_P(ForceElementEnergy, WhatIsTakenIsStoredOrDissipated) {
   elements.erase(std::remove_if(elements.begin(), elements.end(),
                                 [](const auto& element) {
                                   const std::string kind = element->name().substr(0, element->name().find('_'));
-                                  return kind == "strut" || kind == "angle" || kind == "displacement";
+                                  return kind == "strut" || kind == "coordinate";
                                 }),
                  elements.end());
-  for (const Coordinate coordinate : {Coordinate::kAngle, Coordinate::kDisplacement}) {
+  for (const Coordinate coordinate : every<Coordinate>()) {
     std::vector<std::unique_ptr<StrutLaw>> spring;
     spring.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{50.0, 4.0, 0.1, 2.0}));
     elements.push_back(std::make_unique<JointForce>(
-        coordinate == Coordinate::kAngle ? "turn" : "slide", test::random_marker(random, model, GetParam().first),
+        std::string(name_of(coordinate)), test::random_marker(random, model, GetParam().first),
         test::random_marker(random, model, GetParam().second), coordinate, std::move(spring)));
   }
   std::vector<std::unique_ptr<StrutLaw>> laws;

@@ -21,19 +21,24 @@ namespace {
 constexpr double kWheelInertia = 0.1;          // of the wheel about its axis [kg m2]; mass of the slider in kg
 constexpr double kCoordinateTolerance = 1e-7;  // rtol of the runs is 1e-10, over some hundred steps
 
-// A body on the ground that turns about, or slides along, z.
+// A body on the ground that turns about, or slides along, z; or slides along x or y of a planar joint.
 struct Axle {
   explicit Axle(Coordinate coordinate = Coordinate::kAngle, double rate = 0.0,
                 const Eigen::Vector3d& gravity = {0, 0, 0})
       : model(gravity), kind(coordinate) {
     BodyState initial;
-    (kind == Coordinate::kAngle ? initial.w : initial.dr).z() = rate;
+    (kind == Coordinate::kAngle ? initial.w : initial.dr)(axis_of(kind)) = rate;
     model.add_body(
         Body("body", kWheelInertia, Eigen::Vector3d(kWheelInertia, kWheelInertia, kWheelInertia).asDiagonal()),
         initial);
     const Marker m1 = ground_marker(Eigen::Vector3d::Zero()),
                  m2 = body_marker(0, model.body(0), Eigen::Vector3d::Zero());
-    model.add_joint(kind == Coordinate::kAngle ? revolute_joint("axle", m1, m2) : prismatic_joint("axle", m1, m2));
+    switch (kind) {
+      case Coordinate::kAngle: model.add_joint(revolute_joint("axle", m1, m2)); break;
+      case Coordinate::kDisplacement: model.add_joint(prismatic_joint("axle", m1, m2)); break;
+      case Coordinate::kDisplacementX:
+      case Coordinate::kDisplacementY: model.add_joint(planar_joint("axle", m1, m2)); break;
+    }
   }
   void add(std::unique_ptr<StrutLaw> law) {
     std::vector<std::unique_ptr<StrutLaw>> laws;
@@ -49,7 +54,7 @@ struct Axle {
 };
 
 double rate(test::Run& run, Coordinate kind) {
-  return kind == Coordinate::kAngle ? run.body(0).w.z() : run.body(0).dr.z();
+  return (kind == Coordinate::kAngle ? run.body(0).w : run.body(0).dr)(axis_of(kind));
 }
 
 JointForceSample sample(test::Run& run, const Model& model, int force = 0) {
@@ -65,10 +70,10 @@ MotorParameters motor(MotorKind kind, TimeFunctionPtr command) {
   return p;
 }
 
-class Both : public ::testing::TestWithParam<Coordinate> {};
+class EveryCoordinate : public ::testing::TestWithParam<Coordinate> {};
 
 // A torque tau on an axle with a rotor behind a gear: (I + J g^2) q'' = g tau.
-TEST_P(Both, RotorAddsItsInertiaBehindTheGear) {
+TEST_P(EveryCoordinate, RotorAddsItsInertiaBehindTheGear) {
   const double g = 20.0, J = 1e-3, tau = 0.05, t = 3.0;
   Axle axle(GetParam());
   MotorParameters p = motor(MotorKind::kTorque, polynomial({tau}));
@@ -88,7 +93,7 @@ TEST_P(Both, RotorAddsItsInertiaBehindTheGear) {
 }
 
 // Torque falls from tau_0 at rest to 0 at omega_0: w = w_0 (1 - exp(-t tau_0 / (I w_0))).
-TEST_P(Both, MotorSpeedsUpToItsNoLoadSpeed) {
+TEST_P(EveryCoordinate, MotorSpeedsUpToItsNoLoadSpeed) {
   const double tau_0 = 0.4, omega_0 = 8.0, t = 2.5;
   Axle axle(GetParam());
   MotorParameters p = motor(MotorKind::kTorque, polynomial({10.0}));
@@ -105,7 +110,7 @@ TEST_P(Both, MotorSpeedsUpToItsNoLoadSpeed) {
 
 // The whole motor: its rotor behind the gear, and a torque that falls with the motor's speed. It speeds up to omega_0 / g,
 // (I + J g^2) w' = g tau_0 (1 - g w / omega_0), and gives less the faster it is.
-TEST_P(Both, MotorWithRotorAndLimitsSpinsUp) {
+TEST_P(EveryCoordinate, MotorWithRotorAndLimitsSpinsUp) {
   const double tau_0 = 0.03, omega_0 = 60.0, g = 5.0, J = 2e-3, t = 1.5;
   Axle axle(GetParam());
   MotorParameters p = motor(MotorKind::kTorque, polynomial({10.0}));
@@ -129,7 +134,7 @@ TEST_P(Both, MotorWithRotorAndLimitsSpinsUp) {
 }
 
 // I q'' = -kp q - kd q' towards a command of 0.3, from rest: the damped oscillator.
-TEST_P(Both, MotorHoldsAPosition) {
+TEST_P(EveryCoordinate, MotorHoldsAPosition) {
   const double kp = 4.0, kd = 0.3, c = 0.3, t = 0.7;
   Axle axle(GetParam());
   MotorParameters p = motor(MotorKind::kPosition, polynomial({c}));
@@ -145,7 +150,7 @@ TEST_P(Both, MotorHoldsAPosition) {
 }
 
 // Under a load a proportional motor stays short; the integral takes the rest away.
-TEST_P(Both, IntegralTakesTheErrorAway) {
+TEST_P(EveryCoordinate, IntegralTakesTheErrorAway) {
   Axle axle(GetParam());
   MotorParameters load = motor(MotorKind::kTorque, polynomial({-0.7})),
                   p = motor(MotorKind::kPosition, polynomial({2.0}));
@@ -162,7 +167,7 @@ TEST_P(Both, IntegralTakesTheErrorAway) {
 
 // A far command with a small motor, against drag: 6 s at full torque. An integral that grew all the way, to 9 rad s,
 // would carry it over the command by more than its length; with anti-windup it holds what the limit leaves it.
-TEST_P(Both, LimitedMotorDoesNotWindUp) {
+TEST_P(EveryCoordinate, LimitedMotorDoesNotWindUp) {
   Axle axle(GetParam());
   MotorParameters p = motor(MotorKind::kPosition, polynomial({3.0}));
   p.kp = 4.0;
@@ -182,7 +187,7 @@ TEST_P(Both, LimitedMotorDoesNotWindUp) {
   EXPECT_LT(largest, 3.0 * 1.1);
 }
 
-TEST_P(Both, GearLosesItsShare) {
+TEST_P(EveryCoordinate, GearLosesItsShare) {
   const double eta = 0.8, tau = 0.3, g = 5.0, t = 2.0;
   Axle axle(GetParam());
   MotorParameters p = motor(MotorKind::kTorque, polynomial({tau}));
@@ -199,7 +204,7 @@ TEST_P(Both, GearLosesItsShare) {
 }
 
 // Sliding friction stops the axle after w I / F_c, and then it stays.
-TEST_P(Both, FrictionStopsAndHolds) {
+TEST_P(EveryCoordinate, FrictionStopsAndHolds) {
   const double F = 0.2, w = 3.0;
   Axle axle(GetParam(), w);
   JointFrictionParameters p;
@@ -217,7 +222,7 @@ TEST_P(Both, FrictionStopsAndHolds) {
 }
 
 // Below what it holds it does not creep: less than 1e-9 rad or m in 20 s under 60 % of F_c, also when the load wavers.
-TEST_P(Both, FrictionSticksWithoutCreeping) {
+TEST_P(EveryCoordinate, FrictionSticksWithoutCreeping) {
   const double F = 0.2;
   Axle axle(GetParam());
   JointFrictionParameters p;
@@ -232,7 +237,7 @@ TEST_P(Both, FrictionSticksWithoutCreeping) {
   EXPECT_LT(std::abs(rate(run, GetParam())), 1e-3);
 }
 
-TEST_P(Both, FrictionLetsGoAboveBreakaway) {
+TEST_P(EveryCoordinate, FrictionLetsGoAboveBreakaway) {
   const double F = 0.2, load = 0.35, t = 2.0;
   Axle axle(GetParam());
   JointFrictionParameters p;
@@ -248,7 +253,7 @@ TEST_P(Both, FrictionLetsGoAboveBreakaway) {
 }
 
 // Against a stop without loss the axle comes back as fast as it came.
-TEST_P(Both, StopTurnsItBack) {
+TEST_P(EveryCoordinate, StopTurnsItBack) {
   Axle axle(GetParam(), 2.0);
   EndStopParameters p;
   p.smallest_stroke = -0.5;
@@ -264,12 +269,9 @@ TEST_P(Both, StopTurnsItBack) {
   EXPECT_NEAR(run.imbalance(), 0.0, 1e-5);
 }
 
-std::string name_of_test(const ::testing::TestParamInfo<Coordinate>& info) {
-  return info.param == Coordinate::kAngle ? "angle" : "displacement";
-}
+std::string name_of_test(const ::testing::TestParamInfo<Coordinate>& info) { return std::string(name_of(info.param)); }
 
-INSTANTIATE_TEST_SUITE_P(Coordinates, Both, ::testing::Values(Coordinate::kAngle, Coordinate::kDisplacement),
-                         name_of_test);
+INSTANTIATE_TEST_SUITE_P(Coordinates, EveryCoordinate, ::testing::ValuesIn(every<Coordinate>()), name_of_test);
 
 // 12 rad/s against 0.4 N m/rad: 6 sin(2 t) rad, twice beyond half a turn.
 TEST(JointForce, SpringGoesOnOverTurns) {

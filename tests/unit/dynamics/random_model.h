@@ -252,9 +252,9 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
     law.push_back(std::make_unique<CoupledLaw>());
     return law;
   };
-  out.push_back(std::make_unique<JointForce>("angle" + tail, m(body_1), m(body_2), Coordinate::kAngle, coupled()));
-  out.push_back(
-      std::make_unique<JointForce>("displacement" + tail, m(body_1), m(body_2), Coordinate::kDisplacement, coupled()));
+  for (const Coordinate coordinate : {Coordinate::kAngle, Coordinate::kDisplacement})
+    out.push_back(std::make_unique<JointForce>("coordinate_" + std::string(name_of(coordinate)) + tail, m(body_1),
+                                               m(body_2), coordinate, coupled()));
   const int standing = body_1 == kGround ? body_2 : body_1;
   out.push_back(std::make_unique<AppliedForce>("turning" + tail, m(standing), std::nullopt, polynomial({3.0, 1.0}),
                                                polynomial({2.0, -1.0})));
@@ -271,21 +271,29 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
   out.push_back(std::make_unique<RigidPlane>(
       "plane" + tail, std::vector<ContactPoint>{{m(standing), 0.0}, {m(standing), 0.25}, {m(standing), 0.1}}, plane));
   out.push_back(surface_contact(model, "surface" + tail, body_1, body_2, plane));
+  Random apart(static_cast<unsigned>(100 + 10 * body_1 + body_2));  // what comes after keeps its numbers
+  for (const Coordinate coordinate : {Coordinate::kDisplacementX, Coordinate::kDisplacementY})
+    out.push_back(std::make_unique<JointForce>("coordinate_" + std::string(name_of(coordinate)) + tail,
+                                               random_marker(apart, model, body_1), random_marker(apart, model, body_2),
+                                               coordinate, coupled()));
   return out;
 }
 
 // Everything at once: each kind of joint and element rigid-rigid, rigid-flexible, flexible-flexible, and to
 // the ground.
-inline Model everything(Random& random) {  // rotors of both coordinates, rolling spheres, gears, too
+inline Model everything(Random& random) {  // rotors of every coordinate, rolling spheres, gears, too
   Model model = random_bodies(random);
   const int pairs[5][2] = {{0, 1}, {1, 3}, {0, 2}, {kGround, 1}, {2, kGround}};
   for (const auto& pair : pairs) {
     for (Joint& joint : all_joints(random, model, pair[0], pair[1])) model.add_joint(std::move(joint));
     for (std::unique_ptr<ForceElement>& force : all_forces(random, model, pair[0], pair[1]))
       model.add_force(std::move(force));
-    for (const Coordinate coordinate : {Coordinate::kAngle, Coordinate::kDisplacement})
-      model.add_joint(rotor("rotor_" + std::to_string(model.joint_count()), random_marker(random, model, pair[0]),
-                            random_marker(random, model, pair[1]), coordinate, 0.7));
+    Random apart(static_cast<unsigned>(200 + 10 * pair[0] + pair[1]));
+    for (const Coordinate coordinate : every<Coordinate>()) {
+      Random& from = axis_of(coordinate) == 2 ? random : apart;
+      model.add_joint(rotor("rotor_" + std::to_string(model.joint_count()), random_marker(from, model, pair[0]),
+                            random_marker(from, model, pair[1]), coordinate, 0.7));
+    }
     model.add_joint(rolling_joint("sphere_" + std::to_string(model.joint_count()),
                                   random_marker(random, model, pair[0]), random_marker(random, model, pair[1]), 0.6,
                                   false));

@@ -66,13 +66,16 @@ std::map<std::string, std::pair<std::string, std::string>> documented() {
   return lines;
 }
 
-// Gears hold bodies; they stand in a scene of their own: a pinion and a rack, first by the one and then by the other.
-std::vector<Column> columns_of_gears() {
+// Gears hold bodies; they stand in a scene of their own: a pinion and a rack, first by the one and then by the other. So does
+// a planar joint, which has coordinates that no other joint has.
+std::vector<Column> columns_of_more_joints() {
   const Scene scene = SceneText().read(R"(end_time = 1.0
 bodies = [{ name = "pinion", mass = 1, inertia = [1, 1, 1], position = [0, 0, 0] },
-          { name = "rack", mass = 1, inertia = [1, 1, 1], position = [0, 1, 0] }]
+          { name = "rack", mass = 1, inertia = [1, 1, 1], position = [0, 1, 0] },
+          { name = "puck", mass = 1, inertia = [1, 1, 1], position = [0, 2, 0] }]
 joints = [{ name = "axle", type = "revolute", bodies = ["ground", "pinion"], point = [0, 0, 0], axis = "z" },
-          { name = "guide", type = "prismatic", bodies = ["ground", "rack"], point = [0, 1, 0], axis = "x" }]
+          { name = "guide", type = "prismatic", bodies = ["ground", "rack"], point = [0, 1, 0], axis = "x" },
+          { name = "table", type = "planar", bodies = ["ground", "puck"], point = [0, 2, 0], axis = "z" }]
 gears = [{ name = "mesh", joints = ["axle", "guide"], factors = [1, -2] },
          { name = "again", joints = ["guide", "axle"], factors = [2, -1] }]
 )");
@@ -81,10 +84,10 @@ gears = [{ name = "mesh", joints = ["axle", "guide"], factors = [1, -2] },
   const Subject subject{scene, mechanism, layout, nullptr};
   const FlexibleBodies flexible(subject);
   const JointFigures joints(subject);
-  std::vector<Column> gears;
+  std::vector<Column> more;
   for (const Column& column : history_columns(subject, flexible, joints))
-    if (column.pattern.rfind("<gear>", 0) == 0) gears.push_back(column);
-  return gears;
+    if (column.pattern.rfind("<gear>", 0) == 0 || column.pattern.rfind("<joint>", 0) == 0) more.push_back(column);
+  return more;
 }
 
 TEST_F(HistoryColumns, HaveANameOfTheirOwnAUnitAndAFiniteValue) {
@@ -107,7 +110,7 @@ TEST_F(HistoryColumns, OfASceneWithEverythingAreTheWholeRegistry) {
     registry[entry.pattern] = entry.unit;
   }
   for (const Column& column : columns) seen[column.pattern] = column.unit;
-  for (const Column& column : columns_of_gears()) seen[column.pattern] = column.unit;
+  for (const Column& column : columns_of_more_joints()) seen[column.pattern] = column.unit;
   EXPECT_EQ(registry, seen);
 }
 

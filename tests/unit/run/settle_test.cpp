@@ -7,6 +7,7 @@
 #include <cmath>
 #include <csignal>
 
+#include "coupler/base/pi.h"
 #include "mbd_solver/run/simulation.h"
 #include "tests/unit/run/never.h"
 #include "tests/unit/scene/scene_text.h"
@@ -50,6 +51,58 @@ std::string rail(const std::string& name, const std::string& a, const std::strin
 }
 
 const std::string kHead = "end_time = 0.5\ngravity = [0, 0, -9.81]\n[initial]\nsettle = true\n";
+
+// A flexible beam on the three springs of a planar joint, across the weight and turned by a torque: however it bends, each
+// spring bears what acts along it.
+TEST(Settle, FindsWhereThePlanarJointOfABeamBearsIt) {
+  const Scene scene = SceneText().read(R"(end_time = 0.01
+gravity = [3, -2, -9]
+[initial]
+settle = true
+[materials.al]
+density = 2700
+young = 7e10
+[[bodies]]
+name = "beam"
+material = "al"
+shape = { kind = "rod", from = [-0.3, 0, 0], to = [0.3, 0, 0], diameter = 0.01 }
+flexible = { modes = 4, elements = 6 }
+[[joints]]
+name = "table"
+type = "planar"
+bodies = ["ground", "beam"]
+point = [0, 0, 0]
+axis = "z"
+axis2 = [1, 1, 0.3]
+[joints.angle]
+spring = { stiffness = 2, damping = 0.02 }
+[joints.displacement_x]
+spring = { stiffness = 40, damping = 2 }
+[joints.displacement_y]
+spring = { stiffness = 60, damping = 2 }
+[[forces]]
+name = "twist"
+body = "beam"
+point = [0, 0, 0]
+direction = [0, 0, 1]
+torque = { polynomial = [0.7] }
+)");
+  Simulation simulation(scene, scene.end_time, nullptr);
+  Eigen::Vector3d q;
+  simulation.run(
+      [&](const Sample& sample) {
+        const Joint& table = simulation.mechanism().model.joint(0);
+        for (int i = 0; i < 3; ++i)
+          q[i] = JointCoordinate(simulation.mechanism().coordinates[static_cast<std::size_t>(i)].coordinate,
+                                 sample.kinematics.pair(table.m1.body, table.m2.body), table.m1, table.m2)
+                     .value();
+      },
+      test::kNever);
+  const double mass = 2700.0 * 0.6 * 0.25 * kPi * 1e-4, diagonal = std::sqrt(0.5);
+  EXPECT_NEAR(q[0], 0.7 / 2.0, 1e-5);
+  EXPECT_NEAR(q[1], mass * (3.0 - 2.0) * diagonal / 40.0, 1e-6);
+  EXPECT_NEAR(q[2], mass * (-3.0 - 2.0) * diagonal / 60.0, 1e-6);
+}
 
 // Two weights on two springs: each spring bears what hangs on it.
 TEST(Settle, FindsWhereSpringsBearTheirWeights) {
@@ -129,6 +182,44 @@ TEST(InitialJoints, MoveAClosedLoop) {
     EXPECT_NEAR((ends.first[2].x() - D.x()) * 2.0, C.x() - D.x(), tolerance);  // half way from D to C
     EXPECT_LT(ends.speed, tolerance);
   }
+}
+
+// All coordinates of a joint that has several.
+TEST(InitialJoints, MoveEveryCoordinateOfAJoint) {
+  const Scene scene = SceneText().read("end_time = 0.001\ngravity = [0, 0, 0]\n" + body("puck", 1.0, 0, 0) +
+                                       body("drill", 1.0, 1, 0) + R"([[joints]]
+name = "table"
+type = "planar"
+bodies = ["ground", "puck"]
+point = [0, 0, 0]
+axis = "z"
+axis2 = [1, 1, 0]
+[[joints]]
+name = "guide"
+type = "cylindrical"
+bodies = ["ground", "drill"]
+point = [1, 0, 0]
+axis = "z"
+[initial.joints.table]
+angle = 0.5
+displacement_x = 0.02
+displacement_y = -0.01
+[initial.joints.guide]
+angle = -0.7
+displacement = 0.03
+)");
+  Simulation simulation(scene, scene.end_time, nullptr);
+  const Ends ends = ends_of(scene);
+  const double diagonal = std::sqrt(0.5), tolerance = 1e-9;  // of the closing [m]
+  EXPECT_LT((ends.first[0] - diagonal * Eigen::Vector3d(0.02 + 0.01, 0.02 - 0.01, 0.0)).norm(), tolerance);
+  EXPECT_LT((ends.first[1] - Eigen::Vector3d(1.0, 0.0, 0.03)).norm(), tolerance);
+  simulation.run(
+      [&](const Sample& sample) {
+        const Eigen::Matrix3d A = sample.kinematics.of(0).A, B = sample.kinematics.of(1).A;
+        EXPECT_NEAR(std::atan2(A(1, 0), A(0, 0)), 0.5, tolerance);
+        EXPECT_NEAR(std::atan2(B(1, 0), B(0, 0)), -0.7, tolerance);
+      },
+      test::kNever);
 }
 
 // Bodies of aluminium: a crank up from A = (0, 0), a thin coupler that bends, a rocker up from D = (0.4, 0).

@@ -1,0 +1,60 @@
+// The coordinates that joints of a scene leave free, and what acts on them.
+#include <algorithm>
+
+#include "coupler/base/text.h"
+#include "mbd_solver/scene/run_spec.h"
+
+namespace footfall {
+namespace {
+
+template <class T, class Owner>
+const std::optional<T>& one_of(const Owner& owner, CoordinateChoice coordinate) {
+  static const std::optional<T> nothing;
+  switch (coordinate) {
+    case CoordinateChoice::kAuto: break;
+    case CoordinateChoice::kAngle: return owner.angle;
+    case CoordinateChoice::kDisplacement: return owner.displacement;
+    case CoordinateChoice::kDisplacementX: return owner.displacement_x;
+    case CoordinateChoice::kDisplacementY: return owner.displacement_y;
+  }
+  return nothing;
+}
+
+}  // namespace
+
+std::vector<CoordinateChoice> coordinates_of(JointType type) {
+  const JointTraits traits = traits_of(type);
+  std::vector<CoordinateChoice> out;
+  if (traits.turns) out.push_back(CoordinateChoice::kAngle);
+  if (traits.slides) out.push_back(CoordinateChoice::kDisplacement);
+  if (traits.slides_across) {
+    out.push_back(CoordinateChoice::kDisplacementX);
+    out.push_back(CoordinateChoice::kDisplacementY);
+  }
+  return out;
+}
+
+bool has_coordinate(JointType type, CoordinateChoice coordinate) {
+  const std::vector<CoordinateChoice> has = coordinates_of(type);
+  return std::find(has.begin(), has.end(), coordinate) != has.end();
+}
+
+std::string coordinate_names(JointType type) {
+  std::vector<std::string> names;
+  for (const CoordinateChoice coordinate : coordinates_of(type))
+    names.push_back("\"" + std::string(name_of(coordinate)) + "\"");
+  if (names.size() < 2) return joined(names);
+  const std::string last = names.back();
+  names.pop_back();
+  return joined(names) + " or " + last;
+}
+
+const std::optional<CoordinateSpec>& JointSpec::acting_on(CoordinateChoice coordinate) const {
+  return one_of<CoordinateSpec>(*this, coordinate);
+}
+
+const std::optional<double>& InitialJointSpec::value(CoordinateChoice coordinate) const {
+  return one_of<double>(*this, coordinate);
+}
+
+}  // namespace footfall
