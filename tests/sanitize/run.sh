@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # run.sh [LABEL...]: the tests of these labels (default: unit bad_input physics mpi) in a build of its own (build-sanitize) with the address and undefined-behaviour
-# sanitizers of g++. Every finding ends its test. Without labels also the tests that have threads under the thread sanitizer (build-sanitize-thread), and a part of
-# the unit tests under valgrind, where it is installed, from the plain build.
+# sanitizers of clang++ (it compiles them in a third of the time; without it, of g++). Every finding ends its test. Without labels also the tests that have
+# threads under the thread sanitizer (build-sanitize-thread), and a part of the unit tests under valgrind, where it is installed, from the plain build.
 #   BUILD=FOLDER     the plain build (default build)
 #   BUILT=1          takes the tests as they are built; TARGETS: what is built (default all; tests that are not there are counted)
 #   LABELS           instead of the default, with valgrind
@@ -12,6 +12,8 @@ root=$(cd "$here/../.." && pwd)
 build=$root/build-sanitize plain=${BUILD:-$root/build}
 labels=("$@")
 ((${#labels[@]})) || labels=(${LABELS:-unit bad_input physics mpi})
+[[ -n ${CXX-} ]] || CXX=$(command -v clang++ || command -v g++)
+export CXX
 [[ -f $build/build.ninja ]] ||
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Sanitize -DCMAKE_CXX_FLAGS=-O1 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
     -DFOOTFALL_SANITIZE=address,undefined >"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
