@@ -37,14 +37,13 @@ class CollisionWatch {
  private:
   struct Surface {
     std::string name;
-    int body = kGround;                   // kGround: a wall
-    const ModalBoundary* boundary;        // null for a wall
-    std::vector<SurfaceModel> parts;      // triangles, and beams of each radius
-    std::vector<std::vector<int>> nodes;  // of the boundary, for each part
-    Eigen::Vector3d centre;               // of the sphere around it, in its frame [m]
-    double radius = 0.0;                  // [m]
-    double modal_reach = 0.0;             // largest |Phi| of a node [m per unit of a]
-    Eigen::VectorXd bent;                 // modal coordinates at which the parts stand
+    int body = kGround;               // kGround: a wall
+    const ModalBoundary* boundary;    // null for a wall
+    std::vector<SurfaceModel> parts;  // triangles, and beams of each radius
+    Eigen::Vector3d centre;           // of the sphere around it, in its frame [m]
+    double radius = 0.0;              // [m]
+    double modal_reach = 0.0;         // largest |Phi| of a node [m per unit of a]
+    Eigen::VectorXd bent;             // modal coordinates at which the parts stand
   };
   struct Place {
     FramePose pose;            // of the second in the frame of the first
