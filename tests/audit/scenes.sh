@@ -53,6 +53,10 @@ audit inputs/rigs/scenes/repose.toml --until 0.1 --set 'joints.draw.motion.x.pol
   --set 'bodies.gate.shape.size=[0.01,0.078,0.08]'
 audit inputs/rigs/scenes/sphere.toml --until 0.04 $(box [0.24,0.24] 0.12) --set bodies.ball.shape.radius=0.04
 audit inputs/rigs/scenes/rft.toml --until 0.1 $(box [0.42,0.1] 0.12)
+# Coarser grains; the tray has the depth of the bed.
+audit inputs/rigs/scenes/box.toml --until 0.01 --set particles.variables.radius_1=0.01 --set particles.bed.variables.radius_1=0.01 \
+  --set particles.bed.variables.radius_2=0.01
+audit inputs/laws/scenes/janssen.toml --until 0.01 --set particles.bed.variables.fill=0.05
 
 # Every scene with grains is there; the reference scene names every key and is run by its own test.
 while IFS= read -r file; do
