@@ -117,7 +117,6 @@ int trial_command(const RunArguments& given, double seconds) {
     memory = std::max(memory, memory_of_descendants());
     return stopped();
   });
-  const double took = wall_clock() - begun;
   if (end.interrupted) return kExitInterrupted;
   const fs::path summary_file = fs::path(plan.out) / "summary.json";
   const std::string errors = liggghts_errors(plan.log);
@@ -129,7 +128,10 @@ int trial_command(const RunArguments& given, double seconds) {
     return !errors.empty() || end.code == kExitBadInput ? kExitBadInput : kExitFailed;
   }
   with_summary_of(plan.out, [&] {
-    print_time(summary, scene.end_time, std::max(0.0, took - summary.at("wall_s").get<double>()), memory);
+    // How a trial ends is no part of a run.
+    const Json& trial = summary.at("trial");
+    const double started = trial.is_null() ? 0.0 : std::max(0.0, trial.at("begun").get<double>() - begun);
+    print_time(summary, scene.end_time, started, memory);
     if (summary.contains("particles")) print_coupling(summary);
     return 0;
   });

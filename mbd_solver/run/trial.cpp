@@ -20,6 +20,7 @@ void Trial::look(const Simulation& simulation, double time) {
 nlohmann::ordered_json Trial::marks() const {
   if (marks_.size() < 3) return nullptr;
   nlohmann::ordered_json json;
+  json["begun"] = marks_.front().wall;
   for (const Mark& mark : marks_) {
     json["time_s"].push_back(mark.time);
     json["wall_s"].push_back(mark.wall - marks_.front().wall);

@@ -19,7 +19,7 @@ class Trial {
   void look(const Simulation& simulation, double time);
   bool over() const { return over_; }
 
-  // For summary.json, each with the values at the three marks: time_s (simulated), wall_s, dem_wall_s (of LIGGGHTS), and
+  // For summary.json: begun, the clock (coupler/base/clock.h, one for all programs of a machine) at the first mark, and with values at the three marks: time_s (simulated), wall_s, dem_wall_s (of LIGGGHTS), and
   // steps and windows of the mechanism since the start. Null before there are three marks.
   nlohmann::ordered_json marks() const;
 
