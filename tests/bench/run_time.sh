@@ -7,7 +7,7 @@ set -eu
 footfall=$(realpath "$1")/bin/footfall; shift
 root=$(cd "$(dirname "$0")/../.." && pwd)
 scenes=("$@")
-(( $# )) || scenes=(inputs/landing_mr inputs/rigid_plane inputs/dropped_sphere examples/02_wheel examples/04_arm)
+(( $# )) || scenes=(inputs/landing_mr inputs/rigid_plane examples/02_wheel examples/04_arm examples/01_pendulum)
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 cd "$root"
 echo "| scene | foretold [s] | bounds [s] | took [s] | foretold / took |"
