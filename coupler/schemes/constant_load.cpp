@@ -22,7 +22,7 @@ MapState ConstantLoadScheme::window_map(double omega_h, int n, const MapState& z
   // What the mean has more of the end than the trapezoid: mean f = trapezoid + end_step (f(1) - f(0)).
   const double end_step = 0.5 * (weights().closing - weights().opening) / n;
   const double mean_tau = 0.5 + end_step, mean_tau2 = 1.0 / 3.0 + 1.0 / (6.0 * n * n) + end_step,
-               mean_g = 0.5 / (n * n) - end_step;
+               mean_g = 0.5 / (1.0 * n * n) - end_step;
   // A boundary that jumps does so after the force that opens the window.
   const double standing = continuous_path() ? mean_g : 0.5 / n;
   const double f = -K * (x + mean_tau * velocity + 0.5 * mean_tau2 * acceleration + standing * gap);
