@@ -94,9 +94,10 @@ void coordinate_derivatives(const ConstraintRow& row, MarkerVectors& vectors, do
     q.add_gradient(2.0 * curvature * q.rate(), acc_dv);
     if (lambda == 0.0) return;
     q.add_second(slope * lambda, scratch, K);
-    scratch.row.setZero();
-    q.add_gradient(1.0, scratch.row);
-    K.noalias() += (curvature * lambda) * scratch.row * scratch.row.transpose();
+    Eigen::Ref<Eigen::VectorXd> gradient = scratch.row.head(K.rows());  // the ground has no entries
+    gradient.setZero();
+    q.add_gradient(1.0, gradient);
+    K.noalias() += (curvature * lambda) * gradient * gradient.transpose();
     return;
   }
   if (row.inertia == 0.0) q.add_rate_by_position(row.scale, scratch, rate_dx);
