@@ -17,6 +17,7 @@
 #include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/launch/run_time.h"
+#include "mbd_solver/cli/launch/share_text.h"
 #include "mbd_solver/cli/run_plan.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
@@ -49,8 +50,6 @@ class TrialFolder {
   fs::path path_;
 };
 
-std::string percent(double share) { return number_text(100.0 * share, 2) + " %"; }
-
 void print_coupling(const Json& summary) {
   std::printf("  %ld grains, time step %g s, ", summary.at("particles").get<long>(),
               summary.at("dt_dem_s").get<double>());
@@ -69,7 +68,7 @@ void print_coupling(const Json& summary) {
     std::printf("  omega H: no body has touched grains so far\n");
   } else {
     std::printf("  omega H: up to %.2g so far (%s); overlaps up to %s of the radius\n", largest, body.c_str(),
-                percent(summary.at("max_overlap_over_radius").get<double>()).c_str());
+                share_text(summary.at("max_overlap_over_radius").get<double>()).c_str());
   }
 }
 
@@ -83,7 +82,8 @@ void print_time(const Json& summary, double t_end, double started, double memory
     std::printf("Run time: about %s (%s to %s) as busy as this machine is now; tried for %s, to t = %g of %g s\n",
                 duration_text(started + time.seconds).c_str(), duration_text(started + time.least).c_str(),
                 duration_text(started + time.most).c_str(), duration_text(wall).c_str(), reached, t_end);
-    if (summary.contains("particles")) std::printf("  %s of it for LIGGGHTS\n", percent(time.share_of_grains).c_str());
+    if (summary.contains("particles"))
+      std::printf("  %s of it for LIGGGHTS\n", share_text(time.share_of_grains).c_str());
   }
   std::printf("  memory: %.0f MB in all programs\n", memory / 1e6);
 }

@@ -2,7 +2,6 @@
 // or what neither program could know.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -14,13 +13,6 @@
 namespace footfall {
 
 namespace {
-
-std::optional<double> as_number(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (end == nullptr || *end != '\0' || end == text.c_str()) return std::nullopt;
-  return value;
-}
 
 std::string place(const ScriptCommand& command) { return command.file + ":" + std::to_string(command.line); }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -39,6 +40,13 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 }  // namespace
+
+std::optional<double> as_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == nullptr || *end != '\0' || end == text.c_str()) return std::nullopt;
+  return value;
+}
 
 ScriptText::ScriptText(const std::string& file, const std::map<std::string, std::string>& variables)
     : fixed_(variables) {

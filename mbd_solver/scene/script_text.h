@@ -3,6 +3,7 @@
 // variables that only LIGGGHTS can compute stay as ${name}.
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ struct ScriptCommand {
   std::vector<std::string> words;  // quoted words without their quotes
   bool conditional;                // stands in an `if`: LIGGGHTS alone knows whether it is executed
 };
+
+// The number that a word is, with nothing behind it.
+std::optional<double> as_number(const std::string& word);
 
 class ScriptText {
  public:

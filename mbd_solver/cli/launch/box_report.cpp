@@ -16,6 +16,7 @@
 #include "mbd_solver/cli/launch/bed_contacts.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/launch/share_text.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/clump_shape.h"
 
@@ -26,8 +27,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kLargeOverlap = 0.05;  // as that of which a run warns
-
-std::string share_text(double share) { return number_text(100.0 * share, 2) + " %"; }
 
 // Two digits are known: 1583 -> "1600".
 std::string round_count(double count) {

@@ -1,7 +1,6 @@
 #include "mbd_solver/cli/launch/script_report.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -11,19 +10,13 @@
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/launch/share_text.h"
 #include "mbd_solver/scene/grain_time_step.h"
 #include "mbd_solver/scene/script_text.h"
 
 namespace footfall {
 
 namespace {
-
-std::optional<double> plain_number(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (end == text.c_str() || *end != '\0') return std::nullopt;
-  return value;
-}
 
 // What the text of the scripts says; a command behind another one of its kind wins, as in LIGGGHTS.
 struct SaidOfGrains {
@@ -37,7 +30,7 @@ struct SaidOfGrains {
 void read_template(const std::vector<std::string>& words, SaidOfGrains& said) {
   for (std::size_t i = 4; i + 2 < words.size(); ++i) {
     if (words[i + 1] != "constant") continue;
-    const std::optional<double> value = plain_number(words[i + 2]);
+    const std::optional<double> value = as_number(words[i + 2]);
     if (!value || !(*value > 0.0)) continue;
     if (words[i] == "density") said.density = said.density > 0.0 ? std::min(said.density, *value) : *value;
     if (words[i] != "radius") continue;
@@ -50,18 +43,16 @@ void read_script(const std::string& file, const std::map<std::string, std::strin
   const ScriptText script(file, variables);
   for (const ScriptCommand& command : script.commands()) {
     const std::vector<std::string>& w = command.words;
-    if (w[0] == "timestep" && w.size() > 1) said.step = command.conditional ? std::nullopt : plain_number(w[1]);
+    if (w[0] == "timestep" && w.size() > 1) said.step = command.conditional ? std::nullopt : as_number(w[1]);
     if (w[0] != "fix" || w.size() < 6) continue;
     if (w[3] == "property/global" && w.size() > 6 && w[5] == "peratomtype") {
-      if (w[4] == "youngsModulus") said.young = plain_number(w[6]);
-      if (w[4] == "poissonsRatio") said.poisson = plain_number(w[6]);
+      if (w[4] == "youngsModulus") said.young = as_number(w[6]);
+      if (w[4] == "poissonsRatio") said.poisson = as_number(w[6]);
     }
     if (w[3].rfind("particletemplate/", 0) == 0) read_template(w, said);
     if (w[3] == "couple/mbd" && w[4] == "every") said.every = w[5];
   }
 }
-
-std::string percent_of(double share) { return number_text(100.0 * share, 2) + " %"; }
 
 // "0.02 m", "0.02 to 0.04 m".
 std::string radii_text(double smallest, double largest) {
@@ -73,9 +64,9 @@ std::string step_text(const SaidOfGrains& said, double speed) {
   std::string text = "  time step: " + number_text(*said.step) + " s";
   if (said.young && said.poisson && said.density > 0.0 && said.smallest > 0.0) {
     const ElasticGrain grain = {said.smallest, said.density, *said.young, *said.poisson};
-    text += ", " + percent_of(*said.step / rayleigh_time(grain)) + " of the Rayleigh time";
+    text += ", " + share_text(*said.step / rayleigh_time(grain)) + " of the Rayleigh time";
     if (speed > 0.0)
-      text += ", " + percent_of(*said.step / hertz_time(grain, speed)) + " of the Hertz time at " +
+      text += ", " + share_text(*said.step / hertz_time(grain, speed)) + " of the Hertz time at " +
               number_text(speed, 3) + " m/s";
   }
   if (!said.every.empty() && said.every.front() != '$')
