@@ -53,7 +53,7 @@ Laws laws_of(const CoordinateSpec& spec) {
 
 std::unique_ptr<StrutLaw> build_brake(const DriveSpec& spec) {
   BrakeParameters p;
-  p.command = time_function(spec.command);
+  p.command = time_function(spec.command, command_shape(spec.kind));
   p.largest_force = spec.gear_ratio * spec.max_torque.value_or(0.0);
   p.lag = spec.lag;
   return std::make_unique<Brake>(p);
@@ -63,7 +63,7 @@ std::unique_ptr<StrutLaw> build(const DriveSpec& spec) {
   if (spec.kind == MotorKind::kBrake) return build_brake(spec);
   MotorParameters p;
   p.kind = spec.kind;
-  p.command = time_function(spec.command);
+  p.command = time_function(spec.command, command_shape(spec.kind));
   p.kp = spec.kp;
   p.ki = spec.ki;
   p.kd = spec.kd;

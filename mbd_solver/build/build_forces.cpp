@@ -185,7 +185,7 @@ void add_forces(const Scene& scene, Mechanism& mechanism) {
   const Placement& placement = mechanism.placement;
   Model& model = mechanism.model;
   const auto magnitude = [&](const std::optional<TimeFunctionSpec>& spec) {
-    return Magnitude(time_function(spec), spec ? signal_place(mechanism, spec->signal) : -1);
+    return Magnitude(time_function(spec, TableShape::kLines), spec ? signal_place(mechanism, spec->signal) : -1);
   };
   for (const ForceSpec& spec : scene.forces) {
     const int body = scene.body_index(spec.body);

@@ -15,8 +15,10 @@ namespace {
 Joint prescribed(const JointSpec& spec, const Model& model, int a, int b, const Placement& placement) {
   const MotionSpec& motion = *spec.motion;
   PrescribedMotion prescribed;
-  prescribed.translation = {time_function(motion.x), time_function(motion.y), time_function(motion.z)};
-  prescribed.rotation = time_function(motion.rotation);
+  constexpr TableShape kShape = TableShape::kSpline;
+  prescribed.translation = {time_function(motion.x, kShape), time_function(motion.y, kShape),
+                            time_function(motion.z, kShape)};
+  prescribed.rotation = time_function(motion.rotation, kShape);
   prescribed.rotation_axis = 2;
   prescribed.hold_other_rotations = motion.hold_other_rotations;
   const Eigen::Matrix3d axes_W = placement.R_WD * axes_with_z(spec.axis, spec.axis2);

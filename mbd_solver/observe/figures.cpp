@@ -14,8 +14,8 @@ inline constexpr auto kFields<Figures> = std::tuple{
     Field{"peak_acceleration", &Figures::peak_acceleration}, Field{"max_descent", &Figures::max_descent},
     Field{"max_penetration", &Figures::max_penetration},     Field{"max_contact_force", &Figures::max_contact_force},
     Field{"reference_energy", &Figures::reference_energy},   Field{"energy_flow", &Figures::energy_flow},
-    Field{"energy_balance", &Figures::energy_balance},       Field{"contact_work", &Figures::contact_work},
-    Field{"contact_force", &Figures::contact_force}};
+    Field{"energy_balance", &Figures::energy_balance},       Field{"energy_noise", &Figures::energy_noise},
+    Field{"contact_work", &Figures::contact_work},           Field{"contact_force", &Figures::contact_force}};
 
 FigureTaker::FigureTaker(const Subject& subject)
     : subject_(subject),
@@ -44,7 +44,7 @@ void FigureTaker::visit(Archive& archive) {
 const std::string& FigureTaker::body_name() const { return subject_.mechanism.model.body(body_).name(); }
 
 std::string FigureTaker::balance_warning() const {
-  if (figures_.energy_balance_relative() <= kGoodBalance) return "";
+  if (figures_.energy_balance_relative() <= kGoodBalance || figures_.energy_balance <= figures_.energy_noise) return "";
   return "the energy of the mechanism does not close by " + number_text(figures_.energy_balance, 3) + " J, " +
          number_text(100.0 * figures_.energy_balance_relative(), 3) +
          " % of the energy that it moved: its integration is not accurate; make solver.rtol and solver.atol, or "
@@ -87,6 +87,11 @@ void FigureTaker::take(const Sample& sample) {
   const double balance =
       stored.total() - start_energy_ + sample.state.dissipated.total() - f.contact_work - sample.state.supplied.total();
   f.energy_balance = std::max(f.energy_balance, std::abs(balance));
+  // A mechanism at rest moves no energy, but its places are known to atol only.
+  const Model& model = subject_.mechanism.model;
+  double forces = sample.rates.tail(subject_.layout.row_count).lpNorm<1>();
+  for (int i = 0; i < model.body_count(); ++i) forces += model.body(i).mass() * subject_.scene.gravity.norm();
+  f.energy_noise = std::max(f.energy_noise, subject_.scene.solver.atol * forces);
 }
 
 }  // namespace footfall

@@ -21,6 +21,7 @@ struct Figures {
   double reference_energy = 0.0;   // initial mechanical energy without gravity; else the largest kinetic energy [J]
   double energy_flow = 0.0;        // moved from one form to another: EnergyFlow::scale() [J]
   double energy_balance = 0.0;     // largest |E - E0 + dissipated - work of contact, motions, forces, drives| [J]
+  double energy_noise = 0.0;       // what errors of atol in place alone make of weights and of what joints hold [J]
   double contact_work = 0.0;       // done by the ground's grains on the mechanism so far [J]
   double contact_force = 0.0;      // on all bodies now [N]
 
@@ -33,7 +34,7 @@ class FigureTaker {
   explicit FigureTaker(const Subject& subject);
   void take(const Sample& sample);
   const Figures& figures() const { return figures_; }
-  // What to tell when the mechanism's energy did not close to kGoodBalance; empty otherwise.
+  // What to tell when the mechanism's energy did not close to kGoodBalance, by more than energy_noise; empty otherwise.
   std::string balance_warning() const;
   void visit(Archive& archive);
   const std::string& body_name() const;  // the heaviest body, whose acceleration and descent are reported

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
@@ -11,22 +12,23 @@
 namespace footfall {
 namespace {
 
-constexpr double kAtRest = 1e-7;                                      // of the accelerations at first, or of gravity
-constexpr double kFirst = 1e-3;                                       // [s]: the first look at the kinetic energy
-constexpr double kLongest = 1000.0;                                   // [s] of motion
+constexpr double kAtRest = 1e-7;     // of the accelerations at first, or of gravity
+constexpr double kHeld = 1e-11;      // of what joints hold, over the least mass: round-off
+constexpr double kFirst = 1e-3;      // [s]: the first look at the kinetic energy
+constexpr double kLongest = 1000.0;  // [s] of motion
 constexpr double kRtol = 1e-8, kAtol = 1e-12, kAtolVelocity = 1e-10;  // small motions count, too
 constexpr int kMostStops = 2000;
 constexpr int kLooks = 12;  // per way to the largest kinetic energy
 
-void freeze(TimeFunctionSpec& f) {
-  const double now = time_function(f)->at(0.0).value;
+void freeze(TimeFunctionSpec& f, TableShape shape) {
+  const double now = time_function(f, shape)->at(0.0).value;
   const std::string signal = f.signal;
   f = TimeFunctionSpec{};
   f.polynomial = {now};
   f.signal = signal;
 }
-void freeze(std::optional<TimeFunctionSpec>& f) {
-  if (f) freeze(*f);
+void freeze(std::optional<TimeFunctionSpec>& f, TableShape shape) {
+  if (f) freeze(*f, shape);
 }
 
 // The scene as it is at the start, for ever, and without velocities.
@@ -35,15 +37,15 @@ Scene frozen(Scene scene) {
   scene.initial.angular_velocity.setZero();
   scene.initial.bodies.clear();
   for (ForceSpec& force : scene.forces) {
-    freeze(force.force);
-    freeze(force.torque);
+    freeze(force.force, TableShape::kLines);
+    freeze(force.torque, TableShape::kLines);
   }
-  for (DriveSpec& drive : scene.drives) freeze(drive.command);
+  for (DriveSpec& drive : scene.drives) freeze(drive.command, command_shape(drive.kind));
   for (JointSpec& joint : scene.joints) {
     if (!joint.motion) continue;
     for (std::optional<TimeFunctionSpec>* f :
          {&joint.motion->x, &joint.motion->y, &joint.motion->z, &joint.motion->rotation})
-      freeze(*f);
+      freeze(*f, TableShape::kSpline);
   }
   return scene;
 }
@@ -61,6 +63,13 @@ class Relaxation {
   const State& state() const { return state_; }
   double acceleration() const {
     return rates_.segment(equations_.layout().v0(), equations_.layout().v_size).lpNorm<Eigen::Infinity>();
+  }
+
+  // Accelerations that are round-off of what the joints hold now.
+  double held(const Model& model) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < model.body_count(); ++i) least = std::min(least, model.body(i).mass());
+    return kHeld * rates_.tail(equations_.layout().row_count).lpNorm<Eigen::Infinity>() / least;
   }
 
   // To the largest kinetic energy, and stops there. Returns the time it took [s].
@@ -137,7 +146,8 @@ Settled settle(const Scene& scene, const AssemblyOptions& options, const Integra
   tight.atol_velocity = std::min(tight.atol_velocity, kAtolVelocity);
   tight.max_step = 0.0;
   Relaxation relaxation(mechanism, assembly, tight);
-  const double enough = kAtRest * std::max(relaxation.acceleration(), scene.gravity.norm());
+  const double enough =
+      std::max(kAtRest * std::max(relaxation.acceleration(), scene.gravity.norm()), relaxation.held(mechanism.model));
   Settled out;
   int stops = 0;
   while (relaxation.acceleration() > enough) {

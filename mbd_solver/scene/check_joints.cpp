@@ -1,8 +1,10 @@
 // Joints: two bodies, the points and axes their type needs, and no gap.
+#include <algorithm>
 #include <cmath>
 
 #include "coupler/base/pi.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/model/laws/cubic_spline.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
@@ -76,14 +78,56 @@ double at_start(const TimeFunctionSpec& f) {
   return value;
 }
 
+constexpr double kSwing = 0.05;  // of the range of a table's values: what its spline may leave it by
+
+// A spline through points that are not smooth swings out beside them, and goes on beyond its last point.
+void check_spline(const JointSpec& joint, const std::string& key, const TimeFunctionSpec& f, double end_time,
+                  Findings& findings) {
+  if (f.table.size() < 2) return;
+  std::vector<double> times, values;
+  for (const Eigen::Vector2d& row : f.table) {
+    if (!times.empty() && !(row.x() > times.back())) return;  // told elsewhere
+    times.push_back(row.x());
+    values.push_back(row.y());
+  }
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double range = *most - *least;
+  const CubicSpline spline("a table over time", times, values);
+  double swing = 0.0, when = 0.0;
+  constexpr int kLooks = 16;  // in each piece
+  for (std::size_t i = 1; i < times.size(); ++i)
+    for (int k = 1; k < kLooks; ++k) {
+      const double t = times[i - 1] + (times[i] - times[i - 1]) * k / kLooks;
+      const double value = spline.at(t).value;
+      const double out = std::max({*least - value, value - *most, 0.0});
+      if (out <= swing) continue;
+      swing = out;
+      when = t;
+    }
+  if (swing > kSwing * range && range > 0.0)
+    findings.warning(joint.source, key + ".table",
+                     "is a smooth curve through its points, and at " + number_text(when, 3) +
+                         " s it leaves their range by " + number_text(swing, 3) +
+                         "; give more points where the motion begins and ends");
+  const double speed = spline.at(times.back()).slope;
+  const double beyond = std::abs(speed) * (end_time - times.back());
+  if (end_time > times.back() && beyond > kSwing * range)
+    findings.warning(joint.source, key + ".table",
+                     "ends at " + number_text(times.back(), 4) + " s; until " + number_text(end_time, 4) +
+                         " s the motion goes on with its last speed, " + number_text(speed, 3) +
+                         " per s; give more points, the last of them alike where it shall rest");
+}
+
 // The motion of one joint by itself.
-void check_functions(const JointSpec& joint, Findings& findings) {
+void check_functions(const JointSpec& joint, double end_time, Findings& findings) {
   if (!joint.motion) return;
   const MotionSpec& m = *joint.motion;
   check_function(joint.source, "motion.x", m.x, findings);
   check_function(joint.source, "motion.y", m.y, findings);
   check_function(joint.source, "motion.z", m.z, findings);
   check_function(joint.source, "motion.rotation", m.rotation, findings);
+  for (const auto& [key, function] : {std::pair("x", &m.x), {"y", &m.y}, {"z", &m.z}, {"rotation", &m.rotation}})
+    if (*function) check_spline(joint, std::string("motion.") + key, **function, end_time, findings);
   for (const auto& [key, function] : {std::pair("x", &m.x), {"y", &m.y}, {"z", &m.z}, {"rotation", &m.rotation}})
     if (*function && !(*function)->signal.empty())
       findings.error(joint.source, std::string("motion.") + key + ".signal",
@@ -149,7 +193,7 @@ void check_joints(const Scene& scene, Findings& findings) {
     check_pair(scene, joint.source, joint.bodies, findings);
     check_points(joint, scene.initial.largest_gap, findings);
     check_motion(joint, findings);
-    check_functions(joint, findings);
+    check_functions(joint, scene.end_time, findings);
     for (const JointSpec& before : scene.joints) {
       if (&before == &joint) break;
       check_motion_twice(before, joint, findings);

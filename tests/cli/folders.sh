@@ -43,6 +43,11 @@ refused "no run is known to have made it" run --out named
 refused "no run is known to have made it" run --out named --force
 [[ $(<named/history.csv) == mine ]] || die "a file of the user was written over"
 
+# A start that was stopped before the first row leaves no run to protect.
+mkdir stopped && echo log >stopped/liggghts.log && printf 'liggghts.log\n' >stopped/.footfall.files
+run --out stopped >again.txt 2>&1 || die "a start without results stands in the way"
+[[ -s stopped/history.csv && ! -e stopped/liggghts.log ]] || die "what a start left stayed"
+
 # While a run goes on, nobody else runs there: neither the front door nor the plain line.
 "$footfall" run "$scene" --quiet --out busy --set end_time=1e5 >busy.log 2>&1 &
 busy=$!

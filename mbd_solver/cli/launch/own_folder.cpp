@@ -28,7 +28,14 @@ bool is_written_by_runs(const std::string& name) {
                      [&](const char* pattern) { return fnmatch(pattern, name.c_str(), 0) == 0; });
 }
 
+// A start that was refused or stopped before the mechanism moved has logs at most: nothing of it is missed.
+bool has_results(const std::string& folder) {
+  std::error_code error;
+  return fs::exists(fs::path(folder) / "history.csv", error) || fs::exists(fs::path(folder) / "checkpoint", error);
+}
+
 void refuse(const std::string& folder, bool force) {
+  if (!has_results(folder)) return;
   const std::vector<std::string> made = made_files(folder);
   const auto count = std::count_if(made.begin(), made.end(), [&](const std::string& name) {
     std::error_code error;

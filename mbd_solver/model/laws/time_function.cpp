@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/laws/cubic_spline.h"
+#include "mbd_solver/model/laws/monotone_curve.h"
 
 namespace footfall {
 namespace {
@@ -57,9 +59,9 @@ class Sine : public TimeFunction {
   double amplitude_, omega_, phase_, mean_;
 };
 
-class Table : public TimeFunction {
+class SplineTable : public TimeFunction {
  public:
-  Table(std::vector<double> times, std::vector<double> values)
+  SplineTable(std::vector<double> times, std::vector<double> values)
       : spline_("a table over time", std::move(times), std::move(values)) {}
   TimeValue at(double t) const override {
     const CubicSpline::Value f = spline_.at(t);
@@ -68,6 +70,38 @@ class Table : public TimeFunction {
 
  private:
   CubicSpline spline_;
+};
+
+// accel is that between the points: 0 of straight lines; that of a monotone curve jumps there and is not told.
+class MonotoneTable : public TimeFunction {
+ public:
+  MonotoneTable(std::vector<double> times, std::vector<double> values)
+      : curve_("a table over time", std::move(times), std::move(values)) {}
+  TimeValue at(double t) const override { return {curve_.value(t), curve_.slope(t), 0.0}; }
+
+ private:
+  MonotoneCurve curve_;
+};
+
+class LineTable : public TimeFunction {
+ public:
+  LineTable(std::vector<double> times, std::vector<double> values)
+      : times_(std::move(times)), values_(std::move(values)) {
+    if (times_.size() < 2 || times_.size() != values_.size() ||
+        std::adjacent_find(times_.begin(), times_.end(), std::greater_equal<>()) != times_.end())
+      throw InputError("a table over time: expected at least two times that rise, and as many values.");
+  }
+  TimeValue at(double t) const override {
+    if (t < times_.front()) return {values_.front(), 0.0, 0.0};
+    if (t >= times_.back()) return {values_.back(), 0.0, 0.0};
+    const auto above = std::upper_bound(times_.begin(), times_.end(), t);
+    const std::size_t i = static_cast<std::size_t>(above - times_.begin()) - 1;
+    const double slope = (values_[i + 1] - values_[i]) / (times_[i + 1] - times_[i]);
+    return {values_[i] + slope * (t - times_[i]), slope, 0.0};
+  }
+
+ private:
+  std::vector<double> times_, values_;
 };
 
 class Sum : public TimeFunction {
@@ -103,8 +137,13 @@ TimeFunctionPtr sine(double amplitude, double frequency, double phase, double me
   return std::make_shared<Sine>(amplitude, frequency, phase, mean);
 }
 
-TimeFunctionPtr table(std::vector<double> times, std::vector<double> values) {
-  return std::make_shared<Table>(std::move(times), std::move(values));
+TimeFunctionPtr table(std::vector<double> times, std::vector<double> values, TableShape shape) {
+  switch (shape) {
+    case TableShape::kSpline: return std::make_shared<SplineTable>(std::move(times), std::move(values));
+    case TableShape::kMonotone: return std::make_shared<MonotoneTable>(std::move(times), std::move(values));
+    case TableShape::kLines: return std::make_shared<LineTable>(std::move(times), std::move(values));
+  }
+  FOOTFALL_DEMAND(false);
 }
 
 TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms) { return std::make_shared<Sum>(std::move(terms)); }

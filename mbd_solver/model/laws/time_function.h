@@ -26,9 +26,14 @@ TimeFunctionPtr polynomial(std::vector<double> coefficients);
 TimeFunctionPtr ramp(double from, double to, double t0, double duration);
 // mean + amplitude sin(2 pi frequency t + phase), frequency [Hz], phase [rad].
 TimeFunctionPtr sine(double amplitude, double frequency, double phase = 0.0, double mean = 0.0);
-// Through the points (t_i, f_i) by a natural cubic spline, continued by its end tangents. At least two
-// points, t rising.
-TimeFunctionPtr table(std::vector<double> times, std::vector<double> values);
+// How a table (t_i, f_i) is filled: as smooth as what uses it asks for, and no smoother, because a spline leaves the
+// range of its points.
+//   kSpline   natural cubic spline, beyond its ends their tangents: motions, which need two derivatives
+//   kMonotone cubic pieces that stay between the points (monotone_curve.h), constant outside: one derivative
+//   kLines    straight lines, constant outside: the value alone
+enum class TableShape { kSpline, kMonotone, kLines };
+// At least two points, t rising.
+TimeFunctionPtr table(std::vector<double> times, std::vector<double> values, TableShape shape);
 
 // Sum of several; an empty sum is zero.
 TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms);

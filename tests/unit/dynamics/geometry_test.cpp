@@ -98,7 +98,8 @@ TEST(MassProperties, RefuseWhatIsNotPositive) {
 TEST(TimeFunction, DerivativesAreDerivatives) {
   const std::vector<TimeFunctionPtr> functions = {
       polynomial({1.0, -2.0, 0.5, 0.25}), ramp(1.0, 3.0, 0.2, 0.9), sine(2.0, 0.6, 0.3, 1.0),
-      table({0.0, 0.3, 0.7, 1.5}, {0.0, 0.4, -0.2, 1.0}), sum({sine(1.0, 0.5), polynomial({0.0, 1.0})})};
+      table({0.0, 0.3, 0.7, 1.5}, {0.0, 0.4, -0.2, 1.0}, TableShape::kSpline),
+      sum({sine(1.0, 0.5), polynomial({0.0, 1.0})})};
   const double dt = 1e-5;  // truncation dt^2, round-off 1e-16 / dt: both about 1e-10
   for (std::size_t i = 0; i < functions.size(); ++i) {
     for (double t : {-0.5, 0.1, 0.5, 1.2, 2.0}) {
@@ -110,15 +111,39 @@ TEST(TimeFunction, DerivativesAreDerivatives) {
 }
 
 TEST(TimeFunction, TablePassesItsPointsAndIsStraightOutside) {
-  const TimeFunctionPtr f = table({0.0, 0.3, 0.7, 1.5}, {0.0, 0.4, -0.2, 1.0});
+  const TimeFunctionPtr f = table({0.0, 0.3, 0.7, 1.5}, {0.0, 0.4, -0.2, 1.0}, TableShape::kSpline);
   EXPECT_NEAR(f->at(0.3).value, 0.4, kRoundOff);
   EXPECT_NEAR(f->at(0.7).value, -0.2, kRoundOff);
   EXPECT_EQ(f->at(5.0).accel, 0.0);
   EXPECT_NEAR(f->at(5.0).value, 1.0 + 3.5 * f->at(1.5).rate, 1e-13);
-  const TimeFunctionPtr line = table({0.0, 2.0}, {1.0, 5.0});
+  const TimeFunctionPtr line = table({0.0, 2.0}, {1.0, 5.0}, TableShape::kSpline);
   EXPECT_NEAR(line->at(0.5).value, 2.0, kRoundOff);
-  EXPECT_THROW(table({0.0, 0.0}, {1.0, 2.0}), InputError);
-  EXPECT_THROW(table({0.0}, {1.0}), InputError);
+  for (const TableShape shape : {TableShape::kSpline, TableShape::kMonotone, TableShape::kLines}) {
+    EXPECT_THROW(table({0.0, 0.0}, {1.0, 2.0}, shape), InputError);
+    EXPECT_THROW(table({0.0}, {1.0}, shape), InputError);
+  }
+}
+
+TEST(TimeFunction, OnlySplinesLeaveTheRangeOfTheirPoints) {
+  const std::vector<double> times = {0.0, 1.0, 1.01, 5.0}, values = {1000.0, 1000.0, 0.0, 0.0};  // a cut-off of thrust
+  for (const TableShape shape : {TableShape::kMonotone, TableShape::kLines}) {
+    const TimeFunctionPtr f = table(times, values, shape);
+    for (double t = -1.0; t < 7.0; t += 0.0037) {
+      EXPECT_GE(f->at(t).value, 0.0) << t;
+      EXPECT_LE(f->at(t).value, 1000.0) << t;
+    }
+    EXPECT_EQ(f->at(0.5).value, 1000.0);
+    EXPECT_EQ(f->at(-1.0).value, 1000.0);
+    EXPECT_EQ(f->at(6.0).value, 0.0);
+  }
+  const TimeFunctionPtr lines = table(times, values, TableShape::kLines);
+  EXPECT_NEAR(lines->at(1.005).value, 500.0, 1e-9);
+  EXPECT_NEAR(lines->at(1.005).rate, -1e5, 1e-6);
+  const TimeFunctionPtr monotone = table({0.0, 0.3, 0.7, 1.5}, {0.0, 0.4, 1.2, 1.5}, TableShape::kMonotone);
+  const double dt = 1e-6;
+  for (const double t : {0.1, 0.5, 1.2})
+    EXPECT_NEAR(monotone->at(t).rate, (monotone->at(t + dt).value - monotone->at(t - dt).value) / (2.0 * dt), 1e-8)
+        << t;
 }
 
 TEST(ExternalLoad, MomentTurnsWithTheBodyAndTangentVanishesOnTheMeanPath) {

@@ -127,6 +127,22 @@ TEST(Settle, LetsAPendulumHang) {
   EXPECT_LT(ends.speed, 1e-5);
 }
 
+// Joints hold everything: it rests where it is drawn, also without gravity, and although a force pulls at a light body.
+TEST(Settle, LeavesAMechanismThatJointsHold) {
+  const auto fixed = [](const std::string& a, const std::string& b, double x) {
+    return "[[joints]]\nname = \"" + a + "_" + b + "\"\ntype = \"fixed\"\nbodies = [\"" + a + "\", \"" + b +
+           "\"]\npoint = [" + std::to_string(x) + ", 0, 0]\n";
+  };
+  const Scene scene =
+      SceneText().read("end_time = 0.01\ngravity = [0, 0, 0]\n[initial]\nsettle = true\n" + body("rod", 5.0, 1, 0) +
+                       body("tip", 0.001, 1.5, 0) + fixed("ground", "rod", 0.0) + fixed("rod", "tip", 1.5) +
+                       "[[forces]]\nname = \"pull\"\nbody = \"tip\"\nframe = \"inertial\"\ndirection "
+                       "= \"z\"\nforce = { polynomial = [-10] }\n");
+  const Ends ends = ends_of(scene);
+  EXPECT_NEAR(ends.first[1].x(), 1.5, 1e-9);
+  EXPECT_NEAR(ends.first[1].z(), 0.0, 1e-9);
+}
+
 // A force of the start holds; that it changes later is no matter.
 TEST(Settle, TakesFunctionsOfTimeAsTheyStart) {
   const Scene scene = SceneText().read(kHead + body("mass", 2.0, 0, 0) + rail("rail", "ground", "mass", 0, 300) +

@@ -320,6 +320,50 @@ TEST(RunScene, WithoutGrainsWritesNothingOfTheCoupling) {
       EXPECT_EQ(key.find(part), std::string::npos) << key;
 }
 
+// A table of a force is what is drawn: straight lines between its points, constant beyond them. A thrust of 1 kN is cut
+// off within 10 ms: m v = 1000 N 1.005 s.
+TEST(Simulation, TakesTablesOfForcesByStraightLines) {
+  const Scene scene = SceneText().read(R"(end_time = 7
+gravity = [0, 0, 0]
+[[bodies]]
+name = "ship"
+mass = 2.0
+inertia = [0.1, 0.1, 0.1]
+[[forces]]
+name = "thrust"
+body = "ship"
+frame = "inertial"
+direction = "x"
+force = { table = [[0, 1000], [1, 1000], [1.01, 0], [5, 0]] }
+)");
+  Simulation simulation(scene, scene.end_time, nullptr);
+  double speed = 0.0;
+  simulation.run([&](const Sample& sample) { speed = sample.kinematics.of(0).dr.x(); }, test::kNever);
+  EXPECT_NEAR(speed, 502.5, 1e-3);
+}
+
+// What joints hold at rest moves no energy: round-off of nothing is no fault.
+TEST(RunScene, HasNothingToSayOfAMechanismAtRest) {
+  const SceneText folder;
+  const Scene scene = folder.read(R"(end_time = 0.1
+[[bodies]]
+name = "box"
+mass = 1.0
+shape = { kind = "box", size = [1, 1, 1], centre = [0, 0, 0] }
+[[joints]]
+name = "clamp"
+type = "fixed"
+bodies = ["ground", "box"]
+point = [0, 0, 0]
+)");
+  RunOptions options;
+  options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();
+  options.quiet = true;
+  const volatile std::sig_atomic_t no_signal = 0;
+  EXPECT_EQ(run_scene(scene, options, nullptr, no_signal), kExitDone);
+  EXPECT_EQ(read_summary(options.out + "/summary.json")["warnings"], nlohmann::ordered_json::array());
+}
+
 TEST(RunScene, OnGrainsTellsOfBothSides) {
   const GrainScene on;
   LoopbackGrains grains(start(), pushes({0.0, 0.0, 5.0}));

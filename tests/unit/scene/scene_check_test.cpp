@@ -265,5 +265,26 @@ TEST_F(ScriptCheck, ABodyWithoutBoundaryIsGuessed) {
                         "you mean \"pad\"?"));
 }
 
+// The spline of a motion swings out beside points that are not smooth, and goes on beyond its end.
+TEST(SceneCheck, TellsWhereTheSplineOfAMotionLeavesItsPoints) {
+  const auto warnings = [](const std::string& table) {
+    return SceneText()
+        .read(
+            "end_time = 2.0\n[[bodies]]\nname = \"plate\"\nmass = 1.0\ninertia = [0.1, 0.1, 0.1]\n[[joints]]\nname = "
+            "\"press\"\n"
+            "type = \"prescribed\"\nbodies = [\"ground\", \"plate\"]\npoint = [0, 0, 0]\naxis = "
+            "\"z\"\n[joints.motion]\nz = { table = " +
+            table + " }\n")
+        .warnings;
+  };
+  const std::vector<std::string> sharp = warnings("[[0, 0], [1, 0], [1.01, -0.1], [2, -0.1]]");
+  ASSERT_EQ(sharp.size(), 1u);
+  EXPECT_THAT(sharp[0], HasSubstr("it leaves their range by"));
+  const std::vector<std::string> beyond = warnings("[[0, 0], [0.5, -0.1], [1, -0.2]]");
+  ASSERT_EQ(beyond.size(), 1u);
+  EXPECT_THAT(beyond[0], HasSubstr("goes on with its last speed, -0.2 per s"));
+  EXPECT_TRUE(warnings("[[0, 0], [1, -0.1], [2, -0.2]]").empty());
+}
+
 }  // namespace
 }  // namespace footfall
