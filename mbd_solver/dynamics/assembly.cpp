@@ -128,7 +128,7 @@ void note_turns(const Model& model, const Layout& layout, Assembly& out) {
 
 // What the given velocities were changed by, and where they did not fit.
 void note_speeds(const Model& model, const Layout& layout, const Eigen::VectorXd& rate, const Eigen::VectorXd& change,
-                 double tolerance, Assembly& out) {
+                 bool given, double tolerance, Assembly& out) {
   out.largest_speed_change = change.lpNorm<Eigen::Infinity>();
   if (out.largest_speed_change <= tolerance) return;
   Eigen::Index row = 0, entry = 0;
@@ -137,7 +137,8 @@ void note_speeds(const Model& model, const Layout& layout, const Eigen::VectorXd
   std::size_t body = layout.body_v.size() - 1;
   while (layout.body_v[body] > entry) --body;
   const Eigen::Vector3d dv = change.segment<3>(layout.body_v[body]), dw = change.segment<3>(layout.body_v[body] + 3);
-  out.notes.push_back("the given initial velocities do not fit the joints: joint \"" +
+  out.notes.push_back((given ? "the given initial velocities do not fit the joints: joint \""
+                             : "joints move from the start, and no initial velocities are given: joint \"") +
                       model.joint(layout.row_joint[static_cast<std::size_t>(row)]).name + "\" would open at " +
                       number(std::abs(rate[row])) + " m/s or rad/s. The smallest change that fits was made; body \"" +
                       model.body(static_cast<int>(body)).name() + "\" is changed most, by " + number(dv.norm()) +
@@ -179,7 +180,7 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   }
   check_contradiction(model, layout, rows.rate, 1.0 + out.state.v.lpNorm<Eigen::Infinity>(), "their speeds differ",
                       "m/s or rad/s");
-  note_speeds(model, layout, rate_given, out.state.v - v_given, options.speed_tolerance, out);
+  note_speeds(model, layout, rate_given, out.state.v - v_given, !v_given.isZero(), options.speed_tolerance, out);
 
   out.redundant = rows.redundant(options.rank_tolerance);
   out.rank = layout.row_count;
