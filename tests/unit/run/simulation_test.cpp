@@ -329,6 +329,7 @@ gravity = [0, 0, 0]
 name = "ship"
 mass = 2.0
 inertia = [0.1, 0.1, 0.1]
+position = [0, 0, 0]
 [[forces]]
 name = "thrust"
 body = "ship"

@@ -270,7 +270,8 @@ TEST(SceneCheck, TellsWhereTheSplineOfAMotionLeavesItsPoints) {
   const auto warnings = [](const std::string& table) {
     return SceneText()
         .read(
-            "end_time = 2.0\n[[bodies]]\nname = \"plate\"\nmass = 1.0\ninertia = [0.1, 0.1, 0.1]\n[[joints]]\nname = "
+            "end_time = 2.0\n[[bodies]]\nname = \"plate\"\nmass = 1.0\ninertia = [0.1, 0.1, 0.1]\nposition = [0, 0, "
+            "0]\n[[joints]]\nname = "
             "\"press\"\n"
             "type = \"prescribed\"\nbodies = [\"ground\", \"plate\"]\npoint = [0, 0, 0]\naxis = "
             "\"z\"\n[joints.motion]\nz = { table = " +
