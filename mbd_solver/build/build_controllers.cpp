@@ -6,6 +6,7 @@
 #include "mbd_solver/model/controllers/fuzzy_controller.h"
 #include "mbd_solver/model/controllers/pid_controller.h"
 #include "mbd_solver/model/controllers/skyhook_controller.h"
+#include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 namespace {
@@ -67,9 +68,9 @@ void add_controllers(const Scene& scene, Mechanism& mechanism) {
     entry.name = spec.name;
     entry.controller = build(spec, outputs, mechanism.warnings);
     if (entry.controller->output_count() != outputs)
-      throw InputError(scene.file + ":" + std::to_string(spec.source.line_of("outputs")) + ": controllers." +
-                       spec.name + ": " + std::to_string(outputs) + " outputs, but the controller has " +
-                       std::to_string(entry.controller->output_count()));
+      throw InputError(place_of(scene.file, spec.source, "outputs") + "are " + std::to_string(outputs) +
+                       ", but the controller has " + std::to_string(entry.controller->output_count()) +
+                       "; name as many");
     entry.body = scene.body_index(spec.body);
     entry.touchdown_acceleration = spec.touchdown_acceleration;
     entry.touchdown_delay = spec.touchdown_delay;

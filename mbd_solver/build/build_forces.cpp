@@ -17,6 +17,7 @@
 #include "mbd_solver/model/laws/mr_geometry.h"
 #include "mbd_solver/model/laws/table_law.h"
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 namespace {
@@ -130,8 +131,7 @@ void add_struts(const Scene& scene, Mechanism& mechanism) {
           laws_of(spec, length), length, voltage);
       mechanism.struts.push_back({spec.name, mechanism.model.add_force(std::move(strut))});
     } catch (const InputError& error) {
-      throw InputError(scene.file + ":" + std::to_string(spec.source.line) + ": struts." + spec.name + ": " +
-                       error.what());
+      throw InputError(place_of(scene.file, spec.source) + error.what());
     }
   }
 }

@@ -13,6 +13,7 @@
 #include "mbd_solver/model/signals/linear_filter.h"
 #include "mbd_solver/model/signals/lookup_table.h"
 #include "mbd_solver/model/signals/pid_block.h"
+#include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 namespace {
@@ -65,16 +66,20 @@ std::unique_ptr<SignalBlock> build(const SignalSpec& spec) {
   FOOTFALL_DEMAND(false);
 }
 
-std::vector<std::string> inputs_of(const SignalSpec& spec) {
-  if (spec.kind == SignalKind::kFuzzy) return spec.inputs;
-  std::vector<std::string> inputs = {spec.input};
-  if (!spec.input2.empty()) inputs.push_back(spec.input2);
-  if (!spec.rate.empty()) inputs.push_back(spec.rate);
-  return inputs;
-}
-
-SignalNode node_of(const SignalSpec& spec, int place) {
-  return {spec.name, build(spec), inputs_of(spec), spec.states, spec.initial, spec.period, place};
+SignalNode node_of(const Scene& scene, const SignalSpec& spec, int place) {
+  SignalNode node{spec.name, build(spec), {}, spec.states, spec.initial, spec.period, place};
+  const auto add = [&](const std::string& key, const std::string& input) {
+    node.inputs.push_back(input);
+    node.written_at.push_back(place_of(scene.file, spec.source, key));
+  };
+  if (spec.kind == SignalKind::kFuzzy) {
+    for (const std::string& input : spec.inputs) add("inputs", input);
+    return node;
+  }
+  add("input", spec.input);
+  if (!spec.input2.empty()) add("input2", spec.input2);
+  if (!spec.rate.empty()) add("rate", spec.rate);
+  return node;
 }
 
 // A name of the form "OWNER.what".
@@ -102,6 +107,8 @@ std::unique_ptr<Sensor> body_sensor(const Model& model, const std::string& name)
   return nullptr;
 }
 
+}  // namespace
+
 std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string& name) {
   const Model& model = mechanism.model;
   if (auto sensor = body_sensor(model, name)) return sensor;
@@ -119,6 +126,8 @@ std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string&
   }
   return nullptr;
 }
+
+namespace {
 
 std::vector<std::string> continuous_names(const Mechanism& mechanism) {
   std::vector<std::string> names = {"time"};
@@ -182,17 +191,14 @@ std::string where_read(const Scene& scene, const std::string& name) {
     const std::vector<std::string> names = Expression::names_in(text);
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  const auto where = [&](const Source& source, const std::string& key) {
-    return scene.file + ":" + std::to_string(source.line_of(key)) + ": " + source.path + "." + key + ": ";
-  };
   for (const SignalSpec& spec : scene.signals) {
     for (const auto& [key, text] : {std::pair("input", &spec.input), {"input2", &spec.input2}, {"rate", &spec.rate}})
-      if (reads(*text)) return where(spec.source, key);
+      if (reads(*text)) return place_of(scene.file, spec.source, key);
     for (const std::string& input : spec.inputs)
-      if (reads(input)) return where(spec.source, "inputs");
+      if (reads(input)) return place_of(scene.file, spec.source, "inputs");
   }
   for (const EventSpec& spec : scene.events)
-    if (reads(spec.when)) return where(spec.source, "when");
+    if (reads(spec.when)) return place_of(scene.file, spec.source, "when");
   return scene.file + ": ";
 }
 
@@ -214,20 +220,19 @@ void add_signals(const Scene& scene, Mechanism& mechanism) {
   for (std::size_t i = 0; i < scene.signals.size(); ++i) {
     const SignalSpec& spec = scene.signals[i];
     try {
-      (spec.period > 0.0 ? mechanism.sampled : continuous).push_back(node_of(spec, mechanism.signals[i].place));
+      (spec.period > 0.0 ? mechanism.sampled : continuous).push_back(node_of(scene, spec, mechanism.signals[i].place));
     } catch (const InputError& error) {
-      throw InputError(scene.file + ":" + std::to_string(spec.source.line) + ": " + spec.source.path + ": " +
-                       error.what());
+      throw InputError(place_of(scene.file, spec.source) + error.what());
     }
   }
   if (continuous.empty()) return;
-  const int line = scene.signals.front().source.line;
   try {
     SignalChain chain(std::move(continuous));
     add_continuous(scene, std::move(chain), mechanism);
   } catch (const InputError& error) {
     const std::string what = error.what();
-    throw InputError(what.rfind(scene.file, 0) == 0 ? what : scene.file + ":" + std::to_string(line) + ": " + what);
+    if (names_a_place(scene.file, what)) throw;
+    throw InputError(place_of(scene.file, scene.signals.front().source.line, "signals") + what);
   }
 }
 

@@ -4,13 +4,14 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {
 
 void demand_positive(double value, const std::string& what) {
-  if (!(value > 0.0)) throw InputError(what + " is " + std::to_string(value) + "; it must be positive.");
+  if (!(value > 0.0)) throw InputError(what + " is " + number_text(value) + "; it must be positive.");
 }
 
 // A solid of revolution between two points: transverse and axial inertia about its middle.
@@ -62,6 +63,7 @@ MassProperties rod_properties(const Eigen::Vector3d& from, const Eigen::Vector3d
 
 MassProperties disc_properties(double radius, double thickness, double density) {
   const Eigen::Vector3d half(0.0, 0.0, 0.5 * thickness);
+  demand_positive(radius, "radius of a disc [m]");
   demand_positive(thickness, "thickness of a disc [m]");
   return rod_properties(-half, half, 2.0 * radius, density);
 }

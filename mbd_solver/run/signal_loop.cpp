@@ -6,6 +6,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/signals/signal_block.h"
+#include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 namespace {
@@ -18,6 +19,7 @@ std::vector<SignalNode> conditions_of(const Scene& scene) {
     node.block = std::make_unique<PassBlock>();
     node.inputs = {event.when};
     node.period = event.period;
+    node.written_at = {place_of(scene.file, event.source, "when")};
     nodes.push_back(std::move(node));
   }
   return nodes;
@@ -27,8 +29,14 @@ SignalChain chain_of(const Scene& scene, std::vector<SignalNode> sampled) {
   try {
     return SignalChain(std::move(sampled));
   } catch (const InputError& error) {
-    throw InputError(scene.file + ":" + std::to_string(scene.signals.front().source.line) + ": " + error.what());
+    throw InputError(place_of(scene.file, scene.signals.front().source.line, "signals") + error.what());
   }
+}
+
+// At the start it is the scene's.
+[[noreturn]] void complain_of_no_value(double time, const NumericalError& error) {
+  if (time == 0.0) throw InputError(error.what());
+  throw NumericalError("t = " + std::to_string(time) + " s: " + error.what());
 }
 
 long samples_until(double time, double period) { return static_cast<long>(std::floor(time / period + 1e-6)) + 1; }
@@ -92,8 +100,7 @@ SignalLoop::Held SignalLoop::held(const Sample& sample, const Eigen::VectorXd& v
     try {
       if (conditions_.inputs(k)[0] != 0.0) return {events_[k], event.period > 0.0};
     } catch (const NumericalError& error) {
-      throw NumericalError("t = " + std::to_string(sample.state.time) + " s: event \"" + event.name +
-                           "\": " + error.what());
+      complain_of_no_value(sample.state.time, error);
     }
   }
   return {};
@@ -151,7 +158,7 @@ void SignalLoop::sample_due(const Sample& sample, Eigen::VectorXd& voltages) {
       samples_[k] = samples_until(time, node.period);
     }
   } catch (const NumericalError& error) {
-    throw NumericalError("t = " + std::to_string(time) + " s: " + error.what());
+    complain_of_no_value(time, error);
   }
 }
 

@@ -26,6 +26,10 @@ std::string no_coordinate(CoordinateChoice coordinate, JointType type) {
          (names.empty() ? "" : names + " of it, or ") + "a joint of type " + joints_with(coordinate);
 }
 
+Unit unit_of(CoordinateChoice coordinate) {
+  return coordinate == CoordinateChoice::kAngle ? Unit::kAngle : Unit::kLength;
+}
+
 void check_coordinate(const JointSpec& joint, CoordinateChoice coordinate, Findings& findings) {
   const std::optional<CoordinateSpec>& c = joint.acting_on(coordinate);
   if (!c) return;
@@ -36,8 +40,8 @@ void check_coordinate(const JointSpec& joint, CoordinateChoice coordinate, Findi
   if (c->stops) {
     if (!c->stops->min && !c->stops->max)
       findings.error(joint.source, key + ".stops", "limit nothing; give min, max or both");
-    if (c->stops->min && c->stops->max && *c->stops->min >= *c->stops->max)
-      findings.error(joint.source, key + ".stops.max", "is not above min");
+    if (c->stops->min && c->stops->max)
+      check_min_below_max(joint.source, key + ".stops.", *c->stops->min, *c->stops->max, unit_of(coordinate), findings);
   }
   if (c->friction && c->friction->breakaway && *c->friction->breakaway < c->friction->coulomb)
     findings.error(joint.source, key + ".friction.breakaway",
@@ -45,6 +49,26 @@ void check_coordinate(const JointSpec& joint, CoordinateChoice coordinate, Findi
                        number_text(c->friction->coulomb) + "; what holds at rest is at least what slides");
   if (c->spring && c->spring->stiffness == 0.0 && c->spring->damping == 0.0)
     findings.error(joint.source, key + ".spring", "has neither stiffness nor damping");
+}
+
+// "20 degrees", "0.01 m".
+std::string value_text(double value, Unit unit) {
+  if (unit == Unit::kAngle) return number_text(value * 180.0 / kPi) + " degrees";
+  return number_text(value) + (unit == Unit::kLength ? " m" : "");
+}
+
+void warn_of_start_beyond_stops(const JointSpec& joint, const InitialJointSpec& given, CoordinateChoice coordinate,
+                                Findings& findings) {
+  const std::optional<CoordinateSpec>& c = joint.acting_on(coordinate);
+  if (!c || !c->stops) return;
+  const double value = *given.value(coordinate);
+  const bool below = c->stops->min && value < *c->stops->min, above = c->stops->max && value > *c->stops->max;
+  if (!below && !above) return;
+  const Unit unit = unit_of(coordinate);
+  findings.warning(given.source, std::string(name_of(coordinate)),
+                   "starts joint \"" + joint.name + "\" at " + value_text(value, unit) + ", beyond its stop at " +
+                       value_text(below ? *c->stops->min : *c->stops->max, unit) +
+                       ": the stop throws it back at once; start it within, or move the stop");
 }
 
 // The joint exists and leaves the coordinate free.
@@ -87,6 +111,17 @@ const JointSpec* find_joint(const Scene& scene, const Source& source, const std:
   return nullptr;
 }
 
+void check_min_below_max(const Source& source, const std::string& within, double min, double max, Unit unit,
+                         Findings& findings) {
+  if (min < max) return;
+  // The one that --set gave is the one to look at.
+  const bool of_min = source.line_of(within + "min") == Source::kFromSet && source.line_of(within + "max") > 0;
+  const double mine = of_min ? min : max, other = of_min ? max : min;
+  findings.error(source, within + (of_min ? "min" : "max"),
+                 "is " + value_text(mine, unit) + ", not " + (of_min ? "below max, " : "above min, ") +
+                     value_text(other, unit) + "; give a smaller min or a larger max");
+}
+
 void check_initial_joints(const Scene& scene, Findings& findings) {
   for (const InitialJointSpec& given : scene.initial.joints) {
     const JointSpec* joint = find_joint(scene, given.source, "", given.name, findings);
@@ -97,12 +132,14 @@ void check_initial_joints(const Scene& scene, Findings& findings) {
       empty = false;
       if (!has_coordinate(joint->type, coordinate))
         findings.error(given.source, std::string(name_of(coordinate)), no_coordinate(coordinate, joint->type));
+      warn_of_start_beyond_stops(*joint, given, coordinate, findings);
     }
     if (given.angle && std::abs(*given.angle) > kPi)
       findings.error(given.source, "angle",
                      "is " + number_text(*given.angle * 180.0 / kPi, 6) +
                          " degrees; expected at most half a turn: what acts on the angle counts its turns from there");
-    if (empty) findings.error(given.source, "", "is empty; expected angle or displacement, for example angle_deg = 30");
+    if (empty && given.source.refused.empty())
+      findings.error(given.source, "", "is empty; expected angle or displacement, for example angle_deg = 30");
   }
   if (scene.initial.settle) {
     if (scene.touches_particles())
@@ -121,12 +158,12 @@ void check_initial_joints(const Scene& scene, Findings& findings) {
 
 void check_drives(const Scene& scene, Findings& findings) {
   for (const JointSpec& joint : scene.joints) {
-    if (!joint.source.given("type")) continue;
+    if (!joint.source.good("type")) continue;
     for (const CoordinateChoice coordinate : every<CoordinateChoice>()) check_coordinate(joint, coordinate, findings);
   }
   check_unique_names(scene.drives, "drive", findings);
   for (const DriveSpec& drive : scene.drives) {
-    if (!drive.source.given("kind")) continue;
+    if (!drive.source.good("kind")) continue;
     check_place(scene, drive, findings);
     check_function(drive.source, "command", drive.command, findings);
     if (drive.command) check_signal_name(scene, drive.source, "command.signal", drive.command->signal, findings);

@@ -93,7 +93,7 @@ void check_stops(const StrutSpec& strut, Findings& findings) {
     const StopsSpec& s = *strut.stops;
     if (!s.min && !s.max)
       findings.error(strut.source, "stops", "limit nothing; give min, max or both (strokes, compression positive)");
-    if (s.min && s.max && *s.min >= *s.max) findings.error(strut.source, "stops.max", "is not above min");
+    if (s.min && s.max) check_min_below_max(strut.source, "stops.", *s.min, *s.max, Unit::kLength, findings);
   }
   if (!strut.gas || !(strut.gas->piston_diameter > 0.0)) return;
   const double limit = strut.gas->volume / (0.25 * kPi * strut.gas->piston_diameter * strut.gas->piston_diameter);
@@ -135,7 +135,7 @@ void check_struts(const Scene& scene, Findings& findings) {
 void check_springs(const Scene& scene, Findings& findings) {
   check_unique_names(scene.springs, "spring", findings);
   for (const SpringSpec& spring : scene.springs) {
-    if (!spring.source.given("kind")) continue;
+    if (!spring.source.good("kind")) continue;
     check_pair(scene, spring.source, spring.bodies, findings);
     const bool torsion = spring.kind == SpringKind::kTorsion, bushing = spring.kind == SpringKind::kBushing;
     for (const std::string& name : spring.bodies) {
@@ -182,7 +182,7 @@ void check_forces(const Scene& scene, Findings& findings) {
 void check_controllers(const Scene& scene, Findings& findings) {
   check_unique_names(scene.controllers, "controller", findings);
   for (const ControllerSpec& c : scene.controllers) {
-    if (!c.source.given("kind")) continue;
+    if (!c.source.good("kind")) continue;
     check_body_name(scene, c.source, "body", c.body, findings);
     if (c.source.given("outputs") && c.outputs.empty())
       findings.error(c.source, "outputs", "are empty; expected names such as [\"U1\", \"U2\"]");

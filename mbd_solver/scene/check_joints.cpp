@@ -189,7 +189,7 @@ void check_function(const Source& source, const std::string& key, const std::opt
 void check_joints(const Scene& scene, Findings& findings) {
   check_unique_names(scene.joints, "joint", findings);
   for (const JointSpec& joint : scene.joints) {
-    if (!joint.source.given("type")) continue;
+    if (!joint.source.good("type")) continue;
     check_pair(scene, joint.source, joint.bodies, findings);
     check_points(joint, scene.initial.largest_gap, findings);
     check_motion(joint, findings);

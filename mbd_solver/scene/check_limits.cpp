@@ -12,6 +12,8 @@ namespace {
 constexpr double kMostRows = 1e7;            // of history.csv
 constexpr double kMostFiles = 1e5;           // pictures, checkpoints
 constexpr double kMostSamples = 1e8;         // of a controller
+constexpr double kMostSteps = 1e9;           // of the integrator
+constexpr double kLargestRtol = 0.1;         // an error of that much is no answer
 constexpr double kMostGenerated = 1e5;       // of a generated surface
 constexpr double kMostPlateTriangles = 2e4;  // finite elements
 constexpr int kMostElements = 2000;          // of a beam
@@ -72,6 +74,13 @@ void check_limits(const Scene& scene, Findings& findings) {
               findings);
   for (const ControllerSpec& controller : scene.controllers)
     check_count(scene, controller.source, "period", controller.period, kMostSamples, "samples", findings);
+  const SolverSpec& solver = scene.solver;
+  if (solver.source.given("max_step"))
+    check_count(scene, solver.source, "max_step", solver.max_step, kMostSteps, "steps", findings);
+  if (!(solver.rtol < kLargestRtol))
+    findings.error(solver.source, "rtol",
+                   "is " + number_text(solver.rtol) + ", expected less than " + number_text(kLargestRtol) +
+                       ", such as 1e-6: it is the error of a step, relative to what moves");
   if (scene.particles) check_int(scene.particles->source, "ranks", scene.particles->ranks, kMostRanks, findings);
   for (const BodySpec& body : scene.bodies) {
     if (!body.flexible) continue;

@@ -75,7 +75,7 @@ void check_rising(const SignalSpec& s, const std::string& key, const std::vector
 }
 
 void check_limits_of(const SignalSpec& s, Findings& findings) {
-  if (s.min && s.max && !(*s.min < *s.max)) findings.error(s.source, "max", "is not above min");
+  if (s.min && s.max) check_min_below_max(s.source, "", *s.min, *s.max, Unit::kNone, findings);
   if (s.kind == SignalKind::kSaturation && !s.min && !s.max)
     findings.error(s.source, "", "limits nothing; give min, max or both");
   if (s.kind != SignalKind::kPid) return;
@@ -94,9 +94,11 @@ void check_table(const SignalSpec& s, Findings& findings) {
   if (s.kind == SignalKind::kTable) {
     std::vector<double> x;
     for (const Eigen::Vector2d& point : s.points) x.push_back(point.x());
-    check_rising(s, "points", x, findings);
+    if (s.source.refused.count("points") == 0) check_rising(s, "points", x, findings);
   }
   if (s.kind != SignalKind::kTable2) return;
+  for (const char* key : {"x", "x2", "input2", "values"})
+    if (s.source.refused.count(key) > 0) return;
   check_rising(s, "x", s.x, findings);
   check_rising(s, "x2", s.x2, findings);
   if (s.input2.empty()) findings.error(s.source, "input2", "is missing; this kind of signal has two inputs");
@@ -110,7 +112,8 @@ void check_signal(const Scene& scene, const SignalSpec& s, Findings& findings) {
   for (const std::string& key : foreign_keys(s.kind))
     if (s.source.written_together("kind", key))
       findings.error(s.source, key, "means nothing for this kind of signal; leave it out");
-  if (needs_input(s.kind) && s.input.empty())
+  const auto refused = [&](const std::string& key) { return s.source.refused.count(key) > 0; };
+  if (needs_input(s.kind) && s.input.empty() && !refused("input"))
     findings.error(s.source, "input", "is missing; expected an expression such as \"0.3 - knee.angle\"");
   check_expression(scene, s.source, "input", s.input, findings);
   check_expression(scene, s.source, "input2", s.input2, findings);
@@ -119,15 +122,17 @@ void check_signal(const Scene& scene, const SignalSpec& s, Findings& findings) {
   for (const std::string& state : s.states) check_state_name(scene, s.source, "states", state, findings);
   check_limits_of(s, findings);
   check_table(s, findings);
-  if (is_filter(s.kind) && !(s.frequency > 0.0))
-    findings.error(s.source, "frequency", "is missing; a filter needs it (Hz)");
-  if (s.kind == SignalKind::kRateLimit && !(s.max_rate > 0.0))
-    findings.error(s.source, "max_rate", "is missing; expected more than 0, per second");
-  if (s.kind == SignalKind::kRateLimit && s.period == 0.0)
+  const auto is_what = [&](const std::string& key) { return s.source.given(key) ? "is 0" : "is missing"; };
+  if (is_filter(s.kind) && !(s.frequency > 0.0) && !refused("frequency"))
+    findings.error(s.source, "frequency",
+                   std::string(is_what("frequency")) + "; a filter needs it (Hz), expected more than 0");
+  if (s.kind == SignalKind::kRateLimit && !(s.max_rate > 0.0) && !refused("max_rate"))
+    findings.error(s.source, "max_rate", std::string(is_what("max_rate")) + "; expected more than 0, per second");
+  if (s.kind == SignalKind::kRateLimit && s.period == 0.0 && !refused("period"))
     findings.error(s.source, "period", "is missing; a rate limit is sampled, for example period_ms = 1");
-  if (s.kind == SignalKind::kFuzzy && s.file.empty())
+  if (s.kind == SignalKind::kFuzzy && s.file.empty() && !refused("file"))
     findings.error(s.source, "file", "is missing; a fuzzy signal is read from an .fll file");
-  if (s.kind == SignalKind::kFuzzy && s.inputs.empty())
+  if (s.kind == SignalKind::kFuzzy && s.inputs.empty() && !refused("inputs"))
     findings.error(s.source, "inputs", "are missing; expected one expression per input variable of the file");
 }
 
@@ -164,7 +169,7 @@ void check_signal_name(const Scene& scene, const Source& source, const std::stri
 void check_signals(const Scene& scene, Findings& findings) {
   check_unique_names(scene.signals, "signal", findings);
   for (const SignalSpec& signal : scene.signals)
-    if (signal.source.given("kind")) check_signal(scene, signal, findings);
+    if (signal.source.good("kind")) check_signal(scene, signal, findings);
   check_states(scene, findings);
 }
 

@@ -27,7 +27,7 @@ class FieldReader final : public FieldVisitor {
   void field(const std::string& key, const FieldRef& ref, const Rule& rule) override {
     if (Source* const* source = std::get_if<Source*>(&ref)) {
       Frame& frame = frames_.back();
-      **source = Source{frame.path, frame.node->line, {}};
+      **source = Source{frame.path, frame.node->line, {}, {}};
       frame.source = *source;
       frame.local.clear();
       return;
@@ -37,7 +37,10 @@ class FieldReader final : public FieldVisitor {
     const ValueContext context{rule, given->factor, folder_};
     const std::string problem =
         std::visit([&](auto* target) { return read_value(*given->node, context, *target); }, ref);
-    if (!problem.empty()) report(given->written, given->node->line, problem);
+    if (problem.empty()) return;
+    report(given->written, given->node->line, problem);
+    const Frame& frame = frames_.back();
+    if (frame.source) frame.source->refused.insert(frame.local + key);
   }
 
   bool begin_section(const std::string& key, Presence presence, bool& present) override {

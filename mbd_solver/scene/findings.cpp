@@ -16,20 +16,6 @@ int Source::line_of(const std::string& key) const {
   return line;
 }
 
-std::string Findings::format(int line, const std::string& path, const std::string& what) const {
-  if (line == Source::kFromSet) return "--set " + path + ": " + what;
-  const std::string where = line > 0 ? file_ + ":" + std::to_string(line) : file_;
-  return where + ": " + (path.empty() ? "" : path + ": ") + what;
-}
-
-void Findings::error(int line, const std::string& path, const std::string& what) {
-  const std::string text = format(line, path, what);
-  for (const Finding& f : errors_) {
-    if (f.text == text) return;
-  }
-  errors_.push_back({line, text});
-}
-
 namespace {
 std::string join_path(const std::string& path, const std::string& key) {
   if (path.empty() || key.empty()) return path + key;
@@ -37,12 +23,34 @@ std::string join_path(const std::string& path, const std::string& key) {
 }
 }  // namespace
 
+std::string place_of(const std::string& file, int line, const std::string& path) {
+  if (line == Source::kFromSet) return "--set " + path + ": ";
+  const std::string where = line > 0 ? file + ":" + std::to_string(line) : file;
+  return where + ": " + (path.empty() ? "" : path + ": ");
+}
+
+std::string place_of(const std::string& file, const Source& source, const std::string& key) {
+  return place_of(file, source.line_of(key), join_path(source.path, key));
+}
+
+bool names_a_place(const std::string& file, const std::string& message) {
+  return message.rfind(file + ":", 0) == 0 || message.rfind("--set ", 0) == 0;
+}
+
+void Findings::error(int line, const std::string& path, const std::string& what) {
+  const std::string text = place_of(file_, line, path) + what;
+  for (const Finding& f : errors_) {
+    if (f.text == text) return;
+  }
+  errors_.push_back({line, text});
+}
+
 void Findings::error(const Source& source, const std::string& key, const std::string& what) {
   error(source.line_of(key), join_path(source.path, key), what);
 }
 
 void Findings::warning(const Source& source, const std::string& key, const std::string& what) {
-  warnings_.push_back(format(source.line_of(key), join_path(source.path, key), what));
+  warnings_.push_back(place_of(file_, source, key) + what);
 }
 
 void Findings::throw_if_errors() const {

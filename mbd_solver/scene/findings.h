@@ -8,6 +8,14 @@
 
 namespace footfall {
 
+// "scene.toml:40: signals.s.input: " or "--set signals.s.input: "; the line and the path come from `source`, the key may be
+// empty.
+std::string place_of(const std::string& file, const Source& source, const std::string& key = "");
+// The same from the parts: line kFromSet means "--set", 0 that it is not known.
+std::string place_of(const std::string& file, int line, const std::string& path);
+// A message that begins with a place in this file or in --set.
+bool names_a_place(const std::string& file, const std::string& message);
+
 class Findings {
  public:
   explicit Findings(std::string file) : file_(std::move(file)) {}
@@ -29,7 +37,6 @@ class Findings {
     int line;
     std::string text;
   };
-  std::string format(int line, const std::string& path, const std::string& what) const;
 
   std::string file_;
   std::vector<Finding> errors_;

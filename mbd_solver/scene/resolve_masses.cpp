@@ -1,6 +1,7 @@
 // Mass, mass centre and inertia of every body.
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/nearest_name.h"
@@ -34,6 +35,7 @@ std::vector<std::string> needed_keys(ShapeKind kind) {
 
 bool check_shape(const BodySpec& body, Findings& findings) {
   const ShapeSpec& shape = *body.shape;
+  if (!body.source.good("shape.kind")) return false;  // reported when it was read
   const std::vector<std::string> needed = needed_keys(shape.kind);
   const int before = findings.error_count();
   for (const std::string& key : needed) {
@@ -48,6 +50,9 @@ bool check_shape(const BodySpec& body, Findings& findings) {
       findings.error(body.source, std::string("shape.") + key,
                      "means nothing for a " + std::string(name_of(shape.kind)) + "; leave it out");
   }
+  const std::set<std::string>& refused = body.source.refused;
+  if (std::any_of(refused.begin(), refused.end(), [](const std::string& k) { return k.rfind("shape.", 0) == 0; }))
+    return false;
   const bool long_body =
       shape.kind == ShapeKind::kTube || shape.kind == ShapeKind::kRod || shape.kind == ShapeKind::kCapsule;
   if (long_body && !((shape.to - shape.from).norm() > 0.0))
@@ -136,8 +141,8 @@ std::optional<double> density_of(const Scene& scene, const BodySpec& body, Findi
   return std::nullopt;
 }
 
-// The body's numbers; where the mass is not known yet, those of mass 1.
-void resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
+// The body's numbers; where the mass is not known yet, those of mass 1. False: they are not known, as was reported.
+bool resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
   const bool mass_given = body.source.given("mass");
   const bool inertia_given = body.source.given("inertia");
   if (!body.shape) {
@@ -146,10 +151,10 @@ void resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
     if (!inertia_given) findings.error(body.source, "inertia", "is missing" + expected);
     if (!body.source.given("position"))
       findings.error(body.source, "position", "of the mass centre is missing" + expected);
-    return;
+    return body.source.good("mass") && inertia_given && body.source.given("position");
   }
-  if (!check_shape(body, findings)) return;
-  if (mass_given && !body.mass_is_remainder && !(body.mass > 0.0)) return;  // reported when it was read
+  if (!check_shape(body, findings)) return false;
+  if (mass_given && !body.mass_is_remainder && !(body.mass > 0.0)) return false;  // reported when it was read
   double density = 1.0;
   if (!mass_given) {
     if (body.material.empty() || body.shape->kind == ShapeKind::kPoints) {
@@ -157,10 +162,10 @@ void resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
           body.source, "mass",
           std::string("is missing; give the mass") +
               (body.shape->kind == ShapeKind::kPoints ? " (points have no volume)" : ", or a material for the shape"));
-      return;
+      return false;
     }
     const std::optional<double> found = density_of(scene, body, findings);
-    if (!found) return;
+    if (!found) return false;
     density = *found;
   }
   MassProperties p;
@@ -168,7 +173,7 @@ void resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
     p = shape_properties(body, density);
   } catch (const InputError& e) {
     findings.error(body.source, "shape", e.what());
-    return;
+    return false;
   }
   if (mass_given && !body.mass_is_remainder) p = with_mass(p, body.mass);
   if (body.mass_is_remainder) p = with_mass(p, 1.0);
@@ -176,6 +181,7 @@ void resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
   if (!body.source.given("position")) body.position = p.centre;
   const Eigen::Matrix3d R = body.orientation.toRotationMatrix();
   if (!inertia_given) body.inertia = R.transpose() * p.inertia * R;
+  return true;
 }
 
 void resolve_remainder(Scene& scene, Findings& findings) {
@@ -231,12 +237,12 @@ void check_inertia(const BodySpec& body, Findings& findings) {
 }  // namespace
 
 void resolve_masses(Scene& scene, Findings& findings) {
-  const int before = findings.error_count();
-  for (BodySpec& body : scene.bodies) resolve_body(scene, body, findings);
-  if (findings.error_count() > before) return;  // masses are not known: the rest would only repeat it
+  bool known = true;
+  for (BodySpec& body : scene.bodies) known = resolve_body(scene, body, findings) && known;
+  if (!known) return;  // masses are not known: the rest would only repeat it
   resolve_remainder(scene, findings);
   for (const BodySpec& body : scene.bodies) {
-    if (body.mass > 0.0) check_inertia(body, findings);
+    if (body.mass > 0.0 && body.source.refused.count("inertia") == 0) check_inertia(body, findings);
   }
 }
 

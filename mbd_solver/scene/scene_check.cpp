@@ -7,6 +7,9 @@
 #include "coupler/base/text.h"
 
 namespace footfall {
+namespace {
+constexpr double kLeastDensity = 50.0;  // [kg/m3] of what machines are built of
+}  // namespace
 
 int Scene::body_index(const std::string& name) const {
   if (name == "ground") return -1;
@@ -75,6 +78,11 @@ void check_bodies(const Scene& scene, Findings& findings) {
   std::vector<std::string> materials;
   for (const MaterialSpec& m : scene.materials) {
     materials.push_back(m.name);
+    if (m.density > 0.0 && m.density < kLeastDensity)
+      findings.warning(
+          m.source, "density",
+          "is " + number_text(m.density) +
+              " kg/m3, lighter than foam. Is it in g/cm3? Then write density_g_cm3 = " + number_text(m.density));
     if (!(m.poisson > -1.0 && m.poisson < 0.5))
       findings.error(m.source, "poisson", "is " + number_text(m.poisson) + ", expected more than -1 and less than 0.5");
   }
@@ -98,7 +106,7 @@ void check_bodies(const Scene& scene, Findings& findings) {
         (f.file.empty() ? 0 : 1) + (f.mesh.empty() ? 0 : 1) + (f.nodes.empty() ? 0 : 1) + (matrices > 0 ? 1 : 0);
     if (models > 1)
       findings.error(body.source, "flexible", "names more than one of file, mesh, nodes and matrices; keep one");
-    if (models == 0) {
+    if (models == 0 && !(body.shape && !body.source.good("shape.kind"))) {
       const bool can = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod ||
                                       body.shape->kind == ShapeKind::kDisc || body.shape->kind == ShapeKind::kDish);
       if (!can)

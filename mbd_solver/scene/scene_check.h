@@ -2,6 +2,7 @@
 // What a complete scene must obey beyond types, units and ranges: names that exist, joints that close, laws that make
 // sense.
 
+#include "mbd_solver/scene/field_visitor.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene.h"
 
@@ -40,6 +41,10 @@ void check_signal_name(const Scene& scene, const Source& source, const std::stri
 // The joint of this name; null, with a finding, where there is none.
 const JointSpec* find_joint(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
                             Findings& findings);
+
+// min < max; `within`: what stands before these keys, "stops.". Unit::kAngle is told in degrees.
+void check_min_below_max(const Source& source, const std::string& within, double min, double max, Unit unit,
+                         Findings& findings);
 
 // A function of time: an amplitude has a frequency, times of a table rise.
 void check_function(const Source& source, const std::string& key, const std::optional<TimeFunctionSpec>& f,

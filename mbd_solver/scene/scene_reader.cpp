@@ -13,6 +13,7 @@
 #include "mbd_solver/scene/config_node.h"
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/initial_joints.h"
 #include "mbd_solver/scene/resolve.h"
 #include "mbd_solver/scene/scene_base.h"
 #include "mbd_solver/scene/scene_check.h"
@@ -203,6 +204,7 @@ Scene read_scene(const std::string& argument, const std::vector<std::string>& se
   Findings findings(file);
   for (const std::string& setting : settings) apply_setting(root, setting, findings);
   add_soil(root, findings);
+  expand_initial_joints(root, findings);
 
   Scene scene;
   scene.file = file;

@@ -192,6 +192,9 @@ std::string scene_schema() {
   Json base = of_type("string");
   base["description"] = "A scene that this one is laid over.";
   writer.root["properties"]["base"] = std::move(base);
+  // initial_joints.cpp takes a number, too.
+  Json& joint = writer.root["properties"]["initial"]["properties"]["joints"]["additionalProperties"];
+  joint = any_of(of_type("number"), joint);
   Json schema = schema_text("Scene of footfall", writer.root);
   schema["x-kinds"] = kind_schema();
   return schema.dump(2);

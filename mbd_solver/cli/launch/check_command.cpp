@@ -7,6 +7,7 @@
 #include "mbd_solver/cli/launch/box_report.h"
 #include "mbd_solver/cli/launch/script_report.h"
 #include "mbd_solver/scene/boundary_surface.h"
+#include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {
@@ -23,13 +24,14 @@ void check_by_building(Scene scene) {
     for (const BoundarySpec& boundary : scene.boundaries) {
       if (boundary.surface && !boundary.surface->file.empty()) boundary_surface(scene, boundary);
     }
-    const Mechanism mechanism = build_mechanism(scene);
+    Mechanism mechanism = build_mechanism(scene);
     for (const std::string& warning : mechanism.warnings)
       std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
     demand_inside_box(scene, mechanism);
+    demand_values_at_start(scene, !unknown_height, mechanism);
   } catch (const InputError& error) {
     const std::string what = error.what();
-    throw InputError(what.front() == '/' ? what : scene.file + ": " + what);
+    throw InputError(what.front() == '/' || names_a_place(scene.file, what) ? what : scene.file + ": " + what);
   }
 }
 

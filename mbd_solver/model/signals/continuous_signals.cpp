@@ -70,7 +70,7 @@ void ContinuousSignals::start(double t, const Eigen::VectorXd* before, Eigen::Re
     for (std::size_t k = 0; k < chain_.size(); ++k) worked[k] = chain_.works(k);
   }
   set_names(t, voltages);
-  for (std::size_t k = 0; k < chain_.size(); ++k) {
+  const auto begin = [&](std::size_t k) {
     const SignalNode& node = chain_.node(k);
     Eigen::Ref<Eigen::VectorXd> states = z.segment(chain_.first_state(k), node.block->state_count());
     double y = 0.0;
@@ -80,6 +80,12 @@ void ContinuousSignals::start(double t, const Eigen::VectorXd* before, Eigen::Re
     }
     chain_.put(k, y);
     voltages[node.place] = y;
+  };
+  try {
+    for (std::size_t k = 0; k < chain_.size(); ++k) begin(k);
+  } catch (const NumericalError& error) {
+    if (!before) throw InputError(error.what());  // at the start it is the scene's
+    throw NumericalError("t = " + std::to_string(t) + " s: " + error.what());
   }
 }
 

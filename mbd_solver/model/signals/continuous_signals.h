@@ -40,6 +40,7 @@ class ContinuousSignals {
     run(t, z, voltages, dz);
   }
   // The states of every signal (before null), or of those that did not work under the voltages and signals `before`.
+  // Throws NumericalError; at the start, with before null, InputError.
   template <class Kinematics>
   void settle(double t, const Kinematics& kinematics, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
               Eigen::Ref<Eigen::VectorXd> voltages) const {

@@ -6,6 +6,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 namespace {
@@ -79,13 +80,20 @@ Expression::~Expression() = default;
 Expression::Expression(Expression&&) noexcept = default;
 Expression& Expression::operator=(Expression&&) noexcept = default;
 
+void Expression::complain_of_no_value() const {
+  std::vector<std::string> arguments;
+  for (const auto& [name, place] : parser_->GetVar()) arguments.push_back(name + " = " + number_text(*place, 4));
+  throw NumericalError("\"" + text_ + "\" has no value" + (arguments.empty() ? "" : " where " + joined(arguments)) +
+                       "; guard what divides, a root or a logarithm, for example \"x > 0 ? sqrt(x) : 0\"");
+}
+
 double Expression::value() const {
   double value = std::nan("");
   try {
     value = parser_->Eval();
   } catch (const mu::Parser::exception_type&) {
   }
-  if (!std::isfinite(value)) throw NumericalError("\"" + text_ + "\" has no value here.");
+  if (!std::isfinite(value)) complain_of_no_value();
   return value;
 }
 

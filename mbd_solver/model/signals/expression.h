@@ -26,11 +26,14 @@ class Expression {
   Expression(Expression&&) noexcept;
   Expression& operator=(Expression&&) noexcept;
 
-  // Of the values now. Throws NumericalError where it has none (a division by zero, the root of a negative number).
+  // Of the values now. Throws NumericalError where it has none (a division by zero, the root of a negative number), with
+  // the values of its names.
   double value() const;
   const std::string& text() const { return text_; }
 
  private:
+  [[noreturn]] void complain_of_no_value() const;
+
   std::string text_;
   std::unique_ptr<mu::Parser> parser_;
 };

@@ -53,7 +53,7 @@ std::vector<std::size_t> evaluation_order(const std::vector<std::string>& names,
       std::vector<std::string> circle;
       for (auto at = before; at != way.end(); ++at) circle.push_back(names[*at]);
       circle.push_back(names[k]);
-      throw InputError("signals depend on each other in a circle: " + joined(circle, " <- ") +
+      throw InputError("they depend on each other in a circle: " + joined(circle, " <- ") +
                        "; put a lowpass between them, which answers from what was before");
     }
     way.push_back(k);
@@ -98,11 +98,13 @@ bool SignalChain::works(std::size_t k) const {
 
 const Eigen::VectorXd& SignalChain::inputs(std::size_t k) const {
   Eigen::VectorXd& u = inputs_[k];
-  try {
-    for (std::size_t i = 0; i < expressions_[k].size(); ++i)
+  for (std::size_t i = 0; i < expressions_[k].size(); ++i) {
+    try {
       u[static_cast<Eigen::Index>(i)] = expressions_[k][i].value();
-  } catch (const NumericalError& error) {
-    throw NumericalError("signal \"" + nodes_[k].name + "\": " + error.what());
+    } catch (const NumericalError& error) {
+      const std::vector<std::string>& at = nodes_[k].written_at;
+      throw NumericalError((i < at.size() ? at[i] : "signal \"" + nodes_[k].name + "\": ") + error.what());
+    }
   }
   return u;
 }

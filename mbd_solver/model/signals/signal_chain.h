@@ -20,6 +20,8 @@ struct SignalNode {
   std::optional<double> initial;    // value of its inputs before the start; not given: those of the start
   double period = 0.0;              // [s]; 0: continuous
   int place = 0;                    // of its value among the voltages and signals of a run
+  // Where the inputs stand, for messages: "scene.toml:40: signals.pitch.input: ". Empty: they go by the node's name.
+  std::vector<std::string> written_at = {};
 };
 
 class SignalChain {
@@ -36,7 +38,7 @@ class SignalChain {
   const std::vector<std::string>& names() const { return names_; }
   void set(std::size_t name, double value) const { *outside_[name] = value; }
 
-  // Node k at the present values; nodes before it are up to date. Throws NumericalError, naming the signal.
+  // Node k at the present values; nodes before it are up to date. Throws NumericalError, naming the input.
   bool works(std::size_t k) const;                                   // in the present state
   const Eigen::VectorXd& inputs(std::size_t k) const;                // good until the next call
   void put(std::size_t k, double value) const { *own_[k] = value; }  // what those behind it read

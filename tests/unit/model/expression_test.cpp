@@ -57,6 +57,17 @@ TEST(Expression, WithoutAValueSaysSo) {
   EXPECT_THROW(value_of("sqrt(signal.error)"), NumericalError);
 }
 
+TEST(Expression, WithoutAValueTellsTheValuesOfItsNames) {
+  try {
+    value_of("sqrt(signal.error) + knee.angle");
+    FAIL() << "it has a value";
+  } catch (const NumericalError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "\"sqrt(signal.error) + knee.angle\" has no value where knee.angle = 0.25, signal.error = -2; guard what "
+              "divides, a root or a logarithm, for example \"x > 0 ? sqrt(x) : 0\"");
+  }
+}
+
 TEST(Expression, ThatCannotBeReadIsRefused) {
   for (const char* text : {"1 +", "sin(", "a b", "", "1, 2", "knee.angle = 3", "foo(1)", "\"text\"", "a{leg}"})
     EXPECT_NE(refusal(text), "") << text;

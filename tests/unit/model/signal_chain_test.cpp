@@ -75,6 +75,24 @@ TEST(SignalChain, WorksInItsStatesOnly) {
   EXPECT_TRUE(chain.works(0));
 }
 
+TEST(SignalChain, NamesThePlaceOfAnInputWithoutAValue) {
+  SignalNode placed = node("a", "1 / x");
+  placed.written_at = {"scene.toml:40: signals.a.input: "};
+  const SignalChain chain(list(std::move(placed), node("b", "1 / x"), node("c", "1")));
+  const auto complaint = [&](std::size_t k) {
+    try {
+      chain.inputs(k);
+    } catch (const NumericalError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  chain.set(0, 0.0);
+  EXPECT_EQ(complaint(0).rfind("scene.toml:40: signals.a.input: \"1 / x\" has no value where x = 0", 0), 0u)
+      << complaint(0);
+  EXPECT_EQ(complaint(1).rfind("signal \"b\": ", 0), 0u) << complaint(1);
+}
+
 TEST(LookupTable, IsLinearBetweenItsPointsAndConstantOutside) {
   const LookupTable table({0.0, 1.0, 3.0}, {1.0, 2.0, -2.0});
   const auto at = [&](double x) { return table.value(Eigen::VectorXd::Constant(1, x), Eigen::VectorXd()); };
