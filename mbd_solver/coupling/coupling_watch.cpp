@@ -13,9 +13,16 @@ namespace {
 
 constexpr int kChatterWindows = 16;     // full swings in a row that no impact shows
 constexpr double kLargeOverlap = 0.05;  // of the radius: Hertz' law and the volume of the grains hold for small ones
-constexpr double kSurplus = 0.01;       // of the impulse given by the grains
-constexpr int kSurplusWindows = 10;     // bodies times windows
-constexpr double kUnresolved = 0.1;     // of the impulse on a body
+constexpr double kInside = 0.3;         // of the radius, in the first window: no impact presses so far at once
+constexpr const char* kSoftGrains =
+    " % of its radius: its contact law holds for small overlaps, and soft grains soften the impact (ten times stiffer "
+    "ones "
+    "doubled the peak force on a dropped sphere, docs/dropped_sphere.md); raise their modulus, and lower the time step "
+    "by "
+    "its root";
+constexpr double kSurplus = 0.01;    // of the impulse given by the grains
+constexpr int kSurplusWindows = 10;  // bodies times windows
+constexpr double kUnresolved = 0.1;  // of the impulse on a body
 constexpr double kWindowsPerTouch = 10.0;
 constexpr double kFloor = 1e-3;             // of what a window's impulse can do
 constexpr double kWarnGain = 0.2;           // of the gain that ends the run
@@ -58,6 +65,7 @@ void CouplingWatch::visit(Archive& archive) {
   archive("largest_kick", largest_kick_);
   archive("warned_of_gain", warned_of_gain_);
   archive("warned_of_loss", warned_of_loss_);
+  archive("began", began_);
   archive("warned_of_overlap", warned_of_overlap_);
   archive("warned_of_facets", warned_of_facets_);
   archive("largest_overlap", largest_overlap_);
@@ -203,15 +211,16 @@ void CouplingWatch::count_surplus(std::size_t i, double time, const Eigen::Vecto
 }
 
 void CouplingWatch::watch_grains(double time) {
+  const bool first_window = !began_;
+  began_ = true;
   const std::string at = "t = " + number(time) + " s: ";
   if (!warned_of_overlap_ && largest_overlap_ > kLargeOverlap) {
     warned_of_overlap_ = true;
-    warnings_.push_back(
-        at + "a grain is pressed in by " + number(100.0 * largest_overlap_) +
-        " % of its radius: its contact law holds for small overlaps, and soft grains soften the impact (ten times "
-        "stiffer "
-        "ones doubled the peak force on a dropped sphere, docs/dropped_sphere.md); raise their modulus, and lower the "
-        "time step by its root");
+    warnings_.push_back(at + "a grain is pressed in by " + number(100.0 * largest_overlap_) +
+                        (first_window && largest_overlap_ > kInside
+                             ? " % of its radius in the first window: a body starts inside the bed; start it higher "
+                               "(initial.clearance, positions of bodies, [initial.joints])"
+                             : kSoftGrains));
   }
   if (!warned_of_facets_ && largest_patch_ > 1.0) {
     warned_of_facets_ = true;

@@ -102,6 +102,7 @@ class CouplingWatch {
   double residual_ = 0.0, largest_residual_ = 0.0;  // [J]
   std::vector<Work> work_;                          // per body
   double largest_kick_ = 0.0;                       // sum over bodies of J^2 / 2m, largest of any window [J]
+  bool began_ = false;
   bool warned_of_gain_ = false, warned_of_loss_ = false, warned_of_overlap_ = false, warned_of_facets_ = false;
   double largest_overlap_ = 0.0, largest_patch_ = 0.0, largest_force_ = 0.0;
   std::vector<double> omega_h_, largest_omega_h_, warn_omega_h_;

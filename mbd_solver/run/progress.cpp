@@ -19,7 +19,8 @@ bool on_terminal() {
 
 }  // namespace
 
-Progress::Progress(double t_end, bool quiet) : t_end_(t_end), live_(quiet, on_terminal()), started_(wall_clock()) {}
+Progress::Progress(double t_end, bool quiet, bool coupled)
+    : t_end_(t_end), coupled_(coupled), live_(quiet, on_terminal()), started_(wall_clock()) {}
 
 void Progress::show(double time, long windows, double contact_force) {
   if (!begun_) {
@@ -39,8 +40,9 @@ void Progress::show(double time, long windows, double contact_force) {
 std::string Progress::line() const {
   const double spent = wall_clock() - started_;
   const double factor = spent > 0.0 ? (time_ - from_) / spent : 0.0;  // simulated per real second
+  const std::string windows = coupled_ ? " | " + std::to_string(windows_) + " windows" : "";
   char rest[120];
-  std::snprintf(rest, sizeof rest, " | %.1e x real time | %ld windows | contact %.2f kN", factor, windows_,
+  std::snprintf(rest, sizeof rest, " | %.1e x real time%s | contact %.2f kN", factor, windows.c_str(),
                 contact_force_ / 1e3);
   return time_text(time_, t_end_, {time_ / t_end_, (time_ - from_) / t_end_, spent}) + rest;
 }

@@ -10,7 +10,7 @@ namespace footfall {
 class Progress {
  public:
   // On a terminal the line rewrites itself; elsewhere there is one per per cent.
-  Progress(double t_end, bool quiet);
+  Progress(double t_end, bool quiet, bool coupled);
   void show(double time, long windows, double contact_force);
   void finish();  // the last state, and the end of the line
 
@@ -18,6 +18,7 @@ class Progress {
   std::string line() const;
 
   double t_end_;  // [s]
+  bool coupled_;  // only then there are windows
   LiveLine live_;
   double started_;            // wall clock [s]
   double from_ = 0.0;         // time of the first state: of a resumed run not zero [s]

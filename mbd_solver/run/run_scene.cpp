@@ -81,7 +81,7 @@ int run_scene(const Scene& scene, const RunOptions& options, Transport* transpor
     const std::string file = std::filesystem::absolute(scene.file).lexically_normal().string();
     write_run_note(options.out, {scene.title, file, t_end});
   });
-  Progress progress(t_end, options.quiet);
+  Progress progress(t_end, options.quiet, coupled != nullptr);
   WarningTeller of_coupling, of_bodies, of_joints;
   if (resumed) {
     if (coupled) of_coupling.skip(coupled->watch().warnings());

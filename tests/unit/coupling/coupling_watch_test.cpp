@@ -149,5 +149,17 @@ TEST(CouplingWatch, WarnsOfDeepGrainsAndOfNarrowFacetsOnce) {
   EXPECT_TRUE(body.warns("1.1 times the width"));
 }
 
+TEST(CouplingWatch, TellsABodyThatStartsInsideTheBedFromAHardImpact) {
+  Watched inside(1.0);
+  inside.overlap = 0.9;
+  inside.window({});
+  EXPECT_TRUE(inside.warns("a body starts inside the bed"));
+  Watched impact(1.0);
+  impact.window({});
+  impact.overlap = 0.9;
+  impact.window({});
+  EXPECT_TRUE(impact.warns("soft grains soften the impact"));
+}
+
 }  // namespace
 }  // namespace footfall
