@@ -107,6 +107,8 @@ class Equations {
   // Measured only; for runs without projection, which end likewise when a joint is open by more than 1e-3 m or rad.
   Drift check_closed(const State& state);
   Drift drift(const State& state);  // measured only
+  // ln |det [M, Phi_v^T; Phi_v, -eps]|, with resting rows: that of the squares of the conditions' singular values.
+  double log_determinant(const State& state);
 
   // Energies and powers at (t, y); multipliers enter the power of prescribed motions.
   void energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs, EnergySample& out);

@@ -73,6 +73,14 @@ void SparseLu::solve(Eigen::Ref<Eigen::VectorXd> x) const {
   klu_solve(k.symbolic, k.numeric, static_cast<int>(k.matrix.rows()), 1, x.data(), &k.common);
 }
 
+double SparseLu::log_determinant() const {
+  const Klu& k = *klu_;
+  double sum = 0.0;
+  const double* pivots = k.matrix.rows() == 0 ? nullptr : static_cast<const double*>(k.numeric->Udiag);
+  for (Eigen::Index i = 0; i < k.matrix.rows(); ++i) sum += std::log(std::abs(pivots[i]) * k.numeric->Rs[i]);
+  return sum;
+}
+
 void SparseLu::forget() { klu_free_numeric(&klu_->numeric, &klu_->common); }
 
 }  // namespace footfall

@@ -20,6 +20,7 @@ class SparseLu {
   bool factor();
   // x = A^-1 x in place; after a successful factor().
   void solve(Eigen::Ref<Eigen::VectorXd> x) const;
+  double log_determinant() const;  // ln |det A|; after a successful factor()
   // The next factor() chooses its pivots from the values alone.
   void forget();
 

@@ -48,9 +48,9 @@ Ida::Ida(Equations& equations, const IntegratorOptions& options)
 Ida::~Ida() = default;
 
 std::string Ida::warning() const {
-  if (statistics_.summed_error <= kTold) return {};
+  if (statistics_.told_error <= kTold) return {};
   return "the errors of the " + std::to_string(statistics_.steps) + " steps of solver.integrator = \"ida\" add up to " +
-         number_text(statistics_.summed_error, 2) +
+         number_text(statistics_.told_error, 2) +
          " times solver.rtol and solver.atol: the end may be off by as much. Compare with \"one_step\", which takes "
          "longer steps where parts are stiff, or make solver.rtol smaller";
 }

@@ -226,7 +226,7 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
   double from = t;
   complaint.clear();
   check(IDASolve(memory, t_end, &t, y, ydot, IDA_ONE_STEP), "IDASolve");
-  statistics.summed_error += step_error();
+  statistics.told_error += step_error();
   for (; row_time < t; row_time = rows.after(row_time)) {
     add_work_between(from, row_time, inputs, state);
     from = row_time;

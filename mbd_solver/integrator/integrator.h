@@ -34,7 +34,9 @@ struct IntegratorStatistics {
   // projection removed from them before.
   double drift_position = 0.0, drift_velocity = 0.0;
   double removed_position = 0.0, removed_velocity = 0.0;
-  double summed_error = 0.0;  // ida: of the estimated errors of all steps, in tolerances
+  // What warning() tells, in tolerances. ida: sum of the estimated errors of all steps; one_step: the largest of a step over a
+  // singular position, 0 when none is beyond the tolerance.
+  double told_error = 0.0;
 
   void count(const Equations::Drift& drift);  // at the end of a window
 };

@@ -27,6 +27,7 @@ class OneStep : public Integrator {
   const Eigen::VectorXd& end_rates() const override { return rates_; }
   void forget() override;
   const IntegratorStatistics& statistics() const override { return statistics_; }
+  std::string warning() const override;
   void resume(const IntegratorStatistics& so_far) override {
     forget();
     statistics_ = so_far;
@@ -52,8 +53,12 @@ class OneStep : public Integrator {
   void renew_rates(const Inputs& inputs, const State& state);  // y_, K_[0] and energy_[0]
   void interpolate(double time, double h);                     // row_ and row_rates_, within the step h from start_
   double predictor_time(std::size_t k) const;                  // of before_[k] within its step
-  double first_step();                                         // [s]
-  double next_step(double h) const;                            // after a step h of error error_
+  // Singular positions. After a step that failed: true where another than a shorter one is to be tried.
+  bool finds_another_step(double h, double planned, const Inputs& inputs, State& state);
+  void look_ahead(const State& state);            // singular_time_ from the last two steps
+  double planned_step(double t, double h) const;  // h, or one with which no stage is near a singular position
+  double first_step();                            // [s]
+  double next_step(double h) const;               // after a step h of error error_
   [[noreturn]] void give_up(double t, const std::string& what) const;
 
   static constexpr double kSlow = 0.2;  // convergence rate above which the Jacobian is renewed before the next step
@@ -85,10 +90,13 @@ class OneStep : public Integrator {
   double h_before_ = 0.0;                // 0: no step before
   double error_before_ = 0.0;            // its error, 1 = tolerance
 
-  State start_, row_, end_;        // at the start of a step, in it, and at its end without drift
-  Equations::Drift end_drift_;     // what was removed there
-  bool closed_ = false;            // end_ is to be taken
-  int trouble_ = 0, careful_ = 0;  // failures of late; steps that go on without drift
+  State start_before_, start_, row_, end_;  // at the start of a step, in it, and at its end without drift
+  Equations::Drift end_drift_;              // what was removed there
+  bool closed_ = false;                     // end_ is to be taken
+  int trouble_ = 0, careful_ = 0;           // failures of late; steps that go on without drift
+  double singular_time_ = std::numeric_limits<double>::infinity();  // where a singular position is expected [s]
+  double limit_ = 1.0;                                              // of error_ in the step that is tried
+  int crossings_ = 0;                                               // steps over it that have failed
   Eigen::VectorXd row_rates_;
   double row_time_ = 0.0;  // of the next row [s]
 };

@@ -89,6 +89,51 @@ Model bricard(double diameter, Turn turn, Exchange exchange) {
   return model;
 }
 
+// Peaucellier's linkage: two long rods from O, a rhombus of short ones, and a crank that leads its corner B around a circle
+// through O, so that the corner P opposite moves along x = (long^2 - short^2) / (2 crank). Seven rods, ten hinges, gravity
+// along -y. Where the rhombus lies flat (OB = long - short) its two corners C and D pass through each other: there the
+// mechanism could change its branch. `angle` [rad] and `speed` [rad/s] of the crank about its end on the ground.
+inline Model peaucellier(double angle, double speed) {
+  const double crank = 0.6, length = 1.0, side = 0.5;
+  using Point = Eigen::Vector3d;
+  const Point O = Point::Zero(), A(crank, 0.0, 0.0), B = A + crank * Point(std::cos(angle), std::sin(angle), 0.0);
+  const double to_B = B.norm(), along = (length * length - side * side + to_B * to_B) / (2.0 * to_B);
+  const double across = std::sqrt(length * length - along * along);
+  const Point u = B / to_B, n(-u.y(), u.x(), 0.0), C = along * u + across * n, D = along * u - across * n;
+  const Point P = 2.0 * along * u - B;
+  // Rates: to_B along the circle, the corners by the lengths.
+  const Point z = Point::UnitZ(), v_B = speed * z.cross(Point(B - A));
+  const double rate = u.dot(v_B), turn = n.dot(v_B) / to_B;
+  const double along_rate = rate * (0.5 - (length * length - side * side) / (2.0 * to_B * to_B));
+  const double across_rate = -along * along_rate / across;
+  const auto moved = [&](double a, double b, double a_rate, double b_rate) -> Point {
+    return a_rate * u + b_rate * n + turn * (a * n - b * u);
+  };
+  const Point v_C = moved(along, across, along_rate, across_rate),
+              v_D = moved(along, -across, along_rate, -across_rate);
+  Model model({0.0, -9.81, 0.0});
+  const auto rod = [&](const std::string& name, const Point& from, const Point& to, const Point& v_from,
+                       const Point& v_to) {
+    const Point e = to - from, w = e.cross(Point(v_to - v_from)) / e.squaredNorm();
+    return add_rod(model, name, from, to, w, v_from);
+  };
+  const Point v_P = 2.0 * moved(along, 0.0, along_rate, 0.0) - v_B;
+  const int AB = rod("AB", A, B, 0.0 * z, v_B), OC = rod("OC", O, C, 0.0 * z, v_C), OD = rod("OD", O, D, 0.0 * z, v_D);
+  const int BC = rod("BC", B, C, v_B, v_C), BD = rod("BD", B, D, v_B, v_D);
+  const int PC = rod("PC", P, C, v_P, v_C), PD = rod("PD", P, D, v_P, v_D);
+  model.add_joint(hinge(model, "A", kGround, AB, A));
+  model.add_joint(hinge(model, "O_C", kGround, OC, O));
+  model.add_joint(hinge(model, "O_D", kGround, OD, O));
+  model.add_joint(hinge(model, "B_C", AB, BC, B));
+  model.add_joint(hinge(model, "B_D", AB, BD, B));
+  model.add_joint(hinge(model, "C_B", OC, BC, C));
+  model.add_joint(hinge(model, "C_P", OC, PC, C));
+  model.add_joint(hinge(model, "D_B", OD, BD, D));
+  model.add_joint(hinge(model, "D_P", OD, PD, D));
+  model.add_joint(hinge(model, "P", PC, PD, P));
+  return model;
+}
+
 // A planar four-bar with a crank that turns all around, of random lengths, speed and plane, gravity in the plane; with
 // four hinges, or with a ball and a cylinder in place of the last two.
 inline Model crank_rocker(unsigned seed, bool ball_and_cylinder) {
