@@ -179,6 +179,26 @@ CheckedCase four_bar_case(int cells, double t_end) {
   return out;
 }
 
+CheckedCase peaucellier_case() {
+  CheckedCase out;
+  out.name = "Peaucellier's linkage";
+  out.what =
+      "Seven rods of 1 kg, ten hinges, let go under gravity at 2 rad/s, 3 s. Twice the rhombus lies flat and two of "
+      "its "
+      "corners pass through each other: there it could change its branch.";
+  out.compared = "Energy with rows every 10 ms, relative to that at the start (26 J).";
+  out.source = "The energy.";
+  out.tolerances = {1e-4, 1e-6, 1e-8, 1e-10};
+  out.in_short = false;
+  out.run = [](const std::string& kind, double rtol) {
+    const Model model = peaucellier(1.0, -2.0);
+    Outcome found = watch(model, kind, rtol, 0.01, 3.0).outcome;
+    found.error = found.energy / Run(model).start_energy();
+    return found;
+  };
+  return out;
+}
+
 CheckedCase singular_case(Family family, unsigned seed, const std::string& name, const std::string& what) {
   CheckedCase out;
   out.name = name;
@@ -256,9 +276,9 @@ CheckedCase rotor_case() {
 }  // namespace
 
 std::vector<CheckedCase> checked_cases() {
-  std::vector<CheckedCase> out = {squeezer_case(),       governor_case(),       flip_case(),
-                                  bricard_case(),        bennett_case(),        four_bar_case(2, 10.0),
-                                  four_bar_case(6, 3.0), four_bar_case(40, 3.0)};
+  std::vector<CheckedCase> out = {squeezer_case(),    governor_case(),       flip_case(),
+                                  bricard_case(),     bennett_case(),        four_bar_case(2, 10.0),
+                                  peaucellier_case(), four_bar_case(6, 3.0), four_bar_case(40, 3.0)};
   out.push_back(
       singular_case(Family::kOverclosed, 14, "Sarrus' mechanism through its flat position",
                     "Six hinges, three and three parallel, lift a plate without turning it. It falls through the "
