@@ -13,7 +13,7 @@ namespace footfall {
 
 struct AssemblyOptions {
   double gap_tolerance = 1e-3;    // largest initial gap [m] or misalignment [rad] that is closed silently
-  double speed_tolerance = 1e-3;  // largest change of a given velocity [m/s or rad/s] that is made silently
+  double speed_tolerance = 1e-6;  // largest change of a given velocity [m/s or rad/s] that is made silently
   double rank_tolerance = 1e-8;   // of the unit rows of Phi_v
   std::vector<StartCoordinate> start;
 };

@@ -150,6 +150,20 @@ TEST(Assembly, TellsWhatItChangedOfTheGivenVelocities) {
   EXPECT_TRUE(assemble(model, lenient).notes.empty());
 }
 
+TEST(Assembly, TellsVelocitiesThatContradictEachOtherByATenThousandth) {
+  Model model;
+  BodyState state;
+  state.r = {1.0, 0.0, 0.0};
+  state.dr = {0.0, 1.0, 0.0};
+  state.w = {0.0, 0.0, 1.0001};
+  const int body = model.add_body(Body("arm", 1.0, Eigen::Matrix3d::Identity()), state);
+  model.add_joint(revolute_joint("pivot", model.marker_at(kGround, Eigen::Vector3d::Zero()),
+                                 model.marker_at(body, Eigen::Vector3d::Zero())));
+  const Assembly changed = assemble(model);
+  ASSERT_EQ(changed.notes.size(), 1u);
+  EXPECT_NE(changed.notes[0].find("would open at 0.0001 m/s"), std::string::npos) << changed.notes[0];
+}
+
 TEST(Assembly, ChainsOfManyBodiesAreSparse) {
   // With dense matrices 1000 hinges would take minutes and 1 GB; the time limit of a unit test sees it.
   Model model;
