@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
 # scenes.sh FOOTFALL SOURCE OUT: footfall audit on every scene of inputs/ and examples/ that touches grains, short and on beds that are
-# poured in seconds. Scenes that differ in numbers alone (sweeps, validation) stand on these.
+# poured in seconds, those of the examples as their own tests do. Scenes that differ in numbers alone (sweeps, validation) stand on these.
 set -u
 footfall=$1 source=$2 out=$3
-export FOOTFALL_CACHE=$out/cache
 failed=0
 rm -rf "$out/runs"
 mkdir -p "$out"
