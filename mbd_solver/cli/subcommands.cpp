@@ -242,7 +242,8 @@ Action test(CLI::App& command) {
     const std::string build = std::filesystem::path(built_program("footfall")).parent_path().parent_path().string();
     if (!std::filesystem::exists(std::filesystem::path(build) / "CTestTestfile.cmake"))
       throw InputError(build + ": holds no tests: an installed program has none. Run ./footfall test in a checkout");
-    Command ctest{{"ctest", "--test-dir", build, "--output-on-failure", "-j2"}, {}, "", ""};
+    // Programs of a pair wait for each other, and for mpirun: three tests keep two cores busy.
+    Command ctest{{"ctest", "--test-dir", build, "--output-on-failure", "-j3"}, {}, "", ""};
     if (!label->empty()) ctest.words.insert(ctest.words.end(), {"-L", *label});
     return run_child(ctest).code == 0 ? kExitDone : kExitFailed;
   };

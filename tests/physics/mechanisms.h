@@ -134,6 +134,38 @@ inline Model peaucellier(double angle, double speed) {
   return model;
 }
 
+// A scissor lift: pairs of crossed bars of 1 m at `angle` [rad] to the floor, which changes at `rate` [rad/s]; the foot of the
+// first pair slides on a rail, gravity along -y. Where all bars lie flat the lift could change its branch at every pin.
+inline Model scissor_lift(int stages, double angle, double rate) {
+  using Point = Eigen::Vector3d;
+  const double w = std::cos(angle), h = std::sin(angle), dw = -h * rate, dh = w * rate;
+  const Point z = Point::UnitZ();
+  Model model({0.0, -9.81, 0.0});
+  std::vector<int> rising, falling;
+  for (int i = 0; i < stages; ++i) {
+    const std::string number = std::to_string(i);
+    rising.push_back(
+        add_rod(model, "rising_" + number, {0.0, i * h, 0.0}, {w, (i + 1) * h, 0.0}, rate * z, {0.0, i * dh, 0.0}));
+    falling.push_back(
+        add_rod(model, "falling_" + number, {w, i * h, 0.0}, {0.0, (i + 1) * h, 0.0}, -rate * z, {dw, i * dh, 0.0}));
+  }
+  const int foot = add_rod(model, "foot", {w - 0.05, 0.0, 0.0}, {w + 0.05, 0.0, 0.0}, 0.0 * z, {dw, 0.0, 0.0});
+  const Eigen::Matrix3d along = axes_with_z(Point::UnitX());
+  model.add_joint(prismatic_joint("rail", model.marker_at(kGround, {w, 0.0, 0.0}, along),
+                                  model.marker_at(foot, {w, 0.0, 0.0}, along)));
+  model.add_joint(hinge(model, "fixed", kGround, rising[0], 0.0 * z));
+  model.add_joint(hinge(model, "sliding", foot, falling[0], {w, 0.0, 0.0}));
+  for (std::size_t i = 0; i < rising.size(); ++i) {
+    const std::string number = std::to_string(i);
+    const double low = static_cast<double>(i) * h, top = low + h;
+    model.add_joint(hinge(model, "middle_" + number, rising[i], falling[i], {0.5 * w, low + 0.5 * h, 0.0}));
+    if (i + 1 == rising.size()) continue;
+    model.add_joint(hinge(model, "left_" + number, falling[i], rising[i + 1], {0.0, top, 0.0}));
+    model.add_joint(hinge(model, "right_" + number, rising[i], falling[i + 1], {w, top, 0.0}));
+  }
+  return model;
+}
+
 // A planar four-bar with a crank that turns all around, of random lengths, speed and plane, gravity in the plane; with
 // four hinges, or with a ball and a cylinder in place of the last two.
 inline Model crank_rocker(unsigned seed, bool ball_and_cylinder) {

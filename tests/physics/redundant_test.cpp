@@ -94,6 +94,19 @@ TEST(RedundantRows, PeaucelliersLinkagePassesItsSingularPositionAtEveryTolerance
   }
 }
 
+// With three stages the run ended at an rtol of 1e-9, near the flat position.
+TEST(RedundantRows, ScissorLiftsFallThroughTheirFlatPositionAtEveryTolerance) {
+  for (const double rate : {0.0, -2.0}) {
+    const Model model = test::scissor_lift(3, 1.0, rate);
+    for (const double rtol : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
+      test::Run run(model, "one_step", test::precise(rtol));
+      run.to(1.5);
+      EXPECT_LT(run.state.q[1], 0.48);  // the first bar has swung through
+      EXPECT_LT(std::abs(run.imbalance()), 3e-5 * std::pow(rtol / 1e-8, 0.75)) << "rtol " << rtol << ", rate " << rate;
+    }
+  }
+}
+
 TEST(RedundantRows, LeaveTheMatrixAsSparseAsTheMechanismIs) {
   // Four times as many loops, four times as many entries: a column for each redundant condition made them sixteen.
   const auto entries = [](int loops) {
