@@ -23,8 +23,8 @@ FixStyle(couple / mbd, FixCoupleMbd)
 #include <string>
 #include <vector>
 
+#include "coupler/couple_mbd_arguments.h"
 #include "fix.h"
-#include "liggghts_fix/couple_mbd_arguments.h"
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/fix_couple_mbd_mesh.h"
 #include "liggghts_fix/fix_couple_mbd_walls.h"

@@ -48,6 +48,15 @@ std::optional<double> as_number(const std::string& text) {
   return value;
 }
 
+bool ScriptCommand::is_computed() const {
+  return std::any_of(words.begin(), words.end(), [](const std::string& w) { return w.find('$') != std::string::npos; });
+}
+
+bool ScriptText::straight() const {
+  return std::none_of(commands_.begin(), commands_.end(),
+                      [](const ScriptCommand& c) { return c.words[0] == "jump" || c.words[0] == "next"; });
+}
+
 ScriptText::ScriptText(const std::string& file, const std::map<std::string, std::string>& variables)
     : fixed_(variables) {
   fixed_["here"] = std::filesystem::path(file).parent_path().string();

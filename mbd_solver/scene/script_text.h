@@ -15,6 +15,11 @@ struct ScriptCommand {
   int line;
   std::vector<std::string> words;  // quoted words without their quotes
   bool conditional;                // stands in an `if`: LIGGGHTS alone knows whether it is executed
+
+  std::string place() const { return file + ":" + std::to_string(line); }
+  bool is_fix(const std::string& style) const { return words[0] == "fix" && words.size() > 3 && words[3] == style; }
+  // Some word is left that only LIGGGHTS can compute.
+  bool is_computed() const;
 };
 
 // The number that a word is, with nothing behind it.
@@ -34,6 +39,8 @@ class ScriptText {
   std::string value(const std::string& name) const;
   // Was every file read? Not where only LIGGGHTS can compute a name, and not behind `jump`.
   bool whole() const { return whole_; }
+  // Does it go through its lines in their order, once? Not with `jump` and `next`.
+  bool straight() const;
   // "file:line" of an `include` that includes itself; empty without.
   const std::string& circle() const { return circle_; }
 
