@@ -19,6 +19,7 @@
 #include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/launch/process.h"
 #include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/launch/script_trace.h"
 #include "mbd_solver/cli/run_plan.h"
 #include "mbd_solver/output/checkpoint_folder.h"
 #include "mbd_solver/output/summary.h"
@@ -115,7 +116,9 @@ int run_command(const RunArguments& arguments) {
   if (arguments.resume) join_rows(out);
   const std::string errors = liggghts_errors(log);
   if (!errors.empty()) {
-    std::fprintf(stderr, "footfall: LIGGGHTS stopped on %s:\n%s\n", scene.particles->script.c_str(), errors.c_str());
+    const ParticlesSpec& particles = *scene.particles;
+    std::fprintf(stderr, "footfall: LIGGGHTS stopped at %s\n%s\n",
+                 where_liggghts_stopped(log, particles.script, particles.variables).c_str(), errors.c_str());
     settle_summary(out, status_of(out), kExitBadInput);
     return kExitBadInput;
   }

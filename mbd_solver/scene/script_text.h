@@ -13,6 +13,7 @@ namespace footfall {
 struct ScriptCommand {
   std::string file;
   int line;
+  std::string text;                // as written, lines joined
   std::vector<std::string> words;  // quoted words without their quotes
   bool conditional;                // stands in an `if`: LIGGGHTS alone knows whether it is executed
 
@@ -46,8 +47,8 @@ class ScriptText {
 
  private:
   void read(const std::string& file, const std::string& asked_at);
-  void add(const std::string& file, int line, std::vector<std::string> words, bool conditional);
-  void add_branches(const std::string& file, int line, const std::vector<std::string>& words);
+  void add(ScriptCommand command);
+  void add_branches(const ScriptCommand& command);
   void include(const std::string& name, const std::string& asked_at);
   void note_names(const std::string& text);
   std::string substitute(std::string text) const;
