@@ -114,11 +114,10 @@ int run_command(const RunArguments& arguments) {
   bed();
   remove_unfinished_sets(out);
   if (arguments.resume) join_rows(out);
-  const std::string errors = liggghts_errors(log);
-  if (!errors.empty()) {
+  if (!liggghts_errors(log).empty()) {
     const ParticlesSpec& particles = *scene.particles;
-    std::fprintf(stderr, "footfall: LIGGGHTS stopped at %s\n%s\n",
-                 where_liggghts_stopped(log, particles.script, particles.variables).c_str(), errors.c_str());
+    std::fprintf(stderr, "footfall: LIGGGHTS stopped at %s\n",
+                 why_liggghts_stopped(log, particles.script, particles.variables).c_str());
     settle_summary(out, status_of(out), kExitBadInput);
     return kExitBadInput;
   }

@@ -127,7 +127,7 @@ int trial_command(const RunArguments& given, double seconds) {
     std::string why;
     if (!errors.empty())
       why = ": LIGGGHTS stopped at " +
-            where_liggghts_stopped(plan.log, scene.particles->script, scene.particles->variables) + "\n" + errors;
+            why_liggghts_stopped(plan.log, scene.particles->script, scene.particles->variables);
     std::fprintf(stderr, "%sfootfall: the trial failed%s\n", read_whole_file(command.output).value_or("").c_str(),
                  why.c_str());
     return !errors.empty() || end.code == kExitBadInput ? kExitBadInput : kExitFailed;

@@ -94,6 +94,21 @@ void check_run_follows(const ScriptText& script, const Scene& scene, Findings& f
                        "run 1000000000  (the scene ends it)");
 }
 
+// LIGGGHTS refuses it while a fix counts steps, as the coupling does.
+void check_steps_go_on(const ScriptText& script, const Scene& scene, Findings& findings) {
+  if (!script.straight()) return;
+  const ScriptCommand* coupling = nullptr;
+  for (const ScriptCommand& command : script.commands()) {
+    const Names& w = command.words;
+    if (command.is_fix("couple/mbd")) coupling = command.conditional ? nullptr : &command;
+    if (w[0] == "clear" || w[0] == "unfix") coupling = nullptr;
+    if (w[0] == "reset_timestep" && coupling != nullptr && !command.conditional)
+      findings.error(scene.particles->source, "script",
+                     command.place() + " resets the steps that the coupling (" + coupling->place() +
+                         ") counts, which LIGGGHTS refuses; reset_timestep must stand above fix couple/mbd");
+  }
+}
+
 }  // namespace
 
 void check_coupling(const ScriptText& script, const Scene& scene, Findings& findings) {
@@ -104,6 +119,7 @@ void check_coupling(const ScriptText& script, const Scene& scene, Findings& find
   }
   check_meshes_named(script, scene, findings);
   check_run_follows(script, scene, findings);
+  check_steps_go_on(script, scene, findings);
 }
 
 }  // namespace footfall

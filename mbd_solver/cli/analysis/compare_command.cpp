@@ -117,10 +117,9 @@ void run_stock(const Json& particles, const fs::path& out, bool quiet) {
   if (!quiet) std::printf("%s\n", shell_line(command).c_str());
   std::fflush(stdout);
   const ChildEnd end = run_child(command);
-  const std::string log = (out / "liggghts.log").string(), errors = liggghts_errors(log);
-  if (!errors.empty())
-    throw InputError("stock LIGGGHTS stopped at " +
-                     where_liggghts_stopped(log, (out / "in.stock").string(), variables) + "\n" + errors);
+  const std::string log = (out / "liggghts.log").string();
+  if (!liggghts_errors(log).empty())
+    throw InputError("stock LIGGGHTS stopped at " + why_liggghts_stopped(log, (out / "in.stock").string(), variables));
   if (end.code != 0)
     throw PartnerError("stock LIGGGHTS ended with code " + std::to_string(end.code) + "; see " + command.output);
 }

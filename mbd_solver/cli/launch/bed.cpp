@@ -146,10 +146,9 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
       (end.code == kExitFailed && said.find(kStoppedWord) != std::string::npos && liggghts_errors(log).empty()))
     throw Interrupted("interrupted while making the bed; nothing is kept");
   if (!end.given_up.empty()) throw PartnerError("making the bed: " + end.given_up);
-  const std::string errors = liggghts_errors(log);
-  if (!errors.empty())
+  if (!liggghts_errors(log).empty())
     throw InputError("the bed's script " + spec.script + " failed in LIGGGHTS, at " +
-                     where_liggghts_stopped(log, spec.script, spec.variables) + "\n" + errors);
+                     why_liggghts_stopped(log, spec.script, spec.variables));
   if (end.code != 0) {
     throw PartnerError("making the bed: LIGGGHTS ended with code " + std::to_string(end.code) + " on " + spec.script +
                        "\n" + said);

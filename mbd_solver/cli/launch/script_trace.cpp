@@ -27,6 +27,20 @@ bool is_filled_in(const std::vector<std::string>& line, const std::vector<std::s
 
 }  // namespace
 
+std::string why_liggghts_stopped(const std::string& log, const std::string& script,
+                                 const std::map<std::string, std::string>& variables) {
+  const std::string errors = liggghts_errors(log);
+  std::string meaning;
+  if (errors.find("Internal error (./src/tri_mesh_I.h") != std::string::npos)
+    meaning =
+        "\nThe place of a grain at a mesh is no number. Mostly its centre lay exactly on the mesh, where stock "
+        "LIGGGHTS ends "
+        "likewise: start the body a little higher (initial.clearance), or move the grain. Else look for a time step "
+        "that "
+        "is too large.";
+  return where_liggghts_stopped(log, script, variables) + "\n" + errors + meaning;
+}
+
 std::string where_liggghts_stopped(const std::string& log, const std::string& script,
                                    const std::map<std::string, std::string>& variables) {
   const ScriptText text(script, variables);

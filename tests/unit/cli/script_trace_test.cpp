@@ -38,5 +38,16 @@ TEST_F(ScriptTrace, FollowsIncludesLoopsAndOtherLogs) {
   EXPECT_EQ(stopped(loop + "timestep 1e-5\nlog ${out}/other\nlog " + other + "\n"), "in.grains:4: units si");
 }
 
+TEST_F(ScriptTrace, SaysWhatAnErrorMeansWhereThatIsKnown) {
+  write("in.grains", "run 20\n");
+  const auto why = [&](const std::string& error) {
+    return why_liggghts_stopped(write("log", "run 20\n" + error + "\n"), file("in.grains"), {});
+  };
+  const std::string place = file("in.grains") + ":1: run 20\n";
+  EXPECT_EQ(why("ERROR: lost"), place + "ERROR: lost");
+  const std::string internal = "ERROR on proc 0: Internal error (./src/tri_mesh_I.h:109)";
+  EXPECT_EQ(why(internal).rfind(place + internal + "\nThe place of a grain at a mesh is no number.", 0), 0U);
+}
+
 }  // namespace
 }  // namespace footfall

@@ -217,6 +217,15 @@ TEST_F(ScriptCheck, ACouplingThatNoRunFollowsIsAFinding) {
     EXPECT_EQ(findings_of_whole(kMesh + couple + line), "no findings") << line;
 }
 
+TEST_F(ScriptCheck, StepsThatAreResetUnderTheCouplingAreAFinding) {
+  const std::string couple = "fix m all couple/mbd every 5 mesh pad1 pad\nrun 1\n", reset = "reset_timestep 0\n";
+  EXPECT_THAT(findings(couple + reset), HasSubstr("in.grains:4 resets the steps that the coupling ("));
+  for (const std::string& script :
+       {reset + couple, couple + "unfix m\n" + reset, couple + "clear\n" + reset,
+        couple + "if \"1 > 0\" then \"reset_timestep 0\"\n", couple + "label l\n" + reset + "jump SELF l\n"})
+    EXPECT_EQ(findings(script), "no findings") << script;
+}
+
 TEST_F(ScriptCheck, GrainsWithoutWeightAreWarnedOf) {
   const auto warnings = [&](const std::string& script) {
     EXPECT_EQ(findings("fix i all nve/sphere\n" + script + "fix m all couple/mbd every 5 mesh pad1 pad\n"),
