@@ -42,11 +42,12 @@ Names named_behind(const std::string& keyword, std::size_t distance, const Scrip
   return names;
 }
 
-void check_bodies(const ScriptCommand& command, const Scene& scene, Findings& findings) {
+// A jump may pass by the lines of other scenes.
+void check_bodies_named(const ScriptCommand& command, bool straight, const Scene& scene, Findings& findings) {
   Names named;
   if (command.is_fix("couple/mbd/geometry") || command.is_fix("wall/gran/beam"))
     named = named_behind("body", 1, command);
-  if (command.is_fix("couple/mbd")) named = named_behind("mesh", 2, command);
+  if (command.is_fix("couple/mbd") && straight) named = named_behind("mesh", 2, command);
   Names known;
   for (const BoundarySpec& b : scene.boundaries) known.push_back(b.body);
   for (const std::string& body : named)
@@ -115,7 +116,7 @@ void check_coupling(const ScriptText& script, const Scene& scene, Findings& find
   for (const ScriptCommand& command : script.commands()) {
     if (command.conditional) continue;
     if (command.is_fix("couple/mbd")) check_words(command, scene, findings);
-    check_bodies(command, scene, findings);
+    check_bodies_named(command, script.straight(), scene, findings);
   }
   check_meshes_named(script, scene, findings);
   check_run_follows(script, scene, findings);

@@ -196,6 +196,9 @@ TEST_F(ScriptCheck, AMeshOfABodyThatTheSceneLacksIsAFinding) {
       HasSubstr("in.grains:2 asks for the body \"foot\", which has no boundary in this scene. Known boundaries: "
                 "pad."));
   EXPECT_EQ(findings("fix m all couple/mbd every 5 mesh pad1 ${body}\n"), "no findings");
+  EXPECT_EQ(findings("jump SELF mine\nfix m all couple/mbd every 5 mesh pad1 foot\nlabel mine\n"
+                     "fix m all couple/mbd every 5 mesh pad1 pad\n"),
+            "no findings");
   EXPECT_EQ(findings("fix mesh all mesh/surface file pad.stl type 1\nfix m all couple/mbd every 5 mesh mesh pad\n"),
             "no findings");
 }
