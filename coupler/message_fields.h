@@ -97,9 +97,13 @@ inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt},
                                                   Field{"walls", &Start::walls}};
 
 template <>
-inline constexpr auto kFields<Accept> =
-    std::tuple{Field{"scheme", &Accept::scheme}, Field{"t_end", &Accept::t_end}, Field{"n_max", &Accept::n_max},
-               Field{"patience", &Accept::patience}, Field{"held_by_walls", &Accept::held_by_walls}};
+inline constexpr auto kFields<Accept> = std::tuple{Field{"scheme", &Accept::scheme},
+                                                   Field{"t_end", &Accept::t_end},
+                                                   Field{"n_max", &Accept::n_max},
+                                                   Field{"patience", &Accept::patience},
+                                                   Field{"held_by_walls", &Accept::held_by_walls},
+                                                   Field{"gravity", &Accept::gravity},
+                                                   Field{"gravity_known", &Accept::gravity_known}};
 
 template <>
 inline constexpr auto kFields<Motion> = std::tuple{Field{"window", &Motion::window},

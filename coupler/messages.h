@@ -23,7 +23,7 @@
 
 namespace footfall {
 
-inline constexpr std::int32_t kProtocolVersion = 5;
+inline constexpr std::int32_t kProtocolVersion = 6;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // LIGGGHTS' name of the units that both programs use.
@@ -93,6 +93,8 @@ struct Accept {
   std::int32_t n_max = 0;  // largest n that any Motion will ask for
   double patience = 0.0;   // how long each side bears the other's silence in a run [s]; 0: as the receiver has it
   std::vector<std::string> held_by_walls;  // bodies that planes and static meshes of the script stop: [[contacts]]
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // of the scene [m/s2]
+  bool gravity_known = false;                         // else that of the grains is not held against it
 };
 
 // What a body's BodyMotion carries here:

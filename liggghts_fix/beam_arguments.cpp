@@ -4,7 +4,7 @@
 #include <set>
 
 #include "coupler/base/errors.h"
-#include "liggghts_fix/words.h"
+#include "coupler/words.h"
 
 namespace footfall {
 namespace {

@@ -85,6 +85,9 @@ class DemLink {
 
   // Of the grains, zero where it is not known [m/s2]. After start().
   const Eigen::Vector3d& script_gravity() const { return script_.gravity; }
+  // Of the grains at the start, where it varies and could not be told before [m/s2]. Throws InputError where it is not
+  // the scene's. After start().
+  void hold_against_scene(const Eigen::Vector3d& gravity) const;
   // As sent at the start. One that has gone since, or moves now, is told with the next load, once. After start().
   const std::vector<StaticWall>& script_walls() const { return script_.walls; }
   void wall_is_gone(const std::string& name);

@@ -8,6 +8,7 @@
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
 #include "coupler/finite_check.h"
+#include "coupler/gravity.h"
 #include "coupler/programs.h"
 #include "coupler/schemes/registry.h"
 #include "liggghts_fix/dem_link.h"
@@ -89,6 +90,11 @@ void DemLink::tell_untouched(std::vector<std::string>& warnings) const {
     warnings.push_back("the scene has a boundary of body \"" + boundary.name() +
                        "\" for the grains, but the script does not couple " + joined(missed) + ": grains pass through");
   }
+}
+
+void DemLink::hold_against_scene(const Eigen::Vector3d& gravity) const {
+  if (accept_.gravity_known && !is_same_gravity(gravity, accept_.gravity))
+    throw InputError(gravity_differs(gravity, accept_.gravity, " at the start"));
 }
 
 void DemLink::start(Start script) {

@@ -97,7 +97,8 @@ void FixCoupleMbd::init() {
   const std::string version = universe->version;  // "Version LIGGGHTS-PUBLIC 3.8.0, compiled ..."
   const std::size_t name = version.find("LIGGGHTS");
   script.grains_version = name == std::string::npos ? version : version.substr(name, version.find(',') - name);
-  if (arguments_.gravity_of_scene) read_gravity(*modify, script);
+  compare_gravity_ =
+      arguments_.gravity_of_scene && !read_gravity(*modify, script) && !link_.started() && !link_.resumed();
   warn_of_clumps(*modify, script);
   if (!link_.started()) {
     warn_of_radius(lmp, script);
@@ -126,6 +127,8 @@ void FixCoupleMbd::initial_integrate(int) {
     throw InputError(arguments_.fix +
                      "the time step has changed within the run (fix dt/reset?): the windows of the "
                      "coupling need one time step; use a fixed `timestep`");
+  if (compare_gravity_) link_.hold_against_scene(gravity_now(*modify));  // its variables have values now
+  compare_gravity_ = false;
   link_.begin_substep(update->ntimestep);
   for (const auto& mesh : meshes_) {
     mesh->check_inside_box();

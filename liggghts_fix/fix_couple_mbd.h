@@ -23,8 +23,8 @@ FixStyle(couple / mbd, FixCoupleMbd)
 #include <string>
 #include <vector>
 
+#include "coupler/couple_mbd_arguments.h"
 #include "fix.h"
-#include "liggghts_fix/couple_mbd_arguments.h"
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/fix_couple_mbd_mesh.h"
 #include "liggghts_fix/fix_couple_mbd_walls.h"
@@ -57,6 +57,7 @@ class FixCoupleMbd : public Fix {
   void order_as_after_restart(TriMesh* mesh) const;
 
   footfall::DemLink& link_;
+  bool compare_gravity_ = false;  // it varies, and the first step has not begun
   const footfall::CoupleMbdArguments arguments_;
   std::vector<std::unique_ptr<CoupledMesh> > meshes_;
   const GrainTorque torque_before_ = std::make_shared<Eigen::Vector3d>(Eigen::Vector3d::Zero());

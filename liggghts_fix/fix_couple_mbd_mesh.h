@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "liggghts_fix/couple_mbd_arguments.h"
+#include "coupler/couple_mbd_arguments.h"
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/fix_wall_gran_smooth.h"
 #include "liggghts_fix/mesh_module_mbd.h"

@@ -10,7 +10,7 @@ namespace LAMMPS_NS {
 
 // The sum of all fix gravity; none at all is weightlessness for grains that move, and means nothing for grains that
 // nothing moves.
-void read_gravity(Modify& modify, footfall::Start& script) {
+bool read_gravity(Modify& modify, footfall::Start& script) {
   bool grains_move = false, any = false;
   for (int i = 0; i < modify.nfix; ++i) {
     grains_move = grains_move || modify.fix[i]->time_integrate == 1;
@@ -18,9 +18,10 @@ void read_gravity(Modify& modify, footfall::Start& script) {
     if (gravity == nullptr) continue;
     gravity->init();  // it may stand behind us in the script
     if (!footfall::gravity_is_constant(gravity)) {
-      script.warnings.push_back(std::string("fix ") + gravity->id +
-                                " gravity varies with a variable: it is not held against the gravity of the scene");
-      return;
+      script.warnings.push_back(
+          std::string("fix ") + gravity->id +
+          " gravity varies with a variable: it is held against the gravity of the scene at the start alone");
+      return false;
     }
     Eigen::Vector3d g;
     gravity->get_gravity(g.data());
@@ -28,6 +29,19 @@ void read_gravity(Modify& modify, footfall::Start& script) {
     any = true;
   }
   script.gravity_known = any || grains_move;
+  return true;
+}
+
+Eigen::Vector3d gravity_now(Modify& modify) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int i = 0; i < modify.nfix; ++i) {
+    auto* gravity = dynamic_cast<FixGravity*>(modify.fix[i]);
+    if (gravity == nullptr) continue;
+    Eigen::Vector3d g;
+    gravity->get_gravity(g.data());
+    sum += g;
+  }
+  return sum;
 }
 
 void warn_of_clumps(Modify& modify, footfall::Start& script) {

@@ -7,8 +7,10 @@ namespace LAMMPS_NS {
 
 class Modify;
 
-// Fills gravity and gravity_known of `script`; a warning where gravity cannot be compared.
-void read_gravity(Modify& modify, footfall::Start& script);
+// Fills gravity and gravity_known of `script`. False, with a warning: gravity varies, and is known within a run alone.
+bool read_gravity(Modify& modify, footfall::Start& script);
+// Within a run: the sum of all fix gravity [m/s2].
+Eigen::Vector3d gravity_now(Modify& modify);
 // A warning where clumps (fix multisphere) stand before a wall: when a run is set up LIGGGHTS hands them the forces that
 // stand when their turn comes, and the first half step lacks those of the wall.
 void warn_of_clumps(Modify& modify, footfall::Start& script);

@@ -12,5 +12,7 @@ namespace footfall {
 // A screen for this rank, a file without a name that ends with the program; nullptr when there is none to be had. `log`
 // is LIGGGHTS' log file.
 std::FILE* screen_kept_for_last_words(const std::string& log);
+// What that screen says of errors so far, in one line; empty without.
+std::string errors_on_screen();
 
 }  // namespace footfall

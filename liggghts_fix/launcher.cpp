@@ -191,7 +191,9 @@ int main(int argc, char** argv) {
     // LIGGGHTS ends a wrong script with MPI_Finalize and exit(1): then this is still said.
     AbortGuard::set_last_words([&] {
       transport->root_speaks_alone();
-      return dem_link.fail("LIGGGHTS ended with an error of its own; its message stands in its output and log file");
+      const std::string errors = errors_on_screen();
+      return dem_link.fail("LIGGGHTS ended with an error of its own" +
+                           (errors.empty() ? "; its message stands in its output and log file" : ": " + errors));
     });
     code = run_and_report(argc, argv, communicator, dem_link);
     let_world_mean(MPI_COMM_WORLD);

@@ -17,7 +17,7 @@
 #include "coupler/interrupt.h"
 #include "coupler/link.h"
 #include "coupler/transport_mpi.h"
-#include "mbd_solver/cli/positive.h"
+#include "mbd_solver/cli/option_checks.h"
 #include "mbd_solver/output/checkpoint_folder.h"
 #include "mbd_solver/output/run_start.h"
 #include "mbd_solver/run/run_scene.h"
@@ -55,7 +55,7 @@ Arguments parse(CLI::App& app, int argc, char** argv) {
   for (CLI::Option* option : {file, out, settings, of_scheme, of_integrator}) resume->excludes(option);
   app.add_option("--keep-every", arguments.run.keep_every,
                  "Without output.checkpoint_interval: a checkpoint every so often on the clock [s]; 0: none")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->capture_default_str();
   app.add_flag("--quiet", arguments.run.quiet, "No progress line");
   app.add_option("--try-for", arguments.run.try_for,

@@ -202,6 +202,28 @@ std::string where_read(const Scene& scene, const std::string& name) {
   return scene.file + ": ";
 }
 
+SignalChain chain_of_signals(const Scene& scene, std::vector<SignalNode> nodes) {
+  try {
+    return SignalChain(std::move(nodes));
+  } catch (const InputError& error) {
+    throw InputError(place_of(scene.file, scene.signals.front().source.line, "signals") + error.what());
+  }
+}
+
+std::vector<SignalNode> conditions_of(const Scene& scene) {
+  std::vector<SignalNode> nodes;
+  for (const EventSpec& event : scene.events) {
+    SignalNode node;
+    node.name = event.name;
+    node.block = std::make_unique<PassBlock>();
+    node.inputs = {event.when};
+    node.period = event.period;
+    node.written_at = {place_of(scene.file, event.source, "when")};
+    nodes.push_back(std::move(node));
+  }
+  return nodes;
+}
+
 void add_signal_places(const Scene& scene, Mechanism& mechanism) {
   const auto take = [&](double value) {
     const int place = static_cast<int>(mechanism.voltages.size());
@@ -225,15 +247,7 @@ void add_signals(const Scene& scene, Mechanism& mechanism) {
       throw InputError(place_of(scene.file, spec.source) + error.what());
     }
   }
-  if (continuous.empty()) return;
-  try {
-    SignalChain chain(std::move(continuous));
-    add_continuous(scene, std::move(chain), mechanism);
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    if (names_a_place(scene.file, what)) throw;
-    throw InputError(place_of(scene.file, scene.signals.front().source.line, "signals") + what);
-  }
+  if (!continuous.empty()) add_continuous(scene, chain_of_signals(scene, std::move(continuous)), mechanism);
 }
 
 }  // namespace footfall

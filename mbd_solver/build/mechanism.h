@@ -176,9 +176,10 @@ void add_signals(const Scene& scene, Mechanism& mechanism);        // after what
 std::optional<SignalSource> signal_source(const Mechanism& mechanism, const std::string& name);
 // What measures a name of bodies, joints or struts that is a position or a velocity; null for other names.
 std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string& name);
-// Throws InputError for an expression of a signal that has no value at the start, as far as that is known without a run.
-// is_placed: bodies stand where the run places them. Takes the sampled signals.
-void demand_values_at_start(const Scene& scene, bool is_placed, Mechanism& mechanism);
+// Signals that are evaluated together, in order. Throws InputError with the place of the scene's signals.
+SignalChain chain_of_signals(const Scene& scene, std::vector<SignalNode> nodes);
+// One node per event of the scene, in its order: its input is the condition.
+std::vector<SignalNode> conditions_of(const Scene& scene);
 // The place of a signal of this name; -1 for an empty name.
 int signal_place(const Mechanism& mechanism, const std::string& name);
 // "FILE:LINE: signals.NAME: " of the first signal or event that reads the name.

@@ -34,13 +34,6 @@ std::vector<std::string> names_of(const CLI::Option& option) {
 }
 bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
-// What stands behind an option: "TEXT", "NUMBER", "CASE".
-std::string value_of(const CLI::Option& option) {
-  const std::string type = option.get_type_name();  // "FLOAT:NUMBER > 0"
-  const std::string name = type.substr(0, type.find(':'));
-  return name == "FLOAT" || name == "INT" || name == "UINT" ? "NUMBER" : name;
-}
-
 // "[SCENE]", "DIR": as they stand in a line.
 std::string places_of(const CLI::App& command) {
   std::string text;
@@ -74,7 +67,7 @@ std::string options_section(const CLI::App& command) {
       if (!positional) {
         for (const std::string& name : names_of(*option))
           term += (term.empty() ? "" : ", ") + ("\\fB" + roff(name) + "\\fR");
-        if (takes_value(*option)) term += " \\fI" + roff(value_of(*option)) + "\\fR";
+        if (takes_value(*option)) term += " \\fI" + roff(value_name(*option)) + "\\fR";
       }
       text += ".TP\n" + term + "\n" + roff(option->get_description());
       if (const std::string value = option->get_default_str(); !value.empty() && !positional)
@@ -132,6 +125,12 @@ std::string man_page_of(const CLI::App& command) {
   return head("footfall-" + name, command.get_description()) + ".SH SYNOPSIS\n\\fBfootfall " + name +
          "\\fR [\\fIOPTION\\fR]..." + roff(places_of(command)) + "\n.SH OPTIONS\n" + options_section(command) +
          ".SH SEE ALSO\n\\fBfootfall\\fR(1)\n";
+}
+
+std::string value_name(const CLI::Option& option) {
+  const std::string type = option.get_type_name();  // "FLOAT:NUMBER > 0"
+  const std::string name = type.substr(0, type.find(':'));
+  return name == "FLOAT" || name == "INT" || name == "UINT" ? "NUMBER" : name;
 }
 
 std::string meant_option(const CLI::App& app, const std::vector<std::string>& line) {

@@ -12,6 +12,9 @@ namespace footfall {
 std::string man_page(const CLI::App& app);
 std::string man_page_of(const CLI::App& command);
 
+// What stands behind an option: "TEXT", "NUMBER", "CASE".
+std::string value_name(const CLI::Option& option);
+
 // ' Did you mean "--until"?' for the first word of a line that begins with - and that its command does not know; empty
 // where nothing is near.
 std::string meant_option(const CLI::App& app, const std::vector<std::string>& line);

@@ -12,6 +12,7 @@
 #include "coupler/base/nearest_name.h"
 #include "coupler/interrupt.h"
 #include "mbd_solver/cli/help_pages.h"
+#include "mbd_solver/cli/option_errors.h"
 #include "mbd_solver/cli/subcommands.h"
 
 using namespace footfall;
@@ -46,12 +47,10 @@ int main(int argc, char** argv) {
     if (argc > 1) require_subcommand(argv[1]);
     app.parse(argc, argv);
     return action();
-  } catch (const CLI::ExtrasError& e) {
-    std::fprintf(stderr, "footfall: %s.%s `footfall %s --help` tells what there is.\n", e.what(),
-                 meant_option(app, {argv + 1, argv + argc}).c_str(), argv[1]);
-    return kExitBadInput;
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? kExitDone : kExitBadInput;
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
+    std::fprintf(stderr, "%s\n", option_error(app, e, {argv + 1, argv + argc}).c_str());
+    return kExitBadInput;
   } catch (const InputError& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return kExitBadInput;

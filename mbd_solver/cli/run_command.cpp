@@ -19,6 +19,7 @@
 #include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/launch/process.h"
 #include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/launch/script_trace.h"
 #include "mbd_solver/cli/run_plan.h"
 #include "mbd_solver/output/checkpoint_folder.h"
 #include "mbd_solver/output/summary.h"
@@ -113,9 +114,10 @@ int run_command(const RunArguments& arguments) {
   bed();
   remove_unfinished_sets(out);
   if (arguments.resume) join_rows(out);
-  const std::string errors = liggghts_errors(log);
-  if (!errors.empty()) {
-    std::fprintf(stderr, "footfall: LIGGGHTS stopped on %s:\n%s\n", scene.particles->script.c_str(), errors.c_str());
+  if (!liggghts_errors(log).empty()) {
+    const ParticlesSpec& particles = *scene.particles;
+    std::fprintf(stderr, "footfall: LIGGGHTS stopped at %s\n",
+                 why_liggghts_stopped(log, particles.script, particles.variables).c_str());
     settle_summary(out, status_of(out), kExitBadInput);
     return kExitBadInput;
   }

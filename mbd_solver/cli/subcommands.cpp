@@ -19,7 +19,7 @@
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
 #include "mbd_solver/cli/launch/programs.h"
-#include "mbd_solver/cli/positive.h"
+#include "mbd_solver/cli/option_checks.h"
 #include "mbd_solver/cli/run_command.h"
 #include "mbd_solver/cli/trial_command.h"
 #include "mbd_solver/scene/scene_schema.h"
@@ -65,7 +65,7 @@ Action run(CLI::App& command) {
   command
       .add_option("--keep-every", a->keep_every,
                   "Without output.checkpoint_interval: a checkpoint every so often on the clock [s]; 0: none")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->capture_default_str();
   command.add_flag("--quiet", a->quiet, "Only errors");
   const auto folder = std::make_shared<std::string>();
@@ -113,9 +113,7 @@ Action surfaces(CLI::App& command) {
 
 // What `footfall sweep` and `footfall accuracy` have in common: both run an experiment.
 void add_experiment_options(CLI::App& command, ExperimentArguments& a) {
-  command.add_option("FILE", a.file, "Experiment, as in inputs/sweeps and inputs/accuracy")
-      ->required()
-      ->check(CLI::ExistingFile);
+  command.add_option("FILE", a.file, "Experiment, as in inputs/sweeps and inputs/accuracy")->required();
   command.add_option("--out", a.out, "Folder for results (default: " + a.runs + "/NAME)");
   command
       .add_option("--jobs", a.jobs,
@@ -123,7 +121,7 @@ void add_experiment_options(CLI::App& command, ExperimentArguments& a) {
       ->check(positive());
   command.add_option("--case", a.of_case, "This curve, or case of a stability map, alone");
   command.add_option("--only", a.only, "This run alone, without tables (one element of a job array)")
-      ->check(CLI::Range(0, 1 << 30));
+      ->check(within(0, 1 << 30));
   command.add_option("--table", a.table, "Write the table to this file as well, as Markdown");
   command.add_flag("--short", a.short_form, "The short form, as the tests run it");
   command.add_flag("--list", a.list, "Make the beds, list the runs, and stop");
@@ -142,7 +140,7 @@ Action sweep(CLI::App& command) {
 
 Action calibrate(CLI::App& command) {
   const auto a = std::make_shared<CalibrateArguments>();
-  command.add_option("FILE", a->file, "Calibration, as in inputs/calibrations")->required()->check(CLI::ExistingFile);
+  command.add_option("FILE", a->file, "Calibration, as in inputs/calibrations")->required();
   command.add_option("--out", a->out, "Folder for results (default: runs/calibrations/NAME)");
   command.add_option("--jobs", a->jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
   command.add_option("--table", a->table, "Write the page to this file as well, as Markdown");
@@ -198,7 +196,7 @@ Action pictures(CLI::App& command) {
   command.add_option("--fastest", a->fastest, "Speed at the end of the colours [m/s] (default: from the grains)")
       ->check(positive());
   command.add_option("--width", a->width, "Width of the drawing [pixels]")
-      ->check(CLI::Range(100, 20000))
+      ->check(within(100, 20000))
       ->capture_default_str();
   return [a] { return pictures_command(*a); };
 }
@@ -207,7 +205,7 @@ Action view(CLI::App& command) {
   const auto a = std::make_shared<ViewArguments>();
   command.add_option("DIR", a->run, "Folder of a run")->required();
   command.add_option("--frames", a->frames, "Dumps of the grains that the page holds, at most (default: about 100 MB)")
-      ->check(CLI::Range(2, 100000));
+      ->check(within(2, 100000));
   return [a] {
     std::printf("%s\n", short_path(write_view(*a)).c_str());
     return kExitDone;

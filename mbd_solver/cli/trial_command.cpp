@@ -17,6 +17,7 @@
 #include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/launch/run_time.h"
+#include "mbd_solver/cli/launch/script_trace.h"
 #include "mbd_solver/cli/launch/share_text.h"
 #include "mbd_solver/cli/run_plan.h"
 #include "mbd_solver/output/summary.h"
@@ -123,8 +124,12 @@ int trial_command(const RunArguments& given, double seconds) {
   const Json summary = fs::exists(summary_file) ? read_summary(summary_file.string()) : Json::object();
   const std::string status = with_summary_of(plan.out, [&] { return summary.value("status", ""); });
   if (!errors.empty() || (status != "done" && status != "interrupted")) {
-    std::fprintf(stderr, "%sfootfall: the trial failed%s%s\n", read_whole_file(command.output).value_or("").c_str(),
-                 errors.empty() ? "" : ": LIGGGHTS stopped on its script:\n", errors.c_str());
+    std::string why;
+    if (!errors.empty())
+      why = ": LIGGGHTS stopped at " +
+            why_liggghts_stopped(plan.log, scene.particles->script, scene.particles->variables);
+    std::fprintf(stderr, "%sfootfall: the trial failed%s\n", read_whole_file(command.output).value_or("").c_str(),
+                 why.c_str());
     return !errors.empty() || end.code == kExitBadInput ? kExitBadInput : kExitFailed;
   }
   with_summary_of(plan.out, [&] {

@@ -12,7 +12,7 @@
 #include "mbd_solver/cli/help_pages.h"
 #include "mbd_solver/cli/launch/new_case.h"
 #include "mbd_solver/cli/launch/programs.h"
-#include "mbd_solver/cli/positive.h"
+#include "mbd_solver/cli/option_checks.h"
 #include "mbd_solver/cli/rigs/rig.h"
 #include "mbd_solver/cli/rigs/rig_command.h"
 
@@ -76,7 +76,7 @@ Action rig(CLI::App& command) {
   command.add_option("--jobs", a->jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
   command.add_flag("--short", a->short_form,
                    "A short form on a small bed, as the tests run it; its answers mean nothing");
-  command.add_option("--only", a->only, "This run alone, without tables")->check(CLI::Range(0, 1 << 30));
+  command.add_option("--only", a->only, "This run alone, without tables")->check(within(0, 1 << 30));
   command.add_flag("--list", a->list, "Make the beds, list the runs, and stop");
   return [a] { return rig_command(*a); };
 }

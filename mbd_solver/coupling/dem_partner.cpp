@@ -5,17 +5,12 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "coupler/finite_check.h"
+#include "coupler/gravity.h"
 
 namespace footfall {
 namespace {
 
 // Gravity of scene and script: numbers that people write, with few digits [-].
-constexpr double kSameGravity = 1e-6;
-
-std::string text(const Eigen::Vector3d& v) {
-  return "(" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + ")";
-}
-
 }  // namespace
 
 DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, const DemTerms& terms, double patience)
@@ -49,6 +44,8 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     accept.n_max = start_.n > 0 ? start_.n : terms.n_max;
     accept.patience = patience;
     accept.held_by_walls = terms.held_by_walls;
+    accept.gravity = terms.gravity;
+    accept.gravity_known = true;
     link_.send(accept);
     seconds_before_ = link_.seconds_waited();
   } catch (const ProtocolError& error) {
@@ -90,16 +87,13 @@ void DemPartner::check(const DemTerms& terms) const {
 }
 
 void DemPartner::check_gravity(const Eigen::Vector3d& scene) {
-  if (!start_.gravity_known || (start_.gravity - scene).norm() <= kSameGravity * scene.norm()) return;
+  if (!start_.gravity_known || is_same_gravity(start_.gravity, scene)) return;
+  const std::string what = gravity_differs(start_.gravity, scene, "");
   if (start_.gravity.isZero(0.0)) {
-    warnings_.push_back("the LIGGGHTS script has no fix gravity, the scene has gravity = " + text(scene) +
-                        " m/s2: the grains have no weight");
+    warnings_.push_back(what);
     return;
   }
-  throw ProtocolError("the LIGGGHTS script has the gravity " + text(start_.gravity) +
-                      " m/s2 (fix gravity), the scene " + text(scene) +
-                      " m/s2 (gravity): make them agree, or say that the grains have their own: fix ID "
-                      "all couple/mbd every N gravity script ...");
+  throw ProtocolError(what);
 }
 
 const Load& DemPartner::exchange(const Motion& motion) {

@@ -6,32 +6,9 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/signals/signal_block.h"
-#include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 namespace {
-
-std::vector<SignalNode> conditions_of(const Scene& scene) {
-  std::vector<SignalNode> nodes;
-  for (const EventSpec& event : scene.events) {
-    SignalNode node;
-    node.name = event.name;
-    node.block = std::make_unique<PassBlock>();
-    node.inputs = {event.when};
-    node.period = event.period;
-    node.written_at = {place_of(scene.file, event.source, "when")};
-    nodes.push_back(std::move(node));
-  }
-  return nodes;
-}
-
-SignalChain chain_of(const Scene& scene, std::vector<SignalNode> sampled) {
-  try {
-    return SignalChain(std::move(sampled));
-  } catch (const InputError& error) {
-    throw InputError(place_of(scene.file, scene.signals.front().source.line, "signals") + error.what());
-  }
-}
 
 // At the start it is the scene's.
 [[noreturn]] void complain_of_no_value(double time, const NumericalError& error) {
@@ -45,7 +22,7 @@ long samples_until(double time, double period) { return static_cast<long>(std::f
 
 SignalLoop::SignalLoop(std::vector<SignalNode> sampled, const Subject& subject)
     : subject_(subject),
-      chain_(chain_of(subject.scene, std::move(sampled))),
+      chain_(chain_of_signals(subject.scene, std::move(sampled))),
       conditions_(conditions_of(subject.scene)),
       readings_(chain_.names(), subject),
       of_conditions_(conditions_.names(), subject),

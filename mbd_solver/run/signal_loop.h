@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "coupler/archive.h"
-#include "mbd_solver/run/readings.h"
+#include "mbd_solver/observe/readings.h"
 
 namespace footfall {
 

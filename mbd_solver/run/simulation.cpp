@@ -6,6 +6,7 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/observe/start_values.h"
 #include "mbd_solver/run/settle.h"
 
 namespace footfall {
@@ -36,17 +37,6 @@ IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains) {
   options.max_step = spec.max_step;
   options.error_control = spec.error_control;
   options.projection = spec.drift == DriftKind::kProjection;
-  return options;
-}
-
-AssemblyOptions assembly_options(const Scene& scene) {
-  AssemblyOptions options;
-  options.gap_tolerance = std::max(options.gap_tolerance, scene.initial.largest_gap);
-  for (const InitialJointSpec& given : scene.initial.joints) {
-    const int joint = scene.joint_index(given.name);
-    for (const CoordinateChoice choice : coordinates_of(scene.joints[static_cast<std::size_t>(joint)].type))
-      if (given.value(choice)) options.start.push_back({joint, coordinate_of(choice), *given.value(choice)});
-  }
   return options;
 }
 

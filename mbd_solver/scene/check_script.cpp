@@ -7,18 +7,13 @@
 
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/scene/check_script.h"
 #include "mbd_solver/scene/scene_check.h"
 #include "mbd_solver/scene/script_text.h"
 
 namespace footfall {
 
 namespace {
-
-std::string place(const ScriptCommand& command) { return command.file + ":" + std::to_string(command.line); }
-
-bool is_fix(const ScriptCommand& command, const std::string& style) {
-  return command.words[0] == "fix" && command.words.size() > 3 && command.words[3] == style;
-}
 
 // The time step that is in force when the coupled grains move. Before the coupling a script may settle its bed with
 // another one; what stands in an `if` is not known here.
@@ -31,7 +26,7 @@ void check_time_step(const ScriptText& script, const ParticlesSpec& particles, F
     const double dt = *as_number(step->words[1]);
     if (dt <= particles.max_time_step * (1.0 + 1e-9)) return;
     findings.error(particles.source, "max_time_step",
-                   "the script's time step is " + number_text(dt) + " s (" + place(*step) + "), expected at most " +
+                   "the script's time step is " + number_text(dt) + " s (" + step->place() + "), expected at most " +
                        number_text(particles.max_time_step) +
                        " s: on soil of this kind twice that runs without complaint and is wrong by tens of per cent; "
                        "make the step smaller, or state a larger max_time_step if your grains are known to allow it");
@@ -39,53 +34,10 @@ void check_time_step(const ScriptText& script, const ParticlesSpec& particles, F
   for (const ScriptCommand& command : script.commands()) {
     if (command.words[0] == "timestep" && command.words.size() > 1)
       step = command.conditional || !as_number(command.words[1]) ? nullptr : &command;
-    coupled = coupled || is_fix(command, "couple/mbd");
+    coupled = coupled || command.is_fix("couple/mbd");
     if (command.words[0] == "run" && coupled && !judged) judge();
   }
   if (!judged) judge();
-}
-
-void check_bodies_named(const ScriptText& script, const Scene& scene, Findings& findings) {
-  std::vector<std::string> names;
-  for (const BoundarySpec& b : scene.boundaries) names.push_back(b.body);
-  for (const ScriptCommand& command : script.commands()) {
-    if (command.conditional || (!is_fix(command, "couple/mbd/geometry") && !is_fix(command, "wall/gran/beam")))
-      continue;
-    const std::vector<std::string>& w = command.words;
-    for (std::size_t i = 4; i + 1 < w.size(); ++i) {
-      if (w[i] != "body" || w[i + 1].find("${") != std::string::npos) continue;
-      if (std::find(names.begin(), names.end(), w[i + 1]) == names.end())
-        findings.error(scene.particles->source, "script",
-                       place(command) + " asks for the body \"" + w[i + 1] +
-                           "\", which has no boundary in this scene." + known_names("boundaries", w[i + 1], names));
-    }
-  }
-}
-
-// `couple/mbd ... mesh ID BODY` where ID resembles a mesh that the script has made, and is none: it is misspelt. LIGGGHTS
-// tells what resembles nothing. A loop makes meshes whose names are not known here.
-void check_meshes_named(const ScriptText& script, const Scene& scene, Findings& findings) {
-  const bool loops = std::any_of(script.commands().begin(), script.commands().end(),
-                                 [](const ScriptCommand& c) { return c.words[0] == "jump" || c.words[0] == "next"; });
-  if (loops) return;
-  std::vector<std::string> meshes;
-  for (const ScriptCommand& command : script.commands()) {
-    const std::vector<std::string>& w = command.words;
-    if (w[0] != "fix" || w.size() < 4) continue;
-    if (w[3].rfind("mesh/surface", 0) == 0) meshes.push_back(w[1]);
-    if (w[3] != "couple/mbd" || command.conditional || !script.whole()) continue;
-    const bool computed = std::any_of(meshes.begin(), meshes.end(),
-                                      [](const std::string& id) { return id.find("${") != std::string::npos; });
-    for (std::size_t i = 4; i + 2 < w.size() && !computed; ++i) {
-      if (w[i] != "mesh" || w[i + 1].find("${") != std::string::npos) continue;
-      const bool known = std::find(meshes.begin(), meshes.end(), w[i + 1]) != meshes.end();
-      if (!known && !nearest_name(w[i + 1], meshes).empty())
-        findings.error(scene.particles->source, "script",
-                       place(command) + " couples the mesh \"" + w[i + 1] +
-                           "\", but no fix mesh/surface of this id stands before this line." +
-                           known_names("meshes", w[i + 1], meshes));
-    }
-  }
 }
 
 // A script that reads a settled bed, and a scene that does not say how it is made.
@@ -99,7 +51,7 @@ void check_bed_is_given(const ScriptText& script, const ParticlesSpec& particles
     std::error_code ignored;
     if (unknown ? w[1].find("${bed}") == std::string::npos : std::filesystem::exists(w[1], ignored)) continue;
     findings.error(particles.source, "script",
-                   place(command) + " reads a settled bed, " + w[1] +
+                   command.place() + " reads a settled bed, " + w[1] +
                        (unknown ? ", which nothing gives" : ", and there is no such file") +
                        "; add [particles.bed] with the script that makes it (script = \"in.bed\"), or name a restart "
                        "file: variables = { bed = \"FILE\" }");
@@ -143,17 +95,38 @@ void check_variables(const ScriptText& script, const std::map<std::string, std::
   }
 }
 
+std::string gravity_text(const Eigen::Vector3d& v) {
+  return "[" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + "] m/s2";
+}
+
 // What the handshake will compare, said before a bed is poured: one fix gravity with plain numbers.
 void check_gravity(const ScriptText& script, const Scene& scene, Findings& findings) {
   const ScriptCommand* only = nullptr;
+  bool grains_move = false, coupled = false;
   for (const ScriptCommand& command : script.commands()) {
     const std::vector<std::string>& w = command.words;
-    if (is_fix(command, "couple/mbd"))
+    if (coupled && w[0] == "run" && !command.conditional) break;  // here they are compared
+    coupled = coupled || command.is_fix("couple/mbd");
+    if (w[0] == "unfix" && only != nullptr && w.size() > 1 && w[1] == only->words[1]) {
+      if (command.conditional) return;
+      only = nullptr;
+    }
+    if (command.is_fix("couple/mbd"))
       for (std::size_t i = 4; i + 1 < w.size(); ++i)
         if (w[i] == "gravity" && w[i + 1] == "script") return;
-    if (!is_fix(command, "gravity")) continue;
+    if (w[0] == "fix" && w.size() > 3 && w[3].find('$') != std::string::npos) return;  // it may be any fix
+    grains_move = grains_move || command.is_fix("nve/sphere") || command.is_fix("multisphere");
+    if (!command.is_fix("gravity")) continue;
     if (only != nullptr || command.conditional) return;
     only = &command;
+  }
+  if (only == nullptr && grains_move && script.whole() && script.straight() && !scene.gravity.isZero(0.0)) {
+    const Eigen::Vector3d down = scene.gravity.normalized();
+    findings.warning(scene.particles->source, "script",
+                     "has no fix gravity, and the scene the gravity " + gravity_text(scene.gravity) +
+                         ": the grains have no weight; add  fix gravity all gravity " +
+                         number_text(scene.gravity.norm()) + " vector " + number_text(down[0]) + " " +
+                         number_text(down[1]) + " " + number_text(down[2]));
   }
   if (only == nullptr || only->words.size() != 9 || only->words[5] != "vector") return;
   Eigen::Vector3d direction;
@@ -166,12 +139,9 @@ void check_gravity(const ScriptText& script, const Scene& scene, Findings& findi
   if (!size || direction.isZero(0.0)) return;
   const Eigen::Vector3d g = *size * direction.normalized();
   if ((g - scene.gravity).norm() <= 1e-6 * scene.gravity.norm()) return;
-  const auto text = [](const Eigen::Vector3d& v) {
-    return "[" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + "] m/s2";
-  };
   findings.error(scene.particles->source, "script",
-                 "the grains have the gravity " + text(g) + " (" + place(*only) + "), the scene " +
-                     text(scene.gravity) +
+                 "the grains have the gravity " + gravity_text(g) + " (" + only->place() + "), the scene " +
+                     gravity_text(scene.gravity) +
                      "; make them agree, or say that the grains have their own: fix ID all couple/mbd every N gravity "
                      "script ...");
 }
@@ -183,8 +153,8 @@ std::map<std::string, std::string> conditions(const ScriptText& script) {
   for (const ScriptCommand& command : script.commands()) {
     const std::vector<std::string>& w = command.words;
     std::size_t first = 0;
-    if (is_fix(command, "gravity")) first = 4;
-    if (is_fix(command, "property/global") && w.size() > 4 && (w[4] == "youngsModulus" || w[4] == "poissonsRatio"))
+    if (command.is_fix("gravity")) first = 4;
+    if (command.is_fix("property/global") && w.size() > 4 && (w[4] == "youngsModulus" || w[4] == "poissonsRatio"))
       first = 5;
     if (first == 0 || command.conditional) continue;
     std::string text;
@@ -235,7 +205,7 @@ void check_script(const Scene& scene, Findings& findings) {
     return;
   }
   const bool couples = std::any_of(script.commands().begin(), script.commands().end(),
-                                   [](const ScriptCommand& command) { return is_fix(command, "couple/mbd"); });
+                                   [](const ScriptCommand& command) { return command.is_fix("couple/mbd"); });
   if (!couples && script.whole()) {
     findings.error(particles.source, "script",
                    "has no line \"fix ID all couple/mbd ...\" (in " + particles.script +
@@ -243,8 +213,8 @@ void check_script(const Scene& scene, Findings& findings) {
                        "ground.kind to \"none\" or \"plane\"");
   }
   if (couples) check_time_step(script, particles, findings);
-  check_bodies_named(script, scene, findings);
-  check_meshes_named(script, scene, findings);
+  check_coupling(script, scene, findings);
+  check_script_meshes(script, scene, findings);
   check_bed_is_given(script, particles, findings);
   check_gravity(script, scene, findings);
   check_values(particles.variables, "variables", particles.source, findings);

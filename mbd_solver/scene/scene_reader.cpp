@@ -1,5 +1,6 @@
 // The one file that knows the TOML library: text -> ConfigNode.
 #include "mbd_solver/scene/scene_reader.h"
+#include "coupler/base/named_file.h"
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/whole_file.h"
 
@@ -160,26 +161,6 @@ void apply_setting(ConfigNode& root, const std::string& setting, Findings& findi
     node = node->find(part);
   }
   *node = parse_value(setting.substr(equals + 1));
-}
-
-// '. Did you mean "examples/02_wheel"?' for a path of which one part is misspelt; empty where nothing is near.
-std::string meant_path(const std::string& argument) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  fs::path meant;
-  for (const fs::path& part : fs::path(argument)) {
-    if (fs::exists(meant / part, ignored)) {
-      meant /= part;
-      continue;
-    }
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(meant.empty() ? "." : meant, ignored))
-      names.push_back(entry.path().filename().string());
-    const std::string guess = nearest_name(part.string(), names);
-    if (guess.empty()) return "";
-    meant /= guess;
-  }
-  return ". Did you mean \"" + meant.string() + "\"?";
 }
 
 std::string scene_file(const std::string& argument) {

@@ -29,8 +29,13 @@ Eigen::Vector3d vector_at(const Words& words, std::size_t at) {
   return {number_at(words, at), number_at(words, at + 1), number_at(words, at + 2)};
 }
 
-// Throws InputError: what the line says cannot be taken over.
-void take_over(const ScriptCommand& command, const std::string& here, SurfaceSpec& surface) {
+bool is_mesh(const ScriptCommand& command) {
+  return command.words.size() > 3 && command.words[0] == "fix" && command.words[3].rfind("mesh/surface", 0) == 0;
+}
+
+}  // namespace
+
+SurfaceSpec mesh_in_script(const ScriptCommand& command, const std::string& here) {
   const Words& w = command.words;
   double scale = 1.0;
   Eigen::Quaterniond R = Eigen::Quaterniond::Identity();
@@ -64,17 +69,13 @@ void take_over(const ScriptCommand& command, const std::string& here, SurfaceSpe
   const fs::path found = fs::exists(near, ignored) ? near : fs::path(file);
   if (!fs::is_regular_file(found, ignored))
     throw InputError("its file \"" + file + "\" is neither in the script's folder nor where it is named from");
+  SurfaceSpec surface;
   surface.file = fs::absolute(found, ignored).lexically_normal().string();
   surface.scale = scale;
   surface.orientation = R;
   surface.position = p;
+  return surface;
 }
-
-bool is_mesh(const ScriptCommand& command) {
-  return command.words.size() > 3 && command.words[0] == "fix" && command.words[3].rfind("mesh/surface", 0) == 0;
-}
-
-}  // namespace
 
 void resolve_script_meshes(Scene& scene, Findings& findings) {
   for (BoundarySpec& boundary : scene.boundaries) {
@@ -103,7 +104,11 @@ void resolve_script_meshes(Scene& scene, Findings& findings) {
       continue;
     }
     try {
-      take_over(*found, fs::path(file).parent_path().string(), *boundary.surface);
+      const SurfaceSpec mesh = mesh_in_script(*found, fs::path(file).parent_path().string());
+      boundary.surface->file = mesh.file;
+      boundary.surface->scale = mesh.scale;
+      boundary.surface->orientation = mesh.orientation;
+      boundary.surface->position = mesh.position;
     } catch (const InputError& e) {
       refuse("mesh \"" + id + "\" (" + found->file + ":" + std::to_string(found->line) + "): " + e.what());
     }

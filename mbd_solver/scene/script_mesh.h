@@ -1,16 +1,21 @@
 #pragma once
-// A mesh of the LIGGGHTS script as it stands there, as the surface of a boundary.
+// A mesh of the LIGGGHTS script as it stands there, also as the surface of a boundary.
 
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene.h"
+#include "mbd_solver/scene/script_text.h"
 
 namespace footfall {
 
-// Fills file, scale, orientation and position of every surface with from_script = "ID" from the script's line
+// File, scale, orientation and position of
 //   fix ID group mesh/surface... file FILE ... [scale s] [rotate axis x y z angle phi] [move x y z] ...
 // LIGGGHTS applies scale, rotate (about the origin, phi in degrees) and move in the order in which they stand; any order
 // comes to x -> R s x + p:   scale f: s -> f s, p -> f p;   rotate Q: R -> Q R, p -> Q p;   move d: p -> p + d.
-// What cannot be taken over becomes a finding.
+// here: the script's folder. Throws InputError: what cannot be taken over.
+SurfaceSpec mesh_in_script(const ScriptCommand& command, const std::string& here);
+
+// Fills every surface with from_script = "ID" from the script's mesh of this id. What cannot be taken over becomes a
+// finding.
 void resolve_script_meshes(Scene& scene, Findings& findings);
 
 }  // namespace footfall

@@ -48,6 +48,15 @@ std::optional<double> as_number(const std::string& text) {
   return value;
 }
 
+bool ScriptCommand::is_computed() const {
+  return std::any_of(words.begin(), words.end(), [](const std::string& w) { return w.find('$') != std::string::npos; });
+}
+
+bool ScriptText::straight() const {
+  return std::none_of(commands_.begin(), commands_.end(),
+                      [](const ScriptCommand& c) { return c.words[0] == "jump" || c.words[0] == "next"; });
+}
+
 ScriptText::ScriptText(const std::string& file, const std::map<std::string, std::string>& variables)
     : fixed_(variables) {
   fixed_["here"] = std::filesystem::path(file).parent_path().string();
@@ -85,33 +94,33 @@ void ScriptText::read(const std::string& file, const std::string& asked_at) {
     text += line + " ";
     if (more) continue;
     note_names(text);
-    add(file, start, words_of(substitute(text)), false);
+    add({file, start, text, words_of(substitute(text)), false});
     text.clear();
   }
   open_.pop_back();
 }
 
-void ScriptText::add(const std::string& file, int line, std::vector<std::string> words, bool conditional) {
-  if (words.empty()) return;
-  const std::string at = file + ":" + std::to_string(line);
-  commands_.push_back({file, line, std::move(words), conditional});
-  const std::vector<std::string> w = commands_.back().words;
+void ScriptText::add(ScriptCommand command) {
+  if (command.words.empty()) return;
+  commands_.push_back(command);
+  const std::vector<std::string>& w = command.words;
   if (w[0] == "variable" && w.size() >= 4 && (w[2] == "index" || w[2] == "string" || w[2] == "equal"))
     own_.emplace(w[1], w[3]);
-  if (w[0] == "include" && w.size() >= 2) include(w[1], at);
+  if (w[0] == "include" && w.size() >= 2) include(w[1], command.place());
   if (w[0] == "jump" && w.size() >= 2 && w[1] != "SELF") whole_ = false;
-  if (w[0] == "if") add_branches(file, line, w);
+  if (w[0] == "if") add_branches(command);
 }
 
 // if CONDITION then COMMAND... elif CONDITION COMMAND... else COMMAND...
-void ScriptText::add_branches(const std::string& file, int line, const std::vector<std::string>& words) {
+void ScriptText::add_branches(const ScriptCommand& command) {
+  const std::vector<std::string>& words = command.words;
   for (std::size_t i = 2; i < words.size(); ++i) {
     if (words[i] == "then" || words[i] == "else") continue;
     if (words[i] == "elif") {
       ++i;
       continue;
     }
-    add(file, line, words_of(words[i]), true);
+    add({command.file, command.line, command.text, words_of(words[i]), true});
   }
 }
 

@@ -13,8 +13,14 @@ namespace footfall {
 struct ScriptCommand {
   std::string file;
   int line;
+  std::string text;                // as written, lines joined
   std::vector<std::string> words;  // quoted words without their quotes
   bool conditional;                // stands in an `if`: LIGGGHTS alone knows whether it is executed
+
+  std::string place() const { return file + ":" + std::to_string(line); }
+  bool is_fix(const std::string& style) const { return words[0] == "fix" && words.size() > 3 && words[3] == style; }
+  // Some word is left that only LIGGGHTS can compute.
+  bool is_computed() const;
 };
 
 // The number that a word is, with nothing behind it.
@@ -34,13 +40,15 @@ class ScriptText {
   std::string value(const std::string& name) const;
   // Was every file read? Not where only LIGGGHTS can compute a name, and not behind `jump`.
   bool whole() const { return whole_; }
+  // Does it go through its lines in their order, once? Not with `jump` and `next`.
+  bool straight() const;
   // "file:line" of an `include` that includes itself; empty without.
   const std::string& circle() const { return circle_; }
 
  private:
   void read(const std::string& file, const std::string& asked_at);
-  void add(const std::string& file, int line, std::vector<std::string> words, bool conditional);
-  void add_branches(const std::string& file, int line, const std::vector<std::string>& words);
+  void add(ScriptCommand command);
+  void add_branches(const ScriptCommand& command);
   void include(const std::string& name, const std::string& asked_at);
   void note_names(const std::string& text);
   std::string substitute(std::string text) const;

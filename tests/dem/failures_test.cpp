@@ -84,7 +84,7 @@ std::vector<Case> cases() {
        "fix mbd all couple/mbd every 5x mesh m plate\nrun 200\n"});
   add({"WrongKeyword",
        2,
-       {"at \"mash\" expected: fix ID all couple/mbd"},
+       {"at \"mash\" (did you mean \"mesh\"?) expected: fix ID all couple/mbd"},
        "fix mbd all couple/mbd every 5 mash m plate\nrun 200\n"});
   add({"MeshCoupledTwice",
        2,

@@ -94,7 +94,9 @@ int main(int argc, char** argv) {
   }
   try {
     const SceneText folder;
-    folder.write("in.grains", "timestep 1e-4\nfix mbd all couple/mbd every 4 mesh m ball\n");
+    folder.write(
+        "in.grains",
+        "timestep 1e-4\nfix m all mesh/surface file m.stl type 1\nfix mbd all couple/mbd every 4 mesh m ball\nrun 1\n");
     char end_time[64];
     std::snprintf(end_time, sizeof end_time, "end_time = %.10g\n", static_cast<double>(windows) * kSubsteps * kDt);
     const Scene scene = folder.read(std::string(end_time) + kScene);

@@ -17,7 +17,7 @@ styles+=$'\n'$prefix
 # The words that a reader compares or lists; those that it refuses have no line.
 keywords_of() {
   case $1 in
-    couple/mbd) grep -oE 'keyword == "[a-z_]+"|words\[3\] != "[a-z_]+"' liggghts_fix/couple_mbd_arguments.cpp ;;
+    couple/mbd) grep -oE 'keyword == "[a-z_]+"|words\[3\] != "[a-z_]+"' coupler/couple_mbd_arguments.cpp ;;
     couple/mbd/geometry) grep -oE 'strcmp\(arg\[3\], "[a-z_]+"' liggghts_fix/fix_couple_mbd_geometry.cpp ;;
     wall/gran/beam)
       grep -oE '(word (!=|==)) "[a-z_]+"' liggghts_fix/beam_arguments.cpp

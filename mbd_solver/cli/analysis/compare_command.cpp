@@ -18,6 +18,7 @@
 #include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/launch/script_safety.h"
+#include "mbd_solver/cli/launch/script_trace.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/mesh_reader.h"
 
@@ -116,8 +117,9 @@ void run_stock(const Json& particles, const fs::path& out, bool quiet) {
   if (!quiet) std::printf("%s\n", shell_line(command).c_str());
   std::fflush(stdout);
   const ChildEnd end = run_child(command);
-  const std::string errors = liggghts_errors((out / "liggghts.log").string());
-  if (!errors.empty()) throw InputError("stock LIGGGHTS stopped on " + (out / "in.stock").string() + ":\n" + errors);
+  const std::string log = (out / "liggghts.log").string();
+  if (!liggghts_errors(log).empty())
+    throw InputError("stock LIGGGHTS stopped at " + why_liggghts_stopped(log, (out / "in.stock").string(), variables));
   if (end.code != 0)
     throw PartnerError("stock LIGGGHTS ended with code " + std::to_string(end.code) + "; see " + command.output);
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/named_file.h"
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/cli/calibrate/calibration.h"
@@ -237,6 +238,7 @@ double broken_by(const CalibrationSpec& spec, const Shares& shares) {
 }
 
 CalibrationSpec read_calibration(const std::string& file) {
+  demand_file(file, "a calibration (TOML), as in inputs/calibrations");
   const ConfigNode root = parse_toml_file(file);
   Findings findings(file);
   CalibrationSpec s;

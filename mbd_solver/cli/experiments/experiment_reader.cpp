@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "coupler/base/named_file.h"
 #include "coupler/base/nearest_name.h"
 #include "mbd_solver/cli/experiments/runs.h"
 #include "mbd_solver/cli/experiments/table.h"
@@ -217,6 +218,7 @@ class Checker {
 }  // namespace
 
 ExperimentSpec read_experiment(const std::string& file) {
+  demand_file(file, "an experiment (TOML), as in inputs/sweeps and inputs/accuracy");
   const ConfigNode root = parse_toml_file(file);
   Findings findings(file);
   ExperimentSpec s;

@@ -22,6 +22,7 @@
 #include "mbd_solver/cli/launch/liggghts_log.h"
 #include "mbd_solver/cli/launch/process.h"
 #include "mbd_solver/cli/launch/programs.h"
+#include "mbd_solver/cli/launch/script_trace.h"
 #include "mbd_solver/scene/script_text.h"
 
 namespace footfall {
@@ -145,8 +146,9 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
       (end.code == kExitFailed && said.find(kStoppedWord) != std::string::npos && liggghts_errors(log).empty()))
     throw Interrupted("interrupted while making the bed; nothing is kept");
   if (!end.given_up.empty()) throw PartnerError("making the bed: " + end.given_up);
-  const std::string errors = liggghts_errors(log);
-  if (!errors.empty()) throw InputError("the bed's script " + spec.script + " failed in LIGGGHTS:\n" + errors);
+  if (!liggghts_errors(log).empty())
+    throw InputError("the bed's script " + spec.script + " failed in LIGGGHTS, at " +
+                     why_liggghts_stopped(log, spec.script, spec.variables));
   if (end.code != 0) {
     throw PartnerError("making the bed: LIGGGHTS ended with code " + std::to_string(end.code) + " on " + spec.script +
                        "\n" + said);

@@ -6,6 +6,7 @@
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/cli/launch/box_report.h"
 #include "mbd_solver/cli/launch/script_report.h"
+#include "mbd_solver/observe/start_values.h"
 #include "mbd_solver/scene/boundary_surface.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"

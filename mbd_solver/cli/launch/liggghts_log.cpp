@@ -86,12 +86,28 @@ void SettlingLine::operator()() {
   if (live_.due(p.share())) live_.show("before the coupling: " + p.text() + (left.empty() ? "" : ", " + left));
 }
 
-std::string liggghts_errors(const std::string& log) {
-  std::ifstream file(log);
-  std::string line, errors, before;
-  while (std::getline(file, line)) {
-    if (line.rfind("ERROR", 0) == 0 || line.rfind("Fix couple", 0) == 0) errors += (errors.empty() ? "" : "\n") + line;
+std::vector<std::string> log_lines(const std::string& log) {
+  constexpr int kMostLogs = 8;
+  std::vector<std::string> lines;
+  std::string name = log;
+  for (int logs = 0; logs < kMostLogs && !name.empty(); ++logs) {
+    std::ifstream file(name);
+    name.clear();
+    std::string line;
+    while (std::getline(file, line)) {
+      lines.push_back(line);
+      std::istringstream words(line);
+      std::string command, next;
+      if (words >> command >> next && command == "log" && next.find('$') == std::string::npos) name = next;
+    }
   }
+  return lines;
+}
+
+std::string liggghts_errors(const std::string& log) {
+  std::string errors;
+  for (const std::string& line : log_lines(log))
+    if (line.rfind("ERROR", 0) == 0 || line.rfind("Fix couple", 0) == 0) errors += (errors.empty() ? "" : "\n") + line;
   return errors;
 }
 

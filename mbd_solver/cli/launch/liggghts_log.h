@@ -2,10 +2,14 @@
 // What the log of LIGGGHTS tells, while it is written and afterwards.
 
 #include <string>
+#include <vector>
 
 #include "coupler/base/live_line.h"
 
 namespace footfall {
+
+// The lines of a log, and behind its command `log FILE` those of that file.
+std::vector<std::string> log_lines(const std::string& log);
 
 // The lines that say ERROR, one per line; empty without.
 std::string liggghts_errors(const std::string& log);

@@ -45,7 +45,11 @@ constexpr double kRoundOff = 1e-14;
 
 class PlacementTest : public ::testing::Test {
  protected:
-  PlacementTest() { folder.write("in.grains", "timestep 1e-4\nfix mbd all couple/mbd every 4 mesh m pad\n"); }
+  PlacementTest() {
+    folder.write(
+        "in.grains",
+        "timestep 1e-4\nfix m all mesh/surface file m.stl type 1\nfix mbd all couple/mbd every 4 mesh m pad\nrun 1\n");
+  }
   Mechanism built(const std::string& toml, const std::vector<std::string>& settings = {}) const {
     return build_mechanism(folder.read(toml, settings));
   }

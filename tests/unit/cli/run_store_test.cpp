@@ -46,7 +46,9 @@ kind = "particles"
 script = "in.grains"
 bed = { script = "in.bed" }
 )");
-  write("in.grains", "include more.grains\nfix mbd all couple/mbd every 1 mesh pad pad\n");
+  write("in.grains",
+        "include more.grains\nfix pad all mesh/surface file pad.stl type 1\nfix mbd all couple/mbd every 1 mesh pad "
+        "pad\nrun 1\n");
   write("more.grains", "# grains\n");
   write("in.bed", "write_restart ${bed}\n");
   write("pad.stl",

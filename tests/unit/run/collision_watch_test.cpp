@@ -217,7 +217,9 @@ Start with_floor() {
 
 struct OverAFloor {
   explicit OverAFloor(const std::string& more)
-      : script(folder.write("in.grains", "timestep 1e-4\nfix mbd all couple/mbd every 10 mesh m ball\n")),
+      : script(folder.write("in.grains",
+                            "timestep 1e-4\nfix m all mesh/surface file m.stl type 1\nfix mbd all couple/mbd every 10 "
+                            "mesh m ball\nrun 1\n")),
         scene(folder.read("end_time = 0.5\n" + ball("ball", {0.01, 0.02, 0.2}) +
                           "[ground]\nkind = \"particles\"\n[particles]\nscript = \"in.grains\"\n" + more)) {}
   SceneText folder;

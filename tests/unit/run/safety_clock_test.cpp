@@ -86,7 +86,9 @@ TEST(KeptByTheClock, AMechanismGoesOnAsIfItWereNot) {
 
 States coupled_states(const Keeper& keep, std::int64_t cannot_before) {
   const SceneText folder;
-  folder.write("in.grains", "timestep 1e-4\nfix mbd all couple/mbd every 4 mesh m ball\n");
+  folder.write(
+      "in.grains",
+      "timestep 1e-4\nfix m all mesh/surface file m.stl type 1\nfix mbd all couple/mbd every 4 mesh m ball\nrun 1\n");
   const Scene scene = folder.read(kOnGrains);
   Start start;
   start.dt = 1e-4;

@@ -53,7 +53,9 @@ script = "in.grains"
 // A scene on grains, its folder with a script that LIGGGHTS never reads.
 struct GrainScene {
   explicit GrainScene(const std::vector<std::string>& settings = {})
-      : script(folder.write("in.grains", "timestep 1e-4\nfix mbd all couple/mbd every 4 mesh m ball\n")),
+      : script(folder.write("in.grains",
+                            "timestep 1e-4\nfix m all mesh/surface file m.stl type 1\nfix mbd all couple/mbd every 4 "
+                            "mesh m ball\nrun 1\n")),
         scene(folder.read(kBallOnGrains, settings)) {}
   SceneText folder;
   std::string script;
@@ -257,7 +259,9 @@ hold_other_rotations = true
 )";
   for (const double mass : {1e3, 1.0, 1e-3}) {
     const SceneText folder;
-    folder.write("in.grains", "timestep 1e-4\nfix mbd all couple/mbd every 4 mesh m ball\n");
+    folder.write(
+        "in.grains",
+        "timestep 1e-4\nfix m all mesh/surface file m.stl type 1\nfix mbd all couple/mbd every 4 mesh m ball\nrun 1\n");
     const Scene scene = folder.read(led, {"bodies.ball.mass=" + std::to_string(mass)});
     LoopbackGrains grains(start(), [](const Motion& motion, Load& load) {
       load.bodies[0].mean.F_W.z() = motion.window % 2 == 0 ? 500.0 : 0.0;

@@ -1,9 +1,10 @@
-#include "liggghts_fix/couple_mbd_arguments.h"
+#include "coupler/couple_mbd_arguments.h"
 
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "liggghts_fix/words.h"
+#include "coupler/base/nearest_name.h"
+#include "coupler/words.h"
 
 namespace footfall {
 namespace {
@@ -11,6 +12,8 @@ namespace {
 constexpr const char* kUsage =
     "expected: fix ID all couple/mbd every N|auto [patience SECONDS] [gravity scene|script] [end scene|script] "
     "[lost SHARE] [surface smooth|facets|round] [edge DEGREES] [damping_mass grain|pair] [mesh MESH-ID BODY]...";
+const std::vector<std::string> kKeywords = {"every",   "patience", "gravity",      "end", "lost",
+                                            "surface", "edge",     "damping_mass", "mesh"};
 constexpr int kMostSubsteps = 1000000;  // of a window
 
 // The words one after the other; whatever is not as expected ends in an InputError that begins with `fix`.
@@ -26,7 +29,11 @@ class Reader {
     return words_[next_ + n];
   }
   void step(std::size_t words) { next_ += words; }
-  [[noreturn]] void wrong_keyword() const { throw InputError(fix_ + "at \"" + keyword() + "\" " + kUsage); }
+  [[noreturn]] void wrong_keyword() const {
+    const std::string meant = nearest_name(keyword(), kKeywords);
+    throw InputError(fix_ + "at \"" + keyword() + "\" " +
+                     (meant.empty() || meant == keyword() ? "" : "(did you mean \"" + meant + "\"?) ") + kUsage);
+  }
   [[noreturn]] void wrong_value(const std::string& needs) const {
     throw InputError(fix_ + "`" + keyword() + "` needs " + needs + ", not \"" + value() + "\"");
   }
@@ -48,8 +55,9 @@ CoupleMbdArguments::CoupleMbdArguments(int narg, const char* const* arg) {
   const std::vector<std::string> words(arg, arg + narg);
   FOOTFALL_DEMAND(words.size() >= 3);
   fix = "fix " + words[0] + " " + words[2] + ": ";
-  if (words.size() < 5 || words[3] != "every") throw InputError(fix + kUsage);
+  if (words.size() < 4) throw InputError(fix + kUsage);
   Reader reader(fix, words, 3);
+  if (words[3] != "every") reader.wrong_keyword();
   if (reader.value() != "auto") {
     const std::optional<int> n = whole_number(reader.value(), 1, kMostSubsteps);
     if (!n) reader.wrong_value("a number of steps from 1 to " + std::to_string(kMostSubsteps) + " or `auto`");

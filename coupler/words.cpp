@@ -1,4 +1,4 @@
-#include "liggghts_fix/words.h"
+#include "coupler/words.h"
 
 #include <cstdlib>
 

@@ -1,4 +1,4 @@
-#include "liggghts_fix/couple_mbd_arguments.h"
+#include "coupler/couple_mbd_arguments.h"
 
 #include <gtest/gtest.h>
 
@@ -83,8 +83,11 @@ TEST(CoupleMbdArguments, SayHowGrainsTouch) {
 }
 
 TEST(CoupleMbdArguments, SayWhatIsExpectedWhereAWordIsMissingOrWrong) {
-  for (const char* words : {"", "every", "evry 5"}) EXPECT_EQ(complaint(words), kUsage) << words;
-  EXPECT_EQ(complaint("every 5 mash pad1 foot_1"), "at \"mash\" " + kUsage);
+  EXPECT_EQ(complaint(""), kUsage);
+  EXPECT_EQ(complaint("every"), "at \"every\" " + kUsage);
+  EXPECT_EQ(complaint("evry 5"), "at \"evry\" (did you mean \"every\"?) " + kUsage);
+  EXPECT_EQ(complaint("5"), "at \"5\" " + kUsage);
+  EXPECT_EQ(complaint("every 5 mash pad1 foot_1"), "at \"mash\" (did you mean \"mesh\"?) " + kUsage);
   EXPECT_EQ(complaint("every 5 mesh pad1"), "at \"mesh\" " + kUsage);
   EXPECT_EQ(complaint("every 5 patience"), "at \"patience\" " + kUsage);
 }

@@ -12,7 +12,7 @@ namespace footfall {
 
 class Readings {
  public:
-  // names: those that will be asked for. Throws InputError, "FILE:LINE: ...", for one that nothing has.
+  // names: those that will be asked for. Throws InputError, a line "FILE:LINE: ..." for each that nothing has.
   Readings(const std::vector<std::string>& names, const Subject& subject);
   Readings(const Readings&) = delete;
   Readings& operator=(const Readings&) = delete;

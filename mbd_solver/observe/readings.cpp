@@ -1,4 +1,4 @@
-#include "mbd_solver/run/readings.h"
+#include "mbd_solver/observe/readings.h"
 
 #include <algorithm>
 
@@ -25,6 +25,7 @@ Readings::Readings(const std::vector<std::string>& names, const Subject& subject
   const Mechanism& mechanism = subject.mechanism;
   const std::vector<Column> columns = history_columns(subject_, flexible_, joints_);
   const ContinuousSignals* const continuous = mechanism.model.signals();
+  std::string unknown;
   for (const std::string& name : names) {
     Reading reading;
     reading.source = signal_source(mechanism, name);
@@ -39,16 +40,19 @@ Readings::Readings(const std::vector<std::string>& names, const Subject& subject
     if (column == columns.end()) {
       std::vector<std::string> known;
       for (const Column& c : columns) known.push_back(c.name);
-      throw InputError(where_read(subject.scene, name) + "nothing is called \"" + name +
-                       "\"; expected the name of a column of history.csv (without \"-\" in it), signal.NAME, "
-                       "state.NAME or time." +
-                       known_names("columns", name, known));
+      const std::string line = where_read(subject.scene, name) + "nothing is called \"" + name +
+                               "\"; expected the name of a column of history.csv (without \"-\" in it), signal.NAME, "
+                               "state.NAME or time." +
+                               known_names("columns", name, known);
+      if (unknown.find(line) == std::string::npos) unknown += (unknown.empty() ? "" : "\n") + line;
+      continue;
     }
     reading.column = column->value;
     uses_flexible_ = uses_flexible_ || column->reads == Column::Reads::kFlexible;
     uses_joints_ = uses_joints_ || column->reads == Column::Reads::kJoints;
     readings_.push_back(std::move(reading));
   }
+  if (!unknown.empty()) throw InputError(unknown);
 }
 
 void Readings::take(const Sample& sample) {
