@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Remakes docs/reliability.md: what was done to runs, and what came of it.
 #   docs/reliability.sh [--short] [PART...]
-#     PART     kills signals load stops disk damage keeping fuzz sanitizers endurance (default: all, in four rows side by side). Each keeps its lines in
+#     PART     kills signals load stops disk damage keeping fuzz sanitizers endurance plane (default: all, in four rows side by side). Each keeps its lines in
 #              BUILD/reliability/PART.md; of parts that are made one by one the page is put together of those that are there.
 #              Lines of a part that was not made there stay as they are on the page; each says which commit it tried.
 #     PART     page: puts the page together and does nothing else
@@ -19,7 +19,7 @@ short=false as_row=false
 [[ ${1-} == --short ]] && { short=true; shift; }
 [[ ${1-} == --row ]] && { as_row=true; shift; } # of a whole run
 parts=("$@")
-all=(kills signals load stops disk damage keeping fuzz sanitizers endurance)
+all=(kills signals load stops disk damage keeping fuzz sanitizers endurance plane)
 work=$build/reliability cli=tests/cli
 version="$(git rev-parse --short HEAD 2>/dev/null || echo "no commit") ($(date +%F))"
 $short && work=$build/reliability_short
@@ -162,7 +162,7 @@ sanitizers() {
   # NAME, WHAT (BY WHAT): FIGURES; at COMMIT
   for name in $(basename -s .line "${lines[@]}"); do
     line=$(sed 's/; at .*//' "build-sanitize/$name.line") said=${line#*: } code=0
-    grep -q '[1-9][0-9]* failed\|[1-9][0-9]* findings\|failed:' <<<"$said" && failed
+    grep -q '[1-9][0-9]* failed\|[1-9][0-9]* findings\|[1-9][0-9]* reports\|[1-9][0-9]* places\|failed:' <<<"$said" && failed
     line=${line%%:*}
     echo "| ${line#*, }: $name | $said | no finding; what is left out has its reason in \`tests/sanitize/left_out.txt\` | $(verdict $code) | \`tests/sanitize/run.sh $name\` |"
   done
@@ -175,8 +175,11 @@ endurance() {
   code=0
   tests/endurance/grains.sh "$footfall" "$work/endurance" "$(of 2000 100000)" >"$log" 2>&1 || failed
   echo "| many windows through LIGGGHTS, two ranks | $(tail -n 1 "$log" | sed 's/ windows.*//') windows | $(tail -n 1 "$log" | sed 's/.*: //') | $(verdict $code) | \`Endurance.MemoryStays/grains\` |"
+}
+
+plane() {
   $short && return
-  code=0
+  local log=$work/plane.log code=0
   tests/endurance/plane.sh "$footfall" "$work/plane" "${PLANE_SECONDS:-1000}" >"$log" 2>&1 || failed
   echo "| the lander stands on the rigid plane | $(tail -n 1 "$log" | sed 's/ on the.*//') | $(tail -n 1 "$log" | sed 's/.*plane: //') | $(verdict $code) | |"
 }
@@ -197,7 +200,7 @@ if ((${#parts[@]})) || $short; then
   row "${parts[@]}"
 else
   # Each row as a session, to which Linux gives a share of its own; so that a part of many programs does not starve the others.
-  rows=("kills keeping" "load signals stops disk damage" "fuzz" "endurance sanitizers") leaders=()
+  rows=("kills keeping" "load signals stops disk damage" "fuzz" "endurance plane sanitizers") leaders=()
   for parts_of_row in "${rows[@]}"; do
     setsid docs/reliability.sh --row $parts_of_row &
     leaders+=($!)
@@ -215,7 +218,8 @@ page=docs/reliability.md
   cat <<'TEXT'
 # What was done to runs, and what came of it
 
-Made by `docs/reliability.sh`. The last column names the tests that do a part of the same in every run of the checks (`ctest -R NAME`).
+Made by `docs/reliability.sh`. The column of tests names those that do a part of the same in every run of the checks (`ctest -R NAME`). The last column names the part of the command that
+makes the line again (`docs/reliability.sh PART`), and the commit whose programs it tried.
 The killed run is a ball that drops onto some 400 grains on two ranks, with checkpoints; signals, stops and full disks meet a plate on grains that would go on for days.
 
 | what was done | tried | what has to come of it, and figures | | tests | part: commit |
@@ -229,6 +233,7 @@ TEXT
 - "All gone" is counted from the kill or signal until the last process of the run has ended.
 - After a signal a program gives its partner 7 s for a window and a checkpoint, and 5 s where it says nothing; 8 s after the signal it ends by itself, and a second later the front door
   kills what is left. A signal to mpirun gives 6 s: then mpirun kills.
+- Where a run is starved, a window can take longer than the seconds there are. The exit code is the same; the newest checkpoint is then the one before.
 - SIGQUIT ends mpirun at once, and a second later Open MPI ends its programs. The front door asks them to write a checkpoint in that second; a window that is longer leaves no new one.
 - A set of files that is not whole never counts as a checkpoint: it grows under another name and is renamed when checksums of all its files are on the disk ([resume.md](resume.md)).
   What is left of one goes when all programs have ended, unless the front door itself was killed.
