@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Remakes docs/reliability.md: what was done to runs, and what came of it.
 #   docs/reliability.sh [--short] [PART...]
-#     PART     kills signals load stops disk damage keeping fuzz sanitizers endurance (default: all, in four rows side by side). Each keeps its lines in
+#     PART     kills signals load stops disk damage keeping fuzz sanitizers endurance plane (default: all, in four rows side by side). Each keeps its lines in
 #              BUILD/reliability/PART.md; of parts that are made one by one the page is put together of those that are there.
+#              Lines of a part that was not made there stay as they are on the page; each says which commit it tried.
 #     PART     page: puts the page together and does nothing else
 #     --short  a minute in all, and the page stays as it is
 #   BUILD=FOLDER     default build: all tests built. The programs are copied first, so that nobody changes them meanwhile.
-#   BUILT=1          takes the builds of fuzz and sanitizers as they are
+#   BUILT=1          takes the builds of fuzz and sanitizers as they are; LOGS=1 takes what tests/fuzz/run.sh and tests/sanitize/run.sh have come to
 #   PART_SECONDS     kills and signals are tried for so long at most, load half as long (default 900); the page says how many were
 #   FUZZ_SECONDS     for each target (default 300; an hour: 3600); KEEP_SCENE, KEEP_ARGS: the run whose keeping is timed; PLANE_SECONDS
 # The long form takes some 40 minutes on two cores that are shared, and hours with PART_SECONDS=100000 FUZZ_SECONDS=3600.
@@ -18,7 +19,7 @@ short=false as_row=false
 [[ ${1-} == --short ]] && { short=true; shift; }
 [[ ${1-} == --row ]] && { as_row=true; shift; } # of a whole run
 parts=("$@")
-all=(kills signals load stops disk damage keeping fuzz sanitizers endurance)
+all=(kills signals load stops disk damage keeping fuzz sanitizers endurance plane)
 work=$build/reliability cli=tests/cli
 version="$(git rev-parse --short HEAD 2>/dev/null || echo "no commit") ($(date +%F))"
 $short && work=$build/reliability_short
@@ -143,15 +144,28 @@ fuzz() {
     ctest --test-dir "$build" -R '^fuzz\.' >"$log" 2>&1 || failed
     return
   fi
-  JOBS=${FUZZ_JOBS:-2} nice tests/fuzz/run.sh "$seconds" >"$log" 2>&1 || failed
-  echo "| every reader is fed with rubbish (libFuzzer, address and undefined sanitizers), $seconds s for each of $(grep -c ': [0-9]* runs' "$log") targets | $(sed -n 's/^\([a-z_]*\): \([0-9]*\) runs.*/\1 \2/p' "$log" | sort | paste -sd, | sed 's/,/, /g') inputs | refused in the reader's own words, or read; no crash, no hang above 10 s | $(verdict $code) | \`fuzz.*\` (the kept inputs, and some thousand damaged ones) |"
+  [[ -n ${LOGS-} ]] || JOBS=${FUZZ_JOBS:-2} nice tests/fuzz/run.sh "$seconds" >"$log" 2>&1 || failed
+  local lines=(build-fuzz/findings/*.line)
+  [[ -e ${lines[0]} ]] || { echo "| every reader is fed with rubbish | 0 | not tried | | |"; return; }
+  grep -L ' runs in .* s; at ' "${lines[@]}" | grep -q . && failed
+  made_at=$(sed -n 's/.*; at //p' "${lines[@]}" | sort -u | paste -sd, | sed 's/,/, /g')
+  echo "| every reader is fed with rubbish (libFuzzer, address and undefined sanitizers), $(sed -n 's/.* runs in \([0-9]*\) s.*/\1/p' "${lines[@]}" | sort -n | sed -n '1p;$p' | uniq | paste -sd- | sed 's/-/ to /') s on the wall for each of ${#lines[@]} targets | $(sed -n 's/^\([a-z_]*\): \([0-9]*\) runs.*/\1 \2/p' "${lines[@]}" | sort | paste -sd, | sed 's/,/, /g') inputs | refused in the reader's own words, or read; no crash, no hang above 10 s$(sed -n 's/^\([a-z_]*\): [0-9]* runs in [0-9]* s, \(SUMMARY.*\); at.*/; \1: \2/p' "${lines[@]}") | $(verdict $code) | \`fuzz.*\` (the kept inputs, and some thousand damaged ones) |"
 }
 
 sanitizers() {
   $short && return
   local log=$work/sanitizers.log code=0
-  BUILD=$work nice tests/sanitize/run.sh >"$log" 2>&1 || failed
-  echo "| tests with address and undefined sanitizers (g++), unit tests under valgrind (memcheck) | $(sed -n 's/^\([a-z_]*\), address and undefined: \(.*\)/\1 \2/p' "$log" | paste -sd';' | sed 's/;/; /g'); valgrind: $(sed -n 's/^valgrind, unit_\([a-z_]*\):.*/\1/p' "$log" | paste -sd, | sed 's/,/, /g') | no finding | $(grep -q ': [1-9][0-9]* passed' "$log" && verdict $code || echo "open: not built under the sanitizers") | |"
+  [[ -n ${LOGS-} ]] || BUILD=$work nice tests/sanitize/run.sh >"$log" 2>&1 || code=1
+  local lines=(build-sanitize/*.line) line name said
+  [[ -e ${lines[0]} ]] || { echo "| tests under sanitizers | 0 | not tried | | |"; return; }
+  made_at=$(sed -n 's/.*; at //p' "${lines[@]}" | sort -u | paste -sd, | sed 's/,/, /g')
+  # NAME, WHAT (BY WHAT): FIGURES; at COMMIT
+  for name in $(basename -s .line "${lines[@]}"); do
+    line=$(sed 's/; at .*//' "build-sanitize/$name.line") said=${line#*: } code=0
+    grep -q '[1-9][0-9]* failed\|[1-9][0-9]* findings\|[1-9][0-9]* reports\|[1-9][0-9]* places\|failed:' <<<"$said" && failed
+    line=${line%%:*}
+    echo "| ${line#*, }: $name | $said | no finding; what is left out has its reason in \`tests/sanitize/left_out.txt\` | $(verdict $code) | \`tests/sanitize/run.sh $name\` |"
+  done
 }
 
 endurance() {
@@ -161,8 +175,11 @@ endurance() {
   code=0
   tests/endurance/grains.sh "$footfall" "$work/endurance" "$(of 2000 100000)" >"$log" 2>&1 || failed
   echo "| many windows through LIGGGHTS, two ranks | $(tail -n 1 "$log" | sed 's/ windows.*//') windows | $(tail -n 1 "$log" | sed 's/.*: //') | $(verdict $code) | \`Endurance.MemoryStays/grains\` |"
+}
+
+plane() {
   $short && return
-  code=0
+  local log=$work/plane.log code=0
   tests/endurance/plane.sh "$footfall" "$work/plane" "${PLANE_SECONDS:-1000}" >"$log" 2>&1 || failed
   echo "| the lander stands on the rigid plane | $(tail -n 1 "$log" | sed 's/ on the.*//') | $(tail -n 1 "$log" | sed 's/.*plane: //') | $(verdict $code) | |"
 }
@@ -173,8 +190,9 @@ row() { # PART...
     [[ $part == page ]] && continue
     rm -f "$work/$part.failed"
     echo "reliability: $part, $(date +%T)" >&2
-    $part >"$work/$part.new" && mv "$work/$part.new" "$work/$part.md"
-    echo "$part at $version" >"$work/$part.made"
+    made_at=$version
+    $part >"$work/$part.new" && sed "s/|\$/| $part: ${made_at//\//\\\/} |/" "$work/$part.new" >"$work/$part.md"
+    rm -f "$work/$part.new"
   done
 }
 if ((${#parts[@]})) || $short; then
@@ -182,7 +200,7 @@ if ((${#parts[@]})) || $short; then
   row "${parts[@]}"
 else
   # Each row as a session, to which Linux gives a share of its own; so that a part of many programs does not starve the others.
-  rows=("kills keeping" "load signals stops disk damage" "fuzz" "endurance sanitizers") leaders=()
+  rows=("kills keeping" "load signals stops disk damage" "fuzz" "endurance plane sanitizers") leaders=()
   for parts_of_row in "${rows[@]}"; do
     setsid docs/reliability.sh --row $parts_of_row &
     leaders+=($!)
@@ -195,30 +213,32 @@ ended=0
 compgen -G "$work/*.failed" >/dev/null && ended=1
 $short && exit $ended
 cd "$root" || exit 1
+page=docs/reliability.md
 {
   cat <<'TEXT'
 # What was done to runs, and what came of it
 
-Made by `docs/reliability.sh`. The last column names the tests that do a part of the same in every run of the checks (`ctest -R NAME`).
+Made by `docs/reliability.sh`. The column of tests names those that do a part of the same in every run of the checks (`ctest -R NAME`). The last column names the part of the command that
+makes the line again (`docs/reliability.sh PART`), and the commit whose programs it tried.
 The killed run is a ball that drops onto some 400 grains on two ranks, with checkpoints; signals, stops and full disks meet a plate on grains that would go on for days.
 
-| what was done | tried | what has to come of it, and figures | | tests |
-|---|---|---|---|---|
+| what was done | tried | what has to come of it, and figures | | tests | part: commit |
+|---|---|---|---|---|---|
 TEXT
   for part in "${all[@]}"; do
-    cat "$work/$part.md" 2>/dev/null || echo "| $part | not tried yet | | | |"
+    cat "$work/$part.md" 2>/dev/null || grep "| $part: [^|]* |\$" "$page" || echo "| $part | not tried yet | | | $part: |"
   done
   cat <<'TEXT'
 
 - "All gone" is counted from the kill or signal until the last process of the run has ended.
 - After a signal a program gives its partner 7 s for a window and a checkpoint, and 5 s where it says nothing; 8 s after the signal it ends by itself, and a second later the front door
   kills what is left. A signal to mpirun gives 6 s: then mpirun kills.
+- Where a run is starved, a window can take longer than the seconds there are. The exit code is the same; the newest checkpoint is then the one before.
 - SIGQUIT ends mpirun at once, and a second later Open MPI ends its programs. The front door asks them to write a checkpoint in that second; a window that is longer leaves no new one.
 - A set of files that is not whole never counts as a checkpoint: it grows under another name and is renamed when checksums of all its files are on the disk ([resume.md](resume.md)).
   What is left of one goes when all programs have ended, unless the front door itself was killed.
-- Each part and the commit whose programs it tried: MADE.
 - Killed is not powered off: what a disk has confirmed and then loses is not tried here.
 - Neither program has threads of its own, nor has the front door: there is nothing for the thread sanitizer. `tests/unit` has threads where two ends of a conversation run in one process.
 TEXT
-} | sed "s/ MADE\.$/ $(for part in "${all[@]}"; do cat "$work/$part.made" 2>/dev/null; done | paste -sd, | sed 's/,/, /g')./" > docs/reliability.md
+} >"$work/page.new" && mv "$work/page.new" "$page"
 exit $ended

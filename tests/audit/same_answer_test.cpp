@@ -74,9 +74,12 @@ void add_scene(unsigned seed, const Vector3d& centre, World& world) {
   for (int k = 0; k < bodies; ++k) {
     TestBody body;
     body.name = "b" + std::to_string(seed) + "_" + std::to_string(k);
-    body.size = Vector3d(0.1 + 0.06 * unit(random), 0.1 + 0.06 * unit(random), 0.02);
-    body.centre =
-        centre + Vector3d(0.02 * unit(random), 0.02 * unit(random), k == 0 ? -0.0302 : 0.1132 + 0.002 * unit(random));
+    // One after the other: compilers differ in the order in which they evaluate arguments.
+    const double width = 0.1 + 0.06 * unit(random), length = 0.1 + 0.06 * unit(random);
+    body.size = Vector3d(length, width, 0.02);
+    const double up = k == 0 ? -0.0302 : 0.1132 + 0.002 * unit(random);
+    const double aside = 0.02 * unit(random), ahead = 0.02 * unit(random);
+    body.centre = centre + Vector3d(ahead, aside, up);
     body.driven = random() % 2 == 0;
     body.v = Vector3d(0, 0, k == 0 ? 0.5 : -0.5) + random_vector(random, 0.4);
     body.w = body.driven ? Vector3d(0, 0, random_vector(random, 2.0).z()) : random_vector(random, 2.0);

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # run.sh [SECONDS [NAME...]]: each target with libFuzzer for so many seconds (default 60; an hour each: run.sh 3600), in a build of its own (build-fuzz) with clang.
+# Undefined behaviour is a finding as a crash is (pointer-overflow excepted: Eigen adds an offset to the null pointer of an empty matrix).
 # What is new goes to build-fuzz/corpus; findings to build-fuzz/findings. A finding that is mended is copied to tests/fuzz/corpus/NAME, where the tests replay it.
+# What each came to is kept as a line in build-fuzz/findings/NAME.line; docs/reliability.sh makes its page of these.
 #   JOBS      targets at once (default 1)
 #   BUILT=1   takes the targets as they are built
 set -euo pipefail
@@ -13,9 +15,12 @@ names=("$@")
 ((${#names[@]})) || names=(messages fll summary history modal mtx two_columns mesh_stl mesh_obj mesh_ply experiment scene calibration start checkpoint bed)
 if [[ ! -f $build/build.ninja ]]; then
   CXX=clang++ CC=clang cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Fuzz -DFOOTFALL_FUZZ=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
-    -DCMAKE_CXX_FLAGS="-O1 -fsanitize=fuzzer-no-link,address,undefined -DFOOTFALL_SANITIZED -w" >/dev/null
+    -DCMAKE_CXX_FLAGS="-O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -fno-sanitize=pointer-overflow -DFOOTFALL_SANITIZED -w" >/dev/null
 fi
-[[ -n ${BUILT-} ]] || cmake --build "$build" --target "${names[@]/#/libfuzzer_}"
+if [[ -z ${BUILT-} ]]; then
+  cmake --build "$build" --target "${names[@]/#/libfuzzer_}"
+  echo "$(git -C "$root" rev-parse --short HEAD 2>/dev/null || echo "no commit") ($(date +%F))" >"$build/commit"
+fi
 one() {
   local name=$1
   mkdir -p "$build/corpus/$name" "$build/findings/$name"
@@ -35,7 +40,7 @@ one() {
     failed=0
   done
   ((failed == 0)) || echo "$name: a finding, see $log"
-  echo "$name: $runs runs in $seconds s$( ((failed)) && grep -a '^SUMMARY' "$log" | sed 's/^/, /')"
+  echo "$name: $runs runs in $seconds s$( ((failed)) && grep -a '^SUMMARY' "$log" | sed 's/^/, /'); at $(cat "$build/commit")" | tee "$build/findings/$name.line"
   return $failed
 }
 quietly() { "$@" >/dev/null 2>&1; }

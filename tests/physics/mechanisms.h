@@ -178,7 +178,8 @@ inline Model crank_rocker(unsigned seed, bool ball_and_cylinder) {
     a = random(0.2, 0.5), b = random(0.6, 1.5), c = random(0.6, 1.5), d = random(0.6, 1.5);
   } while (a + 2.0 * std::max({b, c, d}) > 0.98 * (b + c + d));
   const double angle = random(0.0, 6.28), w = random(1.0, 4.0);
-  const Eigen::Vector4d L(random(-1.0, 1.0), random(-1.0, 1.0), random(-1.0, 1.0), random(-1.0, 1.0));
+  Eigen::Vector4d L;  // not as arguments, whose order is the compiler's
+  for (const int i : {3, 2, 1, 0}) L[i] = random(-1.0, 1.0);
   const Eigen::Matrix3d R = rotation_matrix(L.normalized());
   const Eigen::Vector2d A(a * std::cos(angle), a * std::sin(angle)), D(d, 0.0), e = D - A;
   const double x = (b * b - c * c + e.squaredNorm()) / (2.0 * e.norm()), h = std::sqrt(b * b - x * x);

@@ -232,7 +232,7 @@ void add_random_forces(Plan& plan, Numbers& numbers, bool free) {
     force.point_2 = centre + numbers.vector(0.2);
     force.point_1 =
         force.body_1 == kGround
-            ? Eigen::Vector3d(centre + numbers.direction() * numbers.between(1.2, 2.0))
+            ? Eigen::Vector3d(centre + numbers.arrow(1.2, 2.0))
             : Eigen::Vector3d(plan.bodies[static_cast<std::size_t>(force.body_1)].state.r + numbers.vector(0.2));
     force.axes = numbers.axes();
     const int kind = numbers.whole(0, 3);

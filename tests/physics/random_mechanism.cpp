@@ -21,7 +21,8 @@ int add_body(Plan& plan, Numbers& numbers, const Vector3d& centre) {
   PlannedBody body;
   body.name = "body_" + std::to_string(plan.bodies.size());
   body.mass = numbers.between(0.5, 2.0);
-  const Vector3d size(numbers.between(0.2, 0.6), numbers.between(0.2, 0.6), numbers.between(0.2, 0.6));
+  const double z = numbers.between(0.2, 0.6), y = numbers.between(0.2, 0.6), x = numbers.between(0.2, 0.6);
+  const Vector3d size(x, y, z);
   body.inertia = body.mass / 12.0 *
                  (size.squaredNorm() * Eigen::Matrix3d::Identity() - Eigen::Matrix3d(size.cwiseAbs2().asDiagonal()));
   body.state.r = centre;
@@ -71,10 +72,11 @@ void grow_tree(Plan& plan, Numbers& numbers, bool grounded) {
   for (int i = 0; i < count; ++i) {
     const int parent = i == 0 ? kGround : numbers.whole(grounded ? kGround : 0, i - 1);
     const Vector3d from = parent == kGround ? Vector3d::Zero() : plan.bodies[static_cast<std::size_t>(parent)].state.r;
-    const Vector3d point = from + numbers.direction() * numbers.between(0.3, 0.6);
-    const int body = add_body(plan, numbers, point + numbers.direction() * numbers.between(0.3, 0.6));
+    const Vector3d point = from + numbers.arrow(0.3, 0.6);
+    const int body = add_body(plan, numbers, point + numbers.arrow(0.3, 0.6));
     if (parent == kGround && !grounded) continue;
-    add_joint(plan, kKinds[numbers.whole(0, 7)], parent, body, point, numbers.axes());
+    const Eigen::Matrix3d axes = numbers.axes();
+    add_joint(plan, kKinds[numbers.whole(0, 7)], parent, body, point, axes);
     if (plan.joints.back().kind == JointKind::kDistance) plan.joints.back().point_2 += numbers.direction() * 0.4;
   }
 }
@@ -132,8 +134,9 @@ void close_by_rolling(Plan& plan, Numbers& numbers) {
     point = next;
   }
   const bool wheel_moves = numbers.one_in(2);
+  const Eigen::Matrix3d axes = numbers.axes();
   add_joint(plan, numbers.one_in(2) ? JointKind::kDisc : JointKind::kSphere, wheel_moves ? kGround : bodies - 1,
-            wheel_moves ? bodies - 1 : kGround, point, numbers.axes());
+            wheel_moves ? bodies - 1 : kGround, point, axes);
   PlannedJoint& rolling = plan.joints.back();
   const Vector3d n = rolling.axes.col(2);
   rolling.point_2 += numbers.between(0.2, 0.5) * n + 0.1 * rolling.axes.col(0);
@@ -147,7 +150,7 @@ void add_gears(Plan& plan, Numbers& numbers) {
   gear.name = "gear";
   for (const PlannedJoint& joint : plan.joints) {
     if (gear.members.size() == 3) break;
-    const double factor = numbers.between(0.5, 2.0) * (numbers.one_in(2) ? -1.0 : 1.0);
+    const double size = numbers.between(0.5, 2.0), factor = numbers.one_in(2) ? -size : size;
     if (joint.kind == JointKind::kRevolute || joint.kind == JointKind::kCylindrical)
       gear.members.push_back({joint.name, Coordinate::kAngle, factor});
     if (joint.kind == JointKind::kPrismatic || joint.kind == JointKind::kCylindrical)
@@ -173,8 +176,10 @@ void four_bar(Plan& plan, Numbers& numbers) {
   const Eigen::Matrix3d R = numbers.axes();
   std::vector<Vector3d> corners;
   for (const Vector3d& corner :
-       {Vector3d(0.0, 0.0, 0.0), Vector3d(0.1, 0.8, 0.0), Vector3d(1.2, 1.0, 0.0), Vector3d(1.0, 0.0, 0.0)})
-    corners.push_back(R * (corner + Vector3d(numbers.between(-0.2, 0.2), numbers.between(-0.2, 0.2), 0.0)));
+       {Vector3d(0.0, 0.0, 0.0), Vector3d(0.1, 0.8, 0.0), Vector3d(1.2, 1.0, 0.0), Vector3d(1.0, 0.0, 0.0)}) {
+    const double y = numbers.between(-0.2, 0.2), x = numbers.between(-0.2, 0.2);
+    corners.push_back(R * (corner + Vector3d(x, y, 0.0)));
+  }
   close_hinges(plan, numbers, corners, std::vector<Vector3d>(4, R.col(2)));
 }
 

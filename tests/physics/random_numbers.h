@@ -8,6 +8,7 @@
 
 namespace footfall::test {
 
+// Numbers for the arguments of one call are drawn before it: compilers differ in the order in which they evaluate them.
 class Numbers {
  public:
   explicit Numbers(unsigned seed) : engine_(seed) {}
@@ -23,6 +24,11 @@ class Numbers {
     do v = vector(1.0);
     while (v.norm() > 1.0 || v.norm() < 0.1);
     return v.normalized();
+  }
+  // Of a length between these, which is drawn first.
+  Eigen::Vector3d arrow(double low, double high) {
+    const double length = between(low, high);
+    return direction() * length;
   }
   Eigen::Vector4d quaternion() {
     const double w = between(-1.0, 1.0);

@@ -46,7 +46,7 @@ class Random {
     return ModalBoundary("random", rho0, triangles, segments, Phi, Psi);
   }
   Eigen::Vector3d weights() {
-    Eigen::Vector3d w(share(), share(), share());
+    const Eigen::Vector3d w{share(), share(), share()};  // in braces: from left to right with every compiler
     return w / w.sum();
   }
 

@@ -50,17 +50,16 @@ TEST_P(ForceElementEnergy, WhatIsTakenIsStoredOrDissipated) {
   for (const Coordinate coordinate : every<Coordinate>()) {
     std::vector<std::unique_ptr<StrutLaw>> spring;
     spring.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{50.0, 4.0, 0.1, 2.0}));
-    elements.push_back(std::make_unique<JointForce>(
-        std::string(name_of(coordinate)), test::random_marker(random, model, GetParam().first),
-        test::random_marker(random, model, GetParam().second), coordinate, std::move(spring)));
+    const test::MarkerPair at = test::random_markers(random, model, GetParam().first, GetParam().second);
+    elements.push_back(
+        std::make_unique<JointForce>(std::string(name_of(coordinate)), at.m1, at.m2, coordinate, std::move(spring)));
   }
   std::vector<std::unique_ptr<StrutLaw>> laws;
   laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{50.0, 4.0, 0.1, 2.0}));
   laws.push_back(std::make_unique<GasSpring>(GasSpringParameters{0.01, 1e5, 4e-4, 1.1, {}}));
   laws.push_back(std::make_unique<MrDamper>(MrDamperParameters{30.0, 2.0, 0.05, 0.0, 0.0, {}}));
-  elements.push_back(std::make_unique<Strut>("real", test::random_marker(random, model, GetParam().first),
-                                             test::random_marker(random, model, GetParam().second), std::move(laws),
-                                             1.1, 0));
+  const test::MarkerPair ends = test::random_markers(random, model, GetParam().first, GetParam().second);
+  elements.push_back(std::make_unique<Strut>("real", ends.m1, ends.m2, std::move(laws), 1.1, 0));
   const Layout layout(model);
   State state = test::as_given(model).state;
   Kinematics kinematics(model);

@@ -23,24 +23,32 @@
 
 namespace footfall::test {
 
+// What is drawn for the arguments of one call is drawn before it, the last one first: compilers differ in the order in
+// which they evaluate arguments, and every one of them shall test the same models.
 class Random {
  public:
   explicit Random(unsigned seed) : engine_(seed) { ::testing::Test::RecordProperty("seed", static_cast<int>(seed)); }
   double number(double low = -1.0, double high = 1.0) {
     return std::uniform_real_distribution<double>(low, high)(engine_);
   }
-  Eigen::Vector3d vector(double size = 1.0) { return size * Eigen::Vector3d(number(), number(), number()); }
+  Eigen::Vector3d vector(double size = 1.0) {
+    const double z = number(), y = number(), x = number();
+    return size * Eigen::Vector3d(x, y, z);
+  }
   Eigen::VectorXd vector_x(Eigen::Index n, double size = 1.0) {
     Eigen::VectorXd x(n);
     for (Eigen::Index i = 0; i < n; ++i) x[i] = size * number();
     return x;
   }
-  Eigen::Vector4d quaternion() { return Eigen::Vector4d(number(), number(), number(), number() + 1.5).normalized(); }
+  Eigen::Vector4d quaternion() {
+    const double z = number() + 1.5, y = number(), x = number(), w = number();
+    return Eigen::Vector4d(w, x, y, z).normalized();
+  }
   Eigen::Matrix3d axes() { return rotation_matrix(quaternion()); }
   Eigen::Matrix3d inertia(double size = 1.0) {
     const Eigen::Matrix3d A = axes();
-    return size * A * Eigen::Vector3d(number(1.0, 1.3), number(1.4, 1.6), number(1.7, 2.0)).asDiagonal() *
-           A.transpose();
+    const double z = number(1.7, 2.0), y = number(1.4, 1.6), x = number(1.0, 1.3);
+    return size * A * Eigen::Vector3d(x, y, z).asDiagonal() * A.transpose();
   }
 
  private:
@@ -124,14 +132,19 @@ inline BodyState random_state(Random& random, const Body& body) {
   return state;
 }
 
+inline Body random_rigid_body(Random& random, const std::string& name) {
+  const Eigen::Matrix3d inertia = random.inertia();
+  return Body(name, random.number(1.0, 3.0), inertia);
+}
+
 // Four bodies, two of them flexible.
 inline Model random_bodies(Random& random, const Eigen::Vector3d& gravity = {0.3, -0.4, -9.0}) {
   Model model(gravity);
   const int modes[4] = {0, 3, 0, 2};
   for (int i = 0; i < 4; ++i) {
     const std::string name = "body_" + std::to_string(i);
-    const Body body = modes[i] == 0 ? Body(name, random.number(1.0, 3.0), random.inertia())
-                                    : Body(name, hand_made_body(random, 4, modes[i], 500.0, 0.05));
+    const Body body =
+        modes[i] == 0 ? random_rigid_body(random, name) : Body(name, hand_made_body(random, 4, modes[i], 500.0, 0.05));
     model.add_body(body, random_state(random, body));
   }
   return model;
@@ -139,34 +152,46 @@ inline Model random_bodies(Random& random, const Eigen::Vector3d& gravity = {0.3
 
 // A marker anywhere: at a node with an offset on flexible bodies.
 inline Marker random_marker(Random& random, const Model& model, int body) {
-  if (body == kGround) return ground_marker(random.vector(), random.axes());
-  if (model.body(body).mode_count() > 0)
-    return node_marker(body, model.body(body), static_cast<int>(random.number(0.0, 3.99)), random.vector(0.3),
-                       random.axes());
-  return body_marker(body, model.body(body), random.vector(), random.axes());
+  const Eigen::Matrix3d axes = random.axes();
+  const bool flexible = body != kGround && model.body(body).mode_count() > 0;
+  const Eigen::Vector3d place = random.vector(flexible ? 0.3 : 1.0);
+  if (body == kGround) return ground_marker(place, axes);
+  if (!flexible) return body_marker(body, model.body(body), place, axes);
+  return node_marker(body, model.body(body), static_cast<int>(random.number(0.0, 3.99)), place, axes);
+}
+
+struct MarkerPair {
+  Marker m1, m2;
+};
+inline MarkerPair random_markers(Random& random, const Model& model, int body_1, int body_2) {
+  const Marker m2 = random_marker(random, model, body_2);
+  return {random_marker(random, model, body_1), m2};
 }
 
 // One of each kind of joint between the given bodies; far from closed, which derivatives do not mind.
 inline std::vector<Joint> all_joints(Random& random, const Model& model, int body_1, int body_2) {
-  const auto m = [&](int body) { return random_marker(random, model, body); };
   PrescribedMotion driven;
   driven.translation = {polynomial({0.1, 0.2, -0.3}), nullptr, sine(0.3, 0.7, 0.2)};
   driven.rotation = sum({sine(1.2, 0.4, 0.1), polynomial({0.2, 1.5, 0.4})});
   driven.rotation_axis = 1;
   driven.hold_other_rotations = true;
   const std::string tail = "_" + std::to_string(body_1) + "_" + std::to_string(body_2);
-  return {fixed_joint("fixed" + tail, m(body_1), m(body_2)),
-          spherical_joint("spherical" + tail, m(body_1), m(body_2)),
-          universal_joint("universal" + tail, m(body_1), m(body_2)),
-          revolute_joint("revolute" + tail, m(body_1), m(body_2)),
-          prismatic_joint("prismatic" + tail, m(body_1), m(body_2)),
-          cylindrical_joint("cylindrical" + tail, m(body_1), m(body_2)),
-          distance_joint("distance" + tail, m(body_1), m(body_2), 1.3),
-          point_on_plane_joint("plane" + tail, m(body_1), m(body_2), 0.2),
-          planar_joint("planar" + tail, m(body_1), m(body_2)),
-          constant_velocity_joint("constant_velocity" + tail, m(body_1), m(body_2)),
-          rolling_joint("rolling" + tail, m(body_1), m(body_2), 0.4, true),
-          prescribed_joint("driven" + tail, m(body_1), m(body_2), driven)};
+  const auto joint = [&](auto make, const std::string& name, auto... more) {
+    const MarkerPair markers = random_markers(random, model, body_1, body_2);
+    return make(name + tail, markers.m1, markers.m2, more...);
+  };
+  return {joint(fixed_joint, "fixed"),
+          joint(spherical_joint, "spherical"),
+          joint(universal_joint, "universal"),
+          joint(revolute_joint, "revolute"),
+          joint(prismatic_joint, "prismatic"),
+          joint(cylindrical_joint, "cylindrical"),
+          joint(distance_joint, "distance", 1.3),
+          joint(point_on_plane_joint, "plane", 0.2),
+          joint(planar_joint, "planar"),
+          joint(constant_velocity_joint, "constant_velocity"),
+          joint(rolling_joint, "rolling", 0.4, true),
+          joint(prescribed_joint, "driven", driven)};
 }
 
 // Places of one body that touch each kind of surface, on a rigid body or standing still: a capsule (side and end), and the
@@ -229,37 +254,44 @@ inline std::unique_ptr<ForceElement> surface_contact(const Model& model, const s
 inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, const Model& model, int body_1,
                                                              int body_2) {
   const auto m = [&](int body) { return random_marker(random, model, body); };
+  const auto pair = [&] { return random_markers(random, model, body_1, body_2); };
   const std::string tail = "_" + std::to_string(body_1) + "_" + std::to_string(body_2);
   std::vector<std::unique_ptr<ForceElement>> out;
   std::vector<std::unique_ptr<StrutLaw>> laws;
   laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{50.0, 4.0, 0.1, 2.0}));
   laws.push_back(std::make_unique<CoupledLaw>());
   laws.push_back(std::make_unique<CoupledLaw>());
-  out.push_back(std::make_unique<Strut>("strut" + tail, m(body_1), m(body_2), std::move(laws), 1.1, 1));
+  MarkerPair ends = pair();
+  out.push_back(std::make_unique<Strut>("strut" + tail, ends.m1, ends.m2, std::move(laws), 1.1, 1));
   LinearSpringDamperParameters torsion;
   torsion.stiffness = 7.0;
   torsion.damping = 1.5;
   torsion.free_stroke = 0.2;
-  out.push_back(torsional_spring("torsion" + tail, m(body_1), m(body_2), torsion));
+  ends = pair();
+  out.push_back(torsional_spring("torsion" + tail, ends.m1, ends.m2, torsion));
   Bushing::Parameters bushing;
   bushing.stiffness = {30.0, 20.0, 10.0};
   bushing.damping = {2.0, 3.0, 1.0};
   bushing.rotational_stiffness = {5.0, 6.0, 8.0};
   bushing.rotational_damping = {1.2, 0.4, 0.8};
-  out.push_back(std::make_unique<Bushing>("bushing" + tail, m(body_1), m(body_2), bushing));
+  ends = pair();
+  out.push_back(std::make_unique<Bushing>("bushing" + tail, ends.m1, ends.m2, bushing));
   const auto coupled = [] {
     std::vector<std::unique_ptr<StrutLaw>> law;
     law.push_back(std::make_unique<CoupledLaw>());
     return law;
   };
-  for (const Coordinate coordinate : {Coordinate::kAngle, Coordinate::kDisplacement})
-    out.push_back(std::make_unique<JointForce>("coordinate_" + std::string(name_of(coordinate)) + tail, m(body_1),
-                                               m(body_2), coordinate, coupled()));
+  for (const Coordinate coordinate : {Coordinate::kAngle, Coordinate::kDisplacement}) {
+    ends = pair();
+    out.push_back(std::make_unique<JointForce>("coordinate_" + std::string(name_of(coordinate)) + tail, ends.m1,
+                                               ends.m2, coordinate, coupled()));
+  }
   const int standing = body_1 == kGround ? body_2 : body_1;
   out.push_back(std::make_unique<AppliedForce>("turning" + tail, m(standing), std::nullopt, polynomial({3.0, 1.0}),
                                                polynomial({2.0, -1.0})));
-  out.push_back(std::make_unique<AppliedForce>("fixed" + tail, m(standing), random.vector().normalized(),
-                                               polynomial({3.0, 1.0}), polynomial({2.0, -1.0})));
+  const Eigen::Vector3d direction = random.vector().normalized();
+  out.push_back(std::make_unique<AppliedForce>("fixed" + tail, m(standing), direction, polynomial({3.0, 1.0}),
+                                               polynomial({2.0, -1.0})));
   RigidPlane::Parameters plane;
   plane.normal = random.vector() + Eigen::Vector3d(0.0, 0.0, 3.0);
   plane.point = model.initial(standing).r + 2.0 * plane.normal.normalized();  // deep: all points touch
@@ -272,10 +304,11 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
       "plane" + tail, std::vector<ContactPoint>{{m(standing), 0.0}, {m(standing), 0.25}, {m(standing), 0.1}}, plane));
   out.push_back(surface_contact(model, "surface" + tail, body_1, body_2, plane));
   Random apart(static_cast<unsigned>(100 + 10 * body_1 + body_2));  // what comes after keeps its numbers
-  for (const Coordinate coordinate : {Coordinate::kDisplacementX, Coordinate::kDisplacementY})
-    out.push_back(std::make_unique<JointForce>("coordinate_" + std::string(name_of(coordinate)) + tail,
-                                               random_marker(apart, model, body_1), random_marker(apart, model, body_2),
-                                               coordinate, coupled()));
+  for (const Coordinate coordinate : {Coordinate::kDisplacementX, Coordinate::kDisplacementY}) {
+    ends = random_markers(apart, model, body_1, body_2);
+    out.push_back(std::make_unique<JointForce>("coordinate_" + std::string(name_of(coordinate)) + tail, ends.m1,
+                                               ends.m2, coordinate, coupled()));
+  }
   return out;
 }
 
@@ -291,12 +324,11 @@ inline Model everything(Random& random) {  // rotors of every coordinate, rollin
     Random apart(static_cast<unsigned>(200 + 10 * pair[0] + pair[1]));
     for (const Coordinate coordinate : every<Coordinate>()) {
       Random& from = axis_of(coordinate) == 2 ? random : apart;
-      model.add_joint(rotor("rotor_" + std::to_string(model.joint_count()), random_marker(from, model, pair[0]),
-                            random_marker(from, model, pair[1]), coordinate, 0.7));
+      const MarkerPair at = random_markers(from, model, pair[0], pair[1]);
+      model.add_joint(rotor("rotor_" + std::to_string(model.joint_count()), at.m1, at.m2, coordinate, 0.7));
     }
-    model.add_joint(rolling_joint("sphere_" + std::to_string(model.joint_count()),
-                                  random_marker(random, model, pair[0]), random_marker(random, model, pair[1]), 0.6,
-                                  false));
+    const MarkerPair at = random_markers(random, model, pair[0], pair[1]);
+    model.add_joint(rolling_joint("sphere_" + std::to_string(model.joint_count()), at.m1, at.m2, 0.6, false));
   }
   const int joints = model.joint_count() / 5;  // per pair
   add_gear(model, "gear", {{3, Coordinate::kAngle, 1.3}, {joints + 3, Coordinate::kAngle, -2.6}});

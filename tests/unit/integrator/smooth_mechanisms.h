@@ -37,7 +37,8 @@ inline Model smooth_loop(unsigned seed) {
     state.L = random.quaternion();
     state.dr = random.vector(1.0);
     state.w = random.vector(2.0);
-    model.add_body(Body("link_" + std::to_string(i), random.number(0.5, 2.0), random.inertia(0.1)), state);
+    const Eigen::Matrix3d inertia = random.inertia(0.1);
+    model.add_body(Body("link_" + std::to_string(i), random.number(0.5, 2.0), inertia), state);
   }
   for (int i = 0; i <= count; ++i) {
     const std::size_t at = static_cast<std::size_t>(i);

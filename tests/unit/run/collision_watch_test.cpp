@@ -109,7 +109,8 @@ TEST(CollisionWatch, SpinningPlatesMeetWhenTheirExactDistanceSays) {
   const SurfaceModel plate(corners, faces);
   int met = 0;
   for (int k = 0; k < 24; ++k) {
-    const Eigen::Vector3d start(1.2 + 0.3 * any(random), 0.5 * any(random), 0.0), velocity(-2.0, any(random), 0.0);
+    const double y = 0.5 * any(random), x = 1.2 + 0.3 * any(random);  // not as arguments, whose order is the compiler's
+    const Eigen::Vector3d start(x, y, 0.0), velocity(-2.0, any(random), 0.0);
     const double spin_1 = 10.0 * any(random), spin_2 = 10.0 * any(random);  // [rad/s]
     double exact = 1.0;                                                     // [s]; later than the end: never
     for (double t = 0.0; t < 0.5; t += 1e-4) {
