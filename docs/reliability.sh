@@ -226,7 +226,7 @@ The killed run is a ball that drops onto some 400 grains on two ranks, with chec
 |---|---|---|---|---|---|
 TEXT
   for part in "${all[@]}"; do
-    cat "$work/$part.md" 2>/dev/null || grep "| $part: [^|]* |\$" "$page" || echo "| $part | not tried yet | | | $part: |"
+    cat "$work/$part.md" 2>/dev/null || grep "| $part: [^|]* |\$" "$page" || echo "| $part | not tried yet | | | | $part: |"
   done
   cat <<'TEXT'
 
