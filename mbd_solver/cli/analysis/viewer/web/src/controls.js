@@ -156,7 +156,7 @@ export class Controls {
     const { player, stage } = this;
     this.slider.value = String(Math.round((10000 * (t - player.start)) / (player.end - player.start || 1)));
     this.clock.textContent = `${t.toFixed(4)} s`;
-    if (player.playing && ++this.frames % 4 === 0) stage.suitRate(player.rate(), true);
+    if (player.playing && ++this.frames % 2 === 0) stage.suitRate(player.rate(), true);
   }
   showLoaded() {
     const share = this.stage.loaded();

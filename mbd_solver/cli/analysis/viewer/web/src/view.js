@@ -18,7 +18,7 @@ function fail(error) {
 
 // While it plays, numbers, slider and lines in the plots follow so often [ms]: to draw the page anew takes a software renderer longer than the
 // picture does.
-const kTold = 80;
+const kTold = 160;
 
 // Between two frames the browser may draw and answer.
 const breath = () => new Promise((resolve) => setTimeout(resolve, 0));
