@@ -1,25 +1,34 @@
 #!/usr/bin/env bash
-# packaging/try_package.sh DEB... [--whole] [--keep]: installs the packages in a clean Debian 12 (debootstrap, network, root), runs the landing there as root
+# packaging/try_package.sh DEB... [--whole] [--tests BUILD] [--keep]: installs the packages in a clean Debian 12 (debootstrap, network, root), runs the landing there as root
 # and as an ordinary user on a small bed (--whole: the landing itself once, too), builds the C++ example where footfall-dev is among
-# them, removes everything and looks for what is left. --keep: the clean system stays for the next trial, in $TRY_ROOT.
+# them, removes everything and looks for what is left. --tests: an ordinary user runs the tests of BUILD there, each with the installed
+# programs in place of those of BUILD. --keep: the clean system stays for the next trial, in $TRY_ROOT.
 set -euo pipefail
-whole=0 keep=0 packages=()
-for word in "$@"; do
-  case $word in
+whole=0 keep=0 build='' packages=()
+while (($#)); do
+  case $1 in
     --whole) whole=1 ;;
     --keep) keep=1 ;;
-    *) packages+=("$(realpath "$word")") ;;
+    --tests)
+      shift
+      build=$(realpath "${1:?--tests needs a build folder}")
+      [[ -f $build/CTestTestfile.cmake ]] || { echo "try_package.sh: $build holds no tests" >&2; exit 2; }
+      ;;
+    *) packages+=("$(realpath "$1")") ;;
   esac
+  shift
 done
 ((${#packages[@]})) || { echo "try_package.sh: expected packages, as cpack -G DEB makes them" >&2; exit 2; }
 ((EUID == 0)) || { echo "try_package.sh: needs root, for debootstrap and chroot" >&2; exit 2; }
 command -v debootstrap > /dev/null || { echo "try_package.sh: debootstrap is missing; apt-get install debootstrap" >&2; exit 2; }
 base=${TRY_ROOT:-$(mktemp -d)}/bookworm
 root=$base.trial
+source=
+[[ -z $build ]] || source=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
 die() { echo "try_package.sh: $*" >&2; exit 1; }
 clean() {
-  for place in dev/shm proc; do mountpoint -q "$root/$place" && umount "$root/$place"; done
-  rm -rf "$root"
+  for place in dev/shm proc "${source#/}"; do [[ -z $place ]] || ! mountpoint -q "$root/$place" || umount "$root/$place"; done
+  rm -rf --one-file-system "$root"
   ((keep)) || rm -rf "$base"
 }
 trap clean EXIT
@@ -41,6 +50,8 @@ inside useradd --create-home --shell /bin/sh tester
 files() { (cd "$root" && find . -xdev \( -path ./proc -o -path ./home -o -path ./root -o -path ./tmp -o -path ./dev -o -path ./var/cache -o -path ./var/log -o -path ./var/lib/apt \
   -o -path ./var/lib/dpkg -o -path ./trial \) -prune -o -print | sort); }
 
+# What runs tests is no part of the package: it is there before.
+[[ -z $build ]] || inside apt-get install -y --no-install-recommends cmake ninja-build python3 procps > "$root.log" 2>&1 || { tail "$root.log"; die "no tools for tests"; }
 mkdir "$root/trial"
 cp "${packages[@]}" "$root/trial"
 chmod -R a+rX "$root/trial"
@@ -68,6 +79,22 @@ if [[ -d $root/usr/include/footfall ]]; then
   as_user "cp -r /usr/share/footfall/examples/own_mechanism_cpp own && cd own && cmake -S . -B build && cmake --build build &&
     mpirun --oversubscribe -np 1 liggghts_mbd -in in.tamper -screen none : -np 1 build/tamper > tamper.csv" > "$root.said" 2>&1 || { tail -n 30 "$root.said"; die "does not build or run"; }
   tail -n 1 "$root.said"
+fi
+if [[ -n $build ]]; then
+  echo "The tests of $build, with the installed programs"
+  mkdir -p "$root/$source" "$root/$build"
+  mount --bind "$source" "$root/$source"
+  mount -o remount,ro,bind "$root/$source"
+  cp -a "$build/." "$root/$build"
+  for program in "$root/$build"/bin/*; do
+    [[ ! -x $root/usr/bin/${program##*/} ]] || ln -sf "/usr/bin/${program##*/}" "$program"
+  done
+  inside chown -R tester:tester "$build"
+  # Those of the source itself and of building and installing it have their place in the checkout.
+  as_user "ctest --test-dir '$build' -j3 --output-on-failure --label-exclude '^structure$'" > "$root.tests" 2>&1 || { grep -E 'tests passed|^\s+[0-9]+ - ' "$root.tests"; die "tests fail; $root.tests"; }
+  grep -E 'tests passed|Total Test time' "$root.tests"
+  umount "$root/$source"
+  rm -rf --one-file-system "${root:?}/$build"
 fi
 [[ -z $(find "$root/usr" "$root/etc" -newer "$root/trial/installed" -type f) ]] || die "a run wrote into the system"
 

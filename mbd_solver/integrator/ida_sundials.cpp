@@ -29,6 +29,9 @@ constexpr int kMostForReactions = 3;                          // iterations befo
 // IDA keeps a Jacobian while its c is right within 5/3, and scales corrections by 2 / (1 + ratio of c): a first correction
 // may leave a quarter of a multiplier's error. Newton fails when an iteration leaves more than kSlowest (as in IDA).
 constexpr double kFirstRate = 0.25, kSlowest = 0.9;
+constexpr double kShareOfError = 0.1;                   // of a step's error that Newton may leave
+constexpr double kStalled = 0.5, kNewtonNoise = 3e-13;  // slower than that, and below that, is round-off
+constexpr int kMostForError = 2;                        // iterations that only that share asks for
 // Gauss-Legendre with three points, exact to fifth order as IDA is.
 const double kGaussNode[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
 constexpr double kGaussWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
@@ -36,10 +39,19 @@ constexpr double kGaussWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
 Eigen::Map<const Eigen::VectorXd> view(N_Vector x) { return {N_VGetArrayPointer(x), N_VGetLength(x)}; }
 Eigen::Map<Eigen::VectorXd> writable(N_Vector x) { return {N_VGetArrayPointer(x), N_VGetLength(x)}; }
 
+// IDA raises its order only behind steps of one length, equal to the bit. At its limit H it takes h 2 / (2 h / H) for the
+// next step: for most H (1e-4 is one) that swings between two numbers, one unit in the last place apart. The order then
+// stays at one or two, and 50 000 errors of that order add up. With a power of two each division is exact.
+double exact_limit(double max_step) { return std::exp2(std::floor(std::log2(max_step))); }
+
 }  // namespace
 
 Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
-    : equations(e), options(o), norm(e.layout(), o), share(std::clamp(kAllFrom / o.rtol, kStepShare, 1.0)) {
+    : equations(e),
+      options(o),
+      norm(e.layout(), o),
+      share(std::clamp(kAllFrom / o.rtol, kStepShare, 1.0)),
+      least_left(kNewtonNoise / (share * o.rtol)) {
   const Layout& layout = equations.layout();
   const int n = layout.size();
   if (SUNContext_Create(nullptr, &context) != 0) throw NumericalError("SUNContext_Create failed.");
@@ -74,7 +86,7 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
   check(IDASetNonlinearSolver(memory, newton), "IDASetNonlinearSolver");
   check(SUNNonlinSolSetConvTestFn(newton, &Sundials::settled, this), "SUNNonlinSolSetConvTestFn");
   check(IDASetMinStep(memory, options.min_step), "IDASetMinStep");
-  if (options.max_step > 0.0) check(IDASetMaxStep(memory, options.max_step), "IDASetMaxStep");
+  if (options.max_step > 0.0) check(IDASetMaxStep(memory, exact_limit(options.max_step)), "IDASetMaxStep");
   rates = Eigen::VectorXd::Zero(n);
 }
 
@@ -156,6 +168,9 @@ int Ida::Sundials::jacobian(realtype time, realtype c, N_Vector y, N_Vector ydot
 // What is still missing after a correction is correction x rate / (1 - rate). IDA's own test takes the rate of a step before
 // for the first correction, however small it was: once multipliers settled at a second correction of 1e-13, it let pass
 // whatever the next first corrections left of them.
+// And IDA allows Newton a third of what a step may err by, also where steps err by far less (max_step is short): their
+// differences then show what Newton left, IDA takes its order down, and many steps of a low order add up. Here Newton
+// leaves at most a tenth of the last step's error, or what round-off allows.
 int Ida::Sundials::settled(SUNNonlinearSolver newton, N_Vector, N_Vector change, realtype tolerance, N_Vector weight,
                            void* self) {
   Sundials& s = *static_cast<Sundials*>(self);
@@ -167,11 +182,20 @@ int Ida::Sundials::settled(SUNNonlinearSolver newton, N_Vector, N_Vector change,
   double rate = kFirstRate;
   if (iteration == 0) {
     s.first_change = size;
+    s.close = false;
   } else {
     rate = std::pow(size / s.first_change, 1.0 / iteration);
-    if (!(rate <= kSlowest)) return SUN_NLS_CONV_RECVR;
+    if (!(rate <= kSlowest) && !s.close) return SUN_NLS_CONV_RECVR;
   }
-  if (size > 0.0 && rate / (1.0 - rate) * size > tolerance) return SUN_NLS_CONTINUE;
+  const bool stalls = s.close && rate > kStalled;
+  const double left = rate / (1.0 - rate) * size;
+  if (!stalls) s.close = size == 0.0 || left <= tolerance;
+  if (!s.close) return SUN_NLS_CONTINUE;
+  const double wanted = std::max(kShareOfError * s.last_error, s.least_left) * tolerance;
+  if (size > 0.0 && !(left <= wanted)) {
+    if (iteration < kMostForError && !stalls) return SUN_NLS_CONTINUE;
+    if (!s.fresh) return SUN_NLS_CONV_RECVR;
+  }
   // Near a singular position multipliers do not settle even with the Jacobian of this step: then the motion alone counts.
   if (reactions > 1.0 && iteration + 1 < kMostForReactions) return SUN_NLS_CONTINUE;
   if (reactions > 1.0 && !s.fresh) return SUN_NLS_CONV_RECVR;
@@ -204,6 +228,7 @@ void Ida::Sundials::restart(const State& state, const Inputs& inputs, Integrator
   check(IDAReInit(memory, state.time, y, ydot), "IDAReInit");
   std::fill(std::begin(counted), std::end(counted), 0L);
   t = state.time;
+  last_error = 1.0;
 }
 
 // phi[0] is y_n, phi[j] are differences of y_n, y_(n-1), ...: with phi[0] alone all of them move.
@@ -226,7 +251,9 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
   double from = t;
   complaint.clear();
   check(IDASolve(memory, t_end, &t, y, ydot, IDA_ONE_STEP), "IDASolve");
-  statistics.told_error += step_error();
+  const double error = step_error();
+  statistics.told_error += error;
+  last_error = error / share;
   for (; row_time < t; row_time = rows.after(row_time)) {
     add_work_between(from, row_time, inputs, state);
     from = row_time;

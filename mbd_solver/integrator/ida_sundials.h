@@ -45,8 +45,9 @@ struct Ida::Sundials {
 
   Equations& equations;
   IntegratorOptions options;
-  ErrorNorm norm;  // of the scene's tolerances
-  double share;    // of them, that one step may err by
+  ErrorNorm norm;     // of the scene's tolerances
+  double share;       // of them, that one step may err by
+  double least_left;  // by Newton's iteration [its tolerances]
   SUNContext context = nullptr;
   void* memory = nullptr;
   N_Vector y = nullptr, ydot = nullptr, scratch = nullptr, scratch2 = nullptr;
@@ -55,6 +56,8 @@ struct Ida::Sundials {
   SUNNonlinearSolver newton = nullptr;
   bool fresh = false;                  // the Jacobian is of the step that Newton is in
   double reaction_tolerance = 1.0;     // of multipliers in Newton's iteration [N, N m]
+  double last_error = 1.0;             // of the last step [tolerances of a step]
+  bool close = false;                  // Newton's last correction was within the tolerance
   double first_change = 0.0;           // of Newton's iteration in this step [tolerances]
   const Inputs* inputs_now = nullptr;  // during one call of IDASolve
   Inputs inputs_last;

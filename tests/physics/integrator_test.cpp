@@ -93,6 +93,30 @@ TEST(OneStep, WorkIntegralsAreOfTheSameOrder) {
   }
 }
 
+TEST(Ida, ErrorFallsWithTheStepAtAWideTolerance) {
+  // No limit of a step may keep IDA at a low order, and Newton must not leave more than steps err by.
+  Model model({0.0, 0.0, -9.81});
+  BodyState start;
+  start.r = {0.5, 0.0, 0.0};
+  model.add_body(Body("rod", 1.0, Eigen::Vector3d(0.02, 0.1, 0.11).asDiagonal()), start);
+  model.add_joint(revolute_joint("pivot", ground_marker(Eigen::Vector3d::Zero(), axes_with_z({0.0, 1.0, 0.0})),
+                                 model.marker_at(0, Eigen::Vector3d::Zero(), axes_with_z({0.0, 1.0, 0.0}))));
+  const auto end = [&](const char* kind, double rtol, double max_step) {
+    IntegratorOptions options = test::tight(rtol);
+    options.max_step = max_step;
+    test::Run run(model, kind, options);
+    run.to(3.0);
+    return run.state.v;
+  };
+  const Eigen::VectorXd exact = end("one_step", 1e-11, 0.0);
+  double last = std::numeric_limits<double>::infinity();
+  for (const double step : {1e-2, 1e-3, 1e-4}) {
+    const double error = (end("ida", 1e-4, step) - exact).norm();
+    EXPECT_LT(error, last) << step;
+    last = error;
+  }
+}
+
 class Kind : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Integrators, Kind, ::testing::Values("one_step", "ida"));
 

@@ -114,6 +114,27 @@ TEST_P(RandomMechanisms, ShorterStepsDoNoHarm) {
   });
 }
 
+TEST_P(RandomMechanisms, ErrorOfIdaFallsWithTheStep) {
+  // The mean over all mechanisms, to which each adds at least a thousandth of the tolerance. Where the limit is longer than
+  // most steps it changes no more than their luck: no end is off by three times what it was.
+  const double rtol = 1e-6;
+  std::vector<double> logarithms(3, 0.0);
+  for_all([&](const Plan& plan) {
+    const Reference reference(plan);
+    const double free = reference.error(end_of(plan, "ida", test::as_a_scene(rtol)));
+    const std::vector<int> counts = {100, 400, 1600};
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+      IntegratorOptions options = test::as_a_scene(rtol);
+      options.max_step = plan.regular_until / counts[k];
+      const double error = reference.error(end_of(plan, "ida", options));
+      EXPECT_LT(error, 3.0 * std::max(free, rtol)) << counts[k] << " steps";
+      logarithms[k] += std::log(std::max(error, 1e-3 * rtol));
+    }
+  });
+  EXPECT_LT(logarithms[1], logarithms[0]);
+  EXPECT_LT(logarithms[2], logarithms[1]);
+}
+
 TEST_P(RandomMechanisms, BothIntegratorsAgree) {
   for_all([](const Plan& plan) {
     const Reference reference(plan);
