@@ -1,6 +1,6 @@
 #pragma once
-// The memory of SUNDIALS' IDA: who owns it, what it calls, and one step of it. Only ida.cpp and ida_sundials.cpp look
-// into it.
+// The memory of SUNDIALS' IDA: who owns it, what it calls, and one step of it. Only ida.cpp, ida_sundials.cpp and
+// ida_newton.cpp look into it.
 
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
@@ -19,6 +19,10 @@ namespace footfall {
 struct Ida::Sundials {
   Sundials(Equations& equations, const IntegratorOptions& options);
   ~Sundials();
+
+  // The numbers of a vector.
+  static Eigen::Map<const Eigen::VectorXd> view(N_Vector x) { return {N_VGetArrayPointer(x), N_VGetLength(x)}; }
+  static Eigen::Map<Eigen::VectorXd> writable(N_Vector x) { return {N_VGetArrayPointer(x), N_VGetLength(x)}; }
 
   // Every return code of SUNDIALS goes through here.
   void check(int flag, const char* function);
@@ -45,9 +49,8 @@ struct Ida::Sundials {
 
   Equations& equations;
   IntegratorOptions options;
-  ErrorNorm norm;     // of the scene's tolerances
-  double share;       // of them, that one step may err by
-  double least_left;  // by Newton's iteration [its tolerances]
+  ErrorNorm norm;  // of the scene's tolerances
+  double share;    // of them, that one step may err by
   SUNContext context = nullptr;
   void* memory = nullptr;
   N_Vector y = nullptr, ydot = nullptr, scratch = nullptr, scratch2 = nullptr;
