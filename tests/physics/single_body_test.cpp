@@ -2,6 +2,7 @@
 // plane.
 
 #include <cmath>
+#include <string>
 
 #include "coupler/base/pi.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
@@ -201,11 +202,14 @@ TEST_P(SingleBodyBy, PrescribedMotionDoesTheWorkItReports) {
   run.to(0.6, 7);
   const BodyKinematics now = run.body(body);
   const TimeValue height = motion.translation[2]->at(0.6), angle = motion.rotation->at(0.6);
-  EXPECT_NEAR(now.r.z(), height.value, 1e-12);  // position constraint, projected
-  EXPECT_NEAR(now.dr.z(), height.rate, 1e-12);
-  EXPECT_NEAR(now.r.y(), 0.3, 1e-12);
-  EXPECT_NEAR(std::atan2(now.A(1, 0), now.A(0, 0)), std::remainder(angle.value, 2.0 * kPi), 1e-12);
-  EXPECT_NEAR(now.w.z(), angle.rate, 1e-11);
+  // Position constraints: projected after every step, with IDA where a drift of 1e-9 is passed (5e-9 of a speed).
+  const bool always = std::string(GetParam()) == "one_step";
+  const double place = always ? 1e-12 : 1e-9, speed = always ? 1e-11 : 5e-9;
+  EXPECT_NEAR(now.r.z(), height.value, place);
+  EXPECT_NEAR(now.dr.z(), height.rate, speed);
+  EXPECT_NEAR(now.r.y(), 0.3, place);
+  EXPECT_NEAR(std::atan2(now.A(1, 0), now.A(0, 0)), std::remainder(angle.value, 2.0 * kPi), place);
+  EXPECT_NEAR(now.w.z(), angle.rate, speed);
   EXPECT_GT(run.state.supplied[Supply::kMotion], 1.0);
   EXPECT_LT(std::abs(run.imbalance()), 1e-5 * run.state.supplied[Supply::kMotion]);
 }
