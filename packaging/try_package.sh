@@ -51,7 +51,7 @@ files() { (cd "$root" && find . -xdev \( -path ./proc -o -path ./home -o -path .
   -o -path ./var/lib/dpkg -o -path ./trial \) -prune -o -print | sort); }
 
 # What runs tests is no part of the package: it is there before.
-[[ -z $build ]] || inside apt-get install -y --no-install-recommends cmake ninja-build python3 procps > "$root.log" 2>&1 || { tail "$root.log"; die "no tools for tests"; }
+[[ -z $build ]] || inside apt-get install -y --no-install-recommends cmake python3 procps > "$root.log" 2>&1 || { tail "$root.log"; die "no tools for tests"; }
 mkdir "$root/trial"
 cp "${packages[@]}" "$root/trial"
 chmod -R a+rX "$root/trial"
