@@ -27,7 +27,7 @@ source=
 [[ -z $build ]] || source=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
 die() { echo "try_package.sh: $*" >&2; exit 1; }
 clean() {
-  for place in dev/shm proc "${source#/}"; do [[ -z $place ]] || ! mountpoint -q "$root/$place" || umount "$root/$place"; done
+  for place in dev/shm proc sys "${source#/}"; do [[ -z $place ]] || ! mountpoint -q "$root/$place" || umount "$root/$place"; done
   rm -rf --one-file-system "$root"
   ((keep)) || rm -rf "$base"
 }
@@ -41,17 +41,18 @@ if [[ ! -f $base/.ready ]]; then
 fi
 cp -a "$base" "$root"
 mount -t proc proc "$root/proc"
+mount -t sysfs sysfs "$root/sys"
 mount -t tmpfs tmpfs "$root/dev/shm"
 # inside COMMAND...: as root; as_user COMMAND: as an ordinary user, in her home.
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive LANG=C.UTF-8 "$@"; }
 as_user() { chroot --userspec=tester:tester "$root" env -i PATH=/usr/bin:/bin HOME=/home/tester LANG=C.UTF-8 sh -c "cd && $1"; }
 inside useradd --create-home --shell /bin/sh tester
 # All files but those that every installation of a package changes.
-files() { (cd "$root" && find . -xdev \( -path ./proc -o -path ./home -o -path ./root -o -path ./tmp -o -path ./dev -o -path ./var/cache -o -path ./var/log -o -path ./var/lib/apt \
+files() { (cd "$root" && find . -xdev \( -path ./proc -o -path ./sys -o -path ./home -o -path ./root -o -path ./tmp -o -path ./dev -o -path ./var/cache -o -path ./var/log -o -path ./var/lib/apt \
   -o -path ./var/lib/dpkg -o -path ./trial \) -prune -o -print | sort); }
 
-# What runs tests is no part of the package: it is there before.
-[[ -z $build ]] || inside apt-get install -y --no-install-recommends cmake python3 procps > "$root.log" 2>&1 || { tail "$root.log"; die "no tools for tests"; }
+# What runs tests is no part of the package, and stock LIGGGHTS is only recommended: they are there before.
+[[ -z $build ]] || inside apt-get install -y --no-install-recommends cmake liggghts procps python3 > "$root.log" 2>&1 || { tail "$root.log"; die "no tools for tests"; }
 mkdir "$root/trial"
 cp "${packages[@]}" "$root/trial"
 chmod -R a+rX "$root/trial"

@@ -98,10 +98,9 @@ ComparedRun stock_run(const fs::path& out, const Replay& replay, double dt) {
   return result;
 }
 
-// The program of the Debian package, not ours.
-void run_stock(const Json& particles, const fs::path& out, bool quiet) {
+void run_stock(const std::string& liggghts, const Json& particles, const fs::path& out, bool quiet) {
   Command command = mpirun();
-  command.words.insert(command.words.end(), {"-np", std::to_string(particles.value("ranks", 1)), "liggghts", "-in",
+  command.words.insert(command.words.end(), {"-np", std::to_string(particles.value("ranks", 1)), liggghts, "-in",
                                              (out / "in.stock").string()});
   const std::string script = particles.at("script");
   std::map<std::string, std::string> variables = particles.value("variables", std::map<std::string, std::string>{});
@@ -171,6 +170,7 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
     demand_safe_script(particles.value("script", ""),
                        particles.value("variables", std::map<std::string, std::string>{}));
   }
+  const std::string liggghts = other.empty() ? installed_program("liggghts", "liggghts") : "";  // stock, not ours
   remove_made_files(run, "compare/");
   const MadeFiles made(run);
   make_folder((out / "plots").string(), "is the disk full?");
@@ -185,7 +185,7 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
                                        particles.value("variables", std::map<std::string, std::string>{}));
     write(out / "in.stock", replay.script);
     for (const auto& [name, text] : replay.files) write(out / name, text);
-    run_stock(summary.at("scene").at("particles"), out, quiet);
+    run_stock(liggghts, summary.at("scene").at("particles"), out, quiet);
     bodies = replay.bodies;
     second = stock_run(out, replay, dt);
     remark = where_movers_end(run, replay);

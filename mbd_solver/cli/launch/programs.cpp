@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 #include "coupler/base/errors.h"
 #include "coupler/interrupt.h"
@@ -26,6 +27,16 @@ std::string built_program(const std::string& name) {
   if (!fs::exists(program, error))
     throw InputError(program.string() + ": there is no such program; build footfall with ./footfall, or cmake --build");
   return program.string();
+}
+
+std::string installed_program(const std::string& name, const std::string& package) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::string program = (fs::path(folder.empty() ? "." : folder) / name).string();
+    if (access(program.c_str(), X_OK) == 0 && !fs::is_directory(program)) return program;
+  }
+  throw InputError(name + ": there is no such program; install the Debian package " + package);
 }
 
 std::string called_as() {

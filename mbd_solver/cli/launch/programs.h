@@ -11,6 +11,10 @@ namespace footfall {
 // A program built with footfall (beside it), as a path. Throws InputError when it is not there.
 std::string built_program(const std::string& name);
 
+// A program of another Debian package, as a path: what the shell would start. Throws InputError, with the package's name,
+// when there is none.
+std::string installed_program(const std::string& name, const std::string& package);
+
 // How the user calls the front door, for lines to be copied: "./footfall" of a checkout, else "footfall".
 std::string called_as();
 
