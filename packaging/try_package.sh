@@ -29,9 +29,8 @@ die() { echo "try_package.sh: $*" >&2; exit 1; }
 clean() {
   for place in dev/shm proc sys "${source#/}"; do [[ -z $place ]] || ! mountpoint -q "$root/$place" || umount "$root/$place"; done
   rm -rf --one-file-system "$root"
-  ((keep)) || rm -rf "$base"
 }
-trap clean EXIT
+trap 'clean; ((keep)) || rm -rf "$base"' EXIT
 
 if [[ ! -f $base/.ready ]]; then
   echo "A clean Debian 12 in $base"
@@ -39,6 +38,7 @@ if [[ ! -f $base/.ready ]]; then
   chroot "$base" apt-get update > "$base.log" 2>&1 || { tail "$base.log"; die "no package lists"; }
   touch "$base/.ready"
 fi
+[[ ! -e $root ]] || clean  # of a trial that was killed
 cp -a "$base" "$root"
 mount -t proc proc "$root/proc"
 mount -t sysfs sysfs "$root/sys"
