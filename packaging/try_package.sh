@@ -46,6 +46,8 @@ mount -t tmpfs tmpfs "$root/dev/shm"
 # inside COMMAND...: as root; as_user COMMAND: as an ordinary user, in her home.
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive LANG=C.UTF-8 "$@"; }
 as_user() { chroot --userspec=tester:tester "$root" env -i PATH=/usr/bin:/bin HOME=/home/tester LANG=C.UTF-8 sh -c "cd && $1"; }
+# As every installed Debian has it; without, mpirun waits five seconds for the name of the host.
+printf '127.0.0.1 localhost %s\n' "$(hostname)" > "$root/etc/hosts"
 inside useradd --create-home --shell /bin/sh tester
 # All files but those that every installation of a package changes.
 files() { (cd "$root" && find . -xdev \( -path ./proc -o -path ./sys -o -path ./home -o -path ./root -o -path ./tmp -o -path ./dev -o -path ./var/cache -o -path ./var/log -o -path ./var/lib/apt \
