@@ -54,7 +54,7 @@ files() { (cd "$root" && find . -xdev \( -path ./proc -o -path ./sys -o -path ./
   -o -path ./var/lib/dpkg -o -path ./trial \) -prune -o -print | sort); }
 
 # What runs tests is no part of the package, and stock LIGGGHTS is only recommended: they are there before.
-[[ -z $build ]] || inside apt-get install -y --no-install-recommends cmake liggghts procps python3 > "$root.log" 2>&1 || { tail "$root.log"; die "no tools for tests"; }
+[[ -z $build ]] || inside apt-get install -y --no-install-recommends cmake liggghts liggghts-doc procps python3 > "$root.log" 2>&1 || { tail "$root.log"; die "no tools for tests"; }
 mkdir "$root/trial"
 cp "${packages[@]}" "$root/trial"
 chmod -R a+rX "$root/trial"
