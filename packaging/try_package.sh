@@ -2,7 +2,7 @@
 # packaging/try_package.sh DEB... [--whole] [--tests BUILD] [--keep]: installs the packages in a clean Debian 12 (debootstrap, network, root), runs the landing there as root
 # and as an ordinary user on a small bed (--whole: the landing itself once, too), builds the C++ example where footfall-dev is among
 # them, removes everything and looks for what is left. --tests: an ordinary user runs the tests of BUILD there, each with the installed
-# programs in place of those of BUILD. --keep: the clean system stays for the next trial, in $TRY_ROOT.
+# programs in place of those of BUILD; TESTS: more words for ctest, to run fewer. --keep: the clean system stays for the next trial, in $TRY_ROOT.
 set -euo pipefail
 whole=0 keep=0 build='' packages=()
 while (($#)); do
@@ -94,7 +94,7 @@ if [[ -n $build ]]; then
   done
   inside chown -R tester:tester "$build"
   # Those with the installed programs in them. The others hold parts of the sources, which are the same in BUILD, or install BUILD.
-  as_user "ctest --test-dir '$build' -j3 --output-on-failure --label-exclude '^(unit|physics)$' --exclude-regex '^(cli.install|Install\..*)$'" > "$root.tests" 2>&1 ||
+  as_user "ctest --test-dir '$build' -j3 --output-on-failure --label-exclude '^(unit|physics)$' --exclude-regex '^(cli.install|Install\..*)$' ${TESTS-}" > "$root.tests" 2>&1 ||
     { grep -E 'tests passed|^\s+[0-9]+ - ' "$root.tests"; die "tests fail; $root.tests"; }
   grep -E 'tests passed|Total Test time' "$root.tests"
   umount "$root/$source"

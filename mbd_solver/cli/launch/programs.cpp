@@ -33,7 +33,7 @@ std::string installed_program(const std::string& name, const std::string& packag
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::string program = (fs::path(folder.empty() ? "." : folder) / name).string();
+    std::string program = (fs::path(folder.empty() ? "." : folder) / name).string();
     if (access(program.c_str(), X_OK) == 0 && !fs::is_directory(program)) return program;
   }
   throw InputError(name + ": there is no such program; install the Debian package " + package);
