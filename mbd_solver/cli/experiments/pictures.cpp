@@ -94,17 +94,17 @@ std::vector<std::string> draw_errors(const ExperimentSpec& spec, const Results& 
                                                : "run time [s]";
   std::string drawing = "set multiplot layout " + std::to_string(rows) + ",2 title " + gnuplot_text(spec.title) +
                         " font 'DejaVu Sans,13' noenhanced\nset logscale xy\nset format '%.0e'\nset grid\n" +
-                        "set key inside left top samplen 2 noenhanced\n";
+                        "set key below center samplen 2 noenhanced\n";
   for (std::size_t figure = 0; figure < spec.figures.size(); ++figure) {
     for (const bool over_time : {false, true}) {
       const std::string lines = error_lines(spec, results, name + ".csv", table, figure, over_time);
       drawing += "set ylabel " + gnuplot_text("error: " + spec.figures[figure].name) + " noenhanced\nset xlabel " +
-                 gnuplot_text(over_time ? time : spec.x_name) + " noenhanced\n" +
+                 gnuplot_text(over_time ? time : spec.x_name) + " noenhanced offset 0,0.6\n" +
                  (lines.empty() ? "set multiplot next\n" : "plot " + lines + "\n");
     }
   }
   return run_gnuplot(folder,
-                     {write_drawing(folder, name, {1300, 430 * rows + 60}, kCsv, drawing + "unset multiplot\n")});
+                     {write_drawing(folder, name, {1300, 490 * rows + 60}, kCsv, drawing + "unset multiplot\n")});
 }
 
 }  // namespace footfall
