@@ -159,7 +159,7 @@ std::string draw_fit(const ExperimentSpec& spec, const FitSpec& fit, const Plan&
                            "\nset xrange " + range + "\nset yrange " + range + "\nset title " +
                            gnuplot_text(spec.title + where_text(fit)) + " noenhanced\nset xlabel " +
                            gnuplot_text(law_text(fit, r.law)) + " noenhanced\nset ylabel " + gnuplot_text(fit.figure) +
-                           " noenhanced\nset key left top noenhanced\nplot " + joined(curves) + "\n");
+                           " noenhanced\nset key below center noenhanced\nplot " + joined(curves) + "\n");
 }
 
 }  // namespace

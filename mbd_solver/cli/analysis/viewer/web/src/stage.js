@@ -18,8 +18,8 @@ export class Stage {
     this.time = 0;
     this.controls = null;
     if (!run.grains && !run.bodies) return;
-    // Opaque, which three.js never asks for: the browser then lays nothing under the picture and blends nothing, a quarter of the
-    // processor time of a picture where it draws in software.
+    // Opaque, which three.js never asks for: the browser then lays nothing under the picture and blends nothing, which
+    // costs much where it draws in software.
     const canvas = document.createElement("canvas");
     const context = canvas.getContext("webgl2", { alpha: false, antialias: false, powerPreference: "high-performance" });
     this.renderer = new three.WebGLRenderer({ canvas, context });
