@@ -59,6 +59,7 @@ const Eigen::VectorXd& Ida::end_rates() const { return ida_->rates; }
 
 void Ida::forget() {
   ida_->state_last = {};
+  ida_->forget_passage();
   ida_->equations.forget();
   ida_->check(SUNLinSol_KLUReInit(ida_->solver, ida_->matrix, SUNSparseMatrix_NNZ(ida_->matrix), SUNKLU_REINIT_PARTIAL),
               "SUNLinSol_KLUReInit");
@@ -76,20 +77,30 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
   s.inputs_now = &inputs;
   const bool goes_on = state.time == s.state_last.time && same(state.q, s.state_last.q) &&
                        same(state.v, s.state_last.v) && same(state.z, s.state_last.z) && same(inputs, s.inputs_last);
-  if (!goes_on) s.restart(state, inputs, statistics_);
-  s.row_time = rows.after(state.time);
-  s.check(IDASetStopTime(s.memory, t_end), "IDASetStopTime");
-  bool ended_by_row = false;
+  if (goes_on) s.aim(t_end, rows, state);
+  bool starts = !goes_on, ended_by_row = false;
   Equations::Drift drift;
   int steps = 0;
   ProgressWatch watch(state.time, t_end);
   const double kept_position = std::max(kLeastDrift, kDriftKept * s.share * s.options.atol);
   const double kept_velocity = std::max(kLeastSpeedDrift, kDriftKept * s.share * s.options.atol_velocity);
   while (!ended_by_row && state.time < t_end) {
+    if (state.time < s.passage_end) {
+      ended_by_row = !s.pass(t_end, inputs, rows, state, statistics_);
+      drift = {};
+      starts = true;
+      continue;
+    }
+    if (starts) {
+      s.restart(state, inputs, statistics_);
+      s.aim(t_end, rows, state);
+      starts = false;
+    }
     ended_by_row = !s.step(t_end, inputs, rows, state, statistics_);
     if (++steps % kRenewRest == 0) s.equations.renew_rest(state);
     if (const std::string slow = watch.complaint(state.time); !slow.empty()) s.give_up(slow);
     drift = s.options.projection ? s.equations.drift(state) : s.equations.check_closed(state);
+    if (!ended_by_row) s.look_ahead(state);
     if (ended_by_row || state.time >= t_end || !s.options.projection ||
         (drift.position < kept_position && drift.velocity < kept_velocity))
       continue;
@@ -97,13 +108,12 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
     if (s.move_history(state)) continue;
     s.equations.forget();  // pivots of other positions shall not turn the motion here
     s.equations.project(state, Equations::Close::kFully);
-    s.restart(state, inputs, statistics_);
-    s.check(IDASetStopTime(s.memory, t_end), "IDASetStopTime");
+    starts = true;
   }
   s.count(statistics_);
   ++statistics_.windows;
 
-  bool goes_on_next = !ended_by_row;
+  bool goes_on_next = !ended_by_row && !starts;
   if (s.options.projection && (drift.position > kProjectAbove || drift.velocity > kProjectSpeedAbove)) {
     drift = s.equations.project(state);
     goes_on_next = goes_on_next && s.move_history(state);

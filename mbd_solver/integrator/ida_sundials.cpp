@@ -17,9 +17,9 @@
 namespace footfall {
 namespace {
 
-// Share of the tolerances that one step may err by; all of them from kAllFrom on, where a tenth comes near the round-off
-// of multipliers.
-constexpr double kStepShare = 0.1, kAllFrom = 1e-9;  // [-], [rtol]
+// Share of the tolerances that one step may err by: a tenth, and all of them from kAllFrom on, where a tenth comes near the
+// round-off of multipliers; between, what a step may err by falls as the root of rtol.
+constexpr double kStepShare = 0.1, kAllFrom = 1e-10;  // [-], [rtol]
 // Gauss-Legendre with three points, exact to fifth order as IDA is.
 const double kGaussNode[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
 constexpr double kGaussWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
@@ -32,7 +32,7 @@ double exact_limit(double max_step) { return std::exp2(std::floor(std::log2(max_
 }  // namespace
 
 Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
-    : equations(e), options(o), norm(e.layout(), o), share(std::clamp(kAllFrom / o.rtol, kStepShare, 1.0)) {
+    : equations(e), options(o), norm(e.layout(), o), share(std::clamp(std::sqrt(kAllFrom / o.rtol), kStepShare, 1.0)) {
   const Layout& layout = equations.layout();
   const int n = layout.size();
   if (SUNContext_Create(nullptr, &context) != 0) throw NumericalError("SUNContext_Create failed.");
@@ -159,6 +159,11 @@ void Ida::Sundials::restart(const State& state, const Inputs& inputs, Integrator
   std::fill(std::begin(counted), std::end(counted), 0L);
   t = state.time;
   last_error = 1.0;
+}
+
+void Ida::Sundials::aim(double t_end, const Rows& rows, const State& state) {
+  row_time = rows.after(state.time);
+  check(IDASetStopTime(memory, t_end), "IDASetStopTime");
 }
 
 // phi[0] is y_n, phi[j] are differences of y_n, y_(n-1), ...: with phi[0] alone all of them move.

@@ -1,6 +1,6 @@
 #pragma once
-// The memory of SUNDIALS' IDA: who owns it, what it calls, and one step of it. Only ida.cpp, ida_sundials.cpp and
-// ida_newton.cpp look into it.
+// The memory of SUNDIALS' IDA: who owns it, what it calls, and one step of it. Only ida.cpp, ida_sundials.cpp,
+// ida_newton.cpp and ida_passage.cpp look into it.
 
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
@@ -8,11 +8,16 @@
 #include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
+#include <array>
 #include <exception>
+#include <limits>
+#include <memory>
 #include <string>
 
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/ida.h"
+#include "mbd_solver/integrator/one_step.h"
+#include "mbd_solver/integrator/singular_position.h"
 
 namespace footfall {
 
@@ -28,6 +33,7 @@ struct Ida::Sundials {
   void check(int flag, const char* function);
   [[noreturn]] void give_up(const std::string& what);
   void restart(const State& state, const Inputs& inputs, IntegratorStatistics& statistics);
+  void aim(double t_end, const Rows& rows, const State& state);  // where IDA has to stop, and its next row
   // All values of the history, the newest and those before, move by what projection has moved the newest to `state`. False:
   // that is far, a singular position is near; nothing moves, and IDA has to start again.
   bool move_history(const State& state);
@@ -36,6 +42,10 @@ struct Ida::Sundials {
   void add_work_between(double begin, double end, const Inputs& inputs, State& state);
   void count(IntegratorStatistics& statistics);
   double step_error();  // of the last step, in tolerances of the scene
+  void look_ahead(const State& state);  // after a step: sets passage_end where a singular position comes near
+  // One_step from state.time to passage_end or t_end, with the rows on the way; false: a row has ended the window.
+  bool pass(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
+  void forget_passage();
 
   static int residual(realtype t, N_Vector y, N_Vector ydot, N_Vector F, void* self);
   static int jacobian(realtype t, realtype c, N_Vector y, N_Vector ydot, N_Vector F, SUNMatrix J, void* self, N_Vector,
@@ -70,6 +80,12 @@ struct Ida::Sundials {
   double t = 0.0;
   Eigen::VectorXd rates;
   EnergySample energy;
+  static constexpr double kNever = -std::numeric_limits<double>::infinity();
+  double passage_end = kNever;        // up to there one_step goes on [s]
+  std::unique_ptr<OneStep> one_step;  // made when the first singular position comes near
+  std::array<Nearness, 3> seen;       // the last looks
+  int looks = 0, steps_since_look = 0;
+  double highest = kNever;  // determinant of the run, its logarithm
   std::exception_ptr fatal;  // from inside a callback
   std::string complaint;
   long counted[5] = {0, 0, 0, 0, 0};  // steps, residuals, factorizations, rejected, failures: of the present start

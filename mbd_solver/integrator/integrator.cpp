@@ -15,6 +15,17 @@ void IntegratorStatistics::count(const Equations::Drift& drift) {
   removed_velocity = std::max(removed_velocity, drift.velocity);
 }
 
+void IntegratorStatistics::add(const IntegratorStatistics& before, const IntegratorStatistics& now) {
+  for (const auto part : {&IntegratorStatistics::steps, &IntegratorStatistics::rejected,
+                          &IntegratorStatistics::newton_failures, &IntegratorStatistics::residuals,
+                          &IntegratorStatistics::jacobians, &IntegratorStatistics::factorizations})
+    this->*part += now.*part - before.*part;
+  for (const auto part : {&IntegratorStatistics::drift_position, &IntegratorStatistics::drift_velocity,
+                          &IntegratorStatistics::removed_position, &IntegratorStatistics::removed_velocity})
+    this->*part = std::max(this->*part, now.*part);
+  told_error += now.told_error - before.told_error;
+}
+
 std::unique_ptr<Integrator> make_integrator(const std::string& kind, Equations& equations,
                                             const IntegratorOptions& options) {
   if (!(options.rtol > 0.0 && options.atol > 0.0 && options.atol_velocity > 0.0))

@@ -39,6 +39,8 @@ struct IntegratorStatistics {
   double told_error = 0.0;
 
   void count(const Equations::Drift& drift);  // at the end of a window
+  // What another integrator has done for this one, from `before` to `now`; windows stay those of this one.
+  void add(const IntegratorStatistics& before, const IntegratorStatistics& now);
 };
 
 // States that are wanted on the way: rows of a history, samples of a controller. They are read from the continuous

@@ -1,12 +1,12 @@
-// Steps over singular positions (theory 2.4). Before such a position a place that is off by d puts the rates off by d over the
-// square of the time left, however smooth the motion is. So the step over it is a long one, chosen such that no stage comes
-// near the position.
+// Steps over singular positions (singular_position.h, theory 2.4): the step over such a position is a long one, chosen such
+// that no stage comes near it.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "mbd_solver/integrator/one_step.h"
+#include "mbd_solver/integrator/singular_position.h"
 
 namespace footfall {
 namespace {
@@ -14,11 +14,9 @@ namespace {
 // Steps that fail in a row, or in turn with others, have come near a singular position: a failure counts kFailure, a step
 // that succeeds takes one away, and beyond kTrouble the next kCareful steps start without any drift.
 constexpr int kFailure = 2, kTrouble = 2, kCareful = 20;
-constexpr double kAhead = 8.0;  // of the steps before: a position farther away is not looked for
 // A step over a position may be longer than the error of its motion allows by kLong. Half the gap between two stages in which
 // the position lies is at least kGap of the step. A step before it ends with kClear of itself left.
 constexpr double kLong = 2.0, kGap = 0.08, kClear = 0.5;
-constexpr int kHalvings = 20;
 
 }  // namespace
 
@@ -37,27 +35,11 @@ bool OneStep::finds_another_step(double h, double planned, const Inputs& inputs,
   return planned_step(state.time, h) != h;
 }
 
-// k singular values fade evenly, and the determinant with their squares: its logarithm is 2 k ln(time left) + constant. k is
-// a whole number, which forgives what else changes the determinant a little.
 void OneStep::look_ahead(const State& state) {
   singular_time_ = std::numeric_limits<double>::infinity();
-  const double b = state.time - start_.time, b_before = start_.time - start_before_.time;
-  if (!options_.error_control || !(h_before_ > 0.0) || !std::isfinite(b_before)) return;
-  const double at_start = equations_.log_determinant(start_);
-  const double before = equations_.log_determinant(start_before_) - at_start;
-  const double fall = at_start - equations_.log_determinant(state);
-  if (!std::isfinite(fall) || !std::isfinite(before)) return;
-  // Both falls of k = 1 with a time D left; their ratio grows with D.
-  const auto first = [&](double D) { return 2.0 * std::log1p(b_before / (D + b)); };
-  const auto second = [&](double D) { return 2.0 * std::log1p(b / D); };
-  double low = 0.0, high = kAhead * b;
-  if (!(before > 0.0) || before * second(high) >= fall * first(high)) return;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double D = 0.5 * (low + high);
-    (before * second(D) < fall * first(D) ? high : low) = D;
-  }
-  const double k = std::max(1.0, std::round(fall / second(high)));
-  singular_time_ = state.time + b / std::expm1(0.5 * fall / k);
+  if (!options_.error_control || !(h_before_ > 0.0) || !std::isfinite(start_before_.time)) return;
+  const auto nearness = [&](const State& at) { return Nearness{at.time, equations_.log_determinant(at)}; };
+  singular_time_ = singular_time({nearness(start_before_), nearness(start_), nearness(state)});
 }
 
 double OneStep::planned_step(double t, double h) const {
