@@ -10,7 +10,7 @@
 namespace footfall {
 namespace {
 
-constexpr int kEvery = 4;      // steps between two looks ahead
+constexpr int kEvery = 4;       // steps between two looks ahead
 constexpr double kFaded = 3.0;  // ln of the determinant must have fallen by this: a fifth of a singular value is left
 constexpr int kOrder = 5;
 

@@ -41,7 +41,7 @@ struct Ida::Sundials {
   bool step(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
   void add_work_between(double begin, double end, const Inputs& inputs, State& state);
   void count(IntegratorStatistics& statistics);
-  double step_error();  // of the last step, in tolerances of the scene
+  double step_error();                  // of the last step, in tolerances of the scene
   void look_ahead(const State& state);  // after a step: sets passage_end where a singular position comes near
   // One_step from state.time to passage_end or t_end, with the rows on the way; false: a row has ended the window.
   bool pass(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
@@ -85,7 +85,7 @@ struct Ida::Sundials {
   std::unique_ptr<OneStep> one_step;  // made when the first singular position comes near
   std::array<Nearness, 3> seen;       // the last looks
   int looks = 0, steps_since_look = 0;
-  double highest = kNever;  // determinant of the run, its logarithm
+  double highest = kNever;   // determinant of the run, its logarithm
   std::exception_ptr fatal;  // from inside a callback
   std::string complaint;
   long counted[5] = {0, 0, 0, 0, 0};  // steps, residuals, factorizations, rejected, failures: of the present start

@@ -16,9 +16,9 @@ void IntegratorStatistics::count(const Equations::Drift& drift) {
 }
 
 void IntegratorStatistics::add(const IntegratorStatistics& before, const IntegratorStatistics& now) {
-  for (const auto part : {&IntegratorStatistics::steps, &IntegratorStatistics::rejected,
-                          &IntegratorStatistics::newton_failures, &IntegratorStatistics::residuals,
-                          &IntegratorStatistics::jacobians, &IntegratorStatistics::factorizations})
+  for (const auto part :
+       {&IntegratorStatistics::steps, &IntegratorStatistics::rejected, &IntegratorStatistics::newton_failures,
+        &IntegratorStatistics::residuals, &IntegratorStatistics::jacobians, &IntegratorStatistics::factorizations})
     this->*part += now.*part - before.*part;
   for (const auto part : {&IntegratorStatistics::drift_position, &IntegratorStatistics::drift_velocity,
                           &IntegratorStatistics::removed_position, &IntegratorStatistics::removed_velocity})

@@ -135,6 +135,22 @@ TEST_P(RandomMechanisms, ErrorOfIdaFallsWithTheStep) {
   EXPECT_LT(logarithms[2], logarithms[1]);
 }
 
+TEST_P(RandomMechanisms, ErrorOfIdaFallsWithTheTolerance) {
+  // The mean over all mechanisms, by a factor of 25 at least for one of 100.
+  std::vector<double> logarithms;
+  for (const double rtol : {1e-3, 1e-5, 1e-7}) {
+    double sum = 0.0, number = 0.0;
+    for_all([&](const Plan& plan) {
+      const double error = Reference(plan).error(end_of(plan, "ida", test::as_a_scene(rtol)));
+      EXPECT_LT(error, kRough * rtol) << "rtol " << rtol;
+      sum += std::log10(std::max(error, 1e-3 * rtol));
+      number += 1.0;
+    });
+    logarithms.push_back(sum / number);
+  }
+  for (std::size_t k = 1; k < logarithms.size(); ++k) EXPECT_LT(logarithms[k], logarithms[k - 1] - 1.4) << k;
+}
+
 TEST_P(RandomMechanisms, BothIntegratorsAgree) {
   for_all([](const Plan& plan) {
     const Reference reference(plan);

@@ -129,7 +129,8 @@ TEST_P(Redundant, ScissorLiftsFallThroughTheirFlatPositionAtEveryTolerance) {
       test::Run run(model, GetParam(), test::precise(rtol));
       run.to(1.5);
       EXPECT_LT(run.state.q[1], 0.48);  // the first bar has swung through
-      EXPECT_LT(std::abs(run.imbalance()), at_1e8 * std::pow(rtol / 1e-8, 0.75)) << "rtol " << rtol << ", rate " << rate;
+      EXPECT_LT(std::abs(run.imbalance()), at_1e8 * std::pow(rtol / 1e-8, 0.75))
+          << "rtol " << rtol << ", rate " << rate;
     }
   }
 }
