@@ -1,14 +1,23 @@
 #include "coupler/base/text.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstdio>
 #include <sstream>
 
 namespace footfall {
 
+void append_number(std::string& text, double value, int digits) {
+  std::array<char, 64> written{};
+  const std::to_chars_result result =
+      std::to_chars(written.data(), written.data() + written.size(), value, std::chars_format::general, digits);
+  text.append(written.data(), result.ptr);
+}
+
 std::string number_text(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  std::string text;
+  append_number(text, value, digits);
   return text;
 }
 

@@ -6,6 +6,8 @@
 
 namespace footfall {
 
+// Appends what printf's "%.*g" writes.
+void append_number(std::string& text, double value, int digits);
 // As a person writes it: so many significant digits, no trailing zeros ("1.5", "-900", "1e-06").
 std::string number_text(double value, int digits = 6);
 // So many digits behind the point: "0.50".

@@ -171,24 +171,28 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
 
   // Joints: Phi_v^T lambda into the forces, phi'' into their own rows.
   const double alpha2 = 2.0 * baumgarte_.alpha, beta2 = baumgarte_.beta * baumgarte_.beta;
-  for_each_row(
-      model_, layout_, w.kinematics, t, w.row,
-      [&](const RowPlace& at, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue& value) {
-        const Joint& joint = model_.joint(at.joint);
-        const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
-        for (int i = 0; i < 2; ++i) {
-          const int n = pair.body[i]->size();
-          if (n > 0)
-            F.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n) +=
-                lambda[at.row] * phi_v.segment(pair.offset(i), n);
-        }
-        double& condition = F[layout_.lambda0() + at.row];
-        if (at.adds) {
-          condition += value.acc + alpha2 * value.rate + beta2 * value.phi;
-        } else {
-          condition = value.acc + alpha2 * value.rate + beta2 * value.phi - w.regularisation[at.row] * lambda[at.row];
-        }
-      });
+  for (int j = 0; j < model_.joint_count(); ++j) {
+    const Joint& joint = model_.joint(j);
+    MarkerVectors vectors(w.joint_pair(joint), joint.m1, joint.m2);
+    const PairMotion& pair = vectors.pair();
+    Eigen::Ref<Eigen::VectorXd> reaction = w.local.head(pair.size());
+    reaction.setZero();
+    int row = layout_.joint_row[static_cast<std::size_t>(j)];
+    for (const ConstraintRow& written : joint.rows) {
+      const RowValue value =
+          press_row(written, t, vectors, lambda[row], w.row.head(pair.size()), reaction, w.kinematics.turns(j));
+      double& condition = F[layout_.lambda0() + row];
+      if (joint.row_of < 0) condition = -w.regularisation[row] * lambda[row];  // else the row of an earlier joint
+      condition += value.acc + alpha2 * value.rate + beta2 * value.phi;
+      ++row;
+    }
+    vectors.add_pushed(reaction);
+    const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
+    for (int i = 0; i < 2; ++i) {
+      const int n = pair.body[i]->size();
+      if (n > 0) F.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n) += reaction.segment(pair.offset(i), n);
+    }
+  }
 
   // Continuous signals, then force elements.
   const Eigen::VectorXd& voltages = voltages_at(t, y, inputs);

@@ -99,8 +99,9 @@ class Equations {
     int worst_row = 0;  // that of the largest |phi|
   };
   enum class Close {
-    kAsPromised,  // drift below 1e-10 m and 2e-9 m/s is left alone
-    kFully        // to round-off
+    kAsPromised,      // drift below 1e-10 m and 2e-9 m/s is left alone
+    kFully,           // to round-off
+    kByFactorsAtHand  // as promised, with the factors at hand where they serve; for rows
   };
   // Throws NumericalError naming time and joint when a joint stays open by more than 1e-6 m or rad.
   Drift project(State& state, Close close = Close::kAsPromised);
@@ -164,6 +165,7 @@ class Equations {
   void find_redundancies(const State& state);
   void make_smallest(double t, Eigen::Ref<Eigen::VectorXd> lambda);
   void demand_closed(double t, const Drift& drift, double tolerance) const;
+  void remove_drift(double closed, double closed_speed, State& state, Drift& now);
   Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate);
 
   const Model& model_;

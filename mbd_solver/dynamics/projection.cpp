@@ -58,11 +58,18 @@ Equations::Drift Equations::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> 
   Drift out;
   phi.setZero();
   rate.setZero();
-  for_each_row(model_, layout_, w.kinematics, t, w.row,
-               [&](const RowPlace& at, const PairMotion&, const Eigen::Ref<Eigen::VectorXd>&, const RowValue& value) {
-                 phi[at.row] += value.phi;
-                 rate[at.row] += value.rate;
-               });
+  for (int j = 0; j < model_.joint_count(); ++j) {
+    const Joint& joint = model_.joint(j);
+    MarkerVectors vectors(w.joint_pair(joint), joint.m1, joint.m2);
+    int row = layout_.joint_row[static_cast<std::size_t>(j)];
+    for (const ConstraintRow& condition : joint.rows) {
+      const RowValue value =
+          measure_row(condition, t, vectors, w.row.head(vectors.pair().size()), w.kinematics.turns(j));
+      phi[row] += value.phi;
+      rate[row] += value.rate;
+      ++row;
+    }
+  }
   if (layout_.row_count > 0) {
     out.position = phi.cwiseAbs().maxCoeff(&out.worst_row);
     out.velocity = rate.lpNorm<Eigen::Infinity>();
@@ -77,18 +84,34 @@ Equations::Drift Equations::project(State& state, Close close) {
   for (int i = 0; i < model_.body_count(); ++i)
     state.q.segment<4>(layout_.body_q[static_cast<std::size_t>(i)] + 3).normalize();
   load(state);
-  Eigen::Ref<Eigen::VectorXd> phi = w.saddle_x.tail(layout_.row_count);
-  const Drift before = measure_drift(state.time, phi, w.phi_rate);
-  if (close == Close::kAsPromised && before.position <= kNoDrift && before.velocity <= kNoSpeedDrift) return before;
-  if (!factor_saddle(state)) {
-    demand_closed(state.time, before, kOpen);
-    return before;
+  const Drift before = measure_drift(state.time, w.saddle_x.tail(layout_.row_count), w.phi_rate);
+  const auto kept = [](const Drift& drift) { return drift.position <= kNoDrift && drift.velocity <= kNoSpeedDrift; };
+  if (close != Close::kFully && kept(before)) return before;
+  Drift now = before;
+  // Factors of another position lead there more slowly, but cost nothing.
+  const bool at_hand = close == Close::kByFactorsAtHand && w.saddle_factored && w.redundancies.empty();
+  if (at_hand) remove_drift(kNoDrift, kNoSpeedDrift, state, now);
+  if (!at_hand || !kept(now)) {
+    if (!factor_saddle(state)) {
+      demand_closed(state.time, now, kOpen);
+      return now;
+    }
+    remove_drift(kClosed, kClosed, state, now);
   }
+  demand_closed(state.time, now, kOpen);
+  Drift result = before;
+  result.position_left = now.position;
+  result.velocity_left = now.velocity;
+  return result;
+}
 
+// With the factors at hand: state.q and state.v, loaded, and their drift.
+void Equations::remove_drift(double closed, double closed_speed, State& state, Drift& now) {
+  Workspace& w = *work_;
+  Eigen::Ref<Eigen::VectorXd> phi = w.saddle_x.tail(layout_.row_count);
   // Positions: dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T + eps)^-1 phi, with the same factors until phi no
   // longer falls.
-  Drift now = before;
-  for (int i = 0; i < kMostProjections && now.position > kClosed; ++i) {
+  for (int i = 0; i < kMostProjections && now.position > closed; ++i) {
     w.saddle_x.head(layout_.v_size).setZero();
     phi = -phi;
     w.saddle_lu->solve(w.saddle_x);
@@ -105,7 +128,7 @@ Equations::Drift Equations::project(State& state, Close close) {
     }
   }
   // Velocities: dv likewise from phi'. The factors are those of a position moved by the drift: repeat.
-  for (int i = 0; i < kMostProjections && now.velocity > kClosed; ++i) {
+  for (int i = 0; i < kMostProjections && now.velocity > closed_speed; ++i) {
     w.saddle_x.head(layout_.v_size).setZero();
     phi = -w.phi_rate;
     w.saddle_lu->solve(w.saddle_x);
@@ -117,15 +140,10 @@ Equations::Drift Equations::project(State& state, Close close) {
     if (!(now.velocity < last)) {
       state.v = w.last_v;
       load(state);
-      now.velocity = last;
+      now = measure_drift(state.time, phi, w.phi_rate);
       break;
     }
   }
-  demand_closed(state.time, now, kOpen);
-  Drift result = before;
-  result.position_left = now.position;
-  result.velocity_left = now.velocity;
-  return result;
 }
 
 }  // namespace footfall

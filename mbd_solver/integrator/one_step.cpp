@@ -202,7 +202,8 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   const double reached = t_new + kNear * h;  // a row that round-off has put just behind the step belongs to it
   for (; row_time_ < t_end && row_time_ <= reached; row_time_ = rows.after(row_time_)) {
     interpolate(row_time_, h);
-    statistics_.count(options_.projection ? equations_.project(row_) : equations_.check_closed(row_));
+    statistics_.count(options_.projection ? equations_.project(row_, Equations::Close::kByFactorsAtHand)
+                                          : equations_.check_closed(row_));
     equations_.smallest_multipliers(row_, row_rates_.tail(equations_.layout().row_count));
     if (rows.on_row(row_, row_rates_)) continue;
     state = row_;

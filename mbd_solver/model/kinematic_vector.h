@@ -74,7 +74,8 @@ class KinematicVector {
   Eigen::Vector3d acc_ = Eigen::Vector3d::Zero();
 };
 
-// The vectors between two markers, each computed at most once: what the rows of one joint share.
+// The vectors between two markers, each computed at most once: what the rows of one joint share. Forces on them are
+// collected, so that all rows of a joint pass through the modes of its bodies once.
 class MarkerVectors {
  public:
   MarkerVectors(const PairMotion& pair, const Marker& m1, const Marker& m2) : pair_(pair), m1_(m1), m2_(m2) {}
@@ -87,17 +88,33 @@ class MarkerVectors {
     return vectors_[i];
   }
   const KinematicVector& difference() {  // p2 - p1
-    if (!known_[6]) vectors_[6] = KinematicVector::difference(pair_, m1_, m2_);
-    known_[6] = true;
-    return vectors_[6];
+    if (!known_[kDifference]) vectors_[kDifference] = KinematicVector::difference(pair_, m1_, m2_);
+    known_[kDifference] = true;
+    return vectors_[kDifference];
+  }
+
+  void push_axis(int slot, int k, const Eigen::Vector3d& f) { push(3 * slot + k, f); }
+  void push_difference(const Eigen::Vector3d& f) { push(kDifference, f); }
+  // out += sum X^T f of all that was pushed
+  void add_pushed(Eigen::Ref<Eigen::VectorXd> out) const {
+    for (int i = 0; i < kVectors; ++i)
+      if (pushed_[i]) vectors_[i].add_transposed(forces_[i], out);
   }
 
  private:
+  static constexpr int kDifference = 6, kVectors = 7;
+  void push(int i, const Eigen::Vector3d& f) {
+    if (!pushed_[i]) forces_[i].setZero();
+    pushed_[i] = true;
+    forces_[i] += f;
+  }
+
   PairMotion pair_;
   const Marker& m1_;
   const Marker& m2_;
-  bool known_[7] = {};
-  KinematicVector vectors_[7];
+  bool known_[kVectors] = {}, pushed_[kVectors] = {};
+  KinematicVector vectors_[kVectors];
+  Eigen::Vector3d forces_[kVectors];  // of those that are pushed
 };
 
 }  // namespace footfall

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -16,6 +15,8 @@
 namespace footfall {
 
 namespace {
+
+constexpr int kDigits = 10;
 
 const std::string kUnitsMark = "# units: ";
 
@@ -59,16 +60,14 @@ HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::str
 void HistoryWriter::write(const std::vector<double>& row) {
   FOOTFALL_DEMAND(row.size() == names_.size());
   std::string line;
-  char number[32];
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (!std::isfinite(row[i])) {
       file_.flush();
       throw NumericalError("at t = " + number_text(row[0]) + " s \"" + names_[i] + "\" is no longer finite; " + path_ +
                            " ends before this row");
     }
-    const int length = std::snprintf(number, sizeof number, "%.10g", row[i]);
     if (i > 0) line += ',';
-    line.append(number, static_cast<std::size_t>(length));
+    append_number(line, row[i], kDigits);
   }
   file_ << line << '\n';
   flush();

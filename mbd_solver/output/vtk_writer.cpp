@@ -6,12 +6,14 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "coupler/base/whole_file.h"
 
 namespace footfall {
 namespace {
 
 constexpr int kLine = 3, kTriangle = 5;  // VTK's cell types
+constexpr int kVtkDigits = 9;
 
 pugi::xml_node data_array(pugi::xml_node parent, const char* type, const std::string& name, int components) {
   pugi::xml_node array = parent.append_child("DataArray");
@@ -23,9 +25,8 @@ pugi::xml_node data_array(pugi::xml_node parent, const char* type, const std::st
 }
 
 void append(std::string& text, double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.9g ", value);
-  text += buffer;
+  append_number(text, value, kVtkDigits);
+  text += ' ';
 }
 
 template <class Values>

@@ -108,14 +108,14 @@ void coordinate_derivatives(const ConstraintRow& row, MarkerVectors& vectors, do
 
 }  // namespace
 
-RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v,
-                      double near) {
+namespace {
+
+// Of a sum of dot products. use(factor, f): the gradient of phi is the sum of X^T f over its factors.
+template <typename Use>
+RowValue sum_of_products(const ConstraintRow& row, double t, MarkerVectors& vectors, Use use) {
   // D = alpha.beta,  D' = alpha'.beta + alpha.beta',  D'' = alpha''.beta + 2 alpha'.beta' + alpha.beta''
-  if (row.coordinate) return evaluate_coordinate(row, vectors, phi_v, near);
-  if (row.law) return row.law->evaluate(row.law_row, vectors, phi_v);
   const Coefficients at = coefficients(row, t);
   RowValue out{-at.f.value, -at.f.rate, -at.f.accel, -at.f.rate};
-  phi_v.setZero();
   for (int i = 0; i < row.term_count; ++i) {
     const KinematicVector& alpha = vector_of(row.terms[i].alpha, vectors);
     const KinematicVector& beta = vector_of(row.terms[i].beta, vectors);
@@ -128,10 +128,49 @@ RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors
     out.rate += c.value * dD + c.rate * D;
     out.acc += c.value * ddD + 2.0 * c.rate * dD + c.accel * D;
     out.phi_t += c.rate * D;
-    alpha.add_transposed(c.value * beta.value(), phi_v);
-    beta.add_transposed(c.value * alpha.value(), phi_v);
+    use(row.terms[i].alpha, c.value * beta.value());
+    use(row.terms[i].beta, c.value * alpha.value());
   }
   return out;
+}
+
+void push(const Factor& factor, const Eigen::Vector3d& f, MarkerVectors& vectors) {
+  switch (factor.kind) {
+    case Factor::Kind::kWorldDirection: return;
+    case Factor::Kind::kAxis1: return vectors.push_axis(0, factor.axis, f);
+    case Factor::Kind::kAxis2: return vectors.push_axis(1, factor.axis, f);
+    case Factor::Kind::kDifference: break;
+  }
+  vectors.push_difference(f);
+}
+
+}  // namespace
+
+RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v,
+                      double near) {
+  if (row.coordinate) return evaluate_coordinate(row, vectors, phi_v, near);
+  if (row.law) return row.law->evaluate(row.law_row, vectors, phi_v);
+  phi_v.setZero();
+  return sum_of_products(row, t, vectors, [&](const Factor& factor, const Eigen::Vector3d& f) {
+    vector_of(factor, vectors).add_transposed(f, phi_v);
+  });
+}
+
+RowValue measure_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> scratch,
+                     double near) {
+  if (row.coordinate || row.law) return evaluate_row(row, t, vectors, scratch, near);
+  return sum_of_products(row, t, vectors, [](const Factor&, const Eigen::Vector3d&) {});
+}
+
+RowValue press_row(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
+                   Eigen::Ref<Eigen::VectorXd> scratch, Eigen::Ref<Eigen::VectorXd> reaction, double near) {
+  if (row.coordinate || row.law) {
+    const RowValue value = evaluate_row(row, t, vectors, scratch, near);
+    reaction += lambda * scratch;
+    return value;
+  }
+  return sum_of_products(row, t, vectors,
+                         [&](const Factor& factor, const Eigen::Vector3d& f) { push(factor, lambda * f, vectors); });
 }
 
 void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
