@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -17,6 +18,7 @@ namespace footfall {
 namespace {
 
 constexpr int kDigits = 10;
+constexpr std::chrono::milliseconds kLook(50);  // between two looks at whether the file is still there
 
 const std::string kUnitsMark = "# units: ";
 
@@ -53,8 +55,7 @@ HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::str
   if (beginning == Beginning::kResume) return;
   file_.open(path);
   if (!file_) throw InputError(path + ": cannot be written; choose another folder with --out");
-  file_ << kUnitsMark << joined(units, ",") << '\n' << joined(names, ",") << '\n';
-  flush();
+  write_whole(kUnitsMark + joined(units, ",") + "\n" + joined(names, ",") + "\n");
 }
 
 void HistoryWriter::write(const std::vector<double>& row) {
@@ -69,23 +70,35 @@ void HistoryWriter::write(const std::vector<double>& row) {
     if (i > 0) line += ',';
     append_number(line, row[i], kDigits);
   }
-  file_ << line << '\n';
-  flush();
+  line += '\n';
+  write_whole(line);
 }
 
-void HistoryWriter::flush() {
+// In one call of the system: a thousand rows cost as much as a second of a rigid mechanism otherwise.
+void HistoryWriter::write_whole(const std::string& text) {
   errno = 0;
+  file_.write(text.data(), static_cast<std::streamsize>(text.size()));
   file_.flush();
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path_, error);
+  const Clock::time_point now = Clock::now();
+  if (now - looked_ > kLook) {  // is it still there?
+    if (!std::filesystem::exists(path_, error) && !error)
+      error = std::make_error_code(std::errc::no_such_file_or_directory);
+    looked_ = now;
+  }
   if (file_ && !error) {
-    whole_ = size;
+    whole_ += text.size();
     return;
   }
   const std::string why = error ? error.message() : errno != 0 ? std::strerror(errno) : "is the disk full?";
   file_.close();
   std::filesystem::resize_file(path_, whole_, error);  // half a row is none
   throw InputError(path_ + ": cannot be written: " + why + "; its rows end before this one");
+}
+
+void HistoryWriter::flush() {
+  looked_ = {};
+  write_whole({});
 }
 
 long HistoryWriter::position() {

@@ -2,6 +2,7 @@
 // history.csv: one row of numbers per output time. First line "# units: s,m,...", second the column names, then the
 // rows.
 
+#include <chrono>
 #include <cstdint>
 #include <fstream>
 #include <string>
@@ -21,21 +22,25 @@ class HistoryWriter {
                 Beginning beginning = Beginning::kNew);
 
   // One row, in the order of the names. Throws NumericalError, naming the column and time, when a value is not finite:
-  // a file never holds one. Throws as flush.
+  // a file never holds one. The row is in the file when this returns. Throws InputError when it cannot be written (full
+  // disk, folder gone); the file then ends with the last whole row.
   void write(const std::vector<double>& row);
-  // Everything written so far is in the file; each row is when `write` returns. Throws InputError when it cannot be
-  // written (full disk, folder gone); the file then ends with the last whole row.
+  // Everything written so far is in the file, and the file is still there. Throws as write().
   void flush();
-  // Bytes so far, all of them on the disk itself: a run that is resumed goes on there. Throws as flush().
+  // Bytes so far, all of them on the disk itself: a run that is resumed goes on there. Throws as write().
   long position();
   // What a later part of the run wrote behind this position is dropped. Throws InputError when the file is shorter.
   void go_on_at(long position);
 
  private:
+  using Clock = std::chrono::steady_clock;
+  void write_whole(const std::string& text);
+
   std::string path_;
   std::vector<std::string> names_;
   std::ofstream file_;
   std::uintmax_t whole_ = 0;  // size of the whole rows [bytes]
+  Clock::time_point looked_;  // when the file was last seen
 };
 
 // A history read back: for plots, reports and tests.
