@@ -2,6 +2,8 @@
 // out: they shrink in front of it, each with an error that the position makes larger, and the steps behind it remember them.
 // So the one-step method goes over it, and IDA starts again as far behind it as it has stopped before.
 
+#include <ida/ida.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -156,14 +156,14 @@ RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors
   });
 }
 
-RowValue measure_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> scratch,
-                     double near) {
+RowValue measure_row(const ConstraintRow& row, double t, MarkerVectors& vectors,
+                     const Eigen::Ref<Eigen::VectorXd>& scratch, double near) {
   if (row.coordinate || row.law) return evaluate_row(row, t, vectors, scratch, near);
   return sum_of_products(row, t, vectors, [](const Factor&, const Eigen::Vector3d&) {});
 }
 
 RowValue press_row(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
-                   Eigen::Ref<Eigen::VectorXd> scratch, Eigen::Ref<Eigen::VectorXd> reaction, double near) {
+                   const Eigen::Ref<Eigen::VectorXd>& scratch, Eigen::Ref<Eigen::VectorXd> reaction, double near) {
   if (row.coordinate || row.law) {
     const RowValue value = evaluate_row(row, t, vectors, scratch, near);
     reaction += lambda * scratch;

@@ -81,12 +81,12 @@ RowValue evaluate_row(const ConstraintRow& row, double t, MarkerVectors& vectors
                       double near = 0.0);
 
 // phi, phi' and phi'' alone. scratch: n.
-RowValue measure_row(const ConstraintRow& row, double t, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> scratch,
-                     double near = 0.0);
+RowValue measure_row(const ConstraintRow& row, double t, MarkerVectors& vectors,
+                     const Eigen::Ref<Eigen::VectorXd>& scratch, double near = 0.0);
 // The same, and Phi_v^T lambda is pushed on `vectors` or added to `reaction` (n): behind the last row of a joint
 // vectors.add_pushed(reaction) completes it.
 RowValue press_row(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
-                   Eigen::Ref<Eigen::VectorXd> scratch, Eigen::Ref<Eigen::VectorXd> reaction, double near = 0.0);
+                   const Eigen::Ref<Eigen::VectorXd>& scratch, Eigen::Ref<Eigen::VectorXd> reaction, double near = 0.0);
 
 // Derivatives, all overwritten but the last:
 //   rate_dx = d phi' / dx, acc_dx = d phi'' / dx, acc_dv = d phi'' / dv (n each)
