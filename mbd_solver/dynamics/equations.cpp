@@ -100,6 +100,7 @@ void Equations::set_row_sizes(const State& state) {
 
 void Equations::rest_rows() {
   Workspace& w = *work_;
+  if (!w.redundancies.empty()) ++w.rest_choices;
   w.regularisation = w.eps;
   // A row that only gives a joint's coordinate its rotor: lambda = J q''.
   for (int row = 0; row < layout_.row_count; ++row) {
@@ -114,6 +115,8 @@ void Equations::rest_rows() {
       w.regularisation[row] = w.smallest_size[row];
     }
 }
+
+long Equations::rest_choices() const { return work_->rest_choices; }
 
 void Equations::load(const State& state) {
   work_->kinematics.load(layout_, state.q, state.v, work_->empty);
@@ -212,6 +215,13 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
     }
     F.segment(z, m) -= dz;
   }
+}
+
+void Equations::expect_multipliers(const Eigen::Ref<const Eigen::VectorXd>& expected,
+                                   Eigen::Ref<Eigen::VectorXd> F_lambda) const {
+  const Workspace& w = *work_;
+  for (int row = 0; row < layout_.row_count; ++row)
+    if (w.regularisation[row] == w.eps[row]) F_lambda[row] += w.eps[row] * expected[row];
 }
 
 void Equations::pack(const State& state, const Eigen::Ref<const Eigen::VectorXd>& lambda,

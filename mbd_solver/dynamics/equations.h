@@ -6,10 +6,8 @@
 //   F_z      = dz - g(q, v, z)
 //   F_lambda = phi'' + 2 alpha phi' + beta^2 phi - eps lambda          alpha, beta: Baumgarte (0 by default)
 // eps is a regularisation (relative 1e-12 of the size of Phi_v M^-1 Phi_v^T, very light bodies counted heavier) for singular
-// positions. Where rows depend on
-// each other some of them rest: their eps is large (redundancy.h).
-// No function here allocates. One Equations object belongs to one thread (it owns the
-// workspace).
+// positions; see expect_multipliers(). Where rows depend on each other some of them rest: their eps is large (redundancy.h).
+// No function here allocates. One Equations object belongs to one thread (it owns the workspace).
 
 #include <Eigen/Sparse>
 #include <memory>
@@ -58,6 +56,10 @@ class Equations {
   const Eigen::SparseMatrix<double>& reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                                       const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
                                                       const Inputs& inputs);
+  // eps in F_lambda then acts on what lambda differs by from `expected`: F_lambda += eps expected, where no row rests.
+  // eps lambda itself would be an acceleration that conditions are left with, of the sign of lambda: between projections
+  // that takes energy, and the error of the end would have a floor that no tolerance lowers.
+  void expect_multipliers(const Eigen::Ref<const Eigen::VectorXd>& expected, Eigen::Ref<Eigen::VectorXd> F_lambda) const;
   const Eigen::SparseMatrix<double>& reduced_pattern() const;
   // out -= d[F_v; F_z; F_lambda]/dx dx, with the derivatives of the last Jacobian.
   // dx as v; out as [v; z; lambda].
@@ -70,6 +72,8 @@ class Equations {
   // complete dy/dt with the multipliers in the place of their rates. Throws NumericalError naming time and
   // body when not finite.
   void accelerations(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> ydot_and_lambda);
+  // The same for the steps of an integrator: of redundant multipliers those of rest_multipliers(), not the smallest.
+  void stage_rates(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> ydot_and_lambda);
 
   // One step of the same from rates that are nearly right, with the factors of an earlier solve: out is corrected, change
   // is by how much (of dv and lambda; else 0). Where the factors are old its corrections fall by what the matrix has
@@ -85,6 +89,9 @@ class Equations {
   // Of all lambda with the same reactions on the bodies together, that of the smallest sum (s_i lambda_i)^2 (redundancy.h).
   // Nothing changes where no rows are redundant.
   void smallest_multipliers(const State& state, Eigen::Ref<Eigen::VectorXd> lambda);
+  // Of all those, that which is zero where rows rest: all stages of a step have it, so that it can be combined of them.
+  void rest_multipliers(double t, const Eigen::Ref<const Eigen::VectorXd>& y, Eigen::Ref<Eigen::VectorXd> lambda);
+  long rest_choices() const;  // how often the rows that rest were chosen; 0: none are redundant
   // Looks at whether the rows that rest may go on resting; to be called now and then within a window.
   void renew_rest(const State& state);
 
@@ -163,7 +170,10 @@ class Equations {
   Rest judge_rest();
   void choose_resting_rows();
   void find_redundancies(const State& state);
+  void solve_saddle();  // saddle_x
   void make_smallest(double t, Eigen::Ref<Eigen::VectorXd> lambda);
+  void add_reaction(const Eigen::Ref<const Eigen::VectorXd>& lambda, double sign,
+                    Eigen::Ref<Eigen::VectorXd> force) const;
   void demand_closed(double t, const Drift& drift, double tolerance) const;
   void remove_drift(double closed, double closed_speed, State& state, Drift& now);
   Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate);

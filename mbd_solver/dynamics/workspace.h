@@ -93,6 +93,7 @@ struct Equations::Workspace {
 
   std::vector<Redundancy> redundancies;
   bool redundancies_known = true;  // else found anew from the next state
+  long rest_choices = 0;           // how often their resting rows were chosen
 };
 
 // Where a row stands: among all rows, its joint, among the rows of the joint.

@@ -4,7 +4,7 @@
 // value problem: IDA starts again at first order. While nothing changes it goes on. Where drift is projected, all values
 // of its history move by what the projection moves (E. Eich, SIAM J. Numer. Anal. 30 (1993), 1467): order and step stay.
 // Its error test is that of a single step, without the correction that one_step carries along: errors of hundreds of steps
-// add up. So a step may err by a tenth of the tolerances (by all of those at 1e-10 and below, by a share between from 1e-8 on).
+// add up. So a step may err by a tenth of the tolerances (below 1e-9 by a share that grows, a third at 1e-10).
 // Over singular positions OneStep goes in its place (ida_passage.cpp).
 // Drift is projected as soon as it is a part of that: conditions of singular positions do not forgive any.
 

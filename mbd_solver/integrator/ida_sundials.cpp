@@ -17,9 +17,9 @@
 namespace footfall {
 namespace {
 
-// Share of the tolerances that one step may err by: a tenth, and all of them from kAllFrom on, where a tenth comes near the
-// round-off of multipliers; between, what a step may err by falls as the root of rtol.
-constexpr double kStepShare = 0.1, kAllFrom = 1e-10;  // [-], [rtol]
+// Share of the tolerances that one step may err by: a tenth, and where a tenth comes near the round-off of multipliers, from an
+// rtol of 1e-9 on, what a step may err by falls as the root of rtol (a third at 1e-10).
+constexpr double kStepShare = 0.1, kAllFrom = 1e-11;  // [-], [rtol] at which it is all
 // Gauss-Legendre with three points, exact to fifth order as IDA is.
 const double kGaussNode[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
 constexpr double kGaussWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
@@ -127,7 +127,11 @@ int Ida::Sundials::guarded(Work work) {
 
 int Ida::Sundials::residual(realtype time, N_Vector y, N_Vector ydot, N_Vector F, void* self) {
   Sundials& s = *static_cast<Sundials*>(self);
-  const int flag = s.guarded([&] { s.equations.residual(time, view(y), view(ydot), *s.inputs_now, writable(F)); });
+  const int flag = s.guarded([&] {
+    s.equations.residual(time, view(y), view(ydot), *s.inputs_now, writable(F));
+    const int rows = s.equations.layout().row_count;
+    s.equations.expect_multipliers(view(static_cast<IDAMem>(s.memory)->ida_yypredict).tail(rows), writable(F).tail(rows));
+  });
   if (flag != 0) return flag;
   return view(F).allFinite() ? 0 : 1;
 }
@@ -150,7 +154,7 @@ void Ida::Sundials::restart(const State& state, const Inputs& inputs, Integrator
   const Layout& layout = equations.layout();
   count(statistics);
   // Consistent start by our own solve: dq, dv, dz, and multipliers without a rate.
-  equations.accelerations(state, inputs, rates);
+  equations.stage_rates(state, inputs, rates);
   ++statistics.factorizations;
   equations.pack(state, rates.tail(layout.row_count), writable(y));
   writable(ydot) = rates;

@@ -145,6 +145,10 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   newton_tolerance_ =
       kNewton * std::clamp(expected, std::min(std::max(kLeastError, kRoundOff / options_.rtol), 1.0), 1.0);
 
+  if (const long choices = equations_.rest_choices(); choices != rest_choices_) {
+    rest_choices_ = choices;
+    equations_.rest_multipliers(t, y_, K_[0].tail(rows));
+  }
   for (int i = 1; i < stages; ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
     known_ = y_;

@@ -75,6 +75,7 @@ class OneStep : public Integrator {
   double rate_ = 1.0;              // last convergence rate of Newton
   double error_ = 0.0;             // of the last step, 1 = tolerance
   double newton_tolerance_ = 0.0;  // of the step that is tried
+  long rest_choices_ = 0;          // those that the multipliers of K_[0] belong to
   int worst_ = -1;                 // entry of y that failed last
   std::string complaint_;          // of a force law that had no value
 
@@ -83,7 +84,7 @@ class OneStep : public Integrator {
   std::vector<Eigen::VectorXd> Y_;                               // values of the stages; Y_[0] is not used
   Eigen::VectorXd left_;                                         // y at the end of the last window, without drift
   double left_time_ = -std::numeric_limits<double>::infinity();  // its time [s]
-  Eigen::VectorXd Ydot_, known_, F_, change_, dx_, rates_;
+  Eigen::VectorXd Ydot_, known_, F_, change_, dx_, rates_, expected_;
   std::vector<EnergySample> energy_;  // powers at the stages
 
   std::vector<Eigen::VectorXd> before_;  // rates of the last step at tableau_.predictors, its end last

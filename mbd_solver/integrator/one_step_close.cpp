@@ -31,7 +31,7 @@ bool OneStep::close_end(double t) {
   if (!closed_) return true;
   if (careful_ > 0) equations_.forget();  // pivots that a row of the output has chosen shall not turn the motion
   try {
-    end_drift_ = equations_.project(end_, careful_ > 0 ? Equations::Close::kFully : Equations::Close::kAsPromised);
+    end_drift_ = equations_.project(end_, Equations::Close::kFully);
   } catch (const NumericalError& error) {   // a joint that does not close
     const std::string said = error.what();  // "t = ... s: ..."; the time is told once
     complaint_ = said.substr(said.find(": ") + 2);
@@ -60,8 +60,9 @@ void OneStep::start_clean(const Inputs& inputs, State& state) {
 
 void OneStep::start_window(const Inputs& inputs, const State& state) {
   if (!follow_rates(inputs, state)) {
-    equations_.accelerations(state, inputs, K_[0]);
+    equations_.stage_rates(state, inputs, K_[0]);
     ++statistics_.factorizations;
+    rest_choices_ = equations_.rest_choices();
   }
   equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
   equations_.powers(state.time, y_, inputs, energy_[0]);
@@ -89,8 +90,9 @@ bool OneStep::follow_rates(const Inputs& inputs, const State& state) {
 
 void OneStep::renew_rates(const Inputs& inputs, const State& state) {
   equations_.forget();
-  equations_.accelerations(state, inputs, K_[0]);
+  equations_.stage_rates(state, inputs, K_[0]);
   ++statistics_.factorizations;
+  rest_choices_ = equations_.rest_choices();
   equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
   equations_.powers(state.time, y_, inputs, energy_[0]);
 }

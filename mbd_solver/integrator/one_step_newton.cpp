@@ -40,6 +40,7 @@ bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
   Eigen::VectorXd& Y = Y_[static_cast<std::size_t>(stage)];
   Eigen::VectorXd& K = K_[static_cast<std::size_t>(stage)];
   Ydot_.tail(rows).setZero();
+  expected_ = K.tail(rows);
   double last = 0.0;
   rate_ = std::max(rate_, std::min(std::pow(rate_, kForgetting), kSlow));
   for (int i = 0; i < kMostIterations; ++i) {
@@ -50,6 +51,7 @@ bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
     Ydot_.head(m) = c * (Y - known_).head(m);
     try {
       equations_.residual(t, Y, Ydot_, inputs, F_);
+      equations_.expect_multipliers(expected_, F_.tail(rows));
     } catch (const NumericalError& error) {  // a law without a value there: a smaller step may stay clear of it
       complaint_ = error.what();
       return false;

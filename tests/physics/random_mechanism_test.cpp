@@ -135,20 +135,64 @@ TEST_P(RandomMechanisms, ErrorOfIdaFallsWithTheStep) {
   EXPECT_LT(logarithms[2], logarithms[1]);
 }
 
-TEST_P(RandomMechanisms, ErrorOfIdaFallsWithTheTolerance) {
-  // The mean over all mechanisms, by a factor of 25 at least for one of 100.
-  std::vector<double> logarithms;
-  for (const double rtol : {1e-3, 1e-5, 1e-7}) {
-    double sum = 0.0, number = 0.0;
-    for_all([&](const Plan& plan) {
-      const double error = Reference(plan).error(end_of(plan, "ida", test::as_a_scene(rtol)));
-      EXPECT_LT(error, kRough * rtol) << "rtol " << rtol;
-      sum += std::log10(std::max(error, 1e-3 * rtol));
-      number += 1.0;
-    });
-    logarithms.push_back(sum / number);
+// Mean of log10(error); each mechanism adds at least a thousandth of the tolerance.
+struct MeanError {
+  double sum = 0.0, number = 0.0;
+  void add(double error, double rtol) {
+    sum += std::log10(std::max(error, 1e-3 * rtol));
+    number += 1.0;
   }
-  for (std::size_t k = 1; k < logarithms.size(); ++k) EXPECT_LT(logarithms[k], logarithms[k - 1] - 1.4) << k;
+  double value() const { return sum / number; }
+};
+
+TEST_P(RandomMechanisms, ErrorOfBothIntegratorsFallsWithTheTolerance) {
+  // The mean of a family, by a factor of four at least with each digit; at 1e-10 a step of IDA errs by a larger share of
+  // the tolerance.
+  const std::vector<double> tolerances = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-10};
+  std::vector<MeanError> one_step(tolerances.size()), ida(tolerances.size());
+  for_all([&](const Plan& plan) {
+    const Reference reference(plan);
+    for (std::size_t k = 0; k < tolerances.size(); ++k) {
+      const double rtol = tolerances[k];
+      const double error = reference.error(end_of(plan, "ida", test::as_a_scene(rtol)));
+      if (rtol >= 1e-8) {
+        EXPECT_LT(error, kRough * rtol) << "ida, rtol " << rtol;
+        one_step[k].add(reference.error(end_of(plan, "one_step", test::as_a_scene(rtol))), rtol);
+      } else {
+        // Both end at one place: none has an error that its tolerance does not lower.
+        EXPECT_LT(error, 2e-7) << "ida, rtol " << rtol;
+      }
+      ida[k].add(error, rtol);
+    }
+  });
+  const double digit = std::log10(4.0);
+  for (std::size_t k = 1; k < tolerances.size(); ++k) {
+    EXPECT_LT(ida[k].value(), ida[k - 1].value() - digit * (tolerances[k] < 1e-8 ? 1.3 : 1.0)) << "ida, rtol " << tolerances[k];
+    if (tolerances[k] >= 1e-8) {
+      EXPECT_LT(one_step[k].value(), one_step[k - 1].value() - digit) << "one_step, rtol " << tolerances[k];
+    }
+  }
+}
+
+TEST(HalfTheTolerance, HasASmallerError) {
+  // The mean over eight mechanisms of each family, with each halving from 1e-4 to 1e-8.
+  constexpr int kHalvings = 13;
+  for (const char* kind : {"one_step", "ida"}) {
+    std::vector<MeanError> errors(kHalvings + 1);
+    for (const Family family : test::kFamilies)
+      for (unsigned seed = 1; seed <= 8; ++seed) {
+        const Plan plan = test::random_mechanism(family, seed);
+        const Reference reference(plan);
+        double rtol = 1e-4;
+        for (MeanError& error : errors) {
+          error.add(reference.error(end_of(plan, kind, test::as_a_scene(rtol))), rtol);
+          rtol /= 2.0;
+        }
+      }
+    for (int k = 1; k <= kHalvings; ++k)
+      EXPECT_LT(errors[static_cast<std::size_t>(k)].value(), errors[static_cast<std::size_t>(k - 1)].value())
+          << kind << ", halving " << k;
+  }
 }
 
 TEST_P(RandomMechanisms, BothIntegratorsAgree) {
