@@ -11,6 +11,7 @@ struct Outcome {
   double error = 0.0;   // relative [-]
   double energy = 0.0;  // largest error of the energy balance [J]
   long steps = 0;
+  std::string told = {};  // what else the run shows
 };
 
 struct CheckedCase {

@@ -30,6 +30,7 @@ struct Verdict {
   bool reached = false, held = false;
   std::string figure;  // error over tolerance, or what the run said
   double energy = 0.0;
+  std::string told;
 };
 
 // One line of the table of a case.
@@ -45,7 +46,7 @@ Verdict print_run(const CheckedCase& mechanism, const std::string& integrator, d
     const double given = integrator == "ida" ? mechanism.held_ida : mechanism.held_one_step;
     const double held = given > 0.0 ? given : mechanism.goal;
     verdict = {out.error < mechanism.goal * rtol && energy, std::isinf(held) || (out.error < held * rtol && energy),
-               text, out.energy};
+               text, out.energy, out.told};
     std::printf("| %s | %g | %.1e | %s | %.1e | %ld | %.3f |\n", integrator.c_str(), rtol, out.error, text, out.energy,
                 out.steps, seconds);
   } catch (const std::exception& error) {
@@ -78,6 +79,9 @@ void print_case(const CheckedCase& mechanism, bool brief, Summary& summary) {
       const Verdict verdict = print_run(mechanism, kIntegrators[k], rtol);
       if (rtol == kJudged) judged[k] = verdict;
     }
+  for (int k = 0; k < 2; ++k)
+    if (!judged[k].told.empty()) std::printf("\n%s at %g: %s", kIntegrators[k], kJudged, judged[k].told.c_str());
+  if (!judged[0].told.empty()) std::printf("\n");
   char line[256];
   std::snprintf(line, sizeof line, "| %s | %g | %s | %s | %g | %.1e | %.1e | %s, %s |\n", mechanism.name.c_str(),
                 mechanism.goal, judged[0].figure.c_str(), judged[1].figure.c_str(), mechanism.energy, judged[0].energy,
