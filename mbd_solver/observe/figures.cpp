@@ -91,7 +91,7 @@ void FigureTaker::take(const Sample& sample) {
   const Model& model = subject_.mechanism.model;
   double forces = sample.rates.tail(subject_.layout.row_count).lpNorm<1>();
   for (int i = 0; i < model.body_count(); ++i) forces += model.body(i).mass() * subject_.scene.gravity.norm();
-  f.energy_noise = std::max(f.energy_noise, subject_.scene.solver.atol * forces);
+  f.energy_noise = std::max(f.energy_noise, subject_.scene.solver.atol_position() * forces);
 }
 
 }  // namespace footfall

@@ -32,8 +32,8 @@ IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains) {
   IntegratorOptions options;
   options.order = order_of(spec.method, with_grains);
   options.rtol = spec.rtol;
-  options.atol = spec.atol;
-  options.atol_velocity = 100.0 * spec.atol;
+  options.atol = spec.atol_position();
+  options.atol_velocity = spec.atol_velocity();
   options.max_step = spec.max_step;
   options.error_control = spec.error_control;
   options.projection = spec.drift == DriftKind::kProjection;

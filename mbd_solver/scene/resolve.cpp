@@ -71,6 +71,7 @@ void resolve_scene(Scene& scene, Findings& findings) {
   resolve_script_meshes(scene, findings);
   resolve_masses(scene, findings);
   resolve_box(scene, findings);
+  scene.solver.atol = scene.solver.atol_position();
   if (!scene.flexible) {
     for (BodySpec& body : scene.bodies) {
       if (body.flexible) body.flexible->enabled = false;

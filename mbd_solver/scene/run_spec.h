@@ -123,12 +123,16 @@ struct SolverSpec {
   IntegratorKind integrator = IntegratorKind::kOneStep;
   OneStepMethod method = OneStepMethod::kAuto;  // of one_step; auto: tr_bdf2 with grains, esdirk5 without
   double rtol = 1e-6;                           // [-]
-  double atol = 1e-8;                           // [m], [rad], [m/s] ...
+  std::optional<double> atol;                   // of positions [m, rad]; not given: a hundredth of rtol
   double max_step = 1e-3;                       // [s]; one step never crosses a window
   bool error_control = true;                    // one_step: false takes steps of max_step, whatever their error
   DriftKind drift = DriftKind::kProjection;
   double baumgarte_velocity = 100.0;  // alpha: ddPhi + 2 alpha dPhi + beta^2 Phi = 0 [1/s]
   double baumgarte_position = 100.0;  // beta [1/s]
+
+  // Absolute tolerances: with the relative one they say to how many digits metres and metres per second are asked for.
+  double atol_position() const { return atol.value_or(0.01 * rtol); }  // [m], [rad]
+  double atol_velocity() const { return 100.0 * atol_position(); }     // [m/s], [rad/s]
 };
 
 struct CouplingSpec {

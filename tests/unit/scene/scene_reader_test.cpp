@@ -243,11 +243,23 @@ TEST(SceneBase, ChangesAddsAndLeavesOut) {
   EXPECT_TRUE(changed.joints.empty());
 }
 
+TEST(SceneSettings, AbsoluteTolerancesFollowTheRelativeOne) {
+  const SceneText text;
+  const Scene usual = text.read(kPendulum), fine = text.read(kPendulum, {"solver.rtol=1e-9"}),
+              own = text.read(kPendulum, {"solver.rtol=1e-9", "solver.atol=1e-7"});
+  EXPECT_DOUBLE_EQ(usual.solver.atol_position(), 1e-8);
+  EXPECT_DOUBLE_EQ(usual.solver.atol_velocity(), 1e-6);
+  EXPECT_DOUBLE_EQ(fine.solver.atol_position(), 1e-11);
+  EXPECT_DOUBLE_EQ(own.solver.atol_position(), 1e-7);
+  EXPECT_DOUBLE_EQ(own.solver.atol_velocity(), 1e-5);
+}
+
 TEST(SceneJson, HoldsEveryDefaultAndResolvedNumber) {
   const SceneText text;
   const nlohmann::json json = nlohmann::json::parse(scene_json(text.read(kPendulum, {"bodies.bob.mass=3"})));
   EXPECT_EQ(json["bodies"][0]["mass"], 3.0);
   EXPECT_EQ(json["solver"]["rtol"], 1e-6);
+  EXPECT_EQ(json["solver"]["atol"], 1e-8);
   EXPECT_EQ(json["coupling"]["scheme"], "css-trapezoid");
   EXPECT_EQ(json["joints"][0]["point_b"], nlohmann::json({0.0, 0.0, 0.0}));
   EXPECT_TRUE(json["particles"].is_null());
