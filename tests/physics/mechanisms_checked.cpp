@@ -165,7 +165,10 @@ void print_head() {
       "hundredth of it; `max_step` does not limit. `one_step` is the default method without grains (`solver.method = "
       "\"auto\"`, fifth order). Times are processor times on one core of a shared machine: compare them within a "
       "table.\n\nWhat to take from it: the error at the end is a few times `rtol` on most mechanisms, and a tenth of "
-      "`rtol` costs a third to a half more steps. Where the table at the end says **no**, look at "
+      "`rtol` costs a third to a half more steps. Stops and dry friction have kinks, at which a step errs by more than "
+      "it "
+      "estimates: `one_step` may end some hundred tolerances off there, `ida` some ten, with more steps. Where the "
+      "table at the end says **no**, look at "
       "`energy_balance_relative` in the summary of a run, and try the other integrator.\n");
 }
 
