@@ -59,7 +59,8 @@ class Equations {
   // eps in F_lambda then acts on what lambda differs by from `expected`: F_lambda += eps expected, where no row rests.
   // eps lambda itself would be an acceleration that conditions are left with, of the sign of lambda: between projections
   // that takes energy, and the error of the end would have a floor that no tolerance lowers.
-  void expect_multipliers(const Eigen::Ref<const Eigen::VectorXd>& expected, Eigen::Ref<Eigen::VectorXd> F_lambda) const;
+  void expect_multipliers(const Eigen::Ref<const Eigen::VectorXd>& expected,
+                          Eigen::Ref<Eigen::VectorXd> F_lambda) const;
   const Eigen::SparseMatrix<double>& reduced_pattern() const;
   // out -= d[F_v; F_z; F_lambda]/dx dx, with the derivatives of the last Jacobian.
   // dx as v; out as [v; z; lambda].

@@ -130,7 +130,8 @@ int Ida::Sundials::residual(realtype time, N_Vector y, N_Vector ydot, N_Vector F
   const int flag = s.guarded([&] {
     s.equations.residual(time, view(y), view(ydot), *s.inputs_now, writable(F));
     const int rows = s.equations.layout().row_count;
-    s.equations.expect_multipliers(view(static_cast<IDAMem>(s.memory)->ida_yypredict).tail(rows), writable(F).tail(rows));
+    s.equations.expect_multipliers(view(static_cast<IDAMem>(s.memory)->ida_yypredict).tail(rows),
+                                   writable(F).tail(rows));
   });
   if (flag != 0) return flag;
   return view(F).allFinite() ? 0 : 1;

@@ -167,7 +167,8 @@ TEST_P(RandomMechanisms, ErrorOfBothIntegratorsFallsWithTheTolerance) {
   });
   const double digit = std::log10(4.0);
   for (std::size_t k = 1; k < tolerances.size(); ++k) {
-    EXPECT_LT(ida[k].value(), ida[k - 1].value() - digit * (tolerances[k] < 1e-8 ? 1.3 : 1.0)) << "ida, rtol " << tolerances[k];
+    EXPECT_LT(ida[k].value(), ida[k - 1].value() - digit * (tolerances[k] < 1e-8 ? 1.3 : 1.0))
+        << "ida, rtol " << tolerances[k];
     if (tolerances[k] >= 1e-8) {
       EXPECT_LT(one_step[k].value(), one_step[k - 1].value() - digit) << "one_step, rtol " << tolerances[k];
     }
