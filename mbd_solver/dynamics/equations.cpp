@@ -217,13 +217,6 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
   }
 }
 
-void Equations::expect_multipliers(const Eigen::Ref<const Eigen::VectorXd>& expected,
-                                   Eigen::Ref<Eigen::VectorXd> F_lambda) const {
-  const Workspace& w = *work_;
-  for (int row = 0; row < layout_.row_count; ++row)
-    if (w.regularisation[row] == w.eps[row]) F_lambda[row] += w.eps[row] * expected[row];
-}
-
 void Equations::pack(const State& state, const Eigen::Ref<const Eigen::VectorXd>& lambda,
                      Eigen::Ref<Eigen::VectorXd> y) const {
   y << state.q, state.v, state.z, lambda;

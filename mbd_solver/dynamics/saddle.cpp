@@ -17,10 +17,6 @@ constexpr double kDependent = 1e-4;
 constexpr double kIndependent = 1e-8;
 // Other rows are chosen to rest when a combination is larger than this; its own row counts 1.
 constexpr double kTooLarge = 30.0;
-// delta of make_smallest(), and how often it is refined: what delta leaves falls by delta each time.
-constexpr double kSoft = 1e-8;
-constexpr int kRefinements = 2;
-
 std::string at_time(double t) { return "t = " + std::to_string(t) + " s: "; }
 
 }  // namespace
@@ -168,43 +164,6 @@ void Equations::fill_saddle(double t, double mass, const Eigen::VectorXd& diagon
     values[w.saddle_diagonal[row]] -= diagonal[static_cast<Eigen::Index>(row)];
 }
 
-// force += sign Phi_v^T lambda, with the Phi_v of the last fill_saddle().
-void Equations::add_reaction(const Eigen::Ref<const Eigen::VectorXd>& lambda, double sign,
-                             Eigen::Ref<Eigen::VectorXd> force) const {
-  const Workspace& w = *work_;
-  const int* outer = w.saddle.outerIndexPtr();
-  const int* inner = w.saddle.innerIndexPtr();
-  const double* values = w.saddle.valuePtr();
-  for (int row = 0; row < layout_.row_count; ++row) {
-    for (int k = outer[layout_.v_size + row]; k < outer[layout_.v_size + row + 1]; ++k)
-      if (inner[k] < layout_.v_size) force[inner[k]] += sign * values[k] * lambda[row];
-  }
-}
-
-// min sum (s_i lambda_i)^2 for a given Phi_v^T lambda = f:  [delta M, Phi_v^T; Phi_v, -s^2] [a; lambda] = [f; 0], delta -> 0
-void Equations::make_smallest(double t, Eigen::Ref<Eigen::VectorXd> lambda) {
-  Workspace& w = *work_;
-  if (w.redundancies.empty()) return;
-  fill_saddle(t, kSoft, w.smallest_size);
-  if (!w.smallest_lu->factor()) return;  // lambda stays one that holds
-  w.reaction.setZero();
-  add_reaction(lambda, 1.0, w.reaction);
-  lambda.setZero();
-  for (int i = 0; i <= kRefinements; ++i) {
-    w.rest_x.head(layout_.v_size) = w.reaction;
-    w.rest_x.tail(layout_.row_count).setZero();
-    w.smallest_lu->solve(w.rest_x);
-    lambda += w.rest_x.tail(layout_.row_count);
-    add_reaction(w.rest_x.tail(layout_.row_count), -1.0, w.reaction);
-  }
-}
-
-void Equations::smallest_multipliers(const State& state, Eigen::Ref<Eigen::VectorXd> lambda) {
-  if (work_->redundancies.empty()) return;
-  load(state);
-  make_smallest(state.time, lambda);
-}
-
 // With what eps leaves of phi'', eps lambda, taken back once.
 void Equations::solve_saddle() {
   Workspace& w = *work_;
@@ -213,22 +172,6 @@ void Equations::solve_saddle() {
   expect_multipliers(w.saddle_x.tail(layout_.row_count), w.rest_x.tail(layout_.row_count));
   w.saddle_lu->solve(w.rest_x);
   w.saddle_x -= w.rest_x;
-}
-
-// a = 0 and lambda = 0 where rows rest solve  [M, Phi_v^T; Phi_v, -eps] [a; lambda] = [Phi_v^T lambda; 0].
-void Equations::rest_multipliers(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
-                                 Eigen::Ref<Eigen::VectorXd> lambda) {
-  Workspace& w = *work_;
-  if (w.redundancies.empty()) return;
-  w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size), w.empty);
-  w.kinematics.load_turns(layout_, y.segment(layout_.z0(), layout_.z_size));
-  fill_saddle(t, 1.0, w.regularisation);
-  w.saddle_factored = w.saddle_lu->factor();
-  if (!w.saddle_factored) return;
-  w.rest_x.setZero();
-  add_reaction(lambda, 1.0, w.rest_x.head(layout_.v_size));
-  w.saddle_lu->solve(w.rest_x);
-  lambda = w.rest_x.tail(layout_.row_count);
 }
 
 void Equations::accelerations(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> out) {
