@@ -19,7 +19,7 @@ rig() {
   local folder=$1 name=$2 option words=(); shift 2
   "$footfall" rig "$name" --out "$out/$folder" "${few[@]}" "$@" >&2
   for option in "$@"; do [[ $option == *['[" ']* ]] && words+=("'$option'") || words+=("$option"); done
-  echo "\`footfall rig $name ${words[*]}\`:"
+  echo "\`footfall rig $name${words[*]:+ ${words[*]}}\`:"
   sed -e '/^## /d' -e '/^Made by/d' "$out/$folder/$name.md" | cat -s
 }
 sweep() { "$footfall" sweep "$1" --out "$2" "${few[@]}" >&2; echo "\`footfall sweep $1\`:"; echo; }
@@ -39,7 +39,7 @@ part_plate() { rig plate plate --samples 2; }
 part_shear() { rig shear shear --samples 2; }
 part_repose() { rig repose repose --samples 2; }
 part_cone() { rig cone cone --samples 2; }
-part_box() { sweep inputs/rigs/box.toml "$out/box"; inputs/rigs/box.sh "$out/box"; cp "$out/box/shear.png" docs/soil_laws_box.png; }
+part_box() { rig box box; cp "$out/box/box.png" docs/soil_laws_box.png; }
 # NAME: columns of inputs/laws/NAME.toml, table and picture.
 columns() {
   sweep "inputs/laws/$1.toml" "$out/$1"

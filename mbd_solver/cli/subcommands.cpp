@@ -271,7 +271,9 @@ constexpr Subcommand kSubcommands[] = {
     {"surfaces", "Draw the control surfaces of a scene's fuzzy controllers", surfaces},
     {"sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted", sweep},
     {"calibrate", "Find the parameters with which runs meet targets, and how far targets determine them", calibrate},
-    {"rig", "Measure a bed of grains with an instrument: plate, cone, wheel, shear ring, slope, sphere, drawn plate",
+    {"rig",
+     "Measure a bed of grains with an instrument: plate, cone, wheel, shear ring, shear box, slope, sphere, drawn "
+     "plate",
      rig},
     {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},
     {"audit", "Check that what grains lose mechanism and walls get: momentum and energy, window by window", audit},

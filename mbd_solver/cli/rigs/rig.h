@@ -60,6 +60,7 @@ RigSample evaluate_plate(const std::vector<RigRun>& runs);
 RigSample evaluate_cone(const std::vector<RigRun>& runs);
 RigSample evaluate_wheel(const std::vector<RigRun>& runs);
 RigSample evaluate_shear(const std::vector<RigRun>& runs);
+RigSample evaluate_box(const std::vector<RigRun>& runs);
 RigSample evaluate_repose(const std::vector<RigRun>& runs);
 RigSample evaluate_sphere(const std::vector<RigRun>& runs);
 RigSample evaluate_rft(const std::vector<RigRun>& runs);

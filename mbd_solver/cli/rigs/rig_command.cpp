@@ -36,13 +36,18 @@ void demand_free(const ExperimentSpec& spec, const std::vector<std::string>& set
                                                  : "copy " + spec.file + ", edit it, and give it by --file"));
 }
 
-// So many samples of the bed: those of the file's one ensemble, with 1, 2, 3 ... for values.
+// So many samples of the bed: the first ones of the file's one ensemble. Where those are 1, 2, 3 ... there are more.
 void take_samples(ExperimentSpec& spec, int samples) {
   for (ParameterSpec& parameter : spec.parameters) {
     if (!parameter.ensemble || parameter.settings.empty()) continue;
-    parameter.choices.clear();
-    for (int k = 1; k <= samples; ++k)
-      parameter.choices.push_back({std::to_string(k), "", filled(parameter.settings, std::to_string(k))});
+    std::vector<ChoiceSpec>& choices = parameter.choices;
+    const int given = static_cast<int>(choices.size());
+    if (samples > given && choices.back().name != std::to_string(given))
+      throw InputError("--samples " + std::to_string(samples) + ": " + spec.file + " names " + std::to_string(given) +
+                       " values of its \"" + parameter.name + "\"; copy it, add values, and give it by --file");
+    for (int k = given + 1; k <= samples; ++k)
+      choices.push_back({std::to_string(k), "", filled(parameter.settings, std::to_string(k))});
+    choices.resize(static_cast<std::size_t>(samples));
     parameter.short_choices = parameter.choices;
     return;
   }
@@ -58,7 +63,8 @@ void add_checks(Plan& plan, const Rig& rig, bool wanted) {
     const RunRequest run = plan.runs[i];
     const Scene scene = read_scene(run.scene, run.settings);
     if (!scene.particles || !scene.particles->box)
-      throw InputError(run.scene + ": a rig needs a bed by [particles.box]");
+      throw InputError("--checks: the bed of " + run.scene +
+                       " comes from a script; bed and grains of [particles.box] are what checks change");
     for (const RigCheck& check : checks_of(scene, rig.slow)) {
       RunRequest again = run;
       again.name = check.name;
