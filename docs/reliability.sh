@@ -161,7 +161,7 @@ sanitizers() {
   made_at=$(sed -n 's/.*; at //p' "${lines[@]}" | sort -u | paste -sd, | sed 's/,/, /g')
   # NAME, WHAT (BY WHAT): FIGURES; at COMMIT
   for name in $(basename -s .line "${lines[@]}"); do
-    line=$(sed 's/; at .*//' "build-sanitize/$name.line") said=${line#*: } code=0
+    line=$(cat "build-sanitize/$name.line") said=${line#*: } code=0
     grep -q '[1-9][0-9]* failed\|[1-9][0-9]* findings\|[1-9][0-9]* reports\|[1-9][0-9]* places\|failed:' <<<"$said" && failed
     line=${line%%:*}
     echo "| ${line#*, }: $name | $said | no finding; what is left out has its reason in \`tests/sanitize/left_out.txt\` | $(verdict $code) | \`tests/sanitize/run.sh $name\` |"
