@@ -1,6 +1,7 @@
 // mbd_solver/integrator/integrator.h, Rows. States on the way: what a row costs, how close it is to a step that ends there, and what it keeps.
 
 #include <cmath>
+#include <ostream>
 #include <vector>
 
 #include "tests/unit/dynamics/run.h"
@@ -30,6 +31,7 @@ struct Case {
   const char* kind;
   int order;
 };
+void PrintTo(const Case& way, std::ostream* out) { *out << way.kind << ", order " << way.order; }
 
 class Way : public ::testing::TestWithParam<Case> {
  protected:
