@@ -7,8 +7,11 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/scene/read_apart.h"
@@ -21,11 +24,18 @@ namespace {
 constexpr double kWeldTolerance = 1e-6;
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
 constexpr std::size_t kMostTriangles = 100000;
+constexpr int kMostHeadLines = 1000;  // of a PLY file
 
-void check_format(const std::string& file) {
+// With its dot, in small letters.
+std::string extension_of(const std::string& file) {
   std::string extension = std::filesystem::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+void check_format(const std::string& file) {
+  const std::string extension = extension_of(file);
   if (extension != ".stl" && extension != ".obj" && extension != ".ply")
     throw InputError(file + ": a mesh file ends in .stl, .obj or .ply, not in \"" + extension + "\"");
   std::error_code ignored;
@@ -48,6 +58,24 @@ void demand_affordable(const std::string& file, std::size_t triangles) {
   if (triangles > kMostTriangles)
     throw InputError(file + ": has " + std::to_string(triangles) + " triangles, expected at most " +
                      std::to_string(kMostTriangles) + ": every node costs in every step; use a coarser mesh");
+}
+
+// A PLY file says in its head how many elements follow. The library reserves them all before it looks; each takes a byte at least.
+void demand_elements_fit(const std::string& file, std::uintmax_t bytes) {
+  if (extension_of(file) != ".ply") return;
+  std::ifstream in(file);
+  std::string line, word;
+  for (int number = 1; number <= kMostHeadLines && std::getline(in, line) && line.rfind("end_header", 0) != 0;
+       ++number) {
+    if (line.rfind("element", 0) != 0) continue;
+    std::istringstream words(line.substr(std::strlen("element")));
+    while (words >> word) {
+      const double count = std::strtod(word.c_str(), nullptr);
+      if (count > static_cast<double>(bytes))
+        throw InputError(file + ":" + std::to_string(number) + ": promises " + word + " elements in a file of " +
+                         std::to_string(bytes) + " bytes; is it damaged?");
+    }
+  }
 }
 
 // As the library reads it, each triangle with corners of its own or not.
@@ -105,7 +133,9 @@ std::vector<Vector> from_bytes(const std::string& bytes, std::size_t& at) {
 
 TriangleMesh read_mesh(const std::string& file, double scale) {
   check_format(file);
-  const std::string bytes = read_apart(file, checked_size(file), [&] {
+  const std::uintmax_t size = checked_size(file);
+  demand_elements_fit(file, size);
+  const std::string bytes = read_apart(file, size, [&] {
     const TriangleMesh raw = read_raw(file);
     return as_bytes(raw.vertices) + as_bytes(raw.triangles);
   });

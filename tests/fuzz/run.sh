@@ -2,10 +2,13 @@
 # run.sh [SECONDS [NAME...]]: each target with libFuzzer for so many seconds (default 60; an hour each: run.sh 3600), in a build of its own (build-fuzz) with clang.
 # Undefined behaviour is a finding as a crash is (pointer-overflow excepted: Eigen adds an offset to the null pointer of an empty matrix).
 # What is new goes to build-fuzz/corpus; findings to build-fuzz/findings. A finding that is mended is copied to tests/fuzz/corpus/NAME, where the tests replay it.
-# What each came to is kept as a line in build-fuzz/findings/NAME.line; docs/reliability.sh makes its page of these.
+# What each go came to is added to a ledger: NAME INPUTS SECONDS FINDINGS COMMIT DATE, a line for each commit and day; the seconds are those of a processor, so
+# that an hour may be made of many goes on machines that do other things as well. docs/reliability.sh makes its page of docs/fuzzed.txt.
+#   LEDGER    (default build-fuzz/fuzzed.txt)
 #   JOBS      targets at once (default 1)
 #   BUILT=1   takes the targets as they are built
 set -euo pipefail
+TIMEFORMAT='%U %S'
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 seconds=${1:-60}; shift || true
@@ -19,18 +22,29 @@ if [[ ! -f $build/build.ninja ]]; then
 fi
 if [[ -z ${BUILT-} ]]; then
   cmake --build "$build" --target "${names[@]/#/libfuzzer_}"
-  echo "$(git -C "$root" rev-parse --short HEAD 2>/dev/null || echo "no commit") ($(date +%F))" >"$build/commit"
+  echo "$(git -C "$root" rev-parse --short HEAD 2>/dev/null || echo none) $(date +%F)" >"$build/commit"
 fi
+[[ -w /dev/shm ]] && export TMPDIR=/dev/shm  # every input is a file
+ledger=${LEDGER:-$build/fuzzed.txt}
+keep() { # NAME INPUTS SECONDS FINDINGS
+  (
+    flock 9
+    { cat "$ledger" 2>/dev/null || true; echo "$* $(cat "$build/commit")"; } |
+      awk '{ k = $1 " " $5 " " $6; n[k] += $2; s[k] += $3; f[k] += $4 } END { for (k in n) { split(k, w, " "); print w[1], n[k], s[k], f[k], w[2], w[3] } }' |
+      sort -k1,1 -k6,6 -k5,5 >"$ledger.new" && mv "$ledger.new" "$ledger"
+  ) 9>"$build/ledger.lock"
+}
 one() {
   local name=$1
   mkdir -p "$build/corpus/$name" "$build/findings/$name"
   # Files larger than 64 kB say nothing new; a reader that needs 10 s for one hangs.
   # On the clock on the wall, which runs on where the machine does something else: an input counts as a finding when it needs 10 s of processor time.
-  local failed=0 end=$((SECONDS + seconds)) late done_now runs=0 log=$build/findings/$name.log
+  local failed=0 end=$((SECONDS + seconds)) late done_now runs=0 spent=0 log=$build/findings/$name.log
   : >"$log.all"
   while ((end - SECONDS > 0)); do
     rm -f "$build/findings/$name"/timeout-*
-    fuzz_once "$name" $((end - SECONDS)) || failed=1
+    { time fuzz_once "$name" $((end - SECONDS)) || failed=1; } 2>"$log.time"
+    spent=$(awk -v so_far="$spent" '{ print so_far + $1 + $2 }' "$log.time")
     done_now=$(sed -n 's/^#\([0-9]*\).*/\1/p; s/^Done \([0-9]*\) .*/\1/p' "$log" | tail -n 1)
     runs=$((runs + ${done_now:-0}))
     cat "$log" >>"$log.all"
@@ -43,7 +57,8 @@ one() {
     "$build/bin/libfuzzer_$name" "$(find "$build/findings/$name" -type f -printf '%T@ %p\n' | sort -n | tail -n 1 | cut -d ' ' -f 2-)" >>"$log" 2>&1 || true
     echo "$name: a finding, see $log"
   fi
-  echo "$name: $runs runs in $seconds s$( ((failed)) && grep -a '^SUMMARY' "$log" | tail -n 1 | sed 's/^/, /'); at $(cat "$build/commit")" | tee "$build/findings/$name.line"
+  keep "$name" "$runs" "${spent%.*}" "$failed"
+  echo "$name: $runs inputs in $spent s$( ((failed)) && grep -a '^SUMMARY' "$log" | tail -n 1 | sed 's/^/, /')"
   return $failed
 }
 quietly() { "$@" >/dev/null 2>&1; }
