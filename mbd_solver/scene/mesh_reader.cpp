@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -156,7 +157,10 @@ TriangleMesh read_mesh(const std::string& file, double scale) {
       throw InputError(file + ": vertex " + std::to_string(i) + " has a coordinate that is no number");
     box.extend(mesh.vertices[i]);
   }
-  return welded(mesh, kWeldTolerance * box.diagonal().norm());
+  const double across = box.diagonal().norm();
+  if (!(kWeldTolerance * across > 0.0 && std::isfinite(across)))
+    throw InputError(file + ": is " + std::to_string(across) + " m across, expected a surface with an extent");
+  return welded(mesh, kWeldTolerance * across);
 }
 
 }  // namespace footfall

@@ -57,6 +57,21 @@ TEST(MeshReader, ReadsTheSameSquareFromStlObjAndPly) {
   }
 }
 
+TEST(MeshReader, RefusesASurfaceWithoutExtent) {
+  const SceneText text;
+  const std::string file = text.write("point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n");
+  EXPECT_THAT([&] { read_mesh(file, 1.0); }, ThrowsMessage<InputError>(HasSubstr("expected a surface with an extent")));
+}
+
+TEST(MeshReader, RefusesMoreElementsThanTheFileHasBytes) {
+  const SceneText text;
+  std::string ply = kPly;
+  ply.replace(ply.find("vertex 4"), 8, "vertex 400000000");
+  const std::string file = text.write("promises.ply", ply);
+  EXPECT_THAT([&] { read_mesh(file, 1.0); },
+              ThrowsMessage<InputError>(HasSubstr("promises.ply:3: promises 400000000 elements")));
+}
+
 TEST(MeshReader, ReadsBinaryStl) {
   std::string data(80, ' ');
   const auto append = [&](const auto& value) { data.append(reinterpret_cast<const char*>(&value), sizeof value); };
