@@ -30,8 +30,8 @@ keep() { # NAME INPUTS SECONDS FINDINGS
   (
     flock 9
     { cat "$ledger" 2>/dev/null || true; echo "$* $(cat "$build/commit")"; } |
-      awk '{ k = $1 " " $5 " " $6; n[k] += $2; s[k] += $3; f[k] += $4 } END { for (k in n) { split(k, w, " "); print w[1], n[k], s[k], f[k], w[2], w[3] } }' |
-      sort -k1,1 -k6,6 -k5,5 >"$ledger.new" && mv "$ledger.new" "$ledger"
+      awk '{ k = $1 " " $5 " " $6; if (!(k in n)) order[++lines] = k; n[k] += $2; s[k] += $3; f[k] += $4 }
+           END { for (i = 1; i <= lines; ++i) { k = order[i]; split(k, w, " "); print w[1], n[k], s[k], f[k], w[2], w[3] } }' >"$ledger.new" && mv "$ledger.new" "$ledger"
   ) 9>"$build/ledger.lock"
 }
 one() {
