@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# run.sh [SECONDS [NAME...]]: each target with libFuzzer for so many seconds (default 60; an hour each: run.sh 3600), in a build of its own (build-fuzz) with clang.
+# run.sh [SECONDS [KIND...]]: each kind of input with libFuzzer for so many seconds (default 60; an hour each: run.sh 3600), in a build of its own (build-fuzz) with
+# clang. Readers of one kind share its time. A target's own name does as well.
 # Undefined behaviour is a finding as a crash is (pointer-overflow excepted: Eigen adds an offset to the null pointer of an empty matrix).
 # What is new goes to build-fuzz/corpus; findings to build-fuzz/findings. A finding that is mended is copied to tests/fuzz/corpus/NAME, where the tests replay it.
 # What each go came to is added to a ledger: NAME INPUTS SECONDS FINDINGS COMMIT DATE, a line for each commit and day; the seconds are those of a processor, so
 # that an hour may be made of many goes on machines that do other things as well. docs/reliability.sh makes its page of docs/fuzzed.txt.
 #   LEDGER    (default build-fuzz/fuzzed.txt)
 #   JOBS      targets at once (default 1)
+#   SEED      the same inputs every time, as many as there is time for (default: others every time)
 #   BUILT=1   takes the targets as they are built
 set -euo pipefail
 TIMEFORMAT='%U %S'
@@ -13,9 +15,19 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 seconds=${1:-60}; shift || true
 build=$root/build-fuzz
-command -v clang++ >/dev/null || { echo "run.sh: clang++ is missing (a Debian package: clang)"; exit 2; }
-names=("$@")
-((${#names[@]})) || names=(messages fll summary history modal mtx two_columns mesh_stl mesh_obj mesh_ply experiment scene calibration start checkpoint bed)
+echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, long) { return 0; }' | clang++ -x c++ -fsanitize=fuzzer - -o /dev/null 2>/dev/null ||
+  { echo "run.sh: clang++ or its libFuzzer is missing (Debian packages: clang libclang-rt-dev)"; exit 2; }
+declare -A targets=([scene]=scene [experiment]="experiment calibration" [fll]=fll [mesh]="mesh_stl mesh_obj mesh_ply" [mtx]=mtx [modal]=modal
+  [csv]="two_columns history" [read_back]="summary start" [checkpoint]=checkpoint [bed]=bed [messages]=messages)
+kinds=("$@")
+((${#kinds[@]})) || kinds=(messages fll mesh read_back csv modal mtx experiment scene checkpoint bed)
+names=()
+for kind in "${kinds[@]}"; do names+=(${targets[$kind]-$kind}); done
+share() { # TARGET: its seconds
+  local kind of=1
+  for kind in "${kinds[@]}"; do [[ " ${targets[$kind]-} " == *" $1 "* ]] && of=$(wc -w <<<"${targets[$kind]}"); done
+  echo $(((seconds + of - 1) / of))
+}
 if [[ ! -f $build/build.ninja ]]; then
   CXX=clang++ CC=clang cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Fuzz -DFOOTFALL_FUZZ=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
     -DCMAKE_CXX_FLAGS="-O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -fno-sanitize=pointer-overflow -DFOOTFALL_SANITIZED -w" >/dev/null
@@ -35,7 +47,8 @@ keep() { # NAME INPUTS SECONDS FINDINGS
   ) 9>"$build/ledger.lock"
 }
 one() {
-  local name=$1
+  local name=$1 seconds
+  seconds=$(share "$1")
   mkdir -p "$build/corpus/$name" "$build/findings/$name"
   # Files larger than 64 kB say nothing new; a reader that needs 10 s for one hangs.
   # On the clock on the wall, which runs on where the machine does something else: an input counts as a finding when it needs 10 s of processor time.
@@ -66,7 +79,7 @@ quietly() { "$@" >/dev/null 2>&1; }
 # memory at once than outside of the sanitizers.
 fuzz_once() { # NAME SECONDS
   local name=$1
-  ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1:max_allocation_size_mb=1024:symbolize=0 UBSAN_OPTIONS=print_stacktrace=1 "$build/bin/libfuzzer_$name" -max_total_time="$2" -max_len=65536 \
+  ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1:max_allocation_size_mb=1024:symbolize=0 UBSAN_OPTIONS=print_stacktrace=1 "$build/bin/libfuzzer_$name" -max_total_time="$2" -seed="${SEED:-0}" -max_len=65536 \
     -timeout=10 -rss_limit_mb=4096 -artifact_prefix="$build/findings/$name/" "$build/corpus/$name" "$here/corpus/$name" \
     >"$build/findings/$name.log" 2>&1
 }
