@@ -3,7 +3,7 @@
 # clang. Readers of one kind share its time. A target's own name does as well.
 # Undefined behaviour is a finding as a crash is (pointer-overflow excepted: Eigen adds an offset to the null pointer of an empty matrix).
 # What is new goes to build-fuzz/corpus; findings to build-fuzz/findings. A finding that is mended is copied to tests/fuzz/corpus/NAME, where the tests replay it.
-# What each go came to is added to a ledger: NAME INPUTS SECONDS FINDINGS COMMIT DATE, a line for each commit and day; the seconds are those of a processor, so
+# What each go came to is added to a ledger: KIND NAME INPUTS SECONDS FINDINGS COMMIT DATE, a line for each commit and day; the seconds are those of a processor, so
 # that an hour may be made of many goes on machines that do other things as well. docs/reliability.sh makes its page of docs/fuzzed.txt.
 #   LEDGER    (default build-fuzz/fuzzed.txt)
 #   JOBS      targets at once (default 1)
@@ -38,12 +38,16 @@ if [[ -z ${BUILT-} ]]; then
 fi
 [[ -w /dev/shm ]] && export TMPDIR=/dev/shm  # every input is a file
 ledger=${LEDGER:-$build/fuzzed.txt}
+kind_of() { # TARGET
+  local kind
+  for kind in "${!targets[@]}"; do [[ " ${targets[$kind]} " != *" $1 "* ]] || echo "$kind"; done
+}
 keep() { # NAME INPUTS SECONDS FINDINGS
   (
     flock 9
-    { cat "$ledger" 2>/dev/null || true; echo "$* $(cat "$build/commit")"; } |
-      awk '{ k = $1 " " $5 " " $6; if (!(k in n)) order[++lines] = k; n[k] += $2; s[k] += $3; f[k] += $4 }
-           END { for (i = 1; i <= lines; ++i) { k = order[i]; split(k, w, " "); print w[1], n[k], s[k], f[k], w[2], w[3] } }' >"$ledger.new" && mv "$ledger.new" "$ledger"
+    { cat "$ledger" 2>/dev/null || true; echo "$(kind_of "$1") $* $(cat "$build/commit")"; } |
+      awk '{ k = $1 " " $2 " " $6 " " $7; if (!(k in n)) order[++lines] = k; n[k] += $3; s[k] += $4; f[k] += $5 }
+           END { for (i = 1; i <= lines; ++i) { k = order[i]; split(k, w, " "); print w[1], w[2], n[k], s[k], f[k], w[3], w[4] } }' >"$ledger.new" && mv "$ledger.new" "$ledger"
   ) 9>"$build/ledger.lock"
 }
 one() {
