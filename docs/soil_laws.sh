@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-all=(rft rft_smooth sphere walls janssen janssen_drawn footpad plate shear box repose cone)
+all=(rft rft_smooth rft_long sphere walls janssen janssen_drawn footpad plate shear box repose cone)
 parts=("${@:2}")
 ((${#parts[@]})) || parts=("${all[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -25,19 +25,23 @@ rig() {
 sweep() { "$footfall" sweep "$1" --out "$2" "${few[@]}" >&2; echo "\`footfall sweep $1\`:"; echo; }
 
 part_rft() { rig rft rft --samples 1; cp "$out/rft/rft.png" docs/soil_laws_rft.png; }
-part_rft_smooth() {
-  rig rft_smooth rft --samples 1 --set particles.box.bodies.friction=0.27
+# The smooth plate, and its stresses by depth. PART OPTIONS...
+rft_by_depth() {
+  local part=$1; shift
+  rig "$part" rft --samples 1 --set particles.box.bodies.friction=0.27 "$@"
   echo
   echo "By depth, from the same runs (\`docs/soil_laws/rft_depths.awk\`; alpha in N/cm^3, means over the six plates):"
   echo
-  awk -f $laws/rft_depths.awk "$out"/rft_smooth/runs/*/history.csv
-  cp "$out/rft_smooth/rft.png" docs/soil_laws_rft_smooth.png
+  awk -f $laws/rft_depths.awk "$out/$part"/runs/*/history.csv
+  cp "$out/$part/rft.png" "docs/soil_laws_$part.png"
 }
-part_sphere() { rig sphere sphere --samples 2; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
+part_rft_smooth() { rft_by_depth rft_smooth; }
+part_rft_long() { rft_by_depth rft_long --set 'particles.box.size=[0.62,0.2]' --set 'particles.box.centre=[0.1,0]'; }
+part_sphere() { rig sphere sphere --samples 10; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
 part_walls() { sweep inputs/laws/walls.toml "$out/walls"; grep "^[|]" "$out/walls/cases.md"; }
 part_plate() { rig plate plate --samples 2; }
 part_shear() { rig shear shear --samples 2; }
-part_repose() { rig repose repose --samples 2; }
+part_repose() { rig repose repose --samples 5; }
 part_cone() { rig cone cone --samples 2; }
 part_box() { rig box box; cp "$out/box/box.png" docs/soil_laws_box.png; }
 # NAME: columns of inputs/laws/NAME.toml, table and picture.
@@ -83,7 +87,7 @@ part_of_page() {
 }
 {
   cat $laws/head.txt
-  for part in rft rft_smooth sphere walls janssen janssen_drawn footpad; do part_of_page $part; done
+  for part in rft rft_smooth rft_long sphere walls janssen janssen_drawn footpad; do part_of_page $part; done
   cat $laws/rigs.txt
   for part in plate shear box repose cone; do
     [[ ! -f $laws/made/$part.txt ]] || { echo "### $part"; echo; part_of_page $part; }

@@ -51,12 +51,12 @@ keep() { # NAME INPUTS SECONDS FINDINGS
   ) 9>"$build/ledger.lock"
 }
 one() {
-  local name=$1 seconds
-  seconds=$(share "$1")
+  local name=$1 mine
+  mine=$(share "$1")
   mkdir -p "$build/corpus/$name" "$build/findings/$name"
   # Files larger than 64 kB say nothing new; a reader that needs 10 s for one hangs.
   # On the clock on the wall, which runs on where the machine does something else: an input counts as a finding when it needs 10 s of processor time.
-  local failed=0 end=$((SECONDS + seconds)) late done_now runs=0 spent=0 log=$build/findings/$name.log
+  local failed=0 end=$((SECONDS + mine)) late done_now runs=0 spent=0 log=$build/findings/$name.log
   : >"$log.all"
   while ((end - SECONDS > 0)); do
     rm -f "$build/findings/$name"/timeout-*
