@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-all=(rft rft_smooth rft_long sphere walls janssen janssen_drawn footpad plate shear box repose cone)
+all=(rft rft_smooth rft_long sphere walls janssen janssen_drawn footpad wheel_scaling plate shear box repose cone)
 parts=("${@:2}")
 ((${#parts[@]})) || parts=("${all[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -66,6 +66,10 @@ part_footpad() {
   sweep inputs/laws/footpad.toml "$out/footpad"
   awk -f $laws/student.awk -f $laws/footpad.awk "$out"/footpad/runs/*/history.csv
 }
+part_wheel_scaling() {
+  sweep inputs/laws/wheel_scaling.toml "$out/wheel_scaling"
+  awk -f $laws/student.awk -f $laws/wheel_scaling.awk "$out"/wheel_scaling/runs/*/history.csv
+}
 
 made=$(mktemp -d)
 trap 'rm -rf "$made"' EXIT
@@ -87,7 +91,7 @@ part_of_page() {
 }
 {
   cat $laws/head.txt
-  for part in rft rft_smooth rft_long sphere walls janssen janssen_drawn footpad; do part_of_page $part; done
+  for part in rft rft_smooth rft_long sphere walls janssen janssen_drawn footpad wheel_scaling; do part_of_page $part; done
   cat $laws/rigs.txt
   for part in plate shear box repose cone; do
     [[ ! -f $laws/made/$part.txt ]] || { echo "### $part"; echo; part_of_page $part; }
