@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/cli/rigs/rig_checks.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {
@@ -49,6 +50,7 @@ struct Rig {
   RigSample (*evaluate)(const std::vector<RigRun>& runs);
   bool slow = true;  // its speed is no subject: half of it is a check
   std::vector<RigClaim> claims;
+  std::vector<RigCheck> (*checks)(const Scene& scene, bool slow) = checks_of;
 };
 
 // All of them; throws InputError for a name that none has.

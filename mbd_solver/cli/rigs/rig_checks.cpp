@@ -2,6 +2,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/cli/experiments/table.h"
 
 namespace footfall {
 
@@ -22,17 +23,11 @@ std::string slower(std::vector<double> polynomial) {
   return list_text(polynomial, 1.0);
 }
 
-}  // namespace
-
-std::vector<RigCheck> checks_of(const Scene& scene, bool slow) {
-  const BoxSpec& box = *scene.particles->box;
-  std::vector<RigCheck> checks = {{"double box",
-                                   {"particles.box.size=" + list_text(box.size, 2.0),
-                                    "particles.box.depth=" + number_text(2.0 * box.depth, kRigDigits)}},
-                                  {"half grains", {"particles.box.radius=" + list_text(box.radius, 0.5)}}};
-  if (!slow) return checks;
+RigCheck half_speed(const Scene& scene) {
   RigCheck half{"half speed", {"end_time=" + number_text(2.0 * scene.end_time, kRigDigits)}};
-  if (box.frames > 0.0) half.settings.push_back("particles.box.frames=" + number_text(2.0 * box.frames, kRigDigits));
+  const bool box = scene.particles && scene.particles->box;
+  if (box && scene.particles->box->frames > 0.0)
+    half.settings.push_back("particles.box.frames=" + number_text(2.0 * scene.particles->box->frames, kRigDigits));
   for (const JointSpec& joint : scene.joints) {
     if (!joint.motion) continue;
     const MotionSpec& motion = *joint.motion;
@@ -47,7 +42,66 @@ std::vector<RigCheck> checks_of(const Scene& scene, bool slow) {
         half.settings.push_back("joints." + joint.name + ".motion." + key + ".polynomial=" + slower(f->polynomial));
     }
   }
-  checks.push_back(half);
+  return half;
+}
+
+std::string times(const Eigen::Vector3d& v, double factor) { return list_text({v.x(), v.y(), v.z()}, factor); }
+
+// "KEY.NAME=" factor times the variable of a script.
+std::string times(const std::string& key, const std::map<std::string, std::string>& variables, const std::string& name,
+                  double factor) {
+  const auto variable = variables.find(name);
+  const std::optional<double> value = variable == variables.end() ? std::nullopt : number_in(variable->second);
+  if (!value) throw InputError("--checks: " + key + "." + name + " is not given as a number, and the checks change it");
+  return key + "." + name + "=" + number_text(factor * *value, kRigDigits);
+}
+
+}  // namespace
+
+std::vector<RigCheck> checks_of(const Scene& scene, bool slow) {
+  if (!scene.particles || !scene.particles->box)
+    throw InputError("--checks: the bed of " + scene.file +
+                     " comes from a script; bed and grains of [particles.box] are what checks change");
+  const BoxSpec& box = *scene.particles->box;
+  std::vector<RigCheck> checks = {{"double box",
+                                   {"particles.box.size=" + list_text(box.size, 2.0),
+                                    "particles.box.depth=" + number_text(2.0 * box.depth, kRigDigits)}},
+                                  {"half grains", {"particles.box.radius=" + list_text(box.radius, 0.5)}}};
+  if (slow) checks.push_back(half_speed(scene));
+  return checks;
+}
+
+std::vector<RigCheck> checks_of_shear_box(const Scene& scene, bool slow) {
+  if (!scene.particles || !scene.particles->bed)
+    throw InputError("--checks: " + scene.file + " has no script for its bed, whose sizes the checks change");
+  const std::map<std::string, std::string>&run = scene.particles->variables, &bed = scene.particles->bed->variables;
+  RigCheck twice{"double box", {"end_time=" + number_text(2.0 * scene.end_time, kRigDigits)}};
+  for (const BodySpec& body : scene.bodies) {
+    if (!body.shape) continue;
+    const ShapeSpec& shape = *body.shape;
+    const std::string key = "bodies." + body.name + ".";
+    if (shape.kind == ShapeKind::kMesh)
+      append(twice.settings, {key + "shape.scale=" + number_text(2.0 * shape.scale, kRigDigits),
+                              key + "shape.position=" + times(shape.position, 2.0)});
+    else  // the lid; its weight is a part of the pressure
+      append(twice.settings,
+             {key + "shape.size=" + times(shape.size, 2.0), key + "shape.centre=" + times(shape.centre, 2.0),
+              key + "mass=" + number_text(4.0 * body.mass, kRigDigits)});
+  }
+  for (const JointSpec& joint : scene.joints)
+    twice.settings.push_back("joints." + joint.name + ".point=" + times(joint.point_a, 2.0));
+  for (const ForceSpec& force : scene.forces)
+    if (force.force)
+      twice.settings.push_back("forces." + force.name + ".force.polynomial=" + list_text(force.force->polynomial, 4.0));
+  for (const char* length : {"length", "width", "depth", "margin", "headroom"})
+    twice.settings.push_back(times("particles.bed.variables", bed, length, 2.0));
+  const RigCheck fine{
+      "half grains",
+      {times("particles.variables", run, "radius_1", 0.5), times("particles.variables", run, "dt", 0.5),
+       times("particles.bed.variables", bed, "radius_1", 0.5), times("particles.bed.variables", bed, "radius_2", 0.5),
+       times("particles.bed.variables", bed, "dt", 0.5)}};
+  std::vector<RigCheck> checks = {twice, fine};
+  if (slow) checks.push_back(half_speed(scene));
   return checks;
 }
 

@@ -9,7 +9,6 @@
 #include "mbd_solver/cli/experiments/experiment_command.h"
 #include "mbd_solver/cli/experiments/results.h"
 #include "mbd_solver/cli/experiments/table.h"
-#include "mbd_solver/cli/rigs/rig_checks.h"
 #include "mbd_solver/cli/rigs/rig_output.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
@@ -62,10 +61,7 @@ void add_checks(Plan& plan, const Rig& rig, bool wanted) {
     if (!wanted) continue;
     const RunRequest run = plan.runs[i];
     const Scene scene = read_scene(run.scene, run.settings);
-    if (!scene.particles || !scene.particles->box)
-      throw InputError("--checks: the bed of " + run.scene +
-                       " comes from a script; bed and grains of [particles.box] are what checks change");
-    for (const RigCheck& check : checks_of(scene, rig.slow)) {
+    for (const RigCheck& check : rig.checks(scene, rig.slow)) {
       RunRequest again = run;
       again.name = check.name;
       std::replace(again.name.begin(), again.name.end(), ' ', '_');

@@ -1,4 +1,5 @@
 // mbd_solver/cli/rigs: the fits of rigs on runs whose soil is known exactly.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -13,9 +14,13 @@
 #include "mbd_solver/cli/rigs/rig_command.h"
 #include "mbd_solver/cli/rigs/rig_output.h"
 #include "mbd_solver/output/history.h"
+#include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {
 namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 // The deviation of a fit from the soil that the columns were made of: bins are means over curved lines.
 constexpr double kOfBins = 5e-3;
@@ -151,6 +156,37 @@ TEST(RigChecks, HalfTheSpeedIsTheSamePathInTwiceTheTime) {
   EXPECT_EQ(checks[2].settings,
             (std::vector<std::string>{"end_time=1", "joints.press.motion.z.polynomial=[0,-0.1,0.1]"}));
   EXPECT_EQ(checks_of(scene, false).size(), 2u);
+}
+
+// The pressure stays: four times the force on four times the area.
+TEST(RigChecks, AShearBoxOfTwiceTheSizeHasTheSamePressure) {
+  const Scene scene = read_scene(std::string(FOOTFALL_SOURCE_DIR) + "/inputs/rigs/scenes/box.toml", {});
+  const std::vector<RigCheck> checks = checks_of_shear_box(scene, true);
+  ASSERT_EQ(checks.size(), 3u);
+  const Scene twice = read_scene(scene.file, checks[0].settings);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const ShapeSpec &a = *scene.bodies[i].shape, &b = *twice.bodies[i].shape;
+    EXPECT_TRUE(b.position.isApprox(2.0 * a.position) && b.size.isApprox(2.0 * a.size)) << scene.bodies[i].name;
+    EXPECT_TRUE(a.kind != ShapeKind::kMesh || b.scale == 2.0 * a.scale) << scene.bodies[i].name;
+  }
+  EXPECT_EQ(twice.forces[0].force->polynomial[0], 4.0 * scene.forces[0].force->polynomial[0]);
+  EXPECT_EQ(twice.bodies[2].mass, 4.0 * scene.bodies[2].mass);
+  EXPECT_EQ(twice.particles->bed->variables.at("depth"), "0.193");
+  EXPECT_EQ(twice.end_time, 2.0 * scene.end_time);
+  const Scene fine = read_scene(scene.file, checks[1].settings);
+  EXPECT_EQ(fine.particles->variables.at("radius_1"), "0.0025");
+  EXPECT_EQ(fine.particles->bed->variables.at("dt"), "2e-05");
+  EXPECT_EQ(checks[2].name, "half speed");
+}
+
+TEST(RigChecks, NameWhatTheyCannotChange) {
+  Scene scene;
+  scene.file = "own.toml";
+  EXPECT_THAT([&] { checks_of(scene, true); }, ThrowsMessage<InputError>(HasSubstr("own.toml comes from a script")));
+  scene.particles.emplace();
+  scene.particles->bed.emplace();
+  EXPECT_THAT([&] { checks_of_shear_box(scene, true); },
+              ThrowsMessage<InputError>(HasSubstr("particles.bed.variables.length is not given as a number")));
 }
 
 TEST(RigCommand, KnowsTheGravities) {
