@@ -39,7 +39,7 @@ part_rft_smooth() { rft_by_depth rft_smooth; }
 part_rft_long() { rft_by_depth rft_long --set 'particles.box.size=[0.62,0.2]' --set 'particles.box.centre=[0.1,0]'; }
 part_rft_deep() { rft_by_depth rft_deep --set 'particles.box.size=[0.62,0.2]' --set 'particles.box.centre=[0.1,0]' --set particles.box.depth=0.3; }
 part_sphere() { rig sphere sphere --samples 10; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
-part_walls() { sweep inputs/laws/walls.toml "$out/walls"; grep "^[|]" "$out/walls/cases.md"; }
+part_walls() { sweep inputs/laws/walls.toml "$out/walls"; grep -h "^[|]" "$out/walls/cases.md"; echo; cat "$out/walls/statements.md"; }
 part_plate() { rig plate plate --samples 2; }
 part_shear() { rig shear shear --samples 2; }
 part_repose() { rig repose repose --samples 5; }

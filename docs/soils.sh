@@ -1,34 +1,75 @@
 #!/usr/bin/env bash
-# Remakes docs/soils.md and its picture: what rolling friction of spheres and corners of clumps do to a slope and to a landing. About ten
-# minutes on two cores; runs that are done are kept.
-#   docs/soils.sh [BUILD]     BUILD: the build folder (default build)
+# Remakes docs/soils.md and its picture: what rolling friction of spheres and corners of clumps do to a slope, to instruments and to a landing. About half an
+# hour on two cores; runs that are done are kept in runs/soils (or $SOIL_RUNS).
+#   docs/soils.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: slopes, instruments, landing; "page": no part, the page alone
+# The tables of a part are kept in docs/soils/made/PART.txt, and the page is put together of them and of the texts in docs/soils.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
-out=runs/soils
+out=${SOIL_RUNS:-runs/soils}
+all=(slopes instruments landing)
+parts=("${@:2}")
+((${#parts[@]})) || parts=("${all[@]}")
+none='particles.box.material.rolling_model="none"'
+clumps='particles.box.clumps=["tetrahedron"]'
+
+# FOLDER RIG OPTIONS...: its table, NAME | UNIT | MEAN | INTERVAL | SAMPLES.
+measured() {
+  local folder=$1 rig=$2; shift 2
+  "$footfall" rig "$rig" --samples 3 --out "$out/$folder" "$@" >&2
+  sed -n '/^| answer /,/^$/ { /^| answer \|^|--/d; /^| /p; }' "$out/$folder/$rig.md"
+}
 # NAME SETTING...: a row of the table of slopes, from three samples of the bed.
 slope() {
   local name=$1 settings=(); shift
   for setting in "$@"; do settings+=(--set "$setting"); done
-  "$footfall" rig repose --file docs/soils/repose.toml --samples 3 --out "$out/slope_${name// /_}" "${settings[@]}" >&2
-  awk -F' [|] ' -v name="$name" '/^[|] (angle of repose|R\^2 of the slope)/ { split($0, c, /[ ]*[|][ ]*/); v[++n] = c[4]; i[n] = c[5] }
-    END { print "| " name " | " v[1] " | " i[1] " | " v[2] " |" }' "$out/slope_${name// /_}/repose.md"
+  measured "slope_${name// /_}" repose --file docs/soils/repose.toml "${settings[@]}" |
+    awk -F '[ ]*[|][ ]*' -v name="$name" '$2 ~ /^(angle of repose|R\^2 of the slope)/ { v[++n] = $4; i[n] = $5 } END { print "| " name " | " v[1] " | " i[1] " | " v[2] " |" }'
 }
-page=$(mktemp)
-trap 'rm -f "$page"' EXIT
-none='particles.box.material.rolling_model="none"'
-{
-  cat docs/soils/head.txt
+part_slopes() {
   echo '| grains | angle of repose [deg] | 95 % interval: +- | R^2 of the slope |'
   echo '|---|---|---|---|'
   slope "spheres without rolling friction" "$none"
   slope "spheres with rolling friction 0.2"
   slope "clumps of two" 'particles.box.clumps=["pair"]'
-  slope "clumps of four" 'particles.box.clumps=["tetrahedron"]'
-  cat docs/soils/slopes.txt
+  slope "clumps of four" "$clumps"
+}
+part_instruments() {
+  local rig work
+  work=$(mktemp -d)
+  echo '| instrument | answer | unit | spheres without rolling friction | spheres with rolling friction 0.2 | clumps of four |'
+  echo '|---|---|---|---|---|---|'
+  for rig in plate cone wheel shear; do
+    measured "${rig}_none" $rig --set "$none" >"$work/none"
+    measured "${rig}_rolling" $rig >"$work/rolling"
+    measured "${rig}_clumps" $rig --set "$clumps" >"$work/clumps"
+    paste -d '|' "$work/none" "$work/rolling" "$work/clumps" |
+      awk -F '[ ]*[|][ ]*' -v rig=$rig '{ printf "| %s | %s | %s | %s +- %s | %s +- %s | %s +- %s |\n", rig, $2, $3, $4, $5, $11, $12, $18, $19 }'
+  done
+  rm -rf "$work"
+}
+part_landing() {
   "$footfall" sweep inputs/sweeps/soils.toml --out "$out/landing" --jobs 2 >&2
   grep "^[|]" "$out/landing/cases.md"
-  cat docs/soils/landing.txt
-} > "$page"
+  cp "$out/landing/depth.png" docs/soils_depth.png
+}
+
+made=docs/soils/made
+page=$(mktemp)
+trap 'rm -f "$page"' EXIT
+for part in "${parts[@]}"; do
+  [[ $part != page ]] || continue
+  [[ " ${all[*]} " == *" $part "* ]] || { echo "docs/soils.sh: there is no part \"$part\"; known: ${all[*]}" >&2; exit 2; }
+  "part_$part" >"$page"
+  mkdir -p $made
+  cp "$page" "$made/$part.txt"
+done
+{
+  cat docs/soils/head.txt
+  for part in "${all[@]}"; do
+    [[ -f $made/$part.txt ]] || continue
+    [[ ! -f docs/soils/${part}_before.txt ]] || cat "docs/soils/${part}_before.txt"
+    cat "$made/$part.txt" "docs/soils/$part.txt"
+  done
+} >"$page"
 cp "$page" docs/soils.md
-cp "$out/landing/depth.png" docs/soils_depth.png
