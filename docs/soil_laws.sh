@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-all=(rft rft_smooth rft_long rft_deep sphere walls janssen janssen_drawn footpad wheel_scaling plate shear box repose cone)
+all=(rft rft_smooth rft_long rft_deep rft_upright sphere walls janssen janssen_drawn footpad wheel_scaling plate shear box repose cone)
 parts=("${@:2}")
 ((${#parts[@]})) || parts=("${all[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -38,6 +38,10 @@ rft_by_depth() {
 part_rft_smooth() { rft_by_depth rft_smooth; }
 part_rft_long() { rft_by_depth rft_long --set 'particles.box.size=[0.62,0.2]' --set 'particles.box.centre=[0.1,0]'; }
 part_rft_deep() { rft_by_depth rft_deep --set 'particles.box.size=[0.62,0.2]' --set 'particles.box.centre=[0.1,0]' --set particles.box.depth=0.3; }
+part_rft_upright() {
+  sweep inputs/laws/rft_upright.toml "$out/rft_upright"
+  awk -f $laws/rft_upright.awk "$out"/rft_upright/runs/*/history.csv
+}
 part_sphere() { rig sphere sphere --samples 10; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
 part_walls() { sweep inputs/laws/walls.toml "$out/walls"; grep -h "^[|]" "$out/walls/cases.md"; echo; cat "$out/walls/statements.md"; }
 part_plate() { rig plate plate --samples 2; }
@@ -92,7 +96,7 @@ part_of_page() {
 }
 {
   cat $laws/head.txt
-  for part in rft rft_smooth rft_long rft_deep sphere walls janssen janssen_drawn footpad wheel_scaling; do part_of_page $part; done
+  for part in rft rft_smooth rft_long rft_deep rft_upright sphere walls janssen janssen_drawn footpad wheel_scaling; do part_of_page $part; done
   cat $laws/rigs.txt
   for part in plate shear box repose cone; do
     [[ ! -f $laws/made/$part.txt ]] || { echo "### $part"; echo; part_of_page $part; }
