@@ -1,20 +1,58 @@
 #!/usr/bin/env bash
-# Remakes docs/speed.md with its pictures: the mechanism beside Simbody, and its cost against size. Some ten minutes; needs libsimbody-dev, valgrind, python3, gnuplot.
-#   docs/speed.sh BUILD [RUNS]     RUNS (default runs/speed): what is there already is taken, not measured again
+# Remakes docs/speed.md with its pictures: run time that is foretold, the landing beside stock LIGGGHTS, the mechanism beside Simbody, its cost against size.
+# Leave the machine alone: some twenty minutes. Needs libsimbody-dev, valgrind, python3, gnuplot.
+#   docs/speed.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: time stock simbody size; "page": no part, the page alone
+# The tables of a part are kept in docs/speed/made/PART.txt, and the page is put together of them and of the texts in docs/speed.
+#   PAIRS       of the landing and stock LIGGGHTS (default 10)
+#   SPEED_RUNS  folder of what the benchmarks leave (default runs/speed)
 set -euo pipefail
-build=$(realpath "$1") runs=$(realpath -m "${2:-runs/speed}")
+build=$(realpath "${1:-build}")
 cd "$(dirname "$0")/.."
-[[ -f $runs/simbody/simbody.md ]] || tests/bench/simbody/run.sh "$build" "$runs/simbody" > /dev/null
-[[ -f $runs/size/size.md ]] || tests/bench/size.sh "$build" "$runs/size" > /dev/null
-cp "$runs/simbody/simbody.png" docs/speed_simbody.png
-cp "$runs/size/size.png" docs/speed_size.png
-{
-  cat docs/speed.txt
-  printf '\n## Beside Simbody\n\nThe rigid lander of `tests/bench/simbody/scene.toml` in both programs: 13 bodies, gas, MR and two spring-dampers a leg, rows every 1 ms. CPodes is BDF with Newton.\n'
-  printf 'The machine: %s, %s cores; runs took turns and the shortest counts.\n\n' "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)" "$(nproc)"
+runs=$(realpath -m "${SPEED_RUNS:-runs/speed}")
+all=(time stock simbody size)
+parts=("${@:2}")
+((${#parts[@]})) || parts=("${all[@]}")
+machine="The machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
+
+part_time() { tests/bench/run_time.sh "$build"; echo; echo "$machine."; }
+part_stock() {
+  local bed said=$runs/stock.log
+  bed=$("$build/bin/footfall" run inputs/landing_mr --until 1e-3 --force --set output.plots=false --out "$runs/bed" | sed -n 's/^Bed: //p')
+  tests/bench/stock_ratio.sh "$build" "$bed" -t 0.3 -p "${PAIRS:-10}" >"$said"
+  awk '/^coupled/ { if (!n++) print "| pair | coupled [s] | stock [s] | ratio | ratio of processor time |\n|---|---|---|---|---|"
+                    print "| " n " | " $2 " | " $5 " | " $8 " | " $10 " |"
+                    for (i = 11; i <= NF; ++i) { if ($i == "dem") dem += $(i + 1); if ($i == "mbd") own += $(i + 1); if ($i == "exchange") own += $(i + 1) }
+                    lists = $(NF - 2); stock_lists = $NF }
+       /median of/ { wall = $0; sub(/.*wall /, "", wall); sub(/,.*/, "", wall); processor = $0; sub(/.*processor /, "", processor); sub(/ .*/, "", processor)
+                     print "| median | | | " wall " | " processor " |" }
+       END { printf "\nOurs built %d neighbour lists and stock %d. Mechanism and exchange took %.1f %% of the wall time of the three. ", lists, stock_lists, 100 * own / (own + dem) }' "$said"
+  echo "$machine."
+}
+part_simbody() {
+  rm -rf "$runs/simbody"
+  tests/bench/simbody/run.sh "$build" "$runs/simbody" >/dev/null
+  cp "$runs/simbody/simbody.png" docs/speed_simbody.png
+  printf '%s; runs took turns and the shortest counts.\n\n' "$machine"
   cat "$runs/simbody/simbody.md"
-  printf '\n`tests/bench/simbody/run.sh build`\n\n![error against processor time](speed_simbody.png)\n'
-  printf '\n## Cost against size\n\nChains of rigid rods, and ten rods with more and more modes, in steps of fixed length.\n\n'
+}
+part_size() {
+  rm -rf "$runs/size"
+  tests/bench/size.sh "$build" "$runs/size" >/dev/null
+  cp "$runs/size/size.png" docs/speed_size.png
   cat "$runs/size/size.md"
-  printf '\n`tests/bench/size.sh build`\n\n![instructions of a step against size](speed_size.png)\n'
-} > docs/speed.md
+}
+
+mkdir -p "$runs" docs/speed/made
+page=$(mktemp)
+trap 'rm -f "$page"' EXIT
+for part in "${parts[@]}"; do
+  [[ $part != page ]] || continue
+  [[ " ${all[*]} " == *" $part "* ]] || { echo "docs/speed.sh: there is no part \"$part\"; known: ${all[*]}" >&2; exit 2; }
+  "part_$part" >"$page"
+  cp "$page" "docs/speed/made/$part.txt"
+done
+{
+  cat docs/speed/head.txt
+  for part in "${all[@]}"; do cat "docs/speed/${part}_before.txt" "docs/speed/made/$part.txt" "docs/speed/$part.txt"; done
+} | cat -s >"$page"
+cp "$page" docs/speed.md
