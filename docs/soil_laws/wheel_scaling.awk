@@ -11,9 +11,9 @@ function finish(   k) {
 }
 BEGIN {
   FS = ","
-  r["one"] = r["wider"] = r["on the Moon"] = 1; r["larger"] = 1.5
-  s["one"] = s["on the Moon"] = 1; s["larger"] = 2.25; s["wider"] = 2
-  q["one"] = q["larger"] = q["wider"] = 1; q["on the Moon"] = 1 / 6
+  r["one"] = r["wider"] = r["on the Moon"] = 1; r["larger"] = r["larger with larger grains"] = 1.5
+  s["one"] = s["on the Moon"] = 1; s["larger"] = 2.25; s["larger with larger grains"] = 3.375; s["wider"] = 2
+  q["one"] = q["larger"] = q["larger with larger grains"] = q["wider"] = 1; q["on the Moon"] = 1 / 6
 }
 /^#/ { finish(); wheel = FILENAME; sub(/.*\/wheel_/, "", wheel); seed = wheel; sub(/__seed.*/, "", wheel); sub(/.*__seed_/, "", seed); sub(/\/.*/, "", seed); gsub(/_/, " ", wheel); named = 0
        if (!(wheel in known)) { known[wheel] = 1; wheels[++many] = wheel }
