@@ -18,7 +18,9 @@ if ((EUID == 0)); then
   user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
 fi
 # as_user COMMAND...: with nothing of our environment.
-as_user() { (cd "$work/here" && "${user[@]}" env -i HOME="$work/home" PATH="$prefix/bin:/usr/bin:/bin" LANG=C.UTF-8 TMPDIR="$work/here" "$@"); }
+sanitizers=()  # tests/sanitize/run.sh says by these how to link, and what is no finding
+for name in CXX LDFLAGS LD_PRELOAD ASAN_OPTIONS LSAN_OPTIONS UBSAN_OPTIONS; do [[ -z ${!name-} ]] || sanitizers+=("$name=${!name}"); done
+as_user() { (cd "$work/here" && "${user[@]}" env -i HOME="$work/home" PATH="$prefix/bin:/usr/bin:/bin" LANG=C.UTF-8 TMPDIR="$work/here" "${sanitizers[@]}" "$@"); }
 touch "$work/before"
 
 for file in bin/footfall bin/mbd_solver bin/liggghts_mbd share/man/man1/footfall.1.gz share/man/man1/footfall-run.1.gz share/footfall/inputs/landing_mr/scene.toml \

@@ -41,7 +41,7 @@ of_label() {
   (
     export LD_PRELOAD=$preload
     export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1:fast_unwind_on_malloc=0 LSAN_OPTIONS=suppressions=$here/leaks.txt:print_suppressions=0
-    export UBSAN_OPTIONS=print_stacktrace=1
+    export UBSAN_OPTIONS=print_stacktrace=1 LDFLAGS=-fsanitize=address,undefined
     ctest --test-dir "$build" -L "^$label\$" -E "^structure\.|^($left_out)\$" -j "${TESTS_AT_ONCE:-1}" --timeout "${SECONDS_OF_TEST:-120}" --output-on-failure >"$build/$label.txt" 2>&1
   )
   absent=$(grep -c '\*\*\*Not Run\|_NOT_BUILT' "$build/$label.txt")

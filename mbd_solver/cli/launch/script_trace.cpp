@@ -31,7 +31,9 @@ std::string why_liggghts_stopped(const std::string& log, const std::string& scri
                                  const std::map<std::string, std::string>& variables) {
   const std::string errors = liggghts_errors(log);
   std::string meaning;
-  if (errors.find("Internal error (./src/tri_mesh_I.h") != std::string::npos)
+  // The header is LIGGGHTS' own, or that of its package, whichever compiler has made the function.
+  const std::size_t internal = errors.find("Internal error (");
+  if (internal != std::string::npos && errors.find("/tri_mesh_I.h", internal) != std::string::npos)
     meaning =
         "\nThe place of a grain at a mesh is no number. Mostly its centre lay exactly on the mesh, where stock "
         "LIGGGHTS ends "
