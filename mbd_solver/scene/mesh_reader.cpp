@@ -61,7 +61,13 @@ void demand_affordable(const std::string& file, std::size_t triangles) {
                      std::to_string(kMostTriangles) + ": every node costs in every step; use a coarser mesh");
 }
 
-// A PLY file says in its head how many elements follow. The library reserves them all before it looks; each takes a byte at least.
+[[noreturn]] void promises_too_much(const std::string& file, int line, const std::string& count, std::uintmax_t bytes) {
+  throw InputError(file + ":" + std::to_string(line) + ": promises " + count + " elements in a file of " +
+                   std::to_string(bytes) + " bytes; is it damaged?");
+}
+
+// A PLY file says in its head how many elements follow. The library reserves them all before it looks; each takes a
+// byte at least.
 void demand_elements_fit(const std::string& file, std::uintmax_t bytes) {
   if (extension_of(file) != ".ply") return;
   std::ifstream in(file);
@@ -70,12 +76,8 @@ void demand_elements_fit(const std::string& file, std::uintmax_t bytes) {
        ++number) {
     if (line.rfind("element", 0) != 0) continue;
     std::istringstream words(line.substr(std::strlen("element")));
-    while (words >> word) {
-      const double count = std::strtod(word.c_str(), nullptr);
-      if (count > static_cast<double>(bytes))
-        throw InputError(file + ":" + std::to_string(number) + ": promises " + word + " elements in a file of " +
-                         std::to_string(bytes) + " bytes; is it damaged?");
-    }
+    while (words >> word)
+      if (std::strtod(word.c_str(), nullptr) > static_cast<double>(bytes)) promises_too_much(file, number, word, bytes);
   }
 }
 
