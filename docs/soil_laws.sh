@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-all=(rft rft_smooth rft_long rft_deep rft_upright sphere walls janssen janssen_drawn footpad wheel_scaling plate shear box repose cone)
+all=(rft rft_smooth rft_long rft_deep rft_upright sphere walls janssen janssen_drawn footpad wheel_scaling plate shear box box_checks repose cone)
 parts=("${@:2}")
 ((${#parts[@]})) || parts=("${all[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -48,6 +48,7 @@ part_plate() { rig plate plate --samples 2; }
 part_shear() { rig shear shear --samples 2; }
 part_repose() { rig repose repose --samples 5; }
 part_cone() { rig cone cone --samples 2; }
+part_box_checks() { rig box_checks box --samples 1 --checks; }
 part_box() { rig box box; cp "$out/box/box.png" docs/soil_laws_box.png; }
 # NAME: columns of inputs/laws/NAME.toml, table and picture.
 columns() {
@@ -98,8 +99,8 @@ part_of_page() {
   cat $laws/head.txt
   for part in rft rft_smooth rft_long rft_deep rft_upright sphere walls janssen janssen_drawn footpad wheel_scaling; do part_of_page $part; done
   cat $laws/rigs.txt
-  for part in plate shear box repose cone; do
-    [[ ! -f $laws/made/$part.txt ]] || { echo "### $part"; echo; part_of_page $part; }
+  for part in plate shear box box_checks repose cone; do
+    [[ ! -f $laws/made/$part.txt ]] || { echo "### ${part//_/, }"; echo; part_of_page $part; }
   done
   cat $laws/not_run.txt
 } | cat -s > "$made/page"
