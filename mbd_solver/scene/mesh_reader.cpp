@@ -67,15 +67,15 @@ void demand_affordable(const std::string& file, std::size_t triangles) {
 }
 
 // A PLY file says in its head how many elements follow. The library reserves them all before it looks; each takes a
-// byte at least.
+// byte at least. It also takes counts from lines that are damaged, so any number of the head may be one.
 void demand_elements_fit(const std::string& file, std::uintmax_t bytes) {
   if (extension_of(file) != ".ply") return;
   std::ifstream in(file);
   std::string line, word;
   for (int number = 1; number <= kMostHeadLines && std::getline(in, line) && line.rfind("end_header", 0) != 0;
        ++number) {
-    if (line.rfind("element", 0) != 0) continue;
-    std::istringstream words(line.substr(std::strlen("element")));
+    if (line.rfind("comment", 0) == 0 || line.rfind("obj_info", 0) == 0) continue;
+    std::istringstream words(line);
     while (words >> word)
       if (std::strtod(word.c_str(), nullptr) > static_cast<double>(bytes)) promises_too_much(file, number, word, bytes);
   }

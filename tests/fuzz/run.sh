@@ -3,12 +3,14 @@
 # clang. Readers of one kind share its time. A target's own name does as well.
 # Undefined behaviour is a finding as a crash is (pointer-overflow excepted: Eigen adds an offset to the null pointer of an empty matrix).
 # What is new goes to build-fuzz/corpus; findings to build-fuzz/findings. A finding that is mended is copied to tests/fuzz/corpus/NAME, where the tests replay it.
+# A go begins with these and with what earlier goes have kept in tests/fuzz/grown.tar.gz: as few inputs as reach what they have reached.
 # What each go came to is added to a ledger: KIND NAME INPUTS SECONDS FINDINGS COMMIT DATE, a line for each commit and day; the seconds are those of a processor, so
 # that an hour may be made of many goes on machines that do other things as well. docs/reliability.sh makes its page of docs/fuzzed.txt.
 #   LEDGER    (default build-fuzz/fuzzed.txt)
 #   JOBS      targets at once (default 1)
 #   SEED      the same inputs every time, as many as there is time for (default: others every time)
 #   BUILT=1   takes the targets as they are built
+#   KEEP=1    puts what is new into grown.tar.gz at the end
 set -euo pipefail
 TIMEFORMAT='%U %S'
 here=$(cd "$(dirname "$0")" && pwd)
@@ -37,6 +39,20 @@ if [[ -z ${BUILT-} ]]; then
   echo "$(git -C "$root" rev-parse --short HEAD 2>/dev/null || echo none) $(date +%F)" >"$build/commit"
 fi
 [[ -w /dev/shm ]] && export TMPDIR=/dev/shm  # every input is a file
+rm -rf "$build/grown" && mkdir -p "$build/grown" && tar -xzf "$here/grown.tar.gz" -C "$build/grown"
+# All that was found, as few of it as reach the same places.
+keep_grown() {
+  local name merged=$build/merged
+  rm -rf "$merged"
+  for name in ${targets[*]}; do
+    mkdir -p "$merged/$name" "$build/corpus/$name" "$build/grown/$name"
+    # A merge runs every input once more in a process of its own, which a reader in a third process does not stand.
+    [[ -x $build/bin/libfuzzer_$name && $name != mesh_* ]] || { cp -r "$build/grown/$name/." "$build/corpus/$name/." "$merged/$name"; continue; }
+    ASAN_OPTIONS=$asan "$build/bin/libfuzzer_$name" -merge=1 -max_len=65536 "$merged/$name" "$build/grown/$name" "$build/corpus/$name" >"$build/findings/$name.merge" 2>&1
+  done
+  tar --sort=name --mtime=2026-01-01 --owner=0 --group=0 --numeric-owner -C "$merged" -cf - . | gzip -9n >"$here/grown.tar.gz"
+}
+asan=detect_leaks=0:allocator_may_return_null=1:max_allocation_size_mb=1024:symbolize=0
 ledger=${LEDGER:-$build/fuzzed.txt}
 kind_of() { # TARGET
   local kind
@@ -58,6 +74,8 @@ one() {
   # On the clock on the wall, which runs on where the machine does something else: an input counts as a finding when it needs 10 s of processor time.
   local failed=0 end=$((SECONDS + mine)) late done_now runs=0 spent=0 log=$build/findings/$name.log
   : >"$log.all"
+  # In an order that does not depend on the disk.
+  find "$here/corpus/$name" "$build/grown/$name" -type f 2>/dev/null | sort | paste -sd, >"$build/findings/$name.begin"
   while ((end - SECONDS > 0)); do
     rm -f "$build/findings/$name"/timeout-*
     { time fuzz_once "$name" $((end - SECONDS)) || failed=1; } 2>"$log.time"
@@ -83,8 +101,8 @@ quietly() { "$@" >/dev/null 2>&1; }
 # memory at once than outside of the sanitizers.
 fuzz_once() { # NAME SECONDS
   local name=$1
-  ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1:max_allocation_size_mb=1024:symbolize=0 UBSAN_OPTIONS=print_stacktrace=1 "$build/bin/libfuzzer_$name" -max_total_time="$2" -seed="${SEED:-0}" -max_len=65536 \
-    -timeout=10 -rss_limit_mb=4096 -artifact_prefix="$build/findings/$name/" "$build/corpus/$name" "$here/corpus/$name" \
+  ASAN_OPTIONS=$asan UBSAN_OPTIONS=print_stacktrace=1 "$build/bin/libfuzzer_$name" -max_total_time="$2" -seed="${SEED:-0}" -max_len=65536 \
+    -timeout=10 -rss_limit_mb=4096 -artifact_prefix="$build/findings/$name/" -seed_inputs=@"$build/findings/$name.begin" "$build/corpus/$name" \
     >"$build/findings/$name.log" 2>&1
 }
 failed=0
@@ -93,4 +111,5 @@ for name in "${names[@]}"; do
   while (($(jobs -pr | wc -l) >= ${JOBS:-1})); do wait -n || failed=1; done
 done
 while [[ -n $(jobs -pr) ]]; do wait -n || failed=1; done
+[[ -z ${KEEP-} ]] || keep_grown
 exit $failed
