@@ -76,8 +76,9 @@ void demand_elements_fit(const std::string& file, std::uintmax_t bytes) {
        ++number) {
     if (line.rfind("comment", 0) == 0 || line.rfind("obj_info", 0) == 0) continue;
     std::istringstream words(line);
-    while (words >> word)
-      if (std::strtod(word.c_str(), nullptr) > static_cast<double>(bytes)) promises_too_much(file, number, word, bytes);
+    while (words >> word)  // a name may begin as "inf" does
+      if (word.front() >= '0' && word.front() <= '9' && std::strtod(word.c_str(), nullptr) > static_cast<double>(bytes))
+        promises_too_much(file, number, word, bytes);
   }
 }
 

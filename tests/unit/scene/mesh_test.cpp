@@ -72,6 +72,15 @@ TEST(MeshReader, RefusesMoreElementsThanTheFileHasBytes) {
               ThrowsMessage<InputError>(HasSubstr("promises.ply:3: promises 400000000 elements")));
 }
 
+TEST(MeshReader, TakesANameInAHeadForNoNumber) {
+  const SceneText text;
+  std::string ply = kPly;
+  ply.replace(ply.find("float z"), 7, "float z\ncomment of 20260101\nproperty float infrared");
+  for (const char* line : {"0 0 0\n", "2 0 0\n", "2 2 0\n", "0 2 0\n"})
+    ply.replace(ply.find(line, ply.find("end_header")), 6, std::string(line, 5) + " 1\n");
+  EXPECT_EQ(read_mesh(text.write("infrared.ply", ply), 1.0).triangles.size(), 2u);
+}
+
 TEST(MeshReader, ReadsBinaryStl) {
   std::string data(80, ' ');
   const auto append = [&](const auto& value) { data.append(reinterpret_cast<const char*>(&value), sizeof value); };
