@@ -5,12 +5,11 @@
 # The tables of a part are kept in docs/soil_laws/made/PART.txt, and the page is put together of them and of the texts in docs/soil_laws.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. docs/parts.sh
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
 all=(rft rft_smooth rft_long rft_deep rft_upright sphere walls janssen janssen_drawn footpad wheel_scaling plate shear box box_checks repose cone)
-parts=("${@:2}")
-((${#parts[@]})) || parts=("${all[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
 laws=docs/soil_laws
 
@@ -77,15 +76,9 @@ part_wheel_scaling() {
   awk -f $laws/student.awk -f $laws/wheel_scaling.awk "$out"/wheel_scaling/runs/*/history.csv
 }
 
-made=$(mktemp -d)
-trap 'rm -rf "$made"' EXIT
-for part in "${parts[@]}"; do
-  [[ $part != page ]] || continue
-  [[ " ${all[*]} " == *" $part "* ]] || { echo "docs/soil_laws.sh: there is no part \"$part\"; known: ${all[*]}" >&2; exit 2; }
-  "part_$part" > "$made/$part"
-  mkdir -p $laws/made
-  cp "$made/$part" "$laws/made/$part.txt"
-done
+make_parts docs/soil_laws "${@:2}"
+page=$(mktemp)
+trap 'rm -f "$page"' EXIT
 # PART: its text, its tables and what was found; nothing before its tables were made.
 part_of_page() {
   local part=$1
@@ -103,5 +96,5 @@ part_of_page() {
     [[ ! -f $laws/made/$part.txt ]] || { echo "### ${part//_/, }"; echo; part_of_page $part; }
   done
   cat $laws/not_run.txt
-} | cat -s > "$made/page"
-cp "$made/page" docs/soil_laws.md
+} | cat -s >"$page"
+cp "$page" docs/soil_laws.md

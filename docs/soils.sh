@@ -5,11 +5,10 @@
 # The tables of a part are kept in docs/soils/made/PART.txt, and the page is put together of them and of the texts in docs/soils.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. docs/parts.sh
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/soils}
 all=(slopes instruments landing)
-parts=("${@:2}")
-((${#parts[@]})) || parts=("${all[@]}")
 none='particles.box.material.rolling_model="none"'
 clumps='particles.box.clumps=["tetrahedron"]'
 
@@ -55,15 +54,9 @@ part_landing() {
 }
 
 made=docs/soils/made
+make_parts docs/soils "${@:2}"
 page=$(mktemp)
 trap 'rm -f "$page"' EXIT
-for part in "${parts[@]}"; do
-  [[ $part != page ]] || continue
-  [[ " ${all[*]} " == *" $part "* ]] || { echo "docs/soils.sh: there is no part \"$part\"; known: ${all[*]}" >&2; exit 2; }
-  "part_$part" >"$page"
-  mkdir -p $made
-  cp "$page" "$made/$part.txt"
-done
 {
   cat docs/soils/head.txt
   for part in "${all[@]}"; do

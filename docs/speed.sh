@@ -8,10 +8,9 @@
 set -euo pipefail
 build=$(realpath "${1:-build}")
 cd "$(dirname "$0")/.."
+. docs/parts.sh
 runs=$(realpath -m "${SPEED_RUNS:-runs/speed}")
 all=(time stock simbody size)
-parts=("${@:2}")
-((${#parts[@]})) || parts=("${all[@]}")
 machine="The machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
 
 part_time() { tests/bench/run_time.sh "$build"; echo; echo "$machine."; }
@@ -43,14 +42,9 @@ part_size() {
 }
 
 mkdir -p "$runs" docs/speed/made
+make_parts docs/speed "${@:2}"
 page=$(mktemp)
 trap 'rm -f "$page"' EXIT
-for part in "${parts[@]}"; do
-  [[ $part != page ]] || continue
-  [[ " ${all[*]} " == *" $part "* ]] || { echo "docs/speed.sh: there is no part \"$part\"; known: ${all[*]}" >&2; exit 2; }
-  "part_$part" >"$page"
-  cp "$page" "docs/speed/made/$part.txt"
-done
 {
   cat docs/speed/head.txt
   for part in "${all[@]}"; do cat "docs/speed/${part}_before.txt" "docs/speed/made/$part.txt" "docs/speed/$part.txt"; done
