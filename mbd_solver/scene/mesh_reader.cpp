@@ -66,20 +66,34 @@ void demand_affordable(const std::string& file, std::size_t triangles) {
                    std::to_string(bytes) + " bytes; is it damaged?");
 }
 
+// A line of a head, which may end in CR, LF or both.
+bool head_line(std::istream& in, std::string& line) {
+  line.clear();
+  for (int c = in.get(); c != std::char_traits<char>::eof(); c = in.get()) {
+    if (c == '\r' && in.peek() == '\n') in.get();
+    if (c == '\r' || c == '\n') return true;
+    line += static_cast<char>(c);
+  }
+  return !line.empty();
+}
+
 // A PLY file says in its head how many elements follow. The library reserves them all before it looks; each takes a
-// byte at least. It also takes counts from lines that are damaged, so any number of the head may be one.
+// byte at least. It also takes counts from lines that are damaged, so any number of the head may be one. For a head
+// without an end it looks for seconds.
 void demand_elements_fit(const std::string& file, std::uintmax_t bytes) {
   if (extension_of(file) != ".ply") return;
   std::ifstream in(file);
   std::string line, word;
-  for (int number = 1; number <= kMostHeadLines && std::getline(in, line) && line.rfind("end_header", 0) != 0;
-       ++number) {
+  for (int number = 1; number <= kMostHeadLines && head_line(in, line); ++number) {
+    if (line.rfind("end_header", 0) == 0) return;
     if (line.rfind("comment", 0) == 0 || line.rfind("obj_info", 0) == 0) continue;
     std::istringstream words(line);
     while (words >> word)  // a name may begin as "inf" does
       if (word.front() >= '0' && word.front() <= '9' && std::strtod(word.c_str(), nullptr) > static_cast<double>(bytes))
         promises_too_much(file, number, word, bytes);
   }
+  throw InputError(file + ": cannot be read as a mesh: none of its first " + std::to_string(kMostHeadLines) +
+                   " lines is \"end_header\", with which the head of a PLY file ends; is it damaged?");
 }
 
 // As the library reads it, each triangle with corners of its own or not.

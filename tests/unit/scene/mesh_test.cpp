@@ -72,6 +72,19 @@ TEST(MeshReader, RefusesMoreElementsThanTheFileHasBytes) {
               ThrowsMessage<InputError>(HasSubstr("promises.ply:3: promises 400000000 elements")));
 }
 
+TEST(MeshReader, TakesAHeadWithAnEndOnly) {
+  const SceneText text;
+  const std::string ply = kPly;
+  const std::size_t end = ply.find("end_header\n");
+  const std::string file = text.write("endless.ply", ply.substr(0, end) + "0ment\n" + ply.substr(end + 11));
+  EXPECT_THAT(
+      [&] { read_mesh(file, 1.0); },
+      ThrowsMessage<InputError>(HasSubstr("endless.ply: cannot be read as a mesh: none of its first 1000 lines")));
+  std::string lines = ply;
+  for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos; at += 2) lines.replace(at, 1, "\r\n");
+  EXPECT_EQ(read_mesh(text.write("crlf.ply", lines), 1.0).triangles.size(), 2u);
+}
+
 TEST(MeshReader, TakesANameInAHeadForNoNumber) {
   const SceneText text;
   std::string ply = kPly;
