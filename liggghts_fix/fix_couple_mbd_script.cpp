@@ -1,5 +1,7 @@
 #include "liggghts_fix/fix_couple_mbd_script.h"
 
+#include <cstring>
+
 #include "fix_gravity.h"
 #include "fix_multisphere.h"
 #include "fix_wall_gran.h"
@@ -53,6 +55,20 @@ void warn_of_clumps(Modify& modify, footfall::Start& script) {
         std::string("fix ") + clumps->id + " (multisphere) stands before fix " + modify.fix[i]->id +
         " (wall/gran): in the first half step of a run LIGGGHTS' clumps do not feel a wall behind "
         "them, and the mechanism does; let fix multisphere stand behind all walls");
+    return;
+  }
+}
+
+void warn_of_dry_walls(Modify& modify, footfall::Start& script) {
+  for (int i = 0; i < modify.nfix; ++i) {
+    auto* wall = dynamic_cast<FixWallGran*>(modify.fix[i]);
+    if (wall == nullptr || std::strncmp(wall->style, "wall/gran", 9) != 0) continue;  // others have no contact model
+    if (!wall->contact_match("cohesion", "washino/capillary/viscous")) continue;
+    script.warnings.push_back(
+        std::string("fix ") + wall->id +
+        " (wall/gran) has cohesion washino/capillary/viscous: in LIGGGHTS its liquid pulls grains "
+        "and bodies to each other while they are apart, and not while they touch; "
+        "easo/capillary/viscous pulls in both states");
     return;
   }
 }
