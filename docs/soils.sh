@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Remakes docs/soils.md and its picture: what rolling friction of spheres and corners of clumps do to a slope, to instruments and to a landing. About half an
-# hour on two cores; runs that are done are kept in runs/soils (or $SOIL_RUNS).
-#   docs/soils.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: slopes, instruments, landing; "page": no part, the page alone
+# Remakes docs/soils.md and its picture: what rolling friction of spheres and corners of clumps do to a slope, to instruments and to a landing. Two hours
+# on two cores, of which the default landing takes half; runs that are done are kept in runs/soils (or $SOIL_RUNS).
+#   docs/soils.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: slopes, instruments, landing, default; "page": no part, the page alone
 # The tables of a part are kept in docs/soils/made/PART.txt, and the page is put together of them and of the texts in docs/soils.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . docs/parts.sh
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/soils}
-all=(slopes instruments landing)
+all=(slopes instruments landing default)
 none='particles.box.material.rolling_model="none"'
 clumps='particles.box.clumps=["tetrahedron"]'
 
@@ -51,6 +51,13 @@ part_landing() {
   "$footfall" sweep inputs/sweeps/soils.toml --out "$out/landing" --jobs 2 >&2
   grep "^[|]" "$out/landing/cases.md"
   cp "$out/landing/depth.png" docs/soils_depth.png
+}
+
+part_default() {
+  "$footfall" sweep inputs/sweeps/landing_on_soils.toml --out "$out/default" >&2
+  grep "^[|]" "$out/default/cases.md"
+  cp "$out/default/depth.png" docs/soils_default_depth.png
+  cp "$out/default/force.png" docs/soils_default_force.png
 }
 
 made=docs/soils/made

@@ -32,6 +32,8 @@ audit inputs/dropped_sphere --until 0.05 --set bodies.ball.shape.radius=0.07 --s
   --set particles.bed.variables.width=0.42 --set particles.bed.variables.depth=0.2 --set particles.bed.variables.settle=0.5
 audit inputs/landing_mr --until 0.008 "${small_bed[@]}" --set particles.variables.width=0.5 --set particles.bed.variables.width=0.5 \
   --set particles.bed.variables.fine=0.5 --set particles.bed.variables.fine_depth=0.1
+audit inputs/landing_clumps --until 0.008 "${small_bed[@]}" --set particles.variables.width=0.5 --set particles.bed.variables.width=0.5 \
+  --set particles.bed.variables.fine=0.5 --set particles.bed.variables.fine_depth=0.1
 audit examples/flexible_rake --until 0.08 --set particles.bed.variables.settle=0.2 --set particles.bed.variables.depth=0.03
 audit examples/01_pendulum --until 0.5
 audit examples/02_wheel --until 0.05

@@ -30,3 +30,9 @@ expect "4 cm inside that part" "r == 0.04 && u < 0.15 && z > 0.2179" 0
 pour -var width 0.8 -var depth 0.2 -var fine 0.3 -var fine_depth 0.1 -var coarse 0.04
 about "2 cm" "r == 0.02" 656
 [[ $(count "u > 0.4") == 0 && $(count "x * x < 0.0016") -gt 10 ]] || die "four patches of 0.8 m around 0.35 m are not one bed"
+
+# Clumps of five spheres: as many as there would be spheres, each of the mass of the sphere in its place.
+pour -var width 0.6 -var depth 0.1 -var clumps 1 -var clump bipyramid
+clumps=$(awk 'NF == 5 && $1 + 0 == $1 { ++n[$5] } END { for (k in n) { if (n[k] != 5) exit 1; ++all }; print all }' bed.restart.grains) || die "a clump has not 5 spheres"
+((clumps <= 2620 && 5 * clumps >= 4 * 2620)) || die "$clumps clumps, expected about 2620"
+grep -qE '^INFO: Particle insertion pour_fine: inserted '"$clumps"' particle templates' out || die "not $clumps clumps were poured"

@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
@@ -58,6 +62,33 @@ TEST(ClumpShape, VolumeCentreAndInertiaAreThoseOfTheUnion) {
     EXPECT_LT((first / volume).norm(), 3e-3 * kRadius);
     const Eigen::Matrix3d inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
     EXPECT_LT((inertia - clump.inertia).norm(), 5e-3 * clump.inertia.norm());
+  }
+}
+
+// The files by which inputs/regolith/in.bed makes clumps, for a radius of 1.
+TEST(ClumpShape, ScriptOfTheLandingHasTheSameNumbers) {
+  for (const ClumpShape shape : every<ClumpShape>()) {
+    const std::string file = FOOTFALL_SOURCE_DIR "/inputs/regolith/clumps/" + std::string(name_of(shape));
+    SCOPED_TRACE(file);
+    const Clump clump = clump_of(shape, 1.0);
+    std::ifstream places(file + ".txt"), script(file + ".lammps");
+    for (Eigen::Index i = 0; i < clump.centres.cols(); ++i) {
+      Eigen::Vector4d sphere;
+      for (double& number : sphere) ASSERT_TRUE(places >> number);
+      EXPECT_LT((sphere.head<3>() - clump.centres.col(i)).norm(), 1e-14);
+      EXPECT_NEAR(sphere[3], clump.radius, 1e-14);
+    }
+    std::map<std::string, double> variables;
+    for (std::string line, word, name; std::getline(script, line);) {
+      std::istringstream words(line);
+      if (words >> word >> name && word == "variable") words >> word >> variables[name];
+    }
+    EXPECT_EQ(variables["spheres"], static_cast<double>(clump.centres.cols()));
+    EXPECT_LT((clump.inertia - Eigen::Vector3d(variables["inertia_x"], variables["inertia_y"], variables["inertia_z"])
+                                   .asDiagonal()
+                                   .toDenseMatrix())
+                  .norm(),
+              1e-13);
   }
 }
 
