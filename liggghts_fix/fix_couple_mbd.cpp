@@ -102,6 +102,7 @@ void FixCoupleMbd::init() {
   warn_of_clumps(*modify, script);
   if (!link_.started()) {
     warn_of_dry_walls(*modify, script);
+    warn_of_still_spheres(lmp, script);
     warn_of_radius(lmp, script);
     script.walls = static_walls(*modify, world, script.warnings);
   } else {

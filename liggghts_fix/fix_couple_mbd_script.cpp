@@ -1,10 +1,15 @@
 #include "liggghts_fix/fix_couple_mbd_script.h"
 
+#include <mpi.h>
+
 #include <cstring>
 
+#include "atom.h"
+#include "coupler/mpi_check.h"
 #include "fix_gravity.h"
 #include "fix_multisphere.h"
 #include "fix_wall_gran.h"
+#include "lammps.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "modify.h"
 
@@ -57,6 +62,35 @@ void warn_of_clumps(Modify& modify, footfall::Start& script) {
         "them, and the mechanism does; let fix multisphere stand behind all walls");
     return;
   }
+}
+
+void warn_of_still_spheres(LAMMPS* lmp, footfall::Start& script) {
+  const Modify& modify = *lmp->modify;
+  FixMultisphere* clumps = nullptr;
+  int moved = 0;  // groups that another fix integrates
+  for (int i = 0; i < modify.nfix; ++i) {
+    if (auto* one = dynamic_cast<FixMultisphere*>(modify.fix[i])) {
+      clumps = one;
+    } else if (modify.fix[i]->time_integrate == 1) {
+      moved |= modify.fix[i]->groupbit;
+    }
+  }
+  if (clumps == nullptr) return;
+  // Of grains that were there before it, LIGGGHTS' fix says nothing that is meant where there is no clump at all.
+  const Atom& atom = *lmp->atom;
+  long sums[3] = {clumps->n_body(), 0,
+                  0};  // clumps; spheres that nothing else moves, and those of them that have no clump
+  for (int i = 0; i < atom.nlocal; ++i) {
+    if ((atom.mask[i] & moved) != 0) continue;
+    ++sums[1];
+    sums[2] += clumps->belongs_to(i) < 0 ? 1 : 0;
+  }
+  footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_LONG, MPI_SUM, lmp->world), "MPI_Allreduce");
+  const long still = sums[0] == 0 ? sums[1] : sums[2];
+  if (still == 0) return;
+  script.warnings.push_back("fix " + std::string(clumps->id) +
+                            " (multisphere) integrates clumps alone: " + std::to_string(still) +
+                            " spheres belong to none and stand still; was the bed poured without clumps?");
 }
 
 void warn_of_dry_walls(Modify& modify, footfall::Start& script) {

@@ -5,6 +5,7 @@
 
 namespace LAMMPS_NS {
 
+class LAMMPS;
 class Modify;
 
 // Fills gravity and gravity_known of `script`. False, with a warning: gravity varies, and is known within a run alone.
@@ -14,6 +15,8 @@ Eigen::Vector3d gravity_now(Modify& modify);
 // A warning where clumps (fix multisphere) stand before a wall: when a run is set up LIGGGHTS hands them the forces that
 // stand when their turn comes, and the first half step lacks those of the wall.
 void warn_of_clumps(Modify& modify, footfall::Start& script);
+// A warning where spheres belong to no clump and fix multisphere alone integrates: they stand still. For all ranks at once.
+void warn_of_still_spheres(LAMMPS* lmp, footfall::Start& script);
 // A warning where a wall has cohesion washino/capillary/viscous: for LIGGGHTS the radius of a wall is 0 while a grain touches
 // it, so that liquid pulls at a distance alone.
 void warn_of_dry_walls(Modify& modify, footfall::Start& script);

@@ -120,6 +120,23 @@ TEST(Script, MayLeaveTheWindowToThePartner) {
   EXPECT_EQ(Table(folder.path() / "table.csv").rows(), 25U);
 }
 
+TEST(Script, TellsOfSpheresThatNoClumpMoves) {
+  const RunFolder folder = plate_folder("still");
+  std::string bed = small_bed();
+  const std::string moved = "fix integr all nve/sphere\n";
+  bed.erase(bed.find(moved), moved.size());
+  const std::string rest = kMeshFromFile + mesh_wall() + couple(5), clumps = "fix integr all multisphere\n";
+  folder.write("in.still", bed + rest + clumps + "run 20\n");
+  folder.write("in.moved", bed + rest + clumps + "fix others all nve/sphere\nrun 20\n");
+  const std::string said = " spheres belong to none and stand still";
+  const Outcome still = folder.coupled(2, "-in in.still", "until 0.001" + kFalling);
+  EXPECT_EQ(still.exit_code, 0) << still.text;
+  EXPECT_NE(still.text.find(said), std::string::npos) << still.text;
+  const Outcome moving = folder.coupled(2, "-in in.moved", "until 0.001" + kFalling);
+  EXPECT_EQ(moving.exit_code, 0) << moving.text;
+  EXPECT_EQ(moving.text.find(said), std::string::npos);
+}
+
 TEST(Script, ThermoShowsWhatThePartnerGets) {
   const RunFolder folder = plate_folder("thermo");
   folder.write("in", small_bed() + kMeshFromFile + mesh_wall() + couple(50) +
