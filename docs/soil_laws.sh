@@ -88,9 +88,13 @@ part_of_page() {
   echo
   [[ ! -f $laws/${part}_found.txt ]] || { cat "$laws/${part}_found.txt"; echo; }
 }
+laws_of_page() { for part in rft rft_smooth rft_long rft_deep rft_upright sphere walls janssen janssen_drawn footpad wheel_scaling; do part_of_page $part; done; }
 {
   cat $laws/head.txt
-  for part in rft rft_smooth rft_long rft_deep rft_upright sphere walls janssen janssen_drawn footpad wheel_scaling; do part_of_page $part; done
+  echo
+  laws_of_page | awk -f $laws/verdicts.awk
+  echo
+  laws_of_page
   cat $laws/rigs.txt
   for part in plate shear box box_checks repose cone; do
     [[ ! -f $laws/made/$part.txt ]] || { echo "### ${part//_/, }"; echo; part_of_page $part; }
