@@ -96,16 +96,17 @@ class Copy {
     return names;
   }
 
-  // As it is: what its files call "../OTHER/" is a folder of the copy, too.
-  void take_folder(const std::string& name) {
+  // As it is, with its own folders: what its files call "../OTHER/" is a folder of the copy, too.
+  void take_folder(const fs::path& name) {
     if (fs::exists(target_ / name)) return;
     make_folder((target_ / name).string(), "");
     for (const fs::directory_entry& entry : fs::directory_iterator(source_.parent_path() / name)) {
+      if (entry.is_directory()) take_folder(name / entry.path().filename());
       if (!entry.is_regular_file() || is_left_out(entry.path())) continue;
       const std::string text = text_of(entry.path());
       if (is_text(entry.path()))
         for (const std::string& further : neighbours_in(text)) take_folder(further);
-      put(fs::path(name) / entry.path().filename(), text);
+      put(name / entry.path().filename(), text);
     }
   }
 
