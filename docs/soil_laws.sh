@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-all=(rft rft_smooth rft_long rft_deep rft_upright sphere walls janssen janssen_drawn footpad wheel_scaling plate shear box box_checks repose cone)
+all=(rft rft_smooth rft_long rft_deep rft_upright sphere first_contact walls janssen janssen_drawn footpad pad_drops wheel_scaling plate shear box box_checks repose cone)
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
 laws=docs/soil_laws
 
@@ -71,6 +71,28 @@ part_footpad() {
   sweep inputs/laws/footpad.toml "$out/footpad"
   awk -f $laws/student.awk -f $laws/footpad.awk "$out"/footpad/runs/*/history.csv
 }
+# Tables and fits of inputs/laws/NAME.toml, without the line that says who made them.
+fitted() {
+  sweep "inputs/laws/$1.toml" "$out/$1"
+  grep -h "^[|]" "$out/$1/cases.md"
+  echo
+  sed '/^Made by/d' "$out/$1/fits.md"
+}
+part_pad_drops() {
+  fitted pad_drops
+  echo
+  awk -f $laws/pad_drops.awk "$out"/pad_drops/runs/*/history.csv
+  cp "$out/pad_drops/depth.png" docs/soil_laws_pad_drops.png
+}
+part_first_contact() {
+  fitted first_contact
+  cp "$out/first_contact/first_contact.png" docs/soil_laws_first_contact.png
+  echo
+  sweep inputs/laws/first_contact_others.toml "$out/first_contact_others"
+  grep -h "^[|]" "$out/first_contact_others/cases.md"
+  echo
+  cat "$out/first_contact_others/statements.md"
+}
 part_wheel_scaling() {
   sweep inputs/laws/wheel_scaling.toml "$out/wheel_scaling"
   awk -f $laws/student.awk -f $laws/wheel_scaling.awk "$out"/wheel_scaling/runs/*/history.csv
@@ -88,7 +110,7 @@ part_of_page() {
   echo
   [[ ! -f $laws/${part}_found.txt ]] || { cat "$laws/${part}_found.txt"; echo; }
 }
-laws_of_page() { for part in rft rft_smooth rft_long rft_deep rft_upright sphere walls janssen janssen_drawn footpad wheel_scaling; do part_of_page $part; done; }
+laws_of_page() { for part in rft rft_smooth rft_long rft_deep rft_upright sphere first_contact walls janssen janssen_drawn footpad pad_drops wheel_scaling; do part_of_page $part; done; }
 {
   cat $laws/head.txt
   echo

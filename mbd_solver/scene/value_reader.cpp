@@ -148,12 +148,14 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::vecto
   return "";
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext&, std::map<std::string, std::string>& target) {
+std::string read_value(const ConfigNode& node, const ValueContext& c, std::map<std::string, std::string>& target) {
   if (node.kind != ConfigNode::Kind::kTable) return is_expected(node, "a table { name = value, ... }");
   std::map<std::string, std::string> result;
   for (const auto& [key, value] : node.table) {
     if (value.kind == ConfigNode::Kind::kText) {
       result[key] = value.text;
+    } else if (value.is_number() && c.rule.meaning == Meaning::kWords) {
+      read_value(value, c, result[key]);  // the same text as in a list of words
     } else if (value.is_number()) {
       char buffer[40];
       // shortest text that reads back the same

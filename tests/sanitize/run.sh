@@ -8,6 +8,7 @@
 #   BUILD=FOLDER     the plain build (default build)
 #   BUILT=1          takes the tests as they are built; TARGETS: what is built (default all; tests that are not there are counted)
 #   LABELS           instead of the default
+#   GO_ON=1          goes on with a label that was cut off, of the same build: what has passed is not run again
 #   SECONDS_OF_TEST  a test that takes longer, sanitized, is ended and counted (default 120); TESTS_AT_ONCE (default 1)
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -36,20 +37,29 @@ build_here() { # FOLDER SANITIZERS TARGET...
 # of_label LABEL: its tests with the address and undefined sanitizers. Reports of an allocator that is out of memory are of no account: they come from readers that
 # are not ours, in processes of their own that may ask for too much (scene/read_apart.h); what that comes to is told by the test.
 of_label() {
-  local label=$1 left_out absent late bad names
+  local label=$1 left_out absent late bad names log=$build/$1.txt chosen numbers=()
   left_out=$(sed -n 's/^\([^# ][^ ]*\) .*/\1/p' "$here/left_out.txt" | paste -sd'|')
   (
     export LD_PRELOAD=$preload
     export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1:fast_unwind_on_malloc=0 LSAN_OPTIONS=suppressions=$here/leaks.txt:print_suppressions=0
     export UBSAN_OPTIONS=print_stacktrace=1 LDFLAGS=-fsanitize=address,undefined
-    ctest --test-dir "$build" -L "^$label\$" -E "^structure\.|^($left_out)\$" -j "${TESTS_AT_ONCE:-1}" --timeout "${SECONDS_OF_TEST:-120}" --output-on-failure >"$build/$label.txt" 2>&1
+    chosen=(-L "^$label\$" -E "^structure\.|^($left_out)\$")
+    if [[ -n ${GO_ON-} && -f $log ]]; then
+      sed -i -n '/ Passed /p' "$log"
+      mapfile -t numbers < <(ctest --test-dir "$build" -N "${chosen[@]}" | sed -n 's/^ *Test *#\([0-9]*\): .*/\1/p' | grep -vxFf <(sed -n 's/^ *[0-9]*\/[0-9]* Test *#\([0-9]*\): .*/\1/p' "$log"))
+      ((${#numbers[@]})) || exit 0
+      chosen=(-I "0,0,0,$(IFS=,; echo "${numbers[*]}")")
+    else
+      : >"$log"
+    fi
+    ctest --test-dir "$build" "${chosen[@]}" -j "${TESTS_AT_ONCE:-1}" --timeout "${SECONDS_OF_TEST:-120}" --output-on-failure >>"$log" 2>&1
   )
-  absent=$(grep -c '\*\*\*Not Run\|_NOT_BUILT' "$build/$label.txt")
-  late=$(grep -c '\*\*\*Timeout' "$build/$label.txt") bad=$(grep -c '\*\*\*Failed\|\*\*\*Exception' "$build/$label.txt")
-  names=$(sed -n 's/^ *[0-9]*\/[0-9]* Test *#[0-9]*: \([^ ]*\) .*\*\*\*\(Failed\|Exception\).*/\1/p' "$build/$label.txt" | paste -sd' ')
+  absent=$(grep -c '\*\*\*Not Run\|_NOT_BUILT' "$log")
+  late=$(grep -c '\*\*\*Timeout' "$log") bad=$(grep -c '\*\*\*Failed\|\*\*\*Exception' "$log")
+  names=$(sed -n 's/^ *[0-9]*\/[0-9]* Test *#[0-9]*: \([^ ]*\) .*\*\*\*\(Failed\|Exception\).*/\1/p' "$log" | paste -sd' ')
   ((bad == 0)) || failed=1
-  say "$label" "$build" "address and undefined ($compiler): $(grep -c ' Passed ' "$build/$label.txt") passed, $bad failed${names:+ ($names)}, $(
-    grep 'ERROR: AddressSanitizer\|ERROR: LeakSanitizer\|runtime error: ' "$build/$label.txt" | grep -vc 'allocator is out of memory') reports of a sanitizer, $late too long, $absent not built, $(
+  say "$label" "$build" "address and undefined ($compiler): $(grep -c ' Passed ' "$log") passed, $bad failed${names:+ ($names)}, $(
+    grep 'ERROR: AddressSanitizer\|ERROR: LeakSanitizer\|runtime error: ' "$log" | grep -vc 'allocator is out of memory') reports of a sanitizer, $late too long, $absent not built, $(
     ctest --test-dir "$build" -N -L "^$label\$" -R "^($left_out)\$" | sed -n 's/^Total Tests: //p') left out by name"
 }
 

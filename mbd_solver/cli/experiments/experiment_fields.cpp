@@ -106,7 +106,8 @@ static void visit_fields(FieldVisitor& v, FitFactor& f) {
 }
 
 static void visit_fields(FieldVisitor& v, FitSpec& f) {
-  fields(v, kAny, {{"", &f.source}, {"label", &f.label}, {"marks", &f.marks}, {"where", &f.where}});
+  fields(v, kAny, {{"", &f.source}, {"label", &f.label}, {"marks", &f.marks}});
+  fields(v, kWords, {{"where", &f.where}});
   fields(v, kFileName, {{"name", &f.name}});
   fields(v, kRequired, {{"figure", &f.figure}});
   v.list("factors", f.factors);

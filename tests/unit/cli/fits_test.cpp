@@ -118,6 +118,15 @@ TEST_F(FitsTest, WhereNamesTheRunsThatAreMeant) {
   EXPECT_TRUE((data.x.col(0).array() == 2000.0).all());
 }
 
+TEST_F(FitsTest, WhereKnowsAValueThatIsWrittenAsAPower) {
+  std::string text = kSweep + kFit;
+  text.replace(text.find("[1000, 2000, 4000]"), 18, "[2.5e6, 1e7, 4e7] ");
+  text.insert(text.find("label = \"d\""), "where = { density = 2.5e6 }\n");
+  const ExperimentSpec sweep = read(text);
+  const Plan plan = plan_of(sweep, false);
+  EXPECT_EQ(fit_data(sweep, sweep.fits[0], plan, results_of(plan)).runs.size(), 6U);
+}
+
 TEST_F(FitsTest, TablesAndPictureAreWritten) {
   const ExperimentSpec sweep = read(kSweep + kFit);
   const Plan plan = plan_of(sweep, false);
