@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-all=(rft rft_smooth rft_long rft_deep rft_upright sphere first_contact walls janssen janssen_drawn footpad pad_drops wheel_scaling plate shear box box_checks repose cone)
+all=(rft rft_smooth rft_long rft_deep rft_upright sphere first_contact walls janssen janssen_drawn footpad pad_drops pad_stiffness sphere_grains wheel_scaling plate shear box box_checks repose cone)
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
 laws=docs/soil_laws
 
@@ -84,6 +84,8 @@ part_pad_drops() {
   awk -f $laws/pad_drops.awk "$out"/pad_drops/runs/*/history.csv
   cp "$out/pad_drops/depth.png" docs/soil_laws_pad_drops.png
 }
+part_pad_stiffness() { fitted pad_stiffness; }
+part_sphere_grains() { fitted sphere_grains; }
 part_first_contact() {
   fitted first_contact
   cp "$out/first_contact/first_contact.png" docs/soil_laws_first_contact.png
@@ -110,7 +112,7 @@ part_of_page() {
   echo
   [[ ! -f $laws/${part}_found.txt ]] || { cat "$laws/${part}_found.txt"; echo; }
 }
-laws_of_page() { for part in rft rft_smooth rft_long rft_deep rft_upright sphere first_contact walls janssen janssen_drawn footpad pad_drops wheel_scaling; do part_of_page $part; done; }
+laws_of_page() { for part in rft rft_smooth rft_long rft_deep rft_upright sphere first_contact walls janssen janssen_drawn footpad pad_drops pad_stiffness sphere_grains wheel_scaling; do part_of_page $part; done; }
 {
   cat $laws/head.txt
   echo
