@@ -45,10 +45,10 @@ constexpr std::string_view name_of(Packing kind) {
 // Hertz and Mindlin contacts. Grains are softer than sand is, which allows longer time steps.
 struct GrainMaterialSpec {
   double density = 2600.0;  // [kg/m3] > 0
-  double young = 1e7;       // [Pa] > 0
-  double poisson = 0.3;     // [-] in (-1, 0.5)
+  double young = 1e7;       // [Pa] >= 5e6
+  double poisson = 0.3;     // [-] in [0, 0.5)
   // Grain on grain:
-  double restitution = 0.3;                         // [-] in [0.05, 1]
+  double restitution = 0.3;                         // [-] in (0.05, 1]
   double friction = 0.5;                            // [-] >= 0
   double rolling_friction = 0.2;                    // [-] >= 0
   RollingModel rolling_model = RollingModel::kCdt;  // of clumps none, unless it is given
@@ -58,8 +58,8 @@ struct GrainMaterialSpec {
 
 // The mechanism's bodies, and each of them on grains; what is not given is as grain on grain.
 struct BodyContactSpec {
-  double young = 2e11;   // [Pa] > 0
-  double poisson = 0.3;  // [-] in (-1, 0.5)
+  double young = 2e11;   // [Pa] >= 5e6
+  double poisson = 0.3;  // [-] in [0, 0.5)
   std::optional<double> restitution, friction, rolling_friction, cohesion;
 };
 

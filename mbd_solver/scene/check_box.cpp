@@ -15,18 +15,27 @@ namespace {
 constexpr double kMostGrains = 5e6;
 constexpr double kLeastDepth = 4.0, kLeastSize = 8.0;  // of the bed, over the largest radius
 constexpr double kSteepest = 30.0;                     // of gravity against -z [deg]
-constexpr double kSoftest = 0.05;                      // restitution that LIGGGHTS takes
+// What LIGGGHTS takes of SI units.
+constexpr double kLeastRestitution = 0.05;  // more than this
+constexpr double kSoftest = 5e6;            // [Pa]
 constexpr int kMostSeeds = 10000;
 constexpr double kDegree = 57.29577951308232;
 
 void check_ratio(const Source& source, const std::string& key, double poisson, Findings& findings) {
-  if (!(poisson > -1.0 && poisson < 0.5))
-    findings.error(source, key, "is " + number_text(poisson) + ", expected more than -1 and less than 0.5");
+  if (!(poisson >= 0.0 && poisson < 0.5))
+    findings.error(source, key,
+                   "is " + number_text(poisson) + ", expected 0 or more and less than 0.5: LIGGGHTS takes no other");
+}
+
+void check_modulus(const Source& source, const std::string& key, double young, Findings& findings) {
+  if (young > 0.0 && young < kSoftest)  // zero was told when it was read
+    findings.error(source, key, "is " + number_text(young) + " Pa, expected at least 5e6: LIGGGHTS takes no less");
 }
 
 void check_restitution(const Source& source, const std::string& key, double value, Findings& findings) {
-  if (value < kSoftest)
-    findings.error(source, key, "is " + number_text(value) + ", expected 0.05 to 1: LIGGGHTS takes no less");
+  if (value <= kLeastRestitution)
+    findings.error(source, key,
+                   "is " + number_text(value) + ", expected more than 0.05, up to 1: LIGGGHTS takes no less");
 }
 
 // An empty list beside another finding is one whose numbers were refused when it was read.
@@ -166,6 +175,8 @@ bool check_box(const Scene& scene, Findings& findings) {
   const GrainMaterialSpec& m = box.material;
   check_ratio(source, "box.material.poisson", m.poisson, findings);
   check_ratio(source, "box.bodies.poisson", box.bodies.poisson, findings);
+  check_modulus(source, "box.material.young", m.young, findings);
+  check_modulus(source, "box.bodies.young", box.bodies.young, findings);
   check_restitution(source, "box.material.restitution", m.restitution, findings);
   check_restitution(source, "box.bodies.restitution", box.bodies.restitution.value_or(1.0), findings);
   if (box.seed > kMostSeeds)
