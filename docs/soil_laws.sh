@@ -85,11 +85,19 @@ part_pad_drops() {
   cp "$out/pad_drops/depth.png" docs/soil_laws_pad_drops.png
 }
 part_pad_stiffness() { fitted pad_stiffness; }
-part_sphere_grains() { fitted sphere_grains; }
+part_sphere_grains() {
+  fitted sphere_grains
+  echo
+  awk -v "asks=radius_0.016/D=0.667/spheres of 5 and 7.5 grains: depth goes as D^(2/3), Uehara et al.;radius_0.008/D=0.667/spheres of 10 and 15 grains: depth goes as D^(2/3), Uehara et al." \
+    -f $laws/exponents.awk "$out/sphere_grains/fits.csv"
+}
 part_first_contact() {
   fitted first_contact
-  cp "$out/first_contact/first_contact.png" docs/soil_laws_first_contact.png
   echo
+  awk -v "asks=first_contact/D=2/peak force of the first blow: the exponent of D is 2;first_contact/v+2*E=2/peak force of the first blow: the exponents of v and, twice, of E make 2" \
+    -f $laws/exponents.awk "$out/first_contact/fits.csv"
+  echo
+  cp "$out/first_contact/first_contact.png" docs/soil_laws_first_contact.png
   sweep inputs/laws/first_contact_others.toml "$out/first_contact_others"
   grep -h "^[|]" "$out/first_contact_others/cases.md"
   echo
