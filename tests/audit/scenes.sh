@@ -59,6 +59,7 @@ audit inputs/rigs/scenes/box.toml --until 0.01 --set particles.variables.radius_
   --set particles.bed.variables.radius_2=0.01
 audit inputs/laws/scenes/janssen.toml --until 0.01 --set particles.bed.variables.fill=0.05
 audit inputs/laws/scenes/driven_wheel.toml --until 0.04 --set 'particles.box.size=[1.2,0.2]' --set particles.box.depth=0.04
+audit inputs/laws/scenes/pad.toml --until 0.02 $(box [0.3,0.3] 0.08)
 
 # Every scene with grains is there; the reference scene names every key and is run by its own test.
 while IFS= read -r file; do

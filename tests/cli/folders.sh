@@ -24,10 +24,10 @@ run --out mine --set output.plots=true >first.txt 2>&1 || die "a folder with oth
 [[ -s mine/history.csv && -s mine/plots/energy.png ]] || die "there are no results"
 refused "holds an earlier run" run --out mine
 echo old >mine/vtk/later.txt
-before=$(stat -c %Y.%i mine/history.csv)
+before=$(stat -c %.9Y.%i mine/history.csv)
 sleep 0.01
 run --out mine --force >again.txt 2>&1 || die "--force failed"
-[[ $(stat -c %Y.%i mine/history.csv) != "$before" ]] || die "--force kept the old history"
+[[ $(stat -c %.9Y.%i mine/history.csv) != "$before" ]] || die "--force kept the old history"
 [[ ! -e mine/plots/energy.png ]] || die "--force left a picture of the old run"
 for name in notes plots/own pictures/own vtk/own motion/own compare/own; do [[ $(<"mine/$name.txt") == mine ]] || die "$name.txt is gone"; done
 [[ $(<mine/vtk/later.txt) == old ]] || die "a later file of the user is gone"
