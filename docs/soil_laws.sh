@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-all=(rft rft_smooth rft_long rft_deep rft_upright sphere first_contact walls janssen janssen_drawn footpad pad_drops pad_stiffness sphere_grains wheel_scaling plate shear box box_checks repose cone)
+all=(rft rft_smooth rft_long rft_deep rft_upright sphere first_contact walls janssen janssen_drawn footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling plate shear box box_checks repose cone)
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
 laws=docs/soil_laws
 
@@ -91,6 +91,11 @@ part_sphere_grains() {
   awk -v "asks=radius_0.016/D=0.667/spheres of 5 and 7.5 grains: depth goes as D^(2/3), Uehara et al.;radius_0.008/D=0.667/spheres of 10 and 15 grains: depth goes as D^(2/3), Uehara et al." \
     -f $laws/exponents.awk "$out/sphere_grains/fits.csv"
 }
+part_sphere_small_grains() {
+  fitted sphere_small_grains
+  echo
+  awk -v "asks=small_grains/D=0.667/spheres of 20 and 30 grains: depth goes as D^(2/3), Uehara et al." -f $laws/exponents.awk "$out/sphere_small_grains/fits.csv"
+}
 part_first_contact() {
   fitted first_contact
   echo
@@ -120,7 +125,7 @@ part_of_page() {
   echo
   [[ ! -f $laws/${part}_found.txt ]] || { cat "$laws/${part}_found.txt"; echo; }
 }
-laws_of_page() { for part in rft rft_smooth rft_long rft_deep rft_upright sphere first_contact walls janssen janssen_drawn footpad pad_drops pad_stiffness sphere_grains wheel_scaling; do part_of_page $part; done; }
+laws_of_page() { for part in rft rft_smooth rft_long rft_deep rft_upright sphere first_contact walls janssen janssen_drawn footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling; do part_of_page $part; done; }
 {
   cat $laws/head.txt
   echo
