@@ -101,7 +101,7 @@ void FixCoupleMbd::init() {
       arguments_.gravity_of_scene && !read_gravity(*modify, script) && !link_.started() && !link_.resumed();
   warn_of_clumps(*modify, script);
   if (!link_.started()) {
-    warn_of_dry_walls(*modify, script);
+    warn_of_liquid_on_walls(*modify, script);
     warn_of_still_spheres(lmp, script);
     warn_of_radius(lmp, script);
     script.walls = static_walls(*modify, world, script.warnings);

@@ -93,17 +93,29 @@ void warn_of_still_spheres(LAMMPS* lmp, footfall::Start& script) {
                             " spheres belong to none and stand still; was the bed poured without clumps?");
 }
 
-void warn_of_dry_walls(Modify& modify, footfall::Start& script) {
+void warn_of_liquid_on_walls(Modify& modify, footfall::Start& script) {
+  bool dry = false, as_atom = false;
   for (int i = 0; i < modify.nfix; ++i) {
     auto* wall = dynamic_cast<FixWallGran*>(modify.fix[i]);
     if (wall == nullptr || std::strncmp(wall->style, "wall/gran", 9) != 0) continue;  // others have no contact model
-    if (!wall->contact_match("cohesion", "washino/capillary/viscous")) continue;
-    script.warnings.push_back(
-        std::string("fix ") + wall->id +
-        " (wall/gran) has cohesion washino/capillary/viscous: in LIGGGHTS its liquid pulls grains "
-        "and bodies to each other while they are apart, and not while they touch; "
-        "easo/capillary/viscous pulls in both states");
-    return;
+    const std::string name = std::string("fix ") + wall->id + " (wall/gran)";
+    if (!dry && wall->contact_match("cohesion", "washino/capillary/viscous")) {
+      dry = true;
+      script.warnings.push_back(name +
+                                " has cohesion washino/capillary/viscous: in LIGGGHTS its liquid pulls grains "
+                                "and bodies to each other while they are apart, and not while they touch; "
+                                "easo/capillary/viscous pulls in both states");
+    }
+    if (!as_atom && std::strcmp(wall->style, "wall/gran") == 0 &&
+        wall->contact_match("cohesion", "easo/capillary/viscous")) {
+      as_atom = true;
+      script.warnings.push_back(name +
+                                " has cohesion easo/capillary/viscous: where its liquid is stretched LIGGGHTS takes "
+                                "the velocity of some atom for that of the wall, so that fluidViscosity acts as if "
+                                "the wall moved like it, and at primitive walls the run may end with a segmentation "
+                                "fault. Set fluidViscosity to 0 and use meshes, or beams (wall/gran/beam), which have "
+                                "the right velocity");
+    }
   }
 }
 

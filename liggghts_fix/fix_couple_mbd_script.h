@@ -17,8 +17,9 @@ Eigen::Vector3d gravity_now(Modify& modify);
 void warn_of_clumps(Modify& modify, footfall::Start& script);
 // A warning where spheres belong to no clump and fix multisphere alone integrates: they stand still. For all ranks at once.
 void warn_of_still_spheres(LAMMPS* lmp, footfall::Start& script);
-// A warning where a wall has cohesion washino/capillary/viscous: for LIGGGHTS the radius of a wall is 0 while a grain touches
-// it, so that liquid pulls at a distance alone.
-void warn_of_dry_walls(Modify& modify, footfall::Start& script);
+// Warnings where liquid bridges of LIGGGHTS do not reach a wall as they should: with washino/capillary/viscous the radius of a
+// wall is 0 while a grain touches it, so that liquid pulls at a distance alone; easo/capillary/viscous takes an atom's velocity for
+// that of a wall at a distance (wall_as_atom.h).
+void warn_of_liquid_on_walls(Modify& modify, footfall::Start& script);
 
 }  // namespace LAMMPS_NS

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,7 @@
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "liggghts_fix/pair_mass.h"
+#include "liggghts_fix/wall_as_atom.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "update.h"
@@ -133,6 +135,7 @@ void FixWallGranBeam::init() {
   if (arguments_.curvature && !impl->contact_match("normal", "hertz"))
     throw InputError(arguments_.fix + ": curvature yes is for `model hertz`; leave it out");
   stiffness_per_kn_ = impl->contact_match("normal", "hertz") ? 1.5 : 1.0;
+  reads_wall_as_atom_ = impl->contact_match("cohesion", "easo/capillary/viscous");
   check_segment_lengths();
 }
 
@@ -257,6 +260,8 @@ double FixWallGranBeam::touch(Beam& beam, int i, const BeamTouch& touch, double*
     const Softened softened(young_, shear_, atom->type[i], atom_type_wall(),
                             arguments_.curvature ? softness(beam, touch, r) : 1.0);
     const PairMass mass(atom->rmass[i], link_.body(beam.body).inverse_mass());
+    std::optional<footfall::WallAsAtom> as_atom;
+    if (reads_wall_as_atom_) as_atom.emplace(atom->v, velocities_, i, atom_type_wall(), v_wall);
     impl->compute_force(this, contact, touch.gap <= 0.0, v_wall);
   }
   const Eigen::Vector3d f_W = f_before - vector(f_[i]);

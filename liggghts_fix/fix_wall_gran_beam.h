@@ -86,6 +86,8 @@ class FixWallGranBeam : public FixWallGran {
   const footfall::BeamArguments arguments_;
   std::vector<std::unique_ptr<Beam> > beams_;  // parts of a beam refer to each other: it never moves
   bool renumbered_ = true;
+  bool reads_wall_as_atom_ = false;  // the contact model does so (wall_as_atom.h)
+  std::vector<double*> velocities_;
   footfall::ContactSlope slope_;  // of the contact just computed; a grain that slides counts as one that sticks
   double stiffness_per_kn_ = 1.0;
   double** young_ = nullptr;  // E* and G* of LIGGGHTS by pairs of types, with `curvature yes` [Pa]

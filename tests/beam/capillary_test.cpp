@@ -1,10 +1,11 @@
 // Liquid bridges to the mesh and the beam of a body. A bridge pulls at a distance: a body feels grains that it does not touch.
 // One grain of radius R is drawn away from a body until the bridge breaks; force on it and impulse on the body against the
-// closed forms of LIGGGHTS, here without viscosity and with a contact angle of 0. The bridge to a wall has the volume V of
+// closed forms of LIGGGHTS, here with a contact angle of 0. The bridge to a wall has the volume V of
 // what is on one grain, and a wall counts as a grain of the same size (R* = R / 2). At the distance d:
 //   easo (Soulie et al. 2006)        F = -pi gamma R (exp(A d / R + B) + C),  A, B, C of V / R^3, V half of the grain's liquid
 //   washino (Rabinovich et al. 2005) F = -2 pi gamma R* (1 / (1 + d / 2 s) + sin^2 alpha),  s = d p / 2,  sin alpha of
 //                                    sqrt(d p / R*),  p = sqrt(1 + 2 V / (pi R* d^2)) - 1,  V a twentieth of the grain's
+// With viscosity mu, of easo, as far as d < R* (Nase et al.):  F = -6 pi mu R* v / 1.01, v the speed at which they part.
 // Both break at d = V^(1/3). While they touch, easo pulls with F(0) besides Hertz' force. Washino's radius of a wall is 0
 // there: LIGGGHTS' walls of any kind then pull with nothing.
 #include <gtest/gtest.h>
@@ -22,6 +23,7 @@ namespace {
 constexpr double kR = 0.02, kTension = 0.073, kLiquid = 0.01;   // [m], [N/m], of the grain's volume
 constexpr double kE = 35e6 / (2.0 * (1.0 - 0.25 * 0.25));       // E* of two materials of beam_run.h [Pa]
 constexpr double kPressed = 5e-5, kSpeed = 10.0, kStep = 1e-6;  // at the start [m], [m/s], [s]
+constexpr double kLeastDistance = 1.01;                         // of R*: nearer, viscosity acts as there
 constexpr int kSteps = 700, kEvery = 5;
 constexpr int kBeamForce = 4, kMeshForce = 11;  // columns of the partners' tables
 
@@ -31,13 +33,14 @@ double bridge_volume(const std::string& model) {
 }
 
 // On the grain, towards the body < 0; d < 0: pressed in.
-double closed_form(const std::string& model, double d) {
+double closed_form(const std::string& model, double d, double viscosity = 0.0) {
   const double V = bridge_volume(model), scaled = std::log(V / (kR * kR * kR));
   double force = d < 0.0 ? 4.0 / 3.0 * kE * std::sqrt(kR) * std::pow(-d, 1.5) : 0.0;
   if (d > std::cbrt(V)) return force;
   if (model == "easo") {
     const double A = -1.1 * std::exp(-0.53 * scaled), B = -0.0082 * scaled + 0.48, C = 0.0018 * scaled + 0.078;
-    return force - M_PI * kTension * kR * (std::exp(A * std::max(d, 0.0) / kR + B) + C);
+    return force - M_PI * kTension * kR * (std::exp(A * std::max(d, 0.0) / kR + B) + C) -
+           6.0 * M_PI * viscosity * 0.5 * kR * kSpeed / kLeastDistance;
   }
   if (d <= 0.0) return force;
   const double half = 0.5 * kR, p = std::sqrt(1.0 + 2.0 * V / (M_PI * half * d * d)) - 1.0, s = 0.5 * d * p;
@@ -49,10 +52,11 @@ struct Drawn {
   std::vector<double> force;  // along z on the grain after every step [N]
   std::vector<double> load;   // along z on the body, mean of every window [N]
   bool warned = false;        // that liquid does not pull on what touches
+  bool as_atom = false;       // warned that a wall's velocity is that of an atom
 };
 
-Drawn drawn_away(const std::string& model, const std::string& touch) {
-  const BeamRun folder("capillary_" + model + "_" + touch);
+Drawn drawn_away(const std::string& model, const std::string& touch, double viscosity = 0.0) {
+  const BeamRun folder("capillary_" + model + "_" + touch + (viscosity > 0.0 ? "_viscous" : ""));
   const std::string words = "model hertz tangential history cohesion " + model + "/capillary/viscous";
   std::string script = preamble("-0.3 0.3 -0.3 0.3 -0.3 0.3", {1.0, 0.3, 0.0});
   const auto of_all = [&](const std::string& name, double value) {
@@ -60,8 +64,8 @@ Drawn drawn_away(const std::string& model, const std::string& touch) {
   };
   of_all("surfaceLiquidContentInitial", kLiquid);
   of_all("surfaceTension", kTension);
-  of_all("fluidViscosity", 0.0);
-  of_all("minSeparationDistanceRatio", 1.01);
+  of_all("fluidViscosity", viscosity);
+  of_all("minSeparationDistanceRatio", kLeastDistance);
   of_all("maxSeparationDistanceRatio", 1.2);
   script += "fix c_angle all property/global contactAngle peratomtype 0 0\ntimestep 1e-6\n";
   script += "pair_style gran " + words + "\npair_coeff * *\ncreate_atoms 1 single 0.013 0.0 " +
@@ -85,6 +89,7 @@ Drawn drawn_away(const std::string& model, const std::string& touch) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   drawn.warned =
       outcome.text.find("liquid pulls grains and bodies to each other while they are apart") != std::string::npos;
+  drawn.as_atom = outcome.text.find("takes the velocity of some atom for that of the wall") != std::string::npos;
   for (const auto& [step, rows] : folder.dump("grain.txt")) drawn.force.push_back(rows.at(0).at(1));
   std::istringstream table(folder.read("loads.csv"));
   for (std::string line, word; std::getline(table, line);) {
@@ -106,6 +111,7 @@ TEST_P(Capillary, PullsAsItsLawSaysUntilItBreaks) {
   const Drawn drawn = drawn_away(model, touch);
   ASSERT_EQ(drawn.force.size(), static_cast<std::size_t>(kSteps) + 1);
   EXPECT_EQ(drawn.warned, model == "washino" && touch == "mesh");  // the beams' partner does not tell warnings
+  EXPECT_EQ(drawn.as_atom, model == "easo" && touch == "mesh");
   double off = 0.0, pull = 0.0;
   int apart = 0;
   for (std::size_t k = 0; k < drawn.force.size(); ++k) {
@@ -128,6 +134,19 @@ TEST_P(Capillary, PullsAsItsLawSaysUntilItBreaks) {
         drawn.force.begin() + static_cast<std::ptrdiff_t>(window * kEvery);
     const double mean = (0.5 * *first + std::accumulate(first + 1, first + kEvery, 0.0) + 0.5 * first[kEvery]) / kEvery;
     EXPECT_NEAR(drawn.load[window], -mean, 1e-12 * closed_form(model, -kPressed)) << "window " << window;
+  }
+}
+
+// LIGGGHTS' easo reads the velocity of a wall where that of an atom would stand (wall_as_atom.h).
+TEST(Capillary, ViscousPullTakesTheVelocityOfTheBeam) {
+  const double viscosity = 0.01;
+  const Drawn drawn = drawn_away("easo", "beam", viscosity);
+  ASSERT_EQ(drawn.force.size(), static_cast<std::size_t>(kSteps) + 1);
+  for (std::size_t k = 0; k < drawn.force.size(); ++k) {
+    const double d = kSpeed * kStep * static_cast<double>(k) - kPressed;
+    if (std::abs(d) < 1e-9 || std::abs(d - std::cbrt(bridge_volume("easo"))) < 1e-9) continue;
+    ASSERT_NEAR(drawn.force[k], closed_form("easo", d, viscosity), 1e-9 * closed_form("easo", -kPressed))
+        << "d = " << d;
   }
 }
 

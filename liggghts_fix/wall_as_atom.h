@@ -1,0 +1,30 @@
+#pragma once
+// LIGGGHTS' cohesion easo/capillary/viscous reads the velocity of a wall as that of an atom: atom->v[j] with j = -type, a place before
+// the array (contact models get the right one as v_j; other models take that). While a WallAsAtom lives, this place exists and
+// holds the velocity of the wall. Of the atoms only number i is there: the one that the contact model is asked about.
+
+#include <vector>
+
+namespace footfall {
+
+class WallAsAtom {
+ public:
+  // array: Atom::v; rows: memory that is kept from contact to contact; wall: 3 numbers [m/s].
+  WallAsAtom(double**& array, std::vector<double*>& rows, int i, int type, double* wall)
+      : array_(array), before_(array) {
+    if (rows.size() <= static_cast<std::size_t>(i + type)) rows.resize(static_cast<std::size_t>(2 * i + type) + 1);
+    double** const first = rows.data() + type;
+    first[i] = array[i];
+    first[-type] = wall;
+    array_ = first;
+  }
+  ~WallAsAtom() { array_ = before_; }
+  WallAsAtom(const WallAsAtom&) = delete;
+  WallAsAtom& operator=(const WallAsAtom&) = delete;
+
+ private:
+  double**& array_;
+  double** const before_;
+};
+
+}  // namespace footfall
