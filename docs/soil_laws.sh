@@ -107,6 +107,10 @@ part_first_contact() {
   grep -h "^[|]" "$out/first_contact_others/cases.md"
   echo
   cat "$out/first_contact_others/statements.md"
+  echo
+  echo "At one depth, from the same runs (\`docs/soil_laws/first_contact_depth.awk\`):"
+  echo
+  awk -f $laws/first_contact_depth.awk "$out"/first_contact_others/runs/*/history.csv
 }
 part_wheel_scaling() {
   sweep inputs/laws/wheel_scaling.toml "$out/wheel_scaling"
