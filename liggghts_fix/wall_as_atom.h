@@ -12,7 +12,8 @@ class WallAsAtom {
   // array: Atom::v; rows: memory that is kept from contact to contact; wall: 3 numbers [m/s].
   WallAsAtom(double**& array, std::vector<double*>& rows, int i, int type, double* wall)
       : array_(array), before_(array) {
-    if (rows.size() <= static_cast<std::size_t>(i + type)) rows.resize(static_cast<std::size_t>(2 * i + type) + 1);
+    const std::size_t last = static_cast<std::size_t>(i) + static_cast<std::size_t>(type);
+    if (rows.size() <= last) rows.resize(2 * last + 1);
     double** const first = rows.data() + type;
     first[i] = array[i];
     first[-type] = wall;
