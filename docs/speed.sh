@@ -18,7 +18,8 @@ part_stock() {
   local bed said=$runs/stock.log
   bed=$("$build/bin/footfall" run inputs/landing_mr --until 1e-3 --force --set output.plots=false --out "$runs/bed" | sed -n 's/^Bed: //p')
   tests/bench/stock_ratio.sh "$build" "$bed" -t 0.3 -p "${PAIRS:-10}" >"$said"
-  awk '/^coupled/ { if (!n++) print "| pair | coupled [s] | stock [s] | ratio | ratio of processor time |\n|---|---|---|---|---|"
+  awk '/^coupled/ { gsub(/,/, " ")
+                    if (!n++) print "| pair | coupled [s] | stock [s] | ratio | ratio of processor time |\n|---|---|---|---|---|"
                     print "| " n " | " $2 " | " $5 " | " $8 " | " $10 " |"
                     for (i = 11; i <= NF; ++i) { if ($i == "dem") dem += $(i + 1); if ($i == "mbd") own += $(i + 1); if ($i == "exchange") own += $(i + 1) }
                     lists = $(NF - 2); stock_lists = $NF }
