@@ -84,7 +84,11 @@ part_pad_drops() {
   awk -f $laws/pad_drops.awk "$out"/pad_drops/runs/*/history.csv
   cp "$out/pad_drops/depth.png" docs/soil_laws_pad_drops.png
 }
-part_pad_stiffness() { fitted pad_stiffness; }
+part_pad_stiffness() {
+  fitted pad_stiffness
+  echo
+  awk -f $laws/pad_stiffness.awk "$out"/pad_stiffness/runs/*/history.csv
+}
 part_sphere_grains() {
   fitted sphere_grains
   echo
@@ -110,7 +114,7 @@ part_first_contact() {
   echo
   echo "At one depth, from the same runs (\`docs/soil_laws/first_contact_depth.awk\`):"
   echo
-  awk -f $laws/first_contact_depth.awk "$out"/first_contact_others/runs/*/history.csv
+  awk -f $laws/first_contact_depth.awk "$out/first_contact/fits.csv" "$out"/first_contact_others/runs/*/history.csv
 }
 part_wheel_scaling() {
   sweep inputs/laws/wheel_scaling.toml "$out/wheel_scaling"
