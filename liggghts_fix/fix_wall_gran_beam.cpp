@@ -261,7 +261,7 @@ double FixWallGranBeam::touch(Beam& beam, int i, const BeamTouch& touch, double*
                             arguments_.curvature ? softness(beam, touch, r) : 1.0);
     const PairMass mass(atom->rmass[i], link_.body(beam.body).inverse_mass());
     std::optional<footfall::WallAsAtom> as_atom;
-    if (reads_wall_as_atom_) as_atom.emplace(atom->v, velocities_, i, atom_type_wall(), v_wall);
+    if (reads_wall_as_atom_ && touch.gap > 0.0) as_atom.emplace(atom->v, velocities_, i, atom_type_wall(), v_wall);
     impl->compute_force(this, contact, touch.gap <= 0.0, v_wall);
   }
   const Eigen::Vector3d f_W = f_before - vector(f_[i]);

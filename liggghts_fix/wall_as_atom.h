@@ -1,8 +1,9 @@
 #pragma once
-// LIGGGHTS' cohesion easo/capillary/viscous reads the velocity of a wall as that of an atom: atom->v[j] with j = -type, a place before
-// the array (contact models get the right one as v_j; other models take that). While a WallAsAtom lives, this place exists and
-// holds the velocity of the wall. Of the atoms only number i is there: the one that the contact model is asked about.
+// Where a grain and a wall are apart, LIGGGHTS' cohesion easo/capillary/viscous reads the velocity of the wall as that of an atom:
+// atom->v[j] with j = -type, a place before the array. While a WallAsAtom lives, this place exists and holds the velocity of the wall.
+// Of the atoms only number i is there: the one that the contact model is asked about.
 
+#include <cstddef>
 #include <vector>
 
 namespace footfall {
