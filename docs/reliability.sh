@@ -159,7 +159,7 @@ sanitizers() {
   [[ -n ${LOGS-} ]] || BUILD=$work nice tests/sanitize/run.sh >"$log" 2>&1 || code=1
   local lines=(build-sanitize/*.line) line name said
   [[ -e ${lines[0]} ]] || { echo "| tests under sanitizers | 0 | not tried | | |"; return; }
-  made_at=$(sed -n 's/.*; at //p' "${lines[@]}" | sort -u | paste -sd, | sed 's/,/, /g')
+  made_at=$(sed -n 's/.*; at //p' "${lines[@]}" | grep -o '[0-9a-f]\{7\} ([-0-9]*)' | sort -u | paste -sd, | sed 's/,/, /g')
   # NAME, WHAT (BY WHAT): FIGURES; at COMMIT
   for name in $(basename -s .line "${lines[@]}"); do
     line=$(cat "build-sanitize/$name.line") said=${line#*: } code=0

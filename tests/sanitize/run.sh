@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# run.sh [LABEL...]: the tests of these labels (default: unit bad_input physics mpi dem) in a build of its own (build-sanitize) with the address and
+# run.sh [LABEL...]: the tests of these labels (default: all, the whole suite) in a build of its own (build-sanitize) with the address and
 # undefined-behaviour sanitizers of clang++ (it compiles them in a third of the time; without it, of g++). Every finding ends its test. What cannot hold under them
 # is left out by name: left_out.txt, with the reasons. Two more names stand for what has no label; both are part of the default:
 #   threads          the tests that have threads, under the thread sanitizer (build-sanitize-thread)
@@ -9,13 +9,13 @@
 #   BUILT=1          takes the tests as they are built; TARGETS: what is built (default all; tests that are not there are counted)
 #   LABELS           instead of the default
 #   GO_ON=1          goes on with a label that was cut off, of the same build: what has passed is not run again
-#   SECONDS_OF_TEST  a test that takes longer, sanitized, is ended and counted (default 120); TESTS_AT_ONCE (default 1)
+#   SECONDS_OF_TEST  a test that takes longer, sanitized, is ended and counted, whatever limit it has in the plain build (default 900); TESTS_AT_ONCE (default 1)
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 build=$root/build-sanitize plain=$(cd "${BUILD:-$root/build}" 2>/dev/null && pwd)
 labels=("$@")
-((${#labels[@]})) || labels=(${LABELS:-unit bad_input physics mpi dem threads valgrind})
+((${#labels[@]})) || labels=(${LABELS:-unit bad_input physics mpi dem example accuracy stock threads valgrind})
 [[ -n ${CXX-} ]] || CXX=$(command -v clang++ || command -v g++)
 export CXX
 compiler=$("$CXX" --version | sed -n '1s/.*clang version \([0-9.]*\).*/clang++ \1/p; 1s/^g++.* \([0-9.]*\)$/g++ \1/p')
@@ -39,6 +39,7 @@ build_here() { # FOLDER SANITIZERS TARGET...
 of_label() {
   local label=$1 left_out absent late bad names log=$build/$1.txt chosen numbers=()
   left_out=$(sed -n 's/^\([^# ][^ ]*\) .*/\1/p' "$here/left_out.txt" | paste -sd'|')
+  find "$build/tests" -name '*.cmake' -exec sed -i -E "s/TIMEOUT \"?[0-9]+\"?/TIMEOUT ${SECONDS_OF_TEST:-900}/g" {} +
   (
     export LD_PRELOAD=$preload
     export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1:fast_unwind_on_malloc=0 LSAN_OPTIONS=suppressions=$here/leaks.txt:print_suppressions=0
@@ -56,7 +57,7 @@ of_label() {
     else
       : >"$log"
     fi
-    ctest --test-dir "$build" "${chosen[@]}" -j "${TESTS_AT_ONCE:-1}" --timeout "${SECONDS_OF_TEST:-120}" --output-on-failure >>"$log" 2>&1
+    ctest --test-dir "$build" "${chosen[@]}" -j "${TESTS_AT_ONCE:-1}" --timeout "${SECONDS_OF_TEST:-900}" --output-on-failure >>"$log" 2>&1
   )
   absent=$(grep -c '\*\*\*Not Run\|_NOT_BUILT' "$log")
   late=$(grep -c '\*\*\*Timeout' "$log") bad=$(grep -c '\*\*\*Failed\|\*\*\*Exception' "$log")
