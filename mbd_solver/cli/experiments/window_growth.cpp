@@ -122,7 +122,7 @@ double growth_of_series(const std::vector<double>& v) {
   if (last > kFast && std::abs(last / before - 1.0) < kSettled) return last;
   const std::size_t from = v.size() / 2, count = v.size() - from;
   if (count < 4) return kNoRate;
-  Eigen::MatrixX2d past(count - 2, 2);
+  Eigen::MatrixXd past(count - 2, 2);
   Eigen::VectorXd next(count - 2);
   for (std::size_t k = 0; k + 2 < count; ++k) {
     const double scale =

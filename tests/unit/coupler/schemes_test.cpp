@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -171,6 +172,17 @@ TEST_P(BothHalves, TheoryIsLinear) {
   const MapState together = scheme->window_map(omega_h, 3, y + 2.0 * z);
   const MapState apart = scheme->window_map(omega_h, 3, y) + 2.0 * scheme->window_map(omega_h, 3, z);
   EXPECT_LT((together - apart).norm(), round_off);
+}
+
+// Three that coincide (quadratic, at omega H = 1) are known to the third root of round-off.
+TEST_P(BothHalves, GrowthIsTheLargestEigenvalueOfTheWindowMap) {
+  for (const double omega_h : {0.0, 1e-3, 0.3, 1.0, 2.0, 5.0})
+    for (const int n : {1, 7, 100}) {
+      Eigen::MatrixXd map(5, 5);
+      for (int k = 0; k < 5; ++k) map.col(k) = scheme->window_map(omega_h, n, MapState::Unit(k));
+      const double largest = map.eigenvalues().cwiseAbs().maxCoeff();
+      EXPECT_NEAR(predicted_growth(*scheme, omega_h, n), largest, 1e-5 * largest) << omega_h << ", " << n;
+    }
 }
 
 // Fine steps: [1 - w^2/2, 1 - w^2/4; -w^2, 1 - w^2/2] has determinant 1, [1 - w^2/2, 1; -w^2, 1] has 1 + w^2/2.
