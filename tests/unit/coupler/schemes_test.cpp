@@ -174,14 +174,15 @@ TEST_P(BothHalves, TheoryIsLinear) {
   EXPECT_LT((together - apart).norm(), round_off);
 }
 
-// Three that coincide (quadratic, at omega H = 1) are known to the third root of round-off.
+// Where two pairs coincide (quadratic, one substep, omega H = 1), the growth errs by 2e-6, and Eigen's eigenvalues by 2e-8.
 TEST_P(BothHalves, GrowthIsTheLargestEigenvalueOfTheWindowMap) {
   for (const double omega_h : {0.0, 1e-3, 0.3, 1.0, 2.0, 5.0})
     for (const int n : {1, 7, 100}) {
       Eigen::MatrixXd map(5, 5);
       for (int k = 0; k < 5; ++k) map.col(k) = scheme->window_map(omega_h, n, MapState::Unit(k));
       const double largest = map.eigenvalues().cwiseAbs().maxCoeff();
-      EXPECT_NEAR(predicted_growth(*scheme, omega_h, n), largest, 1e-5 * largest) << omega_h << ", " << n;
+      const bool twice = scheme->name() == "quadratic" && n == 1 && omega_h == 1.0;
+      EXPECT_NEAR(predicted_growth(*scheme, omega_h, n), largest, (twice ? 5e-6 : 1e-10) * largest) << omega_h << ", " << n;
     }
 }
 
