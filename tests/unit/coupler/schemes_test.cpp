@@ -182,7 +182,8 @@ TEST_P(BothHalves, GrowthIsTheLargestEigenvalueOfTheWindowMap) {
       for (int k = 0; k < 5; ++k) map.col(k) = scheme->window_map(omega_h, n, MapState::Unit(k));
       const double largest = map.eigenvalues().cwiseAbs().maxCoeff();
       const bool twice = scheme->name() == "quadratic" && n == 1 && omega_h == 1.0;
-      EXPECT_NEAR(predicted_growth(*scheme, omega_h, n), largest, (twice ? 5e-6 : 1e-10) * largest) << omega_h << ", " << n;
+      EXPECT_NEAR(predicted_growth(*scheme, omega_h, n), largest, (twice ? 5e-6 : 1e-10) * largest)
+          << omega_h << ", " << n;
     }
 }
 
