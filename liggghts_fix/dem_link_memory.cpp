@@ -4,6 +4,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/whole_file.h"
+#include "coupler/message_fields.h"
 #include "liggghts_fix/dem_link.h"
 
 namespace footfall {

@@ -71,7 +71,7 @@ void add_body_force(const Body& body, const BodyKinematics& at, const Eigen::Vec
     return;
   }
   turn_into_body(at, s);
-  body.inertia().inertia_force(at.a, s.v, s.dv, s.slopes, s.M, s.g);
+  body.inertia().inertia_force(at.a, s.v, s.dv, s.slopes, s.g);
   F.head<3>() -= body.mass() * gravity;
   F.head<3>() += at.A * s.g.head<3>();
   F.segment<3>(3) += at.A * s.g.segment<3>(3);
@@ -105,7 +105,8 @@ void body_derivatives(const Body& body, const BodyKinematics& at, InertiaScratch
     return;
   }
   turn_into_body(at, s);
-  body.inertia().inertia_force(at.a, s.v, s.dv, s.slopes, s.M, s.g);
+  body.inertia().inertia_force(at.a, s.v, s.dv, s.slopes, s.g);
+  body.inertia().mass_matrix(at.a, s.M);
   body.inertia().derivatives(at.a, s.v, s.dv, s.dg_da, s.dg_dv);
   turn_matrix(at.A, s.M, M);
   turn_matrix(at.A, s.dg_dv, dF_dv);

@@ -62,6 +62,11 @@ class Equations {
   void expect_multipliers(const Eigen::Ref<const Eigen::VectorXd>& expected,
                           Eigen::Ref<Eigen::VectorXd> F_lambda) const;
   const Eigen::SparseMatrix<double>& reduced_pattern() const;
+  // Per velocity, what its body alone gives the diagonal of the last Jacobian reduced at c: c M_ii, of a mode c M_ii + C_i +
+  // K_i / c.
+  const Eigen::VectorXd& own_diagonal() const;
+  // Per velocity, the share of that below which Newton may leave out an entry of its row (thin_lu.h).
+  Eigen::VectorXd negligible_shares() const;
   // out -= d[F_v; F_z; F_lambda]/dx dx, with the derivatives of the last Jacobian.
   // dx as v; out as [v; z; lambda].
   void subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> out) const;

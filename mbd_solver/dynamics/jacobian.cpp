@@ -11,6 +11,9 @@
 namespace footfall {
 namespace {
 
+// Of what a body itself gives the diagonal; a hundredth costs no iteration.
+constexpr double kNegligible = 3e-3;
+
 void add_columns(const SparseBlock& block, double* values, const Eigen::Ref<const Eigen::MatrixXd>& X) {
   for (Eigen::Index k = 0; k < X.cols(); ++k) block.add_column(values, static_cast<int>(k), X.col(k));
 }
@@ -35,6 +38,12 @@ void Equations::add_body_derivatives(int index, double c, const Inputs& inputs) 
   const int n = body.size();
   Eigen::Ref<Eigen::MatrixXd> K = w.K.topLeftCorner(n, n), D = w.D.topLeftCorner(n, n), M = w.M.topLeftCorner(n, n);
   body_derivatives(model_.body(index), body, w.inertia[at], K, D, M);
+  Eigen::Ref<Eigen::VectorXd> own = w.own_diagonal.segment(layout_.body_v[at], n);
+  own = c * M.diagonal();
+  if (body.modes > 0) {
+    own.tail(body.modes) += D.diagonal().tail(body.modes).cwiseMax(0.0);
+    own.tail(body.modes) += (1.0 / c) * K.diagonal().tail(body.modes).cwiseMax(0.0);
+  }
   if (!inputs.loads.empty()) {  // F_v takes -Q
     K = -K;
     D = -D;
@@ -193,6 +202,18 @@ const Eigen::SparseMatrix<double>& Equations::jacobian(double t, const Eigen::Re
 }
 
 const Eigen::SparseMatrix<double>& Equations::reduced_pattern() const { return work_->reduced; }
+
+const Eigen::VectorXd& Equations::own_diagonal() const { return work_->own_diagonal; }
+
+// Forces in pairs cancel in the sum of the rows of dr, so Newton keeps linear momentum to round-off at every iteration,
+// converged or not: these rows stay whole. Where rows of joints follow from others all does: the mechanism may pass singular
+// positions, in which the answer hangs on the order of pivots.
+Eigen::VectorXd Equations::negligible_shares() const {
+  if (!work_->redundancies.empty()) return Eigen::VectorXd::Zero(layout_.v_size);
+  Eigen::VectorXd share = Eigen::VectorXd::Constant(layout_.v_size, kNegligible);
+  for (const int v : layout_.body_v) share.segment<3>(v).setConstant(ThinLu::kRoundOff);
+  return share;
+}
 
 const Eigen::SparseMatrix<double>& Equations::reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                                                const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,

@@ -38,7 +38,7 @@ void Equations::make_smallest(double t, Eigen::Ref<Eigen::VectorXd> lambda) {
   Workspace& w = *work_;
   if (w.redundancies.empty()) return;
   fill_saddle(t, kSoft, w.smallest_size);
-  if (!w.smallest_lu->factor()) return;  // lambda stays one that holds
+  if (!w.smallest_lu->factor(w.saddle_own)) return;  // lambda stays one that holds
   w.reaction.setZero();
   add_reaction(lambda, 1.0, w.reaction);
   lambda.setZero();
@@ -65,7 +65,7 @@ void Equations::rest_multipliers(double t, const Eigen::Ref<const Eigen::VectorX
   w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size), w.empty);
   w.kinematics.load_turns(layout_, y.segment(layout_.z0(), layout_.z_size));
   fill_saddle(t, 1.0, w.regularisation);
-  w.saddle_factored = w.saddle_lu->factor();
+  w.saddle_factored = w.saddle_lu->factor(w.saddle_own);
   if (!w.saddle_factored) return;
   w.rest_x.setZero();
   add_reaction(lambda, 1.0, w.rest_x.head(layout_.v_size));

@@ -31,7 +31,7 @@ bool Equations::factor_saddle(const State& state) {
   Workspace& w = *work_;
   const auto factor = [&] {
     fill_saddle(state.time, 1.0, w.regularisation);
-    return w.saddle_factored = w.saddle_lu->factor();
+    return w.saddle_factored = w.saddle_lu->factor(w.saddle_own);
   };
   if (!w.redundancies_known) find_redundancies(state);
   bool done = factor();
@@ -148,6 +148,7 @@ void Equations::fill_saddle(double t, double mass, const Eigen::VectorXd& diagon
     Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
     body_mass_matrix(model_.body(i), w.kinematics.of(i), w.inertia[at], M);
     for (int k = 0; k < n; ++k) w.saddle_mass[at].add_column(values, k, mass * M.col(k));
+    w.saddle_own.segment(layout_.body_v[at], n) = mass * M.diagonal();
   }
   for_each_row(
       model_, layout_, w.kinematics, t, w.row,

@@ -161,6 +161,7 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
   lower = reduced = lower_pattern.build();
   saddle = saddle_pattern.build();
   stiffness = Eigen::VectorXd::Zero(lower.nonZeros());
+  own_diagonal = Eigen::VectorXd::Zero(layout.v_size);
 
   const auto locate_in = [](const Eigen::SparseMatrix<double>& matrix) {
     return [&matrix](Range rows, Range cols, SparseBlock& block) {
@@ -177,8 +178,12 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
   lambda_lambda = diagonal_places(lower, lambda0, lambda0, layout.row_count);
   saddle_diagonal = diagonal_places(saddle, layout.v_size, layout.v_size, layout.row_count);
   build_full(model, layout);
-  saddle_lu = std::make_unique<SparseLu>(saddle);
-  if (!redundancies.empty()) smallest_lu = std::make_unique<SparseLu>(saddle);
+  saddle_own = Eigen::VectorXd::Zero(layout.v_size);
+  // Of modes alone: near singular positions the answer hangs on round-off, and so on the order of pivots.
+  Eigen::VectorXd share = Eigen::VectorXd::Constant(layout.v_size, ThinLu::kRoundOff);
+  for (const int v : layout.body_v) share.segment<6>(v).setZero();
+  saddle_lu = std::make_unique<ThinLu>(saddle, share);
+  if (!redundancies.empty()) smallest_lu = std::make_unique<ThinLu>(saddle, share);
   saddle_x = rest_x = Eigen::VectorXd::Zero(layout.v_size + layout.row_count);
   reaction = Eigen::VectorXd::Zero(layout.v_size);
   phi_rate = Eigen::VectorXd::Zero(layout.row_count);

@@ -10,7 +10,7 @@
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/dynamics/redundancy.h"
 #include "mbd_solver/dynamics/sparse_blocks.h"
-#include "mbd_solver/dynamics/sparse_lu.h"
+#include "mbd_solver/dynamics/thin_lu.h"
 
 namespace footfall {
 
@@ -66,6 +66,7 @@ struct Equations::Workspace {
   // All columns of one body have the same rows, so both Jacobians are combinations of columns (jacobian.cpp).
   Eigen::SparseMatrix<double> lower;
   Eigen::VectorXd stiffness;
+  Eigen::VectorXd own_diagonal;  // per velocity
   std::vector<BodyPlaces> body_places;
   std::vector<PairPlaces> joint_places, force_places;
   std::vector<int> z_z, lambda_lambda;
@@ -78,9 +79,10 @@ struct Equations::Workspace {
   std::vector<SparseBlock> saddle_mass;  // per body
   std::vector<PairPlaces> saddle_joint;  // extra_v: Phi_v, v_extra: its transpose
   std::vector<int> saddle_diagonal;
-  std::unique_ptr<SparseLu> saddle_lu;
-  bool saddle_factored = false;           // saddle_lu has factors
-  std::unique_ptr<SparseLu> smallest_lu;  // of the same pattern, for make_smallest()
+  Eigen::VectorXd saddle_own;  // diagonal of M in it
+  std::unique_ptr<ThinLu> saddle_lu;
+  bool saddle_factored = false;         // saddle_lu has factors
+  std::unique_ptr<ThinLu> smallest_lu;  // of the same pattern, for make_smallest()
   Eigen::VectorXd saddle_x, rest_x, phi_rate;
   Eigen::VectorXd reaction;        // Phi_v^T lambda
   Eigen::VectorXd y, rhs;          // full vectors of accelerations()

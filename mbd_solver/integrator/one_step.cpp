@@ -32,7 +32,8 @@ OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
     : equations_(equations),
       options_(options),
       tableau_(tableau_of_order(options.order)),
-      norm_(equations.layout(), options) {
+      norm_(equations.layout(), options),
+      lu_(equations.reduced_pattern(), equations.negligible_shares()) {
   const int n = equations.layout().size();
   const std::size_t stages = static_cast<std::size_t>(tableau_.stages);
   y_ = Ydot_ = known_ = F_ = change_ = rates_ = left_ = row_rates_ = Eigen::VectorXd::Zero(n);
@@ -41,7 +42,6 @@ OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
   Y_.assign(stages, Eigen::VectorXd::Zero(n));
   energy_.resize(stages);
   before_.assign(tableau_.predictors[3] < 0 ? 3 : 4, Eigen::VectorXd::Zero(n));
-  lu_ = std::make_unique<SparseLu>(equations.reduced_pattern());
   start_before_.time = start_.time = kNever;
 }
 
@@ -53,7 +53,7 @@ void OneStep::forget() {
   trouble_ = careful_ = crossings_ = 0;
   singular_time_ = -kNever;
   left_time_ = kNever;
-  lu_->forget();
+  lu_.forget();
   equations_.forget();
 }
 
@@ -178,7 +178,7 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   Eigen::Ref<Eigen::VectorXd> x = F_.tail(lower);
   x *= c;
   equations_.subtract_stiffness(dx_, x);
-  lu_->solve(x);
+  lu_.solve(x);
   dx_ += x.head(layout.v_size) / c;
   from_increments(layout, end.head(layout.q_size), dx_, F_.head(layout.q_size));
   error_ = norm_(F_);

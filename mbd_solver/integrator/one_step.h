@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-#include "mbd_solver/dynamics/sparse_lu.h"
+#include "mbd_solver/dynamics/thin_lu.h"
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/integrator.h"
 #include "mbd_solver/integrator/tableau.h"
@@ -68,7 +68,7 @@ class OneStep : public Integrator {
   const Tableau& tableau_;
   IntegratorStatistics statistics_;
   ErrorNorm norm_;
-  std::unique_ptr<SparseLu> lu_;
+  ThinLu lu_;
   double factored_c_ = 0.0;        // c of the factors, 0: none
   bool fresh_ = false;             // the Jacobian belongs to this step
   bool at_stages_ = false;         // it is renewed at every stage

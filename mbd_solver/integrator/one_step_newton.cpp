@@ -29,7 +29,7 @@ bool OneStep::refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd&
   ++statistics_.factorizations;
   fresh_ = true;
   rate_ = kSlow;
-  factored_c_ = lu_->factor() ? c : 0.0;
+  factored_c_ = lu_.factor(equations_.own_diagonal()) ? c : 0.0;
   return factored_c_ != 0.0;
 }
 
@@ -59,7 +59,7 @@ bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
     ++statistics_.residuals;
     Eigen::Ref<Eigen::VectorXd> x = change_.tail(lower);
     x = F_.tail(lower);
-    lu_->solve(x);
+    lu_.solve(x);
     Y.tail(lower) -= x;
     const double size = norm_(change_);
     worst_ = norm_.worst(change_);

@@ -1,6 +1,16 @@
 #include "mbd_solver/model/kinematic_vector.h"
 
 namespace footfall {
+namespace {
+
+// out += U^T f, a row of three at a time: a product of Eigen's with so short an inner size takes twice the time.
+void add_to_modes(const Eigen::Matrix3Xd& U, const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) {
+  const double* column = U.data();
+  for (Eigen::Index k = 0; k < out.size(); ++k, column += 3)
+    out[k] += column[0] * f[0] + column[1] * f[1] + column[2] * f[2];
+}
+
+}  // namespace
 
 KinematicVector KinematicVector::constant(const Eigen::Vector3d& value_W) {
   KinematicVector out;
@@ -40,36 +50,37 @@ void KinematicVector::add_term(const PairMotion& pair, int slot, double sign, bo
   t.offset = pair.offset(slot);
   t.sign = sign;
   t.point = point;
+  Eigen::Vector3d x, y = Eigen::Vector3d::Zero(), z = Eigen::Vector3d::Zero();
   if (b.modes == 0) {
-    t.x.noalias() = b.A * u0;
-    t.y.setZero();
-    t.z.setZero();
+    x = b.A.lazyProduct(u0);
   } else {
-    // U a, U da and U dda in one pass: most of the work on a flexible body.
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero(), du = Eigen::Vector3d::Zero(), ddu = Eigen::Vector3d::Zero();
+    // U a, U da and U dda in one pass: most of the work on a flexible body. Nine sums that stay in registers; as three
+    // vectors they go through memory, at twice the time.
+    double s0 = 0.0, s1 = 0.0, s2 = 0.0, d0 = 0.0, d1 = 0.0, d2 = 0.0, e0 = 0.0, e1 = 0.0, e2 = 0.0;
     const double* column = U.data();
+    const double *at_a = b.a.data(), *at_da = b.da.data(), *at_dda = b.dda.data();
     for (int k = 0; k < b.modes; ++k, column += 3) {
-      const double a = b.a[k], da = b.da[k], dda = b.dda[k];
-      for (int i = 0; i < 3; ++i) {
-        sum[i] += column[i] * a;
-        du[i] += column[i] * da;
-        ddu[i] += column[i] * dda;
-      }
+      const double a = at_a[k], da = at_da[k], dda = at_dda[k];
+      s0 += column[0] * a, s1 += column[1] * a, s2 += column[2] * a;
+      d0 += column[0] * da, d1 += column[1] * da, d2 += column[2] * da;
+      e0 += column[0] * dda, e1 += column[1] * dda, e2 += column[2] * dda;
     }
-    const Eigen::Vector3d u = u0 + sum;
-    t.x.noalias() = b.A * u;
-    t.y.noalias() = b.A * du;
-    t.z.noalias() = b.A * ddu;
+    x = b.A.lazyProduct(Eigen::Vector3d(u0[0] + s0, u0[1] + s1, u0[2] + s2));
+    y = b.A.lazyProduct(Eigen::Vector3d(d0, d1, d2));
+    z = b.A.lazyProduct(Eigen::Vector3d(e0, e1, e2));
   }
-  const Eigen::Vector3d turning = b.w.cross(t.x);
-  Eigen::Vector3d rate = turning + t.y;
-  Eigen::Vector3d acc = b.dw.cross(t.x) + t.z + b.w.cross(turning + 2.0 * t.y);
+  const Eigen::Vector3d turning = b.w.cross(x);
+  Eigen::Vector3d rate = turning + y;
+  Eigen::Vector3d acc = b.dw.cross(x) + z + b.w.cross(turning + 2.0 * y);
+  t.x = x;
+  t.y = y;
+  t.z = z;
   if (point) {
     value_ += sign * b.r;
     rate += b.dr;
     acc += b.ddr;
   }
-  value_ += sign * t.x;
+  value_ += sign * x;
   rate_ += sign * rate;
   acc_ += sign * acc;
 }
@@ -82,7 +93,7 @@ void KinematicVector::add_transposed(const Eigen::Vector3d& f, Eigen::Ref<Eigen:
     out.segment<3>(t.offset + 3) += t.x.cross(g);
     if (t.body->modes > 0) {
       const Eigen::Vector3d local = t.body->A.transpose() * g;
-      out.segment(t.offset + 6, t.body->modes).noalias() += t.U->transpose() * local;
+      add_to_modes(*t.U, local, out.segment(t.offset + 6, t.body->modes));
     }
   }
 }
@@ -96,7 +107,7 @@ void KinematicVector::add_rate_by_position(const Eigen::Vector3d& f, Eigen::Ref<
     out.segment<3>(t.offset + 3) += t.y.cross(g) - t.x.cross(wg);
     if (t.body->modes > 0) {
       const Eigen::Vector3d local = -(t.body->A.transpose() * wg);
-      out.segment(t.offset + 6, t.body->modes).noalias() += t.U->transpose() * local;
+      add_to_modes(*t.U, local, out.segment(t.offset + 6, t.body->modes));
     }
   }
 }
@@ -111,7 +122,7 @@ void KinematicVector::add_acc_by_position(const Eigen::Vector3d& f, Eigen::Ref<E
     out.segment<3>(t.offset + 3) += t.x.cross(h) + t.z.cross(g) - 2.0 * t.y.cross(wg);
     if (t.body->modes > 0) {
       const Eigen::Vector3d local = t.body->A.transpose() * h;
-      out.segment(t.offset + 6, t.body->modes).noalias() += t.U->transpose() * local;
+      add_to_modes(*t.U, local, out.segment(t.offset + 6, t.body->modes));
     }
   }
 }
@@ -125,7 +136,7 @@ void KinematicVector::add_acc_by_velocity(const Eigen::Vector3d& f, Eigen::Ref<E
     out.segment<3>(t.offset + 3) += (t.body->w.cross(t.x) + 2.0 * t.y).cross(g) - t.x.cross(wg);
     if (t.body->modes > 0) {
       const Eigen::Vector3d local = -2.0 * (t.body->A.transpose() * wg);
-      out.segment(t.offset + 6, t.body->modes).noalias() += t.U->transpose() * local;
+      add_to_modes(*t.U, local, out.segment(t.offset + 6, t.body->modes));
     }
   }
 }

@@ -34,10 +34,8 @@ ModalInertia::ModalInertia(double mass, const Matrix3d& inertia)
       S1_(3, 0),
       J0_(0.5 * (inertia + inertia.transpose())),
       J1_(9, 0),
-      J2_(0, 0),
       C0_(3, 0),
-      C1_(0, 0),
-      G1_(0, 0),
+      pairs_(0, 0),
       Mff_(0, 0),
       K_(0),
       C_(0) {
@@ -55,9 +53,8 @@ ModalInertia::ModalInertia(const ModalBody& body)
   FOOTFALL_DEMAND(body.damping.size() == s);
   S1_.setZero(3, s);
   J1_.setZero(9, s);
-  J2_.setZero(9 * s, s);
   C0_.setZero(3, s);
-  C1_.setZero(3 * s, s);
+  pairs_.setZero(15 * s, s);
   Mff_.setZero(s, s);
 
   for (Index j = 0; j < nodes; ++j) {
@@ -80,17 +77,18 @@ ModalInertia::ModalInertia(const ModalBody& body)
       Eigen::Map<Matrix3d>(J1_.col(k).data()) += twice_symmetric(-m * rho * phi + t * J);
       for (Index l = 0; l < s; ++l) {
         const Vector3d phi_l = Phi.col(l), t_l = Psi.col(l);
-        C1_.block<3, 1>(3 * k, l) += m * phi_l.cross(phi_k) + t_l.cross(J * t_k) - 0.5 * (J * t_l.cross(t_k));
+        pairs_.block<3, 1>(9 * s + 3 * k, l) +=
+            m * phi_l.cross(phi_k) + t_l.cross(J * t_k) - 0.5 * (J * t_l.cross(t_k));
         Matrix3d half = -m * skew(phi_l) * phi;
         if (turns) half += 0.5 * (skew(t_l) * t + t * skew(t_l)) * J - skew(t_l) * J * t;
-        Eigen::Map<Matrix3d>(&J2_(9 * k, l)) += twice_symmetric(half);
+        Eigen::Map<Matrix3d>(&pairs_(9 * k, l)) += twice_symmetric(half);
       }
     }
   }
   Mff_ = 0.5 * (Mff_ + Mff_.transpose()).eval();
-  G1_.setZero(3 * s, s);
   for (int k = 0; k < modes_; ++k)
-    for (int l = 0; l < modes_; ++l) G1_.block<3, 1>(3 * k, l) = coupling_slope(l, k) - coupling_slope(k, l);
+    for (int l = 0; l < modes_; ++l)
+      pairs_.block<3, 1>(12 * s + 3 * k, l) = coupling_slope(l, k) - coupling_slope(k, l);
   const Vector3d c = S0_ / (mass_ > 0.0 ? mass_ : 1.0);
   require_positive(mass_, J0_ + mass_ * skew(c) * skew(c), body.name);
 }
@@ -107,11 +105,13 @@ Vector3d ModalInertia::coupling(int k, const Vec& a) const {
   return C;
 }
 
-Matrix3d ModalInertia::inertia_curvature(int l, int k) const { return Eigen::Map<const Matrix3d>(&J2_(9 * k, l)); }
+Matrix3d ModalInertia::inertia_curvature(int l, int k) const { return Eigen::Map<const Matrix3d>(&pairs_(9 * k, l)); }
+
+Vector3d ModalInertia::coupling_slope(int l, int k) const { return pairs_.block<3, 1>(9 * modes_ + 3 * k, l); }
 
 Matrix3d ModalInertia::inertia_slope(int k, const Vec& a) const {
   Matrix3d dJ = Eigen::Map<const Matrix3d>(&J1_(0, k));
-  for (int l = 0; l < modes_; ++l) dJ += a(l) * Eigen::Map<const Matrix3d>(&J2_(9 * k, l));
+  for (int l = 0; l < modes_; ++l) dJ += a(l) * Eigen::Map<const Matrix3d>(&pairs_(9 * k, l));
   return dJ;
 }
 
@@ -169,53 +169,40 @@ void ModalInertia::velocity_and_elastic_force(const Vec& a, const Vec& v, Eigen:
   h.segment<3>(3) = moment + w.cross(H);
 }
 
-// The two functions above, with the sums over l as columns: the same terms in the same order.
+// The two functions above without forming M, and with all sums over two modes as two products.
 void ModalInertia::inertia_force(const Vec& a, const Vec& v, const Vec& dv, Slopes& slopes,
-                                 Eigen::Ref<Eigen::MatrixXd> M, Eigen::Ref<Eigen::VectorXd> g) const {
-  const Index size = 6 + modes_;
-  FOOTFALL_DEMAND(a.size() == modes_ && v.size() == size && dv.size() == size && g.size() == size);
-  FOOTFALL_DEMAND(M.rows() == size && M.cols() == size && slopes.dJ.size() == 9 * modes_);
-  slopes.dJ = Eigen::Map<const Eigen::VectorXd>(J1_.data(), J1_.size());
-  slopes.C = Eigen::Map<const Eigen::VectorXd>(C0_.data(), C0_.size());
-  slopes.dC.setZero();
-  slopes.gyroscopic.setZero();
-  for (int l = 0; l < modes_; ++l) {
-    const double da = v(6 + l);
-    slopes.dJ += a(l) * J2_.col(l);
-    slopes.C += a(l) * C1_.col(l);
-    slopes.dC += da * C1_.col(l);
-    slopes.gyroscopic += da * G1_.col(l);
-  }
+                                 Eigen::Ref<Eigen::VectorXd> g) const {
+  const Index s = modes_;
+  FOOTFALL_DEMAND(a.size() == s && v.size() == 6 + s && dv.size() == 6 + s && g.size() == 6 + s);
+  FOOTFALL_DEMAND(slopes.by_a.size() == 12 * s && slopes.by_da.size() == 6 * s);
+  const Vector3d w = v.segment<3>(3), ddr = dv.head<3>(), dw = dv.segment<3>(3);
+  const auto da = v.tail(s), dda = dv.tail(s);
+  slopes.by_a.head(9 * s) = Eigen::Map<const Eigen::VectorXd>(J1_.data(), 9 * s);
+  slopes.by_a.tail(3 * s) = Eigen::Map<const Eigen::VectorXd>(C0_.data(), 3 * s);
+  slopes.by_a.noalias() += pairs_.topRows(12 * s) * a;
+  slopes.by_da.noalias() = pairs_.bottomRows(6 * s) * da;
 
-  const Vector3d w = v.segment<3>(3), S = first_moment(a);
-  Matrix3d J = J0_;
-  Vector3d H = J0_ * w, moment = Vector3d::Zero();
-  Vector3d force = w.cross(w.cross(S));
-  for (int k = 0; k < modes_; ++k) {
-    const double da = v(6 + k);
-    const Eigen::Map<const Matrix3d> J1(&J1_(0, k)), dJ(&slopes.dJ(9 * k));
-    const Vector3d C = slopes.C.segment<3>(3 * k);
+  const Vector3d S = first_moment(a);
+  Vector3d S1_da = Vector3d::Zero(), S1_dda = Vector3d::Zero();
+  Vector3d C_da = Vector3d::Zero(), C_dda = Vector3d::Zero(), dC_da = Vector3d::Zero();
+  Matrix3d J = J0_, dJ_da = Matrix3d::Zero();
+  g.tail(s).noalias() = Mff_ * dda;
+  for (Index k = 0; k < s; ++k) {
+    const Eigen::Map<const Matrix3d> J1(&J1_(0, k)), dJ(&slopes.by_a(9 * k));
+    const Eigen::Map<const Vector3d> S1(&S1_(0, k)), C(&slopes.by_a(9 * s + 3 * k));
+    const Eigen::Map<const Vector3d> dC(&slopes.by_da(3 * k)), gyroscopic(&slopes.by_da(3 * s + 3 * k));
     J += 0.5 * a(k) * (J1 + dJ);
-    const Vector3d J1w = J1 * w, dJw = dJ * w;
-    H += 0.5 * a(k) * (J1w + dJw) + da * C;
-    force += 2.0 * da * w.cross(S1_.col(k));
-    moment += da * (dJw + slopes.dC.segment<3>(3 * k));
-    g(6 + k) = -0.5 * w.dot(dJw) + w.dot(slopes.gyroscopic.segment<3>(3 * k)) + C_(k) * da + K_(k) * a(k);
-    M.block<3, 1>(0, 6 + k) = S1_.col(k);
-    M.block<3, 1>(3, 6 + k) = C;
-    M.block<1, 3>(6 + k, 0) = S1_.col(k).transpose();
-    M.block<1, 3>(6 + k, 3) = C.transpose();
+    dJ_da += da(k) * dJ;
+    S1_da += da(k) * S1;
+    S1_dda += dda(k) * S1;
+    C_da += da(k) * C;
+    C_dda += dda(k) * C;
+    dC_da += da(k) * dC;
+    g(6 + k) += S1.dot(ddr) + C.dot(dw) + w.dot(gyroscopic) - 0.5 * w.dot(dJ * w) + C_(k) * da(k) + K_(k) * a(k);
   }
-  g.head<3>() = force;
-  g.segment<3>(3) = moment + w.cross(H);
-
-  const Matrix3d Sx = skew(S);
-  M.topLeftCorner<3, 3>() = mass_ * Matrix3d::Identity();
-  M.block<3, 3>(0, 3) = -Sx;
-  M.block<3, 3>(3, 0) = Sx;
-  M.block<3, 3>(3, 3) = 0.5 * (J + J.transpose());
-  M.bottomRightCorner(modes_, modes_) = Mff_;
-  g.noalias() += M * dv;
+  const Vector3d H = J * w + C_da;
+  g.head<3>() = mass_ * ddr + dw.cross(S) + S1_dda + 2.0 * w.cross(S1_da) + w.cross(w.cross(S));
+  g.segment<3>(3) = S.cross(ddr) + J * dw + C_dda + dJ_da * w + dC_da + w.cross(H);
 }
 
 // Row by row the derivatives of g = M(a) dv + h(a, v), with dv = [ddr; dw; dda]; see the two functions above.

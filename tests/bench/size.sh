@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What a step costs against the size of a mechanism: chains of rigid bodies, and ten flexible rods with more and more modes. Instructions of the whole program
-# by valgrind, which do not depend on what else runs: the difference of two runs of fixed steps, so without the start.
+# by valgrind, which do not depend on what else runs: the difference of two runs of fixed steps, so without the start. How many evaluations Newton needs for a
+# step is a matter of the motion (a long chain falls otherwise than a short one), so the cost of one evaluation, with its share of all else, is told as well.
 #   tests/bench/size.sh BUILD [OUT]      OUT (default runs/size) gets size.csv, size.md and size.png. Needs valgrind and gnuplot.
 set -euo pipefail
 solver=$(realpath "$1")/bin/mbd_solver out=${2:-runs/size}
@@ -23,45 +24,53 @@ scene() {
     print "[solver]\nerror_control = false\nmax_step = 5e-4\n[output]\ninterval = 1\nplots = false\nvtk = false"
   }' > "$work/scene.toml"
 }
-instructions() {  # UNTIL
+instructions() {  # UNTIL: instructions and evaluations
   rm -rf "$work/run"
   valgrind --tool=callgrind --callgrind-out-file="$work/callgrind" "$solver" "$work/scene.toml" --quiet --keep-every 0 --until "$1" --out "$work/run" > "$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
-  sed -n 's/^\(summary\|totals\): //p' "$work/callgrind" | head -n 1
+  echo "$(sed -n 's/^\(summary\|totals\): //p' "$work/callgrind" | head -n 1) $(sed -n 's/^ *"residuals": \([0-9]*\),$/\1/p' "$work/run/summary.json")"
 }
 # kind, size (what grows), bodies, modes of each
 measure() {
   scene "$3" "$4"
   local few many
   few=$(instructions 0.01) many=$(instructions 0.02)
-  awk -v kind="$1" -v size="$2" -v a="$few" -v b="$many" 'BEGIN { printf "%s,%d,%.4g\n", kind, size, (b - a) / 20 }' | tee -a "$out/size.csv"
+  echo "$few $many" | awk -v kind="$1" -v size="$2" '{ printf "%s,%d,%.4g,%.4g,%.4g\n", kind, size, ($3 - $1) / 20, ($4 - $2) / 20, ($3 - $1) / ($4 - $2) }' | tee -a "$out/size.csv"
 }
 
-echo "kind,size,instructions_per_step" > "$out/size.csv"
+echo "kind,size,instructions_per_step,evaluations_per_step,instructions_per_evaluation" > "$out/size.csv"
 for n in 10 20 50 100 200 400; do measure bodies "$n" "$n" 0; done
 for m in 0 5 10 20 30 50; do measure modes $((10 * m)) 10 "$m"; done
 
-slope() {  # of kind $1 between sizes $2 and $3, on logarithmic scales
-  awk -F, -v kind="$1" -v a="$2" -v b="$3" '$1 == kind { y[$2] = $3 } END { printf "%.2f", log(y[b] / y[a]) / log(b / a) }' "$out/size.csv"
+slope() {  # of kind $1 between sizes $2 and $3, on logarithmic scales: of a step, of an evaluation
+  awk -F, -v kind="$1" -v a="$2" -v b="$3" '$1 == kind { step[$2] = $3; one[$2] = $5 }
+    END { printf "%.2f (%.2f)", log(step[b] / step[a]) / log(b / a), log(one[b] / one[a]) / log(b / a) }' "$out/size.csv"
+}
+# The straight line through an evaluation's cost, a + b size, with the least relative squares: how far the costs are from it at most [%].
+from_line() {
+  awk -F, -v kind="$1" '$1 == kind { n++; x[n] = $2; y[n] = $5; w = 1 / ($5 * $5); s += w; sx += w * $2; sxx += w * $2 * $2; sy += w * $5; sxy += w * $2 * $5 }
+    END { b = (s * sxy - sx * sy) / (s * sxx - sx * sx); a = (sy - b * sx) / s
+          for (i = 1; i <= n; ++i) { d = y[i] / (a + b * x[i]) - 1; if (d < 0) d = -d; if (d > most) most = d } printf "%.0f", 100 * most }' "$out/size.csv"
 }
 {
-  echo "| what grows | size | instructions of a step | of each |"
-  echo "|---|---|---|---|"
-  awk -F, 'NR > 1 { printf "| %s | %d | %.2e | %s |\n", $1, $2, $3, ($2 > 0 ? sprintf("%.2e", $3 / $2) : "-") }' "$out/size.csv"
-  printf '\nSlopes on logarithmic scales: %s from 10 to 100 bodies, %s from 100 to 400; %s from 50 to 200 modes, %s from 200 to 500.\n' \
+  echo "| what grows | size | instructions of a step | evaluations of a step | instructions of an evaluation | for each of what grows |"
+  echo "|---|---|---|---|---|---|"
+  awk -F, 'NR > 1 { printf "| %s | %d | %.2e | %.1f | %.2e | %s |\n", $1, $2, $3, $4, $5, ($2 > 0 ? sprintf("%.2e", $5 / $2) : "-") }' "$out/size.csv"
+  printf '\nSlopes on logarithmic scales, of a step and in brackets of an evaluation: %s from 10 to 100 bodies, %s from 100 to 400; %s from 50 to 200 modes, %s from 200 to 500. ' \
     "$(slope bodies 10 100)" "$(slope bodies 100 400)" "$(slope modes 50 200)" "$(slope modes 200 500)"
+  printf 'From the straight line with the least relative squares the cost of an evaluation is %s %% away at most with bodies, %s %% with modes.\n' "$(from_line bodies)" "$(from_line modes)"
 } > "$out/size.md"
 gnuplot <<END
 set terminal pngcairo size 900,600
 set output "$out/size.png"
 set logscale xy
 set xlabel "bodies, or modes of ten bodies together"
-set ylabel "instructions of a step"
+set ylabel "instructions of an evaluation"
 set format y "10^{%L}"
 set grid
 set key left top
 set datafile separator ","
-plot "< grep '^bodies' '$out/size.csv'" using 2:3 with linespoints lw 2 title "rigid bodies in a chain", \
-     "< grep '^modes' '$out/size.csv' | grep -v ',0,'" using 2:3 with linespoints lw 2 title "modes of ten rods", \
-     1e5*x dashtype 2 lc rgb "grey" title "linear"
+plot "< grep '^bodies' '$out/size.csv'" using 2:5 with linespoints lw 2 title "rigid bodies in a chain", \
+     "< grep '^modes' '$out/size.csv' | grep -v ',0,'" using 2:5 with linespoints lw 2 title "modes of ten rods", \
+     1e4*x dashtype 2 lc rgb "grey" title "linear"
 END
 cat "$out/size.md"

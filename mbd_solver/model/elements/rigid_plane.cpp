@@ -149,15 +149,18 @@ void RigidPlane::each_contact(const ElementInput& in, Use use) const {
   const BodyKinematics& body = *in.pair.body[0];
   const Eigen::Vector3d n_B = body.A.transpose() * parameters_.normal;
   const double height = parameters_.normal.dot(body.r - parameters_.point);
+  const double bent = body.modes == 0 ? 0.0 : flexible_reach_ * body.a.norm();  // no place moves further by the modes
   Contact at;
-  int place = 0;
+  int place = -1;
   for (const ContactPoint& point : points_) {
     const Marker& m = point.marker;
+    ++place;
     double h = height + n_B.dot(m.s0);
+    if (h - bent - point.radius > kClear) continue;
     for (Eigen::Index k = 0; k < m.S.cols(); ++k) h += n_B.dot(m.S.col(k)) * body.a[k];
     if (h - point.radius <= kClear && contact(in, m, point.radius, place, at)) use(at);
-    ++place;
   }
+  ++place;
   for (const ContactRim& rim : rims_) {
     each_contact(in, rim, place, use);
     place += kRimPlaces;

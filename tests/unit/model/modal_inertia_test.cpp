@@ -227,20 +227,19 @@ TEST(ModalInertia, DerivativesAgreeWithCentralDifferences) {
   }
 }
 
-// To the last bit: the same terms in the same order, the slopes of the inertia once for both.
-TEST(ModalInertia, ForceAndMassMatrixAtOnceAreThoseOneByOne) {
-  for (int s : {1, 4, 9}) {
+TEST(ModalInertia, ForceAtOnceIsMassTimesAccelerationAndTheRest) {
+  for (int s : {1, 4, 9, 40}) {
     const ModalInertia inertia(random_body(7, s, 31u + static_cast<unsigned>(s)));
     const RandomState at(s);
-    MatrixXd M(6 + s, 6 + s), M_once(6 + s, 6 + s);
+    MatrixXd M(6 + s, 6 + s);
     VectorXd h(6 + s), g(6 + s);
     inertia.mass_matrix(at.a, M);
     inertia.velocity_and_elastic_force(at.a, at.v, h);
+    const double size = (M.cwiseAbs() * at.dv.cwiseAbs() + h.cwiseAbs()).maxCoeff();
     h.noalias() += M * at.dv;
     ModalInertia::Slopes slopes(s);
-    inertia.inertia_force(at.a, at.v, at.dv, slopes, M_once, g);
-    EXPECT_EQ(M_once, M) << s;
-    EXPECT_EQ(g, h) << s;
+    inertia.inertia_force(at.a, at.v, at.dv, slopes, g);
+    EXPECT_LT((g - h).lpNorm<Eigen::Infinity>(), 1e-14 * s * size) << s;
   }
 }
 
