@@ -24,6 +24,7 @@ std::string at_time(double t) { return "t = " + std::to_string(t) + " s: "; }
 void Equations::forget() {
   work_->saddle_lu->forget();
   work_->saddle_factored = false;
+  if (work_->smallest_lu) work_->smallest_lu->forget();
   work_->redundancies_known = work_->redundancies.empty();
 }
 
