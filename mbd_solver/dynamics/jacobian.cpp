@@ -11,7 +11,7 @@
 namespace footfall {
 namespace {
 
-// Of what a body itself gives the diagonal; a hundredth costs no iteration.
+// Of what a body itself gives the diagonal: Newton needs one iteration in a hundred more.
 constexpr double kNegligible = 3e-3;
 
 void add_columns(const SparseBlock& block, double* values, const Eigen::Ref<const Eigen::MatrixXd>& X) {
