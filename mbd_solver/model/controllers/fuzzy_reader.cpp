@@ -10,6 +10,8 @@
 namespace footfall {
 namespace {
 
+constexpr int kMostSamples = 100000;  // of a defuzzifier's integral; FuzzyLite takes 100 if the file says nothing
+
 // FuzzyLite's text without its trace.
 std::string first_line(const fl::Exception& error) {
   const std::string text = error.getWhat();
@@ -133,6 +135,11 @@ void FuzzySystem::Engine::take_variables(const std::string& file, const std::vec
       throw InputError(where_is(file, blocks, expected, "lock-previous") + "\"" + expected +
                        "\" keeps its previous value; expected lock-previous: false, because a hidden memory "
                        "could not be resumed.");
+    if (const auto* integral = dynamic_cast<const fl::IntegralDefuzzifier*>(v->getDefuzzifier()))
+      if (integral->getResolution() < 1 || integral->getResolution() > kMostSamples)
+        throw InputError(where_is(file, blocks, expected, "defuzzifier") + integral->className() + " of \"" + expected +
+                         "\" takes " + std::to_string(integral->getResolution()) + " samples; expected 1 to " +
+                         std::to_string(kMostSamples) + ".");
     output.push_back(v);
   }
   if (output.empty())

@@ -87,6 +87,13 @@ TEST(FuzzyBadFile, WrongRange) {
   expect_refused("  range: 0 1\n", "  range: 0 2\n", true, "range of \"U1\" is 0 to 2; expected 0 to 1");
 }
 
+TEST(FuzzyBadFile, SamplesThatCannotBeTaken) {
+  for (const char* samples : {"0", "-3", "100001", "28888888888888888888888888888"})
+    expect_refused("  defuzzifier: Centroid 140\n", "  defuzzifier: Centroid " + std::string(samples) + "\n", true,
+                   "samples; expected 1 to 100000");
+  expect_refused("  defuzzifier: Centroid 140\n", "  defuzzifier: Bisector -1\n", true, "Bisector of \"U1\" takes -1");
+}
+
 TEST(FuzzyBadFile, UncoveredRegion) {
   expect_refused("  rule: if a is B and da is B and alpha is P and beta is P then", "  #", false,
                  "no rule fires for U1 at a = 5, da = 10, alpha = 4, beta = 4");
