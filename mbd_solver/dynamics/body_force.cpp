@@ -50,7 +50,7 @@ Vector6d tangent_increment(const TangentLoad& t, const BodyKinematics& at, const
 
 }  // namespace
 
-InertiaScratch::InertiaScratch(int modes) : slopes(modes) {
+InertiaScratch::InertiaScratch(int modes) : inertia(modes) {
   if (modes == 0) return;
   const int n = 6 + modes;
   v = dv = g = force = Eigen::VectorXd::Zero(n);
@@ -71,7 +71,7 @@ void add_body_force(const Body& body, const BodyKinematics& at, const Eigen::Vec
     return;
   }
   turn_into_body(at, s);
-  body.inertia().inertia_force(at.a, s.v, s.dv, s.slopes, s.g);
+  body.inertia().inertia_force(at.a, s.v, s.dv, s.inertia, s.g);
   F.head<3>() -= body.mass() * gravity;
   F.head<3>() += at.A * s.g.head<3>();
   F.segment<3>(3) += at.A * s.g.segment<3>(3);
@@ -105,7 +105,7 @@ void body_derivatives(const Body& body, const BodyKinematics& at, InertiaScratch
     return;
   }
   turn_into_body(at, s);
-  body.inertia().inertia_force(at.a, s.v, s.dv, s.slopes, s.g);
+  body.inertia().inertia_force(at.a, s.v, s.dv, s.inertia, s.g);
   body.inertia().mass_matrix(at.a, s.M);
   body.inertia().derivatives(at.a, s.v, s.dv, s.dg_da, s.dg_dv);
   turn_matrix(at.A, s.M, M);

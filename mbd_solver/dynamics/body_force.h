@@ -17,7 +17,7 @@ struct InertiaScratch {
   explicit InertiaScratch(int modes);
   Eigen::VectorXd v, dv, g, force;
   Eigen::MatrixXd M, dg_da, dg_dv;
-  ModalInertia::Slopes slopes;
+  ModalInertia::Scratch inertia;
 };
 
 // F += M dv + h - [m gravity; 0; 0], with the accelerations of `at`. F: 6+s.

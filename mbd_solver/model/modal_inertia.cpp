@@ -14,7 +14,25 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Matrix3d twice_symmetric(const Matrix3d& x) { return x + x.transpose(); }
+using Symmetric = Eigen::Matrix<double, 6, 1>;  // xx yy zz xy yz zx
+
+// x + x^T
+Symmetric twice_symmetric(const Matrix3d& x) {
+  Symmetric sum;
+  sum << 2.0 * x(0, 0), 2.0 * x(1, 1), 2.0 * x(2, 2), x(0, 1) + x(1, 0), x(1, 2) + x(2, 1), x(2, 0) + x(0, 2);
+  return sum;
+}
+Matrix3d matrix(const Symmetric& x) {
+  Matrix3d m;
+  m << x(0), x(3), x(5), x(3), x(1), x(4), x(5), x(4), x(2);
+  return m;
+}
+// w . X w = squares(w) . X
+Symmetric squares(const Vector3d& w) {
+  Symmetric s;
+  s << w.x() * w.x(), w.y() * w.y(), w.z() * w.z(), 2.0 * w.x() * w.y(), 2.0 * w.y() * w.z(), 2.0 * w.z() * w.x();
+  return s;
+}
 
 // A body without inertia about some axis has a singular mass matrix: refuse it here, where its name is known.
 void require_positive(double mass, const Matrix3d& inertia, const std::string& body) {
@@ -33,7 +51,7 @@ ModalInertia::ModalInertia(double mass, const Matrix3d& inertia)
       S0_(Vector3d::Zero()),
       S1_(3, 0),
       J0_(0.5 * (inertia + inertia.transpose())),
-      J1_(9, 0),
+      J1_(6, 0),
       C0_(3, 0),
       pairs_(0, 0),
       Mff_(0, 0),
@@ -52,9 +70,9 @@ ModalInertia::ModalInertia(const ModalBody& body)
   FOOTFALL_DEMAND(body.Psi.rows() == 3 * nodes && body.Psi.cols() == s);
   FOOTFALL_DEMAND(body.damping.size() == s);
   S1_.setZero(3, s);
-  J1_.setZero(9, s);
+  J1_.setZero(6, s);
   C0_.setZero(3, s);
-  pairs_.setZero(15 * s, s);
+  pairs_.setZero(9 * s, s);
   Mff_.setZero(s, s);
 
   for (Index j = 0; j < nodes; ++j) {
@@ -74,21 +92,27 @@ ModalInertia::ModalInertia(const ModalBody& body)
     for (Index k = 0; k < s; ++k) {
       const Vector3d phi_k = Phi.col(k), t_k = Psi.col(k);
       const Matrix3d phi = skew(phi_k), t = skew(t_k);
-      Eigen::Map<Matrix3d>(J1_.col(k).data()) += twice_symmetric(-m * rho * phi + t * J);
+      J1_.col(k) += twice_symmetric(-m * rho * phi + t * J);
       for (Index l = 0; l < s; ++l) {
         const Vector3d phi_l = Phi.col(l), t_l = Psi.col(l);
-        pairs_.block<3, 1>(9 * s + 3 * k, l) +=
+        pairs_.block<3, 1>(6 * s + 3 * k, l) +=
             m * phi_l.cross(phi_k) + t_l.cross(J * t_k) - 0.5 * (J * t_l.cross(t_k));
         Matrix3d half = -m * skew(phi_l) * phi;
         if (turns) half += 0.5 * (skew(t_l) * t + t * skew(t_l)) * J - skew(t_l) * J * t;
-        Eigen::Map<Matrix3d>(&pairs_(9 * k, l)) += twice_symmetric(half);
+        pairs_.block<6, 1>(6 * k, l) += twice_symmetric(half);
       }
     }
   }
+  J0_ = 0.5 * (J0_ + J0_.transpose()).eval();
   Mff_ = 0.5 * (Mff_ + Mff_.transpose()).eval();
+  Eigen::MatrixXd parts(6 * s, s);
   for (int k = 0; k < modes_; ++k)
-    for (int l = 0; l < modes_; ++l)
-      pairs_.block<3, 1>(12 * s + 3 * k, l) = coupling_slope(l, k) - coupling_slope(k, l);
+    for (int l = 0; l < modes_; ++l) {
+      parts.block<3, 1>(3 * k, l) = coupling_slope(l, k) - coupling_slope(k, l);
+      parts.block<3, 1>(3 * s + 3 * k, l) = 0.5 * (coupling_slope(l, k) + coupling_slope(k, l));
+    }
+  by_a_ = ColumnGroups(pairs_);
+  by_da_ = ColumnGroups(parts);
   const Vector3d c = S0_ / (mass_ > 0.0 ? mass_ : 1.0);
   require_positive(mass_, J0_ + mass_ * skew(c) * skew(c), body.name);
 }
@@ -105,21 +129,17 @@ Vector3d ModalInertia::coupling(int k, const Vec& a) const {
   return C;
 }
 
-Matrix3d ModalInertia::inertia_curvature(int l, int k) const { return Eigen::Map<const Matrix3d>(&pairs_(9 * k, l)); }
-
-Vector3d ModalInertia::coupling_slope(int l, int k) const { return pairs_.block<3, 1>(9 * modes_ + 3 * k, l); }
-
-Matrix3d ModalInertia::inertia_slope(int k, const Vec& a) const {
-  Matrix3d dJ = Eigen::Map<const Matrix3d>(&J1_(0, k));
-  for (int l = 0; l < modes_; ++l) dJ += a(l) * Eigen::Map<const Matrix3d>(&pairs_(9 * k, l));
+Symmetric ModalInertia::inertia_slope(int k, const Vec& a) const {
+  Symmetric dJ = J1_.col(k);
+  for (int l = 0; l < modes_; ++l) dJ += a(l) * inertia_curvature(l, k);
   return dJ;
 }
 
 // J = J0 + sum_k a_k (J1_k + 1/2 sum_l a_l J2_lk) = J0 + 1/2 sum_k a_k (J1_k + dJ/da_k)
 Matrix3d ModalInertia::inertia(const Vec& a) const {
-  Matrix3d J = J0_;
-  for (int k = 0; k < modes_; ++k) J += 0.5 * a(k) * (Eigen::Map<const Matrix3d>(&J1_(0, k)) + inertia_slope(k, a));
-  return 0.5 * (J + J.transpose());
+  Symmetric J = Symmetric::Zero();
+  for (int k = 0; k < modes_; ++k) J += 0.5 * a(k) * (J1_.col(k) + inertia_slope(k, a));
+  return J0_ + matrix(J);
 }
 
 // M = [m I, -S~, S1; S~, J, C; S1^T, C^T, Mff]
@@ -140,72 +160,50 @@ void ModalInertia::mass_matrix(const Vec& a, Eigen::Ref<Eigen::MatrixXd> M) cons
   M.bottomRightCorner(modes_, modes_) = Mff_;
 }
 
-// With dJ = sum_k da_k dJ/da_k, dC = sum_k da_k dC/da_k:
+// g = M(a) dv + h(a, v); with dJ = sum_k da_k dJ/da_k, dC = sum_k da_k dC/da_k the part h is
 // force:   2 w x (S1 da) + w x (w x S)
 // moment:  dJ w + w x (J w + C da) + dC da
 // modal k: -1/2 w . dJ/da_k w + w . sum_l da_l (dC_k/da_l - dC_l/da_k) + C_k da_k + K_k a_k
-void ModalInertia::velocity_and_elastic_force(const Vec& a, const Vec& v, Eigen::Ref<Eigen::VectorXd> h) const {
-  FOOTFALL_DEMAND(a.size() == modes_ && v.size() == 6 + modes_ && h.size() == 6 + modes_);
-  const Vector3d w = v.segment<3>(3);
-  Vector3d H = J0_ * w;  // J w + C da
-  Vector3d force = w.cross(w.cross(first_moment(a)));
-  Vector3d moment = Vector3d::Zero();
-  for (int k = 0; k < modes_; ++k) {
-    const double da = v(6 + k);
-    const Vector3d J1w = Eigen::Map<const Matrix3d>(&J1_(0, k)) * w;
-    const Vector3d dJw = inertia_slope(k, a) * w;
-    Vector3d C = C0_.col(k), dC = Vector3d::Zero(), gyroscopic = Vector3d::Zero();
-    for (int l = 0; l < modes_; ++l) {
-      C += a(l) * coupling_slope(l, k);
-      dC += v(6 + l) * coupling_slope(l, k);
-      gyroscopic += v(6 + l) * (coupling_slope(l, k) - coupling_slope(k, l));
-    }
-    H += 0.5 * a(k) * (J1w + dJw) + da * C;
-    force += 2.0 * da * w.cross(S1_.col(k));
-    moment += da * (dJw + dC);
-    h(6 + k) = -0.5 * w.dot(dJw) + w.dot(gyroscopic) + C_(k) * da + K_(k) * a(k);
-  }
-  h.head<3>() = force;
-  h.segment<3>(3) = moment + w.cross(H);
-}
-
-// The two functions above without forming M, and with all sums over two modes as two products.
-void ModalInertia::inertia_force(const Vec& a, const Vec& v, const Vec& dv, Slopes& slopes,
+// All sums over two modes are two products. dC da is a sum over pairs of modes, to which their symmetric part gives all.
+void ModalInertia::inertia_force(const Vec& a, const Vec& v, const Vec& dv, Scratch& scratch,
                                  Eigen::Ref<Eigen::VectorXd> g) const {
   const Index s = modes_;
   FOOTFALL_DEMAND(a.size() == s && v.size() == 6 + s && dv.size() == 6 + s && g.size() == 6 + s);
-  FOOTFALL_DEMAND(slopes.by_a.size() == 12 * s && slopes.by_da.size() == 6 * s);
+  FOOTFALL_DEMAND(scratch.by_a.size() == 9 * s && scratch.by_da.size() == 6 * s);
   const Vector3d w = v.segment<3>(3), ddr = dv.head<3>(), dw = dv.segment<3>(3);
   const auto da = v.tail(s), dda = dv.tail(s);
-  slopes.by_a.head(9 * s) = Eigen::Map<const Eigen::VectorXd>(J1_.data(), 9 * s);
-  slopes.by_a.tail(3 * s) = Eigen::Map<const Eigen::VectorXd>(C0_.data(), 3 * s);
-  slopes.by_a.noalias() += pairs_.topRows(12 * s) * a;
-  slopes.by_da.noalias() = pairs_.bottomRows(6 * s) * da;
+  scratch.by_a.head(6 * s) = J1_.reshaped();
+  scratch.by_a.tail(3 * s) = C0_.reshaped();
+  by_a_.add_product(a, scratch.by_a, scratch.sums);
+  scratch.by_da.setZero();
+  by_da_.add_product(da, scratch.by_da, scratch.sums);
 
   const Vector3d S = first_moment(a);
+  const Symmetric half_squares = 0.5 * squares(w);
   Vector3d S1_da = Vector3d::Zero(), S1_dda = Vector3d::Zero();
   Vector3d C_da = Vector3d::Zero(), C_dda = Vector3d::Zero(), dC_da = Vector3d::Zero();
-  Matrix3d J = J0_, dJ_da = Matrix3d::Zero();
+  Symmetric J_by_a = Symmetric::Zero(), dJ_da = Symmetric::Zero();
   g.tail(s).noalias() = Mff_ * dda;
   for (Index k = 0; k < s; ++k) {
-    const Eigen::Map<const Matrix3d> J1(&J1_(0, k)), dJ(&slopes.by_a(9 * k));
-    const Eigen::Map<const Vector3d> S1(&S1_(0, k)), C(&slopes.by_a(9 * s + 3 * k));
-    const Eigen::Map<const Vector3d> dC(&slopes.by_da(3 * k)), gyroscopic(&slopes.by_da(3 * s + 3 * k));
-    J += 0.5 * a(k) * (J1 + dJ);
+    const Eigen::Map<const Symmetric> J1(&J1_(0, k)), dJ(&scratch.by_a(6 * k));
+    const Eigen::Map<const Vector3d> S1(&S1_(0, k)), C(&scratch.by_a(6 * s + 3 * k));
+    const Eigen::Map<const Vector3d> gyroscopic(&scratch.by_da(3 * k)), dC(&scratch.by_da(3 * s + 3 * k));
+    J_by_a += 0.5 * a(k) * (J1 + dJ);
     dJ_da += da(k) * dJ;
     S1_da += da(k) * S1;
     S1_dda += dda(k) * S1;
     C_da += da(k) * C;
     C_dda += dda(k) * C;
     dC_da += da(k) * dC;
-    g(6 + k) += S1.dot(ddr) + C.dot(dw) + w.dot(gyroscopic) - 0.5 * w.dot(dJ * w) + C_(k) * da(k) + K_(k) * a(k);
+    g(6 + k) += S1.dot(ddr) + C.dot(dw) + w.dot(gyroscopic) - half_squares.dot(dJ) + C_(k) * da(k) + K_(k) * a(k);
   }
+  const Matrix3d J = J0_ + matrix(J_by_a);
   const Vector3d H = J * w + C_da;
   g.head<3>() = mass_ * ddr + dw.cross(S) + S1_dda + 2.0 * w.cross(S1_da) + w.cross(w.cross(S));
-  g.segment<3>(3) = S.cross(ddr) + J * dw + C_dda + dJ_da * w + dC_da + w.cross(H);
+  g.segment<3>(3) = S.cross(ddr) + J * dw + C_dda + matrix(dJ_da) * w + dC_da + w.cross(H);
 }
 
-// Row by row the derivatives of g = M(a) dv + h(a, v), with dv = [ddr; dw; dda]; see the two functions above.
+// Row by row the derivatives of g = M(a) dv + h(a, v), with dv = [ddr; dw; dda]; see the function above.
 void ModalInertia::derivatives(const Vec& a, const Vec& v, const Vec& dv, Eigen::Ref<Eigen::MatrixXd> dg_da,
                                Eigen::Ref<Eigen::MatrixXd> dg_dv) const {
   const Index size = 6 + modes_;
@@ -216,29 +214,31 @@ void ModalInertia::derivatives(const Vec& a, const Vec& v, const Vec& dv, Eigen:
   const Vector3d dw = dv.segment<3>(3);
   const Matrix3d wx = skew(w);
   const Vector3d S = first_moment(a);
+  const Symmetric half_squares = 0.5 * squares(w);
   Matrix3d J = J0_, J_rate = Matrix3d::Zero();
   Vector3d S1da = Vector3d::Zero(), Cda = Vector3d::Zero();
   for (int k = 0; k < modes_; ++k) {
     const double da = v(6 + k);
-    const Matrix3d dJ = inertia_slope(k, a);
+    const Matrix3d dJ = matrix(inertia_slope(k, a));
     const Vector3d S1 = S1_.col(k);
     Vector3d C = C0_.col(k);
-    Vector3d to_dda = Vector3d::Zero();   // (dC/da_k) dda
-    Vector3d to_da = Vector3d::Zero();    // (dC/da_k) da
-    Vector3d C_rate = Vector3d::Zero();   // dC_k
-    Matrix3d dJ_rate = Matrix3d::Zero();  // sum_l da_l d2J/da_l da_k
+    Vector3d to_dda = Vector3d::Zero();      // (dC/da_k) dda
+    Vector3d to_da = Vector3d::Zero();       // (dC/da_k) da
+    Vector3d C_rate = Vector3d::Zero();      // dC_k
+    Symmetric dJ_rates = Symmetric::Zero();  // sum_l da_l d2J/da_l da_k
     for (int l = 0; l < modes_; ++l) {
       const Vector3d c_lk = coupling_slope(l, k), c_kl = coupling_slope(k, l);
-      const Matrix3d J2_lk = inertia_curvature(l, k);
+      const Symmetric J2_lk = inertia_curvature(l, k);
       C += a(l) * c_lk;
       to_dda += dv(6 + l) * c_kl;
       to_da += v(6 + l) * c_kl;
       C_rate += v(6 + l) * c_lk;
-      dJ_rate += v(6 + l) * J2_lk;
-      dg_da(6 + k, l) = dw.dot(c_lk) - 0.5 * w.dot(J2_lk * w);
+      dJ_rates += v(6 + l) * J2_lk;
+      dg_da(6 + k, l) = dw.dot(c_lk) - half_squares.dot(J2_lk);
       dg_dv(6 + k, 6 + l) = w.dot(c_lk - c_kl);
     }
-    J += 0.5 * a(k) * (Eigen::Map<const Matrix3d>(&J1_(0, k)) + dJ);
+    const Matrix3d dJ_rate = matrix(dJ_rates);
+    J += 0.5 * a(k) * (matrix(J1_.col(k)) + dJ);
     J_rate += da * dJ;
     S1da += da * S1;
     Cda += da * C;

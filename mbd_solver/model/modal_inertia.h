@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include "mbd_solver/model/column_groups.h"
 #include "mbd_solver/model/modal_body.h"
 
 namespace footfall {
@@ -27,17 +28,16 @@ class ModalInertia {
 
   // M(a): (6+s) x (6+s), symmetric positive definite.
   void mass_matrix(const Eigen::Ref<const Eigen::VectorXd>& a, Eigen::Ref<Eigen::MatrixXd> M) const;
-  // h(a, v): 6+s.
-  void velocity_and_elastic_force(const Eigen::Ref<const Eigen::VectorXd>& a,
-                                  const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::Ref<Eigen::VectorXd> h) const;
-  // g = M(a) dv + h(a, v) (6+s), without M itself. `slopes`: scratch.
-  struct Slopes {
-    explicit Slopes(int modes = 0) : by_a(12 * modes), by_da(6 * modes) {}
-    Eigen::VectorXd by_a;   // dJ/da_k in rows 9k.., then C_k in rows 9s + 3k..
-    Eigen::VectorXd by_da;  // dC_k/dt in rows 3k.., then sum_l (dC_k/da_l - dC_l/da_k) da_l in rows 3s + 3k..
+  // g = M(a) dv + h(a, v) (6+s), without M itself. `scratch`: of this body.
+  struct Scratch {
+    explicit Scratch(int modes = 0) : by_a(9 * modes), by_da(6 * modes), sums(10 * modes) {}
+    Eigen::VectorXd by_a;   // dJ/da_k in rows 6k.., then C_k in rows 6s + 3k..
+    Eigen::VectorXd by_da;  // sum_l (dC_k/da_l - dC_l/da_k) da_l in rows 3k.., then 1/2 sum_l (.. + ..) da_l
+    Eigen::VectorXd sums;
   };
   void inertia_force(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& v,
-                     const Eigen::Ref<const Eigen::VectorXd>& dv, Slopes& slopes, Eigen::Ref<Eigen::VectorXd> g) const;
+                     const Eigen::Ref<const Eigen::VectorXd>& dv, Scratch& scratch,
+                     Eigen::Ref<Eigen::VectorXd> g) const;
   // Derivatives of g = M(a) dv + h(a, v) at fixed dv: dg_da (6+s) x s, dg_dv (6+s) x (6+s). (dg_ddv is M.)
   void derivatives(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& v,
                    const Eigen::Ref<const Eigen::VectorXd>& dv, Eigen::Ref<Eigen::MatrixXd> dg_da,
@@ -50,26 +50,29 @@ class ModalInertia {
   Eigen::Vector3d centre_of_mass(const Eigen::Ref<const Eigen::VectorXd>& a) const;
 
  private:
-  Eigen::Vector3d first_moment(const Eigen::Ref<const Eigen::VectorXd>& a) const;          // S(a)
-  Eigen::Vector3d coupling(int k, const Eigen::Ref<const Eigen::VectorXd>& a) const;       // C_k(a), column of C
-  Eigen::Matrix3d inertia(const Eigen::Ref<const Eigen::VectorXd>& a) const;               // J(a)
-  Eigen::Matrix3d inertia_slope(int k, const Eigen::Ref<const Eigen::VectorXd>& a) const;  // dJ/da_k
-  Eigen::Matrix3d inertia_curvature(int l, int k) const;                                   // d2J/da_l da_k
-  Eigen::Vector3d coupling_slope(int l, int k) const;                                      // dC_k/da_l
+  using Symmetric = Eigen::Matrix<double, 6, 1>;  // xx yy zz xy yz zx of a symmetric matrix
+
+  Eigen::Vector3d first_moment(const Eigen::Ref<const Eigen::VectorXd>& a) const;           // S(a)
+  Eigen::Vector3d coupling(int k, const Eigen::Ref<const Eigen::VectorXd>& a) const;        // C_k(a), column of C
+  Eigen::Matrix3d inertia(const Eigen::Ref<const Eigen::VectorXd>& a) const;                // J(a)
+  Symmetric inertia_slope(int k, const Eigen::Ref<const Eigen::VectorXd>& a) const;         // dJ/da_k
+  Symmetric inertia_curvature(int l, int k) const { return pairs_.block<6, 1>(6 * k, l); }  // d2J/da_l da_k
+  Eigen::Vector3d coupling_slope(int l, int k) const { return pairs_.block<3, 1>(6 * modes_ + 3 * k, l); }  // dC_k/da_l
 
   // Shape integrals, all in B; x~ is the skew matrix of x, sums over nodes j, t_k = Psi_k of the node.
   int modes_ = 0;
-  double mass_ = 0.0;    // sum m [kg]
-  Eigen::Vector3d S0_;   // sum m rho0 [kg m]
-  Eigen::Matrix3Xd S1_;  // 3 x s: sum m Phi
-  Eigen::Matrix3d J0_;   // sum -m rho0~ rho0~ + J_j [kg m2]
-  Eigen::MatrixXd J1_;   // 9 x s: column k holds dJ/da_k at a = 0, column by column
-  Eigen::Matrix3Xd C0_;  // 3 x s: sum m rho0~ Phi + J_j Psi
-  // 15s x s, what is summed over two modes, one under the other so that a product with a and one with da are all sums:
-  // rows 9k.., column l: J2_lk = d2J/da_l da_k, column by column
-  // rows 9s + 3k..:      C1_lk = dC_k/da_l = sum m Phi_l x Phi_k + t_l x J_j t_k - 1/2 J_j (t_l x t_k)
-  // rows 12s + 3k..:     C1_lk - C1_kl
+  double mass_ = 0.0;                            // sum m [kg]
+  Eigen::Vector3d S0_;                           // sum m rho0 [kg m]
+  Eigen::Matrix3Xd S1_;                          // 3 x s: sum m Phi
+  Eigen::Matrix3d J0_;                           // sum -m rho0~ rho0~ + J_j [kg m2]
+  Eigen::Matrix<double, 6, Eigen::Dynamic> J1_;  // 6 x s: dJ/da_k at a = 0
+  Eigen::Matrix3Xd C0_;                          // 3 x s: sum m rho0~ Phi + J_j Psi
+  // 9s x s, what is summed over two modes:
+  // rows 6k.., column l:  J2_lk = d2J/da_l da_k
+  // rows 6s + 3k..:       C1_lk = dC_k/da_l = sum m Phi_l x Phi_k + t_l x J_j t_k - 1/2 J_j (t_l x t_k)
   Eigen::MatrixXd pairs_;
+  ColumnGroups by_a_;      // pairs_ without zeros
+  ColumnGroups by_da_;     // rows 3k..: C1_lk - C1_kl, then rows 3s + 3k..: 1/2 (C1_lk + C1_kl)
   Eigen::MatrixXd Mff_;    // s x s: sum m Phi^T Phi + Psi^T J_j Psi
   Eigen::VectorXd K_, C_;  // s: diagonal modal stiffness [1/s2] and damping [1/s]
 };

@@ -1,0 +1,31 @@
+#pragma once
+// A constant matrix that is partly empty, as a few dense blocks: columns with entries in much the same rows stand together,
+// and only these rows are kept.   y += A x  is one dense product for each group.
+// Modes of a straight rod bend one way each, so most sums over two of them are zero. Of a body of any shape none is: one group.
+
+#include <Eigen/Dense>
+#include <vector>
+
+namespace footfall {
+
+class ColumnGroups {
+ public:
+  static constexpr double kRoundOff = 1e-14;  // times the largest entry: what is smaller counts as zero
+
+  ColumnGroups() = default;
+  explicit ColumnGroups(const Eigen::MatrixXd& A);
+
+  // y += A x. `scratch`: rows + columns of A, overwritten.
+  void add_product(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> y,
+                   Eigen::Ref<Eigen::VectorXd> scratch) const;
+  Eigen::Index entries() const;  // that are multiplied, zeros among them
+
+ private:
+  struct Group {
+    std::vector<int> rows, columns;  // of A, rising
+    Eigen::MatrixXd values;
+  };
+  std::vector<Group> groups_;
+};
+
+}  // namespace footfall
