@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a step costs against the size of a mechanism: chains of rigid bodies, and ten flexible rods with more and more modes. Instructions of the whole program
+# What a step costs against the size of a mechanism: chains of rigid bodies, and ten flexible rods with more and more modes, along an axis of their frames and askew. Instructions of the whole program
 # by valgrind, which do not depend on what else runs: the difference of two runs of fixed steps, so without the start. How many evaluations Newton needs for a
 # step is a matter of the motion (a long chain falls otherwise than a short one), so the cost of one evaluation, with its share of all else, is told as well.
 #   tests/bench/size.sh BUILD [OUT]      OUT (default runs/size) gets size.csv, size.md and size.png. Needs valgrind and gnuplot.
@@ -8,17 +8,19 @@ solver=$(realpath "$1")/bin/mbd_solver out=${2:-runs/size}
 mkdir -p "$out"; out=$(realpath "$out")
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 
-# scene BODIES MODES of each: a chain of rods, each 0.2 m, that hangs level from a ball joint and falls.
+# scene BODIES MODES DIRECTION: a chain of rods, each 0.2 m with so many modes, that hangs in this direction from a ball joint and falls.
 scene() {
-  awk -v n="$1" -v modes="$2" 'BEGIN {
+  awk -v n="$1" -v modes="$2" -v direction="$3" 'function at(i) { return sprintf("[%g, %g, %g]", 0.2 * i * along[1], 0.2 * i * along[2], 0.2 * i * along[3]) }
+  BEGIN {
+    split(direction, along, " ")
     print "title = \"chain\"\nend_time = 1\ngravity = [0, 0, -9.81]\n[materials.steel]\ndensity = 7850\nyoung = 2.1e11\npoisson = 0.3"
     for (i = 1; i <= n; ++i) {
-      printf "[[bodies]]\nname = \"rod_%d\"\nmaterial = \"steel\"\nshape = { kind = \"rod\", from = [%g, 0, 0], to = [%g, 0, 0], diameter = 0.02 }\n", i, 0.2 * (i - 1), 0.2 * i
+      printf "[[bodies]]\nname = \"rod_%d\"\nmaterial = \"steel\"\nshape = { kind = \"rod\", from = %s, to = %s, diameter = 0.02 }\n", i, at(i - 1), at(i)
       if (modes > 0) printf "flexible = { modes = %d, elements = 24 }\n", modes
     }
     for (i = 1; i <= n; ++i) {
       before = i == 1 ? "ground" : "rod_" (i - 1)
-      printf "[[joints]]\nname = \"joint_%d\"\ntype = \"%s\"\nbodies = [\"%s\", \"rod_%d\"]\npoint = [%g, 0, 0]\n", i, i % 2 ? "spherical" : "revolute", before, i, 0.2 * (i - 1)
+      printf "[[joints]]\nname = \"joint_%d\"\ntype = \"%s\"\nbodies = [\"%s\", \"rod_%d\"]\npoint = %s\n", i, i % 2 ? "spherical" : "revolute", before, i, at(i - 1)
       if (i % 2 == 0) print "axis = \"y\""
     }
     print "[solver]\nerror_control = false\nmax_step = 5e-4\n[output]\ninterval = 1\nplots = false\nvtk = false"
@@ -29,17 +31,18 @@ instructions() {  # UNTIL: instructions and evaluations
   valgrind --tool=callgrind --callgrind-out-file="$work/callgrind" "$solver" "$work/scene.toml" --quiet --keep-every 0 --until "$1" --out "$work/run" > "$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
   echo "$(sed -n 's/^\(summary\|totals\): //p' "$work/callgrind" | head -n 1) $(sed -n 's/^ *"residuals": \([0-9]*\),$/\1/p' "$work/run/summary.json")"
 }
-# kind, size (what grows), bodies, modes of each
+# kind, size (what grows), bodies, modes of each, direction
 measure() {
-  scene "$3" "$4"
+  scene "$3" "$4" "$5"
   local few many
   few=$(instructions 0.01) many=$(instructions 0.02)
   echo "$few $many" | awk -v kind="$1" -v size="$2" '{ printf "%s,%d,%.4g,%.4g,%.4g\n", kind, size, ($3 - $1) / 20, ($4 - $2) / 20, ($3 - $1) / ($4 - $2) }' | tee -a "$out/size.csv"
 }
 
 echo "kind,size,instructions_per_step,evaluations_per_step,instructions_per_evaluation" > "$out/size.csv"
-for n in 10 20 50 100 200 400; do measure bodies "$n" "$n" 0; done
-for m in 0 5 10 20 30 50; do measure modes $((10 * m)) 10 "$m"; done
+for n in 10 20 50 100 200 400; do measure bodies "$n" "$n" 0 "1 0 0"; done
+for m in 0 5 10 20 30 50; do measure modes $((10 * m)) 10 "$m" "1 0 0"; done
+for m in 0 5 10 20 30 50; do measure askew $((10 * m)) 10 "$m" "0.6 0.48 0.64"; done
 
 slope() {  # of kind $1 between sizes $2 and $3, on logarithmic scales: of a step, of an evaluation
   awk -F, -v kind="$1" -v a="$2" -v b="$3" '$1 == kind { step[$2] = $3; one[$2] = $5 }
@@ -54,10 +57,11 @@ from_line() {
 {
   echo "| what grows | size | instructions of a step | evaluations of a step | instructions of an evaluation | for each of what grows |"
   echo "|---|---|---|---|---|---|"
-  awk -F, 'NR > 1 { printf "| %s | %d | %.2e | %.1f | %.2e | %s |\n", $1, $2, $3, $4, $5, ($2 > 0 ? sprintf("%.2e", $5 / $2) : "-") }' "$out/size.csv"
-  printf '\nSlopes on logarithmic scales, of a step and in brackets of an evaluation: %s from 10 to 100 bodies, %s from 100 to 400; %s from 50 to 200 modes, %s from 200 to 500. ' \
-    "$(slope bodies 10 100)" "$(slope bodies 100 400)" "$(slope modes 50 200)" "$(slope modes 200 500)"
-  printf 'From the straight line with the least relative squares the cost of an evaluation is %s %% away at most with bodies, %s %% with modes.\n' "$(from_line bodies)" "$(from_line modes)"
+  awk -F, 'NR > 1 { printf "| %s | %d | %.2e | %.1f | %.2e | %s |\n", ($1 == "askew" ? "modes, rods askew" : $1), $2, $3, $4, $5, ($2 > 0 ? sprintf("%.2e", $5 / $2) : "-") }' "$out/size.csv"
+  printf '\nSlopes on logarithmic scales, of a step and in brackets of an evaluation: %s from 10 to 100 bodies, %s from 100 to 400; %s from 50 to 200 modes, %s from 200 to 500; askew %s and %s. ' \
+    "$(slope bodies 10 100)" "$(slope bodies 100 400)" "$(slope modes 50 200)" "$(slope modes 200 500)" "$(slope askew 50 200)" "$(slope askew 200 500)"
+  printf 'From the straight line with the least relative squares the cost of an evaluation is %s %% away at most with bodies, %s %% with modes, %s %% with modes of rods askew.\n' \
+    "$(from_line bodies)" "$(from_line modes)" "$(from_line askew)"
 } > "$out/size.md"
 gnuplot <<END
 set terminal pngcairo size 900,600
@@ -70,7 +74,8 @@ set grid
 set key left top
 set datafile separator ","
 plot "< grep '^bodies' '$out/size.csv'" using 2:5 with linespoints lw 2 title "rigid bodies in a chain", \
-     "< grep '^modes' '$out/size.csv' | grep -v ',0,'" using 2:5 with linespoints lw 2 title "modes of ten rods", \
+     "< grep '^modes' '$out/size.csv' | grep -v ',0,'" using 2:5 with linespoints lw 2 title "modes of ten rods along x", \
+     "< grep '^askew' '$out/size.csv' | grep -v ',0,'" using 2:5 with linespoints lw 2 title "modes of ten rods askew", \
      1e4*x dashtype 2 lc rgb "grey" title "linear"
 END
 cat "$out/size.md"
