@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# What a step costs against the size of a mechanism: chains of rigid bodies, and ten flexible rods with more and more modes, along an axis of their frames and askew. Instructions of the whole program
-# by valgrind, which do not depend on what else runs: the difference of two runs of fixed steps, so without the start. How many evaluations Newton needs for a
-# step is a matter of the motion (a long chain falls otherwise than a short one), so the cost of one evaluation, with its share of all else, is told as well.
+# What a step costs against the size of a mechanism: chains of rigid bodies, and ten flexible rods with more and more modes, along an axis of their frames and
+# askew. Instructions of the whole program by valgrind, which do not depend on what else runs: the difference of two runs of fixed steps, so without the start.
+# How many evaluations Newton needs for a step is a matter of the motion (a long chain falls otherwise than a short one), so the cost of one evaluation, with its
+# share of all else, is told as well.
 #   tests/bench/size.sh BUILD [OUT]      OUT (default runs/size) gets size.csv, size.md and size.png. Needs valgrind and gnuplot.
 set -euo pipefail
 solver=$(realpath "$1")/bin/mbd_solver out=${2:-runs/size}

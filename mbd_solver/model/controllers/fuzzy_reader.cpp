@@ -29,17 +29,30 @@ std::unique_ptr<fl::Engine> import(const std::string& text) {
   return std::unique_ptr<fl::Engine>(fl::FllImporter().fromString(text));
 }
 
+// FuzzyLite takes any number of samples, and one that overflows becomes negative.
+bool takes_possible_samples(const fl::Engine& engine) {
+  for (const fl::OutputVariable* v : engine.outputVariables())
+    if (const auto* integral = dynamic_cast<const fl::IntegralDefuzzifier*>(v->getDefuzzifier()))
+      if (integral->getResolution() < 1 || integral->getResolution() > kMostSamples) return false;
+  return true;
+}
+
 // Imports every line of a block alone, so that the one FuzzyLite refuses is known. Rules need the whole
 // engine: check_rule.
 void check_lines(const std::string& file, const FllBlock& block) {
   if (block.head.key == "Engine") return;
   for (const FllLine& line : block.lines) {
     if (line.key == "rule") continue;
-    try {
-      import("Engine: check\n" + block.head.key + ": " + block.head.value + "\n" + line.key + ": " + line.value + "\n");
-    } catch (const fl::Exception& error) {
+    const auto refuse = [&](const std::string& why) {
       throw InputError(file + ":" + std::to_string(line.number) + ": \"" + line.key + ": " + line.value + "\" of " +
-                       block.head.key + " \"" + block.head.value + "\" is not understood: " + first_line(error));
+                       block.head.key + " \"" + block.head.value + "\" is not understood: " + why);
+    };
+    try {
+      const auto alone = import("Engine: check\n" + block.head.key + ": " + block.head.value + "\n" + line.key + ": " +
+                                line.value + "\n");
+      if (!takes_possible_samples(*alone)) refuse("expected 1 to " + std::to_string(kMostSamples) + " samples.");
+    } catch (const fl::Exception& error) {
+      refuse(first_line(error));
     }
   }
 }
@@ -135,11 +148,6 @@ void FuzzySystem::Engine::take_variables(const std::string& file, const std::vec
       throw InputError(where_is(file, blocks, expected, "lock-previous") + "\"" + expected +
                        "\" keeps its previous value; expected lock-previous: false, because a hidden memory "
                        "could not be resumed.");
-    if (const auto* integral = dynamic_cast<const fl::IntegralDefuzzifier*>(v->getDefuzzifier()))
-      if (integral->getResolution() < 1 || integral->getResolution() > kMostSamples)
-        throw InputError(where_is(file, blocks, expected, "defuzzifier") + integral->className() + " of \"" + expected +
-                         "\" takes " + std::to_string(integral->getResolution()) + " samples; expected 1 to " +
-                         std::to_string(kMostSamples) + ".");
     output.push_back(v);
   }
   if (output.empty())
