@@ -8,6 +8,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/fe/eigen_solver.h"
+#include "mbd_solver/fe/equal_frequencies.h"
 #include "mbd_solver/fe/fe_check.h"
 #include "mbd_solver/fe/fe_partition.h"
 #include "mbd_solver/fe/static_error.h"
@@ -25,11 +26,11 @@ constexpr int kFirstGuess = 16;  // modes asked for first when only a frequency 
 
 double lambda_of(double frequency) { return std::pow(kTwoPi * frequency, 2); }
 
-// What reduce() works on: stiffness and mass on the active degrees of freedom.
+// What reduce() works on: stiffness, mass and weights of directions (equal_frequencies.h) on the active degrees of freedom.
 struct Problem {
   const FeModel& model;
   std::vector<int> active;
-  Sparse K, M;
+  Sparse K, M, W;
   double scale;  // an upper bound of the first elastic lambda [1/s2]
   std::string name;
 };
@@ -40,14 +41,18 @@ struct Wanted {
   double limit = std::numeric_limits<double>::infinity();  // of lambda [1/s2]
 };
 
-// The modes with lambda up to the limit, at most `most`. rank: how many there are.
-Modes modes_up_to(const Sparse& K, const Sparse& M, double limit, int most, int rank, double shift) {
+// The modes with lambda up to the limit, at most `most`. rank: how many there are. One more is looked at, so that a pair of one
+// frequency is parted before it is cut.
+Modes modes_up_to(const Sparse& K, const Sparse& M, const Sparse& W, double limit, int most, int rank, double shift) {
   most = std::min(most, rank);
-  for (int count = std::isinf(limit) ? most : std::min(kFirstGuess, most);; count = std::min(2 * count, most)) {
-    Modes modes = lowest_modes(K, M, count, shift);
+  const int seen = std::min(most + 1, rank);
+  for (int count = std::isinf(limit) ? seen : std::min(kFirstGuess, seen);; count = std::min(2 * count, seen)) {
+    const Modes modes = lowest_modes(K, M, count, shift);
     const Index within = (modes.lambda.array() <= limit).count();
-    if (count < most && within == count) continue;
-    return {modes.lambda.head(within), modes.shapes.leftCols(within)};
+    if (count < seen && within == count) continue;
+    const MatrixXd shapes = modes.shapes * along_axes(modes.lambda, modes.shapes.transpose() * (W * modes.shapes));
+    const Index kept = std::min<Index>(within, most);
+    return {modes.lambda.head(kept), shapes.leftCols(kept)};
   }
 }
 
@@ -77,7 +82,7 @@ void require_six_rigid(const VectorXd& lambda, const Problem& problem) {
 MatrixXd free_free_shapes(const Problem& problem, const Wanted& wanted) {
   const int rank = mass_rank(problem.M);
   const int count = checked_count(problem, wanted, rank - 6, "");
-  const Modes modes = modes_up_to(problem.K, problem.M, wanted.limit, count + 6, rank, problem.scale);
+  const Modes modes = modes_up_to(problem.K, problem.M, problem.W, wanted.limit, count + 6, rank, problem.scale);
   require_six_rigid(modes.lambda, problem);
   return modes.shapes.rightCols(modes.shapes.cols() - 6);
 }
@@ -107,14 +112,14 @@ MatrixXd craig_bampton_basis(const Problem& problem, const HeldBody& body, const
   MatrixXd basis = scattered(MatrixXd::Identity(n_held, n_held), body.held, size);
 
   const Sparse K_ii = selected(problem.K, inside, inside);
-  const Sparse M_ii = selected(problem.M, inside, inside);
+  const Sparse M_ii = selected(problem.M, inside, inside), W_ii = selected(problem.W, inside, inside);
   const int holds = held_motions(body), free = 6 - holds, rank = inside.empty() ? 0 : mass_rank(M_ii);
   const int count = checked_count(problem, wanted, std::max(0, rank - free),
                                   " on top of " + std::to_string(n_held - holds) + " static shapes");
   if (inside.empty()) return basis;
   const MatrixXd load = -MatrixXd(selected(problem.K, inside, body.held));
   basis += scattered(balanced_solution(K_ii, M_ii, load, problem.scale), inside, size);
-  const Modes fixed = modes_up_to(K_ii, M_ii, wanted.limit, count + free, rank, problem.scale);
+  const Modes fixed = modes_up_to(K_ii, M_ii, W_ii, wanted.limit, count + free, rank, problem.scale);
   MatrixXd result(size, n_held + fixed.shapes.cols());
   result << basis, scattered(fixed.shapes, inside, size);
   return result;
@@ -159,9 +164,13 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
   check_model(model, name);
   const std::vector<int> active = active_dofs(model);
   const Sparse M = lumped_mass_matrix(model);
-  const Problem problem{
-      model, active, selected(model.stiffness, active, active), selected(M, active, active), elastic_scale(model),
-      name};
+  const Problem problem{model,
+                        active,
+                        selected(model.stiffness, active, active),
+                        selected(M, active, active),
+                        selected(axis_weights(model), active, active),
+                        elastic_scale(model),
+                        name};
   Wanted wanted{options.mode_count};
   if (options.max_frequency) wanted.limit = lambda_of(*options.max_frequency);
 

@@ -8,7 +8,9 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
+#include "mbd_solver/fe/equal_frequencies.h"
 #include "mbd_solver/fe/modal_basis.h"
+#include "mbd_solver/model/principal_axes.h"
 
 namespace footfall {
 namespace {
@@ -56,6 +58,14 @@ void transform(ModalBody& body, const MatrixXd& Y) {
   body.Phi = (body.Phi * Y).eval();
   body.Psi = (body.Psi * Y).eval();
   if (body.stress_modes.rows() > 0) body.stress_modes = (body.stress_modes * Y).eval();
+}
+
+void part_equal_frequencies(ModalBody& body) {
+  const Matrix3d weight = axis_weight(principal_axes(body));
+  MatrixXd WPhi = body.Phi;
+  for (Index j = 0; j < body.node_count(); ++j)
+    WPhi.middleRows(3 * j, 3) = (body.node_mass(j) * weight * body.Phi.middleRows(3 * j, 3)).eval();
+  transform(body, along_axes(body.stiffness, body.Phi.transpose() * WPhi));
 }
 
 // Signs do not matter to physics; fixed so that files and pictures can be compared: the largest displacement
@@ -131,6 +141,7 @@ ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const Bas
     if (kept > 0) {
       const Eigen::LLT<MatrixXd> cholesky(gram(body));
       transform(body, cholesky.matrixU().solve(MatrixXd::Identity(kept, kept)));
+      part_equal_frequencies(body);
       fix_signs(body);
     }
   } else {

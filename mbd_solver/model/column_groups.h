@@ -1,8 +1,8 @@
 #pragma once
 // A constant matrix that is partly empty, as a few dense blocks: columns with entries in much the same rows stand together,
 // and only these rows are kept.   y += A x  is one dense product for each group.
-// Modes of a straight rod along an axis of its frame bend one way each, so many sums over two of them are zero. Of a rod askew,
-// or of a body of any shape, none is: one group.
+// Modes of a straight rod bend along one principal axis each, so many sums over two of them are zero in these axes. Of a body
+// of any shape none is: one group.
 
 #include <Eigen/Dense>
 #include <vector>

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/principal_axes.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
@@ -14,25 +15,7 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-using Symmetric = Eigen::Matrix<double, 6, 1>;  // xx yy zz xy yz zx
-
-// x + x^T
-Symmetric twice_symmetric(const Matrix3d& x) {
-  Symmetric sum;
-  sum << 2.0 * x(0, 0), 2.0 * x(1, 1), 2.0 * x(2, 2), x(0, 1) + x(1, 0), x(1, 2) + x(2, 1), x(2, 0) + x(0, 2);
-  return sum;
-}
-Matrix3d matrix(const Symmetric& x) {
-  Matrix3d m;
-  m << x(0), x(3), x(5), x(3), x(1), x(4), x(5), x(4), x(2);
-  return m;
-}
-// w . X w = squares(w) . X
-Symmetric squares(const Vector3d& w) {
-  Symmetric s;
-  s << w.x() * w.x(), w.y() * w.y(), w.z() * w.z(), 2.0 * w.x() * w.y(), 2.0 * w.y() * w.z(), 2.0 * w.z() * w.x();
-  return s;
-}
+constexpr double kZeroSum = 1e-8;  // times the largest sum over two modes: what is smaller is round-off of the modes
 
 // A body without inertia about some axis has a singular mass matrix: refuse it here, where its name is known.
 void require_positive(double mass, const Matrix3d& inertia, const std::string& body) {
@@ -69,6 +52,8 @@ ModalInertia::ModalInertia(const ModalBody& body)
   FOOTFALL_DEMAND(body.Phi.rows() == 3 * nodes && body.Phi.cols() == s);
   FOOTFALL_DEMAND(body.Psi.rows() == 3 * nodes && body.Psi.cols() == s);
   FOOTFALL_DEMAND(body.damping.size() == s);
+  if (s > 0) axes_ = principal_axes(body);
+  turned_ = !axes_.isIdentity(0.0);
   S1_.setZero(3, s);
   J1_.setZero(6, s);
   C0_.setZero(3, s);
@@ -77,12 +62,13 @@ ModalInertia::ModalInertia(const ModalBody& body)
 
   for (Index j = 0; j < nodes; ++j) {
     const double m = body.node_mass(j);
-    const Matrix3d& J = body.node_inertia[static_cast<std::size_t>(j)];
-    const Matrix3d rho = skew(body.rho0.col(j));
-    const Eigen::Matrix3Xd Phi = body.Phi.middleRows(3 * j, 3);
-    const Eigen::Matrix3Xd Psi = body.Psi.middleRows(3 * j, 3);
+    const Matrix3d J = axes_.transpose() * body.node_inertia[static_cast<std::size_t>(j)] * axes_;
+    const Vector3d rho0 = axes_.transpose() * body.rho0.col(j);
+    const Matrix3d rho = skew(rho0);
+    const Eigen::Matrix3Xd Phi = axes_.transpose() * body.Phi.middleRows(3 * j, 3);
+    const Eigen::Matrix3Xd Psi = axes_.transpose() * body.Psi.middleRows(3 * j, 3);
     mass_ += m;
-    S0_ += m * body.rho0.col(j);
+    S0_ += m * rho0;
     S1_ += m * Phi;
     J0_ += J - m * rho * rho;
     C0_ += m * rho * Phi + J * Psi;
@@ -105,6 +91,7 @@ ModalInertia::ModalInertia(const ModalBody& body)
   }
   J0_ = 0.5 * (J0_ + J0_.transpose()).eval();
   Mff_ = 0.5 * (Mff_ + Mff_.transpose()).eval();
+  if (s > 0) pairs_ = (pairs_.array().abs() > kZeroSum * pairs_.cwiseAbs().maxCoeff()).select(pairs_, 0.0).eval();
   Eigen::MatrixXd parts(6 * s, s);
   for (int k = 0; k < modes_; ++k)
     for (int l = 0; l < modes_; ++l) {
@@ -115,6 +102,22 @@ ModalInertia::ModalInertia(const ModalBody& body)
   by_da_ = ColumnGroups(parts);
   const Vector3d c = S0_ / (mass_ > 0.0 ? mass_ : 1.0);
   require_positive(mass_, J0_ + mass_ * skew(c) * skew(c), body.name);
+}
+
+Vector3d ModalInertia::to_principal(const Vector3d& x) const { return turned_ ? axes_.transpose() * x : x; }
+
+Vector3d ModalInertia::to_body(const Vector3d& x) const { return turned_ ? axes_ * x : x; }
+
+void ModalInertia::rows_to_body(Eigen::Ref<Eigen::MatrixXd> A) const {
+  if (!turned_) return;
+  for (Index k = 0; k < A.cols(); ++k)
+    for (Index i : {0, 3}) A.block<3, 1>(i, k) = to_body(A.block<3, 1>(i, k));
+}
+
+void ModalInertia::columns_to_body(Eigen::Ref<Eigen::MatrixXd> A) const {
+  if (!turned_) return;
+  for (Index k = 0; k < A.rows(); ++k)
+    for (Index i : {0, 3}) A.block<1, 3>(k, i) = to_body(A.block<1, 3>(k, i).transpose()).transpose();
 }
 
 Vector3d ModalInertia::first_moment(const Vec& a) const {
@@ -145,16 +148,18 @@ Matrix3d ModalInertia::inertia(const Vec& a) const {
 // M = [m I, -S~, S1; S~, J, C; S1^T, C^T, Mff]
 void ModalInertia::mass_matrix(const Vec& a, Eigen::Ref<Eigen::MatrixXd> M) const {
   FOOTFALL_DEMAND(a.size() == modes_ && M.rows() == 6 + modes_ && M.cols() == 6 + modes_);
-  const Matrix3d S = skew(first_moment(a));
+  const Matrix3d S = skew(to_body(first_moment(a)));
+  Matrix3d J = inertia(a);
+  if (turned_) J = (axes_ * J * axes_.transpose()).eval();
   M.topLeftCorner<3, 3>() = mass_ * Matrix3d::Identity();
   M.block<3, 3>(0, 3) = -S;
   M.block<3, 3>(3, 0) = S;
-  M.block<3, 3>(3, 3) = inertia(a);
+  M.block<3, 3>(3, 3) = 0.5 * (J + J.transpose());
   for (int k = 0; k < modes_; ++k) {
-    const Vector3d C = coupling(k, a);
-    M.block<3, 1>(0, 6 + k) = S1_.col(k);
+    const Vector3d S1 = to_body(S1_.col(k)), C = to_body(coupling(k, a));
+    M.block<3, 1>(0, 6 + k) = S1;
     M.block<3, 1>(3, 6 + k) = C;
-    M.block<1, 3>(6 + k, 0) = S1_.col(k).transpose();
+    M.block<1, 3>(6 + k, 0) = S1.transpose();
     M.block<1, 3>(6 + k, 3) = C.transpose();
   }
   M.bottomRightCorner(modes_, modes_) = Mff_;
@@ -170,7 +175,8 @@ void ModalInertia::inertia_force(const Vec& a, const Vec& v, const Vec& dv, Scra
   const Index s = modes_;
   FOOTFALL_DEMAND(a.size() == s && v.size() == 6 + s && dv.size() == 6 + s && g.size() == 6 + s);
   FOOTFALL_DEMAND(scratch.by_a.size() == 9 * s && scratch.by_da.size() == 6 * s);
-  const Vector3d w = v.segment<3>(3), ddr = dv.head<3>(), dw = dv.segment<3>(3);
+  const Vector3d w = to_principal(v.segment<3>(3)), ddr = to_principal(dv.head<3>());
+  const Vector3d dw = to_principal(dv.segment<3>(3));
   const auto da = v.tail(s), dda = dv.tail(s);
   scratch.by_a.head(6 * s) = J1_.reshaped();
   scratch.by_a.tail(3 * s) = C0_.reshaped();
@@ -199,8 +205,8 @@ void ModalInertia::inertia_force(const Vec& a, const Vec& v, const Vec& dv, Scra
   }
   const Matrix3d J = J0_ + matrix(J_by_a);
   const Vector3d H = J * w + C_da;
-  g.head<3>() = mass_ * ddr + dw.cross(S) + S1_dda + 2.0 * w.cross(S1_da) + w.cross(w.cross(S));
-  g.segment<3>(3) = S.cross(ddr) + J * dw + C_dda + matrix(dJ_da) * w + dC_da + w.cross(H);
+  g.head<3>() = to_body(mass_ * ddr + dw.cross(S) + S1_dda + 2.0 * w.cross(S1_da) + w.cross(w.cross(S)));
+  g.segment<3>(3) = to_body(S.cross(ddr) + J * dw + C_dda + matrix(dJ_da) * w + dC_da + w.cross(H));
 }
 
 // Row by row the derivatives of g = M(a) dv + h(a, v), with dv = [ddr; dw; dda]; see the function above.
@@ -209,9 +215,9 @@ void ModalInertia::derivatives(const Vec& a, const Vec& v, const Vec& dv, Eigen:
   const Index size = 6 + modes_;
   FOOTFALL_DEMAND(a.size() == modes_ && v.size() == size && dv.size() == size);
   FOOTFALL_DEMAND(dg_da.rows() == size && dg_da.cols() == modes_ && dg_dv.rows() == size && dg_dv.cols() == size);
-  const Vector3d w = v.segment<3>(3);
-  const Vector3d ddr = dv.head<3>();
-  const Vector3d dw = dv.segment<3>(3);
+  const Vector3d w = to_principal(v.segment<3>(3));
+  const Vector3d ddr = to_principal(dv.head<3>());
+  const Vector3d dw = to_principal(dv.segment<3>(3));
   const Matrix3d wx = skew(w);
   const Vector3d S = first_moment(a);
   const Symmetric half_squares = 0.5 * squares(w);
@@ -253,12 +259,15 @@ void ModalInertia::derivatives(const Vec& a, const Vec& v, const Vec& dv, Eigen:
   dg_dv.leftCols<3>().setZero();
   dg_dv.block<3, 3>(0, 3) = -2.0 * skew(S1da) - skew(w.cross(S)) - wx * skew(S);
   dg_dv.block<3, 3>(3, 3) = J_rate + wx * J - skew(J * w + Cda);
+  rows_to_body(dg_da);
+  rows_to_body(dg_dv);
+  columns_to_body(dg_dv);
 }
 
 double ModalInertia::kinetic_energy(const Vec& a, const Vec& v) const {
   FOOTFALL_DEMAND(a.size() == modes_ && v.size() == 6 + modes_);
-  const Vector3d dr = v.head<3>();
-  const Vector3d w = v.segment<3>(3);
+  const Vector3d dr = to_principal(v.head<3>());
+  const Vector3d w = to_principal(v.segment<3>(3));
   double T = 0.5 * mass_ * dr.squaredNorm() + dr.dot(w.cross(first_moment(a))) + 0.5 * w.dot(inertia(a) * w);
   for (int k = 0; k < modes_; ++k) {
     const double da = v(6 + k);
@@ -273,6 +282,6 @@ double ModalInertia::strain_energy(const Vec& a) const { return 0.5 * (K_.array(
 
 double ModalInertia::damping_power(const Vec& da) const { return (C_.array() * da.array().square()).sum(); }
 
-Vector3d ModalInertia::centre_of_mass(const Vec& a) const { return first_moment(a) / mass_; }
+Vector3d ModalInertia::centre_of_mass(const Vec& a) const { return to_body(first_moment(a)) / mass_; }
 
 }  // namespace footfall

@@ -6,6 +6,7 @@
 
 #include "mbd_solver/model/column_groups.h"
 #include "mbd_solver/model/modal_body.h"
+#include "mbd_solver/model/symmetric.h"
 
 namespace footfall {
 
@@ -25,6 +26,8 @@ class ModalInertia {
 
   int mode_count() const { return modes_; }
   double mass() const { return mass_; }
+  // Products in the sums over two modes of one inertia_force: 15 s^2 at most, fewer where sums are zero.
+  Eigen::Index products() const { return by_a_.entries() + by_da_.entries(); }
 
   // M(a): (6+s) x (6+s), symmetric positive definite.
   void mass_matrix(const Eigen::Ref<const Eigen::VectorXd>& a, Eigen::Ref<Eigen::MatrixXd> M) const;
@@ -50,8 +53,12 @@ class ModalInertia {
   Eigen::Vector3d centre_of_mass(const Eigen::Ref<const Eigen::VectorXd>& a) const;
 
  private:
-  using Symmetric = Eigen::Matrix<double, 6, 1>;  // xx yy zz xy yz zx of a symmetric matrix
-
+  Eigen::Vector3d to_principal(const Eigen::Vector3d& of_body) const;
+  Eigen::Vector3d to_body(const Eigen::Vector3d& of_principal) const;
+  // The first six rows, or columns: two vectors.
+  void rows_to_body(Eigen::Ref<Eigen::MatrixXd> A) const;
+  void columns_to_body(Eigen::Ref<Eigen::MatrixXd> A) const;
+  // In the principal axes, as the integrals below:
   Eigen::Vector3d first_moment(const Eigen::Ref<const Eigen::VectorXd>& a) const;           // S(a)
   Eigen::Vector3d coupling(int k, const Eigen::Ref<const Eigen::VectorXd>& a) const;        // C_k(a), column of C
   Eigen::Matrix3d inertia(const Eigen::Ref<const Eigen::VectorXd>& a) const;                // J(a)
@@ -59,14 +66,17 @@ class ModalInertia {
   Symmetric inertia_curvature(int l, int k) const { return pairs_.block<6, 1>(6 * k, l); }  // d2J/da_l da_k
   Eigen::Vector3d coupling_slope(int l, int k) const { return pairs_.block<3, 1>(6 * modes_ + 3 * k, l); }  // dC_k/da_l
 
-  // Shape integrals, all in B; x~ is the skew matrix of x, sums over nodes j, t_k = Psi_k of the node.
+  // Shape integrals. Vectors and matrices are in the principal axes of the body, in which many sums over two modes are zero
+  // (column_groups.h); x~ is the skew matrix of x, sums over nodes j, t_k = Psi_k of the node.
   int modes_ = 0;
-  double mass_ = 0.0;                            // sum m [kg]
-  Eigen::Vector3d S0_;                           // sum m rho0 [kg m]
-  Eigen::Matrix3Xd S1_;                          // 3 x s: sum m Phi
-  Eigen::Matrix3d J0_;                           // sum -m rho0~ rho0~ + J_j [kg m2]
-  Eigen::Matrix<double, 6, Eigen::Dynamic> J1_;  // 6 x s: dJ/da_k at a = 0
-  Eigen::Matrix3Xd C0_;                          // 3 x s: sum m rho0~ Phi + J_j Psi
+  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();  // the principal axes in B, columns
+  bool turned_ = false;                                 // they are not those of B
+  double mass_ = 0.0;                                   // sum m [kg]
+  Eigen::Vector3d S0_;                                  // sum m rho0 [kg m]
+  Eigen::Matrix3Xd S1_;                                 // 3 x s: sum m Phi
+  Eigen::Matrix3d J0_;                                  // sum -m rho0~ rho0~ + J_j [kg m2]
+  Eigen::Matrix<double, 6, Eigen::Dynamic> J1_;         // 6 x s: dJ/da_k at a = 0
+  Eigen::Matrix3Xd C0_;                                 // 3 x s: sum m rho0~ Phi + J_j Psi
   // 9s x s, what is summed over two modes:
   // rows 6k.., column l:  J2_lk = d2J/da_l da_k
   // rows 6s + 3k..:       C1_lk = dC_k/da_l = sum m Phi_l x Phi_k + t_l x J_j t_k - 1/2 J_j (t_l x t_k)

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
@@ -125,6 +127,35 @@ TEST(ModalBasis, CraigBamptonAnswersJointForcesExactly) {
           << modes << " modes, load " << k;
     }
   }
+}
+
+// The same rod along x and askew: the same frequencies, the same shapes turned with it, and as many sums over two modes that
+// are zero. Counts that take one mode of a pair too; 8 elements are solved densely, 60 by iteration.
+TEST(ModalBasis, ARodHasTheSameModesInEveryDirection) {
+  const Vector3d along = Vector3d(0.64, -0.48, 0.6);
+  const Matrix3d R = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), along).toRotationMatrix();
+  const auto rod = [](const Vector3d& to, int n) {
+    return straight_beam(Vector3d::Zero(), to, n, tube_section(0.05, 0.008), kSteel);
+  };
+  for (const auto& [elements, modes] : {std::pair{8, 4}, {8, 5}, {8, 10}, {60, 6}, {60, 7}})
+    for (const BasisOptions& options :
+         {free_free(modes), craig_bampton(modes, {0, elements}), craig_bampton(modes, {}, {0, elements})}) {
+      const ModalBody straight = reduce(rod(Vector3d::UnitX(), elements), options, "rod").body;
+      const ModalBody askew = reduce(rod(along, elements), options, "rod").body;
+      const std::string which = std::to_string(elements) + " elements, " + std::to_string(modes) + " modes";
+      ASSERT_EQ(straight.mode_count(), askew.mode_count()) << which;
+      EXPECT_LT((frequencies(askew) - frequencies(straight)).cwiseQuotient(frequencies(straight)).cwiseAbs().maxCoeff(),
+                1e-7)
+          << which;
+      for (int k = 0; k < straight.mode_count(); ++k) {
+        VectorXd turned = straight.Phi.col(k);
+        for (int j = 0; j < straight.node_count(); ++j)
+          turned.segment<3>(3 * j) = R * Vector3d(turned.segment<3>(3 * j));
+        const double sign = turned.dot(askew.Phi.col(k)) < 0.0 ? -1.0 : 1.0;
+        EXPECT_LT((sign * askew.Phi.col(k) - turned).norm(), 1e-5 * (1.0 + turned.norm())) << which << ", mode " << k;
+      }
+      EXPECT_LT(10 * ModalInertia(askew).products(), 11 * ModalInertia(straight).products()) << which;
+    }
 }
 
 // The number of modes is that of the fixed-interface modes: static shapes of three clamps, 18 - 6; of two balls on a
