@@ -39,16 +39,18 @@ if [[ -z ${BUILT-} ]]; then
   echo "$(git -C "$root" rev-parse --short HEAD 2>/dev/null || echo none) $(date +%F)" >"$build/commit"
 fi
 [[ -w /dev/shm ]] && export TMPDIR=/dev/shm  # every input is a file
-rm -rf "$build/grown" && mkdir -p "$build/grown" && tar -xzf "$here/grown.tar.gz" -C "$build/grown"
+grown=$(mktemp -d)  # of this call: another one may run beside it
+trap 'rm -rf "$grown"' EXIT
+tar -xzf "$here/grown.tar.gz" -C "$grown"
 # All that was found, as few of it as reach the same places.
 keep_grown() {
   local name merged=$build/merged
   rm -rf "$merged"
   for name in ${targets[*]}; do
-    mkdir -p "$merged/$name" "$build/corpus/$name" "$build/grown/$name"
+    mkdir -p "$merged/$name" "$build/corpus/$name" "$grown/$name"
     # A merge runs every input once more in a process of its own, which a reader in a third process does not stand.
-    [[ -x $build/bin/libfuzzer_$name && $name != mesh_* ]] || { cp -r "$build/grown/$name/." "$build/corpus/$name/." "$merged/$name"; continue; }
-    ASAN_OPTIONS=$asan "$build/bin/libfuzzer_$name" -merge=1 -max_len=65536 "$merged/$name" "$build/grown/$name" "$build/corpus/$name" >"$build/findings/$name.merge" 2>&1
+    [[ -x $build/bin/libfuzzer_$name && $name != mesh_* ]] || { cp -r "$grown/$name/." "$build/corpus/$name/." "$merged/$name"; continue; }
+    ASAN_OPTIONS=$asan "$build/bin/libfuzzer_$name" -merge=1 -max_len=65536 "$merged/$name" "$grown/$name" "$build/corpus/$name" >"$build/findings/$name.merge" 2>&1
   done
   tar --sort=name --mtime=2026-01-01 --owner=0 --group=0 --numeric-owner -C "$merged" -cf - . | gzip -9n >"$here/grown.tar.gz"
 }
@@ -75,7 +77,7 @@ one() {
   local failed=0 end=$((SECONDS + mine)) late done_now runs=0 spent=0 log=$build/findings/$name.log
   : >"$log.all"
   # In an order that does not depend on the disk.
-  find "$here/corpus/$name" "$build/grown/$name" -type f 2>/dev/null | sort | paste -sd, >"$build/findings/$name.begin"
+  find "$here/corpus/$name" "$grown/$name" -type f 2>/dev/null | sort | paste -sd, >"$build/findings/$name.begin"
   while ((end - SECONDS > 0)); do
     rm -f "$build/findings/$name"/timeout-*
     { time fuzz_once "$name" $((end - SECONDS)) || failed=1; } 2>"$log.time"
