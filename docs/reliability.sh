@@ -147,7 +147,7 @@ fuzz() {
   [[ -n ${LOGS-} ]] || LEDGER=docs/fuzzed.txt JOBS=${FUZZ_JOBS:-2} nice tests/fuzz/run.sh "$seconds" >"$log" 2>&1 || true
   [[ -e docs/fuzzed.txt ]] || { echo "| every reader is fed with rubbish | 0 | not tried | | |"; return; }
   awk '{ last[$2] = $5 } END { for (k in last) if (last[k] > 0) exit 1 }' docs/fuzzed.txt || failed
-  made_at=$(awk '{ print $6 " (" $7 ")" }' docs/fuzzed.txt | sort -u -k 2 | paste -sd, | sed 's/,/, /g')
+  made_at=$(awk '{ print $6 " (" $7 ")" }' docs/fuzzed.txt | sort -k 2,2 -k 1,1 | uniq | paste -sd, | sed 's/,/, /g')
   echo "| every kind of input as rubbish (libFuzzer, address and undefined sanitizers) | $(
     awk '{ n[$1] += $3; s[$1] += $4 } END { for (k in n) print k, n[k], "in", s[k], "s" }' docs/fuzzed.txt | sort | paste -sd, | sed 's/,/, /g'); of processor time, added up in docs/fuzzed.txt | refused in the reader's own words, or read; no crash, no hang above 10 s$(
     awk '{ last[$2] = $5 } $5 > 0 { at[$2] = $6 } END { for (k in at) print "; " k ": a finding at " at[k] (last[k] ? "" : ", mended") }' docs/fuzzed.txt | sort | paste -sd '') | $(verdict $code) | \`fuzz.*\` (the kept inputs, and some thousand damaged ones); a minute each before a change lands |"
