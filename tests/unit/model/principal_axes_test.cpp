@@ -10,7 +10,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kRoundOff = 1e-13;
+constexpr double kAxesRoundOff = 1e-13;
 
 Matrix3d turn(double angle, const Vector3d& axis) {
   return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
@@ -18,11 +18,11 @@ Matrix3d turn(double angle, const Vector3d& axis) {
 Matrix3d turned(const Vector3d& moments, const Matrix3d& R) { return R * moments.asDiagonal() * R.transpose(); }
 
 void expect_principal(const Matrix3d& inertia, const Matrix3d& axes) {
-  EXPECT_LT((axes.transpose() * axes - Matrix3d::Identity()).norm(), kRoundOff);
-  EXPECT_NEAR(axes.determinant(), 1.0, kRoundOff) << "right-handed";
+  EXPECT_LT((axes.transpose() * axes - Matrix3d::Identity()).norm(), kAxesRoundOff);
+  EXPECT_NEAR(axes.determinant(), 1.0, kAxesRoundOff) << "right-handed";
   Matrix3d rest = axes.transpose() * inertia * axes;
   rest.diagonal().setZero();
-  EXPECT_LT(rest.norm(), kRoundOff * inertia.norm());
+  EXPECT_LT(rest.norm(), kAxesRoundOff * inertia.norm());
 }
 
 TEST(PrincipalAxes, MakeTheInertiaDiagonalAndLieNearestToTheFrame) {
@@ -30,7 +30,7 @@ TEST(PrincipalAxes, MakeTheInertiaDiagonalAndLieNearestToTheFrame) {
     for (double angle : {0.01, 0.3, -0.6, 2.0, 3.1}) {
       const Matrix3d inertia = turned({1.0, 2.5, 3.0}, turn(angle, axis)), axes = principal_axes(inertia);
       expect_principal(inertia, axes);
-      EXPECT_NEAR(axes.diagonal().maxCoeff(), axes.cwiseAbs().maxCoeff(), kRoundOff) << "the nearest column, same side";
+      EXPECT_NEAR(axes.diagonal().maxCoeff(), axes.cwiseAbs().maxCoeff(), kAxesRoundOff) << "the nearest column, same side";
       if (std::abs(angle) < 0.61) {
         EXPECT_LT((axes - turn(angle, axis)).norm(), 1e-10) << "the nearest of 24";
       }
