@@ -30,7 +30,8 @@ TEST(PrincipalAxes, MakeTheInertiaDiagonalAndLieNearestToTheFrame) {
     for (double angle : {0.01, 0.3, -0.6, 2.0, 3.1}) {
       const Matrix3d inertia = turned({1.0, 2.5, 3.0}, turn(angle, axis)), axes = principal_axes(inertia);
       expect_principal(inertia, axes);
-      EXPECT_NEAR(axes.diagonal().maxCoeff(), axes.cwiseAbs().maxCoeff(), kAxesRoundOff) << "the nearest column, same side";
+      EXPECT_NEAR(axes.diagonal().maxCoeff(), axes.cwiseAbs().maxCoeff(), kAxesRoundOff)
+          << "the nearest column, same side";
       if (std::abs(angle) < 0.61) {
         EXPECT_LT((axes - turn(angle, axis)).norm(), 1e-10) << "the nearest of 24";
       }
