@@ -88,7 +88,7 @@ int calibrate_command(const CalibrateArguments& a) {
   const std::string folder = short_path(fs::absolute(out).string());
   make_folder(folder);
   const FileLock lock = lock_folder(folder);
-  Evaluations evaluations(spec, (fs::path(folder) / "runs").string());
+  Evaluations evaluations(spec, (fs::path(folder) / "runs").string(), (fs::path(folder) / "numbers.jsonl").string());
   const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int jobs = a.jobs > 0 ? a.jobs : std::max(1, machine / most_ranks_of(spec, evaluations));
 

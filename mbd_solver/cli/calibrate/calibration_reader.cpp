@@ -145,8 +145,7 @@ class CalibrationChecker {
   }
 
   void check(const FigureSpec& f) {
-    if (f.key.empty() == f.columns.empty())
-      wrong(f.source, "key", "expected either key (of summary.json) or columns (of history.csv)");
+    if (const FigureFault fault = fault_of(f); !fault.key.empty()) wrong(f.source, fault.key, fault.text);
     if (f.compares_curves())
       wrong(f.source, "error", "compares with a reference, and a calibration has none; a target may be a curve");
   }

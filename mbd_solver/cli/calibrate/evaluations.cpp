@@ -82,7 +82,7 @@ const Evaluation* Evaluations::known(const Fidelity& fidelity, const Shares& sha
 
 bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<Shares>& sets, int jobs, bool must_be_read) {
   std::vector<std::vector<std::vector<std::size_t>>> runs;  // by set and scene, one per seed
-  std::vector<std::size_t> all;
+  std::vector<std::size_t> all, asked;                      // asked: those that the ledger does not have
   for (const Shares& shares : sets) {
     runs.emplace_back();
     for (std::size_t scene = 0; scene < spec_.scenes.size(); ++scene) {
@@ -93,10 +93,11 @@ bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<Shares>&
         r.may_be_refused = !must_be_read;
         runs.back().back().push_back(store_.add(r));
         all.push_back(runs.back().back().back());
+        if (!in_ledger(scene, all.back())) asked.push_back(all.back());
       }
     }
   }
-  const std::vector<std::size_t> left = store_.left(all);
+  const std::vector<std::size_t> left = store_.left(asked);
   runs_reused_ += static_cast<int>(all.size() - left.size());
   for (const std::size_t run : store_.beds_to_make(left)) {
     std::printf("making the bed of %s\n", store_.request(run).name.c_str());
@@ -113,30 +114,45 @@ bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<Shares>&
     if (left.size() == all.size()) e.lasted = taken / rounds;
     known_.emplace(key(fidelity, sets[k]), e);
   }
+  ledger_.write();
   return true;
 }
 
-Evaluation Evaluations::evaluation_of(const Shares& shares, const std::vector<std::vector<std::size_t>>& runs) const {
+const RunLedger::Entry* Evaluations::in_ledger(std::size_t scene, std::size_t run) const {
+  return store_.is_done(run) ? nullptr : ledger_.find(spec_.scenes[scene].name, store_.portable_recipe(run));
+}
+
+Evaluation Evaluations::evaluation_of(const Shares& shares, const std::vector<std::vector<std::size_t>>& runs) {
   Evaluation e;
   e.shares = shares;
   std::vector<std::vector<RunNumbers>> numbers;
   for (std::size_t scene = 0; scene < runs.size(); ++scene) {
     numbers.emplace_back();
     bool failed = false;
+    const std::string& name = spec_.scenes[scene].name;
     for (const std::size_t run : runs[scene]) {
+      ++e.runs;
+      if (const RunLedger::Entry* entry = in_ledger(scene, run)) {
+        e.wall += entry->wall;
+        e.cpu += entry->cpu;
+        numbers.back().push_back(entry->numbers);
+        continue;
+      }
       const RunEnd end = store_.end_of(run);
       e.wall += end.cost.wall;
       e.cpu += end.cost.cpu;
-      ++e.runs;
       failed = failed || !end.done();
       // Whoever ended it, it says nothing about the set.
       if (end.code == kExitInterrupted || (end.code > 128 && spec_.time_limit == 0))
         throw PartnerError("the run " + end.folder + " was ended from outside (code " + std::to_string(end.code) +
                            "); the same command goes on");
-      if (!end.done())
-        e.message = spec_.scenes[scene].name + ": " + (end.message.empty() ? end.status : end.message);
-      else
-        numbers.back().push_back(numbers_of(spec_, spec_.scenes[scene].name, end.folder));
+      if (!end.done()) {
+        e.message = name + ": " + (end.message.empty() ? end.status : end.message);
+        continue;
+      }
+      numbers.back().push_back(numbers_of(spec_, name, end.folder));
+      ledger_.note(name, store_.portable_recipe(run),
+                   {store_.request(run).name, numbers.back().back(), end.cost.wall, end.cost.cpu});
     }
     if (failed) numbers.back().clear();
   }

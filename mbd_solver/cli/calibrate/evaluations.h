@@ -1,6 +1,7 @@
 #pragma once
 // Sets of parameters and what their runs say. All runs stand in one store (experiments/run_store.h): one that is
-// finished is never done again, whoever asks for it.
+// finished is never done again, whoever asks for it. Nor is one that stands in the ledger (run_ledger.h), which gets a
+// line from every run that ends well.
 
 #include <map>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "mbd_solver/cli/calibrate/misfit.h"
+#include "mbd_solver/cli/calibrate/run_ledger.h"
 #include "mbd_solver/cli/experiments/run_store.h"
 
 namespace footfall {
@@ -36,8 +38,9 @@ struct Evaluation {
 
 class Evaluations {
  public:
-  // `folder`: of the store.
-  Evaluations(const CalibrationSpec& spec, const std::string& folder) : spec_(spec), store_(folder, true) {}
+  // `folder`: of the store; `ledger`: file of the ledger, empty: none.
+  Evaluations(const CalibrationSpec& spec, const std::string& folder, const std::string& ledger = "")
+      : spec_(spec), store_(folder, true), ledger_(spec, ledger) {}
 
   // Null when its runs are not done yet. The misfit of a set that breaks a constraint is kBroken (1 + by how much).
   const Evaluation* known(const Fidelity& fidelity, const Shares& shares);
@@ -57,10 +60,13 @@ class Evaluations {
  private:
   std::string key(const Fidelity& fidelity, const Shares& shares) const;
   RunRequest request(const Fidelity& fidelity, std::size_t scene, int seed, const Shares& shares) const;
-  Evaluation evaluation_of(const Shares& shares, const std::vector<std::vector<std::size_t>>& runs) const;
+  Evaluation evaluation_of(const Shares& shares, const std::vector<std::vector<std::size_t>>& runs);
+  // What the ledger says of a run that the store does not have; null: nothing.
+  const RunLedger::Entry* in_ledger(std::size_t scene, std::size_t run) const;
 
   const CalibrationSpec& spec_;
   RunStore store_;
+  RunLedger ledger_;
   std::map<std::string, Evaluation> known_;
   int runs_done_ = 0, runs_reused_ = 0;
 };

@@ -70,6 +70,7 @@ void visit_fields(FieldVisitor& v, FigureSpec& f) {
   fields(v, kAny, {{"", &f.source}, {"key", &f.key}, {"average", &f.average}, {"over", &f.over}});
   fields(v, kName, {{"name", &f.name}});
   fields(v, kWords, {{"columns", &f.columns}});
+  fields(v, kAny, {{"slope", &f.slope}});
   fields(v, kNotNegative, {{"prominence", &f.prominence}, {"until", &f.until}});
   v.choice("reduce", f.reduction);
   v.choice("error", f.error);

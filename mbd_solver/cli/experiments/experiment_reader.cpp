@@ -145,8 +145,7 @@ class Checker {
 
   void check_figures() {
     for (const FigureSpec& f : spec_.figures) {
-      if (f.key.empty() == f.columns.empty())
-        wrong(f.source, "key", "expected either key (of summary.json) or columns (of history.csv)");
+      if (const FigureFault fault = fault_of(f); !fault.key.empty()) wrong(f.source, fault.key, fault.text);
       if (f.compares_curves() && f.columns.empty()) wrong(f.source, "columns", "are missing");
       if (f.compares_curves() && !spec_.reference)
         wrong(f.source, "error", "compares with [reference], which is missing");

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/cli/analysis/bed_slope.h"
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
 
@@ -80,6 +81,15 @@ int count_peaks(const std::vector<double>& values, double least) {
   return peaks + (climbing && std::isfinite(highest) ? 1 : 0);
 }
 
+FigureFault fault_of(const FigureSpec& f) {
+  const int sources = (f.key.empty() ? 0 : 1) + (f.columns.empty() ? 0 : 1) + (f.slope.empty() ? 0 : 1);
+  if (sources != 1)
+    return {"key", "expected one of key (of summary.json), columns (of history.csv) and slope (of the grains)"};
+  if (!f.slope.empty() && (f.slope.size() != 2 || !(f.slope[0] < f.slope[1])))
+    return {"slope", "expected two heights [m], the lower one first, such as [-0.06, -0.02]"};
+  return {};
+}
+
 std::vector<double> figures_of_run(const std::vector<FigureSpec>& figures, const std::string& folder,
                                    const std::string& file) {
   const std::string summary_file = (fs::path(folder) / "summary.json").string();
@@ -96,9 +106,11 @@ std::vector<double> figures_of_run(const std::vector<FigureSpec>& figures, const
       values.push_back(kNone);
       continue;
     }
-    if (figure.key.empty() && history.names.empty())
+    if (!figure.columns.empty() && history.names.empty())
       history = read_history((fs::path(folder) / "history.csv").string());
-    values.push_back(figure.key.empty() ? of_history(figure, history) : of_summary(figure.key));
+    values.push_back(!figure.key.empty()    ? of_summary(figure.key)
+                     : figure.slope.empty() ? of_history(figure, history)
+                                            : last_slope(folder, figure.slope[0], figure.slope[1]).angle);
     if (!figure.over.empty()) values.back() /= of_summary(figure.over);
   }
   return values;

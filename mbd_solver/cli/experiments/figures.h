@@ -1,5 +1,5 @@
 #pragma once
-// One number out of a run: of its summary, or a reduction of its history.
+// One number out of a run: of its summary, a reduction of its history, or the slope of its bed.
 //
 //   [[figures]]
 //     name
@@ -9,6 +9,8 @@
 //       average                true: the mean over the columns; else the largest of them, of "min" the least, of
 //                              "final" the last
 //       prominence             of "peaks" (default: 0.3)
+//     slope                  [low, high]: angle of the bed's surface along x between these heights, of the last dump
+//                            of the grains [deg] (analysis/bed_slope.h)
 //     over                   a key of summary.json that the figure is divided by
 //     error, until           see errors.h
 
@@ -53,7 +55,8 @@ constexpr std::string_view name_of(ErrorKind kind) {
 struct FigureSpec {
   std::string name;
   std::string key;                   // of summary.json; else
-  std::vector<std::string> columns;  // of history.csv
+  std::vector<std::string> columns;  // of history.csv; else
+  std::vector<double> slope;         // heights of the bed's surface, low and high [m]
   Reduction reduction = Reduction::kMax;
   bool average = false;
   double prominence = 0.3;
@@ -68,6 +71,11 @@ struct FigureSpec {
 
 class FieldVisitor;
 void visit_fields(FieldVisitor& v, FigureSpec& figure);  // its keys
+// What is wrong with where its number comes from, as "key" and a text; both empty: nothing.
+struct FigureFault {
+  std::string key, text;
+};
+FigureFault fault_of(const FigureSpec& figure);
 
 // Of the finished run in `folder`; NaN when its history is empty, or for figures that compare curves. Throws
 // InputError, beginning with `file`, when the run has no such figure.

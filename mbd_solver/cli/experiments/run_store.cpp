@@ -28,14 +28,16 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 // A line for every text in `value` that is the name of a file. Read as LIGGGHTS reads it: with the files it includes,
-// if it has any.
-void add_files(const Json& value, std::ostream& text) {
-  for (const auto& inner : value)
-    if (inner.is_structured())
-      add_files(inner, text);
-    else if (std::error_code ignored; inner.is_string() && fs::is_regular_file(inner.get<std::string>(), ignored))
-      text << inner.get<std::string>() << ' ' << fingerprint(ScriptText(inner.get<std::string>(), {}).contents())
-           << '\n';
+// if it has any. With a root, the names are changed to those seen from there, in `value` too.
+void add_files(Json& value, const fs::path& root, std::ostream& text) {
+  for (auto& inner : value)
+    if (inner.is_structured()) {
+      add_files(inner, root, text);
+    } else if (std::error_code ignored; inner.is_string() && fs::is_regular_file(inner.get<std::string>(), ignored)) {
+      const std::string print = fingerprint(ScriptText(inner.get<std::string>(), {}).contents());
+      if (!root.empty()) inner = fs::path(inner.get<std::string>()).lexically_relative(root).string();
+      text << inner.get<std::string>() << ' ' << print << '\n';
+    }
 }
 
 // What mbd_solver says about itself is the message; else the last words of the log.
@@ -93,7 +95,17 @@ std::string recipe_of(const Scene& scene, double until) {
   const std::string json = scene_json(scene);
   std::ostringstream text;
   text << "until " << until << '\n' << json << '\n';
-  add_files(Json::parse(json), text);
+  Json values = Json::parse(json);
+  add_files(values, {}, text);
+  return text.str();
+}
+
+std::string portable_recipe_of(const Scene& scene, double until) {
+  std::ostringstream files;
+  Json values = Json::parse(scene_json(scene));
+  add_files(values, fs::absolute(scene.file).parent_path(), files);
+  std::ostringstream text;
+  text << "until " << until << '\n' << values.dump() << '\n' << files.str();
   return text.str();
 }
 
@@ -105,6 +117,7 @@ std::size_t RunStore::add(const RunRequest& request) {
   try {
     const Scene scene = read_scene(request.scene, request.settings);
     entry.recipe = fingerprint(recipe_of(scene, request.until));
+    entry.portable_recipe = fingerprint(portable_recipe_of(scene, request.until));
     entry.home = homes_.try_emplace({entry.recipe, request.repeats}, number).first->second;
     entry.keeps = scene.output.checkpoint_interval > 0.0;
     if (scene.touches_particles()) {

@@ -20,6 +20,8 @@ namespace footfall {
 // What a run is made from: the scene with all its values, and a fingerprint of each file it names: scripts (with what
 // they include), meshes, controllers, tables; and the end time [s].
 std::string recipe_of(const Scene& scene, double until);
+// The same wherever the files stand, as long as the way from the scene to each of them is the same.
+std::string portable_recipe_of(const Scene& scene, double until);
 
 // Times of a run [s].
 struct RunCost {
@@ -60,6 +62,8 @@ class RunStore {
   const RunRequest& request(std::size_t run) const { return runs_[run].request; }
   // Of its results: that of the first run with its recipe.
   std::string folder(std::size_t run) const;
+  // Fingerprint of its portable recipe; empty when its scene cannot be read.
+  const std::string& portable_recipe(std::size_t run) const { return runs_[run].portable_recipe; }
   bool is_done(std::size_t run) const;
   int most_ranks() const;  // of LIGGGHTS in one run
   // One run for each bed of theirs that is not made yet.
@@ -75,8 +79,9 @@ class RunStore {
  private:
   struct Entry {
     RunRequest request;
-    std::string recipe;    // its fingerprint; empty when the scene cannot be read: such a run is never taken as done
-    std::size_t home = 0;  // the first run with this recipe
+    std::string recipe;  // its fingerprint; empty when the scene cannot be read: such a run is never taken as done
+    std::string portable_recipe;  // likewise
+    std::size_t home = 0;         // the first run with this recipe
     int ranks = 1;
     bool keeps = false;        // checkpoints, every output.checkpoint_interval
     std::vector<BedSpec> bed;  // none or one

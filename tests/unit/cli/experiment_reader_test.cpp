@@ -69,7 +69,7 @@ TEST(ReadExperiment, SaysWhatIsWrongWithCurvesAndFigures) {
   EXPECT_THAT(complaint(curve + "default = 7\n" + figure + "key = \"k\"\n"),
               HasSubstr("is \"7\", expected one of the values"));
   EXPECT_THAT(complaint(curve + figure),
-              HasSubstr("expected either key (of summary.json) or columns (of history.csv)"));
+              HasSubstr("expected one of key (of summary.json), columns (of history.csv) and slope (of the grains)"));
   EXPECT_THAT(
       complaint(curve + figure + "columns = [\"a\"]\nreduce = \"mean\"\n"),
       HasSubstr("is text \"mean\", which is none of the choices. Known choices: max, min, final, largest, drop"));
