@@ -93,6 +93,7 @@ void visit_fields(FieldVisitor& v, CalibrationSpec& s) {
   v.field("step", &s.step, kAboveZero);
   v.field("confidence", &s.confidence, kShare);
   v.field("failed", &s.failed, kAboveZero);
+  v.field("cap", &s.cap, kZeroOrMore);
   v.section("seeds", s.seeds);
   v.section("limits", s.limits);
   v.list("parameters", s.parameters);

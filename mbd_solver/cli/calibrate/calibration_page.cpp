@@ -84,6 +84,9 @@ PagePart targets_part(const CalibrationSpec& spec, const CalibrationOutcome& o) 
       ". Misfit: " + number_text(o.start->misfit, 4) + " at the start, " + number_text(o.best->misfit, 4) +
       " at the best set as the last stage runs it, " + number_text(o.confirmed->misfit, 4) +
       " confirmed: with no stage's settings, over all seeds. Off: distance of the confirmed value [tolerances].";
+  if (spec.cap > 0.0)
+    part.text += " In the misfit a target that is further off counts as " + number_text(spec.cap) +
+                 " tolerances: the question is how many are met together.";
   if (o.confirmed->met() < o.best->met())
     part.text += "\n\nThe runs of the last stage say something else than whole ones: " + std::to_string(o.best->met()) +
                  " targets met become " + std::to_string(o.confirmed->met()) +

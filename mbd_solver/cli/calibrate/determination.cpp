@@ -81,7 +81,7 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
         const auto at = static_cast<std::size_t>(i);
         d.jacobian(row, i) = slope(around, at, [&](const Evaluation& e) -> std::optional<double> {
           if (target.failed || e.targets[t].failed) return {};
-          return root * e.targets[t].residuals[k];
+          return root * capped(e.targets[t].residuals[k], spec.cap);
         });
         if (target.failed) continue;
         const double of_value = slope(around, at, [&](const Evaluation& e) -> std::optional<double> {

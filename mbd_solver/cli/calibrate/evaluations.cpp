@@ -29,7 +29,7 @@ int Evaluation::met() const {
 std::vector<double> Evaluation::residuals(const CalibrationSpec& spec) const {
   std::vector<double> all;
   for (std::size_t t = 0; t < targets.size(); ++t)
-    for (const double r : targets[t].residuals) all.push_back(std::sqrt(spec.targets[t].weight) * r);
+    for (const double r : targets[t].residuals) all.push_back(std::sqrt(spec.targets[t].weight) * capped(r, spec.cap));
   return all;
 }
 
@@ -158,7 +158,7 @@ Evaluation Evaluations::evaluation_of(const Shares& shares, const std::vector<st
   }
   for (std::size_t t = 0; t < spec_.targets.size(); ++t) {
     e.targets.push_back(result_of(spec_, t, numbers));
-    e.misfit += e.targets.back().misfit(spec_.targets[t]);
+    e.misfit += e.targets.back().misfit(spec_.targets[t], spec_.cap);
   }
   return e;
 }

@@ -44,9 +44,11 @@ double residual_of(const TargetSpec& target, double y) {
   return y < target.least ? (y - target.least) / target.tolerance : 0.0;
 }
 
-double TargetResult::misfit(const TargetSpec& target) const {
+double capped(double residual, double cap) { return cap > 0.0 ? std::clamp(residual, -cap, cap) : residual; }
+
+double TargetResult::misfit(const TargetSpec& target, double cap) const {
   double sum = 0.0;
-  for (const double r : residuals) sum += target.weight * r * r;
+  for (const double r : residuals) sum += target.weight * capped(r, cap) * capped(r, cap);
   return sum;
 }
 

@@ -3,6 +3,7 @@
 //
 //   Phi = sum over targets t, and rows k of curves, of w_t r_tk^2
 //   r   = (y - value) / tolerance, or of a band the distance to it: (y - most)+ / tolerance - (least - y)+ / tolerance
+//         in Phi at most CalibrationSpec::cap, and at least -cap, where there is one
 //
 // y is the mean over the seeds; of an ordering, the ratio of two means.
 
@@ -27,7 +28,7 @@ struct TargetResult {
   std::vector<std::vector<double>> of_seed;  // y of every seed alone
   bool failed = false;                       // a run of it did not end; r is CalibrationSpec::failed
 
-  double misfit(const TargetSpec& target) const;  // its part of Phi
+  double misfit(const TargetSpec& target, double cap = 0.0) const;  // its part of Phi
   bool is_met() const { return !failed && met(residuals); }
   // A number within one tolerance, a band kept, a curve within 1.5 tolerances (root mean square).
   static bool met(const std::vector<double>& residuals);
@@ -45,6 +46,8 @@ RunNumbers numbers_of(const CalibrationSpec& spec, const std::string& scene, con
 std::vector<double> first_crossings(const std::vector<double>& x, const std::vector<double>& y,
                                     const std::vector<double>& at);
 
+// r as it counts in Phi.
+double capped(double residual, double cap);
 // r of one number.
 double residual_of(const TargetSpec& target, double y);
 

@@ -62,6 +62,10 @@ TEST_F(MisfitOfRuns, TakesARatioOfMeans) {
   EXPECT_EQ(r.of_seed.size(), 2u);
   spec.targets[0].weight = 4.0;
   EXPECT_DOUBLE_EQ(r.misfit(spec.targets[0]), 4.0);
+  EXPECT_DOUBLE_EQ(r.misfit(spec.targets[0], 2.0), 4.0) << "not as far off as the cap";
+  EXPECT_DOUBLE_EQ(r.misfit(spec.targets[0], 0.5), 1.0);
+  EXPECT_EQ(capped(-7.0, 3.0), -3.0);
+  EXPECT_EQ(capped(-7.0, 0.0), -7.0) << "no cap";
 }
 
 TEST_F(MisfitOfRuns, IsThatOfFailureWhereARunOrANumberIsMissing) {
