@@ -1,20 +1,37 @@
 #!/usr/bin/env bash
 # Remakes the results of docs/calibration.md: the calibrations of inputs/calibrations, with their tables and pictures.
-#   docs/calibration.sh [RUNS]     RUNS: folder of the runs, kept and gone on with; runs/calibrations unless given
+#   docs/calibration.sh [RUNS [PART...]]     RUNS: folder of the runs, kept and gone on with; runs/calibrations unless given. PART: these parts alone, of those listed
+#                                            below; "page": no part, the page alone
+# The tables of a part are kept in docs/calibration/made/PART.txt, and what its runs said in docs/calibration/PART_numbers.jsonl where they took hours.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. docs/parts.sh
 runs=${1:-runs/calibrations}
 page=docs/calibration.md pictures=docs/calibration
-mkdir -p "$pictures"
 footfall=${FOOTFALL:-./footfall}
-for name in strut grains paper_plane; do "$footfall" calibrate "inputs/calibrations/$name.toml" --out "$runs/$name" >/dev/null; done
+all=(strut soil grains paper_plane paper)
+shown=()   # the parts that have been made
 
+# NAME: its page, with headings one level lower and pictures in a folder of their own.
+calibration() {
+  local name=$1 kept=$pictures/$1_numbers.jsonl picture
+  mkdir -p "$runs/$name"
+  [[ -f $runs/$name/numbers.jsonl || ! -f $kept ]] || cp "$kept" "$runs/$name/numbers.jsonl"
+  "$footfall" calibrate "inputs/calibrations/$name.toml" --out "$runs/$name" >&2
+  [[ ! -f $kept ]] || cp "$runs/$name/numbers.jsonl" "$kept"
+  sed -E "s/^#/##/; s/^!\[(.*)\]\((.*)\)/![\1](calibration\/${name}_\2)/" "$runs/$name/$name.md"
+  for picture in misfit parameters targets; do [[ ! -f $runs/$name/$picture.png ]] || cp "$runs/$name/$picture.png" "$pictures/${name}_$picture.png"; done
+}
+part_strut() { calibration strut; }
+part_soil() { calibration soil; }
+part_grains() { calibration grains; }
+part_paper_plane() { calibration paper_plane; }
+part_paper() { calibration paper; }
+
+make_parts docs/calibration "${@:2}"
+for part in "${all[@]}"; do [[ ! -f $pictures/made/$part.txt ]] || shown+=("$pictures/made/$part.txt"); done
 sed -i '/^<!-- made by docs\/calibration.sh -->$/,$d' "$page"
 {
   echo '<!-- made by docs/calibration.sh -->'
-  for name in strut grains paper_plane; do
-    # Its headings stand one level lower, its pictures in a folder of their own.
-    sed -E "s/^#/##/; s/^!\[(.*)\]\((.*)\)/![\1](calibration\/${name}_\2)/" "$runs/$name/$name.md" | { [[ $name == strut ]] || echo; cat; }
-    for picture in misfit parameters targets; do [[ ! -f $runs/$name/$picture.png ]] || cp "$runs/$name/$picture.png" "$pictures/${name}_$picture.png"; done
-  done
+  awk 'FNR == 1 && NR > 1 { print "" } { print }' "${shown[@]}"
 } >>"$page"
