@@ -99,7 +99,7 @@ bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<Shares>&
   }
   const std::vector<std::size_t> left = store_.left(asked);
   runs_reused_ += static_cast<int>(all.size() - left.size());
-  for (const std::size_t run : store_.beds_to_make(left)) {
+  for (const std::size_t run : store_.beds_to_make(left, 2)) {
     std::printf("making the bed of %s\n", store_.request(run).name.c_str());
     std::fflush(stdout);
     store_.make_bed(run, true);

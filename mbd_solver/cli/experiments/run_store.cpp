@@ -149,12 +149,12 @@ int RunStore::most_ranks() const {
   return most;
 }
 
-std::vector<std::size_t> RunStore::beds_to_make(const std::vector<std::size_t>& runs) const {
+std::vector<std::size_t> RunStore::beds_to_make(const std::vector<std::size_t>& runs, int sharing) const {
   std::vector<std::size_t> chosen;
-  std::set<std::string> seen;
+  std::map<std::string, int> count;
   for (const std::size_t run : runs)
     for (const BedSpec& bed : runs_[run].bed)
-      if (const std::string made = bed_folder(bed); seen.insert(made).second && !bed_is_made(made))
+      if (const std::string made = bed_folder(bed); ++count[made] == sharing && !bed_is_made(made))
         chosen.push_back(run);
   return chosen;
 }

@@ -66,8 +66,9 @@ class RunStore {
   const std::string& portable_recipe(std::size_t run) const { return runs_[run].portable_recipe; }
   bool is_done(std::size_t run) const;
   int most_ranks() const;  // of LIGGGHTS in one run
-  // One run for each bed of theirs that is not made yet.
-  std::vector<std::size_t> beds_to_make(const std::vector<std::size_t>& runs) const;
+  // One run for each bed that is not made yet and that at least so many of them share. A run makes its own bed where it
+  // finds none; two that share one would wait for each other.
+  std::vector<std::size_t> beds_to_make(const std::vector<std::size_t>& runs, int sharing = 1) const;
   void make_bed(std::size_t run, bool quiet) const;
 
   // Those of `runs` that are to be done: their beds are there, and none is the same as another.
