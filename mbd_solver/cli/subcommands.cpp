@@ -145,6 +145,7 @@ Action calibrate(CLI::App& command) {
   command.add_option("--jobs", a->jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
   command.add_option("--table", a->table, "Write the page to this file as well, as Markdown");
   command.add_flag("--estimate", a->estimate, "Run the start, tell how long all will take, and stop");
+  command.add_flag("--so-far", a->so_far, "Run nothing: print what is known by now, beside one that goes on, too");
   return [a] { return calibrate_command(*a); };
 }
 

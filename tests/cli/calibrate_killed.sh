@@ -30,6 +30,14 @@ for ((kill = 1; kill <= 5; ++kill)); do
   sleep 0.3                            # its runs end with it
   records >"$out/records_$kill.txt"
 done
+# What is known by now is told without a run, and nothing is written.
+find "$out/parts" -type f -printf '%p %T@\n' | sort >"$out/files_before.txt"
+"$footfall" calibrate "$out/many.toml" --out "$out/parts" --so-far >"$out/so_far.txt" 2>&1 || { cat "$out/so_far.txt"; die "--so-far failed"; }
+grep -q '^Of [1-9][0-9]* sets the one of least misfit' "$out/so_far.txt" || { cat "$out/so_far.txt"; die "--so-far knows no sets"; }
+find "$out/parts" -type f -printf '%p %T@\n' | sort | cmp - "$out/files_before.txt" || die "--so-far has written"
+code=0
+"$footfall" calibrate "$out/many.toml" --out "$out/none" --so-far >"$out/none.txt" 2>&1 || code=$?
+((code == 2)) && [[ ! -e $out/none ]] || die "--so-far of a missing folder ended with $code: $(cat "$out/none.txt")"
 "$footfall" calibrate "$out/many.toml" --out "$out/parts" --jobs 2 >"$out/rest.txt" 2>&1 || { cat "$out/rest.txt"; die "the rest failed"; }
 records >"$out/records.txt"
 for ((kill = 1; kill <= 5; ++kill)); do

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <thread>
 
 #include "coupler/base/errors.h"
@@ -80,15 +81,34 @@ void write_all(const CalibrationSpec& spec, const CalibrationRun& run, const Eva
     std::printf("%s\n", path(file).c_str());
 }
 
+// What is known by now, beside a calibration that goes on.
+int say_so_far(const CalibrationSpec& spec, Evaluations& evaluations, const CalibrateArguments& a) {
+  evaluations.only_look();
+  CalibrationRun run(spec, evaluations, 1);
+  if (!run.start())
+    throw InputError(a.file + ": the runs of the start are not all done; try again when it has printed its misfit");
+  run.search();
+  const std::string page =
+      markdown(spec.title.empty() ? fs::path(a.file).stem().string() : spec.title,
+               so_far_parts(spec, run.outcome(), run.comparable(), "./footfall calibrate " + a.file + " --so-far"));
+  if (!a.table.empty()) write_whole_file(a.table, page);
+  std::printf("%s", page.c_str());
+  return kExitDone;
+}
+
 }  // namespace
 
 int calibrate_command(const CalibrateArguments& a) {
   const CalibrationSpec spec = read_calibration(a.file);
   const std::string out = a.out.empty() ? "runs/calibrations/" + fs::path(a.file).stem().string() : a.out;
   const std::string folder = short_path(fs::absolute(out).string());
+  if (a.so_far && !fs::is_directory(folder))
+    throw InputError(folder + ": there is no such folder; --so-far looks at a calibration that goes on or was stopped");
   make_folder(folder);
-  const FileLock lock = lock_folder(folder);
+  std::optional<FileLock> lock;
+  if (!a.so_far) lock.emplace(lock_folder(folder));
   Evaluations evaluations(spec, (fs::path(folder) / "runs").string(), (fs::path(folder) / "numbers.jsonl").string());
+  if (a.so_far) return say_so_far(spec, evaluations, a);
   const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int jobs = a.jobs > 0 ? a.jobs : std::max(1, machine / most_ranks_of(spec, evaluations));
 

@@ -6,6 +6,7 @@
 
 #include "coupler/base/text.h"
 #include "mbd_solver/cli/analysis/html_page.h"
+#include "mbd_solver/cli/calibrate/target_texts.h"
 
 namespace footfall {
 
@@ -16,36 +17,6 @@ namespace {
 using PageRows = std::vector<std::vector<std::string>>;
 
 constexpr double kSearchEnded = 1.0;  // a linear step gains no more misfit than this
-
-// "0.9 to 1.1", "at least 2", "0.5".
-std::string wanted(const TargetSpec& t) {
-  if (t.is_curve()) return "curve " + fs::path(t.file).filename().string();
-  if (t.value) return number_text(*t.value);
-  if (t.least == t.most) return number_text(t.least);
-  if (std::isinf(t.least)) return "at most " + number_text(t.most);
-  if (std::isinf(t.most)) return "at least " + number_text(t.least);
-  return number_text(t.least) + " to " + number_text(t.most);
-}
-
-// In tolerances; of a curve the root mean square.
-double distance(const TargetResult& t) {
-  double sum = 0.0;
-  for (const double r : t.residuals) sum += r * r;
-  return std::sqrt(sum / static_cast<double>(t.residuals.size()));
-}
-
-std::string value_text(const TargetSpec& spec, const TargetResult& t) {
-  if (t.failed) return "failed";
-  if (spec.is_curve()) return "within " + number_text(distance(t), 3) + " tolerances";
-  return number_text(t.values.front(), 4) + (t.of_seed.size() > 1 ? " +- " + number_text(t.spread.front(), 2) : "");
-}
-
-int seeds_that_meet(const TargetSpec& spec, const TargetResult& t) {
-  if (t.of_seed.size() < 2 || spec.is_curve()) return t.is_met() ? static_cast<int>(t.of_seed.size()) : 0;
-  return static_cast<int>(std::count_if(t.of_seed.begin(), t.of_seed.end(), [&](const std::vector<double>& y) {
-    return TargetResult::met({residual_of(spec, y.front())});
-  }));
-}
 
 PagePart best_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
   PagePart part;
@@ -183,24 +154,13 @@ PagePart pull_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
 
 PagePart together_part(const CalibrationSpec& spec, const CalibrationOutcome& o,
                        const std::vector<const Evaluation*>& sets) {
-  PagePart part;
-  const Apart found = apart(spec, sets);
   const Evaluation* most = most_met(sets);
+  PagePart part = apart_part(spec, sets);
   part.text = "Of the " + std::to_string(sets.size()) +
-              " sets that the last stage and the differences ran, the one that "
+              " sets that were run as the last stage runs them, the one that "
               "meets most meets " +
               std::to_string(most->met()) + " of " + std::to_string(spec.targets.size()) + " (misfit " +
-              number_text(most->misfit, 4) + "; the best set meets " + std::to_string(o.best->met()) + ").";
-  std::vector<std::string> never;
-  for (const std::size_t t : found.never) never.push_back(spec.targets[t].name);
-  part.text +=
-      never.empty() ? " Every target was met by some set." : "\n\nMet by none of them: " + joined(never, "; ") + ".";
-  if (found.pairs.empty()) return part;
-  part.text += "\n\nEach met by some sets, and by none together:";
-  part.rows = {{"target", "and target", "sets that meet the one", "the other", "both"}};
-  for (const Apart::Pair& pair : found.pairs)
-    part.rows.push_back({spec.targets[pair.a].name, spec.targets[pair.b].name, std::to_string(pair.met_a),
-                         std::to_string(pair.met_b), "0"});
+              number_text(most->misfit, 4) + "; the best set meets " + std::to_string(o.best->met()) + ")." + part.text;
   return part;
 }
 
@@ -222,29 +182,6 @@ PagePart search_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
 }
 
 }  // namespace
-
-const Evaluation* most_met(const std::vector<const Evaluation*>& sets) {
-  const Evaluation* most = sets.front();
-  for (const Evaluation* e : sets)
-    if (e->met() > most->met() || (e->met() == most->met() && e->misfit < most->misfit)) most = e;
-  return most;
-}
-
-Apart apart(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {
-  const auto count = [&](std::size_t a, std::size_t b) {
-    return static_cast<int>(std::count_if(sets.begin(), sets.end(), [&](const Evaluation* e) {
-      return e->targets[a].is_met() && e->targets[b].is_met();
-    }));
-  };
-  Apart found;
-  for (std::size_t a = 0; a < spec.targets.size(); ++a) {
-    if (count(a, a) == 0) found.never.push_back(a);
-    for (std::size_t b = a + 1; b < spec.targets.size(); ++b)
-      if (count(a, a) > 0 && count(b, b) > 0 && count(a, b) == 0)
-        found.pairs.push_back({a, b, count(a, a), count(b, b)});
-  }
-  return found;
-}
 
 std::vector<PagePart> calibration_parts(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
                                         const std::vector<const Evaluation*>& comparable, const std::string& command,

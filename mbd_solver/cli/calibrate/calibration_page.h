@@ -5,16 +5,11 @@
 #include <vector>
 
 #include "mbd_solver/cli/calibrate/calibration_run.h"
+#include "mbd_solver/cli/calibrate/page_part.h"
+#include "mbd_solver/cli/calibrate/together.h"
 #include "mbd_solver/cli/experiments/table.h"
 
 namespace footfall {
-
-struct PagePart {
-  std::string heading;                         // empty: goes on under the one before
-  std::string text;                            // before the table
-  std::vector<std::vector<std::string>> rows;  // the head first; empty: no table
-  std::vector<std::string> pictures;           // PNG files
-};
 
 // `command`: that makes it again. `pictures`: what draw_calibration made.
 std::vector<PagePart> calibration_parts(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
@@ -22,6 +17,10 @@ std::vector<PagePart> calibration_parts(const CalibrationSpec& spec, const Calib
                                         const std::vector<std::string>& pictures);
 std::string markdown(const std::string& title, const std::vector<PagePart>& parts);
 std::string html(const std::string& title, const std::vector<PagePart>& parts);
+
+// While it goes: sets that are known by now, with the start as each stage runs it (calibration_so_far.cpp).
+std::vector<PagePart> so_far_parts(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
+                                   const std::vector<const Evaluation*>& comparable, const std::string& command);
 
 // Every set of every stage in the order of the search: stage, parameters, misfit, targets.
 Table way_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome);
@@ -34,18 +33,5 @@ Table target_table(const CalibrationSpec& spec, const CalibrationOutcome& outcom
 // it writes. Throws InputError when gnuplot is missing or fails.
 std::vector<std::string> draw_calibration(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
                                           const std::string& folder);
-
-// The set of those given that meets most targets; the least misfit decides between equals.
-const Evaluation* most_met(const std::vector<const Evaluation*>& sets);
-// Pairs of targets that some set meets alone, and no set together; and targets that none meets.
-struct Apart {
-  std::vector<std::size_t> never;
-  struct Pair {
-    std::size_t a, b;
-    int met_a, met_b;  // sets
-  };
-  std::vector<Pair> pairs;
-};
-Apart apart(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
 
 }  // namespace footfall

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
@@ -100,6 +101,7 @@ bool CalibrationRun::walk_stage(const StageSpec& asked, Shares& at) {
   if (spec_.limits.runs > 0)
     stage.evaluations = std::min(stage.evaluations, (spec_.limits.runs - runs_) / runs_per_set);
   StageOutcome outcome;
+  bool ended = true;
   outcome.best = from.misfit;
   if (stage.evaluations <= 0) outcome.way.end = "limit of runs reached";
   for (std::size_t said = 0; stage.evaluations > 0;) {
@@ -129,15 +131,19 @@ bool CalibrationRun::walk_stage(const StageSpec& asked, Shares& at) {
     const StageWay& way = outcome.way;
     if (way.sets.size() >= said + 10 || (way.wanted.empty() && !way.sets.empty())) {
       said = way.sets.size();
-      std::printf("%s: %zu sets, best misfit %s\n", std::string(name_of(stage.method)).c_str(), said,
-                  number_text(std::min(way.misfit, from.misfit), 5).c_str());
+      if (!evaluations_.looks())
+        std::printf("%s: %zu sets, best misfit %s\n", std::string(name_of(stage.method)).c_str(), said,
+                    number_text(std::min(way.misfit, from.misfit), 5).c_str());
       std::fflush(stdout);
     }
     if (way.wanted.empty()) break;
-    if (!evaluations_.carry_out(fidelity, way.wanted, jobs_)) return false;
+    ended = evaluations_.carry_out(fidelity, way.wanted, jobs_);
+    if (!ended) break;
   }
   for (const Shares& set : outcome.way.sets) {
-    outcome.evaluations.push_back(evaluations_.known(fidelity, set));
+    const Evaluation* e = evaluations_.known(fidelity, set);
+    if (!e) continue;
+    outcome.evaluations.push_back(e);
     runs_ += outcome.evaluations.back()->runs;
     spent_ += outcome.evaluations.back()->cpu;
   }
@@ -146,7 +152,7 @@ bool CalibrationRun::walk_stage(const StageSpec& asked, Shares& at) {
     outcome.best = outcome.way.misfit;
   }
   outcome_.stages.push_back(outcome);
-  return true;
+  return ended;
 }
 
 bool CalibrationRun::search() {
@@ -171,9 +177,17 @@ bool CalibrationRun::search() {
 }
 
 std::vector<const Evaluation*> CalibrationRun::comparable() const {
-  std::vector<const Evaluation*> sets = outcome_.stages.back().evaluations;
-  sets.insert(sets.end(), outcome_.around.begin(), outcome_.around.end());
-  sets.push_back(outcome_.best);
+  std::vector<const Evaluation*> sets;
+  std::set<const Evaluation*> seen;
+  const auto add = [&](const Evaluation* e) {
+    if (e && seen.insert(e).second) sets.push_back(e);
+  };
+  const StageSpec& last = spec_.stages[outcome_.stages.size() - 1];
+  for (std::size_t k = 0; k < outcome_.stages.size(); ++k)
+    if (spec_.stages[k].settings == last.settings && spec_.stages[k].until == last.until)
+      for (const Evaluation* e : outcome_.stages[k].evaluations) add(e);
+  for (const Evaluation* e : outcome_.around) add(e);
+  add(outcome_.best);
   return sets;
 }
 

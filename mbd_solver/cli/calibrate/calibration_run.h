@@ -39,10 +39,11 @@ class CalibrationRun {
   // The start, as every stage and the confirmation run it. False when interrupted. Throws NumericalError when it fails.
   bool start();
   Prediction predict() const;  // after start()
-  // All the rest. False when interrupted.
+  // All the rest. False when interrupted; the stage that was under way is then the last of the outcome.
   bool search();
   const CalibrationOutcome& outcome() const { return outcome_; }
-  // The sets of the last stage, and those about the best: what is known of which targets go together.
+  // The sets of the last stage that was reached, of stages before it with the same runs, and those about the best: what is
+  // known of which targets go together.
   std::vector<const Evaluation*> comparable() const;
 
  private:

@@ -97,7 +97,12 @@ bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<Shares>&
       }
     }
   }
-  const std::vector<std::size_t> left = store_.left(asked);
+  std::vector<std::size_t> left = store_.left(asked);
+  if (looks_)  // one that has failed is done again by a search, but it has been seen to fail
+    left.erase(std::remove_if(left.begin(), left.end(),
+                              [&](std::size_t run) { return store_.end_of(run).status == "failed"; }),
+               left.end());
+  if (looks_ && !left.empty()) return false;
   runs_reused_ += static_cast<int>(all.size() - left.size());
   for (const std::size_t run : store_.beds_to_make(left, 2)) {
     std::printf("making the bed of %s\n", store_.request(run).name.c_str());
@@ -114,7 +119,7 @@ bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<Shares>&
     if (left.size() == all.size()) e.lasted = taken / rounds;
     known_.emplace(key(fidelity, sets[k]), e);
   }
-  ledger_.write();
+  if (!looks_) ledger_.write();
   return true;
 }
 

@@ -48,6 +48,9 @@ class Evaluations {
   // a scene that cannot be read, when `must_be_read`; else such a set has failed. Throws PartnerError when somebody
   // ended a run.
   bool carry_out(const Fidelity& fidelity, const std::vector<Shares>& sets, int jobs, bool must_be_read = false);
+  // From now on nothing is run or written: carry_out() is false for a set of which a run is missing.
+  void only_look() { looks_ = true; }
+  bool looks() const { return looks_; }
 
   int most_ranks() const { return store_.most_ranks(); }
   int runs_done() const { return runs_done_; }      // by this process
@@ -69,6 +72,7 @@ class Evaluations {
   RunLedger ledger_;
   std::map<std::string, Evaluation> known_;
   int runs_done_ = 0, runs_reused_ = 0;
+  bool looks_ = false;
 };
 
 }  // namespace footfall
