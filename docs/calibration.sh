@@ -9,14 +9,19 @@ cd "$(dirname "$0")/.."
 runs=${1:-runs/calibrations}
 page=docs/calibration.md pictures=docs/calibration
 footfall=${FOOTFALL:-./footfall}
-all=(strut soil grains paper_plane paper)
+all=(strut soil grains paper_plane paper_so_far)
 shown=()   # the parts that have been made
 
+# NAME: its runs' numbers, where they stand with the page.
+take_numbers() {
+  local kept=$pictures/$1_numbers.jsonl
+  mkdir -p "$runs/$1"
+  [[ -f $runs/$1/numbers.jsonl || ! -f $kept ]] || cp "$kept" "$runs/$1/numbers.jsonl"
+}
 # NAME: its page, with headings one level lower and pictures in a folder of their own.
 calibration() {
   local name=$1 kept=$pictures/$1_numbers.jsonl picture
-  mkdir -p "$runs/$name"
-  [[ -f $runs/$name/numbers.jsonl || ! -f $kept ]] || cp "$kept" "$runs/$name/numbers.jsonl"
+  take_numbers "$name"
   "$footfall" calibrate "inputs/calibrations/$name.toml" --out "$runs/$name" >&2
   [[ ! -f $kept ]] || cp "$runs/$name/numbers.jsonl" "$kept"
   sed -E "s/^#/##/; s/^!\[(.*)\]\((.*)\)/![\1](calibration\/${name}_\2)/" "$runs/$name/$name.md"
@@ -26,7 +31,8 @@ part_strut() { calibration strut; }
 part_soil() { calibration soil; }
 part_grains() { calibration grains; }
 part_paper_plane() { calibration paper_plane; }
-part_paper() { calibration paper; }
+# It takes hours more: what is known by now. When it has ended, `calibration paper`.
+part_paper_so_far() { take_numbers paper; "$footfall" calibrate inputs/calibrations/paper.toml --out "$runs/paper" --so-far | sed -E 's/^#/##/'; }
 
 make_parts docs/calibration "${@:2}"
 for part in "${all[@]}"; do [[ ! -f $pictures/made/$part.txt ]] || shown+=("$pictures/made/$part.txt"); done

@@ -88,9 +88,9 @@ int say_so_far(const CalibrationSpec& spec, Evaluations& evaluations, const Cali
   if (!run.start())
     throw InputError(a.file + ": the runs of the start are not all done; try again when it has printed its misfit");
   run.search();
-  const std::string page =
-      markdown(spec.title.empty() ? fs::path(a.file).stem().string() : spec.title,
-               so_far_parts(spec, run.outcome(), run.comparable(), "./footfall calibrate " + a.file + " --so-far"));
+  const std::string title = spec.title.empty() ? fs::path(a.file).stem().string() : spec.title;
+  const std::string page = markdown(title + ", so far", so_far_parts(spec, run.outcome(), run.comparable(),
+                                                                     "./footfall calibrate " + a.file + " --so-far"));
   if (!a.table.empty()) write_whole_file(a.table, page);
   std::printf("%s", page.c_str());
   return kExitDone;
