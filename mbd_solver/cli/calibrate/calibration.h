@@ -133,6 +133,7 @@ struct TargetSpec {
   Source source;
 
   bool is_curve() const { return !file.empty(); }
+  bool is_band() const { return !is_curve() && !value; }
 };
 
 struct ConstraintSpec {

@@ -52,9 +52,10 @@ double TargetResult::misfit(const TargetSpec& target, double cap) const {
   return sum;
 }
 
-bool TargetResult::met(const std::vector<double>& residuals) {
+bool TargetResult::met(const std::vector<double>& residuals, bool band) {
   double squares = 0.0;
   for (const double r : residuals) squares += r * r;
+  if (band) return squares == 0.0;
   return std::sqrt(squares / static_cast<double>(residuals.size())) <= (residuals.size() > 1 ? kCurveWithin : 1.0);
 }
 
@@ -133,6 +134,7 @@ TargetResult result_of(const CalibrationSpec& spec, std::size_t target,
   result.values = {y};
   result.spread = {spread_of(values)};
   result.residuals = {residual_of(t, y)};
+  result.band = t.is_band();
   return result;
 }
 

@@ -26,12 +26,13 @@ struct TargetResult {
   std::vector<double> spread;                // over the seeds, sample standard deviation; 0 for one seed
   std::vector<double> residuals;             // r
   std::vector<std::vector<double>> of_seed;  // y of every seed alone
+  bool band = false;                         // wanted within bounds
   bool failed = false;                       // a run of it did not end; r is CalibrationSpec::failed
 
   double misfit(const TargetSpec& target, double cap = 0.0) const;  // its part of Phi
-  bool is_met() const { return !failed && met(residuals); }
+  bool is_met() const { return !failed && met(residuals, band); }
   // A number within one tolerance, a band kept, a curve within 1.5 tolerances (root mean square).
-  static bool met(const std::vector<double>& residuals);
+  static bool met(const std::vector<double>& residuals, bool band);
 };
 
 // `runs`: one per seed, for every scene; empty where one of them failed.

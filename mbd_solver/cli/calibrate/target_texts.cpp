@@ -32,7 +32,7 @@ std::string value_text(const TargetSpec& spec, const TargetResult& t) {
 int seeds_that_meet(const TargetSpec& spec, const TargetResult& t) {
   if (t.of_seed.size() < 2 || spec.is_curve()) return t.is_met() ? static_cast<int>(t.of_seed.size()) : 0;
   return static_cast<int>(std::count_if(t.of_seed.begin(), t.of_seed.end(), [&](const std::vector<double>& y) {
-    return TargetResult::met({residual_of(spec, y.front())});
+    return TargetResult::met({residual_of(spec, y.front())}, spec.is_band());
   }));
 }
 

@@ -68,6 +68,14 @@ TEST_F(MisfitOfRuns, TakesARatioOfMeans) {
   EXPECT_EQ(capped(-7.0, 0.0), -7.0) << "no cap";
 }
 
+TEST_F(MisfitOfRuns, ABandIsMetWithinItsBoundsAndANumberWithinATolerance) {
+  EXPECT_TRUE(result_of(spec, 0, {{run(2.5)}, {run(1)}}).is_met());
+  EXPECT_FALSE(result_of(spec, 0, {{run(2.6)}, {run(1)}}).is_met()) << "a fifth of a tolerance beyond";
+  spec.targets[0].value = 2.0;
+  EXPECT_TRUE(result_of(spec, 0, {{run(2.4)}, {run(1)}}).is_met());
+  EXPECT_FALSE(result_of(spec, 0, {{run(2.6)}, {run(1)}}).is_met());
+}
+
 TEST_F(MisfitOfRuns, IsThatOfFailureWhereARunOrANumberIsMissing) {
   spec.failed = 7.0;
   for (const auto& runs : {std::vector<std::vector<RunNumbers>>{{run(2)}, {}},
