@@ -39,6 +39,7 @@ code=0
 "$footfall" calibrate "$out/many.toml" --out "$out/none" --so-far >"$out/none.txt" 2>&1 || code=$?
 ((code == 2)) && [[ ! -e $out/none ]] || die "--so-far of a missing folder ended with $code: $(cat "$out/none.txt")"
 "$footfall" calibrate "$out/many.toml" --out "$out/parts" --jobs 2 >"$out/rest.txt" 2>&1 || { cat "$out/rest.txt"; die "the rest failed"; }
+"$footfall" calibrate "$out/many.toml" --out "$out/parts" --so-far | grep -q 'has ended' || die "--so-far does not say that it has ended"
 records >"$out/records.txt"
 for ((kill = 1; kill <= 5; ++kill)); do
   lost=$(comm -23 "$out/records_$kill.txt" "$out/records.txt")

@@ -87,7 +87,10 @@ int say_so_far(const CalibrationSpec& spec, Evaluations& evaluations, const Cali
   CalibrationRun run(spec, evaluations, 1);
   if (!run.start())
     throw InputError(a.file + ": the runs of the start are not all done; try again when it has printed its misfit");
-  run.search();
+  if (run.search()) {
+    std::printf("%s has ended; the same command without --so-far prints its page\n", a.file.c_str());
+    return kExitDone;
+  }
   const std::string title = spec.title.empty() ? fs::path(a.file).stem().string() : spec.title;
   const std::string page = markdown(title + ", so far", so_far_parts(spec, run.outcome(), run.comparable(),
                                                                      "./footfall calibrate " + a.file + " --so-far"));
