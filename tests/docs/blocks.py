@@ -6,7 +6,7 @@
 FOOTFALL is the built program, PAGE a path in the checkout. OUT becomes a folder that looks like a checkout. A command block is one of ```sh. Comments
 before a block say what the test has to know; the reader of the page does not see them:
 
-    <!-- short: OPTIONS -->   these options at the end of `run` and `audit` (without it --until 0.02, or less)
+    <!-- short: OPTIONS -->   these options at the end of `run` and `audit` (without it --until 0.02, or less) and of `calibrate`
     <!-- exit: CODE -->       how the last command of the block ends (without it 0)
     <!-- file: NAME -->       the block is the text of this file; it is written before the next commands
     <!-- append: NAME -->     it is added to this file
@@ -89,6 +89,8 @@ def shortened(words, block):
         return words[:at] + [min(words[at], kUntil, key=float)] + words[at + 1:]
     if command in ("sweep", "accuracy", "rig"):
         return words + ["--short"]
+    if command == "calibrate" and "short" in block.marks:
+        return words + shlex.split(block.marks["short"])
     return ["./footfall", "test", "--help"] if command == "test" else words
 
 
