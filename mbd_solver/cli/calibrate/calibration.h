@@ -26,9 +26,10 @@
 //     settings, values     the search does not follow noise
 //     search               how many of them the search uses (default: 1); the best set is run with all
 //   [[stages]]             searches one after another; each starts from the best set of the one before
-//     method               direct, crs2, isres (global), bobyqa, sbplx (local), by NLopt; gauss_newton (local)
+//     method               direct, crs2, isres (global), bobyqa, sbplx (local), by NLopt; gauss_newton (local);
+//                          surrogate (surfaces through all that is known)
 //     evaluations          sets of parameters, at most
-//     seed                 of crs2 and isres (default: 1)
+//     seed                 of crs2, isres and surrogate (default: 1)
 //     precision            ends a local search: change of all parameters, as a share of their ranges (default: 1e-4)
 //     settings, until      cheaper runs for this stage: small beds, large steps
 //   [limits]
@@ -68,7 +69,7 @@ constexpr std::string_view name_of(RangeScale scale) {
   return "";
 }
 
-enum class SearchMethod { kDirect, kCrs2, kIsres, kBobyqa, kSbplx, kGaussNewton };
+enum class SearchMethod { kDirect, kCrs2, kIsres, kBobyqa, kSbplx, kGaussNewton, kSurrogate };
 constexpr std::string_view name_of(SearchMethod method) {
   switch (method) {
     case SearchMethod::kDirect: return "direct";             // DIRECT-L: divides the range; no random numbers
@@ -77,11 +78,13 @@ constexpr std::string_view name_of(SearchMethod method) {
     case SearchMethod::kBobyqa: return "bobyqa";             // quadratic models in a trust region
     case SearchMethod::kSbplx: return "sbplx";               // simplices in subspaces: for noise and kinks
     case SearchMethod::kGaussNewton: return "gauss_newton";  // least squares from differences (gauss_newton.h)
+    case SearchMethod::kSurrogate: return "surrogate";       // response surfaces of the targets (surrogate.h)
   }
   return "";
 }
 constexpr bool goes_one_by_one(SearchMethod method) {
-  return method == SearchMethod::kBobyqa || method == SearchMethod::kSbplx;  // each set waits for the last
+  return method == SearchMethod::kBobyqa || method == SearchMethod::kSbplx ||
+         method == SearchMethod::kSurrogate;  // each set waits for the last
 }
 
 struct SoughtParameter {

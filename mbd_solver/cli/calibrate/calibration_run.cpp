@@ -8,7 +8,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/cli/calibrate/gauss_newton.h"
+#include "mbd_solver/cli/calibrate/stage_search.h"
 
 namespace footfall {
 
@@ -104,30 +104,9 @@ bool CalibrationRun::walk_stage(const StageSpec& asked, Shares& at) {
   bool ended = true;
   outcome.best = from.misfit;
   if (stage.evaluations <= 0) outcome.way.end = "limit of runs reached";
+  StageSearch search({spec_, evaluations_, fidelity, stage, at, sets_run_like(asked), jobs_, spent_});
   for (std::size_t said = 0; stage.evaluations > 0;) {
-    double spent = spent_;
-    const auto may_go_on = [&](const Shares&) {
-      return spec_.limits.hours <= 0.0 || spent < 3600.0 * spec_.limits.hours;
-    };
-    SearchQuestions questions;
-    questions.may_go_on = may_go_on;
-    questions.misfit = [&](const Shares& set) -> std::optional<double> {
-      const Evaluation* e = evaluations_.known(fidelity, set);
-      if (!e) return {};
-      spent += e->cpu;
-      return e->misfit;
-    };
-    LeastSquaresQuestions squares;
-    squares.may_go_on = may_go_on;
-    squares.residuals = [&](const Shares& set) -> std::optional<std::vector<double>> {
-      const Evaluation* e = evaluations_.known(fidelity, set);
-      if (!e) return {};
-      spent += e->cpu;
-      return e->message.empty() ? e->residuals(spec_) : std::vector<double>();
-    };
-    outcome.way = stage.method == SearchMethod::kGaussNewton
-                      ? walk_least_squares(stage, at, spec_.step, squares)
-                      : walk(stage, at, questions, static_cast<std::size_t>((jobs_ + runs_per_set - 1) / runs_per_set));
+    outcome.way = search.go();
     const StageWay& way = outcome.way;
     if (way.sets.size() >= said + 10 || (way.wanted.empty() && !way.sets.empty())) {
       said = way.sets.size();
@@ -174,6 +153,14 @@ bool CalibrationRun::search() {
   outcome_.taken = hours_since(began);
   outcome_.whole_time = reused == 0 || evaluations_.runs_done() > 9 * evaluations_.runs_reused();
   return true;
+}
+
+std::vector<Shares> CalibrationRun::sets_run_like(const StageSpec& stage) const {
+  std::vector<Shares> sets;
+  for (std::size_t k = 0; k < outcome_.stages.size(); ++k)
+    if (spec_.stages[k].settings == stage.settings && spec_.stages[k].until == stage.until)
+      for (const Evaluation* e : outcome_.stages[k].evaluations) sets.push_back(e->shares);
+  return sets;
 }
 
 std::vector<const Evaluation*> CalibrationRun::comparable() const {

@@ -48,6 +48,8 @@ class CalibrationRun {
 
  private:
   bool walk_stage(const StageSpec& stage, Shares& at);
+  // Of stages that have ended and have the same runs.
+  std::vector<Shares> sets_run_like(const StageSpec& stage) const;
 
   const CalibrationSpec& spec_;
   Evaluations& evaluations_;

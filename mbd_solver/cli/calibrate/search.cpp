@@ -19,7 +19,8 @@ nlopt::algorithm algorithm_of(SearchMethod method) {
     case SearchMethod::kIsres: return nlopt::GN_ISRES;
     case SearchMethod::kBobyqa: return nlopt::LN_BOBYQA;
     case SearchMethod::kSbplx: return nlopt::LN_SBPLX;
-    case SearchMethod::kGaussNewton: break;  // not of NLopt: gauss_newton.h
+    case SearchMethod::kGaussNewton:
+    case SearchMethod::kSurrogate: break;  // not of NLopt
   }
   return nlopt::LN_SBPLX;
 }

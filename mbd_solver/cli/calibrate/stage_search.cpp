@@ -1,0 +1,110 @@
+#include "mbd_solver/cli/calibrate/stage_search.h"
+
+#include "mbd_solver/cli/experiments/experiment.h"
+
+namespace footfall {
+
+namespace {
+
+// Whether the target's runs differ when one parameter is moved.
+bool moves(const StageTask& task, std::size_t parameter, const TargetSpec& target) {
+  const Shares from = start_of(task.spec);
+  Shares to = from;
+  to[parameter] = from[parameter] < 0.5 ? 1.0 : 0.0;
+  for (const std::string& name : {target.scene, target.against}) {
+    if (name.empty()) continue;
+    const auto scene = static_cast<std::size_t>(index_of(task.spec.scenes, name));
+    if (task.evaluations.settings(task.fidelity, scene, from) != task.evaluations.settings(task.fidelity, scene, to))
+      return true;
+  }
+  return false;
+}
+
+// The values of all targets, one after another; none where one has failed.
+std::vector<double> numbers_in(const Evaluation& e) {
+  std::vector<double> all;
+  for (const TargetResult& target : e.targets) {
+    if (target.failed) return {};
+    all.insert(all.end(), target.values.begin(), target.values.end());
+  }
+  return all;
+}
+
+// One of these numbers: which target's, and what a curve wants at its row.
+struct Number {
+  std::size_t target;
+  double wanted;
+};
+
+}  // namespace
+
+StageSearch::StageSearch(const StageTask& task) : task_(task), spent_(task.spent) {
+  questions_.may_go_on = squares_.may_go_on = [this](const Shares&) { return may_go_on(); };
+  questions_.misfit = [this](const Shares& set) -> std::optional<double> {
+    const Evaluation* e = look_up(set);
+    if (!e) return {};
+    return e->misfit;
+  };
+  squares_.residuals = [this](const Shares& set) -> std::optional<std::vector<double>> {
+    const Evaluation* e = look_up(set);
+    if (!e) return {};
+    return e->message.empty() ? e->residuals(task_.spec) : std::vector<double>();
+  };
+  if (task.stage.method != SearchMethod::kSurrogate || task.stage.evaluations <= 0) return;
+  surrogate_.emplace(task.stage, task.start, surrogate_questions());
+  spent_ = task.spent;  // what was known before costs this stage nothing
+}
+
+bool StageSearch::may_go_on() const {
+  return task_.spec.limits.hours <= 0.0 || spent_ < 3600.0 * task_.spec.limits.hours;
+}
+
+const Evaluation* StageSearch::look_up(const Shares& set) {
+  const Evaluation* e = task_.evaluations.known(task_.fidelity, set);
+  if (e) spent_ += e->cpu;
+  return e;
+}
+
+StageWay StageSearch::go() {
+  if (surrogate_) return surrogate_->go();
+  spent_ = task_.spent;  // these begin anew
+  if (task_.stage.method == SearchMethod::kGaussNewton)
+    return walk_least_squares(task_.stage, task_.start, task_.spec.step, squares_);
+  const int runs_per_set = static_cast<int>(task_.spec.scenes.size()) * task_.fidelity.seeds;
+  return walk(task_.stage, task_.start, questions_,
+              static_cast<std::size_t>((task_.jobs + runs_per_set - 1) / runs_per_set));
+}
+
+SurrogateQuestions StageSearch::surrogate_questions() {
+  const CalibrationSpec& spec = task_.spec;
+  SurrogateQuestions questions;
+  std::vector<Number> numbers;
+  const Evaluation& known = *task_.evaluations.known(task_.fidelity, task_.start);
+  for (std::size_t t = 0; t < spec.targets.size(); ++t) {
+    std::vector<std::size_t> by;
+    for (std::size_t i = 0; i < spec.parameters.size(); ++i)
+      if (moves(task_, i, spec.targets[t])) by.push_back(i);
+    const TargetResult& result = known.targets[t];
+    for (std::size_t row = 0; row < result.values.size(); ++row) {
+      questions.moved_by.push_back(by);
+      numbers.push_back({t, result.values[row] - result.residuals[row] * spec.targets[t].tolerance});
+    }
+  }
+  questions.part = [&spec, numbers](std::size_t k, double y) {
+    const TargetSpec& target = spec.targets[numbers[k].target];
+    const double r = target.is_curve() ? (y - numbers[k].wanted) / target.tolerance : residual_of(target, y);
+    const double counted = capped(r, spec.cap);
+    return target.weight * counted * counted;
+  };
+  questions.numbers = [this](const Shares& set) -> std::optional<std::vector<double>> {
+    const Evaluation* e = look_up(set);
+    if (!e) return {};
+    return numbers_in(*e);
+  };
+  questions.earlier = task_.earlier;
+  if (!spec.constraints.empty()) questions.allowed = [&spec](const Shares& set) { return broken_by(spec, set) == 0.0; };
+  questions.may_go_on = [this](const Shares&) { return may_go_on(); };
+  return questions;
+}
+
+}  // namespace footfall

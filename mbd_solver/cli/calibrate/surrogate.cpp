@@ -1,0 +1,207 @@
+#include "mbd_solver/cli/calibrate/surrogate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mbd_solver/cli/calibrate/response_surface.h"
+
+namespace footfall {
+
+namespace {
+
+constexpr std::size_t kCandidates = 2000, kMostDrawn = 20 * kCandidates;
+constexpr std::array<double, 2> kWeights = {0.8, 0.5};                  // a
+constexpr std::array<double, 3> kReaches = {0.2, 0.1, 0.04};            // of candidates about the best set
+constexpr std::array<double, 5> kSteps = {0.2, 0.1, 0.05, 0.02, 0.01};  // down the model, one parameter at a time
+constexpr double kApart = 0.01;                                         // of two sets, in one parameter at least
+
+double distance(const Shares& a, const Shares& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+
+double distance(const Shares& u, const std::vector<Shares>& sets) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Shares& set : sets) least = std::min(least, distance(u, set));
+  return least;
+}
+
+// The model of Phi.
+class Model {
+ public:
+  Model(const SurrogateQuestions& questions, const std::vector<Shares>& sets,
+        const std::vector<std::vector<double>>& numbers)
+      : questions_(questions) {
+    for (std::size_t k = 0; k < questions.moved_by.size(); ++k) {
+      Eigen::MatrixXd points(static_cast<Eigen::Index>(questions.moved_by[k].size()),
+                             static_cast<Eigen::Index>(sets.size()));
+      Eigen::VectorXd values(points.cols());
+      for (Eigen::Index j = 0; j < points.cols(); ++j) {
+        points.col(j) = seen_by(k, sets[static_cast<std::size_t>(j)]);
+        values[j] = numbers[static_cast<std::size_t>(j)][k];
+      }
+      surfaces_.emplace_back(points, values);
+    }
+  }
+
+  double misfit(const Shares& u) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < surfaces_.size(); ++k) sum += questions_.part(k, surfaces_[k].at(seen_by(k, u)));
+    return sum;
+  }
+
+  Shares down_from(Shares u) const {
+    double least = misfit(u);
+    for (const double step : kSteps)
+      for (bool better = true; better;) {
+        better = false;
+        for (std::size_t i = 0; i < u.size(); ++i)
+          for (const double sign : {1.0, -1.0}) {
+            const double from = u[i];
+            u[i] = std::clamp(from + sign * step, 0.0, 1.0);
+            const double tried = questions_.allowed(u) ? misfit(u) : std::numeric_limits<double>::infinity();
+            if (tried < least - 1e-9)
+              least = tried, better = true;
+            else
+              u[i] = from;
+          }
+      }
+    return u;
+  }
+
+ private:
+  Eigen::VectorXd seen_by(std::size_t k, const Shares& u) const {
+    const std::vector<std::size_t>& by = questions_.moved_by[k];
+    Eigen::VectorXd x(static_cast<Eigen::Index>(by.size()));
+    for (std::size_t i = 0; i < by.size(); ++i) x[static_cast<Eigen::Index>(i)] = u[by[i]];
+    return x;
+  }
+
+  const SurrogateQuestions& questions_;
+  std::vector<ResponseSurface> surfaces_;
+};
+
+std::vector<double> scaled(std::vector<double> values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double from = *least, range = *most - *least;
+  for (double& value : values) value = range > 0.0 ? (value - from) / range : 0.0;
+  return values;
+}
+
+}  // namespace
+
+SurrogateSearch::SurrogateSearch(const StageSpec& stage, const Shares& start, SurrogateQuestions questions)
+    : stage_(stage),
+      questions_(std::move(questions)),
+      start_(start),
+      random_(static_cast<std::mt19937_64::result_type>(stage.seed)) {
+  for (const Shares& set : questions_.earlier)
+    if (const auto numbers = questions_.numbers(set)) learn(set, *numbers);
+  const std::size_t rows = start.size() + 2;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    std::vector<double> places(rows);
+    std::iota(places.begin(), places.end(), 0.0);
+    for (std::size_t j = rows - 1; j > 0; --j)
+      std::swap(places[j], places[static_cast<std::size_t>(uniform() * static_cast<double>(j + 1))]);
+    for (double& place : places) place = (place + uniform()) / static_cast<double>(rows);
+    hypercube_.push_back(places);
+  }
+}
+
+double SurrogateSearch::uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+
+double SurrogateSearch::normal() {
+  return std::sqrt(-2.0 * std::log(1.0 - uniform())) * std::cos(2.0 * M_PI * uniform());
+}
+
+void SurrogateSearch::learn(const Shares& set, const std::vector<double>& numbers) {
+  if (std::find(tried_.begin(), tried_.end(), set) != tried_.end()) return;
+  tried_.push_back(set);
+  if (numbers.empty()) return;
+  known_.push_back(set);
+  known_numbers_.push_back(numbers);
+  const double misfit = misfit_of(numbers);
+  if (misfit < best_misfit_) best_misfit_ = misfit, best_ = set;
+}
+
+double SurrogateSearch::misfit_of(const std::vector<double>& numbers) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < numbers.size(); ++k) sum += questions_.part(k, numbers[k]);
+  return sum;
+}
+
+Shares SurrogateSearch::latin(std::size_t row) {
+  Shares set;
+  for (const std::vector<double>& places : hypercube_) set.push_back(places[row]);
+  return set;
+}
+
+Shares SurrogateSearch::next() {
+  if (known_.size() < start_.size() + 2 && designed_ < start_.size() + 2) return latin(designed_++);
+  if (known_.empty()) return latin(modelled_++ % (start_.size() + 2));
+  const Model model(questions_, known_, known_numbers_);
+  std::vector<Shares> candidates;
+  for (std::size_t drawn = 0; candidates.size() < kCandidates && drawn < kMostDrawn; ++drawn) {
+    Shares u = best_;
+    const bool anywhere = drawn % 2 == 0;
+    const double reach = kReaches[drawn / 2 % kReaches.size()];
+    const double moved = std::max(0.2, 1.0 / static_cast<double>(u.size()));  // share of the parameters
+    for (double& share : u)
+      if (anywhere)
+        share = uniform();
+      else if (uniform() < moved)
+        share = std::clamp(share + reach * normal(), 0.0, 1.0);
+    if (questions_.allowed(u)) candidates.push_back(u);
+  }
+  if (candidates.empty()) return latin(modelled_++ % (start_.size() + 2));  // constraints leave hardly anything
+  std::vector<double> misfits, distances;
+  for (const Shares& u : candidates) {
+    misfits.push_back(model.misfit(u));
+    distances.push_back(distance(u, tried_));
+  }
+  const std::size_t kind = modelled_++ % (kWeights.size() + 1);
+  if (kind == 0) {
+    const Shares low =
+        candidates[static_cast<std::size_t>(std::min_element(misfits.begin(), misfits.end()) - misfits.begin())];
+    const Shares ways[2] = {model.down_from(low), model.down_from(best_)};
+    const Shares& u = model.misfit(ways[0]) < model.misfit(ways[1]) ? ways[0] : ways[1];
+    if (distance(u, tried_) >= kApart) return u;
+  }
+  const double a = kWeights[kind == 0 ? 0 : kind - 1];
+  const std::vector<double> m = scaled(misfits), d = scaled(distances);
+  std::size_t chosen = 0;
+  const auto merit = [&](std::size_t j) { return a * m[j] + (1.0 - a) * (1.0 - d[j]); };
+  for (std::size_t j = 1; j < candidates.size(); ++j)
+    if (merit(j) < merit(chosen)) chosen = j;
+  return candidates[chosen];
+}
+
+const StageWay& SurrogateSearch::go() {
+  for (;;) {
+    if (way_.wanted.empty()) {
+      if (static_cast<int>(way_.sets.size()) >= stage_.evaluations) {
+        way_.end = "all evaluations done";
+        return way_;
+      }
+      const Shares set = way_.sets.empty() ? start_ : next();
+      if (!questions_.may_go_on(set)) {
+        way_.end = "limit reached";
+        return way_;
+      }
+      way_.wanted = {set};
+    }
+    const Shares set = way_.wanted.front();
+    const auto numbers = questions_.numbers(set);
+    if (!numbers) return way_;
+    learn(set, *numbers);
+    way_.wanted.clear();
+    way_.sets.push_back(set);
+    if (numbers->empty()) continue;
+    const double misfit = misfit_of(*numbers);
+    if (misfit < way_.misfit) way_.misfit = misfit, way_.best = set;
+  }
+}
+
+}  // namespace footfall
