@@ -8,12 +8,14 @@ inputs=$(dirname "$calibration")
 rm -rf "$out"; mkdir -p "$out"
 die() { echo "calibrate_killed.sh: $*" >&2; exit 1; }
 
-# The shipped drop tests, shorter, with 100 sets of a random search and a local one.
+# The shipped drop tests, shorter, with 112 sets of a random search, a local one and one by surfaces; and a target that no set can meet.
 sed '/^\[\[stages\]\]/,$d' "$calibration" >"$out/many.toml"
-sed -i "s|\"strut/|\"$inputs/strut/|; s|^step = .*|until = 0.05|" "$out/many.toml"
-printf '[[stages]]\nmethod = "crs2"\nevaluations = 60\n[[stages]]\nmethod = "bobyqa"\nevaluations = 40\nprecision = 1e-9\n' >>"$out/many.toml"
+sed -i "s|\"strut/|\"$inputs/strut/|; s|^step = .*|until = 0.05\nalone = 3|" "$out/many.toml"
+printf '[[figures]]\nname = "peak"\nkey = "peak_acceleration_g"\n[[targets]]\nname = "out of reach"\nscene = "off"\nfigure = "peak"\nleast = 1e4\ntolerance = 1e4\n' >>"$out/many.toml"
+printf '[[stages]]\nmethod = "crs2"\nevaluations = 60\n[[stages]]\nmethod = "bobyqa"\nevaluations = 40\nprecision = 1e-9\n[[stages]]\nmethod = "surrogate"\nevaluations = 12\n' >>"$out/many.toml"
 
 "$footfall" calibrate "$out/many.toml" --out "$out/whole" --jobs 1 >"$out/whole.txt" 2>&1 || { cat "$out/whole.txt"; die "the undisturbed one failed"; }
+grep -q '^| out of reach | at least 10000 | .* | 3 | ' "$out/whole/many.md" || { cat "$out/whole/many.md"; die "the target out of reach was not sought alone"; }
 runs=$(find "$out/whole/runs" -name '*.done.json' | wc -l)
 ((runs >= 200)) || die "$runs runs, expected at least 200"
 

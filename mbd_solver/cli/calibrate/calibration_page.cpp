@@ -164,6 +164,29 @@ PagePart together_part(const CalibrationSpec& spec, const CalibrationOutcome& o,
   return part;
 }
 
+PagePart alone_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
+  PagePart part;
+  part.heading = "Targets that no set meets, each sought alone";
+  part.text =
+      "With no regard to the other targets, from the nearest of the sets above, by response surfaces through all of "
+      "them. Off: distance [tolerances]; parameters that do not move the target are left out.";
+  part.rows = {{"target", "wanted", "nearest of the sets above, off", "more sets", "nearest of all", "off", "at"}};
+  for (const Alone& alone : o.alone) {
+    const TargetSpec& target = spec.targets[alone.target];
+    const TargetResult& result = alone.nearest->targets[alone.target];
+    std::vector<std::string> at;
+    for (std::size_t i = 0; i < spec.parameters.size(); ++i)
+      if (std::find(alone.moved_by.begin(), alone.moved_by.end(), i) != alone.moved_by.end())
+        at.push_back(spec.parameters[i].name + " " +
+                     number_text(spec.parameters[i].value(alone.nearest->shares[i]), 3));
+    part.rows.push_back({target.name, wanted(target),
+                         number_text(alone.nearest_before, 3) + " of " + std::to_string(alone.before) + " sets",
+                         std::to_string(alone.sets), value_text(target, result), number_text(distance(result), 3),
+                         joined(at)});
+  }
+  return part;
+}
+
 PagePart search_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
   PagePart part;
   part.heading = "The search";
@@ -196,8 +219,9 @@ std::vector<PagePart> calibration_parts(const CalibrationSpec& spec, const Calib
                                  sensitivity_part(spec, outcome),
                                  correlation_part(spec, outcome),
                                  pull_part(spec, outcome),
-                                 together_part(spec, outcome, comparable),
-                                 search_part(spec, outcome)};
+                                 together_part(spec, outcome, comparable)};
+  if (!outcome.alone.empty()) parts.push_back(alone_part(spec, outcome));
+  parts.push_back(search_part(spec, outcome));
   if (!pictures.empty()) parts.push_back(last);
   return parts;
 }

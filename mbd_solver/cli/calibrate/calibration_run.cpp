@@ -9,6 +9,8 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/cli/calibrate/stage_search.h"
+#include "mbd_solver/cli/calibrate/target_texts.h"
+#include "mbd_solver/cli/calibrate/together.h"
 
 namespace footfall {
 
@@ -88,6 +90,12 @@ Prediction CalibrationRun::predict() const {
       p,
       {"differences about the best set", *starts.back(), 2 * static_cast<int>(at.size()), starts.back()->runs, false},
       jobs_, added);
+  if (spec_.alone > 0)
+    add_share(p,
+              {"targets that are not met at the start, alone", *starts.back(),
+               spec_.alone * (static_cast<int>(spec_.targets.size()) - starts.back()->met()),
+               std::min(2, starts.back()->runs), true},
+              jobs_, added);
   add_share(p, {"confirmation", whole, 1, whole.runs * full_fidelity(spec_).seeds, false}, jobs_, added);
   return p;
 }
@@ -148,10 +156,47 @@ bool CalibrationRun::search() {
   outcome_.best = evaluations_.known(last, at);
   outcome_.confirmed = evaluations_.known(full_fidelity(spec_), at);
   for (const Shares& set : sets) outcome_.around.push_back(evaluations_.known(last, set));
+  if (!seek_alone()) return false;
   outcome_.determination = determination_of(spec_, *outcome_.best, outcome_.around);
   outcome_.pulls = pulls_of(spec_, *outcome_.best, outcome_.around);
   outcome_.taken = hours_since(began);
   outcome_.whole_time = reused == 0 || evaluations_.runs_done() > 9 * evaluations_.runs_reused();
+  return true;
+}
+
+// By response surfaces, from all that is known and from the set that is nearest to the target.
+bool CalibrationRun::seek_alone() {
+  if (spec_.alone == 0) return true;
+  const std::vector<const Evaluation*> sets = comparable();
+  std::vector<Shares> known;
+  for (const Evaluation* e : sets) known.push_back(e->shares);
+  StageSpec stage = spec_.stages.back();
+  stage.method = SearchMethod::kSurrogate;
+  stage.evaluations = spec_.alone + 1;  // with the first, which is known
+  for (const std::size_t target : apart(spec_, sets).never) {
+    Fidelity fidelity = fidelity_of(spec_, stage);
+    fidelity.alone = target;
+    if (!evaluations_.carry_out(fidelity, known, jobs_)) return false;
+    const auto less = [&](const Evaluation* a, const Evaluation* b) {
+      return distance(a->targets[target]) < distance(b->targets[target]);
+    };
+    Alone alone;
+    alone.target = target;
+    alone.moved_by = evaluations_.moved_by(fidelity, target);
+    alone.before = sets.size();
+    alone.nearest = *std::min_element(sets.begin(), sets.end(), less);
+    alone.nearest_before = distance(alone.nearest->targets[target]);
+    StageSearch search({spec_, evaluations_, fidelity, stage, alone.nearest->shares, known, jobs_, 0.0});
+    StageWay way = search.go();
+    for (; !way.wanted.empty(); way = search.go())
+      if (!evaluations_.carry_out(fidelity, way.wanted, jobs_)) return false;
+    alone.sets = way.sets.size() - 1;
+    for (const Shares& set : way.sets) {
+      const Evaluation* e = evaluations_.known(fidelity, set);
+      if (!e->targets[target].failed && less(e, alone.nearest)) alone.nearest = e;
+    }
+    outcome_.alone.push_back(alone);
+  }
   return true;
 }
 

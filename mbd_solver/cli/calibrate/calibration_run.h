@@ -12,6 +12,15 @@ struct StageOutcome {
   double best = 0.0;                           // misfit, of the stage's best or its start
 };
 
+// A target that no set met, sought with no regard to the others.
+struct Alone {
+  std::size_t target = 0;
+  std::size_t before = 0, sets = 0;  // so many sets were known, so many more were tried
+  double nearest_before = 0.0;       // [tolerances]
+  const Evaluation* nearest = nullptr;
+  std::vector<std::size_t> moved_by;  // parameters that can move the target
+};
+
 struct CalibrationOutcome {
   const Evaluation* start = nullptr;      // as the last stage runs it
   const Evaluation* best = nullptr;       // likewise
@@ -20,6 +29,7 @@ struct CalibrationOutcome {
   std::vector<const Evaluation*> around;  // difference_sets
   Determination determination;
   std::vector<Pull> pulls;
+  std::vector<Alone> alone;
   double predicted = 0.0, taken = 0.0;  // [h]
   bool whole_time = true;               // no run was done before: predicted and taken can be compared
 };
@@ -48,6 +58,7 @@ class CalibrationRun {
 
  private:
   bool walk_stage(const StageSpec& stage, Shares& at);
+  bool seek_alone();
   // Of stages that have ended and have the same runs.
   std::vector<Shares> sets_run_like(const StageSpec& stage) const;
 

@@ -14,11 +14,11 @@
 namespace footfall {
 
 Fidelity fidelity_of(const CalibrationSpec& spec, const StageSpec& stage) {
-  return {stage.settings, stage.until, spec.seeds ? spec.seeds->search : 1};
+  return {stage.settings, stage.until, spec.seeds ? spec.seeds->search : 1, {}};
 }
 
 Fidelity full_fidelity(const CalibrationSpec& spec) {
-  return {{}, 0.0, spec.seeds ? static_cast<int>(spec.seeds->values.size()) : 1};
+  return {{}, 0.0, spec.seeds ? static_cast<int>(spec.seeds->values.size()) : 1, {}};
 }
 
 int Evaluation::met() const {
@@ -34,10 +34,16 @@ std::vector<double> Evaluation::residuals(const CalibrationSpec& spec) const {
 }
 
 std::string Evaluations::key(const Fidelity& fidelity, const Shares& shares) const {
-  std::string text =
-      joined(fidelity.settings, "\n") + "\n" + number_text(fidelity.until, 10) + "\n" + std::to_string(fidelity.seeds);
+  std::string text = joined(fidelity.settings, "\n") + "\n" + number_text(fidelity.until, 10) + "\n" +
+                     std::to_string(fidelity.seeds) + "\n" + (fidelity.alone ? std::to_string(*fidelity.alone) : "");
   for (std::size_t i = 0; i < shares.size(); ++i) text += "\n" + spec_.parameters[i].text(shares[i]);
   return text;
+}
+
+bool Evaluations::needs(const Fidelity& fidelity, std::size_t scene) const {
+  if (!fidelity.alone) return true;
+  const TargetSpec& target = spec_.targets[*fidelity.alone];
+  return spec_.scenes[scene].name == target.scene || spec_.scenes[scene].name == target.against;
 }
 
 std::vector<std::string> Evaluations::settings(const Fidelity& fidelity, std::size_t scene,
@@ -48,6 +54,25 @@ std::vector<std::string> Evaluations::settings(const Fidelity& fidelity, std::si
   for (std::size_t i = 0; i < shares.size(); ++i)
     append(settings, filled(spec_.parameters[i].settings, spec_.parameters[i].text(shares[i])));
   return with_formulas(settings, spec_, shares);
+}
+
+std::vector<std::size_t> Evaluations::moved_by(const Fidelity& fidelity, std::size_t target) const {
+  const TargetSpec& t = spec_.targets[target];
+  const Shares from = start_of(spec_);
+  std::vector<std::size_t> parameters;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    Shares to = from;
+    to[i] = from[i] < 0.5 ? 1.0 : 0.0;
+    const bool moves = [&] {
+      for (std::size_t scene = 0; scene < spec_.scenes.size(); ++scene)
+        if ((spec_.scenes[scene].name == t.scene || spec_.scenes[scene].name == t.against) &&
+            settings(fidelity, scene, from) != settings(fidelity, scene, to))
+          return true;
+      return false;
+    }();
+    if (moves) parameters.push_back(i);
+  }
+  return parameters;
 }
 
 RunRequest Evaluations::request(const Fidelity& fidelity, std::size_t scene, int seed, const Shares& shares) const {
@@ -87,7 +112,7 @@ bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<Shares>&
     runs.emplace_back();
     for (std::size_t scene = 0; scene < spec_.scenes.size(); ++scene) {
       runs.back().emplace_back();
-      if (known(fidelity, shares)) continue;
+      if (known(fidelity, shares) || !needs(fidelity, scene)) continue;
       for (int seed = 0; seed < fidelity.seeds; ++seed) {
         RunRequest r = request(fidelity, scene, seed, shares);
         r.may_be_refused = !must_be_read;
@@ -115,7 +140,7 @@ bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<Shares>&
   const double rounds = std::ceil(static_cast<double>(left.size()) / jobs);
   for (std::size_t k = 0; k < sets.size(); ++k) {
     if (known(fidelity, sets[k])) continue;
-    Evaluation e = evaluation_of(sets[k], runs[k]);
+    Evaluation e = evaluation_of(fidelity, sets[k], runs[k]);
     if (left.size() == all.size()) e.lasted = taken / rounds;
     known_.emplace(key(fidelity, sets[k]), e);
   }
@@ -127,7 +152,8 @@ const RunLedger::Entry* Evaluations::in_ledger(std::size_t scene, std::size_t ru
   return store_.is_done(run) ? nullptr : ledger_.find(spec_.scenes[scene].name, store_.portable_recipe(run));
 }
 
-Evaluation Evaluations::evaluation_of(const Shares& shares, const std::vector<std::vector<std::size_t>>& runs) {
+Evaluation Evaluations::evaluation_of(const Fidelity& fidelity, const Shares& shares,
+                                      const std::vector<std::vector<std::size_t>>& runs) {
   Evaluation e;
   e.shares = shares;
   std::vector<std::vector<RunNumbers>> numbers;
@@ -163,7 +189,7 @@ Evaluation Evaluations::evaluation_of(const Shares& shares, const std::vector<st
   }
   for (std::size_t t = 0; t < spec_.targets.size(); ++t) {
     e.targets.push_back(result_of(spec_, t, numbers));
-    e.misfit += e.targets.back().misfit(spec_.targets[t], spec_.cap);
+    if (fidelity.asks(t)) e.misfit += e.targets.back().misfit(spec_.targets[t], fidelity.alone ? 0.0 : spec_.cap);
   }
   return e;
 }

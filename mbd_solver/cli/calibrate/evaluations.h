@@ -14,19 +14,22 @@
 
 namespace footfall {
 
-// How a set is run: a stage's cheaper settings, or none; and how many of the seeds.
+// How a set is run: a stage's cheaper settings, or none; how many of the seeds; and for which targets.
 struct Fidelity {
   std::vector<std::string> settings;
   double until = 0.0;  // [s]; 0: not changed
   int seeds = 1;
+  std::optional<std::size_t> alone;  // for this target alone: other scenes are not run
+
+  bool asks(std::size_t target) const { return !alone || *alone == target; }
 };
 Fidelity fidelity_of(const CalibrationSpec& spec, const StageSpec& stage);
 Fidelity full_fidelity(const CalibrationSpec& spec);  // no stage's settings, all seeds
 
 struct Evaluation {
   Shares shares;
-  double misfit = 0.0;                // Phi
-  std::vector<TargetResult> targets;  // as CalibrationSpec::targets
+  double misfit = 0.0;                // Phi, of the targets that were asked for
+  std::vector<TargetResult> targets;  // as CalibrationSpec::targets; failed: those that were not asked for
   std::string message;                // of a run that failed
   double wall = 0.0, cpu = 0.0;       // of its runs, together [s]
   int runs = 0;
@@ -59,11 +62,15 @@ class Evaluations {
 
   // "--set" of one scene's run at this set, without seeds.
   std::vector<std::string> settings(const Fidelity& fidelity, std::size_t scene, const Shares& shares) const;
+  // The parameters that change the settings of the target's runs.
+  std::vector<std::size_t> moved_by(const Fidelity& fidelity, std::size_t target) const;
 
  private:
   std::string key(const Fidelity& fidelity, const Shares& shares) const;
+  bool needs(const Fidelity& fidelity, std::size_t scene) const;
   RunRequest request(const Fidelity& fidelity, std::size_t scene, int seed, const Shares& shares) const;
-  Evaluation evaluation_of(const Shares& shares, const std::vector<std::vector<std::size_t>>& runs);
+  Evaluation evaluation_of(const Fidelity& fidelity, const Shares& shares,
+                           const std::vector<std::vector<std::size_t>>& runs);
   // What the ledger says of a run that the store does not have; null: nothing.
   const RunLedger::Entry* in_ledger(std::size_t scene, std::size_t run) const;
 

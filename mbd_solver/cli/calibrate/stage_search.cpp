@@ -1,31 +1,16 @@
 #include "mbd_solver/cli/calibrate/stage_search.h"
 
-#include "mbd_solver/cli/experiments/experiment.h"
-
 namespace footfall {
 
 namespace {
 
-// Whether the target's runs differ when one parameter is moved.
-bool moves(const StageTask& task, std::size_t parameter, const TargetSpec& target) {
-  const Shares from = start_of(task.spec);
-  Shares to = from;
-  to[parameter] = from[parameter] < 0.5 ? 1.0 : 0.0;
-  for (const std::string& name : {target.scene, target.against}) {
-    if (name.empty()) continue;
-    const auto scene = static_cast<std::size_t>(index_of(task.spec.scenes, name));
-    if (task.evaluations.settings(task.fidelity, scene, from) != task.evaluations.settings(task.fidelity, scene, to))
-      return true;
-  }
-  return false;
-}
-
-// The values of all targets, one after another; none where one has failed.
-std::vector<double> numbers_in(const Evaluation& e) {
+// The values of all targets that are asked for, one after another; none where one has failed.
+std::vector<double> numbers_in(const Evaluation& e, const Fidelity& fidelity) {
   std::vector<double> all;
-  for (const TargetResult& target : e.targets) {
-    if (target.failed) return {};
-    all.insert(all.end(), target.values.begin(), target.values.end());
+  for (std::size_t t = 0; t < e.targets.size(); ++t) {
+    if (!fidelity.asks(t)) continue;
+    if (e.targets[t].failed) return {};
+    all.insert(all.end(), e.targets[t].values.begin(), e.targets[t].values.end());
   }
   return all;
 }
@@ -81,25 +66,25 @@ SurrogateQuestions StageSearch::surrogate_questions() {
   std::vector<Number> numbers;
   const Evaluation& known = *task_.evaluations.known(task_.fidelity, task_.start);
   for (std::size_t t = 0; t < spec.targets.size(); ++t) {
-    std::vector<std::size_t> by;
-    for (std::size_t i = 0; i < spec.parameters.size(); ++i)
-      if (moves(task_, i, spec.targets[t])) by.push_back(i);
+    if (!task_.fidelity.asks(t)) continue;
+    const std::vector<std::size_t> by = task_.evaluations.moved_by(task_.fidelity, t);
     const TargetResult& result = known.targets[t];
     for (std::size_t row = 0; row < result.values.size(); ++row) {
       questions.moved_by.push_back(by);
       numbers.push_back({t, result.values[row] - result.residuals[row] * spec.targets[t].tolerance});
     }
   }
-  questions.part = [&spec, numbers](std::size_t k, double y) {
+  const double cap = task_.fidelity.alone ? 0.0 : spec.cap;
+  questions.part = [&spec, numbers, cap](std::size_t k, double y) {
     const TargetSpec& target = spec.targets[numbers[k].target];
     const double r = target.is_curve() ? (y - numbers[k].wanted) / target.tolerance : residual_of(target, y);
-    const double counted = capped(r, spec.cap);
+    const double counted = capped(r, cap);
     return target.weight * counted * counted;
   };
   questions.numbers = [this](const Shares& set) -> std::optional<std::vector<double>> {
     const Evaluation* e = look_up(set);
     if (!e) return {};
-    return numbers_in(*e);
+    return numbers_in(*e, task_.fidelity);
   };
   questions.earlier = task_.earlier;
   if (!spec.constraints.empty()) questions.allowed = [&spec](const Shares& set) { return broken_by(spec, set) == 0.0; };
