@@ -19,8 +19,8 @@ Eigen::MatrixXd tail_of(const Eigen::MatrixXd& points) {
 
 }  // namespace
 
-ResponseSurface::ResponseSurface(const Eigen::MatrixXd& points, const Eigen::VectorXd& values) : points_(points) {
-  const Eigen::Index n = points.cols();
+ResponseSurfaces::ResponseSurfaces(const Eigen::MatrixXd& points, const Eigen::MatrixXd& values) : points_(points) {
+  const Eigen::Index n = points.cols(), numbers = values.cols();
   const Eigen::MatrixXd p = tail_of(points);
   const Eigen::Index all = n + p.cols();
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(all, all);
@@ -28,31 +28,33 @@ ResponseSurface::ResponseSurface(const Eigen::MatrixXd& points, const Eigen::Vec
     for (Eigen::Index j = 0; j < n; ++j) matrix(i, j) = cube((points.col(i) - points.col(j)).norm());
   matrix.topRightCorner(n, p.cols()) = p;
   matrix.bottomLeftCorner(p.cols(), n) = p.transpose();
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(all);
-  right.head(n) = values;
-  left_out_error_ = std::numeric_limits<double>::infinity();
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(all, numbers);
+  right.topRows(n) = values;
+  weights_ = Eigen::MatrixXd::Zero(all, numbers);  // one point alone: its value everywhere
+  weights_.row(n) = values.colwise().mean();
+  left_out_errors_ = Eigen::VectorXd::Constant(numbers, std::numeric_limits<double>::infinity());
   for (const double smoothing : kSmoothings) {
     Eigen::MatrixXd smoothed = matrix;
     smoothed.topLeftCorner(n, n).diagonal().array() += smoothing;
     const Eigen::MatrixXd inverse = smoothed.partialPivLu().inverse();
-    const Eigen::VectorXd solution = inverse * right;
-    if (!solution.allFinite()) continue;
-    const double error = std::sqrt((solution.head(n).array() / inverse.diagonal().head(n).array()).square().mean());
-    if (!(error < left_out_error_)) continue;
-    left_out_error_ = error;
-    weights_ = solution.head(n);
-    plane_ = solution.tail(p.cols());
+    const Eigen::MatrixXd solution = inverse * right;
+    for (Eigen::Index k = 0; k < numbers; ++k) {
+      const double error =
+          std::sqrt((solution.col(k).head(n).array() / inverse.diagonal().head(n).array()).square().mean());
+      if (!(error < left_out_errors_[k])) continue;  // nor when it is no number
+      left_out_errors_[k] = error;
+      weights_.col(k) = solution.col(k);
+    }
   }
-  if (weights_.size() == n) return;
-  weights_ = Eigen::VectorXd::Zero(n);  // one point alone: its value everywhere
-  plane_ = Eigen::VectorXd::Constant(1, values.mean());
 }
 
-double ResponseSurface::at(const Eigen::VectorXd& x) const {
-  double sum = plane_[0];
-  if (plane_.size() > 1) sum += plane_.tail(plane_.size() - 1).dot(x);
-  for (Eigen::Index j = 0; j < points_.cols(); ++j) sum += weights_[j] * cube((x - points_.col(j)).norm());
-  return sum;
+Eigen::VectorXd ResponseSurfaces::at(const Eigen::VectorXd& x) const {
+  const Eigen::Index n = points_.cols();
+  Eigen::VectorXd base(weights_.rows());
+  for (Eigen::Index j = 0; j < n; ++j) base[j] = cube((x - points_.col(j)).norm());
+  base[n] = 1.0;
+  if (base.size() > n + 1) base.tail(x.size()) = x;
+  return weights_.transpose() * base;
 }
 
 }  // namespace footfall

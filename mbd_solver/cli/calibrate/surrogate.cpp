@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "mbd_solver/cli/calibrate/response_surface.h"
@@ -28,27 +29,33 @@ double distance(const Shares& u, const std::vector<Shares>& sets) {
   return least;
 }
 
-// The model of Phi.
+// The model of Phi: a group of surfaces for all numbers that the same parameters move.
 class Model {
  public:
   Model(const SurrogateQuestions& questions, const std::vector<Shares>& sets,
         const std::vector<std::vector<double>>& numbers)
       : questions_(questions) {
-    for (std::size_t k = 0; k < questions.moved_by.size(); ++k) {
-      Eigen::MatrixXd points(static_cast<Eigen::Index>(questions.moved_by[k].size()),
-                             static_cast<Eigen::Index>(sets.size()));
-      Eigen::VectorXd values(points.cols());
-      for (Eigen::Index j = 0; j < points.cols(); ++j) {
-        points.col(j) = seen_by(k, sets[static_cast<std::size_t>(j)]);
-        values[j] = numbers[static_cast<std::size_t>(j)][k];
+    std::map<std::vector<std::size_t>, std::vector<std::size_t>> numbers_moved_by;
+    for (std::size_t k = 0; k < questions.moved_by.size(); ++k) numbers_moved_by[questions.moved_by[k]].push_back(k);
+    for (const auto& [by, moved] : numbers_moved_by) {
+      Eigen::MatrixXd points(static_cast<Eigen::Index>(by.size()), static_cast<Eigen::Index>(sets.size()));
+      Eigen::MatrixXd values(points.cols(), static_cast<Eigen::Index>(moved.size()));
+      for (std::size_t j = 0; j < sets.size(); ++j) {
+        points.col(static_cast<Eigen::Index>(j)) = seen(by, sets[j]);
+        for (std::size_t k = 0; k < moved.size(); ++k)
+          values(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = numbers[j][moved[k]];
       }
-      surfaces_.emplace_back(points, values);
+      groups_.push_back({by, moved, ResponseSurfaces(points, values)});
     }
   }
 
   double misfit(const Shares& u) const {
     double sum = 0.0;
-    for (std::size_t k = 0; k < surfaces_.size(); ++k) sum += questions_.part(k, surfaces_[k].at(seen_by(k, u)));
+    for (const Group& group : groups_) {
+      const Eigen::VectorXd values = group.surfaces.at(seen(group.by, u));
+      for (std::size_t k = 0; k < group.moved.size(); ++k)
+        sum += questions_.part(group.moved[k], values[static_cast<Eigen::Index>(k)]);
+    }
     return sum;
   }
 
@@ -72,15 +79,19 @@ class Model {
   }
 
  private:
-  Eigen::VectorXd seen_by(std::size_t k, const Shares& u) const {
-    const std::vector<std::size_t>& by = questions_.moved_by[k];
+  struct Group {
+    std::vector<std::size_t> by, moved;  // parameters, and the numbers that they move
+    ResponseSurfaces surfaces;
+  };
+
+  static Eigen::VectorXd seen(const std::vector<std::size_t>& by, const Shares& u) {
     Eigen::VectorXd x(static_cast<Eigen::Index>(by.size()));
     for (std::size_t i = 0; i < by.size(); ++i) x[static_cast<Eigen::Index>(i)] = u[by[i]];
     return x;
   }
 
   const SurrogateQuestions& questions_;
-  std::vector<ResponseSurface> surfaces_;
+  std::vector<Group> groups_;
 };
 
 std::vector<double> scaled(std::vector<double> values) {

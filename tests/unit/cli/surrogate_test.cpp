@@ -20,28 +20,28 @@ Eigen::MatrixXd scattered_points(int side) {
   return points;
 }
 
-TEST(ResponseSurface, IsExactOnAPlane) {
+TEST(ResponseSurfaces, IsExactOnAPlane) {
   const Eigen::MatrixXd points = scattered_points(4);
   const Eigen::VectorXd values = (3.0 + 2.0 * points.row(0).array() - 5.0 * points.row(1).array()).matrix().transpose();
-  const ResponseSurface surface(points, values);
+  const ResponseSurfaces surface(points, values);
   for (const Eigen::Vector2d& x : {Eigen::Vector2d(0.1, 0.9), Eigen::Vector2d(2.0, -1.0)})
-    EXPECT_NEAR(surface.at(x), 3.0 + 2.0 * x.x() - 5.0 * x.y(), 1e-8);
-  EXPECT_LT(surface.left_out_error(), 1e-8);
+    EXPECT_NEAR(surface.at(x)[0], 3.0 + 2.0 * x.x() - 5.0 * x.y(), 1e-8);
+  EXPECT_LT(surface.left_out_errors()[0], 1e-8);
 }
 
 // The cubic spline's error falls with at least the square of the distance of points.
-TEST(ResponseSurface, ComesNearerWithMorePoints) {
+TEST(ResponseSurfaces, ComesNearerWithMorePoints) {
   const auto f = [](double x, double y) { return std::sin(3.0 * x) * std::exp(-y); };
   double before = 0.0;
   for (const int side : {5, 10}) {
     const Eigen::MatrixXd points = scattered_points(side);
     Eigen::VectorXd values(points.cols());
     for (Eigen::Index j = 0; j < points.cols(); ++j) values[j] = f(points(0, j), points(1, j));
-    const ResponseSurface surface(points, values);
+    const ResponseSurfaces surface(points, values);
     double error = 0.0;
     for (double x = 0.2; x < 0.75; x += 0.1)
       for (double y = 0.2; y < 0.75; y += 0.1)
-        error = std::max(error, std::abs(surface.at(Eigen::Vector2d(x, y)) - f(x, y)));
+        error = std::max(error, std::abs(surface.at(Eigen::Vector2d(x, y))[0] - f(x, y)));
     if (side == 10) {
       EXPECT_LT(error, before / 4.0);
     }
@@ -50,7 +50,7 @@ TEST(ResponseSurface, ComesNearerWithMorePoints) {
 }
 
 // Noise about a plane is not followed: between points the surface stays nearer to the plane than the points do.
-TEST(ResponseSurface, SmoothsNoise) {
+TEST(ResponseSurfaces, SmoothsNoise) {
   const Eigen::MatrixXd points = scattered_points(7);
   Eigen::VectorXd values(points.cols());
   double noise = 0.0;
@@ -59,17 +59,17 @@ TEST(ResponseSurface, SmoothsNoise) {
     noise += e * e / static_cast<double>(points.cols());
     values[j] = 4.0 * points(0, j) + e;
   }
-  const ResponseSurface surface(points, values);
+  const ResponseSurfaces surface(points, values);
   double error = 0.0;
   int places = 0;
   for (double x = 0.1; x < 0.85; x += 0.1, ++places)
-    error += std::pow(surface.at(Eigen::Vector2d(x, 0.45)) - 4.0 * x, 2);
+    error += std::pow(surface.at(Eigen::Vector2d(x, 0.45))[0] - 4.0 * x, 2);
   EXPECT_LT(error / places, 0.25 * noise);
 }
 
-TEST(ResponseSurface, OfOnePointIsItsValue) {
-  const ResponseSurface surface(Eigen::MatrixXd::Constant(3, 1, 0.5), Eigen::VectorXd::Constant(1, 7.0));
-  EXPECT_DOUBLE_EQ(surface.at(Eigen::Vector3d(0.1, 0.2, 0.9)), 7.0);
+TEST(ResponseSurfaces, OfOnePointIsItsValue) {
+  const ResponseSurfaces surface(Eigen::MatrixXd::Constant(3, 1, 0.5), Eigen::VectorXd::Constant(1, 7.0));
+  EXPECT_DOUBLE_EQ(surface.at(Eigen::Vector3d(0.1, 0.2, 0.9))[0], 7.0);
 }
 
 // Ten parameters; each of eight numbers feels three of them, bends, and is wanted within bounds.
