@@ -132,8 +132,13 @@ bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<Shares>&
   for (const std::size_t run : store_.beds_to_make(left, 2)) {
     std::printf("making the bed of %s\n", store_.request(run).name.c_str());
     std::fflush(stdout);
-    store_.make_bed(run, true);
+    if (must_be_read)
+      store_.make_bed(run, true);
+    else
+      store_.try_bed(run);
   }
+  left.erase(std::remove_if(left.begin(), left.end(), [&](std::size_t run) { return store_.has_failed(run); }),
+             left.end());
   const auto began = std::chrono::steady_clock::now();
   if (!left.empty() && !store_.carry_out(left, jobs, [&](std::size_t) { ++runs_done_; })) return false;
   const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

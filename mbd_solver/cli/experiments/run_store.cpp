@@ -163,6 +163,22 @@ void RunStore::make_bed(std::size_t run, bool quiet) const {
   for (const BedSpec& bed : runs_[run].bed) prepare_bed(bed, runs_[run].ranks, quiet);
 }
 
+void RunStore::try_bed(std::size_t run) {
+  try {
+    make_bed(run, true);
+  } catch (const InputError& e) {
+    std::set<std::string> impossible;
+    for (const BedSpec& bed : runs_[run].bed) impossible.insert(bed_folder(bed));
+    fs::create_directories(folder_);
+    for (std::size_t k = 0; k < runs_.size(); ++k)
+      for (const BedSpec& bed : runs_[k].bed) {
+        if (impossible.count(bed_folder(bed)) == 0) continue;
+        runs_[k].code = kExitBadInput;
+        write_whole_file(folder(k) + ".log", std::string("footfall: ") + e.what() + "\n");
+      }
+  }
+}
+
 // It was stopped, or killed, with a checkpoint, and is made from the same as then. A checkpoint shows in the last bits of
 // what follows, so only runs that ask for checkpoints go on; what is timed more than once begins anew.
 bool RunStore::can_resume(std::size_t run) const {

@@ -70,6 +70,9 @@ class RunStore {
   // finds none; two that share one would wait for each other.
   std::vector<std::size_t> beds_to_make(const std::vector<std::size_t>& runs, int sharing = 1) const;
   void make_bed(std::size_t run, bool quiet) const;
+  // The same, where a bed may turn out impossible: then every run of it has failed, and their logs say why.
+  void try_bed(std::size_t run);
+  bool has_failed(std::size_t run) const { return runs_[runs_[run].home].code > 0; }  // under our eyes
 
   // Those of `runs` that are to be done: their beds are there, and none is the same as another.
   std::vector<std::size_t> left(const std::vector<std::size_t>& runs) const;
