@@ -62,7 +62,7 @@ void write_all(const CalibrationSpec& spec, const CalibrationRun& run, const Eva
   const std::vector<const Evaluation*> sets = run.comparable();
   write_whole_file(path("way.csv"), way_table(spec, outcome).csv());
   write_whole_file(path("best.txt"), settings_text(spec, evaluations, outcome.best->shares));
-  write_whole_file(path("most_met.txt"), settings_text(spec, evaluations, most_met(sets)->shares));
+  write_whole_file(path("most_met.txt"), settings_text(spec, evaluations, most_met(spec, sets)->shares));
   std::vector<std::string> pictures;
   try {
     pictures = draw_calibration(spec, outcome, folder);

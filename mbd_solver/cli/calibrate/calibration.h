@@ -13,7 +13,8 @@
 //   failed                 misfit of a target whose run failed, in tolerances (default: 10)
 //   alone                  sets that are tried for each target that none has met, with no regard to the others (0)
 //   cap                    a target that is further off counts as if it were so many tolerances off: where the question
-//                          is how many are met together, one that is out of reach shall not lead; 0: none
+//                          is how many are met together, one that is out of reach shall not lead; 0: none.
+//                          The best set is then the one that meets most, by weight
 //
 //   [[parameters]]
 //     name                 letters, digits and _, so that formulas can read it

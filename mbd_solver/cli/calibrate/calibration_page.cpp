@@ -154,7 +154,7 @@ PagePart pull_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
 
 PagePart together_part(const CalibrationSpec& spec, const CalibrationOutcome& o,
                        const std::vector<const Evaluation*>& sets) {
-  const Evaluation* most = most_met(sets);
+  const Evaluation* most = most_met(spec, sets);
   PagePart part = apart_part(spec, sets);
   part.text = "Of the " + std::to_string(sets.size()) +
               " sets that were run as the last stage runs them, the one that "

@@ -100,6 +100,12 @@ Prediction CalibrationRun::predict() const {
   return p;
 }
 
+void CalibrationRun::say(const std::string& text) const {
+  if (evaluations_.looks()) return;
+  std::printf("%s\n", text.c_str());
+  std::fflush(stdout);
+}
+
 bool CalibrationRun::walk_stage(const StageSpec& asked, Shares& at) {
   const Fidelity fidelity = fidelity_of(spec_, asked);
   if (!evaluations_.carry_out(fidelity, {at}, jobs_)) return false;
@@ -118,10 +124,8 @@ bool CalibrationRun::walk_stage(const StageSpec& asked, Shares& at) {
     const StageWay& way = outcome.way;
     if (way.sets.size() >= said + 10 || (way.wanted.empty() && !way.sets.empty())) {
       said = way.sets.size();
-      if (!evaluations_.looks())
-        std::printf("%s: %zu sets, best misfit %s\n", std::string(name_of(stage.method)).c_str(), said,
-                    number_text(std::min(way.misfit, from.misfit), 5).c_str());
-      std::fflush(stdout);
+      say(std::string(name_of(stage.method)) + ": " + std::to_string(said) + " sets, best misfit " +
+          number_text(std::min(way.misfit, from.misfit), 5));
     }
     if (way.wanted.empty()) break;
     ended = evaluations_.carry_out(fidelity, way.wanted, jobs_);
@@ -149,10 +153,13 @@ bool CalibrationRun::search() {
   Shares at = start_of(spec_);
   for (const StageSpec& stage : spec_.stages)
     if (!walk_stage(stage, at)) return false;
+  if (spec_.cap > 0.0) at = most_met(spec_, comparable())->shares;  // the question is how many come together
   const Fidelity last = fidelity_of(spec_, spec_.stages.back());
   const std::vector<Shares> sets = difference_sets(spec_, at);
-  if (!evaluations_.carry_out(last, sets, jobs_)) return false;
+  say("confirmation");
   if (!evaluations_.carry_out(full_fidelity(spec_), {at}, jobs_)) return false;
+  say("differences about the best set");
+  if (!evaluations_.carry_out(last, sets, jobs_)) return false;
   outcome_.best = evaluations_.known(last, at);
   outcome_.confirmed = evaluations_.known(full_fidelity(spec_), at);
   for (const Shares& set : sets) outcome_.around.push_back(evaluations_.known(last, set));
@@ -174,6 +181,7 @@ bool CalibrationRun::seek_alone() {
   stage.method = SearchMethod::kSurrogate;
   stage.evaluations = spec_.alone + 1;  // with the first, which is known
   for (const std::size_t target : apart(spec_, sets).never) {
+    say("alone: " + spec_.targets[target].name);
     Fidelity fidelity = fidelity_of(spec_, stage);
     fidelity.alone = target;
     if (!evaluations_.carry_out(fidelity, known, jobs_)) return false;

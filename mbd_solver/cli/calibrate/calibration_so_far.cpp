@@ -60,7 +60,7 @@ std::vector<PagePart> so_far_parts(const CalibrationSpec& spec, const Calibratio
   const Evaluation* least =
       *std::min_element(comparable.begin(), comparable.end(),
                         [](const Evaluation* a, const Evaluation* b) { return a->misfit < b->misfit; });
-  const Evaluation* most = most_met(comparable);
+  const Evaluation* most = most_met(spec, comparable);
   PagePart together = apart_part(spec, comparable);
   together.heading = "What comes together";
   together.text.erase(0, together.text.find_first_not_of(" \n"));

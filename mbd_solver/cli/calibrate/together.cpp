@@ -6,10 +6,16 @@
 
 namespace footfall {
 
-const Evaluation* most_met(const std::vector<const Evaluation*>& sets) {
+const Evaluation* most_met(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {
+  const auto met = [&](const Evaluation* e) {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < spec.targets.size(); ++t)
+      if (e->targets[t].is_met()) sum += spec.targets[t].weight;
+    return sum;
+  };
   const Evaluation* most = sets.front();
   for (const Evaluation* e : sets)
-    if (e->met() > most->met() || (e->met() == most->met() && e->misfit < most->misfit)) most = e;
+    if (met(e) > met(most) || (met(e) == met(most) && e->misfit < most->misfit)) most = e;
   return most;
 }
 

@@ -9,8 +9,8 @@
 
 namespace footfall {
 
-// The set of those given that meets most targets; the least misfit decides between equals.
-const Evaluation* most_met(const std::vector<const Evaluation*>& sets);
+// The set of those given that meets most targets, counted by their weights; the least misfit decides between equals.
+const Evaluation* most_met(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
 // Pairs of targets that some set meets alone, and no set together; and targets that none meets.
 struct Apart {
   std::vector<std::size_t> never;

@@ -175,6 +175,8 @@ void RunStore::try_bed(std::size_t run) {
         if (impossible.count(bed_folder(bed)) == 0) continue;
         runs_[k].code = kExitBadInput;
         write_whole_file(folder(k) + ".log", std::string("footfall: ") + e.what() + "\n");
+        fs::create_directories(folder(k));
+        write_whole_file(summary_file(k), Json{{"status", "failed"}}.dump(1) + "\n");
       }
   }
 }
