@@ -35,6 +35,30 @@ Apart apart(const CalibrationSpec& spec, const std::vector<const Evaluation*>& s
   return found;
 }
 
+namespace {
+
+// Of the targets from `first` on, those in `out` left aside: the first is taken, or it is not.
+std::size_t most_from(std::size_t first, std::vector<int> out, const std::vector<std::vector<std::size_t>>& others) {
+  const std::size_t n = others.size();
+  while (first < n && out[first] > 0) ++first;
+  if (first >= n) return 0;
+  std::vector<int> with = out;
+  std::size_t open = 0;
+  for (const std::size_t other : others[first]) open += other > first && with[other]++ == 0 ? 1 : 0;
+  const std::size_t taken = 1 + most_from(first + 1, with, others);
+  return open == 0 ? taken : std::max(taken, most_from(first + 1, out, others));  // alone: taking it costs nothing
+}
+
+}  // namespace
+
+std::size_t most_without_a_pair(const Apart& apart, std::size_t targets) {
+  std::vector<std::vector<std::size_t>> others(targets);
+  for (const Apart::Pair& pair : apart.pairs) others[pair.a].push_back(pair.b), others[pair.b].push_back(pair.a);
+  std::vector<int> out(targets, 0);
+  for (const std::size_t target : apart.never) out[target] = 1;
+  return most_from(0, out, others);
+}
+
 PagePart apart_part(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {
   PagePart part;
   const Apart found = apart(spec, sets);
@@ -43,7 +67,9 @@ PagePart apart_part(const CalibrationSpec& spec, const std::vector<const Evaluat
   part.text =
       never.empty() ? " Every target was met by some set." : "\n\nMet by none of them: " + joined(never, "; ") + ".";
   if (found.pairs.empty()) return part;
-  part.text += "\n\nEach met by some sets, and by none together:";
+  part.text += "\n\nAs far as pairs tell, at most " + std::to_string(most_without_a_pair(found, spec.targets.size())) +
+               " of the " + std::to_string(spec.targets.size()) +
+               " targets can come together. Each met by some sets, and by none together:";
   part.rows = {{"target", "and target", "sets that meet the one", "the other", "both"}};
   for (const Apart::Pair& pair : found.pairs)
     part.rows.push_back({spec.targets[pair.a].name, spec.targets[pair.b].name, std::to_string(pair.met_a),

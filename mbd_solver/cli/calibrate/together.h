@@ -21,6 +21,9 @@ struct Apart {
   std::vector<Pair> pairs;
 };
 Apart apart(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
+// So many of the targets can come together at most, as far as these pairs and the targets that none meets tell: the
+// largest choice of the others without a pair.
+std::size_t most_without_a_pair(const Apart& apart, std::size_t targets);
 // The same as sentences, and a table of the pairs.
 PagePart apart_part(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
 
