@@ -94,6 +94,7 @@ void visit_fields(FieldVisitor& v, CalibrationSpec& s) {
   v.field("confidence", &s.confidence, kShare);
   v.field("failed", &s.failed, kAboveZero);
   v.field("cap", &s.cap, kZeroOrMore);
+  v.field("confirm", &s.confirm, kAboveZero);
   v.field("alone", &s.alone, kZeroOrMore);
   v.section("seeds", s.seeds);
   v.section("limits", s.limits);

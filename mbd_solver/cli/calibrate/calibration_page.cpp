@@ -54,7 +54,9 @@ PagePart targets_part(const CalibrationSpec& spec, const CalibrationOutcome& o) 
       ", at the best set " + std::to_string(o.best->met()) + ", confirmed " + std::to_string(o.confirmed->met()) +
       ". Misfit: " + number_text(o.start->misfit, 4) + " at the start, " + number_text(o.best->misfit, 4) +
       " at the best set as the last stage runs it, " + number_text(o.confirmed->misfit, 4) +
-      " confirmed: with no stage's settings, over all seeds. Off: distance of the confirmed value [tolerances].";
+      " confirmed: with no stage's settings, over all seeds" +
+      (o.confirmations > 1 ? ", the best of " + std::to_string(o.confirmations) + " sets that were run so" : "") +
+      ". Off: distance of the confirmed value [tolerances].";
   if (spec.cap > 0.0)
     part.text += " In the misfit a target that is further off counts as " + number_text(spec.cap) +
                  " tolerances: the question is how many are met together.";

@@ -155,19 +155,57 @@ bool CalibrationRun::search() {
     if (!walk_stage(stage, at)) return false;
   if (spec_.cap > 0.0) at = most_met(spec_, comparable())->shares;  // the question is how many come together
   const Fidelity last = fidelity_of(spec_, spec_.stages.back());
+  if (!confirm(at)) return false;
   const std::vector<Shares> sets = difference_sets(spec_, at);
-  say("confirmation");
-  if (!evaluations_.carry_out(full_fidelity(spec_), {at}, jobs_)) return false;
   say("differences about the best set");
   if (!evaluations_.carry_out(last, sets, jobs_)) return false;
-  outcome_.best = evaluations_.known(last, at);
-  outcome_.confirmed = evaluations_.known(full_fidelity(spec_), at);
   for (const Shares& set : sets) outcome_.around.push_back(evaluations_.known(last, set));
   if (!seek_alone()) return false;
   outcome_.determination = determination_of(spec_, *outcome_.best, outcome_.around);
   outcome_.pulls = pulls_of(spec_, *outcome_.best, outcome_.around);
   outcome_.taken = hours_since(began);
   outcome_.whole_time = reused == 0 || evaluations_.runs_done() > 9 * evaluations_.runs_reused();
+  return true;
+}
+
+// Runs `at` whole. While it then meets less than the search said, the next set is the one of least misfit by surfaces
+// through the search's sets, shifted by the mean difference that whole runs made so far.
+bool CalibrationRun::confirm(Shares& at) {
+  const Fidelity whole = full_fidelity(spec_);
+  StageSpec stage = spec_.stages.back();
+  const Fidelity searched = fidelity_of(spec_, stage);
+  stage.method = SearchMethod::kSurrogate;
+  stage.evaluations = 2;  // `at` itself, and the next
+  std::vector<const Evaluation*> confirmed;
+  std::vector<Shares> known;
+  for (const Evaluation* e : comparable()) known.push_back(e->shares);
+  std::vector<double> sum;
+  while (true) {
+    say("confirmation");
+    if (!evaluations_.carry_out(whole, {at}, jobs_)) return false;
+    const Evaluation* said = evaluations_.known(searched, at);
+    confirmed.push_back(evaluations_.known(whole, at));
+    const std::vector<double> has = numbers_in(*confirmed.back(), whole), should = numbers_in(*said, searched);
+    if (static_cast<int>(confirmed.size()) >= spec_.confirm || confirmed.back()->met() >= said->met() ||
+        has.size() != should.size() || has.empty())
+      break;
+    sum.resize(has.size(), 0.0);
+    std::vector<double> shift;
+    for (std::size_t k = 0; k < has.size(); ++k) {
+      sum[k] += has[k] - should[k];
+      shift.push_back(sum[k] / static_cast<double>(confirmed.size()));
+    }
+    StageSearch search({spec_, evaluations_, searched, stage, at, known, jobs_, 0.0, shift});
+    StageWay way = search.go();
+    for (; !way.wanted.empty(); way = search.go())
+      if (!evaluations_.carry_out(searched, way.wanted, jobs_)) return false;
+    known.push_back(way.sets.back());
+    at = way.sets.back();
+  }
+  outcome_.confirmed = most_met(spec_, confirmed);
+  outcome_.confirmations = static_cast<int>(confirmed.size());
+  at = outcome_.confirmed->shares;
+  outcome_.best = evaluations_.known(searched, at);
   return true;
 }
 

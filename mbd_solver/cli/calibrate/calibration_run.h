@@ -25,6 +25,7 @@ struct CalibrationOutcome {
   const Evaluation* start = nullptr;      // as the last stage runs it
   const Evaluation* best = nullptr;       // likewise
   const Evaluation* confirmed = nullptr;  // with no stage's settings, all seeds
+  int confirmations = 0;                  // sets that were run so; the best of them is the one above
   std::vector<StageOutcome> stages;
   std::vector<const Evaluation*> around;  // difference_sets
   Determination determination;
@@ -58,6 +59,7 @@ class CalibrationRun {
 
  private:
   bool walk_stage(const StageSpec& stage, Shares& at);
+  bool confirm(Shares& at);
   bool seek_alone();
   void say(const std::string& text) const;  // how far it is
   // Of stages that have ended and have the same runs.
