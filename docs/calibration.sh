@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 runs=${1:-runs/calibrations}
 page=docs/calibration.md pictures=docs/calibration
 footfall=${FOOTFALL:-./footfall}
-all=(strut soil grains paper_plane paper_so_far)
+all=(strut soil grains paper_plane paper)
 shown=()   # the parts that have been made
 
 # NAME: its runs' numbers, where they stand with the page.
@@ -31,8 +31,7 @@ part_strut() { calibration strut; }
 part_soil() { calibration soil; }
 part_grains() { calibration grains; }
 part_paper_plane() { calibration paper_plane; }
-# It takes hours more: what is known by now. When it has ended, `calibration paper`.
-part_paper_so_far() { take_numbers paper; "$footfall" calibrate inputs/calibrations/paper.toml --out "$runs/paper" --so-far | sed -E 's/^#/##/'; }
+part_paper() { calibration paper; }
 
 make_parts docs/calibration "${@:2}"
 for part in "${all[@]}"; do [[ ! -f $pictures/made/$part.txt ]] || shown+=("$pictures/made/$part.txt"); done

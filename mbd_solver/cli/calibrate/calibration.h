@@ -11,8 +11,8 @@
 //   step                   of finite differences about the best set, as a share of the range (default: 0.05)
 //   confidence             of the intervals (default: 0.95)
 //   failed                 misfit of a target whose run failed, in tolerances (default: 10)
-//   confirm                sets that are run whole, at most (1): while one meets less than the search said, the next is
-//                          sought with the differences between whole runs and those of the search added to all
+//   confirm                sets that are run whole, at most (1): after each, the set next to it that should meet more
+//                          is run, if there is one (adjustment.h)
 //   alone                  sets that are tried for each target that none has met, with no regard to the others (0)
 //   cap                    a target that is further off counts as if it were so many tolerances off: where the question
 //                          is how many are met together, one that is out of reach shall not lead; 0: none.

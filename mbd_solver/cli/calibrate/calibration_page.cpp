@@ -32,6 +32,11 @@ PagePart best_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
     part.text += "\n\nThe search has not ended: a linear step would lower the misfit by about " +
                  number_text(d.gain, 3) + " of " + number_text(o.best->misfit, 3) +
                  ". Give the last stage more evaluations before the intervals are believed.";
+  if (o.confirmations > 1)
+    part.text += "\n\nWhole runs differ from those of the search. The set is the best of " +
+                 std::to_string(o.confirmations) +
+                 " that were run whole: the one that the search found, and those next to it that should meet more to "
+                 "first order. Differences are those about the one that the search found.";
   PageRows rows = {{"parameter", "range", "scale", "start", "best", "interval", "determined", "source of the range"}};
   const Shares start = start_of(spec);
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {

@@ -8,6 +8,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/cli/calibrate/adjustment.h"
 #include "mbd_solver/cli/calibrate/stage_search.h"
 #include "mbd_solver/cli/calibrate/target_texts.h"
 #include "mbd_solver/cli/calibrate/together.h"
@@ -155,12 +156,11 @@ bool CalibrationRun::search() {
     if (!walk_stage(stage, at)) return false;
   if (spec_.cap > 0.0) at = most_met(spec_, comparable())->shares;  // the question is how many come together
   const Fidelity last = fidelity_of(spec_, spec_.stages.back());
-  if (!confirm(at)) return false;
   const std::vector<Shares> sets = difference_sets(spec_, at);
   say("differences about the best set");
   if (!evaluations_.carry_out(last, sets, jobs_)) return false;
   for (const Shares& set : sets) outcome_.around.push_back(evaluations_.known(last, set));
-  if (!seek_alone()) return false;
+  if (!confirm(at) || !seek_alone()) return false;
   outcome_.determination = determination_of(spec_, *outcome_.best, outcome_.around);
   outcome_.pulls = pulls_of(spec_, *outcome_.best, outcome_.around);
   outcome_.taken = hours_since(began);
@@ -168,44 +168,23 @@ bool CalibrationRun::search() {
   return true;
 }
 
-// Runs `at` whole. While it then meets less than the search said, the next set is the one of least misfit by surfaces
-// through the search's sets, shifted by the mean difference that whole runs made so far.
-bool CalibrationRun::confirm(Shares& at) {
-  const Fidelity whole = full_fidelity(spec_);
-  StageSpec stage = spec_.stages.back();
-  const Fidelity searched = fidelity_of(spec_, stage);
-  stage.method = SearchMethod::kSurrogate;
-  stage.evaluations = 2;  // `at` itself, and the next
+// Runs the set whole, and those next to it that should meet more.
+bool CalibrationRun::confirm(Shares at) {
+  const Fidelity whole = full_fidelity(spec_), searched = fidelity_of(spec_, spec_.stages.back());
+  const Determination about = determination_of(spec_, *evaluations_.known(searched, at), outcome_.around);
   std::vector<const Evaluation*> confirmed;
-  std::vector<Shares> known;
-  for (const Evaluation* e : comparable()) known.push_back(e->shares);
-  std::vector<double> sum;
-  while (true) {
+  while (static_cast<int>(confirmed.size()) < spec_.confirm) {
     say("confirmation");
     if (!evaluations_.carry_out(whole, {at}, jobs_)) return false;
-    const Evaluation* said = evaluations_.known(searched, at);
     confirmed.push_back(evaluations_.known(whole, at));
-    const std::vector<double> has = numbers_in(*confirmed.back(), whole), should = numbers_in(*said, searched);
-    if (static_cast<int>(confirmed.size()) >= spec_.confirm || confirmed.back()->met() >= said->met() ||
-        has.size() != should.size() || has.empty())
-      break;
-    sum.resize(has.size(), 0.0);
-    std::vector<double> shift;
-    for (std::size_t k = 0; k < has.size(); ++k) {
-      sum[k] += has[k] - should[k];
-      shift.push_back(sum[k] / static_cast<double>(confirmed.size()));
-    }
-    StageSearch search({spec_, evaluations_, searched, stage, at, known, jobs_, 0.0, shift});
-    StageWay way = search.go();
-    for (; !way.wanted.empty(); way = search.go())
-      if (!evaluations_.carry_out(searched, way.wanted, jobs_)) return false;
-    known.push_back(way.sets.back());
-    at = way.sets.back();
+    outcome_.confirmed = most_met(spec_, confirmed);
+    const Shares next = adjusted(spec_, *outcome_.confirmed, about.sensitivity);
+    if (std::any_of(confirmed.begin(), confirmed.end(), [&](const Evaluation* e) { return e->shares == next; })) break;
+    at = next;
   }
-  outcome_.confirmed = most_met(spec_, confirmed);
   outcome_.confirmations = static_cast<int>(confirmed.size());
-  at = outcome_.confirmed->shares;
-  outcome_.best = evaluations_.known(searched, at);
+  if (!evaluations_.carry_out(searched, {outcome_.confirmed->shares}, jobs_)) return false;
+  outcome_.best = evaluations_.known(searched, outcome_.confirmed->shares);
   return true;
 }
 

@@ -59,7 +59,7 @@ class CalibrationRun {
 
  private:
   bool walk_stage(const StageSpec& stage, Shares& at);
-  bool confirm(Shares& at);
+  bool confirm(Shares at);
   bool seek_alone();
   void say(const std::string& text) const;  // how far it is
   // Of stages that have ended and have the same runs.

@@ -4,14 +4,7 @@ namespace footfall {
 
 namespace {
 
-// One of these numbers: which target's, and what a curve wants at its row.
-struct Number {
-  std::size_t target;
-  double wanted;
-};
-
-}  // namespace
-
+// The values of all targets that are asked for, one after another; none where one has failed.
 std::vector<double> numbers_in(const Evaluation& e, const Fidelity& fidelity) {
   std::vector<double> all;
   for (std::size_t t = 0; t < e.targets.size(); ++t) {
@@ -21,6 +14,14 @@ std::vector<double> numbers_in(const Evaluation& e, const Fidelity& fidelity) {
   }
   return all;
 }
+
+// One of these numbers: which target's, and what a curve wants at its row.
+struct Number {
+  std::size_t target;
+  double wanted;
+};
+
+}  // namespace
 
 StageSearch::StageSearch(const StageTask& task) : task_(task), spent_(task.spent) {
   questions_.may_go_on = squares_.may_go_on = [this](const Shares&) { return may_go_on(); };
@@ -74,8 +75,7 @@ SurrogateQuestions StageSearch::surrogate_questions() {
     }
   }
   const double cap = task_.fidelity.alone ? 0.0 : spec.cap;
-  questions.part = [&spec, numbers, cap, shift = task_.shift](std::size_t k, double y) {
-    if (!shift.empty()) y += shift[k];
+  questions.part = [&spec, numbers, cap](std::size_t k, double y) {
     const TargetSpec& target = spec.targets[numbers[k].target];
     const double r = target.is_curve() ? (y - numbers[k].wanted) / target.tolerance : residual_of(target, y);
     const double counted = capped(r, cap);

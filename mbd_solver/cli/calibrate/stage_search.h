@@ -17,12 +17,8 @@ struct StageTask {
   Shares start;                 // its runs are done
   std::vector<Shares> earlier;  // sets with the same fidelity that stages before have run
   int jobs;
-  double spent;                    // by stages before [s of one core]: limits.hours counts it
-  std::vector<double> shift = {};  // of a surrogate: added to the numbers of every set; none: nothing is
+  double spent;  // by stages before [s of one core]: limits.hours counts it
 };
-
-// The values of all targets that are asked for, one after another; none where one has failed.
-std::vector<double> numbers_in(const Evaluation& e, const Fidelity& fidelity);
 
 class StageSearch {
  public:
