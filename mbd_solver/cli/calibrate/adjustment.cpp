@@ -8,7 +8,7 @@ namespace footfall {
 
 namespace {
 
-constexpr std::array<double, 6> kMoves = {0.2, 0.1, 0.05, 0.02, 0.01, 0.005};  // one parameter at a time
+constexpr std::array<double, 5> kMoves = {1.0, 0.5, 0.2, 0.1, 0.05};  // times h, one parameter at a time
 
 TargetSpec narrowed(TargetSpec target) {
   if (!target.is_band()) return target;
@@ -26,7 +26,7 @@ Shares adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eige
   const auto phi = [&](const Shares& u) {
     Eigen::VectorXd step(static_cast<Eigen::Index>(u.size()));
     for (std::size_t i = 0; i < u.size(); ++i) step[static_cast<Eigen::Index>(i)] = u[i] - whole.shares[i];
-    double sum = step.squaredNorm();
+    double sum = step.squaredNorm() / (spec.step * spec.step);
     for (std::size_t t = 0; t < targets.size(); ++t) {
       if (targets[t].is_curve() || whole.targets[t].failed) continue;
       const double y = whole.targets[t].values.front() +
@@ -38,13 +38,14 @@ Shares adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eige
   };
   Shares u = whole.shares;
   double least = phi(u);
-  for (const double step : kMoves)
+  for (const double move : kMoves)
     for (bool better = true; better;) {
       better = false;
       for (std::size_t i = 0; i < u.size(); ++i)
         for (const double sign : {1.0, -1.0}) {
           const double from = u[i];
-          u[i] = std::clamp(from + sign * step, 0.0, 1.0);
+          u[i] = std::clamp(from + sign * move * spec.step, std::max(0.0, whole.shares[i] - spec.step),
+                            std::min(1.0, whole.shares[i] + spec.step));
           const double tried = broken_by(spec, u) > 0.0 ? std::numeric_limits<double>::infinity() : phi(u);
           if (tried < least - 1e-9)
             least = tried, better = true;

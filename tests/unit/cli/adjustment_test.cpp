@@ -14,6 +14,7 @@ struct WholeRun {
 
   WholeRun() {
     spec.parameters.resize(2);
+    spec.step = 0.3;
     for (SoughtParameter& p : spec.parameters) p.most = 1.0;
     spec.targets.resize(3);
     for (TargetSpec& target : spec.targets) target.least = 0.0, target.most = 4.0, target.tolerance = 1.0;
@@ -41,7 +42,7 @@ TEST(Adjusted, GoesWithinTheBoundsOfWhatWasLostAndKeepsTheRest) {
   const double a = u[0] - 0.5, b = u[1] - 0.5;
   for (const double y : {-1.0 + 10.0 * a, 1.0 + 2.0 * a - 4.0 * b, 3.0 + 20.0 * b})
     EXPECT_TRUE(y > 0.3 && y < 3.7) << y;
-  EXPECT_NEAR(u[0], 0.65, 0.03);  // half a tolerance within
+  EXPECT_NEAR(u[0], 0.65, 0.03);  // half a tolerance within the bound
   EXPECT_NEAR(u[1], 0.5, 0.02);
 }
 
@@ -50,6 +51,13 @@ TEST(Adjusted, TakesNoLongWayForWhatIsOutOfReach) {
   run.spec.cap = 3.0;
   run.says({2.0, 1.0, 300.0});
   EXPECT_EQ(adjusted(run.spec, run.whole, run.sensitivity), run.whole.shares);
+}
+
+TEST(Adjusted, GoesNoFurtherThanTheDifferencesReach) {
+  WholeRun run;
+  run.spec.step = 0.05;
+  run.says({-3.0, 1.0, 3.0});
+  EXPECT_NEAR(adjusted(run.spec, run.whole, run.sensitivity)[0], 0.55, 1e-12);
 }
 
 TEST(Adjusted, KeepsConstraintsAndRanges) {
