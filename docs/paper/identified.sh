@@ -6,9 +6,9 @@ cd "$(dirname "$0")/../.."
 set=${1:-runs/calibrations/paper/best.txt}
 folder=inputs/paper_identified
 
-# NAME [FACTOR]: the parameter times the factor, to three digits.
+# NAME [FACTOR]: the parameter times the factor, to the digits of the calibration, so that the beds are the same ones.
 value() {
-  awk -v name="$1" -v factor="${2:-1}" '$1 == "#" && $2 == name { printf "%s", sprintf("%.3g", $4 * factor) + 0; found = 1 } END { exit !found }' "$set" ||
+  awk -v name="$1" -v factor="${2:-1}" '$1 == "#" && $2 == name { printf "%.10g", $4 * factor; found = 1 } END { exit !found }' "$set" ||
     { echo "identified.sh: $set has no parameter $1" >&2; exit 1; }
 }
 scene() {  # NAME BASE TITLE: its text follows on stdin
