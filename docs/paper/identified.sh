@@ -26,7 +26,7 @@ auxiliary() {  # FORCE1 LENGTH1 FORCE2 LENGTH2: crush stages of both auxiliary s
 }
 
 mkdir -p "$folder"
-scene landing ../landing_mr "MR landing" <<TEXT
+scene scene ../landing_mr "MR landing" <<TEXT
 $(auxiliary "$(value aux_force 3000)" "$(value aux_length 0.10)" "$(value aux_force 6000)" "$(value aux_length 0.08)")
 [[struts]]
 name = "leg_{leg}_primary"
@@ -44,11 +44,11 @@ touchdown_acceleration = $(value soft_until)
 variables = { width = $(value bed_width), grain_poisson = $(value pad_poisson) }
 bed = { variables = { width = $(value bed_width), depth = $(value bed_depth), pour_friction = $(value pour_friction) } }
 TEXT
-scene two_two landing.toml "MR landing, 2-2" <<TEXT
+scene two_two scene.toml "MR landing, 2-2" <<TEXT
 [initial]
 pitch_deg = $(value tilt_22)
 TEXT
-scene one_two_one landing.toml "MR landing, 1-2-1" <<TEXT
+scene one_two_one scene.toml "MR landing, 1-2-1" <<TEXT
 [initial]
 roll_deg = $(value tilt_121)
 pitch_deg = $(value tilt_121)

@@ -15,7 +15,7 @@ identified=(validation_drop ground attitudes friction velocity)   # run once mor
 identified_sweep() {
   local file=$runs/identified/$1.toml scenes=$PWD/inputs/paper_identified
   mkdir -p "$runs/identified"
-  sed -e "s#\"\.\./landing_mr/scene.toml\"#\"$scenes/landing.toml\"#; s#\"\.\./validation_drop/scene.toml\"#\"$scenes/validation_drop.toml\"#" \
+  sed -e "s#\"\.\./landing_mr/scene.toml\"#\"$scenes/scene.toml\"#; s#\"\.\./validation_drop/scene.toml\"#\"$scenes/validation_drop.toml\"#" \
     -e "s#\"\.\./validation_drop/rigid.toml\"#\"$scenes/validation_drop_rigid.toml\"#" \
     -e "s#^settings = \[\"initial.pitch_deg=4\"\]#scene = \"$scenes/two_two.toml\"#" \
     -e "s#^settings = \[\"initial.roll_deg=4\", \"initial.pitch_deg=4\"\]#scene = \"$scenes/one_two_one.toml\"#" "inputs/sweeps/$1.toml" >"$file"
@@ -28,7 +28,7 @@ if [[ -z ${2-} ]]; then
   for sweep in "${sweeps[@]}"; do ./footfall sweep "inputs/sweeps/$sweep.toml" --out "$runs/$sweep" || echo "make.sh: sweep $sweep is not complete" >&2; done
 fi
 if [[ ${2-} != page ]]; then
-  ./footfall run inputs/paper_identified/landing.toml --force --out "$runs/identified/landing" --set output.vtk=true --set output.vtk_interval=0.05
+  ./footfall run inputs/paper_identified --force --out "$runs/identified/landing" --set output.vtk=true --set output.vtk_interval=0.05
   ./footfall pictures "$runs/identified/landing" --times 0.05,0.25,0.5,1.0 --width 1000
   for sweep in "${identified[@]}"; do ./footfall sweep "$(identified_sweep "$sweep")" --out "$runs/identified/$sweep" || echo "make.sh: identified sweep $sweep is not complete" >&2; done
 else
