@@ -97,7 +97,7 @@ Prediction CalibrationRun::predict() const {
                spec_.alone * (static_cast<int>(spec_.targets.size()) - starts.back()->met()),
                std::min(2, starts.back()->runs), true},
               jobs_, added);
-  add_share(p, {"confirmation", whole, 1, whole.runs * full_fidelity(spec_).seeds, false}, jobs_, added);
+  add_share(p, {"confirmation", whole, spec_.confirm, whole.runs * full_fidelity(spec_).seeds, false}, jobs_, added);
   return p;
 }
 
