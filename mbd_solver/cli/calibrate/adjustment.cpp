@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "mbd_solver/cli/calibrate/descent.h"
 
 namespace footfall {
 
 namespace {
 
-constexpr std::array<double, 5> kMoves = {1.0, 0.5, 0.2, 0.1, 0.05};  // times h, one parameter at a time
+constexpr std::array<double, 5> kMoves = {1.0, 0.5, 0.2, 0.1, 0.05};  // times h, as down_from() goes
 
 TargetSpec narrowed(TargetSpec target) {
   if (!target.is_band()) return target;
@@ -23,9 +24,17 @@ TargetSpec narrowed(TargetSpec target) {
 Shares adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eigen::MatrixXd& sensitivity) {
   std::vector<TargetSpec> targets;
   for (const TargetSpec& target : spec.targets) targets.push_back(narrowed(target));
+  std::vector<double> steps;
+  for (const double move : kMoves) steps.push_back(move * spec.step);
+  DescentBounds within;
+  for (const double share : whole.shares) {
+    within.least.push_back(std::max(0.0, share - spec.step));
+    within.most.push_back(std::min(1.0, share + spec.step));
+  }
   const auto phi = [&](const Shares& u) {
     Eigen::VectorXd step(static_cast<Eigen::Index>(u.size()));
     for (std::size_t i = 0; i < u.size(); ++i) step[static_cast<Eigen::Index>(i)] = u[i] - whole.shares[i];
+    if (broken_by(spec, u) > 0.0) return std::numeric_limits<double>::infinity();
     double sum = step.squaredNorm() / (spec.step * spec.step);
     for (std::size_t t = 0; t < targets.size(); ++t) {
       if (targets[t].is_curve() || whole.targets[t].failed) continue;
@@ -36,24 +45,7 @@ Shares adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eige
     }
     return sum;
   };
-  Shares u = whole.shares;
-  double least = phi(u);
-  for (const double move : kMoves)
-    for (bool better = true; better;) {
-      better = false;
-      for (std::size_t i = 0; i < u.size(); ++i)
-        for (const double sign : {1.0, -1.0}) {
-          const double from = u[i];
-          u[i] = std::clamp(from + sign * move * spec.step, std::max(0.0, whole.shares[i] - spec.step),
-                            std::min(1.0, whole.shares[i] + spec.step));
-          const double tried = broken_by(spec, u) > 0.0 ? std::numeric_limits<double>::infinity() : phi(u);
-          if (tried < least - 1e-9)
-            least = tried, better = true;
-          else
-            u[i] = from;
-        }
-    }
-  return u;
+  return down_from(whole.shares, within, steps, phi);
 }
 
 }  // namespace footfall

@@ -65,6 +65,11 @@ PagePart targets_part(const CalibrationSpec& spec, const CalibrationOutcome& o) 
   if (spec.cap > 0.0)
     part.text += " In the misfit a target that is further off counts as " + number_text(spec.cap) +
                  " tolerances: the question is how many are met together.";
+  if (const std::vector<std::size_t> chosen = weightiest(spec); chosen.size() < spec.targets.size())
+    part.text += " Of the " + std::to_string(chosen.size()) + " weightiest targets are met: at the start " +
+                 std::to_string(met_of(*o.start, chosen)) + ", at the best set " +
+                 std::to_string(met_of(*o.best, chosen)) + ", confirmed " +
+                 std::to_string(met_of(*o.confirmed, chosen)) + ".";
   if (o.confirmed->met() < o.best->met())
     part.text += "\n\nThe runs of the last stage say something else than whole ones: " + std::to_string(o.best->met()) +
                  " targets met become " + std::to_string(o.confirmed->met()) +

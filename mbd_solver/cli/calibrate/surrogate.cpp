@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "mbd_solver/cli/calibrate/descent.h"
 #include "mbd_solver/cli/calibrate/response_surface.h"
 
 namespace footfall {
@@ -12,10 +13,10 @@ namespace footfall {
 namespace {
 
 constexpr std::size_t kCandidates = 2000, kMostDrawn = 20 * kCandidates;
-constexpr std::array<double, 2> kWeights = {0.8, 0.5};                  // a
-constexpr std::array<double, 3> kReaches = {0.2, 0.1, 0.04};            // of candidates about the best set
-constexpr std::array<double, 5> kSteps = {0.2, 0.1, 0.05, 0.02, 0.01};  // down the model, one parameter at a time
-constexpr double kApart = 0.01;                                         // of two sets, in one parameter at least
+constexpr std::array<double, 2> kWeights = {0.8, 0.5};            // a
+constexpr std::array<double, 3> kReaches = {0.2, 0.1, 0.04};      // of candidates about the best set
+const std::vector<double> kSteps = {0.2, 0.1, 0.05, 0.02, 0.01};  // down the model
+constexpr double kApart = 0.01;                                   // of two sets, in one parameter at least
 
 double distance(const Shares& a, const Shares& b) {
   double sum = 0.0;
@@ -59,23 +60,10 @@ class Model {
     return sum;
   }
 
-  Shares down_from(Shares u) const {
-    double least = misfit(u);
-    for (const double step : kSteps)
-      for (bool better = true; better;) {
-        better = false;
-        for (std::size_t i = 0; i < u.size(); ++i)
-          for (const double sign : {1.0, -1.0}) {
-            const double from = u[i];
-            u[i] = std::clamp(from + sign * step, 0.0, 1.0);
-            const double tried = questions_.allowed(u) ? misfit(u) : std::numeric_limits<double>::infinity();
-            if (tried < least - 1e-9)
-              least = tried, better = true;
-            else
-              u[i] = from;
-          }
-      }
-    return u;
+  Shares down(const Shares& from) const {
+    return down_from(from, {Shares(from.size(), 0.0), Shares(from.size(), 1.0)}, kSteps, [this](const Shares& u) {
+      return questions_.allowed(u) ? misfit(u) : std::numeric_limits<double>::infinity();
+    });
   }
 
  private:
@@ -176,7 +164,7 @@ Shares SurrogateSearch::next() {
   if (kind == 0) {
     const Shares low =
         candidates[static_cast<std::size_t>(std::min_element(misfits.begin(), misfits.end()) - misfits.begin())];
-    const Shares ways[2] = {model.down_from(low), model.down_from(best_)};
+    const Shares ways[2] = {model.down(low), model.down(best_)};
     const Shares& u = model.misfit(ways[0]) < model.misfit(ways[1]) ? ways[0] : ways[1];
     if (distance(u, tried_) >= kApart) return u;
   }

@@ -19,6 +19,20 @@ const Evaluation* most_met(const CalibrationSpec& spec, const std::vector<const 
   return most;
 }
 
+std::vector<std::size_t> weightiest(const CalibrationSpec& spec) {
+  double most = 0.0;
+  for (const TargetSpec& target : spec.targets) most = std::max(most, target.weight);
+  std::vector<std::size_t> chosen;
+  for (std::size_t t = 0; t < spec.targets.size(); ++t)
+    if (spec.targets[t].weight == most) chosen.push_back(t);
+  return chosen;
+}
+
+int met_of(const Evaluation& set, const std::vector<std::size_t>& targets) {
+  return static_cast<int>(
+      std::count_if(targets.begin(), targets.end(), [&](std::size_t t) { return set.targets[t].is_met(); }));
+}
+
 Apart apart(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {
   const auto count = [&](std::size_t a, std::size_t b) {
     return static_cast<int>(std::count_if(sets.begin(), sets.end(), [&](const Evaluation* e) {
@@ -46,16 +60,21 @@ std::size_t most_from(std::size_t first, std::vector<int> out, const std::vector
   std::size_t open = 0;
   for (const std::size_t other : others[first]) open += other > first && with[other]++ == 0 ? 1 : 0;
   const std::size_t taken = 1 + most_from(first + 1, with, others);
-  return open == 0 ? taken : std::max(taken, most_from(first + 1, out, others));  // alone: taking it costs nothing
+  if (open <= 1) return taken;  // with one other at most, taking it is never worse
+  return std::max(taken, most_from(first + 1, out, others));
 }
 
 }  // namespace
 
-std::size_t most_without_a_pair(const Apart& apart, std::size_t targets) {
-  std::vector<std::vector<std::size_t>> others(targets);
-  for (const Apart::Pair& pair : apart.pairs) others[pair.a].push_back(pair.b), others[pair.b].push_back(pair.a);
-  std::vector<int> out(targets, 0);
-  for (const std::size_t target : apart.never) out[target] = 1;
+std::size_t most_without_a_pair(const Apart& apart, const std::vector<std::size_t>& targets) {
+  const std::size_t n = targets.empty() ? 0 : 1 + *std::max_element(targets.begin(), targets.end());
+  std::vector<int> out(n, 1);
+  for (const std::size_t target : targets) out[target] = 0;
+  std::vector<std::vector<std::size_t>> others(n);
+  for (const Apart::Pair& pair : apart.pairs)
+    if (pair.a < n && pair.b < n) others[pair.a].push_back(pair.b), others[pair.b].push_back(pair.a);
+  for (const std::size_t target : apart.never)
+    if (target < n) out[target] = 1;
   return most_from(0, out, others);
 }
 
@@ -67,8 +86,9 @@ PagePart apart_part(const CalibrationSpec& spec, const std::vector<const Evaluat
   part.text =
       never.empty() ? " Every target was met by some set." : "\n\nMet by none of them: " + joined(never, "; ") + ".";
   if (found.pairs.empty()) return part;
-  part.text += "\n\nAs far as pairs tell, at most " + std::to_string(most_without_a_pair(found, spec.targets.size())) +
-               " of the " + std::to_string(spec.targets.size()) +
+  const std::vector<std::size_t> chosen = weightiest(spec);
+  part.text += "\n\nAs far as pairs tell, at most " + std::to_string(most_without_a_pair(found, chosen)) + " of the " +
+               std::to_string(chosen.size()) + (chosen.size() < spec.targets.size() ? " weightiest" : "") +
                " targets can come together. Each met by some sets, and by none together:";
   part.rows = {{"target", "and target", "sets that meet the one", "the other", "both"}};
   for (const Apart::Pair& pair : found.pairs)

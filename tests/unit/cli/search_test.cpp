@@ -7,6 +7,7 @@
 #include <map>
 
 #include "mbd_solver/cli/calibrate/gauss_newton.h"
+#include "tests/unit/cli/search_stage.h"
 
 namespace footfall {
 namespace {
@@ -24,13 +25,6 @@ double bowl(const Shares& u) {
   double sum = 0.0;
   for (const double r : bowl_residuals(u)) sum += r * r;
   return sum;
-}
-
-StageSpec stage_of(SearchMethod method, int evaluations) {
-  StageSpec stage;
-  stage.method = method;
-  stage.evaluations = evaluations;
-  return stage;
 }
 
 struct Walked {

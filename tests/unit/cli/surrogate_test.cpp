@@ -7,6 +7,7 @@
 #include <map>
 
 #include "mbd_solver/cli/calibrate/response_surface.h"
+#include "tests/unit/cli/search_stage.h"
 
 namespace footfall {
 namespace {
@@ -103,15 +104,8 @@ SurrogateQuestions questions_of(std::map<Shares, bool>* known) {
   return questions;
 }
 
-StageSpec stage_with(SearchMethod method, int evaluations) {
-  StageSpec stage;
-  stage.method = method;
-  stage.evaluations = evaluations;
-  return stage;
-}
-
 StageWay surrogate_way(const SurrogateQuestions& questions, int evaluations) {
-  SurrogateSearch search(stage_with(SearchMethod::kSurrogate, evaluations), bent_middle(), questions);
+  SurrogateSearch search(stage_of(SearchMethod::kSurrogate, evaluations), bent_middle(), questions);
   return search.go();
 }
 
@@ -120,7 +114,7 @@ TEST(SurrogateSearch, IsBetterThanSimplicesInAsManySets) {
   SearchQuestions blind;
   blind.may_go_on = [](const Shares&) { return true; };
   blind.misfit = bent_misfit;
-  const StageWay simplices = walk(stage_with(SearchMethod::kSbplx, 40), bent_middle(), blind, 1);
+  const StageWay simplices = walk(stage_of(SearchMethod::kSbplx, 40), bent_middle(), blind, 1);
   EXPECT_EQ(way.sets.size(), 40u);
   EXPECT_DOUBLE_EQ(way.misfit, bent_misfit(way.best));
   EXPECT_LT(way.misfit, 0.2 * simplices.misfit) << simplices.misfit;
