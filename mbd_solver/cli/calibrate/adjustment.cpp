@@ -24,8 +24,8 @@ TargetSpec narrowed(TargetSpec target) {
 Shares adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eigen::MatrixXd& sensitivity) {
   std::vector<TargetSpec> targets;
   for (const TargetSpec& target : spec.targets) targets.push_back(narrowed(target));
-  std::vector<double> steps;
-  for (const double move : kMoves) steps.push_back(move * spec.step);
+  std::vector<double> steps(kMoves.begin(), kMoves.end());
+  for (double& step : steps) step *= spec.step;
   DescentBounds within;
   for (const double share : whole.shares) {
     within.least.push_back(std::max(0.0, share - spec.step));
