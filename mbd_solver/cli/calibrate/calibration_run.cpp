@@ -192,8 +192,8 @@ bool CalibrationRun::confirm(Shares at) {
 bool CalibrationRun::seek_alone() {
   if (spec_.alone == 0) return true;
   const std::vector<const Evaluation*> sets = comparable();
-  std::vector<Shares> known;
-  for (const Evaluation* e : sets) known.push_back(e->shares);
+  std::vector<Shares> known(sets.size());
+  std::transform(sets.begin(), sets.end(), known.begin(), [](const Evaluation* e) { return e->shares; });
   StageSpec stage = spec_.stages.back();
   stage.method = SearchMethod::kSurrogate;
   stage.evaluations = spec_.alone + 1;  // with the first, which is known

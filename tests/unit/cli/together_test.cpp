@@ -52,6 +52,9 @@ TEST(Together, AtMostTheLargestChoiceWithoutAPair) {
   Apart star;  // the middle of a star of four against its ends
   for (std::size_t k = 1; k < 5; ++k) star.pairs.push_back({0, k, 1, 1});
   EXPECT_EQ(most_without_a_pair(star, first_targets(5)), 4u);
+  Apart middle;  // one against two
+  for (std::size_t k = 1; k < 3; ++k) middle.pairs.push_back({0, k, 1, 1});
+  EXPECT_EQ(most_without_a_pair(middle, first_targets(3)), 2u);
   EXPECT_EQ(most_without_a_pair(Apart{}, first_targets(5)), 5u);
   Apart many;  // pairs of their own: one of each, and no search through all choices
   for (std::size_t k = 0; k < 60; ++k) many.pairs.push_back({2 * k, 2 * k + 1, 1, 1});
