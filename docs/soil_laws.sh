@@ -9,7 +9,9 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-all=(rft rft_smooth rft_long rft_deep rft_upright sphere first_contact walls janssen janssen_drawn footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling plate shear box box_checks repose cone)
+laws_of_page=(rft rft_smooth rft_long rft_deep rft_upright sphere sphere_scaling first_contact walls floor froude janssen janssen_drawn footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling)
+rigs_of_page=(plate plate_checks cone cone_checks wheel wheel_checks shear shear_checks box box_checks repose repose_checks sphere_checks)
+all=("${laws_of_page[@]}" "${rigs_of_page[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
 laws=docs/soil_laws
 
@@ -42,12 +44,36 @@ part_rft_upright() {
   awk -f $laws/rft_upright.awk "$out"/rft_upright/runs/*/history.csv
 }
 part_sphere() { rig sphere sphere --samples 10; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
-part_walls() { sweep inputs/laws/walls.toml "$out/walls"; grep -h "^[|]" "$out/walls/cases.md"; echo; cat "$out/walls/statements.md"; }
-part_plate() { rig plate plate --samples 2; }
-part_shear() { rig shear shear --samples 2; }
-part_repose() { rig repose repose --samples 5; }
-part_cone() { rig cone cone --samples 2; }
-part_box_checks() { rig box_checks box --samples 1 --checks; }
+part_sphere_scaling() {
+  local sphere diameter density
+  for sphere in 0.09_2800 0.12_2800 0.16_2800 0.12_1400 0.12_5600; do
+    IFS=_ read -r diameter density <<<"$sphere"
+    "$footfall" rig sphere --out "$out/sphere_scaling/$sphere" --samples 3 "${few[@]}" --set "bodies.ball.shape.radius=$(awk "BEGIN { print $diameter / 2 }")" --set "materials.ball.density=$density" >&2
+  done
+  echo "\`footfall rig sphere --samples 3 --set bodies.ball.shape.radius=RADIUS --set materials.ball.density=DENSITY\` (\`docs/soil_laws/sphere_scaling.awk\`):"
+  echo
+  awk -f $laws/student.awk -f $laws/sphere_scaling.awk "$out"/sphere_scaling/*/sphere_samples.csv
+}
+# inputs/laws/NAME.toml: tables of its cases and of its statements.
+stated() { sweep "inputs/laws/$1.toml" "$out/$1"; grep -h "^[|]" "$out/$1/cases.md"; echo; cat "$out/$1/statements.md"; }
+part_walls() { stated walls; }
+part_floor() { stated floor; }
+part_froude() { sweep inputs/laws/froude.toml "$out/froude"; awk -f $laws/student.awk -f $laws/froude.awk "$out/froude/runs.csv"; }
+# RIG: on its default bed, ten samples, and its picture.
+default_bed() { rig "$1" "$1" --samples 10; cp "$out/$1/$1.png" "docs/soil_laws_$1.png"; }
+checks() { rig "$1_checks" "$1" --samples 1 --checks; }
+part_plate() { default_bed plate; }
+part_plate_checks() { checks plate; }
+part_cone() { default_bed cone; }
+part_cone_checks() { checks cone; }
+part_wheel() { default_bed wheel; }
+part_wheel_checks() { checks wheel; }
+part_shear() { default_bed shear; }
+part_shear_checks() { checks shear; }
+part_repose() { default_bed repose; }
+part_repose_checks() { checks repose; }
+part_sphere_checks() { checks sphere; }
+part_box_checks() { checks box; }
 part_box() { rig box box; cp "$out/box/box.png" docs/soil_laws_box.png; }
 # NAME: columns of inputs/laws/NAME.toml, table and picture.
 columns() {
@@ -122,6 +148,10 @@ part_wheel_scaling() {
 }
 
 make_parts docs/soil_laws "${@:2}"
+# What the runs of a part cost, where they are at hand.
+for part in "${all[@]}"; do
+  [[ ! -d $out/$part ]] || $laws/cost.sh "$out/$part" "$out/${part}_others" >"$laws/made/$part.seconds"
+done
 page=$(mktemp)
 trap 'rm -f "$page"' EXIT
 # PART: its text, its tables and what was found; nothing before its tables were made.
@@ -133,15 +163,25 @@ part_of_page() {
   echo
   [[ ! -f $laws/${part}_found.txt ]] || { cat "$laws/${part}_found.txt"; echo; }
 }
-laws_of_page() { for part in rft rft_smooth rft_long rft_deep rft_upright sphere first_contact walls janssen janssen_drawn footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling; do part_of_page $part; done; }
+parts_of_laws() { for part in "${laws_of_page[@]}"; do part_of_page "$part"; done; }
+# Hours of all parts, and the dearest of them.
+cost_of_page() {
+  local part unknown=()
+  for part in "${all[@]}"; do [[ -s $laws/made/$part.seconds || ! -f $laws/made/$part.txt ]] || unknown+=("$part"); done
+  for part in "${all[@]}"; do [[ ! -s $laws/made/$part.seconds ]] || echo "$part $(<"$laws/made/$part.seconds")"; done | sort -k2 -rn | awk -v unknown="${unknown[*]}" '
+    { sum += $2; if (NR <= 5) most = most (most ? ", " : "") $1 " " sprintf("%.1f", $2 / 3600) }
+    END { printf "All of it takes %.1f hours of a core, beds included; most of it", sum / 3600; printf " (hours): %s.%s\n", most, unknown ? " Not counted, as their runs were not kept: " unknown "." : "" }'
+}
 {
   cat $laws/head.txt
   echo
-  laws_of_page | awk -f $laws/verdicts.awk
+  parts_of_laws | awk -f $laws/verdicts.awk
   echo
-  laws_of_page
+  cost_of_page
+  echo
+  parts_of_laws
   cat $laws/rigs.txt
-  for part in plate shear box box_checks repose cone; do
+  for part in "${rigs_of_page[@]}"; do
     [[ ! -f $laws/made/$part.txt ]] || { echo "### ${part//_/, }"; echo; part_of_page $part; }
   done
   cat $laws/not_run.txt

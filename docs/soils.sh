@@ -1,47 +1,49 @@
 #!/usr/bin/env bash
 # Remakes docs/soils.md and its picture: what rolling friction of spheres and corners of clumps do to a slope, to instruments and to a landing. Two hours
 # on two cores, of which the default landing takes half; runs that are done are kept in runs/soils (or $SOIL_RUNS).
-#   docs/soils.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: slopes, instruments, landing, default; "page": no part, the page alone
+#   docs/soils.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: slopes, slopes_high, instruments, landing, default; "page": no part, the page alone
 # The tables of a part are kept in docs/soils/made/PART.txt, and the page is put together of them and of the texts in docs/soils.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . docs/parts.sh
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/soils}
-all=(slopes instruments landing default)
+all=(slopes slopes_high instruments landing default)
 none='particles.box.material.rolling_model="none"'
 clumps='particles.box.clumps=["tetrahedron"]'
 
-# FOLDER RIG OPTIONS...: its table, NAME | UNIT | MEAN | INTERVAL | SAMPLES.
+# FOLDER RIG SAMPLES OPTIONS...: its table, NAME | UNIT | MEAN | INTERVAL | SAMPLES.
 measured() {
-  local folder=$1 rig=$2; shift 2
-  "$footfall" rig "$rig" --samples 3 --out "$out/$folder" "$@" >&2
+  local folder=$1 rig=$2 samples=$3; shift 3
+  "$footfall" rig "$rig" --samples "$samples" --out "$out/$folder" "$@" >&2
   sed -n '/^| answer /,/^$/ { /^| answer \|^|--/d; /^| /p; }' "$out/$folder/$rig.md"
 }
-# NAME SETTING...: a row of the table of slopes, from three samples of the bed.
+# FILE NAME SETTING...: a row of the table of slopes, from ten samples of the bed.
 slope() {
-  local name=$1 settings=(); shift
+  local file=$1 name=$2 settings=(); shift 2
   for setting in "$@"; do settings+=(--set "$setting"); done
-  measured "slope_${name// /_}" repose --file docs/soils/repose.toml "${settings[@]}" |
+  measured "$(basename "$file" .toml)_${name// /_}" repose 10 --file "$file" "${settings[@]}" |
     awk -F '[ ]*[|][ ]*' -v name="$name" '$2 ~ /^(angle of repose|R\^2 of the slope)/ { v[++n] = $4; i[n] = $5 } END { print "| " name " | " v[1] " | " i[1] " | " v[2] " |" }'
 }
-part_slopes() {
+slopes() {
   echo '| grains | angle of repose [deg] | 95 % interval: +- | R^2 of the slope |'
   echo '|---|---|---|---|'
-  slope "spheres without rolling friction" "$none"
-  slope "spheres with rolling friction 0.2"
-  slope "clumps of two" 'particles.box.clumps=["pair"]'
-  slope "clumps of four" "$clumps"
+  slope "$1" "spheres without rolling friction" "$none"
+  slope "$1" "spheres with rolling friction 0.2"
+  slope "$1" "clumps of two" 'particles.box.clumps=["pair"]'
+  slope "$1" "clumps of four" "$clumps"
 }
+part_slopes() { slopes docs/soils/repose.toml; }
+part_slopes_high() { slopes docs/soils/repose_high.toml; }
 part_instruments() {
   local rig work
   work=$(mktemp -d)
   echo '| instrument | answer | unit | spheres without rolling friction | spheres with rolling friction 0.2 | clumps of four |'
   echo '|---|---|---|---|---|---|'
   for rig in plate cone wheel shear; do
-    measured "${rig}_none" $rig --set "$none" >"$work/none"
-    measured "${rig}_rolling" $rig >"$work/rolling"
-    measured "${rig}_clumps" $rig --set "$clumps" >"$work/clumps"
+    measured "${rig}_none" $rig 3 --set "$none" >"$work/none"
+    measured "${rig}_rolling" $rig 3 >"$work/rolling"
+    measured "${rig}_clumps" $rig 3 --set "$clumps" >"$work/clumps"
     paste -d '|' "$work/none" "$work/rolling" "$work/clumps" |
       awk -F '[ ]*[|][ ]*' -v rig=$rig '{ printf "| %s | %s | %s | %s +- %s | %s +- %s | %s +- %s |\n", rig, $2, $3, $4, $5, $11, $12, $18, $19 }'
   done

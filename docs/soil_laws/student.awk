@@ -1,11 +1,15 @@
 # Mean of v[1..n], and the half width of its 95 % interval by Student's t.
 function mean(v, n,   k, m) { for (k = 1; k <= n; ++k) m += v[k] / n; return m }
-function half_width(v, n,   k, m, s, student) {
-  if (n < 2) return 0
-  split("0 12.706 4.303 3.182 2.776 2.571 2.447 2.365 2.306 2.262", student, " ")
+function half_width(v, n) { return n < 2 ? 0 : student(n - 1) * standard_error(v, n) }
+function standard_error(v, n,   k, m, s) {
   m = mean(v, n)
   for (k = 1; k <= n; ++k) s += (v[k] - m)^2
-  return student[n] * sqrt(s / (n - 1) / n)
+  return sqrt(s / (n - 1) / n)
+}
+# Student's t of a two-sided 95 % interval with f degrees of freedom; beyond 20 that of 20, which is larger.
+function student(f,   t) {
+  split("12.706 4.303 3.182 2.776 2.571 2.447 2.365 2.306 2.262 2.228 2.201 2.179 2.160 2.145 2.131 2.120 2.110 2.101 2.093 2.086", t, " ")
+  return t[f > 20 ? 20 : f]
 }
 function row(name, unit, v, n) {
   printf "| %s | %s | %.4g | %s | %d |\n", name, unit, mean(v, n), (n > 1 ? sprintf("%.2g", half_width(v, n)) : ""), n

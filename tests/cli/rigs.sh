@@ -22,7 +22,7 @@ if [[ $name == messages ]]; then
   exit 0
 fi
 "$footfall" rig "$name" --short --out out "$@" >log.txt 2>&1 || { cat log.txt; die "the short form failed"; }
-for file in $name.md $name.csv ${name}_curves.csv; do [[ -s out/$file ]] || die "$file is missing"; done
+for file in $name.md $name.csv ${name}_samples.csv ${name}_curves.csv; do [[ -s out/$file ]] || die "$file is missing"; done
 grep -q '^| answer | unit | mean' out/$name.md || die "$name.md has no table"
 cat out/$name.md
 # A steep slope has points enough for a line.

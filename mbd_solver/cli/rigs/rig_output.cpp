@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kAsked = 0.95, kMoved = 0.05;
+constexpr int kSampleDigits = 8;
 
 std::string answer_text(double value) { return std::isfinite(value) ? number_text(value, 4) : "not found"; }
 
@@ -45,6 +46,21 @@ Table answer_table(const std::vector<RigVariant>& variants) {
       row.push_back(moved_by(statistic_of(variants[v].samples, i).mean, own.mean));
     table.add(row);
   }
+  return table;
+}
+
+// A row for each sample of the bed and each check: what the means are made of. Empty: not found.
+Table sample_table(const std::vector<RigVariant>& variants) {
+  std::vector<std::string> head = {"check", "sample"};
+  for (const RigAnswer& answer : variants.front().samples.front().answers) head.push_back(answer.name);
+  Table table(head);
+  for (const RigVariant& variant : variants)
+    for (std::size_t k = 0; k < variant.samples.size(); ++k) {
+      std::vector<std::string> row = {variant.name.empty() ? "none" : variant.name, std::to_string(k + 1)};
+      for (const RigAnswer& answer : variant.samples[k].answers)
+        row.push_back(std::isfinite(answer.value) ? number_text(answer.value, kSampleDigits) : "");
+      table.add(row);
+    }
   return table;
 }
 
@@ -131,6 +147,7 @@ void write_rig(const Rig& rig, const std::vector<RigVariant>& variants, const st
   std::string page = "## " + title + "\n\nMade by `" + command + "`.\n\n" + table.page();
   if (verdicts) page += claim_lines(rig, variants.front());
   write_whole_file(path(".csv"), table.csv());
+  write_whole_file(path("_samples.csv"), sample_table(variants).csv());
   write_whole_file(path(".md"), page);
   std::printf("%s\n", page.c_str());
   const std::string pictures = draw_curves(rig, variants.front(), folder, title);
