@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-laws_of_page=(rft rft_smooth rft_long rft_deep rft_upright sphere sphere_scaling first_contact walls floor froude janssen janssen_drawn footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling)
+laws_of_page=(rft rft_smooth rft_long rft_deep rft_upright rft_few sphere sphere_scaling sphere_scaling_fine first_contact walls floor froude janssen janssen_drawn janssen_fine footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling)
 rigs_of_page=(plate plate_checks cone cone_checks wheel wheel_checks shear shear_checks box box_checks repose repose_checks sphere_checks)
 all=("${laws_of_page[@]}" "${rigs_of_page[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -43,17 +43,37 @@ part_rft_upright() {
   sweep inputs/laws/rft_upright.toml "$out/rft_upright"
   awk -f $laws/rft_upright.awk "$out"/rft_upright/runs/*/history.csv
 }
-part_sphere() { rig sphere sphere --samples 10; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
-part_sphere_scaling() {
-  local sphere diameter density
-  for sphere in 0.09_2800 0.12_2800 0.16_2800 0.12_1400 0.12_5600; do
-    IFS=_ read -r diameter density <<<"$sphere"
-    "$footfall" rig sphere --out "$out/sphere_scaling/$sphere" --samples 3 "${few[@]}" --set "bodies.ball.shape.radius=$(awk "BEGIN { print $diameter / 2 }")" --set "materials.ball.density=$density" >&2
-  done
-  echo "\`footfall rig sphere --samples 3 --set bodies.ball.shape.radius=RADIUS --set materials.ball.density=DENSITY\` (\`docs/soil_laws/sphere_scaling.awk\`):"
-  echo
-  awk -f $laws/student.awk -f $laws/sphere_scaling.awk "$out"/sphere_scaling/*/sphere_samples.csv
+# FOLDER FILE OPTIONS...: five pairs of angles, a row of the table.
+five_pairs() {
+  local folder=$out/rft_few/$1 name=${1//_/ } file=$2; shift 2
+  "$footfall" rig rft --file "$file" --samples 1 --out "$folder" "${few[@]}" "$@" >&2
+  awk -f $laws/rft_depths.awk "$folder"/runs/*/history.csv >"$folder/by_depth.txt"
+  awk -v name="$name" -F '[ ]*[|][ ]*' '/^[|] 1 to 3/ { zeta = $3; r2 = $4 } /^[|] 1 to 2/ { upper = $4 } END { printf "| %s | %s | %s | %s |\n", name, zeta, r2, upper }' "$folder/by_depth.txt"
 }
+part_rft_few() {
+  echo "\`footfall rig rft --file inputs/laws/rft_few.toml --samples 1\`, with \`--set particles.box.radius=0.004\`, and with inputs/laws/rft_few_slow.toml:"
+  echo
+  echo '| five pairs | zeta | R^2, 1 to 3 widths | R^2, 1 to 2 widths |'
+  echo '|---|---|---|---|'
+  five_pairs as_before inputs/laws/rft_few.toml
+  five_pairs a_third_of_the_speed inputs/laws/rft_few_slow.toml
+  five_pairs grains_of_half_the_size inputs/laws/rft_few.toml --set particles.box.radius=0.004
+}
+part_sphere() { rig sphere sphere --samples 10; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
+# PART LABEL SPHERES OPTIONS...: spheres DIAMETER_DENSITY, and the exponents of both.
+spheres() {
+  local part=$1 label=$2 list=$3 sphere diameter density words; shift 3
+  for sphere in $list; do
+    IFS=_ read -r diameter density <<<"$sphere"
+    "$footfall" rig sphere --out "$out/$part/$sphere" --samples 3 "${few[@]}" "$@" --set "bodies.ball.shape.radius=$(awk "BEGIN { print $diameter / 2 }")" --set "materials.ball.density=$density" >&2
+  done
+  words=$*
+  echo "\`footfall rig sphere --samples 3${words:+ $words} --set bodies.ball.shape.radius=RADIUS --set materials.ball.density=DENSITY\` (\`docs/soil_laws/sphere_scaling.awk\`):"
+  echo
+  awk -v label="$label" -f $laws/student.awk -f $laws/sphere_scaling.awk "$out/$part"/*/sphere_samples.csv
+}
+part_sphere_scaling() { spheres sphere_scaling "" "0.09_2800 0.12_2800 0.16_2800 0.12_1400 0.12_5600"; }
+part_sphere_scaling_fine() { spheres sphere_scaling_fine "grains of half the size: " "0.09_2800 0.12_2800 0.16_2800" --set 'particles.box.radius=[0.004,0.005]' --set output.vtk=false; }
 # inputs/laws/NAME.toml: tables of its cases and of its statements.
 stated() { sweep "inputs/laws/$1.toml" "$out/$1"; grep -h "^[|]" "$out/$1/cases.md"; echo; cat "$out/$1/statements.md"; }
 part_walls() { stated walls; }
@@ -75,10 +95,10 @@ part_repose_checks() { checks repose; }
 part_sphere_checks() { checks sphere; }
 part_box_checks() { checks box; }
 part_box() { rig box box; cp "$out/box/box.png" docs/soil_laws_box.png; }
-# NAME: columns of inputs/laws/NAME.toml, table and picture.
+# NAME RADIUS: columns of inputs/laws/NAME.toml, of grains of this radius [m], table and picture.
 columns() {
   sweep "inputs/laws/$1.toml" "$out/$1"
-  awk -v points="$out/$1/points.txt" -f $laws/student.awk -f $laws/janssen.awk "$out/$1/runs.csv"
+  awk -v radius="$2" -v points="$out/$1/points.txt" -f $laws/student.awk -f $laws/janssen.awk "$out/$1/runs.csv"
   gnuplot <<PLOT
 set terminal pngcairo size 900,600
 set output "docs/soil_laws_$1.png"
@@ -91,8 +111,9 @@ set yrange [0:25]
 plot "$out/$1/points.txt" with points pt 7 title "columns", Ws * (1 - exp(-x / Ws)) lw 2 title "Janssen, mean W_s", x dt 2 lc "gray" title "no friction of walls"
 PLOT
 }
-part_janssen() { columns janssen; }
-part_janssen_drawn() { columns janssen_drawn; }
+part_janssen() { columns janssen 0.005; }
+part_janssen_drawn() { columns janssen_drawn 0.005; }
+part_janssen_fine() { columns janssen_fine 0.0025; }
 part_footpad() {
   sweep inputs/laws/footpad.toml "$out/footpad"
   awk -f $laws/student.awk -f $laws/footpad.awk "$out"/footpad/runs/*/history.csv
@@ -148,8 +169,10 @@ part_wheel_scaling() {
 }
 
 make_parts docs/soil_laws "${@:2}"
-# What the runs of a part cost, where they are at hand.
-for part in "${all[@]}"; do
+# What the runs of a part cost that was made now.
+now=("${@:2}")
+((${#now[@]})) || now=("${all[@]}")
+for part in "${now[@]}"; do
   [[ ! -d $out/$part ]] || $laws/cost.sh "$out/$part" "$out/${part}_others" >"$laws/made/$part.seconds"
 done
 page=$(mktemp)

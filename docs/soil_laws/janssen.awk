@@ -1,4 +1,4 @@
-# runs.csv of inputs/laws/janssen.toml -> tables, and the points of the picture into the file `points`.
+# runs.csv of inputs/laws/janssen.toml, or of its like with grains of `radius` [m] -> tables, and the points of the picture into the file `points`.
 # W = W_s (1 - exp(-W_0 / W_s)): W_s by least squares, a golden section between 1e-3 and 1e3 N. K = rho g A^2 / (perimeter mu_w W_s).
 function floor_of(W0, Ws) { return Ws * (1 - exp(-W0 / Ws)) }
 function misfit(seed, Ws,   k, s) { for (k = 1; k <= many[seed]; ++k) s += (W[seed, k] - floor_of(W0[seed, k], Ws))^2; return s }
@@ -14,7 +14,7 @@ function quality(seed, Ws,   k, average, total) {
   for (k = 1; k <= many[seed]; ++k) total += (W[seed, k] - average)^2
   return 1 - misfit(seed, Ws) / total
 }
-BEGIN { FS = ","; g = 9.81; grain = 2600 * 4 / 3 * 3.14159265 * 0.005^3 * g; width = 0.08; mu = 0.5; bulk = 0.57 * 2600 }
+BEGIN { FS = ","; g = 9.81; grain = 2600 * 4 / 3 * 3.14159265 * radius^3 * g; width = 0.08; mu = 0.5; bulk = 0.57 * 2600 }
 NR == 1 { next }
 $4 != "done" { print "run " $1 ": " $4 > "/dev/stderr"; exit 1 }
 { floor = -$5; weight = $6 * grain; share[$2, ++count[$2]] = floor / weight; weights[$2] += weight

@@ -32,6 +32,6 @@ END {
   for (g = 30; g <= 90; g += 20) {
     n = 0; delete sum
     for (p = 1; p <= pairs; ++p) if (gamma[p] == g) { ++n; for (k in both) { sum[k, 1] += upper[p, k]; sum[k, 2] += found[p, k] } }
-    printf "| %d | %.3f | %.3f | %.3f | %.3f |\n", g, sum["x", 1] / n, sum["x", 2] / n, sum["z", 1] / n, sum["z", 2] / n
+    if (n) printf "| %d | %.3f | %.3f | %.3f | %.3f |\n", g, sum["x", 1] / n, sum["x", 2] / n, sum["z", 1] / n, sum["z", 2] / n
   }
 }
