@@ -103,7 +103,7 @@ std::string draw_curves(const Rig& rig, const RigVariant& own, const std::string
         table.add({curve.name, number_text(curve.x[i], 8), number_text(curve.y[i], 8)});
       lines.push_back(gnuplot_text(file) + " every ::" + std::to_string(row) +
                       "::" + std::to_string(row + curve.x.size() - 1) + " using 2:3 with " + (line ? "lines" : "") +
-                      "points ps 0.8 lc " + std::to_string(c + 1) +
+                      "points ps 0.8 pt " + std::to_string(c + 1) + " lc " + std::to_string(c + 1) +
                       (k == 0 ? " title " + gnuplot_text(curve.name) : " notitle"));
       row += curve.x.size();
     }
