@@ -145,6 +145,7 @@ part_sphere_grains() {
 }
 part_sphere_small_grains() {
   fitted sphere_small_grains
+  cp "$out/sphere_small_grains/small_grains.png" docs/soil_laws_sphere_small_grains.png
   echo
   awk -v "asks=small_grains/D=0.667/spheres of 20 and 30 grains: depth goes as D^(2/3), Uehara et al." -f $laws/exponents.awk "$out/sphere_small_grains/fits.csv"
 }

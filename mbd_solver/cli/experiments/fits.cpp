@@ -120,10 +120,12 @@ void add_rows(const FitSpec& fit, const FitResult& r, const std::string& name, c
 
 // Round numbers between the decades, so that every picture has more than one number on each axis.
 std::string tics_between(double low, double high) {
+  const bool narrow = high < 4.0 * low;  // few would lie within
+  const std::vector<int> digits = narrow ? std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8} : std::vector<int>{1, 2, 3, 5};
   std::vector<std::string> tics;
   for (int decade = static_cast<int>(std::floor(std::log10(low)));
        decade <= static_cast<int>(std::ceil(std::log10(high))); ++decade)
-    for (const int digit : {1, 2, 3, 5}) tics.push_back(number_text(digit * std::pow(10.0, decade), kShort));
+    for (const int digit : digits) tics.push_back(number_text(digit * std::pow(10.0, decade), kShort));
   return "(" + joined(tics) + ")";
 }
 
