@@ -48,6 +48,6 @@ END {
   print "\n| law | asked | found | met |\n|---|---|---|---|"
   verdict("the weight on the floor saturates as Janssen's form with one number: R^2 at least 0.95", "0.95 to 1", R2, n_seeds, 0.95, 1)
   verdict("the same of the means over the samples", "0.95 to 1", of_means, 1, 0.95, 1)
-  verdict("K lies between that of a soil about to give way, (1 - sin phi) / (1 + sin phi) at the shear ring's 27 degrees, and 1", "0.37 to 1", K, n_seeds, 0.37, 1)
+  verdict("K lies between that of a soil about to give way, (1 - sin phi) / (1 + sin phi) at 27 degrees, and 1", "0.37 to 1", K, n_seeds, 0.37, 1)
   if (n_smooth) verdict("with smooth walls the floor carries all, within 1 %", "0.99 to 1.01", smooth, n_smooth, 0.99, 1.01)
 }
