@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-laws_of_page=(rft rft_smooth rft_long rft_deep rft_upright rft_few sphere sphere_scaling sphere_scaling_fine first_contact walls floor floor_fine froude janssen janssen_drawn janssen_fine footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling)
+laws_of_page=(rft rft_smooth rft_long rft_deep rft_upright rft_few sphere sphere_scaling sphere_scaling_fine first_contact walls floor floor_fine froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling)
 rigs_of_page=(plate plate_checks cone cone_checks wheel wheel_checks shear shear_checks box box_checks repose repose_checks sphere_checks)
 all=("${laws_of_page[@]}" "${rigs_of_page[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -114,6 +114,7 @@ PLOT
 }
 part_janssen() { columns janssen 0.005; }
 part_janssen_drawn() { columns janssen_drawn 0.005; }
+part_janssen_further() { columns janssen_further 0.005; }
 part_janssen_fine() { columns janssen_fine 0.0025; }
 part_footpad() {
   sweep inputs/laws/footpad.toml "$out/footpad"
