@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSteadyShare = 0.4;  // of the rows
 
 bool smaller_size(double a, double b) { return std::abs(a) < std::abs(b); }
 
@@ -25,6 +26,12 @@ double variation(const std::vector<double>& x) {
   double sum = 0.0;
   for (std::size_t i = 1; i < x.size(); ++i) sum += std::abs(x[i] - x[i - 1]);
   return sum;
+}
+
+double steady(const std::vector<double>& x) {
+  const auto rows = static_cast<double>(x.size());
+  const double last = std::max(1.0, std::floor(kSteadyShare * rows));
+  return std::accumulate(x.end() - static_cast<std::ptrdiff_t>(last), x.end(), 0.0) / last;
 }
 
 double reduced(const FigureSpec& figure, const std::vector<double>& x) {
@@ -35,6 +42,7 @@ double reduced(const FigureSpec& figure, const std::vector<double>& x) {
     case Reduction::kDrop: return x.front() - *std::min_element(x.begin(), x.end());
     case Reduction::kPeaks: return count_peaks(x, figure.prominence * *std::max_element(x.begin(), x.end()));
     case Reduction::kVariation: return variation(x);
+    case Reduction::kSteady: return steady(x);
     case Reduction::kMax: break;
   }
   return *std::max_element(x.begin(), x.end());

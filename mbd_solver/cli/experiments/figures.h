@@ -22,7 +22,7 @@
 
 namespace footfall {
 
-enum class Reduction { kMax, kMin, kFinal, kLargest, kDrop, kPeaks, kVariation };
+enum class Reduction { kMax, kMin, kFinal, kLargest, kDrop, kPeaks, kVariation, kSteady };
 
 constexpr std::string_view name_of(Reduction reduction) {
   switch (reduction) {
@@ -33,6 +33,7 @@ constexpr std::string_view name_of(Reduction reduction) {
     case Reduction::kDrop: return "drop";            // first value minus the least
     case Reduction::kPeaks: return "peaks";          // maxima that stand out by `prominence` times the largest value
     case Reduction::kVariation: return "variation";  // sum of |x_i+1 - x_i|, how much a curve goes up and down
+    case Reduction::kSteady: return "steady";        // mean of the last 40 % of the rows, as rigs take it
   }
   return "";
 }

@@ -57,6 +57,21 @@ TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
   std::filesystem::remove_all(folder);
 }
 
+// The last four of ten rows: (1 + 3 + 2 + 6) / 4.
+TEST(FiguresOfRun, SteadyIsTheMeanOfTheLastRows) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("footfall_steady_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "summary.json") << "{}";
+  std::ofstream(folder / "history.csv")
+      << "# units: s,N\ntime,a\n0,99\n1,99\n2,99\n3,99\n4,99\n5,99\n6,1\n7,3\n8,2\n9,6\n";
+  FigureSpec figure;
+  figure.columns = {"a"};
+  figure.reduction = Reduction::kSteady;
+  EXPECT_THAT(figures_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(3.0));
+  std::filesystem::remove_all(folder);
+}
+
 TEST(FiguresOfRun, AreReducedColumnsOverAKeyOfTheSummary) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("footfall_figures_" + std::to_string(::getpid()));
