@@ -60,20 +60,20 @@ part_rft_few() {
   five_pairs grains_of_half_the_size inputs/laws/rft_few.toml --set particles.box.radius=0.004
 }
 part_sphere() { rig sphere sphere --samples 10; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
-# PART LABEL SPHERES OPTIONS...: spheres DIAMETER_DENSITY, and the exponents of both.
+# PART LABEL SAMPLES SPHERES OPTIONS...: spheres DIAMETER_DENSITY, and the exponents of both.
 spheres() {
-  local part=$1 label=$2 list=$3 sphere diameter density words; shift 3
+  local part=$1 label=$2 samples=$3 list=$4 sphere diameter density words; shift 4
   for sphere in $list; do
     IFS=_ read -r diameter density <<<"$sphere"
-    "$footfall" rig sphere --out "$out/$part/$sphere" --samples 3 "${few[@]}" "$@" --set "bodies.ball.shape.radius=$(awk "BEGIN { print $diameter / 2 }")" --set "materials.ball.density=$density" >&2
+    "$footfall" rig sphere --out "$out/$part/$sphere" --samples "$samples" "${few[@]}" "$@" --set "bodies.ball.shape.radius=$(awk "BEGIN { print $diameter / 2 }")" --set "materials.ball.density=$density" >&2
   done
   words=$*
-  echo "\`footfall rig sphere --samples 3${words:+ $words} --set bodies.ball.shape.radius=RADIUS --set materials.ball.density=DENSITY\` (\`docs/soil_laws/sphere_scaling.awk\`):"
+  echo "\`footfall rig sphere --samples $samples${words:+ $words} --set bodies.ball.shape.radius=RADIUS --set materials.ball.density=DENSITY\` (\`docs/soil_laws/sphere_scaling.awk\`):"
   echo
   awk -v label="$label" -f $laws/student.awk -f $laws/sphere_scaling.awk "$out/$part"/*/sphere_samples.csv
 }
-part_sphere_scaling() { spheres sphere_scaling "" "0.09_2800 0.12_2800 0.16_2800 0.12_1400 0.12_5600"; }
-part_sphere_scaling_fine() { spheres sphere_scaling_fine "grains of half the size: " "0.09_2800 0.12_2800 0.16_2800" --set 'particles.box.radius=[0.004,0.005]' --set output.vtk=false; }
+part_sphere_scaling() { spheres sphere_scaling "" 3 "0.09_2800 0.12_2800 0.16_2800 0.12_1400 0.12_5600"; }
+part_sphere_scaling_fine() { spheres sphere_scaling_fine "grains of half the size: " 2 "0.09_2800 0.16_2800" --set 'particles.box.radius=[0.004,0.005]' --set output.vtk=false; }
 # inputs/laws/NAME.toml: tables of its cases and of its statements.
 stated() { sweep "inputs/laws/$1.toml" "$out/$1"; grep -h "^[|]" "$out/$1/cases.md"; echo; cat "$out/$1/statements.md"; }
 part_walls() { stated walls; }
