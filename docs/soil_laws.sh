@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-laws_of_page=(rft rft_smooth rft_long rft_deep rft_upright rft_few sphere sphere_scaling sphere_scaling_fine first_contact walls floor floor_fine froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling)
+laws_of_page=(rft rft_smooth rft_long rft_deep rft_upright rft_few sphere sphere_scaling sphere_scaling_fine first_contact walls floor floor_fine froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling wheel_stiffness)
 rigs_of_page=(plate plate_checks cone cone_checks wheel wheel_checks shear shear_checks box box_checks repose repose_checks sphere_checks)
 all=("${laws_of_page[@]}" "${rigs_of_page[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -166,10 +166,9 @@ part_first_contact() {
   echo
   awk -f $laws/first_contact_depth.awk "$out/first_contact/fits.csv" "$out"/first_contact_others/runs/*/history.csv
 }
-part_wheel_scaling() {
-  sweep inputs/laws/wheel_scaling.toml "$out/wheel_scaling"
-  awk -f $laws/student.awk -f $laws/wheel_scaling.awk "$out"/wheel_scaling/runs/*/history.csv
-}
+wheels() { sweep "inputs/laws/$1.toml" "$out/$1"; awk -f $laws/student.awk -f $laws/wheel_scaling.awk "$out/$1"/runs/*/history.csv; }
+part_wheel_scaling() { wheels wheel_scaling; }
+part_wheel_stiffness() { wheels wheel_stiffness; }
 
 make_parts docs/soil_laws "${@:2}"
 # What the runs of a part cost that was made now.

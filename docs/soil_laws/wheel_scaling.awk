@@ -1,4 +1,4 @@
-# histories of inputs/laws/wheel_scaling.toml, one after another -> speed V and power P of each wheel, over what the law says of them by wheel "one" on the same sample
+# histories of inputs/laws/wheel_scaling.toml or wheel_stiffness.toml, one after another -> speed V and power P of each wheel, over what the law says of them by wheel "one" on the same sample
 # of the bed. Means over the last 40 % of a run. P = omega |M_y|, M_y the moment of the grains about the axle.
 function finish(   k) {
   if (wheel == "") return
@@ -28,10 +28,10 @@ END {
     for (j = 1; j <= n; ++j) { a[j] = slip[w, seeds[j]]; b[j] = V[w, seeds[j]]; c[j] = P[w, seeds[j]] }
     printf "| %s | %.3f +- %.2g | %.4f +- %.2g | %.3f +- %.2g | %d |\n", w, mean(a, n), half_width(a, n), mean(b, n), half_width(b, n), mean(c, n), half_width(c, n), n
   }
-  print "\n| law | asked | found | met |\n|---|---|---|---|"
   for (k = 1; k <= many; ++k) {
     w = wheels[k]
     if (w ~ /^one/) continue
+    if (!laws++) print "\n| law | asked | found | met |\n|---|---|---|---|"
     for (j = 1; j <= n; ++j) {
       b[j] = V[w, seeds[j]] / (sqrt(q[w] * r[w]) * V["one", seeds[j]]); c[j] = P[w, seeds[j]] / (q[w] * sqrt(q[w] * r[w]) * s[w] * P["one", seeds[j]])
     }
