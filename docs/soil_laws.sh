@@ -95,7 +95,7 @@ part_repose() { default_bed repose; }
 part_repose_checks() { checks repose; }
 part_sphere_checks() { checks sphere; }
 part_box_checks() { checks box; }
-part_box() { rig box box; cp "$out/box/box.png" docs/soil_laws_box.png; }
+part_box() { default_bed box; }
 # NAME RADIUS: columns of inputs/laws/NAME.toml, of grains of this radius [m], table and picture.
 columns() {
   sweep "inputs/laws/$1.toml" "$out/$1"
@@ -195,7 +195,7 @@ cost_of_page() {
   for part in "${all[@]}"; do [[ -s $laws/made/$part.seconds || ! -f $laws/made/$part.txt ]] || unknown+=("$part"); done
   for part in "${all[@]}"; do [[ ! -s $laws/made/$part.seconds ]] || echo "$part $(<"$laws/made/$part.seconds")"; done | sort -k2 -rn | awk -v unknown="${unknown[*]}" '
     { sum += $2; if (NR <= 5) most = most (most ? ", " : "") $1 " " sprintf("%.1f", $2 / 3600) }
-    END { printf "All of it takes %.1f hours of a core, beds included; most of it", sum / 3600; printf " (hours): %s.%s\n", most, unknown ? " Not counted, as their runs were not kept: " unknown "." : "" }'
+    END { printf "The parts whose runs are at hand take %.1f hours of a core, beds included; most of it", sum / 3600; printf " (hours): %s.%s\n", most, unknown ? " Not counted, as their runs were not kept: " unknown "." : "" }'
 }
 {
   cat $laws/head.txt

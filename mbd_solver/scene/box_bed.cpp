@@ -183,6 +183,7 @@ Variables run_variables(const Scene& scene) {
   all["dt"] = number(box_numbers(scene).time_step);
   all["every"] = box.every ? std::to_string(*box.every) : "auto";
   all["frames"] = number(box.frames);
+  all["walls"] = box.walls ? "1" : "0";
   all["friction"] = number(m.friction);
   all["rolling"] = number(m.rolling_friction);
   all["body_friction"] = number(b.friction.value_or(m.friction));

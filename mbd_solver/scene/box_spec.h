@@ -74,6 +74,7 @@ struct BoxSpec {
   std::vector<double> pit;  // [x_1, x_2]: there the settled bed is taken away, across its width; empty: nowhere
   double pit_depth = 0.0;   // of the pit below the surface [m]
   bool periodic = false;    // it goes on at its sides; else walls of grain material
+  bool walls = true;        // floor and sides stand in the run, too; else bodies of the scene are in their places
   Packing packing = Packing::kLoose;
   int seed = 1;                     // another sample of the bed for each number >= 1
   std::optional<double> headroom;   // of the simulation box above the surface [m]

@@ -184,6 +184,8 @@ bool check_box(const Scene& scene, Findings& findings) {
                    "is " + std::to_string(box.seed) + ", expected 1 to " + std::to_string(kMostSeeds));
   if (box.periodic && box.margin)
     findings.error(source, "box.margin", "stands beside periodic = true: there are no walls to leave space around");
+  if (box.periodic && !box.walls)
+    findings.error(source, "box.walls", "is false beside periodic = true: a periodic bed has no sides to take away");
   if (!(box.rayleigh_fraction > 0.0))
     findings.error(source, "box.rayleigh_fraction", "is 0, expected more than 0, as 0.1");
   // What is missing or no number was reported when it was read.

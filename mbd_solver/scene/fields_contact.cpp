@@ -104,6 +104,7 @@ void visit_fields(FieldVisitor& v, BoxSpec& b) {
   v.field("pit", &b.pit, {Unit::kLength});
   v.field("pit_depth", &b.pit_depth, {Unit::kLength, Range::kPositive});
   v.field("periodic", &b.periodic, {});
+  v.field("walls", &b.walls, {});
   v.choice("packing", b.packing);
   v.field("seed", &b.seed, {Unit::kNone, Range::kPositive});
   v.field("headroom", &b.headroom, {Unit::kLength, Range::kPositive});

@@ -55,8 +55,7 @@ audit inputs/rigs/scenes/repose.toml --until 0.1 --set 'joints.draw.motion.x.pol
 audit inputs/rigs/scenes/sphere.toml --until 0.04 $(box [0.24,0.24] 0.12) --set bodies.ball.shape.radius=0.04
 audit inputs/rigs/scenes/rft.toml --until 0.1 $(box [0.42,0.1] 0.12)
 # Coarser grains; the tray has the depth of the bed.
-audit inputs/rigs/scenes/box.toml --until 0.01 --set particles.variables.radius_1=0.01 --set particles.bed.variables.radius_1=0.01 \
-  --set particles.bed.variables.radius_2=0.01
+audit inputs/rigs/scenes/box.toml --until 0.01 --set particles.box.radius=0.01
 audit inputs/laws/scenes/janssen.toml --until 0.01 --set particles.bed.variables.fill=0.05
 audit inputs/laws/scenes/driven_wheel.toml --until 0.04 --set 'particles.box.size=[1.2,0.2]' --set particles.box.depth=0.04
 audit inputs/laws/scenes/pad.toml --until 0.02 $(box [0.3,0.3] 0.08)

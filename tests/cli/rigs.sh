@@ -17,7 +17,6 @@ if [[ $name == messages ]]; then
   says 2 'the rig varies this key itself, as its "width"; copy ' rig plate --set 'bodies.plate.shape.size=[1,1,1]'
   says 2 'the rig varies this key itself, as its "seed"; --samples says' rig plate --set particles.box.seed=4
   says 2 'unknown key' rig plate --set particles.box.colour=3 --list
-  says 2 'names 3 values of its "seed"; copy it, add values' rig box --samples 4 --list
   says 2 'there is no soil "mud"' rig plate --set particles.soil=mud --list
   exit 0
 fi

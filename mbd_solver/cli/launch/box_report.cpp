@@ -132,6 +132,7 @@ std::string box_report(const Scene& scene) {
   if (!box.clumps.empty()) text += clumps_text(scene);
   text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +
           (box.periodic ? "beside it the bed goes on (periodic)\n" : number_text(n.margin) + " m beside the walls\n");
+  if (!box.walls) text += "  the run has no floor and no sides of its own: bodies of the scene stand in their places\n";
   text += "  time step: " + number_text(n.time_step) + " s, " + share_text(n.time_step / n.rayleigh) +
           " of the Rayleigh time, " + share_text(n.time_step / n.hertz) + " of the Hertz time; window: " +
           (box.every ? std::to_string(*box.every) + " steps\n" : "chosen during the run\n");

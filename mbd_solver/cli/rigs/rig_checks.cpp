@@ -47,34 +47,38 @@ RigCheck half_speed(const Scene& scene) {
 
 std::string times(const Eigen::Vector3d& v, double factor) { return list_text({v.x(), v.y(), v.z()}, factor); }
 
-// "KEY.NAME=" factor times the variable of a script.
-std::string times(const std::string& key, const std::map<std::string, std::string>& variables, const std::string& name,
-                  double factor) {
-  const auto variable = variables.find(name);
-  const std::optional<double> value = variable == variables.end() ? std::nullopt : number_in(variable->second);
-  if (!value) throw InputError("--checks: " + key + "." + name + " is not given as a number, and the checks change it");
-  return key + "." + name + "=" + number_text(factor * *value, kRigDigits);
+// Of a bed by numbers; throws InputError for one of a script.
+const BoxSpec& box_of(const Scene& scene) {
+  if (!scene.particles || !scene.particles->box)
+    throw InputError("--checks: the bed of " + scene.file +
+                     " comes from a script; bed and grains of [particles.box] are what checks change");
+  return *scene.particles->box;
+}
+
+RigCheck half_grains(const BoxSpec& box) {
+  return {"half grains", {"particles.box.radius=" + list_text(box.radius, 0.5)}};
+}
+
+std::vector<std::string> twice_the_bed(const BoxSpec& box) {
+  std::vector<std::string> settings = {"particles.box.size=" + list_text(box.size, 2.0),
+                                       "particles.box.depth=" + number_text(2.0 * box.depth, kRigDigits)};
+  if (!box.pit.empty())
+    append(settings, {"particles.box.pit=" + list_text(box.pit, 2.0),
+                      "particles.box.pit_depth=" + number_text(2.0 * box.pit_depth, kRigDigits)});
+  return settings;
 }
 
 }  // namespace
 
 std::vector<RigCheck> checks_of(const Scene& scene, bool slow) {
-  if (!scene.particles || !scene.particles->box)
-    throw InputError("--checks: the bed of " + scene.file +
-                     " comes from a script; bed and grains of [particles.box] are what checks change");
-  const BoxSpec& box = *scene.particles->box;
-  std::vector<RigCheck> checks = {{"double box",
-                                   {"particles.box.size=" + list_text(box.size, 2.0),
-                                    "particles.box.depth=" + number_text(2.0 * box.depth, kRigDigits)}},
-                                  {"half grains", {"particles.box.radius=" + list_text(box.radius, 0.5)}}};
+  const BoxSpec& box = box_of(scene);
+  std::vector<RigCheck> checks = {{"double box", twice_the_bed(box)}, half_grains(box)};
   if (slow) checks.push_back(half_speed(scene));
   return checks;
 }
 
-std::vector<RigCheck> checks_of_shear_box(const Scene& scene, bool slow) {
-  if (!scene.particles || !scene.particles->bed)
-    throw InputError("--checks: " + scene.file + " has no script for its bed, whose sizes the checks change");
-  const std::map<std::string, std::string>&run = scene.particles->variables, &bed = scene.particles->bed->variables;
+std::vector<RigCheck> checks_of_holding_bodies(const Scene& scene, bool slow) {
+  const BoxSpec& box = box_of(scene);
   RigCheck twice{"double box", {"end_time=" + number_text(2.0 * scene.end_time, kRigDigits)}};
   for (const BodySpec& body : scene.bodies) {
     if (!body.shape) continue;
@@ -93,14 +97,11 @@ std::vector<RigCheck> checks_of_shear_box(const Scene& scene, bool slow) {
   for (const ForceSpec& force : scene.forces)
     if (force.force)
       twice.settings.push_back("forces." + force.name + ".force.polynomial=" + list_text(force.force->polynomial, 4.0));
-  for (const char* length : {"length", "width", "depth", "margin", "headroom"})
-    twice.settings.push_back(times("particles.bed.variables", bed, length, 2.0));
-  const RigCheck fine{
-      "half grains",
-      {times("particles.variables", run, "radius_1", 0.5), times("particles.variables", run, "dt", 0.5),
-       times("particles.bed.variables", bed, "radius_1", 0.5), times("particles.bed.variables", bed, "radius_2", 0.5),
-       times("particles.bed.variables", bed, "dt", 0.5)}};
-  std::vector<RigCheck> checks = {twice, fine};
+  append(twice.settings, twice_the_bed(box));
+  for (const auto& [name, room] : {std::pair("margin", box.margin), std::pair("headroom", box.headroom)})
+    if (room)
+      twice.settings.push_back(std::string("particles.box.") + name + "=" + number_text(2.0 * *room, kRigDigits));
+  std::vector<RigCheck> checks = {twice, half_grains(box)};
   if (slow) checks.push_back(half_speed(scene));
   return checks;
 }

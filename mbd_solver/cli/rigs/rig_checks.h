@@ -17,8 +17,8 @@ struct RigCheck {
 // Of a scene with a box. Half the speed: every prescribed motion that is a polynomial of time, c_k -> c_k / 2^k, and twice
 // the end time [s]; only where `slow`. Throws InputError where the bed is a script's, or a motion is something else.
 std::vector<RigCheck> checks_of(const Scene& scene, bool slow);
-// Of a shear box (inputs/rigs/scenes/box.toml), whose bed is poured by a script into the box itself. Twice the size: box,
-// lid, bed and way are twice as long, the pressure is the same. Half the grains: half the time step, too.
-std::vector<RigCheck> checks_of_shear_box(const Scene& scene, bool slow);
+// Of a rig whose bodies hold the bed: tray, frame and lid of a shear box, the gate before a slope. Twice the size: bodies,
+// bed and way are twice as long, pressures are the same.
+std::vector<RigCheck> checks_of_holding_bodies(const Scene& scene, bool slow);
 
 }  // namespace footfall

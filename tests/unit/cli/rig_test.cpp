@@ -161,7 +161,7 @@ TEST(RigChecks, HalfTheSpeedIsTheSamePathInTwiceTheTime) {
 // The pressure stays: four times the force on four times the area.
 TEST(RigChecks, AShearBoxOfTwiceTheSizeHasTheSamePressure) {
   const Scene scene = read_scene(std::string(FOOTFALL_SOURCE_DIR) + "/inputs/rigs/scenes/box.toml", {});
-  const std::vector<RigCheck> checks = checks_of_shear_box(scene, true);
+  const std::vector<RigCheck> checks = checks_of_holding_bodies(scene, true);
   ASSERT_EQ(checks.size(), 3u);
   const Scene twice = read_scene(scene.file, checks[0].settings);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -172,21 +172,31 @@ TEST(RigChecks, AShearBoxOfTwiceTheSizeHasTheSamePressure) {
   EXPECT_EQ(twice.forces[0].force->polynomial[0], 4.0 * scene.forces[0].force->polynomial[0]);
   EXPECT_EQ(twice.bodies[2].mass, 4.0 * scene.bodies[2].mass);
   EXPECT_EQ(twice.particles->bed->variables.at("depth"), "0.193");
+  EXPECT_EQ(twice.particles->box->margin, 2.0 * *scene.particles->box->margin);
   EXPECT_EQ(twice.end_time, 2.0 * scene.end_time);
   const Scene fine = read_scene(scene.file, checks[1].settings);
   EXPECT_EQ(fine.particles->variables.at("radius_1"), "0.0025");
-  EXPECT_EQ(fine.particles->bed->variables.at("dt"), "2e-05");
   EXPECT_EQ(checks[2].name, "half speed");
+}
+
+TEST(RigChecks, ASlopeOfTwiceTheSizeHasItsGateAndItsPit) {
+  const Scene scene = read_scene(std::string(FOOTFALL_SOURCE_DIR) + "/inputs/rigs/scenes/repose.toml", {});
+  const std::vector<RigCheck> checks = checks_of_holding_bodies(scene, true);
+  ASSERT_EQ(checks.size(), 3u);
+  const Scene twice = read_scene(scene.file, checks[0].settings);
+  EXPECT_TRUE(twice.bodies[0].shape->size.isApprox(2.0 * scene.bodies[0].shape->size));
+  EXPECT_TRUE(twice.bodies[0].shape->centre.isApprox(2.0 * scene.bodies[0].shape->centre));
+  EXPECT_EQ(twice.particles->box->pit[1], 2.0 * scene.particles->box->pit[1]);
+  EXPECT_EQ(twice.particles->box->pit_depth, 2.0 * scene.particles->box->pit_depth);
+  EXPECT_EQ(twice.end_time, 2.0 * scene.end_time);
 }
 
 TEST(RigChecks, NameWhatTheyCannotChange) {
   Scene scene;
   scene.file = "own.toml";
   EXPECT_THAT([&] { checks_of(scene, true); }, ThrowsMessage<InputError>(HasSubstr("own.toml comes from a script")));
-  scene.particles.emplace();
-  scene.particles->bed.emplace();
-  EXPECT_THAT([&] { checks_of_shear_box(scene, true); },
-              ThrowsMessage<InputError>(HasSubstr("particles.bed.variables.length is not given as a number")));
+  EXPECT_THAT([&] { checks_of_holding_bodies(scene, true); },
+              ThrowsMessage<InputError>(HasSubstr("own.toml comes from a script")));
 }
 
 TEST(RigCommand, KnowsTheGravities) {
