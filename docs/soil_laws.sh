@@ -83,19 +83,8 @@ part_froude() { sweep inputs/laws/froude.toml "$out/froude"; awk -f $laws/studen
 # RIG: on its default bed, ten samples, and its picture.
 default_bed() { rig "$1" "$1" --samples 10; cp "$out/$1/$1.png" "docs/soil_laws_$1.png"; }
 checks() { rig "$1_checks" "$1" --samples 1 --checks; }
-part_plate() { default_bed plate; }
-part_plate_checks() { checks plate; }
-part_cone() { default_bed cone; }
-part_cone_checks() { checks cone; }
-part_wheel() { default_bed wheel; }
-part_wheel_checks() { checks wheel; }
-part_shear() { default_bed shear; }
-part_shear_checks() { checks shear; }
-part_repose() { default_bed repose; }
-part_repose_checks() { checks repose; }
-part_sphere_checks() { checks sphere; }
-part_box_checks() { checks box; }
-part_box() { default_bed box; }
+for name in plate cone wheel shear repose box; do eval "part_$name() { default_bed $name; }"; done
+for name in plate cone wheel shear repose box sphere; do eval "part_${name}_checks() { checks $name; }"; done
 # NAME RADIUS: columns of inputs/laws/NAME.toml, of grains of this radius [m], table and picture.
 columns() {
   sweep "inputs/laws/$1.toml" "$out/$1"
