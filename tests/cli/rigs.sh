@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # rigs.sh FOOTFALL OUT NAME [OPTION...]: the short form of a rig, or NAME = messages: what it says to what cannot be.
 set -u
+here=$(cd "$(dirname "$0")" && pwd)
 footfall=$1 out=$2 name=$3; shift 3
 die() { echo "rigs.sh: $*"; exit 1; }
 rm -rf "$out" && mkdir -p "$out" && cd "$out" || die "cannot make $out"
@@ -16,6 +17,9 @@ if [[ $name == messages ]]; then
   says 2 'expected earth, moon, mars, or a number' rig plate --gravity venus
   says 2 'the rig varies this key itself, as its "width"; copy ' rig plate --set 'bodies.plate.shape.size=[1,1,1]'
   says 2 'the rig varies this key itself, as its "seed"; --samples says' rig plate --set particles.box.seed=4
+  inputs=$(cd "$here/../../inputs/rigs" && pwd)
+  sed -e "s#\"scenes/#\"$inputs/scenes/#" -e 's/^values = \[1, 2, 3\]/values = [11, 12, 13]/' "$inputs/plate.toml" >own.toml
+  says 2 'names 3 values of its "seed"; copy it, add values' rig plate --file own.toml --samples 4 --list
   says 2 'unknown key' rig plate --set particles.box.colour=3 --list
   says 2 'there is no soil "mud"' rig plate --set particles.soil=mud --list
   exit 0
