@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-laws_of_page=(rft rft_smooth rft_long rft_deep rft_upright rft_few sphere sphere_scaling sphere_scaling_fine first_contact walls floor floor_fine froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling wheel_stiffness)
+laws_of_page=(rft rft_smooth rft_long rft_deep rft_upright rft_few sphere sphere_scaling sphere_scaling_fine sphere_scaling_alike sphere_scaling_heavy first_contact walls floor floor_fine froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling wheel_stiffness)
 rigs_of_page=(plate plate_checks cone cone_checks wheel wheel_checks shear shear_checks box box_checks repose repose_checks sphere_checks)
 all=("${laws_of_page[@]}" "${rigs_of_page[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -51,21 +51,23 @@ five_pairs() {
   awk -v name="$name" -F '[ ]*[|][ ]*' '/^[|] 1 to 3/ { zeta = $3; r2 = $4 } /^[|] 1 to 2/ { upper = $4 } END { printf "| %s | %s | %s | %s |\n", name, zeta, r2, upper }' "$folder/by_depth.txt"
 }
 part_rft_few() {
-  echo "\`footfall rig rft --file inputs/laws/rft_few.toml --samples 1\`, with \`--set particles.box.radius=0.004\`, and with inputs/laws/rft_few_slow.toml:"
+  echo "\`footfall rig rft --file inputs/laws/rft_few.toml --samples 1\`, with inputs/laws/rft_few_slow.toml, and with \`--set particles.box.radius=0.004\`, \`particles.box.packing=\"dense\"\`, \`particles.box.material.rolling_model=\"none\"\`:"
   echo
   echo '| five pairs | zeta | R^2, 1 to 3 widths | R^2, 1 to 2 widths |'
   echo '|---|---|---|---|'
   five_pairs as_before inputs/laws/rft_few.toml
   five_pairs a_third_of_the_speed inputs/laws/rft_few_slow.toml
   five_pairs grains_of_half_the_size inputs/laws/rft_few.toml --set particles.box.radius=0.004
+  five_pairs dense_bed inputs/laws/rft_few.toml --set 'particles.box.packing="dense"'
+  five_pairs no_rolling_friction inputs/laws/rft_few.toml --set 'particles.box.material.rolling_model="none"'
 }
 part_sphere() { rig sphere sphere --samples 10; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
-# PART LABEL SAMPLES SPHERES OPTIONS...: spheres DIAMETER_DENSITY, and the exponents of both.
+# PART LABEL SAMPLES SPHERES OPTIONS...: spheres DIAMETER_DENSITY, and the exponents of both. In the options DIAMETER stands for that of each sphere.
 spheres() {
   local part=$1 label=$2 samples=$3 list=$4 sphere diameter density words; shift 4
   for sphere in $list; do
     IFS=_ read -r diameter density <<<"$sphere"
-    "$footfall" rig sphere --out "$out/$part/$sphere" --samples "$samples" "${few[@]}" "$@" --set "bodies.ball.shape.radius=$(awk "BEGIN { print $diameter / 2 }")" --set "materials.ball.density=$density" >&2
+    "$footfall" rig sphere --out "$out/$part/$sphere" --samples "$samples" "${few[@]}" "${@//DIAMETER/$diameter}" --set "bodies.ball.shape.radius=$(awk "BEGIN { print $diameter / 2 }")" --set "materials.ball.density=$density" >&2
   done
   words=$*
   echo "\`footfall rig sphere --samples $samples${words:+ $words} --set bodies.ball.shape.radius=RADIUS --set materials.ball.density=DENSITY\` (\`docs/soil_laws/sphere_scaling.awk\`):"
@@ -74,6 +76,8 @@ spheres() {
 }
 part_sphere_scaling() { spheres sphere_scaling "" 3 "0.09_2800 0.12_2800 0.16_2800 0.12_1400 0.12_5600"; }
 part_sphere_scaling_fine() { spheres sphere_scaling_fine "grains of half the size: " 2 "0.09_2800 0.16_2800" --set 'particles.box.radius=[0.004,0.005]' --set output.vtk=false; }
+part_sphere_scaling_alike() { spheres sphere_scaling_alike "speeds and bed go with the sphere: " 5 "0.09_2800 0.12_2800 0.16_2800" --file inputs/laws/sphere_alike_DIAMETER.toml; }
+part_sphere_scaling_heavy() { spheres sphere_scaling_heavy "steel, wider and deeper bed: " 3 "0.09_7800 0.12_7800 0.16_7800" --set 'particles.box.size=[0.64,0.64]' --set particles.box.depth=0.4 --set end_time=0.4 --set output.vtk=false; }
 # inputs/laws/NAME.toml: tables of its cases and of its statements.
 stated() { sweep "inputs/laws/$1.toml" "$out/$1"; grep -h "^[|]" "$out/$1/cases.md"; echo; cat "$out/$1/statements.md"; }
 part_walls() { stated walls; }
