@@ -62,12 +62,12 @@ part_rft_few() {
   five_pairs no_rolling_friction inputs/laws/rft_few.toml --set 'particles.box.material.rolling_model="none"'
 }
 part_sphere() { rig sphere sphere --samples 10; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
-# PART LABEL SAMPLES SPHERES OPTIONS...: spheres DIAMETER_DENSITY, and the exponents of both. In the options DIAMETER stands for that of each sphere.
+# PART LABEL SAMPLES SPHERES OPTIONS...: spheres DIAMETER_DENSITY, and the exponents of both. In the options MM stands for the diameter in millimetres.
 spheres() {
   local part=$1 label=$2 samples=$3 list=$4 sphere diameter density words; shift 4
   for sphere in $list; do
     IFS=_ read -r diameter density <<<"$sphere"
-    "$footfall" rig sphere --out "$out/$part/$sphere" --samples "$samples" "${few[@]}" "${@//DIAMETER/$diameter}" --set "bodies.ball.shape.radius=$(awk "BEGIN { print $diameter / 2 }")" --set "materials.ball.density=$density" >&2
+    "$footfall" rig sphere --out "$out/$part/$sphere" --samples "$samples" "${few[@]}" "${@//MM/$(printf %.0f "${diameter}e3")}" --set "bodies.ball.shape.radius=$(awk "BEGIN { print $diameter / 2 }")" --set "materials.ball.density=$density" >&2
   done
   words=$*
   echo "\`footfall rig sphere --samples $samples${words:+ $words} --set bodies.ball.shape.radius=RADIUS --set materials.ball.density=DENSITY\` (\`docs/soil_laws/sphere_scaling.awk\`):"
@@ -76,7 +76,7 @@ spheres() {
 }
 part_sphere_scaling() { spheres sphere_scaling "" 3 "0.09_2800 0.12_2800 0.16_2800 0.12_1400 0.12_5600"; }
 part_sphere_scaling_fine() { spheres sphere_scaling_fine "grains of half the size: " 2 "0.09_2800 0.16_2800" --set 'particles.box.radius=[0.004,0.005]' --set output.vtk=false; }
-part_sphere_scaling_alike() { spheres sphere_scaling_alike "speeds and bed go with the sphere: " 5 "0.09_2800 0.12_2800 0.16_2800" --file inputs/laws/sphere_alike_DIAMETER.toml; }
+part_sphere_scaling_alike() { spheres sphere_scaling_alike "speeds and bed go with the sphere: " 5 "0.09_2800 0.12_2800 0.16_2800" --file inputs/laws/sphere_alike_MMmm.toml; }
 part_sphere_scaling_heavy() { spheres sphere_scaling_heavy "steel, wider and deeper bed: " 3 "0.09_7800 0.12_7800 0.16_7800" --set 'particles.box.size=[0.64,0.64]' --set particles.box.depth=0.4 --set end_time=0.4 --set output.vtk=false; }
 # inputs/laws/NAME.toml: tables of its cases and of its statements.
 stated() { sweep "inputs/laws/$1.toml" "$out/$1"; grep -h "^[|]" "$out/$1/cases.md"; echo; cat "$out/$1/statements.md"; }

@@ -84,9 +84,20 @@ void lay_over(ConfigNode& base, const ConfigNode& own, const std::string& file) 
   }
 }
 
+// The file of a sweep, a study or a rig has no bodies of its own: it names a scene and says what to vary.
+void demand_no_experiment(const ConfigNode& own, const std::string& file) {
+  const ConfigNode* scene = own.find("scene");
+  if (!scene || scene->kind != ConfigNode::Kind::kText || own.find("bodies") || own.find("base")) return;
+  throw InputError(file + ":" + std::to_string(scene->line) + ": scene: this file is an experiment with the scene \"" +
+                   scene->text +
+                   "\", expected a scene; run it with the command of its first lines, such as footfall sweep " + file +
+                   ", or give that scene");
+}
+
 ConfigNode parse(const std::string& argument, int depth) {
   const std::string file = scene_file(argument);
   ConfigNode own = parse_toml_file(file);
+  demand_no_experiment(own, file);
   const ConfigNode* base_key = own.find("base");
   if (!base_key) return own;
   const int line = base_key->line;

@@ -11,7 +11,7 @@ namespace footfall {
 // folder), lays its own keys over that one; a base may have a base. Tables are merged key by key; entries of lists of
 // tables with the same name are merged and others appended; every other value replaces; `without = ["mr"]` in a table
 // leaves keys of the base's table out. Paths of the base stay relative to the base's folder.
-// Throws InputError: not readable, no TOML, a base that leads back to itself.
+// Throws InputError: not readable, no TOML, a base that leads back to itself, an experiment instead of a scene.
 ConfigNode parse_scene_with_base(const std::string& argument);
 
 }  // namespace footfall

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "coupler/base/errors.h"
 #include "coupler/base/named_file.h"
 #include "coupler/base/nearest_name.h"
 #include "mbd_solver/cli/experiments/runs.h"
@@ -219,6 +220,10 @@ class Checker {
 ExperimentSpec read_experiment(const std::string& file) {
   demand_file(file, "an experiment (TOML), as in inputs/sweeps and inputs/accuracy");
   const ConfigNode root = parse_toml_file(file);
+  if (root.find("bodies") || root.find("base"))
+    throw InputError(file +
+                     ": this file is a scene, expected an experiment, which names a scene and says what to vary; " +
+                     "run it with footfall run " + file + ", or see inputs/sweeps for experiments");
   Findings findings(file);
   ExperimentSpec s;
   s.file = file;
