@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Remakes docs/soils.md and its picture: what rolling friction of spheres and corners of clumps do to a slope, to instruments and to a landing. Two hours
 # on two cores, of which the default landing takes half; runs that are done are kept in runs/soils (or $SOIL_RUNS).
-#   docs/soils.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: slopes, slopes_high, instruments, landing, default; "page": no part, the page alone
+#   docs/soils.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: slopes, slopes_high, slopes_higher, instruments, landing, default; "page": no part, the page alone
 # The tables of a part are kept in docs/soils/made/PART.txt, and the page is put together of them and of the texts in docs/soils.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . docs/parts.sh
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/soils}
-all=(slopes slopes_high instruments landing default)
+all=(slopes slopes_high slopes_higher instruments landing default)
 none='particles.box.material.rolling_model="none"'
 clumps='particles.box.clumps=["tetrahedron"]'
 
@@ -34,7 +34,15 @@ slopes() {
   slope "$1" "clumps of four" "$clumps"
 }
 part_slopes() { slopes docs/soils/repose.toml; }
-part_slopes_high() { slopes docs/soils/repose_high.toml; }
+part_slopes_high() {
+  local file=docs/soils/repose_high.toml
+  slopes $file
+  slope $file "clumps of three in a row" 'particles.box.clumps=["rod"]'
+  slope $file "clumps of three in a triangle" 'particles.box.clumps=["triangle"]'
+  slope $file "clumps of five" 'particles.box.clumps=["bipyramid"]'
+  slope $file "clumps of six" 'particles.box.clumps=["octahedron"]'
+}
+part_slopes_higher() { slopes docs/soils/repose_higher.toml; }
 part_instruments() {
   local rig work
   work=$(mktemp -d)
