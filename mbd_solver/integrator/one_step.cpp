@@ -91,7 +91,8 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
   ++statistics_.windows;
   state.step = h;
   rates_ = K_[0];
-  statistics_.count(options_.projection ? equations_.project(state) : equations_.check_closed(state));
+  statistics_.count(options_.projection ? equations_.project(state, Equations::Close::kByFactorsAtHand)
+                                        : equations_.check_closed(state));
   equations_.smallest_multipliers(state, rates_.tail(layout.row_count));
   left_time_ = state.time;
   equations_.pack(state, rates_.tail(layout.row_count), left_);
