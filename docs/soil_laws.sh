@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-laws_of_page=(rft rft_smooth rft_long rft_deep rft_upright rft_few sphere sphere_scaling sphere_scaling_fine sphere_scaling_alike sphere_scaling_heavy first_contact walls floor floor_fine froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling wheel_stiffness)
+laws_of_page=(rft rft_smooth rft_long rft_deep rft_upright rft_few sphere sphere_scaling sphere_scaling_fine sphere_scaling_alike sphere_scaling_alike_fine sphere_scaling_heavy first_contact walls floor floor_fine froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling wheel_stiffness)
 rigs_of_page=(plate plate_checks cone cone_checks wheel wheel_checks shear shear_checks box box_checks repose repose_checks sphere_checks)
 all=("${laws_of_page[@]}" "${rigs_of_page[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -77,6 +77,7 @@ spheres() {
 part_sphere_scaling() { spheres sphere_scaling "" 3 "0.09_2800 0.12_2800 0.16_2800 0.12_1400 0.12_5600"; }
 part_sphere_scaling_fine() { spheres sphere_scaling_fine "grains of half the size: " 2 "0.09_2800 0.16_2800" --set 'particles.box.radius=[0.004,0.005]' --set output.vtk=false; }
 part_sphere_scaling_alike() { spheres sphere_scaling_alike "speeds and bed go with the sphere: " 5 "0.09_2800 0.12_2800 0.16_2800" --file inputs/laws/sphere_alike_MMmm.toml; }
+part_sphere_scaling_alike_fine() { spheres sphere_scaling_alike_fine "the same, grains of 0.7 of the size: " 3 "0.09_2800 0.16_2800" --file inputs/laws/sphere_alike_MMmm.toml --set 'particles.box.radius=[0.0056,0.007]' --set output.vtk=false; }
 part_sphere_scaling_heavy() { spheres sphere_scaling_heavy "steel, wider and deeper bed: " 3 "0.09_7800 0.12_7800 0.16_7800" --set 'particles.box.size=[0.64,0.64]' --set particles.box.depth=0.4 --set end_time=0.4 --set output.vtk=false; }
 # inputs/laws/NAME.toml: tables of its cases and of its statements.
 stated() { sweep "inputs/laws/$1.toml" "$out/$1"; grep -h "^[|]" "$out/$1/cases.md"; echo; cat "$out/$1/statements.md"; }
