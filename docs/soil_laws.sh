@@ -51,15 +51,18 @@ five_pairs() {
   awk -v name="$name" -F '[ ]*[|][ ]*' '/^[|] 1 to 3/ { zeta = $3; r2 = $4 } /^[|] 1 to 2/ { upper = $4 } END { printf "| %s | %s | %s | %s |\n", name, zeta, r2, upper }' "$folder/by_depth.txt"
 }
 part_rft_few() {
-  echo "\`footfall rig rft --file inputs/laws/rft_few.toml --samples 1\`, with inputs/laws/rft_few_slow.toml, and with \`--set particles.box.radius=0.004\`, \`particles.box.packing=\"dense\"\`, \`particles.box.material.rolling_model=\"none\"\`:"
+  local file=inputs/laws/rft_few.toml
+  echo "\`footfall rig rft --file inputs/laws/rft_few.toml --samples 1\`, with inputs/laws/rft_few_slow.toml, or with one of"
+  echo "\`--set particles.box.radius=0.004\`, \`particles.box.packing=\"dense\"\`, \`particles.box.material.rolling_model=\"none\"\`, \`bodies.plate.shape.size=[0.05,0.05,0.003]\`:"
   echo
   echo '| five pairs | zeta | R^2, 1 to 3 widths | R^2, 1 to 2 widths |'
   echo '|---|---|---|---|'
-  five_pairs as_before inputs/laws/rft_few.toml
+  five_pairs as_before $file
   five_pairs a_third_of_the_speed inputs/laws/rft_few_slow.toml
-  five_pairs grains_of_half_the_size inputs/laws/rft_few.toml --set particles.box.radius=0.004
-  five_pairs dense_bed inputs/laws/rft_few.toml --set 'particles.box.packing="dense"'
-  five_pairs no_rolling_friction inputs/laws/rft_few.toml --set 'particles.box.material.rolling_model="none"'
+  five_pairs dense_bed $file --set 'particles.box.packing="dense"'
+  five_pairs no_rolling_friction $file --set 'particles.box.material.rolling_model="none"'
+  five_pairs plate_of_half_the_thickness $file --set 'bodies.plate.shape.size=[0.05,0.05,0.003]'
+  five_pairs grains_of_half_the_size $file --set particles.box.radius=0.004
 }
 part_sphere() { rig sphere sphere --samples 10; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
 # PART LABEL SAMPLES SPHERES OPTIONS...: spheres DIAMETER_DENSITY, and the exponents of both. In the options MM stands for the diameter in millimetres.

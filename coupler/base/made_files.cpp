@@ -1,7 +1,13 @@
 #include "coupler/base/made_files.h"
 
+#include <fnmatch.h>
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
@@ -17,6 +23,35 @@ namespace {
 
 constexpr const char* kHead =
     "# Files that footfall has made in this folder. Another run into it (--force) removes these and no others.\n";
+// Lines of a run that has not ended; each begins with a mark and a blank.
+constexpr const char* kUnderWay =
+    "# A run is under way, or was killed: what came to the folder while it lived is its own, too. =: its start, *: "
+    "tells\n"
+    "# how long it lived, -: was there before it, +: may have come last.\n";
+constexpr const char *kBegun = "#=", *kLived = "#*", *kBefore = "#-", *kLast = "#+";
+constexpr std::int64_t kLate = 60'000'000'000;  // ns
+
+struct MadeList {
+  std::vector<std::string> names;
+  // Of a run that has not ended, else empty; its start in ns of the clock.
+  std::vector<std::string> begun, lived, before, patterns;
+
+  std::vector<std::string>* marked(const std::string& line) {
+    const std::string mark = line.substr(0, 2);
+    return mark == kBegun    ? &begun
+           : mark == kLived  ? &lived
+           : mark == kBefore ? &before
+           : mark == kLast   ? &patterns
+                             : nullptr;
+  }
+};
+
+// When a file last changed or was put there [ns]; nobody can set that. 0: it is not there.
+std::int64_t changed(const fs::path& file) {
+  struct stat status {};
+  if (lstat(file.c_str(), &status) != 0) return 0;
+  return static_cast<std::int64_t>(status.st_ctim.tv_sec) * 1'000'000'000 + status.st_ctim.tv_nsec;
+}
 
 // Every file below the folder, as paths from it. What cannot be looked into is left out.
 std::set<std::string> files_in(const std::string& folder) {
@@ -43,14 +78,54 @@ bool stays_inside(const fs::path& folder, const std::string& name) {
   return !error && std::mismatch(home.begin(), home.end(), parent.begin(), parent.end()).first == home.end();
 }
 
+MadeList read_list(const std::string& folder) {
+  MadeList list;
+  std::istringstream lines(read_whole_file((fs::path(folder) / kMadeList).string()).value_or(""));
+  for (std::string line; std::getline(lines, line);) {
+    if (std::vector<std::string>* marked = list.marked(line); marked && line.size() > 3)
+      marked->push_back(line.substr(3));
+    else if (!line.empty() && line[0] != '#' && stays_inside(folder, line))
+      list.names.push_back(line);
+  }
+  return list;
+}
+
+bool fits_one(const std::vector<std::string>& patterns, const std::string& name) {
+  return std::any_of(patterns.begin(), patterns.end(),
+                     [&](const std::string& pattern) { return fnmatch(pattern.c_str(), name.c_str(), 0) == 0; });
+}
+
+void add_lines(const char* mark, const std::vector<std::string>& names, std::string& text) {
+  for (const std::string& name : names) text += std::string(mark) + " " + name + "\n";
+}
+
+void write_list(const std::string& folder, const std::set<std::string>& names, const MadeList& run) {
+  std::string text = kHead;
+  if (!run.begun.empty()) {
+    text += kUnderWay;
+    add_lines(kBegun, run.begun, text);
+    add_lines(kLived, run.lived, text);
+    add_lines(kBefore, run.before, text);
+    add_lines(kLast, run.patterns, text);
+  }
+  for (const std::string& name : names) text += name + "\n";
+  write_whole_file((fs::path(folder) / kMadeList).string(), text);
+}
+
 }  // namespace
 
 std::vector<std::string> made_files(const std::string& folder) {
-  std::vector<std::string> names;
-  std::istringstream lines(read_whole_file((fs::path(folder) / kMadeList).string()).value_or(""));
-  for (std::string line; std::getline(lines, line);)
-    if (!line.empty() && line[0] != '#' && stays_inside(folder, line)) names.push_back(line);
-  return names;
+  MadeList list = read_list(folder);
+  if (list.begun.empty()) return list.names;
+  std::int64_t end = std::strtoll(list.begun.front().c_str(), nullptr, 10);
+  for (const std::string& name : list.lived) end = std::max(end, changed(fs::path(folder) / name));
+  std::set<std::string> names(list.names.begin(), list.names.end());
+  for (const std::string& name : files_in(folder)) {
+    if (std::find(list.before.begin(), list.before.end(), name) != list.before.end()) continue;
+    const std::int64_t after = changed(fs::path(folder) / name) - end;
+    if (after <= 0 || (after <= kLate && fits_one(list.patterns, name))) names.insert(name);
+  }
+  return {names.begin(), names.end()};
 }
 
 void remove_made_files(const std::string& folder, const std::string& start) {
@@ -78,21 +153,35 @@ MadeFiles::MadeFiles(const std::string& folder) : folder_(folder), before_(files
 
 MadeFiles::~MadeFiles() {
   try {
-    note({});
+    note();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "footfall: warning: %s\n", error.what());
   }
 }
 
-void MadeFiles::note(const std::vector<std::string>& names) const {
+void MadeFiles::begin(const std::vector<std::string>& names, const std::vector<std::string>& patterns) {
+  runs_ = true;
+  MadeList run;
+  run.begun = {std::to_string(std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count())};
+  run.patterns = patterns;
+  run.before.assign(before_.begin(), before_.end());
   std::set<std::string> made = files_in(folder_);
   for (const std::string& name : before_) made.erase(name);
-  for (const std::string& name : names)
-    if (!is_foreign(name)) made.insert(name);
-  if (made.empty()) return;
-  std::string text = kHead;
-  for (const std::string& name : made) text += name + "\n";
-  write_whole_file((fs::path(folder_) / kMadeList).string(), text);
+  for (const std::string& name : names) {
+    if (is_foreign(name)) continue;
+    made.insert(name);
+    run.lived.push_back(name);
+  }
+  write_list(folder_, made, run);
+}
+
+void MadeFiles::note() const {
+  std::set<std::string> made = files_in(folder_);
+  for (const std::string& name : before_) made.erase(name);
+  // Another command looks at a run that goes on, or was killed: the run stays what it is.
+  const MadeList run = runs_ ? MadeList{} : read_list(folder_);
+  if (!run.begun.empty()) made.insert(run.names.begin(), run.names.end());
+  if (!made.empty()) write_list(folder_, made, run);
 }
 
 }  // namespace footfall

@@ -9,7 +9,8 @@ namespace footfall {
 
 inline constexpr const char* kMadeList = ".footfall.files";  // one path from the folder per line
 
-// Paths from the folder, as they stand on its list. Lines that lead out of the folder do not count.
+// Paths from the folder, as they stand on its list; of a run that is under way or was killed also what came to the folder
+// while it lived. Lines that lead out of the folder do not count.
 std::vector<std::string> made_files(const std::string& folder);
 
 // Removes the files on the list whose paths begin with `start`, and the folders that are empty then. Throws InputError
@@ -29,12 +30,16 @@ class MadeFiles {
   // Is there, and no run has made it.
   bool is_foreign(const std::string& name) const { return before_.count(name) > 0; }
   const std::set<std::string>& foreign() const { return before_; }
-  // Writes the list now, with these names whether they are there yet or not: a run that is killed leaves it.
-  void note(const std::vector<std::string>& names) const;
+  // A run begins that may be killed at any moment. Of what it leaves then is its own: these names; what last changed before
+  // the last of them did; and what changed up to a minute later and has a name of one of the patterns (fnmatch).
+  void begin(const std::vector<std::string>& names, const std::vector<std::string>& patterns);
 
  private:
+  void note() const;
+
   std::string folder_;
   std::set<std::string> before_;  // files that no run has made
+  bool runs_ = false;
 };
 
 }  // namespace footfall

@@ -64,6 +64,18 @@ until [[ -s killed/history.csv ]]; do kill -0 $killed 2>/dev/null || die "the lo
 kill -KILL $killed; wait $killed 2>/dev/null
 run --out killed --force >again.txt 2>&1 || die "--force after a kill"
 [[ $(tail -n 1 killed/history.csv | cut -d, -f1) == 0.02 ]] || die "the history is not that of the new run"
+# All of it killed at once, with pictures half done; what the user put there before and since stays.
+mkdir dead && echo mine >dead/before.txt
+drawn=$here/../../inputs/rigid_plane
+setsid "$footfall" run "$drawn" --quiet --out dead --set end_time=1e3 >dead.log 2>&1 &
+dead=$!
+until [[ -s dead/bodies_0003.vtu ]]; do kill -0 $dead 2>/dev/null || die "the long run ended"; sleep 0.05; done
+kill -KILL -- -$dead; wait $dead 2>/dev/null
+sleep 0.1
+echo mine >dead/since.txt
+"$footfall" run "$drawn" --quiet --until 0.01 --out dead --force >again.txt 2>&1 || die "--force after a kill of all"
+[[ $(<dead/before.txt) == mine && $(<dead/since.txt) == mine ]] || die "--force removed a file of the user"
+[[ ! -e dead/bodies_0003.vtu ]] || die "a picture of the killed run stayed"
 
 # The plain line notes what it makes.
 "$solver" "$scene" --quiet --until 0.02 --out plain >plain.txt 2>&1 || die "the plain line"

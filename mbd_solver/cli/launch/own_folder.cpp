@@ -67,7 +67,7 @@ OwnFolder::OwnFolder(const std::string& folder, bool force) {
   files_ = std::make_unique<MadeFiles>(folder);
   refuse_foreign(folder, files_->foreign());
   remove_made_files(folder);
-  files_->note(kEvery);
+  begin();
 }
 
 OwnFolder::OwnFolder(const std::string& folder) {
@@ -75,6 +75,13 @@ OwnFolder::OwnFolder(const std::string& folder) {
     throw InputError(folder + ": there is no such folder, and so no run to go on with");
   lock_ = lock_folder(folder);
   files_ = std::make_unique<MadeFiles>(folder);
+  begin();
+}
+
+void OwnFolder::begin() {
+  std::vector<std::string> patterns(std::begin(kSome), std::end(kSome));
+  patterns.push_back("checkpoint/*");
+  files_->begin(kEvery, patterns);
 }
 
 std::string new_run_folder(const std::string& name) {

@@ -19,6 +19,8 @@ class OwnFolder {
   explicit OwnFolder(const std::string& folder);
 
  private:
+  void begin();  // a kill from here on leaves a list, too
+
   FileLock lock_;
   std::unique_ptr<MadeFiles> files_;
 };

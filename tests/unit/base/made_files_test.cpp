@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {
@@ -49,11 +52,50 @@ TEST_F(FilesOfARun, GrowWithLaterCommandsAndForgetWhatIsGone) {
   EXPECT_THAT(made_files(run()), ElementsAre("compare.txt", "report.html"));
 }
 
-TEST_F(FilesOfARun, AreKnownOfARunThatWasKilled) {
-  write("run/summary.json", "mine");
-  const MadeFiles made(run());
-  made.note({"history.csv", "summary.json"});
-  EXPECT_THAT(made_files(run()), ElementsAre("history.csv"));
+// A kill leaves the list as it stands while a run lives.
+class FilesOfAKilledRun : public FilesOfARun {
+ protected:
+  FilesOfAKilledRun() {
+    write("run/notes.txt", "mine");
+    write("run/summary.json", "mine");
+    MadeFiles made(run());
+    made.begin({"history.csv", "summary.json"}, {"bodies_[0-9]*.vtu", "script/*"});
+    fs::create_directories(folder_ / "run/script");
+    write("run/script/in.grains", "1");
+    write("run/grains_500.vtk", "2");
+    write("run/history.csv", "3");
+    pause();
+    write("run/bodies_0001.vtu", "4");
+    fs::copy_file(folder_ / "run/.footfall.files", folder_ / "list");
+  }
+  // After the last sign of the run, and of the clock of files.
+  static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(20)); }
+  void kill() {
+    fs::copy_file(folder_ / "list", folder_ / "run/.footfall.files", fs::copy_options::overwrite_existing);
+  }
+};
+
+TEST_F(FilesOfAKilledRun, AreWhatCameWhileItLived) {
+  kill();
+  pause();
+  write("run/later.txt", "mine");
+  EXPECT_THAT(made_files(run()), ElementsAre("bodies_0001.vtu", "grains_500.vtk", "history.csv", "script/in.grains"));
+  remove_made_files(run());
+  for (const char* mine : {"run/notes.txt", "run/summary.json", "run/later.txt"}) EXPECT_TRUE(is_there(mine)) << mine;
+  EXPECT_FALSE(is_there("run/script"));
+}
+
+TEST_F(FilesOfAKilledRun, StayKnownWhenOtherCommandsHaveAddedTheirs) {
+  kill();
+  pause();
+  write("run/later.txt", "mine");
+  {
+    const MadeFiles report(run());
+    EXPECT_TRUE(report.is_foreign("later.txt"));
+    write("run/report.html", "5");
+  }
+  EXPECT_THAT(made_files(run()),
+              ElementsAre("bodies_0001.vtu", "grains_500.vtk", "history.csv", "report.html", "script/in.grains"));
 }
 
 TEST_F(FilesOfARun, LeaveFoldersWithOtherFilesAlone) {
