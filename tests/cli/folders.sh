@@ -67,7 +67,7 @@ run --out killed --force >again.txt 2>&1 || die "--force after a kill"
 # All of it killed at once, with pictures half done; what the user put there before and since stays.
 mkdir dead && echo mine >dead/before.txt
 drawn=$here/../../inputs/rigid_plane
-setsid "$footfall" run "$drawn" --quiet --out dead --set end_time=1e3 >dead.log 2>&1 &
+setsid "$footfall" run "$drawn" --quiet --out dead --set end_time=1e3 --set output.vtk_interval=0.01 >dead.log 2>&1 &
 dead=$!
 until [[ -s dead/bodies_0003.vtu ]]; do kill -0 $dead 2>/dev/null || die "the long run ended"; sleep 0.05; done
 kill -KILL -- -$dead; wait $dead 2>/dev/null
