@@ -6,7 +6,10 @@
 namespace footfall {
 namespace {
 
-constexpr double kSafety = 0.9;  // of the tolerance, and of the flight
+constexpr double kSafety = 0.9;  // of the tolerance
+// of the time until it can meet a grain: grains may have risen since they were measured, and then it meets them in a
+// window no longer than what they rose by would have taken
+constexpr double kApproach = 0.5;
 constexpr double kGrowth = 2.0;  // from one window to the next
 // of the stiffness met, per window: contacts that close and open again must not be met unprepared
 constexpr double kForget = 0.95;
@@ -51,7 +54,7 @@ double WindowChoice::largest_omega_h(const Body& body, double stiffness, double 
 }
 
 double WindowChoice::longest(const Body& body, double stiffness, double omega_h) const {
-  if (body.stiffness <= 0.0 && body.flight > 0.0) return std::max(1.0, kSafety * body.flight / dt_);
+  if (body.stiffness <= 0.0 && body.flight > 0.0) return std::max(1.0, kApproach * body.flight / dt_);
   return stiffness > 0.0 ? omega_h / (std::sqrt(stiffness / body.mass) * dt_) : 1.0;
 }
 

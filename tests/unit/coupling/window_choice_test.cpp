@@ -31,6 +31,20 @@ TEST(WindowChoice, FliesInTheLongestWindowsAndLandsBeforeItsTime) {
   EXPECT_GE(choice.substeps(), 10);
 }
 
+// Grains may stand higher than was told, by `risen` of the time that the way to them takes: the window in which they are met is
+// no longer than that.
+TEST(WindowChoice, MeetsGrainsThatHaveRisenInAShortWindow) {
+  const double risen = 3.0;  // substeps
+  WindowChoice choice(spec(), kSubstep, 1.0);
+  choice.start({{10.0, 0.0, 0.0, 200.0 * kSubstep}});
+  double left = 200.0;
+  for (int k = 0; k < 100 && left - choice.substeps() > risen; ++k) {
+    left -= choice.substeps();
+    choice.observe(choice.substeps(), {{10.0, 0.0, 0.0, left * kSubstep}});
+  }
+  EXPECT_LE(choice.substeps(), risen);
+}
+
 TEST(WindowChoice, AmongGrainsWithoutAFirstContactTakesSingleSubsteps) {
   WindowChoice choice(spec(), kSubstep, 1.0);
   choice.start({{10.0}});
