@@ -1,14 +1,12 @@
 #include "coupler/base/made_files.h"
 
-#include <fnmatch.h>
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 
 #include "coupler/base/errors.h"
@@ -45,13 +43,6 @@ struct MadeList {
                              : nullptr;
   }
 };
-
-// When a file last changed or was put there [ns]; nobody can set that. 0: it is not there.
-std::int64_t changed(const fs::path& file) {
-  struct stat status {};
-  if (lstat(file.c_str(), &status) != 0) return 0;
-  return static_cast<std::int64_t>(status.st_ctim.tv_sec) * 1'000'000'000 + status.st_ctim.tv_nsec;
-}
 
 // Every file below the folder, as paths from it. What cannot be looked into is left out.
 std::set<std::string> files_in(const std::string& folder) {
@@ -90,9 +81,16 @@ MadeList read_list(const std::string& folder) {
   return list;
 }
 
-bool fits_one(const std::vector<std::string>& patterns, const std::string& name) {
-  return std::any_of(patterns.begin(), patterns.end(),
-                     [&](const std::string& pattern) { return fnmatch(pattern.c_str(), name.c_str(), 0) == 0; });
+// A list may be damaged: what is no expression fits nothing.
+std::vector<std::regex> expressions(const std::vector<std::string>& patterns) {
+  std::vector<std::regex> all;
+  for (const std::string& pattern : patterns) {
+    try {
+      all.emplace_back(pattern);
+    } catch (const std::regex_error&) {
+    }
+  }
+  return all;
 }
 
 void add_lines(const char* mark, const std::vector<std::string>& names, std::string& text) {
@@ -118,12 +116,17 @@ std::vector<std::string> made_files(const std::string& folder) {
   MadeList list = read_list(folder);
   if (list.begun.empty()) return list.names;
   std::int64_t end = std::strtoll(list.begun.front().c_str(), nullptr, 10);
-  for (const std::string& name : list.lived) end = std::max(end, changed(fs::path(folder) / name));
+  for (const std::string& name : list.lived) end = std::max(end, file_changed((fs::path(folder) / name).string()));
+  const std::vector<std::regex> patterns = expressions(list.patterns);
+  const auto fits_one = [&](const std::string& name) {
+    return std::any_of(patterns.begin(), patterns.end(),
+                       [&](const std::regex& pattern) { return std::regex_match(name, pattern); });
+  };
   std::set<std::string> names(list.names.begin(), list.names.end());
   for (const std::string& name : files_in(folder)) {
     if (std::find(list.before.begin(), list.before.end(), name) != list.before.end()) continue;
-    const std::int64_t after = changed(fs::path(folder) / name) - end;
-    if (after <= 0 || (after <= kLate && fits_one(list.patterns, name))) names.insert(name);
+    const std::int64_t after = file_changed((fs::path(folder) / name).string()) - end;
+    if (after <= 0 || (after <= kLate && fits_one(name))) names.insert(name);
   }
   return {names.begin(), names.end()};
 }

@@ -31,7 +31,7 @@ class MadeFiles {
   bool is_foreign(const std::string& name) const { return before_.count(name) > 0; }
   const std::set<std::string>& foreign() const { return before_; }
   // A run begins that may be killed at any moment. Of what it leaves then is its own: these names; what last changed before
-  // the last of them did; and what changed up to a minute later and has a name of one of the patterns (fnmatch).
+  // the last of them did; and what changed up to a minute later and has a name of one of the patterns (regular expressions).
   void begin(const std::vector<std::string>& names, const std::vector<std::string>& patterns);
 
  private:

@@ -1,6 +1,7 @@
 #include "coupler/base/whole_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -51,6 +52,12 @@ void write_whole_file(const std::string& path, const std::string& text, const st
     unlink(draft.c_str());
     throw InputError(path + ": cannot be written: " + std::strerror(problem) + "; " + advice);
   }
+}
+
+std::int64_t file_changed(const std::string& path) {
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0) return 0;
+  return static_cast<std::int64_t>(status.st_ctim.tv_sec) * 1'000'000'000 + status.st_ctim.tv_nsec;
 }
 
 }  // namespace footfall

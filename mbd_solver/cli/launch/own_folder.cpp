@@ -1,9 +1,8 @@
 #include "mbd_solver/cli/launch/own_folder.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/folder.h"
@@ -18,14 +17,15 @@ namespace {
 const std::vector<std::string> kEvery = {"history.csv",  "summary.json",      "ledger.csv", "bodies.pvd",
                                          "liggghts.log", "grains_energy.txt", "run.json",   "paraview.py"};
 // What a run may write besides.
-constexpr const char* kSome[] = {"bodies_[0-9]*.vtu", "*.vtk.series", "*_[0-9]*.vtp",      "*.pvd",
-                                 "motion/*.csv",      "motion/*.stl", "plots/*.gp",        "plots/*.csv",
-                                 "plots/*.png",       "plots/*.svg",  "plots/gnuplot.log", "script/*"};
+constexpr const char* kSome[] = {R"(bodies_[0-9].*\.vtu)",  R"(.*\.vtk\.series)",
+                                 R"(.*_[0-9].*\.vtp)",      R"(.*\.pvd)",
+                                 R"(motion/.*\.(csv|stl))", R"(plots/.*\.(gp|csv|png|svg))",
+                                 R"(plots/gnuplot\.log)",   R"(script/.*)"};
 
 bool is_written_by_runs(const std::string& name) {
   if (std::find(kEvery.begin(), kEvery.end(), name) != kEvery.end()) return true;
   return std::any_of(std::begin(kSome), std::end(kSome),
-                     [&](const char* pattern) { return fnmatch(pattern, name.c_str(), 0) == 0; });
+                     [&](const char* pattern) { return std::regex_match(name, std::regex(pattern)); });
 }
 
 // A start that was refused or stopped before the mechanism moved has logs at most: nothing of it is missed.
@@ -80,7 +80,7 @@ OwnFolder::OwnFolder(const std::string& folder) {
 
 void OwnFolder::begin() {
   std::vector<std::string> patterns(std::begin(kSome), std::end(kSome));
-  patterns.push_back("checkpoint/*");
+  patterns.emplace_back("checkpoint/.*");
   files_->begin(kEvery, patterns);
 }
 

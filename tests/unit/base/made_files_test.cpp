@@ -59,7 +59,7 @@ class FilesOfAKilledRun : public FilesOfARun {
     write("run/notes.txt", "mine");
     write("run/summary.json", "mine");
     MadeFiles made(run());
-    made.begin({"history.csv", "summary.json"}, {"bodies_[0-9]*.vtu", "script/*"});
+    made.begin({"history.csv", "summary.json"}, {"bodies_[0-9].*", "script/.*", "([0-9"});
     fs::create_directories(folder_ / "run/script");
     write("run/script/in.grains", "1");
     write("run/grains_500.vtk", "2");
