@@ -23,9 +23,8 @@ constexpr const char* kHead =
     "# Files that footfall has made in this folder. Another run into it (--force) removes these and no others.\n";
 // Lines of a run that has not ended; each begins with a mark and a blank.
 constexpr const char* kUnderWay =
-    "# A run is under way, or was killed: what came to the folder while it lived is its own, too. =: its start, *: "
-    "tells\n"
-    "# how long it lived, -: was there before it, +: may have come last.\n";
+    "# A run is under way, or was killed: what came to the folder while it lived is its own, too. =: its start,\n"
+    "# *: tells how long it lived, -: was there before it, +: may have come last.\n";
 constexpr const char *kBegun = "#=", *kLived = "#*", *kBefore = "#-", *kLast = "#+";
 constexpr std::int64_t kLate = 60'000'000'000;  // ns
 

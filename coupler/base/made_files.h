@@ -9,8 +9,8 @@ namespace footfall {
 
 inline constexpr const char* kMadeList = ".footfall.files";  // one path from the folder per line
 
-// Paths from the folder, as they stand on its list; of a run that is under way or was killed also what came to the folder
-// while it lived. Lines that lead out of the folder do not count.
+// Paths from the folder, as they stand on its list; of a run that is under way or was killed also what came to the
+// folder while it lived. Lines that lead out of the folder do not count.
 std::vector<std::string> made_files(const std::string& folder);
 
 // Removes the files on the list whose paths begin with `start`, and the folders that are empty then. Throws InputError
@@ -30,8 +30,9 @@ class MadeFiles {
   // Is there, and no run has made it.
   bool is_foreign(const std::string& name) const { return before_.count(name) > 0; }
   const std::set<std::string>& foreign() const { return before_; }
-  // A run begins that may be killed at any moment. Of what it leaves then is its own: these names; what last changed before
-  // the last of them did; and what changed up to a minute later and has a name of one of the patterns (regular expressions).
+  // A run begins that may be killed at any moment. Of what it leaves then is its own: these names; what last changed
+  // before the last of them did; and what changed up to a minute later and has a name of one of the patterns (regular
+  // expressions).
   void begin(const std::vector<std::string>& names, const std::vector<std::string>& patterns);
 
  private:

@@ -15,7 +15,8 @@ std::optional<std::string> read_whole_file(const std::string& path);
 void write_whole_file(const std::string& path, const std::string& text,
                       const std::string& advice = "choose another folder with --out");
 
-// When a file (or a link itself) last changed or was put where it is [ns since 1970]; nobody can set that. 0: it is not there.
+// When a file (or a link itself) last changed or was put where it is [ns since 1970]; nobody can set that. 0: it is not
+// there.
 std::int64_t file_changed(const std::string& path);
 
 }  // namespace footfall

@@ -15,9 +15,9 @@
 //                   warn_omega_h, omega = sqrt(K / m): explicit schemes end at 2. Where contacts open or have just
 //                   closed, omega_s = omega;
 //                   at most twice as long as the last one, and never more than max_substeps.
-// A body without contact: half of the time until its lowest point can meet a grain, so that windows shrink on the way; below that, its windows are as for the
-// stiffest contact that it has had, or, before its first, that any other has had; single substeps before the first of
-// all.
+// A body without contact: at most half of the time until its lowest point can meet a grain, so that windows shrink on
+// the way; below that, as for the stiffest contact that it has had, or, before its first, that any other has had;
+// single substeps before the first of all.
 
 #include <Eigen/Dense>
 #include <vector>

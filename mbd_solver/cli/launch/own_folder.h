@@ -13,7 +13,8 @@ namespace footfall {
 class OwnFolder {
  public:
   // Refuses a folder that another run holds; one that holds an earlier run, unless `force`, which removes the files of
-  // that run (those of a start that never came to a first row go without a word); one where files of the user have names that the run would write. Throws InputError.
+  // that run (those of a start that never came to a first row go without a word); one where files of the user have names
+  // that the run would write. Throws InputError.
   OwnFolder(const std::string& folder, bool force);
   // The folder of a run that goes on: nothing is removed. Refuses a folder that another run holds. Throws InputError.
   explicit OwnFolder(const std::string& folder);
