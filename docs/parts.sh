@@ -15,3 +15,24 @@ make_parts() {
   done
   rm -f "$tables"
 }
+
+# count_cost FOLDER PART RUNS...: seconds of a core that the runs of a part took which stand in these folders, into FOLDER/made/PART.seconds; nothing when none is there.
+count_cost() {
+  local folder=$1 part=$2 runs
+  shift 2
+  for runs in "$@"; do
+    [[ ! -d $runs ]] || { docs/cost_of_runs.sh "$@" >"$folder/made/$part.seconds"; return; }
+  done
+}
+
+# cost_of_parts FOLDER: a line with the hours of all parts, and the dearest of them.
+cost_of_parts() {
+  local made=$1/made part unknown=()
+  for part in "${all[@]}"; do [[ -s $made/$part.seconds || ! -f $made/$part.txt ]] || unknown+=("$part"); done
+  for part in "${all[@]}"; do [[ ! -s $made/$part.seconds ]] || echo "$part $(<"$made/$part.seconds")"; done | sort -k2 -rn | awk -v unknown="${unknown[*]}" '
+    { sum += $2; if (NR <= 5) most = most (most ? ", " : "") $1 " " sprintf("%.1f", $2 / 3600) }
+    END {
+      printf "The parts of this page%s take %.1f hours of a core, beds included; most of it (hours): %s.", unknown ? " whose runs are at hand" : "", sum / 3600, most
+      printf "%s\n", unknown ? " Not counted, as their runs were not kept: " unknown "." : ""
+    }'
+}

@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-laws_of_page=(rft rft_smooth rft_long rft_deep rft_upright rft_few sphere sphere_scaling sphere_scaling_fine sphere_scaling_alike sphere_scaling_alike_fine sphere_scaling_heavy first_contact walls floor floor_fine froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling wheel_stiffness)
+laws_of_page=(rft rft_smooth rft_long rft_deep rft_wide rft_upright rft_few sphere sphere_scaling sphere_scaling_fine sphere_scaling_alike sphere_scaling_alike_fine sphere_scaling_heavy first_contact walls floor floor_fine froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling wheel_stiffness)
 rigs_of_page=(plate plate_checks cone cone_checks wheel wheel_checks shear shear_checks box box_checks repose repose_checks sphere_checks)
 all=("${laws_of_page[@]}" "${rigs_of_page[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -33,12 +33,17 @@ rft_by_depth() {
   echo
   echo "By depth, from the same runs (\`docs/soil_laws/rft_depths.awk\`; alpha in N/cm^3, means over the six plates):"
   echo
-  awk -f $laws/rft_depths.awk "$out/$part"/runs/*/history.csv
+  awk -v points="$out/$part/points.txt" -f $laws/rft_depths.awk "$out/$part"/runs/*/history.csv
   cp "$out/$part/rft.png" "docs/soil_laws_$part.png"
 }
 part_rft_smooth() { rft_by_depth rft_smooth; }
 part_rft_long() { rft_by_depth rft_long --set 'particles.box.size=[0.62,0.2]' --set 'particles.box.centre=[0.1,0]'; }
 part_rft_deep() { rft_by_depth rft_deep --set 'particles.box.size=[0.62,0.2]' --set 'particles.box.centre=[0.1,0]' --set particles.box.depth=0.3; }
+part_rft_wide() {
+  rft_by_depth rft_wide --set 'particles.box.size=[0.62,0.4]' --set 'particles.box.centre=[0.1,0]' --set particles.box.depth=0.3
+  echo
+  gnuplot -c $laws/rft_form.gp "$out/rft_wide/points.txt"
+}
 part_rft_upright() {
   sweep inputs/laws/rft_upright.toml "$out/rft_upright"
   awk -f $laws/rft_upright.awk "$out"/rft_upright/runs/*/history.csv
@@ -171,9 +176,7 @@ make_parts docs/soil_laws "${@:2}"
 # What the runs of a part cost that was made now.
 now=("${@:2}")
 ((${#now[@]})) || now=("${all[@]}")
-for part in "${now[@]}"; do
-  [[ ! -d $out/$part ]] || $laws/cost.sh "$out/$part" "$out/${part}_others" >"$laws/made/$part.seconds"
-done
+for part in "${now[@]}"; do count_cost $laws "$part" "$out/$part" "$out/${part}_others"; done
 page=$(mktemp)
 trap 'rm -f "$page"' EXIT
 # PART: its text, its tables and what was found; nothing before its tables were made.
@@ -186,20 +189,12 @@ part_of_page() {
   [[ ! -f $laws/${part}_found.txt ]] || { cat "$laws/${part}_found.txt"; echo; }
 }
 parts_of_laws() { for part in "${laws_of_page[@]}"; do part_of_page "$part"; done; }
-# Hours of all parts, and the dearest of them.
-cost_of_page() {
-  local part unknown=()
-  for part in "${all[@]}"; do [[ -s $laws/made/$part.seconds || ! -f $laws/made/$part.txt ]] || unknown+=("$part"); done
-  for part in "${all[@]}"; do [[ ! -s $laws/made/$part.seconds ]] || echo "$part $(<"$laws/made/$part.seconds")"; done | sort -k2 -rn | awk -v unknown="${unknown[*]}" '
-    { sum += $2; if (NR <= 5) most = most (most ? ", " : "") $1 " " sprintf("%.1f", $2 / 3600) }
-    END { printf "The parts whose runs are at hand take %.1f hours of a core, beds included; most of it", sum / 3600; printf " (hours): %s.%s\n", most, unknown ? " Not counted, as their runs were not kept: " unknown "." : "" }'
-}
 {
   cat $laws/head.txt
   echo
   parts_of_laws | awk -f $laws/verdicts.awk
   echo
-  cost_of_page
+  cost_of_parts $laws
   echo
   parts_of_laws
   cat $laws/rigs.txt

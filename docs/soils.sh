@@ -72,6 +72,13 @@ part_default() {
 
 made=docs/soils/made
 make_parts docs/soils "${@:2}"
+# RUNS OF A PART: slopes of one file begin with its name.
+count_cost docs/soils slopes "$out"/repose_clumps_* "$out"/repose_spheres_*
+count_cost docs/soils slopes_high "$out"/repose_high_*
+count_cost docs/soils slopes_higher "$out"/repose_higher_*
+count_cost docs/soils instruments "$out"/{plate,cone,wheel,shear}_{none,rolling,clumps}
+count_cost docs/soils landing "$out/landing"
+count_cost docs/soils default "$out/default"
 page=$(mktemp)
 trap 'rm -f "$page"' EXIT
 {
@@ -81,5 +88,7 @@ trap 'rm -f "$page"' EXIT
     [[ ! -f docs/soils/${part}_before.txt ]] || cat "docs/soils/${part}_before.txt"
     cat "$made/$part.txt" "docs/soils/$part.txt"
   done
+  echo
+  cost_of_parts docs/soils
 } >"$page"
 cp "$page" docs/soils.md

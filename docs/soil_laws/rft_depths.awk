@@ -1,4 +1,5 @@
 # histories of `footfall rig rft`, one after another -> zeta and R^2 from several ranges of the depth, and alpha_x and alpha_z of the two ranges by gamma.
+# -v points=FILE: beta gamma alpha_x alpha_z of every pair there, from one to three widths [deg, deg, N/cm^3, N/cm^3].
 # As mbd_solver/cli/rigs/rft_rig.cpp does it: slopes through zero at the mean surface over the depth of the plate's middle, one width being 0.05 m.
 function alpha_z(b, g) { return 0.206 + 0.169 * cos(2 * b) + 0.212 * sin(2 * b + g) + 0.358 * sin(g) + 0.055 * sin(-2 * b + g) }
 function alpha_x(b, g) { return -0.124 * cos(2 * b + g) + 0.253 * cos(g) + 0.007 * cos(-2 * b + g) + 0.088 * sin(2 * b) }
@@ -25,6 +26,7 @@ BEGIN { FS = ","; pi = 3.14159265358979; width = 0.05; surface = -0.008; area = 
 END {
   print "| depths [plate widths] | zeta | R^2 |\n|---|---|---|"
   r = fit(1, 3); printf "| 1 to 3 | %.3f | %.4f |\n", zeta, r
+  if (points) for (p = 1; p <= pairs; ++p) print beta[p], gamma[p], found[p, "x"], found[p, "z"] > points
   r = fit(1, 1); printf "| 1 to 2 | %.3f | %.4f |\n", zeta, r
   for (p = 1; p <= pairs; ++p) for (k in both) upper[p, k] = found[p, k]
   r = fit(2, 3); printf "| 2 to 3 | %.3f | %.4f |\n", zeta, r

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# cost.sh FOLDER...: seconds of a core that the runs below the folders took, and LIGGGHTS' loops of the beds that they began on (each bed once, by the clock). Folders that are not there count nothing.
+# cost_of_runs.sh FOLDER...: seconds of a core that the runs below the folders took, and LIGGGHTS' loops of the beds that they began on (each bed once, by the clock). Folders that are not there count nothing.
 set -euo pipefail
 folders=()
 for folder in "$@"; do [[ ! -d $folder ]] || folders+=("$folder"); done
