@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-laws_of_page=(rft rft_smooth rft_long rft_deep rft_wide rft_upright rft_few sphere sphere_scaling sphere_scaling_fine sphere_scaling_alike sphere_scaling_alike_fine sphere_scaling_heavy first_contact walls floor floor_fine froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling wheel_stiffness)
+laws_of_page=(rft rft_smooth rft_long rft_deep rft_wide rft_out rft_upright rft_few sphere sphere_scaling sphere_scaling_fine sphere_scaling_alike sphere_scaling_alike_fine sphere_scaling_whole sphere_scaling_heavy first_contact walls floor floor_fine froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling wheel_stiffness)
 rigs_of_page=(plate plate_checks cone cone_checks wheel wheel_checks shear shear_checks box box_checks repose repose_checks sphere_checks)
 all=("${laws_of_page[@]}" "${rigs_of_page[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -44,6 +44,14 @@ part_rft_wide() {
   echo
   gnuplot -c $laws/rft_form.gp "$out/rft_wide/points.txt"
 }
+part_rft_out() {
+  sweep inputs/laws/rft_out.toml "$out/rft_out"
+  echo "All 48 pairs: these, and those that go in, of the deeper bed (\`docs/soil_laws/rft_depths.awk\`, \`docs/soil_laws/rft_form.gp\`):"
+  echo
+  awk -v points="$out/rft_out/points.txt" -f $laws/rft_depths.awk "$out"/rft_deep/runs/*/history.csv "$out"/rft_out/runs/*/history.csv
+  echo
+  gnuplot -c $laws/rft_form.gp "$out/rft_out/points.txt"
+}
 part_rft_upright() {
   sweep inputs/laws/rft_upright.toml "$out/rft_upright"
   awk -f $laws/rft_upright.awk "$out"/rft_upright/runs/*/history.csv
@@ -70,12 +78,14 @@ part_rft_few() {
   five_pairs grains_of_half_the_size $file --set particles.box.radius=0.004
 }
 part_sphere() { rig sphere sphere --samples 10; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
-# PART LABEL SAMPLES SPHERES OPTIONS...: spheres DIAMETER_DENSITY, and the exponents of both. In the options MM stands for the diameter in millimetres.
+# PART LABEL SAMPLES SPHERES OPTIONS...: spheres DIAMETER_DENSITY, and the exponents of both. In the options MM stands for the diameter in millimetres, RADII for a fifteenth and a twelfth of the diameter.
 spheres() {
-  local part=$1 label=$2 samples=$3 list=$4 sphere diameter density words; shift 4
+  local part=$1 label=$2 samples=$3 list=$4 sphere diameter density words options; shift 4
   for sphere in $list; do
     IFS=_ read -r diameter density <<<"$sphere"
-    "$footfall" rig sphere --out "$out/$part/$sphere" --samples "$samples" "${few[@]}" "${@//MM/$(printf %.0f "${diameter}e3")}" --set "bodies.ball.shape.radius=$(awk "BEGIN { print $diameter / 2 }")" --set "materials.ball.density=$density" >&2
+    options=("${@//MM/$(printf %.0f "${diameter}e3")}")
+    options=("${options[@]//RADII/$(awk "BEGIN { printf \"[%.6g,%.6g]\", $diameter / 15, $diameter / 12 }")}")
+    "$footfall" rig sphere --out "$out/$part/$sphere" --samples "$samples" "${few[@]}" "${options[@]}" --set "bodies.ball.shape.radius=$(awk "BEGIN { print $diameter / 2 }")" --set "materials.ball.density=$density" >&2
   done
   words=$*
   echo "\`footfall rig sphere --samples $samples${words:+ $words} --set bodies.ball.shape.radius=RADIUS --set materials.ball.density=DENSITY\` (\`docs/soil_laws/sphere_scaling.awk\`):"
@@ -86,6 +96,7 @@ part_sphere_scaling() { spheres sphere_scaling "" 3 "0.09_2800 0.12_2800 0.16_28
 part_sphere_scaling_fine() { spheres sphere_scaling_fine "grains of half the size: " 2 "0.09_2800 0.16_2800" --set 'particles.box.radius=[0.004,0.005]' --set output.vtk=false; }
 part_sphere_scaling_alike() { spheres sphere_scaling_alike "speeds and bed go with the sphere: " 5 "0.09_2800 0.12_2800 0.16_2800" --file inputs/laws/sphere_alike_MMmm.toml; }
 part_sphere_scaling_alike_fine() { spheres sphere_scaling_alike_fine "the same, grains of 0.7 of the size: " 3 "0.09_2800 0.16_2800" --file inputs/laws/sphere_alike_MMmm.toml --set 'particles.box.radius=[0.0056,0.007]' --set output.vtk=false; }
+part_sphere_scaling_whole() { spheres sphere_scaling_whole "the same, grains go with the sphere, too: " 5 "0.09_2800 0.16_2800" --file inputs/laws/sphere_alike_MMmm.toml --set particles.box.radius=RADII --set output.vtk=false; }
 part_sphere_scaling_heavy() { spheres sphere_scaling_heavy "steel, wider and deeper bed: " 3 "0.09_7800 0.12_7800 0.16_7800" --set 'particles.box.size=[0.64,0.64]' --set particles.box.depth=0.4 --set end_time=0.4 --set output.vtk=false; }
 # inputs/laws/NAME.toml: tables of its cases and of its statements.
 stated() { sweep "inputs/laws/$1.toml" "$out/$1"; grep -h "^[|]" "$out/$1/cases.md"; echo; cat "$out/$1/statements.md"; }

@@ -1,4 +1,5 @@
 # histories of `footfall rig rft`, one after another -> zeta and R^2 from several ranges of the depth, and alpha_x and alpha_z of the two ranges by gamma.
+# A plate that comes out (gamma < 0) was pushed down first: inputs/laws/rft_out.toml.
 # -v points=FILE: beta gamma alpha_x alpha_z of every pair there, from one to three widths [deg, deg, N/cm^3, N/cm^3].
 # As mbd_solver/cli/rigs/rft_rig.cpp does it: slopes through zero at the mean surface over the depth of the plate's middle, one width being 0.05 m.
 function alpha_z(b, g) { return 0.206 + 0.169 * cos(2 * b) + 0.212 * sin(2 * b + g) + 0.358 * sin(g) + 0.055 * sin(-2 * b + g) }
@@ -22,6 +23,7 @@ BEGIN { FS = ","; pi = 3.14159265358979; width = 0.05; surface = -0.008; area = 
 !named { for (i = 1; i <= NF; ++i) column[$i] = i; named = 1; next }
 { depth = surface - $column["plate.z"]; range = int(depth / width)
   if (depth < width) next
+  if (gamma[pairs] < 0 && ($column["plate.vz"] <= 0 || range > 2)) next   # still on its way down, to where it is drawn out from
   dd[pairs, range] += depth^2; dx[pairs, range] -= depth * $column["plate.contact.fx"] / area; dz[pairs, range] += depth * $column["plate.contact.fz"] / area }
 END {
   print "| depths [plate widths] | zeta | R^2 |\n|---|---|---|"
@@ -31,7 +33,7 @@ END {
   for (p = 1; p <= pairs; ++p) for (k in both) upper[p, k] = found[p, k]
   r = fit(2, 3); printf "| 2 to 3 | %.3f | %.4f |\n", zeta, r
   print "\n| gamma [deg] | alpha_x of 1 to 2 widths | of 2 to 3 | alpha_z of 1 to 2 widths | of 2 to 3 |\n|---|---|---|---|---|"
-  for (g = 30; g <= 90; g += 20) {
+  for (g = -90; g <= 90; g += 20) {
     n = 0; delete sum
     for (p = 1; p <= pairs; ++p) if (gamma[p] == g) { ++n; for (k in both) { sum[k, 1] += upper[p, k]; sum[k, 2] += found[p, k] } }
     if (n) printf "| %d | %.3f | %.3f | %.3f | %.3f |\n", g, sum["x", 1] / n, sum["x", 2] / n, sum["z", 1] / n, sum["z", 2] / n
