@@ -22,6 +22,13 @@ if [[ $name == messages ]]; then
   says 2 'names 3 values of its "seed"; copy it, add values' rig plate --file own.toml --samples 4 --list
   says 2 'unknown key' rig plate --set particles.box.colour=3 --list
   says 2 'there is no soil "mud"' rig plate --set particles.soil=mud --list
+  # What an evaluation could not use is said before anything runs.
+  says 2 'this rig needs a body named "cone"' rig cone --file "$inputs/plate.toml" --list
+  says 2 'body "cone": the rig expects the mesh cone.stl' rig cone --set "bodies.cone.shape.file=ring.stl" --list
+  says 2 'joint "hub": motion.rotation: the rig expects polynomial = \[0, RATE\]' rig wheel --set 'joints.hub.motion.rotation={table=[[0,0],[1,2],[9,20]]}' --list
+  sed -e "s#\"scenes/#\"$inputs/scenes/#" -e 's/polynomial=\[0,5\]/polynomial=[0,0]/' "$inputs/wheel.toml" >still.toml
+  says 2 'the wheel does not turn, and has no slip' rig wheel --file still.toml --list
+  says 2 'this rig needs particles.box.frames' rig repose --set particles.box.frames=0 --list
   exit 0
 fi
 "$footfall" rig "$name" --short --out out "$@" >log.txt 2>&1 || { cat log.txt; die "the short form failed"; }

@@ -51,7 +51,16 @@ std::vector<RigAnswer> linear_depth(std::vector<Standstill> stops) {
 
 constexpr double kSolidLoose = 0.55, kSolidDense = 0.61;
 
+const BodySpec& ball_of(const Scene& scene) {
+  const BodySpec& ball = body_of(scene, "ball");
+  if (!ball.shape || ball.shape->kind != ShapeKind::kSphere)
+    throw InputError(scene.file + ": body \"ball\": the rig expects a sphere");
+  return ball;
+}
+
 }  // namespace
+
+void demand_sphere(const Scene& scene) { ball_of(scene); }
 
 RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
   RigSample sample;
@@ -59,9 +68,7 @@ RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
   std::vector<RigAnswer> depths;
   std::vector<Standstill> stops;
   for (const RigRun& run : runs) {
-    const BodySpec& ball = body_of(run, "ball");
-    if (!ball.shape || ball.shape->kind != ShapeKind::kSphere)
-      throw InputError(run.scene.file + ": body \"ball\": the rig expects a sphere");
+    const BodySpec& ball = ball_of(run.scene);
     const History history = history_of(run);
     std::vector<double> z = history.column("ball.z");
     for (double& value : z) value = mean_surface(run) - (value - ball.shape->radius);
@@ -90,7 +97,7 @@ RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
   }
   const LineFit fit = least_squares(A, y);
   const RigRun& run = runs.front();
-  const BodySpec& ball = body_of(run, "ball");
+  const BodySpec& ball = ball_of(run.scene);
   const BoxSpec& box = *run.scene.particles->box;
   const double m = ball.mass, g = gravity_of(run), D = 2.0 * ball.shape->radius;
   const double rho_s = m / (kPi / 6.0 * D * D * D);

@@ -43,10 +43,10 @@ std::vector<double> divided_by(std::vector<double> values, double divisor) {
   return values;
 }
 
-Pressed plate_of(const RigRun& run) {
-  const BodySpec& plate = body_of(run, "plate");
+// Its width, or its radius, and area; half: of its height [m].
+Pressed plate_in(const Scene& scene, double& half) {
+  const BodySpec& plate = body_of(scene, "plate");
   Pressed p;
-  double half = 0.0;
   if (plate.shape && plate.shape->kind == ShapeKind::kBox) {
     p.b = std::min(plate.shape->size.x(), plate.shape->size.y());
     p.area = plate.shape->size.x() * plate.shape->size.y();
@@ -56,8 +56,14 @@ Pressed plate_of(const RigRun& run) {
     p.area = kPi * p.b * p.b;
     half = 0.5 * plate.shape->length;
   } else {
-    throw InputError(run.scene.file + ": body \"plate\": the rig knows boxes and upright cylinders");
+    throw InputError(scene.file + ": body \"plate\": the rig knows boxes and upright cylinders");
   }
+  return p;
+}
+
+Pressed plate_of(const RigRun& run) {
+  double half = 0.0;
+  Pressed p = plate_in(run.scene, half);
   const History history = history_of(run);
   const std::vector<double> s = sinkage_of(run, history, "plate", half);
   p.bins = binned(s, divided_by(history.column("plate.contact.fz"), p.area), -kShallow * mean_surface(run),
@@ -66,6 +72,11 @@ Pressed plate_of(const RigRun& run) {
 }
 
 }  // namespace
+
+void demand_plate(const Scene& scene) {
+  double half = 0.0;
+  plate_in(scene, half);
+}
 
 RigSample evaluate_plate(const std::vector<RigRun>& runs) {
   RigSample sample;
@@ -112,13 +123,12 @@ RigSample evaluate_plate(const std::vector<RigRun>& runs) {
   return sample;
 }
 
+void demand_cone(const Scene& scene) { mesh_of(scene, "cone", "cone.stl"); }
+
 RigSample evaluate_cone(const std::vector<RigRun>& runs) {
   RigSample sample;
   for (const RigRun& run : runs) {
-    const BodySpec& cone = body_of(run, "cone");
-    if (!cone.shape || cone.shape->kind != ShapeKind::kMesh)
-      throw InputError(run.scene.file + ": body \"cone\": the rig expects the mesh cone.stl");
-    const double diameter = cone.shape->scale, area = 0.25 * kPi * diameter * diameter;
+    const double diameter = mesh_of(run.scene, "cone", "cone.stl").scale, area = 0.25 * kPi * diameter * diameter;
     const double length = 0.5 * diameter / std::tan(15.0 * kPi / 180.0);  // of the cone itself
     const History history = history_of(run);
     // The column is of the centre of mass: what it has gone down is counted from the drawing, where the tip is at 0.

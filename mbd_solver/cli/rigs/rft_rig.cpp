@@ -31,6 +31,13 @@ namespace {
 constexpr double kPerCubicMetre = 1e6;  // N/cm^3 -> N/m^3
 constexpr double kMeasuredFrom = 1.0;   // plate widths of depth
 
+const BodySpec& drawn_plate_of(const Scene& scene) {
+  const BodySpec& plate = body_of(scene, "plate");
+  if (!plate.shape || plate.shape->kind != ShapeKind::kBox)
+    throw InputError(scene.file + ": body \"plate\": the rig expects a box");
+  return plate;
+}
+
 }  // namespace
 
 RftAlpha rft_alpha(double beta, double gamma) {
@@ -43,14 +50,14 @@ RftAlpha rft_alpha(double beta, double gamma) {
               D10 * std::sin(angle(1, 0))};
 }
 
+void demand_rft(const Scene& scene) { drawn_plate_of(scene); }
+
 RigSample evaluate_rft(const std::vector<RigRun>& runs) {
   RigSample sample;
   RigCurve z_curve{"alpha_z", {}, {}}, x_curve{"alpha_x", {}, {}};
   std::vector<double> theory, measured;
   for (const RigRun& run : runs) {
-    const BodySpec& plate = body_of(run, "plate");
-    if (!plate.shape || plate.shape->kind != ShapeKind::kBox)
-      throw InputError(run.scene.file + ": body \"plate\": the rig expects a box");
+    const BodySpec& plate = drawn_plate_of(run.scene);
     const Eigen::Vector3d size = plate.shape->size;
     const History history = history_of(run);
     const std::vector<double>&x = history.column("plate.x"), &z = history.column("plate.z");

@@ -48,6 +48,8 @@ struct Rig {
   // The runs of one sample of the bed, in the order of the experiment. Throws InputError when they are no runs of this
   // rig.
   RigSample (*evaluate)(const std::vector<RigRun>& runs);
+  // What the evaluation needs of the scene, before anything runs. Throws InputError naming what is missing.
+  void (*demand)(const Scene& scene);
   bool slow = true;  // its speed is no subject: half of it is a check
   std::vector<RigClaim> claims;
   std::vector<RigCheck> (*checks)(const Scene& scene, bool slow) = checks_of;
@@ -66,5 +68,14 @@ RigSample evaluate_box(const std::vector<RigRun>& runs);
 RigSample evaluate_repose(const std::vector<RigRun>& runs);
 RigSample evaluate_sphere(const std::vector<RigRun>& runs);
 RigSample evaluate_rft(const std::vector<RigRun>& runs);
+
+void demand_plate(const Scene& scene);
+void demand_cone(const Scene& scene);
+void demand_wheel(const Scene& scene);
+void demand_shear(const Scene& scene);
+void demand_box(const Scene& scene);
+void demand_repose(const Scene& scene);
+void demand_sphere(const Scene& scene);
+void demand_rft(const Scene& scene);
 
 }  // namespace footfall

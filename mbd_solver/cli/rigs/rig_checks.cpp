@@ -48,7 +48,7 @@ RigCheck half_speed(const Scene& scene) {
 std::string times(const Eigen::Vector3d& v, double factor) { return list_text({v.x(), v.y(), v.z()}, factor); }
 
 // Of a bed by numbers; throws InputError for one of a script.
-const BoxSpec& box_of(const Scene& scene) {
+const BoxSpec& box_to_change(const Scene& scene) {
   if (!scene.particles || !scene.particles->box)
     throw InputError("--checks: the bed of " + scene.file +
                      " comes from a script; bed and grains of [particles.box] are what checks change");
@@ -71,14 +71,14 @@ std::vector<std::string> twice_the_bed(const BoxSpec& box) {
 }  // namespace
 
 std::vector<RigCheck> checks_of(const Scene& scene, bool slow) {
-  const BoxSpec& box = box_of(scene);
+  const BoxSpec& box = box_to_change(scene);
   std::vector<RigCheck> checks = {{"double box", twice_the_bed(box)}, half_grains(box)};
   if (slow) checks.push_back(half_speed(scene));
   return checks;
 }
 
 std::vector<RigCheck> checks_of_holding_bodies(const Scene& scene, bool slow) {
-  const BoxSpec& box = box_of(scene);
+  const BoxSpec& box = box_to_change(scene);
   RigCheck twice{"double box", {"end_time=" + number_text(2.0 * scene.end_time, kRigDigits)}};
   for (const BodySpec& body : scene.bodies) {
     if (!body.shape) continue;

@@ -9,6 +9,7 @@
 #include "mbd_solver/cli/experiments/experiment_command.h"
 #include "mbd_solver/cli/experiments/results.h"
 #include "mbd_solver/cli/experiments/table.h"
+#include "mbd_solver/cli/rigs/rig_curves.h"
 #include "mbd_solver/cli/rigs/rig_output.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
@@ -51,6 +52,15 @@ void take_samples(ExperimentSpec& spec, int samples) {
     return;
   }
   throw InputError(spec.file + ": --samples needs [[parameters]] with ensemble = true, settings and values");
+}
+
+// An evaluation that fails after hours of runs has lost them.
+void demand_scenes(const Plan& plan, const Rig& rig) {
+  for (const RunRequest& run : plan.runs) {
+    const Scene scene = read_scene(run.scene, run.settings);
+    box_of(scene);
+    rig.demand(scene);
+  }
 }
 
 // Every run again for each check, whose name is the last of its values; without checks they are empty.
@@ -154,7 +164,10 @@ int rig_command(const RigArguments& a) {
     append(spec.short_form.settings, settings);
     if (a.samples > 0) take_samples(spec, a.samples);
   };
-  e.extend = [&](Plan& plan) { add_checks(plan, rig, a.checks); };
+  e.extend = [&](Plan& plan) {
+    demand_scenes(plan, rig);
+    add_checks(plan, rig, a.checks);
+  };
   e.write = [&](const ExperimentSpec& spec, const Plan& plan, const Results& results, const std::string& folder,
                 const std::string& command) {
     const std::vector<RigVariant> variants = variants_of(rig, spec, plan, results);

@@ -14,16 +14,28 @@ History history_of(const RigRun& run) {
   return read_history((std::filesystem::path(run.folder) / "history.csv").string());
 }
 
-const BodySpec& body_of(const RigRun& run, const std::string& name) {
-  for (const BodySpec& body : run.scene.bodies)
+const BodySpec& body_of(const Scene& scene, const std::string& name) {
+  for (const BodySpec& body : scene.bodies)
     if (body.name == name) return body;
-  throw InputError(run.scene.file + ": this rig needs a body named \"" + name + "\"");
+  throw InputError(scene.file + ": this rig needs a body named \"" + name + "\"");
+}
+
+const ShapeSpec& mesh_of(const Scene& scene, const std::string& name, const std::string& file) {
+  const BodySpec& body = body_of(scene, name);
+  if (body.shape && body.shape->kind == ShapeKind::kMesh && std::filesystem::path(body.shape->file).filename() == file)
+    return *body.shape;
+  throw InputError(scene.file + ": body \"" + name + "\": the rig expects the mesh " + file +
+                   ", whose dimensions it knows; of another body it would make wrong pressures");
+}
+
+const BoxSpec& box_of(const Scene& scene) {
+  if (!scene.particles || !scene.particles->box)
+    throw InputError(scene.file + ": a rig needs a bed by [particles.box]");
+  return *scene.particles->box;
 }
 
 double mean_surface(const RigRun& run) {
-  if (!run.scene.particles || !run.scene.particles->box)
-    throw InputError(run.scene.file + ": a rig needs a bed by [particles.box]");
-  const std::vector<double>& radius = run.scene.particles->box->radius;
+  const std::vector<double>& radius = box_of(run.scene).radius;
   return -*std::max_element(radius.begin(), radius.end());
 }
 

@@ -12,7 +12,12 @@ namespace footfall {
 
 History history_of(const RigRun& run);
 // A body of the scene. Throws InputError naming the rig's need when there is none.
-const BodySpec& body_of(const RigRun& run, const std::string& name);
+const BodySpec& body_of(const Scene& scene, const std::string& name);
+// The shape of one that is the mesh of this file of inputs/rigs/scenes: the rig knows its dimensions by its scale alone.
+// Throws InputError for any other.
+const ShapeSpec& mesh_of(const Scene& scene, const std::string& name, const std::string& file);
+// The bed. Throws InputError when there is none of [particles.box].
+const BoxSpec& box_of(const Scene& scene);
 // Where the bed's mean surface lies: about a radius of the larger grains below z = 0 [m], negative.
 double mean_surface(const RigRun& run);
 double gravity_of(const RigRun& run);  // its size [m/s2]

@@ -20,13 +20,20 @@ namespace {
 constexpr double kDrawn = 0.6;   // of the time: what follows is judged
 constexpr double kInside = 2.0;  // inner width of box_tray.stl, in its scale
 
-double load_of(const RigRun& run) {
-  for (const ForceSpec& force : run.scene.forces)
+double load_of(const Scene& scene) {
+  for (const ForceSpec& force : scene.forces)
     if (force.name == "load" && force.force && !force.force->polynomial.empty()) return force.force->polynomial.front();
-  throw InputError(run.scene.file + ": this rig needs a force named \"load\", a polynomial of time");
+  throw InputError(scene.file + ": this rig needs a force named \"load\", a polynomial of time");
 }
 
 }  // namespace
+
+void demand_box(const Scene& scene) {
+  mesh_of(scene, "tray", "box_tray.stl");
+  body_of(scene, "frame");
+  body_of(scene, "lid");
+  load_of(scene);
+}
 
 RigSample evaluate_box(const std::vector<RigRun>& runs) {
   RigSample sample;
@@ -35,10 +42,7 @@ RigSample evaluate_box(const std::vector<RigRun>& runs) {
   Eigen::VectorXd tau(A.rows());
   std::vector<RigAnswer> ratios;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const BodySpec& tray = body_of(runs[i], "tray");
-    if (!tray.shape || tray.shape->kind != ShapeKind::kMesh)
-      throw InputError(runs[i].scene.file + ": body \"tray\": the rig expects the mesh box_tray.stl");
-    const double area = std::pow(kInside * tray.shape->scale, 2);
+    const double area = std::pow(kInside * mesh_of(runs[i].scene, "tray", "box_tray.stl").scale, 2);
     const History history = history_of(runs[i]);
     const double down = -late_mean(history, "tray.contact.fz", kDrawn);
     const double weight =
@@ -48,7 +52,7 @@ RigSample evaluate_box(const std::vector<RigRun>& runs) {
     tau(row) = std::abs(late_mean(history, "tray.contact.fx", kDrawn)) / area;
     A.row(row) << 1.0, sigma;
     line.x.push_back(sigma), line.y.push_back(tau(row));
-    const std::string at = ", load of " + number_text(load_of(runs[i]), 4) + " N";
+    const std::string at = ", load of " + number_text(load_of(runs[i].scene), 4) + " N";
     ratios.push_back({"sigma" + at, "Pa", sigma});
     ratios.push_back({"tau / sigma" + at, "", tau(row) / sigma});
   }

@@ -12,14 +12,20 @@ constexpr double kLowerPart = 0.2, kUpperPart = 0.8;
 
 }  // namespace
 
+void demand_repose(const Scene& scene) {
+  const BoxSpec& box = box_of(scene);
+  if (box.pit.empty()) throw InputError(scene.file + ": this rig needs particles.box.pit");
+  if (!(box.frames > 0.0)) throw InputError(scene.file + ": this rig needs particles.box.frames");
+}
+
 RigSample evaluate_repose(const std::vector<RigRun>& runs) {
   RigSample sample;
   for (const RigRun& run : runs) {
     const double r = -mean_surface(run);
-    const BoxSpec& box = *run.scene.particles->box;
-    if (box.pit.empty()) throw InputError(run.scene.file + ": this rig needs particles.box.pit");
+    demand_repose(run.scene);
+    const BoxSpec& box = box_of(run.scene);
     const auto frames = find_bed_frames(run.folder);
-    if (frames.empty()) throw InputError(run.folder + ": no dumps of the grains; this rig needs particles.box.frames");
+    if (frames.empty()) throw InputError(run.folder + ": no dumps of the grains");
     const double half = 0.5 * box.size[0], step = box.pit_depth;
     const BedSlope slope = bed_slope(
         read_bed_frame(frames.rbegin()->second),

@@ -21,27 +21,45 @@ namespace {
 constexpr double kSteady = 0.6;               // of the time: what follows is the steady part
 constexpr double kInner = 0.5, kOuter = 1.0;  // radii of ring.stl, in its scale
 
-const MotionSpec& motion_of(const RigRun& run, const std::string& joint) {
-  for (const JointSpec& j : run.scene.joints)
+const MotionSpec& motion_of(const Scene& scene, const std::string& joint) {
+  for (const JointSpec& j : scene.joints)
     if (j.name == joint && j.motion) return *j.motion;
-  throw InputError(run.scene.file + ": this rig needs a joint named \"" + joint + "\"");
+  throw InputError(scene.file + ": this rig needs a joint named \"" + joint + "\" with a motion");
 }
 
-double rate_of(const std::optional<TimeFunctionSpec>& f) {
-  return f && f->polynomial.size() > 1 ? f->polynomial[1] : 0.0;
+// Of a motion that is a straight line over time: the slip is one number then.
+double rate_of(const Scene& scene, const std::string& joint, const char* key,
+               const std::optional<TimeFunctionSpec>& f) {
+  if (f && f->table.empty() && f->amplitude == 0.0 && (f->polynomial.size() == 1 || f->polynomial.size() == 2))
+    return f->polynomial.size() == 2 ? f->polynomial[1] : 0.0;
+  throw InputError(scene.file + ": joint \"" + joint + "\": motion." + key +
+                   ": the rig expects polynomial = [0, RATE], as the slip is told by two steady rates");
+}
+
+struct Driven {
+  double R, v, omega;  // radius [m], speeds of the hub [m/s] and about it [rad/s]
+};
+
+Driven wheel_of(const Scene& scene) {
+  const BodySpec& wheel = body_of(scene, "wheel");
+  if (!wheel.shape || wheel.shape->kind != ShapeKind::kCylinder)
+    throw InputError(scene.file + ": body \"wheel\": the rig expects a cylinder");
+  const Driven driven{wheel.shape->radius, rate_of(scene, "rig", "x", motion_of(scene, "rig").x),
+                      rate_of(scene, "hub", "rotation", motion_of(scene, "hub").rotation)};
+  if (driven.omega == 0.0)
+    throw InputError(scene.file + ": joint \"hub\": motion.rotation: the wheel does not turn, and has no slip");
+  return driven;
 }
 
 }  // namespace
+
+void demand_wheel(const Scene& scene) { wheel_of(scene); }
 
 RigSample evaluate_wheel(const std::vector<RigRun>& runs) {
   RigSample sample;
   RigCurve pull{"drawbar pull", {}, {}}, torque{"torque / (load R)", {}, {}};
   for (const RigRun& run : runs) {
-    const BodySpec& wheel = body_of(run, "wheel");
-    if (!wheel.shape || !(wheel.shape->radius > 0.0))
-      throw InputError(run.scene.file + ": body \"wheel\": the rig expects a cylinder");
-    const double R = wheel.shape->radius;
-    const double v = rate_of(motion_of(run, "rig").x), omega = rate_of(motion_of(run, "hub").rotation);
+    const auto [R, v, omega] = wheel_of(run.scene);
     const double slip = 1.0 - v / (omega * R);
     const History history = history_of(run);
     const double W = late_mean(history, "wheel.contact.fz", kSteady);
@@ -59,16 +77,16 @@ RigSample evaluate_wheel(const std::vector<RigRun>& runs) {
   return sample;
 }
 
+void demand_shear(const Scene& scene) { mesh_of(scene, "ring", "ring.stl"); }
+
 RigSample evaluate_shear(const std::vector<RigRun>& runs) {
   RigSample sample;
   RigCurve line{"steady stress", {}, {}};
   Eigen::MatrixXd A(static_cast<Eigen::Index>(runs.size()), 2);
   Eigen::VectorXd tau(A.rows());
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const BodySpec& ring = body_of(runs[i], "ring");
-    if (!ring.shape || ring.shape->kind != ShapeKind::kMesh)
-      throw InputError(runs[i].scene.file + ": body \"ring\": the rig expects the mesh ring.stl");
-    const double a = kInner * ring.shape->scale, b = kOuter * ring.shape->scale;
+    const double scale = mesh_of(runs[i].scene, "ring", "ring.stl").scale;
+    const double a = kInner * scale, b = kOuter * scale;
     const History history = history_of(runs[i]);
     const double sigma = late_mean(history, "ring.contact.fz", kSteady) / (kPi * (b * b - a * a));
     const auto row = static_cast<Eigen::Index>(i);

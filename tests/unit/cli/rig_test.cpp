@@ -105,6 +105,7 @@ TEST(Rigs, ARingFindsFrictionAndCohesion) {
     ring.name = "ring";
     ring.shape.emplace();
     ring.shape->kind = ShapeKind::kMesh;
+    ring.shape->file = "ring.stl";
     ring.shape->scale = b;
     const double tau = c + load / (kPi * (b * b - a * a)) * std::tan(phi);
     const double moment = -tau * 2.0 * kPi * (b * b * b - a * a * a) / 3.0;
