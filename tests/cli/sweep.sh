@@ -35,6 +35,19 @@ grep -q '^the slowest fall hits hardest.*,no$' "$work/whole/statements.csv" || d
 grep -q 'no: it does not' "$work/whole/statements.md" || die "the reason is missing"
 grep -q '^| somebody | 2.5 |' "$work/whole/cases.md" || die "the printed row is missing"
 
+# A column or a number that no run has is told after the first run, and what is done is kept.
+for wrong in 's/"cabin.z"/"cabin.q"/; columns' 's/"peak_acceleration_g"/"peak_acceleration"/; figures' ; do
+  sed -e "${wrong%;*}" -e "s#\"../../inputs#\"$(dirname "$(realpath "$file")")/../../inputs#" "$file" > "$work/wrong.toml"
+  rm -rf "$work/typo"
+  code=0; "$footfall" sweep "$work/wrong.toml" --out "$work/typo" --jobs 1 > "$work/typo.txt" 2>&1 || code=$?
+  [[ $code == 2 ]] || die "a figure that no run has ended with $code, expected 2"
+  grep -q "${wrong#*; }.* has no .*Did you mean" "$work/typo.txt" || die "the figure is not named: $wrong"
+  [[ $(find "$work/typo" -name '*.done.json' | wc -l) == 1 ]] || die "the sweep went on with a figure that no run has"
+done
+sed -e "s#\"../../inputs#\"$(dirname "$(realpath "$file")")/../../inputs#" "$file" > "$work/wrong.toml"
+"$footfall" sweep "$work/wrong.toml" --out "$work/typo" > "$work/typo.txt" 2>&1 || die "the mended sweep ended with $?"
+grep -q "7 runs to do, 1 done before" "$work/typo.txt" || die "the mended sweep did its first run again"
+
 # As a job array: every element alone, then the tables.
 "$footfall" sweep "$file" --out "$work/array" --slurm > "$work/slurm.txt" || die "--slurm"
 grep -q -- "--array=0-7" "$work/array/sweep.sbatch" || die "the job array has the wrong size"

@@ -124,6 +124,7 @@ class CalibrationChecker {
     }
     for (const ConstraintSpec& c : spec_.constraints) {
       if (std::isinf(c.least) && std::isinf(c.most)) wrong(c.source, "least", "expected least, most or both");
+      if (c.least > c.most) wrong(c.source, "most", "is less than least");
       try {
         with_formulas({"{= " + c.formula + "}"}, spec_, start_of(spec_));
       } catch (const std::exception& e) {

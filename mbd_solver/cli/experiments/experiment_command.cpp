@@ -165,9 +165,20 @@ int experiment_command(const ExperimentArguments& a) {
 
   const std::vector<std::size_t> left = store.left(chosen);
   const auto done = std::count_if(chosen.begin(), chosen.end(), [&](std::size_t run) { return store.is_done(run); });
+  bool demanded = false;
+  const auto demand_once = [&](std::size_t run) {
+    if (demanded || !store.is_done(run)) return;
+    demand_results(spec, store.folder(run));
+    demanded = true;
+  };
+  for (const std::size_t run : chosen) demand_once(run);
   std::printf("%zu runs to do, %td done before, %d at once\n", left.size(), done, jobs);
   std::fflush(stdout);
-  if (!store.carry_out(left, jobs, [&](std::size_t run) { say_end(store, run); })) {
+  const auto ended = [&](std::size_t run) {
+    say_end(store, run);
+    demand_once(run);
+  };
+  if (!store.carry_out(left, jobs, ended)) {
     std::fprintf(stderr, "footfall: interrupted; the same command goes on with the runs that are left\n");
     return kExitInterrupted;
   }

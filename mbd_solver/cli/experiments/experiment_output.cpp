@@ -9,10 +9,12 @@
 #include "coupler/base/whole_file.h"
 #include "mbd_solver/cli/experiments/case_tables.h"
 #include "mbd_solver/cli/experiments/error_page.h"
+#include "mbd_solver/cli/experiments/figures.h"
 #include "mbd_solver/cli/experiments/fits.h"
 #include "mbd_solver/cli/experiments/pictures.h"
 #include "mbd_solver/cli/experiments/verdicts.h"
 #include "mbd_solver/cli/experiments/window_growth.h"
+#include "mbd_solver/output/history.h"
 
 namespace footfall {
 
@@ -80,6 +82,14 @@ void write_errors(const ExperimentSpec& spec, const Results& results, const Outp
 }
 
 }  // namespace
+
+void demand_results(const ExperimentSpec& spec, const std::string& folder) {
+  figures_of_run(spec.figures, folder, spec.file);
+  if (spec.plots.empty()) return;
+  const History history = read_history(folder + "/history.csv");
+  for (const PlotSpec& plot : spec.plots)
+    demand_columns({plot.column}, history, folder, spec.file, "plots." + plot.name + ".column");
+}
 
 bool write_output(const ExperimentSpec& spec, const Plan& plan, const Results& results, const OutputPlace& place) {
   if (spec.growth) return write_growth(spec, results, place);

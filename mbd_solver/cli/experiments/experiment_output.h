@@ -18,4 +18,8 @@ struct OutputPlace {
 // is done as well.
 bool write_output(const ExperimentSpec& spec, const Plan& plan, const Results& results, const OutputPlace& place);
 
+// What the figures and plots of the file take from a run, of a finished one in `folder`. Throws InputError for what it
+// does not have: told when the first run is done, not after the last.
+void demand_results(const ExperimentSpec& spec, const std::string& folder);
+
 }  // namespace footfall

@@ -91,6 +91,7 @@ class Checker {
       if (s.text.empty()) wrong(s.source, "text", "is missing");
       if (s.of_case.empty()) wrong(s.source, "case", "is missing");
       if (std::isinf(s.least) && std::isinf(s.most)) wrong(s.source, "least", "expected least, most or both");
+      if (s.least > s.most) wrong(s.source, "most", "is less than least");
       return;
     }
     if (s.order.empty() != s.error.has_value())
@@ -98,6 +99,7 @@ class Checker {
     if (!s.order.empty() && s.order.size() != 2) wrong(s.source, "order", "expected [least, most]");
     if (s.error) s.most = *s.error;
     if (s.order.size() == 2) s.least = s.order[0], s.most = s.order[1];
+    if (s.least > s.most) wrong(s.source, "order", "is [most, least], expected the smaller number first");
     if (s.text.empty()) s.text = s.curve + ", " + s.figure;
   }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/nearest_name.h"
 #include "mbd_solver/cli/analysis/bed_slope.h"
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
@@ -19,6 +20,13 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSteadyShare = 0.4;  // of the rows
+
+std::vector<std::string> numbers_in(const nlohmann::ordered_json& summary) {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : summary.items())
+    if (value.is_number()) names.push_back(key);
+  return names;
+}
 
 bool smaller_size(double a, double b) { return std::abs(a) < std::abs(b); }
 
@@ -89,6 +97,14 @@ int count_peaks(const std::vector<double>& values, double least) {
   return peaks + (climbing && std::isfinite(highest) ? 1 : 0);
 }
 
+void demand_columns(const std::vector<std::string>& columns, const History& history, const std::string& folder,
+                    const std::string& file, const std::string& who) {
+  for (const std::string& name : columns)
+    if (history.find(name) < 0)
+      throw InputError(file + ": " + who + ": " + folder + "/history.csv has no column \"" + name + "\"." +
+                       known_names("columns", name, history.names));
+}
+
 FigureFault fault_of(const FigureSpec& f) {
   const int sources = (f.key.empty() ? 0 : 1) + (f.columns.empty() ? 0 : 1) + (f.slope.empty() ? 0 : 1);
   if (sources != 1)
@@ -104,18 +120,21 @@ std::vector<double> figures_of_run(const std::vector<FigureSpec>& figures, const
   const nlohmann::ordered_json summary = read_summary(summary_file);
   const auto of_summary = [&](const std::string& key) {
     if (!summary.contains(key) || !summary[key].is_number())
-      throw InputError(file + ": figures: " + summary_file + " has no number \"" + key + "\"");
+      throw InputError(file + ": figures: " + summary_file + " has no number \"" + key + "\"." +
+                       known_names("numbers", key, numbers_in(summary)));
     return summary[key].get<double>();
   };
   History history;
   std::vector<double> values;
   for (const FigureSpec& figure : figures) {
+    if (!figure.columns.empty()) {
+      if (history.names.empty()) history = read_history((fs::path(folder) / "history.csv").string());
+      demand_columns(figure.columns, history, folder, file, "figures." + figure.name + ".columns");
+    }
     if (figure.compares_curves()) {
       values.push_back(kNone);
       continue;
     }
-    if (!figure.columns.empty() && history.names.empty())
-      history = read_history((fs::path(folder) / "history.csv").string());
     values.push_back(!figure.key.empty()    ? of_summary(figure.key)
                      : figure.slope.empty() ? of_history(figure, history)
                                             : last_slope(folder, figure.slope[0], figure.slope[1]).angle);

@@ -70,6 +70,7 @@ struct FigureSpec {
   bool compares_curves() const { return error == ErrorKind::kRms || error == ErrorKind::kFinal; }
 };
 
+struct History;
 class FieldVisitor;
 void visit_fields(FieldVisitor& v, FigureSpec& figure);  // its keys
 // What is wrong with where its number comes from, as "key" and a text; both empty: nothing.
@@ -82,6 +83,11 @@ FigureFault fault_of(const FigureSpec& figure);
 // InputError, beginning with `file`, when the run has no such figure.
 std::vector<double> figures_of_run(const std::vector<FigureSpec>& figures, const std::string& folder,
                                    const std::string& file);
+
+// Throws InputError, beginning with `file` and `who`, for a column that the history of the finished run in `folder` does
+// not have.
+void demand_columns(const std::vector<std::string>& columns, const History& history, const std::string& folder,
+                    const std::string& file, const std::string& who);
 
 // Number of maxima whose prominence (height over the higher of the two lowest points that part it from higher ground,
 // or from the ends) is at least `least`. A plateau counts once.

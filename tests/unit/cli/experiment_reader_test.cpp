@@ -82,6 +82,7 @@ TEST(ReadExperiment, SaysWhatIsWrongWithStatementsAndPrintedFigures) {
   const std::string statement = figure + "[[statements]]\ntext = \"t\"\nfigure = \"peak\"\n";
   EXPECT_EQ(complaint(statement + "case = \"speed 1\"\nmost = 3\n"), "");
   EXPECT_THAT(complaint(statement + "case = \"speed 1\"\n"), HasSubstr("expected least, most or both"));
+  EXPECT_THAT(complaint(statement + "case = \"speed 1\"\nleast = 4\nmost = 3\n"), HasSubstr("is less than least"));
   EXPECT_THAT(complaint(statement + "case = \"speed 7\"\nmost = 3\n"), HasSubstr("there is no case \"speed 7\""));
   EXPECT_THAT(complaint(figure + "[[statements]]\ntext = \"t\"\nfigure = \"force\"\ncase = \"speed 1\"\nmost = 3\n"),
               HasSubstr("\"force\" is not one of [[figures]]"));
