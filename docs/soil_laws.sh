@@ -26,29 +26,43 @@ rig() {
 sweep() { "$footfall" sweep "$1" --out "$2" "${few[@]}" >&2; echo "\`footfall sweep $1\`:"; echo; }
 
 part_rft() { rig rft rft --samples 1; cp "$out/rft/rft.png" docs/soil_laws_rft.png; }
-# The smooth plate, and its stresses by depth. PART OPTIONS...
+# The smooth plate, and its stresses by depth. PART SAMPLES OPTIONS...
 rft_by_depth() {
-  local part=$1; shift
-  rig "$part" rft --samples 1 --set particles.box.bodies.friction=0.27 "$@"
+  local part=$1 samples=$2; shift 2
+  rig "$part" rft --samples "$samples" --set particles.box.bodies.friction=0.27 "$@"
   echo
   echo "By depth, from the same runs (\`docs/soil_laws/rft_depths.awk\`; alpha in N/cm^3, means over the six plates):"
   echo
   awk -v points="$out/$part/points.txt" -f $laws/rft_depths.awk "$out/$part"/runs/*/history.csv
   cp "$out/$part/rft.png" "docs/soil_laws_$part.png"
 }
-part_rft_smooth() { rft_by_depth rft_smooth; }
-part_rft_long() { rft_by_depth rft_long --set 'particles.box.size=[0.62,0.2]' --set 'particles.box.centre=[0.1,0]'; }
-part_rft_deep() { rft_by_depth rft_deep --set 'particles.box.size=[0.62,0.2]' --set 'particles.box.centre=[0.1,0]' --set particles.box.depth=0.3; }
+part_rft_smooth() { rft_by_depth rft_smooth 1; }
+part_rft_long() { rft_by_depth rft_long 1 --set 'particles.box.size=[0.62,0.2]' --set 'particles.box.centre=[0.1,0]'; }
+part_rft_deep() { rft_by_depth rft_deep 3 --set 'particles.box.size=[0.62,0.2]' --set 'particles.box.centre=[0.1,0]' --set particles.box.depth=0.3; }
 part_rft_wide() {
-  rft_by_depth rft_wide --set 'particles.box.size=[0.62,0.4]' --set 'particles.box.centre=[0.1,0]' --set particles.box.depth=0.3
+  rft_by_depth rft_wide 1 --set 'particles.box.size=[0.62,0.4]' --set 'particles.box.centre=[0.1,0]' --set particles.box.depth=0.3
   echo
   gnuplot -c $laws/rft_form.gp "$out/rft_wide/points.txt"
 }
+# Both ways: the plates of the deeper bed, and those that come out.
+both_ways() { awk -f $laws/rft_depths.awk "$@" "$out"/rft_deep/runs/*__seed_$seed/history.csv "$out"/rft_out/runs/*__seed_$seed/history.csv; }
 part_rft_out() {
+  local seed
+  part_rft_deep >/dev/null
   sweep inputs/laws/rft_out.toml "$out/rft_out"
-  echo "All 48 pairs: these, and those that go in, of the deeper bed (\`docs/soil_laws/rft_depths.awk\`, \`docs/soil_laws/rft_form.gp\`):"
+  echo "With the plates that go in of the deeper bed, from one to three widths (\`docs/soil_laws/rft_depths.awk\`):"
   echo
-  awk -v points="$out/rft_out/points.txt" -f $laws/rft_depths.awk "$out"/rft_deep/runs/*/history.csv "$out"/rft_out/runs/*/history.csv
+  echo '| sample of the bed | zeta | R^2 of all 48 pairs |'
+  echo '|---|---|---|'
+  for seed in 1 2 3; do both_ways | awk -v seed=$seed '/^[|] 1 to 3/ { print "| " seed " | " $6 " | " $8 " |" }'; done
+  echo
+  echo 'All samples together:'
+  echo
+  seed='*' both_ways -v points="$out/rft_out/points.txt"
+  echo
+  echo '| law | asked | found | met |'
+  echo '|---|---|---|---|'
+  seed='*' both_ways | awk '/^[|] 1 to 3/ { print "| plates that go in and come out: the printed coefficients and one scalar: R^2 at least 0.9 (Li, Zhang and Goldman, Science 339, 1408 (2013)) | 0.9 to 1 | " $8 " | " ($8 >= 0.9 ? "yes" : "no") " |" }'
   echo
   gnuplot -c $laws/rft_form.gp "$out/rft_out/points.txt"
 }

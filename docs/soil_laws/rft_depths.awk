@@ -1,5 +1,6 @@
 # histories of `footfall rig rft`, one after another -> zeta and R^2 from several ranges of the depth, and alpha_x and alpha_z of the two ranges by gamma.
 # A plate that comes out (gamma < 0) was pushed down first: inputs/laws/rft_out.toml.
+# Samples of a pair are taken together.
 # -v points=FILE: beta gamma alpha_x alpha_z of every pair there, from one to three widths [deg, deg, N/cm^3, N/cm^3].
 # As mbd_solver/cli/rigs/rft_rig.cpp does it: slopes through zero at the mean surface over the depth of the plate's middle, one width being 0.05 m.
 function alpha_z(b, g) { return 0.206 + 0.169 * cos(2 * b) + 0.212 * sin(2 * b + g) + 0.358 * sin(g) + 0.055 * sin(-2 * b + g) }
@@ -17,14 +18,15 @@ function fit(from, to,   p, tt, tm, mean, n, s, v, z, k, w) {   # ranges from..t
   return 1 - s / v
 }
 BEGIN { FS = ","; pi = 3.14159265358979; width = 0.05; surface = -0.008; area = width^2; both["x"]; both["z"] }
-/^#/ { name = FILENAME; sub(/.*angles_/, "", name); sub(/__seed.*/, "", name); split(name, angle, "_"); ++pairs; named = 0
-       gamma[pairs] = angle[2]; beta[pairs] = angle[1]
-       theory[pairs, "x"] = alpha_x(angle[1] * pi / 180, angle[2] * pi / 180); theory[pairs, "z"] = alpha_z(angle[1] * pi / 180, angle[2] * pi / 180); next }
+/^#/ { name = FILENAME; sub(/.*angles_/, "", name); sub(/__seed.*/, "", name); split(name, angle, "_"); named = 0
+       if (!(name in pair_of)) pair_of[name] = ++pairs
+       pair = pair_of[name]; gamma[pair] = angle[2]; beta[pair] = angle[1]
+       theory[pair, "x"] = alpha_x(angle[1] * pi / 180, angle[2] * pi / 180); theory[pair, "z"] = alpha_z(angle[1] * pi / 180, angle[2] * pi / 180); next }
 !named { for (i = 1; i <= NF; ++i) column[$i] = i; named = 1; next }
 { depth = surface - $column["plate.z"]; range = int(depth / width)
   if (depth < width) next
-  if (gamma[pairs] < 0 && ($column["plate.vz"] <= 0 || range > 2)) next   # still on its way down, to where it is drawn out from
-  dd[pairs, range] += depth^2; dx[pairs, range] -= depth * $column["plate.contact.fx"] / area; dz[pairs, range] += depth * $column["plate.contact.fz"] / area }
+  if (gamma[pair] < 0 && ($column["plate.vz"] <= 0 || range > 2)) next   # still on its way down, to where it is drawn out from
+  dd[pair, range] += depth^2; dx[pair, range] -= depth * $column["plate.contact.fx"] / area; dz[pair, range] += depth * $column["plate.contact.fz"] / area }
 END {
   print "| depths [plate widths] | zeta | R^2 |\n|---|---|---|"
   r = fit(1, 3); printf "| 1 to 3 | %.3f | %.4f |\n", zeta, r
