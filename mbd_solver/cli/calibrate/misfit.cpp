@@ -91,6 +91,7 @@ RunNumbers numbers_of(const CalibrationSpec& spec, const std::string& scene, con
     if (history.names.empty()) history = read_history((fs::path(folder) / "history.csv").string());
     std::vector<double> places;
     for (const Eigen::Vector2d& row : read_two_columns(target.file)) places.push_back(row.x());
+    demand_columns({target.over, target.column}, history, folder, spec.file, "targets." + target.name);
     const std::vector<double>& x = history.column(target.over);
     if (!x.empty()) numbers.curves[t] = first_crossings(x, history.column(target.column), places);
   }
