@@ -18,12 +18,16 @@ class Interrupted : public PartnerError {
 // nothing to keep, and after work_is_under_way() in order, by a flag. Then the first signal starts a time limit: a
 // program that is still there kEnding later ends without a word to anybody but standard error. `program`: its name, for
 // that word; it must outlive the program. A SIGHUP that is ignored (nohup) stays so. Under mpirun SIGPIPE is ignored. With kLauncherWarns in the
-// environment a SIGCONT of the parent process is such a signal, too.
+// environment a SIGCONT of the parent process is such a signal, too, unless it wakes us from a stop: see alive_for().
 void end_on_signals(const char* program);
 void work_is_under_way();
 inline constexpr unsigned kEnding = 8;  // [s]
 // In the environment of programs under an mpirun that is in no hurry to kill: it sends SIGCONT first when it ends a job.
 inline constexpr const char* kLauncherWarns = "FOOTFALL_LAUNCHER_WARNS";
+
+// The work goes on, and will say so again within this time [s]. mpirun hands on the SIGCONT that a suspended job gets when
+// it may go on: one that finds us overdue asks for nothing. An mpirun that ends the job then sends SIGTERM soon.
+void alive_for(double seconds);
 
 bool is_ignored(int signal);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "coupler/interrupt.h"
 #include "coupler/mpi_check.h"
 
 namespace footfall {
@@ -27,6 +28,8 @@ void PoliteWait::nap() {
     const double waited = Seconds(std::chrono::steady_clock::now() - start_).count();
     nap = std::clamp(kShare * waited, kShortest, doorbell_ ? kLongestWithDoorbell : kLongest);
   }
+  constexpr double kLate = 0.3;  // [s]
+  alive_for(4.0 * nap + kLate);
   if (doorbell_)
     doorbell_->wait(nap);
   else

@@ -1,6 +1,8 @@
 #include "coupler/transport_mpi.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -54,38 +56,55 @@ void TransportMpi::send(MessageKind kind, const Bytes& bytes) {
 }
 
 bool TransportMpi::poll() {
-  if (!is_root_) return false;
+  MPI_Status status;
+  return is_root_ && has_come(status);
+}
+
+// Twice: Open MPI looks at its queue first and fetches what has come afterwards, so that one look alone tells of a
+// message at the next one only. A nap between the two was most of what an exchange cost.
+bool TransportMpi::has_come(MPI_Status& status) const {
   int waiting = 0;
-  check_mpi(MPI_Iprobe(partner_root_, MPI_ANY_TAG, exchange_, &waiting, MPI_STATUS_IGNORE), "MPI_Iprobe");
+  for (int look = 0; look < 2 && !waiting; ++look)
+    check_mpi(MPI_Iprobe(partner_root_, MPI_ANY_TAG, exchange_, &waiting, &status), "MPI_Iprobe");
   return waiting != 0;
 }
 
 MessageKind TransportMpi::receive(Bytes& bytes, double patience) {
   if (!shared_) return receive_at_root(bytes, patience);
-  // What the root hands on: kind and size, then the bytes; of a failure the bytes are why.
+  // What the root hands on: kind and size with the first bytes, which are all of most messages, then what is left of
+  // them; of a failure the bytes are why.
   constexpr int kFailure = 0, kInterrupt = -1;
-  int head[2] = {kFailure, 0};
+  struct {
+    int kind = kFailure, size = 0;
+    std::array<std::uint8_t, 4000> bytes{};  // with them still below what Open MPI sends without asking
+  } head;
   if (is_root_) {
     try {
-      head[0] = static_cast<int>(receive_at_root(bytes, patience));
+      head.kind = static_cast<int>(receive_at_root(bytes, patience));
     } catch (const PartnerError& error) {
-      if (dynamic_cast<const Interrupted*>(&error)) head[0] = kInterrupt;
+      if (dynamic_cast<const Interrupted*>(&error)) head.kind = kInterrupt;
       const std::string why = error.what();
       bytes.assign(why.begin(), why.end());
     }
-    head[1] = static_cast<int>(bytes.size());
+    head.size = static_cast<int>(bytes.size());
+    std::copy_n(bytes.begin(), std::min(bytes.size(), head.bytes.size()), head.bytes.begin());
   }
+  hand_on(&head, sizeof head);
+  bytes.resize(static_cast<std::size_t>(head.size));
+  const std::size_t known = std::min(bytes.size(), head.bytes.size());
+  std::copy_n(head.bytes.begin(), known, bytes.begin());
+  if (bytes.size() > known) hand_on(bytes.data() + known, bytes.size() - known);
+  if (head.kind == kFailure) throw PartnerError(std::string(bytes.begin(), bytes.end()));
+  if (head.kind == kInterrupt) throw Interrupted(std::string(bytes.begin(), bytes.end()));
+  return static_cast<MessageKind>(head.kind);
+}
+
+// From the root to all ranks of this program.
+void TransportMpi::hand_on(void* data, std::size_t size) const {
   MPI_Request request = MPI_REQUEST_NULL;
-  check_mpi(MPI_Ibcast(head, 2, MPI_INT, 0, world_, &request), "MPI_Ibcast");
+  check_mpi(MPI_Ibcast(data, static_cast<int>(size), MPI_BYTE, 0, world_, &request), "MPI_Ibcast");
   wake_own_ranks();
   wait_politely(request, doorbell_);
-  bytes.resize(static_cast<std::size_t>(head[1]));
-  check_mpi(MPI_Ibcast(bytes.data(), head[1], MPI_BYTE, 0, world_, &request), "MPI_Ibcast");
-  wake_own_ranks();
-  wait_politely(request, doorbell_);
-  if (head[0] == kFailure) throw PartnerError(std::string(bytes.begin(), bytes.end()));
-  if (head[0] == kInterrupt) throw Interrupted(std::string(bytes.begin(), bytes.end()));
-  return static_cast<MessageKind>(head[0]);
 }
 
 // The root has handed something on.
@@ -113,9 +132,7 @@ MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
   PoliteWait wait(doorbell_, expected_wait_);
   MPI_Status status;
   for (;;) {
-    int waiting = 0;
-    check_mpi(MPI_Iprobe(partner_root_, MPI_ANY_TAG, exchange_, &waiting, &status), "MPI_Iprobe");
-    if (waiting) break;
+    if (has_come(status)) break;
     if (patience > 0.0 && wall_clock() - start > patience)
       throw PartnerError(partner_ + " has said nothing for " + std::to_string(patience) + " s");
     // The last word has a wait of its own (Link::fail).

@@ -30,6 +30,8 @@ class TransportMpi : public Transport {
  private:
   bool finish_last_send(double patience);
   bool partner_is_gone();
+  bool has_come(MPI_Status& status) const;
+  void hand_on(void* data, std::size_t size) const;
   void wake_own_ranks() const;
   MessageKind receive_at_root(Bytes& bytes, double patience);
 

@@ -7,6 +7,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "coupler/finite_check.h"
+#include "coupler/interrupt.h"
 #include "coupler/message_fields.h"
 #include "liggghts_fix/stay_on_core.h"
 
@@ -17,6 +18,14 @@ std::string number(double value) { return number_text(value, 10); }
 
 }  // namespace
 
+// Within some times as long as the last step took.
+void DemLink::say_alive() {
+  constexpr double kLate = 0.3;  // [s]
+  const double now = wall_clock();
+  alive_for(4.0 * (stepped_ > 0.0 ? now - stepped_ : 0.0) + kLate);
+  stepped_ = now;
+}
+
 void DemLink::expect_set_up() {
   for (const auto& body : bodies_) body->clear_contacts();
   forces_are_new_ = true;
@@ -24,6 +33,7 @@ void DemLink::expect_set_up() {
 
 void DemLink::begin_substep(std::int64_t step) {
   if (step == step_) return;
+  say_alive();
   FOOTFALL_DEMAND(started());
   if (finished_)
     throw InputError(
@@ -42,12 +52,12 @@ void DemLink::begin_substep(std::int64_t step) {
 }
 
 void DemLink::begin_window() {
-  const double asked = wall_clock();
+  asked_ = wall_clock();
   {
     const StayOnCore here;
     link_->receive(motion_);
   }
-  waited_ = wall_clock() - asked;
+  waited_ = wall_clock() - asked_;
   if (!std::isfinite(motion_.time))
     throw NumericalError("window " + std::to_string(windows_) + ": its time is not finite");
   if (motion_.window != windows_ || motion_.bodies.size() != bodies_.size() || motion_.n < 1 ||
@@ -143,6 +153,7 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
   load_.asked_to_end = asked_to_end_;
   const double now = wall_clock();
   load_.wall_seconds = now - sent_ - waited_;
+  load_.seconds_before_motion = asked_ - sent_;
   sent_ = now;
   link_->send(load_);
   load_.warnings.clear();

@@ -124,6 +124,7 @@ class DemLink {
   void go_on_from_memory();
   void visit(Archive& archive);
   void begin_window();
+  void say_alive();
   void tell_untouched(std::vector<std::string>& warnings) const;
   void count_grains(const std::vector<double>& rows, int ranks);
 
@@ -162,8 +163,10 @@ class DemLink {
   double work_received_ = 0.0;  // [J]
   double work_ = 0.0;           // [J]
   double overlap_ = 0.0;
-  // Wall clock [s]: when the last load was sent (0: none yet), and how long the motion after it was waited for.
-  double sent_ = 0.0, waited_ = 0.0;
+  // Wall clock [s]: when the last load was sent (0: none yet) and the motion after it was asked for, and how long it was
+  // waited for.
+  double sent_ = 0.0, asked_ = 0.0, waited_ = 0.0;
+  double stepped_ = 0.0;  // when the last substep began
 };
 
 }  // namespace footfall

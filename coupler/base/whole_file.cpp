@@ -16,8 +16,8 @@ namespace footfall {
 
 namespace {
 
-// 0, or what went wrong (errno). What has been written is on the disk, so that the name never stands for half of it.
-int write_and_sync(const std::string& path, const std::string& text) {
+// 0, or what went wrong (errno). What has been synced is on the disk, so that the name never stands for half of it.
+int write_all(const std::string& path, const std::string& text, bool sync) {
   const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (file < 0) return errno;
   int problem = 0;
@@ -26,9 +26,23 @@ int write_and_sync(const std::string& path, const std::string& text) {
     if (n > 0) done += static_cast<std::size_t>(n);
     if (n < 0 && errno != EINTR) problem = errno;
   }
-  if (problem == 0 && fsync(file) != 0 && errno != EINVAL && errno != EROFS) problem = errno;  // pipes know no sync
+  if (sync && problem == 0 && fsync(file) != 0 && errno != EINVAL && errno != EROFS)
+    problem = errno;  // pipes know no sync
   if (close(file) != 0 && problem == 0) problem = errno;
   return problem;
+}
+
+void write_beside_and_rename(const std::string& path, const std::string& text, const std::string& advice, bool sync) {
+  const std::string draft = path + ".part";
+  if (const int problem = write_all(draft, text, sync); problem != 0) {
+    unlink(draft.c_str());
+    throw InputError(path + ": cannot be written: " + std::strerror(problem) + "; " + advice);
+  }
+  if (std::rename(draft.c_str(), path.c_str()) != 0) {
+    const int problem = errno;
+    unlink(draft.c_str());
+    throw InputError(path + ": cannot be written: " + std::strerror(problem) + "; " + advice);
+  }
 }
 
 }  // namespace
@@ -42,16 +56,11 @@ std::optional<std::string> read_whole_file(const std::string& path) {
 }
 
 void write_whole_file(const std::string& path, const std::string& text, const std::string& advice) {
-  const std::string draft = path + ".part";
-  if (const int problem = write_and_sync(draft, text); problem != 0) {
-    unlink(draft.c_str());
-    throw InputError(path + ": cannot be written: " + std::strerror(problem) + "; " + advice);
-  }
-  if (std::rename(draft.c_str(), path.c_str()) != 0) {
-    const int problem = errno;
-    unlink(draft.c_str());
-    throw InputError(path + ": cannot be written: " + std::strerror(problem) + "; " + advice);
-  }
+  write_beside_and_rename(path, text, advice, true);
+}
+
+void write_whole_file_unsynced(const std::string& path, const std::string& text, const std::string& advice) {
+  write_beside_and_rename(path, text, advice, false);
 }
 
 std::int64_t file_changed(const std::string& path) {

@@ -122,6 +122,7 @@ void CoupledRun::visit(Archive& archive) {
   archive("sample", sample_);
   archive("dem_seconds", dem_seconds_);
   archive("waited", waited_);
+  archive("side_by_side", side_by_side_);
   if (archive.restores()) waited_before_ = waited_;
 }
 
@@ -149,10 +150,13 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
     motion_.inverse_masses.clear();
     for (const Coupled& body : bodies_) motion_.inverse_masses.push_back(1.0 / body.contact_mass.last());
   }
+  const double worked = wall_clock() - exchanged_;
   const Load& load = partner_.exchange(motion_);
+  exchanged_ = wall_clock();
   if (script_has_ended()) return state.time;
   for (const std::string& warning : load.warnings) watch_->warn(warning);
   dem_seconds_ += load.wall_seconds;
+  side_by_side_ += std::min(load.seconds_before_motion, worked);
   receive(load, inputs);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const auto body = static_cast<std::size_t>(bodies_[k].entry.body);

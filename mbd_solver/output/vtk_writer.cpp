@@ -83,7 +83,7 @@ void add_texts(pugi::xml_node grid, const VtkFrame& frame) {
 void save(const pugi::xml_document& document, const std::string& path) {
   std::ostringstream text;
   document.save(text, " ");
-  write_whole_file(path, text.str());
+  write_whole_file_unsynced(path, text.str());
 }
 
 pugi::xml_node loaded(pugi::xml_document& document, const std::string& path, const char* kind) {

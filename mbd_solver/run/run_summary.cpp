@@ -86,14 +86,12 @@ void add_costs(const Simulation& simulation, Json& json) {
   json["factorizations"] = statistics.factorizations;
   const RunTimes& times = simulation.times();
   const double dem = simulation.coupled() ? simulation.coupled()->dem_seconds() : 0.0;
-  const double waited = simulation.coupled() ? simulation.coupled()->seconds_waited() : 0.0;
   json["wall_s"] = times.total;
   json["dem_wall_s"] = dem;
   json["mbd_wall_s"] = times.mbd;
   json["control_wall_s"] = times.control;
   json["checkpoint_wall_s"] = times.keeping;
-  // What the exchange costs beyond the partner's own work.
-  json["exchange_wall_s"] = std::max(0.0, waited - dem);
+  json["exchange_wall_s"] = simulation.coupled() ? std::max(0.0, simulation.coupled()->exchange_seconds()) : 0.0;
 }
 
 // What stands on the plane by friction creeps down its slope where a friction_speed is given; nothing is told where it slides.
