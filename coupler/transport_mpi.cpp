@@ -52,7 +52,15 @@ void TransportMpi::send(MessageKind kind, const Bytes& bytes) {
   check_mpi(MPI_Isend(sending_.data(), static_cast<int>(sending_.size()), MPI_BYTE, partner_root_,
                       static_cast<int>(kind), exchange_, &request_),
             "MPI_Isend");
-  if (doorbell_ && doorbell_->ring(partner_root_)) partner_heard_ = true;
+  unheard_ = true;
+  if (kind == MessageKind::kClose) ring_partner();
+}
+
+// Not when something is sent but when this side has nothing to do any more: a partner that wakes before takes its core,
+// and ranks that share one need milliseconds to part again.
+void TransportMpi::ring_partner() {
+  if (doorbell_ && unheard_ && doorbell_->ring(partner_root_)) partner_heard_ = true;
+  unheard_ = false;
 }
 
 bool TransportMpi::poll() {
@@ -126,6 +134,7 @@ bool TransportMpi::partner_is_gone() {
 }
 
 MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
+  ring_partner();
   const double start = wall_clock();
   constexpr double kBetweenLooks = 0.2;  // at the partner [s]
   double next_look = start + kBetweenLooks;

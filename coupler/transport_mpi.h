@@ -30,6 +30,7 @@ class TransportMpi : public Transport {
  private:
   bool finish_last_send(double patience);
   bool partner_is_gone();
+  void ring_partner();
   bool has_come(MPI_Status& status) const;
   void hand_on(void* data, std::size_t size) const;
   void wake_own_ranks() const;
@@ -47,6 +48,7 @@ class TransportMpi : public Transport {
   double expected_wait_ = 0.0;
   double last_wait_ = 0.0;  // [s]
   int last_kind_ = 0;
+  bool unheard_ = false;        // something was sent and the partner's doorbell not rung
   bool partner_heard_ = false;  // its doorbell
   double gone_since_ = 0.0;     // on the clock [s]; 0: it is there
   Bytes sending_;               // owned until the send is complete
