@@ -219,6 +219,8 @@ parts_of_laws() { for part in "${laws_of_page[@]}"; do part_of_page "$part"; don
   echo
   parts_of_laws | awk -f $laws/verdicts.awk
   echo
+  cat $laws/causes.txt
+  echo
   cost_of_parts $laws
   echo
   parts_of_laws
