@@ -17,6 +17,7 @@ constexpr double kShare = 1.0 / 64.0;          // nap over time waited [-]
 constexpr double kShortest = 5e-6;             // nap [s]
 constexpr double kLongest = 500e-6;            // nap without a doorbell [s]
 constexpr double kLongestWithDoorbell = 5e-3;  // [s]
+constexpr double kLate = 0.3;                  // what a busy machine may take for anything [s]
 
 }  // namespace
 
@@ -28,12 +29,21 @@ void PoliteWait::nap() {
     const double waited = Seconds(std::chrono::steady_clock::now() - start_).count();
     nap = std::clamp(kShare * waited, kShortest, doorbell_ ? kLongestWithDoorbell : kLongest);
   }
-  constexpr double kLate = 0.3;  // [s]
-  alive_for(4.0 * nap + kLate);
+  const double overdue = 4.0 * nap + kLate;
+  alive_for(overdue);
+  stopped_ = stopped();
+  const auto asleep = std::chrono::steady_clock::now();
   if (doorbell_)
     doorbell_->wait(nap);
   else
     std::this_thread::sleep_for(Seconds(nap));
+  last_ = std::chrono::steady_clock::now();
+  if (const double slept = Seconds(last_ - asleep).count(); slept > overdue) stopped_ += slept;
+}
+
+double PoliteWait::stopped() const {
+  const double awake = Seconds(std::chrono::steady_clock::now() - last_).count();
+  return stopped_ + (awake > kLate ? awake : 0.0);
 }
 
 void wait_politely(MPI_Request& request, const Doorbell* doorbell) {

@@ -19,11 +19,15 @@ class PoliteWait {
   explicit PoliteWait(const Doorbell* doorbell, double expected_seconds = 0.0)
       : doorbell_(doorbell), expected_(expected_seconds), start_(std::chrono::steady_clock::now()) {}
   void nap();
+  // Overslept in naps or lost between two, as this program was stopped (a suspended job): no time in which the partner
+  // was silent [s].
+  double stopped() const;
 
  private:
-  const Doorbell* doorbell_;  // may be null
-  double expected_;           // [s]
-  std::chrono::steady_clock::time_point start_;
+  const Doorbell* doorbell_;                                     // may be null
+  double expected_;                                              // [s]
+  std::chrono::steady_clock::time_point start_, last_ = start_;  // the end of the last nap
+  double stopped_ = 0.0;
 };
 
 // Returns when the request is complete.

@@ -142,7 +142,7 @@ MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
   MPI_Status status;
   for (;;) {
     if (has_come(status)) break;
-    if (patience > 0.0 && wall_clock() - start > patience)
+    if (patience > 0.0 && wall_clock() - start - wait.stopped() > patience)
       throw PartnerError(partner_ + " has said nothing for " + std::to_string(patience) + " s");
     // The last word has a wait of its own (Link::fail).
     if (!parted() && waited_enough(wall_clock() - start))

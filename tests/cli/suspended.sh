@@ -5,7 +5,7 @@
 set -u
 source "$(dirname "$0")/run_to_end.sh"
 first=$3
-start_run "$1" "$2" window
+start_run "$1" "$2" window --set coupling.timeout=2
 mapfile -t programs < <(processes_of liggghts_mbd; processes_of mbd_solver)
 mapfile -t launcher < <(processes_of orterun; processes_of prterun)
 ((${#launcher[@]} == 1 && ${#programs[@]} >= 2)) || die "expected one mpirun and its programs, found ${#launcher[@]} and ${#programs[@]}"
