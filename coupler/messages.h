@@ -143,7 +143,7 @@ struct Load {
   bool asked_to_end = false;  // by a signal to one of its ranks; both programs end after a checkpoint, if they can
   // of the DEM side since its last Load or Accept, set-up and output included, waiting excluded [s]
   double wall_seconds = 0.0;
-  double seconds_before_motion = 0.0;   // of them, before it asked for the Motion: the mechanism works then, too [s]
+  double after_load_seconds = 0.0;      // of them, until it asked for the Motion: the mechanism works then, too [s]
   std::vector<BodyLoad> bodies;         // order of Start
   std::vector<std::string> gone_walls;  // of Start::walls: no longer there, or they move now
 };

@@ -153,7 +153,7 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
   load_.asked_to_end = asked_to_end_;
   const double now = wall_clock();
   load_.wall_seconds = now - sent_ - waited_;
-  load_.seconds_before_motion = asked_ - sent_;
+  load_.after_load_seconds = asked_ - sent_;
   sent_ = now;
   link_->send(load_);
   load_.warnings.clear();

@@ -122,7 +122,7 @@ void CoupledRun::visit(Archive& archive) {
   archive("sample", sample_);
   archive("dem_seconds", dem_seconds_);
   archive("waited", waited_);
-  archive("side_by_side", side_by_side_);
+  archive("side_by_side_seconds", side_by_side_);
   if (archive.restores()) waited_before_ = waited_;
 }
 
@@ -156,7 +156,7 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   if (script_has_ended()) return state.time;
   for (const std::string& warning : load.warnings) watch_->warn(warning);
   dem_seconds_ += load.wall_seconds;
-  side_by_side_ += std::min(load.seconds_before_motion, worked);
+  side_by_side_ += std::min(load.after_load_seconds, worked);
   receive(load, inputs);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const auto body = static_cast<std::size_t>(bodies_[k].entry.body);
