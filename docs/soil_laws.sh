@@ -91,7 +91,7 @@ part_rft_few() {
   five_pairs plate_of_half_the_thickness $file --set 'bodies.plate.shape.size=[0.05,0.05,0.003]'
   five_pairs grains_of_half_the_size $file --set particles.box.radius=0.004
 }
-part_sphere() { rig sphere sphere --samples 10; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
+part_sphere() { rig sphere sphere --samples 30; cp "$out/sphere/sphere.png" docs/soil_laws_sphere.png; }
 # PART LABEL SAMPLES SPHERES OPTIONS...: spheres DIAMETER_DENSITY, and the exponents of both. In the options MM stands for the diameter in millimetres, RADII for a fifteenth and a twelfth of the diameter.
 spheres() {
   local part=$1 label=$2 samples=$3 list=$4 sphere diameter density words options; shift 4
