@@ -8,10 +8,6 @@
 #include "coupler/gravity.h"
 
 namespace footfall {
-namespace {
-
-// Gravity of scene and script: numbers that people write, with few digits [-].
-}  // namespace
 
 DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, const DemTerms& terms, double patience)
     : link_(transport, patience), bodies_(std::move(bodies)) {
