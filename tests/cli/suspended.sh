@@ -15,9 +15,11 @@ for pause in 1 3; do
   before=$(rows)
   if [[ $first == mpirun ]]; then kill -CONT "${launcher[@]}"; nap 0.1; kill -CONT "${programs[@]}"
   else kill -CONT "${programs[@]}"; nap 0.1; kill -CONT "${launcher[@]}"; fi
-  nap 2
-  (($(rows) > before)) || die "after a stop of $pause s the run does not go on"
-  grep -qs '"status"' run/summary.json && die "a run that was suspended has ended"
+  for ((k = 0; k < 300 && $(rows) <= before; ++k)); do
+    kill -0 "$run" 2>/dev/null || die "a run that was suspended has ended"
+    nap 0.1
+  done
+  (($(rows) > before)) || die "after a stop of $pause s the run does not go on within 30 s"
 done
 nap 11 # what comes soon after a stop counts to it
 kill -TERM "${launcher[@]}"
