@@ -4,7 +4,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-install(TARGETS footfall mbd_solver liggghts_mbd RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
+install(TARGETS footfall footfall_studies mbd_solver liggghts_mbd RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
 
 # Programs find these from their own place: ../share/footfall (mbd_solver/scene/shipped_files.h).
 set(share share/footfall)
@@ -20,7 +20,7 @@ add_custom_command(OUTPUT ${help}/_footfall
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${help}
   COMMAND footfall help --write ${help}
   COMMAND sh -c "exec \"$1\" -9n \"$2\"/*.1" sh ${GZIP} ${help}
-  DEPENDS footfall COMMENT "Man pages and completion" VERBATIM)
+  DEPENDS footfall footfall_studies COMMENT "Man pages and completion" VERBATIM)
 add_custom_target(help_pages ALL DEPENDS ${help}/_footfall)
 install(DIRECTORY ${help}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT runtime FILES_MATCHING PATTERN "*.1.gz")
 install(FILES ${help}/footfall.bash DESTINATION share/bash-completion/completions RENAME footfall COMPONENT runtime)

@@ -1,64 +1,28 @@
 // footfall: the front door. It only arranges mbd_solver and liggghts_mbd; whatever it does, the line it prints does
-// too.
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <csignal>
+// too. Words that are not its own it hands to footfall_studies, which knows them all.
+#include <unistd.h>
+
 #include <cstdio>
 #include <exception>
 #include <string>
-#include <vector>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/nearest_name.h"
-#include "coupler/interrupt.h"
-#include "mbd_solver/cli/help_pages.h"
-#include "mbd_solver/cli/option_errors.h"
-#include "mbd_solver/cli/subcommands.h"
+#include "mbd_solver/cli/front_door.h"
+#include "mbd_solver/cli/launch/programs.h"
 
 using namespace footfall;
 
-namespace {
-
-// What was meant by a first word that is neither a subcommand nor an option.
-void require_subcommand(const std::string& word) {
-  std::vector<std::string> names;
-  for (const Subcommand& subcommand : subcommands()) names.emplace_back(subcommand.name);
-  if (word == "help") return;
-  if (word.empty() || word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return;
-  throw InputError("footfall " + word + ": unknown command." + known_names("commands", word, names) +
-                   " `footfall --help` tells what each does.");
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
-  CLI::App app{"footfall: a flexible multibody mechanism with controlled dampers touches a bed of particles"};
-  app.set_version_flag("--version", std::string("footfall ") + FOOTFALL_VERSION);
-  app.require_subcommand(1);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write
-  Action action;
-  for (const Subcommand& subcommand : subcommands()) {
-    CLI::App* command = app.add_subcommand(subcommand.name, subcommand.what);
-    command->callback([&action, act = subcommand.prepare(*command)] { action = act; });
-  }
-  CLI::App* help = app.add_subcommand("help", "Print help, or write man pages and completion")->group("");
-  help->callback([&action, act = print_help(app, *help)] { action = act; });
+  const std::string word = argc > 1 ? argv[1] : "";
+  for (const Subcommand& subcommand : subcommands())
+    if (word == subcommand.name) return front_door(argc, argv, subcommands());
   try {
-    if (argc > 1) require_subcommand(argv[1]);
-    app.parse(argc, argv);
-    return action();
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
-    std::fprintf(stderr, "%s\n", option_error(app, e, {argv + 1, argv + argc}).c_str());
-    return kExitBadInput;
-  } catch (const InputError& e) {
+    const std::string studies = built_program("footfall_studies");
+    execv(studies.c_str(), argv);
+    std::perror(studies.c_str());
+    return kExitFailed;
+  } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return kExitBadInput;
-  } catch (const Interrupted& e) {
-    std::fprintf(stderr, "footfall: %s\n", e.what());
-    return kExitInterrupted;
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "footfall: %s\n", e.what());
-    return kExitFailed;
   }
 }

@@ -12,17 +12,12 @@
 #include "mbd_solver/cli/analysis/surfaces_command.h"
 #include "mbd_solver/cli/analysis/viewer/view_page.h"
 #include "mbd_solver/cli/audit_command.h"
-#include "mbd_solver/cli/calibrate/calibrate_command.h"
-#include "mbd_solver/cli/calibrate/calibration.h"
-#include "mbd_solver/cli/experiments/experiment.h"
-#include "mbd_solver/cli/experiments/experiment_command.h"
 #include "mbd_solver/cli/launch/check_command.h"
 #include "mbd_solver/cli/launch/child.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/option_checks.h"
 #include "mbd_solver/cli/run_command.h"
 #include "mbd_solver/cli/trial_command.h"
-#include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/scene/shipped_files.h"
 
 namespace footfall {
@@ -111,44 +106,6 @@ Action surfaces(CLI::App& command) {
   return [a] { return surfaces_command(a->scene, a->settings, a->out.empty() ? "runs/surfaces" : a->out); };
 }
 
-// What `footfall sweep` and `footfall accuracy` have in common: both run an experiment.
-void add_experiment_options(CLI::App& command, ExperimentArguments& a) {
-  command.add_option("FILE", a.file, "Experiment, as in inputs/sweeps and inputs/accuracy")->required();
-  command.add_option("--out", a.out, "Folder for results (default: " + a.runs + "/NAME)");
-  command
-      .add_option("--jobs", a.jobs,
-                  "Runs at once (default: " + (a.jobs ? std::to_string(a.jobs) : "as many as fit the cores") + ")")
-      ->check(positive());
-  command.add_option("--case", a.of_case, "This curve, or case of a stability map, alone");
-  command.add_option("--only", a.only, "This run alone, without tables (one element of a job array)")
-      ->check(within(0, 1 << 30));
-  command.add_option("--table", a.table, "Write the table to this file as well, as Markdown");
-  command.add_flag("--short", a.short_form, "The short form, as the tests run it");
-  command.add_flag("--list", a.list, "Make the beds, list the runs, and stop");
-  command.add_flag("--merge", a.merge, "Tables and plots of what is there");
-  command.add_flag("--slurm", a.slurm, "Write sweep.sbatch, the experiment as a Slurm job array, and stop");
-}
-
-Action sweep(CLI::App& command) {
-  const auto a = std::make_shared<ExperimentArguments>();
-  a->command = "sweep";
-  a->runs = "runs/sweeps";
-  a->resume = true;
-  add_experiment_options(command, *a);
-  return [a] { return experiment_command(*a); };
-}
-
-Action calibrate(CLI::App& command) {
-  const auto a = std::make_shared<CalibrateArguments>();
-  command.add_option("FILE", a->file, "Calibration, as in inputs/calibrations")->required();
-  command.add_option("--out", a->out, "Folder for results (default: runs/calibrations/NAME)");
-  command.add_option("--jobs", a->jobs, "Runs at once (default: as many as fit the cores)")->check(positive());
-  command.add_option("--table", a->table, "Write the page to this file as well, as Markdown");
-  command.add_flag("--estimate", a->estimate, "Run the start, tell how long all will take, and stop");
-  command.add_flag("--so-far", a->so_far, "Run nothing: print what is known by now, beside one that goes on, too");
-  return [a] { return calibrate_command(*a); };
-}
-
 Action compare(CLI::App& command) {
   struct Arguments {
     std::string run, other;
@@ -222,17 +179,6 @@ Action report(CLI::App& command) {
   };
 }
 
-Action accuracy(CLI::App& command) {
-  const auto a = std::make_shared<ExperimentArguments>();
-  a->command = "accuracy";
-  a->runs = "runs/accuracy";
-  a->jobs = 1;
-  add_experiment_options(command, *a);
-  command.add_flag("--resume", a->resume,
-                   "Keep the runs in the folder that were done with the same scene, settings and script");
-  return [a] { return experiment_command(*a); };
-}
-
 Action test(CLI::App& command) {
   const auto label = std::make_shared<std::string>();
   command.add_option("-L,--label", *label,
@@ -248,34 +194,11 @@ Action test(CLI::App& command) {
   };
 }
 
-Action schema(CLI::App& command) {
-  const auto experiments = std::make_shared<bool>(false), calibrations = std::make_shared<bool>(false);
-  CLI::Option* of_experiments =
-      command.add_flag("--experiments", *experiments, "Of the files of footfall sweep and footfall accuracy instead");
-  command.add_flag("--calibrations", *calibrations, "Of the files of footfall calibrate instead")
-      ->excludes(of_experiments);
-  return [experiments, calibrations] {
-    std::printf("%s\n", (*experiments    ? experiment_schema()
-                         : *calibrations ? calibration_schema()
-                                         : scene_schema())
-                            .c_str());
-    return kExitDone;
-  };
-}
-
 constexpr Subcommand kSubcommands[] = {
     {"run", "Run a scene: bed, both programs, summary, pictures", run},
     {"new", "Make a folder with a scene of your own to edit, from an example", new_case},
     {"check", "Check a scene: every finding as file:line: key: what is wrong", check},
-    {"schema", "Print the JSON schema of scenes, experiments or calibrations, for editors that complete and check",
-     schema},
     {"surfaces", "Draw the control surfaces of a scene's fuzzy controllers", surfaces},
-    {"sweep", "Run a scene with many values, several runs at once; goes on where it was interrupted", sweep},
-    {"calibrate", "Find the parameters with which runs meet targets, and how far targets determine them", calibrate},
-    {"rig",
-     "Measure a bed of grains with an instrument: plate, cone, wheel, shear ring, shear box, slope, sphere, drawn "
-     "plate",
-     rig},
     {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},
     {"audit", "Check that what grains lose mechanism and walls get: momentum and energy, window by window", audit},
     {"pictures", "Draw the grains of a run, coloured by speed, and the mechanism: DIR/pictures", pictures},
@@ -283,7 +206,6 @@ constexpr Subcommand kSubcommands[] = {
     {"watch", "Follow a run that is under way, in the terminal or as a page", watch_run},
     {"view", "One HTML page that plays a run in 3D, with plots: DIR/view.html", view},
     {"report", "One HTML page for a run or a sweep: DIR/report.html", report},
-    {"accuracy", "Error against run time (a study), or a stability map: CSV, picture, table", accuracy},
     {"test", "Run the tests of this build (./footfall test builds them first)", test},
 };
 

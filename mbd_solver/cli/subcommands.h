@@ -14,7 +14,7 @@ struct Subcommand {
   Action (*prepare)(CLI::App& command);  // adds its options; returns what it does once they are read
 };
 
-// In the order of --help; docs/commands.md has a line for each.
+// Those of footfall itself, in the order of --help; docs/commands.md has a line for each. Others: studies.h.
 const std::vector<Subcommand>& subcommands();
 
 }  // namespace footfall

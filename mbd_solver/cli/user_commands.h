@@ -1,5 +1,5 @@
 #pragma once
-// Options of the commands around a run: a case to begin with, plots, a look at a run that is under way, help. As in
+// Options of the commands around a run: a case to begin with, plots, a look at a run that is under way. As in
 // subcommands.cpp, each returns what it does once its options are read.
 
 #include <CLI/CLI.hpp>
@@ -10,10 +10,7 @@ namespace footfall {
 using Action = std::function<int()>;
 
 Action new_case(CLI::App& command);
-Action rig(CLI::App& command);
 Action plot_columns(CLI::App& command);
 Action watch_run(CLI::App& command);
-// Not listed: `footfall help [COMMAND]`, and --man, --bash, --zsh, --write, which the installation uses.
-Action print_help(CLI::App& app, CLI::App& command);
 
 }  // namespace footfall

@@ -5,7 +5,7 @@ build=$1 out=$2 source=$(cd "$(dirname "$0")/../.." && pwd)
 die() { echo "install.sh: $*"; exit 1; }
 rm -rf "$out"
 cmake --install "$build" --prefix "$out" >/dev/null || die "cmake --install failed"
-for program in footfall mbd_solver liggghts_mbd; do [[ -x $out/bin/$program ]] || die "$program is not installed"; done
+for program in footfall footfall_studies mbd_solver liggghts_mbd; do [[ -x $out/bin/$program ]] || die "$program is not installed"; done
 diff -r "$source/inputs/box" "$out/share/footfall/inputs/box" || die "the scripts of inputs/box are not installed as they are"
 "$out/bin/footfall" check "$source/examples/01_pendulum" >"$out/check.txt" 2>&1 || { cat "$out/check.txt"; die "the scene is refused"; }
 # A script that is broken there shows that it is the one that is read.
