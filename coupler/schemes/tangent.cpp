@@ -65,7 +65,7 @@ Vector6d mean_velocity(const Matrix6d& M, const Vector6d& v, const Vector6d& a, 
 
   // Two equal implicit stages (SDIRK): V_i = v_i + g f(d_i + g V_i, V_i), g = gamma H.
   const double g = (1.0 - std::sqrt(0.5)) * H;
-  const Eigen::PartialPivLU<Matrix6d> solver(M + g * slope.C + g * g * slope.K);
+  const Eigen::PartialPivLU<Eigen::MatrixXd> solver(M + g * slope.C + g * g * slope.K);
   const Vector6d constant = M * a + slope.C * v;
   const auto stage = [&](const Vector6d& d_0, const Vector6d& v_0) -> Vector6d {
     return solver.solve(M * v_0 + g * (constant - slope.K * d_0));

@@ -2,8 +2,8 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <unsupported/Eigen/MatrixFunctions>
 
+#include "coupler/matrix_exponential.h"
 #include "coupler/schemes/scheme.h"
 
 namespace footfall {
@@ -31,7 +31,7 @@ double spectral_radius(Map A) {
 PointMotion exact_flow(double K, double D, double f, const PointMotion& start) {
   Eigen::Matrix3d A;
   A << 0.0, 1.0, 0.0, -K, -D, f, 0.0, 0.0, 0.0;
-  const Eigen::Vector3d end = A.exp() * Eigen::Vector3d(start.x, start.v, 1.0);
+  const Eigen::Vector3d end = matrix_exponential(A) * Eigen::Vector3d(start.x, start.v, 1.0);
   return {end[0], end[1]};
 }
 

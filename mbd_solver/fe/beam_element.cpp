@@ -17,12 +17,6 @@ Eigen::Matrix3d beam_axes(const Vector3d& from, const Vector3d& to, const Vector
   return R_DE;
 }
 
-Matrix12d beam_rotation(const Eigen::Matrix3d& R_DE) {
-  Matrix12d R = Matrix12d::Zero();
-  for (int i = 0; i < 12; i += 3) R.block<3, 3>(i, i) = R_DE;
-  return R;
-}
-
 // Bending in a plane with deflection v and slope t: EI/L^3 [12, 6L, -12, 6L; 6L, 4L^2, -6L, 2L^2; ...]. In
 // the xy plane t = theta_z = dv/dx, in the xz plane dw/dx = -theta_y, hence the sign.
 Matrix12d beam_stiffness(double length, const BeamSection& section, const Material& material) {

@@ -28,7 +28,4 @@ Matrix12d beam_stiffness(double length, const BeamSection& section, const Materi
 // forces is left out.
 BeamStressMatrix beam_stress(double length, const BeamSection& section, const Material& material);
 
-// Matrix of element axes acting on the 12 degrees of freedom: u_D = R u_E, blockwise.
-Matrix12d beam_rotation(const Eigen::Matrix3d& R_DE);
-
 }  // namespace footfall

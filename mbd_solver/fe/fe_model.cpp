@@ -4,6 +4,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/fe/beam_element.h"
+#include "mbd_solver/fe/element_axes.h"
 #include "mbd_solver/fe/mesh_check.h"
 #include "mbd_solver/fe/plate_element.h"
 
@@ -112,7 +113,6 @@ FeModel beam_model(const std::vector<Vector3d>& nodes, const std::vector<BeamMem
     const Vector3d to = nodes[static_cast<std::size_t>(member.second)];
     model.nodes.col(middle) = 0.5 * (from + to);
     const Matrix3d R_DE = beam_axes(from, to, member.up);
-    const Matrix12d R = beam_rotation(R_DE);
     const double length = (to - from).norm();
 
     const double mass = material.density * section.area * length;
@@ -124,8 +124,8 @@ FeModel beam_model(const std::vector<Vector3d>& nodes, const std::vector<BeamMem
       model.node_inertia[static_cast<std::size_t>(node)] += weight * inertia;
     }
 
-    const Matrix12d K = R * beam_stiffness(0.5 * length, section, material) * R.transpose();
-    const BeamStressMatrix S = beam_stress(0.5 * length, section, material) * R.transpose();
+    const Matrix12d K = turned_stiffness(beam_stiffness(0.5 * length, section, material), R_DE);
+    const BeamStressMatrix S = turned_stress(beam_stress(0.5 * length, section, material), R_DE);
     for (const Eigen::Vector2i& half :
          {Eigen::Vector2i(member.first, middle), Eigen::Vector2i(middle, member.second)}) {
       add_stiffness(K, {half(0), half(1)}, stiffness);

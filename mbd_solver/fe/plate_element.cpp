@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/fe/element_axes.h"
 
 namespace footfall {
 namespace {
@@ -149,12 +150,6 @@ PlateElement::Matrix9d PlateElement::membrane_stiffness() const {
   return K + 0.75 * beta0 * deviator.transpose() * K_theta * deviator;
 }
 
-Matrix18d PlateElement::rotation() const {
-  Matrix18d R = Matrix18d::Zero();
-  for (int i = 0; i < 18; i += 3) R.block<3, 3>(i, i) = R_DE_;
-  return R;
-}
-
 Matrix18d PlateElement::stiffness() const {
   const Matrix9d bending = bending_stiffness();
   const Matrix9d membrane = membrane_stiffness();
@@ -164,8 +159,7 @@ Matrix18d PlateElement::stiffness() const {
       K(bending_dof(i), bending_dof(j)) = bending(i, j);
       K(membrane_dof(i), membrane_dof(j)) = membrane(i, j);
     }
-  const Matrix18d R = rotation();
-  return R * K * R.transpose();
+  return turned_stiffness(K, R_DE_);
 }
 
 PlateStressMatrix PlateElement::stress() const {
@@ -179,7 +173,7 @@ PlateStressMatrix PlateElement::stress() const {
         S(6 * side + kRow[k], bending_dof(i)) = (side == 0 ? 1.0 : -1.0) * bending(k, i);
         S(6 * side + kRow[k], membrane_dof(i)) = membrane(k, i);
       }
-  return S * rotation().transpose();
+  return turned_stress(S, R_DE_);
 }
 
 }  // namespace footfall

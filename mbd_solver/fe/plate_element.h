@@ -43,7 +43,6 @@ class PlateElement {
   MeanStrain mean_strain() const;
   Matrix9d bending_stiffness() const;
   Matrix9d membrane_stiffness() const;
-  Matrix18d rotation() const;
 
   Eigen::Matrix3d R_DE_;
   Eigen::Matrix<double, 2, 3> p_;  // corners in the element's plane [m]

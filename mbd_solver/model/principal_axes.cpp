@@ -19,7 +19,7 @@ Matrix3d turned_frame(const Vector3d& axis) {
   Index nearest = 0;
   axis.cwiseAbs().maxCoeff(&nearest);
   const Vector3d along = axis(nearest) < 0.0 ? Vector3d(-axis) : axis;
-  return Eigen::Quaterniond::FromTwoVectors(Vector3d::Unit(nearest), along).toRotationMatrix();
+  return shortest_turn(Vector3d::Unit(nearest), along.normalized());
 }
 
 // Each column to the axis of the frame that is nearest to it: the nearest of all first, then of those left.

@@ -44,4 +44,8 @@ Eigen::Vector4d rotated(const Eigen::Vector4d& L, const Eigen::Vector3d& dtheta)
 // when parallel).
 Eigen::Matrix3d axes_with_z(const Eigen::Vector3d& z, const Eigen::Vector3d& x_hint = Eigen::Vector3d::UnitX());
 
+// The turn on the shortest way that takes the direction of `from` to that of `to`, both unit vectors; half a turn about an axis
+// normal to `from` where they are opposite. (Eigen's FromTwoVectors compiles a singular value decomposition for that case.)
+Eigen::Matrix3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
 }  // namespace footfall

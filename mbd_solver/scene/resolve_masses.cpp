@@ -9,6 +9,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/fe/polyhedron.h"
 #include "mbd_solver/model/mass_properties.h"
+#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/boundary_surface.h"
 #include "mbd_solver/scene/resolve.h"
 
@@ -70,7 +71,7 @@ bool check_shape(const BodySpec& body, Findings& findings) {
 }
 
 MassProperties turned(MassProperties p, const Eigen::Vector3d& axis, const Eigen::Vector3d& centre) {
-  const Eigen::Matrix3d R = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
+  const Eigen::Matrix3d R = shortest_turn(Eigen::Vector3d::UnitZ(), axis.normalized());
   p.centre = R * p.centre + centre;
   p.inertia = R * p.inertia * R.transpose();
   return p;

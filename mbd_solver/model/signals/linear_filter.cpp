@@ -1,9 +1,8 @@
 #include "mbd_solver/model/signals/linear_filter.h"
 
-#include <unsupported/Eigen/MatrixFunctions>
-
 #include "coupler/base/parameter_check.h"
 #include "coupler/base/pi.h"
+#include "coupler/matrix_exponential.h"
 
 namespace footfall {
 
@@ -15,7 +14,7 @@ LinearFilter::LinearFilter(const Matrix& A, const Vector& b, const Vector& c, do
   Eigen::MatrixXd both = Eigen::MatrixXd::Zero(n + 1, n + 1);  // [z; u]' = [A, b; 0, 0] [z; u]
   both.topLeftCorner(n, n) = A;
   both.topRightCorner(n, 1) = b;
-  const Eigen::MatrixXd moved = (both * period).exp();
+  const Eigen::MatrixXd moved = matrix_exponential(both * period);
   A_period_ = moved.topLeftCorner(n, n);
   b_period_ = moved.topRightCorner(n, 1);
 }

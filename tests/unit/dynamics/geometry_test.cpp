@@ -61,6 +61,21 @@ TEST(Rotation, AxesHaveTheirZAndAreRightHanded) {
   }
 }
 
+TEST(Rotation, ShortestTurnTakesOneDirectionToTheOther) {
+  test::Random random(9);
+  for (int k = 0; k < 50; ++k) {
+    const Eigen::Vector3d from = rotation_matrix(random.quaternion()).col(0),
+                          other = rotation_matrix(random.quaternion()).col(0);
+    for (const Eigen::Vector3d& to : {other, from, Eigen::Vector3d(-from)}) {
+      const Eigen::Matrix3d R = shortest_turn(from, to);
+      EXPECT_LT((R * from - to).norm(), 1e2 * kRoundOff);
+      EXPECT_LT((R.transpose() * R - Eigen::Matrix3d::Identity()).norm(), kRoundOff);
+      EXPECT_NEAR(R.determinant(), 1.0, kRoundOff);
+      EXPECT_NEAR(R.trace(), 1.0 + 2.0 * from.dot(to), kRoundOff) << "no turn about the direction itself";
+    }
+  }
+}
+
 TEST(MassProperties, OfSolidsAreThoseOfTheHandbook) {
   const MassProperties box = box_properties({1.0, 2.0, 3.0}, 10.0);
   EXPECT_DOUBLE_EQ(box.mass, 60.0);

@@ -6,6 +6,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
+#include "mbd_solver/fe/element_axes.h"
 #include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
@@ -46,9 +47,9 @@ TEST(BeamElement, RigidMotionMeetsNoForceAndNoStressInAnyOrientation) {
   const Vector3d from(0.3, -0.2, 0.5), to(-0.4, 0.6, 0.9);
   const double L = (to - from).norm();
   const BeamSection section = tube_section(0.06, 0.004);
-  const Matrix12d R = beam_rotation(beam_axes(from, to));
-  const Matrix12d K = R * beam_stiffness(L, section, kSteel) * R.transpose();
-  const BeamStressMatrix S = beam_stress(L, section, kSteel) * R.transpose();
+  const Matrix3d R = beam_axes(from, to);
+  const Matrix12d K = turned_stiffness(beam_stiffness(L, section, kSteel), R);
+  const BeamStressMatrix S = turned_stress(beam_stress(L, section, kSteel), R);
   for (int k = 0; k < 6; ++k) {
     Vector12d u = Vector12d::Zero();
     for (int end = 0; end < 2; ++end) {

@@ -1,0 +1,9 @@
+#include "coupler/matrix_exponential.h"
+
+#include <unsupported/Eigen/MatrixFunctions>
+
+namespace footfall {
+
+Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A) { return A.exp(); }
+
+}  // namespace footfall
