@@ -25,6 +25,23 @@ count_cost() {
   done
 }
 
+# count_whole FOLDER RUNS...: the same of all parts in one go, where a bed that several parts need is made once, into FOLDER/made/whole.seconds; nothing when some of the runs are not there.
+count_whole() {
+  local folder=$1 runs
+  shift
+  for runs in "$@"; do [[ -d $runs ]] || return 0; done
+  docs/cost_of_runs.sh "$@" >"$folder/made/whole.seconds"
+}
+
+# cost_of_pages FOLDER...: a line with the hours of these pages in one go each.
+cost_of_pages() {
+  local folder
+  for folder in "$@"; do [[ -s $folder/made/whole.seconds ]] || return 0; done
+  for folder in "$@"; do echo "${folder#docs/} $(<"$folder/made/whole.seconds")"; done | awk '
+    { sum += $2; each = each (each ? ", " : "") $1 " " sprintf("%.1f", $2 / 3600) }
+    END { printf "All parts in one go, each bed made once (hours of a core): %s%s. That is %.1f hours of two cores.\n", each, (NR > 1 ? sprintf(", together %.1f", sum / 3600) : ""), sum / 7200 }'
+}
+
 # cost_of_parts FOLDER: a line with the hours of all parts, and the dearest of them.
 cost_of_parts() {
   local made=$1/made part unknown=()

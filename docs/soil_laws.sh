@@ -202,6 +202,7 @@ make_parts docs/soil_laws "${@:2}"
 now=("${@:2}")
 ((${#now[@]})) || now=("${all[@]}")
 for part in "${now[@]}"; do count_cost $laws "$part" "$out/$part" "$out/${part}_others"; done
+count_whole $laws "${all[@]/#/$out/}" "$out/first_contact_others"
 page=$(mktemp)
 trap 'rm -f "$page"' EXIT
 # PART: its text, its tables and what was found; nothing before its tables were made.
@@ -222,6 +223,8 @@ parts_of_laws() { for part in "${laws_of_page[@]}"; do part_of_page "$part"; don
   cat $laws/causes.txt
   echo
   cost_of_parts $laws
+  echo
+  cost_of_pages $laws docs/soils
   echo
   parts_of_laws
   cat $laws/rigs.txt

@@ -79,6 +79,8 @@ count_cost docs/soils slopes_higher "$out"/repose_higher_*
 count_cost docs/soils instruments "$out"/{plate,cone,wheel,shear}_{none,rolling,clumps}
 count_cost docs/soils landing "$out/landing"
 count_cost docs/soils default "$out/default"
+count_whole docs/soils "$out"/repose{,_high,_higher}_{clumps_of_four,clumps_of_two,spheres_without_rolling_friction,spheres_with_rolling_friction_0.2} "$out"/repose_high_clumps_of_{three_in_a_row,three_in_a_triangle,five,six} \
+  "$out"/{plate,cone,wheel,shear}_{none,rolling,clumps} "$out"/{landing,default}
 page=$(mktemp)
 trap 'rm -f "$page"' EXIT
 {
@@ -90,5 +92,7 @@ trap 'rm -f "$page"' EXIT
   done
   echo
   cost_of_parts docs/soils
+  echo
+  cost_of_pages docs/soils
 } >"$page"
 cp "$page" docs/soils.md

@@ -161,6 +161,7 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, Draft& draft) {
     throw PartnerError("making the bed: " + damage + ": nothing is kept. Is the disk full? " +
                        draft.folder().parent_path().string() + " has " + free_space(draft.folder()) + " left");
   seal_bed(draft.folder().string());
+  write_whole_file((draft.folder() / kBedCost).string(), "{\"cpu_s\": " + number_text(end.cpu, 6) + "}\n", kAdvice);
 }
 
 }  // namespace

@@ -102,13 +102,15 @@ bool is_fault(int signal) {
 }
 
 // Collects every child that ended (orphans of the child come to us). True when `pid` is among them; `status` is then
-// its status.
-bool reap(pid_t pid, int& status) {
+// its status, `cpu` its processor time [s].
+bool reap(pid_t pid, int& status, double& cpu) {
   bool ended = false;
   int s = 0;
-  for (pid_t child = waitpid(-1, &s, WNOHANG); child > 0; child = waitpid(-1, &s, WNOHANG)) {
+  rusage usage{};
+  for (pid_t child = wait4(-1, &s, WNOHANG, &usage); child > 0; child = wait4(-1, &s, WNOHANG, &usage)) {
     if (child != pid) continue;
     status = s;
+    cpu = processor_time(usage);
     ended = true;
   }
   return ended;
@@ -158,7 +160,7 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
     } else if (signal == SIGINT && Clock::now() > asked + kSecondThought) {
       terminate();
     }
-    if (reap(pid, status)) {
+    if (reap(pid, status, end.cpu)) {
       ended = true;
       if (deadline == Clock::time_point::max()) {
         // Of a launcher that a signal has ended nobody hears, and Open MPI ends its programs a second later.
@@ -172,7 +174,7 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
     end.given_up = tick();
     if (!end.given_up.empty()) terminate();
   }
-  reap(pid, status);  // orphans killed last
+  reap(pid, status, end.cpu);  // orphans killed last
   end.code = exit_code_of(status);
   end.crashed = WIFSIGNALED(status) && is_fault(WTERMSIG(status));
   if (end.code == kCannotStart) throw InputError("cannot start " + command.words[0] + "; is it installed?");

@@ -19,6 +19,7 @@ struct Command {
 
 struct ChildEnd {
   int code = 0;              // exit code; 128 + signal when a signal ended it
+  double cpu = 0.0;          // processor time of all its programs [s]
   bool crashed = false;      // it was ended by a fault of its own (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT)
   bool interrupted = false;  // the user asked for the end (SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1)
   std::string given_up;      // why we ended it ourselves; empty: we did not

@@ -46,6 +46,13 @@ constexpr std::chrono::nanoseconds kTick = std::chrono::milliseconds(200);
 
 }  // namespace
 
+double processor_time(const rusage& usage) {
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
 SignalsHeld::SignalsHeld() {
   sigemptyset(&held_);
   for (int signal : {SIGINT, SIGTERM, SIGQUIT, SIGUSR1, SIGCHLD}) sigaddset(&held_, signal);

@@ -2,6 +2,7 @@
 // Starting processes, and taking the signals that come while they run one by one.
 
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include "mbd_solver/cli/launch/child.h"
@@ -35,5 +36,8 @@ pid_t start_process(const Command& command, const SignalsHeld& signals);
 
 // Of what waitpid() has said of a process that has ended: a signal counts as 128 + its number, as in a shell.
 int exit_code_of(int status);
+
+// Of what wait4() has said of one: its own time and that of all whose end it has seen [s].
+double processor_time(const rusage& usage);
 
 }  // namespace footfall

@@ -10,17 +10,6 @@
 
 namespace footfall {
 
-namespace {
-
-double processor_time(const rusage& usage) {
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-}  // namespace
-
 bool run_pool(const std::vector<Command>& commands, int jobs, const std::function<void(int, int, double)>& ended) {
   const SignalsHeld signals;
   std::map<pid_t, int> running;  // number of each process
