@@ -17,6 +17,7 @@ namespace {
 // What was meant by a first word that is neither a subcommand nor an option.
 void require_subcommand(const std::string& word, const std::vector<Subcommand>& commands) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const Subcommand& subcommand : commands) names.emplace_back(subcommand.name);
   if (word == "help") return;
   if (word.empty() || word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return;

@@ -6,7 +6,7 @@
 namespace footfall {
 
 inline constexpr const char* kBedRestart = "bed.restart";
-inline constexpr const char* kBedCost = "bed_cost.json";  // cpu_s: processor time that it took to make
+inline constexpr const char* kBedCost = "bed_cost.json";         // cpu_s: processor time that it took to make
 inline constexpr const char* kBedGrains = "bed.restart.grains";  // text dump x y z radius; some scripts write none
 
 // Keeps sizes and checksums of the bed's files beside them, in bed.seal. Throws InputError when it cannot be written.
