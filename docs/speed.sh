@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Remakes docs/speed.md with its pictures: run time that is foretold, the landing beside stock LIGGGHTS, the mechanism beside Simbody, its cost against size.
-# Leave the machine alone: some twenty minutes. Needs libsimbody-dev, valgrind, python3, gnuplot.
-#   docs/speed.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: time stock simbody size; "page": no part, the page alone
+# Leave the machine alone: some twenty minutes. Needs libsimbody-dev, valgrind, python3, gnuplot, g++, debootstrap (as root).
+#   docs/speed.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: first build time stock simbody size; "page": no part, the page alone
 # The tables of a part are kept in docs/speed/made/PART.txt, and the page is put together of them and of the texts in docs/speed.
 #   PAIRS       of the landing and stock LIGGGHTS (default 10)
 #   SPEED_RUNS  folder of what the benchmarks leave (default runs/speed)
@@ -10,9 +10,30 @@ build=$(realpath "${1:-build}")
 cd "$(dirname "$0")/.."
 . docs/parts.sh
 runs=$(realpath -m "${SPEED_RUNS:-runs/speed}")
-all=(time stock simbody size)
+all=(first build time stock simbody size)
 machine="The machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
 
+# Each stage ends where the front door says what comes next.
+part_first() {
+  tests/bench/first_landing.sh >"$runs/first.log" 2>&1
+  awk '/ footfall: building/ { packages = $1 } / Making the bed/ { build = $1 } / Bed: / { bed = $1 } / in all$/ { all = $1 }
+       END {
+         print "| stage | time [s] |\n|---|---|"
+         printf "| Debian packages | %.0f |\n| build, of what a run needs | %.0f |\n| bed | %.0f |\n| landing, 1.0 s of it, with its plots | %.0f |\n| in all | %.0f |\n\n", packages, build - packages, bed - build, all - bed, all
+       }' "$runs/first.log"
+  echo "$machine."
+}
+# What a run needs, and all that is not needed for it left out.
+part_build() {
+  local compiler
+  echo '| compiler | processor time [s] | on the clock [s] |'
+  echo '|---|---|---|'
+  for compiler in clang++ g++; do
+    CXX=$compiler tests/bench/build_cost.sh | sed -n "s/^processor time of [0-9]* objects \([0-9]*\) s; .* built in \([0-9]*\) s/| $compiler | \1 | \2 |/p"
+  done
+  echo
+  echo "$machine."
+}
 part_time() { tests/bench/run_time.sh "$build"; echo; echo "$machine."; }
 part_stock() {
   local bed said=$runs/stock.log
