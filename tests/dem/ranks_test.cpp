@@ -15,7 +15,6 @@ namespace footfall::test {
 namespace {
 
 constexpr double kDt = 5e-5;
-constexpr int kSteps = 2000;
 
 // A carpet of grains, each on a spring of its own: it forgets disturbances, so that round-off stays
 // round-off. It ends at x = 0.1: on four ranks in a row the last one owns no grain.
