@@ -166,6 +166,8 @@ void apply_setting(ConfigNode& root, const std::string& setting, Findings& findi
 std::string scene_file(const std::string& argument) {
   namespace fs = std::filesystem;
   std::error_code ignored;
+  if (argument.empty())
+    throw InputError("the name of the scene is empty; expected a scene file (TOML), or a folder that holds scene.toml");
   if (fs::is_directory(argument, ignored)) {
     const fs::path file = fs::path(argument) / "scene.toml";
     if (!fs::exists(file, ignored))

@@ -58,6 +58,16 @@ TEST(SceneReader, ReadsTheFolderAsItsSceneToml) {
   EXPECT_EQ(read_scene(std::filesystem::path(file).parent_path().string()).bodies.size(), 1u);
 }
 
+TEST(SceneReader, TellsThatANameIsEmpty) {
+  try {
+    read_scene("");
+    FAIL() << "there is no such scene";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find("the name of the scene is empty"), 0u);
+    EXPECT_EQ(std::string(error.what()).find("Did you mean"), std::string::npos);
+  }
+}
+
 TEST(SceneReader, FillsDefaultsWhereTheFileIsSilent) {
   const SceneText text;
   const Scene scene = text.read(kPendulum);
