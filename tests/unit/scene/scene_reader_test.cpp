@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
 #include "mbd_solver/scene/scene_json.h"
 #include "tests/unit/scene/scene_text.h"
