@@ -59,6 +59,9 @@ audit inputs/rigs/scenes/box.toml --until 0.01 --set particles.box.radius=0.01
 audit inputs/laws/scenes/janssen.toml --until 0.01 --set particles.bed.variables.fill=0.05
 audit inputs/laws/scenes/driven_wheel.toml --until 0.04 --set 'particles.box.size=[1.2,0.2]' --set particles.box.depth=0.04
 audit inputs/laws/scenes/pad.toml --until 0.02 $(box [0.3,0.3] 0.08)
+# All grains free: grains that stand still take momentum, as walls do, and are not counted.
+audit inputs/laws/scenes/frozen_floor.toml --until 0.01 --set particles.variables.frozen=-1 --set particles.variables.depth=0.06 --set particles.bed.variables.depth=0.06 \
+  --set particles.variables.length=0.2 --set particles.bed.variables.length=0.2 --set particles.variables.width=0.2 --set particles.bed.variables.width=0.2
 
 # Every scene with grains is there; the reference scene names every key and is run by its own test.
 while IFS= read -r file; do
