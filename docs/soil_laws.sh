@@ -117,7 +117,21 @@ stated() { sweep "inputs/laws/$1.toml" "$out/$1"; grep -h "^[|]" "$out/$1/cases.
 part_walls() { stated walls; }
 part_floor() { stated floor; }
 part_floor_fine() { stated floor_fine; }
-part_floor_frozen() { stated floor_frozen; }
+part_floor_frozen() {
+  local packing bed
+  stated floor_frozen
+  echo
+  echo "How far the grains fill the beds (\`docs/soil_laws/filled.awk\`, means over the samples):"
+  echo
+  echo '| bed | 10 to 30 mm below the surface | 30 to 50 mm | 50 to 70 mm | 70 to 90 mm |'
+  echo '|---|---|---|---|---|'
+  for packing in loose dense; do
+    for bed in 0.25 0.09 0.09_poured_higher; do
+      sed -n 's/.*"grains": "\(.*bed\.restart\.grains\)".*/\1/p' "$out/floor_frozen/runs/packing_${packing}__bed_${bed}"__seed_*/summary.json | sort -u | xargs awk -f $laws/filled.awk |
+        sed "s/^/| packing $packing, bed ${bed//_/ }/; s/$/ |/"
+    done
+  done
+}
 part_froude() { sweep inputs/laws/froude.toml "$out/froude"; awk -f $laws/student.awk -f $laws/froude.awk "$out/froude/runs.csv"; }
 # RIG: on its default bed, ten samples, and its picture.
 default_bed() { rig "$1" "$1" --samples 10; cp "$out/$1/$1.png" "docs/soil_laws_$1.png"; }

@@ -87,8 +87,10 @@ Eigen::Matrix3d axes_with_z(const Eigen::Vector3d& z, const Eigen::Vector3d& x_h
 
 Eigen::Matrix3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const double c = to.dot(from);
-  if (c < -1.0 + 1e-12)
-    return 2.0 * axes_with_z(from).col(0) * axes_with_z(from).col(0).transpose() - Eigen::Matrix3d::Identity();
+  if (c < -1.0 + 1e-12) {
+    const Eigen::Vector3d axis = axes_with_z(from).col(0);
+    return 2.0 * axis * axis.transpose() - Eigen::Matrix3d::Identity();
+  }
   const double s = std::sqrt(2.0 * (1.0 + c));
   Eigen::Quaterniond turn;
   turn.vec() = from.cross(to) * (1.0 / s);
