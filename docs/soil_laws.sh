@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 footfall=${1:-build}/bin/footfall
 out=${SOIL_RUNS:-runs/rigs}
 jobs=${SOIL_JOBS:-0}   # runs at once; 0: footfall chooses
-laws_of_page=(rft rft_smooth rft_long rft_deep rft_wide rft_out rft_upright rft_few sphere sphere_scaling sphere_scaling_fine sphere_scaling_alike sphere_scaling_alike_fine sphere_scaling_whole sphere_scaling_heavy first_contact walls floor floor_fine floor_frozen froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling wheel_stiffness)
+laws_of_page=(rft rft_smooth rft_long rft_deep rft_wide rft_out rft_upright rft_few sphere sphere_scaling sphere_scaling_fine sphere_scaling_alike sphere_scaling_alike_fine sphere_scaling_whole sphere_scaling_heavy first_contact walls floor floor_fine floor_frozen floor_frozen_fine froude janssen janssen_drawn janssen_fine janssen_further footpad pad_drops pad_stiffness sphere_grains sphere_small_grains wheel_scaling wheel_stiffness)
 rigs_of_page=(plate plate_checks cone cone_checks wheel wheel_checks shear shear_checks box box_checks repose repose_checks sphere_checks)
 all=("${laws_of_page[@]}" "${rigs_of_page[@]}")
 few=(); ((jobs == 0)) || few=(--jobs "$jobs")
@@ -132,6 +132,7 @@ part_floor_frozen() {
     done
   done
 }
+part_floor_frozen_fine() { stated floor_frozen_fine; }
 part_froude() { sweep inputs/laws/froude.toml "$out/froude"; awk -f $laws/student.awk -f $laws/froude.awk "$out/froude/runs.csv"; }
 # RIG: on its default bed, ten samples, and its picture.
 default_bed() { rig "$1" "$1" --samples 10; cp "$out/$1/$1.png" "docs/soil_laws_$1.png"; }
