@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 
 rooms=(coupler/base coupler liggghts_fix
   mbd_solver/{fe,model,model/laws,model/elements,model/controllers,model/signals,dynamics,integrator}
-  mbd_solver/{scene,build,coupling,output,observe,run} mbd_solver/cli/{launch,analysis,experiments,calibrate,rigs})
+  mbd_solver/{scene,build,coupling,output,observe,run} mbd_solver/cli/{grains,launch,analysis,experiments,calibrate,rigs})
 
 # "from" -> "to" for every include that crosses two rooms; model/joints belongs to model, coupler/schemes to coupler, cli/analysis/viewer to
 # cli/analysis.

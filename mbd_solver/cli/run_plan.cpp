@@ -6,11 +6,11 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/cli/grains/grain_rows.h"
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/box_report.h"
 #include "mbd_solver/cli/launch/check_command.h"
-#include "mbd_solver/cli/launch/grain_rows.h"
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/launch/script_safety.h"
 #include "mbd_solver/output/checkpoint_folder.h"

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "mbd_solver/cli/analysis/bed_frames.h"
-#include "mbd_solver/cli/analysis/bed_measures.h"
+#include "mbd_solver/cli/grains/bed_frames.h"
+#include "mbd_solver/cli/grains/bed_measures.h"
 
 namespace footfall {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/cli/analysis/bed_frames.h"
-#include "mbd_solver/cli/analysis/depth_image.h"
 #include "mbd_solver/cli/analysis/mechanism_shape.h"
+#include "mbd_solver/cli/grains/bed_frames.h"
+#include "mbd_solver/cli/grains/depth_image.h"
 
 namespace footfall {
 

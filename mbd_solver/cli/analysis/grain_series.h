@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "mbd_solver/cli/analysis/bed_frames.h"
+#include "mbd_solver/cli/grains/bed_frames.h"
 
 namespace footfall {
 

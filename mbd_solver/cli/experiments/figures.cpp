@@ -8,7 +8,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/nearest_name.h"
-#include "mbd_solver/cli/analysis/bed_slope.h"
+#include "mbd_solver/cli/grains/bed_slope.h"
 #include "mbd_solver/output/history.h"
 #include "mbd_solver/output/summary.h"
 

@@ -1,7 +1,7 @@
 // Angle of repose: the surface that a wall leaves which has drawn back (analysis/bed_slope.h), between a fifth and four
 // fifths of the height of the step.
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/analysis/bed_slope.h"
+#include "mbd_solver/cli/grains/bed_slope.h"
 #include "mbd_solver/cli/rigs/rig_curves.h"
 
 namespace footfall {

@@ -1,5 +1,5 @@
-// mbd_solver/cli/analysis/bed_slope.h: beds whose surface is a known line, and the figure of an experiment that is read from dumps.
-#include "mbd_solver/cli/analysis/bed_slope.h"
+// mbd_solver/cli/grains/bed_slope.h: beds whose surface is a known line, and the figure of an experiment that is read from dumps.
+#include "mbd_solver/cli/grains/bed_slope.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// mbd_solver/cli/analysis/bed_frames.h and bed_measures.h:
+// mbd_solver/cli/grains/bed_frames.h and bed_measures.h:
 // dumps read back, and their figures against beds whose figures are known.
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
-#include "mbd_solver/cli/analysis/bed_frames.h"
-#include "mbd_solver/cli/analysis/bed_measures.h"
+#include "mbd_solver/cli/grains/bed_frames.h"
+#include "mbd_solver/cli/grains/bed_measures.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {

@@ -1,5 +1,5 @@
 // The renderer: what is nearer hides what is behind it, whatever was drawn first.
-#include "mbd_solver/cli/analysis/depth_image.h"
+#include "mbd_solver/cli/grains/depth_image.h"
 #include "coupler/base/pi.h"
 
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/analysis/bed_frames.h"
 #include "mbd_solver/cli/analysis/viewer/frames_of_run.h"
 #include "mbd_solver/cli/analysis/viewer/packed_series.h"
+#include "mbd_solver/cli/grains/bed_frames.h"
 
 namespace footfall {
 namespace {

@@ -7,9 +7,9 @@
 #include "coupler/base/made_files.h"
 #include "coupler/base/quote.h"
 #include "coupler/base/whole_file.h"
-#include "mbd_solver/cli/analysis/bed_frames.h"
 #include "mbd_solver/cli/analysis/viewer/assets.h"
 #include "mbd_solver/cli/analysis/viewer/frames_of_run.h"
+#include "mbd_solver/cli/grains/bed_frames.h"
 #include "mbd_solver/output/summary.h"
 
 namespace footfall {

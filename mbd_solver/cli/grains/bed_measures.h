@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "mbd_solver/cli/analysis/bed_frames.h"
+#include "mbd_solver/cli/grains/bed_frames.h"
 
 namespace footfall {
 

@@ -1,4 +1,4 @@
-#include "mbd_solver/cli/analysis/bed_measures.h"
+#include "mbd_solver/cli/grains/bed_measures.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "mbd_solver/cli/analysis/bed_frames.h"
+#include "mbd_solver/cli/grains/bed_frames.h"
 
 #include <algorithm>
 #include <filesystem>

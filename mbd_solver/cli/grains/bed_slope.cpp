@@ -1,4 +1,4 @@
-#include "mbd_solver/cli/analysis/bed_slope.h"
+#include "mbd_solver/cli/grains/bed_slope.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "mbd_solver/cli/analysis/depth_image.h"
+#include "mbd_solver/cli/grains/depth_image.h"
 
 #include <algorithm>
 #include <cmath>

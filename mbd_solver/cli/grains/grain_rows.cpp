@@ -1,4 +1,4 @@
-#include "mbd_solver/cli/launch/grain_rows.h"
+#include "mbd_solver/cli/grains/grain_rows.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "mbd_solver/cli/analysis/bed_frames.h"
+#include "mbd_solver/cli/grains/bed_frames.h"
 
 namespace footfall {
 
