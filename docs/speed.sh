@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Remakes docs/speed.md with its pictures: run time that is foretold, the landing beside stock LIGGGHTS, the mechanism beside Simbody, its cost against size.
 # Leave the machine alone: some twenty minutes. Needs libsimbody-dev, valgrind, python3, gnuplot, g++, debootstrap (as root).
-#   docs/speed.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: first build time stock simbody size; "page": no part, the page alone
+#   docs/speed.sh [BUILD [PART...]]     BUILD: the build folder (default build). PART: first bed build time stock simbody size; "page": no part, the page alone
 # The tables of a part are kept in docs/speed/made/PART.txt, and the page is put together of them and of the texts in docs/speed.
 #   PAIRS       of the landing and stock LIGGGHTS (default 10)
 #   SPEED_RUNS  folder of what the benchmarks leave (default runs/speed)
@@ -10,7 +10,7 @@ build=$(realpath "${1:-build}")
 cd "$(dirname "$0")/.."
 . docs/parts.sh
 runs=$(realpath -m "${SPEED_RUNS:-runs/speed}")
-all=(first build time stock simbody size)
+all=(first bed build time stock simbody size)
 machine="The machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
 
 # Each stage ends where the front door says what comes next.
@@ -22,6 +22,29 @@ part_first() {
          printf "| Debian packages | %.0f |\n| build, of what a run needs | %.0f |\n| bed | %.0f |\n| landing, 1.0 s of it, with its plots | %.0f |\n| in all | %.0f |\n\n", packages, build - packages, bed - build, all - bed, all
        }' "$runs/first.log"
   echo "$machine."
+}
+# Landings on beds that were poured in longer and shorter steps, and the beds themselves.
+part_bed() {
+  local sweep=inputs/sweeps/bed_step.toml seed step at
+  "$build/bin/footfall" sweep $sweep --out "$runs/bed_step" >&2
+  echo "\`footfall sweep $sweep\`:"
+  echo
+  grep -h "^[|]" "$runs/bed_step/cases.md"
+  echo
+  cat "$runs/bed_step/statements.md"
+  echo
+  echo "The samples, and the beds before the landing (\`footfall compare\`):"
+  echo
+  echo '| sample | depth, 1.0e-4 s [m] | 1.5e-4 s [m] | neighbours of a grain, 1.0e-4 s | 1.5e-4 s | packing under the pads, 1.0e-4 s | 1.5e-4 s |'
+  echo '|---|---|---|---|---|---|---|'
+  for seed in $(sed -n 's/^values = \[\([0-9, ]*\)\]$/\1/p' $sweep | tr -d ,); do
+    for step in 1.0e-4 1.5e-4; do
+      "$build/bin/footfall" run inputs/landing_mr --until 1e-3 --force --out "$runs/bed_$step" --set output.plots=false --set particles.ranks=1 --set particles.variables.frames=0.001 \
+        --set particles.bed.variables.dt=$step --set particles.bed.variables.seed=$seed >/dev/null
+    done
+    at=$("$build/bin/footfall" compare "$runs/bed_1.0e-4" "$runs/bed_1.5e-4" | awk '$1 == "0" { print $4 " | " $5 " | " $6 " | " $7 }')
+    awk -F, -v seed="$seed" -v at="$at" '$3 == seed { depth[$2] = $6 } END { printf "| %s | %.3f | %.3f | %s |\n", seed, depth["1.0e-4"], depth["1.5e-4"], at }' "$runs/bed_step/runs.csv"
+  done
 }
 # What a run needs, and all that is not needed for it left out.
 part_build() {
