@@ -1,10 +1,13 @@
 #include "mbd_solver/cli/grains/bed_frames.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <sstream>
+#include <system_error>
 
 #include "coupler/base/errors.h"
 
@@ -50,15 +53,26 @@ Columns read_text(std::ifstream& file, const std::string& path) {
   return columns;
 }
 
+bool is_number(const std::string& word, double& value) {
+  const char* const end = word.data() + word.size();
+  const auto [read_to, error] = std::from_chars(word.data(), end, value);
+  return error == std::errc() && read_to == end && std::isfinite(value);
+}
+
 // POINTS n TYPE, then x y z each; later fields NAME components n TYPE.
 Columns read_vtk(std::ifstream& file, const std::string& path) {
   Columns columns;
+  std::string word;
   const auto numbers = [&](const std::vector<std::string>& names, long n) {
+    std::vector<std::vector<double>*> to;
+    for (const std::string& name : names) to.push_back(&columns.of[name]);
     for (long i = 0; i < n; ++i)
-      for (const std::string& name : names) {
+      for (std::vector<double>* const column : to) {
         double value = 0.0;
-        if (!(file >> value)) throw InputError(path + ": ends in the middle of \"" + names.front() + "\"");
-        columns.of[name].push_back(value);
+        // A stream reads words faster than numbers.
+        if (!(file >> word) || !is_number(word, value))
+          throw InputError(path + ": ends in the middle of \"" + names.front() + "\"");
+        column->push_back(value);
       }
   };
   std::string line;
