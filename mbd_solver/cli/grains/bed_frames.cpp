@@ -65,6 +65,7 @@ Columns read_vtk(std::ifstream& file, const std::string& path) {
   std::string word;
   const auto numbers = [&](const std::vector<std::string>& names, long n) {
     std::vector<std::vector<double>*> to;
+    to.reserve(names.size());
     for (const std::string& name : names) to.push_back(&columns.of[name]);
     for (long i = 0; i < n; ++i)
       for (std::vector<double>* const column : to) {
