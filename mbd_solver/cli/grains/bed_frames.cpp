@@ -71,8 +71,9 @@ Columns read_vtk(std::ifstream& file, const std::string& path) {
       for (std::vector<double>* const column : to) {
         double value = 0.0;
         // A stream reads words faster than numbers.
-        if (!(file >> word) || !is_number(word, value))
-          throw InputError(path + ": ends in the middle of \"" + names.front() + "\"");
+        if (!(file >> word)) throw InputError(path + ": ends in the middle of \"" + names.front() + "\"");
+        if (!is_number(word, value))
+          throw InputError(path + ": \"" + word + "\" stands in \"" + names.front() + "\"; expected a finite number");
         column->push_back(value);
       }
   };

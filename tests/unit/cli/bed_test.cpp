@@ -57,6 +57,28 @@ TEST_F(BedFiles, OfAFolderTheGrainsAreFoundAndNotTheMeshes) {
   EXPECT_TRUE(find_bed_frames((folder_ / "missing").string()).empty());
 }
 
+// What is said of a dump; empty when it is read.
+std::string said_of(const std::string& path) {
+  try {
+    read_bed_frame(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST_F(BedFiles, ADumpWithAWordThatIsNoNumberIsNamed) {
+  const std::string whole = kVtk, cut = whole.substr(0, whole.rfind("0.2"));
+  EXPECT_EQ(said_of(write("grains_40.vtk", whole)), "");
+  EXPECT_EQ(said_of(write("grains_40.vtk", cut + "1e-310\n")), "");
+  for (const std::string word : {"nan", "0.2x", "VERTICES", "1e400"}) {
+    const std::string path = write("grains_40.vtk", cut + word + "\n");
+    EXPECT_EQ(said_of(path), path + ": \"" + word + "\" stands in \"radius\"; expected a finite number");
+  }
+  const std::string path = write("grains_40.vtk", cut);
+  EXPECT_EQ(said_of(path), path + ": ends in the middle of \"radius\"");
+}
+
 TEST_F(BedFiles, ADumpWithoutRadiusIsNamed) {
   try {
     read_bed_frame(write("grains_1.txt", "ITEM: ATOMS id x y z\n1 0 0 0\n"));
