@@ -59,6 +59,10 @@ bool is_number(const std::string& word, double& value) {
   return error == std::errc() && read_to == end && std::isfinite(value);
 }
 
+[[noreturn]] void refuse(const std::string& path, const std::string& word, const std::string& field) {
+  throw InputError(path + ": \"" + word + "\" stands in \"" + field + "\"; expected a finite number");
+}
+
 // POINTS n TYPE, then x y z each; later fields NAME components n TYPE.
 Columns read_vtk(std::ifstream& file, const std::string& path) {
   Columns columns;
@@ -72,8 +76,7 @@ Columns read_vtk(std::ifstream& file, const std::string& path) {
         double value = 0.0;
         // A stream reads words faster than numbers.
         if (!(file >> word)) throw InputError(path + ": ends in the middle of \"" + names.front() + "\"");
-        if (!is_number(word, value))
-          throw InputError(path + ": \"" + word + "\" stands in \"" + names.front() + "\"; expected a finite number");
+        if (!is_number(word, value)) refuse(path, word, names.front());
         column->push_back(value);
       }
   };
