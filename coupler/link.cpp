@@ -7,9 +7,7 @@ namespace footfall {
 
 void Link::receive_bytes(MessageKind expected, double patience) {
   FOOTFALL_DEMAND(!closed_);
-  const double start = wall_clock();
   const MessageKind kind = transport_.receive(in_, patience);
-  seconds_waited_ += wall_clock() - start;
   if (kind == expected) return;
   if (kind == MessageKind::kClose) {
     const std::string reason = take_close();
@@ -42,9 +40,7 @@ void Link::close() {
   send(Close{});
   closed_ = true;
   transport_.part();
-  const double start = wall_clock();
   const MessageKind kind = transport_.receive(in_, patience_);
-  seconds_waited_ += wall_clock() - start;
   if (kind != MessageKind::kClose)
     throw ProtocolError(partner() + " sent " + message_name(kind) + " after the last window; Close was expected");
   Close answer;

@@ -48,7 +48,6 @@ class Link {
   // What the partner's Close said; kOk until it comes.
   Status partner_status() const { return partner_status_; }
   void set_patience(double seconds) { patience_ = seconds; }
-  double seconds_waited() const { return seconds_waited_; }
   std::string partner() const { return transport_.partner(); }
 
  private:
@@ -60,7 +59,6 @@ class Link {
   Bytes in_, out_;
   bool closed_ = false;
   Status partner_status_ = Status::kOk;
-  double seconds_waited_ = 0.0;  // in receive [s]
 };
 
 }  // namespace footfall

@@ -122,7 +122,7 @@ inline constexpr auto kFields<Load> = std::tuple{Field{"window", &Load::window},
                                                  Field{"warnings", &Load::warnings},
                                                  Field{"asked_to_end", &Load::asked_to_end},
                                                  Field{"wall_seconds", &Load::wall_seconds},
-                                                 Field{"after_load_seconds", &Load::after_load_seconds},
+                                                 Field{"waited_seconds", &Load::waited_seconds},
                                                  Field{"bodies", &Load::bodies},
                                                  Field{"gone_walls", &Load::gone_walls}};
 

@@ -23,7 +23,7 @@
 
 namespace footfall {
 
-inline constexpr std::int32_t kProtocolVersion = 7;
+inline constexpr std::int32_t kProtocolVersion = 8;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // LIGGGHTS' name of the units that both programs use.
@@ -143,7 +143,7 @@ struct Load {
   bool asked_to_end = false;  // by a signal to one of its ranks; both programs end after a checkpoint, if they can
   // of the DEM side since its last Load or Accept, set-up and output included, waiting excluded [s]
   double wall_seconds = 0.0;
-  double after_load_seconds = 0.0;      // of them, until it asked for the Motion: the mechanism works then, too [s]
+  double waited_seconds = 0.0;          // for the Motion of this window, from asking until all ranks had it [s]
   std::vector<BodyLoad> bodies;         // order of Start
   std::vector<std::string> gone_walls;  // of Start::walls: no longer there, or they move now
 };

@@ -30,7 +30,9 @@ TransportMpi::TransportMpi(const Communicator& communicator, std::string partner
 TransportMpi::~TransportMpi() {
   int finalized = 0;
   MPI_Finalized(&finalized);
-  if (finalized || request_ == MPI_REQUEST_NULL) return;
+  if (finalized) return;
+  finish(handing_, kParting);  // a rank that has failed never takes it
+  if (request_ == MPI_REQUEST_NULL) return;
   try {
     if (finish_last_send(kParting)) return;
   } catch (const PartnerError&) {  // the partner is gone, and the message with it
@@ -79,40 +81,38 @@ bool TransportMpi::has_come(MPI_Status& status) const {
 
 MessageKind TransportMpi::receive(Bytes& bytes, double patience) {
   if (!shared_) return receive_at_root(bytes, patience);
-  // What the root hands on: kind and size with the first bytes, which are all of most messages, then what is left of
-  // them; of a failure the bytes are why.
-  constexpr int kFailure = 0, kInterrupt = -1;
-  struct {
-    int kind = kFailure, size = 0;
-    std::array<std::uint8_t, 4000> bytes{};  // with them still below what Open MPI sends without asking
-  } head;
+  wait_politely(handing_, doorbell_);
   if (is_root_) {
     try {
-      head.kind = static_cast<int>(receive_at_root(bytes, patience));
+      head_.kind = static_cast<int>(receive_at_root(bytes, patience));
     } catch (const PartnerError& error) {
-      if (dynamic_cast<const Interrupted*>(&error)) head.kind = kInterrupt;
+      head_.kind = dynamic_cast<const Interrupted*>(&error) ? Head::kInterrupt : Head::kFailure;
       const std::string why = error.what();
       bytes.assign(why.begin(), why.end());
     }
-    head.size = static_cast<int>(bytes.size());
-    std::copy_n(bytes.begin(), std::min(bytes.size(), head.bytes.size()), head.bytes.begin());
+    head_.size = static_cast<int>(bytes.size());
+    std::copy_n(bytes.begin(), std::min(bytes.size(), head_.bytes.size()), head_.bytes.begin());
   }
-  hand_on(&head, sizeof head);
-  bytes.resize(static_cast<std::size_t>(head.size));
-  const std::size_t known = std::min(bytes.size(), head.bytes.size());
-  std::copy_n(head.bytes.begin(), known, bytes.begin());
-  if (bytes.size() > known) hand_on(bytes.data() + known, bytes.size() - known);
-  if (head.kind == kFailure) throw PartnerError(std::string(bytes.begin(), bytes.end()));
-  if (head.kind == kInterrupt) throw Interrupted(std::string(bytes.begin(), bytes.end()));
-  return static_cast<MessageKind>(head.kind);
+  handing_ = hand_on(&head_, sizeof head_);
+  if (!is_root_) wait_politely(handing_, doorbell_);
+  bytes.resize(static_cast<std::size_t>(head_.size));
+  const std::size_t known = std::min(bytes.size(), head_.bytes.size());
+  std::copy_n(head_.bytes.begin(), known, bytes.begin());
+  if (bytes.size() > known) {
+    MPI_Request rest = hand_on(bytes.data() + known, bytes.size() - known);
+    wait_politely(rest, doorbell_);
+  }
+  if (head_.kind == Head::kFailure) throw PartnerError(std::string(bytes.begin(), bytes.end()));
+  if (head_.kind == Head::kInterrupt) throw Interrupted(std::string(bytes.begin(), bytes.end()));
+  return static_cast<MessageKind>(head_.kind);
 }
 
 // From the root to all ranks of this program.
-void TransportMpi::hand_on(void* data, std::size_t size) const {
+MPI_Request TransportMpi::hand_on(void* data, std::size_t size) const {
   MPI_Request request = MPI_REQUEST_NULL;
   check_mpi(MPI_Ibcast(data, static_cast<int>(size), MPI_BYTE, 0, world_, &request), "MPI_Ibcast");
   wake_own_ranks();
-  wait_politely(request, doorbell_);
+  return request;
 }
 
 // The root has handed something on.
@@ -167,12 +167,14 @@ MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
 }
 
 // True once the last send has left. patience [s]: 0 waits for ever.
-bool TransportMpi::finish_last_send(double patience) {
+bool TransportMpi::finish_last_send(double patience) { return finish(request_, patience); }
+
+bool TransportMpi::finish(MPI_Request& request, double patience) const {
   const double start = wall_clock();
   PoliteWait wait(doorbell_);
   for (;;) {
     int done = 0;
-    check_mpi(MPI_Test(&request_, &done, MPI_STATUS_IGNORE), "MPI_Test");
+    check_mpi(MPI_Test(&request, &done, MPI_STATUS_IGNORE), "MPI_Test");
     if (done) return true;
     if (patience > 0.0 && wall_clock() - start > patience) return false;
     wait.nap();

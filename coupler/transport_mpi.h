@@ -2,6 +2,8 @@
 // Messages to the partner program over MPI. Waiting means polling with short sleeps: a blocking MPI receive would keep
 // a core busy that the grains need.
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,11 +30,20 @@ class TransportMpi : public Transport {
   void root_speaks_alone() { shared_ = false; }
 
  private:
+  // What the root hands on: kind and size with the first bytes, which are all of most messages, then what is left of
+  // them; of a failure the bytes are why.
+  struct Head {
+    static constexpr int kFailure = 0, kInterrupt = -1;
+    int kind = kFailure, size = 0;
+    std::array<std::uint8_t, 4000> bytes{};  // with them still below what Open MPI sends without asking
+  };
+
   bool finish_last_send(double patience);
+  bool finish(MPI_Request& request, double patience) const;
   bool partner_is_gone();
   void ring_partner();
   bool has_come(MPI_Status& status) const;
-  void hand_on(void* data, std::size_t size) const;
+  MPI_Request hand_on(void* data, std::size_t size) const;
   void wake_own_ranks() const;
   MessageKind receive_at_root(Bytes& bytes, double patience);
 
@@ -53,6 +64,9 @@ class TransportMpi : public Transport {
   double gone_since_ = 0.0;     // on the clock [s]; 0: it is there
   Bytes sending_;               // owned until the send is complete
   MPI_Request request_ = MPI_REQUEST_NULL;
+  // The root goes on with its work before the others have taken what it hands on.
+  Head head_;
+  MPI_Request handing_ = MPI_REQUEST_NULL;
 };
 
 }  // namespace footfall

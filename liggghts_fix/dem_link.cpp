@@ -52,12 +52,12 @@ void DemLink::begin_substep(std::int64_t step) {
 }
 
 void DemLink::begin_window() {
-  asked_ = wall_clock();
+  const double asked = wall_clock();
   {
     const StayOnCore here;
     link_->receive(motion_);
   }
-  waited_ = wall_clock() - asked_;
+  waited_ = wall_clock() - asked;
   if (!std::isfinite(motion_.time))
     throw NumericalError("window " + std::to_string(windows_) + ": its time is not finite");
   if (motion_.window != windows_ || motion_.bodies.size() != bodies_.size() || motion_.n < 1 ||
@@ -153,7 +153,7 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
   load_.asked_to_end = asked_to_end_;
   const double now = wall_clock();
   load_.wall_seconds = now - sent_ - waited_;
-  load_.after_load_seconds = asked_ - sent_;
+  load_.waited_seconds = waited_;
   sent_ = now;
   link_->send(load_);
   load_.warnings.clear();

@@ -165,7 +165,7 @@ class DemLink {
   double overlap_ = 0.0;
   // Wall clock [s]: when the last load was sent (0: none yet) and the motion after it was asked for, and how long it was
   // waited for.
-  double sent_ = 0.0, asked_ = 0.0, waited_ = 0.0;
+  double sent_ = 0.0, waited_ = 0.0;
   double stepped_ = 0.0;  // when the last substep began
 };
 

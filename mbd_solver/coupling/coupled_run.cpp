@@ -121,9 +121,7 @@ void CoupledRun::visit(Archive& archive) {
   if (choice_) archive("choice", *choice_);
   archive("sample", sample_);
   archive("dem_seconds", dem_seconds_);
-  archive("waited", waited_);
-  archive("side_by_side_seconds", side_by_side_);
-  if (archive.restores()) waited_before_ = waited_;
+  archive("exchange_seconds", exchange_seconds_);
 }
 
 double CoupledRun::begin_window(const State& state, const Kinematics& kinematics,
@@ -156,7 +154,7 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   if (script_has_ended()) return state.time;
   for (const std::string& warning : load.warnings) watch_->warn(warning);
   dem_seconds_ += load.wall_seconds;
-  side_by_side_ += std::min(load.after_load_seconds, worked);
+  exchange_seconds_ += std::max(0.0, load.waited_seconds - worked);
   receive(load, inputs);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const auto body = static_cast<std::size_t>(bodies_[k].entry.body);
@@ -179,7 +177,6 @@ void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
   sample_.estimate = choice_ ? choice_->estimate() : 0.0;
   sample_.energy_residual = watch_->energy_residual();
   sample_.omega_h = watch_->omega_h();
-  waited_ = waited_before_ + partner_.seconds_waited();
   ++motion_.window;
 }
 

@@ -70,8 +70,8 @@ class CoupledRun {
   const CouplingWatch& watch() const { return *watch_; }
   const std::string& grains_version() const { return partner_.grains_version(); }  // of LIGGGHTS
   double dem_seconds() const { return dem_seconds_; }  // spent by LIGGGHTS on its windows [s]
-  // Waited for LIGGGHTS until the last window's end, less its own work in that time: what the exchange costs [s].
-  double exchange_seconds() const { return waited_ - (dem_seconds_ - side_by_side_); }
+  // What LIGGGHTS has waited for motions beyond the work of the mechanism in that time: what the exchange costs [s].
+  double exchange_seconds() const { return exchange_seconds_; }
 
  private:
   // One body that the script couples.
@@ -104,12 +104,10 @@ class CoupledRun {
   std::unique_ptr<WindowChoice> choice_;  // null when the script fixes n
   std::vector<WindowChoice::Body> choice_bodies_;
   CouplingSample sample_;
-  Eigen::VectorXd work_before_;               // State::load_work at the window's start [J]
-  std::vector<CouplingWatch::Body> watched_;  // of the window, per coupled body
-  double dem_seconds_ = 0.0, waited_ = 0.0;   // [s]
-  double side_by_side_ = 0.0;                 // of dem_seconds_: while the mechanism worked as well [s]
-  double exchanged_ = wall_clock();           // when the last load had come [s]
-  double waited_before_ = 0.0;                // by the run that this one resumes [s]
+  Eigen::VectorXd work_before_;                        // State::load_work at the window's start [J]
+  std::vector<CouplingWatch::Body> watched_;           // of the window, per coupled body
+  double dem_seconds_ = 0.0, exchange_seconds_ = 0.0;  // [s]
+  double exchanged_ = wall_clock();                    // when the last load had come [s]
 };
 
 }  // namespace footfall

@@ -43,7 +43,6 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     accept.gravity = terms.gravity;
     accept.gravity_known = true;
     link_.send(accept);
-    seconds_before_ = link_.seconds_waited();
   } catch (const ProtocolError& error) {
     link_.fail(error.what(), Status::kBadInput);
     throw;

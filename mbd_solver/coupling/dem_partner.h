@@ -63,7 +63,6 @@ class DemPartner {
     if (!link_.closed()) link_.close();
   }
   void fail(const std::string& reason, Status status) noexcept { link_.fail(reason, status); }
-  double seconds_waited() const { return link_.seconds_waited() - seconds_before_; }  // since both agreed to start [s]
 
  private:
   void check(const DemTerms& terms) const;
@@ -76,7 +75,6 @@ class DemPartner {
   Load load_;
   std::vector<std::string> warnings_;
   bool script_has_ended_ = false;
-  double seconds_before_ = 0.0;  // waited until then: the script was being read [s]
 };
 
 }  // namespace footfall

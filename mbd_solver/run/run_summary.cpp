@@ -91,7 +91,7 @@ void add_costs(const Simulation& simulation, Json& json) {
   json["mbd_wall_s"] = times.mbd;
   json["control_wall_s"] = times.control;
   json["checkpoint_wall_s"] = times.keeping;
-  json["exchange_wall_s"] = simulation.coupled() ? std::max(0.0, simulation.coupled()->exchange_seconds()) : 0.0;
+  json["exchange_wall_s"] = simulation.coupled() ? simulation.coupled()->exchange_seconds() : 0.0;
 }
 
 // What stands on the plane by friction creeps down its slope where a friction_speed is given; nothing is told where it slides.
