@@ -89,6 +89,24 @@ void body_mass_matrix(const Body& body, const BodyKinematics& at, InertiaScratch
   turn_matrix(at.A, s.M, M);
 }
 
+void body_mass_product(const Body& body, const BodyKinematics& at, const Eigen::Ref<const Eigen::VectorXd>& x,
+                       InertiaScratch& s, Eigen::Ref<Eigen::VectorXd> out) {
+  const Eigen::Vector3d turned_B = at.A.transpose() * x.segment<3>(3);
+  if (at.modes == 0) {
+    const Eigen::Vector3d spin = body.rigid_inertia() * turned_B;
+    out.head<3>() = body.mass() * x.head<3>();
+    out.segment<3>(3) = at.A * spin;
+    return;
+  }
+  s.dv.head<3>().noalias() = at.A.transpose() * x.head<3>();
+  s.dv.segment<3>(3) = turned_B;
+  s.dv.tail(at.modes) = x.tail(at.modes);
+  body.inertia().mass_product(at.a, s.dv, s.inertia, s.g);
+  out.head<3>() = at.A * s.g.head<3>();
+  out.segment<3>(3) = at.A * s.g.segment<3>(3);
+  out.tail(at.modes) = s.g.tail(at.modes);
+}
+
 void body_derivatives(const Body& body, const BodyKinematics& at, InertiaScratch& s, Eigen::Ref<Eigen::MatrixXd> dF_dx,
                       Eigen::Ref<Eigen::MatrixXd> dF_dv, Eigen::Ref<Eigen::MatrixXd> M) {
   if (at.modes == 0) {

@@ -28,6 +28,10 @@ void add_body_force(const Body& body, const BodyKinematics& at, const Eigen::Vec
 void body_mass_matrix(const Body& body, const BodyKinematics& at, InertiaScratch& scratch,
                       Eigen::Ref<Eigen::MatrixXd> M);
 
+// out = M x in W, both 6+s, without M itself.
+void body_mass_product(const Body& body, const BodyKinematics& at, const Eigen::Ref<const Eigen::VectorXd>& x,
+                       InertiaScratch& scratch, Eigen::Ref<Eigen::VectorXd> out);
+
 // Of M dv + h: dF/dx, dF/dv, and M (= dF/ddv), all overwritten.
 void body_derivatives(const Body& body, const BodyKinematics& at, InertiaScratch& scratch,
                       Eigen::Ref<Eigen::MatrixXd> dF_dx, Eigen::Ref<Eigen::MatrixXd> dF_dv,

@@ -181,7 +181,7 @@ class Equations {
   void add_reaction(const Eigen::Ref<const Eigen::VectorXd>& lambda, double sign,
                     Eigen::Ref<Eigen::VectorXd> force) const;
   void demand_closed(double t, const Drift& drift, double tolerance) const;
-  void remove_drift(double closed, double closed_speed, State& state, Drift& now);
+  void remove_drift(double closed, double closed_speed, bool together, State& state, Drift& now);
   Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate);
 
   const Model& model_;

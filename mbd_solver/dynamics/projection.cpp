@@ -90,13 +90,13 @@ Equations::Drift Equations::project(State& state, Close close) {
   Drift now = before;
   // Factors of another position lead there more slowly, but cost nothing.
   const bool at_hand = close == Close::kByFactorsAtHand && w.saddle_factored && w.redundancies.empty();
-  if (at_hand) remove_drift(kNoDrift, kNoSpeedDrift, state, now);
+  if (at_hand) remove_drift(kNoDrift, kNoSpeedDrift, true, state, now);
   if (!at_hand || !kept(now)) {
     if (!factor_saddle(state)) {
       demand_closed(state.time, now, kOpen);
       return now;
     }
-    remove_drift(kClosed, kClosed, state, now);
+    remove_drift(kClosed, kClosed, false, state, now);
   }
   demand_closed(state.time, now, kOpen);
   Drift result = before;
@@ -106,34 +106,41 @@ Equations::Drift Equations::project(State& state, Close close) {
 }
 
 // With the factors at hand: state.q and state.v, loaded, and their drift.
-void Equations::remove_drift(double closed, double closed_speed, State& state, Drift& now) {
+void Equations::remove_drift(double closed, double closed_speed, bool together, State& state, Drift& now) {
   Workspace& w = *work_;
   Eigen::Ref<Eigen::VectorXd> phi = w.saddle_x.tail(layout_.row_count);
-  // Positions: dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T + eps)^-1 phi, with the same factors until phi no
-  // longer falls.
+  // Velocities: dv = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T + eps)^-1 phi'.
+  const auto move_velocities = [&] {
+    w.saddle_x.head(layout_.v_size).setZero();
+    phi = -w.phi_rate;
+    w.saddle_lu->solve(w.saddle_x);
+    state.v += w.saddle_x.head(layout_.v_size);
+  };
+  // Positions: dx likewise from phi, with the same factors until phi no longer falls; the first time, where wanted,
+  // together with the velocities: one look at the drift judges both.
   for (int i = 0; i < kMostProjections && now.position > closed; ++i) {
+    w.last_q = state.q;
+    w.last_v = state.v;
     w.saddle_x.head(layout_.v_size).setZero();
     phi = -phi;
     w.saddle_lu->solve(w.saddle_x);
-    w.last_q = state.q;
     add_increment(layout_, w.saddle_x.head(layout_.v_size), state.q);
+    if (together && i == 0 && now.velocity > closed_speed) move_velocities();
     load(state);
     const double last = now.position;
     now = measure_drift(state.time, phi, w.phi_rate);
     if (!(now.position < last)) {  // not finite, or no better: take it back
       state.q = w.last_q;
+      state.v = w.last_v;
       load(state);
       now = measure_drift(state.time, phi, w.phi_rate);
       break;
     }
   }
-  // Velocities: dv likewise from phi'. The factors are those of a position moved by the drift: repeat.
+  // The factors are those of a position moved by the drift: repeat.
   for (int i = 0; i < kMostProjections && now.velocity > closed_speed; ++i) {
-    w.saddle_x.head(layout_.v_size).setZero();
-    phi = -w.phi_rate;
-    w.saddle_lu->solve(w.saddle_x);
     w.last_v = state.v;
-    state.v += w.saddle_x.head(layout_.v_size);
+    move_velocities();
     load(state);
     const double last = now.velocity;
     now = measure_drift(state.time, phi, w.phi_rate);

@@ -30,8 +30,12 @@ void Equations::forget() {
 
 bool Equations::factor_saddle(const State& state) {
   Workspace& w = *work_;
+  // The matrix depends on the position alone: once is enough, as where each body of a coupling asks for its mass.
+  if (w.saddle_factored && w.redundancies.empty() && w.saddle_time == state.time && w.saddle_q == state.q) return true;
   const auto factor = [&] {
     fill_saddle(state.time, 1.0, w.regularisation);
+    w.saddle_time = state.time;
+    w.saddle_q = state.q;
     return w.saddle_factored = w.saddle_lu->factor(w.saddle_own);
   };
   if (!w.redundancies_known) find_redundancies(state);
@@ -258,9 +262,7 @@ void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eig
   for (int i = 0; i < model_.body_count(); ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
     const int n = w.kinematics.of(i).size(), v = layout_.v0() + layout_.body_v[at];
-    Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
-    body_mass_matrix(model_.body(i), w.kinematics.of(i), w.inertia[at], M);
-    out.segment(v, n).noalias() = M * x.segment(v, n);
+    body_mass_product(model_.body(i), w.kinematics.of(i), x.segment(v, n), w.inertia[at], out.segment(v, n));
   }
   for_each_row(
       model_, layout_, w.kinematics, t, w.row,

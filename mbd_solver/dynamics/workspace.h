@@ -81,7 +81,9 @@ struct Equations::Workspace {
   std::vector<int> saddle_diagonal;
   Eigen::VectorXd saddle_own;  // diagonal of M in it
   std::unique_ptr<ThinLu> saddle_lu;
-  bool saddle_factored = false;         // saddle_lu has factors
+  bool saddle_factored = false;         // saddle_lu has factors,
+  double saddle_time = 0.0;             // those of this time
+  Eigen::VectorXd saddle_q;             // and position
   std::unique_ptr<ThinLu> smallest_lu;  // of the same pattern, for make_smallest()
   Eigen::VectorXd saddle_x, rest_x, phi_rate;
   Eigen::VectorXd reaction;        // Phi_v^T lambda

@@ -1,17 +1,8 @@
 #include "mbd_solver/model/kinematic_vector.h"
 
+#include "mbd_solver/model/mode_sums.h"
+
 namespace footfall {
-namespace {
-
-// out += U^T f, a row of three at a time: a product of Eigen's with so short an inner size takes twice the time.
-void add_to_modes(const Eigen::Matrix3Xd& U, const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) {
-  const double* column = U.data();
-  for (Eigen::Index k = 0; k < out.size(); ++k, column += 3)
-    out[k] += column[0] * f[0] + column[1] * f[1] + column[2] * f[2];
-}
-
-}  // namespace
-
 KinematicVector KinematicVector::constant(const Eigen::Vector3d& value_W) {
   KinematicVector out;
   out.value_ = value_W;
@@ -21,6 +12,18 @@ KinematicVector KinematicVector::constant(const Eigen::Vector3d& value_W) {
 KinematicVector KinematicVector::axis(const PairMotion& pair, int slot, const Marker& marker, int k) {
   KinematicVector out;
   out.add_term(pair, slot, 1.0, false, marker.axes.col(k), marker.U[k]);
+  return out;
+}
+
+KinematicVector KinematicVector::axis(const PairMotion& pair, int slot, const Marker& marker, int k,
+                                      const NodeTurn& turn) {
+  KinematicVector out;
+  const Eigen::Vector3d u = marker.axes.col(k);
+  if (pair.body[slot]->modes == 0) {
+    out.add_term(pair, slot, 1.0, false, u, marker.U[k]);
+  } else {
+    out.add_term(pair, slot, 1.0, false, Local{u + turn.a.cross(u), turn.da.cross(u), turn.dda.cross(u)}, marker.U[k]);
+  }
   return out;
 }
 
@@ -44,30 +47,27 @@ void KinematicVector::add_term(const PairMotion& pair, int slot, double sign, bo
     value_ += sign * u0;
     return;
   }
+  if (b.modes == 0) {
+    add_term(pair, slot, sign, point, Local{u0, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}, U);
+  } else {
+    const ModeSums sums(U, b);
+    add_term(pair, slot, sign, point, Local{u0 + sums.a, sums.da, sums.dda}, U);
+  }
+}
+
+void KinematicVector::add_term(const PairMotion& pair, int slot, double sign, bool point, const Local& local,
+                               const Eigen::Matrix3Xd& U) {
+  const BodyKinematics& b = *pair.body[slot];
   Term& t = terms_[count_++];
   t.body = &b;
   t.U = &U;
   t.offset = pair.offset(slot);
   t.sign = sign;
   t.point = point;
-  Eigen::Vector3d x, y = Eigen::Vector3d::Zero(), z = Eigen::Vector3d::Zero();
-  if (b.modes == 0) {
-    x = b.A.lazyProduct(u0);
-  } else {
-    // U a, U da and U dda in one pass: most of the work on a flexible body. Nine sums that stay in registers; as three
-    // vectors they go through memory, at twice the time.
-    double s0 = 0.0, s1 = 0.0, s2 = 0.0, d0 = 0.0, d1 = 0.0, d2 = 0.0, e0 = 0.0, e1 = 0.0, e2 = 0.0;
-    const double* column = U.data();
-    const double *at_a = b.a.data(), *at_da = b.da.data(), *at_dda = b.dda.data();
-    for (int k = 0; k < b.modes; ++k, column += 3) {
-      const double a = at_a[k], da = at_da[k], dda = at_dda[k];
-      s0 += column[0] * a, s1 += column[1] * a, s2 += column[2] * a;
-      d0 += column[0] * da, d1 += column[1] * da, d2 += column[2] * da;
-      e0 += column[0] * dda, e1 += column[1] * dda, e2 += column[2] * dda;
-    }
-    x = b.A.lazyProduct(Eigen::Vector3d(u0[0] + s0, u0[1] + s1, u0[2] + s2));
-    y = b.A.lazyProduct(Eigen::Vector3d(d0, d1, d2));
-    z = b.A.lazyProduct(Eigen::Vector3d(e0, e1, e2));
+  Eigen::Vector3d x = b.A.lazyProduct(local.u), y = Eigen::Vector3d::Zero(), z = Eigen::Vector3d::Zero();
+  if (b.modes > 0) {
+    y = b.A.lazyProduct(local.U_da);
+    z = b.A.lazyProduct(local.U_dda);
   }
   const Eigen::Vector3d turning = b.w.cross(x);
   Eigen::Vector3d rate = turning + y;
@@ -216,6 +216,14 @@ void KinematicVector::add_second(const Eigen::Vector3d& f, Eigen::Ref<Eigen::Mat
       K.block<1, 3>(t.offset + 6 + k, t.offset + 3) += turned.transpose();
     }
   }
+}
+
+NodeTurn::NodeTurn(const BodyKinematics& body, const Marker& marker) {
+  if (body.modes == 0) return;
+  const ModeSums sums(marker.Psi, body);
+  a = sums.a;
+  da = sums.da;
+  dda = sums.dda;
 }
 
 }  // namespace footfall

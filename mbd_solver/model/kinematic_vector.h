@@ -22,12 +22,21 @@ struct PairMotion {
   int size() const { return body[0]->size() + body[1]->size(); }
 };
 
+// How a node turns with the modes of its body, in B: sums over the modes that all axes of a marker share,
+//   U_k a = -u_k~ Psi a = (Psi a) x u_k
+struct NodeTurn {
+  NodeTurn() = default;
+  NodeTurn(const BodyKinematics& body, const Marker& marker);
+  Eigen::Vector3d a = Eigen::Vector3d::Zero(), da = a, dda = a;  // Psi a, Psi da, Psi dda
+};
+
 class KinematicVector {
  public:
   // A constant vector of W, for dot products with a direction that does not move.
   static KinematicVector constant(const Eigen::Vector3d& value_W);
   // Axis k (0, 1, 2) of the marker on the body in `slot` (0 or 1).
   static KinematicVector axis(const PairMotion& pair, int slot, const Marker& marker, int k);
+  static KinematicVector axis(const PairMotion& pair, int slot, const Marker& marker, int k, const NodeTurn& turn);
   // Position of the marker's point.
   static KinematicVector point(const PairMotion& pair, int slot, const Marker& marker);
   // d = p2 - p1.
@@ -64,7 +73,12 @@ class KinematicVector {
     bool point;               // r takes part
     Eigen::Vector3d x, y, z;  // A u, A U da, A U dda
   };
+  struct Local {  // in B
+    Eigen::Vector3d u, U_da, U_dda;
+  };
   void add_term(const PairMotion& pair, int slot, double sign, bool point, const Eigen::Vector3d& u0,
+                const Eigen::Matrix3Xd& U);
+  void add_term(const PairMotion& pair, int slot, double sign, bool point, const Local& local,
                 const Eigen::Matrix3Xd& U);
 
   int count_ = 0;
@@ -72,49 +86,6 @@ class KinematicVector {
   Eigen::Vector3d value_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acc_ = Eigen::Vector3d::Zero();
-};
-
-// The vectors between two markers, each computed at most once: what the rows of one joint share. Forces on them are
-// collected, so that all rows of a joint pass through the modes of its bodies once.
-class MarkerVectors {
- public:
-  MarkerVectors(const PairMotion& pair, const Marker& m1, const Marker& m2) : pair_(pair), m1_(m1), m2_(m2) {}
-  const PairMotion& pair() const { return pair_; }
-  const Marker& marker(int slot) const { return slot == 0 ? m1_ : m2_; }
-  const KinematicVector& axis(int slot, int k) {  // axis k of marker 1 (slot 0) or 2 (slot 1)
-    const int i = 3 * slot + k;
-    if (!known_[i]) vectors_[i] = KinematicVector::axis(pair_, slot, marker(slot), k);
-    known_[i] = true;
-    return vectors_[i];
-  }
-  const KinematicVector& difference() {  // p2 - p1
-    if (!known_[kDifference]) vectors_[kDifference] = KinematicVector::difference(pair_, m1_, m2_);
-    known_[kDifference] = true;
-    return vectors_[kDifference];
-  }
-
-  void push_axis(int slot, int k, const Eigen::Vector3d& f) { push(3 * slot + k, f); }
-  void push_difference(const Eigen::Vector3d& f) { push(kDifference, f); }
-  // out += sum X^T f of all that was pushed
-  void add_pushed(Eigen::Ref<Eigen::VectorXd> out) const {
-    for (int i = 0; i < kVectors; ++i)
-      if (pushed_[i]) vectors_[i].add_transposed(forces_[i], out);
-  }
-
- private:
-  static constexpr int kDifference = 6, kVectors = 7;
-  void push(int i, const Eigen::Vector3d& f) {
-    if (!pushed_[i]) forces_[i].setZero();
-    pushed_[i] = true;
-    forces_[i] += f;
-  }
-
-  PairMotion pair_;
-  const Marker& m1_;
-  const Marker& m2_;
-  bool known_[kVectors] = {}, pushed_[kVectors] = {};
-  KinematicVector vectors_[kVectors];
-  Eigen::Vector3d forces_[kVectors];  // of those that are pushed
 };
 
 }  // namespace footfall

@@ -15,7 +15,8 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kZeroSum = 1e-8;  // times the largest sum over two modes: what is smaller is round-off of the modes
+constexpr double kRoundOff = 1e-12;  // times the largest modal mass: what is smaller beside the diagonal is zero
+constexpr double kZeroSum = 1e-8;    // times the largest sum over two modes: what is smaller is round-off of the modes
 
 // A body without inertia about some axis has a singular mass matrix: refuse it here, where its name is known.
 void require_positive(double mass, const Matrix3d& inertia, const std::string& body) {
@@ -91,7 +92,13 @@ ModalInertia::ModalInertia(const ModalBody& body)
   }
   J0_ = 0.5 * (J0_ + J0_.transpose()).eval();
   Mff_ = 0.5 * (Mff_ + Mff_.transpose()).eval();
-  if (s > 0) pairs_ = (pairs_.array().abs() > kZeroSum * pairs_.cwiseAbs().maxCoeff()).select(pairs_, 0.0).eval();
+  if (s > 0) {
+    // Modes are orthogonal but for round-off, or what has been added to the body since.
+    const Eigen::MatrixXd mass = Mff_.diagonal().asDiagonal();
+    if ((Mff_ - mass).cwiseAbs().maxCoeff() <= kRoundOff * mass.maxCoeff()) Mff_ = mass;
+    orthogonal_ = Mff_.isDiagonal(0.0);
+    pairs_ = (pairs_.array().abs() > kZeroSum * pairs_.cwiseAbs().maxCoeff()).select(pairs_, 0.0).eval();
+  }
   Eigen::MatrixXd parts(6 * s, s);
   for (int k = 0; k < modes_; ++k)
     for (int l = 0; l < modes_; ++l) {
@@ -145,6 +152,20 @@ Matrix3d ModalInertia::inertia(const Vec& a) const {
   return J0_ + matrix(J);
 }
 
+void ModalInertia::sum_by_a(const Vec& a, Scratch& scratch) const {
+  scratch.by_a.head(6 * modes_) = J1_.reshaped();
+  scratch.by_a.tail(3 * modes_) = C0_.reshaped();
+  by_a_.add_product(a, scratch.by_a, scratch.sums);
+}
+
+void ModalInertia::times_modal_mass(const Vec& x, Eigen::Ref<Eigen::VectorXd> out) const {
+  if (orthogonal_) {
+    out = Mff_.diagonal().cwiseProduct(x);
+  } else {
+    out.noalias() = Mff_ * x;
+  }
+}
+
 // M = [m I, -S~, S1; S~, J, C; S1^T, C^T, Mff]
 void ModalInertia::mass_matrix(const Vec& a, Eigen::Ref<Eigen::MatrixXd> M) const {
   FOOTFALL_DEMAND(a.size() == modes_ && M.rows() == 6 + modes_ && M.cols() == 6 + modes_);
@@ -165,6 +186,28 @@ void ModalInertia::mass_matrix(const Vec& a, Eigen::Ref<Eigen::MatrixXd> M) cons
   M.bottomRightCorner(modes_, modes_) = Mff_;
 }
 
+void ModalInertia::mass_product(const Vec& a, const Vec& x, Scratch& scratch, Eigen::Ref<Eigen::VectorXd> out) const {
+  const Index s = modes_;
+  FOOTFALL_DEMAND(a.size() == s && x.size() == 6 + s && out.size() == 6 + s && scratch.by_a.size() == 9 * s);
+  const Vector3d r = to_principal(x.head<3>()), w = to_principal(x.segment<3>(3));
+  sum_by_a(a, scratch);
+  const Vector3d S = first_moment(a);
+  Vector3d force = mass_ * r + w.cross(S), moment = S.cross(r);
+  Symmetric J_by_a = Symmetric::Zero();
+  times_modal_mass(x.tail(s), out.tail(s));
+  for (Index k = 0; k < s; ++k) {
+    const Eigen::Map<const Symmetric> J1(&J1_(0, k)), dJ(&scratch.by_a(6 * k));
+    const Eigen::Map<const Vector3d> S1(&S1_(0, k)), C(&scratch.by_a(6 * s + 3 * k));
+    J_by_a += 0.5 * a(k) * (J1 + dJ);
+    force += x(6 + k) * S1;
+    moment += x(6 + k) * C;
+    out(6 + k) += S1.dot(r) + C.dot(w);
+  }
+  const Matrix3d J = J0_ + matrix(J_by_a);
+  out.head<3>() = to_body(force);
+  out.segment<3>(3) = to_body(moment + J * w);
+}
+
 // g = M(a) dv + h(a, v); with dJ = sum_k da_k dJ/da_k, dC = sum_k da_k dC/da_k the part h is
 // force:   2 w x (S1 da) + w x (w x S)
 // moment:  dJ w + w x (J w + C da) + dC da
@@ -178,9 +221,7 @@ void ModalInertia::inertia_force(const Vec& a, const Vec& v, const Vec& dv, Scra
   const Vector3d w = to_principal(v.segment<3>(3)), ddr = to_principal(dv.head<3>());
   const Vector3d dw = to_principal(dv.segment<3>(3));
   const auto da = v.tail(s), dda = dv.tail(s);
-  scratch.by_a.head(6 * s) = J1_.reshaped();
-  scratch.by_a.tail(3 * s) = C0_.reshaped();
-  by_a_.add_product(a, scratch.by_a, scratch.sums);
+  sum_by_a(a, scratch);
   scratch.by_da.setZero();
   by_da_.add_product(da, scratch.by_da, scratch.sums);
 
@@ -189,7 +230,7 @@ void ModalInertia::inertia_force(const Vec& a, const Vec& v, const Vec& dv, Scra
   Vector3d S1_da = Vector3d::Zero(), S1_dda = Vector3d::Zero();
   Vector3d C_da = Vector3d::Zero(), C_dda = Vector3d::Zero(), dC_da = Vector3d::Zero();
   Symmetric J_by_a = Symmetric::Zero(), dJ_da = Symmetric::Zero();
-  g.tail(s).noalias() = Mff_ * dda;
+  times_modal_mass(dda, g.tail(s));
   for (Index k = 0; k < s; ++k) {
     const Eigen::Map<const Symmetric> J1(&J1_(0, k)), dJ(&scratch.by_a(6 * k));
     const Eigen::Map<const Vector3d> S1(&S1_(0, k)), C(&scratch.by_a(6 * s + 3 * k));
@@ -207,61 +248,6 @@ void ModalInertia::inertia_force(const Vec& a, const Vec& v, const Vec& dv, Scra
   const Vector3d H = J * w + C_da;
   g.head<3>() = to_body(mass_ * ddr + dw.cross(S) + S1_dda + 2.0 * w.cross(S1_da) + w.cross(w.cross(S)));
   g.segment<3>(3) = to_body(S.cross(ddr) + J * dw + C_dda + matrix(dJ_da) * w + dC_da + w.cross(H));
-}
-
-// Row by row the derivatives of g = M(a) dv + h(a, v), with dv = [ddr; dw; dda]; see the function above.
-void ModalInertia::derivatives(const Vec& a, const Vec& v, const Vec& dv, Eigen::Ref<Eigen::MatrixXd> dg_da,
-                               Eigen::Ref<Eigen::MatrixXd> dg_dv) const {
-  const Index size = 6 + modes_;
-  FOOTFALL_DEMAND(a.size() == modes_ && v.size() == size && dv.size() == size);
-  FOOTFALL_DEMAND(dg_da.rows() == size && dg_da.cols() == modes_ && dg_dv.rows() == size && dg_dv.cols() == size);
-  const Vector3d w = to_principal(v.segment<3>(3));
-  const Vector3d ddr = to_principal(dv.head<3>());
-  const Vector3d dw = to_principal(dv.segment<3>(3));
-  const Matrix3d wx = skew(w);
-  const Vector3d S = first_moment(a);
-  const Symmetric half_squares = 0.5 * squares(w);
-  Matrix3d J = J0_, J_rate = Matrix3d::Zero();
-  Vector3d S1da = Vector3d::Zero(), Cda = Vector3d::Zero();
-  for (int k = 0; k < modes_; ++k) {
-    const double da = v(6 + k);
-    const Matrix3d dJ = matrix(inertia_slope(k, a));
-    const Vector3d S1 = S1_.col(k);
-    Vector3d C = C0_.col(k);
-    Vector3d to_dda = Vector3d::Zero();      // (dC/da_k) dda
-    Vector3d to_da = Vector3d::Zero();       // (dC/da_k) da
-    Vector3d C_rate = Vector3d::Zero();      // dC_k
-    Symmetric dJ_rates = Symmetric::Zero();  // sum_l da_l d2J/da_l da_k
-    for (int l = 0; l < modes_; ++l) {
-      const Vector3d c_lk = coupling_slope(l, k), c_kl = coupling_slope(k, l);
-      const Symmetric J2_lk = inertia_curvature(l, k);
-      C += a(l) * c_lk;
-      to_dda += dv(6 + l) * c_kl;
-      to_da += v(6 + l) * c_kl;
-      C_rate += v(6 + l) * c_lk;
-      dJ_rates += v(6 + l) * J2_lk;
-      dg_da(6 + k, l) = dw.dot(c_lk) - half_squares.dot(J2_lk);
-      dg_dv(6 + k, 6 + l) = w.dot(c_lk - c_kl);
-    }
-    const Matrix3d dJ_rate = matrix(dJ_rates);
-    J += 0.5 * a(k) * (matrix(J1_.col(k)) + dJ);
-    J_rate += da * dJ;
-    S1da += da * S1;
-    Cda += da * C;
-    dg_da(6 + k, k) += K_(k);
-    dg_dv(6 + k, 6 + k) += C_(k);
-    dg_da.block<3, 1>(0, k) = dw.cross(S1) + w.cross(w.cross(S1));
-    dg_da.block<3, 1>(3, k) = S1.cross(ddr) + dJ * dw + to_dda + dJ_rate * w + w.cross(dJ * w + to_da);
-    dg_dv.block<3, 1>(0, 6 + k) = 2.0 * w.cross(S1);
-    dg_dv.block<3, 1>(3, 6 + k) = dJ * w + w.cross(C) + C_rate + to_da;
-    dg_dv.block<1, 3>(6 + k, 3) = (C_rate - to_da - dJ * w).transpose();
-  }
-  dg_dv.leftCols<3>().setZero();
-  dg_dv.block<3, 3>(0, 3) = -2.0 * skew(S1da) - skew(w.cross(S)) - wx * skew(S);
-  dg_dv.block<3, 3>(3, 3) = J_rate + wx * J - skew(J * w + Cda);
-  rows_to_body(dg_da);
-  rows_to_body(dg_dv);
-  columns_to_body(dg_dv);
 }
 
 double ModalInertia::kinetic_energy(const Vec& a, const Vec& v) const {

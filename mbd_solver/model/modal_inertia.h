@@ -31,13 +31,15 @@ class ModalInertia {
 
   // M(a): (6+s) x (6+s), symmetric positive definite.
   void mass_matrix(const Eigen::Ref<const Eigen::VectorXd>& a, Eigen::Ref<Eigen::MatrixXd> M) const;
-  // g = M(a) dv + h(a, v) (6+s), without M itself. `scratch`: of this body.
+  // M(a) x and g = M(a) dv + h(a, v) (6+s each), without M itself. `scratch`: of this body.
   struct Scratch {
     explicit Scratch(int modes = 0) : by_a(9 * modes), by_da(6 * modes), sums(10 * modes) {}
     Eigen::VectorXd by_a;   // dJ/da_k in rows 6k.., then C_k in rows 6s + 3k..
     Eigen::VectorXd by_da;  // sum_l (dC_k/da_l - dC_l/da_k) da_l in rows 3k.., then 1/2 sum_l (.. + ..) da_l
     Eigen::VectorXd sums;
   };
+  void mass_product(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& x,
+                    Scratch& scratch, Eigen::Ref<Eigen::VectorXd> out) const;
   void inertia_force(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& v,
                      const Eigen::Ref<const Eigen::VectorXd>& dv, Scratch& scratch,
                      Eigen::Ref<Eigen::VectorXd> g) const;
@@ -58,6 +60,8 @@ class ModalInertia {
   // The first six rows, or columns: two vectors.
   void rows_to_body(Eigen::Ref<Eigen::MatrixXd> A) const;
   void columns_to_body(Eigen::Ref<Eigen::MatrixXd> A) const;
+  void sum_by_a(const Eigen::Ref<const Eigen::VectorXd>& a, Scratch& scratch) const;                         // by_a
+  void times_modal_mass(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> out) const;  // Mff x
   // In the principal axes, as the integrals below:
   Eigen::Vector3d first_moment(const Eigen::Ref<const Eigen::VectorXd>& a) const;           // S(a)
   Eigen::Vector3d coupling(int k, const Eigen::Ref<const Eigen::VectorXd>& a) const;        // C_k(a), column of C
@@ -81,10 +85,11 @@ class ModalInertia {
   // rows 6k.., column l:  J2_lk = d2J/da_l da_k
   // rows 6s + 3k..:       C1_lk = dC_k/da_l = sum m Phi_l x Phi_k + t_l x J_j t_k - 1/2 J_j (t_l x t_k)
   Eigen::MatrixXd pairs_;
-  ColumnGroups by_a_;      // pairs_ without zeros
-  ColumnGroups by_da_;     // rows 3k..: C1_lk - C1_kl, then rows 3s + 3k..: 1/2 (C1_lk + C1_kl)
-  Eigen::MatrixXd Mff_;    // s x s: sum m Phi^T Phi + Psi^T J_j Psi
-  Eigen::VectorXd K_, C_;  // s: diagonal modal stiffness [1/s2] and damping [1/s]
+  ColumnGroups by_a_;        // pairs_ without zeros
+  ColumnGroups by_da_;       // rows 3k..: C1_lk - C1_kl, then rows 3s + 3k..: 1/2 (C1_lk + C1_kl)
+  Eigen::MatrixXd Mff_;      // s x s: sum m Phi^T Phi + Psi^T J_j Psi
+  bool orthogonal_ = false;  // it is diagonal
+  Eigen::VectorXd K_, C_;    // s: diagonal modal stiffness [1/s2] and damping [1/s]
 };
 
 }  // namespace footfall

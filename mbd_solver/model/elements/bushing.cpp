@@ -45,8 +45,9 @@ class Bushing::Turn {
  public:
   Turn(const Bushing& bushing, const PairMotion& pair)
       : w(angular_velocity(*pair.body[1], bushing.m2_) - angular_velocity(*pair.body[0], bushing.m1_)) {
+    const NodeTurn turn(*pair.body[0], bushing.m1_);
     for (int i = 0; i < 3; ++i) {
-      e[i] = KinematicVector::axis(pair, 0, bushing.m1_, i);
+      e[i] = KinematicVector::axis(pair, 0, bushing.m1_, i, turn);
       rate[i] = e[i].value().dot(w);
       T -= bushing.parameters_.rotational_damping[i] * rate[i] * e[i].value();
     }
@@ -78,8 +79,9 @@ void Bushing::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, E
   const Parameters& p = parameters_;
   if (translates_) {
     const KinematicVector d = KinematicVector::difference(in.pair, m1_, m2_);
+    const NodeTurn turn(*in.pair.body[0], m1_);
     for (int i = 0; i < 3; ++i) {
-      const KinematicVector e = KinematicVector::axis(in.pair, 0, m1_, i);
+      const KinematicVector e = KinematicVector::axis(in.pair, 0, m1_, i, turn);
       add_dot(e, d, -p.stiffness[i] * e.value().dot(d.value()) - p.damping[i] * dot_rate(e, d), Q);
     }
   }

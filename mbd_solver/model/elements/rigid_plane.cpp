@@ -6,6 +6,8 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/pi.h"
+#include "mbd_solver/model/kinematic_vector.h"
+#include "mbd_solver/model/moving_point.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
@@ -38,7 +40,8 @@ double rim_sine(int k) {
 
 // One point in contact: everything the force and its derivatives need.
 struct RigidPlane::Contact {
-  KinematicVector p;
+  MovingPoint p;
+  const Marker* marker = nullptr;
   double radius = 0.0;
   double overlap = 0.0;                              // delta [m]
   double elastic = 0.0;                              // k delta^1.5 [N]
@@ -96,9 +99,10 @@ int RigidPlane::place_count() const { return static_cast<int>(points_.size() + k
 
 bool RigidPlane::contact(const ElementInput& in, const Marker& marker, double radius, int place, Contact& out) const {
   const Eigen::Vector3d& n = parameters_.normal;
-  out.p = KinematicVector::point(in.pair, 0, marker);
+  out.p = MovingPoint(*in.pair.body[0], marker);
   out.overlap = radius - n.dot(out.p.value() - parameters_.point);
   if (out.overlap <= 0.0) return false;
+  out.marker = &marker;
   out.radius = radius;
   const Eigen::Vector3d velocity = out.p.rate() + radius * n.cross(in.pair.body[0]->w);  // w x (-radius n)
   out.closing = -n.dot(velocity);
@@ -200,8 +204,9 @@ bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out
 
     X_.setZero();
     by_x_.setZero();
-    at.p.add_jacobian(X_);
-    at.p.add_rate_jacobian(by_x_);
+    const KinematicVector p = KinematicVector::point(in.pair, 0, *at.marker);
+    p.add_jacobian(X_);
+    p.add_rate_jacobian(by_x_);
     const Eigen::Matrix<double, 2, 3> dxi_by_u = tangents_.transpose() * parameters_.clip(at.u).slope;
     if (tau > 0.0) {
       out.ddz_dx.middleRows<2>(2 * at.place).noalias() += dxi_by_u.lazyProduct(by_x_);
@@ -222,7 +227,7 @@ bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out
       out.dQ_dz.middleCols<2>(2 * at.place).noalias() += X_.transpose().lazyProduct(by_xi);
       out.ddz_dv.middleRows<2>(2 * at.place).noalias() += dxi_by_u.lazyProduct(X_);
     }
-    at.p.add_second(at.force, out.dQ_dx);
+    p.add_second(at.force, out.dQ_dx);
     out.dQ_dx.block<3, 3>(3, 3) -= skew(at.force) * at.wander;  // the moment p x f
   });
   return any;

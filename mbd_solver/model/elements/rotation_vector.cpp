@@ -23,9 +23,10 @@ Eigen::Matrix3d by_products(const Eigen::Vector4d& b) {
 
 RotationVector::RotationVector(const PairMotion& pair, const Marker& m1, const Marker& m2) {
   Eigen::Matrix3d E1, E2;
+  const NodeTurn turn_1(*pair.body[0], m1), turn_2(*pair.body[1], m2);
   for (int k = 0; k < 3; ++k) {
-    e1_[k] = KinematicVector::axis(pair, 0, m1, k);
-    e2_[k] = KinematicVector::axis(pair, 1, m2, k);
+    e1_[k] = KinematicVector::axis(pair, 0, m1, k, turn_1);
+    e2_[k] = KinematicVector::axis(pair, 1, m2, k, turn_2);
     E1.col(k) = e1_[k].value();
     E2.col(k) = e2_[k].value();
   }

@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "mbd_solver/model/joints/joint_coordinate.h"
-#include "mbd_solver/model/kinematic_vector.h"
 #include "mbd_solver/model/laws/cubic_spline.h"
 #include "mbd_solver/model/laws/time_function.h"
+#include "mbd_solver/model/marker_vectors.h"
 
 namespace footfall {
 

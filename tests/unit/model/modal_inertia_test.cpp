@@ -129,6 +129,10 @@ TEST(ModalInertia, EqualsTheSumsOverNodesAtRandomStates) {
       const VectorXd h = velocity_and_elastic_force(inertia, x.a, x.v);
       direct_sums(body, x.a, x.v, M_direct, h_direct);
       EXPECT_LT((M - M_direct).norm(), kSumRoundOff * M_direct.norm());
+      ModalInertia::Scratch scratch(s);
+      VectorXd product(6 + s);
+      inertia.mass_product(x.a, x.v, scratch, product);
+      EXPECT_LT((product - M_direct * x.v).norm(), kSumRoundOff * M_direct.norm() * x.v.norm());
       EXPECT_LT((h - h_direct).norm(), kSumRoundOff * h_direct.norm() + kSumRoundOff);
       EXPECT_EQ((M - M.transpose()).norm(), 0.0);
       EXPECT_EQ(M.llt().info(), Eigen::Success);
