@@ -15,7 +15,8 @@ struct IntegratorOptions {
   double rtol = 0.0;           // relative tolerance of every coordinate > 0
   double atol = 0.0;           // absolute tolerance of q and z > 0 [m, -]
   double atol_velocity = 0.0;  // absolute tolerance of v > 0 [m/s, rad/s]
-  int order = 2;               // one_step: 2 (TR-BDF2) or 5 (ESDIRK5(4)7L[2]SA2)
+  int order = 2;               // one_step: 2 (TR-BDF2), 3 (ESDIRK3(2)4L[2]SA) or 5 (ESDIRK5(4)7L[2]SA2)
+  int window_order = 0;        // one_step: in windows that one step of `order` does not fill; 0: `order`
   double max_step = 0.0;       // [s]; 0: the window is the only limit
   bool error_control = true;   // one_step: false takes steps of max_step, whatever their error
   double min_step = 1e-12;     // [s]; below: NumericalError naming time and the worst body or joint

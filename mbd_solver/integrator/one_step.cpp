@@ -22,6 +22,7 @@ constexpr double kNewton = 0.03, kFirstError = 1e-2, kLeastError = 1e-4, kRoundO
 constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
 constexpr double kFirst = 0.01;     // of y changes in the first step of all
 constexpr double kCrossing = 1e-7;  // least error that a step over a singular position may have: round-off is not far
+constexpr int kMostBefore = 4;      // rates of a step from which the next one is predicted
 constexpr double kNear = 1e-9;      // of a step
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 constexpr double kStretch = 10.0;  // so many steps before its end a window is divided into equal ones
@@ -31,17 +32,21 @@ constexpr double kStretch = 10.0;  // so many steps before its end a window is d
 OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
     : equations_(equations),
       options_(options),
-      tableau_(tableau_of_order(options.order)),
+      usual_(tableau_of_order(options.order)),
+      high_(options.window_order == 0 ? usual_ : tableau_of_order(options.window_order)),
+      tableau_(&usual_),
       norm_(equations.layout(), options),
-      lu_(equations.reduced_pattern(), equations.negligible_shares()) {
+      lu_(equations.reduced_pattern(), equations.negligible_shares()),
+      slow_(equations.rest_choices() > 0 ? kSlowWhereSingular : kSlow) {
   const int n = equations.layout().size();
-  const std::size_t stages = static_cast<std::size_t>(tableau_.stages);
+  const std::size_t stages = static_cast<std::size_t>(std::max(usual_.stages, high_.stages));
   y_ = Ydot_ = known_ = F_ = change_ = rates_ = left_ = row_rates_ = Eigen::VectorXd::Zero(n);
   dx_ = Eigen::VectorXd::Zero(equations.layout().v_size);
   K_.assign(stages, Eigen::VectorXd::Zero(n));
   Y_.assign(stages, Eigen::VectorXd::Zero(n));
   energy_.resize(stages);
-  before_.assign(tableau_.predictors[3] < 0 ? 3 : 4, Eigen::VectorXd::Zero(n));
+  before_.assign(static_cast<std::size_t>(std::min({usual_.stages, high_.stages, kMostBefore})),
+                 Eigen::VectorXd::Zero(n));
   start_before_.time = start_.time = kNever;
 }
 
@@ -51,6 +56,7 @@ void OneStep::forget() {
   h_before_ = 0.0;
   start_before_.time = start_.time = kNever;
   trouble_ = careful_ = crossings_ = 0;
+  choice_ = {};
   singular_time_ = -kNever;
   left_time_ = kNever;
   lu_.forget();
@@ -66,11 +72,13 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
   double h = state.step > 0.0 ? state.step : std::min(t_end - state.time, first_step());
   if (options_.max_step > 0.0) h = std::min(h, options_.max_step);
   ProgressWatch watch(state.time, t_end);
+  if (&high_ != &usual_ && options_.error_control) h = choice_.begin(t_end - state.time, h);
   bool goes_on = true;
   while (goes_on && state.time < t_end) {
     const double t = state.time, planned = planned_step(t, h), steps = std::ceil((t_end - t) / planned * (1.0 - 1e-9));
     const double step = steps > (planned != h ? 1.0 : kStretch) ? planned : (t_end - t) / steps;
     limit_ = planned != h && t + step > singular_time_ ? std::max(1.0, kCrossing / options_.rtol) : 1.0;
+    tableau_ = choice_.high() ? &high_ : &usual_;
     const Outcome outcome = try_with_newer_jacobians(t, step, inputs);
     if (outcome == Outcome::kAccepted) {
       trouble_ = std::max(0, trouble_ - 1);
@@ -91,8 +99,9 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
   ++statistics_.windows;
   state.step = h;
   rates_ = K_[0];
-  statistics_.count(options_.projection ? equations_.project(state, Equations::Close::kByFactorsAtHand)
-                                        : equations_.check_closed(state));
+  if (!closed_)
+    statistics_.count(options_.projection ? equations_.project(state, Equations::Close::kByFactorsAtHand)
+                                          : equations_.check_closed(state));
   equations_.smallest_multipliers(state, rates_.tail(layout.row_count));
   left_time_ = state.time;
   equations_.pack(state, rates_.tail(layout.row_count), left_);
@@ -111,7 +120,7 @@ double OneStep::next_step(double h) const {
   // Without error control only Newton shortens steps: they grow again.
   const double factor =
       options_.error_control
-          ? std::clamp(kSafety * std::pow(std::max(error_, 1e-12), -1.0 / (tableau_.estimated_order + 1)), kLeast,
+          ? std::clamp(kSafety * std::pow(std::max(error_, 1e-12), -1.0 / (tableau_->estimated_order + 1)), kLeast,
                        kMost)
           : 2.0;
   return options_.max_step > 0.0 ? std::min(h * factor, options_.max_step) : h * factor;
@@ -137,12 +146,13 @@ OneStep::Outcome OneStep::try_with_newer_jacobians(double t, double h, const Inp
 
 OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   const Layout& layout = equations_.layout();
-  const int m = layout.lambda0(), rows = layout.row_count, stages = tableau_.stages;
-  const double c = 1.0 / (h * tableau_.gamma);
+  const int m = layout.lambda0(), rows = layout.row_count, stages = tableau_->stages;
+  const double c = 1.0 / (h * tableau_->gamma);
   norm_.set(y_);
   complaint_.clear();
-  const double expected =
-      h_before_ > 0.0 ? error_before_ * std::pow(h / h_before_, tableau_.estimated_order + 1) : kFirstError;
+  const double expected = h_before_ > 0.0 && tableau_before_ == tableau_
+                              ? error_before_ * std::pow(h / h_before_, tableau_->estimated_order + 1)
+                              : kFirstError;
   newton_tolerance_ =
       kNewton * std::clamp(expected, std::min(std::max(kLeastError, kRoundOff / options_.rtol), 1.0), 1.0);
 
@@ -154,14 +164,14 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
     const std::size_t at = static_cast<std::size_t>(i);
     known_ = y_;
     for (std::size_t j = 0; j < at; ++j)
-      if (tableau_.a[at][j] != 0.0) known_ += (h * tableau_.a[at][j]) * K_[j];
+      if (tableau_->a[at][j] != 0.0) known_ += (h * tableau_->a[at][j]) * K_[j];
     predict(i, h);
-    Y_[at].head(m) = known_.head(m) + (h * tableau_.gamma) * K_[at].head(m);
+    Y_[at].head(m) = known_.head(m) + (h * tableau_->gamma) * K_[at].head(m);
     Y_[at].tail(rows) = K_[at].tail(rows);
-    const double t_stage = t + tableau_.c[at] * h;
+    const double t_stage = t + tableau_->c[at] * h;
     if (at_stages_) {
       if (!refresh(t_stage, Y_[at], K_[at], c, inputs)) return Outcome::kNoConvergence;
-    } else if (factored_c_ == 0.0 || (i == 1 && (std::abs(c / factored_c_ - 1.0) > 1e-6 || rate_ > kSlow))) {
+    } else if (factored_c_ == 0.0 || (i == 1 && (std::abs(c / factored_c_ - 1.0) > 1e-6 || rate_ > slow_))) {
       // At the start of the step: the prediction of the first implicit stage differs from it by O(h).
       if (!refresh(t, y_, K_[0], c, inputs)) return Outcome::kNoConvergence;
     }
@@ -170,10 +180,10 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
 
   // Error estimate e = h sum (b - b^) K, filtered: J x = c (dF/dydot) e, positions eliminated as in the
   // Jacobian.
-  const Eigen::VectorXd& end = Y_.back();
+  const Eigen::VectorXd& end = Y_[last()];
   const int lower = layout.size() - layout.q_size;
   Ydot_.setZero();
-  for (std::size_t j = 0; j < K_.size(); ++j) Ydot_.head(m) += (h * tableau_.error[j]) * K_[j].head(m);
+  for (std::size_t j = 0; j <= last(); ++j) Ydot_.head(m) += (h * tableau_->error[j]) * K_[j].head(m);
   equations_.apply_mass(end, Ydot_, t + h, F_);
   to_increments(layout, end.head(layout.q_size), Ydot_.head(layout.q_size), dx_);
   Eigen::Ref<Eigen::VectorXd> x = F_.tail(lower);
@@ -195,13 +205,12 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   // Work integrals with the weights of the method itself.
   std::swap(start_before_, start_);
   start_ = state;
-  const std::size_t last = K_.size() - 1;
-  for (std::size_t i = 0; i <= last; ++i) {
-    const double b = i < last ? tableau_.a[last][i] : tableau_.gamma;
-    if (i > 0) equations_.powers(t + tableau_.c[i] * h, Y_[i], inputs, energy_[i]);
+  for (std::size_t i = 0; i <= last(); ++i) {
+    const double b = i < last() ? tableau_->a[last()][i] : tableau_->gamma;
+    if (i > 0) equations_.powers(t + tableau_->c[i] * h, Y_[i], inputs, energy_[i]);
     if (b != 0.0) add_work(energy_[i], h * b, state);
   }
-  equations_.unpack(Y_.back(), state);
+  equations_.unpack(Y_[last()], state);
   state.time = t_new;
 
   const double reached = t_new + kNear * h;  // a row that round-off has put just behind the step belongs to it
@@ -214,16 +223,18 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
     state = row_;
     K_[0] = row_rates_;
     h_before_ = 0.0;
+    closed_ = false;
     return false;
   }
 
-  for (std::size_t k = 0; k < before_.size(); ++k)
-    before_[k].swap(K_[static_cast<std::size_t>(tableau_.predictors[k])]);
+  for (std::size_t k = 0; k + 1 < before_.size(); ++k) before_[k].swap(K_[k]);
+  before_.back().swap(K_[last()]);
   K_[0] = before_.back();
-  std::swap(energy_[0], energy_.back());
+  std::swap(energy_[0], energy_[last()]);
   h_before_ = h;
+  tableau_before_ = tableau_;
   error_before_ = error_;
-  y_.swap(Y_.back());
+  y_.swap(Y_[last()]);
   if (fresh_) equations_.renew_rest(state);
   if (closed_) {
     statistics_.count(end_drift_);

@@ -7,6 +7,9 @@
 // c = 1 / (h gamma). Multipliers have no rates. The Jacobian and its factors are kept while Newton converges fast.
 // Newton stops when what it leaves is small beside the error of the step itself (as the step before lets expect), so that
 // smaller steps have smaller errors although there are more of them.
+//
+// Windows that one step does not fill may go by a method of higher order (IntegratorOptions::window_order,
+// method_choice.h).
 
 #include <limits>
 #include <vector>
@@ -14,6 +17,7 @@
 #include "mbd_solver/dynamics/thin_lu.h"
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/integrator.h"
+#include "mbd_solver/integrator/method_choice.h"
 #include "mbd_solver/integrator/tableau.h"
 
 namespace footfall {
@@ -40,6 +44,7 @@ class OneStep : public Integrator {
   Outcome try_with_newer_jacobians(double t, double h, const Inputs& inputs);
   Outcome try_step(double t, double h, const Inputs& inputs);  // from y_, K_[0] to the last Y_; leaves error_
   void predict(int stage, double h);                           // K_[stage]
+  std::size_t last() const { return static_cast<std::size_t>(tableau_->last()); }
   bool solve_stage(int stage, double t, double h, const Inputs& inputs);
   // Jacobian at y with rates K, and its factors.
   bool refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& K, double c, const Inputs& inputs);
@@ -61,17 +66,22 @@ class OneStep : public Integrator {
   double next_step(double h) const;               // after a step h of error error_
   [[noreturn]] void give_up(double t, const std::string& what) const;
 
-  static constexpr double kSlow = 0.2;  // convergence rate above which the Jacobian is renewed before the next step
+  // Convergence rate above which the Jacobian is renewed before the next step. A mechanism that may pass singular positions
+  // keeps it longer: there the rate falls off by itself.
+  static constexpr double kSlow = 0.05, kSlowWhereSingular = 0.2;
 
   Equations& equations_;
   IntegratorOptions options_;
-  const Tableau& tableau_;
+  const Tableau &usual_, &high_;  // the latter in windows where choice_ says so
+  MethodChoice choice_;
+  const Tableau* tableau_;  // of the step that is tried
   IntegratorStatistics statistics_;
   ErrorNorm norm_;
   ThinLu lu_;
   double factored_c_ = 0.0;        // c of the factors, 0: none
   bool fresh_ = false;             // the Jacobian belongs to this step
   bool at_stages_ = false;         // it is renewed at every stage
+  double slow_;                    // of the two above
   double rate_ = 1.0;              // last convergence rate of Newton
   double error_ = 0.0;             // of the last step, 1 = tolerance
   double newton_tolerance_ = 0.0;  // of the step that is tried
@@ -79,17 +89,18 @@ class OneStep : public Integrator {
   int worst_ = -1;                 // entry of y that failed last
   std::string complaint_;          // of a force law that had no value
 
-  Eigen::VectorXd y_;                                            // at the start of the step
-  std::vector<Eigen::VectorXd> K_;                               // rates of the stages; multipliers in the tail
-  std::vector<Eigen::VectorXd> Y_;                               // values of the stages; Y_[0] is not used
-  Eigen::VectorXd left_;                                         // y at the end of the last window, without drift
+  Eigen::VectorXd y_;               // at the start of the step
+  std::vector<Eigen::VectorXd> K_;  // rates of the stages; multipliers in the tail; as many as any method has
+  std::vector<Eigen::VectorXd> Y_;  // values of the stages; Y_[0] is not used
+  Eigen::VectorXd left_;            // y at the end of the last window, without drift
   double left_time_ = -std::numeric_limits<double>::infinity();  // its time [s]
   Eigen::VectorXd Ydot_, known_, F_, change_, dx_, rates_, expected_;
   std::vector<EnergySample> energy_;  // powers at the stages
 
-  std::vector<Eigen::VectorXd> before_;  // rates of the last step at tableau_.predictors, its end last
-  double h_before_ = 0.0;                // 0: no step before
-  double error_before_ = 0.0;            // its error, 1 = tolerance
+  std::vector<Eigen::VectorXd> before_;      // rates of the last step: its first stages, then its end
+  const Tableau* tableau_before_ = nullptr;  // that of the last step
+  double h_before_ = 0.0;                    // 0: no step before
+  double error_before_ = 0.0;                // its error, 1 = tolerance
 
   State start_before_, start_, row_, end_;  // at the start of a step, in it, and at its end without drift
   Equations::Drift end_drift_;              // what was removed there

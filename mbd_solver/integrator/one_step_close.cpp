@@ -24,7 +24,7 @@ constexpr int kMostCorrections = 4;
 bool OneStep::close_end(double t) {
   closed_ = false;
   if (!options_.projection) return true;
-  equations_.unpack(Y_.back(), end_);
+  equations_.unpack(Y_[last()], end_);
   end_.time = t;
   const Equations::Drift drift = equations_.drift(end_);
   closed_ = careful_ > 0 || drift.position > kDrift * options_.atol || drift.velocity > kDrift * options_.atol_velocity;
@@ -39,8 +39,8 @@ bool OneStep::close_end(double t) {
     return false;
   }
   const Layout& layout = equations_.layout();
-  F_.head(layout.q_size) = end_.q - Y_.back().head(layout.q_size);
-  F_.segment(layout.v0(), layout.v_size) = end_.v - Y_.back().segment(layout.v0(), layout.v_size);
+  F_.head(layout.q_size) = end_.q - Y_[last()].head(layout.q_size);
+  F_.segment(layout.v0(), layout.v_size) = end_.v - Y_[last()].segment(layout.v0(), layout.v_size);
   F_.segment(layout.z0(), layout.z_size).setZero();
   if (!options_.error_control || !norm_.far(F_)) return true;
   error_ = norm_(F_);
@@ -83,6 +83,8 @@ bool OneStep::follow_rates(const Inputs& inputs, const State& state) {
     const double size = norm_(change_);
     if (size <= kRateError) return true;
     if (!(size < 0.1 * last)) return false;
+    // What is still missing is as small against this correction as this one is against the one before.
+    if (size * (size / last) <= kRateError && i > 0) return true;
     last = size;
   }
   return false;

@@ -47,8 +47,8 @@ double OneStep::planned_step(double t, double h) const {
   if (!(left > 0.0) || left > kLong * h) return h;
   const double longest = options_.max_step > 0.0 ? std::min(kLong * h, options_.max_step) : kLong * h;
   // Places of the position in the step, in the middle between two stages: long steps first.
-  std::array<double, kMostStages> c = tableau_.c;
-  for (std::size_t i = static_cast<std::size_t>(tableau_.stages); i < c.size(); ++i) c[i] = 1.0;
+  std::array<double, kMostStages> c = tableau_->c;
+  for (std::size_t i = static_cast<std::size_t>(tableau_->stages); i < c.size(); ++i) c[i] = 1.0;
   std::sort(c.begin(), c.end());
   int failed = crossings_;
   for (std::size_t i = 1; i < c.size(); ++i) {

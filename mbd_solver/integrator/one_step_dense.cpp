@@ -25,8 +25,8 @@ void OneStep::predict(int stage, double h) {
   };
   std::array<Known, kMostStages + 3> known{};
   std::size_t count = 0;
-  const double target = tableau_.c[static_cast<std::size_t>(stage)];
-  for (std::size_t j = 0; j < static_cast<std::size_t>(stage); ++j) known[count++] = {tableau_.c[j], &K_[j], false};
+  const double target = tableau_->c[static_cast<std::size_t>(stage)];
+  for (std::size_t j = 0; j < static_cast<std::size_t>(stage); ++j) known[count++] = {tableau_->c[j], &K_[j], false};
   if (h_before_ > 0.0 && h < kReach * h_before_) {
     for (std::size_t k = 0; k + 1 < before_.size(); ++k)
       known[count++] = {(predictor_time(k) - 1.0) * h_before_ / h, &before_[k], true};
@@ -45,18 +45,16 @@ void OneStep::predict(int stage, double h) {
   }
 }
 
-double OneStep::predictor_time(std::size_t k) const {
-  return tableau_.c[static_cast<std::size_t>(tableau_.predictors[k])];
-}
+double OneStep::predictor_time(std::size_t k) const { return tableau_before_->c[k]; }
 
 void OneStep::interpolate(double time, double h) {
   const int m = equations_.layout().lambda0();
-  const DenseWeights w(tableau_, (time - start_.time) / h);
+  const DenseWeights w(*tableau_, (time - start_.time) / h);
   row_ = start_;
   row_.time = time;
   known_ = y_;
   row_rates_.setZero();
-  for (std::size_t i = 0; i < K_.size(); ++i) {
+  for (std::size_t i = 0; i <= last(); ++i) {
     known_.head(m) += (h * w.b[i]) * K_[i].head(m);
     row_rates_ += w.slope[i] * K_[i];
     add_work(energy_[i], h * w.b[i], row_);

@@ -28,7 +28,7 @@ bool OneStep::refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd&
   ++statistics_.jacobians;
   ++statistics_.factorizations;
   fresh_ = true;
-  rate_ = kSlow;
+  rate_ = slow_;
   factored_c_ = lu_.factor(equations_.own_diagonal()) ? c : 0.0;
   return factored_c_ != 0.0;
 }
@@ -36,13 +36,13 @@ bool OneStep::refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd&
 bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
   const Layout& layout = equations_.layout();
   const int m = layout.lambda0(), rows = layout.row_count, q = layout.q_size, lower = layout.size() - q;
-  const double c = 1.0 / (h * tableau_.gamma);
+  const double c = 1.0 / (h * tableau_->gamma);
   Eigen::VectorXd& Y = Y_[static_cast<std::size_t>(stage)];
   Eigen::VectorXd& K = K_[static_cast<std::size_t>(stage)];
   Ydot_.tail(rows).setZero();
   expected_ = K.tail(rows);
   double last = 0.0;
-  rate_ = std::max(rate_, std::min(std::pow(rate_, kForgetting), kSlow));
+  rate_ = std::max(rate_, std::min(std::pow(rate_, kForgetting), slow_));
   for (int i = 0; i < kMostIterations; ++i) {
     // Positions and rates of the present velocities and states.
     change_.head(q) = Y.head(q);

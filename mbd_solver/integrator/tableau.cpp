@@ -19,8 +19,26 @@ Tableau make_tr_bdf2() {
           {0.0, 2.0 * gamma, 1.0},
           {Row{}, Row{gamma}, Row{w, w}},
           {w - (1.0 - w) / 3.0, w - (3.0 * w + 1.0) / 3.0, 2.0 * gamma / 3.0},
-          {},
-          {0, 1, 2, -1}};
+          {}};
+}
+
+Tableau make_esdirk3() {
+  const double gamma = 1767732205903.0 / 4055673282236.0;
+  Tableau tableau = {
+      "esdirk3",
+      4,
+      3,
+      2,
+      gamma,
+      {0.0, 2.0 * gamma, 0.6, 1.0},
+      {Row{}, Row{gamma}, Row{2746238789719.0 / 10658868560708.0, -640167445237.0 / 6845629431997.0},
+       Row{1471266399579.0 / 7840856788654.0, -4482444167858.0 / 7529755066697.0, 11266239266428.0 / 11593286722821.0}},
+      {},
+      {}};
+  const Row embedded = {2756255671327.0 / 12835298489170.0, -10771552573575.0 / 22201958757719.0,
+                        9247589265047.0 / 10645013368117.0, 2193209047091.0 / 5459859503100.0};
+  for (std::size_t j = 0; j < 4; ++j) tableau.error[j] = (j < 3 ? tableau.a[3][j] : gamma) - embedded[j];
+  return tableau;
 }
 
 Tableau make_esdirk5() {
@@ -39,8 +57,7 @@ Tableau make_esdirk5() {
            -0.16228561078393952}},
       {},
       {-1.6817110573142924, 2.3292644139818779, -0.89893183175172486, 1.5109687669744825, -2.8082293071537645,
-       0.92966967466969508, 0.61896934059372688},
-      {0, 1, 2, 6}};
+       0.92966967466969508, 0.61896934059372688}};
   const Row embedded = {-0.080689466566647272, -0.080689466566647439, 0.18289968461343553, 0.51701387376623098,
                         0.42659973130245432,   -0.10432685796713498,  0.13919250141830897};
   for (std::size_t j = 0; j < 7; ++j) tableau.error[j] = (j < 6 ? tableau.a[6][j] : tableau.gamma) - embedded[j];
@@ -54,14 +71,19 @@ const Tableau& tr_bdf2() {
   return tableau;
 }
 
+const Tableau& esdirk3() {
+  static const Tableau tableau = make_esdirk3();
+  return tableau;
+}
+
 const Tableau& esdirk5() {
   static const Tableau tableau = make_esdirk5();
   return tableau;
 }
 
 const Tableau& tableau_of_order(int order) {
-  FOOTFALL_DEMAND(order == 2 || order == 5);
-  return order == 2 ? tr_bdf2() : esdirk5();
+  FOOTFALL_DEMAND(order == 2 || order == 3 || order == 5);
+  return order == 2 ? tr_bdf2() : order == 3 ? esdirk3() : esdirk5();
 }
 
 }  // namespace footfall

@@ -20,15 +20,16 @@ struct Tableau {
   std::array<std::array<double, kMostStages>, kMostStages> a;  // below the diagonal; the last row is b
   std::array<double, kMostStages> error;                       // b - b^, b^ the embedded weights
   std::array<double, kMostStages> quartic;                     // d of the continuous extension (dense_step.h)
-  std::array<int, 4> predictors;  // stages from which the next step's rates are predicted, the last one last; -1: none
   int last() const { return stages - 1; }
 };
 
 // Second order, three stages (Hosea and Shampine 1996).
 const Tableau& tr_bdf2();
+// Third order, four stages: the implicit part of ARK3(2)4L[2]SA (Kennedy and Carpenter 2003).
+const Tableau& esdirk3();
 // Fifth order, seven stages: ESDIRK5(4)7L[2]SA2 (Kennedy and Carpenter 2019).
 const Tableau& esdirk5();
-// 2 or 5.
+// 2, 3 or 5.
 const Tableau& tableau_of_order(int order);
 
 }  // namespace footfall

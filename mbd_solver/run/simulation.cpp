@@ -17,11 +17,13 @@ Baumgarte baumgarte(const SolverSpec& spec) {
   return {spec.baumgarte_velocity, spec.baumgarte_position};
 }
 
-// With grains the windows are short and their own error is of second order; without, the fifth order has the longer steps.
+// Without grains the fifth order has the longer steps. With grains the windows are short, and their own error is of second
+// order.
 int order_of(OneStepMethod method, bool with_grains) {
   switch (method) {
     case OneStepMethod::kAuto: return with_grains ? 2 : 5;
     case OneStepMethod::kTrBdf2: return 2;
+    case OneStepMethod::kEsdirk3: return 3;
     case OneStepMethod::kEsdirk5: return 5;
   }
   FOOTFALL_DEMAND(false);
@@ -31,6 +33,7 @@ int order_of(OneStepMethod method, bool with_grains) {
 IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains) {
   IntegratorOptions options;
   options.order = order_of(spec.method, with_grains);
+  if (spec.method == OneStepMethod::kAuto && with_grains) options.window_order = 3;
   options.rtol = spec.rtol;
   options.atol = spec.atol_position();
   options.atol_velocity = spec.atol_velocity();

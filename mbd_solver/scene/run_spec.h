@@ -99,11 +99,12 @@ constexpr std::string_view name_of(IntegratorKind kind) {
   return {};
 }
 
-enum class OneStepMethod { kAuto, kTrBdf2, kEsdirk5 };
+enum class OneStepMethod { kAuto, kTrBdf2, kEsdirk3, kEsdirk5 };
 constexpr std::string_view name_of(OneStepMethod method) {
   switch (method) {
     case OneStepMethod::kAuto: return "auto";
     case OneStepMethod::kTrBdf2: return "tr_bdf2";
+    case OneStepMethod::kEsdirk3: return "esdirk3";
     case OneStepMethod::kEsdirk5: return "esdirk5";
   }
   return {};
@@ -121,7 +122,7 @@ constexpr std::string_view name_of(DriftKind kind) {
 struct SolverSpec {
   Source source;
   IntegratorKind integrator = IntegratorKind::kOneStep;
-  OneStepMethod method = OneStepMethod::kAuto;  // of one_step; auto: tr_bdf2 with grains, esdirk5 without
+  OneStepMethod method = OneStepMethod::kAuto;  // of one_step; auto: tr_bdf2 and esdirk3 with grains, esdirk5 without
   double rtol = 1e-6;                           // [-]
   std::optional<double> atol;                   // of positions [m, rad]; not given: a hundredth of rtol
   double max_step = 1e-3;                       // [s]; one step never crosses a window

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "mbd_solver/integrator/method_choice.h"
 #include "tests/unit/dynamics/run.h"
 #include "tests/unit/integrator/smooth_mechanisms.h"
 
@@ -37,7 +39,7 @@ Eigen::VectorXd exact(const Model& model, double t_end = kEnd) {
 }
 
 class Order : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(OneStep, Order, ::testing::Values(2, 5));
+INSTANTIATE_TEST_SUITE_P(OneStep, Order, ::testing::Values(2, 3, 5));
 
 TEST(OneStep, AgreesWithIdaOnSmoothLoops) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
@@ -87,6 +89,42 @@ TEST_P(Order, ErrorFallsWithTheTolerance) {
   constexpr double kLeast = 0.7, kMean = 0.33;
   const auto with_tolerance = [](double rtol) { return options_of(GetParam(), rtol); };
   EXPECT_LT(mean_fall({1e-4, 1e-5, 1e-6, 1e-7}, kLeast, with_tolerance), kMean);
+}
+
+// Windows in which TR-BDF2 takes several steps go by the method of third order, whose steps are longer; windows that one
+// of its steps fills do not.
+TEST(OneStep, WindowsThatOneStepDoesNotFillTakeAHigherOrder) {
+  for (unsigned seed : {1u, 3u, 4u}) {
+    const Model model = test::smooth_loop(seed);
+    const Eigen::VectorXd reference = exact(model);
+    const auto run_in = [&](int windows, int window_order) {
+      IntegratorOptions options = options_of(2, 1e-7);
+      options.window_order = window_order;
+      auto run = std::make_unique<test::Run>(model, "one_step", options);
+      run->to(kEnd, windows);
+      return run;
+    };
+    const auto lower = run_in(20, 0), chosen = run_in(20, 3);
+    const long most = lower->integrator->statistics().steps;
+    EXPECT_GT(most, 100) << seed;
+    EXPECT_LT(10 * chosen->integrator->statistics().steps, 8 * most) << seed;
+    EXPECT_LT((chosen->state.q - reference).norm(), 1.5 * (lower->state.q - reference).norm()) << seed;
+    const auto short_windows = run_in(5000, 0), not_needed = run_in(5000, 3);
+    EXPECT_EQ(short_windows->integrator->statistics().residuals, not_needed->integrator->statistics().residuals)
+        << seed;
+  }
+}
+
+TEST(MethodChoice, GoesUpWhereAStepDoesNotFillAWindowAndDownWhereItFillsSeveral) {
+  MethodChoice choice;
+  EXPECT_EQ(choice.begin(1.0, 1.0), 1.0);
+  EXPECT_FALSE(choice.high());
+  EXPECT_EQ(choice.begin(1.0, 0.5), 0.9);
+  EXPECT_TRUE(choice.high());
+  EXPECT_EQ(choice.begin(1.0, 2.0), 2.0);
+  EXPECT_TRUE(choice.high());
+  EXPECT_EQ(choice.begin(1.0, 3.0), 3.0);
+  EXPECT_FALSE(choice.high());
 }
 
 TEST(OneStep, FifthOrderEndsWithinAHundredTolerances) {

@@ -44,7 +44,9 @@ class Way : public ::testing::TestWithParam<Case> {
     return options;
   }
 };
-INSTANTIATE_TEST_SUITE_P(Integrators, Way, ::testing::Values(Case{"one_step", 2}, Case{"one_step", 5}, Case{"ida", 0}));
+INSTANTIATE_TEST_SUITE_P(Integrators, Way,
+                         ::testing::Values(Case{"one_step", 2}, Case{"one_step", 3}, Case{"one_step", 5},
+                                           Case{"ida", 0}));
 
 TEST_P(Way, RowsCostNoStepAndChangeNothing) {
   const Model model = test::smooth_loop(3);

@@ -58,7 +58,7 @@ double miss(const Matrices& m, const Eigen::VectorXd& w, int order) {
 }
 
 class Method : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Tableau, Method, ::testing::Values(2, 5));
+INSTANTIATE_TEST_SUITE_P(Tableau, Method, ::testing::Values(2, 3, 5));
 
 TEST_P(Method, HasTheOrderItSays) {
   const Tableau& tableau = tableau_of_order(GetParam());
