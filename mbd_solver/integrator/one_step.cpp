@@ -37,7 +37,7 @@ OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
       tableau_(&usual_),
       norm_(equations.layout(), options),
       lu_(equations.reduced_pattern(), equations.negligible_shares()),
-      slow_(equations.rest_choices() > 0 ? kSlowWhereSingular : kSlow) {
+      may_be_singular_(equations.rest_choices() > 0) {
   const int n = equations.layout().size();
   const std::size_t stages = static_cast<std::size_t>(std::max(usual_.stages, high_.stages));
   y_ = Ydot_ = known_ = F_ = change_ = rates_ = left_ = row_rates_ = Eigen::VectorXd::Zero(n);
@@ -171,7 +171,7 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
     const double t_stage = t + tableau_->c[at] * h;
     if (at_stages_) {
       if (!refresh(t_stage, Y_[at], K_[at], c, inputs)) return Outcome::kNoConvergence;
-    } else if (factored_c_ == 0.0 || (i == 1 && (std::abs(c / factored_c_ - 1.0) > 1e-6 || rate_ > slow_))) {
+    } else if (factored_c_ == 0.0 || (i == 1 && (std::abs(c / factored_c_ - 1.0) > 1e-6 || rate_ > slow()))) {
       // At the start of the step: the prediction of the first implicit stage differs from it by O(h).
       if (!refresh(t, y_, K_[0], c, inputs)) return Outcome::kNoConvergence;
     }

@@ -66,9 +66,11 @@ class OneStep : public Integrator {
   double next_step(double h) const;               // after a step h of error error_
   [[noreturn]] void give_up(double t, const std::string& what) const;
 
-  // Convergence rate above which the Jacobian is renewed before the next step. A mechanism that may pass singular positions
-  // keeps it longer: there the rate falls off by itself.
-  static constexpr double kSlow = 0.05, kSlowWhereSingular = 0.2;
+  // Convergence rate above which the Jacobian is renewed before the next step. It pays earlier where a step has many stages;
+  // a mechanism that may pass singular positions keeps it longer, as there the rate falls off by itself.
+  static constexpr double kSlow = 0.2, kSlowForManyStages = 0.05;
+  static constexpr int kManyStages = 4;
+  double slow() const { return tableau_->stages < kManyStages || may_be_singular_ ? kSlow : kSlowForManyStages; }
 
   Equations& equations_;
   IntegratorOptions options_;
@@ -81,7 +83,7 @@ class OneStep : public Integrator {
   double factored_c_ = 0.0;        // c of the factors, 0: none
   bool fresh_ = false;             // the Jacobian belongs to this step
   bool at_stages_ = false;         // it is renewed at every stage
-  double slow_;                    // of the two above
+  bool may_be_singular_;           // conditions of joints follow from others
   double rate_ = 1.0;              // last convergence rate of Newton
   double error_ = 0.0;             // of the last step, 1 = tolerance
   double newton_tolerance_ = 0.0;  // of the step that is tried

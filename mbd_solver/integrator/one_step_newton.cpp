@@ -28,7 +28,7 @@ bool OneStep::refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd&
   ++statistics_.jacobians;
   ++statistics_.factorizations;
   fresh_ = true;
-  rate_ = slow_;
+  rate_ = slow();
   factored_c_ = lu_.factor(equations_.own_diagonal()) ? c : 0.0;
   return factored_c_ != 0.0;
 }
@@ -42,7 +42,7 @@ bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
   Ydot_.tail(rows).setZero();
   expected_ = K.tail(rows);
   double last = 0.0;
-  rate_ = std::max(rate_, std::min(std::pow(rate_, kForgetting), slow_));
+  rate_ = std::max(rate_, std::min(std::pow(rate_, kForgetting), slow()));
   for (int i = 0; i < kMostIterations; ++i) {
     // Positions and rates of the present velocities and states.
     change_.head(q) = Y.head(q);

@@ -5,7 +5,8 @@
 set -u
 source "$(dirname "$0")/run_to_end.sh"
 first=$3
-start_run "$1" "$2" window --set coupling.timeout=2
+# Windows of one substep: the plate lies on its grains for some 60 s of its own time.
+start_run "$1" "$2" window --set coupling.timeout=2 --set particles.variables.every=1
 mapfile -t programs < <(processes_of liggghts_mbd; processes_of mbd_solver)
 mapfile -t launcher < <(processes_of orterun; processes_of prterun)
 ((${#launcher[@]} == 1 && ${#programs[@]} >= 2)) || die "expected one mpirun and its programs, found ${#launcher[@]} and ${#programs[@]}"
