@@ -23,8 +23,7 @@ class MethodChoice {
  private:
   static constexpr double kFills = 1.0 - 1e-9;
   static constexpr double kLonger = 1.8;  // the step of the higher order over that of the lower one, about
-  static constexpr double kEasily =
-      2.5;  // windows that a step of the higher order could take before the lower one does
+  static constexpr double kEasily = 2.5;  // windows that a step of the higher order can fill before the lower one does
   bool high_ = false;
 };
 
