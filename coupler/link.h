@@ -24,6 +24,8 @@ class Link {
     transport_.send(Message::kKind, out_);
   }
 
+  void wake_partner() { transport_.wake_partner(); }  // before work that is done while the partner is at work
+
   // Next message, which must be of this kind: ProtocolError if it is another, PartnerError if the partner closed or is
   // gone.
   template <class Message>

@@ -15,6 +15,9 @@ class Transport {
   virtual ~Transport() = default;
   // Sends without waiting for the partner to read. Throws PartnerError when the partner is known to be gone.
   virtual void send(MessageKind kind, const Bytes& bytes) = 0;
+  // This side has other work to do before it waits for an answer, and the partner shall not wait for that: it is told of
+  // what was sent at once. Who waits next leaves it out.
+  virtual void wake_partner() {}
   // True when a message waits. Never blocks.
   virtual bool poll() = 0;
   // Waits, without keeping a core busy, for the next message and returns its kind.

@@ -22,6 +22,7 @@ class TransportMpi : public Transport {
   ~TransportMpi() override;
 
   void send(MessageKind kind, const Bytes& bytes) override;
+  void wake_partner() override;
   bool poll() override;  // not collective: false on other ranks than the root
   MessageKind receive(Bytes& bytes, double patience) override;
   std::string partner() const override { return partner_; }

@@ -68,6 +68,7 @@ inline constexpr auto kFields<CouplingSample> =
 CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations& equations, const Kinematics& start,
                        double t_end, Transport& transport, const std::string& resume)
     : mechanism_(mechanism),
+      equations_(equations),
       t_end_(t_end),
       gravity_(scene.gravity),
       up_(up_direction(scene.gravity)),
@@ -125,7 +126,8 @@ void CoupledRun::visit(Archive& archive) {
 }
 
 double CoupledRun::begin_window(const State& state, const Kinematics& kinematics,
-                                const std::function<WantedSet(double t_end)>& checkpoint_at, Inputs& inputs) {
+                                const std::function<WantedSet(double t_end)>& checkpoint_at,
+                                const std::function<void()>& meanwhile, Inputs& inputs) {
   const double dt = agreement_.dt;
   const double left = std::round((t_end_ - state.time) / dt);  // substeps: may be more than an integer holds
   motion_.time = state.time;
@@ -149,7 +151,10 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
     for (const Coupled& body : bodies_) motion_.inverse_masses.push_back(1.0 / body.contact_mass.last());
   }
   const double worked = wall_clock() - exchanged_;
-  const Load& load = partner_.exchange(motion_);
+  const Load& load = partner_.exchange(motion_, [&] {
+    meanwhile();
+    prepare_masses(state);
+  });
   exchanged_ = wall_clock();
   if (script_has_ended()) return state.time;
   for (const std::string& warning : load.warnings) watch_->warn(warning);
@@ -167,6 +172,12 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
     if (touched) ++coupled.mass_age;
   }
   return t_end;
+}
+
+// Masses that are due are found by factors at the window's start.
+void CoupledRun::prepare_masses(const State& state) {
+  for (const Coupled& body : bodies_)
+    if (body.mass_age >= kMassHolds && body.contact_mass.asks_mechanism()) return equations_.factor_at(state);
 }
 
 void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {

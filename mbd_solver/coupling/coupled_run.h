@@ -40,11 +40,13 @@ class CoupledRun {
              double t_end, Transport& transport, const std::string& resume = "");
 
   // Sends the motion, waits for the load, writes it into inputs.loads (one per body of the model, sized by the caller).
+  // meanwhile: called when the motion is out, before the load is waited for; it leaves inputs.loads alone.
   // kinematics: with accelerations. checkpoint_at: how the grains' side shall keep itself at the window's end [s].
   // Returns the window's end [s]; the present time when the script has ended, as it may: script_has_ended(). Throws
   // NumericalError for a load that is not finite, PartnerError.
   double begin_window(const State& state, const Kinematics& kinematics,
-                      const std::function<WantedSet(double t_end)>& checkpoint_at, Inputs& inputs);
+                      const std::function<WantedSet(double t_end)>& checkpoint_at,
+                      const std::function<void()>& meanwhile, Inputs& inputs);
   // The mechanism has come to the window's end. Throws NumericalError when the coupling pumps energy or chatters
   // (CouplingWatch).
   void end_window(const State& state, const Kinematics& kinematics);
@@ -86,11 +88,13 @@ class CoupledRun {
     int mass_age = 0;  // windows of contact since contact_mass was found
   };
 
+  void prepare_masses(const State& state);
   void choose_window();  // n of the next window, after one
   void receive(const Load& load, Inputs& inputs);
   void judge(const State& state);  // a window that has ended
 
   const Mechanism& mechanism_;
+  Equations& equations_;
   double t_end_;             // [s]
   Eigen::Vector3d gravity_;  // [m/s2]
   Eigen::Vector3d up_;       // unit vector against gravity, in W

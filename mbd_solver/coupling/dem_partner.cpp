@@ -91,8 +91,12 @@ void DemPartner::check_gravity(const Eigen::Vector3d& scene) {
   throw ProtocolError(what);
 }
 
-const Load& DemPartner::exchange(const Motion& motion) {
+const Load& DemPartner::exchange(const Motion& motion, const std::function<void()>& meanwhile) {
   link_.send(motion);
+  if (meanwhile) {
+    link_.wake_partner();
+    meanwhile();
+  }
   try {
     link_.receive(load_);
   } catch (const PartnerError&) {

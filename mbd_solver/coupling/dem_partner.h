@@ -2,6 +2,7 @@
 // The multibody side of the exchange with LIGGGHTS: opens it, trades one motion for one mean load per window, closes
 // it.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,8 @@ class DemPartner {
 
   // One window: sends `motion` and returns the load that the grains gave over it. The reference holds until the next
   // call. A script that ends early, as it has said it may, gives no load any more: script_has_ended().
-  const Load& exchange(const Motion& motion);
+  // meanwhile: called when the motion is out, before the load is waited for.
+  const Load& exchange(const Motion& motion, const std::function<void()>& meanwhile = {});
   bool script_has_ended() const { return script_has_ended_; }
   const Load& load() const { return load_; }  // of the last window
   // Waits until the grains' side has kept itself after this window, whose motion asked for it; false when it has not,

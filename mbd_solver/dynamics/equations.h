@@ -91,6 +91,7 @@ class Equations {
   //   [M, Phi_v^T; Phi_v, -eps] [a; lambda] = [f; 0],   f becomes a
   // Throws NumericalError when that is singular.
   void respond(const State& state, Eigen::Ref<Eigen::VectorXd> f);
+  void factor_at(const State& state);  // what respond() needs there, ahead of it
 
   // Of all lambda with the same reactions on the bodies together, that of the smallest sum (s_i lambda_i)^2 (redundancy.h).
   // Nothing changes where no rows are redundant.

@@ -217,6 +217,11 @@ void Equations::stage_rates(const State& state, const Inputs& inputs, Eigen::Ref
   throw NumericalError(at_time(state.time) + "the equations of motion are singular; does every body have a mass?");
 }
 
+void Equations::factor_at(const State& state) {
+  load(state);
+  factor_saddle(state);
+}
+
 void Equations::respond(const State& state, Eigen::Ref<Eigen::VectorXd> f) {
   Workspace& w = *work_;
   load(state);

@@ -89,6 +89,7 @@ void add_costs(const Simulation& simulation, Json& json) {
   json["wall_s"] = times.total;
   json["dem_wall_s"] = dem;
   json["mbd_wall_s"] = times.mbd;
+  json["mbd_beside_wall_s"] = times.beside;
   json["control_wall_s"] = times.control;
   json["checkpoint_wall_s"] = times.keeping;
   json["exchange_wall_s"] = simulation.coupled() ? simulation.coupled()->exchange_seconds() : 0.0;

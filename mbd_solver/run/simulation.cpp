@@ -200,22 +200,49 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     return WantedSet{keep.begin(window_ + 1), !due(end)};
   };
 
-  while (!finished()) {
-    // Checkpoint: where the grains' side has kept itself as well.
-    bool kept = false;
-    if (keep && (coupled_ ? coupled_->keeps() : due(state_.time)))
-      kept = keep_now(keep, coupled_ && coupled_->keeps_quietly(), started);
-    if (asked_to_end() && (kept || !keep)) break;
-
-    // Control: the voltages of the window.
+  // What the grains need not wait for: rows, voltages, and what the next window needs besides its loads.
+  bool untold = false;  // the sample
+  const auto tell = [&] {
+    if (!untold) return;
+    untold = false;
+    times_.total = wall_clock() - started;
+    observe(at);
+  };
+  const auto choose_voltages = [&] {
     const double control_started = wall_clock();
     control();
     times_.control += wall_clock() - control_started;
+  };
+  const auto meanwhile = [&] {
+    const double begun = wall_clock();
+    tell();
+    choose_voltages();
+    integrator_->prepare(state_, inputs_);
+    times_.beside += wall_clock() - begun;
+  };
+  const auto exchange = [&] {
+    try {
+      return coupled_->begin_window(state_, at.kinematics, set_at, meanwhile, inputs_);
+    } catch (...) {
+      tell();  // the last row of a run that the grains have left
+      throw;
+    }
+  };
+
+  while (!finished()) {
+    // Checkpoint: where the grains' side has kept itself as well.
+    bool kept = false;
+    if (keep && (coupled_ ? coupled_->keeps() : due(state_.time))) {
+      tell();
+      kept = keep_now(keep, coupled_ && coupled_->keeps_quietly(), started);
+    }
+    if (asked_to_end() && (kept || !keep)) break;
 
     // Window: with grains motion goes out and the mean load comes in.
+    if (!coupled_) choose_voltages();
     const double t_end =
         coupled_
-            ? coupled_->begin_window(state_, at.kinematics, set_at, inputs_)
+            ? exchange()
             : std::min({voltages_move_ ? control_.next_sample() : t_end_, t_end_, keep ? checkpoints_.next() : t_end_});
     if (coupled_ && coupled_->script_has_ended()) break;
 
@@ -237,9 +264,10 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     look_for_collisions();
     if (event_ahead_ || event_holds()) find_event();
     if (coupled_) coupled_->end_window(state_, at.kinematics);
-    times_.total = wall_clock() - started;
-    observe(at);
+    untold = true;
+    if (!coupled_) tell();
   }
+  tell();
   if (coupled_ && finished()) coupled_->close();
 }
 

@@ -2,7 +2,8 @@
 // The run of one scene, a window at a time. Data runs one way:
 //   Scene -> Mechanism -> State -> window (with grains: motion out, load in) -> Sample -> whoever observes
 // While it runs: controllers set voltages, the window's end is found, the mechanism moves to it, its state is checked,
-// the sample is observed.
+// the sample is observed. With grains the sample is observed, and voltages are set, when the motion is out: the grains move
+// meanwhile.
 
 #include <csignal>
 #include <functional>
@@ -24,7 +25,8 @@ namespace footfall {
 struct RunTimes {
   double total = 0.0;    // wall time of the loop [s]
   double mbd = 0.0;      // in the integrator [s]
-  double control = 0.0;  // in controllers [s]
+  double beside = 0.0;   // in rows, controllers and what the next window needs, while the grains move [s]
+  double control = 0.0;  // in controllers [s]; with grains a part of the last one
   double keeping = 0.0;  // in checkpoints: the grains' side is waited for, and files are written [s]
 };
 

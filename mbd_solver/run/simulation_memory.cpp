@@ -44,8 +44,8 @@ inline constexpr auto kFields<IntegratorStatistics> =
 
 template <>
 inline constexpr auto kFields<RunTimes> =
-    std::tuple{Field{"total", &RunTimes::total}, Field{"mbd", &RunTimes::mbd}, Field{"control", &RunTimes::control},
-               Field{"keeping", &RunTimes::keeping}};
+    std::tuple{Field{"total", &RunTimes::total}, Field{"mbd", &RunTimes::mbd}, Field{"beside", &RunTimes::beside},
+               Field{"control", &RunTimes::control}, Field{"keeping", &RunTimes::keeping}};
 
 // The integrator's own memory is dropped at a checkpoint, by the run that goes on and by the one that is resumed.
 void Simulation::visit(Archive& archive) {

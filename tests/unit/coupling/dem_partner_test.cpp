@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <future>
+
 #include "coupler/archive.h"
 #include "coupler/transport_loopback.h"
 #include "tests/unit/coupling/loopback_grains.h"
@@ -235,6 +238,19 @@ TEST(DemPartner, TradesOneMotionForOneLoad) {
   }
   partner.close();
   EXPECT_EQ(grains.join(), "");
+}
+
+TEST(DemPartner, WorksWhileTheGrainsMove) {
+  std::promise<void> worked;
+  std::future<void> has_worked = worked.get_future();
+  test::LoopbackGrains grains(fixed_windows(), [&](const Motion&, Load& load) {
+    const auto in_time = has_worked.wait_for(std::chrono::seconds(10)) == std::future_status::ready;
+    load.bodies[0].mean.F_W.x() = in_time ? 1.0 : 0.0;
+  });
+  DemPartner partner(grains.transport(), {body_named("pad")}, terms("css", 1e-3), test::kPatience);
+  const Load& load = partner.exchange(one_window(0, true), [&] { worked.set_value(); });
+  EXPECT_EQ(load.bodies[0].mean.F_W.x(), 1.0);
+  partner.close();
 }
 
 TEST(DemPartner, WhatGoesOnFromACheckpointWasNotAskedToEnd) {
