@@ -64,9 +64,6 @@ class Integrator {
   // NumericalError naming time and body or joint.
   virtual void advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) = 0;
   void advance(State& state, double t_end, const Inputs& inputs) { advance(state, t_end, inputs, Rows{}); }
-  // Between two windows, while their loads are not known yet: what the next one needs besides them is made ahead, with
-  // the loads of the last one.
-  virtual void prepare(const State&, const Inputs&) {}
   // dy/dt and multipliers at the end of the last window under its loads: [dq; dv; dz; lambda].
   virtual const Eigen::VectorXd& end_rates() const = 0;
   // Drops all memory of earlier windows (factors, step history), so that what follows depends on the State

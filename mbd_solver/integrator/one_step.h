@@ -28,7 +28,6 @@ class OneStep : public Integrator {
 
   std::string name() const override { return "one_step"; }
   void advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) override;
-  void prepare(const State& state, const Inputs& inputs) override;
   const Eigen::VectorXd& end_rates() const override { return rates_; }
   void forget() override;
   const IntegratorStatistics& statistics() const override { return statistics_; }

@@ -15,9 +15,6 @@ constexpr int kMostIterations = 10;
 // A rate that was measured once says less and less about a Jacobian that grows old: without this, stages that end after
 // one iteration would never measure it again (as in RADAU5 of Hairer and Wanner).
 constexpr double kForgetting = 0.8;
-// A Jacobian is made ahead when Newton is this much faster than slow(): on grains 14 more of them save one evaluation in
-// twenty, and a hundred more one in nine.
-constexpr double kMadeAhead = 0.5;
 
 }  // namespace
 
@@ -34,13 +31,6 @@ bool OneStep::refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd&
   rate_ = slow();
   factored_c_ = lu_.factor(equations_.own_diagonal()) ? c : 0.0;
   return factored_c_ != 0.0;
-}
-
-// The Jacobian, where Newton will soon be slow: made ahead, it holds nobody up.
-void OneStep::prepare(const State& state, const Inputs& inputs) {
-  if (state.time != left_time_ || factored_c_ == 0.0 || rate_ <= kMadeAhead * slow()) return;
-  equations_.pack(state, rates_.tail(equations_.layout().row_count), y_);
-  refresh(state.time, y_, rates_, factored_c_, inputs);
 }
 
 bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {

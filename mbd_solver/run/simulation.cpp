@@ -200,7 +200,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     return WantedSet{keep.begin(window_ + 1), !due(end)};
   };
 
-  // What the grains need not wait for: rows, voltages, and what the next window needs besides its loads.
+  // What the grains need not wait for: rows and voltages.
   bool untold = false;  // the sample
   const auto tell = [&] {
     if (!untold) return;
@@ -217,7 +217,6 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     const double begun = wall_clock();
     tell();
     choose_voltages();
-    integrator_->prepare(state_, inputs_);
     times_.beside += wall_clock() - begun;
   };
   const auto exchange = [&] {

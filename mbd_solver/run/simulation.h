@@ -25,7 +25,7 @@ namespace footfall {
 struct RunTimes {
   double total = 0.0;    // wall time of the loop [s]
   double mbd = 0.0;      // in the integrator [s]
-  double beside = 0.0;   // in rows, controllers and what the next window needs, while the grains move [s]
+  double beside = 0.0;   // in rows and controllers while the grains move [s]
   double control = 0.0;  // in controllers [s]; with grains a part of the last one
   double keeping = 0.0;  // in checkpoints: the grains' side is waited for, and files are written [s]
 };

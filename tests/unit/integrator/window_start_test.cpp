@@ -43,44 +43,6 @@ TEST(WindowStart, ChangesTheMotionByNoMoreThanTheTolerance) {
   }
 }
 
-// With jumps of the step from window to window Newton loses speed; the Jacobian is then made between two windows.
-TEST(WindowStart, IsPreparedByANewJacobianWhereNewtonWillBeSlow) {
-  for (unsigned seed = 0; seed < 6; ++seed) {
-    const Model model = test::smooth_loop(seed);
-    const IntegratorOptions options = fifth_order();
-    test::Run plain(model, "one_step", options), prepared(model, "one_step", options);
-    long ahead = 0;
-    for (int i = 1; i <= kWindowCount; ++i) {
-      const double end = 0.1 * i / kWindowCount;
-      plain.to(end);
-      const long before = prepared.integrator->statistics().jacobians;
-      prepared.integrator->prepare(prepared.state, prepared.inputs);
-      ahead += prepared.integrator->statistics().jacobians - before;
-      prepared.to(end);
-    }
-    EXPECT_GT(ahead, 0) << seed;
-    EXPECT_LT(ahead, kWindowCount) << seed << ": one that is fast enough is kept";
-    EXPECT_LE(prepared.integrator->statistics().residuals, plain.integrator->statistics().residuals) << seed;
-    const Eigen::VectorXd v = plain.state.v;
-    const Eigen::VectorXd allowed =
-        kFewTolerances * (options.rtol * v.cwiseAbs().array() + options.atol_velocity).matrix();
-    EXPECT_TRUE(((prepared.state.v - v).cwiseAbs().array() <= allowed.array()).all())
-        << seed << ": " << (prepared.state.v - v).lpNorm<Eigen::Infinity>();
-  }
-}
-
-TEST(WindowStart, IsNotPreparedWithoutAWindowBefore) {
-  const Model model = test::smooth_loop(3);
-  test::Run run(model, "one_step", fifth_order());
-  run.integrator->prepare(run.state, run.inputs);
-  EXPECT_EQ(run.integrator->statistics().jacobians, 0);
-  run.to(0.01, 2);
-  run.integrator->forget();
-  const long before = run.integrator->statistics().jacobians;
-  run.integrator->prepare(run.state, run.inputs);
-  EXPECT_EQ(run.integrator->statistics().jacobians, before) << "a resumed run has none either";
-}
-
 // What was changed from outside is not what the rates belong to.
 TEST(WindowStart, OfAnotherStateIsComputedAnew) {
   const Model model = test::smooth_loop(3);
