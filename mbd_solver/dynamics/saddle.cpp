@@ -54,9 +54,7 @@ bool Equations::factor_saddle(const State& state) {
 }
 
 void Equations::renew_rest(const State& state) {
-  if (work_->redundancies.empty()) return;
-  load(state);
-  factor_saddle(state);
+  if (!work_->redundancies.empty()) factor_at(state);
 }
 
 // One solve for a sum of all combinations, each with a weight of its own size and sign.
