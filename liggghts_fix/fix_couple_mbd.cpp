@@ -1,6 +1,7 @@
 #include "liggghts_fix/fix_couple_mbd.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "coupler/mpi_check.h"
 #include "fix_mesh_surface.h"
 #include "integrate.h"
+#include "liggghts_fix/fix_couple_mbd_ahead.h"
 #include "liggghts_fix/fix_couple_mbd_grains.h"
 #include "liggghts_fix/fix_couple_mbd_match.h"
 #include "liggghts_fix/fix_couple_mbd_restart.h"
@@ -62,6 +64,8 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
   time_depend = 1;
   nevery = 1;  // end_of_step
 }
+
+FixCoupleMbd::~FixCoupleMbd() { footfall::move_behind_pairs(lmp, nullptr); }
 
 int FixCoupleMbd::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::FINAL_INTEGRATE | FixConst::END_OF_STEP; }
 
@@ -120,8 +124,22 @@ void FixCoupleMbd::init() {
   for (int body = 0; body < link_.body_count(); ++body) add_row(body);
   size_array_rows = link_.body_count();
   for (const auto& mesh : meshes_) mesh->begin_run(style, torque_before_, arguments_);
+  go_ahead_or_wait(first_run);
   link_.expect_set_up();
   if (first_run && link_.resumed()) link_.stand_as_kept(comm->me == 0);
+}
+
+void FixCoupleMbd::go_ahead_or_wait(bool tell) {
+  const std::string why = why_grains_wait(lmp);
+  grains_go_ahead_ = why.empty();
+  footfall::move_behind_pairs(lmp, grains_go_ahead_ ? this : nullptr);
+  if (!tell || comm->me != 0) return;
+  const std::string said =
+      std::string("fix ") + id + " (couple/mbd): " +
+      (why.empty() ? "grains go ahead while the mechanism moves\n"
+                   : "grains wait for the mechanism at the start of each window, because of " + why + "\n");
+  for (FILE* const out : {screen, logfile})
+    if (out != nullptr) std::fputs(said.c_str(), out);
 }
 
 void FixCoupleMbd::initial_integrate(int) {
@@ -131,6 +149,10 @@ void FixCoupleMbd::initial_integrate(int) {
                      "coupling need one time step; use a fixed `timestep`");
   if (compare_gravity_) link_.hold_against_scene(gravity_now(*modify));  // its variables have values now
   compare_gravity_ = false;
+  if (!grains_go_ahead_) move_boundaries();
+}
+
+void FixCoupleMbd::move_boundaries() {
   link_.begin_substep(update->ntimestep);
   for (const auto& mesh : meshes_) {
     mesh->check_inside_box();

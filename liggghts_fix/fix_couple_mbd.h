@@ -28,6 +28,7 @@ FixStyle(couple / mbd, FixCoupleMbd)
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/fix_couple_mbd_mesh.h"
 #include "liggghts_fix/fix_couple_mbd_walls.h"
+#include "liggghts_fix/liggghts_access.h"
 
 namespace LAMMPS_NS {
 
@@ -35,7 +36,7 @@ class TriMesh;
 
 // Errors leave as exceptions of footfall (the launcher catches them): the same on every rank, as every rank sees the
 // same messages.
-class FixCoupleMbd : public Fix {
+class FixCoupleMbd : public Fix, private footfall::LateBoundaries {
  public:
   FixCoupleMbd(LAMMPS* lmp, int narg, char** arg);
 
@@ -49,7 +50,11 @@ class FixCoupleMbd : public Fix {
   double compute_vector(int n) override;
   double compute_array(int i, int j) override;
 
+  ~FixCoupleMbd() override;
+
  private:
+  void move_boundaries() override;
+  void go_ahead_or_wait(bool tell);
   void gather(const std::vector<double>& row);
   std::vector<double> sum_over_ranks(const std::vector<double>& row);
   void keep(const std::string& folder);
@@ -57,6 +62,7 @@ class FixCoupleMbd : public Fix {
   void order_as_after_restart(TriMesh* mesh) const;
 
   footfall::DemLink& link_;
+  bool grains_go_ahead_ = false;  // boundaries move behind the forces of grains on each other
   bool compare_gravity_ = false;  // it varies, and the first step has not begun
   const footfall::CoupleMbdArguments arguments_;
   std::vector<std::unique_ptr<CoupledMesh> > meshes_;

@@ -68,6 +68,16 @@ class ForceWatch {
 // Null: nobody hears any more.
 void watch_forces(LAMMPS_NS::LAMMPS* lmp, ForceWatch* watch);
 
+// Boundaries that a step moves only when the forces of its grains on each other stand, which do not depend on them.
+class LateBoundaries {
+ public:
+  virtual ~LateBoundaries() = default;
+  virtual void move_boundaries() = 0;  // to where they are at the end of the step
+};
+// What fixes do before the forces (Modify::pre_force: the grains' lists at meshes) waits for the boundaries too. Null:
+// it does not.
+void move_behind_pairs(LAMMPS_NS::LAMMPS* lmp, LateBoundaries* boundaries);
+
 // LIGGGHTS creates fixes by (lmp, narg, arg) alone: this is how they find the coupling that the launcher made for their
 // LIGGGHTS.
 void attach_dem_link(LAMMPS_NS::LAMMPS* lmp, DemLink& link);

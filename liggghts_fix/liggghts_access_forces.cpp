@@ -29,6 +29,17 @@ ForceWatch* watch_of(LAMMPS* lmp) {
   return found == watches().end() ? nullptr : found->second;
 }
 
+std::map<LAMMPS*, LateBoundaries*>& late_boundaries() {
+  static std::map<LAMMPS*, LateBoundaries*> one;
+  return one;
+}
+
+// Null where boundaries move as LIGGGHTS moves meshes.
+LateBoundaries* late_boundaries_of(LAMMPS* lmp) {
+  const auto found = late_boundaries().find(lmp);
+  return found == late_boundaries().end() ? nullptr : found->second;
+}
+
 // Never made: it only names protected members.
 class OpenModify : public Modify {
  public:
@@ -46,11 +57,30 @@ void watch_forces(LAMMPS* lmp, ForceWatch* watch) {
   }
 }
 
+void move_behind_pairs(LAMMPS* lmp, LateBoundaries* boundaries) {
+  if (boundaries != nullptr) {
+    late_boundaries()[lmp] = boundaries;
+  } else {
+    late_boundaries().erase(lmp);
+  }
+}
+
 }  // namespace footfall
+
+// In a step, between re-neighbouring and the forces of grains on each other.
+void LAMMPS_NS::Modify::pre_force(int vflag) {
+  static const auto pre_force = footfall::original<void (*)(Modify*, int)>("_ZN9LAMMPS_NS6Modify9pre_forceEi");
+  if (footfall::late_boundaries_of(footfall::OpenModify::owner(this)) == nullptr) pre_force(this, vflag);
+}
 
 // The forces of fixes, one after the other; and the same when a run is set up.
 void LAMMPS_NS::Modify::post_force(int vflag) {
+  static const auto pre_force = footfall::original<void (*)(Modify*, int)>("_ZN9LAMMPS_NS6Modify9pre_forceEi");
   static const auto post_force = footfall::original<void (*)(Modify*, int)>("_ZN9LAMMPS_NS6Modify10post_forceEi");
+  if (footfall::LateBoundaries* const boundaries = footfall::late_boundaries_of(footfall::OpenModify::owner(this))) {
+    boundaries->move_boundaries();
+    pre_force(this, vflag);
+  }
   footfall::ForceWatch* const watch = footfall::watch_of(footfall::OpenModify::owner(this));
   if (watch == nullptr) {
     post_force(this, vflag);

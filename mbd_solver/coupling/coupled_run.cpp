@@ -122,7 +122,9 @@ void CoupledRun::visit(Archive& archive) {
   if (choice_) archive("choice", *choice_);
   archive("sample", sample_);
   archive("dem_seconds", dem_seconds_);
+  archive("waited_seconds", waited_seconds_);
   archive("exchange_seconds", exchange_seconds_);
+  archive("beside_seconds", beside_seconds_);
 }
 
 double CoupledRun::begin_window(const State& state, const Kinematics& kinematics,
@@ -159,7 +161,9 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   if (script_has_ended()) return state.time;
   for (const std::string& warning : load.warnings) watch_->warn(warning);
   dem_seconds_ += load.wall_seconds;
+  waited_seconds_ += load.waited_seconds;
   exchange_seconds_ += std::max(0.0, load.waited_seconds - worked);
+  beside_seconds_ += std::max(0.0, worked - load.waited_seconds);
   receive(load, inputs);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const auto body = static_cast<std::size_t>(bodies_[k].entry.body);

@@ -71,9 +71,12 @@ class CoupledRun {
   bool asked_to_end() const { return partner_.load().asked_to_end; }  // by a signal to a rank of LIGGGHTS
   const CouplingWatch& watch() const { return *watch_; }
   const std::string& grains_version() const { return partner_.grains_version(); }  // of LIGGGHTS
-  double dem_seconds() const { return dem_seconds_; }  // spent by LIGGGHTS on its windows [s]
-  // What LIGGGHTS has waited for motions beyond the work of the mechanism in that time: what the exchange costs [s].
+  double dem_seconds() const { return dem_seconds_; }        // spent by LIGGGHTS on its windows, waiting apart [s]
+  double waited_seconds() const { return waited_seconds_; }  // LIGGGHTS stood still for motions [s]
+  // Of that what goes beyond the work of the mechanism for them: what the exchange costs [s].
   double exchange_seconds() const { return exchange_seconds_; }
+  // The mechanism's work for motions while LIGGGHTS did not wait for them yet [s].
+  double beside_seconds() const { return beside_seconds_; }
 
  private:
   // One body that the script couples.
@@ -108,10 +111,10 @@ class CoupledRun {
   std::unique_ptr<WindowChoice> choice_;  // null when the script fixes n
   std::vector<WindowChoice::Body> choice_bodies_;
   CouplingSample sample_;
-  Eigen::VectorXd work_before_;                        // State::load_work at the window's start [J]
-  std::vector<CouplingWatch::Body> watched_;           // of the window, per coupled body
-  double dem_seconds_ = 0.0, exchange_seconds_ = 0.0;  // [s]
-  double exchanged_ = wall_clock();                    // when the last load had come [s]
+  Eigen::VectorXd work_before_;               // State::load_work at the window's start [J]
+  std::vector<CouplingWatch::Body> watched_;  // of the window, per coupled body
+  double dem_seconds_ = 0.0, waited_seconds_ = 0.0, exchange_seconds_ = 0.0, beside_seconds_ = 0.0;  // [s]
+  double exchanged_ = wall_clock();  // when the last load had come [s]
 };
 
 }  // namespace footfall

@@ -85,14 +85,15 @@ void add_costs(const Simulation& simulation, Json& json) {
   json["jacobians"] = statistics.jacobians;
   json["factorizations"] = statistics.factorizations;
   const RunTimes& times = simulation.times();
-  const double dem = simulation.coupled() ? simulation.coupled()->dem_seconds() : 0.0;
+  const CoupledRun* const coupled = simulation.coupled();
   json["wall_s"] = times.total;
-  json["dem_wall_s"] = dem;
+  json["dem_wall_s"] = coupled ? coupled->dem_seconds() : 0.0;
+  json["waited_wall_s"] = coupled ? coupled->waited_seconds() : 0.0;
   json["mbd_wall_s"] = times.mbd;
-  json["mbd_beside_wall_s"] = times.beside;
+  json["mbd_beside_wall_s"] = times.beside + (coupled ? coupled->beside_seconds() : 0.0);
   json["control_wall_s"] = times.control;
   json["checkpoint_wall_s"] = times.keeping;
-  json["exchange_wall_s"] = simulation.coupled() ? simulation.coupled()->exchange_seconds() : 0.0;
+  json["exchange_wall_s"] = coupled ? coupled->exchange_seconds() : 0.0;
 }
 
 // What stands on the plane by friction creeps down its slope where a friction_speed is given; nothing is told where it slides.

@@ -120,6 +120,29 @@ TEST(Script, MayLeaveTheWindowToThePartner) {
   EXPECT_EQ(Table(folder.path() / "table.csv").rows(), 25U);
 }
 
+// A fix that is called before the forces and is not known to look away from meshes makes them wait.
+TEST(Script, GrainsThatGoAheadOrWaitGiveTheSameBits) {
+  const RunFolder folder = plate_folder("ahead");
+  const auto run = [&](const std::string& name, const std::string& more, const std::string& said) {
+    folder.write("in", small_bed() + kMeshFromFile + mesh_wall() + more + couple(5) + kThermo + dump_every(400, name) +
+                           "run 400\n");
+    const Outcome outcome =
+        folder.coupled(2, "-in in -log log." + name,
+                       "until 0.02 out " + name + ".csv body plate plate.stl 0 0 0.24 free 3 0 0.1 -0.05 -1.0 0 0 0");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+    EXPECT_NE(folder.read("log." + name).find("fix mbd (couple/mbd): grains " + said), std::string::npos)
+        << folder.read("log." + name);
+  };
+  run("ahead", "", "go ahead while the mechanism moves");
+  run("waits",
+      "region here block -0.1 0.1 -0.1 0.1 0 0.6 units box\n"
+      "fix mark all property/atom/tracer region_mark here mark_step 10\n",
+      "wait for the mechanism at the start of each window, because of fix mark (property/atom/tracer)");
+  EXPECT_TRUE(folder.read("ahead.400") == folder.read("waits.400"));
+  EXPECT_EQ(folder.read("ahead.csv"), folder.read("waits.csv"));
+  EXPECT_EQ(thermo_lines(folder.read("log.ahead")), thermo_lines(folder.read("log.waits")));
+}
+
 TEST(Script, TellsOfSpheresThatNoClumpMoves) {
   const RunFolder folder = plate_folder("still");
   std::string bed = small_bed();

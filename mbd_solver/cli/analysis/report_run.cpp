@@ -56,9 +56,11 @@ void show_summary(const Json& summary, HtmlPage& page) {
   figure(summary, "steps of the mechanism", "steps", 1.0, "", rows, "Of the time integration, rejected ones apart.");
   figure(summary, "wall time", "wall_s", 1.0, "s", rows, "From the first window to the last.");
   figure(summary, "of it grains", "dem_wall_s", 1.0, "s", rows, "What LIGGGHTS took.");
-  figure(summary, "of it mechanism", "mbd_wall_s", 1.0, "s", rows, "What the multibody solver took.");
+  figure(summary, "of it waiting", "waited_wall_s", 1.0, "s", rows,
+         "The grains stood still for the mechanism and the exchange.");
+  figure(summary, "mechanism", "mbd_wall_s", 1.0, "s", rows, "What the multibody solver took.");
   figure(summary, "mechanism, while grains move", "mbd_beside_wall_s", 1.0, "s", rows,
-         "Rows and controllers; the grains' time holds it.");
+         "The part of its work for which the grains did not wait, rows and controllers with it.");
   page.table(rows);
   std::string active;
   for (const Json& part : summary.value("active", Json::array()))

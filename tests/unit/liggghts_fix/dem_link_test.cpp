@@ -6,6 +6,7 @@
 
 #include <thread>
 
+#include "coupler/base/clock.h"
 #include "coupler/interrupt.h"
 #include "coupler/transport_loopback.h"
 
@@ -175,7 +176,10 @@ std::vector<Load> loads_of(const std::vector<Census>& census, double max_lost, s
   });
   pair.dem.couple("pad", "si");
   pair.dem.set_max_lost(max_lost);
+  const double before_start = wall_clock();
   pair.dem.start(script(1e-4, 1, 0));
+  const double after_start = wall_clock();
+  double before_end = 0.0;
   pair.dem.expect_set_up();
   try {
     int step = 0;
@@ -186,6 +190,7 @@ std::vector<Load> loads_of(const std::vector<Census>& census, double max_lost, s
       pair.dem.grains_exchanged(grains + lost, grains);
       std::vector<double> row;
       pair.dem.write_shares(grains, false, row);
+      before_end = wall_clock();
       pair.dem.finish_window(row, 1);
     }
   } catch (const NumericalError& error) {
@@ -194,6 +199,13 @@ std::vector<Load> loads_of(const std::vector<Census>& census, double max_lost, s
     pair.dem.fail(error.what());
   }
   pair.partner.join();
+  if (failure == nullptr) {  // the grains' own time and what they waited are all that went by
+    double told = 0.0;
+    for (const Load& load : loads) told += load.wall_seconds + load.waited_seconds;
+    constexpr double kRounding = 1e-6;  // of readings of a clock that has run for months [s]
+    EXPECT_LE(told, wall_clock() - before_start + kRounding);
+    EXPECT_GE(told, before_end - after_start - kRounding);
+  }
   return loads;
 }
 
