@@ -21,6 +21,7 @@
 #include "liggghts_fix/liggghts_access.h"
 #include "liggghts_fix/mesh_order.h"
 #include "modify.h"
+#include "output.h"
 #include "signal_handling.h"
 #include "tri_mesh.h"
 #include "universe.h"
@@ -158,8 +159,11 @@ void FixCoupleMbd::move_boundaries() {
     mesh->check_inside_box();
     mesh->move();
   }
-  // The scene is the truth for the length of the run: the run loop stops after this step.
-  if (link_.in_last_substep() && update->ntimestep < update->laststep) SignalHandler::request_quit = true;
+  // The scene is the truth for the length of the run: the run loop stops after this step, whose thermo line LIGGGHTS
+  // writes when it asks in time, at its neighbour lists.
+  if (!link_.in_last_substep() || update->ntimestep >= update->laststep) return;
+  SignalHandler::request_quit = true;
+  output->restart_requested(update->ntimestep);
 }
 
 void FixCoupleMbd::final_integrate() {
