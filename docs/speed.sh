@@ -62,15 +62,33 @@ part_stock() {
   local bed said=$runs/stock.log
   bed=$("$build/bin/footfall" run inputs/landing_mr --until 1e-3 --force --set output.plots=false --out "$runs/bed" | sed -n 's/^Bed: //p')
   tests/bench/stock_ratio.sh "$build" "$bed" -t 0.3 -p "${PAIRS:-10}" >"$said"
+  tests/bench/stock_ratio.sh "$build" "$bed" -r 1 -t 0.1 -p "${PAIRS:-10}" >"$runs/stock_one_rank.log"
+  tests/bench/stock_ratio.sh "$build" "$bed" -n 1 -t 0.1 -p "${PAIRS:-10}" >"$runs/stock_every_step.log"
+  tests/bench/stock_ratio.sh "$build" "$bed" -c -t 0.01 >"$runs/stock_count.log"
+  show_stock
+}
+show_stock() {
+  local said=$runs/stock.log
   awk '/^coupled/ { gsub(/,/, " ")
                     if (!n++) print "| pair | coupled [s] | stock [s] | ratio | ratio of processor time |\n|---|---|---|---|---|"
                     print "| " n " | " $2 " | " $5 " | " $8 " | " $10 " |"
-                    for (i = 11; i <= NF; ++i) { if ($i == "dem") { d = $(i + 1); dem += d; if (!least || d < least) least = d; if (d > most) most = d } if ($i == "mbd") own += $(i + 1); if ($i == "exchange") own += $(i + 1) }
+                    for (i = n; i > 1 && ratio[i - 1] > $8; --i) ratio[i] = ratio[i - 1]
+                    ratio[i] = $8
+                    for (i = 11; i <= NF; ++i) { if ($i == "dem") { d = $(i + 1); all += d; if (!least || d < least) least = d; if (d > most) most = d }
+                      if ($i == "mbd") worked += $(i + 1)
+                      if ($i == "waited") { all += $(i + 1); waited += $(i + 1); knows = 1 } }
                     lists = $(NF - 2); stock_lists = $NF }
        /median of/ { wall = $0; sub(/.*wall /, "", wall); sub(/,.*/, "", wall); processor = $0; sub(/.*processor /, "", processor); sub(/ .*/, "", processor)
                      print "| median | | | " wall " | " processor " |" }
-       END { printf "\nOurs built %d neighbour lists and stock %d. Mechanism and exchange took %.1f %% of the wall time of the three; the grains of the coupled runs alone took %.0f to %.0f s. ", lists, stock_lists, 100 * own / (own + dem), least, most }' "$said"
-  echo "$machine."
+       END { printf "\nThe middle half of the ratios lies between %.3f and %.3f. Ours built %d neighbour lists and stock %d. The mechanism worked for %.1f %% of the time of the windows", ratio[int((n + 3) / 4)], ratio[n + 1 - int((n + 3) / 4)], lists, stock_lists, 100 * worked / all
+             if (knows) printf ", and the grains waited for it and the exchange for %.1f %%", 100 * waited / all
+             printf "; the grains took %.0f to %.0f s.\n\n", least, most }' "$said"
+  printf '| the same, otherwise | median of ratios | of processor time | pairs |\n|---|---|---|---|\n'
+  awk '/median of/ { what = $0; sub(/: median.*/, "", what); sub(/^1 ranks/, "1 rank", what)
+         gsub(/,/, ""); for (i = 1; i < NF; ++i) { if ($i == "of") pairs = $(i + 1); if ($i == "wall") wall = $(i + 1); if ($i == "processor") own = $(i + 1) }
+         print "| " what " | " wall " | " own " | " pairs " |" }' "$runs/stock_one_rank.log" "$runs/stock_every_step.log"
+  sed -n 's/^\(.*\) s, instructions of LIGGGHTS on one rank: .* ratio \(.*\)$/| instructions of LIGGGHTS on one rank, first \1 s | \2 | - | 1 |/p' "$runs/stock_count.log"
+  printf '\n%s.\n' "$machine"
 }
 part_simbody() {
   rm -rf "$runs/simbody"

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Wall and processor time of the coupled landing beside stock LIGGGHTS on the same bed, with four stock meshes moved as the pads of the coupled run were
 # (`fix move/mesh linear/variable`): the same steps, about the same impact, so about as many neighbour lists. A B A B ..., ratios pair by pair, their medians.
-#   tests/bench/stock_ratio.sh BUILD BED.restart [-r RANKS] [-p PAIRS] [-t SECONDS] [-s STORE] [-- extra words for mbd_solver]
+#   tests/bench/stock_ratio.sh BUILD BED.restart [-r RANKS] [-n SUBSTEPS] [-p PAIRS] [-t SECONDS] [-s STORE] [-- extra words for mbd_solver]
 #     -r  ranks of LIGGGHTS on both sides (default 2); the mechanism has one more
+#     -n  substeps of a window (default: those of the script)
 #     -p  pairs (default 3); ten tell one per cent on a quiet machine
 #     -t  simulated time [s] (default 0.1)
 #     -c  counts instructions of LIGGGHTS instead (valgrind's callgrind, one rank, one pair): a ratio that does not depend on what else the machine does;
@@ -10,12 +11,12 @@
 #     -s  a file that keeps the medians of every call; what changed since the last call of the same kind is told
 # BED.restart and BED.restart.grains are what `footfall run` keeps (its printed line names them).
 set -eu
-(( $# >= 2 )) || { sed -n '2,11p' "$0"; exit 2; }
+(( $# >= 2 )) || { sed -n '2,12p' "$0"; exit 2; }
 build=$(realpath "$1") bed=$(realpath "$2"); shift 2
-ranks=2 pairs=3 seconds=0.1 store= count=
-while getopts r:p:t:cs: option; do
+ranks=2 pairs=3 seconds=0.1 store= count= every=
+while getopts r:n:p:t:cs: option; do
   case $option in
-    c) count=yes ranks=1 pairs=1 ;; r) ranks=$OPTARG ;; p) pairs=$OPTARG ;; t) seconds=$OPTARG ;; s) store=$(realpath -m "$OPTARG") ;;
+    c) count=yes ranks=1 pairs=1 ;; r) ranks=$OPTARG ;; n) every=$OPTARG ;; p) pairs=$OPTARG ;; t) seconds=$OPTARG ;; s) store=$(realpath -m "$OPTARG") ;;
     *) exit 2 ;;
   esac
 done
@@ -50,8 +51,8 @@ height=$(awk '($1 - 1.2374)^2 + ($2 - 1.2374)^2 < 0.04 && $3 + $4 > top { top = 
 cd "$work"
 for pair in $(seq "$pairs"); do
   rm -rf "$work/run"
-  ours=$(seconds_of $mpi $(counted ours.count) "$build/bin/liggghts_mbd" -in "$root/inputs/landing_mr/in.regolith" -var here "$root/inputs/landing_mr" -var bed "$bed" -var frames 0 -log ours.log : \
-    -np 1 "$build/bin/mbd_solver" "$root/inputs/landing_mr" --quiet --until "$seconds" --set particles.grains="$bed.grains" --out "$work/run" "$@")
+  ours=$(seconds_of $mpi $(counted ours.count) "$build/bin/liggghts_mbd" -in "$root/inputs/landing_mr/in.regolith" -var here "$root/inputs/landing_mr" -var bed "$bed" -var frames 0 ${every:+-var every "$every"} -log ours.log : \
+    -np 1 "$build/bin/mbd_solver" "$root/inputs/landing_mr" --quiet --until "$seconds" --set particles.grains="$bed.grains" ${every:+--set "particles.variables.every=$every"} --out "$work/run" "$@")
   # Slope changes at every second row of the history for 60 ms, then at every tenth.
   awk -F, -v dt=1e-4 '
     NR == 2 { for (c = 1; c <= NF; ++c) if (match($c, /^footpad_[1-4]\.v[xyz]$/)) name[c] = substr($c, 11) substr($c, 9, 1) }
@@ -74,14 +75,14 @@ for pair in $(seq "$pairs"); do
     awk -v a="$ours" -v b="$stock" -v t="$seconds" 'BEGIN { printf "%g s, instructions of LIGGGHTS on one rank: coupled %.6g, stock %.6g, ratio %.4f\n", t, a, b, a / b }'
     exit
   fi
-  parts=$(grep -E '"(dem|mbd|exchange)_wall_s"' run/summary.json | tr -d ' \n"' | sed 's/_wall_s:/ /g')
+  parts=$(grep -E '"(dem|waited|mbd)_wall_s"' run/summary.json | tr -d ' \n"' | sed 's/_wall_s:/ /g')
   echo "$ours $stock" >> pairs.txt
   awk -v a="$ours" -v b="$stock" -v parts="$parts" -v lists="$(sed -n 's/Neighbor list builds = //p' ours.log)" -v stock_lists="$(sed -n 's/Neighbor list builds = //p' stock.log)" '
     BEGIN { split(a, x); split(b, y); printf "coupled %.2f s  stock %.2f s  ratio %.3f  processor %.3f  [s]: %s  neighbour lists %d and %d\n", x[1], y[1], x[1] / y[1], x[2] / y[2], parts, lists, stock_lists }'
 done
 
 median() { awk -v a="$1" -v b="$2" '{ print $a / $b }' pairs.txt | sort -g | awk '{ v[NR] = $1 } END { printf "%.3f", (v[int((NR + 1) / 2)] + v[int((NR + 2) / 2)]) / 2 }'; }
-kind="$ranks ranks, $seconds s${*:+, $*}" wall=$(median 1 3) processor=$(median 2 4)
+kind="$ranks ranks, $seconds s${every:+, n = $every}${*:+, $*}" wall=$(median 1 3) processor=$(median 2 4)
 machine="$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
 echo "$kind: median of $pairs pairs: wall $wall, processor $processor ($machine)"
 if [[ -n $store ]]; then
