@@ -28,7 +28,8 @@ constexpr std::array<std::string_view, 10> kKnown = {
 
 std::string why_grains_wait(LAMMPS* lmp) {
   constexpr int kShrinkWrapped = 2;
-  if (lmp->domain->box_change != 0 || lmp->domain->nonperiodic == kShrinkWrapped) return "a box that follows its content";
+  if (lmp->domain->box_change != 0 || lmp->domain->nonperiodic == kShrinkWrapped)
+    return "a box that follows its content";
   for (int i = 0; i < lmp->modify->nfix; ++i) {
     const Fix& fix = *lmp->modify->fix[i];
     if ((lmp->modify->fmask[i] & kBetween) != 0 && std::find(kKnown.begin(), kKnown.end(), fix.style) == kKnown.end())
