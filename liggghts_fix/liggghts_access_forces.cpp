@@ -1,4 +1,5 @@
-// Forces on the grains, told source by source: LIGGGHTS adds them up in members that stand here in place of the library's.
+// Forces on the grains, told source by source, and boundaries that move behind those of grains on each other: LIGGGHTS
+// adds them up in members that stand here in place of the library's.
 
 #include <mpi.h>
 
@@ -17,27 +18,28 @@ namespace {
 
 using namespace LAMMPS_NS;
 
-std::map<LAMMPS*, ForceWatch*>& watches() {
-  static std::map<LAMMPS*, ForceWatch*> one;
+// Who hears what in which LIGGGHTS.
+template <class Hearer>
+std::map<LAMMPS*, Hearer*>& hearers() {
+  static std::map<LAMMPS*, Hearer*> one;
   return one;
 }
 
-// Null in runs that nobody watches.
-ForceWatch* watch_of(LAMMPS* lmp) {
-  if (watches().empty()) return nullptr;
-  const auto found = watches().find(lmp);
-  return found == watches().end() ? nullptr : found->second;
+// Null in runs that nobody listens to.
+template <class Hearer>
+Hearer* hearer_of(LAMMPS* lmp) {
+  if (hearers<Hearer>().empty()) return nullptr;
+  const auto found = hearers<Hearer>().find(lmp);
+  return found == hearers<Hearer>().end() ? nullptr : found->second;
 }
 
-std::map<LAMMPS*, LateBoundaries*>& late_boundaries() {
-  static std::map<LAMMPS*, LateBoundaries*> one;
-  return one;
-}
-
-// Null where boundaries move as LIGGGHTS moves meshes.
-LateBoundaries* late_boundaries_of(LAMMPS* lmp) {
-  const auto found = late_boundaries().find(lmp);
-  return found == late_boundaries().end() ? nullptr : found->second;
+template <class Hearer>
+void listen(LAMMPS* lmp, Hearer* hearer) {
+  if (hearer != nullptr) {
+    hearers<Hearer>()[lmp] = hearer;
+  } else {
+    hearers<Hearer>().erase(lmp);
+  }
 }
 
 // Never made: it only names protected members.
@@ -49,39 +51,28 @@ class OpenModify : public Modify {
 
 }  // namespace
 
-void watch_forces(LAMMPS* lmp, ForceWatch* watch) {
-  if (watch != nullptr) {
-    watches()[lmp] = watch;
-  } else {
-    watches().erase(lmp);
-  }
-}
-
-void move_behind_pairs(LAMMPS* lmp, LateBoundaries* boundaries) {
-  if (boundaries != nullptr) {
-    late_boundaries()[lmp] = boundaries;
-  } else {
-    late_boundaries().erase(lmp);
-  }
-}
+void watch_forces(LAMMPS* lmp, ForceWatch* watch) { listen(lmp, watch); }
+void move_behind_pairs(LAMMPS* lmp, LateBoundaries* boundaries) { listen(lmp, boundaries); }
 
 }  // namespace footfall
 
 // In a step, between re-neighbouring and the forces of grains on each other.
 void LAMMPS_NS::Modify::pre_force(int vflag) {
   static const auto pre_force = footfall::original<void (*)(Modify*, int)>("_ZN9LAMMPS_NS6Modify9pre_forceEi");
-  if (footfall::late_boundaries_of(footfall::OpenModify::owner(this)) == nullptr) pre_force(this, vflag);
+  if (footfall::hearer_of<footfall::LateBoundaries>(footfall::OpenModify::owner(this)) == nullptr)
+    pre_force(this, vflag);
 }
 
 // The forces of fixes, one after the other; and the same when a run is set up.
 void LAMMPS_NS::Modify::post_force(int vflag) {
   static const auto pre_force = footfall::original<void (*)(Modify*, int)>("_ZN9LAMMPS_NS6Modify9pre_forceEi");
   static const auto post_force = footfall::original<void (*)(Modify*, int)>("_ZN9LAMMPS_NS6Modify10post_forceEi");
-  if (footfall::LateBoundaries* const boundaries = footfall::late_boundaries_of(footfall::OpenModify::owner(this))) {
+  if (footfall::LateBoundaries* const boundaries =
+          footfall::hearer_of<footfall::LateBoundaries>(footfall::OpenModify::owner(this))) {
     boundaries->move_boundaries();
     pre_force(this, vflag);
   }
-  footfall::ForceWatch* const watch = footfall::watch_of(footfall::OpenModify::owner(this));
+  footfall::ForceWatch* const watch = footfall::hearer_of<footfall::ForceWatch>(footfall::OpenModify::owner(this));
   if (watch == nullptr) {
     post_force(this, vflag);
     return;
@@ -99,7 +90,7 @@ void LAMMPS_NS::Modify::post_force(int vflag) {
 void LAMMPS_NS::Modify::setup(int vflag) {
   static const auto setup = footfall::original<void (*)(Modify*, int)>("_ZN9LAMMPS_NS6Modify5setupEi");
   constexpr int kRun = 1, kNothing = 0;
-  footfall::ForceWatch* const watch = footfall::watch_of(footfall::OpenModify::owner(this));
+  footfall::ForceWatch* const watch = footfall::hearer_of<footfall::ForceWatch>(footfall::OpenModify::owner(this));
   if (watch == nullptr || update->whichflag != kRun) {
     setup(this, vflag);
   } else {
@@ -118,6 +109,7 @@ void LAMMPS_NS::Modify::setup(int vflag) {
 
 void LAMMPS_NS::Modify::end_of_step() {
   static const auto end_of_step = footfall::original<void (*)(Modify*)>("_ZN9LAMMPS_NS6Modify11end_of_stepEv");
-  if (footfall::ForceWatch* const watch = footfall::watch_of(footfall::OpenModify::owner(this))) watch->step_done();
+  if (footfall::ForceWatch* const watch = footfall::hearer_of<footfall::ForceWatch>(footfall::OpenModify::owner(this)))
+    watch->step_done();
   end_of_step(this);
 }
