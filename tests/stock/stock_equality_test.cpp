@@ -42,6 +42,76 @@ TEST_P(OnRanks, AScriptWithoutOurFixesGivesTheSameBits) {
   EXPECT_EQ(thermo_lines(folder.read("log.stock")), thermo_lines(folder.read("log.ours")));
 }
 
+// What the end of each run tells of its last neighbour list.
+std::vector<std::string> neighbours_told(const std::string& log) {
+  std::istringstream lines(log);
+  std::vector<std::string> told;
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("Total # of neighbors", 0) == 0) told.push_back(line);
+  return told;
+}
+
+// Neighbour lists are made by a member of ours: grains of six sizes from 4 to 60 mm in a box that goes on at its sides, small
+// ones between large ones, some pairs left out, and grains that come in later.
+TEST_P(OnRanks, GrainsOfManySizesGiveTheSameBitsAndLists) {
+  const int ranks = GetParam();
+  const RunFolder folder("stock_sizes_" + std::to_string(ranks));
+  const auto script = [&](const std::string& name) {
+    std::ostringstream text;
+    std::string head = script_head("-0.2 0.2 -0.2 0.2 0 0.6", ranks == 1 ? "1 1 1" : "2 1 1", 1e-5);
+    text << head.replace(head.find("boundary f f f"), 14, "boundary p p f")
+         << "fix grav all gravity 100 vector 0 0 -1\n"
+            "fix floor all wall/gran model hertz tangential history rolling_friction cdt primitive type 1 zplane 0.0\n";
+    const int seeds[] = {15485863, 15485867, 32452843, 32452867, 49979687, 49979693};
+    const double radii[] = {0.002, 0.004, 0.007, 0.011, 0.018, 0.03}, shares[] = {0.002, 0.008, 0.05, 0.14, 0.3, 0.5};
+    std::ostringstream mixture;
+    for (int k = 0; k < 6; ++k) {
+      text << "fix t" << k << " all particletemplate/sphere " << seeds[k] << " atom_type " << 1 + k % 2
+           << " density constant 2600 radius constant " << radii[k] << "\n";
+      mixture << " t" << k << " " << shares[k];
+    }
+    text << "fix mix all particledistribution/discrete 67867967 6" << mixture.str()
+         << "\nregion fill block -0.2 0.2 -0.2 0.2 0.0 0.5 units box\n"
+            "fix fill all insert/pack seed 67867979 distributiontemplate mix insert_every 1000 overlapcheck yes "
+            "all_in yes vel constant 0 0 -3 volumefraction_region 0.3 region fill\n"
+            "fix integr all nve/sphere\nneighbor 0.003 bin\nneigh_modify delay 0 exclude type 1 2\n"
+            "thermo_style custom step atoms ke\nthermo 50\nthermo_modify norm no format float %.17g\n"
+         << dump_every(1000, name);
+    for (int run = 0; run < 10; ++run) text << "run 200\n";  // each tells the neighbours of its last list
+    return text.str();
+  };
+  folder.write("in.stock", script("stock"));
+  folder.write("in.ours", script("ours"));
+  const Outcome stock = folder.alone(kStock, ranks, "-in in.stock -log log.stock");
+  const Outcome ours = folder.alone(RunFolder::program("liggghts_mbd"), ranks, "-in in.ours -log log.ours");
+  ASSERT_EQ(stock.exit_code, 0) << stock.text;
+  ASSERT_EQ(ours.exit_code, 0) << ours.text;
+  expect_same_dumps(folder, "stock", "ours", {0, 1000, 2000});
+  EXPECT_EQ(thermo_lines(folder.read("log.stock")), thermo_lines(folder.read("log.ours")));
+  const std::vector<std::string> told = neighbours_told(folder.read("log.stock"));
+  EXPECT_EQ(told.size(), 10u);
+  EXPECT_EQ(told, neighbours_told(folder.read("log.ours")));
+}
+
+// Bins are 32 mm wide, as large grains ask for, and small ones on a lattice of 32.47 mm are neighbours up to 32.5 mm: some of
+// them with an empty bin between.
+TEST_P(OnRanks, NeighboursWithAnEmptyBinBetweenStandInTheList) {
+  const int ranks = GetParam();
+  const RunFolder folder("stock_bins_" + std::to_string(ranks));
+  folder.write("in", script_head("-0.32 0.32 -0.32 0.32 -0.32 0.32", ranks == 1 ? "1 1 1" : "1 1 2") +
+                         "lattice sc 0.03247\nregion small block -0.3 0.3 -0.3 0.3 -0.3 0.2 units box\n"
+                         "create_atoms 1 region small\nset type 1 diameter 0.0295 density 2600\n"
+                         "create_atoms 2 single 0 0 0.27 units box\nset type 2 diameter 0.06 density 2600\n"
+                         "neighbor 0.003 bin\nfix integr all nve/sphere\nrun 0\n");
+  const Outcome stock = folder.alone(kStock, ranks, "-in in -log log.stock");
+  const Outcome ours = folder.alone(RunFolder::program("liggghts_mbd"), ranks, "-in in -log log.ours");
+  ASSERT_EQ(stock.exit_code, 0) << stock.text;
+  ASSERT_EQ(ours.exit_code, 0) << ours.text;
+  const std::vector<std::string> told = neighbours_told(folder.read("log.stock"));
+  EXPECT_EQ(told.size(), 1u);
+  EXPECT_EQ(told, neighbours_told(folder.read("log.ours")));
+}
+
 // A plate goes down at (0.1, -0.05, speed) m/s until `end` [s], moved by fix move/mesh in stock LIGGGHTS and through the
 // coupling: the same dumps and lines of thermo. `script` takes a name for its dumps and the mover. Gives the force on the
 // plate at the end [N].
@@ -87,11 +157,11 @@ TEST_P(OnRanks, ClumpsUnderAPlateInTranslationAreThoseOfStock) {
            "fix pts all particletemplate/multisphere 15485863 atom_type 1 density constant 2600 nspheres 2 ntry 100000 "
            "spheres -0.017 0 0 0.02 0.017 0 0 0.02 type 1\nfix pdd all particledistribution/discrete 15485867 1 pts "
            "1.0\n"
-           "region ins block -0.15 0.15 -0.15 0.15 0.0 0.22 units box\nfix ins all insert/pack seed 32452843 "
+           "region ins block -0.15 0.15 -0.15 0.15 0.0 0.22 units box\nfix ins all insert/pack seed 67867979 "
            "distributiontemplate pdd vel constant 0 0 -1.0 insert_every once overlapcheck yes all_in yes orientation "
            "random particles_in_region 60 region ins\n"
            "fix m all mesh/surface/stress file plate.stl type 2 move 0 0 0.24\n" +
-           mesh_wall() + "fix integr all multisphere\n" + mover + thermo() + dump_every(200, name) + "run 600\n";
+           mesh_wall() + "fix integr all multisphere\n" + mover + thermo() + dump_every(1000, name) + "run 2000\n";
   };
   EXPECT_GT(force_of_plate_as_in_stock(folder, ranks, script, "-2.0", "0.03", {200, 400, 600}),
             10.0);  // the plate is on the clumps [N]
