@@ -133,7 +133,7 @@ OneStep::Outcome OneStep::try_with_newer_jacobians(double t, double h, const Inp
     factored_c_ = 0.0;
     outcome = try_step(t, h, inputs);
   }
-  if (outcome != Outcome::kNoConvergence) return outcome;
+  if (outcome != Outcome::kNoConvergence || (careful_ == 0 && !may_be_singular_)) return outcome;
   // Beyond a singular position a condition that fades has changed its sign: with the Jacobian of the step's start Newton
   // diverges there however short the step is, and steps would shrink into the position. With those of the stages the
   // step goes over it.

@@ -14,6 +14,9 @@ namespace {
 // Steps that fail in a row, or in turn with others, have come near a singular position: a failure counts kFailure, a step
 // that succeeds takes one away, and beyond kTrouble the next kCareful steps start without any drift.
 constexpr int kFailure = 2, kTrouble = 2, kCareful = 20;
+// Where no conditions of joints follow from others they do so only if a position is expected within kInSight of the step that
+// failed: others fail at contacts and stops.
+constexpr double kInSight = 8.0;
 // A step over a position may be longer than the error of its motion allows by kLong. Half the gap between two stages in which
 // the position lies is at least kGap of the step. A step before it ends with kClear of itself left.
 constexpr double kLong = 2.0, kGap = 0.08, kClear = 0.5;
@@ -29,6 +32,10 @@ bool OneStep::finds_another_step(double h, double planned, const Inputs& inputs,
     return planned_step(state.time, h) < planned;
   }
   if (trouble_ <= kTrouble) return false;
+  if (!may_be_singular_) {
+    look_ahead(state);
+    if (!(singular_time_ - state.time < kInSight * h)) return false;
+  }
   careful_ = kCareful;
   start_clean(inputs, state);
   look_ahead(state);

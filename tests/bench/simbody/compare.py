@@ -1,4 +1,5 @@
-"""compare.py SOLVER LANDER SCENE WORK OUT REPEATS: runs both programs and writes OUT/simbody.csv and OUT/simbody.md.
+"""compare.py SOLVER LANDER SCENES WORK OUT REPEATS: runs both programs and writes OUT/simbody.csv and OUT/simbody.md, and the same two as simbody_sampled.*
+for voltages that change every millisecond.
 
 Error: the largest, over height and four strokes, of the root mean square difference to the same program at its tightest tolerance, as a share of the
 largest change of that column in the reference. Rows every 1 ms. Processor time of footfall is that of the whole program without what it takes to the
@@ -10,10 +11,11 @@ import resource
 import subprocess
 import sys
 
-solver, lander, scene, work, out, repeats = sys.argv[1:7]
+solver, lander, scenes, work, out, repeats = sys.argv[1:7]
 repeats = int(repeats)
 TOLERANCES = ["1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "1e-7"]
-TIGHT = {"footfall": "1e-9", "cpodes": "1e-8"}
+TIGHT = {"footfall": "1e-9", "cpodes": "1e-8", "merson": "1e-8"}
+SHOWN = {"footfall": "footfall", "cpodes": "Simbody, CPodes", "merson": "Simbody, Merson"}
 
 
 def processor_time(words):
@@ -29,8 +31,9 @@ def columns(file, names):
     return [[float(row[name]) for row in rows] for name in names]
 
 
-def footfall(tolerance):
+def footfall(tolerance, sampled):
     run = os.path.join(work, "run")
+    scene = os.path.join(scenes, "sampled.toml" if sampled else "scene.toml")
     words = [solver, scene, "--quiet", "--keep-every", "0", "--out", run, "--set", "solver.rtol=" + tolerance,
              "--set", "solver.atol=%g" % (0.01 * float(tolerance))]
     start, _ = processor_time(words + ["--until", "1e-6"])
@@ -42,10 +45,13 @@ def footfall(tolerance):
     return whole - start, columns(os.path.join(run, "history.csv"), names), count("steps"), count("residuals")
 
 
-def cpodes(tolerance):
-    rows = os.path.join(work, "rows.csv")
-    text = subprocess.run([lander, "cpodes", tolerance, "1", rows], check=True, capture_output=True, text=True).stdout.split()
-    return float(text[5]), columns(rows, ["cabin.z"] + ["stroke.%d" % k for k in (1, 2, 3, 4)]), int(text[1]), int(text[3])
+def simbody(integrator):
+    def run(tolerance, sampled):
+        rows = os.path.join(work, "rows.csv")
+        words = [lander, integrator, tolerance, "1", rows] + ["sampled"] * sampled
+        text = subprocess.run(words, check=True, capture_output=True, text=True).stdout.split()
+        return float(text[5]), columns(rows, ["cabin.z"] + ["stroke.%d" % k for k in (1, 2, 3, 4)]), int(text[1]), int(text[3])
+    return run
 
 
 def error(result, reference):
@@ -57,27 +63,7 @@ def error(result, reference):
     return worst
 
 
-programs = {"footfall": footfall, "cpodes": cpodes}
-references = {name: programs[name](TIGHT[name])[1] for name in programs}
-between = error(references["footfall"], references["cpodes"])
-best = {}
-for _ in range(repeats):
-    for tolerance in TOLERANCES:
-        for name, run in programs.items():
-            time, result, steps, evaluations = run(tolerance)
-            key = (name, tolerance)
-            time = max(time, 1e-4)
-            if key not in best or time < best[key][1]:
-                best[key] = (error(result, references[name]), time, steps, evaluations)
-
-with open(os.path.join(out, "simbody.csv"), "w") as file:
-    file.write("program,tolerance,error,processor_s,steps,evaluations\n")
-    for name in programs:
-        for tolerance in TOLERANCES:
-            file.write("%s,%s,%.3g,%.4g,%d,%d\n" % ((name, tolerance) + best[name, tolerance]))
-
-
-def time_at(name, level):
+def time_at(best, name, level):
     """Straight between points on logarithmic scales; None where the curve does not cross."""
     from math import exp, log
     points = [best[name, t][:2] for t in TOLERANCES]
@@ -88,15 +74,41 @@ def time_at(name, level):
     return points[0][1] if points[0][0] < level else None  # the loosest tolerance is better than that
 
 
-with open(os.path.join(out, "simbody.md"), "w") as file:
-    file.write("Height and strokes of the two programs at their tightest tolerances agree to %.1e.\n\n" % between)
-    file.write("| program | tolerance | error | processor time [s] | steps | evaluations |\n|---|---|---|---|---|---|\n")
-    for name in programs:
+def compare(name, sampled, programs):
+    references = {program: run(TIGHT[program], sampled)[1] for program, run in programs.items()}
+    best = {}
+    for _ in range(repeats):
         for tolerance in TOLERANCES:
-            file.write("| %s | %s | %.1e | %.3f | %d | %d |\n" % ((name, tolerance) + best[name, tolerance]))
-    file.write("\n| error | footfall [s] | Simbody [s] | ratio |\n|---|---|---|---|\n")
-    for level in (1e-2, 1e-3, 1e-4, 1e-5):
-        ours, theirs = time_at("footfall", level), time_at("cpodes", level)
+            for program, run in programs.items():
+                time, result, steps, evaluations = run(tolerance, sampled)
+                key = (program, tolerance)
+                time = max(time, 1e-4)
+                if key not in best or time < best[key][1]:
+                    best[key] = (error(result, references["cpodes" if program == "merson" else program]), time, steps, evaluations)
+    with open(os.path.join(out, name + ".csv"), "w") as file:
+        file.write("program,tolerance,error,processor_s,steps,evaluations\n")
+        for program in programs:
+            for tolerance in TOLERANCES:
+                file.write("%s,%s,%.3g,%.4g,%d,%d\n" % ((program, tolerance) + best[program, tolerance]))
+    with open(os.path.join(out, name + ".md"), "w") as file:
+        file.write("Height and strokes of footfall and CPodes at their tightest tolerances agree to %.1e.\n\n"
+                   % error(references["footfall"], references["cpodes"]))
+        file.write("| program | tolerance | error | processor time [s] | steps | evaluations |\n|---|---|---|---|---|---|\n")
+        for program in programs:
+            for tolerance in TOLERANCES:
+                file.write("| %s | %s | %.1e | %.3f | %d | %d |\n" % ((SHOWN[program], tolerance) + best[program, tolerance]))
+        rivals = [program for program in programs if program != "footfall"]
+        file.write("\n| error | footfall [s] |" + "".join(" %s [s] | ratio |" % SHOWN[rival] for rival in rivals) + "\n")
+        file.write("|---|---|" + "---|---|" * len(rivals) + "\n")
         cell = lambda x: "not reached" if x is None else "%.3f" % x
-        ratio = "%.2f" % (ours / theirs) if ours and theirs else "-"
-        file.write("| %g | %s | %s | %s |\n" % (level, cell(ours), cell(theirs), ratio))
+        for level in (1e-2, 1e-3, 1e-4, 1e-5):
+            ours = time_at(best, "footfall", level)
+            line = "| %g | %s |" % (level, cell(ours))
+            for rival in rivals:
+                theirs = time_at(best, rival, level)
+                line += " %s | %s |" % (cell(theirs), "%.2f" % (ours / theirs) if ours and theirs else "-")
+            file.write(line + "\n")
+
+
+compare("simbody", False, {"footfall": footfall, "cpodes": simbody("cpodes")})
+compare("simbody_sampled", True, {"footfall": footfall, "cpodes": simbody("cpodes"), "merson": simbody("merson")})

@@ -1,5 +1,5 @@
 // The rigid lander of scene.toml in Simbody 3.7 (Debian libsimbody-dev), integrated by CPodes (BDF) or Runge-Kutta-Merson.
-//   lander INTEGRATOR ACCURACY END ROWS      INTEGRATOR: cpodes or merson; END [s]; ROWS: file of rows every 1 ms
+//   lander INTEGRATOR ACCURACY END ROWS [sampled]      INTEGRATOR: cpodes or merson; END [s]; ROWS: file of rows every 1 ms
 // Prints steps, evaluations and the processor time of the integration [s], without what is made before it.
 
 #include <Simbody.h>
@@ -17,7 +17,11 @@ namespace {
 
 const Real kRadius = 0.08, kStiffness = 5e7, kDamping = 0.5, kFriction = 0.3, kSlip = 0.01;
 const Real kArea = 0.25 * Pi * 0.045 * 0.045, kPressure = 1e6, kVolume = 8e-4, kExponent = 1.1;
-const Real kYield = 0.2 * 8278.72, kViscous = 3651.19, kSpeed = 0.02;
+const Real kFullYield = 8278.72, kViscous = 3651.19, kSpeed = 0.02;
+
+// Voltage of the dampers: constant, or a sine that is sampled at multiples of 1 ms and held between.
+Real voltage = 0.2;
+Real sampled_voltage(Real time) { return 0.2 + 0.1 * std::sin(300 * time); }
 
 struct Leg {
   MobilizedBody::Universal outer;
@@ -32,7 +36,7 @@ class Strut : public Force::Custom::Implementation {
   void calcForce(const State& s, Vector_<SpatialVec>&, Vector_<Vec3>&, Vector& mobility) const override {
     const Real stroke = -rod_.getLength(s), rate = -rod_.getRate(s);
     const Real force = kArea * kPressure * std::pow(kVolume / (kVolume - kArea * stroke), kExponent) +
-                       kYield * std::tanh(rate / kSpeed) + kViscous * rate;
+                       voltage * kFullYield * std::tanh(rate / kSpeed) + kViscous * rate;
     rod_.applyOneMobilityForce(s, 0, force, mobility);
   }
   Real calcPotentialEnergy(const State&) const override { return 0; }
@@ -67,11 +71,13 @@ Rotation axes(const Vec3& x, const Vec3& y) { return Rotation(UnitVec3(x), XAxis
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
-    std::fprintf(stderr, "lander INTEGRATOR ACCURACY END ROWS\n");
+  if (argc != 5 && argc != 6) {
+    std::fprintf(stderr, "lander INTEGRATOR ACCURACY END ROWS [sampled]\n");
     return 2;
   }
   const std::string kind = argv[1];
+  const bool sampled = argc == 6;
+  if (sampled) voltage = sampled_voltage(0);
   const Real accuracy = std::atof(argv[2]), end = std::atof(argv[3]);
 
   MultibodySystem system;
@@ -133,6 +139,10 @@ int main(int argc, char** argv) {
                  cabin.getBodyOriginLocation(now)[2]);
     for (const auto& leg : legs) std::fprintf(rows, ",%.12g", -leg->rod.getLength(now));
     std::fprintf(rows, "\n");
+    if (!sampled || i == 0 || i == count) continue;
+    voltage = sampled_voltage(i * 1e-3);
+    integrator->updAdvancedState().invalidateAllCacheAtOrAbove(Stage::Dynamics);
+    integrator->reinitialize(Stage::Dynamics, false);
   }
   std::fclose(rows);
   std::printf("steps %d evaluations %d processor_s %.6f\n", integrator->getNumStepsTaken(),
