@@ -70,11 +70,12 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
   row_time_ = rows.after(state.time);
 
   double h = state.step > 0.0 ? state.step : std::min(t_end - state.time, first_step());
-  if (options_.max_step > 0.0) h = std::min(h, options_.max_step);
   ProgressWatch watch(state.time, t_end);
   if (&high_ != &usual_ && options_.error_control) h = choice_.begin(t_end - state.time, h);
   bool goes_on = true;
+  double wanted = h;  // by accuracy alone
   while (goes_on && state.time < t_end) {
+    h = options_.max_step > 0.0 ? std::min(wanted, options_.max_step) : wanted;
     const double t = state.time, planned = planned_step(t, h), steps = std::ceil((t_end - t) / planned * (1.0 - 1e-9));
     const double step = steps > (planned != h ? 1.0 : kStretch) ? planned : (t_end - t) / steps;
     limit_ = planned != h && t + step > singular_time_ ? std::max(1.0, kCrossing / options_.rtol) : 1.0;
@@ -82,7 +83,7 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
     const Outcome outcome = try_with_newer_jacobians(t, step, inputs);
     if (outcome == Outcome::kAccepted) {
       trouble_ = std::max(0, trouble_ - 1);
-      h = next_step(step);
+      wanted = next_step(step);
       if (error_ > 1.0 && limit_ > 1.0) statistics_.told_error = std::max(statistics_.told_error, error_);
       goes_on = accept(t, step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
       if (const std::string slow = watch.complaint(state.time); !slow.empty()) give_up(state.time, slow);
@@ -92,12 +93,13 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
     }
     ++(outcome == Outcome::kTooInaccurate ? statistics_.rejected : statistics_.newton_failures);
     if (finds_another_step(h, planned, inputs, state)) continue;
-    h = outcome == Outcome::kTooInaccurate ? std::min(next_step(step), 0.8 * step) : 0.25 * step;
-    if (h < options_.min_step) give_up(t, "the step size fell below " + number_text(options_.min_step, 3) + " s; ");
+    wanted = outcome == Outcome::kTooInaccurate ? std::min(next_step(step), 0.8 * step) : 0.25 * step;
+    if (wanted < options_.min_step)
+      give_up(t, "the step size fell below " + number_text(options_.min_step, 3) + " s; ");
   }
 
   ++statistics_.windows;
-  state.step = h;
+  state.step = wanted;
   rates_ = K_[0];
   if (!closed_)
     statistics_.count(options_.projection ? equations_.project(state, Equations::Close::kByFactorsAtHand)
@@ -123,7 +125,7 @@ double OneStep::next_step(double h) const {
           ? std::clamp(kSafety * std::pow(std::max(error_, 1e-12), -1.0 / (tableau_->estimated_order + 1)), kLeast,
                        kMost)
           : 2.0;
-  return options_.max_step > 0.0 ? std::min(h * factor, options_.max_step) : h * factor;
+  return h * factor;
 }
 
 OneStep::Outcome OneStep::try_with_newer_jacobians(double t, double h, const Inputs& inputs) {

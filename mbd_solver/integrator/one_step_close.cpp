@@ -1,4 +1,5 @@
 // Drift at the end of a step, and in singular positions (theory 2.4).
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -75,11 +76,12 @@ bool OneStep::follow_rates(const Inputs& inputs, const State& state) {
   if (y_.head(m) != left_.head(m)) return false;
   K_[0] = rates_;
   norm_.set(y_);
+  const double step = options_.max_step > 0.0 ? std::min(state.step, options_.max_step) : state.step;
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostCorrections; ++i) {
     if (!equations_.correct_rates(state, inputs, K_[0], change_)) return false;
     ++statistics_.residuals;
-    change_ *= state.step;
+    change_ *= step;
     const double size = norm_(change_);
     if (size <= kRateError) return true;
     if (!(size < 0.1 * last)) return false;

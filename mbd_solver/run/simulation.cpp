@@ -21,7 +21,7 @@ Baumgarte baumgarte(const SolverSpec& spec) {
 // order.
 int order_of(OneStepMethod method, bool with_grains) {
   switch (method) {
-    case OneStepMethod::kAuto: return with_grains ? 2 : 5;
+    case OneStepMethod::kAuto: return with_grains ? 2 : 3;
     case OneStepMethod::kTrBdf2: return 2;
     case OneStepMethod::kEsdirk3: return 3;
     case OneStepMethod::kEsdirk5: return 5;
@@ -33,7 +33,7 @@ int order_of(OneStepMethod method, bool with_grains) {
 IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains) {
   IntegratorOptions options;
   options.order = order_of(spec.method, with_grains);
-  if (spec.method == OneStepMethod::kAuto && with_grains) options.window_order = 3;
+  if (spec.method == OneStepMethod::kAuto) options.window_order = with_grains ? 3 : 5;
   options.rtol = spec.rtol;
   options.atol = spec.atol_position();
   options.atol_velocity = spec.atol_velocity();

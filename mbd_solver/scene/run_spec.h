@@ -122,11 +122,12 @@ constexpr std::string_view name_of(DriftKind kind) {
 struct SolverSpec {
   Source source;
   IntegratorKind integrator = IntegratorKind::kOneStep;
-  OneStepMethod method = OneStepMethod::kAuto;  // of one_step; auto: tr_bdf2 and esdirk3 with grains, esdirk5 without
-  double rtol = 1e-6;                           // [-]
-  std::optional<double> atol;                   // of positions [m, rad]; not given: a hundredth of rtol
-  double max_step = 1e-3;                       // [s]; one step never crosses a window
-  bool error_control = true;                    // one_step: false takes steps of max_step, whatever their error
+  // Of one_step; auto: tr_bdf2 and esdirk3 with grains, esdirk3 and esdirk5 without (method_choice.h).
+  OneStepMethod method = OneStepMethod::kAuto;
+  double rtol = 1e-6;          // [-]
+  std::optional<double> atol;  // of positions [m, rad]; not given: a hundredth of rtol
+  double max_step = 1e-3;      // [s]; one step never crosses a window
+  bool error_control = true;   // one_step: false takes steps of max_step, whatever their error
   DriftKind drift = DriftKind::kProjection;
   double baumgarte_velocity = 100.0;  // alpha: ddPhi + 2 alpha dPhi + beta^2 Phi = 0 [1/s]
   double baumgarte_position = 100.0;  // beta [1/s]
