@@ -20,6 +20,9 @@ namespace {
 // the way.
 constexpr double kNewton = 0.03, kFirstError = 1e-2, kLeastError = 1e-4, kRoundOff = 1e-12;
 constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
+// Where Newton diverged, mostly at a contact, the step is halved, and one that converges then grows little: it would fail again.
+// A mechanism that may pass singular positions takes a quarter, and grows as its error allows.
+constexpr double kDivergence = 0.5, kSingularDivergence = 0.25, kAfterDivergence = 1.5;
 constexpr double kFirst = 0.01;     // of y changes in the first step of all
 constexpr double kCrossing = 1e-7;  // least error that a step over a singular position may have: round-off is not far
 constexpr int kMostBefore = 4;      // rates of a step from which the next one is predicted
@@ -73,7 +76,8 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
   ProgressWatch watch(state.time, t_end);
   if (&high_ != &usual_ && options_.error_control) h = choice_.begin(t_end - state.time, h);
   bool goes_on = true;
-  double wanted = h;  // by accuracy alone
+  double wanted = h;      // by accuracy alone
+  bool diverged = false;  // Newton, in the last try
   while (goes_on && state.time < t_end) {
     h = options_.max_step > 0.0 ? std::min(wanted, options_.max_step) : wanted;
     const double t = state.time, planned = planned_step(t, h), steps = std::ceil((t_end - t) / planned * (1.0 - 1e-9));
@@ -84,6 +88,8 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
     if (outcome == Outcome::kAccepted) {
       trouble_ = std::max(0, trouble_ - 1);
       wanted = next_step(step);
+      if (diverged && !may_be_singular_) wanted = std::min(wanted, kAfterDivergence * step);
+      diverged = false;
       if (error_ > 1.0 && limit_ > 1.0) statistics_.told_error = std::max(statistics_.told_error, error_);
       goes_on = accept(t, step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
       if (const std::string slow = watch.complaint(state.time); !slow.empty()) give_up(state.time, slow);
@@ -91,9 +97,11 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
       crossings_ = 0;
       continue;
     }
+    diverged = outcome == Outcome::kNoConvergence;
     ++(outcome == Outcome::kTooInaccurate ? statistics_.rejected : statistics_.newton_failures);
     if (finds_another_step(h, planned, inputs, state)) continue;
-    wanted = outcome == Outcome::kTooInaccurate ? std::min(next_step(step), 0.8 * step) : 0.25 * step;
+    wanted = outcome == Outcome::kTooInaccurate ? std::min(next_step(step), 0.8 * step)
+                                                : (may_be_singular_ ? kSingularDivergence : kDivergence) * step;
     if (wanted < options_.min_step)
       give_up(t, "the step size fell below " + number_text(options_.min_step, 3) + " s; ");
   }

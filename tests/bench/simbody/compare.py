@@ -2,8 +2,8 @@
 for voltages that change every millisecond.
 
 Error: the largest, over height and four strokes, of the root mean square difference to the same program at its tightest tolerance, as a share of the
-largest change of that column in the reference. Rows every 1 ms. Processor time of footfall is that of the whole program without what it takes to the
-first step; Simbody's program measures its integration itself, rows included.
+largest change of that column in the reference. Rows every 1 ms. Processor time of footfall is that of the whole program without the shortest that it takes to
+the first step; Simbody's program measures its integration itself, rows included.
 """
 import csv
 import os
@@ -31,18 +31,21 @@ def columns(file, names):
     return [[float(row[name]) for row in rows] for name in names]
 
 
+starts = []  # what footfall takes to the first step [s], of all its runs
+
+
 def footfall(tolerance, sampled):
     run = os.path.join(work, "run")
     scene = os.path.join(scenes, "sampled.toml" if sampled else "scene.toml")
     words = [solver, scene, "--quiet", "--keep-every", "0", "--out", run, "--set", "solver.rtol=" + tolerance,
              "--set", "solver.atol=%g" % (0.01 * float(tolerance))]
-    start, _ = processor_time(words + ["--until", "1e-6"])
+    starts.append(processor_time(words + ["--until", "1e-6"])[0])
     whole, _ = processor_time(words)
     names = ["cabin.z"] + ["leg_%d_primary.stroke" % k for k in (1, 2, 3, 4)]
     with open(os.path.join(run, "summary.json")) as file:
         text = file.read()
     count = lambda key: int(text.split('"%s": ' % key)[1].split(",")[0])
-    return whole - start, columns(os.path.join(run, "history.csv"), names), count("steps"), count("residuals")
+    return whole, columns(os.path.join(run, "history.csv"), names), count("steps"), count("residuals")
 
 
 def simbody(integrator):
@@ -82,9 +85,12 @@ def compare(name, sampled, programs):
             for program, run in programs.items():
                 time, result, steps, evaluations = run(tolerance, sampled)
                 key = (program, tolerance)
-                time = max(time, 1e-4)
                 if key not in best or time < best[key][1]:
                     best[key] = (error(result, references["cpodes" if program == "merson" else program]), time, steps, evaluations)
+    for program, tolerance in best:
+        if program == "footfall":
+            of_error, time, *work = best[program, tolerance]
+            best[program, tolerance] = (of_error, max(time - min(starts), 1e-4), *work)
     with open(os.path.join(out, name + ".csv"), "w") as file:
         file.write("program,tolerance,error,processor_s,steps,evaluations\n")
         for program in programs:

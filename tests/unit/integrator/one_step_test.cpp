@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "mbd_solver/integrator/method_choice.h"
+#include "tests/unit/dynamics/lander_mechanism.h"
 #include "tests/unit/dynamics/run.h"
 #include "tests/unit/integrator/smooth_mechanisms.h"
 
@@ -115,6 +116,38 @@ TEST(OneStep, WindowsThatOneStepDoesNotFillTakeAHigherOrder) {
   }
 }
 
+// The first step of all is short, and max_step is no longer than a window: the third order takes over all the same once its
+// steps fill them.
+TEST(OneStep, WindowsThatOneStepFillsGoBackToTheLowerOrder) {
+  constexpr int kWindows = 250;
+  for (unsigned seed : {1u, 3u, 4u}) {
+    const Model model = test::smooth_loop(seed);
+    const auto residuals = [&](int order, int window_order) {
+      IntegratorOptions options = options_of(order, 1e-4);
+      options.window_order = window_order;
+      options.max_step = kEnd / kWindows;
+      test::Run run(model, "one_step", options);
+      run.to(kEnd, kWindows);
+      return run.integrator->statistics().residuals;
+    };
+    const long third = residuals(3, 0), fifth = residuals(5, 0), chosen = residuals(3, 5);
+    EXPECT_LT(10 * third, 9 * fifth) << seed;
+    EXPECT_LT(chosen, third + (fifth - third) / 5) << seed;
+  }
+}
+
+// Newton fails where pads touch the plane. Each factorization beyond the Jacobians' would be one of the saddle matrix, which
+// steps near a singular position ask for.
+TEST(OneStep, StepsThatFailAtAContactAreNotTakenForSingularPositions) {
+  IntegratorOptions options = options_of(5, 1e-3);
+  const Model model = test::lander();
+  test::Run run(model, "one_step", options);
+  run.to(0.2);
+  const IntegratorStatistics& done = run.integrator->statistics();
+  EXPECT_GT(done.newton_failures, 3);
+  EXPECT_LE(done.factorizations, done.jacobians + 1);
+}
+
 TEST(MethodChoice, GoesUpWhereAStepDoesNotFillAWindowAndDownWhereItFillsSeveral) {
   MethodChoice choice;
   EXPECT_EQ(choice.begin(1.0, 1.0), 1.0);
@@ -125,6 +158,12 @@ TEST(MethodChoice, GoesUpWhereAStepDoesNotFillAWindowAndDownWhereItFillsSeveral)
   EXPECT_TRUE(choice.high());
   EXPECT_EQ(choice.begin(1.0, 3.0), 3.0);
   EXPECT_FALSE(choice.high());
+}
+
+TEST(MethodChoice, StretchesNoStepThatIsAGuess) {
+  MethodChoice choice;
+  EXPECT_EQ(choice.begin(1.0, 0.5), 0.5);
+  EXPECT_TRUE(choice.high());
 }
 
 TEST(OneStep, FifthOrderEndsWithinAHundredTolerances) {
