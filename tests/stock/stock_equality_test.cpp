@@ -157,11 +157,11 @@ TEST_P(OnRanks, ClumpsUnderAPlateInTranslationAreThoseOfStock) {
            "fix pts all particletemplate/multisphere 15485863 atom_type 1 density constant 2600 nspheres 2 ntry 100000 "
            "spheres -0.017 0 0 0.02 0.017 0 0 0.02 type 1\nfix pdd all particledistribution/discrete 15485867 1 pts "
            "1.0\n"
-           "region ins block -0.15 0.15 -0.15 0.15 0.0 0.22 units box\nfix ins all insert/pack seed 67867979 "
+           "region ins block -0.15 0.15 -0.15 0.15 0.0 0.22 units box\nfix ins all insert/pack seed 32452843 "
            "distributiontemplate pdd vel constant 0 0 -1.0 insert_every once overlapcheck yes all_in yes orientation "
            "random particles_in_region 60 region ins\n"
            "fix m all mesh/surface/stress file plate.stl type 2 move 0 0 0.24\n" +
-           mesh_wall() + "fix integr all multisphere\n" + mover + thermo() + dump_every(1000, name) + "run 2000\n";
+           mesh_wall() + "fix integr all multisphere\n" + mover + thermo() + dump_every(200, name) + "run 600\n";
   };
   EXPECT_GT(force_of_plate_as_in_stock(folder, ranks, script, "-2.0", "0.03", {200, 400, 600}),
             10.0);  // the plate is on the clumps [N]
