@@ -96,6 +96,8 @@ part_simbody() {
   cp "$runs/simbody/simbody.png" docs/speed_simbody.png
   printf '%s; runs took turns and the shortest counts.\n\n' "$machine"
   cat "$runs/simbody/simbody.md"
+  printf '\nThe same in instructions (valgrind), without those to the first step:\n\n'
+  cat "$runs/simbody/simbody_instructions.md"
   printf '\nThe same lander with voltages that change every millisecond, as a controller changes them (`sampled.toml`). Errors of Merson count from the reference of CPodes.\n\n'
   cat "$runs/simbody/simbody_sampled.md"
 }

@@ -72,14 +72,14 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
   start_window(inputs, state);
   row_time_ = rows.after(state.time);
 
-  double h = state.step > 0.0 ? state.step : std::min(t_end - state.time, first_step());
+  // The next step, by accuracy alone.
+  double wanted = state.step > 0.0 ? state.step : std::min(t_end - state.time, first_step());
   ProgressWatch watch(state.time, t_end);
-  if (&high_ != &usual_ && options_.error_control) h = choice_.begin(t_end - state.time, h);
+  if (&high_ != &usual_ && options_.error_control) wanted = choice_.begin(t_end - state.time, wanted);
   bool goes_on = true;
-  double wanted = h;      // by accuracy alone
   bool diverged = false;  // Newton, in the last try
   while (goes_on && state.time < t_end) {
-    h = options_.max_step > 0.0 ? std::min(wanted, options_.max_step) : wanted;
+    const double h = options_.max_step > 0.0 ? std::min(wanted, options_.max_step) : wanted;
     const double t = state.time, planned = planned_step(t, h), steps = std::ceil((t_end - t) / planned * (1.0 - 1e-9));
     const double step = steps > (planned != h ? 1.0 : kStretch) ? planned : (t_end - t) / steps;
     limit_ = planned != h && t + step > singular_time_ ? std::max(1.0, kCrossing / options_.rtol) : 1.0;

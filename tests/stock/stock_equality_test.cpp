@@ -20,6 +20,19 @@ void expect_same_dumps(const RunFolder& folder, const std::string& a, const std:
         << "dumps differ at step " << step;
 }
 
+// The script that `script` writes for a name of its dumps ends well in both programs, with the same dumps and lines of thermo.
+template <class Script>
+void expect_same_run(const RunFolder& folder, int ranks, const Script& script, const std::vector<int>& dumps) {
+  folder.write("in.stock", script("stock"));
+  folder.write("in.ours", script("ours"));
+  const Outcome stock = folder.alone(kStock, ranks, "-in in.stock -log log.stock");
+  const Outcome ours = folder.alone(RunFolder::program("liggghts_mbd"), ranks, "-in in.ours -log log.ours");
+  ASSERT_EQ(stock.exit_code, 0) << stock.text;
+  ASSERT_EQ(ours.exit_code, 0) << ours.text;
+  expect_same_dumps(folder, "stock", "ours", dumps);
+  EXPECT_EQ(thermo_lines(folder.read("log.stock")), thermo_lines(folder.read("log.ours")));
+}
+
 class OnRanks : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Ranks, OnRanks, testing::Values(1, 2), testing::PrintToStringParamName());
 
@@ -32,14 +45,7 @@ TEST_P(OnRanks, AScriptWithoutOurFixesGivesTheSameBits) {
            "fix m all mesh/surface/stress file plate.stl type 2 move 0 0 0.24\n" + mesh_wall() +
            "fix c all move/mesh mesh m linear 0 0 -1.0\n" + thermo() + dump_every(150, name) + "run 450\n";
   };
-  folder.write("in.stock", script("stock"));
-  folder.write("in.ours", script("ours"));
-  const Outcome stock = folder.alone(kStock, ranks, "-in in.stock -log log.stock");
-  const Outcome ours = folder.alone(RunFolder::program("liggghts_mbd"), ranks, "-in in.ours -log log.ours");
-  ASSERT_EQ(stock.exit_code, 0) << stock.text;
-  ASSERT_EQ(ours.exit_code, 0) << ours.text;
-  expect_same_dumps(folder, "stock", "ours", {0, 150, 300, 450});
-  EXPECT_EQ(thermo_lines(folder.read("log.stock")), thermo_lines(folder.read("log.ours")));
+  expect_same_run(folder, ranks, script, {0, 150, 300, 450});
 }
 
 // What the end of each run tells of its last neighbour list.
@@ -80,14 +86,7 @@ TEST_P(OnRanks, GrainsOfManySizesGiveTheSameBitsAndLists) {
     for (int run = 0; run < 10; ++run) text << "run 200\n";  // each tells the neighbours of its last list
     return text.str();
   };
-  folder.write("in.stock", script("stock"));
-  folder.write("in.ours", script("ours"));
-  const Outcome stock = folder.alone(kStock, ranks, "-in in.stock -log log.stock");
-  const Outcome ours = folder.alone(RunFolder::program("liggghts_mbd"), ranks, "-in in.ours -log log.ours");
-  ASSERT_EQ(stock.exit_code, 0) << stock.text;
-  ASSERT_EQ(ours.exit_code, 0) << ours.text;
-  expect_same_dumps(folder, "stock", "ours", {0, 1000, 2000});
-  EXPECT_EQ(thermo_lines(folder.read("log.stock")), thermo_lines(folder.read("log.ours")));
+  expect_same_run(folder, ranks, script, {0, 1000, 2000});
   const std::vector<std::string> told = neighbours_told(folder.read("log.stock"));
   EXPECT_EQ(told.size(), 10u);
   EXPECT_EQ(told, neighbours_told(folder.read("log.ours")));
@@ -98,15 +97,14 @@ TEST_P(OnRanks, GrainsOfManySizesGiveTheSameBitsAndLists) {
 TEST_P(OnRanks, NeighboursWithAnEmptyBinBetweenStandInTheList) {
   const int ranks = GetParam();
   const RunFolder folder("stock_bins_" + std::to_string(ranks));
-  folder.write("in", script_head("-0.32 0.32 -0.32 0.32 -0.32 0.32", ranks == 1 ? "1 1 1" : "1 1 2") +
-                         "lattice sc 0.03247\nregion small block -0.3 0.3 -0.3 0.3 -0.3 0.2 units box\n"
-                         "create_atoms 1 region small\nset type 1 diameter 0.0295 density 2600\n"
-                         "create_atoms 2 single 0 0 0.27 units box\nset type 2 diameter 0.06 density 2600\n"
-                         "neighbor 0.003 bin\nfix integr all nve/sphere\nrun 0\n");
-  const Outcome stock = folder.alone(kStock, ranks, "-in in -log log.stock");
-  const Outcome ours = folder.alone(RunFolder::program("liggghts_mbd"), ranks, "-in in -log log.ours");
-  ASSERT_EQ(stock.exit_code, 0) << stock.text;
-  ASSERT_EQ(ours.exit_code, 0) << ours.text;
+  const auto script = [&](const std::string&) {
+    return script_head("-0.32 0.32 -0.32 0.32 -0.32 0.32", ranks == 1 ? "1 1 1" : "1 1 2") +
+           "lattice sc 0.03247\nregion small block -0.3 0.3 -0.3 0.3 -0.3 0.2 units box\n"
+           "create_atoms 1 region small\nset type 1 diameter 0.0295 density 2600\n"
+           "create_atoms 2 single 0 0 0.27 units box\nset type 2 diameter 0.06 density 2600\n"
+           "neighbor 0.003 bin\nfix integr all nve/sphere\nrun 0\n";
+  };
+  expect_same_run(folder, ranks, script, {});
   const std::vector<std::string> told = neighbours_told(folder.read("log.stock"));
   EXPECT_EQ(told.size(), 1u);
   EXPECT_EQ(told, neighbours_told(folder.read("log.ours")));

@@ -1,5 +1,5 @@
-"""compare.py SOLVER LANDER SCENES WORK OUT REPEATS: runs both programs and writes OUT/simbody.csv and OUT/simbody.md, and the same two as simbody_sampled.*
-for voltages that change every millisecond.
+"""compare.py SOLVER LANDER SCENES WORK OUT REPEATS: runs both programs and writes OUT/simbody.csv and OUT/simbody.md, the same two as simbody_sampled.*
+for voltages that change every millisecond, and OUT/simbody_instructions.md.
 
 Error: the largest, over height and four strokes, of the root mean square difference to the same program at its tightest tolerance, as a share of the
 largest change of that column in the reference. Rows every 1 ms. Processor time of footfall is that of the whole program without the shortest that it takes to
@@ -34,18 +34,24 @@ def columns(file, names):
 starts = []  # what footfall takes to the first step [s], of all its runs
 
 
-def footfall(tolerance, sampled):
-    run = os.path.join(work, "run")
+RUN = os.path.join(work, "run")
+
+
+def footfall_words(tolerance, sampled):
     scene = os.path.join(scenes, "sampled.toml" if sampled else "scene.toml")
-    words = [solver, scene, "--quiet", "--keep-every", "0", "--out", run, "--set", "solver.rtol=" + tolerance,
-             "--set", "solver.atol=%g" % (0.01 * float(tolerance))]
+    return [solver, scene, "--quiet", "--keep-every", "0", "--out", RUN, "--set", "solver.rtol=" + tolerance,
+            "--set", "solver.atol=%g" % (0.01 * float(tolerance))]
+
+
+def footfall(tolerance, sampled):
+    words = footfall_words(tolerance, sampled)
     starts.append(processor_time(words + ["--until", "1e-6"])[0])
     whole, _ = processor_time(words)
     names = ["cabin.z"] + ["leg_%d_primary.stroke" % k for k in (1, 2, 3, 4)]
-    with open(os.path.join(run, "summary.json")) as file:
+    with open(os.path.join(RUN, "summary.json")) as file:
         text = file.read()
     count = lambda key: int(text.split('"%s": ' % key)[1].split(",")[0])
-    return whole, columns(os.path.join(run, "history.csv"), names), count("steps"), count("residuals")
+    return whole, columns(os.path.join(RUN, "history.csv"), names), count("steps"), count("residuals")
 
 
 def simbody(integrator):
@@ -118,3 +124,23 @@ def compare(name, sampled, programs):
 
 compare("simbody", False, {"footfall": footfall, "cpodes": simbody("cpodes")})
 compare("simbody_sampled", True, {"footfall": footfall, "cpodes": simbody("cpodes"), "merson": simbody("merson")})
+
+
+def instructions(words):
+    text = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null"] + words, check=True, capture_output=True, text=True).stderr
+    return int(text.split("refs:")[1].split()[0].replace(",", ""))
+
+
+def count():
+    """Instructions of the constant voltages, without those to the first step: they do not depend on the load of the machine."""
+    ours = lambda tolerance, more: instructions(footfall_words(tolerance, False) + more)
+    theirs = lambda tolerance, end: instructions([lander, "cpodes", tolerance, end, os.path.join(work, "rows.csv")])
+    with open(os.path.join(out, "simbody_instructions.md"), "w") as file:
+        file.write("| tolerance | instructions of footfall | of Simbody, CPodes | ratio |\n|---|---|---|---|\n")
+        for tolerance in TOLERANCES[:4]:
+            a = ours(tolerance, []) - ours(tolerance, ["--until", "1e-6"])
+            b = theirs(tolerance, "1") - theirs(tolerance, "1e-6")
+            file.write("| %s | %.3g | %.3g | %.2f |\n" % (tolerance, a, b, a / b))
+
+
+count()

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The same rigid lander in footfall and in Simbody 3.7: agreement of strokes and height, and error against processor time of both in one picture.
-#   tests/bench/simbody/run.sh BUILD [OUT [REPEATS]]      needs libsimbody-dev, python3 and gnuplot; footfall itself needs none of them
+#   tests/bench/simbody/run.sh BUILD [OUT [REPEATS]]      needs libsimbody-dev, python3, valgrind and gnuplot; footfall itself needs none of them
 # OUT (default runs/simbody) gets simbody.csv, simbody.md and simbody.png, and simbody_sampled.csv and .md with voltages that change every millisecond. Runs of both take turns; the shortest time of REPEATS (default 5) counts.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd) solver=$(realpath "$1")/bin/mbd_solver
@@ -21,4 +21,4 @@ set datafile separator ","
 plot "< grep '^footfall' '$out/simbody.csv'" using 4:3 with linespoints lw 2 title "footfall, one\\\\_step", \
      "< grep '^cpodes' '$out/simbody.csv'" using 4:3 with linespoints lw 2 title "Simbody, CPodes"
 END
-cat "$out/simbody.md" "$out/simbody_sampled.md"
+cat "$out"/simbody{,_instructions,_sampled}.md
