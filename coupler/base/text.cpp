@@ -6,10 +6,16 @@
 #include <cstdio>
 #include <sstream>
 
+#include "coupler/base/quick_number.h"
+
 namespace footfall {
 
 void append_number(std::string& text, double value, int digits) {
-  std::array<char, 64> written{};
+  std::array<char, 64> written;
+  if (char* const end = write_quickly(written.data(), value, digits)) {
+    text.append(written.data(), end);
+    return;
+  }
   const std::to_chars_result result =
       std::to_chars(written.data(), written.data() + written.size(), value, std::chars_format::general, digits);
   text.append(written.data(), result.ptr);
