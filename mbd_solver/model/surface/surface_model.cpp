@@ -33,19 +33,26 @@ struct SurfaceModel::Tree {
 };
 
 SurfaceModel::SurfaceModel(const Eigen::Matrix3Xd& vertices, std::vector<Eigen::Vector3i> triangles, double thickness)
-    : triangles_(std::move(triangles)), thickness_(thickness), tree_(std::make_unique<Tree>()) {
+    : triangles_(std::move(triangles)), thickness_(thickness) {
   FOOTFALL_DEMAND(!triangles_.empty() && thickness >= 0.0);
-  const std::vector<Eigen::Vector3d> points = corners(vertices);
+  corners_ = corners(vertices);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : corners_) box.extend(point);
+  centre_ = box.center();
+  for (const Eigen::Vector3d& point : corners_) radius_ = std::max(radius_, (point - centre_).norm() + thickness_);
+}
+
+SurfaceModel::Tree& SurfaceModel::tree() const {
+  if (tree_) return *tree_;
+  tree_ = std::make_unique<Tree>();
   std::vector<fcl::Triangle> three;
   for (std::size_t i = 0; i < triangles_.size(); ++i) three.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
   fcl::BVHModel<fcl::OBBRSSd>& model = tree_->model;
-  model.beginModel(static_cast<int>(three.size()), static_cast<int>(points.size()));
-  model.addSubModel(points, three);
+  model.beginModel(static_cast<int>(three.size()), static_cast<int>(corners_.size()));
+  model.addSubModel(corners_, three);
   FOOTFALL_DEMAND(model.endModel() == fcl::BVH_OK);
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& point : points) box.extend(point);
-  centre_ = box.center();
-  for (const Eigen::Vector3d& point : points) radius_ = std::max(radius_, (point - centre_).norm() + thickness_);
+  corners_ = {};
+  return *tree_;
 }
 
 SurfaceModel::~SurfaceModel() = default;
@@ -67,7 +74,7 @@ std::vector<Eigen::Vector3d> SurfaceModel::corners(const Eigen::Matrix3Xd& verti
 }
 
 void SurfaceModel::move(const Eigen::Matrix3Xd& vertices) {
-  fcl::BVHModel<fcl::OBBRSSd>& model = tree_->model;
+  fcl::BVHModel<fcl::OBBRSSd>& model = tree().model;
   model.beginReplaceModel();
   model.replaceSubModel(corners(vertices));
   FOOTFALL_DEMAND(model.endReplaceModel(true, true) == fcl::BVH_OK);
@@ -77,14 +84,14 @@ SurfaceGap gap_between(const SurfaceModel& a, const SurfaceModel& b, const Frame
   const fcl::Transform3d at_a = fcl::Transform3d::Identity(), at_b = transform(b_in_a);
   fcl::DistanceRequestd ask(true);
   fcl::DistanceResultd found;
-  fcl::distance(&a.tree_->model, at_a, &b.tree_->model, at_b, ask, found);
+  fcl::distance(&a.tree().model, at_a, &b.tree().model, at_b, ask, found);
   SurfaceGap gap;
   gap.distance = std::max(0.0, found.min_distance) - a.thickness_ - b.thickness_;
   gap.place = 0.5 * (found.nearest_points[0] + found.nearest_points[1]);
   if (found.min_distance > 0.0) return gap;
   const fcl::CollisionRequestd where(1, true);
   fcl::CollisionResultd hit;
-  if (fcl::collide(&a.tree_->model, at_a, &b.tree_->model, at_b, where, hit) > 0) gap.place = hit.getContact(0).pos;
+  if (fcl::collide(&a.tree().model, at_a, &b.tree().model, at_b, where, hit) > 0) gap.place = hit.getContact(0).pos;
   return gap;
 }
 

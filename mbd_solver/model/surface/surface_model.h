@@ -39,11 +39,13 @@ class SurfaceModel {
   std::vector<Eigen::Vector3d> corners(const Eigen::Matrix3Xd& vertices) const;
 
   struct Tree;
+  Tree& tree() const;  // made when it is first asked for: surfaces that never come near each other need none
   std::vector<Eigen::Vector3i> triangles_;
   double thickness_;
   Eigen::Vector3d centre_;
   double radius_ = 0.0;
-  std::unique_ptr<Tree> tree_;
+  mutable std::vector<Eigen::Vector3d> corners_;  // of tree_, until it is made
+  mutable std::unique_ptr<Tree> tree_;
 };
 
 }  // namespace footfall
