@@ -45,23 +45,13 @@ pugi::xml_node vtk_file(pugi::xml_document& document, const char* type) {
   return root;
 }
 
-void add_cells(pugi::xml_node piece, const VtkFrame& frame) {
-  std::string connectivity, offsets, types;
-  int offset = 0;
-  for (const Eigen::Vector3i& t : frame.triangles) {
-    for (int k = 0; k < 3; ++k) connectivity += std::to_string(t(k)) + " ";
-    offsets += std::to_string(offset += 3) + " ";
-    types += std::to_string(kTriangle) + " ";
-  }
-  for (const Eigen::Vector2i& l : frame.lines) {
-    for (int k = 0; k < 2; ++k) connectivity += std::to_string(l(k)) + " ";
-    offsets += std::to_string(offset += 2) + " ";
-    types += std::to_string(kLine) + " ";
-  }
-  pugi::xml_node cells = piece.append_child("Cells");
-  data_array(cells, "Int32", "connectivity", 1).text() = connectivity.c_str();
-  data_array(cells, "Int32", "offsets", 1).text() = offsets.c_str();
-  data_array(cells, "UInt8", "types", 1).text() = types.c_str();
+// Text of one of the arrays of cells.
+template <class Append>
+std::string each_cell(const VtkFrame& frame, Append append) {
+  std::string text;
+  for (const Eigen::Vector3i& t : frame.triangles) append(text, t.data(), 3);
+  for (const Eigen::Vector2i& l : frame.lines) append(text, l.data(), 2);
+  return text;
 }
 
 // VTK writes a text as the numbers of its bytes, with a zero behind.
@@ -172,6 +162,21 @@ void VtkSeries::go_on_after(const std::vector<double>& times) {
   for (const double time : times) list(time);
 }
 
+const VtkSeries::Cells& VtkSeries::cells_of(const VtkFrame& frame) {
+  if (cells_.written && cells_.triangles == frame.triangles && cells_.lines == frame.lines) return cells_;
+  cells_ = {true, frame.triangles, frame.lines, {}, {}, {}};
+  cells_.connectivity = each_cell(frame, [](std::string& text, const int* points, int count) {
+    for (int k = 0; k < count; ++k) text += std::to_string(points[k]) + " ";
+  });
+  int offset = 0;
+  cells_.offsets = each_cell(
+      frame, [&](std::string& text, const int*, int count) { text += std::to_string(offset += count) + " "; });
+  cells_.types = each_cell(frame, [](std::string& text, const int*, int count) {
+    text += std::to_string(count == 3 ? kTriangle : kLine) + " ";
+  });
+  return cells_;
+}
+
 void VtkSeries::write(double time, const VtkFrame& frame) {
   if (!frame.points.allFinite())
     throw NumericalError("t = " + std::to_string(time) + " s: geometry of " + name_ + " is not finite");
@@ -182,7 +187,11 @@ void VtkSeries::write(double time, const VtkFrame& frame) {
   piece.append_attribute("NumberOfPoints") = static_cast<int>(frame.points.cols());
   piece.append_attribute("NumberOfCells") = static_cast<int>(frame.triangles.size() + frame.lines.size());
   data_array(piece.append_child("Points"), "Float64", "Points", 3).text() = numbers(frame.points).c_str();
-  add_cells(piece, frame);
+  const Cells& written = cells_of(frame);
+  pugi::xml_node cells = piece.append_child("Cells");
+  data_array(cells, "Int32", "connectivity", 1).text() = written.connectivity.c_str();
+  data_array(cells, "Int32", "offsets", 1).text() = written.offsets.c_str();
+  data_array(cells, "UInt8", "types", 1).text() = written.types.c_str();
   pugi::xml_node point_data = piece.append_child("PointData");
   for (const auto& [name, values] : frame.point_vectors)
     data_array(point_data, "Float64", name, 3).text() = numbers(values).c_str();

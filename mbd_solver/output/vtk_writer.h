@@ -33,10 +33,18 @@ class VtkSeries {
   void go_on_after(const std::vector<double>& times);
 
  private:
+  struct Cells {  // of the last frame, and their text: those of the next are mostly the same
+    bool written = false;
+    std::vector<Eigen::Vector3i> triangles;
+    std::vector<Eigen::Vector2i> lines;
+    std::string connectivity, offsets, types;
+  };
   void list(double time);  // as the next frame
+  const Cells& cells_of(const VtkFrame& frame);
 
   std::string folder_, name_;
   std::vector<std::pair<double, std::string>> frames_;
+  Cells cells_;
 };
 
 // A .pvd: times [s] and names of the files beside it. Throws InputError when it cannot be written.
