@@ -61,6 +61,7 @@ void OneStep::forget() {
   trouble_ = careful_ = crossings_ = 0;
   choice_ = {};
   singular_time_ = -kNever;
+  looked_time_ = std::numeric_limits<double>::quiet_NaN();
   left_time_ = kNever;
   lu_.forget();
   equations_.forget();

@@ -108,7 +108,8 @@ class OneStep : public Integrator {
   Equations::Drift end_drift_;              // what was removed there
   bool closed_ = false;                     // end_ is to be taken
   int trouble_ = 0, careful_ = 0;           // failures of late; steps that go on without drift
-  double singular_time_ = std::numeric_limits<double>::infinity();  // where a singular position is expected [s]
+  double singular_time_ = std::numeric_limits<double>::infinity();  // where a singular position is expected [s],
+  double looked_time_ = std::numeric_limits<double>::quiet_NaN();   // as it was seen from there; NaN: not known
   double limit_ = 1.0;                                              // of error_ in the step that is tried
   int crossings_ = 0;                                               // steps over it that have failed
   Eigen::VectorXd row_rates_;

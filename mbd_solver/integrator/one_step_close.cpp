@@ -57,6 +57,7 @@ void OneStep::start_clean(const Inputs& inputs, State& state) {
   equations_.forget();  // likewise
   statistics_.count(equations_.project(state, Equations::Close::kFully));
   renew_rates(inputs, state);
+  looked_time_ = std::numeric_limits<double>::quiet_NaN();
 }
 
 void OneStep::start_window(const Inputs& inputs, const State& state) {

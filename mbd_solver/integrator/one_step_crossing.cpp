@@ -43,6 +43,8 @@ bool OneStep::finds_another_step(double h, double planned, const Inputs& inputs,
 }
 
 void OneStep::look_ahead(const State& state) {
+  if (state.time == looked_time_) return;  // the last step failed as well
+  looked_time_ = state.time;
   singular_time_ = std::numeric_limits<double>::infinity();
   if (!options_.error_control || !(h_before_ > 0.0) || !std::isfinite(start_before_.time)) return;
   const auto nearness = [&](const State& at) { return Nearness{at.time, equations_.log_determinant(at)}; };
