@@ -109,23 +109,23 @@ Equations::Drift Equations::project(State& state, Close close) {
 void Equations::remove_drift(double closed, double closed_speed, bool together, State& state, Drift& now) {
   Workspace& w = *work_;
   Eigen::Ref<Eigen::VectorXd> phi = w.saddle_x.tail(layout_.row_count);
-  // Velocities: dv = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T + eps)^-1 phi'.
-  const auto move_velocities = [&] {
-    w.saddle_x.head(layout_.v_size).setZero();
-    phi = -w.phi_rate;
-    w.saddle_lu->solve(w.saddle_x);
-    state.v += w.saddle_x.head(layout_.v_size);
+  // dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T + eps)^-1 phi, and dv likewise from phi': the columns of saddle_two.
+  const auto solve = [&](bool positions, bool velocities) {
+    auto some = w.saddle_two.middleCols(positions ? 0 : 1, positions && velocities ? 2 : 1);
+    some.topRows(layout_.v_size).setZero();
+    if (positions) w.saddle_two.col(0).tail(layout_.row_count) = -phi;
+    if (velocities) w.saddle_two.col(1).tail(layout_.row_count) = -w.phi_rate;
+    w.saddle_lu->solve(some);
   };
-  // Positions: dx likewise from phi, with the same factors until phi no longer falls; the first time, where wanted,
-  // together with the velocities: one look at the drift judges both.
+  // Positions, with the same factors until phi no longer falls; the first time, where wanted, together with the velocities:
+  // one look at the drift judges both.
   for (int i = 0; i < kMostProjections && now.position > closed; ++i) {
     w.last_q = state.q;
     w.last_v = state.v;
-    w.saddle_x.head(layout_.v_size).setZero();
-    phi = -phi;
-    w.saddle_lu->solve(w.saddle_x);
-    add_increment(layout_, w.saddle_x.head(layout_.v_size), state.q);
-    if (together && i == 0 && now.velocity > closed_speed) move_velocities();
+    const bool both = together && i == 0 && now.velocity > closed_speed;
+    solve(true, both);
+    add_increment(layout_, w.saddle_two.col(0).head(layout_.v_size), state.q);
+    if (both) state.v += w.saddle_two.col(1).head(layout_.v_size);
     load(state);
     const double last = now.position;
     now = measure_drift(state.time, phi, w.phi_rate);
@@ -140,7 +140,8 @@ void Equations::remove_drift(double closed, double closed_speed, bool together, 
   // The factors are those of a position moved by the drift: repeat.
   for (int i = 0; i < kMostProjections && now.velocity > closed_speed; ++i) {
     w.last_v = state.v;
-    move_velocities();
+    solve(false, true);
+    state.v += w.saddle_two.col(1).head(layout_.v_size);
     load(state);
     const double last = now.velocity;
     now = measure_drift(state.time, phi, w.phi_rate);

@@ -66,11 +66,12 @@ bool SparseLu::factor() {
   return k.first_condition > 0.0;
 }
 
-void SparseLu::solve(Eigen::Ref<Eigen::VectorXd> x) const {
+void SparseLu::solve(Eigen::Ref<Eigen::MatrixXd> X) const {
   Klu& k = *klu_;
   if (k.matrix.rows() == 0) return;
-  FOOTFALL_DEMAND(k.numeric != nullptr);
-  klu_solve(k.symbolic, k.numeric, static_cast<int>(k.matrix.rows()), 1, x.data(), &k.common);
+  FOOTFALL_DEMAND(k.numeric != nullptr && X.rows() == k.matrix.rows() &&
+                  (X.cols() == 1 || X.outerStride() == X.rows()));
+  klu_solve(k.symbolic, k.numeric, static_cast<int>(X.rows()), static_cast<int>(X.cols()), X.data(), &k.common);
 }
 
 double SparseLu::log_determinant() const {

@@ -18,8 +18,8 @@ class SparseLu {
   // Factors the present values. Pivots of the last factorization are kept while they stay good, else they are
   // chosen anew. False when the matrix is singular or not finite.
   bool factor();
-  // x = A^-1 x in place; after a successful factor().
-  void solve(Eigen::Ref<Eigen::VectorXd> x) const;
+  // X = A^-1 X in place, all columns in one pass through the factors; after a successful factor().
+  void solve(Eigen::Ref<Eigen::MatrixXd> X) const;
   double log_determinant() const;  // ln |det A|; after a successful factor()
   // The next factor() chooses its pivots from the values alone.
   void forget();

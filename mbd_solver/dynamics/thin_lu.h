@@ -26,8 +26,8 @@ class ThinLu {
   // Factors the present values. Which entries take part is chosen by the first of them, and anew when one that was left
   // out has grown to three times what may be left out. `own`: d. False when the matrix is singular or not finite.
   bool factor(const Eigen::VectorXd& own);
-  // x = A^-1 x in place; after a successful factor().
-  void solve(Eigen::Ref<Eigen::VectorXd> x) const { lu_->solve(x); }
+  // X = A^-1 X in place, all columns in one pass through the factors; after a successful factor().
+  void solve(Eigen::Ref<Eigen::MatrixXd> X) const { lu_->solve(X); }
   double log_determinant() const { return lu_->log_determinant(); }  // ln |det A|; after a successful factor()
   // The next factor() chooses entries and pivots from the values alone.
   void forget() { lu_.reset(); }

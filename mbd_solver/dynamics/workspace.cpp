@@ -185,6 +185,7 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
   saddle_lu = std::make_unique<ThinLu>(saddle, share);
   if (!redundancies.empty()) smallest_lu = std::make_unique<ThinLu>(saddle, share);
   saddle_x = rest_x = Eigen::VectorXd::Zero(layout.v_size + layout.row_count);
+  saddle_two = Eigen::MatrixXd::Zero(saddle_x.size(), 2);
   reaction = Eigen::VectorXd::Zero(layout.v_size);
   phi_rate = Eigen::VectorXd::Zero(layout.row_count);
   y = rhs = Eigen::VectorXd::Zero(layout.size());

@@ -86,6 +86,7 @@ struct Equations::Workspace {
   Eigen::VectorXd saddle_q;             // and position
   std::unique_ptr<ThinLu> smallest_lu;  // of the same pattern, for make_smallest()
   Eigen::VectorXd saddle_x, rest_x, phi_rate;
+  Eigen::MatrixXd saddle_two;      // two right sides of a projection: of positions, of velocities
   Eigen::VectorXd reaction;        // Phi_v^T lambda
   Eigen::VectorXd y, rhs;          // full vectors of accelerations()
   Eigen::VectorXd last_q, last_v;  // copies during projection
