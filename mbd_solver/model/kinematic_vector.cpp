@@ -15,16 +15,13 @@ KinematicVector KinematicVector::axis(const PairMotion& pair, int slot, const Ma
   return out;
 }
 
-KinematicVector KinematicVector::axis(const PairMotion& pair, int slot, const Marker& marker, int k,
-                                      const NodeTurn& turn) {
-  KinematicVector out;
+KinematicVector::KinematicVector(const PairMotion& pair, int slot, const Marker& marker, int k, const NodeTurn& turn) {
   const Eigen::Vector3d u = marker.axes.col(k);
   if (pair.body[slot]->modes == 0) {
-    out.add_term(pair, slot, 1.0, false, u, marker.U[k]);
+    add_term(pair, slot, 1.0, false, u, marker.U[k]);
   } else {
-    out.add_term(pair, slot, 1.0, false, Local{u + turn.a.cross(u), turn.da.cross(u), turn.dda.cross(u)}, marker.U[k]);
+    add_term(pair, slot, 1.0, false, Local{u + turn.a.cross(u), turn.da.cross(u), turn.dda.cross(u)}, marker.U[k]);
   }
-  return out;
 }
 
 KinematicVector KinematicVector::point(const PairMotion& pair, int slot, const Marker& marker) {
@@ -33,11 +30,9 @@ KinematicVector KinematicVector::point(const PairMotion& pair, int slot, const M
   return out;
 }
 
-KinematicVector KinematicVector::difference(const PairMotion& pair, const Marker& m1, const Marker& m2) {
-  KinematicVector out;
-  out.add_term(pair, 0, -1.0, true, m1.s0, m1.S);
-  out.add_term(pair, 1, 1.0, true, m2.s0, m2.S);
-  return out;
+KinematicVector::KinematicVector(const PairMotion& pair, const Marker& m1, const Marker& m2) {
+  add_term(pair, 0, -1.0, true, m1.s0, m1.S);
+  add_term(pair, 1, 1.0, true, m2.s0, m2.S);
 }
 
 void KinematicVector::add_term(const PairMotion& pair, int slot, double sign, bool point, const Eigen::Vector3d& u0,
@@ -64,17 +59,20 @@ void KinematicVector::add_term(const PairMotion& pair, int slot, double sign, bo
   t.offset = pair.offset(slot);
   t.sign = sign;
   t.point = point;
-  Eigen::Vector3d x = b.A.lazyProduct(local.u), y = Eigen::Vector3d::Zero(), z = Eigen::Vector3d::Zero();
-  if (b.modes > 0) {
-    y = b.A.lazyProduct(local.U_da);
-    z = b.A.lazyProduct(local.U_dda);
-  }
-  const Eigen::Vector3d turning = b.w.cross(x);
-  Eigen::Vector3d rate = turning + y;
-  Eigen::Vector3d acc = b.dw.cross(x) + z + b.w.cross(turning + 2.0 * y);
+  const Eigen::Vector3d x = b.A.lazyProduct(local.u), turning = b.w.cross(x);
+  Eigen::Vector3d rate = turning, acc = b.dw.cross(x);
   t.x = x;
-  t.y = y;
-  t.z = z;
+  if (b.modes == 0) {
+    t.y.setZero();
+    t.z.setZero();
+    acc += b.w.cross(turning);
+  } else {
+    const Eigen::Vector3d y = b.A.lazyProduct(local.U_da), z = b.A.lazyProduct(local.U_dda);
+    t.y = y;
+    t.z = z;
+    rate += y;
+    acc = acc + z + b.w.cross(turning + 2.0 * y);
+  }
   if (point) {
     value_ += sign * b.r;
     rate += b.dr;

@@ -36,11 +36,15 @@ class KinematicVector {
   static KinematicVector constant(const Eigen::Vector3d& value_W);
   // Axis k (0, 1, 2) of the marker on the body in `slot` (0 or 1).
   static KinematicVector axis(const PairMotion& pair, int slot, const Marker& marker, int k);
-  static KinematicVector axis(const PairMotion& pair, int slot, const Marker& marker, int k, const NodeTurn& turn);
+  static KinematicVector axis(const PairMotion& pair, int slot, const Marker& marker, int k, const NodeTurn& turn) {
+    return {pair, slot, marker, k, turn};
+  }
   // Position of the marker's point.
   static KinematicVector point(const PairMotion& pair, int slot, const Marker& marker);
   // d = p2 - p1.
-  static KinematicVector difference(const PairMotion& pair, const Marker& m1, const Marker& m2);
+  static KinematicVector difference(const PairMotion& pair, const Marker& m1, const Marker& m2) {
+    return {pair, m1, m2};
+  }
 
   const Eigen::Vector3d& value() const { return value_; }  // alpha
   const Eigen::Vector3d& rate() const { return rate_; }    // alpha'
@@ -63,6 +67,9 @@ class KinematicVector {
   void add_second(const Eigen::Vector3d& f, Eigen::Ref<Eigen::MatrixXd> K) const;
 
   KinematicVector() = default;  // the zero vector of W
+  // axis() and difference() where the vector is to stand, without a copy
+  KinematicVector(const PairMotion& pair, int slot, const Marker& marker, int k, const NodeTurn& turn);
+  KinematicVector(const PairMotion& pair, const Marker& m1, const Marker& m2);
 
  private:
   struct Term {

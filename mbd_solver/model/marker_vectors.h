@@ -2,6 +2,7 @@
 // The kinematics that the rows of one joint share.
 
 #include <Eigen/Dense>
+#include <optional>
 
 #include "mbd_solver/model/kinematic_vector.h"
 
@@ -15,14 +16,14 @@ class MarkerVectors {
   const PairMotion& pair() const { return pair_; }
   const Marker& marker(int slot) const { return slot == 0 ? m1_ : m2_; }
   const KinematicVector& axis(int slot, int k) {  // axis k of marker 1 (slot 0) or 2 (slot 1)
-    const int i = 3 * slot + k;
-    if (!known_[i]) find_axis(slot, k);
-    return vectors_[i];
+    std::optional<KinematicVector>& axis = vectors_[3 * slot + k];
+    if (!axis) find_axis(slot, k);
+    return *axis;
   }
   const KinematicVector& difference() {  // p2 - p1
-    if (!known_[kDifference]) vectors_[kDifference] = KinematicVector::difference(pair_, m1_, m2_);
-    known_[kDifference] = true;
-    return vectors_[kDifference];
+    std::optional<KinematicVector>& d = vectors_[kDifference];
+    if (!d) d.emplace(pair_, m1_, m2_);
+    return *d;
   }
 
   void push_axis(int slot, int k, const Eigen::Vector3d& f) { push(3 * slot + k, f); }
@@ -42,9 +43,9 @@ class MarkerVectors {
   PairMotion pair_;
   const Marker& m1_;
   const Marker& m2_;
-  bool known_[kVectors] = {}, pushed_[kVectors] = {}, turn_known_[2] = {};
-  NodeTurn turn_[2];
-  KinematicVector vectors_[kVectors];
+  bool pushed_[kVectors] = {};
+  std::optional<NodeTurn> turn_[2];
+  std::optional<KinematicVector> vectors_[kVectors];
   Eigen::Vector3d forces_[kVectors];  // of those that are pushed
 };
 

@@ -110,10 +110,32 @@ void coordinate_derivatives(const ConstraintRow& row, MarkerVectors& vectors, do
 
 namespace {
 
+// One dot product with a constant coefficient c less a constant: most rows of most joints.
+template <typename Use>
+RowValue one_product(const ConstraintRow& row, MarkerVectors& vectors, Use use) {
+  const double c = row.scale;
+  const Factor &first = row.terms[0].alpha, &second = row.terms[0].beta;
+  const KinematicVector& beta = vector_of(second, vectors);
+  if (first.kind == Factor::Kind::kWorldDirection) {  // a component of beta
+    const int k = first.axis;
+    use(second, c * Eigen::Vector3d::Unit(k));
+    return {c * beta.value()[k] - row.offset, c * beta.rate()[k], c * beta.acc()[k]};
+  }
+  const KinematicVector& alpha = vector_of(first, vectors);
+  use(first, c * beta.value());
+  use(second, c * alpha.value());
+  const double D = alpha.value().dot(beta.value());
+  const double dD = alpha.rate().dot(beta.value()) + alpha.value().dot(beta.rate());
+  const double ddD =
+      alpha.acc().dot(beta.value()) + 2.0 * alpha.rate().dot(beta.rate()) + alpha.value().dot(beta.acc());
+  return {c * D - row.offset, c * dD, c * ddD};
+}
+
 // Of a sum of dot products. use(factor, f): the gradient of phi is the sum of X^T f over its factors.
 template <typename Use>
 RowValue sum_of_products(const ConstraintRow& row, double t, MarkerVectors& vectors, Use use) {
   // D = alpha.beta,  D' = alpha'.beta + alpha.beta',  D'' = alpha''.beta + 2 alpha'.beta' + alpha.beta''
+  if (!row.motion && row.term_count == 1) return one_product(row, vectors, use);
   const Coefficients at = coefficients(row, t);
   RowValue out{-at.f.value, -at.f.rate, -at.f.accel, -at.f.rate};
   for (int i = 0; i < row.term_count; ++i) {
