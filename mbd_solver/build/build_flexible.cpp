@@ -14,6 +14,7 @@
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/fe/modal_body_file.h"
 #include "mbd_solver/fe/node_lookup.h"
+#include "mbd_solver/fe/turned_model.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/mesh_reader.h"
 
@@ -160,7 +161,38 @@ void check_weight(const BodySpec& body, double mass, const std::string& file) {
   throw InputError(text.str());
 }
 
-FlexibleBody build(const Scene& scene, const BodySpec& body, std::vector<std::string>& warnings) {
+// Bodies that were reduced, for those that are copies of them: of an array, or of the same drawing.
+class Reductions {
+ public:
+  ReducedBody reduce(const BodySpec& body, FeModel model, const BasisOptions& options) {
+    for (const Entry& entry : entries_) {
+      if (!same(entry.options, options)) continue;
+      const Eigen::Matrix3d R = (body.orientation * entry.orientation.conjugate()).toRotationMatrix();
+      for (const Eigen::Matrix3d& turn : {R, Eigen::Matrix3d(Eigen::Matrix3d::Identity())})
+        if (const auto p = place_of_copy(entry.model, model, turn)) return turned(entry.reduced, turn, *p, body.name);
+    }
+    ReducedBody reduced = footfall::reduce(model, options, body.name);
+    if (reduced.warnings.empty()) entries_.push_back({std::move(model), options, body.orientation, reduced});
+    return reduced;
+  }
+
+ private:
+  struct Entry {
+    FeModel model;
+    BasisOptions options;
+    Eigen::Quaterniond orientation;
+    ReducedBody reduced;
+  };
+  static bool same(const BasisOptions& a, const BasisOptions& b) {
+    return a.kind == b.kind && a.mode_count == b.mode_count && a.max_frequency == b.max_frequency &&
+           a.damping_ratio == b.damping_ratio && a.interface_nodes == b.interface_nodes &&
+           a.pinned_nodes == b.pinned_nodes;
+  }
+  std::vector<Entry> entries_;
+};
+
+FlexibleBody build(const Scene& scene, const BodySpec& body, Reductions& reductions,
+                   std::vector<std::string>& warnings) {
   const FlexibleSpec& spec = *body.flexible;
   BasisOptions options;
   options.kind = basis_kind(spec.basis);
@@ -176,10 +208,10 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, std::vector<std::st
       joint_node(reduced.body, a.point - reduced.p_DBo, reach(reduced.body.rho0), a.turns);
     check_weight(body, reduced.body.node_mass.sum(), spec.file);
   } else if (!spec.stiffness_matrix.empty()) {
-    const FeModel model = read_matrix_market(spec.stiffness_matrix, spec.mass_matrix, spec.node_file);
+    FeModel model = read_matrix_market(spec.stiffness_matrix, spec.mass_matrix, spec.node_file);
     check_weight(body, model.node_mass.sum(), spec.mass_matrix);
     set_interface(model, attached, options);
-    reduced = reduce(model, options, body.name);
+    reduced = reductions.reduce(body, std::move(model), options);
   } else {
     const MaterialSpec& m = scene.material(body.material);
     const Material material{m.density, m.young, m.poisson};
@@ -189,7 +221,7 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, std::vector<std::st
                                                 : plate(body, spec, material);
     model = with_mass(std::move(model), body.mass);
     set_interface(model, attached, options);
-    reduced = reduce(model, options, body.name);
+    reduced = reductions.reduce(body, std::move(model), options);
   }
   warnings.insert(warnings.end(), reduced.warnings.begin(), reduced.warnings.end());
   return {std::make_shared<const ModalBody>(std::move(reduced.body)), reduced.p_DBo};
@@ -200,13 +232,14 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, std::vector<std::st
 std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<std::string>& warnings) {
   std::vector<FlexibleBody> bodies(scene.bodies.size());
   if (!scene.flexible) return bodies;
+  Reductions reductions;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const auto& flexible = scene.bodies[i].flexible;
     const bool rigid = !flexible || !flexible->enabled || (flexible->modes && *flexible->modes == 0);
     if (rigid) continue;
     const std::string who = "body \"" + scene.bodies[i].name + "\"";
     try {
-      bodies[i] = build(scene, scene.bodies[i], warnings);
+      bodies[i] = build(scene, scene.bodies[i], reductions, warnings);
     } catch (const InputError& error) {
       const std::string what = error.what();
       throw InputError(what.find(who) == std::string::npos ? who + ": " + what : what);
