@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -31,6 +32,10 @@ std::string fixed_text(double value, int decimals) {
   char text[400];  // the largest double has 309 digits before the point
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
   return text;
+}
+
+std::string share_text(double share) {
+  return (std::abs(share) < 0.995 ? number_text(100.0 * share, 2) : fixed_text(100.0 * share, 0)) + " %";
 }
 
 std::string joined(const std::vector<std::string>& texts, const std::string& between) {

@@ -12,6 +12,8 @@ void append_number(std::string& text, double value, int digits);
 std::string number_text(double value, int digits = 6);
 // So many digits behind the point: "0.50".
 std::string fixed_text(double value, int decimals);
+// 0.0123 -> "1.2 %", 0.997 -> "100 %", -1.5 -> "-150 %".
+std::string share_text(double share);
 
 // "a, b, c".
 std::string joined(const std::vector<std::string>& texts, const std::string& between = ", ");

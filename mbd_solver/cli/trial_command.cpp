@@ -18,7 +18,6 @@
 #include "mbd_solver/cli/launch/programs.h"
 #include "mbd_solver/cli/launch/run_time.h"
 #include "mbd_solver/cli/launch/script_trace.h"
-#include "mbd_solver/cli/launch/share_text.h"
 #include "mbd_solver/cli/run_plan.h"
 #include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"

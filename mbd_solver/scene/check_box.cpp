@@ -98,9 +98,9 @@ void check_box_time_step(const Scene& scene, Findings& findings) {
   const double most = box.rayleigh_fraction * std::min(n.rayleigh, 0.5 * n.hertz);
   if (particles.source.given("max_time_step") || *box.time_step <= most * (1.0 + 1e-9)) return;
   findings.error(particles.source, "box.time_step",
-                 "is " + number_text(*box.time_step) + " s, " + number_text(100.0 * *box.time_step / n.rayleigh, 2) +
-                     " % of the Rayleigh time and " + number_text(100.0 * *box.time_step / n.hertz, 2) +
-                     " % of the Hertz time of these grains, expected at most " + number_text(most, 3) +
+                 "is " + number_text(*box.time_step) + " s, " + share_text(*box.time_step / n.rayleigh) +
+                     " of the Rayleigh time and " + share_text(*box.time_step / n.hertz) +
+                     " of the Hertz time of these grains, expected at most " + number_text(most, 3) +
                      " s: larger steps run without complaint and are wrong. Leave it out, or state "
                      "particles.max_time_step if you know that they are right");
 }

@@ -16,7 +16,6 @@
 #include "mbd_solver/cli/launch/bed_contacts.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/programs.h"
-#include "mbd_solver/cli/launch/share_text.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/clump_shape.h"
 

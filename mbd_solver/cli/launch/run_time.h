@@ -17,7 +17,8 @@ struct RunTime {
 // Grains take the same time in every substep, but for those that neighbour lists cost at an impact. A mechanism that has
 // just touched hard takes short steps, and later as few as its windows ask for, a quarter of those of the trial at least:
 //   most = its pace of the second half,   least = most max(windows / steps, 1/4)
-// The root of least and most counts where its steps grew from the first half of the trial to the second; else most.
+// The root of least and most counts where its steps grew from the first half of the trial to the second; else most. The
+// bounds hold the slower and the faster half of the grains as well.
 // `trial`: "trial" of summary.json. Throws nlohmann::json::exception where it lacks something.
 RunTime expected_run_time(const nlohmann::ordered_json& trial, double t_end);
 

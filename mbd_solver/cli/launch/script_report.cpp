@@ -10,7 +10,6 @@
 #include "mbd_solver/cli/launch/bed.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/programs.h"
-#include "mbd_solver/cli/launch/share_text.h"
 #include "mbd_solver/scene/grain_time_step.h"
 #include "mbd_solver/scene/script_text.h"
 

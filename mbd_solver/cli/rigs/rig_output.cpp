@@ -29,7 +29,7 @@ std::string answer_text(double value) { return std::isfinite(value) ? number_tex
 std::string moved_by(double mean, double own) {
   if (!std::isfinite(mean) || !std::isfinite(own) || own == 0.0) return "not found";
   const double share = (mean - own) / std::abs(own);
-  return (share < 0.0 ? "" : "+") + number_text(100.0 * share, 2) + " %" + (std::abs(share) > kMoved ? ", moved" : "");
+  return (share < 0.0 ? "" : "+") + share_text(share) + (std::abs(share) > kMoved ? ", moved" : "");
 }
 
 Table answer_table(const std::vector<RigVariant>& variants) {

@@ -69,6 +69,15 @@ TEST(NumberText, AsksTheLibrarySeldom) {
   EXPECT_LT(asked, 100);
 }
 
+TEST(ShareText, HasTwoDigitsAndNoPowersOfTen) {
+  EXPECT_EQ(share_text(0.0123), "1.2 %");
+  EXPECT_EQ(share_text(0.5), "50 %");
+  EXPECT_EQ(share_text(0.994), "99 %");
+  EXPECT_EQ(share_text(0.997), "100 %");
+  EXPECT_EQ(share_text(1.34), "134 %");
+  EXPECT_EQ(share_text(-1.5), "-150 %");
+}
+
 TEST(FixedText, HoldsTheDigitsBehindThePoint) {
   EXPECT_EQ(fixed_text(0.5, 2), "0.50");
   EXPECT_EQ(fixed_text(-1.26, 1), "-1.3");
