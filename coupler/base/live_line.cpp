@@ -50,7 +50,8 @@ std::string time_left(const Pace& pace) {
   const double left = (1.0 - pace.share) * pace.spent / pace.done_since;
   if (left < 100.0) return "about " + number_text(std::max(1.0, std::round(left))) + " s left";
   if (left < 6000.0) return "about " + number_text(std::round(left / 60.0)) + " min left";
-  return "about " + number_text(left / 3600.0, 2) + " h left";
+  const double hours = left / 3600.0;
+  return "about " + (hours < 99.5 ? number_text(hours, 2) : number_text(std::round(hours))) + " h left";
 }
 
 std::string time_text(double time, double t_end, const Pace& pace) {

@@ -26,7 +26,7 @@ int decimal_exponent(double a) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &a, sizeof bits);
   const int two = static_cast<int>(bits >> 52) - 1023;  // 2^two <= a
-  const int x = (two * 1233) >> 12;                     // of 2^two: 1233 / 4096 = log10(2) + 2e-5
+  const int x = (two * 1233) >> 12;                     // of 2^two: 1233 / 4096 = log10(2) - 5e-6
   return (x + 1 >= 0 ? a >= kPower[x + 1] : a * kPower[-x - 1] >= 1.0) ? x + 1 : x;
 }
 

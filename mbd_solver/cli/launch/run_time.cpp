@@ -19,7 +19,8 @@ RunTime expected_run_time(const nlohmann::ordered_json& trial, double t_end) {
   const auto early = [&](const char* what) { return at(what, 1) - at(what, 0); };
   const double rest = std::max(0.0, t_end - at("time_s", 2)) / late("time_s");  // in second halves of the trial
   const double grains = late("dem_wall_s") * rest;
-  const double grains_early = early("dem_wall_s") / early("time_s") * late("time_s") * rest;
+  const double grains_early =
+      early("time_s") > 0.0 ? early("dem_wall_s") / early("time_s") * late("time_s") * rest : grains;
   const double most = std::max(0.0, late("wall_s") - late("dem_wall_s")) * rest;
   const double share = late("steps") > 0.0 ? std::clamp(late("windows") / late("steps"), kFewest, 1.0) : 1.0;
   const bool grown = late("steps") * early("time_s") < kGrown * early("steps") * late("time_s");

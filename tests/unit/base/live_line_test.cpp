@@ -18,6 +18,7 @@ TEST(LiveLine, CountsTheTimeLeftFromThePaceSinceItsClockWasStarted) {
   EXPECT_EQ(time_left({0.75, 0.25, 10.0}), "about 10 s left");  // a resumed run: what was done before took no time here
   EXPECT_EQ(time_left({0.1, 0.1, 60.0}), "about 9 min left");
   EXPECT_EQ(time_left({0.01, 0.01, 360.0}), "about 9.9 h left");
+  EXPECT_EQ(time_left({0.01, 0.01, 3640.0}), "about 100 h left");
 }
 
 TEST(LiveLine, InAFileAPerCentComesOnce) {
