@@ -17,8 +17,8 @@ Baumgarte baumgarte(const SolverSpec& spec) {
   return {spec.baumgarte_velocity, spec.baumgarte_position};
 }
 
-// Without grains the fifth order has the longer steps. With grains the windows are short, and their own error is of second
-// order.
+// Without grains windows that one step fills go by the third order, and longer ones by the fifth, which has the longer steps
+// (window_order). With grains the windows are short, and their own error is of second order.
 int order_of(OneStepMethod method, bool with_grains) {
   switch (method) {
     case OneStepMethod::kAuto: return with_grains ? 2 : 3;
@@ -33,7 +33,10 @@ int order_of(OneStepMethod method, bool with_grains) {
 IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains) {
   IntegratorOptions options;
   options.order = order_of(spec.method, with_grains);
-  if (spec.method == OneStepMethod::kAuto) options.window_order = with_grains ? 3 : 5;
+  if (spec.method == OneStepMethod::kAuto) {
+    options.window_order = with_grains ? 3 : 5;
+    if (!spec.error_control && !with_grains) options.order = 5;  // fixed steps: no window chooses
+  }
   options.rtol = spec.rtol;
   options.atol = spec.atol_position();
   options.atol_velocity = spec.atol_velocity();

@@ -92,6 +92,20 @@ std::vector<Row> rows_of(Simulation& simulation) {
 
 constexpr double kRoundOff = 1e-12;  // constant forces: the one-step method is exact
 
+// Fixed steps: no window chooses between the orders, and what is not said is the fifth, as in windows of many steps.
+TEST(Simulation, StepsOfAFixedLengthGoByTheFifthOrder) {
+  const auto end = [](const std::string& method) {
+    const SceneText folder;
+    const Scene scene =
+        folder.read(kPendulum, {"solver.error_control=false", "solver.max_step=0.01", "solver.method=" + method});
+    Simulation simulation(scene, scene.end_time, nullptr);
+    simulation.run([](const Sample&) {}, kNever);
+    return simulation.state().q;
+  };
+  EXPECT_EQ(end("auto"), end("esdirk5"));
+  EXPECT_NE(end("auto"), end("esdirk3"));
+}
+
 TEST(Simulation, OfAFreeBodyIsTheParabola) {
   const Scene scene = SceneText().read(kThrownBall);
   Simulation simulation(scene, scene.end_time, nullptr);
