@@ -8,7 +8,7 @@
 namespace footfall {
 namespace {
 
-const char* const kLegs = R"(end_time = 1.0
+const char* const kHub = R"(end_time = 1.0
 [arrays.leg]
 count = 3
 start_deg = 20
@@ -22,21 +22,8 @@ name = "hub"
 mass = 50
 inertia = [5, 5, 5]
 position = [0, 0, 0]
-[[bodies]]
-name = "leg_{leg}"
-material = "steel"
-shape = { kind = "tube", from = [0.3, 0, 0.2], to = [1.1, 0.1, -0.4], diameter = 0.05, wall = 0.004 }
-flexible = { modes = 4, elements = 6 }
-[[bodies]]
-name = "stiff_{leg}"
-material = "steel"
-shape = { kind = "tube", from = [0.3, 0, 0.5], to = [1.1, 0.1, -0.1], diameter = 0.05, wall = 0.005 }
-flexible = { modes = 4, elements = 6 }
-[[bodies]]
-name = "bare_{leg}"
-material = "steel"
-shape = { kind = "tube", from = [0.3, 0, 0.2], to = [1.1, 0.1, -0.4], diameter = 0.05, wall = 0.004 }
-flexible = { modes = 4, elements = 6 }
+)";
+const char* const kHips = R"(
 [[joints]]
 name = "hip_{leg}"
 type = "fixed"
@@ -44,10 +31,19 @@ bodies = ["hub", "leg_{leg}"]
 point = [0.3, 0, 0.2]
 )";
 
+// A tube in each place of the array.
+std::string tubes(const std::string& name, const std::string& wall) {
+  return "[[bodies]]\nname = \"" + name +
+         "_{leg}\"\nmaterial = \"steel\"\nflexible = { modes = 4, elements = 6 }\n"
+         "shape = { kind = \"tube\", from = [0.3, 0, 0.2], to = [1.1, 0.1, -0.4], diameter = 0.05, wall = " +
+         wall + " }\n";
+}
+
 // Two that are reduced each for itself differ in their last bits; a copy does not.
 TEST(FlexibleCopies, LegsOfAnArrayAreTurnedCopiesOfTheFirst) {
   const SceneText folder;
-  const Scene scene = folder.read(kLegs);
+  const Scene scene =
+      folder.read(kHub + tubes("leg", "0.004") + tubes("stiff", "0.005") + tubes("bare", "0.004") + kHips);
   std::vector<std::string> warnings;
   const std::vector<FlexibleBody> bodies = build_flexible_bodies(scene, warnings);
   const auto of = [&](const std::string& name) -> const FlexibleBody& {
