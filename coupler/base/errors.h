@@ -1,34 +1,62 @@
 #pragma once
-// The four ways in which footfall stops. Only main() ends a program; it turns these into exit codes.
+// The ways in which footfall stops, and their exit codes. Only main() ends a program; it turns errors into exit codes.
+// Every message to users ends with a stable code, "[E0123 unknown-body]", which pages, tests and scripts refer to; its
+// wording may change. docs/reference/messages.md lists all codes.
 
 #include <stdexcept>
 #include <string>
 
 namespace footfall {
 
-// The user can mend it. Message: where + what is + what was expected + what to do. Exit code 2.
-class InputError : public std::runtime_error {
+// A stable name of one kind of message. number: "E0123" (errors) or "W0123" (warnings); name: "unknown-body". Each
+// module lists its own in codes.h; a number is never given again.
+struct MessageCode {
+  const char* number;
+  const char* name;
+};
+
+// text + " [E0123 unknown-body]".
+inline std::string with_code(const MessageCode& code, const std::string& text) {
+  return text + " [" + code.number + " " + code.name + "]";
+}
+
+// What the errors below have in common: a text for users that ends with its code.
+class CodedError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  CodedError(const MessageCode& code, const std::string& text) : std::runtime_error(with_code(code, text)) {}
+  // `text` ends with its code already: an error caught below and given its place.
+  explicit CodedError(const std::string& text) : std::runtime_error(text) {}
+};
+
+// The user can correct it. Message: where + what is + what was expected + what to do. Exit code 2.
+class InputError : public CodedError {
+ public:
+  using CodedError::CodedError;
 };
 
 // The two programs disagree (version, dt, bodies, shape of a message). Exit code 2; both sides print it, naming both
 // values.
-class ProtocolError : public std::runtime_error {
+class ProtocolError : public CodedError {
  public:
-  using std::runtime_error::runtime_error;
+  using CodedError::CodedError;
 };
 
 // A solver gave up, or a result is no longer finite. The message names time and body or constraint. Exit code 1.
-class NumericalError : public std::runtime_error {
+class NumericalError : public CodedError {
  public:
-  using std::runtime_error::runtime_error;
+  using CodedError::CodedError;
 };
 
 // The partner is gone or reported a failure of its own. Exit code 1.
-class PartnerError : public std::runtime_error {
+class PartnerError : public CodedError {
  public:
-  using std::runtime_error::runtime_error;
+  using CodedError::CodedError;
+};
+
+// A file of a run cannot be written: full disk, folder gone, a limit. The message names the file. Exit code 1.
+class FileError : public CodedError {
+ public:
+  using CodedError::CodedError;
 };
 
 inline constexpr int kExitDone = 0;
