@@ -1,8 +1,7 @@
+// Findings: places, order and the final error. A finding that repeats another word for word is dropped.
 #include "mbd_solver/scene/findings.h"
 
 #include <algorithm>
-
-#include "coupler/base/errors.h"
 
 namespace footfall {
 
@@ -17,10 +16,11 @@ int Source::line_of(const std::string& key) const {
 }
 
 namespace {
+
 std::string join_path(const std::string& path, const std::string& key) {
-  if (path.empty() || key.empty()) return path + key;
-  return path + "." + key;
+  return path + (path.empty() || key.empty() ? "" : ".") + key;
 }
+
 }  // namespace
 
 std::string place_of(const std::string& file, int line, const std::string& path) {
@@ -37,20 +37,27 @@ bool names_a_place(const std::string& file, const std::string& message) {
   return message.rfind(file + ":", 0) == 0 || message.rfind("--set ", 0) == 0;
 }
 
-void Findings::error(int line, const std::string& path, const std::string& what) {
+void Findings::coded_error(int line, const std::string& path, const std::string& what) {
   const std::string text = place_of(file_, line, path) + what;
-  for (const Finding& f : errors_) {
-    if (f.text == text) return;
-  }
-  errors_.push_back({line, text});
+  const auto same = [&](const Finding& f) { return f.text == text; };
+  if (std::none_of(errors_.begin(), errors_.end(), same)) errors_.push_back({line, text});
 }
 
-void Findings::error(const Source& source, const std::string& key, const std::string& what) {
-  error(source.line_of(key), join_path(source.path, key), what);
+void Findings::coded_error(const Source& source, const std::string& key, const std::string& what) {
+  coded_error(source.line_of(key), join_path(source.path, key), what);
 }
 
-void Findings::warning(const Source& source, const std::string& key, const std::string& what) {
-  warnings_.push_back(place_of(file_, source, key) + what);
+void Findings::error(const MessageCode& code, int line, const std::string& path, const std::string& what) {
+  coded_error(line, path, with_code(code, what));
+}
+
+void Findings::error(const MessageCode& code, const Source& source, const std::string& key, const std::string& what) {
+  coded_error(source, key, with_code(code, what));
+}
+
+void Findings::warning(const MessageCode& code, const Source& source, const std::string& key,
+                       const std::string& what) {
+  warnings_.push_back(with_code(code, place_of(file_, source, key) + what));
 }
 
 void Findings::throw_if_errors() const {

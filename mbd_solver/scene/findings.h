@@ -1,35 +1,38 @@
 #pragma once
-// Everything that is wrong with a scene, collected, so that the user sees all of it at once.
+// All errors and warnings about a file, collected, so that the user sees them at once. Every finding ends with its code.
 
 #include <string>
 #include <vector>
 
+#include "coupler/base/errors.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
 
-// "scene.toml:40: signals.s.input: " or "--set signals.s.input: "; the line and the path come from `source`, the key may be
+// "scene.toml:40: signals.s.input: " or "--set signals.s.input: ". Line and path are those of `source`; `key` may be
 // empty.
 std::string place_of(const std::string& file, const Source& source, const std::string& key = "");
-// The same from the parts: line kFromSet means "--set", 0 that it is not known.
+// line: kFromSet means "--set"; 0: unknown.
 std::string place_of(const std::string& file, int line, const std::string& path);
-// A message that begins with a place in this file or in --set.
+// Whether the message begins with a place in this file or in --set.
 bool names_a_place(const std::string& file, const std::string& message);
 
 class Findings {
  public:
   explicit Findings(std::string file) : file_(std::move(file)) {}
 
-  // `key` within the entry; the path of the entry and the line come from `source`.
-  void error(const Source& source, const std::string& key, const std::string& what);
-  void warning(const Source& source, const std::string& key, const std::string& what);
-  // The same from the parts: line kFromSet means "--set".
-  void error(int line, const std::string& path, const std::string& what);
+  // `key`: within the entry that `source` describes; empty: the entry itself.
+  void error(const MessageCode& code, const Source& source, const std::string& key, const std::string& what);
+  void error(const MessageCode& code, int line, const std::string& path, const std::string& what);
+  void warning(const MessageCode& code, const Source& source, const std::string& key, const std::string& what);
+  // The text ends with a code already: that of an error caught here.
+  void coded_error(const Source& source, const std::string& key, const std::string& what);
+  void coded_error(int line, const std::string& path, const std::string& what);
 
   bool has_errors() const { return !errors_.empty(); }
   int error_count() const { return static_cast<int>(errors_.size()); }
   const std::vector<std::string>& warnings() const { return warnings_; }
-  // Throws InputError with one finding per line, ordered by line, if there is any error.
+  // Throws InputError with one finding per line, sorted by line, if there is any error.
   void throw_if_errors() const;
 
  private:
@@ -41,6 +44,30 @@ class Findings {
   std::string file_;
   std::vector<Finding> errors_;
   std::vector<std::string> warnings_;
+};
+
+// Findings about one entry of a scene.
+class EntryFindings {
+ public:
+  EntryFindings(Findings& findings, const Source& source) : findings_(findings), source_(source) {}
+  EntryFindings(Findings&, Source&&) = delete;
+
+  void error(const MessageCode& code, const std::string& key, const std::string& what) const {
+    findings_.error(code, source_, key, what);
+  }
+  void error_if(bool wrong, const MessageCode& code, const std::string& key, const std::string& what) const {
+    if (wrong) error(code, key, what);
+  }
+  void warning(const MessageCode& code, const std::string& key, const std::string& what) const {
+    findings_.warning(code, source_, key, what);
+  }
+  Findings& all() const { return findings_; }
+  const Source& source() const { return source_; }
+  bool given(const std::string& key) const { return source_.given(key); }
+
+ private:
+  Findings& findings_;
+  const Source& source_;
 };
 
 }  // namespace footfall
