@@ -1,0 +1,66 @@
+// Text tables line by line, without a copy of the cells. Numbers by from_chars; strtod takes what counts as 0 or infinite.
+#include "coupler/base/csv.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace footfall {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r";
+
+std::string_view trimmed_view(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  return first == std::string_view::npos ? text.substr(0, 0)
+                                         : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+}  // namespace
+
+bool read_number(std::string_view text, double& value) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc::result_out_of_range) value = std::strtod(std::string(text).c_str(), nullptr);
+  return error != std::errc::invalid_argument && end == text.data() + text.size();
+}
+
+CsvReader::CsvReader(const std::string& path, const std::string& expected, Separators separators)
+    : path_(path), separators_(separators), file_(path) {
+  if (!file_) throw InputError(code::kTableNotReadable, path + ": cannot be read; expected " + expected);
+}
+
+bool CsvReader::next() {
+  while (std::getline(file_, content_)) {
+    ++line_;
+    const std::string_view row = trimmed_view(std::string_view(content_).substr(0, content_.find('#')));
+    if (row.empty()) continue;
+    cells_.clear();
+    const bool any = separators_ == Separators::kAny;
+    const std::string_view marks = any ? ",; \t\r" : ",";
+    for (std::size_t begin = 0; begin <= row.size();) {
+      const std::size_t end = std::min(row.find_first_of(marks, begin), row.size());
+      if (!any || end > begin) cells_.push_back(trimmed_view(row.substr(begin, end - begin)));
+      begin = end + 1;
+    }
+    if (!cells_.empty()) return true;
+  }
+  return false;
+}
+
+double CsvReader::number(std::size_t column) const {
+  double value = 0.0;
+  if (read_number(cells_.at(column), value) && std::isfinite(value)) return value;
+  fail(code::kTableCell, "\"" + text(column).substr(0, 40) + "\", expected a finite number such as -12.5 or 3e4");
+}
+
+void CsvReader::demand_width(std::size_t cells) const {
+  if (cells_.size() != cells)
+    fail(code::kTableWidth, "has " + std::to_string(cells_.size()) + " cells, expected " + std::to_string(cells));
+}
+
+std::string CsvReader::place() const { return path_ + ":" + std::to_string(line_) + ": "; }
+
+void CsvReader::fail(const MessageCode& code, const std::string& what) const { throw InputError(code, place() + what); }
+
+}  // namespace footfall

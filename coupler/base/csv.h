@@ -1,0 +1,61 @@
+#pragma once
+// Tables in text files: a line per row, cells separated by commas, # starts a comment, empty lines do not count.
+//
+//   CsvReader csv(path, "a table of forces");
+//   while (csv.next()) use(csv.number(0), csv.number(1));
+
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+
+namespace code {
+
+// A table cannot be opened. Check path and permissions.
+inline constexpr MessageCode kTableNotReadable{"E0250", "table-not-readable"};
+// A cell of a table is not a finite number. Correct the line that is named.
+inline constexpr MessageCode kTableCell{"E0251", "table-cell"};
+// A line of a table has another number of cells than expected. Correct the line that is named.
+inline constexpr MessageCode kTableWidth{"E0252", "table-width"};
+
+}  // namespace code
+
+class CsvReader {
+ public:
+  enum class Separators { kComma, kAny };  // kAny: commas, semicolons or blanks, any number of them
+
+  // expected: what the file should be, for messages. Throws InputError if it cannot be read.
+  CsvReader(const std::string& path, const std::string& expected, Separators separators = Separators::kComma);
+
+  // Goes to the next line that has cells; false at the end of the file.
+  bool next();
+  // Of this line, without blanks around them; valid until the next line.
+  const std::vector<std::string_view>& cells() const { return cells_; }
+  std::string text(std::size_t column) const { return std::string(cells_.at(column)); }
+  // Throws InputError if the cell is not a finite number.
+  double number(std::size_t column) const;
+  // Throws InputError unless the line has so many cells.
+  void demand_width(std::size_t cells) const;
+
+  const std::string& path() const { return path_; }
+  int line() const { return line_; }                                               // counted from 1
+  std::string place() const;                                                       // "file:12: "
+  [[noreturn]] void fail(const MessageCode& code, const std::string& what) const;  // InputError at this line
+
+ private:
+  std::string path_;
+  Separators separators_;
+  std::ifstream file_;
+  std::string content_;  // of this line
+  std::vector<std::string_view> cells_;
+  int line_ = 0;
+};
+
+// The number that a text is, with nothing behind it; false if it is none. Not finite counts as a number.
+bool read_number(std::string_view text, double& value);
+
+}  // namespace footfall
