@@ -12,14 +12,14 @@
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/failure_note.h"
 #include "coupler/communicator.h"
 #include "coupler/interrupt.h"
 #include "coupler/link.h"
+#include "coupler/programs.h"
 #include "coupler/transport_mpi.h"
-#include "mbd_solver/cli/option_checks.h"
-#include "mbd_solver/output/checkpoint_folder.h"
-#include "mbd_solver/output/run_start.h"
+#include "mbd_solver/app/option_checks.h"
+#include "mbd_solver/run/output/checkpoint_folder.h"
+#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
 

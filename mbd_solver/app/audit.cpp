@@ -1,0 +1,460 @@
+#include "mbd_solver/app/audit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/app/check_command.h"
+#include "mbd_solver/app/run_command.h"
+#include "mbd_solver/base/made_files.h"
+#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/scene/script_text.h"
+
+namespace footfall {
+namespace {
+
+using Row = std::vector<std::string>;
+
+// Calls `take` with the cells of every line behind the first, whose number of cells they have.
+Row for_each_line(const std::string& path, const std::function<void(const Row&, const std::string&)>& take) {
+  std::ifstream file(path);
+  std::string line;
+  if (!file || !std::getline(file, line))
+    throw InputError(path + ": cannot be read; expected what an audited run writes (footfall audit SCENE)");
+  const Row names = split(line, ',');
+  for (int number = 2; std::getline(file, line); ++number) {
+    const Row cells = split(line, ',');
+    const std::string where = path + ":" + std::to_string(number) + ": ";
+    if (cells.size() != names.size())
+      throw InputError(where + "has " + std::to_string(cells.size()) + " values, expected " +
+                       std::to_string(names.size()));
+    take(cells, where);
+  }
+  return names;
+}
+
+double number(const std::string& text, const std::string& where) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value))
+    throw InputError(where + "\"" + text.substr(0, 40) + "\", expected a finite number");
+  return value;
+}
+
+Eigen::Vector3d vector(const Row& cells, std::size_t at, const std::string& where) {
+  return {number(cells[at], where), number(cells[at + 1], where), number(cells[at + 2], where)};
+}
+
+}  // namespace
+
+const AuditSource& AuditWindow::find(const std::string& kind, const std::string& name) const {
+  for (const AuditSource& source : sources)
+    if (source.kind == kind && source.name == name) return source;
+  throw InputError("the audit has no " + kind + " of \"" + name + "\" in window " + std::to_string(this->number));
+}
+
+GrainsAudit read_grains_audit(const std::string& path) {
+  GrainsAudit audit;
+  for_each_line(path, [&audit](const Row& cells, const std::string& where) {
+    if (cells.size() != 11) throw InputError(where + "expected eleven values");
+    const long window = std::lround(number(cells[0], where));
+    AuditSource one;
+    one.kind = cells[1];
+    one.name = cells[2];
+    one.linear = vector(cells, 3, where);
+    one.angular = vector(cells, 6, where);
+    one.force = number(cells[9], where);
+    one.moment = number(cells[10], where);
+    if (one.kind == "clock") {
+      AuditWindow& next = audit.windows.emplace_back();
+      next.number = window;
+      next.end = one.linear.x();
+      next.length = one.linear.y();
+      next.substeps = one.angular.x();
+      next.periodic = static_cast<int>(one.angular.z());
+      return;
+    }
+    if (window < 0) {
+      if (one.kind == "state") audit.start = one;
+      if (one.kind == "energy") audit.start_energy = one.linear, audit.start_count = one.linear.z();
+      return;
+    }
+    if (audit.windows.empty() || audit.windows.back().number != window)
+      throw InputError(where + "window " + std::to_string(window) + " has not begun");
+    AuditWindow& now = audit.windows.back();
+    if (one.kind == "state") {
+      now.state = one;
+    } else if (one.kind == "energy") {
+      now.energy = one.linear;
+      now.count = one.linear.z();
+    } else {
+      now.sources.push_back(one);
+    }
+  });
+  return audit;
+}
+
+MechanismAudit read_mechanism_audit(const std::string& path) {
+  MechanismAudit audit;
+  std::vector<Row> lines;
+  const Row names = for_each_line(path, [&](const Row& cells, const std::string& where) {
+    for (const std::string& text : cells) number(text, where);
+    lines.push_back(cells);
+  });
+  constexpr std::size_t kOwn = 11, kPerBody = 7;  // columns
+  for (const Row& cells : lines) {
+    MechanismRow& row = audit.rows.emplace_back();
+    row.time = number(cells[0], path);
+    row.momentum = vector(cells, 1, path);
+    row.size = number(cells[4], path);
+    row.mass = number(cells[5], path);
+    row.gravity = vector(cells, 6, path);
+    audit.free = cells[9] == "1";
+    audit.reacts = cells[10] == "1";
+    for (std::size_t at = kOwn; at + kPerBody <= cells.size(); at += kPerBody) {
+      const std::string body = names[at].substr(0, names[at].rfind('.'));
+      row.loads[body] = {vector(cells, at, path), vector(cells, at + 3, path), number(cells[at + 6], path)};
+    }
+  }
+  return audit;
+}
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+// Round-off: every half step rounds the velocity of every grain, and every contact its force.
+constexpr double kRoundingsPerStep = 4.0, kRoundingsOfForce = 100.0;
+// Lengths of windows that differ by less are the same: sums of many time steps.
+constexpr double kSameMoment = 1e-9;
+
+// Linear, or angular about the origin.
+struct Impulse {
+  Vector3d value = Vector3d::Zero();
+  double size = 0.0;  // integral of the magnitude
+};
+
+// Collects one line over the windows.
+class LineMaker {
+ public:
+  LineMaker(std::string quantity, std::string unit) {
+    line_.quantity = std::move(quantity);
+    line_.unit = std::move(unit);
+  }
+  // `flowed`: what the bound is relative to.
+  void take(long window, double defect, double flowed, double relative_bound, double round_off) {
+    if (flowed <= 0.0 && defect <= round_off) return;  // nothing flowed
+    const double bound = relative_bound * flowed + round_off;
+    const double excess = bound > 0.0 ? defect / bound : std::numeric_limits<double>::infinity();
+    if (line_.verdict != AuditVerdict::kNotExercised && excess <= excess_) return;
+    excess_ = excess;
+    line_.defect = defect;
+    line_.flowed = flowed;
+    line_.relative = flowed > 0.0 ? defect / flowed : 0.0;
+    line_.bound = bound;
+    line_.window = window;
+    line_.verdict = excess <= 1.0 ? AuditVerdict::kHolds : AuditVerdict::kWrong;
+  }
+  void leave_out(const std::string& why) {
+    line_.verdict = AuditVerdict::kNotChecked;
+    line_.note = why;
+  }
+  AuditLine line() const { return line_; }
+
+ private:
+  AuditLine line_;
+  double excess_ = -1.0;
+};
+
+// The components of an angular momentum that periodic directions leave alone: a grain, or a force, that passes over to
+// the other side changes the others by an arm of a period.
+Vector3d whole_components(int periodic) {
+  switch (periodic) {
+    case 0: return Vector3d::Ones();
+    case 1: return Vector3d::UnitX();
+    case 2: return Vector3d::UnitY();
+    case 4: return Vector3d::UnitZ();
+    default: return Vector3d::Zero();
+  }
+}
+
+// Sum over all sources of one kind in a window.
+Impulse sum_of(const AuditWindow& window, const std::string& kind, bool angular) {
+  Impulse sum;
+  for (const AuditSource& source : window.sources) {
+    if (source.kind != kind) continue;
+    sum.value += angular ? source.angular : source.linear;
+    sum.size += angular ? source.moment : source.force;
+  }
+  return sum;
+}
+
+// What does not depend on linear or angular.
+struct Scales {
+  double flowed, round_off;
+};
+Scales scales_of(const AuditWindow& window, bool angular) {
+  Scales scales{sum_of(window, "body_wall", angular).size, 0.0};
+  double all = 0.0;
+  for (const char* kind : {"pairs", "gravity", "wall", "body_wall", "fix", "held", "body"})
+    all += sum_of(window, kind, angular).size;
+  const double size = angular ? window.state.moment : window.state.force;
+  scales.round_off = kEps * (kRoundingsPerStep * (window.substeps + 2.0) * size + kRoundingsOfForce * all);
+  return scales;
+}
+
+void balance_of_grains(const GrainsAudit& grains, bool angular, std::vector<AuditLine>& lines) {
+  const std::string what = angular ? "angular" : "linear", unit = angular ? "N m s" : "N s";
+  LineMaker balance("grains: " + what + " momentum", unit), walls("walls of bodies: " + what + " impulse", unit),
+      pairs("grains on each other: " + what, unit), gravity("gravity: " + what + " impulse", unit);
+  const AuditSource* before = &grains.start;
+  double count = grains.start_count;
+  std::string insertion;
+  for (const AuditWindow& window : grains.windows) {
+    const Vector3d mask = angular ? whole_components(window.periodic) : Vector3d(Vector3d::Ones());
+    const auto size = [&mask](const Vector3d& v) { return mask.cwiseProduct(v).norm(); };
+    const auto sum = [&](const char* kind) { return sum_of(window, kind, angular); };
+    const Scales scales = scales_of(window, angular);
+    const Impulse of_pairs = sum("pairs"), of_gravity = sum("gravity"), weight = sum("weight"), body = sum("body");
+    const Vector3d got =
+        of_pairs.value + of_gravity.value + sum("wall").value + sum("fix").value + sum("held").value - body.value;
+    const Vector3d change =
+        angular ? Vector3d(window.state.angular - before->angular) : Vector3d(window.state.linear - before->linear);
+    if (count == window.count) {
+      balance.take(window.number, size(change - got), scales.flowed, kAuditBound, scales.round_off);
+    } else {
+      insertion = "grains came or went; windows in which they did are left out";
+    }
+    walls.take(window.number, size(sum("body_wall").value + body.value), scales.flowed, kAuditBound, scales.round_off);
+    // The grains on both sides of a period share one contact with two arms.
+    if (!angular || window.periodic == 0)
+      pairs.take(window.number, of_pairs.value.norm(), of_pairs.size, kAuditBound, 0.0);
+    gravity.take(window.number, (of_gravity.value - weight.value).norm(), of_gravity.size, kAuditBound, 0.0);
+    before = &window.state;
+    count = window.count;
+  }
+  const int periodic = grains.windows.empty() ? 0 : grains.windows.front().periodic;
+  if (angular && whole_components(periodic).isZero(0.0)) {
+    for (LineMaker* line : {&balance, &walls}) line->leave_out("two directions are periodic");
+  }
+  if (angular && periodic != 0) pairs.leave_out("a direction is periodic");
+  for (const LineMaker* maker : {&balance, &walls, &pairs, &gravity}) lines.push_back(maker->line());
+  if (!insertion.empty()) lines[lines.size() - 4].note = insertion;
+}
+
+// What each body got, on its way from the contacts into the integrator.
+void ways_of_loads(const GrainsAudit& grains, const MechanismAudit& mechanism, std::vector<AuditLine>& lines) {
+  LineMaker impulse("load: impulse, counted and sent", "N s"), force("load: mean force, counted and sent", "N s"),
+      moment("load: mean moment, counted and sent", "N m s"), felt("load: sent and felt", "N s");
+  for (std::size_t k = 0; k < grains.windows.size(); ++k) {
+    const AuditWindow& window = grains.windows[k];
+    const double linear = kEps * kRoundingsOfForce * sum_of(window, "body_wall", false).size,
+                 angular = kEps * kRoundingsOfForce * sum_of(window, "body_wall", true).size;
+    for (const AuditSource& body : window.sources) {
+      if (body.kind != "body") continue;
+      const AuditSource &mean = window.find("mean", body.name), &load = window.find("load", body.name),
+                        &sent = window.find("impulse", body.name);
+      impulse.take(window.number, (sent.linear - body.linear).norm(), body.force, kAuditBound, linear);
+      force.take(window.number, (load.linear - mean.linear).norm(), body.force, kAuditBound, linear);
+      moment.take(window.number, (load.angular - mean.angular).norm(), mean.moment, kAuditBound, angular);
+      if (k + 1 >= mechanism.rows.size()) continue;
+      const MechanismLoad& got = mechanism.rows[k + 1].loads.at(body.name);
+      const double H = window.length;
+      felt.take(window.number, (H * got.F_W - load.linear).norm() + (H * got.T_B - load.angular).norm(),
+                load.linear.norm() + load.angular.norm(), kAuditBound, 0.0);
+    }
+  }
+  for (const LineMaker* maker : {&impulse, &force, &moment, &felt}) lines.push_back(maker->line());
+}
+
+void balance_of_mechanism(const GrainsAudit& grains, const MechanismAudit& mechanism, std::vector<AuditLine>& lines) {
+  LineMaker momentum("mechanism: linear momentum", "N s");
+  for (std::size_t k = 1; k < mechanism.rows.size() && k <= grains.windows.size(); ++k) {
+    const MechanismRow &from = mechanism.rows[k - 1], &to = mechanism.rows[k];
+    // The scene may end within a step of the grains: the last window is theirs to the nearest whole step.
+    const double whole = grains.windows[k - 1].length, moved = to.time - from.time;
+    const bool cut = k + 1 == mechanism.rows.size() && std::abs(moved - whole) > kSameMoment * whole;
+    const double H = cut ? moved : whole;
+    Vector3d got = H * to.mass * to.gravity;
+    double flowed = got.norm();
+    for (const auto& [name, load] : to.loads) {
+      got += H * load.F_W;
+      flowed += H * load.F_W.norm();
+    }
+    momentum.take(grains.windows[k - 1].number, (to.momentum - from.momentum - got).norm(), flowed, kMechanismBound,
+                  kEps * kRoundingsOfForce * to.size);
+  }
+  if (!mechanism.free) momentum.leave_out("the ground holds it, drives it, or forces are applied to it");
+  if (mechanism.reacts) momentum.leave_out("with scheme tangent the load moves with the body within the window");
+  lines.push_back(momentum.line());
+}
+
+// Work that bodies did on the grains, and what became of it. Elastic energy of contacts is not known to LIGGGHTS: it
+// stands in what is called lost here, which may therefore fall.
+void energies(const GrainsAudit& grains, const MechanismAudit& mechanism, std::vector<AuditLine>& lines) {
+  AuditLine lost, gap;
+  lost.quantity = "grains: energy that came back from contacts";
+  lost.note = "elastic energy of contacts: stored before, or made";
+  gap.quantity = "interface: work given and received";
+  gap.note = "of the scheme; summary.json judges it";
+  double sum = 0.0, most = 0.0, flow = 0.0, given = 0.0, work_flow = 0.0;
+  const Vector3d* before = &grains.start_energy;
+  for (const AuditWindow& window : grains.windows) {
+    double work = 0.0;
+    for (const AuditSource& source : window.sources)
+      if (source.kind == "impulse") work += source.angular.x();
+    const double change = window.energy.x() - before->x() - (window.energy.y() - before->y());
+    if (window.count == before->z()) {
+      sum += -work - change;
+      flow += std::abs(work) + std::abs(window.energy.x() - before->x());
+    }
+    given += work;
+    work_flow += std::abs(work);
+    most = std::max(most, sum);
+    if (most - sum > lost.defect) lost.defect = most - sum, lost.window = window.number;
+    before = &window.energy;
+  }
+  double received = 0.0;
+  if (!mechanism.rows.empty())
+    for (const auto& [name, load] : mechanism.rows.back().loads) received += load.received;
+  gap.defect = std::abs(given - received);
+  const std::array<std::pair<AuditLine*, double>, 2> both{{{&lost, flow}, {&gap, work_flow}}};
+  for (const auto& [line, flowed] : both) {
+    line->unit = "J";
+    line->flowed = flowed;
+    line->relative = flowed > 0.0 ? line->defect / flowed : 0.0;
+    line->verdict = flowed > 0.0 ? AuditVerdict::kTold : AuditVerdict::kNotExercised;
+    lines.push_back(*line);
+  }
+}
+
+std::string entry_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+}  // namespace
+
+std::string verdict_text(AuditVerdict verdict) {
+  switch (verdict) {
+    case AuditVerdict::kHolds: return "holds";
+    case AuditVerdict::kWrong: return "WRONG";
+    case AuditVerdict::kNotExercised: return "nothing flowed";
+    case AuditVerdict::kNotChecked: return "not checked";
+    case AuditVerdict::kTold: return "told";
+  }
+  return "";
+}
+
+std::vector<AuditLine> audit_lines(const std::string& folder) {
+  return audit_lines(read_grains_audit(folder + "/grains.csv"), read_mechanism_audit(folder + "/mechanism.csv"));
+}
+
+std::vector<AuditLine> audit_lines(const GrainsAudit& grains, const MechanismAudit& mechanism) {
+  std::vector<AuditLine> lines;
+  balance_of_grains(grains, false, lines);
+  balance_of_grains(grains, true, lines);
+  ways_of_loads(grains, mechanism, lines);
+  balance_of_mechanism(grains, mechanism, lines);
+  energies(grains, mechanism, lines);
+  return lines;
+}
+
+std::string audit_table(const std::vector<AuditLine>& lines) {
+  std::vector<std::vector<std::string>> rows = {
+      {"quantity", "unit", "worst defect", "of what flowed", "window", "bound", "verdict"}};
+  std::vector<std::string> notes;
+  int holds = 0, wrong = 0;
+  for (const AuditLine& line : lines) {
+    const bool measured = line.verdict == AuditVerdict::kHolds || line.verdict == AuditVerdict::kWrong;
+    const bool told = line.verdict == AuditVerdict::kTold;
+    rows.push_back({line.quantity, line.unit, measured || told ? entry_text(line.defect) : "-",
+                    measured || told ? entry_text(line.relative) : "-",
+                    line.window >= 0 && (measured || told) ? std::to_string(line.window) : "-",
+                    measured ? entry_text(line.bound) : "-", verdict_text(line.verdict)});
+    if (!line.note.empty()) notes.push_back(line.quantity + ": " + line.note);
+    holds += line.verdict == AuditVerdict::kHolds ? 1 : 0;
+    wrong += line.verdict == AuditVerdict::kWrong ? 1 : 0;
+  }
+  std::vector<std::size_t> width(rows[0].size(), 0);
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
+  std::string text;
+  for (const auto& row : rows) {
+    std::string one;
+    for (std::size_t c = 0; c < row.size(); ++c) one += row[c] + std::string(width[c] + 2 - row[c].size(), ' ');
+    text += one.substr(0, one.find_last_not_of(' ') + 1) + "\n";
+  }
+  for (const std::string& note : notes) text += "note: " + note + "\n";
+  return text + "audit: " + std::to_string(holds) + " quantities hold, " + std::to_string(wrong) + " are wrong\n";
+}
+
+bool audit_holds(const std::vector<AuditLine>& lines) {
+  return std::none_of(lines.begin(), lines.end(),
+                      [](const AuditLine& line) { return line.verdict == AuditVerdict::kWrong; });
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Length of a window [s], as the script says; 0 where only LIGGGHTS knows.
+double window_length(const Scene& scene) {
+  const ParticlesSpec& particles = *scene.particles;
+  const ScriptText script(particles.script, particles.variables);
+  double dt = 0.0, n = 0.0;
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    if (w[0] == "timestep" && w.size() > 1) dt = std::atof(w[1].c_str());
+    if (w[0] != "fix" || w.size() < 6 || w[3] != "couple/mbd") continue;
+    n = w[5] == "auto" ? scene.coupling.max_substeps : std::atof(w[5].c_str());
+  }
+  return dt * n;
+}
+
+}  // namespace
+
+int audit_command(const AuditArguments& arguments) {
+  RunArguments run = arguments.run;
+  std::vector<std::string> settings = run.settings;
+  if (!run.scheme.empty()) settings.push_back("coupling.scheme=\"" + run.scheme + "\"");
+  const Scene scene = checked_scene(run.scene, settings);
+  if (!scene.touches_particles())
+    throw InputError(scene.file + ": ground.kind is not \"particles\": without grains there is nothing to audit");
+  if (run.until <= 0.0) {
+    const double H = window_length(scene);
+    if (H <= 0.0)
+      throw InputError(scene.particles->script +
+                       ": only LIGGGHTS knows how long its windows are; say how far to go: --until SECONDS");
+    run.until = arguments.windows * H;
+  }
+  run.audit = true;
+  run.quiet = true;
+  run.settings.emplace_back("output.plots=false");
+  if (run.out.empty()) run.out = new_run_folder("audit");
+  std::printf("audit: %s to t = %g s, in %s\n", short_path(scene.file).c_str(), run.until, run.out.c_str());
+  std::fflush(stdout);
+  if (const int code = run_command(run); code != kExitDone) return code;
+  const fs::path out = run.out;
+  const std::vector<AuditLine> lines = audit_lines((out / "audit").string());
+  const std::string table = audit_table(lines);
+  const MadeFiles made(run.out);
+  write_whole_file((out / "audit.txt").string(), table);
+  std::printf("%s", table.c_str());
+  return audit_holds(lines) ? kExitDone : kExitFailed;
+}
+
+}  // namespace footfall

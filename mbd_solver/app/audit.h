@@ -1,0 +1,114 @@
+#pragma once
+// The two files of an audited run, read back.
+
+#include <Eigen/Dense>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/app/run_command.h"
+
+namespace footfall {
+
+// One line of grains.csv (liggghts_fix/fix_couple_mbd_audit.h says what stands there).
+struct AuditSource {
+  std::string kind, name;
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero();   // [N s]
+  Eigen::Vector3d angular = Eigen::Vector3d::Zero();  // [N m s]
+  double force = 0.0, moment = 0.0;                   // integrals of the magnitudes [N s, N m s]
+};
+
+struct AuditWindow {
+  long number = 0;
+  double end = 0.0, length = 0.0;  // [s]
+  double substeps = 0.0;
+  int periodic = 0;  // directions: 1 x, 2 y, 4 z
+  double count = 0.0;
+  AuditSource state;                                 // at its end
+  Eigen::Vector3d energy = Eigen::Vector3d::Zero();  // kinetic, m g . x [J], count; at its end
+  std::vector<AuditSource> sources;
+
+  // Throws InputError when there is none.
+  const AuditSource& find(const std::string& kind, const std::string& name) const;
+};
+
+struct GrainsAudit {
+  AuditSource start;
+  Eigen::Vector3d start_energy = Eigen::Vector3d::Zero();
+  double start_count = 0.0;
+  std::vector<AuditWindow> windows;
+};
+
+struct MechanismLoad {
+  Eigen::Vector3d F_W = Eigen::Vector3d::Zero();  // mean of the window that ends here [N]
+  Eigen::Vector3d T_B = Eigen::Vector3d::Zero();  // about Bo [N m]
+  double received = 0.0;                          // work since the start [J]
+};
+
+struct MechanismRow {
+  double time = 0.0;                                   // [s]
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  // [N s]
+  double size = 0.0;                                   // sum of |m v| [N s]
+  double mass = 0.0;                                   // [kg]
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();   // [m/s2]
+  std::map<std::string, MechanismLoad> loads;          // by body
+};
+
+struct MechanismAudit {
+  bool free = false, reacts = false;
+  std::vector<MechanismRow> rows;  // at the start, and after every window
+};
+
+// Both throw InputError "file:line: ...".
+GrainsAudit read_grains_audit(const std::string& path);
+MechanismAudit read_mechanism_audit(const std::string& path);
+
+// Does what the grains lost agree with what mechanism, walls and gravity got? From the two files that both programs of an
+// audited run write (liggghts_fix/fix_couple_mbd_audit.h, mbd_solver/observe/momentum_record.h). docs/audit.md.
+
+enum class AuditVerdict {
+  kHolds,
+  kWrong,
+  kNotExercised,  // nothing flowed
+  kNotChecked,    // cannot be known; `note` says why
+  kTold           // a figure without a bound
+};
+std::string verdict_text(AuditVerdict verdict);
+
+// One line of the table: of all windows the one that is farthest out, measured by its own bound.
+struct AuditLine {
+  std::string quantity;
+  std::string unit;
+  double defect = 0.0;    // in that window [unit]
+  double flowed = 0.0;    // what was exchanged in that window [unit]
+  double relative = 0.0;  // defect over flowed; 0 where nothing flowed
+  double bound = 0.0;     // of `defect` [unit]
+  long window = -1;       // -1: of the whole run
+  AuditVerdict verdict = AuditVerdict::kNotExercised;
+  std::string note;
+};
+
+// Largest defect over what bodies and grains exchanged; round-off of the sums over all grains is added to it.
+inline constexpr double kAuditBound = 1e-10;
+// Of the momentum of the mechanism, which has the errors of its time integration as well.
+inline constexpr double kMechanismBound = 1e-6;
+
+// folder: that of the audit (grains.csv, mechanism.csv). Throws InputError when a file is missing or no such file.
+std::vector<AuditLine> audit_lines(const std::string& folder);
+std::vector<AuditLine> audit_lines(const GrainsAudit& grains, const MechanismAudit& mechanism);
+
+// As a table for people; its last line says what it comes to.
+std::string audit_table(const std::vector<AuditLine>& lines);
+bool audit_holds(const std::vector<AuditLine>& lines);
+
+// footfall audit: a short coupled run in which both programs count what they exchange, and a table of what agrees.
+
+struct AuditArguments {
+  RunArguments run;   // `until` 0: `windows` of them
+  int windows = 200;  // of the coupling, from the start
+};
+
+// Exit code 0 when every quantity holds, 1 when one does not; otherwise that of the run. Throws InputError.
+int audit_command(const AuditArguments& arguments);
+
+}  // namespace footfall

@@ -1,0 +1,277 @@
+#include "mbd_solver/app/check_command.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "coupler/base/clock.h"
+#include "coupler/base/errors.h"
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "coupler/interrupt.h"
+#include "coupler/programs.h"
+#include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/run_command.h"
+#include "mbd_solver/base/lock.h"
+#include "mbd_solver/bed/bed.h"
+#include "mbd_solver/bed/bed_report.h"
+#include "mbd_solver/bed/liggghts_log.h"
+#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/model/controllers/control_surface.h"
+#include "mbd_solver/observe/start_values.h"
+#include "mbd_solver/output/summary.h"
+#include "mbd_solver/scene/boundary_surface.h"
+#include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/scene_reader.h"
+
+namespace footfall {
+namespace {
+
+// What only building the mechanism finds. A message that does not start with a file gets the scene's.
+void check_by_building(Scene scene) {
+  // The bed may not be made yet: any height will do to see whether the mechanism can be built.
+  const bool unknown_height =
+      scene.touches_particles() && scene.particles->grains.empty() && !scene.particles->surface_height;
+  if (unknown_height) scene.particles->surface_height = 0.0;
+  try {
+    for (const BoundarySpec& boundary : scene.boundaries) {
+      if (boundary.surface && !boundary.surface->file.empty()) boundary_surface(scene, boundary);
+    }
+    Mechanism mechanism = build_mechanism(scene);
+    for (const std::string& warning : mechanism.warnings)
+      std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
+    demand_inside_box(scene, mechanism);
+    demand_values_at_start(scene, !unknown_height, mechanism);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    throw InputError(what.front() == '/' || names_a_place(scene.file, what) ? what : scene.file + ": " + what);
+  }
+}
+
+}  // namespace
+
+Scene checked_scene(const std::string& argument, const std::vector<std::string>& settings) {
+  const Scene scene = read_scene(argument, settings);
+  check_by_building(scene);  // its warnings begin with those of the scene
+  return scene;
+}
+
+int check_command(const std::string& argument, const std::vector<std::string>& settings) {
+  const Scene scene = checked_scene(argument, settings);
+  const char* grounds[] = {"no ground", "a rigid plane", "particles"};
+  double mass = 0.0;
+  for (const BodySpec& body : scene.bodies) mass += body.mass;
+  std::printf(
+      "%s: good. %zu bodies (%g kg), %zu joints, %zu struts, %zu springs, %zu controllers, %zu boundaries on %s.\n",
+      scene.file.c_str(), scene.bodies.size(), mass, scene.joints.size(), scene.struts.size(), scene.springs.size(),
+      scene.controllers.size(), scene.boundaries.size(), grounds[static_cast<int>(scene.ground.kind)]);
+  if (scene.touches_particles())
+    std::fputs((scene.particles->box ? box_report(scene) : script_report(scene)).c_str(), stdout);
+  return kExitDone;
+}
+
+namespace {
+
+constexpr double kFewest = 0.25;  // of the steps of the trial
+constexpr double kGrown = 0.8;    // steps per simulated second, of those before: below it they have grown
+
+}  // namespace
+
+RunTime expected_run_time(const nlohmann::ordered_json& trial, double t_end) {
+  const auto at = [&](const char* what, std::size_t mark) { return trial.at(what).at(mark).get<double>(); };
+  const auto late = [&](const char* what) { return at(what, 2) - at(what, 1); };
+  const auto early = [&](const char* what) { return at(what, 1) - at(what, 0); };
+  const double rest = std::max(0.0, t_end - at("time_s", 2)) / late("time_s");  // in second halves of the trial
+  const double grains = late("dem_wall_s") * rest;
+  const double grains_early =
+      early("time_s") > 0.0 ? early("dem_wall_s") / early("time_s") * late("time_s") * rest : grains;
+  const double most = std::max(0.0, late("wall_s") - late("dem_wall_s")) * rest;
+  const double share = late("steps") > 0.0 ? std::clamp(late("windows") / late("steps"), kFewest, 1.0) : 1.0;
+  const bool grown = late("steps") * early("time_s") < kGrown * early("steps") * late("time_s");
+  const double so_far = at("wall_s", 2);
+  RunTime time;
+  time.seconds = so_far + grains + (grown ? std::sqrt(share) * most : most);
+  time.least = so_far + std::min(grains, grains_early) + share * most;
+  time.most = so_far + std::max(grains, grains_early) + most;
+  time.share_of_grains = (at("dem_wall_s", 2) + grains) / time.seconds;
+  return time;
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 99.5) return number_text(seconds, 2) + " s";
+  if (seconds < 99.5 * 60.0) return number_text(seconds / 60.0, 2) + " min";
+  const double hours = seconds / 3600.0;
+  return (hours < 99.5 ? number_text(hours, 2) : fixed_text(hours, 0)) + " h";
+}
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// A folder of our own that is gone with this.
+class TrialFolder {
+ public:
+  TrialFolder() {
+    std::string name = (fs::temp_directory_path() / "footfall_trial_XXXXXX").string();
+    if (!mkdtemp(name.data()))
+      throw InputError(name + ": no such folder can be made; set TMPDIR to a folder that may be written");
+    path_ = name;
+  }
+  ~TrialFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TrialFolder(const TrialFolder&) = delete;
+  TrialFolder& operator=(const TrialFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+void print_coupling(const Json& summary) {
+  std::printf("  %ld grains, time step %g s, ", summary.at("particles").get<long>(),
+              summary.at("dt_dem_s").get<double>());
+  const Json& substeps = summary.at("substeps_per_window");
+  std::printf("%s per window\n",
+              substeps.is_number() ? (substeps.dump() + " steps").c_str() : "as many steps as it needs");
+  std::string body;
+  double largest = 0.0;
+  const Json by_body = summary.value("max_omega_h", Json::object());
+  for (const auto& [name, value] : by_body.items())
+    if (value.get<double>() > largest) {
+      largest = value.get<double>();
+      body = name;
+    }
+  if (body.empty()) {
+    std::printf("  omega H: no body has touched grains so far\n");
+  } else {
+    std::printf("  omega H: up to %.2g so far (%s); overlaps up to %s of the radius\n", largest, body.c_str(),
+                share_text(summary.at("max_overlap_over_radius").get<double>()).c_str());
+  }
+}
+
+void print_time(const Json& summary, double t_end, double started, double memory) {
+  const double reached = summary.at("end_time_s").get<double>();
+  const double wall = summary.at("wall_s").get<double>();
+  if (summary.at("status") == "done") {
+    std::printf("Run time: %s; that was the whole run\n", duration_text(started + wall).c_str());
+  } else {
+    const RunTime time = expected_run_time(summary.at("trial"), t_end);
+    std::printf("Run time: about %s (%s to %s) as busy as this machine is now; tried for %s, to t = %g of %g s\n",
+                duration_text(started + time.seconds).c_str(), duration_text(started + time.least).c_str(),
+                duration_text(started + time.most).c_str(), duration_text(wall).c_str(), reached, t_end);
+    if (summary.contains("particles"))
+      std::printf("  %s of it for LIGGGHTS\n", share_text(time.share_of_grains).c_str());
+  }
+  std::printf("  memory: %.0f MB in all programs\n", memory / 1e6);
+}
+
+}  // namespace
+
+int trial_command(const RunArguments& given, double seconds) {
+  end_on_signals("footfall");
+  RunArguments arguments = given;
+  const Scene scene = read_scene(arguments.scene, arguments.settings);
+  if (scene.touches_particles() && scene.particles->bed && !bed_is_made(bed_folder(*scene.particles->bed))) {
+    std::printf("Run time: not known before the bed is made: %s run %s --until %g makes and keeps it\n",
+                called_as().c_str(), short_path(scene.file).c_str(), 1e-3 * scene.end_time);
+    return kExitDone;
+  }
+  const TrialFolder folder;
+  arguments.out = (folder.path() / "run").string();
+  arguments.quiet = true;
+  arguments.keep_every = 0.0;
+  RunPlan plan = new_run(arguments);
+  Command& command = plan.command;
+  command.words.insert(command.words.end(), {"--try-for", number_text(seconds)});
+  command.environment[kLockedFolder] = locked_name(plan.out);
+  command.output = (folder.path() / "said").string();
+  leave_time_to_end(command);
+
+  double memory = 0.0;
+  const double begun = wall_clock();
+  StoppedWatch stopped(scene.coupling.timeout);
+  const ChildEnd end = run_child(command, kMechanismProgram, [&] {
+    memory = std::max(memory, memory_of_descendants());
+    return stopped();
+  });
+  if (end.interrupted) return kExitInterrupted;
+  const fs::path summary_file = fs::path(plan.out) / "summary.json";
+  const std::string errors = liggghts_errors(plan.log);
+  const Json summary = fs::exists(summary_file) ? read_summary(summary_file.string()) : Json::object();
+  const std::string status = with_summary_of(plan.out, [&] { return summary.value("status", ""); });
+  if (!errors.empty() || (status != "done" && status != "interrupted")) {
+    std::string why;
+    if (!errors.empty())
+      why = ": LIGGGHTS stopped at " +
+            why_liggghts_stopped(plan.log, scene.particles->script, scene.particles->variables);
+    std::fprintf(stderr, "%sfootfall: the trial failed%s\n", read_whole_file(command.output).value_or("").c_str(),
+                 why.c_str());
+    return !errors.empty() || end.code == kExitBadInput ? kExitBadInput : kExitFailed;
+  }
+  with_summary_of(plan.out, [&] {
+    // How a trial ends is no part of a run.
+    const Json& trial = summary.at("trial");
+    const double started = trial.is_null() ? 0.0 : std::max(0.0, trial.at("begun").get<double>() - begun);
+    print_time(summary, scene.end_time, started, memory);
+    if (summary.contains("particles")) print_coupling(summary);
+    return 0;
+  });
+  return kExitDone;
+}
+
+namespace {
+
+struct Input {
+  const char* name;
+  const char* axis;
+};
+constexpr Input kAcceleration{"a", "a [g]"};
+constexpr Input kAgainst[] = {{"da", "da [g in 0.1 s]"}, {"alpha", "alpha (pitch) [deg]"}};
+
+std::vector<std::string> write_scripts(const ControllerSpec& controller, const std::string& out) {
+  const FuzzySystem system(controller.file);
+  std::vector<std::string> scripts;
+  for (int output : {0, 2}) {
+    if (output >= system.output_count()) continue;
+    const std::string voltage = "U" + std::to_string(output + 1);
+    for (const Input& second : kAgainst) {
+      const ControlSurface surface = control_surface(system, output, kAcceleration.name, second.name);
+      SurfacePicture picture{controller.name + "_" + voltage + "_a_" + second.name,
+                             voltage + " of " + controller.name,
+                             kAcceleration.axis,
+                             second.axis,
+                             voltage + " [-]",
+                             surface.first,
+                             surface.second,
+                             surface.voltage};
+      scripts.push_back(write_surface_script(out, picture));
+    }
+  }
+  return scripts;
+}
+
+}  // namespace
+
+int surfaces_command(const std::string& scene_argument, const std::vector<std::string>& settings,
+                     const std::string& out) {
+  const Scene scene = read_scene(scene_argument, settings);
+  std::vector<std::string> scripts;
+  for (const ControllerSpec& controller : scene.controllers) {
+    if (controller.kind != ControllerKind::kFuzzy) continue;
+    const std::vector<std::string> more = write_scripts(controller, out);
+    scripts.insert(scripts.end(), more.begin(), more.end());
+  }
+  if (scripts.empty())
+    throw InputError(scene.file + ": controllers: none is of kind \"fuzzy\"; there is no surface to show");
+  for (const std::string& picture : run_gnuplot(out, scripts)) std::printf("%s\n", short_path(picture).c_str());
+  return kExitDone;
+}
+
+}  // namespace footfall

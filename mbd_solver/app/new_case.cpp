@@ -1,0 +1,171 @@
+#include "mbd_solver/app/new_case.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/scene/shipped_files.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Scenes of inputs/ that --from knows; the examples are found by their folders.
+constexpr const char* kOfInputs[][2] = {{"lander", "inputs/landing_mr"}, {"drop", "inputs/dropped_sphere"}};
+
+// What a case does not need: pictures and the scripts that draw them, and the page about the example itself.
+bool is_left_out(const fs::path& file) {
+  const std::string ending = file.extension().string();
+  return ending == ".png" || ending == ".gp" || ending == ".sh" || ending == ".md";
+}
+
+bool is_text(const fs::path& file) {
+  const std::string name = file.filename().string(), ending = file.extension().string();
+  return ending == ".toml" || ending == ".lammps" || name.rfind("in.", 0) == 0;
+}
+
+std::string text_of(const fs::path& file) {
+  const std::optional<std::string> text = read_whole_file(file.string());
+  if (!text) throw InputError(file.string() + ": cannot be read; install footfall again");
+  return *text;
+}
+
+void replace_all(std::string& text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+}
+
+// "02_wheel" -> "wheel"
+std::string without_number(const std::string& name) {
+  std::size_t k = 0;
+  while (k < name.size() && std::isdigit(static_cast<unsigned char>(name[k]))) ++k;
+  return k > 0 && k < name.size() && name[k] == '_' ? name.substr(k + 1) : name;
+}
+
+std::string title_of(const fs::path& scene) {
+  constexpr const char* kTitle = "title = \"";
+  const std::string text = text_of(scene);
+  std::size_t from = text.find(kTitle);
+  if (from == std::string::npos) return scene.parent_path().filename().string();
+  from += std::string(kTitle).size();
+  return text.substr(from, text.find('"', from) - from);
+}
+
+CaseKind kind_in(const std::string& name, const std::string& folder) {
+  return {name, title_of(fs::path(shipped_file(folder)) / "scene.toml"), folder};
+}
+
+// Neighbours of the case's folder that its files name, as in "../regolith/in.bed", come along as folders within it.
+class Copy {
+ public:
+  Copy(fs::path source, fs::path target) : source_(std::move(source)), target_(std::move(target)) {}
+
+  // `shown`: how the scene's own comments name its folder, which becomes that of the copy.
+  void take(const std::string& shown, const std::string& command) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(source_)) {
+      if (!entry.is_regular_file() || is_left_out(entry.path())) continue;
+      if (!is_text(entry.path())) {
+        put(entry.path().filename(), text_of(entry.path()));
+        continue;
+      }
+      std::string text = text_of(entry.path());
+      for (const std::string& neighbour : neighbours_in(text)) {
+        replace_all(text, "../" + neighbour + "/", neighbour + "/");
+        take_folder(neighbour);
+      }
+      replace_all(text, "./footfall run " + shown, command + " run " + target_.string());
+      put(entry.path().filename(), text);
+    }
+  }
+
+ private:
+  std::vector<std::string> neighbours_in(const std::string& text) const {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(source_.parent_path())) {
+      const std::string name = entry.path().filename().string();
+      if (entry.is_directory() && text.find("../" + name + "/") != std::string::npos) names.push_back(name);
+    }
+    return names;
+  }
+
+  // As it is, with its own folders: what its files call "../OTHER/" is a folder of the copy, too.
+  void take_folder(const fs::path& name) {
+    if (fs::exists(target_ / name)) return;
+    make_folder((target_ / name).string(), "");
+    for (const fs::directory_entry& entry : fs::directory_iterator(source_.parent_path() / name)) {
+      if (entry.is_directory()) take_folder(name / entry.path().filename());
+      if (!entry.is_regular_file() || is_left_out(entry.path())) continue;
+      const std::string text = text_of(entry.path());
+      if (is_text(entry.path()))
+        for (const std::string& further : neighbours_in(text)) take_folder(further);
+      put(name / entry.path().filename(), text);
+    }
+  }
+
+  void put(const fs::path& name, const std::string& text) {
+    write_whole_file((target_ / name).string(), text, "choose a folder that can be written");
+  }
+
+  fs::path source_, target_;
+};
+
+void demand_new_folder(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  if (!is_plain_name(name))
+    throw InputError("footfall new: the name \"" + name +
+                     "\" has other characters than letters, digits and _ - . (or too many); LIGGGHTS takes its "
+                     "scripts apart at blanks and marks. Choose another name");
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(folder, error)))
+    throw InputError(folder.string() + ": is there already, and nothing is written over; choose another name");
+}
+
+}  // namespace
+
+std::vector<CaseKind> case_kinds() {
+  std::vector<CaseKind> kinds;
+  for (const fs::directory_entry& entry : fs::directory_iterator(shipped_file("examples"))) {
+    const std::string folder = entry.path().filename().string();
+    if (fs::exists(entry.path() / "scene.toml")) kinds.push_back(kind_in(without_number(folder), "examples/" + folder));
+  }
+  std::sort(kinds.begin(), kinds.end(), [](const CaseKind& a, const CaseKind& b) { return a.folder < b.folder; });
+  for (const auto& [name, folder] : kOfInputs) kinds.push_back(kind_in(name, folder));
+  return kinds;
+}
+
+void make_case(const std::string& given, const std::string& from) {
+  const std::vector<CaseKind> kinds = case_kinds();
+  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const CaseKind& k) { return k.name == from; });
+  if (kind == kinds.end()) {
+    std::vector<std::string> names;
+    for (const CaseKind& k : kinds) names.push_back(k.name);
+    throw InputError("footfall new --from " + from + ": there is no such case." + known_names("cases", from, names));
+  }
+  std::string name = given;
+  while (name.size() > 1 && name.back() == '/') name.pop_back();
+  const fs::path folder(name);
+  demand_new_folder(folder);
+  make_folder(folder.string(), "choose a folder that can be written");
+  try {
+    const fs::path source = shipped_file(kind->folder);
+    Copy(source, folder).take(kind->folder, called_as());
+    const std::string page = "# " + folder.filename().string() + ": " + kind->title + "\n" + called_as() + " check " +
+                             name + " says what is wrong with scene.toml, and " + called_as() + " run " + name +
+                             " runs it.\nA copy of " + source.string() +
+                             "; every key with its unit and default: " + shipped_file("inputs/reference/scene.toml") +
+                             "\n";
+    write_whole_file((folder / "README.md").string(), page, "choose a folder that can be written");
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+    throw;
+  }
+}
+
+}  // namespace footfall

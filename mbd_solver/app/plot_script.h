@@ -1,0 +1,106 @@
+#pragma once
+// What a curve shows, of the columns of a history.
+
+#include <Eigen/Dense>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mbd_solver/output/history.h"
+
+namespace footfall {
+
+// factor (constant + sum of c_i column_i), or factor times the norm of the columns.
+struct Formula {
+  std::vector<std::pair<double, std::string>> columns;  // c_i and the column's name
+  double constant = 0.0;
+  double factor = 1.0;
+  bool is_norm = false;
+
+  std::string gnuplot() const;                               // as gnuplot computes it, in parentheses
+  std::vector<double> values(const History& history) const;  // one per row; throws InputError for an unknown column
+};
+
+// Runs gnuplot.
+
+// What a script begins with that draws columns of CSV files by their names.
+inline constexpr const char* kCsv = "set datafile separator ','\nset datafile columnheaders\nset encoding utf8\n";
+
+struct PictureSize {
+  int width, height;  // [pixels]
+};
+
+// Writes NAME.gp into `folder`, which draws NAME.png and NAME.svg: `setup` once, then `drawing` for each. Returns
+// NAME.gp.
+std::string write_drawing(const std::string& folder, const std::string& name, const PictureSize& size,
+                          const std::string& setup, const std::string& drawing);
+
+// Runs the scripts in `folder`, where each makes NAME.png; returns these pictures. Throws InputError when gnuplot is
+// missing or fails.
+std::vector<std::string> run_gnuplot(const std::string& folder, const std::vector<std::string>& scripts);
+
+// Long histories as a picture can show them: of every span of time that is narrower than a pixel the lowest and the
+// highest value, so that no peak is lost.
+
+// Which rows stand for the time axis, two per span: first and last. All rows when there are few.
+std::vector<std::size_t> rows_to_draw(const std::vector<double>& time, std::size_t spans);
+
+// Values for these rows: the lowest and the highest of the span, in the order in which they come.
+std::vector<double> drawn_values(const std::vector<double>& values, const std::vector<std::size_t>& rows);
+
+// gnuplot scripts of figures. Each script stands in DIR/plots, reads ../history.csv or ../ledger.csv and draws itself as
+// PNG and SVG; a user can edit and rerun it.
+
+// Eight colours that people with any colour vision can tell apart (Okabe and Ito 2008, grey in place of yellow).
+inline constexpr int kSeriesColours = 8;
+std::string series_colour(int series);  // #rrggbb, of 0 ... kSeriesColours - 1
+
+struct Curve {
+  std::string title;
+  Formula formula;
+  std::string colour = "";  // #rrggbb; empty: the next of the cycle
+};
+
+struct Figure {
+  std::string name;  // file name without ending
+  std::string title;
+  std::string axis;  // label of the vertical axis, with unit
+  std::vector<Curve> curves;
+  std::string file = "../history.csv";  // from the script's folder
+  bool stacked = false;          // each curve is the upper edge of a band, which the one before bounds from below
+  double low = 0.0, high = 0.0;  // of the vertical axis; equal: as the data say
+};
+
+// Figures of a history with more rows than a picture can show draw NAME.csv in `folder` instead, which this writes: the
+// lowest and the highest value of each span of time. gnuplot needs minutes for long ones.
+void reduce_long_figures(std::vector<Figure>& figures, const History& history, const std::string& folder);
+
+// One script per figure and `overview.gp` with all of them on one page, in `folder`. Returns their file names. Throws
+// InputError when the folder cannot be written.
+std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures,
+                                            const std::string& title);
+
+// Several figures on one page, NAME.gp in `folder`; returns its file name. Throws as write_plot_scripts.
+struct PlotPage {
+  std::string name, title;
+  std::vector<Figure> figures;
+  int columns = 1;
+  int width = 900, height = 520;  // of the page [pixels]
+};
+std::string write_page_script(const std::string& folder, const PlotPage& page);
+
+// gnuplot scripts of surfaces z(x, y), as [Lin25 Figure 4] shows its control surfaces.
+
+struct SurfacePicture {
+  std::string name;  // file name without ending
+  std::string title;
+  std::string x_axis, y_axis, z_axis;
+  Eigen::VectorXd x, y;
+  Eigen::MatrixXd z;  // x by y
+};
+
+// NAME.dat and NAME.gp in `folder`; the script draws NAME.png and NAME.svg. Returns the script's file name. Throws
+// InputError when the folder cannot be written.
+std::string write_surface_script(const std::string& folder, const SurfacePicture& picture);
+
+}  // namespace footfall

@@ -1,0 +1,466 @@
+#include "mbd_solver/app/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/app/results.h"
+#include "mbd_solver/app/view_page.h"
+#include "mbd_solver/app/viewer_scripts.h"
+#include "mbd_solver/base/made_files.h"
+#include "mbd_solver/base/quote.h"
+#include "mbd_solver/output/history.h"
+#include "mbd_solver/output/summary.h"
+#include "mbd_solver/scene/script_text.h"
+
+namespace footfall {
+namespace {
+
+constexpr const char* kSheet =
+    "body{font:15px/1.5 sans-serif;color:#222;max-width:1000px;margin:2em auto;padding:0 1em}"
+    "h1{font-size:1.7em}h2{margin-top:2em;border-bottom:1px solid #ccc}table{border-collapse:collapse;margin:1em 0}"
+    "td,th{padding:.2em .8em;border-bottom:1px solid "
+    "#e4e4e4;text-align:left}td.n{text-align:right;font-variant-numeric:tabular-nums}"
+    "pre{background:#f6f6f4;padding:.8em;overflow-x:auto;font-size:12.5px;line-height:1.4}mark{background:#ffe9a8}"
+    "figure{margin:1.2em 0}figure img{max-width:100%}figcaption{color:#666}.warning{background:#fff0e0;border-left:4px "
+    "solid #d55e00;padding:.4em .8em}"
+    "nav a{margin-right:1em}summary{cursor:pointer}";
+
+bool is_number(const std::string& text) {
+  std::istringstream in(text);
+  double value = 0.0;
+  return static_cast<bool>(in >> value);
+}
+
+}  // namespace
+
+std::string base64(const std::string& bytes) {
+  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t block = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      block = (block << 8) | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? kDigits[(block >> (18 - 6 * k)) & 63u] : '=';
+  }
+  return out;
+}
+
+HtmlPage::HtmlPage(const std::string& title) : title_(title) {}
+
+void HtmlPage::section(const std::string& heading) {
+  const std::string id = "s" + std::to_string(++sections_);
+  contents_ += "<a href=\"#" + id + "\">" + html_text(heading) + "</a> ";
+  body_ += "<h2 id=\"" + id + "\">" + html_text(heading) + "</h2>\n";
+}
+
+void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + html_text(text) + "</p>\n"; }
+
+void HtmlPage::warning(const std::string& text) { body_ += "<p class=\"warning\">" + html_text(text) + "</p>\n"; }
+
+void HtmlPage::link(const std::string& file, const std::string& label, const std::string& text) {
+  body_ += "<p><a href=\"" + html_text(file) + "\">" + html_text(label) + "</a>: " + html_text(text) + "</p>\n";
+}
+
+void HtmlPage::plots(const std::string& elements) { body_ += "<div id=\"footfall-plots\"></div>\n" + elements; }
+
+void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool head) {
+  body_ += "<table>\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string cell = head && i == 0 ? "th" : "td";
+    body_ += "<tr>";
+    for (const std::string& text : rows[i])
+      body_ += "<" + cell + (cell == "td" && is_number(text) ? " class=\"n\"" : "") + ">" + html_text(text) + "</" +
+               cell + ">";
+    body_ += "</tr>\n";
+  }
+  body_ += "</table>\n";
+}
+
+void HtmlPage::preformatted(const std::string& text) { body_ += "<pre>" + html_text(text) + "</pre>\n"; }
+
+void HtmlPage::folded(const std::string& label, const std::string& text, const std::vector<std::string>& marks) {
+  body_ += "<details><summary>" + html_text(label) + "</summary><pre>";
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const bool marked = std::any_of(marks.begin(), marks.end(),
+                                    [&](const std::string& m) { return line.find(m) != std::string::npos; });
+    body_ += (marked ? "<mark>" : "") + html_text(line) + (marked ? "</mark>" : "") + "\n";
+  }
+  body_ += "</pre></details>\n";
+}
+
+void HtmlPage::picture(const std::string& path, const std::string& caption) {
+  const std::string bytes = read_whole_file(path).value_or("");
+  if (bytes.empty()) throw InputError(path + ": cannot be read; expected a picture");
+  const std::filesystem::path name(path);
+  const std::string kind = name.extension() == ".svg" ? "svg+xml" : "png";
+  std::string words = caption.empty() ? name.stem().string() : caption;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  body_ += "<figure><img alt=\"" + html_text(words) + "\" src=\"data:image/" + kind + ";base64," + base64(bytes) +
+           "\"/><figcaption>" + html_text(words) + "</figcaption></figure>\n";
+}
+
+std::string HtmlPage::text() const {
+  return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
+         "charset=\"utf-8\"/>\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
+         "style-src "
+         "'unsafe-inline'; img-src data:\"/>\n"
+         "<meta name=\"viewport\" content=\"width=device-width\"/>\n" +
+         (refresh_ > 0 ? "<meta http-equiv=\"refresh\" content=\"" + std::to_string(refresh_) + "\"/>\n" : "") +
+         "<title>" + html_text(title_) + "</title>\n<style>" + kSheet + "</style>\n</head>\n<body>\n<h1>" +
+         html_text(title_) + "</h1>\n<nav>" + contents_ + "</nav>\n" + body_ + "</body>\n</html>\n";
+}
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// how scenes and scripts mark what the paper does not print
+const std::vector<std::string> kMarks = {"[A]", "(assumed"};
+
+std::string contents(const fs::path& path) { return read_whole_file(path.string()).value_or(""); }
+
+// The scene file, the scenes it is built on, and the scripts of the grains.
+std::vector<fs::path> sources_of(const Json& summary) {
+  std::vector<fs::path> files;
+  fs::path next = summary.value("scene_file", "");
+  while (!next.empty() && fs::is_regular_file(next) && files.size() < 9) {
+    files.push_back(next);
+    std::istringstream lines(contents(next));
+    const fs::path folder = next.parent_path();
+    next.clear();
+    for (std::string line; std::getline(lines, line);) {
+      if (line.rfind("base", 0) != 0) continue;
+      const std::size_t open = line.find('"'), close = line.find('"', open + 1);
+      if (close == std::string::npos) continue;
+      next = (folder / line.substr(open + 1, close - open - 1)).lexically_normal();
+      if (fs::is_directory(next)) next /= "scene.toml";
+    }
+  }
+  const Json& scene = summary.at("scene");
+  if (!scene.contains("particles") || !scene.at("particles").is_object()) return files;
+  std::vector<fs::path> scripts = {scene.at("particles").value("script", "")};
+  if (scene.at("particles").at("bed").is_object())
+    scripts.emplace_back(scene.at("particles").at("bed").value("script", ""));
+  for (const fs::path& script : scripts) {
+    if (!fs::is_regular_file(script)) continue;
+    files.push_back(script);
+    const ScriptText text(script.string(), {});
+    for (const ScriptCommand& command : text.commands())
+      if (std::find(files.begin(), files.end(), fs::path(command.file)) == files.end())
+        files.emplace_back(command.file);
+  }
+  return files;
+}
+
+}  // namespace
+
+std::string short_text(double value) { return number_text(value, 5); }
+
+bool has_content(const std::string& file) {
+  std::error_code error;
+  return fs::file_size(file, error) > 0 && !error;
+}
+
+std::vector<std::string> pictures_in(const std::string& folder) {
+  std::vector<std::string> pictures;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".png" && entry.path().stem() != "overview" &&
+        entry.path().filename() != kLedgerPicture && has_content(entry.path().string()))
+      pictures.push_back(entry.path().string());
+  std::sort(pictures.begin(), pictures.end());
+  return pictures;
+}
+
+void show_pictures(const std::string& folder, const std::string& heading, HtmlPage& page) {
+  const std::vector<std::string> pictures = pictures_in(folder);
+  if (pictures.empty()) return;
+  page.section(heading);
+  for (const std::string& picture : pictures) page.picture(picture);
+}
+
+void show_scene(const Json& summary, HtmlPage& page) {
+  page.section("Scene and assumptions");
+  if (!summary.contains("scene")) return;
+  const Json settings = summary.value("settings", Json::array());
+  if (!settings.empty()) {
+    std::string text;
+    for (const Json& setting : settings) text += "--set " + setting.get<std::string>() + "\n";
+    page.paragraph("Changed for this run:");
+    page.preformatted(text);
+  }
+  const std::vector<fs::path> files = sources_of(summary);
+  Rows rows = {{"where", "assumed, because the paper does not print it"}};
+  for (const fs::path& file : files) {
+    std::istringstream lines(contents(file));
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      if (line.rfind("#", 0) == 0) continue;  // explains the marks
+      if (std::none_of(kMarks.begin(), kMarks.end(),
+                       [&](const std::string& m) { return line.find(m) != std::string::npos; }))
+        continue;
+      rows.push_back({(file.parent_path().filename() / file.filename()).string() + ":" + std::to_string(number), line});
+    }
+  }
+  if (rows.size() > 1) page.table(rows);
+  for (const fs::path& file : files)
+    page.folded((file.parent_path().filename() / file.filename()).string() + ", as it is now", contents(file), kMarks);
+  page.folded("the scene as it was run, with all defaults", summary.at("scene").dump(2));
+}
+
+void show_versions(const Json& summary, HtmlPage& page) {
+  page.section("Versions");
+  Rows rows;
+  const Json versions = summary.value("versions", Json::object());
+  for (const auto& [name, version] : versions.items())
+    rows.push_back({name, version.is_string() ? version.get<std::string>() : version.dump()});
+  const Json machine = summary.value("machine", Json::object());
+  for (const auto& [name, value] : machine.items())
+    rows.push_back({name, value.is_string() ? value.get<std::string>() : value.dump()});
+  rows.push_back({"integrator", summary.value("integrator", "unknown")});
+  page.table(rows, false);
+}
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// A figure of the summary times `factor`, when it is there; `meaning`: a cell behind it.
+void figure(const Json& summary, const char* label, const char* key, double factor, const char* unit, Rows& rows,
+            const char* meaning = nullptr) {
+  if (!summary.contains(key) || !summary[key].is_number()) return;
+  rows.push_back({label, short_text(factor * summary[key].get<double>()), unit});
+  if (meaning != nullptr) rows.back().emplace_back(meaning);
+}
+
+// What a reader has to know before any figure.
+void show_warnings(const Json& summary, HtmlPage& page) {
+  const std::string status = summary.value("status", "unknown");
+  if (status != "done")
+    page.warning("This run is not complete: " + status +
+                 (summary.contains("reason") ? ": " + summary.at("reason").get<std::string>() : ""));
+  for (const Json& text : summary.value("warnings", Json::array())) page.warning(text.get<std::string>());
+}
+
+void show_summary(const Json& summary, HtmlPage& page) {
+  page.section("Summary");
+  const std::string body = summary.value("observed_body", "");
+  const std::string observed = "of the body that is observed" + (body.empty() ? "" : ", " + body);
+  const std::string peak = "Largest acceleration " + observed + ": what its cargo must stand.",
+                    descent = "How far it came down from its start, " + observed + ".";
+  Rows rows = {{"figure", "value", "unit", "what it says"}};
+  figure(summary, "simulated time", "end_time_s", 1.0, "s", rows, "The run ends here.");
+  figure(summary, "peak acceleration", "peak_acceleration_g", 1.0, "g", rows, peak.c_str());
+  figure(summary, "largest descent", "max_descent_m", 1.0, "m", rows, descent.c_str());
+  figure(summary, "largest depth below the ground", "max_penetration_m", 1.0, "m", rows,
+         "How deep the lowest point of a touching surface went.");
+  figure(summary, "largest contact force on one body", "max_contact_force_N", 1e-3, "kN", rows,
+         "Of all grains together, mean over a window; of a plane at one instant.");
+  figure(summary, "grains", "particles", 1.0, "", rows, "In the bed at the end.");
+  figure(summary, "steps of the mechanism", "steps", 1.0, "", rows, "Of the time integration, rejected ones apart.");
+  figure(summary, "wall time", "wall_s", 1.0, "s", rows, "From the first window to the last.");
+  figure(summary, "of it grains", "dem_wall_s", 1.0, "s", rows, "What LIGGGHTS took.");
+  figure(summary, "of it waiting", "waited_wall_s", 1.0, "s", rows,
+         "The grains stood still for the mechanism and the exchange.");
+  figure(summary, "mechanism", "mbd_wall_s", 1.0, "s", rows, "What the multibody solver took.");
+  figure(summary, "mechanism, while grains move", "mbd_beside_wall_s", 1.0, "s", rows,
+         "The part of its work for which the grains did not wait, rows and controllers with it.");
+  page.table(rows);
+  std::string active;
+  for (const Json& part : summary.value("active", Json::array()))
+    active += (active.empty() ? "" : ", ") + part.get<std::string>();
+  if (!active.empty()) page.paragraph("Active parts: " + active + ".");
+}
+
+// The page that plays the run, made with the report.
+void show_view(const fs::path& folder, HtmlPage& page) {
+  if (!has_frames(folder.string()) || !fs::exists(folder / "history.csv")) return;
+  try {
+    write_view({folder.string(), 0});
+    page.link("view.html", "Play the run in 3D", "view.html stands beside this page, and is one file too.");
+  } catch (const InputError& error) {
+    page.warning(std::string("The run cannot be played in 3D: ") + error.what());
+  }
+}
+
+// Every column of the history, to choose from, zoom and read.
+void show_history(const fs::path& folder, const Json& summary, HtmlPage& page) {
+  if (!fs::exists(folder / "history.csv")) return;
+  const History history = read_history((folder / "history.csv").string());
+  if (history.columns.empty() || history.columns.front().empty()) return;
+  page.section("History");
+  page.paragraph(
+      "Type a part of a name to add a column, at most eight. Drag over a plot to zoom, double-click to go back; values "
+      "stand under the pointer. docs/history.md says what each column is.");
+  PageParts parts;
+  add_history(history, first_columns(history, summary.value("observed_body", "")), parts);
+  page.plots(parts.elements(kReportScript));
+}
+
+void show_quality(const Json& summary, HtmlPage& page) {
+  page.section("How far to trust it");
+  Rows rows = {{"measure", "value", "unit"}};
+  figure(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "% of the energy moved", rows);
+  figure(summary, "drift of the joints, position", "drift_position", 1.0, "m, rad", rows);
+  figure(summary, "drift of the joints, velocity", "drift_velocity", 1.0, "m/s, rad/s", rows);
+  figure(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0,
+         "% of the energy moved", rows);
+  figure(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "% of its radius", rows);
+  figure(summary, "time step of the grains", "dt_dem_s", 1.0, "s", rows);
+  figure(summary, "windows", "windows", 1.0, "", rows);
+  page.table(rows);
+  if (!summary.contains("max_omega_h")) return;
+  page.paragraph(
+      "Largest omega H of each coupled body: its contact frequency times the window. Below one half the windows are "
+      "small enough, above two they are unstable.");
+  rows = {{"body", "omega H"}};
+  for (const auto& [body, value] : summary.at("max_omega_h").items())
+    rows.push_back({body, short_text(value.get<double>())});
+  page.table(rows);
+}
+
+// ledger.csv at the start and the end of the run, and its picture.
+void show_ledger(const fs::path& folder, HtmlPage& page) {
+  if (!fs::exists(folder / "ledger.csv")) return;
+  const History ledger = read_history((folder / "ledger.csv").string());
+  if (ledger.columns.empty() || ledger.columns[0].empty()) return;
+  Rows rows = {{"energy", "start [J]", "end [J]", "change [J]"}};
+  for (std::size_t k = 0; k < ledger.names.size(); ++k) {
+    const std::vector<double>& column = ledger.columns[k];
+    const bool nothing = std::all_of(column.begin(), column.end(), [](double v) { return v == 0.0; });
+    if (ledger.units[k] != "J" || nothing) continue;
+    std::string words = ledger.names[k];
+    std::replace(words.begin(), words.end(), '.', ' ');
+    std::replace(words.begin(), words.end(), '_', ' ');
+    rows.push_back(
+        {words, short_text(column.front()), short_text(column.back()), short_text(column.back() - column.front())});
+  }
+  page.section("Energy ledger");
+  page.paragraph(
+      "Energy stored and dissipated in the mechanism, work it gave to the grains, and what they made of it. The sum "
+      "would stay the same without numerical "
+      "errors. What the grains dissipated is the rest of the work they received; it holds the elastic energy in their "
+      "contacts too, and may fall by that much.");
+  page.table(rows);
+  if (has_content((folder / "plots" / kLedgerPicture).string()))
+    page.picture((folder / "plots" / kLedgerPicture).string(), "Where the energy is");
+}
+
+}  // namespace
+
+std::string run_page(const std::string& run) {
+  const fs::path folder(run);
+  // A run that was started by its plain line, or without plots, has none yet.
+  const bool ledger = fs::exists(folder / "ledger.csv") || write_ledger(folder.string());
+  if (ledger && !fs::exists(folder / "plots" / kLedgerPicture)) make_pictures(folder.string());
+  const Json summary = read_summary((folder / "summary.json").string());
+  const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
+  HtmlPage page(title.empty() ? folder.filename().string() : title);
+  page.paragraph("Run " + folder.string());
+  show_warnings(summary, page);
+  show_view(folder, page);
+  show_summary(summary, page);
+  show_pictures((folder / "pictures").string(), "Grains and mechanism", page);
+  show_pictures(folder.string(), "Pictures", page);
+  show_history(folder, summary, page);
+  show_quality(summary, page);
+  show_ledger(folder, page);
+  show_pictures((folder / "plots").string(), "Plots", page);
+  if (fs::exists(folder / "compare/comparison.txt")) {
+    page.section("Beside stock LIGGGHTS or another run");
+    page.preformatted(read_whole_file((folder / "compare/comparison.txt").string()).value_or(""));
+    for (const std::string& picture : pictures_in((folder / "compare/plots").string())) page.picture(picture);
+  }
+  show_scene(summary, page);
+  show_versions(summary, page);
+  return page.text();
+}
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Rows csv_rows(const fs::path& file) {
+  Rows rows;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    rows.push_back(split(line, ','));
+  }
+  return rows;
+}
+
+std::string sweep_page(const fs::path& folder) {
+  HtmlPage page("Sweep " + folder.filename().string());
+  page.paragraph("Sweep " + folder.string());
+  for (const auto& [name, heading] :
+       {std::pair<const char*, const char*>{"cases.csv", "Cases: means over ensembles"}, {"runs.csv", "Runs"}}) {
+    if (!fs::exists(folder / name)) continue;
+    page.section(heading);
+    page.table(csv_rows(folder / name));
+  }
+  show_pictures(folder.string(), "Plots", page);
+  show_pictures((folder / "plots").string(), "Plots", page);
+  Rows rows = {
+      {"run", "status", "energy balance [%]", "interface [%]", "largest overlap [% of radius]", "wall time [s]"}};
+  std::vector<fs::path> runs;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().filename() == "summary.json") runs.push_back(entry.path().parent_path());
+  std::sort(runs.begin(), runs.end());
+  Json last;
+  for (const fs::path& run : runs) {
+    try {
+      last = read_summary((run / "summary.json").string());
+    } catch (const InputError&) {  // cut short: one run of many
+      rows.push_back({fs::relative(run, folder).string(), "damaged", "-", "-", "-", "-"});
+      continue;
+    }
+    const auto percent = [&](const char* key) {
+      return last.contains(key) && last[key].is_number() ? short_text(100.0 * last[key].get<double>())
+                                                         : std::string("-");
+    };
+    rows.push_back({fs::relative(run, folder).string(), last.value("status", "unknown"),
+                    percent("energy_balance_relative"), percent("coupling_energy_residual_relative"),
+                    percent("max_overlap_over_radius"), short_text(last.value("wall_s", 0.0))});
+  }
+  if (runs.empty()) return page.text();
+  page.section("How far to trust them");
+  page.table(rows);
+  show_scene(last, page);
+  page.paragraph("The scene is that of the run " + runs.back().filename().string() + ".");
+  show_versions(last, page);
+  return page.text();
+}
+
+}  // namespace
+
+std::string write_report(const std::string& folder) {
+  const fs::path path = fs::absolute(folder).lexically_normal();
+  std::string text;
+  const MadeFiles made(path.string());
+  if (fs::exists(path / "summary.json")) {
+    text = with_summary_of(path.string(), [&] { return run_page(path.string()); });
+  } else if (fs::exists(path / "runs.csv")) {
+    text = with_summary_of(path.string(), [&] { return sweep_page(path); });
+  } else {
+    throw InputError(folder + ": holds neither summary.json nor runs.csv; expected the folder of a run or of a sweep");
+  }
+  const fs::path file = path / "report.html";
+  write_whole_file(file.string(), text, "is the disk full?");
+  return file.string();
+}
+
+}  // namespace footfall

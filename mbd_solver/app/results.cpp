@@ -1,0 +1,266 @@
+#include "mbd_solver/app/results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/plots.h"
+#include "mbd_solver/model/laws/energy.h"
+#include "mbd_solver/output/summary.h"
+
+namespace footfall {
+namespace {
+
+const std::string kDissipated = "dissipated.";
+constexpr const char* kResidual = "coupling.energy_residual";
+constexpr double kSameTime = 1e-6;  // grains_energy.txt holds six digits
+
+// The values of a column at rising times within its own, along straight lines.
+std::vector<double> at_times(const std::vector<double>& time, const std::vector<double>& value,
+                             const std::vector<double>& wanted) {
+  std::vector<double> result;
+  std::size_t k = 0;
+  for (const double t : wanted) {
+    while (k + 2 < time.size() && time[k + 1] < t) ++k;
+    if (time.size() < 2) {
+      result.push_back(value.front());
+      continue;
+    }
+    const double share = std::clamp((t - time[k]) / (time[k + 1] - time[k]), 0.0, 1.0);
+    result.push_back((1.0 - share) * value[k] + share * value[k + 1]);
+  }
+  return result;
+}
+
+std::vector<double> since_start(const std::vector<double>& values, std::size_t count) {
+  std::vector<double> change;
+  for (std::size_t k = 0; k < count; ++k) change.push_back(values[k] - values.front());
+  return change;
+}
+
+}  // namespace
+
+GrainEnergies read_grain_energies(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw InputError(path + ": cannot be read; expected the energies of the grains that the script writes");
+  GrainEnergies grains;
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream words(line);
+    double step = 0.0, time = 0.0, kinetic = 0.0, rotation = 0.0, gravity = 0.0;
+    if (!(words >> step >> time >> kinetic >> rotation >> gravity)) {
+      if (file.peek() == std::ifstream::traits_type::eof()) break;
+      throw InputError(path + ":" + std::to_string(number) + ": \"" + line +
+                       "\": expected five numbers: step time kinetic rotation gravity");
+    }
+    if (!grains.time.empty() && time <= grains.time.back())
+      throw InputError(path + ":" + std::to_string(number) + ": time " + std::to_string(time) +
+                       " s: expected one later than that of the row before");
+    grains.time.push_back(time);
+    grains.kinetic.push_back(kinetic + rotation);
+    grains.gravity.push_back(gravity);
+  }
+  return grains;
+}
+
+double reference_energy(const History& run) {
+  const std::vector<double>& kinetic = run.column("energy.kinetic");
+  const double stored = run.column("energy.total").front() - run.column("energy.gravity").front();
+  return std::max(stored, *std::max_element(kinetic.begin(), kinetic.end()));
+}
+
+History energy_ledger(const History& run, const GrainEnergies& grains) {
+  const std::vector<double>& run_time = run.column("time");
+  if (run_time.empty() || run.find("energy.total") < 0)
+    throw InputError("the history holds no energies; there is no ledger to make of it");
+  std::size_t rows = 0;
+  while (rows < grains.time.size() && grains.time[rows] <= run_time.back() * (1.0 + kSameTime)) ++rows;
+  const bool both_sides = run.find(kResidual) >= 0 && rows > 0;
+  const std::vector<double> time =
+      both_sides ? std::vector<double>(grains.time.begin(), grains.time.begin() + static_cast<std::ptrdiff_t>(rows))
+                 : run_time;
+
+  History ledger;
+  const auto add = [&](const std::string& name, const std::string& unit, std::vector<double> values) {
+    ledger.names.push_back(name);
+    ledger.units.push_back(unit);
+    ledger.columns.push_back(std::move(values));
+  };
+  std::vector<double> sum(time.size(), 0.0);
+  const auto count = [&](const std::vector<double>& values, double sign) {
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += sign * values[k];
+  };
+  const auto from_run = [&](const std::string& name) { return at_times(run_time, run.column(name), time); };
+
+  add("time", "s", time);
+  for (const std::string& part : names_of<Stored>()) {
+    add("mechanism." + part, "J", from_run("energy." + part));
+    count(ledger.columns.back(), 1.0);
+  }
+  for (const std::string& name : run.names) {
+    if (name.rfind(kDissipated, 0) != 0) continue;
+    add(name, "J", from_run(name));
+    count(ledger.columns.back(), 1.0);
+  }
+  add("work.motion", "J", from_run("work.motion"));
+  count(ledger.columns.back(), -1.0);
+  if (run.find(kResidual) >= 0) {
+    std::vector<double> to_grains = from_run("work.contact");
+    for (double& work : to_grains) work = -work;
+    const std::vector<double> interface = from_run(kResidual);
+    count(to_grains, 1.0);
+    add("work.to_grains", "J", to_grains);
+    add("interface", "J", interface);
+    if (both_sides) {
+      const std::vector<double> kinetic = since_start(grains.kinetic, rows),
+                                gravity = since_start(grains.gravity, rows);
+      std::vector<double> dissipated;
+      for (std::size_t k = 0; k < rows; ++k)
+        dissipated.push_back(to_grains[k] - interface[k] - kinetic[k] - gravity[k]);
+      add("grains.kinetic", "J", kinetic);
+      add("grains.gravity", "J", gravity);
+      add("grains.dissipated", "J", dissipated);
+    }
+  }
+  const double reference = reference_energy(run);
+  std::vector<double> error;
+  for (const double s : sum) error.push_back(reference > 0.0 ? (s - sum.front()) / reference : 0.0);
+  add("sum", "J", sum);
+  add("closing_error", "-", error);
+  return ledger;
+}
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// One row of the table, when the summary has the figure.
+void row(const Json& summary, const char* label, const char* key, double factor, const char* format) {
+  if (!summary.contains(key) || !summary[key].is_number()) return;
+  std::printf("  %-38s ", label);
+  std::printf(format, factor * summary[key].get<double>());
+  std::printf("\n");
+}
+
+bool touches_ground(const Json& summary) {
+  for (const Json& part : summary.value("active", Json::array())) {
+    if (part == "plane" || part == "particles") return true;
+  }
+  return false;
+}
+
+void print_times(const Json& summary) {
+  if (!summary.contains("wall_s")) return;
+  const double wall = summary.at("wall_s");
+  const auto part = [&](const char* key) { return summary.value(key, 0.0); };
+  std::printf("  %-38s %.1f s", "wall time", wall);
+  if (part("dem_wall_s") > 0.0 && wall > 0.0) {
+    std::printf(" (grains %.1f s, and %.2f s = %.1f %% waiting for the mechanism, which took %.1f s = %.1f %%)",
+                part("dem_wall_s"), part("waited_wall_s"), 100.0 * part("waited_wall_s") / wall, part("mbd_wall_s"),
+                100.0 * part("mbd_wall_s") / wall);
+  }
+  std::printf("\n");
+}
+
+}  // namespace
+
+void print_results(const std::string& out, const std::vector<std::string>& pictures) {
+  const Json summary = read_summary((fs::path(out) / "summary.json").string());
+  std::printf("\n%s: %s", out.c_str(), summary.value("status", "unknown").c_str());
+  if (summary.contains("reason")) std::printf(": %s", summary.at("reason").get<std::string>().c_str());
+  std::printf("\n");
+  row(summary, "simulated time", "end_time_s", 1.0, "%.4g s");
+  row(summary, "peak acceleration", "peak_acceleration_g", 1.0, "%.2f g");
+  row(summary, "largest descent", "max_descent_m", 1.0, "%.3f m");
+  if (touches_ground(summary)) {
+    row(summary, "largest depth below the ground", "max_penetration_m", 1.0, "%.3f m");
+    row(summary, "largest contact force on one body", "max_contact_force_N", 1e-3, "%.2f kN");
+  }
+  row(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "%.4f %% of the energy moved");
+  row(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0,
+      "%.3f %% of the energy moved");
+  if (summary.contains("ledger")) {
+    row(summary.at("ledger"), "energy given to the grains", "energy_to_grains_J", 1e-3, "%.3f kJ");
+    row(summary.at("ledger"), "of it dissipated in the grains", "grains_dissipated_J", 1e-3, "%.3f kJ");
+  }
+  row(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "%.2f %% of its radius");
+  row(summary, "grains", "particles", 1.0, "%.0f");
+  row(summary, "steps", "steps", 1.0, "%.0f");
+  row(summary, "windows", "windows", 1.0, "%.0f");
+  print_times(summary);
+  if (summary.contains("warnings")) {
+    for (const Json& warning : summary.at("warnings"))
+      std::printf("  warning: %s\n", warning.get<std::string>().c_str());
+  }
+  std::printf("Files: %s\n", (fs::path(out) / "history.csv").c_str());
+  for (const char* name : {"summary.json", "ledger.csv", "liggghts.log", "vtk"}) {
+    if (fs::exists(fs::path(out) / name)) std::printf("       %s\n", (fs::path(out) / name).c_str());
+  }
+  for (const std::string& picture : pictures) std::printf("       %s\n", picture.c_str());
+}
+
+bool write_ledger(const std::string& out) {
+  const fs::path folder(out);
+  try {
+    if (!fs::exists(folder / "history.csv")) return false;
+    const History run = read_history((folder / "history.csv").string());
+    if (run.find("energy.total") < 0 || run.column("time").empty()) return false;
+    const fs::path grains = folder / "grains_energy.txt";
+    const History ledger =
+        energy_ledger(run, fs::exists(grains) ? read_grain_energies(grains.string()) : GrainEnergies{});
+    write_history((folder / "ledger.csv").string(), ledger);
+
+    const fs::path file = folder / "summary.json";
+    if (!fs::exists(file)) return true;
+    Json summary = read_summary(file.string());
+    Json figures;
+    double error = 0.0;
+    for (const double e : ledger.column("closing_error")) error = std::max(error, std::abs(e));
+    figures["closing_error_relative"] = error;
+    if (ledger.find("grains.dissipated") >= 0) {
+      const double work = ledger.column("work.to_grains").back();
+      figures["energy_to_grains_J"] = work;
+      const double initial = reference_energy(run);
+      if (initial > 0.0) figures["energy_to_grains_share"] = work / initial;
+      figures["grains_dissipated_J"] = ledger.column("grains.dissipated").back();
+    }
+    summary["ledger"] = figures;
+    write_summary(file.string(), summary);
+    return true;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "footfall: warning: no energy ledger: %s\n", e.what());
+  }
+  return false;
+}
+
+std::vector<std::string> make_pictures(const std::string& out) {
+  const fs::path plots = fs::path(out) / "plots";
+  try {
+    const Json summary = read_summary((fs::path(out) / "summary.json").string());
+    const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
+    const History history = read_history((fs::path(out) / "history.csv").string());
+    std::vector<Figure> figures = standard_figures(history, summary.value("observed_body", ""));
+    reduce_long_figures(figures, history, plots.string());
+    const fs::path ledger = fs::path(out) / "ledger.csv";
+    if (fs::exists(ledger)) {
+      const History energies = read_history(ledger.string());
+      std::vector<Figure> more = {ledger_figure(energies)};
+      reduce_long_figures(more, energies, plots.string());
+      if (!more.front().curves.empty()) figures.push_back(more.front());  // where no energy moves there is none to draw
+    }
+    const std::vector<std::string> scripts = write_plot_scripts(plots.string(), figures, title);
+    return run_gnuplot(plots.string(), scripts);
+  } catch (const InputError& e) {
+    std::fprintf(stderr, "footfall: warning: no pictures: %s\n", e.what());
+  }
+  return {};
+}
+
+}  // namespace footfall

@@ -1,0 +1,475 @@
+#include "mbd_solver/app/view_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/app/mechanism_shape.h"
+#include "mbd_solver/app/packed_series.h"
+#include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/viewer_scripts.h"
+#include "mbd_solver/base/made_files.h"
+#include "mbd_solver/base/quote.h"
+#include "mbd_solver/bed/bed_frames.h"
+#include "mbd_solver/output/summary.h"
+
+namespace footfall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kSpans = 2000;  // of time, when there are more rows than twice as many
+
+// JSON that neither ends a script element nor means anything in XML.
+std::string harmless(const Json& json) {
+  std::string text;
+  for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else if (c == '>') {
+      text += "\\u003e";
+    } else if (c == '&') {
+      text += "\\u0026";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+std::string element(const std::string& name, const std::string& type, const std::string& text) {
+  return "<script type=\"" + type + "\" id=\"footfall-" + name + "\">" + text + "</script>\n";
+}
+
+}  // namespace
+
+void PageParts::add_frame(const std::string& name, std::size_t k, std::string text) {
+  (k == 0 ? chunks : later[k]).emplace_back(name + "-" + std::to_string(k), std::move(text));
+}
+
+std::string PageParts::elements(const std::string& script) const {
+  std::string text = element("run", "application/json", harmless(run));
+  text += "<script>//<![CDATA[\n" + script + "\n//]]></script>\n";
+  for (const auto& [name, chunk] : chunks) text += element(name, "text/plain", chunk);
+  for (const auto& [k, frame] : later)
+    for (const auto& [name, chunk] : frame) text += element(name, "text/plain", chunk);
+  return text;
+}
+
+void add_history(const History& history, const std::vector<std::string>& shown, PageParts& parts) {
+  const std::vector<double>& time = history.column("time");
+  const std::vector<std::size_t> rows = rows_to_draw(time, kSpans);
+  Json& json = parts.run["history"];
+  json["rows"] = rows.size();
+  json["time"] = Json::array();
+  for (const std::size_t row : rows) json["time"].push_back(time[row]);
+  json["names"] = Json::array();
+  json["units"] = Json::array();
+  std::vector<float> values;
+  for (std::size_t i = 0; i < history.names.size(); ++i) {
+    if (history.names[i] == "time") continue;
+    json["names"].push_back(history.names[i]);
+    json["units"].push_back(history.units[i]);
+    for (const double value : drawn_values(history.columns[i], rows)) values.push_back(static_cast<float>(value));
+  }
+  parts.run["shown"] = shown;
+  parts.chunks.emplace_back("history", packed_numbers(values));
+}
+
+std::vector<std::string> first_columns(const History& history, const std::string& observed) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string> shown;
+  const auto add = [&](const std::string& name) {
+    if (history.find(name) >= 0 && shown.size() < kMost) shown.push_back(name);
+  };
+  add(observed + ".az");
+  for (const char* ending : {".contact.fz", ".force", ".joint_torque", ".joint_force", ".angle", ".displacement"}) {
+    const std::size_t before = shown.size();
+    for (const std::string& name : history.names)
+      if (ends_with(name, ending)) add(name);
+    if (shown.size() > std::max<std::size_t>(before, 1)) break;
+  }
+  if (shown.size() < 2) {
+    for (const char* name : {"energy.kinetic", "energy.gravity", "energy.strain", "energy.total"}) add(name);
+  }
+  return shown;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const Eigen::VectorXd* cell_numbers(const VtkFrame& frame, const std::string& name) {
+  for (const auto& [key, values] : frame.cell_numbers)
+    if (key == name && values.size() == static_cast<Eigen::Index>(frame.triangles.size() + frame.lines.size()))
+      return &values;
+  return nullptr;
+}
+
+// The moments that are packed: all that were drawn; of recorded ones so many, evenly spread.
+std::vector<double> moments_of(const MechanismShapes& shapes, std::size_t most) {
+  const std::vector<double>& all = shapes.times();
+  if (shapes.drawn() || all.size() <= most) return all;
+  std::vector<double> chosen;
+  for (std::size_t i = 0; i < most; ++i) chosen.push_back(all[i * (all.size() - 1) / (most - 1)]);
+  return chosen;
+}
+
+// The bodies whose stress is known: others are drawn in their own colour, not in that of no stress.
+std::set<int> stressed_bodies(const std::vector<MechanismShape>& frames) {
+  std::set<int> stressed;
+  for (const MechanismShape& shape : frames) {
+    const Eigen::VectorXd* stress = cell_numbers(shape.frame, "von_mises_Pa");
+    const Eigen::VectorXd* body = cell_numbers(shape.frame, "body");
+    for (Eigen::Index i = 0; stress != nullptr && body != nullptr && i < stress->size(); ++i)
+      if ((*stress)(i) > 0.0) stressed.insert(static_cast<int>((*body)(i)));
+  }
+  return stressed;
+}
+
+void add_cells(const MechanismShape& first, PageParts& parts) {
+  std::vector<std::uint32_t> triangles, lines, bodies;
+  for (const Eigen::Vector3i& t : first.frame.triangles)
+    for (int k = 0; k < 3; ++k) triangles.push_back(static_cast<std::uint32_t>(t(k)));
+  for (const Eigen::Vector2i& l : first.frame.lines)
+    for (int k = 0; k < 2; ++k) lines.push_back(static_cast<std::uint32_t>(l(k)));
+  const Eigen::VectorXd* body = cell_numbers(first.frame, "body");
+  for (std::size_t i = 0; i < first.frame.triangles.size() + first.frame.lines.size(); ++i)
+    bodies.push_back(body != nullptr ? static_cast<std::uint32_t>((*body)(static_cast<Eigen::Index>(i))) : 0u);
+  const std::vector<float> radius(first.line_radius.begin(), first.line_radius.end());
+  parts.chunks.emplace_back("bodies-triangles", packed_numbers(triangles));
+  parts.chunks.emplace_back("bodies-lines", packed_numbers(lines));
+  parts.chunks.emplace_back("bodies-cells", packed_numbers(bodies));
+  parts.chunks.emplace_back("bodies-radius", packed_numbers(radius));
+}
+
+}  // namespace
+
+void add_bodies(const std::string& run, const Json& summary, FrameLimits& limits, PageParts& parts) {
+  parts.run["bodies"] = nullptr;
+  const MechanismShapes shapes(run, summary);
+  parts.run["bodyNames"] = shapes.body_names();
+  if (shapes.empty()) return;
+  if (!shapes.drawn())
+    limits.notes.push_back(
+        "The run drew no bodies: only their surfaces that touch the grains are shown, without their bending. "
+        "Run it with --set output.vtk=true to see all.");
+  const std::vector<double> times = moments_of(shapes, limits.moments);
+  std::vector<MechanismShape> frames;
+  Box box;
+  double stress = 0.0;  // largest of all frames [Pa]
+  for (const double t : times) {
+    frames.push_back(shapes.near(t));
+    const VtkFrame& frame = frames.back().frame;
+    const VtkFrame& first = frames.front().frame;
+    if (frame.points.cols() != first.points.cols() || frame.triangles.size() != first.triangles.size() ||
+        frame.lines.size() != first.lines.size())
+      throw InputError(run + ": its drawings of the bodies hold different points; were files of two runs mixed?");
+    if (!frame.points.allFinite())
+      throw InputError(run + ": a drawing of the bodies holds a point that is not finite; was a file damaged?");
+    for (Eigen::Index j = 0; j < frame.points.cols(); ++j) box.include(frame.points.col(j));
+    if (const Eigen::VectorXd* values = cell_numbers(frame, "von_mises_Pa"); values != nullptr && values->size() > 0)
+      stress = std::max(stress, values->maxCoeff());
+  }
+  const std::size_t points = static_cast<std::size_t>(frames.front().frame.points.cols());
+  const std::size_t cells = frames.front().frame.triangles.size() + frames.front().frame.lines.size();
+  if (points == 0) return;
+
+  Json& bodies = parts.run["bodies"];
+  bodies = {{"points", points},
+            {"cells", cells},
+            {"times", times},
+            {"stress", stress},
+            {"stressed", stressed_bodies(frames)}};
+  add_box(box, box, bodies);
+  add_cells(frames.front(), parts);
+  PackedSeries series(3 * points + (stress > 0.0 ? cells : 0));
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const VtkFrame& frame = frames[k].frame;
+    std::vector<std::uint16_t> values;
+    values.reserve(3 * points + cells);
+    for (int axis = 0; axis < 3; ++axis)
+      for (Eigen::Index j = 0; j < frame.points.cols(); ++j)
+        values.push_back(box.number_of(axis, frame.points(axis, j)));
+    if (stress > 0.0) {
+      const Eigen::VectorXd* of_cell = cell_numbers(frame, "von_mises_Pa");
+      for (std::size_t i = 0; i < cells; ++i) {
+        const double share = of_cell != nullptr ? (*of_cell)(static_cast<Eigen::Index>(i)) / stress : 0.0;
+        values.push_back(static_cast<std::uint16_t>(65535.0 * std::clamp(share, 0.0, 1.0)));
+      }
+    }
+    parts.add_frame("bodies", k, series.add(values));
+  }
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kShown = 0.999;  // of the grains of a frame are within the colours
+
+// A frame as it stays in memory until the box of all is known: single precision is finer than the steps of a page.
+struct LeanFrame {
+  std::vector<int> id;        // rising
+  Eigen::Matrix3Xf x;         // [m]
+  Eigen::MatrixXf numbers;    // a row per number, a column per grain
+  std::vector<float> radius;  // [m]
+};
+
+struct Number {
+  const char* name;
+  const char* unit;
+  const Eigen::Matrix3Xd BedFrame::*vector;  // whose length it is
+};
+const Number kNumbers[] = {{"speed", "m/s", &BedFrame::v}, {"force", "N", &BedFrame::f}};
+
+LeanFrame lean(const BedFrame& bed, const std::vector<Number>& numbers, const std::string& file) {
+  LeanFrame frame{bed.id, bed.x.cast<float>(), {}, {bed.radius.begin(), bed.radius.end()}};
+  frame.numbers.resize(static_cast<Eigen::Index>(numbers.size()), bed.x.cols());
+  for (std::size_t j = 0; j < numbers.size(); ++j) {
+    const Eigen::Matrix3Xd& vectors = bed.*numbers[j].vector;
+    if (vectors.cols() != bed.x.cols())
+      throw InputError(file + ": lacks the " + numbers[j].name + " of the grains, which the first dump holds");
+    frame.numbers.row(static_cast<Eigen::Index>(j)) = vectors.colwise().norm().cast<float>();
+  }
+  if (!frame.x.allFinite() || !frame.numbers.allFinite())
+    throw InputError(file + ": holds a number that is not finite; was it cut off?");
+  return frame;
+}
+
+// The value that all but one in a thousand stay below.
+double upper(std::vector<float> values) {
+  if (values.empty()) return 0.0;
+  const auto k = static_cast<std::ptrdiff_t>(kShown * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + k, values.end());
+  return values[static_cast<std::size_t>(k)];
+}
+
+// Every so many, the first and the last among them.
+std::vector<std::pair<long, std::string>> thinned(const std::map<long, std::string>& dumps, std::size_t most) {
+  std::vector<std::pair<long, std::string>> all(dumps.begin(), dumps.end()), chosen;
+  if (all.size() <= most) return all;
+  for (std::size_t i = 0; i < most; ++i)
+    chosen.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(1, most - 1)]);
+  return chosen;
+}
+
+std::size_t most_frames(const FrameLimits& limits, std::size_t grains) {
+  const double room = limits.most_grains / static_cast<double>(std::max<std::size_t>(grains, 1));
+  const std::size_t most = std::max<std::size_t>(2, static_cast<std::size_t>(room));
+  return limits.frames > 0 ? std::min(most, static_cast<std::size_t>(limits.frames)) : most;
+}
+
+// Places of the grains of a frame among all that ever were.
+template <class Action>
+void for_each_place(const std::vector<int>& all, const LeanFrame& frame, const Action& action) {
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < frame.id.size(); ++i) {
+    while (all[place] != frame.id[i]) ++place;
+    action(static_cast<Eigen::Index>(i), place);
+  }
+}
+
+struct FrameBed {
+  std::vector<double> times;  // [s]
+  std::vector<LeanFrame> frames;
+  std::vector<Number> numbers;
+  std::vector<int> ids;  // of all frames, rising
+};
+
+FrameBed read_bed(const std::vector<std::pair<long, std::string>>& dumps, double dt) {
+  FrameBed bed;
+  for (const auto& [step, file] : dumps) {
+    const BedFrame frame = read_bed_frame(file);
+    if (bed.frames.empty())
+      for (const Number& number : kNumbers)
+        if ((frame.*number.vector).cols() > 0) bed.numbers.push_back(number);
+    bed.times.push_back(static_cast<double>(step) * dt);
+    bed.frames.push_back(lean(frame, bed.numbers, file));
+    if (frame.id == bed.ids) continue;
+    std::vector<int> both;
+    std::set_union(bed.ids.begin(), bed.ids.end(), frame.id.begin(), frame.id.end(), std::back_inserter(both));
+    bed.ids = std::move(both);
+  }
+  return bed;
+}
+
+// How far the grains have come since the first frame, at the end of the colours [m].
+double farthest(const FrameBed& bed) {
+  double most = 0.0;
+  std::vector<Eigen::Vector3f> start(bed.ids.size());
+  std::vector<bool> known(bed.ids.size(), false);
+  for_each_place(bed.ids, bed.frames.front(), [&](Eigen::Index i, std::size_t place) {
+    start[place] = bed.frames.front().x.col(i);
+    known[place] = true;
+  });
+  for (const LeanFrame& frame : bed.frames) {
+    std::vector<float> way;
+    for_each_place(bed.ids, frame, [&](Eigen::Index i, std::size_t place) {
+      if (known[place]) way.push_back((frame.x.col(i) - start[place]).norm());
+    });
+    most = std::max(most, upper(std::move(way)));
+  }
+  return most;
+}
+
+}  // namespace
+
+void add_grains(const std::string& run, double dt, FrameLimits& limits, PageParts& parts) {
+  parts.run["grains"] = nullptr;
+  const std::map<long, std::string> dumps = find_bed_frames(run);
+  if (dumps.empty()) return;
+  const std::size_t most = most_frames(limits, static_cast<std::size_t>(read_bed_frame(dumps.begin()->second).count()));
+  const FrameBed bed = read_bed(thinned(dumps, most), dt);
+  const std::size_t n = bed.ids.size();
+  if (bed.frames.size() < dumps.size())
+    limits.notes.push_back("The run dumped its grains " + std::to_string(dumps.size()) + " times; " +
+                           std::to_string(bed.frames.size()) + " of them are shown, evenly spread.");
+
+  Box box, view;
+  std::vector<float> radius(n, 0.0f);
+  for (const LeanFrame& frame : bed.frames) {
+    for (Eigen::Index i = 0; i < frame.x.cols(); ++i) box.include(frame.x.col(i).cast<double>());
+    if (view.is_empty()) view = box;
+    for_each_place(bed.ids, frame, [&](Eigen::Index i, std::size_t place) {
+      radius[place] = frame.radius[static_cast<std::size_t>(i)];
+    });
+  }
+  std::vector<double> largest, shown;
+  for (std::size_t j = 0; j < bed.numbers.size(); ++j) {
+    double all = 0.0, most_of_all = 0.0;
+    for (const LeanFrame& frame : bed.frames) {
+      const Eigen::VectorXf row = frame.numbers.row(static_cast<Eigen::Index>(j));
+      if (row.size() > 0) all = std::max(all, static_cast<double>(row.maxCoeff()));
+      most_of_all = std::max(most_of_all, upper({row.begin(), row.end()}));
+    }
+    largest.push_back(all > 0.0 ? all : 1.0);
+    shown.push_back(most_of_all > 0.0 ? most_of_all : largest.back());
+  }
+
+  Json& grains = parts.run["grains"];
+  grains = {{"count", n}, {"times", bed.times}, {"farthest", farthest(bed)}, {"numbers", Json::array()}};
+  add_box(box, view, grains);
+  for (std::size_t j = 0; j < bed.numbers.size(); ++j)
+    grains["numbers"].push_back(
+        {{"name", bed.numbers[j].name}, {"unit", bed.numbers[j].unit}, {"largest", largest[j]}, {"shown", shown[j]}});
+  parts.chunks.emplace_back("grains-radius", packed_numbers(radius));
+  PackedSeries series(n * (3 + bed.numbers.size()));
+  for (std::size_t k = 0; k < bed.frames.size(); ++k) {
+    const LeanFrame& frame = bed.frames[k];
+    std::vector<std::uint16_t> values(n * (3 + bed.numbers.size()), 0);
+    std::fill_n(values.begin(), n, kAbsent);
+    for_each_place(bed.ids, frame, [&](Eigen::Index i, std::size_t place) {
+      for (int axis = 0; axis < 3; ++axis)
+        values[static_cast<std::size_t>(axis) * n + place] = box.number_of(axis, static_cast<double>(frame.x(axis, i)));
+      for (std::size_t j = 0; j < bed.numbers.size(); ++j)
+        values[(3 + j) * n + place] =
+            root_number(static_cast<double>(frame.numbers(static_cast<Eigen::Index>(j), i)), largest[j]);
+    });
+    parts.add_frame("grains", k, series.add(values));
+  }
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+// Nothing may be loaded, whatever the page holds.
+constexpr const char* kPolicy =
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
+
+bool touches_grains(const Json& scene) {
+  return scene.contains("ground") && scene.at("ground").value("kind", "") == "particles";
+}
+
+// What the user may miss, and how to get it.
+std::vector<std::string> missing_of(const Json& summary, const PageParts& parts) {
+  std::vector<std::string> missing;
+  const Json scene = summary.value("scene", Json::object());
+  if (parts.run.at("grains").is_null() && touches_grains(scene))
+    missing.push_back(
+        "The run dumped no grains, so none are shown. Where its script knows the variable, run it with "
+        "--set particles.variables.frames=0.01; else add a dump of id x y z vx vy vz radius to the script.");
+  if (parts.run.at("bodies").is_null())
+    missing.push_back(
+        "There are no drawings of bodies: either output.vtk was false, or no body of the scene has a shape or a "
+        "boundary.");
+  return missing;
+}
+
+void add_plane(const Json& summary, PageParts& parts) {
+  const Json scene = summary.value("scene", Json::object());
+  if (!scene.contains("ground") || scene.at("ground").value("kind", "") != "plane") return;
+  const Json& plane = scene.at("ground").value("plane", Json::object());
+  parts.run["plane"] = {{"point", plane.value("point", std::vector<double>{0, 0, 0})},
+                        {"normal", plane.value("normal", std::vector<double>{0, 0, 1})}};
+}
+
+std::string page_text(const std::string& title, const std::string& folder, const Json& summary,
+                      const std::vector<std::string>& notes, const PageParts& parts) {
+  std::string head, said;
+  if (const std::string status = summary.value("status", "unknown"); status != "done")
+    head += "<p class=\"warning\">" + html_text("This run is not complete: " + status) + "</p>";
+  for (const Json& text : summary.value("warnings", Json::array()))
+    head += "<p class=\"warning\">" + html_text(text.get<std::string>()) + "</p>";
+  for (const std::string& note : notes) said += "<p>" + html_text(note) + "</p>";
+  return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
+         "charset=\"utf-8\"/>\n<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+         std::string(kPolicy) + "\"/>\n<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
+         html_text(title) + "</title>\n<link rel=\"icon\" href=\"data:,\"/>\n</head>\n<body>\n<header><h1>" +
+         html_text(title) + "</h1><span>" + html_text(folder) + "</span>" + head +
+         "</header>\n<div id=\"footfall-stage\"><div id=\"footfall-panel\"></div><div id=\"footfall-loading\" "
+         "hidden=\"\"></div><div id=\"footfall-missing\"" +
+         (said.empty() ? " hidden=\"\"" : "") + ">" + said +
+         "</div></div>\n<div id=\"footfall-plots\"></div>\n<div id=\"footfall-bar\"></div>\n<div id=\"footfall-fault\" "
+         "hidden=\"\"></div>\n" +
+         parts.elements(kViewScript) + "</body>\n</html>\n";
+}
+
+std::string view_of(const ViewArguments& a, const fs::path& folder) {
+  const Json summary = read_summary((folder / "summary.json").string());
+  PageParts parts;
+  FrameLimits limits;
+  limits.frames = a.frames;
+  const double dt = summary.value("dt_dem_s", 0.0);
+  parts.run["grains"] = nullptr;
+  if (dt > 0.0) add_grains(folder.string(), dt, limits, parts);
+  add_bodies(folder.string(), summary, limits, parts);
+  add_plane(summary, parts);
+  const History history = read_history((folder / "history.csv").string());
+  if (history.column("time").empty())
+    throw InputError((folder / "history.csv").string() + ": holds no row; the run ended before there was one");
+  add_history(history, first_columns(history, summary.value("observed_body", "")), parts);
+  std::vector<std::string> notes = missing_of(summary, parts);
+  notes.insert(notes.end(), limits.notes.begin(), limits.notes.end());
+  for (const std::string& note : notes) std::fprintf(stderr, "footfall: %s\n", note.c_str());
+  const std::string title = summary.value("scene", Json::object()).value("title", "");
+  return page_text(title.empty() ? folder.filename().string() : title, folder.filename().string(), summary, notes,
+                   parts);
+}
+
+}  // namespace
+
+std::string write_view(const ViewArguments& arguments) {
+  const fs::path folder = fs::absolute(arguments.run).lexically_normal();
+  if (!fs::exists(folder / "summary.json") || !fs::exists(folder / "history.csv"))
+    throw InputError(arguments.run + ": holds no summary.json and history.csv; expected the folder of a run");
+  const std::string text = with_summary_of(arguments.run, [&] { return view_of(arguments, folder); });
+  const MadeFiles made(folder.string());
+  const std::string file = (folder / "view.html").string();
+  write_whole_file(file, text, "is the disk full?");
+  return file;
+}
+
+bool has_frames(const std::string& run) {
+  const fs::path folder(run);
+  return fs::exists(folder / "bodies.pvd") || fs::exists(folder / "motion") || !find_bed_frames(run).empty();
+}
+
+}  // namespace footfall

@@ -1,0 +1,239 @@
+#include "mbd_solver/bed/bed_frames.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+#include <system_error>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/files.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Columns of numbers by name, as they stand in the file.
+struct Columns {
+  std::map<std::string, std::vector<double>> of;
+  const std::vector<double>& get(const std::string& path, const std::string& name) const {
+    const auto found = of.find(name);
+    if (found == of.end() || found->second.empty())
+      throw InputError(path + ": holds no column \"" + name + "\"; dump id x y z vx vy vz radius of the grains");
+    return found->second;
+  }
+};
+
+// "ITEM: ATOMS id x y z ...", then a row per grain.
+Columns read_text(std::ifstream& file, const std::string& path) {
+  Columns columns;
+  std::vector<std::string> names;
+  std::string line;
+  while (std::getline(file, line)) {
+    std::istringstream words(line);
+    if (line.rfind("ITEM:", 0) == 0) {
+      names.clear();
+      std::string word;
+      words >> word >> word;
+      if (word != "ATOMS") continue;
+      columns.of.clear();
+      while (words >> word) names.push_back(word);
+      continue;
+    }
+    for (const std::string& name : names) {
+      double value = 0.0;
+      if (!(words >> value))
+        throw InputError(path + ": \"" + line + "\": expected a number for each column of ITEM: ATOMS");
+      columns.of[name].push_back(value);
+    }
+  }
+  return columns;
+}
+
+bool is_number(const std::string& word, double& value) {
+  const char* const end = word.data() + word.size();
+  const auto [read_to, error] = std::from_chars(word.data(), end, value);
+  return error == std::errc() && read_to == end && std::isfinite(value);
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& word, const std::string& field) {
+  throw InputError(path + ": \"" + word + "\" stands in \"" + field + "\"; expected a finite number");
+}
+
+// POINTS n TYPE, then x y z each; later fields NAME components n TYPE.
+Columns read_vtk(std::ifstream& file, const std::string& path) {
+  Columns columns;
+  std::string word;
+  const auto numbers = [&](const std::vector<std::string>& names, long n) {
+    std::vector<std::vector<double>*> to;
+    to.reserve(names.size());
+    for (const std::string& name : names) to.push_back(&columns.of[name]);
+    for (long i = 0; i < n; ++i)
+      for (std::vector<double>* const column : to) {
+        double value = 0.0;
+        // A stream reads words faster than numbers.
+        if (!(file >> word)) throw InputError(path + ": ends in the middle of \"" + names.front() + "\"");
+        if (!is_number(word, value)) refuse(path, word, names.front());
+        column->push_back(value);
+      }
+  };
+  std::string line;
+  bool fields = false;
+  while (std::getline(file, line)) {
+    std::istringstream words(line);
+    std::string name, type;
+    long components = 0, n = 0;
+    if (!(words >> name)) continue;
+    if (name == "BINARY")
+      throw InputError(path + ": is a binary VTK file; expected the ASCII one that dump custom/vtk writes");
+    if (name == "POINTS" && words >> n) {
+      numbers({"x", "y", "z"}, n);
+    } else if (name == "FIELD") {
+      fields = true;
+    } else if (fields && words >> components >> n >> type) {
+      if (components == 3) {
+        numbers({name + "x", name + "y", name + "z"}, n);
+      } else {
+        std::vector<std::string> names;
+        for (long c = 0; c < components; ++c) names.push_back(c == 0 ? name : name + std::to_string(c));
+        numbers(names, n);
+      }
+    }
+  }
+  return columns;
+}
+
+// PREFIX_STEP.vtk -> PREFIX, STEP; false for other names.
+bool parts_of(const fs::path& file, std::string& prefix, long& step) {
+  const std::string end = file.extension().string(), stem = file.stem().string();
+  const std::size_t line = stem.rfind('_');
+  if ((end != ".vtk" && end != ".txt") || line == std::string::npos || line + 1 == stem.size()) return false;
+  const std::string digits = stem.substr(line + 1);
+  if (digits.find_first_not_of("0123456789") != std::string::npos || digits.size() > 12) return false;
+  prefix = stem.substr(0, line) + end;
+  step = std::stol(digits);
+  return true;
+}
+
+}  // namespace
+
+BedFrame read_bed_frame(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw InputError(path + ": cannot be read");
+  std::string first;
+  std::getline(file, first);
+  const bool vtk = first.rfind("# vtk", 0) == 0;
+  if (!vtk) file.seekg(0);
+  const Columns columns = vtk ? read_vtk(file, path) : read_text(file, path);
+
+  const std::vector<double>& id = columns.get(path, "id");
+  std::vector<std::size_t> order(id.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return id[a] < id[b]; });
+  BedFrame frame;
+  std::string prefix;
+  parts_of(path, prefix, frame.step);
+  const auto matrix = [&](const char* a, const char* b, const char* c) {
+    const std::vector<double>* const rows[3] = {&columns.get(path, a), &columns.get(path, b), &columns.get(path, c)};
+    Eigen::Matrix3Xd m(3, static_cast<Eigen::Index>(id.size()));
+    for (int k = 0; k < 3; ++k) {
+      if (rows[k]->size() != id.size()) throw InputError(path + ": its columns are of different lengths");
+      for (std::size_t i = 0; i < order.size(); ++i) m(k, static_cast<Eigen::Index>(i)) = (*rows[k])[order[i]];
+    }
+    return m;
+  };
+  frame.x = matrix("x", "y", "z");
+  if (columns.of.count("vx") > 0) frame.v = matrix("vx", "vy", "vz");
+  if (columns.of.count("fx") > 0) frame.f = matrix("fx", "fy", "fz");
+  const std::vector<double>& radius = columns.get(path, "radius");
+  for (const std::size_t i : order) {
+    frame.id.push_back(static_cast<int>(id[i]));
+    frame.radius.push_back(radius.at(i));
+  }
+  return frame;
+}
+
+std::map<long, std::string> find_bed_frames(const std::string& folder) {
+  std::map<std::string, std::map<long, std::string>> by_prefix;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    std::string prefix;
+    long step = 0;
+    if (parts_of(entry.path(), prefix, step)) by_prefix[prefix][step] = entry.path().string();
+  }
+  std::map<long, std::string> best;
+  for (const auto& [prefix, frames] : by_prefix) {
+    if (frames.size() <= best.size()) continue;
+    try {
+      if (read_bed_frame(frames.begin()->second).count() > 0) best = frames;
+    } catch (const InputError&) {  // meshes, for instance
+    }
+  }
+  return best;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path rows_of(const std::string& run) { return fs::path(run) / "grains_energy.txt"; }
+fs::path rows_aside(const std::string& run) { return fs::path(run) / "grains_energy.before.txt"; }
+
+// Lines of the text whose step is in (after, until]; comments on request.
+std::string rows_between(const std::string& text, long after, long until, bool comments) {
+  std::istringstream lines(text);
+  std::string line, kept;
+  while (std::getline(lines, line)) {
+    const bool comment = !line.empty() && line[0] == '#';
+    const long step = std::strtol(line.c_str(), nullptr, 10);
+    if (comment ? comments : step > after && step <= until) kept += line + "\n";
+  }
+  return kept;
+}
+
+long last_step(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  long step = -1;
+  while (std::getline(lines, line))
+    if (!line.empty() && line[0] != '#') step = std::strtol(line.c_str(), nullptr, 10);
+  return step;
+}
+
+}  // namespace
+
+long step_of_checkpoint(const std::string& checkpoint) {
+  const std::string file = checkpoint + "/grains.txt", mark = "\nstep ";
+  const std::string text = read_whole_file(file).value_or("");
+  const std::size_t at = text.find(mark);
+  if (at == std::string::npos) throw InputError(file + ": does not tell at which step LIGGGHTS was");
+  return std::strtol(text.c_str() + at + mark.size(), nullptr, 10);
+}
+
+void set_rows_aside(const std::string& run, long step) {
+  join_rows(run);
+  if (const std::optional<std::string> text = read_whole_file(rows_of(run).string()))
+    write_whole_file(rows_aside(run).string(), rows_between(*text, -1, step, true));
+}
+
+std::string energy_at_start(const std::string& run) {
+  std::istringstream text(read_whole_file(run + "/grains_energy_start.txt").value_or(""));
+  std::string number;
+  text >> number;
+  return number;
+}
+
+void join_rows(const std::string& run) {
+  const std::optional<std::string> before = read_whole_file(rows_aside(run).string());
+  if (!before) return;
+  const std::string after = read_whole_file(rows_of(run).string()).value_or("");
+  write_whole_file(rows_of(run).string(), *before + rows_between(after, last_step(*before), 1L << 62, false));
+  fs::remove(rows_aside(run));
+}
+
+}  // namespace footfall

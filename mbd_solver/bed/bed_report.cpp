@@ -1,0 +1,283 @@
+#include "mbd_solver/bed/bed_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/bed/bed.h"
+#include "mbd_solver/bed/bed_measures.h"
+#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/build/grain_dump.h"
+#include "mbd_solver/scene/box_bed.h"
+#include "mbd_solver/scene/clump_shape.h"
+#include "mbd_solver/scene/grain_time_step.h"
+#include "mbd_solver/scene/script_text.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kLargeOverlap = 0.05;  // as that of which a run warns
+
+// Two digits are known: 1583 -> "1600".
+std::string round_count(double count) {
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(count)) - 1.0));
+  return std::to_string(std::lround(count / unit) * std::lround(unit));
+}
+
+// What of a sphere's volume counts: where spheres of its clump overlap they share [-].
+std::vector<double> own_shares(const std::vector<GrainPlace>& spheres, const BoxSpec& box) {
+  std::map<int, int> size;  // of each clump
+  for (const GrainPlace& sphere : spheres) ++size[sphere.clump];
+  std::vector<double> shares;
+  for (const GrainPlace& sphere : spheres) {
+    double share = 1.0, nearest = std::numeric_limits<double>::infinity();
+    for (const double radius : box.radius)
+      for (const std::string& name : box.clumps) {
+        const Clump clump = clump_of(clump_shape(name), radius);
+        const double away = std::abs(clump.radius - sphere.radius);
+        if (clump.centres.cols() != size[sphere.clump] || away >= nearest) continue;
+        nearest = away;
+        share =
+            clump.volume / (static_cast<double>(clump.centres.cols()) * 4.0 / 3.0 * kPi * std::pow(clump.radius, 3));
+      }
+    shares.push_back(share);
+  }
+  return shares;
+}
+
+// How much of the slab between two heights the grains fill [-].
+double solid_fraction(const std::vector<GrainPlace>& grains, const std::vector<double>& shares, double low, double high,
+                      double area) {
+  double volume = 0.0;
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    const GrainPlace& grain = grains[i];
+    const double r = grain.radius;
+    const double a = std::max(low - grain.centre.z(), -r), b = std::min(high - grain.centre.z(), r);
+    if (b > a) volume += shares[i] * kPi * (r * r * (b - a) - (b * b * b - a * a * a) / 3.0);
+  }
+  return volume / (area * (high - low));
+}
+
+std::string made_bed(const BoxSpec& box, const std::string& folder) {
+  if (!bed_is_made(folder)) return "  the bed is not made yet; the first run makes and keeps it\n";
+  const std::vector<GrainPlace> grains = read_grains((fs::path(folder) / kBedGrains).string());
+  double highest = -box.depth;
+  for (const GrainPlace& grain : grains) highest = std::max(highest, grain.centre.z() + grain.radius);
+  const double inner =
+      solid_fraction(grains, own_shares(grains, box), -0.75 * box.depth, -0.25 * box.depth, box.size[0] * box.size[1]);
+  const BedContacts contacts = bed_contacts(grains);
+  const std::size_t count = count_grains(grains);
+  const std::string what = box.clumps.empty() ? " grains" : " clumps of " + std::to_string(grains.size()) + " spheres";
+  std::string text = "  the bed is made: " + std::to_string(count) + what +
+                     ", the highest reaches z = " + number_text(highest, 3) + " m, solid fraction " +
+                     number_text(inner, 2) + " in its middle half";
+  if (contacts.coordination > 0.0)
+    text += ", " + number_text(contacts.coordination, 2) + " contacts per " + (box.clumps.empty() ? "grain" : "clump");
+  text += ", overlaps up to " + share_text(contacts.largest_overlap) + " of the radius\n";
+  if (contacts.largest_overlap > kLargeOverlap)
+    text += "  warning: at rest grains overlap by more than " + share_text(kLargeOverlap) +
+            ": their contact law holds for less. Raise material.young (the time step falls with its root)\n";
+  return text + "  " + short_path(folder) + "\n";
+}
+
+std::string clumps_text(const Scene& scene) {
+  const BoxSpec& box = *scene.particles->box;
+  std::vector<std::string> shapes;
+  for (const std::string& name : box.clumps) {
+    const Clump clump = clump_of(clump_shape(name), box.radius.front());
+    shapes.push_back(name + " (" + std::to_string(clump.centres.cols()) + " spheres of radius " +
+                     number_text(clump.radius, 3) + " m)");
+  }
+  const std::string rolling(name_of(rolling_model_of(scene)));
+  return "  clumps: " + joined(shapes) +
+         "; each weighs what a sphere of its radius weighs, overlaps count once; rolling friction: " + rolling + "\n";
+}
+
+// A mesh that was drawn in millimetres and read in metres is larger than anything that stands on a box of grains.
+std::string in_millimetres(const Eigen::Matrix3Xd& x) {
+  constexpr double kTooLarge = 20.0;  // [m]
+  const double size = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();
+  if (size < kTooLarge) return "";
+  return ". The body measures " + number_text(size, 3) +
+         " m: if its mesh is drawn in millimetres, give it scale = 0.001";
+}
+
+std::string toml_table(const std::map<std::string, std::string>& variables) {
+  std::string text;
+  for (const auto& [name, value] : variables) text += name + " = \"" + value + "\"\n";
+  return text;
+}
+
+}  // namespace
+
+std::string box_report(const Scene& scene) {
+  const ParticlesSpec& particles = *scene.particles;
+  const BoxSpec& box = *particles.box;
+  const BoxNumbers n = box_numbers(scene);
+  std::string radii = number_text(box.radius.front());
+  if (box.radius.size() > 1) radii += " and " + number_text(box.radius.back());
+  std::string text = "Bed: " + number_text(box.size[0]) + " x " + number_text(box.size[1]) + " m, " +
+                     number_text(box.depth) + " m deep: floor at z = " + number_text(-box.depth) +
+                     " m, surface at z = 0; about " + round_count(n.grains) + " grains of radius " + radii + " m\n";
+  if (!box.clumps.empty()) text += clumps_text(scene);
+  text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +
+          (box.periodic ? "beside it the bed goes on (periodic)\n" : number_text(n.margin) + " m beside the walls\n");
+  if (!box.walls) text += "  the run has no floor and no sides of its own: bodies of the scene stand in their places\n";
+  text += "  time step: " + number_text(n.time_step) + " s, " + share_text(n.time_step / n.rayleigh) +
+          " of the Rayleigh time, " + share_text(n.time_step / n.hertz) + " of the Hertz time; window: " +
+          (box.every ? std::to_string(*box.every) + " steps\n" : "chosen during the run\n");
+  return text + made_bed(box, bed_folder(*particles.bed));
+}
+
+void demand_inside_box(const Scene& scene, const Mechanism& mechanism) {
+  if (!scene.touches_particles() || !scene.particles->box) return;
+  const BoxSpec& box = *scene.particles->box;
+  const BoxNumbers n = box_numbers(scene);
+  constexpr double kOnTheSide = 1e-6;  // of the box
+  for (const BodyBoundary& entry : mechanism.boundaries) {
+    const BodyState& start = mechanism.model.initial(entry.body);
+    const Eigen::Matrix3Xd x =
+        (Eigen::Quaterniond(start.L[0], start.L[1], start.L[2], start.L[3]).toRotationMatrix() * entry.boundary.rho0())
+            .colwise() +
+        start.r;
+    for (int axis = 0; axis < 2 && !box.periodic; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      const double reach = 0.5 * box.size[k] + n.margin + kOnTheSide * box.size[k];
+      const double farthest = (x.row(axis).array() - box.centre[k]).abs().maxCoeff();
+      if (farthest > reach && entry.boundary.segments().empty())
+        throw InputError("body \"" + entry.boundary.name() + "\" reaches " + number_text(farthest, 4) +
+                         " m from the middle of the bed along " + (axis == 0 ? "x" : "y") + ", the simulation box " +
+                         number_text(reach, 4) +
+                         " m; make particles.box.size or particles.box.margin larger, or place the body inside" +
+                         in_millimetres(x));
+    }
+    const double top = x.row(2).maxCoeff();
+    if (top > n.headroom * (1.0 + kOnTheSide) && entry.boundary.segments().empty())
+      throw InputError("body \"" + entry.boundary.name() + "\" reaches up to z = " + number_text(top, 4) +
+                       " m, the simulation box to " + number_text(n.headroom, 4) +
+                       " m; make particles.box.headroom larger" + in_millimetres(x));
+  }
+}
+
+void keep_box_scripts(const Scene& scene, const std::string& out) {
+  if (!scene.touches_particles() || !scene.particles->box) return;
+  const ParticlesSpec& particles = *scene.particles;
+  const fs::path folder = fs::path(out) / "script";
+  make_folder(folder.string(), "choose another folder with --out");
+  for (const char* name : {"in.bed", "in.grains", "material.lammps", "walls.lammps", "energy.lammps"}) {
+    const std::string source = box_script(name);
+    const std::optional<std::string> text = read_whole_file(source);
+    if (!text) throw InputError(source + ": cannot be read");
+    write_whole_file((folder / name).string(), *text);
+  }
+  std::string text =
+      "# What [particles.box] of the scene stood for. To go on from these scripts, copy this folder beside the scene,\n"
+      "# put these lines in the place of [particles] and [particles.box], and edit the scripts.\n";
+  text += "[particles]\nscript = \"script/in.grains\"\nranks = " + std::to_string(particles.ranks) +
+          "\nsurface_height = " + number_text(*particles.surface_height, 12) +
+          "\nmax_time_step = " + number_text(particles.max_time_step, 12) + "\n[particles.variables]\n" +
+          toml_table(particles.variables) + "[particles.bed]\nscript = \"script/in.bed\"\n[particles.bed.variables]\n" +
+          toml_table(particles.bed->variables);
+  write_whole_file((folder / "particles.toml").string(), text);
+}
+
+namespace {
+
+// What the text of the scripts says; a command behind another one of its kind wins, as in LIGGGHTS.
+struct SaidOfGrains {
+  std::optional<double> young, poisson;  // of the first type: [Pa], [-]
+  std::optional<double> step;            // [s]
+  std::string every;                     // substeps per window, as written
+  double density = 0.0;                  // smallest of the templates; 0: none is said [kg/m3]
+  double smallest = 0.0, largest = 0.0;  // radii of the templates; 0: none is said [m]
+};
+
+void read_template(const std::vector<std::string>& words, SaidOfGrains& said) {
+  for (std::size_t i = 4; i + 2 < words.size(); ++i) {
+    if (words[i + 1] != "constant") continue;
+    const std::optional<double> value = as_number(words[i + 2]);
+    if (!value || !(*value > 0.0)) continue;
+    if (words[i] == "density") said.density = said.density > 0.0 ? std::min(said.density, *value) : *value;
+    if (words[i] != "radius") continue;
+    said.smallest = said.smallest > 0.0 ? std::min(said.smallest, *value) : *value;
+    said.largest = std::max(said.largest, *value);
+  }
+}
+
+void read_script(const std::string& file, const std::map<std::string, std::string>& variables, SaidOfGrains& said) {
+  const ScriptText script(file, variables);
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    if (w[0] == "timestep" && w.size() > 1) said.step = command.conditional ? std::nullopt : as_number(w[1]);
+    if (w[0] != "fix" || w.size() < 6) continue;
+    if (w[3] == "property/global" && w.size() > 6 && w[5] == "peratomtype") {
+      if (w[4] == "youngsModulus") said.young = as_number(w[6]);
+      if (w[4] == "poissonsRatio") said.poisson = as_number(w[6]);
+    }
+    if (w[3].rfind("particletemplate/", 0) == 0) read_template(w, said);
+    if (w[3] == "couple/mbd" && w[4] == "every") said.every = w[5];
+  }
+}
+
+// "0.02 m", "0.02 to 0.04 m".
+std::string radii_text(double smallest, double largest) {
+  return number_text(smallest, 3) + (largest > smallest ? " to " + number_text(largest, 3) : "") + " m";
+}
+
+std::string step_text(const SaidOfGrains& said, double speed) {
+  if (!said.step) return "";
+  std::string text = "  time step: " + number_text(*said.step) + " s";
+  if (said.young && said.poisson && said.density > 0.0 && said.smallest > 0.0) {
+    const ElasticGrain grain = {said.smallest, said.density, *said.young, *said.poisson};
+    text += ", " + share_text(*said.step / rayleigh_time(grain)) + " of the Rayleigh time";
+    if (speed > 0.0)
+      text += ", " + share_text(*said.step / hertz_time(grain, speed)) + " of the Hertz time at " +
+              number_text(speed, 3) + " m/s";
+  }
+  if (!said.every.empty() && said.every.front() != '$')
+    text += "; window: " + (said.every == "auto" ? "chosen during the run" : said.every + " steps");
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string script_report(const Scene& scene) {
+  const ParticlesSpec& particles = *scene.particles;
+  SaidOfGrains said;
+  if (particles.bed) read_script(particles.bed->script, particles.bed->variables, said);
+  said.step.reset();
+  read_script(particles.script, particles.variables, said);
+  std::string text = "Grains: " + short_path(particles.script) + " on " + std::to_string(particles.ranks) +
+                     (particles.ranks == 1 ? " rank" : " ranks");
+  if (particles.bed) {
+    const std::string folder = bed_folder(*particles.bed);
+    const std::string grains = (std::filesystem::path(folder) / kBedGrains).string();
+    if (!bed_is_made(folder)) {
+      text += "\n  the bed is not made yet; the first run makes and keeps it";
+    } else if (std::filesystem::exists(grains)) {
+      const std::vector<GrainPlace> places = read_grains(grains);
+      said.smallest = std::numeric_limits<double>::infinity();
+      said.largest = 0.0;
+      for (const GrainPlace& place : places) {
+        said.smallest = std::min(said.smallest, place.radius);
+        said.largest = std::max(said.largest, place.radius);
+      }
+      text += "\n  the bed is made: " + std::to_string(count_grains(places)) + " grains, " + short_path(folder);
+    }
+  }
+  text += "\n";
+  if (said.largest > 0.0) text += "  radius: " + radii_text(said.smallest, said.largest) + "\n";
+  return text + step_text(said, scene.initial.velocity.norm());
+}
+
+}  // namespace footfall

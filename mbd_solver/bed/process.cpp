@@ -1,0 +1,315 @@
+#include "mbd_solver/bed/process.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "coupler/base/clock.h"
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "coupler/interrupt.h"
+#include "mbd_solver/base/quote.h"
+
+namespace footfall {
+namespace {
+
+constexpr std::chrono::nanoseconds kTick = std::chrono::milliseconds(200);
+
+[[noreturn]] void become(const Command& command, const sigset_t& held) {
+  setpgid(0, 0);  // Ctrl-C in the terminal reaches the front door alone, which then ends the others in order
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  sigprocmask(SIG_UNBLOCK, &held, nullptr);
+  const int nothing = open("/dev/null", O_RDONLY);
+  if (nothing >= 0) dup2(nothing, STDIN_FILENO);
+  if (!command.folder.empty() && chdir(command.folder.c_str()) != 0) _exit(kCannotStart);
+  if (!command.output.empty()) {
+    const int file = open(command.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    if (file >= 0) {
+      dup2(file, STDOUT_FILENO);
+      dup2(file, STDERR_FILENO);
+    }
+  }
+  for (const auto& [name, value] : command.environment) setenv(name.c_str(), value.c_str(), 1);
+  std::vector<char*> words;
+  for (const std::string& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  execvp(words[0], words.data());
+  std::fprintf(stderr, "footfall: cannot start %s: %s\n", words[0], std::strerror(errno));
+  _exit(kCannotStart);
+}
+
+}  // namespace
+
+double processor_time(const rusage& usage) {
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+SignalsHeld::SignalsHeld() {
+  sigemptyset(&held_);
+  for (int signal : {SIGINT, SIGTERM, SIGQUIT, SIGUSR1, SIGCHLD}) sigaddset(&held_, signal);
+  if (!is_ignored(SIGHUP)) sigaddset(&held_, SIGHUP);  // nohup
+  sigprocmask(SIG_BLOCK, &held_, &old_);
+}
+
+SignalsHeld::~SignalsHeld() { sigprocmask(SIG_SETMASK, &old_, nullptr); }
+
+int SignalsHeld::wait() const {
+  const timespec tick{0, kTick.count()};
+  const int signal = sigtimedwait(&held_, nullptr, &tick);
+  return signal > 0 && signal != SIGCHLD ? signal : 0;
+}
+
+void SignalsHeld::ignore() const {
+  for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGUSR1, SIGHUP}) std::signal(signal, SIG_IGN);
+}
+
+pid_t start_process(const Command& command, const SignalsHeld& signals) {
+  const pid_t pid = fork();
+  if (pid < 0) throw InputError("cannot start " + command.words[0] + ": " + std::strerror(errno));
+  if (pid == 0) become(command, signals.held());
+  return pid;
+}
+
+int exit_code_of(int status) { return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status); }
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+// Ten seconds in all, from a signal to the last process.
+constexpr std::chrono::seconds kGrace(kEnding + 1);  // to write a checkpoint and end in order, before SIGKILL
+constexpr std::chrono::seconds kAfterEnd(1);         // from the end of the child to SIGTERM for what it left behind
+constexpr std::chrono::seconds kAfterTerm(1);        // from SIGTERM to SIGKILL
+constexpr std::chrono::milliseconds kSecondThought(500);  // from the first signal to a SIGINT that is meant as a second
+
+// Every process below this one; on request those alone that are stopped.
+std::vector<pid_t> descendants(bool stopped_alone = false) {
+  std::map<pid_t, std::vector<pid_t>> children;
+  std::set<pid_t> stopped;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    std::ifstream stat(entry.path() / "stat");
+    std::string line;
+    std::getline(stat, line);
+    const std::size_t end = line.rfind(')');  // the program's name may hold anything
+    char state = '?';
+    int parent = 0;
+    if (end == std::string::npos || std::sscanf(line.c_str() + end + 1, " %c %d", &state, &parent) != 2 || state == 'Z')
+      continue;
+    children[parent].push_back(std::stoi(name));
+    if (state == 'T') stopped.insert(std::stoi(name));
+  }
+  std::vector<pid_t> found = children[getpid()];
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::vector<pid_t> next = children[found[i]];
+    found.insert(found.end(), next.begin(), next.end());
+  }
+  const auto left_out = [&](pid_t pid) { return stopped_alone && stopped.count(pid) == 0; };
+  found.erase(std::remove_if(found.begin(), found.end(), left_out), found.end());
+  return found;
+}
+
+// Lets go of its sleep a launcher that waits for programs which have all ended: mpirun, when it has asked them to end,
+// looks again seconds later. SIGCHLD wakes it, and says nothing to others.
+void wake_lonely(pid_t launcher) {
+  const std::string folder = "/proc/" + std::to_string(launcher);
+  std::ifstream children(folder + "/task/" + std::to_string(launcher) + "/children");
+  for (pid_t child = 0; children >> child;) {
+    std::ifstream stat("/proc/" + std::to_string(child) + "/stat");
+    std::string line;
+    std::getline(stat, line);
+    const std::size_t end = line.rfind(')');
+    if (end != std::string::npos && line.compare(end, 3, ") Z") != 0) return;
+  }
+  kill(launcher, SIGCHLD);
+}
+
+std::string program_of(pid_t pid) {
+  std::error_code gone;
+  return std::filesystem::read_symlink("/proc/" + std::to_string(pid) + "/exe", gone).filename();
+}
+
+void send_all(const std::vector<pid_t>& pids, int signal) {
+  for (pid_t pid : pids) kill(pid, signal);
+}
+
+// Asks for an orderly end: true if somebody was there to ask. Who is stopped goes on, to take part in it.
+bool ask_gracefully(const std::string& graceful) {
+  bool asked = false;
+  send_all(descendants(true), SIGCONT);
+  for (pid_t pid : descendants()) {
+    if (graceful.empty() || program_of(pid) != graceful) continue;
+    kill(pid, SIGINT);
+    asked = true;
+  }
+  return asked;
+}
+
+bool is_fault(int signal) {
+  for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+    if (signal == fault) return true;
+  return false;
+}
+
+// Collects every child that ended (orphans of the child come to us). True when `pid` is among them; `status` is then
+// its status, `cpu` its processor time [s].
+bool reap(pid_t pid, int& status, double& cpu) {
+  bool ended = false;
+  int s = 0;
+  rusage usage{};
+  for (pid_t child = wait4(-1, &s, WNOHANG, &usage); child > 0; child = wait4(-1, &s, WNOHANG, &usage)) {
+    if (child != pid) continue;
+    status = s;
+    cpu = processor_time(usage);
+    ended = true;
+  }
+  return ended;
+}
+
+}  // namespace
+
+std::string StoppedWatch::operator()() {
+  const double now = wall_clock();
+  if (now < next_look_) return "";
+  next_look_ = now + 1.0;
+  std::map<pid_t, double> since;
+  for (const pid_t pid : descendants(true)) since[pid] = since_.count(pid) ? since_[pid] : now;
+  since_ = since;
+  for (const auto& [pid, start] : since_)
+    if (now - start > limit_)
+      return program_of(pid) + " (process " + std::to_string(pid) + ") has been stopped for " + number_text(limit_) +
+             " s (SIGSTOP): nobody can go on without it";
+  return "";
+}
+
+ChildEnd run_child(const Command& command, const std::string& graceful, const std::function<std::string()>& tick) {
+  const SignalsHeld signals;
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  const pid_t pid = start_process(command, signals);
+
+  ChildEnd end;
+  int status = 0;
+  bool ended = false, terminated = false;
+  Clock::time_point deadline = Clock::time_point::max(), asked = deadline;
+  const auto terminate = [&] {
+    send_all(descendants(), terminated ? SIGKILL : SIGTERM);
+    terminated = true;
+    deadline = Clock::now() + kAfterTerm;
+  };
+  while (!ended || !descendants().empty()) {
+    const int signal = signals.wait();
+    if (signal != 0 && !end.interrupted) {
+      end.interrupted = true;
+      asked = Clock::now();
+      if (ask_gracefully(graceful)) {
+        deadline = asked + kGrace;
+        terminated = true;  // they have been asked: what is left is to kill
+      } else {
+        terminate();
+      }
+    } else if (signal == SIGINT && Clock::now() > asked + kSecondThought) {
+      terminate();
+    }
+    if (reap(pid, status, end.cpu)) {
+      ended = true;
+      if (deadline == Clock::time_point::max()) {
+        // Of a launcher that a signal has ended nobody hears, and Open MPI ends its programs a second later.
+        terminated = was_asked_to_end(exit_code_of(status)) && ask_gracefully(graceful);
+        deadline = Clock::now() + (terminated ? kGrace : kAfterEnd);
+      }
+    }
+    if (!ended) wake_lonely(pid);
+    if (Clock::now() > deadline) terminate();
+    if (!tick || ended || end.interrupted || !end.given_up.empty()) continue;
+    end.given_up = tick();
+    if (!end.given_up.empty()) terminate();
+  }
+  reap(pid, status, end.cpu);  // orphans killed last
+  end.code = exit_code_of(status);
+  end.crashed = WIFSIGNALED(status) && is_fault(WTERMSIG(status));
+  if (end.code == kCannotStart) throw InputError("cannot start " + command.words[0] + "; is it installed?");
+  return end;
+}
+
+double memory_of_descendants() {
+  double sum = 0.0;
+  for (const pid_t pid : descendants()) {
+    std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+    for (std::string word; status >> word;)
+      if (double kilobytes = 0.0; word == "RssAnon:" && status >> kilobytes) sum += 1024.0 * kilobytes;
+  }
+  return sum;
+}
+
+bool was_asked_to_end(int exit_code) {
+  if (exit_code == kExitInterrupted) return true;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1})
+    if (exit_code == 128 + signal) return true;
+  return false;
+}
+
+std::string shell_line(const Command& command) {
+  std::string line;
+  for (const auto& [name, value] : command.environment) line += name + "=" + shell_word(value) + " ";
+  for (const std::string& word : command.words)
+    line += (line.empty() || line.back() == ' ' ? "" : " ") + shell_word(word);
+  return line;
+}
+
+bool run_pool(const std::vector<Command>& commands, int jobs, const std::function<void(int, int, double)>& ended) {
+  const SignalsHeld signals;
+  std::map<pid_t, int> running;  // number of each process
+  std::size_t next = 0;
+  bool interrupted = false;
+  std::exception_ptr failure;
+  const auto interrupt = [&] {
+    interrupted = true;
+    for (const auto& [pid, number] : running) kill(pid, SIGINT);
+  };
+  while (!running.empty() || (next < commands.size() && !interrupted)) {
+    while (next < commands.size() && !interrupted && static_cast<int>(running.size()) < jobs) {
+      running[start_process(commands[next], signals)] = static_cast<int>(next);
+      ++next;
+    }
+    if (signals.wait() != 0) interrupt();
+    for (auto it = running.begin(); it != running.end();) {
+      int status = 0;
+      rusage usage{};
+      if (wait4(it->first, &status, WNOHANG, &usage) != it->first) {
+        ++it;
+        continue;
+      }
+      const int number = it->second;
+      it = running.erase(it);
+      try {
+        ended(number, exit_code_of(status), processor_time(usage));
+      } catch (...) {
+        if (!failure) failure = std::current_exception();
+        interrupt();
+      }
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+  return interrupted;
+}
+
+}  // namespace footfall

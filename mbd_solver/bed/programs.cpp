@@ -1,0 +1,73 @@
+#include "mbd_solver/bed/programs.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "coupler/base/errors.h"
+#include "coupler/interrupt.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+std::string short_path(const std::string& path) {
+  std::error_code error;
+  const std::string absolute = fs::absolute(path, error).lexically_normal().string();
+  const std::string near = fs::path(absolute).lexically_proximate(fs::current_path(error)).string();
+  return near.size() < absolute.size() ? near : absolute;
+}
+
+std::string built_program(const std::string& name) {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  const fs::path program = self.parent_path() / name;
+  if (!fs::exists(program, error))
+    throw InputError(program.string() + ": there is no such program; build footfall with ./footfall, or cmake --build");
+  return program.string();
+}
+
+std::string installed_program(const std::string& name, const std::string& package) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::string program = (fs::path(folder.empty() ? "." : folder) / name).string();
+    if (access(program.c_str(), X_OK) == 0 && !fs::is_directory(program)) return program;
+  }
+  throw InputError(name + ": there is no such program; install the Debian package " + package);
+}
+
+std::string called_as() {
+  const char* name = std::getenv("FOOTFALL_CALLED_AS");
+  return name && *name ? name : "footfall";
+}
+
+Command mpirun() {
+  Command command;
+  command.words = {"mpirun"};
+  if (geteuid() == 0) {
+    command.environment["OMPI_ALLOW_RUN_AS_ROOT"] = "1";
+    command.environment["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1";
+  }
+  // mbd_solver sleeps while the grains move: one process more than cores costs nothing, but Open MPI must be told.
+  command.words.insert(command.words.end(), {"--oversubscribe", "--bind-to", "none", "--quiet"});
+  return command;
+}
+
+void leave_time_to_end(Command& mpirun) {
+  // SIGCONT, so many seconds, SIGTERM, as many again, SIGKILL.
+  mpirun.environment["OMPI_MCA_odls_base_sigkill_timeout"] = "3";
+  mpirun.environment[kLauncherWarns] = "1";
+}
+
+std::vector<std::string> script_arguments(const std::string& script,
+                                          const std::map<std::string, std::string>& variables) {
+  std::vector<std::string> words = {"-in", short_path(script), "-var", "here",
+                                    short_path(fs::path(script).parent_path().string())};
+  for (const auto& [name, value] : variables) words.insert(words.end(), {"-var", name, value});
+  return words;
+}
+
+}  // namespace footfall

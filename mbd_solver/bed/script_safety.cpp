@@ -1,0 +1,82 @@
+#include "mbd_solver/bed/script_safety.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/scene/script_text.h"
+
+namespace footfall {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// The words that a quoted one of LIGGGHTS holds are commands, as in: if ... then "shell rm".
+Words without_quotes(Words words) {
+  for (std::string& word : words)
+    word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == '"' || c == '\''; }), word.end());
+  return words;
+}
+
+std::string word_after(const Words& w, std::size_t from, const std::string& key) {
+  for (std::size_t i = from; i + 1 < w.size(); ++i)
+    if (w[i] == key) return w[i + 1];
+  return "";
+}
+
+// The files that one command writes; `at` is where it begins among the words.
+Words files_written(const Words& w, std::size_t at) {
+  const auto word = [&](std::size_t k) { return at + k < w.size() ? w[at + k] : std::string(); };
+  const std::string command = word(0);
+  if (command == "dump") return {word(5)};
+  if (command == "write_dump") return {word(3)};
+  if (command == "write_restart" || command == "write_data" || command == "log") return {word(1)};
+  if (command == "restart" && word(1) != "0") return {word(2), word(3)};
+  if (command == "print") return {word_after(w, at + 1, "file"), word_after(w, at + 1, "append")};
+  if (command == "run") return {};
+  if (command != "fix") return {};
+  // Other fixes read their files: meshes, templates of particles.
+  const std::string style = word(3);
+  if (style != "print" && style.rfind("ave/", 0) != 0 && style.rfind("massflow/", 0) != 0) return {};
+  return {word_after(w, at + 4, "file"), word_after(w, at + 4, "append")};
+}
+
+bool is_home(const std::string& file) {
+  if (file.empty() || file == "none" || file == "NULL" || file == "&") return true;
+  const bool out = file.rfind("${out}/", 0) == 0, bed = file.rfind("${bed}", 0) == 0;
+  if (!out && !bed) return false;
+  const std::string rest = file.substr(6);
+  // What is left is a plain path: LIGGGHTS hands the names of packed files to a shell.
+  const bool plain = rest.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.+*%/") ==
+                     std::string::npos;
+  return plain && rest.find("..") == std::string::npos;
+}
+
+}  // namespace
+
+void demand_safe_script(const std::string& script, const std::map<std::string, std::string>& variables) {
+  std::string findings;
+  // Both come from the command line, whatever the script says they are without it.
+  std::map<std::string, std::string> given = variables;
+  given["out"] = "${out}";
+  given["bed"] = "${bed}";
+  const ScriptText text(script, given);
+  for (const ScriptCommand& command : text.commands()) {
+    const Words w = without_quotes(command.words);
+    const auto complain = [&](const std::string& what) {
+      findings += (findings.empty() ? "" : "\n") + command.file + ":" + std::to_string(command.line) + ": " + what;
+    };
+    if (std::find(w.begin(), w.end(), "shell") != w.end())
+      complain("`shell` runs programs, which no script of a scene may do; do it before the run");
+    if (w[0] == "dump" && w.size() > 3 && w[3] == "movie")
+      complain("dump movie runs a program, which no script may do");
+    // Commands within `if` and `run ... every` begin at any word.
+    const bool nested = w[0] == "if" || w[0] == "run" || w[0] == "partition";
+    for (std::size_t at = 0; at < (nested ? w.size() : 1); ++at)
+      for (const std::string& file : files_written(w, at))
+        if (!is_home(file)) complain("writes \"" + file + "\", expected a file in the run's folder: ${out}/NAME");
+  }
+  if (!findings.empty()) throw InputError(findings + "\nIf you wrote or trust this script, say --trust-script.");
+}
+
+}  // namespace footfall

@@ -1,0 +1,241 @@
+#include "mbd_solver/studies/metrics.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/bed/bed_measures.h"
+#include "mbd_solver/output/history.h"
+#include "mbd_solver/output/summary.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSteadyShare = 0.4;  // of the rows
+
+std::vector<std::string> numbers_in(const nlohmann::ordered_json& summary) {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : summary.items())
+    if (value.is_number()) names.push_back(key);
+  return names;
+}
+
+bool smaller_size(double a, double b) { return std::abs(a) < std::abs(b); }
+
+double variation(const std::vector<double>& x) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < x.size(); ++i) sum += std::abs(x[i] - x[i - 1]);
+  return sum;
+}
+
+double steady(const std::vector<double>& x) {
+  const auto rows = static_cast<double>(x.size());
+  const double last = std::max(1.0, std::floor(kSteadyShare * rows));
+  return std::accumulate(x.end() - static_cast<std::ptrdiff_t>(last), x.end(), 0.0) / last;
+}
+
+double reduced(const FigureSpec& figure, const std::vector<double>& x) {
+  switch (figure.reduction) {
+    case Reduction::kMin: return *std::min_element(x.begin(), x.end());
+    case Reduction::kFinal: return x.back();
+    case Reduction::kLargest: return std::abs(*std::max_element(x.begin(), x.end(), smaller_size));
+    case Reduction::kDrop: return x.front() - *std::min_element(x.begin(), x.end());
+    case Reduction::kPeaks: return count_peaks(x, figure.prominence * *std::max_element(x.begin(), x.end()));
+    case Reduction::kVariation: return variation(x);
+    case Reduction::kSteady: return steady(x);
+    case Reduction::kMax: break;
+  }
+  return *std::max_element(x.begin(), x.end());
+}
+
+double of_history(const FigureSpec& figure, const History& history) {
+  std::vector<double> values;  // of the columns
+  for (const std::string& name : figure.columns) {
+    const std::vector<double>& column = history.column(name);
+    if (!column.empty()) values.push_back(reduced(figure, column));
+  }
+  if (values.empty()) return kNone;
+  if (figure.average) return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  if (figure.reduction == Reduction::kFinal) return values.back();
+  return figure.reduction == Reduction::kMin ? *std::min_element(values.begin(), values.end())
+                                             : *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+int count_peaks(const std::vector<double>& values, double least) {
+  // From one valley to the next: a peak is told when the curve has risen by `least` to it and fallen by `least` from
+  // it.
+  int peaks = 0;
+  bool climbing = true;  // since `lowest`; else falling since `highest`
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const double value : values) {
+    if (climbing) {
+      lowest = std::min(lowest, value);
+      highest = value - lowest >= least ? std::max(highest, value) : highest;
+      if (highest - value >= least && std::isfinite(highest)) {
+        ++peaks;
+        climbing = false;
+        lowest = value;
+      }
+    } else {
+      lowest = std::min(lowest, value);
+      if (value - lowest >= least) {
+        climbing = true;
+        highest = value;
+      }
+    }
+  }
+  return peaks + (climbing && std::isfinite(highest) ? 1 : 0);
+}
+
+void demand_columns(const std::vector<std::string>& columns, const History& history, const std::string& folder,
+                    const std::string& file, const std::string& who) {
+  for (const std::string& name : columns)
+    if (history.find(name) < 0)
+      throw InputError(file + ": " + who + ": " + folder + "/history.csv has no column \"" + name + "\"." +
+                       known_names("columns", name, history.names));
+}
+
+FigureFault fault_of(const FigureSpec& f) {
+  const int sources = (f.key.empty() ? 0 : 1) + (f.columns.empty() ? 0 : 1) + (f.slope.empty() ? 0 : 1);
+  if (sources != 1)
+    return {"key", "expected one of key (of summary.json), columns (of history.csv) and slope (of the grains)"};
+  if (!f.slope.empty() && (f.slope.size() != 2 || !(f.slope[0] < f.slope[1])))
+    return {"slope", "expected two heights [m], the lower one first, such as [-0.06, -0.02]"};
+  return {};
+}
+
+std::vector<double> figures_of_run(const std::vector<FigureSpec>& figures, const std::string& folder,
+                                   const std::string& file) {
+  const std::string summary_file = (fs::path(folder) / "summary.json").string();
+  const nlohmann::ordered_json summary = read_summary(summary_file);
+  const auto of_summary = [&](const std::string& key) {
+    if (!summary.contains(key) || !summary[key].is_number())
+      throw InputError(file + ": figures: " + summary_file + " has no number \"" + key + "\"." +
+                       known_names("numbers", key, numbers_in(summary)));
+    return summary[key].get<double>();
+  };
+  History history;
+  std::vector<double> values;
+  for (const FigureSpec& figure : figures) {
+    if (!figure.columns.empty()) {
+      if (history.names.empty()) history = read_history((fs::path(folder) / "history.csv").string());
+      demand_columns(figure.columns, history, folder, file, "figures." + figure.name + ".columns");
+    }
+    if (figure.compares_curves()) {
+      values.push_back(kNone);
+      continue;
+    }
+    values.push_back(!figure.key.empty()    ? of_summary(figure.key)
+                     : figure.slope.empty() ? of_history(figure, history)
+                                            : last_slope(folder, figure.slope[0], figure.slope[1]).angle);
+    if (!figure.over.empty()) values.back() /= of_summary(figure.over);
+  }
+  return values;
+}
+
+namespace {
+
+double value_at(const std::vector<double>& times, const std::vector<double>& values, double t) {
+  const auto after = std::upper_bound(times.begin(), times.end(), t);
+  const std::size_t i = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(after - times.begin() - 1, 0, static_cast<std::ptrdiff_t>(times.size()) - 2));
+  const double u = (t - times[i]) / (times[i + 1] - times[i]);
+  return values[i] + u * (values[i + 1] - values[i]);
+}
+
+// Mean and standard deviation (0 for one value).
+std::pair<double, double> mean_and_spread(const std::vector<double>& values) {
+  const Eigen::Map<const Eigen::ArrayXd> x(values.data(), static_cast<Eigen::Index>(values.size()));
+  const double mean = x.mean(), freedoms = std::max(1.0, static_cast<double>(values.size()) - 1.0);
+  return {mean, std::sqrt((x - mean).square().sum() / freedoms)};
+}
+
+}  // namespace
+
+double history_error(const History& run, const History& reference, const std::vector<std::string>& columns, bool at_end,
+                     double until) {
+  const std::vector<double>& times = run.column("time");
+  const std::vector<double>& reference_times = reference.column("time");
+  if (reference_times.size() < 2 || times.empty()) throw InputError("figures: a run without rows cannot be compared");
+  const auto end = until > 0.0 ? std::upper_bound(times.begin(), times.end(), until * (1.0 + 1e-9)) : times.end();
+  const std::size_t count = std::max<std::size_t>(1, static_cast<std::size_t>(end - times.begin()));
+  double sum = 0.0;
+  for (const std::string& name : columns) {
+    const std::vector<double>& mine = run.column(name);
+    const std::vector<double>& theirs = reference.column(name);
+    const auto [low, high] = std::minmax_element(theirs.begin(), theirs.end());
+    const double swing = *high > *low ? *high - *low : 1.0;
+    double square = 0.0;
+    const std::size_t first = at_end ? count - 1 : 0;
+    for (std::size_t i = first; i < count; ++i) {
+      const double difference = (mine[i] - value_at(reference_times, theirs, times[i])) / swing;
+      square += difference * difference;
+    }
+    sum += square / static_cast<double>(count - first);
+  }
+  return std::sqrt(sum / static_cast<double>(columns.size()));
+}
+
+std::vector<double> curve_errors(const std::vector<FigureSpec>& figures, const std::string& folder,
+                                 const std::string& reference) {
+  std::vector<double> errors(figures.size(), SampledFigure::kNone);
+  History mine, theirs;
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    if (!figures[k].compares_curves()) continue;
+    if (mine.names.empty()) {
+      mine = read_history(folder + "/history.csv");
+      theirs = read_history(reference + "/history.csv");
+    }
+    errors[k] =
+        history_error(mine, theirs, figures[k].columns, figures[k].error == ErrorKind::kFinal, figures[k].until);
+  }
+  return errors;
+}
+
+SampledFigure sampled_figure(const std::vector<double>& figures) {
+  SampledFigure sampled;
+  if (!figures.empty()) std::tie(sampled.mean, sampled.spread) = mean_and_spread(figures);
+  return sampled;
+}
+
+SampledFigure sampled_figure(const std::vector<double>& figures, const std::vector<double>& reference) {
+  std::vector<double> differences;
+  for (std::size_t k = 0; k < figures.size(); ++k) differences.push_back(figures[k] - reference[k]);
+  const auto [mean, spread] = mean_and_spread(figures);
+  const auto [difference, scatter] = mean_and_spread(differences);
+  const double expected = mean_and_spread(reference).first, size = expected != 0.0 ? std::abs(expected) : 1.0;
+  return {mean, spread, std::abs(difference) / size, scatter / std::sqrt(static_cast<double>(figures.size())) / size};
+}
+
+double slope(const std::vector<std::pair<double, double>>& points) {
+  double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+  for (const auto& [x, y] : points) {
+    sx += x;
+    sy += y;
+    sxx += x * x;
+    sxy += x * y;
+  }
+  const double n = static_cast<double>(points.size()), spread = n * sxx - sx * sx;
+  return n < 2.0 || spread <= 0.0 ? 0.0 : (n * sxy - sx * sy) / spread;
+}
+
+double observed_order(const std::vector<std::pair<double, double>>& points) {
+  std::vector<std::pair<double, double>> logs;
+  for (const auto& [x, y] : points)
+    if (x > 0.0 && y > 0.0) logs.emplace_back(std::log(x), std::log(y));
+  return slope(logs);
+}
+
+}  // namespace footfall

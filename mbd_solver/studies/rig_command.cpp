@@ -1,0 +1,326 @@
+#include "mbd_solver/studies/rig_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/base/quote.h"
+#include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/scene/shipped_files.h"
+#include "mbd_solver/studies/experiment.h"
+#include "mbd_solver/studies/experiment_command.h"
+#include "mbd_solver/studies/fits.h"
+#include "mbd_solver/studies/results.h"
+#include "mbd_solver/studies/rig.h"
+#include "mbd_solver/studies/tables.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kAsked = 0.95, kMoved = 0.05;
+constexpr int kSampleDigits = 8;
+
+std::string answer_text(double value) { return std::isfinite(value) ? number_text(value, 4) : "not found"; }
+
+// "+12 %", beside the mean of the rig itself.
+std::string moved_by(double mean, double own) {
+  if (!std::isfinite(mean) || !std::isfinite(own) || own == 0.0) return "not found";
+  const double share = (mean - own) / std::abs(own);
+  return (share < 0.0 ? "" : "+") + share_text(share) + (std::abs(share) > kMoved ? ", moved" : "");
+}
+
+Table answer_table(const std::vector<RigVariant>& variants) {
+  std::vector<std::string> head = {"answer", "unit", "mean", "95 % interval: +-", "samples"};
+  for (std::size_t v = 1; v < variants.size(); ++v) head.push_back(variants[v].name);
+  Table table(head);
+  const std::vector<RigAnswer>& answers = variants.front().samples.front().answers;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const RigStatistic own = statistic_of(variants.front().samples, i);
+    std::vector<std::string> row = {answers[i].name, answers[i].unit, answer_text(own.mean),
+                                    std::isfinite(own.interval) ? number_text(own.interval, 2) : "",
+                                    std::to_string(own.samples)};
+    for (std::size_t v = 1; v < variants.size(); ++v)
+      row.push_back(moved_by(statistic_of(variants[v].samples, i).mean, own.mean));
+    table.add(row);
+  }
+  return table;
+}
+
+// A row for each sample of the bed and each check: what the means are made of. Empty: not found.
+Table sample_table(const std::vector<RigVariant>& variants) {
+  std::vector<std::string> head = {"check", "sample"};
+  for (const RigAnswer& answer : variants.front().samples.front().answers) head.push_back(answer.name);
+  Table table(head);
+  for (const RigVariant& variant : variants)
+    for (std::size_t k = 0; k < variant.samples.size(); ++k) {
+      std::vector<std::string> row = {variant.name.empty() ? "none" : variant.name, std::to_string(k + 1)};
+      for (const RigAnswer& answer : variant.samples[k].answers)
+        row.push_back(std::isfinite(answer.value) ? number_text(answer.value, kSampleDigits) : "");
+      table.add(row);
+    }
+  return table;
+}
+
+// A bound lies within the interval. R^2 and the like cannot pass 1, so that bound is none.
+bool is_open(const RigClaim& claim, const RigStatistic& s) {
+  if (!std::isfinite(s.interval)) return false;
+  const auto holds = [&](double bound) { return std::abs(bound - s.mean) < s.interval; };
+  return holds(claim.least) || (claim.most != 1.0 && holds(claim.most));
+}
+
+std::string claim_lines(const Rig& rig, const RigVariant& own) {
+  std::string text;
+  const std::vector<RigAnswer>& answers = own.samples.front().answers;
+  for (const RigClaim& claim : rig.claims) {
+    const auto found =
+        std::find_if(answers.begin(), answers.end(), [&](const RigAnswer& a) { return a.name == claim.answer; });
+    FOOTFALL_DEMAND(found != answers.end());
+    const RigStatistic s = statistic_of(own.samples, static_cast<std::size_t>(found - answers.begin()));
+    const bool so = s.mean >= claim.least && s.mean <= claim.most;
+    text += "| " + claim.text + " (" + claim.source + ") | " + number_text(claim.least) + " to " +
+            number_text(claim.most) + " | " + answer_text(s.mean) +
+            (std::isfinite(s.interval) ? " +- " + number_text(s.interval, 2) : "") + " | " + (so ? "yes" : "no") +
+            (is_open(claim, s) ? ", but the interval leaves it open" : "") + " |\n";
+  }
+  return text.empty() ? text : "\n| law | asked | found | met |\n|---|---|---|---|\n" + text;
+}
+
+// All curves of the rig itself below each other, a blank line between two.
+std::string draw_curves(const Rig& rig, const RigVariant& own, const std::string& folder, const std::string& title) {
+  Table table({"curve", "x", "y"});
+  std::vector<std::string> lines;
+  std::size_t row = 0;
+  const std::string file = std::string(rig.name) + "_curves.csv";
+  for (std::size_t k = 0; k < own.samples.size(); ++k) {
+    for (std::size_t c = 0; c < own.samples[k].curves.size(); ++c) {
+      const RigCurve& curve = own.samples[k].curves[c];
+      if (curve.x.empty()) continue;
+      const bool line = std::is_sorted(curve.x.begin(), curve.x.end());
+      for (std::size_t i = 0; i < curve.x.size(); ++i)
+        table.add({curve.name, number_text(curve.x[i], 8), number_text(curve.y[i], 8)});
+      lines.push_back(gnuplot_text(file) + " every ::" + std::to_string(row) +
+                      "::" + std::to_string(row + curve.x.size() - 1) + " using 2:3 with " + (line ? "lines" : "") +
+                      "points ps 0.8 pt " + std::to_string(c + 1) + " lc " + std::to_string(c + 1) +
+                      (k == 0 ? " title " + gnuplot_text(curve.name) : " notitle"));
+      row += curve.x.size();
+    }
+  }
+  write_whole_file((fs::path(folder) / file).string(), table.csv());
+  if (lines.empty()) return "";
+  const std::string drawing = "set grid\nset title " + gnuplot_text(title) + " noenhanced\nset xlabel " +
+                              gnuplot_text(rig.x_label) + " noenhanced\nset ylabel " + gnuplot_text(rig.y_label) +
+                              " noenhanced\nset key outside below noenhanced\nplot " + joined(lines, ", ") + "\n";
+  try {
+    return joined(run_gnuplot(folder, {write_drawing(folder, rig.name, {900, 620}, kCsv, drawing)}), "\n") + "\n";
+  } catch (const InputError& e) {
+    std::fprintf(stderr, "footfall: warning: no picture: %s\n", e.what());
+    return "";
+  }
+}
+
+}  // namespace
+
+RigStatistic statistic_of(const std::vector<RigSample>& samples, std::size_t answer) {
+  RigStatistic s;
+  s.mean = s.interval = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> values;
+  for (const RigSample& sample : samples)
+    if (answer < sample.answers.size() && std::isfinite(sample.answers[answer].value))
+      values.push_back(sample.answers[answer].value);
+  s.samples = static_cast<int>(values.size());
+  if (values.empty()) return s;
+  double sum = 0.0, squares = 0.0;
+  for (const double value : values) sum += value;
+  s.mean = sum / s.samples;
+  for (const double value : values) squares += (value - s.mean) * (value - s.mean);
+  if (s.samples > 1) s.interval = student_t(kAsked, s.samples - 1) * std::sqrt(squares / (s.samples - 1) / s.samples);
+  return s;
+}
+
+void write_rig(const Rig& rig, const std::vector<RigVariant>& variants, const std::string& folder,
+               const std::string& title, const std::string& command, bool verdicts) {
+  const Table table = answer_table(variants);
+  const auto path = [&](const std::string& end) { return (fs::path(folder) / (rig.name + end)).string(); };
+  std::string page = "## " + title + "\n\nMade by `" + command + "`.\n\n" + table.page();
+  if (verdicts) page += claim_lines(rig, variants.front());
+  write_whole_file(path(".csv"), table.csv());
+  write_whole_file(path("_samples.csv"), sample_table(variants).csv());
+  write_whole_file(path(".md"), page);
+  std::printf("%s\n", page.c_str());
+  const std::string pictures = draw_curves(rig, variants.front(), folder, title);
+  std::printf("%s\n%s%s\n", path(".md").c_str(), pictures.c_str(), path(".csv").c_str());
+}
+
+namespace {
+
+constexpr double kEarth = 9.81, kMoon = 1.62, kMars = 3.71;  // [m/s2]
+
+std::string key_of(const std::string& setting) { return setting.substr(0, setting.find('=')); }
+
+// What the rig varies itself would silently win over --set.
+void demand_free(const ExperimentSpec& spec, const std::vector<std::string>& settings) {
+  for (const ParameterSpec& parameter : spec.parameters)
+    for (const ChoiceSpec& choice : parameter.choices)
+      for (const std::string& varied : choice.settings)
+        for (const std::string& setting : settings)
+          if (key_of(setting) == key_of(varied))
+            throw InputError("--set " + setting + ": the rig varies this key itself, as its \"" + parameter.name +
+                             "\"; " +
+                             (parameter.ensemble ? "--samples says how many there are"
+                                                 : "copy " + spec.file + ", edit it, and give it by --file"));
+}
+
+// So many samples of the bed: the first ones of the file's one ensemble. Where those are 1, 2, 3 ... there are more.
+void take_samples(ExperimentSpec& spec, int samples) {
+  for (ParameterSpec& parameter : spec.parameters) {
+    if (!parameter.ensemble || parameter.settings.empty()) continue;
+    std::vector<ChoiceSpec>& choices = parameter.choices;
+    const int given = static_cast<int>(choices.size());
+    if (samples > given && choices.back().name != std::to_string(given))
+      throw InputError("--samples " + std::to_string(samples) + ": " + spec.file + " names " + std::to_string(given) +
+                       " values of its \"" + parameter.name + "\"; copy it, add values, and give it by --file");
+    for (int k = given + 1; k <= samples; ++k)
+      choices.push_back({std::to_string(k), "", filled(parameter.settings, std::to_string(k))});
+    choices.resize(static_cast<std::size_t>(samples));
+    parameter.short_choices = parameter.choices;
+    return;
+  }
+  throw InputError(spec.file + ": --samples needs [[parameters]] with ensemble = true, settings and values");
+}
+
+// An evaluation that fails after hours of runs has lost them.
+void demand_scenes(const Plan& plan, const Rig& rig) {
+  for (const RunRequest& run : plan.runs) {
+    const Scene scene = read_scene(run.scene, run.settings);
+    box_of(scene);
+    rig.demand(scene);
+  }
+}
+
+// Every run again for each check, whose name is the last of its values; without checks they are empty.
+void add_checks(Plan& plan, const Rig& rig, bool wanted) {
+  const std::size_t own = plan.runs.size();
+  for (std::size_t i = 0; i < own; ++i) {
+    plan.runs[i].values.emplace_back();
+    if (!wanted) continue;
+    const RunRequest run = plan.runs[i];
+    const Scene scene = read_scene(run.scene, run.settings);
+    for (const RigCheck& check : rig.checks(scene, rig.slow)) {
+      RunRequest again = run;
+      again.name = check.name;
+      std::replace(again.name.begin(), again.name.end(), ' ', '_');
+      again.name += "__" + run.name;
+      append(again.settings, check.settings);
+      again.values.back() = check.name;
+      plan.runs.push_back(again);
+    }
+  }
+}
+
+// The finished runs, by check and sample. A sample of which a run is missing is left out, and said so.
+std::vector<RigVariant> variants_of(const Rig& rig, const ExperimentSpec& spec, const Plan& plan,
+                                    const Results& results) {
+  struct VariantRuns {
+    std::string check;
+    std::vector<RigRun> runs;
+    bool whole = true;
+  };
+  std::vector<std::pair<std::string, VariantRuns>> groups;  // by the values of check and ensemble, in their order
+  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+    const RunRequest& request = plan.runs[i];
+    const std::string check = request.values.back();
+    std::string key = check + "\n", name;
+    for (std::size_t p = 0; p < spec.parameters.size(); ++p) {
+      const ParameterSpec& parameter = spec.parameters[p];
+      if (parameter.ensemble)
+        key += request.values[p] + "\n";
+      else
+        name += (name.empty() ? "" : ", ") + parameter.name + " " + request.values[p];
+    }
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == key; });
+    if (group == groups.end()) group = groups.insert(group, {key, VariantRuns{check, {}, true}});
+    if (!results.runs[i].end.done()) {
+      std::printf("%s ended with code %d: %s; its sample of the bed is left out\n", request.name.c_str(),
+                  results.runs[i].end.code, results.runs[i].end.message.c_str());
+      group->second.whole = false;
+      continue;
+    }
+    group->second.runs.push_back(
+        {name.empty() ? rig.name : name, results.runs[i].end.folder, read_scene(request.scene, request.settings)});
+  }
+  std::vector<RigVariant> variants;
+  for (const auto& [key, group] : groups) {
+    auto variant = std::find_if(variants.begin(), variants.end(),
+                                [&, check = group.check](const RigVariant& v) { return v.name == check; });
+    if (variant == variants.end()) variant = variants.insert(variant, {group.check, {}});
+    if (group.whole) variant->samples.push_back(rig.evaluate(group.runs));
+  }
+  return variants;
+}
+
+}  // namespace
+
+std::string gravity_setting(const std::string& name) {
+  double g = 0.0;
+  if (name == "earth") g = kEarth;
+  if (name == "moon") g = kMoon;
+  if (name == "mars") g = kMars;
+  if (g == 0.0) g = number_in(name).value_or(0.0);
+  if (!(g > 0.0)) throw InputError("--gravity " + name + ": expected earth, moon, mars, or a number of m/s2 above 0");
+  return "gravity=[0,0," + number_text(-g) + "]";
+}
+
+int rig_command(const RigArguments& a) {
+  const Rig& rig = rig_named(a.name);
+  std::vector<std::string> settings = a.settings;
+  if (!a.gravity.empty()) settings.push_back(gravity_setting(a.gravity));
+  ExperimentArguments e;
+  e.command = "rig";
+  e.file = a.file.empty() ? shipped_file(std::string("inputs/rigs/") + rig.name + ".toml") : a.file;
+  e.out = a.out;
+  e.runs = "runs/rigs";
+  e.jobs = a.jobs;
+  e.only = a.only;
+  e.resume = true;
+  e.short_form = a.short_form;
+  e.list = a.list;
+  e.again = {"rig", a.name};
+  if (!a.file.empty()) append(e.again, {"--file", a.file});
+  for (const std::string& setting : a.settings) append(e.again, {"--set", setting});
+  if (!a.gravity.empty()) append(e.again, {"--gravity", a.gravity});
+  if (a.samples > 0) append(e.again, {"--samples", std::to_string(a.samples)});
+  if (a.checks) e.again.push_back("--checks");
+  e.change = [&](ExperimentSpec& spec) {
+    if (!spec.curves.empty() || spec.growth || spec.parameters.empty())
+      throw InputError(spec.file + ": a rig is made of [[parameters]]");
+    demand_free(spec, settings);
+    append(spec.settings, settings);
+    append(spec.short_form.settings, settings);
+    if (a.samples > 0) take_samples(spec, a.samples);
+  };
+  e.extend = [&](Plan& plan) {
+    demand_scenes(plan, rig);
+    add_checks(plan, rig, a.checks);
+  };
+  e.write = [&](const ExperimentSpec& spec, const Plan& plan, const Results& results, const std::string& folder,
+                const std::string& command) {
+    const std::vector<RigVariant> variants = variants_of(rig, spec, plan, results);
+    if (variants.empty() || variants.front().samples.empty())
+      throw InputError(folder + ": no sample of the bed has all its runs; nothing to evaluate");
+    write_rig(rig, variants, folder, spec.title, command + (a.short_form ? " --short" : ""), !a.short_form);
+    return results.all_done();
+  };
+  return experiment_command(e);
+}
+
+}  // namespace footfall
