@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/failure_note.h"
 #include "coupler/communicator.h"
-#include "coupler/mpi_check.h"
+#include "coupler/programs.h"
 
 namespace footfall {
 namespace {

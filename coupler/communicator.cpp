@@ -8,7 +8,6 @@
 #include <string>
 
 #include "coupler/base/errors.h"
-#include "coupler/mpi_check.h"
 #include "coupler/programs.h"
 
 namespace footfall {
@@ -46,6 +45,14 @@ std::unique_ptr<Doorbell> hang_up_doorbell(int world_rank, int world_size) {
 }
 
 }  // namespace
+
+void check_mpi(int code, const char* call) {
+  if (code == MPI_SUCCESS) return;
+  char text[MPI_MAX_ERROR_STRING];
+  int length = 0;
+  MPI_Error_string(code, text, &length);
+  throw PartnerError(std::string(call) + ": " + std::string(text, static_cast<std::size_t>(length)));
+}
 
 Communicator::Communicator() {
   int world_rank = 0, world_size = 1;

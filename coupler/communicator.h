@@ -6,9 +6,12 @@
 #include <memory>
 #include <vector>
 
-#include "coupler/doorbell.h"
+#include "coupler/polling_wait.h"
 
 namespace footfall {
+
+// Throws PartnerError with MPI's own text unless code is MPI_SUCCESS.
+void check_mpi(int code, const char* call);
 
 // Splits the world by MPI_APPNUM, the number of the program on mpirun's command line
 //   mpirun -np 2 liggghts_mbd ... : -np 1 mbd_solver ...

@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/nearest_name.h"
-#include "coupler/words.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 namespace {

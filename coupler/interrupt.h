@@ -8,12 +8,6 @@
 
 namespace footfall {
 
-// The end was asked for, here or at the partner's side. Exit code 3.
-class Interrupted : public PartnerError {
- public:
-  using PartnerError::PartnerError;
-};
-
 // From here on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGUSR1 end this program with kExitInterrupted: at once while there is
 // nothing to keep, and after work_is_under_way() in order, by a flag. Then the first signal starts a time limit: a
 // program that is still there kEnding later ends without a word to anybody but standard error. `program`: its name, for

@@ -1,14 +1,104 @@
+// X
+
 #include "coupler/messages.h"
 
+#include <cmath>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
-#include "coupler/base/is_vector.h"
-#include "coupler/byte_stream.h"
+#include "coupler/base/errors.h"
+#include "coupler/base/field_list.h"
+#include "coupler/base/text.h"
+#include "coupler/codes.h"
 #include "coupler/message_fields.h"
 
 namespace footfall {
 namespace {
+
+class ByteWriter {
+ public:
+  // Appends to `out`, which is cleared first but keeps its memory.
+  explicit ByteWriter(std::vector<std::uint8_t>& out) : out_(out) { out_.clear(); }
+
+  template <class Number>
+  void number(Number value) {
+    static_assert(std::is_arithmetic_v<Number>);
+    raw(&value, sizeof value);
+  }
+  void text(const std::string& value) {
+    number<std::uint64_t>(value.size());
+    raw(value.data(), value.size());
+  }
+  // Rows, columns, then the coefficients column by column.
+  template <class Derived>
+  void matrix(const Eigen::PlainObjectBase<Derived>& value) {
+    number<std::int64_t>(value.rows());
+    number<std::int64_t>(value.cols());
+    raw(value.data(), static_cast<std::size_t>(value.size()) * sizeof(typename Derived::Scalar));
+  }
+
+ private:
+  void raw(const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const std::uint8_t*>(data);
+    out_.insert(out_.end(), bytes, bytes + size);
+  }
+  std::vector<std::uint8_t>& out_;
+};
+
+// Every read checks what is left; ProtocolError when the bytes are not what they should be.
+class ByteReader {
+ public:
+  ByteReader(const std::uint8_t* data, std::size_t size) : next_(data), left_(size) {}
+
+  template <class Number>
+  Number number() {
+    static_assert(std::is_arithmetic_v<Number>);
+    Number value{};
+    raw(&value, sizeof value);
+    return value;
+  }
+  // A number of items that each take at least `bytes_each` of what is left.
+  std::size_t count(std::size_t bytes_each) {
+    const auto value = number<std::uint64_t>();
+    if (value > left_ / bytes_each) throw ProtocolError("a count is larger than the message");
+    return static_cast<std::size_t>(value);
+  }
+  void text(std::string& value) {
+    value.resize(count(1));
+    raw(value.data(), value.size());
+  }
+  template <class Derived>
+  void matrix(Eigen::PlainObjectBase<Derived>& value) {
+    const auto rows = number<std::int64_t>();
+    const auto cols = number<std::int64_t>();
+    constexpr int kRows = Derived::RowsAtCompileTime, kCols = Derived::ColsAtCompileTime;
+    const std::uint64_t most = left_ / sizeof(typename Derived::Scalar);
+    const bool too_large = rows > 0 && static_cast<std::uint64_t>(cols) > most / static_cast<std::uint64_t>(rows);
+    const bool too_long = static_cast<std::uint64_t>(rows) > kMostRows || static_cast<std::uint64_t>(cols) > kMostRows;
+    if (rows < 0 || cols < 0 || too_large || too_long || (kRows != Eigen::Dynamic && rows != kRows) ||
+        (kCols != Eigen::Dynamic && cols != kCols))
+      throw ProtocolError("a matrix of " + std::to_string(rows) + " x " + std::to_string(cols) +
+                          " does not belong here");
+    value.resize(rows, cols);
+    raw(value.data(), static_cast<std::size_t>(value.size()) * sizeof(typename Derived::Scalar));
+  }
+  // Nothing may be left over.
+  void finish() const {
+    if (left_ != 0) throw ProtocolError(std::to_string(left_) + " bytes are left over");
+  }
+
+ private:
+  static constexpr std::uint64_t kMostRows = std::uint64_t{1} << 26;  // of a matrix without coefficients
+  void raw(void* data, std::size_t size) {
+    if (size > left_) throw ProtocolError("the message is cut short");
+    if (size > 0) std::memcpy(data, next_, size);
+    next_ += size;
+    left_ -= size;
+  }
+  const std::uint8_t* next_;
+  std::size_t left_;
+};
 
 constexpr std::uint32_t kMagic = 0x4c465446;  // "FTFL"
 
@@ -139,6 +229,44 @@ MessageHead read_head(ByteReader& in, MessageKind expected) {
   return {protocol, static_cast<Status>(status)};
 }
 
+// "": a number here; ".x", "[3].x": within a part of this one.
+struct Found {
+  bool bad = false;
+  std::string place;
+};
+
+template <class T>
+Found search(const T& value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return {!std::isfinite(value), ""};
+  } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+    return {};
+  } else if constexpr (std::is_base_of_v<Eigen::PlainObjectBase<T>, T>) {
+    if constexpr (std::is_floating_point_v<typename T::Scalar>) return {!value.allFinite(), ""};
+    return {};
+  } else if constexpr (std::is_same_v<T, ModalBoundary>) {
+    return search(taken_apart(value));
+  } else if constexpr (kIsVector<T>) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      if (Found found = search(value[i]); found.bad) return {true, "[" + std::to_string(i) + "]" + found.place};
+    return {};
+  } else {
+    Found first;
+    for_each_field<T>([&](const auto& field) {
+      if (first.bad) return;
+      if constexpr (!kInHead<std::decay_t<decltype(field)>>)
+        if (Found found = search(value.*field.member); found.bad) first = {true, "." + (field.name + found.place)};
+    });
+    return first;
+  }
+}
+
+constexpr double kSameGravity = 1e-6;  // of the scene's
+
+std::string gravity_text(const Eigen::Vector3d& v) {
+  return "(" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + ") m/s2";
+}
+
 }  // namespace
 
 BoundaryParts taken_apart(const ModalBoundary& b) {
@@ -218,5 +346,33 @@ template void unpack(const Bytes&, Motion&);
 template void unpack(const Bytes&, Load&);
 template void unpack(const Bytes&, Kept&);
 template void unpack(const Bytes&, Close&);
+
+template <class Message>
+std::string first_not_finite(const Message& message) {
+  const Found found = search(message);
+  return found.bad ? found.place.substr(1) : "";
+}
+
+template std::string first_not_finite(const Geometry&);
+template std::string first_not_finite(const Start&);
+template std::string first_not_finite(const Accept&);
+template std::string first_not_finite(const Motion&);
+template std::string first_not_finite(const Load&);
+template std::string first_not_finite(const BodyMotion&);
+template std::string first_not_finite(const BodyLoad&);
+
+bool is_same_gravity(const Eigen::Vector3d& script, const Eigen::Vector3d& scene) {
+  return (script - scene).norm() <= kSameGravity * scene.norm();
+}
+
+std::string gravity_differs(const Eigen::Vector3d& script, const Eigen::Vector3d& scene, const std::string& when) {
+  if (script.isZero(0.0) && when.empty())
+    return "the LIGGGHTS script has no fix gravity, the scene has gravity = " + gravity_text(scene) +
+           ": the grains have no weight";
+  return "the LIGGGHTS script has the gravity " + gravity_text(script) + when + " (fix gravity), the scene " +
+         gravity_text(scene) +
+         " (gravity): make them agree, or say that the grains have their own: fix ID all couple/mbd every N gravity "
+         "script ...";
+}
 
 }  // namespace footfall

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/base/errors.h"
 #include "coupler/body_motion.h"
 #include "coupler/load_average.h"
 #include "coupler/modal_boundary.h"
@@ -175,5 +176,23 @@ void pack(const Message& message, Bytes& out);
 // Motion and Load, bodies whose sizes already fit are overwritten in place.
 template <class Message>
 void unpack(const Bytes& bytes, Message& message);
+
+// The first number in a message or in a part of it that is infinite or not a number, as its place: "bodies[0].mean.work",
+// "bodies[1].boundary.rho0". Empty when all are finite; nothing is allocated then (Geometry and its parts excepted).
+template <class Message>
+std::string first_not_finite(const Message& message);
+
+// For the messages before the first window. Throws NumericalError that names message, sender and place.
+template <class Message>
+void demand_finite(const Message& message, const std::string& sender) {
+  if (const std::string place = first_not_finite(message); !place.empty())
+    throw NumericalError("message " + message_name(Message::kKind) + " of " + sender + ": " + place + " is not finite");
+}
+
+// The same but for rounding [m/s2].
+bool is_same_gravity(const Eigen::Vector3d& script, const Eigen::Vector3d& scene);
+// What to say where they differ; without gravity of the script: that the grains have no weight. when: " at the start",
+// of one that varies; else empty.
+std::string gravity_differs(const Eigen::Vector3d& script, const Eigen::Vector3d& scene, const std::string& when);
 
 }  // namespace footfall

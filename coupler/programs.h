@@ -16,4 +16,10 @@ inline constexpr const char* kStoppedWord = "liggghts_mbd: interrupted\n";
 // `footfall audit`.
 inline constexpr const char* kAuditFolder = "FOOTFALL_AUDIT";
 
+// In the environment: the file that becomes the note.
+inline constexpr const char* kFailureNote = "FOOTFALL_FAILURE_NOTE";
+
+// Leaves the note; nothing happens where no front door asks for one.
+void note_failure();
+
 }  // namespace footfall

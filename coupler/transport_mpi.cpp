@@ -10,9 +10,9 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/communicator.h"
 #include "coupler/interrupt.h"
-#include "coupler/mpi_check.h"
-#include "coupler/polite_wait.h"
+#include "coupler/polling_wait.h"
 
 namespace footfall {
 

@@ -1,5 +1,5 @@
 #pragma once
-// The clock on the wall: never set back, its zero means nothing. Two readings make a duration.
+// Wall-clock time. The clock is never set back; its zero has no meaning, so that only differences count.
 
 #include <chrono>
 

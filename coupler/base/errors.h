@@ -20,6 +20,14 @@ inline std::string with_code(const MessageCode& code, const std::string& text) {
   return text + " [" + code.number + " " + code.name + "]";
 }
 
+// Does the text end with a code already? Texts that come from the partner program do, as a rule.
+inline bool has_code(const std::string& text) {
+  const std::size_t start = text.rfind(" [");
+  return start != std::string::npos && text.back() == ']' && start + 8 < text.size() &&
+         (text[start + 2] == 'E' || text[start + 2] == 'W') &&
+         text.find_first_not_of("0123456789", start + 3) == start + 7 && text[start + 7] == ' ';
+}
+
 // What the errors below have in common: a text for users that ends with its code.
 class CodedError : public std::runtime_error {
  public:
@@ -51,6 +59,12 @@ class NumericalError : public CodedError {
 class PartnerError : public CodedError {
  public:
   using CodedError::CodedError;
+};
+
+// This program or its partner was asked to end by a signal. Exit code 3.
+class Interrupted : public PartnerError {
+ public:
+  using PartnerError::PartnerError;
 };
 
 // A file of a run cannot be written: full disk, folder gone, a limit. The message names the file. Exit code 1.

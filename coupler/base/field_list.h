@@ -1,15 +1,16 @@
 #pragma once
-// The fields of a struct, named once. Whoever needs all of them (writer, reader, comparison) walks the same list, so
-// that none is forgotten in one direction:
+// The fields of a struct, listed once. Writer, reader and comparison walk the same list, so that no direction forgets
+// one:
 //
 //   template <>
 //   inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt}, Field{"n", &Start::n}};
 //
-// A list that is shorter or longer than its struct does not compile.
+// A list with fewer or more entries than its struct has members does not compile.
 
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 namespace footfall {
 
@@ -21,18 +22,24 @@ struct Field {
 template <class Struct, class Type>
 Field(const char*, Type Struct::*) -> Field<Struct, Type>;
 
-// The list of a struct, a tuple of fields; structs without a list have none.
+// The list of a struct, a tuple of fields; nullptr for structs without a list.
 template <class Struct>
 inline constexpr std::nullptr_t kFields = nullptr;
 
 template <class Struct>
 inline constexpr bool kHasFields = !std::is_same_v<decltype(kFields<Struct>), const std::nullptr_t>;
 
+// For code that walks fields: is a type a std::vector?
+template <class T>
+inline constexpr bool kIsVector = false;
+template <class Item>
+inline constexpr bool kIsVector<std::vector<Item>> = true;
+
 // Compiles only if the struct has as many members as its list.
 template <class Struct>
-void demand_every_member(const Struct& s) {
+void require_every_member(const Struct& s) {
   constexpr std::size_t kCount = std::tuple_size_v<std::remove_const_t<decltype(kFields<Struct>)>>;
-  static_assert(kCount >= 2 && kCount <= 12, "one more case is needed here");
+  static_assert(kCount >= 2 && kCount <= 12, "add a case for this number of members");
   if constexpr (kCount == 2) {
     [[maybe_unused]] const auto& [a, b] = s;
   }
@@ -71,7 +78,7 @@ void demand_every_member(const Struct& s) {
 // Calls visit(field) for every field of Struct, in the order of the list. The field of an object s: s.*field.member.
 template <class Struct, class Visit>
 constexpr void for_each_field(Visit&& visit) {
-  (void)&demand_every_member<Struct>;
+  (void)&require_every_member<Struct>;
   std::apply([&](const auto&... field) { (visit(field), ...); }, kFields<Struct>);
 }
 

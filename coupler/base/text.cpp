@@ -1,3 +1,5 @@
+// Numbers go through std::to_chars; unknown names are compared by the Damerau-Levenshtein distance.
+
 #include "coupler/base/text.h"
 
 #include <algorithm>
@@ -5,18 +7,32 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <sstream>
 
-#include "coupler/base/quick_number.h"
-
 namespace footfall {
+namespace {
+
+// Edits (insert, delete, replace, swap of neighbours) that turn a into b.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replace = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replace});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
 
 void append_number(std::string& text, double value, int digits) {
   std::array<char, 64> written;
-  if (char* const end = write_quickly(written.data(), value, digits)) {
-    text.append(written.data(), end);
-    return;
-  }
   const std::to_chars_result result =
       std::to_chars(written.data(), written.data() + written.size(), value, std::chars_format::general, digits);
   text.append(written.data(), result.ptr);
@@ -44,10 +60,10 @@ std::string joined(const std::vector<std::string>& texts, const std::string& bet
   return all;
 }
 
-std::vector<std::string> split(const std::string& line, char mark) {
+std::vector<std::string> split(const std::string& line, char separator) {
   std::vector<std::string> cells;
   std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, mark);) cells.push_back(cell);
+  for (std::string cell; std::getline(stream, cell, separator);) cells.push_back(cell);
   return cells;
 }
 
@@ -67,6 +83,51 @@ std::string trimmed(const std::string& text) {
 
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::optional<int> whole_number(const std::string& word, int least, int most) {
+  char* rest = nullptr;
+  const long number = std::strtol(word.c_str(), &rest, 10);
+  if (word.empty() || *rest != '\0' || number < least || number > most) return std::nullopt;
+  return static_cast<int>(number);
+}
+
+std::optional<double> positive_number(const std::string& word) {
+  char* rest = nullptr;
+  const double number = std::strtod(word.c_str(), &rest);
+  if (word.empty() || *rest != '\0' || !(number > 0.0)) return std::nullopt;
+  return number;
+}
+
+std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates) {
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    // A word that only lacks or adds an ending ("leg" for "leg_1") is as near as one edit.
+    const bool prefix =
+        word.size() > 2 && (candidate.rfind(word, 0) == 0 || (candidate.size() > 2 && word.rfind(candidate, 0) == 0));
+    const std::size_t distance = prefix ? 1 : edit_distance(word, candidate);
+    if (distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+std::string known_names(const std::string& what, const std::string& word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t kShown = 24;
+  std::string text;
+  if (candidates.empty()) {
+    text = " There are no known " + what + ".";
+  } else {
+    text = " Known " + what + ": ";
+    for (std::size_t i = 0; i < std::min(kShown, candidates.size()); ++i) text += (i ? ", " : "") + candidates[i];
+    text += candidates.size() > kShown ? ", ..." : ".";
+  }
+  const std::string guess = nearest_name(word, candidates);
+  if (!guess.empty()) text += " Did you mean \"" + guess + "\"?";
+  return text;
 }
 
 }  // namespace footfall

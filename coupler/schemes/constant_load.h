@@ -26,4 +26,57 @@ class ConstantLoadScheme : public Scheme {
   virtual int path_degree() const = 0;
 };
 
+// `css-trapezoid`: the straight path, and the impulse that velocity Verlet really applies. The default.
+class CssTrapezoid : public ConstantLoadScheme {
+ public:
+  static constexpr std::string_view kName = "css-trapezoid";
+  std::string_view name() const override { return kName; }
+  void predict(const BodyMotion& start, double tau, BodyMotion& out) const override;
+  StepWeights weights() const override { return {0.5, 0.5}; }
+  bool continuous_path() const override { return true; }
+
+ private:
+  int path_degree() const override { return 1; }
+};
+
+// `css`: the straight path, and the mean over steps 1..n as printed [Lin25 34].
+class Css : public ConstantLoadScheme {
+ public:
+  static constexpr std::string_view kName = "css";
+  std::string_view name() const override { return kName; }
+  void predict(const BodyMotion& start, double tau, BodyMotion& out) const override;
+  StepWeights weights() const override { return {0.0, 1.0}; }
+  bool continuous_path() const override { return true; }
+
+ private:
+  int path_degree() const override { return 1; }
+};
+
+// `quadratic`: as css-trapezoid, and half the accelerations times tau^2 in the path.
+class Quadratic : public ConstantLoadScheme {
+ public:
+  static constexpr std::string_view kName = "quadratic";
+  std::string_view name() const override { return kName; }
+  void predict(const BodyMotion& start, double tau, BodyMotion& out) const override;
+  StepWeights weights() const override { return {0.5, 0.5}; }
+  bool continuous_path() const override { return true; }
+
+ private:
+  int path_degree() const override { return 2; }
+};
+
+// `frozen`: the boundary rests in its pose at t_k during the whole window. For teaching and tests only: it pumps
+// energy.
+class Frozen : public ConstantLoadScheme {
+ public:
+  static constexpr std::string_view kName = "frozen";
+  std::string_view name() const override { return kName; }
+  void predict(const BodyMotion& start, double tau, BodyMotion& out) const override;
+  StepWeights weights() const override { return {0.5, 0.5}; }
+  bool continuous_path() const override { return false; }
+
+ private:
+  int path_degree() const override { return 0; }
+};
+
 }  // namespace footfall

@@ -1,10 +1,7 @@
 #include "coupler/schemes/registry.h"
 
 #include "coupler/base/errors.h"
-#include "coupler/schemes/css.h"
-#include "coupler/schemes/css_trapezoid.h"
-#include "coupler/schemes/frozen.h"
-#include "coupler/schemes/quadratic.h"
+#include "coupler/schemes/constant_load.h"
 #include "coupler/schemes/tangent.h"
 
 namespace footfall {

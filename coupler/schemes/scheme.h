@@ -9,7 +9,6 @@
 
 #include "coupler/body_motion.h"
 #include "coupler/schemes/window_map.h"
-#include "coupler/tangent_load.h"
 
 namespace footfall {
 
@@ -82,5 +81,8 @@ class Scheme {
   // one substep.
   int substeps(int n, long k) const { return wants_tangent() && k == 0 ? 1 : n; }
 };
+
+// r + dr tau,  exp(w tau) L,  a + da tau;  its rates stay.
+void predict_linear(const BodyMotion& start, double tau, BodyMotion& out);
 
 }  // namespace footfall

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/schemes/linear_path.h"
+#include "coupler/schemes/scheme.h"
 
 namespace footfall {
 namespace {

@@ -2,10 +2,8 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/model/controllers/constant_controller.h"
-#include "mbd_solver/model/controllers/fuzzy_controller.h"
-#include "mbd_solver/model/controllers/pid_controller.h"
-#include "mbd_solver/model/controllers/skyhook_controller.h"
+#include "mbd_solver/model/control/controllers.h"
+#include "mbd_solver/model/control/fuzzy_controller.h"
 #include "mbd_solver/scene/findings.h"
 
 namespace footfall {

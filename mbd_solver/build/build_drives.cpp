@@ -3,12 +3,10 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/build/time_functions.h"
-#include "mbd_solver/model/elements/joint_force.h"
-#include "mbd_solver/model/laws/brake.h"
-#include "mbd_solver/model/laws/end_stop.h"
-#include "mbd_solver/model/laws/joint_friction.h"
-#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/elements/forces.h"
+#include "mbd_solver/model/laws/friction.h"
 #include "mbd_solver/model/laws/motor.h"
+#include "mbd_solver/model/laws/springs.h"
 
 namespace footfall {
 namespace {

@@ -7,13 +7,13 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/fe/mesh_check.h"
+#include "mbd_solver/fe/fe_model.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/fe/modal_body_file.h"
-#include "mbd_solver/fe/node_lookup.h"
+#include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/fe/turned_model.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/mesh_reader.h"

@@ -1,8 +1,8 @@
 // Gears of the scene, between coordinates of its joints.
 
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/model/joints/gear.h"
+#include "mbd_solver/model/elements/gear.h"
 
 namespace footfall {
 

@@ -5,14 +5,11 @@
 #include <utility>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/nearest_name.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/build/fuzzy_block.h"
 #include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/model/signals/body_entries.h"
-#include "mbd_solver/model/signals/limit_blocks.h"
-#include "mbd_solver/model/signals/linear_filter.h"
-#include "mbd_solver/model/signals/lookup_table.h"
-#include "mbd_solver/model/signals/pid_block.h"
+#include "mbd_solver/model/control/continuous_signals.h"
+#include "mbd_solver/model/control/signal_blocks.h"
 #include "mbd_solver/scene/findings.h"
 
 namespace footfall {

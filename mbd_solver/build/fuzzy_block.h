@@ -1,8 +1,8 @@
 #pragma once
 // A fuzzy system as a signal.
 
-#include "mbd_solver/model/controllers/fuzzy_function.h"
-#include "mbd_solver/model/signals/signal_block.h"
+#include "mbd_solver/model/control/fuzzy.h"
+#include "mbd_solver/model/control/signal_blocks.h"
 
 namespace footfall {
 

@@ -9,11 +9,11 @@
 
 #include "coupler/messages.h"
 #include "coupler/modal_boundary.h"
-#include "mbd_solver/model/controllers/controller.h"
+#include "mbd_solver/model/control/continuous_signals.h"
+#include "mbd_solver/model/control/controllers.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/surface_contact.h"
 #include "mbd_solver/model/model.h"
-#include "mbd_solver/model/signals/continuous_signals.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {

@@ -4,7 +4,6 @@
 #include "coupler/archive.h"
 #include "coupler/modal_boundary.h"
 #include "mbd_solver/dynamics/equations.h"
-#include "mbd_solver/model/external_load.h"
 #include "mbd_solver/model/state.h"
 
 namespace footfall {

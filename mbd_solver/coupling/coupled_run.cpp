@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
-#include "coupler/finite_check.h"
+#include "coupler/messages.h"
 #include "coupler/schemes/registry.h"
-#include "mbd_solver/coupling/flight_time.h"
+#include "mbd_solver/coupling/window_choice.h"
 #include "mbd_solver/model/up_direction.h"
 
 namespace footfall {

@@ -21,7 +21,6 @@
 #include "mbd_solver/coupling/dem_partner.h"
 #include "mbd_solver/coupling/window_choice.h"
 #include "mbd_solver/dynamics/kinematics.h"
-#include "mbd_solver/model/external_load.h"
 #include "mbd_solver/model/state.h"
 
 namespace footfall {

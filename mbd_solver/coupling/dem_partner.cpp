@@ -4,8 +4,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "coupler/finite_check.h"
-#include "coupler/gravity.h"
+#include "coupler/messages.h"
 
 namespace footfall {
 

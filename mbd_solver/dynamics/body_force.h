@@ -7,8 +7,7 @@
 #include <Eigen/Dense>
 
 #include "mbd_solver/model/body.h"
-#include "mbd_solver/model/body_kinematics.h"
-#include "mbd_solver/model/external_load.h"
+#include "mbd_solver/model/state.h"
 
 namespace footfall {
 

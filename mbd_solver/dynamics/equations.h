@@ -14,9 +14,9 @@
 #include <string>
 
 #include "mbd_solver/dynamics/assembly.h"
-#include "mbd_solver/dynamics/layout.h"
-#include "mbd_solver/dynamics/redundancy.h"
-#include "mbd_solver/model/external_load.h"
+#include "mbd_solver/dynamics/constraint_rows.h"
+#include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/model/state.h"
 
 namespace footfall {
 

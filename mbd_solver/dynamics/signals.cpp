@@ -4,8 +4,8 @@
 
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/dynamics/workspace.h"
+#include "mbd_solver/model/control/continuous_signals.h"
 #include "mbd_solver/model/rotation.h"
-#include "mbd_solver/model/signals/continuous_signals.h"
 
 namespace footfall {
 namespace {

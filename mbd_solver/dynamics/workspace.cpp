@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mbd_solver/model/signals/continuous_signals.h"
+#include "mbd_solver/model/control/continuous_signals.h"
 
 namespace footfall {
 namespace {

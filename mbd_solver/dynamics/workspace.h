@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "mbd_solver/dynamics/body_force.h"
+#include "mbd_solver/dynamics/constraint_rows.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/dynamics/kinematics.h"
-#include "mbd_solver/dynamics/redundancy.h"
 #include "mbd_solver/dynamics/sparse_blocks.h"
-#include "mbd_solver/dynamics/thin_lu.h"
+#include "mbd_solver/dynamics/sparse_lu.h"
 
 namespace footfall {
 

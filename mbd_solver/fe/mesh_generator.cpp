@@ -6,7 +6,7 @@
 #include <string>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 
 namespace footfall {
 namespace {

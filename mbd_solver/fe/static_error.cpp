@@ -7,7 +7,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/fe/eigen_solver.h"
-#include "mbd_solver/fe/fe_partition.h"
+#include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/modal_basis.h"
 
 namespace footfall {

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "mbd_solver/dynamics/layout.h"
+#include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/integrator/integrator.h"
 
 namespace footfall {

@@ -14,7 +14,7 @@
 #include <limits>
 #include <vector>
 
-#include "mbd_solver/dynamics/thin_lu.h"
+#include "mbd_solver/dynamics/sparse_lu.h"
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/integrator.h"
 #include "mbd_solver/integrator/method_choice.h"

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "mbd_solver/integrator/dense_step.h"
 #include "mbd_solver/integrator/one_step.h"
+#include "mbd_solver/integrator/tableau.h"
 #include "mbd_solver/integrator/work_integral.h"
 
 namespace footfall {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "mbd_solver/model/kinematic_vector.h"
-#include "mbd_solver/model/laws/energy.h"
+#include "mbd_solver/model/laws/strut_law.h"
 
 namespace footfall {
 

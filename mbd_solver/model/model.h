@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "mbd_solver/model/body.h"
+#include "mbd_solver/model/elements/joint.h"
 #include "mbd_solver/model/force_element.h"
-#include "mbd_solver/model/joints/joint.h"
 #include "mbd_solver/model/marker.h"
 
 namespace footfall {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/whole_file.h"
-#include "mbd_solver/output/run_start.h"
+#include "coupler/base/files.h"
+#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/scene_json.h"
 
 namespace footfall {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "coupler/messages.h"
-#include "mbd_solver/model/surface/surface_model.h"
-#include "mbd_solver/observe/sample.h"
+#include "mbd_solver/model/elements/surface_model.h"
+#include "mbd_solver/run/observe/sampler.h"
 
 namespace footfall {
 

@@ -2,7 +2,7 @@
 // Sampled control: at its period each controller sees the mechanism and sets voltages, constant until its next sample.
 
 #include "coupler/archive.h"
-#include "mbd_solver/observe/sample.h"
+#include "mbd_solver/run/observe/sampler.h"
 #include "mbd_solver/run/signal_loop.h"
 
 namespace footfall {

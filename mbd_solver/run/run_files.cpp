@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "coupler/base/folder.h"
+#include "coupler/base/files.h"
 #include "coupler/programs.h"
 
 namespace footfall {

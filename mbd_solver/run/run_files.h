@@ -5,13 +5,12 @@
 #include <optional>
 #include <string>
 
-#include "coupler/base/file_error.h"
-#include "mbd_solver/observe/drawing.h"
-#include "mbd_solver/observe/momentum_record.h"
-#include "mbd_solver/observe/motion_record.h"
-#include "mbd_solver/observe/observation.h"
-#include "mbd_solver/output/history.h"
-#include "mbd_solver/output/vtk_writer.h"
+#include "coupler/base/errors.h"
+#include "mbd_solver/run/observe/drawing.h"
+#include "mbd_solver/run/observe/observation.h"
+#include "mbd_solver/run/observe/records.h"
+#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/run/output/vtk_writer.h"
 #include "mbd_solver/run/simulation.h"
 
 namespace footfall {

@@ -5,18 +5,15 @@
 #include <optional>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/folder_lock.h"
-#include "coupler/base/made_files.h"
 #include "coupler/interrupt.h"
-#include "mbd_solver/output/checkpoint_folder.h"
-#include "mbd_solver/output/run_note.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/base/lock.h"
+#include "mbd_solver/base/made_files.h"
 #include "mbd_solver/run/checkpoint.h"
+#include "mbd_solver/run/output/checkpoint_folder.h"
+#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/run/run_files.h"
 #include "mbd_solver/run/run_summary.h"
-#include "mbd_solver/run/safety_clock.h"
-#include "mbd_solver/run/trial.h"
 
 namespace footfall {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "coupler/transport.h"
-#include "mbd_solver/output/checkpoint_folder.h"
+#include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "mbd_solver/observe/figures.h"
-#include "mbd_solver/observe/observation.h"
+#include "mbd_solver/run/observe/metrics.h"
+#include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/simulation.h"
 
 namespace footfall {

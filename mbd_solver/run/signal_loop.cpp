@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/signals/signal_block.h"
+#include "mbd_solver/model/control/signal_blocks.h"
 
 namespace footfall {
 namespace {

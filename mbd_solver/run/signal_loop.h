@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "coupler/archive.h"
-#include "mbd_solver/observe/readings.h"
+#include "mbd_solver/run/observe/observation.h"
 
 namespace footfall {
 

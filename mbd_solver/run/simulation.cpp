@@ -6,7 +6,7 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/observe/start_values.h"
+#include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/settle.h"
 
 namespace footfall {

@@ -15,10 +15,10 @@
 #include "mbd_solver/coupling/coupled_run.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/integrator/integrator.h"
-#include "mbd_solver/observe/sampler.h"
+#include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/collision_watch.h"
 #include "mbd_solver/run/control_loop.h"
-#include "mbd_solver/run/interval_clock.h"
+#include "mbd_solver/run/observe/sampler.h"
 
 namespace footfall {
 

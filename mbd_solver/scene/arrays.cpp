@@ -1,6 +1,6 @@
 #include "mbd_solver/scene/arrays.h"
 
-#include "coupler/base/nearest_name.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/scene/tracking_visitor.h"
 
 namespace footfall {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "coupler/base/kinds.h"
+#include "mbd_solver/base/kinds.h"
 #include "mbd_solver/fe/material.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/scene/source.h"

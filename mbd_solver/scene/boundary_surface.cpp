@@ -6,9 +6,9 @@
 #include <map>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
-#include "mbd_solver/fe/mesh_check.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/mesh_generator.h"
+#include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/mesh_reader.h"
 

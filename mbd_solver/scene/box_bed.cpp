@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/clump_shape.h"
 #include "mbd_solver/scene/grain_time_step.h"
 #include "mbd_solver/scene/shipped_files.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "coupler/base/kinds.h"
+#include "mbd_solver/base/kinds.h"
 
 namespace footfall {
 

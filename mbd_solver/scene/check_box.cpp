@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/clump_shape.h"

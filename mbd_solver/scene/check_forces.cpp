@@ -1,11 +1,9 @@
 // Struts, springs, forces and controllers.
-#include <algorithm>
 #include <cmath>
 
 #include "coupler/base/nearest_name.h"
-#include "coupler/base/pi.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/scene/kind_keys.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
@@ -13,99 +11,85 @@ namespace footfall {
 namespace {
 
 // U rising from 0 to 1, the second column not negative and never falling.
-void check_voltage_table(const Source& source, const std::string& key, const std::vector<Eigen::Vector2d>& table,
-                         Findings& findings) {
+void check_voltage_table(const EntryFindings& at, const std::string& key, const std::vector<Eigen::Vector2d>& table) {
   if (table.empty()) return;
-  if (table.front()[0] != 0.0 || table.back()[0] != 1.0)
-    findings.error(source, key,
-                   "runs from U = " + number_text(table.front()[0]) + " to " + number_text(table.back()[0]) +
-                       ", expected from 0 to 1");
+  at.error_if(table.front()[0] != 0.0 || table.back()[0] != 1.0, code::kVoltageTable, key,
+              "covers U from " + number_text(table.front()[0]) + " to " + number_text(table.back()[0]) +
+                  ", expected from 0 to 1");
   for (std::size_t i = 0; i < table.size(); ++i) {
     const double before = i ? table[i - 1][1] : 0.0;
     if (table[i][1] >= before) continue;
-    findings.error(source, key,
-                   "falls to " + number_text(table[i][1]) + " at U = " + number_text(table[i][0]) +
-                       ", expected values that never fall as U rises");
+    at.error(code::kVoltageTable, key,
+             "falls to " + number_text(table[i][1]) + " at U = " + number_text(table[i][0]) +
+                 ", expected values that never fall as U rises");
     return;
   }
 }
 
-void check_mr(const Scene& scene, const StrutSpec& strut, Findings& findings) {
-  const MrSpec& mr = *strut.mr;
-  const Source& source = strut.source;
-  const bool force = source.given("mr.yield_force") || source.given("mr.yield_table") || source.given("mr.viscous");
-  if (mr.geometry && force)
-    findings.error(source, "mr.geometry",
-                   "stands beside yield_force, yield_table or viscous, which follow from it; keep one");
-  if (!mr.geometry) {
-    if (!source.given("mr.yield_force") && mr.yield_table.empty())
-      findings.error(source, "mr.yield_force", "is missing; give it, a yield_table, or geometry (unit N)");
-    if (!source.given("mr.viscous"))
-      findings.error(source, "mr.viscous", "is missing; give it, or geometry (unit N s/m)");
-  }
-  check_voltage_table(source, "mr.yield_table", mr.yield_table, findings);
+void check_mr(const Scene& scene, const MrSpec& mr, const EntryFindings& at) {
   if (mr.geometry) {
-    check_voltage_table(source, "mr.geometry.yield_stress", mr.geometry->yield_stress, findings);
-    if (mr.geometry->d1 >= mr.geometry->D1)
-      findings.error(source, "mr.geometry.d1", "is not less than D1; the core must fit into the bypass cylinder");
+    at.error_if(at.given("mr.yield_force") || at.given("mr.yield_table") || at.given("mr.viscous"),
+                code::kConflictingKeys, "mr.geometry",
+                "gives the forces, as do yield_force, yield_table and viscous; keep one of the two");
+    check_voltage_table(at, "mr.geometry.yield_stress", mr.geometry->tau_y);
+    at.error_if(mr.geometry->d1 >= mr.geometry->D1, code::kOutOfRange, "mr.geometry.d1",
+                "is not less than D1; the core must fit into the bypass cylinder");
+  } else {
+    at.error_if(!at.given("mr.yield_force") && mr.yield_table.empty(), code::kMissingKey, "mr.yield_force",
+                "is missing; give it [N], a yield_table, or geometry");
+    at.error_if(!at.given("mr.viscous"), code::kMissingKey, "mr.viscous", "is missing; give it [N s/m], or geometry");
   }
-  check_signal_name(scene, source, "mr.signal", mr.signal, findings);
-  if (!mr.signal.empty() && (source.given("mr.voltage") || !mr.controller.empty()))
-    findings.error(source, "mr.signal", "stands beside a controller or a voltage; a signal is the voltage, keep one");
+  check_voltage_table(at, "mr.yield_table", mr.yield_table);
+  check_signal_name(scene, at, "mr.signal", mr.signal);
+  at.error_if(!mr.signal.empty() && (at.given("mr.voltage") || !mr.controller.empty()), code::kConflictingKeys,
+              "mr.signal", "gives the voltage, as does a controller or voltage; keep one of them");
   if (mr.controller.empty()) return;
-  if (source.given("mr.voltage"))
-    findings.error(source, "mr.voltage", "stands beside a controller, which gives the voltage; keep one");
+  at.error_if(at.given("mr.voltage"), code::kConflictingKeys, "mr.voltage",
+              "is given by the controller as well; keep one of the two");
   std::vector<std::string> outputs;
-  for (const ControllerSpec& c : scene.controllers) {
+  for (const ControllerSpec& c : scene.controllers)
     for (const std::string& output : c.outputs) outputs.push_back(c.name + "." + output);
-  }
-  if (std::find(outputs.begin(), outputs.end(), mr.controller) == outputs.end())
-    findings.error(
-        source, "mr.controller",
-        "there is no controller output \"" + mr.controller + "\"." + known_names("outputs", mr.controller, outputs));
+  check_known(at, code::kUnknownOutput, "mr.controller", "controller output", "outputs", mr.controller, outputs);
 }
 
-void check_honeycomb(const StrutSpec& strut, Findings& findings) {
-  const HoneycombSpec& h = *strut.honeycomb;
-  if (h.stages.empty())
-    findings.error(strut.source, "honeycomb.stages", "are missing; expected at least one { force, length }");
-  if (!h.compression && !h.tension)
-    findings.error(strut.source, "honeycomb", "works neither in compression nor in tension");
-  for (std::size_t i = 1; i < h.stages.size(); ++i) {
-    if (h.stages[i].force < h.stages[i - 1].force)
-      findings.error(strut.source, "honeycomb.stages",
-                     "stage " + std::to_string(i + 1) +
-                         " is softer than the one before; the softest crushes first, so list it first");
-  }
-  if (h.bottom_out_stiffness >= h.elastic_stiffness)
-    findings.error(strut.source, "honeycomb.bottom_out_stiffness",
-                   "is " + number_text(h.bottom_out_stiffness) + " N/m, expected less than elastic_stiffness, " +
-                       number_text(h.elastic_stiffness) + " N/m");
-  for (const CrushStageSpec& stage : h.stages) {
-    if (stage.length > 0.0 && stage.length < h.transition_length)
-      findings.error(strut.source, "honeycomb.transition_length",
-                     "is " + number_text(h.transition_length) + " m, expected no more than the shortest stage");
-  }
+void check_honeycomb(const HoneycombSpec& h, const EntryFindings& at) {
+  at.error_if(h.stages.empty(), code::kMissingKey, "honeycomb.stages",
+              "is missing; expected at least one { force, length }");
+  at.error_if(!h.compression && !h.tension, code::kEmptyEntry, "honeycomb",
+              "acts neither in compression nor in tension; allow one of them");
+  for (std::size_t i = 1; i < h.stages.size(); ++i)
+    at.error_if(h.stages[i].crush_force < h.stages[i - 1].crush_force, code::kHoneycomb, "honeycomb.stages",
+                "stage " + std::to_string(i + 1) +
+                    " is softer than the one before; the softest crushes first, so list it first");
+  at.error_if(h.bottom_out_stiffness >= h.elastic_stiffness, code::kHoneycomb, "honeycomb.bottom_out_stiffness",
+              "is " + number_text(h.bottom_out_stiffness) + " N/m, expected less than elastic_stiffness, " +
+                  number_text(h.elastic_stiffness) + " N/m");
+  for (const HoneycombStage& stage : h.stages)
+    at.error_if(stage.crush_length > 0.0 && stage.crush_length < h.transition_length, code::kHoneycomb,
+                "honeycomb.transition_length",
+                "is " + number_text(h.transition_length) + " m, expected at most the length of the shortest stage");
 }
 
-void check_stops(const StrutSpec& strut, Findings& findings) {
+void check_stops(const StrutSpec& strut, const EntryFindings& at) {
   if (strut.stops) {
-    const StopsSpec& s = *strut.stops;
-    if (!s.min && !s.max)
-      findings.error(strut.source, "stops", "limit nothing; give min, max or both (strokes, compression positive)");
-    if (s.min && s.max) check_min_below_max(strut.source, "stops.", *s.min, *s.max, Unit::kLength, findings);
+    const std::optional<double>&min = strut.stops->smallest_stroke, &max = strut.stops->largest_stroke;
+    at.error_if(!min && !max, code::kEmptyEntry, "stops",
+                "limit nothing; give min, max or both (strokes, compression positive)");
+    if (min && max) check_min_below_max(at, "stops.", *min, *max, Unit::kLength);
   }
-  if (!strut.gas || !(strut.gas->piston_diameter > 0.0)) return;
-  const double limit = strut.gas->volume / (0.25 * kPi * strut.gas->piston_diameter * strut.gas->piston_diameter);
-  const std::string text = "the gas is used up at a stroke of " + number_text(limit) + " m (volume / piston area)";
-  if (!strut.stops || !strut.stops->max) {
-    findings.error(strut.source, "stops.max", "is missing; " + text + ", so the strut needs a stop before it");
-  } else if (*strut.stops->max >= limit) {
-    findings.error(strut.source, "stops.max", "is " + number_text(*strut.stops->max) + " m, but " + text);
+  if (!strut.gas || !at.source().good("gas.piston_diameter") || !at.source().good("gas.volume")) return;
+  const double diameter = strut.gas->piston_diameter;
+  const double limit = strut.gas->initial_volume / (0.25 * kPi * diameter * diameter);
+  const std::string text =
+      "the gas is compressed to nothing at a stroke of " + number_text(limit) + " m (volume / piston area)";
+  if (!strut.stops || !strut.stops->largest_stroke) {
+    at.error(code::kGasVolume, "stops.max", "is missing; " + text + ", so the strut needs a stop before it");
+  } else if (*strut.stops->largest_stroke >= limit) {
+    at.error(code::kGasVolume, "stops.max", "is " + number_text(*strut.stops->largest_stroke) + " m, but " + text);
   }
 }
 
-bool bends(const Scene& scene, const std::string& name) {
+bool is_flexible(const Scene& scene, const std::string& name) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& body) {
     return body.name == name && body.flexible && body.flexible->enabled;
   });
@@ -116,19 +100,20 @@ bool bends(const Scene& scene, const std::string& name) {
 void check_struts(const Scene& scene, Findings& findings) {
   check_unique_names(scene.struts, "strut", findings);
   for (const StrutSpec& strut : scene.struts) {
-    check_pair(scene, strut.source, strut.bodies, findings);
-    if (strut.source.given("points") && !((strut.points[1] - strut.points[0]).norm() > 0.0))
-      findings.error(strut.source, "points", "are the same; a strut needs two, some way apart");
+    const EntryFindings at(findings, strut.source);
+    check_pair(scene, at, strut.bodies);
+    at.error_if(at.given("points") && !((strut.points[1] - strut.points[0]).norm() > 0.0), code::kShape, "points",
+                "are the same; a strut needs two different ones");
     bool any = false;
-    std::string sections;
+    std::vector<std::string> sections;
     each_law(strut, [&](const char* key, const auto& law) {
       any = any || law;
-      sections += (sections.empty() ? "" : ", ") + std::string(key);
+      sections.emplace_back(key);
     });
-    if (!any) findings.error(strut.source, "", "has no force law; give at least one of " + sections);
-    if (strut.mr) check_mr(scene, strut, findings);
-    if (strut.honeycomb) check_honeycomb(strut, findings);
-    check_stops(strut, findings);
+    at.error_if(!any, code::kEmptyEntry, "", "has no force law; give at least one of " + joined(sections));
+    if (strut.mr) check_mr(scene, *strut.mr, at);
+    if (strut.honeycomb) check_honeycomb(*strut.honeycomb, at);
+    check_stops(strut, at);
   }
 }
 
@@ -136,46 +121,41 @@ void check_springs(const Scene& scene, Findings& findings) {
   check_unique_names(scene.springs, "spring", findings);
   for (const SpringSpec& spring : scene.springs) {
     if (!spring.source.good("kind")) continue;
-    check_pair(scene, spring.source, spring.bodies, findings);
+    const EntryFindings at(findings, spring.source);
+    check_pair(scene, at, spring.bodies);
     const bool torsion = spring.kind == SpringKind::kTorsion, bushing = spring.kind == SpringKind::kBushing;
-    for (const std::string& name : spring.bodies) {
-      if (!torsion || spring.source.given("point") || !bends(scene, name)) continue;
-      findings.error(spring.source, "point",
-                     "is missing; \"" + name + "\" is flexible, and is turned at a point of the drawing");
-      break;
-    }
-    if (torsion && !spring.source.given("axis"))
-      findings.error(spring.source, "axis", "is missing; a torsion spring turns about it");
-    if (bushing && !spring.source.given("point"))
-      findings.error(spring.source, "point", "is missing; a bushing sits at it");
-    for (const std::string& key : foreign_keys(spring.kind))
-      if (spring.source.written_together("kind", key))
-        findings.error(spring.source, key, "means nothing for this kind of spring; leave it out");
-    const auto alike = [](const Eigen::Vector3d& k) { return k.x() == k.y() && k.y() == k.z(); };
-    if (!bushing && !(alike(spring.stiffness) && alike(spring.damping)))
-      findings.error(spring.source, alike(spring.damping) ? "stiffness" : "damping",
-                     "is a list; only a bushing has a value for each of its axes, expected one number");
-    if (bushing && std::abs(spring.axis.dot(spring.axis2)) > 0.999)
-      findings.error(spring.source, "axis2",
-                     "is parallel to axis; expected the x direction of the bushing, across its z");
-    if ((spring.stiffness + spring.damping + spring.turning_stiffness + spring.turning_damping).isZero(0.0))
-      findings.error(spring.source, "", "has neither stiffness nor damping");
+    const auto flexible = std::find_if(spring.bodies.begin(), spring.bodies.end(),
+                                       [&](const std::string& name) { return is_flexible(scene, name); });
+    if (torsion && !at.given("point") && flexible != spring.bodies.end())
+      at.error(code::kPointOfAction, "point", "is missing; \"" + *flexible + "\" is flexible and is turned at a point");
+    at.error_if(torsion && !at.given("axis"), code::kMissingKey, "axis", "is missing; a torsion spring turns about it");
+    at.error_if(bushing && !at.given("point"), code::kMissingKey, "point", "is missing; a bushing acts there");
+    check_kind_keys(at, spring.kind, "spring");
+    const auto uniform = [](const Eigen::Vector3d& k) { return k.x() == k.y() && k.y() == k.z(); };
+    at.error_if(!bushing && !(uniform(spring.stiffness) && uniform(spring.damping)), code::kWrongCount,
+                uniform(spring.damping) ? "stiffness" : "damping",
+                "is a list, expected one number; only a bushing has a value for each axis");
+    at.error_if(bushing && std::abs(spring.axis.dot(spring.axis2)) > 0.999, code::kJointGeometry, "axis2",
+                "is parallel to axis, expected the x direction of the bushing, perpendicular to its z = axis");
+    at.error_if(
+        (spring.stiffness + spring.damping + spring.rotational_stiffness + spring.rotational_damping).isZero(0.0),
+        code::kEmptyEntry, "", "has neither stiffness nor damping; give one of them");
   }
 }
 
 void check_forces(const Scene& scene, Findings& findings) {
   check_unique_names(scene.forces, "force", findings);
   for (const ForceSpec& force : scene.forces) {
-    check_body_name(scene, force.source, "body", force.body, findings);
-    check_function(force.source, "force", force.force, findings);
-    check_function(force.source, "torque", force.torque, findings);
-    if (force.force) check_signal_name(scene, force.source, "force.signal", force.force->signal, findings);
-    if (force.torque) check_signal_name(scene, force.source, "torque.signal", force.torque->signal, findings);
-    if (!force.force && !force.torque)
-      findings.error(force.source, "", "has neither force nor torque, for example force = { polynomial = [10] } (N)");
-    if (!force.point && bends(scene, force.body))
-      findings.error(force.source, "point",
-                     "is missing; \"" + force.body + "\" is flexible, and is pushed at a point of the drawing");
+    const EntryFindings at(findings, force.source);
+    check_body_name(scene, at, "body", force.body);
+    check_function(at, "force", force.force);
+    check_function(at, "torque", force.torque);
+    if (force.force) check_signal_name(scene, at, "force.signal", force.force->signal);
+    if (force.torque) check_signal_name(scene, at, "torque.signal", force.torque->signal);
+    at.error_if(!force.force && !force.torque, code::kEmptyEntry, "",
+                "has neither force nor torque; for example force = { polynomial = [10] } [N]");
+    at.error_if(!force.point && is_flexible(scene, force.body), code::kPointOfAction, "point",
+                "is missing; \"" + force.body + "\" is flexible and is pushed at a point");
   }
 }
 
@@ -183,27 +163,27 @@ void check_controllers(const Scene& scene, Findings& findings) {
   check_unique_names(scene.controllers, "controller", findings);
   for (const ControllerSpec& c : scene.controllers) {
     if (!c.source.good("kind")) continue;
-    check_body_name(scene, c.source, "body", c.body, findings);
-    if (c.source.given("outputs") && c.outputs.empty())
-      findings.error(c.source, "outputs", "are empty; expected names such as [\"U1\", \"U2\"]");
-    for (auto it = c.outputs.begin(); it != c.outputs.end(); ++it) {
-      if (std::find(c.outputs.begin(), it, *it) != it)
-        findings.error(c.source, "outputs", "name \"" + *it + "\" twice");
-    }
+    const EntryFindings at(findings, c.source);
+    const std::size_t outputs = c.outputs.size();
+    check_body_name(scene, at, "body", c.body);
+    at.error_if(at.given("outputs") && outputs == 0, code::kWrongCount, "outputs",
+                "is empty; expected names such as [\"U1\", \"U2\"]");
+    for (auto it = c.outputs.begin(); it != c.outputs.end(); ++it)
+      at.error_if(std::find(c.outputs.begin(), it, *it) != it, code::kListedTwice, "outputs",
+                  "contains \"" + *it + "\" twice");
     for (const std::string& key : foreign_keys(c.kind))
       if (c.source.written_together("kind", key))
-        findings.warning(c.source, key, "means nothing for this kind of controller and is not used");
-    const bool constant = c.kind == ControllerKind::kConstant, fuzzy = c.kind == ControllerKind::kFuzzy,
-               skyhook = c.kind == ControllerKind::kSkyhook;
-    if (fuzzy && c.file.empty())
-      findings.error(c.source, "file", "is missing; a fuzzy controller is read from an .fll file");
-    if (constant && c.voltages.size() != 1 && c.voltages.size() != c.outputs.size())
-      findings.error(c.source, "voltages",
-                     "are " + std::to_string(c.voltages.size()) + " numbers, expected one, or one per output (" +
-                         std::to_string(c.outputs.size()) + ")");
-    if (fuzzy && (c.grid.size() != 4 || *std::min_element(c.grid.begin(), c.grid.end()) < 2))
-      findings.error(c.source, "grid", "expected four numbers of at least 2: points along a, da, alpha, beta");
-    if (skyhook && c.off > c.on) findings.error(c.source, "off", "is above on");
+        at.warning(code::kUnusedKey, key, "has no effect on this kind of controller");
+    const bool constant = c.kind == ControllerKind::kConstant, fuzzy = c.kind == ControllerKind::kFuzzy;
+    at.error_if(fuzzy && c.file.empty(), code::kMissingKey, "file",
+                "is missing; a fuzzy controller is read from an .fll file");
+    at.error_if(constant && c.voltages.size() != 1 && c.voltages.size() != outputs, code::kWrongCount, "voltages",
+                "contains " + std::to_string(c.voltages.size()) + " numbers, expected one, or one per output (" +
+                    std::to_string(outputs) + ")");
+    at.error_if(fuzzy && (c.grid.size() != 4 || *std::min_element(c.grid.begin(), c.grid.end()) < 2), code::kWrongCount,
+                "grid", "is no grid; expected four numbers of at least 2: points along a, da, alpha, beta");
+    at.error_if(c.kind == ControllerKind::kSkyhook && c.skyhook.off > c.skyhook.on, code::kRangeReversed, "off",
+                "is more than on, expected at most on");
   }
 }
 

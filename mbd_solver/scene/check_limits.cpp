@@ -1,8 +1,6 @@
-// What would take memory or time beyond reason is told before it does: sizes and counts that are mistakes in a unit.
-#include <cmath>
-
-#include "coupler/base/pi.h"
+// Sizes and counts that would need memory or time beyond reason: mostly mistakes in a unit, reported before they cost it.
 #include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
@@ -13,8 +11,8 @@ constexpr double kMostRows = 1e7;            // of history.csv
 constexpr double kMostFiles = 1e5;           // pictures, checkpoints
 constexpr double kMostSamples = 1e8;         // of a controller
 constexpr double kMostSteps = 1e9;           // of the integrator
-constexpr double kLargestRtol = 0.1;         // an error of that much is no answer
-constexpr double kMostGenerated = 1e5;       // of a generated surface
+constexpr double kLargestRtol = 0.1;         // [-]
+constexpr double kMostGenerated = 1e5;       // triangles of a generated surface
 constexpr double kMostPlateTriangles = 2e4;  // finite elements
 constexpr int kMostElements = 2000;          // of a beam
 constexpr int kMostSegments = 10000, kMostRanks = 4096;
@@ -39,68 +37,57 @@ double triangles_on(const ShapeSpec& s, double edge) {
   return 0.0;
 }
 
-void check_edge(const Source& source, const std::string& key, const ShapeSpec& shape, double edge, double most,
-                Findings& findings) {
+void check_edge(const EntryFindings& at, const std::string& key, const ShapeSpec& shape, double edge, double most) {
   const double triangles = edge > 0.0 ? triangles_on(shape, edge) : 0.0;
-  if (triangles > most)
-    findings.error(source, key,
-                   "is " + number_text(edge) + " m, which makes about " + number_text(triangles, 2) +
-                       " triangles of this shape, expected at most " + number_text(most) +
-                       "; give a longer edge, in m");
+  at.error_if(triangles > most, code::kTooLarge, key,
+              "is " + number_text(edge) + " m, which makes about " + number_text(triangles, 2) +
+                  " triangles of this shape, expected at most " + number_text(most) + "; give a longer edge, in m");
 }
 
-// `events` over the run, one every `interval`.
-void check_count(const Scene& scene, const Source& source, const std::string& key, double interval, double most,
-                 const std::string& what, Findings& findings) {
-  if (interval > 0.0 && scene.end_time / interval > most)
-    findings.error(source, key,
-                   "is " + number_text(interval) + " s: " + number_text(scene.end_time / interval, 3) + " " + what +
-                       " until end_time, expected at most " + number_text(most) + "; give a longer one");
-}
-
-void check_int(const Source& source, const std::string& key, int value, int most, Findings& findings) {
-  if (value > most)
-    findings.error(source, key, "is " + std::to_string(value) + ", expected at most " + std::to_string(most));
+void check_int(const EntryFindings& at, const std::string& key, long value, int most) {
+  at.error_if(value > most, code::kTooLarge, key,
+              "is " + std::to_string(value) + ", expected at most " + std::to_string(most));
 }
 
 }  // namespace
 
 void check_limits(const Scene& scene, Findings& findings) {
+  const auto check_count = [&](const Source& source, const char* key, double interval, double most, const char* what) {
+    if (interval > 0.0 && scene.end_time / interval > most)
+      findings.error(code::kTooLarge, source, key,
+                     "is " + number_text(interval) + " s: " + number_text(scene.end_time / interval, 3) + " " + what +
+                         " until end_time, expected at most " + number_text(most) + "; give a longer interval");
+  };
   const OutputSpec& output = scene.output;
-  check_count(scene, output.source, "interval", output.interval, kMostRows, "rows", findings);
-  if (output.vtk)
-    check_count(scene, output.source, "vtk_interval", output.vtk_interval, kMostFiles, "pictures", findings);
-  check_count(scene, output.source, "checkpoint_interval", output.checkpoint_interval, kMostFiles, "checkpoints",
-              findings);
+  check_count(output.source, "interval", output.interval, kMostRows, "rows");
+  if (output.vtk) check_count(output.source, "vtk_interval", output.vtk_interval, kMostFiles, "pictures");
+  check_count(output.source, "checkpoint_interval", output.checkpoint_interval, kMostFiles, "checkpoints");
   for (const ControllerSpec& controller : scene.controllers)
-    check_count(scene, controller.source, "period", controller.period, kMostSamples, "samples", findings);
+    check_count(controller.source, "period", controller.period, kMostSamples, "samples");
   const SolverSpec& solver = scene.solver;
-  if (solver.source.given("max_step"))
-    check_count(scene, solver.source, "max_step", solver.max_step, kMostSteps, "steps", findings);
+  if (solver.source.given("max_step")) check_count(solver.source, "max_step", solver.max_step, kMostSteps, "steps");
   if (!(solver.rtol < kLargestRtol))
-    findings.error(solver.source, "rtol",
+    findings.error(code::kTolerance, solver.source, "rtol",
                    "is " + number_text(solver.rtol) + ", expected less than " + number_text(kLargestRtol) +
-                       ", such as 1e-6: it is the error of a step, relative to what moves");
-  if (scene.particles) check_int(scene.particles->source, "ranks", scene.particles->ranks, kMostRanks, findings);
+                       ", such as 1e-6: the relative error of a step");
+  if (scene.particles) check_int({findings, scene.particles->source}, "ranks", scene.particles->ranks, kMostRanks);
   for (const BodySpec& body : scene.bodies) {
     if (!body.flexible) continue;
-    check_int(body.source, "flexible.elements", body.flexible->elements, kMostElements, findings);
+    const EntryFindings at(findings, body.source);
+    check_int(at, "flexible.elements", body.flexible->elements, kMostElements);
     long elements = 0;
     for (const MemberSpec& member : body.flexible->members) elements += member.elements;
-    if (elements > kMostElements)
-      findings.error(
-          body.source, "flexible.members",
-          "have " + std::to_string(elements) + " elements together, expected at most " + std::to_string(kMostElements));
-    if (body.shape)
-      check_edge(body.source, "flexible.mesh_size", *body.shape, body.flexible->mesh_size, kMostPlateTriangles,
-                 findings);
+    at.error_if(
+        elements > kMostElements, code::kTooLarge, "flexible.members",
+        "have " + std::to_string(elements) + " elements together, expected at most " + std::to_string(kMostElements));
+    if (body.shape) check_edge(at, "flexible.mesh_size", *body.shape, body.flexible->mesh_size, kMostPlateTriangles);
   }
   for (const BoundarySpec& boundary : scene.boundaries) {
-    if (boundary.beams) check_int(boundary.source, "beams.segments", boundary.beams->segments, kMostSegments, findings);
+    const EntryFindings at(findings, boundary.source);
+    if (boundary.beams) check_int(at, "beams.segments", boundary.beams->segments, kMostSegments);
     for (const BodySpec& body : scene.bodies)
       if (boundary.surface && body.name == boundary.body && body.shape)
-        check_edge(boundary.source, "surface.element_size", *body.shape, boundary.surface->element_size, kMostGenerated,
-                   findings);
+        check_edge(at, "surface.element_size", *body.shape, boundary.surface->element_size, kMostGenerated);
   }
 }
 

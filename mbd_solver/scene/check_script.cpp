@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/check_script.h"
 #include "mbd_solver/scene/scene_check.h"

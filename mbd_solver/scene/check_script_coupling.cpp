@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/nearest_name.h"
+#include "coupler/base/text.h"
 #include "coupler/couple_mbd_arguments.h"
 #include "mbd_solver/scene/check_script.h"
 

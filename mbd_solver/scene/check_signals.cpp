@@ -1,26 +1,11 @@
 // Signals, states and events.
-#include <algorithm>
-
-#include "coupler/base/errors.h"
 #include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/model/signals/expression.h"
-#include "mbd_solver/scene/kind_keys.h"
+#include "mbd_solver/model/control/expression.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
 namespace {
-
-template <class Spec>
-std::vector<std::string> names_in(const std::vector<Spec>& specs) {
-  std::vector<std::string> names;
-  for (const Spec& spec : specs) names.push_back(spec.name);
-  return names;
-}
-
-bool holds(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 // "signal.pitch" with the prefix "signal.": "pitch".
 bool cut_prefix(const std::string& text, const std::string& prefix, std::string& rest) {
@@ -29,111 +14,94 @@ bool cut_prefix(const std::string& text, const std::string& prefix, std::string&
   return true;
 }
 
-void check_state_name(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
-                      Findings& findings) {
-  const std::vector<std::string> states = names_in(scene.states);
-  if (name.empty() || holds(states, name)) return;
-  findings.error(source, key, "unknown state \"" + name + "\"." + known_names("states", name, states));
+void check_state_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
+  check_known(at, code::kUnknownState, key, "state", "states", name, names_in(scene.states));
 }
 
-// It can be read, and the signals and states that it names are there. Columns are known when the mechanism is built.
-void check_expression(const Scene& scene, const Source& source, const std::string& key, const std::string& text,
-                      Findings& findings) {
+// It can be read, and the signals and states that it names exist. Columns are known when the mechanism is built.
+void check_expression(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& text) {
   if (text.empty()) return;
   try {
     for (const std::string& name : Expression::names_in(text)) {
       std::string rest;
-      if (cut_prefix(name, "signal.", rest)) check_signal_name(scene, source, key, rest, findings);
+      if (cut_prefix(name, "signal.", rest)) check_signal_name(scene, at, key, rest);
       if (name == "state.since") {
-        if (scene.states.empty()) findings.error(source, key, "asks for state.since, but there are no [[states]]");
+        at.error_if(scene.states.empty(), code::kUnknownState, key,
+                    "uses state.since, but there are no [[states]]; add them");
       } else if (cut_prefix(name, "state.", rest)) {
-        check_state_name(scene, source, key, rest, findings);
+        check_state_name(scene, at, key, rest);
       }
     }
   } catch (const InputError& error) {
-    findings.error(source, key, error.what());
+    at.all().coded_error(at.source(), key, error.what());
   }
 }
-
-bool needs_input(SignalKind kind) { return kind != SignalKind::kFuzzy; }
 
 bool is_filter(SignalKind kind) {
   return kind == SignalKind::kLowpass || kind == SignalKind::kLowpass2 || kind == SignalKind::kNotch;
 }
 
-void check_rising(const SignalSpec& s, const std::string& key, const std::vector<double>& x, Findings& findings) {
-  if (x.size() < 2) {
-    findings.error(s.source, key, "has fewer than two values; expected at least two, rising");
-    return;
-  }
+void check_rising(const EntryFindings& at, const std::string& key, const std::vector<double>& x) {
+  at.error_if(x.size() < 2, code::kWrongCount, key, "has fewer than two values, expected at least two, rising");
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (x[i] > x[i - 1]) continue;
-    findings.error(s.source, key,
-                   "has " + number_text(x[i]) + " after " + number_text(x[i - 1]) + "; expected values that rise");
+    at.error(code::kNotRising, key,
+             "has " + number_text(x[i]) + " after " + number_text(x[i - 1]) + ", expected rising values");
     return;
   }
 }
 
-void check_limits_of(const SignalSpec& s, Findings& findings) {
-  if (s.min && s.max) check_min_below_max(s.source, "", *s.min, *s.max, Unit::kNone, findings);
-  if (s.kind == SignalKind::kSaturation && !s.min && !s.max)
-    findings.error(s.source, "", "limits nothing; give min, max or both");
+void check_limits_of(const SignalSpec& s, const EntryFindings& at) {
+  if (s.min && s.max) check_min_below_max(at, "", *s.min, *s.max, Unit::kNone);
+  at.error_if(s.kind == SignalKind::kSaturation && !s.min && !s.max, code::kEmptyEntry, "",
+              "limits nothing; give min, max or both");
   if (s.kind != SignalKind::kPid) return;
-  if (s.kp == 0.0 && s.ki == 0.0 && s.kd == 0.0)
-    findings.error(s.source, "kp", "is missing; give at least one of kp, ki, kd");
-  if ((s.min || s.max) && s.ki > 0.0 && s.kp == 0.0)
-    findings.error(s.source, "kp",
-                   "is missing; with limits the integral is held back by what is cut off over kp, expected kp > 0");
-  if (s.kd > 0.0 && s.rate.empty() && s.derivative_frequency == 0.0 && s.period == 0.0)
-    findings.error(s.source, "derivative_frequency",
-                   "is missing; a continuous pid with kd needs it (Hz), or rate = \"...\", the input's derivative");
-  if (!s.rate.empty() && s.kd == 0.0) findings.error(s.source, "rate", "is given without kd, which it goes to");
+  at.error_if(s.kp == 0.0 && s.ki == 0.0 && s.kd == 0.0, code::kMissingKey, "kp",
+              "is missing; give at least one of kp, ki, kd");
+  at.error_if((s.min || s.max) && s.ki > 0.0 && s.kp == 0.0, code::kNeedsOtherKey, "kp",
+              "is missing; a limited pid with ki needs kp > 0, which scales the correction of its integral");
+  at.error_if(s.kd > 0.0 && s.rate.empty() && s.derivative_frequency == 0.0 && s.period == 0.0, code::kNeedsOtherKey,
+              "derivative_frequency",
+              "is missing; a continuous pid with kd needs it (Hz), or rate = \"...\", the input's derivative");
+  at.error_if(!s.rate.empty() && s.kd == 0.0, code::kNeedsOtherKey, "rate", "has no effect without kd; add kd");
 }
 
-void check_table(const SignalSpec& s, Findings& findings) {
-  if (s.kind == SignalKind::kTable) {
+void check_table(const SignalSpec& s, const EntryFindings& at) {
+  const auto refused = [&](const char* key) { return s.source.refused.count(key) > 0; };
+  if (s.kind == SignalKind::kTable && !refused("points")) {
     std::vector<double> x;
     for (const Eigen::Vector2d& point : s.points) x.push_back(point.x());
-    if (s.source.refused.count("points") == 0) check_rising(s, "points", x, findings);
+    check_rising(at, "points", x);
   }
-  if (s.kind != SignalKind::kTable2) return;
-  for (const char* key : {"x", "x2", "input2", "values"})
-    if (s.source.refused.count(key) > 0) return;
-  check_rising(s, "x", s.x, findings);
-  check_rising(s, "x2", s.x2, findings);
-  if (s.input2.empty()) findings.error(s.source, "input2", "is missing; this kind of signal has two inputs");
-  if (s.values.size() != s.x.size() * s.x2.size())
-    findings.error(s.source, "values",
-                   "are " + std::to_string(s.values.size()) + " numbers, expected one for each pair of x and x2 (" +
-                       std::to_string(s.x.size() * s.x2.size()) + ")");
+  if (s.kind != SignalKind::kTable2 || refused("x") || refused("x2") || refused("input2") || refused("values")) return;
+  check_rising(at, "x", s.x);
+  check_rising(at, "x2", s.x2);
+  at.error_if(s.input2.empty(), code::kMissingKey, "input2", "is missing; this kind of signal has two inputs");
+  at.error_if(s.values.size() != s.x.size() * s.x2.size(), code::kWrongCount, "values",
+              "contains " + std::to_string(s.values.size()) + " numbers, expected one for each pair of x and x2 (" +
+                  std::to_string(s.x.size() * s.x2.size()) + ")");
 }
 
-void check_signal(const Scene& scene, const SignalSpec& s, Findings& findings) {
-  for (const std::string& key : foreign_keys(s.kind))
-    if (s.source.written_together("kind", key))
-      findings.error(s.source, key, "means nothing for this kind of signal; leave it out");
-  const auto refused = [&](const std::string& key) { return s.source.refused.count(key) > 0; };
-  if (needs_input(s.kind) && s.input.empty() && !refused("input"))
-    findings.error(s.source, "input", "is missing; expected an expression such as \"0.3 - knee.angle\"");
-  check_expression(scene, s.source, "input", s.input, findings);
-  check_expression(scene, s.source, "input2", s.input2, findings);
-  check_expression(scene, s.source, "rate", s.rate, findings);
-  for (const std::string& input : s.inputs) check_expression(scene, s.source, "inputs", input, findings);
-  for (const std::string& state : s.states) check_state_name(scene, s.source, "states", state, findings);
-  check_limits_of(s, findings);
-  check_table(s, findings);
-  const auto is_what = [&](const std::string& key) { return s.source.given(key) ? "is 0" : "is missing"; };
-  if (is_filter(s.kind) && !(s.frequency > 0.0) && !refused("frequency"))
-    findings.error(s.source, "frequency",
-                   std::string(is_what("frequency")) + "; a filter needs it (Hz), expected more than 0");
-  if (s.kind == SignalKind::kRateLimit && !(s.max_rate > 0.0) && !refused("max_rate"))
-    findings.error(s.source, "max_rate", std::string(is_what("max_rate")) + "; expected more than 0, per second");
-  if (s.kind == SignalKind::kRateLimit && s.period == 0.0 && !refused("period"))
-    findings.error(s.source, "period", "is missing; a rate limit is sampled, for example period_ms = 1");
-  if (s.kind == SignalKind::kFuzzy && s.file.empty() && !refused("file"))
-    findings.error(s.source, "file", "is missing; a fuzzy signal is read from an .fll file");
-  if (s.kind == SignalKind::kFuzzy && s.inputs.empty() && !refused("inputs"))
-    findings.error(s.source, "inputs", "are missing; expected one expression per input variable of the file");
+void check_signal(const Scene& scene, const SignalSpec& s, const EntryFindings& at) {
+  check_kind_keys(at, s.kind, "signal");
+  for (const auto& [key, text] : {std::pair("input", &s.input), {"input2", &s.input2}, {"rate", &s.rate}})
+    check_expression(scene, at, key, *text);
+  for (const std::string& input : s.inputs) check_expression(scene, at, "inputs", input);
+  for (const std::string& state : s.states) check_state_name(scene, at, "states", state);
+  check_limits_of(s, at);
+  check_table(s, at);
+  // needs(condition, key, why): a key that this kind cannot do without; refused values are reported already.
+  const auto needs = [&](bool missing, const std::string& key, const std::string& why) {
+    if (missing && s.source.refused.count(key) == 0)
+      at.error(code::kMissingKey, key, (at.given(key) ? "is 0; " : "is missing; ") + why);
+  };
+  const bool fuzzy = s.kind == SignalKind::kFuzzy, rate_limit = s.kind == SignalKind::kRateLimit;
+  needs(!fuzzy && s.input.empty(), "input", "expected an expression such as \"0.3 - knee.angle\"");
+  needs(is_filter(s.kind) && !(s.frequency > 0.0), "frequency", "a filter needs it (Hz), expected more than 0");
+  needs(rate_limit && !(s.max_rate > 0.0), "max_rate", "expected more than 0, per second");
+  needs(rate_limit && s.period == 0.0, "period", "a rate limit is sampled, for example period_ms = 1");
+  needs(fuzzy && s.file.empty(), "file", "a fuzzy signal is read from an .fll file");
+  needs(fuzzy && s.inputs.empty(), "inputs", "expected one expression per input variable of the file");
 }
 
 void check_states(const Scene& scene, Findings& findings) {
@@ -141,35 +109,32 @@ void check_states(const Scene& scene, Findings& findings) {
   check_unique_names(scene.events, "event", findings);
   for (const StateSpec& state : scene.states)
     if (state.name == "since")
-      findings.error(state.source, "name", "\"since\" means the time in the present state; choose another name");
+      findings.error(code::kReservedName, state.source, "name",
+                     "\"since\" is the time in the present state; choose another name");
   if (scene.states.size() == 1)
-    findings.error(scene.states[0].source, "", "is the only state; expected another one that an event goes to");
+    findings.error(code::kWrongCount, scene.states[0].source, "",
+                   "is the only state, expected another one that an event changes to");
   for (const EventSpec& event : scene.events) {
-    check_expression(scene, event.source, "when", event.when, findings);
+    const EntryFindings at(findings, event.source);
+    check_expression(scene, at, "when", event.when);
     if (!event.to.empty() && scene.states.empty()) {
-      findings.error(event.source, "to", "names a state, but there are no [[states]]; list them, the first one first");
+      at.error(code::kUnknownState, "to",
+               "names a state, but there are no [[states]]; list them, the initial one first");
       continue;
     }
-    check_state_name(scene, event.source, "to", event.to, findings);
-    for (const std::string& state : event.from) check_state_name(scene, event.source, "from", state, findings);
-    if (holds(event.from, event.to))
-      findings.error(event.source, "from", "holds \"" + event.to + "\", to which the event goes; leave it out");
+    check_state_name(scene, at, "to", event.to);
+    for (const std::string& state : event.from) check_state_name(scene, at, "from", state);
+    at.error_if(is_in(event.from, event.to), code::kListedTwice, "from",
+                "contains \"" + event.to + "\", to which the event changes; remove it");
   }
 }
 
 }  // namespace
 
-void check_signal_name(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
-                       Findings& findings) {
-  const std::vector<std::string> signals = names_in(scene.signals);
-  if (name.empty() || holds(signals, name)) return;
-  findings.error(source, key, "unknown signal \"" + name + "\"." + known_names("signals", name, signals));
-}
-
 void check_signals(const Scene& scene, Findings& findings) {
   check_unique_names(scene.signals, "signal", findings);
   for (const SignalSpec& signal : scene.signals)
-    if (signal.source.good("kind")) check_signal(scene, signal, findings);
+    if (signal.source.good("kind")) check_signal(scene, signal, {findings, signal.source});
   check_states(scene, findings);
 }
 

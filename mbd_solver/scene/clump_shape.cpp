@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/nearest_name.h"
-#include "coupler/base/pi.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
 
 namespace footfall {
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "coupler/base/kinds.h"
+#include "mbd_solver/base/kinds.h"
 
 namespace footfall {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "coupler/base/kinds.h"
+#include "mbd_solver/base/kinds.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/scene/box_spec.h"
 #include "mbd_solver/scene/source.h"

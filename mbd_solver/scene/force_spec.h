@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "coupler/base/kinds.h"
+#include "mbd_solver/base/kinds.h"
 #include "mbd_solver/scene/joint_spec.h"
 
 namespace footfall {

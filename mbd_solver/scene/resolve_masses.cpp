@@ -4,10 +4,9 @@
 #include <set>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/nearest_name.h"
-#include "coupler/base/pi.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/fe/polyhedron.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/boundary_surface.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/nearest_name.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
 

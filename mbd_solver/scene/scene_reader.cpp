@@ -1,8 +1,8 @@
 // The one file that knows the TOML library: text -> ConfigNode.
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/base/named_file.h"
 #include "mbd_solver/scene/scene_reader.h"
-#include "coupler/base/named_file.h"
-#include "coupler/base/nearest_name.h"
-#include "coupler/base/whole_file.h"
 
 #include <toml++/toml.h>
 #include <algorithm>
@@ -177,7 +177,7 @@ std::string scene_file(const std::string& argument) {
   if (!fs::exists(argument, ignored))
     throw InputError(argument +
                      ": no such file or folder; expected a scene file (TOML), or a folder that holds scene.toml" +
-                     meant_path(argument));
+                     suggested_path(argument));
   return argument;
 }
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/nearest_name.h"
-#include "coupler/base/pi.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/script_text.h"
 
 namespace footfall {

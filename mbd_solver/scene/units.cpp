@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 
 namespace footfall {
 

@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/kinematic_vector.h"
-#include "mbd_solver/model/moving_point.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "mbd_solver/model/elements/contact_law.h"
+#include "mbd_solver/model/elements/contact_surface.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/force_element.h"
-#include "mbd_solver/model/surface/contact_surface.h"
 
 namespace footfall {
 

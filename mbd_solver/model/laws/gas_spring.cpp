@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/parameter_check.h"
-#include "coupler/base/pi.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/parameter_check.h"
+#include "mbd_solver/base/pi.h"
 
 namespace footfall {
 namespace {}  // namespace

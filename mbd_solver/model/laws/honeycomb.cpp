@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/parameter_check.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/parameter_check.h"
 
 namespace footfall {
 namespace {

@@ -24,7 +24,7 @@
 #include <optional>
 #include <vector>
 
-#include "mbd_solver/model/laws/one_sided_spring.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/laws/strut_law.h"
 
 namespace footfall {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/parameter_check.h"
+#include "mbd_solver/base/parameter_check.h"
 
 namespace footfall {
 namespace {

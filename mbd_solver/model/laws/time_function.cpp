@@ -5,8 +5,7 @@
 #include <functional>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/laws/cubic_spline.h"
-#include "mbd_solver/model/laws/monotone_curve.h"
+#include "mbd_solver/model/laws/curves.h"
 
 namespace footfall {
 namespace {

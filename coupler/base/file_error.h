@@ -1,2 +1,0 @@
-#pragma once
-#include "coupler/base/errors.h"  // FileError stands there

@@ -1,0 +1,23 @@
+#pragma once
+// Codes of the messages of mbd_solver/base: E0430 to E0449, W0430 to W0449.
+
+#include "coupler/base/errors.h"
+
+namespace footfall::code {
+
+// The lock file of a folder cannot be created. Check the folder's permissions.
+inline constexpr MessageCode kLockNotCreated{"E0430", "lock-not-created"};
+// Another run writes to this folder. Wait until it has ended, or choose another folder with --out.
+inline constexpr MessageCode kFolderInUse{"E0431", "folder-in-use"};
+// A path names a folder where a file is expected. Name the file.
+inline constexpr MessageCode kPathIsFolder{"E0432", "path-is-folder"};
+// A file does not exist. Correct its path.
+inline constexpr MessageCode kNoSuchFile{"E0433", "no-such-file"};
+// A parameter of a law or controller is outside its range. Give a value in the range of the message.
+inline constexpr MessageCode kParameterOutOfRange{"E0434", "parameter-out-of-range"};
+// A file of an earlier run cannot be removed. Check the folder's permissions.
+inline constexpr MessageCode kFileNotRemoved{"E0435", "file-not-removed"};
+// The list of a run's files cannot be written. The next run into this folder asks before it removes them.
+inline constexpr MessageCode kFileListNotWritten{"W0430", "file-list-not-written"};
+
+}  // namespace footfall::code
