@@ -21,9 +21,9 @@
 #include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/model/controllers/control_surface.h"
-#include "mbd_solver/observe/start_values.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/model/control/fuzzy_controller.h"
+#include "mbd_solver/run/observe/start_values.h"
+#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/boundary_surface.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
@@ -44,7 +44,7 @@ void check_by_building(Scene scene) {
     Mechanism mechanism = build_mechanism(scene);
     for (const std::string& warning : mechanism.warnings)
       std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
-    demand_inside_box(scene, mechanism);
+    require_inside_box(scene, mechanism);
     demand_values_at_start(scene, !unknown_height, mechanism);
   } catch (const InputError& error) {
     const std::string what = error.what();
@@ -196,8 +196,8 @@ int trial_command(const RunArguments& given, double seconds) {
 
   double memory = 0.0;
   const double begun = wall_clock();
-  StoppedWatch stopped(scene.coupling.timeout);
-  const ChildEnd end = run_child(command, kMechanismProgram, [&] {
+  SuspendedWatch stopped(scene.coupling.timeout);
+  const ChildEnd end = run_child(command, kMbdProgram, [&] {
     memory = std::max(memory, memory_of_descendants());
     return stopped();
   });

@@ -22,13 +22,14 @@
 #include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/bed/script_safety.h"
-#include "mbd_solver/output/history.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/mesh_reader.h"
 
 namespace footfall {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -479,9 +480,6 @@ Comparison compare_beds(const ComparedRun& a, const ComparedRun& b, const std::v
   return result;
 }
 
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 namespace {
 
 void write(const fs::path& file, const std::string& text) {
@@ -622,7 +620,7 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
   // Stock LIGGGHTS will run the script; the summary may come from somebody else.
   if (other.empty() && !trust_script) {
     const Json& particles = summary.at("scene").at("particles");
-    demand_safe_script(particles.value("script", ""),
+    require_safe_script(particles.value("script", ""),
                        particles.value("variables", std::map<std::string, std::string>{}));
   }
   const std::string liggghts = other.empty() ? installed_program("liggghts", "liggghts") : "";  // stock, not ours

@@ -23,8 +23,7 @@
 #include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
-#include "mbd_solver/output/run_note.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/output/summary.h"
 
 namespace footfall {
 
@@ -108,8 +107,6 @@ RunLook look_at_run(const std::string& run) {
     return look;
   });
 }
-
-namespace fs = std::filesystem;
 
 namespace {
 

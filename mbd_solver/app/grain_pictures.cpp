@@ -18,7 +18,7 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/programs.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/output/summary.h"
 
 namespace footfall {
 namespace {

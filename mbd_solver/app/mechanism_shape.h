@@ -7,8 +7,8 @@
 
 #include "mbd_solver/app/compare_command.h"
 #include "mbd_solver/fe/triangle_mesh.h"
-#include "mbd_solver/output/summary.h"
-#include "mbd_solver/output/vtk_writer.h"
+#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/run/output/vtk_writer.h"
 
 namespace footfall {
 

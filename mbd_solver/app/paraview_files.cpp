@@ -13,9 +13,9 @@
 #include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/app/packed_series.h"
 #include "mbd_solver/app/report.h"
-#include "mbd_solver/output/history.h"
-#include "mbd_solver/output/summary.h"
-#include "mbd_solver/output/vtk_writer.h"
+#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/run/output/vtk_writer.h"
 
 namespace footfall {
 
@@ -107,8 +107,6 @@ void write_grain_series(const std::string& out) {
   }
 }
 
-namespace fs = std::filesystem;
-
 namespace {
 
 constexpr const char* kScript =
@@ -121,11 +119,9 @@ from paraview.simple import *
 here = os.path.dirname(os.path.abspath(__file__)) if "__file__" in globals() else os.getcwd()
 view = GetActiveViewOrCreate("RenderView")
 
-
 def file_of(name):
     path = os.path.join(here, name)
     return path if os.path.exists(path) else None
-
 
 if file_of("bodies.pvd"):
     bodies = PVDReader(registrationName="bodies", FileName=file_of("bodies.pvd"))

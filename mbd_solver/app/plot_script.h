@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/run/output/history.h"
 
 namespace footfall {
 

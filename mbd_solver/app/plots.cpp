@@ -1,10 +1,10 @@
 #include "mbd_solver/app/plots.h"
 
+#include <fnmatch.h>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <fnmatch.h>
 #include <map>
 
 #include "coupler/base/errors.h"
@@ -13,9 +13,13 @@
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/base/made_files.h"
 #include "mbd_solver/bed/programs.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/output/summary.h"
 
 namespace footfall {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
 namespace {
 
 constexpr double kKilo = 1e-3;
@@ -204,7 +208,6 @@ Figure ledger_figure(const History& ledger) {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
 
 constexpr const char* kKinds[] = {"bodies", "joints", "struts", "springs", "drives", "controllers"};
@@ -404,9 +407,6 @@ Panels panels_of(const History& history, const Names& columns) {
   }
   return panels;
 }
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 namespace {
 

@@ -15,11 +15,15 @@
 #include "mbd_solver/app/viewer_scripts.h"
 #include "mbd_solver/base/made_files.h"
 #include "mbd_solver/base/quote.h"
-#include "mbd_solver/output/history.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/script_text.h"
 
 namespace footfall {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
 namespace {
 
 constexpr const char* kSheet =
@@ -118,9 +122,6 @@ std::string HtmlPage::text() const {
          "<title>" + html_text(title_) + "</title>\n<style>" + kSheet + "</style>\n</head>\n<body>\n<h1>" +
          html_text(title_) + "</h1>\n<nav>" + contents_ + "</nav>\n" + body_ + "</body>\n</html>\n";
 }
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -231,9 +232,6 @@ void show_versions(const Json& summary, HtmlPage& page) {
   rows.push_back({"integrator", summary.value("integrator", "unknown")});
   page.table(rows, false);
 }
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -387,9 +385,6 @@ std::string run_page(const std::string& run) {
   show_versions(summary, page);
   return page.text();
 }
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 namespace {
 

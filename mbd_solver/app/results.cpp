@@ -10,8 +10,8 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/plots.h"
-#include "mbd_solver/model/laws/energy.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/model/laws/strut_law.h"
+#include "mbd_solver/run/output/summary.h"
 
 namespace footfall {
 namespace {

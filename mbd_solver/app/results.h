@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/run/output/history.h"
 
 namespace footfall {
 

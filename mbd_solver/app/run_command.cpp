@@ -24,9 +24,8 @@
 #include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/bed/script_safety.h"
-#include "mbd_solver/output/checkpoint_folder.h"
-#include "mbd_solver/output/run_start.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/output/checkpoint_folder.h"
+#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/script_text.h"
 
@@ -118,8 +117,6 @@ std::string new_run_folder(const std::string& name) {
   return folder.string();
 }
 
-namespace fs = std::filesystem;
-
 namespace {
 
 std::string status_of(const std::string& out) {
@@ -191,13 +188,13 @@ int run_command(const RunArguments& arguments) {
   constexpr double kLater = 5.0;  // [s]
   const fs::path note = fs::absolute(fs::path(out) / "failed");
   command.environment[kFailureNote] = note.string();
-  StoppedWatch stopped(scene.coupling.timeout + kLater);
+  SuspendedWatch stopped(scene.coupling.timeout + kLater);
   ReadingWatch reading(log, scene.coupling.timeout);
-  BedWatch bed(plan.bed_log, log);
+  BedMaterialCheck bed(plan.bed_log, log);
   leave_time_to_end(command);
   const SignalsHeld signals;  // what the run has left is put in order first
   SettlingLine settling(log, (fs::path(out) / "history.csv").string(), arguments.quiet);
-  const ChildEnd end = run_child(command, kMechanismProgram, [&] {
+  const ChildEnd end = run_child(command, kMbdProgram, [&] {
     bed();
     settling();
     const std::string stuck = reading();
@@ -234,8 +231,6 @@ int run_command(const RunArguments& arguments) {
   signals.ignore();
   return code;
 }
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -335,8 +330,8 @@ void demand_whole_words(const ParticlesSpec& particles, const std::string& out) 
 // Scripts of a scene from somebody else run nothing and write into the results' folder only.
 void keep_scripts_safe(const Scene& scene, const RunArguments& a) {
   if (!scene.touches_particles() || a.trust_script) return;
-  demand_safe_script(scene.particles->script, scene.particles->variables);
-  if (const auto& bed = scene.particles->bed) demand_safe_script(bed->script, bed->variables);
+  require_safe_script(scene.particles->script, scene.particles->variables);
+  if (const auto& bed = scene.particles->bed) require_safe_script(bed->script, bed->variables);
   setenv(kNoPrograms, "1", 1);
 }
 
@@ -374,7 +369,7 @@ RunPlan new_run(const RunArguments& a) {
   const int ranks = a.ranks > 0 ? a.ranks : particles.ranks;
   check_restart_files(particles);
   Bed bed;
-  keep_box_scripts(scene, out);
+  store_box_scripts(scene, out);
   if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet);
   if (!bed.restart.empty()) plan.bed_log = (fs::path(bed.restart).parent_path() / "liggghts.log").string();
   // A scene that names its own grains keeps them.
@@ -402,7 +397,7 @@ RunPlan resumed_run(const RunArguments& a) {
   demand_resumable(particles);
   plan.command =
       both_programs(particles, start.ranks, out, short_path(checkpoint + "/grains.restart"), plan.log, solver);
-  set_rows_aside(out, step_of_checkpoint(checkpoint));
+  move_rows_aside(out, step_of_checkpoint(checkpoint));
   if (const std::string gravity = energy_at_start(out); !gravity.empty()) {
     std::vector<std::string>& words = plan.command.words;
     const std::string value[] = {"-var", "grain_start", gravity};

@@ -9,7 +9,7 @@
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/base/made_files.h"
 #include "mbd_solver/bed/process.h"
-#include "mbd_solver/output/checkpoint_folder.h"
+#include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {

@@ -16,12 +16,14 @@
 #include "mbd_solver/base/made_files.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed_frames.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/output/summary.h"
 
 namespace footfall {
-namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+namespace {
 
 constexpr std::size_t kSpans = 2000;  // of time, when there are more rows than twice as many
 
@@ -101,8 +103,6 @@ std::vector<std::string> first_columns(const History& history, const std::string
 }
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const Eigen::VectorXd* cell_numbers(const VtkFrame& frame, const std::string& name) {
   for (const auto& [key, values] : frame.cell_numbers)
@@ -208,8 +208,6 @@ void add_bodies(const std::string& run, const Json& summary, FrameLimits& limits
 }
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kShown = 0.999;  // of the grains of a frame are within the colours
 
@@ -376,9 +374,6 @@ void add_grains(const std::string& run, double dt, FrameLimits& limits, PagePart
 }
 
 namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 // Nothing may be loaded, whatever the page holds.
 constexpr const char* kPolicy =

@@ -1,3 +1,4 @@
+// Reads LIGGGHTS dumps into columns by name, then into matrices sorted by the grains' ids.
 #include "mbd_solver/bed/bed_frames.h"
 
 #include <algorithm>
@@ -12,19 +13,22 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "mbd_solver/bed/codes.h"
 
 namespace footfall {
-namespace {
 
 namespace fs = std::filesystem;
 
-// Columns of numbers by name, as they stand in the file.
+namespace {
+
+// Columns of numbers by name.
 struct Columns {
   std::map<std::string, std::vector<double>> of;
   const std::vector<double>& get(const std::string& path, const std::string& name) const {
     const auto found = of.find(name);
     if (found == of.end() || found->second.empty())
-      throw InputError(path + ": holds no column \"" + name + "\"; dump id x y z vx vy vz radius of the grains");
+      throw InputError(code::kDumpColumnMissing,
+                       path + ": no column \"" + name + "\"; dump id x y z vx vy vz radius of the grains");
     return found->second;
   }
 };
@@ -48,7 +52,8 @@ Columns read_text(std::ifstream& file, const std::string& path) {
     for (const std::string& name : names) {
       double value = 0.0;
       if (!(words >> value))
-        throw InputError(path + ": \"" + line + "\": expected a number for each column of ITEM: ATOMS");
+        throw InputError(code::kDumpNotReadable,
+                         path + ": \"" + line + "\": expected a number for each column of ITEM: ATOMS");
       columns.of[name].push_back(value);
     }
   }
@@ -59,10 +64,6 @@ bool is_number(const std::string& word, double& value) {
   const char* const end = word.data() + word.size();
   const auto [read_to, error] = std::from_chars(word.data(), end, value);
   return error == std::errc() && read_to == end && std::isfinite(value);
-}
-
-[[noreturn]] void refuse(const std::string& path, const std::string& word, const std::string& field) {
-  throw InputError(path + ": \"" + word + "\" stands in \"" + field + "\"; expected a finite number");
 }
 
 // POINTS n TYPE, then x y z each; later fields NAME components n TYPE.
@@ -77,8 +78,11 @@ Columns read_vtk(std::ifstream& file, const std::string& path) {
       for (std::vector<double>* const column : to) {
         double value = 0.0;
         // A stream reads words faster than numbers.
-        if (!(file >> word)) throw InputError(path + ": ends in the middle of \"" + names.front() + "\"");
-        if (!is_number(word, value)) refuse(path, word, names.front());
+        if (!(file >> word))
+          throw InputError(code::kDumpNotReadable, path + ": ends in the middle of \"" + names.front() + "\"");
+        if (!is_number(word, value))
+          throw InputError(code::kDumpNotReadable,
+                           path + ": \"" + names.front() + "\" contains \"" + word + "\", expected a finite number");
         column->push_back(value);
       }
   };
@@ -90,7 +94,8 @@ Columns read_vtk(std::ifstream& file, const std::string& path) {
     long components = 0, n = 0;
     if (!(words >> name)) continue;
     if (name == "BINARY")
-      throw InputError(path + ": is a binary VTK file; expected the ASCII one that dump custom/vtk writes");
+      throw InputError(code::kDumpNotReadable,
+                       path + ": is a binary VTK file, expected the ASCII one that dump custom/vtk writes");
     if (name == "POINTS" && words >> n) {
       numbers({"x", "y", "z"}, n);
     } else if (name == "FIELD") {
@@ -124,7 +129,7 @@ bool parts_of(const fs::path& file, std::string& prefix, long& step) {
 
 BedFrame read_bed_frame(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw InputError(path + ": cannot be read");
+  if (!file) throw InputError(code::kDumpNotReadable, path + ": cannot be read");
   std::string first;
   std::getline(file, first);
   const bool vtk = first.rfind("# vtk", 0) == 0;
@@ -142,7 +147,8 @@ BedFrame read_bed_frame(const std::string& path) {
     const std::vector<double>* const rows[3] = {&columns.get(path, a), &columns.get(path, b), &columns.get(path, c)};
     Eigen::Matrix3Xd m(3, static_cast<Eigen::Index>(id.size()));
     for (int k = 0; k < 3; ++k) {
-      if (rows[k]->size() != id.size()) throw InputError(path + ": its columns are of different lengths");
+      if (rows[k]->size() != id.size())
+        throw InputError(code::kDumpNotReadable, path + ": its columns have different lengths");
       for (std::size_t i = 0; i < order.size(); ++i) m(k, static_cast<Eigen::Index>(i)) = (*rows[k])[order[i]];
     }
     return m;
@@ -171,15 +177,13 @@ std::map<long, std::string> find_bed_frames(const std::string& folder) {
     if (frames.size() <= best.size()) continue;
     try {
       if (read_bed_frame(frames.begin()->second).count() > 0) best = frames;
-    } catch (const InputError&) {  // meshes, for instance
+    } catch (const InputError&) {  // a dump of something else, such as meshes
     }
   }
   return best;
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 fs::path rows_of(const std::string& run) { return fs::path(run) / "grains_energy.txt"; }
 fs::path rows_aside(const std::string& run) { return fs::path(run) / "grains_energy.before.txt"; }
@@ -211,11 +215,12 @@ long step_of_checkpoint(const std::string& checkpoint) {
   const std::string file = checkpoint + "/grains.txt", mark = "\nstep ";
   const std::string text = read_whole_file(file).value_or("");
   const std::size_t at = text.find(mark);
-  if (at == std::string::npos) throw InputError(file + ": does not tell at which step LIGGGHTS was");
+  if (at == std::string::npos)
+    throw InputError(code::kGrainsCheckpointDamaged, file + ": does not hold the step of LIGGGHTS");
   return std::strtol(text.c_str() + at + mark.size(), nullptr, 10);
 }
 
-void set_rows_aside(const std::string& run, long step) {
+void move_rows_aside(const std::string& run, long step) {
   join_rows(run);
   if (const std::optional<std::string> text = read_whole_file(rows_of(run).string()))
     write_whole_file(rows_aside(run).string(), rows_between(*text, -1, step, true));

@@ -1,6 +1,6 @@
 #pragma once
-// Beds of grains as LIGGGHTS dumped them, one file per moment: PREFIX_STEP.vtk (dump custom/vtk, ASCII) or
-// PREFIX_STEP.txt (dump custom).
+// Dumps of grains by LIGGGHTS, one file per time: PREFIX_STEP.vtk (dump custom/vtk, ASCII) or PREFIX_STEP.txt (dump
+// custom); and grains_energy.txt of a resumed run.
 
 #include <Eigen/Dense>
 #include <map>
@@ -11,32 +11,32 @@ namespace footfall {
 
 struct BedFrame {
   long step = 0;
-  std::vector<int> id;         // rising
-  Eigen::Matrix3Xd x, v;       // of the grains, in this order [m], [m/s]; v is empty when it was not dumped
-  Eigen::Matrix3Xd f;          // force on each [N]; empty when it was not dumped
+  std::vector<int> id;         // ascending
+  Eigen::Matrix3Xd x, v;       // of the grains, in this order [m], [m/s]; v is empty if not dumped
+  Eigen::Matrix3Xd f;          // force on each [N]; empty if not dumped
   std::vector<double> radius;  // [m]
   int count() const { return static_cast<int>(id.size()); }
 };
 
-// Reads one dump; it must hold id, x y z and radius. Throws InputError naming the file.
+// Reads one dump, with id, x y z and radius at least. Throws InputError.
 BedFrame read_bed_frame(const std::string& path);
 
-// The dumps of grains in a folder, by step: those whose file can be read as a bed; of several prefixes the one with
-// most steps.
+// The dumps of grains in a folder, by step: files that read_bed_frame accepts; of several prefixes the one with the most
+// steps.
 std::map<long, std::string> find_bed_frames(const std::string& folder);
 
-// grains_energy.txt of a run that is resumed: LIGGGHTS begins the file anew, so the rows before the checkpoint are set
-// aside and joined with the new ones afterwards.
+// grains_energy.txt of a resumed run: LIGGGHTS begins the file again, so the rows before the checkpoint are moved to
+// grains_energy.before.txt first, and joined with the new rows afterwards.
 
-// LIGGGHTS' step number at a checkpoint. Throws InputError when its part of it is not there.
+// LIGGGHTS' step number at a checkpoint. Throws InputError when the DEM part of the checkpoint is missing.
 long step_of_checkpoint(const std::string& checkpoint);
 
-// Rows up to `step` go to grains_energy.before.txt; those that an earlier resumed part has left there are joined first.
-void set_rows_aside(const std::string& run, long step);
-// The energy of gravity that the rows count from, as the script has left it in grains_energy_start.txt; empty when it has
-// not.
+// Moves the rows up to `step`, after joining those that an earlier resumed part has left.
+void move_rows_aside(const std::string& run, long step);
+// The gravity energy from which the rows count, as the script wrote it to grains_energy_start.txt; empty without the
+// file.
 std::string energy_at_start(const std::string& run);
-// One file again: the rows set aside, then those of later steps.
+// Joins both files: the rows moved aside, then those of later steps.
 void join_rows(const std::string& run);
 
 }  // namespace footfall

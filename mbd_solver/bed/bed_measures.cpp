@@ -1,3 +1,4 @@
+// Neighbours are found with a grid of cells; packing and profile count points and columns of a regular grid.
 #include "mbd_solver/bed/bed_measures.h"
 
 #include <algorithm>
@@ -9,16 +10,16 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/bed/codes.h"
 
 namespace footfall {
 namespace {
 
-// Grains by cells of a grid whose edge is at least `reach`: all grains within `reach` of a point are in the 27 cells
-// around it.
+// Grains in the cells of a grid with edge `reach` [m]: all grains within `reach` of a point are in the 27 cells around it.
 class Cells {
  public:
-  Cells(const BedFrame& bed, double reach) : edge_(reach) {
-    for (int i = 0; i < bed.count(); ++i) cells_[key(cell(bed.x.col(i)))].push_back(i);
+  Cells(const Eigen::Matrix3Xd& x, double reach) : edge_(reach) {
+    for (int i = 0; i < x.cols(); ++i) cells_[key(cell(x.col(i)))].push_back(i);
   }
   template <typename Visit>
   void near(const Eigen::Vector3d& x, Visit visit) const {
@@ -66,7 +67,7 @@ double kinetic_energy(const BedFrame& bed) {
 
 double coordination_number(const BedFrame& bed, double gap) {
   if (bed.count() == 0) return 0.0;
-  const Cells cells(bed, (2.0 + gap) * largest_radius(bed));
+  const Cells cells(bed.x, (2.0 + gap) * largest_radius(bed));
   long pairs = 0;
   for (int i = 0; i < bed.count(); ++i)
     cells.near(bed.x.col(i), [&](int j) {
@@ -77,7 +78,7 @@ double coordination_number(const BedFrame& bed, double gap) {
   return 2.0 * static_cast<double>(pairs) / bed.count();
 }
 
-// Points on a grid a fifth of the smallest radius apart; each grain marks those that it covers.
+// Points on a grid, a fifth of the smallest radius apart; each grain marks those that it covers.
 double packing_fraction(const BedFrame& bed, const Eigen::Vector3d& top, double R, double depth) {
   if (bed.count() == 0) return 0.0;
   const double step = 0.2 * smallest_radius(bed);
@@ -120,7 +121,7 @@ std::vector<double> surface_profile(const BedFrame& bed, const Eigen::Vector2d& 
     const double r = radius(bed, g) / width, z = bed.x(2, g) / width;
     if (d.norm() > rings + 1.0 + r) continue;
     raise(std::lround(std::floor(d.x())), std::lround(std::floor(d.y())), (z + r) * width);
-    // A grain wider than a column stands in others too: there its height over the column's middle counts.
+    // A grain wider than a column reaches into others: there its height above the column's middle counts.
     for (long i = std::lround(std::ceil(d.x() - r - 0.5)); static_cast<double>(i) + 0.5 < d.x() + r; ++i)
       for (long j = std::lround(std::ceil(d.y() - r - 0.5)); static_cast<double>(j) + 0.5 < d.y() + r; ++j) {
         const double beside =
@@ -217,9 +218,9 @@ BedSlope bed_slope(const BedFrame& bed, const SlopeBounds& bounds) {
 BedSlope last_slope(const std::string& folder, double low, double high) {
   const auto frames = find_bed_frames(folder);
   if (frames.empty())
-    throw InputError(
-        folder +
-        ": no dumps of the grains, whose slope is asked for; set particles.box.frames, or dump id x y z radius");
+    throw InputError(code::kNoDumps, folder +
+                                         ": no dumps of grains, which the slope requires; set "
+                                         "particles.box.frames, or dump id x y z radius");
   const BedFrame bed = read_bed_frame(frames.rbegin()->second);
   SlopeBounds bounds;
   if (bed.count() > 0) {
@@ -235,43 +236,31 @@ BedContacts bed_contacts(const std::vector<GrainPlace>& grains) {
   BedContacts out;
   if (grains.empty()) return out;
   double radius = 0.0;
-  Eigen::Vector3d low = grains[0].centre, high = low;
-  for (const GrainPlace& grain : grains) {
-    radius = std::max(radius, grain.radius);
-    low = low.cwiseMin(grain.centre);
-    high = high.cwiseMax(grain.centre);
+  Eigen::Matrix3Xd x(3, static_cast<Eigen::Index>(grains.size()));
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    radius = std::max(radius, grains[i].radius);
+    x.col(static_cast<Eigen::Index>(i)) = grains[i].centre;
   }
-  // Cells as wide as the largest grain: what touches stands in the same or in a neighbouring one.
-  using Cell = std::array<long, 3>;
-  const auto cell_of = [&](const Eigen::Vector3d& x) {
-    const Eigen::Vector3d at = (x - low) / (2.0 * radius);
-    return Cell{std::lround(std::floor(at.x())), std::lround(std::floor(at.y())), std::lround(std::floor(at.z()))};
-  };
-  std::map<Cell, std::vector<std::size_t>> cells;
-  for (std::size_t i = 0; i < grains.size(); ++i) cells[cell_of(grains[i].centre)].push_back(i);
-
+  const Eigen::Vector3d low = x.rowwise().minCoeff(), high = x.rowwise().maxCoeff();
+  const Cells cells(x, 2.0 * radius);
   const double quarter = 0.25 * (high.z() - low.z());
-  double touches = 0.0;
+  long touches = 0;
   std::vector<GrainPlace> inside;
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const GrainPlace& grain = grains[i];
     const Eigen::Vector3d margin = (grain.centre - low).cwiseMin(high - grain.centre);
     const bool counts = margin.head<2>().minCoeff() >= 3.0 * radius && margin.z() >= quarter;
-    const Cell cell = cell_of(grain.centre);
-    for (long k = 0; k < 27; ++k) {
-      const auto found = cells.find({cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1});
-      if (found == cells.end()) continue;
-      for (const std::size_t j : found->second) {
-        if (j == i || (grain.clump != 0 && grain.clump == grains[j].clump)) continue;
-        const double overlap = grain.radius + grains[j].radius - (grain.centre - grains[j].centre).norm();
-        if (overlap <= 0.0) continue;
-        out.largest_overlap = std::max(out.largest_overlap, overlap / std::min(grain.radius, grains[j].radius));
-        touches += counts ? 1.0 : 0.0;
-      }
-    }
+    cells.near(grain.centre, [&](int k) {
+      const auto j = static_cast<std::size_t>(k);
+      if (j == i || (grain.clump != 0 && grain.clump == grains[j].clump)) return;
+      const double overlap = grain.radius + grains[j].radius - (grain.centre - grains[j].centre).norm();
+      if (overlap <= 0.0) return;
+      out.largest_overlap = std::max(out.largest_overlap, overlap / std::min(grain.radius, grains[j].radius));
+      touches += counts ? 1 : 0;
+    });
     if (counts) inside.push_back(grain);
   }
-  if (!inside.empty()) out.coordination = touches / static_cast<double>(count_grains(inside));
+  if (!inside.empty()) out.coordination = static_cast<double>(touches) / static_cast<double>(count_grains(inside));
   return out;
 }
 

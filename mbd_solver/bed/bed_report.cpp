@@ -1,3 +1,4 @@
+// Reports about grains before a run: numbers of [particles.box], or what the text of a LIGGGHTS script states.
 #include "mbd_solver/bed/bed_report.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_measures.h"
+#include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/build/grain_dump.h"
 #include "mbd_solver/scene/box_bed.h"
@@ -26,15 +28,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kLargeOverlap = 0.05;  // as that of which a run warns
+constexpr double kLargeOverlap = 0.05;  // the limit of the run's warning [of the radius]
 
-// Two digits are known: 1583 -> "1600".
+// An estimate with two digits: 1583 -> "1600".
 std::string round_count(double count) {
   const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(count)) - 1.0));
   return std::to_string(std::lround(count / unit) * std::lround(unit));
 }
 
-// What of a sphere's volume counts: where spheres of its clump overlap they share [-].
+// Share of each sphere's volume that counts: overlaps within a clump count once [-].
 std::vector<double> own_shares(const std::vector<GrainPlace>& spheres, const BoxSpec& box) {
   std::map<int, int> size;  // of each clump
   for (const GrainPlace& sphere : spheres) ++size[sphere.clump];
@@ -55,7 +57,7 @@ std::vector<double> own_shares(const std::vector<GrainPlace>& spheres, const Box
   return shares;
 }
 
-// How much of the slab between two heights the grains fill [-].
+// Share of the slab between two heights that grains fill [-].
 double solid_fraction(const std::vector<GrainPlace>& grains, const std::vector<double>& shares, double low, double high,
                       double area) {
   double volume = 0.0;
@@ -68,8 +70,10 @@ double solid_fraction(const std::vector<GrainPlace>& grains, const std::vector<d
   return volume / (area * (high - low));
 }
 
+constexpr const char* kNotMade = "  the bed is not made yet; the first run makes it and stores it in the cache";
+
 std::string made_bed(const BoxSpec& box, const std::string& folder) {
-  if (!bed_is_made(folder)) return "  the bed is not made yet; the first run makes and keeps it\n";
+  if (!bed_is_made(folder)) return std::string(kNotMade) + "\n";
   const std::vector<GrainPlace> grains = read_grains((fs::path(folder) / kBedGrains).string());
   double highest = -box.depth;
   for (const GrainPlace& grain : grains) highest = std::max(highest, grain.centre.z() + grain.radius);
@@ -85,8 +89,11 @@ std::string made_bed(const BoxSpec& box, const std::string& folder) {
     text += ", " + number_text(contacts.coordination, 2) + " contacts per " + (box.clumps.empty() ? "grain" : "clump");
   text += ", overlaps up to " + share_text(contacts.largest_overlap) + " of the radius\n";
   if (contacts.largest_overlap > kLargeOverlap)
-    text += "  warning: at rest grains overlap by more than " + share_text(kLargeOverlap) +
-            ": their contact law holds for less. Raise material.young (the time step falls with its root)\n";
+    text += "  warning: " +
+            with_code(code::kBedOverlaps, "grains at rest overlap by more than " + share_text(kLargeOverlap) +
+                                              " of their radius, the limit of their contact law: increase "
+                                              "material.young (the time step falls with its square root)") +
+            "\n";
   return text + "  " + short_path(folder) + "\n";
 }
 
@@ -100,16 +107,15 @@ std::string clumps_text(const Scene& scene) {
   }
   const std::string rolling(name_of(rolling_model_of(scene)));
   return "  clumps: " + joined(shapes) +
-         "; each weighs what a sphere of its radius weighs, overlaps count once; rolling friction: " + rolling + "\n";
+         "; a clump has the mass of a sphere of its radius; rolling friction: " + rolling + "\n";
 }
 
-// A mesh that was drawn in millimetres and read in metres is larger than anything that stands on a box of grains.
+// A mesh drawn in millimetres and read in metres is larger than any body on a box of grains.
 std::string in_millimetres(const Eigen::Matrix3Xd& x) {
   constexpr double kTooLarge = 20.0;  // [m]
   const double size = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();
   if (size < kTooLarge) return "";
-  return ". The body measures " + number_text(size, 3) +
-         " m: if its mesh is drawn in millimetres, give it scale = 0.001";
+  return ". The body measures " + number_text(size, 3) + " m: set scale = 0.001 if its mesh is drawn in millimetres";
 }
 
 std::string toml_table(const std::map<std::string, std::string>& variables) {
@@ -131,19 +137,19 @@ std::string box_report(const Scene& scene) {
                      " m, surface at z = 0; about " + round_count(n.grains) + " grains of radius " + radii + " m\n";
   if (!box.clumps.empty()) text += clumps_text(scene);
   text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +
-          (box.periodic ? "beside it the bed goes on (periodic)\n" : number_text(n.margin) + " m beside the walls\n");
-  if (!box.walls) text += "  the run has no floor and no sides of its own: bodies of the scene stand in their places\n";
+          (box.periodic ? "periodic along x and y\n" : number_text(n.margin) + " m around the walls\n");
+  if (!box.walls) text += "  the run has no floor and no walls of its own: bodies of the scene take their place\n";
   text += "  time step: " + number_text(n.time_step) + " s, " + share_text(n.time_step / n.rayleigh) +
           " of the Rayleigh time, " + share_text(n.time_step / n.hertz) + " of the Hertz time; window: " +
           (box.every ? std::to_string(*box.every) + " steps\n" : "chosen during the run\n");
   return text + made_bed(box, bed_folder(*particles.bed));
 }
 
-void demand_inside_box(const Scene& scene, const Mechanism& mechanism) {
+void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
   if (!scene.touches_particles() || !scene.particles->box) return;
   const BoxSpec& box = *scene.particles->box;
   const BoxNumbers n = box_numbers(scene);
-  constexpr double kOnTheSide = 1e-6;  // of the box
+  constexpr double kTolerance = 1e-6;  // of the box
   for (const BodyBoundary& entry : mechanism.boundaries) {
     const BodyState& start = mechanism.model.initial(entry.body);
     const Eigen::Matrix3Xd x =
@@ -152,24 +158,26 @@ void demand_inside_box(const Scene& scene, const Mechanism& mechanism) {
         start.r;
     for (int axis = 0; axis < 2 && !box.periodic; ++axis) {
       const auto k = static_cast<std::size_t>(axis);
-      const double reach = 0.5 * box.size[k] + n.margin + kOnTheSide * box.size[k];
+      const double reach = 0.5 * box.size[k] + n.margin + kTolerance * box.size[k];
       const double farthest = (x.row(axis).array() - box.centre[k]).abs().maxCoeff();
       if (farthest > reach && entry.boundary.segments().empty())
-        throw InputError("body \"" + entry.boundary.name() + "\" reaches " + number_text(farthest, 4) +
-                         " m from the middle of the bed along " + (axis == 0 ? "x" : "y") + ", the simulation box " +
-                         number_text(reach, 4) +
-                         " m; make particles.box.size or particles.box.margin larger, or place the body inside" +
-                         in_millimetres(x));
+        throw InputError(code::kOutsideBox,
+                         "body \"" + entry.boundary.name() + "\" reaches " + number_text(farthest, 4) +
+                             " m from the middle of the bed along " + (axis == 0 ? "x" : "y") +
+                             ", the simulation box " + number_text(reach, 4) +
+                             " m; increase particles.box.size or particles.box.margin, or move the body inside" +
+                             in_millimetres(x));
     }
     const double top = x.row(2).maxCoeff();
-    if (top > n.headroom * (1.0 + kOnTheSide) && entry.boundary.segments().empty())
-      throw InputError("body \"" + entry.boundary.name() + "\" reaches up to z = " + number_text(top, 4) +
-                       " m, the simulation box to " + number_text(n.headroom, 4) +
-                       " m; make particles.box.headroom larger" + in_millimetres(x));
+    if (top > n.headroom * (1.0 + kTolerance) && entry.boundary.segments().empty())
+      throw InputError(code::kOutsideBox, "body \"" + entry.boundary.name() +
+                                              "\" reaches up to z = " + number_text(top, 4) +
+                                              " m, the simulation box to " + number_text(n.headroom, 4) +
+                                              " m; increase particles.box.headroom" + in_millimetres(x));
   }
 }
 
-void keep_box_scripts(const Scene& scene, const std::string& out) {
+void store_box_scripts(const Scene& scene, const std::string& out) {
   if (!scene.touches_particles() || !scene.particles->box) return;
   const ParticlesSpec& particles = *scene.particles;
   const fs::path folder = fs::path(out) / "script";
@@ -177,12 +185,13 @@ void keep_box_scripts(const Scene& scene, const std::string& out) {
   for (const char* name : {"in.bed", "in.grains", "material.lammps", "walls.lammps", "energy.lammps"}) {
     const std::string source = box_script(name);
     const std::optional<std::string> text = read_whole_file(source);
-    if (!text) throw InputError(source + ": cannot be read");
+    if (!text) throw InputError(code::kShippedFileMissing, source + ": cannot be read; install footfall again");
     write_whole_file((folder / name).string(), *text);
   }
   std::string text =
-      "# What [particles.box] of the scene stood for. To go on from these scripts, copy this folder beside the scene,\n"
-      "# put these lines in the place of [particles] and [particles.box], and edit the scripts.\n";
+      "# The scripts that [particles.box] of the scene stood for. To edit them, copy this folder next to the scene "
+      "and\n"
+      "# replace [particles] and [particles.box] by these lines.\n";
   text += "[particles]\nscript = \"script/in.grains\"\nranks = " + std::to_string(particles.ranks) +
           "\nsurface_height = " + number_text(*particles.surface_height, 12) +
           "\nmax_time_step = " + number_text(particles.max_time_step, 12) + "\n[particles.variables]\n" +
@@ -193,39 +202,39 @@ void keep_box_scripts(const Scene& scene, const std::string& out) {
 
 namespace {
 
-// What the text of the scripts says; a command behind another one of its kind wins, as in LIGGGHTS.
-struct SaidOfGrains {
+// Values in the text of the scripts; of several commands of a kind the last one counts, as in LIGGGHTS.
+struct ScriptValues {
   std::optional<double> young, poisson;  // of the first type: [Pa], [-]
   std::optional<double> step;            // [s]
-  std::string every;                     // substeps per window, as written
-  double density = 0.0;                  // smallest of the templates; 0: none is said [kg/m3]
-  double smallest = 0.0, largest = 0.0;  // radii of the templates; 0: none is said [m]
+  std::string every;                     // DEM steps per window, as written
+  double density = 0.0;                  // smallest of the particle templates [kg/m3]; 0: not given
+  double smallest = 0.0, largest = 0.0;  // radii of the particle templates [m]; 0: not given
 };
 
-void read_template(const std::vector<std::string>& words, SaidOfGrains& said) {
+void read_template(const std::vector<std::string>& words, ScriptValues& values) {
   for (std::size_t i = 4; i + 2 < words.size(); ++i) {
     if (words[i + 1] != "constant") continue;
     const std::optional<double> value = as_number(words[i + 2]);
     if (!value || !(*value > 0.0)) continue;
-    if (words[i] == "density") said.density = said.density > 0.0 ? std::min(said.density, *value) : *value;
+    if (words[i] == "density") values.density = values.density > 0.0 ? std::min(values.density, *value) : *value;
     if (words[i] != "radius") continue;
-    said.smallest = said.smallest > 0.0 ? std::min(said.smallest, *value) : *value;
-    said.largest = std::max(said.largest, *value);
+    values.smallest = values.smallest > 0.0 ? std::min(values.smallest, *value) : *value;
+    values.largest = std::max(values.largest, *value);
   }
 }
 
-void read_script(const std::string& file, const std::map<std::string, std::string>& variables, SaidOfGrains& said) {
+void read_script(const std::string& file, const std::map<std::string, std::string>& variables, ScriptValues& values) {
   const ScriptText script(file, variables);
   for (const ScriptCommand& command : script.commands()) {
     const std::vector<std::string>& w = command.words;
-    if (w[0] == "timestep" && w.size() > 1) said.step = command.conditional ? std::nullopt : as_number(w[1]);
+    if (w[0] == "timestep" && w.size() > 1) values.step = command.conditional ? std::nullopt : as_number(w[1]);
     if (w[0] != "fix" || w.size() < 6) continue;
     if (w[3] == "property/global" && w.size() > 6 && w[5] == "peratomtype") {
-      if (w[4] == "youngsModulus") said.young = as_number(w[6]);
-      if (w[4] == "poissonsRatio") said.poisson = as_number(w[6]);
+      if (w[4] == "youngsModulus") values.young = as_number(w[6]);
+      if (w[4] == "poissonsRatio") values.poisson = as_number(w[6]);
     }
-    if (w[3].rfind("particletemplate/", 0) == 0) read_template(w, said);
-    if (w[3] == "couple/mbd" && w[4] == "every") said.every = w[5];
+    if (w[3].rfind("particletemplate/", 0) == 0) read_template(w, values);
+    if (w[3] == "couple/mbd" && w[4] == "every") values.every = w[5];
   }
 }
 
@@ -234,18 +243,18 @@ std::string radii_text(double smallest, double largest) {
   return number_text(smallest, 3) + (largest > smallest ? " to " + number_text(largest, 3) : "") + " m";
 }
 
-std::string step_text(const SaidOfGrains& said, double speed) {
-  if (!said.step) return "";
-  std::string text = "  time step: " + number_text(*said.step) + " s";
-  if (said.young && said.poisson && said.density > 0.0 && said.smallest > 0.0) {
-    const ElasticGrain grain = {said.smallest, said.density, *said.young, *said.poisson};
-    text += ", " + share_text(*said.step / rayleigh_time(grain)) + " of the Rayleigh time";
+std::string step_text(const ScriptValues& values, double speed) {
+  if (!values.step) return "";
+  std::string text = "  time step: " + number_text(*values.step) + " s";
+  if (values.young && values.poisson && values.density > 0.0 && values.smallest > 0.0) {
+    const ElasticGrain grain = {values.smallest, values.density, *values.young, *values.poisson};
+    text += ", " + share_text(*values.step / rayleigh_time(grain)) + " of the Rayleigh time";
     if (speed > 0.0)
-      text += ", " + share_text(*said.step / hertz_time(grain, speed)) + " of the Hertz time at " +
+      text += ", " + share_text(*values.step / hertz_time(grain, speed)) + " of the Hertz time at " +
               number_text(speed, 3) + " m/s";
   }
-  if (!said.every.empty() && said.every.front() != '$')
-    text += "; window: " + (said.every == "auto" ? "chosen during the run" : said.every + " steps");
+  if (!values.every.empty() && values.every.front() != '$')
+    text += "; window: " + (values.every == "auto" ? "chosen during the run" : values.every + " steps");
   return text + "\n";
 }
 
@@ -253,31 +262,31 @@ std::string step_text(const SaidOfGrains& said, double speed) {
 
 std::string script_report(const Scene& scene) {
   const ParticlesSpec& particles = *scene.particles;
-  SaidOfGrains said;
-  if (particles.bed) read_script(particles.bed->script, particles.bed->variables, said);
-  said.step.reset();
-  read_script(particles.script, particles.variables, said);
+  ScriptValues values;
+  if (particles.bed) read_script(particles.bed->script, particles.bed->variables, values);
+  values.step.reset();
+  read_script(particles.script, particles.variables, values);
   std::string text = "Grains: " + short_path(particles.script) + " on " + std::to_string(particles.ranks) +
                      (particles.ranks == 1 ? " rank" : " ranks");
   if (particles.bed) {
     const std::string folder = bed_folder(*particles.bed);
-    const std::string grains = (std::filesystem::path(folder) / kBedGrains).string();
+    const std::string grains = (fs::path(folder) / kBedGrains).string();
     if (!bed_is_made(folder)) {
-      text += "\n  the bed is not made yet; the first run makes and keeps it";
-    } else if (std::filesystem::exists(grains)) {
+      text += "\n" + std::string(kNotMade);
+    } else if (fs::exists(grains)) {
       const std::vector<GrainPlace> places = read_grains(grains);
-      said.smallest = std::numeric_limits<double>::infinity();
-      said.largest = 0.0;
+      values.smallest = std::numeric_limits<double>::infinity();
+      values.largest = 0.0;
       for (const GrainPlace& place : places) {
-        said.smallest = std::min(said.smallest, place.radius);
-        said.largest = std::max(said.largest, place.radius);
+        values.smallest = std::min(values.smallest, place.radius);
+        values.largest = std::max(values.largest, place.radius);
       }
       text += "\n  the bed is made: " + std::to_string(count_grains(places)) + " grains, " + short_path(folder);
     }
   }
   text += "\n";
-  if (said.largest > 0.0) text += "  radius: " + radii_text(said.smallest, said.largest) + "\n";
-  return text + step_text(said, scene.initial.velocity.norm());
+  if (values.largest > 0.0) text += "  radius: " + radii_text(values.smallest, values.largest) + "\n";
+  return text + step_text(values, scene.initial.velocity.norm());
 }
 
 }  // namespace footfall

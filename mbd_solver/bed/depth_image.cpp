@@ -1,3 +1,4 @@
+// Depth buffer with two fine pixels per pixel and direction; a pixel is the mean of its fine pixels.
 #include "mbd_solver/bed/depth_image.h"
 
 #include <algorithm>
@@ -10,9 +11,9 @@
 namespace footfall {
 namespace {
 
-constexpr int kFine = 2;  // points drawn per pixel and direction, for smooth edges
+constexpr int kFine = 2;  // fine pixels per pixel and direction, for smooth edges
 
-// Light from above on the left, behind the eye; some comes from everywhere.
+// Light from behind the eye, above and to the left, and some from all directions.
 double brightness(const Eigen::Vector3d& normal_E) {
   const Eigen::Vector3d light = Eigen::Vector3d(-0.45, 0.65, 0.61).normalized();
   return 0.40 + 0.60 * std::max(0.0, normal_E.dot(light));
@@ -57,10 +58,9 @@ void DepthImage::sphere(const Eigen::Vector3d& x_W, double radius, const Colour&
   capsule(x_W, x_W, radius, colour);
 }
 
-// Along a line of sight at p: the point of the axis whose sphere is nearest to the eye is where nearness z(s) +
-// sqrt(r^2 - |p - c(s)|^2) is largest.
-// With c(s) and z(s) linear in s and the axis at an angle whose cosine to the picture is k, it lies k-wards of the foot
-// of p on the axis.
+// A capsule is the union of spheres at c(s) along its axis. Along the line of sight at p the one whose nearness
+// z(s) + sqrt(r^2 - |p - c(s)|^2) is largest is seen; c(s) and z(s) are linear in s, so s follows from the foot of p on
+// the axis in closed form.
 void DepthImage::capsule(const Eigen::Vector3d& a_W, const Eigen::Vector3d& b_W, double radius, const Colour& colour) {
   const Eigen::Vector3d a = to_picture(a_W), b = to_picture(b_W), along = b - a;
   const double r = scale_ * radius, flat2 = along.head<2>().squaredNorm(), length2 = along.squaredNorm();

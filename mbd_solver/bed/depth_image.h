@@ -1,7 +1,6 @@
 #pragma once
-// A small software renderer: spheres, capsules and triangles, seen from far away (parallel projection), each point of
-// the picture showing what is nearest to the eye. Exact for any order of drawing, needs no screen and no graphics
-// library.
+// A small software renderer of spheres, capsules and triangles in parallel projection: each point of the picture shows
+// what is nearest to the eye, whatever the order of drawing. It needs neither screen nor graphics library.
 
 #include <Eigen/Dense>
 #include <array>
@@ -30,14 +29,14 @@ class DepthImage {
   // Points in the inertial frame [m]. Parts outside the picture are cut off.
   void sphere(const Eigen::Vector3d& x_W, double radius, const Colour& colour);
   void capsule(const Eigen::Vector3d& a_W, const Eigen::Vector3d& b_W, double radius, const Colour& colour);
-  // Both sides are lit. It counts as nearer to the eye by `lift` [m]: a plate that has no thickness covers the grains
-  // that press into it.
+  // Both sides are lit. It counts as nearer to the eye by `lift` [m], so that a plate without thickness covers the grains
+  // that overlap it.
   void triangle(const Eigen::Vector3d& a_W, const Eigen::Vector3d& b_W, const Eigen::Vector3d& c_W,
                 const Colour& colour, double lift = 0.0);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  Colour pixel(int column, int row) const;  // row 0 is the uppermost; the mean of the points that were drawn in it
+  Colour pixel(int column, int row) const;  // mean of its fine pixels; row 0 is the uppermost
   // Bytes red, green, blue, rows from top to bottom. Throws InputError when the file cannot be written.
   void write(const std::string& path) const;
 

@@ -1,3 +1,5 @@
+// Reads the log of LIGGGHTS as text. The place of an error is found by following the commands of the script that the log
+// repeats, one after the other.
 #include "mbd_solver/bed/liggghts_log.h"
 
 #include <unistd.h>
@@ -10,12 +12,13 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/bed/codes.h"
 #include "mbd_solver/scene/script_text.h"
 
 namespace footfall {
 namespace {
 
-// The last line that is not empty, of the file's last few thousand bytes.
+// The last line that is not empty, among the file's last few thousand bytes.
 std::string last_line(const std::string& path) {
   constexpr std::streamoff kTail = 4096;
   std::ifstream file(path, std::ios::ate);
@@ -68,7 +71,7 @@ SettlingLine::SettlingLine(std::string log, std::string begun, bool quiet)
       started_(wall_clock()) {}
 
 void SettlingLine::operator()() {
-  constexpr long kEndless = 100000000;  // a run command of so many steps waits for the end of the scene
+  constexpr long kEndless = 100000000;  // a run command of so many steps lasts until the scene ends
   const double now = wall_clock();
   if (over_ || now < next_look_) return;
   next_look_ = now + 0.5;
@@ -121,7 +124,8 @@ std::string ReadingWatch::operator()() {
   const bool reads = line.rfind("read_restart", 0) == 0 || line.rfind("Reading restart", 0) == 0;
   since_ = !reads ? 0.0 : since_ > 0.0 ? since_ : now;
   if (!reads || now - since_ < limit_) return "";
-  return "LIGGGHTS has been at \"" + line + "\" for " + number_text(limit_) + " s: the file is damaged, make it anew";
+  return with_code(code::kRestartDamaged, "LIGGGHTS has been at \"" + line + "\" for " + number_text(limit_) +
+                                              " s: the restart file is damaged; make it again");
 }
 
 namespace {
@@ -133,8 +137,8 @@ std::vector<std::string> blank_words(const std::string& line) {
   return words;
 }
 
-// The same line with values for its variables: LIGGGHTS repeats a line for every one.
-bool is_filled_in(const std::vector<std::string>& line, const std::vector<std::string>& written) {
+// `line` is `written` with some of its variables replaced: LIGGGHTS repeats a line after each replacement.
+bool is_repeated(const std::vector<std::string>& line, const std::vector<std::string>& written) {
   for (std::size_t i = 0; i < written.size(); ++i) {
     if (written[i].find('$') != std::string::npos) return true;  // a value may be several words
     if (i >= line.size() || line[i] != written[i]) return false;
@@ -148,15 +152,12 @@ std::string why_liggghts_stopped(const std::string& log, const std::string& scri
                                  const std::map<std::string, std::string>& variables) {
   const std::string errors = liggghts_errors(log);
   std::string meaning;
-  // The header is LIGGGHTS' own, or that of its package, whichever compiler has made the function.
   const std::size_t internal = errors.find("Internal error (");
   if (internal != std::string::npos && errors.find("/tri_mesh_I.h", internal) != std::string::npos)
     meaning =
-        "\nThe place of a grain at a mesh is no number. Mostly its centre lay exactly on the mesh, where stock "
-        "LIGGGHTS ends "
-        "likewise: start the body a little higher (initial.clearance), or move the grain. Else look for a time step "
-        "that "
-        "is too large.";
+        "\nThe position of a grain at a mesh is not a number. Usually its centre lay exactly on the mesh, where stock "
+        "LIGGGHTS stops too: start the body a little higher (initial.clearance), or move the grain. Otherwise reduce "
+        "the time step.";
   return where_liggghts_stopped(log, script, variables) + "\n" + errors + meaning;
 }
 
@@ -175,8 +176,8 @@ std::string where_liggghts_stopped(const std::string& log, const std::string& sc
   for (const std::string& said : log_lines(log)) {
     if (said.rfind("ERROR", 0) == 0) break;
     const std::vector<std::string> line = blank_words(said);
-    if (line.empty() || (at != none && is_filled_in(line, written[at]))) continue;
-    // Mostly the next one; behind a loop one that stands before.
+    if (line.empty() || (at != none && is_repeated(line, written[at]))) continue;
+    // Usually the next command; after a loop an earlier one.
     const std::size_t first = at == none ? 0 : at + 1;
     for (std::size_t k = 0; k < none; ++k) {
       const std::size_t candidate = (first + k) % none;

@@ -1,3 +1,5 @@
+// Child processes: fork and exec in a process group of their own, signals received one by one with sigtimedwait, and
+// all descendants found in /proc and ended in order.
 #include "mbd_solver/bed/process.h"
 
 #include <fcntl.h>
@@ -25,6 +27,7 @@
 #include "coupler/base/text.h"
 #include "coupler/interrupt.h"
 #include "mbd_solver/base/quote.h"
+#include "mbd_solver/bed/codes.h"
 
 namespace footfall {
 namespace {
@@ -32,7 +35,7 @@ namespace {
 constexpr std::chrono::nanoseconds kTick = std::chrono::milliseconds(200);
 
 [[noreturn]] void become(const Command& command, const sigset_t& held) {
-  setpgid(0, 0);  // Ctrl-C in the terminal reaches the front door alone, which then ends the others in order
+  setpgid(0, 0);  // Ctrl-C in the terminal reaches footfall alone, which ends the others in order
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   sigprocmask(SIG_UNBLOCK, &held, nullptr);
   const int nothing = open("/dev/null", O_RDONLY);
@@ -84,7 +87,8 @@ void SignalsHeld::ignore() const {
 
 pid_t start_process(const Command& command, const SignalsHeld& signals) {
   const pid_t pid = fork();
-  if (pid < 0) throw InputError("cannot start " + command.words[0] + ": " + std::strerror(errno));
+  if (pid < 0)
+    throw InputError(code::kProgramNotStarted, "cannot start " + command.words[0] + ": " + std::strerror(errno));
   if (pid == 0) become(command, signals.held());
   return pid;
 }
@@ -95,42 +99,42 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 // Ten seconds in all, from a signal to the last process.
-constexpr std::chrono::seconds kGrace(kEnding + 1);  // to write a checkpoint and end in order, before SIGKILL
-constexpr std::chrono::seconds kAfterEnd(1);         // from the end of the child to SIGTERM for what it left behind
-constexpr std::chrono::seconds kAfterTerm(1);        // from SIGTERM to SIGKILL
-constexpr std::chrono::milliseconds kSecondThought(500);  // from the first signal to a SIGINT that is meant as a second
+constexpr std::chrono::seconds kGrace(kEnding + 1);    // to write a checkpoint and end in order, before SIGKILL
+constexpr std::chrono::seconds kAfterEnd(1);           // from the end of the child to SIGTERM for its descendants
+constexpr std::chrono::seconds kAfterTerm(1);          // from SIGTERM to SIGKILL
+constexpr std::chrono::milliseconds kTypedAgain(500);  // least time from the first signal to a SIGINT typed again
 
-// Every process below this one; on request those alone that are stopped.
-std::vector<pid_t> descendants(bool stopped_alone = false) {
+// Every process below this one; on request only the suspended ones.
+std::vector<pid_t> descendants(bool only_suspended = false) {
   std::map<pid_t, std::vector<pid_t>> children;
-  std::set<pid_t> stopped;
+  std::set<pid_t> suspended;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
     const std::string name = entry.path().filename();
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
     std::ifstream stat(entry.path() / "stat");
     std::string line;
     std::getline(stat, line);
-    const std::size_t end = line.rfind(')');  // the program's name may hold anything
+    const std::size_t end = line.rfind(')');  // the program's name may contain anything
     char state = '?';
     int parent = 0;
     if (end == std::string::npos || std::sscanf(line.c_str() + end + 1, " %c %d", &state, &parent) != 2 || state == 'Z')
       continue;
     children[parent].push_back(std::stoi(name));
-    if (state == 'T') stopped.insert(std::stoi(name));
+    if (state == 'T') suspended.insert(std::stoi(name));
   }
   std::vector<pid_t> found = children[getpid()];
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::vector<pid_t> next = children[found[i]];
     found.insert(found.end(), next.begin(), next.end());
   }
-  const auto left_out = [&](pid_t pid) { return stopped_alone && stopped.count(pid) == 0; };
+  const auto left_out = [&](pid_t pid) { return only_suspended && suspended.count(pid) == 0; };
   found.erase(std::remove_if(found.begin(), found.end(), left_out), found.end());
   return found;
 }
 
-// Lets go of its sleep a launcher that waits for programs which have all ended: mpirun, when it has asked them to end,
-// looks again seconds later. SIGCHLD wakes it, and says nothing to others.
-void wake_lonely(pid_t launcher) {
+// Wakes a launcher whose programs have all ended: mpirun, once it has asked them to end, looks only seconds later.
+// SIGCHLD wakes it and is harmless to other programs.
+void wake_launcher_without_children(pid_t launcher) {
   const std::string folder = "/proc/" + std::to_string(launcher);
   std::ifstream children(folder + "/task/" + std::to_string(launcher) + "/children");
   for (pid_t child = 0; children >> child;) {
@@ -152,7 +156,7 @@ void send_all(const std::vector<pid_t>& pids, int signal) {
   for (pid_t pid : pids) kill(pid, signal);
 }
 
-// Asks for an orderly end: true if somebody was there to ask. Who is stopped goes on, to take part in it.
+// Asks for an orderly end; false when no descendant is `graceful`. Suspended ones are continued to take part in it.
 bool ask_gracefully(const std::string& graceful) {
   bool asked = false;
   send_all(descendants(true), SIGCONT);
@@ -170,8 +174,8 @@ bool is_fault(int signal) {
   return false;
 }
 
-// Collects every child that ended (orphans of the child come to us). True when `pid` is among them; `status` is then
-// its status, `cpu` its processor time [s].
+// Waits for every child that has ended (orphans of the child become ours). True when `pid` is among them; `status` is
+// then its status, `cpu` its processor time [s].
 bool reap(pid_t pid, int& status, double& cpu) {
   bool ended = false;
   int s = 0;
@@ -187,7 +191,7 @@ bool reap(pid_t pid, int& status, double& cpu) {
 
 }  // namespace
 
-std::string StoppedWatch::operator()() {
+std::string SuspendedWatch::operator()() {
   const double now = wall_clock();
   if (now < next_look_) return "";
   next_look_ = now + 1.0;
@@ -196,8 +200,9 @@ std::string StoppedWatch::operator()() {
   since_ = since;
   for (const auto& [pid, start] : since_)
     if (now - start > limit_)
-      return program_of(pid) + " (process " + std::to_string(pid) + ") has been stopped for " + number_text(limit_) +
-             " s (SIGSTOP): nobody can go on without it";
+      return with_code(code::kProgramSuspended, program_of(pid) + " (process " + std::to_string(pid) +
+                                                    ") has been suspended (SIGSTOP) for " + number_text(limit_) +
+                                                    " s, and the other programs wait for it");
   return "";
 }
 
@@ -222,22 +227,22 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
       asked = Clock::now();
       if (ask_gracefully(graceful)) {
         deadline = asked + kGrace;
-        terminated = true;  // they have been asked: what is left is to kill
+        terminated = true;  // they have been asked; the next step is SIGKILL
       } else {
         terminate();
       }
-    } else if (signal == SIGINT && Clock::now() > asked + kSecondThought) {
+    } else if (signal == SIGINT && Clock::now() > asked + kTypedAgain) {
       terminate();
     }
     if (reap(pid, status, end.cpu)) {
       ended = true;
       if (deadline == Clock::time_point::max()) {
-        // Of a launcher that a signal has ended nobody hears, and Open MPI ends its programs a second later.
+        // Open MPI ends the programs of a launcher that a signal has ended only a second later.
         terminated = was_asked_to_end(exit_code_of(status)) && ask_gracefully(graceful);
         deadline = Clock::now() + (terminated ? kGrace : kAfterEnd);
       }
     }
-    if (!ended) wake_lonely(pid);
+    if (!ended) wake_launcher_without_children(pid);
     if (Clock::now() > deadline) terminate();
     if (!tick || ended || end.interrupted || !end.given_up.empty()) continue;
     end.given_up = tick();
@@ -246,7 +251,8 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
   reap(pid, status, end.cpu);  // orphans killed last
   end.code = exit_code_of(status);
   end.crashed = WIFSIGNALED(status) && is_fault(WTERMSIG(status));
-  if (end.code == kCannotStart) throw InputError("cannot start " + command.words[0] + "; is it installed?");
+  if (end.code == kCannotStart)
+    throw InputError(code::kProgramNotStarted, "cannot start " + command.words[0] + "; is it installed?");
   return end;
 }
 

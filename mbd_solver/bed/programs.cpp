@@ -1,3 +1,4 @@
+// Finds programs next to this one or in PATH, and builds the command line of mpirun.
 #include "mbd_solver/bed/programs.h"
 
 #include <unistd.h>
@@ -8,6 +9,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/interrupt.h"
+#include "mbd_solver/bed/codes.h"
 
 namespace footfall {
 
@@ -25,7 +27,8 @@ std::string built_program(const std::string& name) {
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   const fs::path program = self.parent_path() / name;
   if (!fs::exists(program, error))
-    throw InputError(program.string() + ": there is no such program; build footfall with ./footfall, or cmake --build");
+    throw InputError(code::kProgramNotBuilt,
+                     program.string() + ": no such program; build footfall with ./footfall or cmake --build");
   return program.string();
 }
 
@@ -36,7 +39,7 @@ std::string installed_program(const std::string& name, const std::string& packag
     std::string program = (fs::path(folder.empty() ? "." : folder) / name).string();
     if (access(program.c_str(), X_OK) == 0 && !fs::is_directory(program)) return program;
   }
-  throw InputError(name + ": there is no such program; install the Debian package " + package);
+  throw InputError(code::kProgramNotInstalled, name + ": no such program; install the Debian package " + package);
 }
 
 std::string called_as() {
@@ -51,7 +54,7 @@ Command mpirun() {
     command.environment["OMPI_ALLOW_RUN_AS_ROOT"] = "1";
     command.environment["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1";
   }
-  // mbd_solver sleeps while the grains move: one process more than cores costs nothing, but Open MPI must be told.
+  // mbd_solver sleeps while the grains move: one process more than there are cores costs nothing.
   command.words.insert(command.words.end(), {"--oversubscribe", "--bind-to", "none", "--quiet"});
   return command;
 }

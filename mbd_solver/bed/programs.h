@@ -1,5 +1,5 @@
 #pragma once
-// Where the other programs are, and how Open MPI starts them here.
+// Where the other programs are, and how Open MPI starts them on this machine.
 
 #include <string>
 
@@ -8,28 +8,27 @@
 
 namespace footfall {
 
-// A program built with footfall (beside it), as a path. Throws InputError when it is not there.
+// Path of a program of footfall: next to this one. Throws InputError when it does not exist.
 std::string built_program(const std::string& name);
 
-// A program of another Debian package, as a path: what the shell would start. Throws InputError, with the package's name,
-// when there is none.
+// Path of a program of another Debian package, as the shell would find it. Throws InputError with the package's name.
 std::string installed_program(const std::string& name, const std::string& package);
 
-// How the user calls the front door, for lines to be copied: "./footfall" of a checkout, else "footfall".
+// How the user calls this program, for lines to be copied: "./footfall" in a checkout, otherwise "footfall".
 std::string called_as();
 
-// mpirun with what this machine needs: permission for root, more processes than cores, no binding of ranks to cores.
+// mpirun with permission for root, more processes than cores, and without binding ranks to cores.
 Command mpirun();
 
-// From here on this mpirun, asked to end or with a program that has died, gives the others some seconds to write a
-// checkpoint before it kills, and they know of it at once.
+// When this mpirun is asked to end, or one of its programs dies, it warns the other programs at once and gives them some
+// seconds to write a checkpoint before it kills them.
 void leave_time_to_end(Command& mpirun);
 
-// What the scene's -var options say, in the order LIGGGHTS gets them: here (folder of the script), then the variables.
+// Options of LIGGGHTS for a script: -in, then -var here (the folder of the script) and the other variables.
 std::vector<std::string> script_arguments(const std::string& script,
                                           const std::map<std::string, std::string>& variables);
 
-// `path` from here when that is shorter, for lines that people read and copy.
+// `path` relative to the current folder when that is shorter, for lines to be read and copied.
 std::string short_path(const std::string& path);
 
 }  // namespace footfall

@@ -1,9 +1,12 @@
+// Looks at every command of a script for what it runs and which files it writes; commands inside `if`, `run every` and
+// `partition` count as well.
 #include "mbd_solver/bed/script_safety.h"
 
 #include <algorithm>
 #include <vector>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/bed/codes.h"
 #include "mbd_solver/scene/script_text.h"
 
 namespace footfall {
@@ -11,7 +14,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// The words that a quoted one of LIGGGHTS holds are commands, as in: if ... then "shell rm".
+// Quoted words may hold commands, as in: if ... then "shell rm".
 Words without_quotes(Words words) {
   for (std::string& word : words)
     word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == '"' || c == '\''; }), word.end());
@@ -24,7 +27,7 @@ std::string word_after(const Words& w, std::size_t from, const std::string& key)
   return "";
 }
 
-// The files that one command writes; `at` is where it begins among the words.
+// The files that one command writes; it begins at word `at`.
 Words files_written(const Words& w, std::size_t at) {
   const auto word = [&](std::size_t k) { return at + k < w.size() ? w[at + k] : std::string(); };
   const std::string command = word(0);
@@ -35,18 +38,18 @@ Words files_written(const Words& w, std::size_t at) {
   if (command == "print") return {word_after(w, at + 1, "file"), word_after(w, at + 1, "append")};
   if (command == "run") return {};
   if (command != "fix") return {};
-  // Other fixes read their files: meshes, templates of particles.
+  // Other fixes only read files: meshes, particle templates.
   const std::string style = word(3);
   if (style != "print" && style.rfind("ave/", 0) != 0 && style.rfind("massflow/", 0) != 0) return {};
   return {word_after(w, at + 4, "file"), word_after(w, at + 4, "append")};
 }
 
-bool is_home(const std::string& file) {
+bool is_allowed(const std::string& file) {
   if (file.empty() || file == "none" || file == "NULL" || file == "&") return true;
   const bool out = file.rfind("${out}/", 0) == 0, bed = file.rfind("${bed}", 0) == 0;
   if (!out && !bed) return false;
   const std::string rest = file.substr(6);
-  // What is left is a plain path: LIGGGHTS hands the names of packed files to a shell.
+  // Only a plain path: LIGGGHTS passes the names of compressed files to a shell.
   const bool plain = rest.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.+*%/") ==
                      std::string::npos;
   return plain && rest.find("..") == std::string::npos;
@@ -54,9 +57,9 @@ bool is_home(const std::string& file) {
 
 }  // namespace
 
-void demand_safe_script(const std::string& script, const std::map<std::string, std::string>& variables) {
+void require_safe_script(const std::string& script, const std::map<std::string, std::string>& variables) {
   std::string findings;
-  // Both come from the command line, whatever the script says they are without it.
+  // The command line gives both; values that the script itself gives do not count.
   std::map<std::string, std::string> given = variables;
   given["out"] = "${out}";
   given["bed"] = "${bed}";
@@ -67,16 +70,18 @@ void demand_safe_script(const std::string& script, const std::map<std::string, s
       findings += (findings.empty() ? "" : "\n") + command.file + ":" + std::to_string(command.line) + ": " + what;
     };
     if (std::find(w.begin(), w.end(), "shell") != w.end())
-      complain("`shell` runs programs, which no script of a scene may do; do it before the run");
+      complain("`shell` runs programs, which a script may not do; run them before");
     if (w[0] == "dump" && w.size() > 3 && w[3] == "movie")
-      complain("dump movie runs a program, which no script may do");
-    // Commands within `if` and `run ... every` begin at any word.
+      complain("`dump movie` runs a program, which a script may not do; make the film after the run");
+    // Commands inside these may begin at any word.
     const bool nested = w[0] == "if" || w[0] == "run" || w[0] == "partition";
     for (std::size_t at = 0; at < (nested ? w.size() : 1); ++at)
       for (const std::string& file : files_written(w, at))
-        if (!is_home(file)) complain("writes \"" + file + "\", expected a file in the run's folder: ${out}/NAME");
+        if (!is_allowed(file))
+          complain("writes \"" + file + "\", expected a file in the folder of results: ${out}/NAME");
   }
-  if (!findings.empty()) throw InputError(findings + "\nIf you wrote or trust this script, say --trust-script.");
+  if (!findings.empty())
+    throw InputError(code::kUnsafeScript, findings + "\nIf you trust this script, add --trust-script.");
 }
 
 }  // namespace footfall

@@ -9,7 +9,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/named_file.h"
-#include "mbd_solver/model/signals/expression.h"
+#include "mbd_solver/model/control/signal_chain.h"
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/field_visitor.h"
 #include "mbd_solver/scene/scene_schema.h"

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/studies/calibration.h"
 #include "mbd_solver/studies/run_store.h"
 

@@ -15,7 +15,7 @@
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/studies/experiment.h"
 #include "mbd_solver/studies/fits.h"
@@ -125,8 +125,6 @@ bool write_output(const ExperimentSpec& spec, const Plan& plan, const Results& r
   // With curves, how a run ended is part of what is told.
   return expected && (!spec.curves.empty() || results.all_done());
 }
-
-namespace fs = std::filesystem;
 
 namespace {
 

@@ -11,8 +11,8 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/bed/bed_measures.h"
-#include "mbd_solver/output/history.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/run/output/summary.h"
 
 namespace footfall {
 

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {

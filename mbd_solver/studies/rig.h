@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {

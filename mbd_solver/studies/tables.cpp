@@ -9,7 +9,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/base/quote.h"
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/studies/results.h"
 
 namespace footfall {

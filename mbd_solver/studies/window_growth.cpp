@@ -8,7 +8,7 @@
 #include "coupler/load_average.h"
 #include "coupler/schemes/registry.h"
 #include "mbd_solver/coupling/body_window.h"
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/studies/tables.h"
 
 namespace footfall {
