@@ -1,7 +1,6 @@
 // Boundaries, contacts, ground and particles.
 #include <cmath>
 
-#include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/scene_check.h"
 

@@ -1,7 +1,6 @@
 // What acts on the coordinates of joints: stops, friction, springs, drives; and where the coordinates start.
 #include <cmath>
 
-#include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/scene_check.h"

@@ -1,7 +1,6 @@
 // Struts, springs, forces and controllers.
 #include <cmath>
 
-#include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/scene_check.h"

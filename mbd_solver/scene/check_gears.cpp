@@ -1,9 +1,9 @@
-// Gears: joints that exist and have the coordinate, a factor for each.
+// Gears: joints that exist and have the coordinate, a factor for each, and the curve of a cam.
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/base/pi.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
@@ -11,67 +11,59 @@ namespace footfall {
 namespace {
 
 // The joint of this index exists and leaves its coordinate free.
-void check_member(const Scene& scene, const GearSpec& gear, std::size_t i, Findings& findings) {
-  const JointSpec* joint = find_joint(scene, gear.source, "joints", gear.joints[i], findings);
+void check_member(const Scene& scene, const GearSpec& gear, std::size_t i, const EntryFindings& at) {
+  const JointSpec* joint = find_joint(scene, at, "joints", gear.joints[i]);
   if (!joint) return;
   const std::vector<CoordinateChoice> has = coordinates_of(joint->type);
   const std::string type(name_of(joint->type)), name = "\"" + joint->name + "\"";
   if (has.empty()) {
-    findings.error(
-        gear.source, "joints",
-        name + " is " + type +
-            "; a gear connects angles and displacements of revolute, prismatic, cylindrical or planar joints");
+    at.error(code::kUnknownCoordinate, "joints",
+             name + " is " + type +
+                 "; a gear connects angles and displacements of revolute, prismatic, cylindrical or planar joints");
     return;
   }
   const std::string choice = i < gear.coordinates.size() ? gear.coordinates[i] : "auto";
-  const auto named = [&](CoordinateChoice c) { return name_of(c) == choice; };
   const std::vector<std::string> known = names_of<CoordinateChoice>();
-  if (std::find(known.begin(), known.end(), choice) == known.end()) {
-    findings.error(gear.source, "coordinates",
-                   "has \"" + choice + "\"; expected " + coordinate_names(joint->type) +
-                       (has.size() == 1 ? " or \"auto\"" : "") + " for " + name);
+  const std::string expected = "; expected " + coordinate_names(joint->type);
+  if (!is_in(known, choice)) {
+    at.error(code::kUnknownCoordinate, "coordinates",
+             "contains \"" + choice + "\"" + expected + (has.size() == 1 ? " or \"auto\"" : "") + " for " + name);
   } else if (choice == "auto" && has.size() > 1) {
-    findings.error(gear.source, "coordinates",
-                   name + " is " + type + " and has " + (has.size() == 2 ? "two" : "three") + "; expected " +
-                       coordinate_names(joint->type) + " for it, for example [\"" +
-                       (i == 0 ? "angle\", \"auto" : "auto\", \"angle") + "\"]");
-  } else if (choice != "auto" && std::none_of(has.begin(), has.end(), named)) {
-    findings.error(gear.source, "coordinates",
-                   "has \"" + choice + "\" for " + name + ", which a " + type + " joint does not have; expected " +
-                       coordinate_names(joint->type));
+    at.error(code::kAmbiguousCoordinate, "coordinates",
+             name + " is " + type + " and has " + (has.size() == 2 ? "two" : "three") + expected +
+                 " for it, for example [\"" + (i == 0 ? "angle\", \"auto" : "auto\", \"angle") + "\"]");
+  } else if (choice != "auto" &&
+             std::none_of(has.begin(), has.end(), [&](CoordinateChoice c) { return name_of(c) == choice; })) {
+    at.error(code::kUnknownCoordinate, "coordinates",
+             "contains \"" + choice + "\" for " + name + ", which a " + type + " joint does not have" + expected);
   }
-  const std::size_t last = std::min(i, gear.coordinates.size());
   for (std::size_t k = 0; k < i; ++k) {
-    if (gear.joints[k] != gear.joints[i]) continue;
-    const std::string before = k < last ? gear.coordinates[k] : "auto";
-    if (before == choice)
-      findings.error(gear.source, "joints", name + " stands there twice with the same coordinate; add up its factors");
+    const std::string before = k < gear.coordinates.size() ? gear.coordinates[k] : "auto";
+    at.error_if(gear.joints[k] == gear.joints[i] && before == choice, code::kListedTwice, "joints",
+                name + " is listed twice with the same coordinate; list it once with the sum of its factors");
   }
 }
 
-// The last joint turns or pushes the cam.
-void check_cam(const Scene& scene, const GearSpec& gear, Findings& findings) {
+// The last joint moves the cam.
+void check_cam(const Scene& scene, const GearSpec& gear, const EntryFindings& at) {
   const std::vector<Eigen::Vector2d>& curve = gear.curve;
   if (curve.empty()) {
-    if (gear.source.given("closed"))
-      findings.error(gear.source, "closed", "says how a curve goes on; give `curve` too");
+    at.error_if(at.given("closed"), code::kNeedsOtherKey, "closed", "describes a curve; give `curve` as well");
     return;
   }
   if (gear.closed && curve.size() < 3) {
-    findings.error(gear.source, "curve", "is closed and has 2 points, expected at least 3");
+    at.error(code::kWrongCount, "curve", "is closed and has 2 points, expected at least 3");
     return;
   }
-  if (gear.closed && curve.front()[1] != curve.back()[1])
-    findings.error(gear.source, "curve",
-                   "is closed, but begins with the value " + number_text(curve.front()[1]) + " and ends with " +
-                       number_text(curve.back()[1]) + "; expected the same value at both ends");
-  if (gear.joints.empty() || !find_joint(scene, gear.source, "joints", gear.joints.back(), findings)) return;
+  at.error_if(gear.closed && curve.front()[1] != curve.back()[1], code::kCamCurve, "curve",
+              "is closed, but begins with the value " + number_text(curve.front()[1]) + " and ends with " +
+                  number_text(curve.back()[1]) + "; expected the same value at both ends");
+  if (gear.joints.empty() || !find_joint(scene, at, "joints", gear.joints.back())) return;
   if (scene.coordinate_of(gear, gear.joints.size() - 1) != CoordinateChoice::kAngle) return;
   const double span = curve.back()[0] - curve.front()[0];
-  if (gear.closed ? std::abs(span - 2.0 * kPi) > 1e-3 : span > 2.0 * kPi + 1e-3)
-    findings.error(gear.source, "curve",
-                   "spans " + number_text(span) + " rad; expected " +
-                       (gear.closed ? "one turn of a closed curve, 2 pi" : "at most one turn, 2 pi, of an angle"));
+  at.error_if(gear.closed ? std::abs(span - 2.0 * kPi) > 1e-3 : span > 2.0 * kPi + 1e-3, code::kCamCurve, "curve",
+              "spans " + number_text(span) + " rad; expected " +
+                  (gear.closed ? "one turn of a closed curve, 2 pi" : "at most one turn, 2 pi, of an angle"));
 }
 
 }  // namespace
@@ -79,28 +71,28 @@ void check_cam(const Scene& scene, const GearSpec& gear, Findings& findings) {
 void check_gears(const Scene& scene, Findings& findings) {
   check_unique_names(scene.gears, "gear", findings);
   for (const GearSpec& gear : scene.gears) {
+    const EntryFindings at(findings, gear.source);
+    const std::size_t joints = gear.joints.size();
+    const auto one_for_each = [&](std::size_t count) {
+      return "has " + std::to_string(count) + " entries for " + std::to_string(joints) +
+             " joints; expected one for each";
+    };
     for (const JointSpec& joint : scene.joints)
-      if (!gear.name.empty() && joint.name == gear.name)
-        findings.error(gear.source, "name",
-                       "is that of a joint (line " + std::to_string(joint.source.line) + "); names must differ");
-    if (gear.source.given("joints")) {
-      if (gear.joints.size() < 2)
-        findings.error(gear.source, "joints", "names " + std::to_string(gear.joints.size()) + ", expected two or more");
-      for (std::size_t i = 0; i < gear.joints.size(); ++i) check_member(scene, gear, i, findings);
+      at.error_if(!gear.name.empty() && joint.name == gear.name, code::kDuplicateName, "name",
+                  "is also that of a joint (line " + std::to_string(joint.source.line) + "); names must differ");
+    if (at.given("joints")) {
+      at.error_if(joints < 2, code::kWrongCount, "joints",
+                  "contains " + std::to_string(joints) + " names, expected two or more");
+      for (std::size_t i = 0; i < joints; ++i) check_member(scene, gear, i, at);
     }
-    if (gear.source.given("joints") && gear.source.given("factors") && gear.factors.size() != gear.joints.size())
-      findings.error(gear.source, "factors",
-                     "has " + std::to_string(gear.factors.size()) + " numbers for " +
-                         std::to_string(gear.joints.size()) +
-                         " joints; expected one for each: the sum of factor times coordinate stays zero");
-    if (!gear.coordinates.empty() && gear.coordinates.size() != gear.joints.size())
-      findings.error(gear.source, "coordinates",
-                     "has " + std::to_string(gear.coordinates.size()) + " for " + std::to_string(gear.joints.size()) +
-                         " joints; expected one for each");
-    check_cam(scene, gear, findings);
+    at.error_if(at.given("joints") && at.given("factors") && gear.factors.size() != joints, code::kWrongCount,
+                "factors", one_for_each(gear.factors.size()) + ": the sum of factor times coordinate stays zero");
+    at.error_if(!gear.coordinates.empty() && gear.coordinates.size() != joints, code::kWrongCount, "coordinates",
+                one_for_each(gear.coordinates.size()));
+    check_cam(scene, gear, at);
     for (const double factor : gear.factors)
-      if (factor == 0.0)
-        findings.error(gear.source, "factors", "has a 0; leave that joint out, or give it the radius or teeth it has");
+      at.error_if(factor == 0.0, code::kGearFactor, "factors",
+                  "contains 0; remove that joint, or give its radius or number of teeth");
   }
 }
 

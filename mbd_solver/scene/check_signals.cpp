@@ -1,7 +1,6 @@
 // Signals, states and events.
-#include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/model/control/expression.h"
+#include "mbd_solver/model/control/signal_chain.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {

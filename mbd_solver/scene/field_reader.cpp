@@ -1,10 +1,13 @@
+// The visitor that fills structs from a tree of values and remembers which keys were known, found and refused.
 #include "mbd_solver/scene/field_reader.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/base/nearest_name.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/field_visitor.h"
+#include "mbd_solver/scene/value_checks.h"
 #include "mbd_solver/scene/value_reader.h"
 
 namespace footfall {
@@ -38,7 +41,7 @@ class FieldReader final : public FieldVisitor {
     const std::string problem =
         std::visit([&](auto* target) { return read_value(*given->node, context, *target); }, ref);
     if (problem.empty()) return;
-    report(given->written, given->node->line, problem);
+    findings_.coded_error(given->node->line, path_of(given->written), problem);
     const Frame& frame = frames_.back();
     if (frame.source) frame.source->refused.insert(frame.local + key);
   }
@@ -52,9 +55,8 @@ class FieldReader final : public FieldVisitor {
       switch_table_.table.emplace_back("enabled", *node);
       node = &switch_table_;
     } else if (given && node->kind != ConfigNode::Kind::kTable) {
-      report(key, node->line,
-             "is " + node->description() + ", expected a table" +
-                 (presence == Presence::kSwitch ? ", true or false" : ""));
+      const std::string expected = presence == Presence::kSwitch ? "a table, true or false" : "a table";
+      findings_.coded_error(node->line, path_of(key), is_expected(*node, expected));
       node = &empty_table();
       present = presence == Presence::kAlways;
       if (!present) return false;
@@ -80,11 +82,10 @@ class FieldReader final : public FieldVisitor {
                           std::all_of(node.table.begin(), node.table.end(),
                                       [](const auto& n) { return n.second.kind == ConfigNode::Kind::kTable; });
     if (named ? !is_named : !is_list) {
-      const std::string path = frames_.back().path.empty() ? key : frames_.back().path + "." + key;
-      report(key, node.line,
-             "is " + node.description() + ", expected " +
-                 (named ? "tables with names, [" + path + ".NAME]"
-                        : "a list of tables, [[" + path + "]] or [{...}, {...}]"));
+      const std::string path = path_of(key);
+      findings_.coded_error(node.line, path,
+                            is_expected(node, named ? "tables with names, [" + path + ".NAME]"
+                                                    : "a list of tables, [[" + path + "]] or [{...}, {...}]"));
       return 0;
     }
     lists_.back().node = &node;
@@ -111,8 +112,8 @@ class FieldReader final : public FieldVisitor {
     std::string path;                // for messages: "bodies.cabin.shape"
     std::string local;               // before a key in source->lines: "shape."
     Source* source;                  // of the entry around
-    std::vector<std::string> known;  // every key asked for
-    std::vector<std::string> taken;  // every key found
+    std::vector<std::string> known;  // keys that are described
+    std::vector<std::string> taken;  // keys that the file has, as written
   };
   struct List {
     const ConfigNode* node;
@@ -127,8 +128,7 @@ class FieldReader final : public FieldVisitor {
 
   void push(const std::string& key, const ConfigNode& node) {
     const Frame& outer = frames_.back();
-    frames_.push_back(
-        {&node, outer.path.empty() ? key : outer.path + "." + key, outer.local + key + ".", outer.source, {}, {}});
+    frames_.push_back({&node, path_of(key), outer.local + key + ".", outer.source, {}, {}});
   }
 
   void pop() {
@@ -136,9 +136,12 @@ class FieldReader final : public FieldVisitor {
     frames_.pop_back();
   }
 
-  void report(const std::string& key, int line, const std::string& what) {
+  std::string path_of(const std::string& key) const {
     const std::string& path = frames_.back().path;
-    findings_.error(line, path.empty() ? key : path + "." + key, what);
+    return path.empty() ? key : path + "." + key;
+  }
+  void report(const MessageCode& code, const std::string& key, int line, const std::string& what) {
+    findings_.error(code, line, path_of(key), what);
   }
 
   // The value of `key`, whichever unit suffix it is written with; records it as known, taken and given.
@@ -154,14 +157,16 @@ class FieldReader final : public FieldVisitor {
     if (found.empty()) {
       if (rule.required) {
         const std::string unit = unit_name(rule.unit);
-        report(key, frame.node->line, "is missing; it has no default" + (unit.empty() ? "" : " (unit " + unit + ")"));
+        report(code::kMissingKey, key, frame.node->line,
+               "is missing; it has no default" + (unit.empty() ? "" : " (unit " + unit + ")"));
       }
       return std::nullopt;
     }
     for (const Given& g : found) frame.taken.push_back(g.written);
     if (found.size() > 1)
-      report(found[1].written, found[1].node->line, "is given twice, also as \"" + found[0].written + "\"; keep one");
-    // The last word is that of --set.
+      report(code::kUnitSuffix, found[1].written, found[1].node->line,
+             "is also given as \"" + found[0].written + "\"; keep one of the two");
+    // --set overrides the file.
     const auto set =
         std::find_if(found.begin(), found.end(), [](const Given& g) { return g.node->line == Source::kFromSet; });
     const Given& chosen = set != found.end() ? *set : found.front();
@@ -173,7 +178,7 @@ class FieldReader final : public FieldVisitor {
     const Frame& frame = frames_.back();
     for (const auto& [key, node] : frame.node->table) {
       if (std::find(frame.taken.begin(), frame.taken.end(), key) != frame.taken.end()) continue;
-      report(key, node.line, "unknown key." + known_names("keys here", key, frame.known));
+      report(code::kUnknownKey, key, node.line, "unknown key." + known_names("keys here", key, frame.known));
     }
   }
 

@@ -1,22 +1,25 @@
 #pragma once
 // The keys of a scene, described once: visit_fields names every key, its member, unit, range and meaning. The TOML
-// reader, the copier of arrays, the JSON writer and the list of known keys are visitors of that one description.
+// reader, the copier of arrays, the JSON writer, the schema and the list of known keys are visitors of that description.
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/kinds.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {
 
-// Unit of a number in SI; the suffixes that the reader accepts for each stand in units.cpp.
+// Unit of a number in SI; units.cpp lists the suffixes that the reader accepts for each.
 enum class Unit {
   kNone,
   kLength,
@@ -43,9 +46,9 @@ enum class Unit {
 
 enum class Range { kAny, kPositive, kNotNegative, kUnitInterval };
 
-// What a vector or a string is. The copies of an array turn points, directions (unit vectors) and free vectors; names
-// of entries are copied with "{array}" replaced; paths are joined with the scene's folder and must exist. Words are texts
-// that may be written as numbers, and a list of one as that one.
+// What a vector or a string means. The copies of an array turn points, directions (unit vectors) and free vectors; in names
+// of entries "{array}" is replaced; paths are joined with the scene's folder and must exist. Words are texts that may be
+// written as numbers, and a list of one word as that word.
 enum class Meaning { kPlain, kPoint, kDirection, kFree, kName, kPath, kWords };
 
 struct Rule {
@@ -54,6 +57,17 @@ struct Rule {
   Meaning meaning = Meaning::kPlain;
   bool required = false;
 };
+
+// The rules that most keys have.
+namespace rule {
+inline constexpr Rule plain{}, name{Unit::kNone, Range::kAny, Meaning::kName},
+    path{Unit::kNone, Range::kAny, Meaning::kPath}, point{Unit::kLength, Range::kAny, Meaning::kPoint},
+    direction{Unit::kNone, Range::kAny, Meaning::kDirection};
+constexpr Rule positive(Unit unit = Unit::kNone) { return {unit, Range::kPositive}; }
+constexpr Rule not_negative(Unit unit = Unit::kNone) { return {unit, Range::kNotNegative}; }
+inline constexpr Rule share{Unit::kNone, Range::kUnitInterval};  // from 0 to 1
+constexpr Rule required(Rule rule = {}) { return {rule.unit, rule.range, rule.meaning, true}; }
+}  // namespace rule
 
 struct Choice {  // an enumeration by the names of its values, in order
   int value;
@@ -84,18 +98,22 @@ class FieldVisitor {
   virtual ~FieldVisitor() = default;
 
   virtual void field(const std::string& key, const FieldRef& ref, const Rule& rule) = 0;
-  // Enters the table `key`. `present`: in, whether the struct holds it; out, whether it shall. False: not entered, no
-  // end_section.
+  // Several keys with the same rule.
+  void fields(const Rule& rule, std::initializer_list<std::pair<const char*, FieldRef>> list) {
+    for (const auto& [key, ref] : list) field(key, ref, rule);
+  }
+  // Enters the table `key`. `present`: in, whether the struct has it; out, whether it should. False: not entered, and no
+  // end_section follows.
   virtual bool begin_section(const std::string& key, Presence presence, bool& present) = 0;
   virtual void end_section() = 0;
-  // A list of tables [[key]], or of named tables [key.NAME]; returns how many items there shall be.
+  // A list of tables [[key]], or of named tables [key.NAME]; returns how many items there should be, -1: only the keys of
+  // one are listed.
   virtual int begin_list(const std::string& key, bool named, int count) = 0;
   virtual void begin_item(int index, std::string* name) = 0;  // name: of a named table, else null
   virtual void end_item() = 0;
   virtual void end_list() = 0;
 
-  // Conveniences for the descriptions.
-  template <class Kind>  // by the names that name_of gives
+  template <class Kind>  // by the names of name_of
   void choice(const std::string& key, Kind& kind, const Rule& rule = {}) {
     choice(key, kind, names_of<Kind>(), rule);
   }
@@ -105,12 +123,12 @@ class FieldVisitor {
     field(key, &c, rule);
     value = static_cast<E>(c.value);
   }
-  // A word out of a list that stands elsewhere; `value` is one of its words.
+  // `value` is one of the words.
   void choice(const std::string& key, std::string& value, const std::vector<std::string>& words, const Rule& rule = {});
   template <class T>
-  void section(const std::string& key, T& value);  // always there, defaults where the file is silent
+  void section(const std::string& key, T& value);  // always present
   template <class T>
-  // there only when given
+  // present only when given
   void section(const std::string& key, std::optional<T>& value, Presence presence = Presence::kOptional);
   template <class T, class Describe>
   void section(const std::string& key, std::optional<T>& value, Presence presence, const Describe& describe);
@@ -131,12 +149,12 @@ void visit_fields(FieldVisitor& v, MotionSpec& motion);
 void visit_fields(FieldVisitor& v, TimeFunctionSpec& function, Unit unit);
 void visit_fields(FieldVisitor& v, CoordinateSpec& coordinate, Unit unit);
 void visit_fields(FieldVisitor& v, StrutSpec& strut);
-void visit_fields(FieldVisitor& v, GasSpec& gas);
+void visit_fields(FieldVisitor& v, GasSpringParameters& gas);
 void visit_fields(FieldVisitor& v, MrSpec& mr);
-void visit_fields(FieldVisitor& v, MrGeometrySpec& geometry);
+void visit_fields(FieldVisitor& v, MrGeometry& geometry);
 void visit_fields(FieldVisitor& v, HoneycombSpec& honeycomb);
-void visit_fields(FieldVisitor& v, CrushStageSpec& stage);
-void visit_fields(FieldVisitor& v, StopsSpec& stops);
+void visit_fields(FieldVisitor& v, HoneycombStage& stage);
+void visit_fields(FieldVisitor& v, EndStopParameters& stops);
 void visit_fields(FieldVisitor& v, LinearSpringSpec& spring);
 void visit_fields(FieldVisitor& v, TableSpec& table);
 void visit_fields(FieldVisitor& v, SpringSpec& spring);
@@ -190,7 +208,7 @@ void FieldVisitor::section(const std::string& key, std::optional<T>& value, Pres
   if (present && !value) value.emplace();
   if (!present) value.reset();
   if (!entered) return;
-  T unused;  // a visitor that only lists keys enters sections that are not there
+  T unused;  // a visitor that only lists keys enters sections that are absent
   describe(*this, value ? *value : unused);
   end_section();
 }

@@ -3,21 +3,22 @@
 
 namespace footfall {
 
+using namespace rule;
+
 void visit_fields(FieldVisitor& v, ArraySpec& a) {
   v.field("", &a.source, {});
-  v.field("count", &a.count, {Unit::kNone, Range::kPositive, Meaning::kPlain, true});
-  v.field("start", &a.start, {Unit::kAngle});
-  v.field("step", &a.step, {Unit::kAngle});
-  v.field("axis", &a.axis, {Unit::kNone, Range::kAny, Meaning::kDirection});
+  v.field("count", &a.count, required(positive()));
+  v.fields({Unit::kAngle}, {{"start", &a.start}, {"step", &a.step}});
+  v.field("axis", &a.axis, direction);
 }
 
 void visit_fields(FieldVisitor& v, Scene& s) {
   v.field("", &s.source, {});
-  v.field("title", &s.title, {});
-  v.field("end_time", &s.end_time, {Unit::kTime, Range::kPositive, Meaning::kPlain, true});
+  v.field("title", &s.title, plain);
+  v.field("end_time", &s.end_time, required(positive(Unit::kTime)));
   v.field("gravity", &s.gravity, {Unit::kAcceleration});
-  v.field("total_mass", &s.total_mass, {Unit::kMass, Range::kPositive});
-  v.field("flexible", &s.flexible, {});
+  v.field("total_mass", &s.total_mass, positive(Unit::kMass));
+  v.field("flexible", &s.flexible, plain);
   v.list("arrays", s.arrays, true);
   v.list("materials", s.materials, true);
   v.list("bodies", s.bodies);

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "coupler/base/kinds.h"
-#include "mbd_solver/model/laws/end_stop.h"
-#include "mbd_solver/model/laws/joint_friction.h"
+#include "mbd_solver/base/kinds.h"
+#include "mbd_solver/model/laws/friction.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
@@ -111,35 +111,12 @@ bool has_coordinate(JointType type, CoordinateChoice coordinate);
 // For messages: "angle", "displacement_x" or "displacement_y"
 std::string coordinate_names(JointType type);
 
-// Elastic ends with dissipation: those of a strut, on a joint's coordinate.
-struct JointStopsSpec {
-  std::optional<double> min, max;                        // [rad or m]; at least one is needed
-  double stiffness = 0.0;                                // [N m/rad or N/m] > 0
-  double dissipation = EndStopParameters{}.dissipation;  // [s/rad or s/m] >= 0
-  double toe = EndStopParameters{}.toe;                  // smoothing of first contact [rad or m] > 0
-};
-
-// Dry friction with stick, and viscous friction.
-struct JointFrictionSpec {
-  double coulomb = 0.0;                                                      // when it slides fast [N m or N] >= 0
-  std::optional<double> breakaway;                                           // at rest, >= coulomb; not given: coulomb
-  double stribeck_speed = JointFrictionParameters{}.stribeck_speed;          // [rad/s or m/s] > 0
-  double viscous = 0.0;                                                      // [N m s/rad or N s/m] >= 0
-  double stick_displacement = JointFrictionParameters{}.stick_displacement;  // elastic, before it slides [rad or m] > 0
-};
-
-// torque = -stiffness (coordinate - rest) - damping rate
-struct JointSpringSpec {
-  double stiffness = 0.0;  // [N m/rad or N/m] >= 0
-  double damping = 0.0;    // [N m s/rad or N s/m] >= 0
-  double rest = 0.0;       // [rad or m]
-};
-
-// What acts on one coordinate of a joint.
+// What acts on one coordinate of a joint, by the laws of struts: lengths are then angles [rad] and forces torques [N m] on
+// an angle. friction: dry with stick, and viscous. spring: torque = -stiffness (coordinate - free_stroke) - damping rate.
 struct CoordinateSpec {
-  std::optional<JointStopsSpec> stops;
-  std::optional<JointFrictionSpec> friction;
-  std::optional<JointSpringSpec> spring;
+  std::optional<EndStopParameters> stops;
+  std::optional<JointFrictionParameters> friction;
+  std::optional<LinearSpringDamperParameters> spring;
 };
 
 struct JointSpec {

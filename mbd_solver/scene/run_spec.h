@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "coupler/base/kinds.h"
 #include "coupler/schemes/registry.h"
-#include "mbd_solver/model/controllers/fuzzy_controller.h"
-#include "mbd_solver/model/controllers/pid_controller.h"
-#include "mbd_solver/model/controllers/skyhook_controller.h"
+#include "mbd_solver/base/kinds.h"
+#include "mbd_solver/model/control/controllers.h"
+#include "mbd_solver/model/control/fuzzy_controller.h"
 #include "mbd_solver/scene/joint_spec.h"
 #include "mbd_solver/scene/source.h"
 
@@ -65,29 +64,19 @@ struct ControllerSpec {
   Source source;
   std::string name;
   ControllerKind kind = ControllerKind::kConstant;
-  std::string body;                          // observed
+  std::string body;                          // whose motion is measured
   double period = kDefaultControllerPeriod;  // [s] > 0
   std::vector<std::string> outputs;          // names "U1" ...: a strut's mr.controller is "NAME.U1"
-  // sleeps at voltage 0 until the upward acceleration first exceeds this [m/s2]; 0: never sleeps; not for constant
+  // The outputs stay 0 until the upward acceleration first exceeds this [m/s2]; 0: no waiting; not for constant
   double touchdown_acceleration = 0.0;
-  double touchdown_delay = 0.0;                       // and for so long after it: until the filter has settled [s]
+  double touchdown_delay = 0.0;                       // and until so long after it, when the filter has settled [s]
   double filter_frequency = kDefaultFilterFrequency;  // fuzzy, pid: low-pass of the acceleration, 0 = none [Hz]
-  // constant
-  std::vector<double> voltages = {0.0};  // one per output, or one for all [-] in [0, 1]
-  // fuzzy
-  std::string file;        // .fll
-  bool tabulated = false;  // computed once on a grid, then interpolated
-  // points along a, da, alpha, beta
-  std::vector<int> grid = {kDefaultFuzzyGrid.begin(), kDefaultFuzzyGrid.end()};
-  // skyhook, on-off
-  double on = SkyhookControllerParameters{}.on, off = SkyhookControllerParameters{}.off;  // voltages [-] in [0, 1]
-  double deadband = SkyhookControllerParameters{}.deadband;                               // [m/s] >= 0
-  // pid on acceleration: U = clamp(bias + kp e + ki int e dt - kd jerk), e = set_point - a
-  double set_point = PidControllerParameters{}.set_point;  // wanted upward acceleration [m/s2] > 0
-  double kp = PidControllerParameters{}.kp;                // [s2/m]
-  double ki = PidControllerParameters{}.ki;                // [s/m]
-  double kd = PidControllerParameters{}.kd;                // [s3/m]
-  double bias = PidControllerParameters{}.bias;            // U without error [-]
+  std::vector<double> voltages = {0.0};               // constant: one per output, or one for all [-] in [0, 1]
+  std::string file;                                   // fuzzy: .fll
+  bool tabulated = false;                             // fuzzy: computed once on a grid, then interpolated
+  std::vector<int> grid = {kDefaultFuzzyGrid.begin(), kDefaultFuzzyGrid.end()};  // points along a, da, alpha, beta [-]
+  SkyhookControllerParameters skyhook;  // with the outputs and the period above
+  PidControllerParameters pid;          // with outputs, period and filter frequency above
 };
 
 enum class IntegratorKind { kOneStep, kIda };

@@ -1,7 +1,6 @@
 // The checks of bodies, what all checks share, and the look-ups of a checked scene.
 #include "mbd_solver/scene/scene_check.h"
 
-#include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
 
 namespace footfall {

@@ -1,9 +1,13 @@
 #pragma once
-// What a complete scene must obey beyond types, units and ranges: names that exist, joints that close, laws that make
+// What a complete scene must fulfil beyond types, units and ranges: names that exist, joints that close, laws that make
 // sense.
 
+#include <algorithm>
+
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/field_visitor.h"
 #include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/kind_keys.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {
@@ -27,39 +31,51 @@ void check_limits(const Scene& scene, Findings& findings);
 // The LIGGGHTS script as text: its time step, and that it couples at all.
 void check_script(const Scene& scene, Findings& findings);
 
-// Shared by the parts.
-std::vector<std::string> body_names(const Scene& scene);
-// "a" and "b" exist, at most one is the ground, and they differ; skipped where the names were not given.
-void check_pair(const Scene& scene, const Source& source, const std::array<std::string, 2>& bodies, Findings& findings);
-void check_body_name(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
-                     Findings& findings);
+// ---- shared by the parts ----
 
-// "signal" of an entry names one of the scene; empty: none is asked for.
-void check_signal_name(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
-                       Findings& findings);
+inline bool is_in(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
+template <class Entry>
+std::vector<std::string> names_in(const std::vector<Entry>& entries) {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries) names.push_back(entry.name);
+  return names;
+}
+std::vector<std::string> boundary_names(const Scene& scene);
+
+// `name` is one of `names`, or was not given; what: "body", plural: "bodies".
+void check_known(const EntryFindings& at, const MessageCode& code, const std::string& key, const std::string& what,
+                 const std::string& plural, const std::string& name, const std::vector<std::string>& names);
+void check_body_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name);
+void check_signal_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name);
+// Both bodies exist, at most one is the ground, and they differ; skipped where the names were not given.
+void check_pair(const Scene& scene, const EntryFindings& at, const std::array<std::string, 2>& bodies);
 // The joint of this name; null, with a finding, where there is none.
-const JointSpec* find_joint(const Scene& scene, const Source& source, const std::string& key, const std::string& name,
-                            Findings& findings);
-
-// min < max; `within`: what stands before these keys, "stops.". Unit::kAngle is told in degrees.
-void check_min_below_max(const Source& source, const std::string& within, double min, double max, Unit unit,
-                         Findings& findings);
-
+const JointSpec* find_joint(const Scene& scene, const EntryFindings& at, const std::string& key,
+                            const std::string& name);
+// min < max; `within`: the keys around them, "stops.". The message gives angles in degrees.
+void check_min_below_max(const EntryFindings& at, const std::string& within, double min, double max, Unit unit);
 // A function of time: an amplitude has a frequency, times of a table rise.
-void check_function(const Source& source, const std::string& key, const std::optional<TimeFunctionSpec>& f,
-                    Findings& findings);
+void check_function(const EntryFindings& at, const std::string& key, const std::optional<TimeFunctionSpec>& f);
 
-template <class T>
-void check_unique_names(const std::vector<T>& items, const std::string& what, Findings& findings) {
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (items[i].name.empty() || items[i].name != items[j].name) continue;
-      findings.error(items[i].source, "name",
-                     "there is already a " + what + " of this name (line " + std::to_string(items[j].source.line) +
+// Keys of other kinds are errors where both were written in the scene itself; what: "spring".
+template <class Kind>
+void check_kind_keys(const EntryFindings& at, Kind kind, const std::string& what) {
+  for (const std::string& key : foreign_keys(kind))
+    at.error_if(at.source().written_together("kind", key), code::kKeyWithoutEffect, key,
+                "has no effect on this kind of " + what + "; remove it");
+}
+
+template <class Entry>
+void check_unique_names(const std::vector<Entry>& entries, const std::string& what, Findings& findings) {
+  for (auto entry = entries.begin(); entry != entries.end(); ++entry) {
+    const auto same = std::find_if(entries.begin(), entry, [&](const Entry& e) { return e.name == entry->name; });
+    if (same != entry && !entry->name.empty())
+      findings.error(code::kDuplicateName, entry->source, "name",
+                     "is already that of another " + what + " (line " + std::to_string(same->source.line) +
                          "); names must differ");
-      break;
-    }
   }
 }
 

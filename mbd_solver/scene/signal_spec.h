@@ -1,12 +1,13 @@
 #pragma once
-// Signals of a scene: what is measured and computed while it runs, and what its states and events are.
+// Signals, states and events of a scene: what is measured and computed during a run.
 
 #include <Eigen/Dense>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "coupler/base/kinds.h"
+#include "mbd_solver/base/kinds.h"
+#include "mbd_solver/model/control/signal_blocks.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
@@ -39,24 +40,19 @@ constexpr std::string_view name_of(SignalKind kind) {
   return {};
 }
 
-// Units are those of what an expression reads: none is converted.
-struct SignalSpec {
+// Inherited: period [s] of every kind (0: continuous); min, max of pid and saturation; the rest of pid, whose error e is the
+// input. Units are those of what an expression reads; none is converted.
+struct SignalSpec : PidBlockParameters {
   Source source;
   std::string name;
   SignalKind kind = SignalKind::kExpression;
-  std::string input;                // expression of names of history columns, "signal.NAME", "state.NAME", "time"
-  double period = 0.0;              // [s]; 0: continuous
-  std::vector<std::string> states;  // it is 0, and starts anew, outside of these; empty: it always works
+  std::string input;                // expression of history columns, "signal.NAME", "state.NAME", "time"
+  std::vector<std::string> states;  // outside of these it is 0, and it restarts when one begins; empty: always active
   std::optional<double> initial;    // filters, rate limit: input before the start; not given: that of the start
-  // pid: y = bias + kp e + ki int e dt + kd e' within [min, max]; e is the input
-  double kp = 0.0, ki = 0.0, kd = 0.0;  // >= 0
-  double bias = 0.0;
-  std::string rate;                     // expression for e'; not given: e is filtered and differentiated
-  double derivative_frequency = 0.0;    // of that filter [Hz]; 0: none
-  std::optional<double> min, max;       // pid, saturation
-  double frequency = 0.0;               // of a filter [Hz] > 0
-  double damping = 0.7;                 // of a filter of second order [-] > 0
-  double max_rate = 0.0;                // [unit/s] > 0
+  std::string rate;                 // pid: expression for e'; not given: e is filtered and differentiated
+  double frequency = 0.0;           // of a filter [Hz] > 0
+  double damping = 0.7;             // of a filter of second order [-] > 0
+  double max_rate = 0.0;            // [unit/s] > 0
   std::vector<Eigen::Vector2d> points;  // table: (input, value), inputs rising
   std::string input2;                   // table2: the second input
   std::vector<double> x, x2;            // table2: where the inputs have values, rising
@@ -66,20 +62,20 @@ struct SignalSpec {
   std::string output;                   // fuzzy: which output variable; not given: the only one
 };
 
-// What the scene is in: one of its states at any time, the first of them at the start.
+// The scene is in one of its states at any time, in the first of them at the start.
 struct StateSpec {
   Source source;
   std::string name;
 };
 
-// The scene goes to another state when a condition holds.
+// The scene changes to another state when a condition holds.
 struct EventSpec {
   Source source;
   std::string name;
-  std::vector<std::string> from;  // states in which it is looked for; empty: all but `to`
+  std::vector<std::string> from;  // states in which the condition is watched; empty: all but `to`
   std::string when;               // logical expression
   std::string to;
-  double period = 0.0;  // looked for at its multiples [s]; 0: all the time, and its instant is found
+  double period = 0.0;  // the condition is evaluated at its multiples [s]; 0: continuously, and its instant is located
 };
 
 }  // namespace footfall

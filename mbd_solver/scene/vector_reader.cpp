@@ -3,6 +3,7 @@
 
 #include "coupler/base/text.h"
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/units.h"
 #include "mbd_solver/scene/value_checks.h"
 #include "mbd_solver/scene/value_reader.h"
@@ -29,27 +30,14 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, Eigen::Vec
   const std::string problem = read_numbers(node, c, 3, v);
   if (!problem.empty()) return problem;
   const Eigen::Vector3d vector(v[0], v[1], v[2]);
-  if (direction && !(vector.norm() > 0.0)) return "is zero and has no direction; expected a vector such as [0, 0, 1]";
+  if (direction && !(vector.norm() > 0.0))
+    return with_code(code::kOutOfRange, "is zero and has no direction, expected a vector such as [0, 0, 1]");
   target = direction ? vector.normalized() : vector;
   return "";
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, std::optional<Eigen::Vector3d>& target) {
-  Eigen::Vector3d value = Eigen::Vector3d::Zero();
-  const std::string problem = read_value(node, c, value);
-  if (problem.empty()) target = value;
-  return problem;
-}
-
 std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<Eigen::Vector3d>& target) {
-  if (node.kind != ConfigNode::Kind::kList) return is_expected(node, with_unit("a list of points [x, y, z]", c.rule));
-  std::vector<Eigen::Vector3d> result;
-  for (const ConfigNode& item : node.list) {
-    const std::string problem = read_value(item, c, result.emplace_back(Eigen::Vector3d::Zero()));
-    if (!problem.empty()) return "point " + std::to_string(result.size()) + " " + problem;
-  }
-  target = result;
-  return "";
+  return read_list(node, c, with_unit("a list of points [x, y, z]", c.rule), target);
 }
 
 std::string read_value(const ConfigNode& node, const ValueContext& c, std::array<Eigen::Vector3d, 2>& target) {
@@ -63,14 +51,18 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::array
 
 std::string read_value(const ConfigNode& node, const ValueContext& c, PerAxis& target) {
   if (node.kind == ConfigNode::Kind::kList) return read_value(node, c, *target.values);
-  double alike = 0.0;
-  const std::string problem = read_value(node, c, alike);
-  if (problem.empty()) target.values->setConstant(alike);
+  double all = 0.0;
+  const std::string problem = read_value(node, c, all);
+  if (problem.empty()) target.values->setConstant(all);
   return problem;
 }
 
+namespace {
+
+double radians_per_degree() { return unit_suffixes(Unit::kAngle).front().factor; }
+
 // { axis = [x, y, z], angle_deg = phi }, as `rotate` of a mesh in a LIGGGHTS script.
-static std::string read_turn(const ConfigNode& node, Eigen::Quaterniond& target) {
+std::string read_axis_and_angle(const ConfigNode& node, Eigen::Quaterniond& target) {
   const ConfigNode* axis_node = node.find("axis");
   const ConfigNode* degrees = node.find("angle_deg");
   const ConfigNode* angle_node = degrees ? degrees : node.find("angle");
@@ -81,35 +73,38 @@ static std::string read_turn(const ConfigNode& node, Eigen::Quaterniond& target)
   double angle = 0.0;
   if (const std::string problem = read_value(*axis_node, {direction, 1.0, ""}, axis); !problem.empty())
     return "axis " + problem;
-  const double factor = degrees ? unit_suffixes(Unit::kAngle).front().factor : 1.0;
+  const double factor = degrees ? radians_per_degree() : 1.0;
   if (const std::string problem = read_value(*angle_node, {Rule(), factor, ""}, angle); !problem.empty())
     return "angle " + problem;
   target = Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
   return "";
 }
 
+}  // namespace
+
 std::string read_value(const ConfigNode& node, const ValueContext&, Eigen::Quaterniond& target) {
   const std::string expected =
       "{ rpy_deg = [roll, pitch, yaw] }, { rpy = [...] } in rad, { quaternion = [w, x, y, z] }, or { axis = [x, y, z], "
       "angle_deg = phi }";
-  if (node.kind == ConfigNode::Kind::kTable && node.table.size() == 2) return read_turn(node, target);
-  if (node.kind != ConfigNode::Kind::kTable || node.table.size() != 1) return is_expected(node, expected);
+  const bool table = node.kind == ConfigNode::Kind::kTable;
+  if (table && node.table.size() == 2) return read_axis_and_angle(node, target);
+  if (!table || node.table.size() != 1) return is_expected(node, expected);
   const auto& [key, value] = node.table.front();
+  const bool quaternion = key == "quaternion";
+  if (!quaternion && key != "rpy" && key != "rpy_deg")
+    return with_code(code::kUnknownKey, "contains the unknown key \"" + key + "\", expected " + expected);
   std::vector<double> v;
-  const Rule rule;
-  if (key == "quaternion") {
-    const std::string problem = read_numbers(value, {rule, 1.0, ""}, 4, v);
-    if (!problem.empty()) return "quaternion " + problem;
-    const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
-    if (std::abs(q.norm() - 1.0) > 1e-3) return "quaternion has length " + number_text(q.norm()) + ", expected 1";
-    target = q.normalized();
+  const double factor = key == "rpy_deg" ? radians_per_degree() : 1.0;
+  const std::string problem = read_numbers(value, {Rule(), factor, ""}, quaternion ? 4 : 3, v);
+  if (!problem.empty()) return key + " " + problem;
+  if (!quaternion) {
+    target = rotation_from_rpy(v[0], v[1], v[2]);
     return "";
   }
-  if (key != "rpy" && key != "rpy_deg") return "holds the unknown key \"" + key + "\", expected " + expected;
-  const double factor = key == "rpy" ? 1.0 : unit_suffixes(Unit::kAngle).front().factor;
-  const std::string problem = read_numbers(value, {rule, factor, ""}, 3, v);
-  if (!problem.empty()) return key + " " + problem;
-  target = rotation_from_rpy(v[0], v[1], v[2]);
+  const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
+  if (std::abs(q.norm() - 1.0) > 1e-3)
+    return with_code(code::kOutOfRange, "quaternion has the length " + number_text(q.norm()) + ", expected 1");
+  target = q.normalized();
   return "";
 }
 
@@ -119,8 +114,9 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, Eigen::Mat
   rule.range = Range::kAny;
   std::vector<double> v;
   const bool full = node.kind == ConfigNode::Kind::kList && node.list.size() == 6;
-  const std::string problem = read_numbers(node, {rule, c.factor, c.folder}, full ? 6 : 3, v);
-  if (!problem.empty()) return problem + " (Ixx, Iyy, Izz), or six (Ixx, Iyy, Izz, Ixy, Iyz, Izx)";
+  const std::string expected = with_unit("a list of 3 numbers", rule) + " (Ixx, Iyy, Izz), or 6 (..., Ixy, Iyz, Izx)";
+  const std::string problem = read_numbers(node, {rule, c.factor, c.folder}, full ? 6 : 3, v, expected);
+  if (!problem.empty()) return problem;
   v.resize(6, 0.0);
   target << v[0], v[3], v[5], v[3], v[1], v[4], v[5], v[4], v[2];
   return "";
