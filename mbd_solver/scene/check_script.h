@@ -1,9 +1,6 @@
 #pragma once
-// The LIGGGHTS script as text: the parts of check_script. Each tells only what is certain whatever variables, branches and
-// loops come to.
-
-#include <Eigen/Geometry>
-#include <optional>
+// The LIGGGHTS script as text: the parts of check_script. Each reports only what is certain for any value of variables, any
+// branch and any loop.
 
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene.h"
@@ -14,7 +11,7 @@ namespace footfall {
 // Lines that couple: their words, the meshes and bodies that they name, and that a `run` follows.
 void check_coupling(const ScriptText& script, const Scene& scene, Findings& findings);
 
-// Meshes from files that are a thousand times too large for the box.
+// Meshes from files that are drawn a thousand times too large for the box.
 void check_script_meshes(const ScriptText& script, const Scene& scene, Findings& findings);
 
 }  // namespace footfall

@@ -1,10 +1,11 @@
-// Meshes of the LIGGGHTS script against its box. mbd_solver/scene/check_script.h.
+// Meshes of the LIGGGHTS script against its simulation box: drawn in millimetres, they are a thousand times too large.
 #include <algorithm>
 #include <filesystem>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/check_script.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/script_mesh.h"
 
@@ -28,7 +29,7 @@ std::optional<Box> block(const ScriptCommand& command) {
   return box;
 }
 
-// The simulation box, where the text says it: one create_box of a block, in metres.
+// The simulation box, if the text gives it: one create_box of a block, in metres.
 std::optional<Box> simulation_box(const ScriptText& script) {
   std::map<std::string, std::optional<Box>> regions;
   std::optional<Box> box;
@@ -60,7 +61,7 @@ std::optional<Box> extent_of(const ScriptCommand& command, const std::string& he
       box.extend(surface.orientation * x + surface.position);
     return box;
   } catch (const InputError&) {
-    return std::nullopt;  // whoever needs the mesh says so
+    return std::nullopt;  // reported where the mesh is used
   }
 }
 
@@ -77,21 +78,21 @@ void check_script_meshes(const ScriptText& script, const Scene& scene, Findings&
   if (!box && particles.bed && std::filesystem::is_regular_file(particles.bed->script))
     box = simulation_box(ScriptText(particles.bed->script, particles.bed->variables));
   if (!box) return;
-  constexpr double kTooLarge = 20.0;  // of the box's diagonal; a thousandth of it fits in
+  constexpr double kSuspicious = 20.0;  // of the box's diagonal; a thousandth of it fits in
   const double room = box->diagonal().norm();
   for (const ScriptCommand& command : script.commands()) {
     const std::vector<std::string>& w = command.words;
     if (command.conditional || w[0] != "fix" || w.size() < 4 || w[3].rfind("mesh/surface", 0) != 0) continue;
     const std::optional<Box> mesh = extent_of(command, std::filesystem::path(particles.script).parent_path().string());
-    if (!mesh || mesh->diagonal().norm() < kTooLarge * room || 1e-3 * mesh->diagonal().norm() > room) continue;
+    if (!mesh || mesh->diagonal().norm() < kSuspicious * room || 1e-3 * mesh->diagonal().norm() > room) continue;
     const std::string what = command.place() + ": mesh " + w[1] + " measures " + size_text(*mesh) +
                              ", the simulation box " + size_text(*box) +
                              "; if it is drawn in millimetres, add  scale 0.001";
     // LIGGGHTS stops when it has lost all triangles of a mesh.
     if (!mesh->intersects(*box) && script.straight() && all_sides_are_fixed(script))
-      findings.error(particles.source, "script", what);
+      findings.error(code::kMeshOutsideBox, particles.source, "script", what);
     else
-      findings.warning(particles.source, "script", what);
+      findings.warning(code::kMeshLargerThanBox, particles.source, "script", what);
   }
 }
 

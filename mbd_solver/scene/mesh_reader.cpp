@@ -1,4 +1,5 @@
-// The one file that knows assimp.
+// STL, OBJ and PLY by the library assimp, which only this file uses. Size and head of a file are checked first, because the
+// library reserves what a damaged head promises; it reads in a process of its own (read_apart.h).
 #include "mbd_solver/scene/mesh_reader.h"
 
 #include <assimp/postprocess.h>
@@ -15,6 +16,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/read_apart.h"
 
 namespace footfall {
@@ -27,7 +29,7 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
 constexpr std::size_t kMostTriangles = 100000;
 constexpr int kMostHeadLines = 1000;  // of a PLY file
 
-// With its dot, in small letters.
+// With its dot, in lower case.
 std::string extension_of(const std::string& file) {
   std::string extension = std::filesystem::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -38,32 +40,30 @@ std::string extension_of(const std::string& file) {
 void check_format(const std::string& file) {
   const std::string extension = extension_of(file);
   if (extension != ".stl" && extension != ".obj" && extension != ".ply")
-    throw InputError(file + ": a mesh file ends in .stl, .obj or .ply, not in \"" + extension + "\"");
+    throw InputError(code::kMeshFormat, file + ": ends in \"" + extension + "\", expected .stl, .obj or .ply");
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) throw InputError(file + ": there is no such mesh file");
+  if (!std::filesystem::is_regular_file(file, ignored))
+    throw InputError(code::kNoFile, file + ": this mesh file does not exist");
 }
 
 // Size of the file [bytes].
 std::uintmax_t checked_size(const std::string& file) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
-  if (error) throw InputError(file + ": cannot be read: " + error.message());
-  if (bytes == 0) throw InputError(file + ": is empty, expected a mesh");
+  if (error) throw InputError(code::kFileNotReadable, file + ": cannot be read: " + error.message());
+  if (bytes == 0) throw InputError(code::kMeshEmpty, file + ": is empty, expected a mesh");
   if (bytes > kMostBytes)
-    throw InputError(file + ": has " + std::to_string(bytes >> 20) + " MB, expected a mesh of at most " +
-                     std::to_string(kMostBytes >> 20) + " MB");
+    throw InputError(code::kMeshTooLarge, file + ": has " + std::to_string(bytes >> 20) +
+                                              " MB, expected a mesh of at most " + std::to_string(kMostBytes >> 20) +
+                                              " MB");
   return bytes;
 }
 
 void demand_affordable(const std::string& file, std::size_t triangles) {
   if (triangles > kMostTriangles)
-    throw InputError(file + ": has " + std::to_string(triangles) + " triangles, expected at most " +
-                     std::to_string(kMostTriangles) + ": every node costs in every step; use a coarser mesh");
-}
-
-[[noreturn]] void promises_too_much(const std::string& file, int line, const std::string& count, std::uintmax_t bytes) {
-  throw InputError(file + ":" + std::to_string(line) + ": promises " + count + " elements in a file of " +
-                   std::to_string(bytes) + " bytes; is it damaged?");
+    throw InputError(code::kMeshTooLarge, file + ": has " + std::to_string(triangles) +
+                                              " triangles, expected at most " + std::to_string(kMostTriangles) +
+                                              ": every node costs time in every step; use a coarser mesh");
 }
 
 // A line of a head, which may end in CR, LF or both.
@@ -77,9 +77,9 @@ bool head_line(std::istream& in, std::string& line) {
   return !line.empty();
 }
 
-// A PLY file says in its head how many elements follow. The library reserves them all before it looks; each takes a
-// byte at least. It also takes counts from lines that are damaged, so any number of the head may be one. For a head
-// without an end it looks for seconds.
+// The head of a PLY file says how many elements follow. The library reserves them all before it reads; each takes at
+// least a byte. It also takes counts from damaged lines, so any number of the head may be one. In a head without an end it
+// searches for seconds.
 void demand_elements_fit(const std::string& file, std::uintmax_t bytes) {
   if (extension_of(file) != ".ply") return;
   std::ifstream in(file);
@@ -90,10 +90,13 @@ void demand_elements_fit(const std::string& file, std::uintmax_t bytes) {
     std::istringstream words(line);
     while (words >> word)  // a name may begin as "inf" does
       if (word.front() >= '0' && word.front() <= '9' && std::strtod(word.c_str(), nullptr) > static_cast<double>(bytes))
-        promises_too_much(file, number, word, bytes);
+        throw InputError(code::kMeshDamaged, file + ":" + std::to_string(number) + ": announces " + word +
+                                                 " elements in a file of " + std::to_string(bytes) +
+                                                 " bytes; export it again");
   }
-  throw InputError(file + ": cannot be read as a mesh: none of its first " + std::to_string(kMostHeadLines) +
-                   " lines is \"end_header\", with which the head of a PLY file ends; is it damaged?");
+  throw InputError(code::kMeshDamaged,
+                   file + ": cannot be read as a mesh: none of its first " + std::to_string(kMostHeadLines) +
+                       " lines is \"end_header\", with which the head of a PLY file ends; export it again");
 }
 
 // As the library reads it, each triangle with corners of its own or not.
@@ -103,7 +106,7 @@ TriangleMesh read_raw(const std::string& file) {
   // Points and lines are dropped; degenerate triangles stay, so that the mesh check can name them.
   const aiScene* read =
       importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_SortByPType);
-  if (!read) throw InputError(file + ": cannot be read as a mesh: " + importer.GetErrorString());
+  if (!read) throw InputError(code::kMeshFormat, file + ": cannot be read as a mesh: " + importer.GetErrorString());
   TriangleMesh mesh;
   for (unsigned m = 0; m < read->mNumMeshes; ++m) {
     const aiMesh& part = *read->mMeshes[m];
@@ -133,7 +136,7 @@ std::string as_bytes(const std::vector<Vector>& list) {
   return bytes;
 }
 
-// Takes the list from `bytes` at `at`, which moves on.
+// Reads a list from `bytes` at `at`, which advances.
 template <class Vector>
 std::vector<Vector> from_bytes(const std::string& bytes, std::size_t& at) {
   std::size_t count = 0;
@@ -161,22 +164,24 @@ TriangleMesh read_mesh(const std::string& file, double scale) {
   std::size_t at = 0;
   mesh.vertices = from_bytes<Eigen::Vector3d>(bytes, at);
   mesh.triangles = from_bytes<Eigen::Vector3i>(bytes, at);
-  if (mesh.triangles.empty()) throw InputError(file + ": holds no triangles");
+  if (mesh.triangles.empty()) throw InputError(code::kMeshEmpty, file + ": contains no triangles");
   const int count = static_cast<int>(mesh.vertices.size());
   for (const Eigen::Vector3i& triangle : mesh.triangles)
     if (triangle.minCoeff() < 0 || triangle.maxCoeff() >= count)
-      throw InputError(file + ": a triangle names vertex " + std::to_string(triangle.maxCoeff()) + " of " +
-                       std::to_string(count) + "; the file is damaged");
+      throw InputError(code::kMeshDamaged, file + ": a triangle has vertex " + std::to_string(triangle.maxCoeff()) +
+                                               " of " + std::to_string(count) + "; export it again");
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     mesh.vertices[i] *= scale;
     if (!mesh.vertices[i].allFinite())
-      throw InputError(file + ": vertex " + std::to_string(i) + " has a coordinate that is no number");
+      throw InputError(code::kMeshDamaged,
+                       file + ": vertex " + std::to_string(i) + " has a coordinate that is no number; export it again");
     box.extend(mesh.vertices[i]);
   }
   const double across = box.diagonal().norm();
   if (!(kWeldTolerance * across > 0.0 && std::isfinite(across)))
-    throw InputError(file + ": is " + std::to_string(across) + " m across, expected a surface with an extent");
+    throw InputError(code::kMeshEmpty,
+                     file + ": has an extent of " + std::to_string(across) + " m, expected a surface");
   return welded(mesh, kWeldTolerance * across);
 }
 

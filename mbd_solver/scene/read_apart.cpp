@@ -1,3 +1,4 @@
+// A fork with limits of time and memory; the result comes back through a pipe.
 #include "mbd_solver/scene/read_apart.h"
 
 #include <signal.h>
@@ -11,20 +12,20 @@
 #include <fstream>
 #include <new>
 
-#include "coupler/base/errors.h"
+#include "mbd_solver/scene/codes.h"
 
 namespace footfall {
 
 namespace {
 
-constexpr rlim_t kSeconds = 5;                    // of processor time: so many, and one for each
+constexpr rlim_t kSeconds = 5;                    // of processor time, and one more for each
 constexpr std::size_t kBytesPerSecond = 1000000;  // of the file (a slow machine reads ten times as many)
 constexpr rlim_t kMemory = rlim_t{1} << 30;       // [bytes], and
-constexpr rlim_t kMemoryPerByte = 200;            // of the file
+constexpr rlim_t kMemoryPerByte = 200;            // for each byte of the file
 constexpr char kGood = '+', kWrong = '-';         // first character of an answer
 constexpr int kCrashes[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
 
-// Address space that we have already [bytes].
+// Address space in use [bytes].
 [[maybe_unused]] rlim_t memory_now() {
   std::ifstream file("/proc/self/statm");
   rlim_t pages = 0;
@@ -50,7 +51,7 @@ void send(int pipe, const std::string& text) {
 
 [[noreturn]] void answer(int pipe, const std::string& file, std::size_t bytes,
                          const std::function<std::string()>& read) {
-  for (const int crash : kCrashes) signal(crash, SIG_DFL);  // no report of ours or MPI's
+  for (const int crash : kCrashes) signal(crash, SIG_DFL);  // no crash report
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, seconds_for(bytes));
 #if !defined(__SANITIZE_ADDRESS__) && !defined(FOOTFALL_SANITIZED)  // sanitizers reserve terabytes
@@ -60,7 +61,8 @@ void send(int pipe, const std::string& text) {
   try {
     text = kGood + read();
   } catch (const std::bad_alloc&) {
-    text = kWrong + file + ": asks for more memory than a file of its size can need; is it damaged?";
+    text = kWrong +
+           with_code(code::kMeshDamaged, file + ": needs more memory than a file of its size can; export it again");
   } catch (const std::exception& error) {
     text = kWrong + std::string(error.what());
   }
@@ -83,12 +85,16 @@ std::string received(int pipe) {
 
 std::string read_apart(const std::string& file, std::size_t bytes, const std::function<std::string()>& read) {
   int ends[2];
-  if (pipe(ends) != 0) throw InputError(file + ": cannot be read: " + std::strerror(errno));
+  const auto failed = [&] {
+    return InputError(code::kFileNotReadable, file + ": cannot be read: " + std::strerror(errno));
+  };
+  if (pipe(ends) != 0) throw failed();
   const pid_t child = fork();
   if (child < 0) {
+    const InputError error = failed();
     close(ends[0]);
     close(ends[1]);
-    throw InputError(file + ": cannot be read: " + std::strerror(errno));
+    throw error;
   }
   if (child == 0) {
     close(ends[0]);
@@ -100,11 +106,16 @@ std::string read_apart(const std::string& file, std::size_t bytes, const std::fu
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
-    throw InputError(file + ": was not read within " + std::to_string(seconds_for(bytes)) + " s; is it damaged?");
-  if (WIFSIGNALED(status))
-    throw InputError(file + ": its reader crashed (" + strsignal(WTERMSIG(status)) + "); the file is damaged");
-  if (text.empty()) throw InputError(file + ": its reader ended without a word; the file is damaged");
+  std::string problem;
+  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)) {
+    problem = "was not read within " + std::to_string(seconds_for(bytes)) + " s";
+  } else if (WIFSIGNALED(status)) {
+    problem = std::string("crashed its reader (") + strsignal(WTERMSIG(status)) + ")";
+  } else if (text.empty()) {
+    problem = "ended its reader without a result";
+  }
+  if (!problem.empty())
+    throw InputError(code::kMeshDamaged, file + ": " + problem + "; the file is damaged, export it again");
   if (text.front() == kWrong) throw InputError(text.substr(1));
   return text.substr(1);
 }

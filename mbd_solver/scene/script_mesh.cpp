@@ -1,13 +1,12 @@
+// The line of a fix mesh/surface as one scale, turn and displacement, and the boundaries that take it.
 #include "mbd_solver/scene/script_mesh.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
-#include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/scene/script_text.h"
+#include "mbd_solver/scene/codes.h"
 
 namespace footfall {
 
@@ -16,13 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
+[[noreturn]] void fail(const std::string& what) { throw InputError(code::kScriptMesh, what); }
+
 // Word `at` as a number. Throws InputError.
 double number_at(const Words& words, std::size_t at) {
   const std::string word = at < words.size() ? words[at] : "";
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end != '\0') throw InputError("\"" + word + "\" stands where a number is expected");
-  return value;
+  const std::optional<double> value = as_number(word);
+  if (!value) fail("has \"" + word + "\", expected a number");
+  return *value;
 }
 
 Eigen::Vector3d vector_at(const Words& words, std::size_t at) {
@@ -43,10 +43,10 @@ SurfaceSpec mesh_in_script(const ScriptCommand& command, const std::string& here
   std::string file;
   for (std::size_t i = 4; i < w.size(); ++i) {
     if (w[i] == "file" && i + 1 < w.size()) file = w[++i];
-    if (w[i] == "fix") throw InputError("it gets its triangles from another fix, expected a file");
+    if (w[i] == "fix") fail("takes its triangles from another fix, expected a file");
     if (w[i] == "scale") {
       const double factor = number_at(w, ++i);
-      if (!(factor > 0.0)) throw InputError("its scale is not positive");
+      if (!(factor > 0.0)) fail("has a scale that is not positive");
       scale *= factor;
       p *= factor;
     } else if (w[i] == "move") {
@@ -54,21 +54,21 @@ SurfaceSpec mesh_in_script(const ScriptCommand& command, const std::string& here
       i += 3;
     } else if (w[i] == "rotate") {
       if (i + 6 >= w.size() || w[i + 1] != "axis" || w[i + 5] != "angle")
-        throw InputError("expected: rotate axis x y z angle phi");
+        fail("has a malformed rotate, expected: rotate axis x y z angle phi");
       const Eigen::Vector3d axis = vector_at(w, i + 2);
-      if (axis.isZero(0.0)) throw InputError("its axis of rotation is zero");
+      if (axis.isZero(0.0)) fail("has an axis of rotation that is zero");
       const Eigen::Quaterniond Q(Eigen::AngleAxisd(number_at(w, i + 6) * kPi / 180.0, axis.normalized()));
       R = (Q * R).normalized();
       p = Q * p;
       i += 6;
     }
   }
-  if (file.empty()) throw InputError("it names no file");
+  if (file.empty()) fail("names no file");
   std::error_code ignored;
   const fs::path near = fs::path(here) / file;
   const fs::path found = fs::exists(near, ignored) ? near : fs::path(file);
   if (!fs::is_regular_file(found, ignored))
-    throw InputError("its file \"" + file + "\" is neither in the script's folder nor where it is named from");
+    fail("has the file \"" + file + "\", which is neither in the script's folder nor in the current one");
   SurfaceSpec surface;
   surface.file = fs::absolute(found, ignored).lexically_normal().string();
   surface.scale = scale;
@@ -80,14 +80,15 @@ SurfaceSpec mesh_in_script(const ScriptCommand& command, const std::string& here
 void resolve_script_meshes(Scene& scene, Findings& findings) {
   for (BoundarySpec& boundary : scene.boundaries) {
     if (!boundary.surface || boundary.surface->from_script.empty()) continue;
-    const std::string& id = boundary.surface->from_script;
-    const auto refuse = [&](const std::string& what) { findings.error(boundary.source, "surface.from_script", what); };
-    for (const char* key : {"file", "scale", "position", "orientation", "element_size"})
-      if (boundary.source.given(std::string("surface.") + key))
-        findings.error(boundary.source, std::string("surface.") + key,
-                       "stands beside from_script, which gives it; keep one");
+    const std::string &id = boundary.surface->from_script, key = "surface.from_script";
+    const EntryFindings at(findings, boundary.source);
+    for (const char* other :
+         {"surface.file", "surface.scale", "surface.position", "surface.orientation", "surface.element_size"})
+      at.error_if(at.given(other), code::kConflictingKeys, other,
+                  "is given by from_script as well; keep one of the two");
     if (!scene.particles || !scene.particles->source.given("script")) {
-      refuse("names the mesh \"" + id + "\" of a script, but the scene has no particles.script");
+      at.error(code::kNeedsOtherKey, key,
+               "names the mesh \"" + id + "\" of a script, which particles.script must name");
       continue;
     }
     const std::string& file = scene.particles->script;
@@ -100,7 +101,7 @@ void resolve_script_meshes(Scene& scene, Findings& findings) {
       if (command.words[1] == id) found = &command;
     }
     if (!found) {
-      refuse("there is no fix mesh/surface \"" + id + "\" in the script." + known_names("meshes", id, known));
+      at.error(code::kUnknownMesh, key, "unknown fix mesh/surface \"" + id + "\"." + known_names("meshes", id, known));
       continue;
     }
     try {
@@ -110,7 +111,7 @@ void resolve_script_meshes(Scene& scene, Findings& findings) {
       boundary.surface->orientation = mesh.orientation;
       boundary.surface->position = mesh.position;
     } catch (const InputError& e) {
-      refuse("mesh \"" + id + "\" (" + found->file + ":" + std::to_string(found->line) + "): " + e.what());
+      findings.coded_error(boundary.source, key, "mesh \"" + id + "\" (" + found->place() + ") " + e.what());
     }
   }
 }
