@@ -1,3 +1,5 @@
+// A delete callback on an attribute of MPI_COMM_SELF: MPI_Finalize calls it before it takes MPI down.
+
 #include "coupler/abort_guard.h"
 
 #include <mpi.h>
@@ -16,7 +18,7 @@ namespace {
 // One per process, as MPI_COMM_SELF is.
 struct Guard {
   bool released = false;
-  std::function<bool()> last_words;
+  std::function<bool()> final_message;
 };
 
 Guard& guard() {
@@ -27,8 +29,8 @@ Guard& guard() {
 int on_finalize(MPI_Comm, int, void*, void*) {
   if (guard().released) return MPI_SUCCESS;
   guard().released = true;
-  const bool heard = guard().last_words && guard().last_words();
-  if (!heard) abort_both_programs(kExitFailed);
+  const bool received = guard().final_message && guard().final_message();
+  if (!received) abort_both_programs(kExitFailed);
   return MPI_SUCCESS;
 }
 
@@ -36,21 +38,23 @@ int on_finalize(MPI_Comm, int, void*, void*) {
 
 void abort_both_programs(int exit_code) {
   // Not MPI_Abort: when several ranks end at once, Open MPI's mpirun may crash or hang over its abort messages. A
-  // process that ends without MPI_Finalize is enough for mpirun to end all others, and its exit code becomes the job's.
+  // process that ends without MPI_Finalize makes mpirun end all others, and its exit code becomes that of the job.
   std::fflush(nullptr);
   if (exit_code == kExitFailed) note_failure();
   _exit(exit_code);
 }
 
-void AbortGuard::install(const Communicator& communicator, std::function<bool()> last_words) {
+void AbortGuard::install(const Communicator& communicator, std::function<bool()> final_message) {
   guard().released = !communicator.has_partner() || !communicator.is_root();
-  guard().last_words = std::move(last_words);
+  guard().final_message = std::move(final_message);
   int key = MPI_KEYVAL_INVALID;
   check_mpi(MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, on_finalize, &key, nullptr), "MPI_Comm_create_keyval");
   check_mpi(MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr), "MPI_Comm_set_attr");
 }
 
-void AbortGuard::set_last_words(std::function<bool()> last_words) { guard().last_words = std::move(last_words); }
+void AbortGuard::set_final_message(std::function<bool()> final_message) {
+  guard().final_message = std::move(final_message);
+}
 
 void AbortGuard::release() { guard().released = true; }
 

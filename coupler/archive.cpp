@@ -1,9 +1,12 @@
+// Text with one value per line; numbers as %a, which restores every bit.
+
 #include "coupler/archive.h"
 
 #include <cstdio>
 #include <cstdlib>
 
 #include "coupler/base/errors.h"
+#include "coupler/codes.h"
 
 namespace footfall {
 namespace {
@@ -14,7 +17,7 @@ std::string hexadecimal(double value) {
   return text;
 }
 
-// A text in one line, and back.
+// A text as one line, and back.
 std::string in_one_line(const std::string& text) {
   std::string line;
   for (const char c : text) line += c == '\n' ? "\\n" : c == '\\' ? "\\\\" : std::string(1, c);
@@ -36,13 +39,14 @@ std::string of_one_line(const std::string& line) {
 Archive::Archive(std::string file, std::string text)
     : restores_(true), file_(std::move(file)), text_(std::move(text)) {}
 
-void Archive::complain(const std::string& what) const {
-  throw InputError(file_ + ":" + std::to_string(line_) + ": " + what +
-                   ": it was written for another scene or by another version of footfall, or it is damaged");
+void Archive::fail(const std::string& what) const {
+  throw InputError(code::kCheckpointDamaged,
+                   file_ + ":" + std::to_string(line_) + ": " + what +
+                       ": the checkpoint is damaged, or belongs to another scene or another version of footfall");
 }
 
 void Archive::finish() const {
-  if (restores_ && next_ < text_.size()) complain("expected the end of the file");
+  if (restores_ && next_ < text_.size()) fail("expected the end of the file");
 }
 
 void Archive::begin(const char* name) {
@@ -53,12 +57,12 @@ void Archive::begin(const char* name) {
   }
   const std::size_t end = text_.find_first_of(" \n", next_);
   const std::string found = text_.substr(next_, end == std::string::npos ? end : end - next_);
-  if (found != full) complain("expected \"" + full + "\", found \"" + found + "\"");
+  if (found != full) fail("expected \"" + full + "\", found \"" + found + "\"");
   next_ += found.size();
 }
 
 std::string Archive::word() {
-  if (next_ >= text_.size() || text_[next_] != ' ') complain("a value is missing");
+  if (next_ >= text_.size() || text_[next_] != ' ') fail("a value is missing");
   const std::size_t begin = next_ + 1, end = text_.find_first_of(" \n", begin);
   next_ = end == std::string::npos ? text_.size() : end;
   return text_.substr(begin, next_ - begin);
@@ -69,7 +73,7 @@ void Archive::end() {
     text_ += '\n';
     return;
   }
-  if (next_ >= text_.size() || text_[next_] != '\n') complain("a line of another length was expected");
+  if (next_ >= text_.size() || text_[next_] != '\n') fail("the line has another length than expected");
   ++next_;
   ++line_;
 }
@@ -92,7 +96,7 @@ void Archive::operator()(const char* name, long& value) {
     const std::string text = word();
     char* rest = nullptr;
     value = std::strtol(text.c_str(), &rest, 10);
-    if (text.empty() || *rest != '\0') complain("\"" + text + "\" is no whole number");
+    if (text.empty() || *rest != '\0') fail("\"" + text + "\" is not a whole number");
   } else {
     text_ += " " + std::to_string(value);
   }
@@ -107,7 +111,7 @@ void Archive::operator()(const char* name, double& value) {
 void Archive::operator()(const char* name, std::string& value) {
   begin(name);
   if (restores_) {
-    if (next_ >= text_.size() || text_[next_] != ' ') complain("a text is missing");
+    if (next_ >= text_.size() || text_[next_] != ' ') fail("a text is missing");
     const std::size_t begin = next_ + 1, end = text_.find('\n', begin);
     next_ = end == std::string::npos ? text_.size() : end;
     value = of_one_line(text_.substr(begin, next_ - begin));
@@ -140,8 +144,8 @@ void Archive::shape(const char* name, Eigen::Index& rows, Eigen::Index& cols, st
   const auto fits = [](Eigen::Index found, int type) { return type == Eigen::Dynamic || found == type; };
   if (rows < 0 || cols < 0 || rows > most || cols > most || rows * cols > most || !fits(rows, fixed[0]) ||
       !fits(cols, fixed[1]) || (before[0] * before[1] > 0 && (rows != before[0] || cols != before[1])))
-    complain("has " + std::to_string(rows) + " x " + std::to_string(cols) + " numbers, expected " +
-             std::to_string(before[0]) + " x " + std::to_string(before[1]));
+    fail("has " + std::to_string(rows) + " x " + std::to_string(cols) + " numbers, expected " +
+         std::to_string(before[0]) + " x " + std::to_string(before[1]));
 }
 
 void Archive::numbers(double* values, Eigen::Index count) {
@@ -153,14 +157,14 @@ void Archive::numbers(double* values, Eigen::Index count) {
     const std::string text = word();
     char* rest = nullptr;
     values[i] = std::strtod(text.c_str(), &rest);
-    if (text.empty() || *rest != '\0') complain("\"" + text + "\" is no number");
+    if (text.empty() || *rest != '\0') fail("\"" + text + "\" is not a number");
   }
   end();
 }
 
 long Archive::checked_count(long count, std::size_t present) const {
   if (count < 0 || count > static_cast<long>(text_.size()) || (present > 0 && count != static_cast<long>(present)))
-    complain("has " + std::to_string(count) + " items, expected " + std::to_string(present));
+    fail("has " + std::to_string(count) + " items, expected " + std::to_string(present));
   return count;
 }
 

@@ -1,14 +1,15 @@
 #pragma once
-// The memory of a run as text: saved, and restored to the last bit. Whoever has memory describes it once,
+// The state of a run as the text of a checkpoint, saved and restored to the last bit. Every class describes its state
+// once,
 //   void visit(Archive& archive) {
 //     archive("window", window_);
 //     archive("bodies", bodies_);
 //   }
 // and the same lines save and restore it. Structs with a list of fields (field_list.h) need no visit().
 //
-// One value per line: its name, behind the names of what it is part of, then its numbers, floating-point ones in
-// hexadecimal. What restores demands the same names in the same order, and vectors as long as those that it finds,
-// unless these are empty.
+// One value per line: the names of the parts that contain it, its own name, then its numbers, floating-point ones in
+// hexadecimal. Restoring requires the same names in the same order, and vectors of the length that they have already,
+// unless they are empty.
 
 #include <Eigen/Dense>
 #include <array>
@@ -25,14 +26,14 @@ namespace footfall {
 class Archive {
  public:
   Archive() = default;                          // saves
-  Archive(std::string file, std::string text);  // restores; file: for messages
+  Archive(std::string file, std::string text);  // restores; file: named in messages
 
   bool restores() const { return restores_; }
   const std::string& text() const { return text_; }
-  // After the last value of an archive that restores. Throws InputError when there is more.
+  // To be called after the last value. Throws InputError when the text that is restored goes on.
   void finish() const;
 
-  // Each throws InputError "file:line: ..." when what stands there is something else.
+  // Each throws InputError "file:line: ..." when the text has something else there.
   void operator()(const char* name, bool& value);
   void operator()(const char* name, int& value);
   void operator()(const char* name, long& value);
@@ -82,18 +83,18 @@ class Archive {
   void item(const char* name, std::size_t i, Item& value) {
     (*this)((std::string(name) + "." + std::to_string(i)).c_str(), value);
   }
-  void begin(const char* name);  // a line: writes or demands its name
-  std::string word();            // restores: the next one of the line
-  void end();                    // of the line
-  // Begins a line. `fixed`: rows and columns of the type, Eigen::Dynamic where it leaves them open.
+  void begin(const char* name);  // begins a line: writes its name, or requires it
+  std::string word();            // restoring: the next word of the line
+  void end();                    // ends the line
+  // Begins a line. fixed: rows and columns of the type, or Eigen::Dynamic.
   void shape(const char* name, Eigen::Index& rows, Eigen::Index& cols, std::array<int, 2> fixed);
-  void numbers(double* values, Eigen::Index count);  // ends it
+  void numbers(double* values, Eigen::Index count);  // and ends the line
   long checked_count(long count, std::size_t present) const;
-  [[noreturn]] void complain(const std::string& what) const;
+  [[noreturn]] void fail(const std::string& what) const;
 
   bool restores_ = false;
   std::string file_, text_;
-  std::string path_;
+  std::string path_;      // names of the parts around the next value
   std::size_t next_ = 0;  // in text_
   int line_ = 1;
 };

@@ -1,3 +1,5 @@
+// Rotations are unit quaternions, scalar first; Eigen does their algebra.
+
 #include "coupler/body_motion.h"
 
 #include <cmath>

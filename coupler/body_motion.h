@@ -1,6 +1,6 @@
 #pragma once
-// Motion of one body's floating frame and modes, and the generalized force that is its partner in virtual
-// work. theory 1.
+// Motion of one body's floating frame and modes, and the loads conjugate to it: generalized forces, and loads that react
+// to the motion within a window. theory 1, 7.6.
 
 #include <Eigen/Dense>
 
@@ -50,7 +50,7 @@ Eigen::Vector3d rotation_vector(const Eigen::Vector4d& from, const Eigen::Vector
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-// [F; T] -= K dx + C dv, all in W:
+// A load that reacts within the window, linearly in the motion of the body: [F; T] -= K dx + C dv, all in W, with
 //   dx = [r - r_mean; rotation from L_mean to L]
 //   dv = [dr; w] - v_mean
 //   rotation = 1/2 sum_k A_mean e_k x A e_k, to third order the rotation vector
@@ -62,9 +62,9 @@ struct TangentLoad {
   Vector6d v_mean = Vector6d::Zero();  // [dr; w] [m/s, rad/s]
 };
 
-// Impulse [N s] that a body has felt in a window of H [s] beyond what the grains gave, because it moved otherwise than
-// predicted: it is reaction to grains that stood where they were; grains that gave way never gave it. From the states
-// at both ends of the window.
+// Impulse [N s] on a body in a window of H [s] beyond that of the grains, because the body moved otherwise than
+// predicted: the reaction of grains taken at rest, which grains that yielded did not exert. From the states at both
+// ends of the window.
 Eigen::Vector3d surplus_impulse(const TangentLoad& load, const BodyMotion& start, const BodyMotion& end, double H);
 
 }  // namespace footfall

@@ -1,3 +1,5 @@
+// Every rank gathers the program numbers of all; where all run on one machine, each also opens a doorbell.
+
 #include "coupler/communicator.h"
 
 #include <unistd.h>
@@ -8,12 +10,13 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "coupler/codes.h"
 #include "coupler/programs.h"
 
 namespace footfall {
 namespace {
 
-// A name that no other job on this machine has, the same on all ranks: process and time of rank 0. Collective.
+// The same on all ranks and unique on this machine: process and time of rank 0. Collective.
 std::string name_of_job() {
   char name[64] = {};
   const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
@@ -34,8 +37,8 @@ bool all_on_one_machine(int world_size) {
   return fewest == world_size;
 }
 
-// On all ranks or on none, and hung up before anybody rings. Collective.
-std::unique_ptr<Doorbell> hang_up_doorbell(int world_rank, int world_size) {
+// On all ranks or on none, and open before any rank rings. Collective.
+std::unique_ptr<Doorbell> open_doorbell(int world_rank, int world_size) {
   auto doorbell = std::make_unique<Doorbell>(name_of_job(), world_rank);
   const int mine = all_on_one_machine(world_size) && doorbell->works() ? 1 : 0;
   int all = 0;
@@ -46,12 +49,13 @@ std::unique_ptr<Doorbell> hang_up_doorbell(int world_rank, int world_size) {
 
 }  // namespace
 
-void check_mpi(int code, const char* call) {
-  if (code == MPI_SUCCESS) return;
+void check_mpi(int result, const char* call) {
+  if (result == MPI_SUCCESS) return;
   char text[MPI_MAX_ERROR_STRING];
   int length = 0;
-  MPI_Error_string(code, text, &length);
-  throw PartnerError(std::string(call) + ": " + std::string(text, static_cast<std::size_t>(length)));
+  MPI_Error_string(result, text, &length);
+  throw PartnerError(code::kMpiCallFailed,
+                     std::string(call) + ": " + std::string(text, static_cast<std::size_t>(length)));
 }
 
 Communicator::Communicator() {
@@ -67,8 +71,8 @@ Communicator::Communicator() {
   check_mpi(MPI_Allgather(&mine, 1, MPI_INT, apps.data(), 1, MPI_INT, MPI_COMM_WORLD), "MPI_Allgather");
   const std::size_t programs = std::set<int>(apps.begin(), apps.end()).size();
   if (programs > 2)
-    throw InputError("this mpirun started " + std::to_string(programs) +
-                     " programs; footfall couples two: " + kStartBoth);
+    throw InputError(code::kTooManyPrograms, "this mpirun started " + std::to_string(programs) +
+                                                 " programs; footfall couples two: " + kStartBoth);
 
   check_mpi(MPI_Comm_split(MPI_COMM_WORLD, mine, world_rank, &own_), "MPI_Comm_split");
   check_mpi(MPI_Comm_dup(MPI_COMM_WORLD, &exchange_), "MPI_Comm_dup");
@@ -78,8 +82,8 @@ Communicator::Communicator() {
   for (int rank = world_size - 1; rank >= 0; --rank)
     if (apps[static_cast<std::size_t>(rank)] != mine) partner_root_ = rank;
   for (int rank = 0; rank < world_size; ++rank)
-    if (apps[static_cast<std::size_t>(rank)] == mine) own_seats_.push_back(rank);
-  if (has_partner()) doorbell_ = hang_up_doorbell(world_rank, world_size);
+    if (apps[static_cast<std::size_t>(rank)] == mine) own_ranks_.push_back(rank);
+  if (has_partner()) doorbell_ = open_doorbell(world_rank, world_size);
 }
 
 Communicator::~Communicator() {

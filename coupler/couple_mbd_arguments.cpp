@@ -1,9 +1,12 @@
+// Reads keyword after keyword; every error repeats the syntax or the values that are expected.
+
 #include "coupler/couple_mbd_arguments.h"
 
 #include <cmath>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "coupler/codes.h"
 
 namespace footfall {
 namespace {
@@ -13,16 +16,16 @@ constexpr const char* kUsage =
     "[lost SHARE] [surface smooth|facets|round] [edge DEGREES] [damping_mass grain|pair] [mesh MESH-ID BODY]...";
 const std::vector<std::string> kKeywords = {"every",   "patience", "gravity",      "end", "lost",
                                             "surface", "edge",     "damping_mass", "mesh"};
-constexpr int kMostSubsteps = 1000000;  // of a window
+constexpr int kMostSubsteps = 1000000;  // per window
 
-// The words one after the other; whatever is not as expected ends in an InputError that begins with `fix`.
+// Reads the words in order. Throws InputError, whose message begins with `fix`, for unexpected words.
 class Reader {
  public:
   Reader(std::string fix, const std::vector<std::string>& words, std::size_t first)
       : fix_(std::move(fix)), words_(words), next_(first) {}
   bool more() const { return next_ < words_.size(); }
   const std::string& keyword() const { return words_[next_]; }
-  // The n-th word behind the keyword.
+  // The n-th word after the keyword.
   const std::string& value(std::size_t n = 1) const {
     if (next_ + n >= words_.size()) wrong_keyword();
     return words_[next_ + n];
@@ -30,14 +33,15 @@ class Reader {
   void step(std::size_t words) { next_ += words; }
   [[noreturn]] void wrong_keyword() const {
     const std::string meant = nearest_name(keyword(), kKeywords);
-    throw InputError(fix_ + "at \"" + keyword() + "\" " +
-                     (meant.empty() || meant == keyword() ? "" : "(did you mean \"" + meant + "\"?) ") + kUsage);
+    throw InputError(code::kCoupleMbdSyntax,
+                     fix_ + "at \"" + keyword() + "\" " +
+                         (meant.empty() || meant == keyword() ? "" : "(did you mean \"" + meant + "\"?) ") + kUsage);
   }
   [[noreturn]] void wrong_value(const std::string& needs) const {
-    throw InputError(fix_ + "`" + keyword() + "` needs " + needs + ", not \"" + value() + "\"");
+    throw InputError(code::kCoupleMbdValue, fix_ + "`" + keyword() + "` needs " + needs + ", not \"" + value() + "\"");
   }
-  // Does the value say `scene` (and not `script`)?
-  bool scene() const {
+  // Is the value `scene` (and not `script`)?
+  bool is_scene() const {
     if (value() != "scene" && value() != "script") wrong_value("`scene` or `script`");
     return value() == "scene";
   }
@@ -54,7 +58,7 @@ CoupleMbdArguments::CoupleMbdArguments(int narg, const char* const* arg) {
   const std::vector<std::string> words(arg, arg + narg);
   FOOTFALL_DEMAND(words.size() >= 3);
   fix = "fix " + words[0] + " " + words[2] + ": ";
-  if (words.size() < 4) throw InputError(fix + kUsage);
+  if (words.size() < 4) throw InputError(code::kCoupleMbdSyntax, fix + kUsage);
   Reader reader(fix, words, 3);
   if (words[3] != "every") reader.wrong_keyword();
   if (reader.value() != "auto") {
@@ -68,7 +72,8 @@ CoupleMbdArguments::CoupleMbdArguments(int narg, const char* const* arg) {
       const MeshOfBody pair{reader.value(1), reader.value(2)};
       for (const MeshOfBody& other : meshes)
         if (other.mesh == pair.mesh)
-          throw InputError(fix + "mesh " + pair.mesh + ": it belongs to body \"" + other.body + "\" already");
+          throw InputError(code::kMeshNamedTwice, fix + "mesh " + pair.mesh + " is already coupled to body \"" +
+                                                      other.body + "\"; name it once");
       meshes.push_back(pair);
       reader.step(3);
       continue;
@@ -77,12 +82,12 @@ CoupleMbdArguments::CoupleMbdArguments(int narg, const char* const* arg) {
       patience = positive_number(reader.value());
       if (!patience) reader.wrong_value("a positive number of seconds");
     } else if (keyword == "gravity") {
-      gravity_of_scene = reader.scene();
+      gravity_of_scene = reader.is_scene();
     } else if (keyword == "end") {
-      end_of_scene = reader.scene();
+      end_of_scene = reader.is_scene();
     } else if (keyword == "lost") {
       const std::optional<double> share = positive_number(reader.value());
-      if (!share || *share > 1.0) reader.wrong_value("a share of the grains above 0 and up to 1");
+      if (!share || *share > 1.0) reader.wrong_value("a share of the grains above 0 and at most 1");
       max_lost = *share;
     } else if (keyword == "surface") {
       if (reader.value() == "smooth") {
@@ -99,7 +104,7 @@ CoupleMbdArguments::CoupleMbdArguments(int narg, const char* const* arg) {
       mass_of_pair = reader.value() == "pair";
     } else if (keyword == "edge") {
       const std::optional<double> degrees = positive_number(reader.value());
-      if (!degrees || *degrees > 90.0) reader.wrong_value("an angle above 0 and up to 90 degrees");
+      if (!degrees || *degrees > 90.0) reader.wrong_value("an angle above 0 and at most 90 degrees");
       edge_angle = *degrees * M_PI / 180.0;
     } else {
       reader.wrong_keyword();

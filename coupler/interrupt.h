@@ -1,6 +1,6 @@
 #pragma once
-// Somebody asks a program to end: the user, the batch system, mpirun. The program looks at a flag where its work may
-// stop, and a time limit ends it where it does not get there.
+// Signals that ask a program to end: from the user, the batch system or mpirun. The program checks a flag where its
+// work can stop; a time limit ends it if it does not get there.
 
 #include <csignal>
 
@@ -8,32 +8,34 @@
 
 namespace footfall {
 
-// From here on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGUSR1 end this program with kExitInterrupted: at once while there is
-// nothing to keep, and after work_is_under_way() in order, by a flag. Then the first signal starts a time limit: a
-// program that is still there kEnding later ends without a word to anybody but standard error. `program`: its name, for
-// that word; it must outlive the program. A SIGHUP that is ignored (nohup) stays so. Under mpirun SIGPIPE is ignored. With kLauncherWarns in the
-// environment a SIGCONT of the parent process is such a signal, too, unless it wakes us from a stop: see alive_for().
+// From here on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGUSR1 end this program with kExitInterrupted: at once while there
+// is no work to save, and after work_is_under_way() in order, through the flag interrupted(). The first signal then
+// starts a time limit: kEndingTime later the program ends with a line on standard error only.
+// program: its name for messages; must outlive the program. An ignored SIGHUP (nohup) stays ignored. Under mpirun
+// SIGPIPE is ignored. With kLauncherWarns in the environment, a SIGCONT of the parent process counts as such a signal
+// too, unless it ends a stop (promise_progress).
 void end_on_signals(const char* program);
 void work_is_under_way();
-inline constexpr unsigned kEnding = 8;  // [s]
-// In the environment of programs under an mpirun that is in no hurry to kill: it sends SIGCONT first when it ends a job.
+inline constexpr unsigned kEndingTime = 8;  // [s]
+// In the environment of programs under an mpirun that first sends SIGCONT, and kills later, when it ends a job.
 inline constexpr const char* kLauncherWarns = "FOOTFALL_LAUNCHER_WARNS";
 
-// The work goes on, and will say so again within this time [s]. mpirun hands on the SIGCONT that a suspended job gets when
-// it may go on: one that finds us overdue asks for nothing. An mpirun that ends the job then sends SIGTERM soon.
-void alive_for(double seconds);
+// Announces the next such call within this time [s]. mpirun passes on the SIGCONT that resumes a suspended job: a
+// SIGCONT that finds this call overdue ends a stop and does not ask for an end. An mpirun that does end the job sends
+// SIGTERM soon after.
+void promise_progress(double seconds);
 
 bool is_ignored(int signal);
 
-// Not 0 once such a signal has come.
+// Not 0 once a signal has asked for an end.
 const volatile std::sig_atomic_t& interrupted();
-// Whether a wait for the partner that has lasted so long [s] has to end, as this program has to. A partner that goes on
-// gets the time for a window and a checkpoint, also on a machine with much else to do; one that says nothing gets less.
-// Both get little when the parent process has asked, unless it warns early: mpirun kills soon after it has asked.
-bool waited_enough(double waited);
+// Must a wait for the partner that has lasted so long [s] end, because this program has to? A partner that still
+// responds gets the time for a window and a checkpoint, on a busy machine as well; a silent one gets less. Both get
+// little when the parent process asked, unless it warns early: mpirun kills soon after it has asked.
+bool must_stop_waiting(double waited);
 
 // The same time limit for an orderly end that may wait for others: ends the program `seconds` from now with this exit
-// code unless it has ended before. A limit that runs already stays.
+// code unless it has ended before. A limit that is already running stays.
 void end_within(unsigned seconds, int exit_code);
 
 }  // namespace footfall

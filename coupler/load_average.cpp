@@ -1,3 +1,5 @@
+// Time integrals of force, moment, modal force and work over the substeps, divided by the length of the window.
+
 #include "coupler/load_average.h"
 
 #include "coupler/base/errors.h"
@@ -19,20 +21,20 @@ void apply(const MeanLoad& mean, const BodyMotion& motion, GeneralizedForce& out
   out.Q_a = mean.Q_a;
 }
 
-LoadAverage::LoadAverage(const Scheme& scheme, int modes) : weights_(scheme.weights()), standing_(modes), sum_(modes) {}
+LoadAverage::LoadAverage(const Scheme& scheme, int modes) : weights_(scheme.weights()), opening_(modes), sum_(modes) {}
 
-void LoadAverage::set_standing(const GeneralizedForce& Q, const BodyMotion& pose) {
-  standing_.F_W = Q.F_W;
-  standing_.T_B = pose.rotation().transpose() * Q.T_W;
-  standing_.Q_a = Q.Q_a;
+void LoadAverage::set_opening_force(const GeneralizedForce& Q, const BodyMotion& pose) {
+  opening_.F_W = Q.F_W;
+  opening_.T_B = pose.rotation().transpose() * Q.T_W;
+  opening_.Q_a = Q.Q_a;
 }
 
 void LoadAverage::begin_window(const BoundaryStep& jump, const BodyMotion& pose) {
   sum_.set_zero();
   time_ = 0.0;
-  // The jump is made under the force that stands before it.
-  sum_.jump_work = standing_.F_W.dot(jump.r) + standing_.T_B.dot(pose.rotation().transpose() * jump.theta_W) +
-                   standing_.Q_a.dot(jump.a);
+  // The force before the jump does its work.
+  sum_.jump_work = opening_.F_W.dot(jump.r) + opening_.T_B.dot(pose.rotation().transpose() * jump.theta_W) +
+                   opening_.Q_a.dot(jump.a);
   sum_.work = sum_.jump_work;
 }
 
@@ -42,19 +44,19 @@ void LoadAverage::add_step(const GeneralizedForce& Q, const BodyMotion& pose, co
   const Eigen::Vector3d T_B = R_BW * Q.T_W;
   // A rotation vector has the same components in B before and after the turn that it describes.
   const Eigen::Vector3d theta_B = R_BW * step.theta_W;
-  const Eigen::Vector3d F_mean = c0 * standing_.F_W + c1 * Q.F_W;
-  const Eigen::Vector3d T_mean = c0 * standing_.T_B + c1 * T_B;
+  const Eigen::Vector3d F_mean = c0 * opening_.F_W + c1 * Q.F_W;
+  const Eigen::Vector3d T_mean = c0 * opening_.T_B + c1 * T_B;
   sum_.F_W += dt * F_mean;
   sum_.T_B += dt * T_mean;
   sum_.work += F_mean.dot(step.r) + T_mean.dot(theta_B);
-  sum_.impulse_W += 0.5 * dt * (standing_.F_W + Q.F_W);
-  if (standing_.Q_a.size() > 0) {
-    sum_.Q_a += dt * (c0 * standing_.Q_a + c1 * Q.Q_a);
-    sum_.work += c0 * standing_.Q_a.dot(step.a) + c1 * Q.Q_a.dot(step.a);
-    standing_.Q_a = Q.Q_a;
+  sum_.impulse_W += 0.5 * dt * (opening_.F_W + Q.F_W);
+  if (opening_.Q_a.size() > 0) {
+    sum_.Q_a += dt * (c0 * opening_.Q_a + c1 * Q.Q_a);
+    sum_.work += c0 * opening_.Q_a.dot(step.a) + c1 * Q.Q_a.dot(step.a);
+    opening_.Q_a = Q.Q_a;
   }
-  standing_.F_W = Q.F_W;
-  standing_.T_B = T_B;
+  opening_.F_W = Q.F_W;
+  opening_.T_B = T_B;
   time_ += dt;
 }
 

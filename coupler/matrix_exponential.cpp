@@ -1,3 +1,5 @@
+// Eigen's matrix exponential: scaling and squaring with Pade approximants.
+
 #include "coupler/matrix_exponential.h"
 
 #include <unsupported/Eigen/MatrixFunctions>

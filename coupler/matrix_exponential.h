@@ -1,5 +1,5 @@
 #pragma once
-// exp(A) of a square matrix, by Eigen: compiled once, as it takes long.
+// exp(A) of a square matrix, by Eigen. A file of its own, because it takes long to compile.
 
 #include <Eigen/Dense>
 

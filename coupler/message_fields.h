@@ -1,6 +1,6 @@
 #pragma once
-// The fields of every message, in the order of their bytes. pack and unpack walk these lists, and so do the tests. A
-// change of a list that is already in use changes the bytes: kProtocolVersion must then rise.
+// The fields of every message, in the order of their bytes. pack, unpack and the tests walk these lists. A change of a
+// list changes the bytes: then raise kProtocolVersion.
 
 #include <tuple>
 
@@ -9,16 +9,15 @@
 
 namespace footfall {
 
-using AllMessages = std::tuple<Hello, Geometry, Start, Accept, Motion, Load, Kept, Close>;
+using AllMessages = std::tuple<Hello, Geometry, Start, Accept, Motion, Load, CheckpointDone, Close>;
 
-// What every message begins with, four bytes each: magic, kind, protocol, status. Its layout never changes between
-// protocol versions.
+// The head of every message, four bytes each: magic, kind, protocol, status. It is the same in all protocol versions.
 struct MessageHead {
   std::int32_t protocol = kProtocolVersion;
   Status status = Status::kOk;
 };
 
-// A field of a message that stands in its head instead of behind it.
+// A field of a message that is stored in its head.
 template <class Message, class Type>
 struct HeadField {
   const char* name;
@@ -47,7 +46,7 @@ template <>
 inline constexpr auto kFields<CoupledBody> =
     std::tuple{Field{"boundary", &CoupledBody::boundary}, Field{"initial", &CoupledBody::initial}};
 
-// A ModalBoundary taken apart: what its constructor takes.
+// The arguments of the constructor of a ModalBoundary.
 struct BoundaryParts {
   std::string name;
   Eigen::Matrix3Xd rho0;
@@ -55,9 +54,9 @@ struct BoundaryParts {
   std::vector<BeamSegment> segments;
   Eigen::MatrixXd Phi, Psi;
 };
-BoundaryParts taken_apart(const ModalBoundary& boundary);
-// Throws ProtocolError for parts that fit no boundary.
-ModalBoundary put_together(BoundaryParts parts);
+BoundaryParts parts_of(const ModalBoundary& boundary);
+// Throws ProtocolError for parts that make no valid boundary.
+ModalBoundary boundary_of(BoundaryParts parts);
 
 template <>
 inline constexpr auto kFields<BoundaryParts> = std::tuple{Field{"name", &BoundaryParts::name},
@@ -92,8 +91,8 @@ inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt},
                                                   Field{"gravity_known", &Start::gravity_known},
                                                   Field{"may_end_early", &Start::may_end_early},
                                                   Field{"warnings", &Start::warnings},
-                                                  Field{"wants_masses", &Start::wants_masses},
-                                                  Field{"grains_version", &Start::grains_version},
+                                                  Field{"requires_masses", &Start::requires_masses},
+                                                  Field{"dem_version", &Start::dem_version},
                                                   Field{"walls", &Start::walls}};
 
 template <>
@@ -111,7 +110,7 @@ inline constexpr auto kFields<Motion> = std::tuple{Field{"window", &Motion::wind
                                                    Field{"n", &Motion::n},
                                                    Field{"last_window", &Motion::last_window},
                                                    Field{"checkpoint", &Motion::checkpoint},
-                                                   Field{"quietly", &Motion::quietly},
+                                                   Field{"undisturbed", &Motion::undisturbed},
                                                    Field{"bodies", &Motion::bodies},
                                                    Field{"inverse_masses", &Motion::inverse_masses}};
 
@@ -120,7 +119,7 @@ inline constexpr auto kFields<Load> = std::tuple{Field{"window", &Load::window},
                                                  Field{"particles", &Load::particles},
                                                  Field{"lost", &Load::lost},
                                                  Field{"warnings", &Load::warnings},
-                                                 Field{"asked_to_end", &Load::asked_to_end},
+                                                 Field{"end_requested", &Load::end_requested},
                                                  Field{"wall_seconds", &Load::wall_seconds},
                                                  Field{"waited_seconds", &Load::waited_seconds},
                                                  Field{"bodies", &Load::bodies},
@@ -149,8 +148,9 @@ inline constexpr auto kFields<ContactTangent> =
     std::tuple{Field{"K", &ContactTangent::K}, Field{"C", &ContactTangent::C}};
 
 template <>
-inline constexpr auto kFields<Kept> =
-    std::tuple{Field{"window", &Kept::window}, Field{"step", &Kept::step}, Field{"done", &Kept::done}};
+inline constexpr auto kFields<CheckpointDone> =
+    std::tuple{Field{"window", &CheckpointDone::window}, Field{"step", &CheckpointDone::step},
+               Field{"done", &CheckpointDone::done}};
 
 template <>
 inline constexpr auto kFields<Close> =

@@ -1,4 +1,5 @@
-// X
+// Bytes of messages: one recursive writer and reader walks the lists of message_fields.h. The same walk finds numbers
+// that are not finite.
 
 #include "coupler/messages.h"
 
@@ -16,6 +17,7 @@
 namespace footfall {
 namespace {
 
+// Numbers, texts and matrices to bytes. Both programs run on the same kind of machine: native byte order.
 class ByteWriter {
  public:
   // Appends to `out`, which is cleared first but keeps its memory.
@@ -46,7 +48,7 @@ class ByteWriter {
   std::vector<std::uint8_t>& out_;
 };
 
-// Every read checks what is left; ProtocolError when the bytes are not what they should be.
+// And back. Every read checks how many bytes are left; ProtocolError when the bytes are inconsistent.
 class ByteReader {
  public:
   ByteReader(const std::uint8_t* data, std::size_t size) : next_(data), left_(size) {}
@@ -58,10 +60,10 @@ class ByteReader {
     raw(&value, sizeof value);
     return value;
   }
-  // A number of items that each take at least `bytes_each` of what is left.
+  // A number of items, each of at least `bytes_each` of the bytes that are left.
   std::size_t count(std::size_t bytes_each) {
     const auto value = number<std::uint64_t>();
-    if (value > left_ / bytes_each) throw ProtocolError("a count is larger than the message");
+    if (value > left_ / bytes_each) throw ProtocolError(code::kMessageDamaged, "a count is larger than the message");
     return static_cast<std::size_t>(value);
   }
   void text(std::string& value) {
@@ -78,20 +80,20 @@ class ByteReader {
     const bool too_long = static_cast<std::uint64_t>(rows) > kMostRows || static_cast<std::uint64_t>(cols) > kMostRows;
     if (rows < 0 || cols < 0 || too_large || too_long || (kRows != Eigen::Dynamic && rows != kRows) ||
         (kCols != Eigen::Dynamic && cols != kCols))
-      throw ProtocolError("a matrix of " + std::to_string(rows) + " x " + std::to_string(cols) +
-                          " does not belong here");
+      throw ProtocolError(code::kMessageDamaged, "a matrix of " + std::to_string(rows) + " x " + std::to_string(cols) +
+                                                     " is not possible here");
     value.resize(rows, cols);
     raw(value.data(), static_cast<std::size_t>(value.size()) * sizeof(typename Derived::Scalar));
   }
-  // Nothing may be left over.
+  // Throws when bytes are left.
   void finish() const {
-    if (left_ != 0) throw ProtocolError(std::to_string(left_) + " bytes are left over");
+    if (left_ != 0) throw ProtocolError(code::kMessageDamaged, std::to_string(left_) + " bytes are left after its end");
   }
 
  private:
   static constexpr std::uint64_t kMostRows = std::uint64_t{1} << 26;  // of a matrix without coefficients
   void raw(void* data, std::size_t size) {
-    if (size > left_) throw ProtocolError("the message is cut short");
+    if (size > left_) throw ProtocolError(code::kMessageDamaged, "the message is cut short");
     if (size > 0) std::memcpy(data, next_, size);
     next_ += size;
     left_ -= size;
@@ -105,8 +107,7 @@ constexpr std::uint32_t kMagic = 0x4c465446;  // "FTFL"
 template <class T>
 inline constexpr bool kIsMatrix = std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
 
-// Values: numbers, true or false as one byte, texts, matrices; items behind their count; fields in the order of their
-// list.
+// Values are numbers, bools as one byte, texts and matrices. Items follow their count, fields the order of their list.
 template <class T>
 void write(ByteWriter& out, const T& value) {
   if constexpr (std::is_same_v<T, bool>) {
@@ -116,7 +117,7 @@ void write(ByteWriter& out, const T& value) {
   } else if constexpr (std::is_same_v<T, std::string>) {
     out.text(value);
   } else if constexpr (std::is_same_v<T, ModalBoundary>) {
-    write(out, taken_apart(value));
+    write(out, parts_of(value));
   } else if constexpr (kIsVector<T>) {
     out.number<std::uint64_t>(value.size());
     for (const auto& item : value) write(out, item);
@@ -129,7 +130,7 @@ void write(ByteWriter& out, const T& value) {
   }
 }
 
-// No value takes fewer bytes.
+// Lower bound of the bytes of a value.
 template <class T>
 constexpr std::size_t fewest_bytes() {
   if constexpr (std::is_same_v<T, bool>) {
@@ -153,7 +154,7 @@ constexpr std::size_t fewest_bytes() {
     return sizeof(std::uint64_t);  // the count of a text or a list
   }
 }
-// What the bytes are read into, where there is no default.
+// The value into which bytes are read, also for types without default constructor.
 template <class T>
 T blank() {
   return T();
@@ -163,18 +164,19 @@ CoupledBody blank() {
   return {ModalBoundary("", Eigen::Matrix3Xd::Zero(3, 1), {}), BodyMotion()};
 }
 
-// Fields that must fit each other.
+// Checks fields that depend on each other.
 template <class T>
 void check_fit(const T&) {}
 void check_fit(const BodyMotion& m) {
   if (m.da.size() != m.a.size() || m.dda.size() != m.a.size())
-    throw ProtocolError("a body has " + std::to_string(m.a.size()) + " modal coordinates but " +
-                        std::to_string(m.da.size()) + " rates");
+    throw ProtocolError(code::kMessageDamaged, "a body has " + std::to_string(m.a.size()) + " modal coordinates but " +
+                                                   std::to_string(m.da.size()) + " rates");
 }
 void check_fit(const CoupledBody& body) {
   if (body.initial.mode_count() != body.boundary.mode_count())
-    throw ProtocolError("body \"" + body.boundary.name() + "\" has " + std::to_string(body.boundary.mode_count()) +
-                        " mode shapes but " + std::to_string(body.initial.mode_count()) + " modal coordinates");
+    throw ProtocolError(code::kMessageDamaged, "body \"" + body.boundary.name() + "\" has " +
+                                                   std::to_string(body.boundary.mode_count()) + " mode shapes but " +
+                                                   std::to_string(body.initial.mode_count()) + " modal coordinates");
 }
 
 template <class T>
@@ -188,7 +190,7 @@ void read(ByteReader& in, T& value) {
   } else if constexpr (std::is_same_v<T, ModalBoundary>) {
     BoundaryParts parts;
     read(in, parts);
-    value = put_together(std::move(parts));
+    value = boundary_of(std::move(parts));
   } else if constexpr (kIsVector<T>) {
     using Item = typename T::value_type;
     value.resize(in.count(fewest_bytes<Item>()), blank<Item>());
@@ -216,20 +218,22 @@ std::string foreign_protocol(const std::string& partner, std::int32_t protocol) 
 }
 
 MessageHead read_head(ByteReader& in, MessageKind expected) {
-  if (in.number<std::uint32_t>() != kMagic) throw ProtocolError("these are not bytes of footfall");
+  if (in.number<std::uint32_t>() != kMagic)
+    throw ProtocolError(code::kMessageDamaged, "it does not begin as a message of footfall");
   const auto kind = in.number<std::int32_t>();
   const auto protocol = in.number<std::int32_t>();
   const auto status = in.number<std::int32_t>();
   const bool readable = expected == MessageKind::kHello || expected == MessageKind::kClose;
-  if (protocol != kProtocolVersion && !readable) throw ProtocolError(foreign_protocol("the partner", protocol));
+  if (protocol != kProtocolVersion && !readable)
+    throw ProtocolError(code::kProtocolsDiffer, foreign_protocol("the partner", protocol));
   if (kind != static_cast<std::int32_t>(expected))
-    throw ProtocolError("got " + message_name(static_cast<MessageKind>(kind)) + " instead");
+    throw ProtocolError(code::kMessageUnexpected, message_name(static_cast<MessageKind>(kind)) + " arrived instead");
   if (status < static_cast<std::int32_t>(Status::kOk) || status > static_cast<std::int32_t>(Status::kInterrupted))
-    throw ProtocolError("status word " + std::to_string(status) + " has no meaning");
+    throw ProtocolError(code::kMessageDamaged, "status word " + std::to_string(status) + " is unknown");
   return {protocol, static_cast<Status>(status)};
 }
 
-// "": a number here; ".x", "[3].x": within a part of this one.
+// place: "" for the number itself, ".x" or "[3].x" for one within a part.
 struct Found {
   bool bad = false;
   std::string place;
@@ -245,7 +249,7 @@ Found search(const T& value) {
     if constexpr (std::is_floating_point_v<typename T::Scalar>) return {!value.allFinite(), ""};
     return {};
   } else if constexpr (std::is_same_v<T, ModalBoundary>) {
-    return search(taken_apart(value));
+    return search(parts_of(value));
   } else if constexpr (kIsVector<T>) {
     for (std::size_t i = 0; i < value.size(); ++i)
       if (Found found = search(value[i]); found.bad) return {true, "[" + std::to_string(i) + "]" + found.place};
@@ -261,7 +265,7 @@ Found search(const T& value) {
   }
 }
 
-constexpr double kSameGravity = 1e-6;  // of the scene's
+constexpr double kSameGravity = 1e-6;  // relative to that of the scene
 
 std::string gravity_text(const Eigen::Vector3d& v) {
   return "(" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + ") m/s2";
@@ -269,11 +273,11 @@ std::string gravity_text(const Eigen::Vector3d& v) {
 
 }  // namespace
 
-BoundaryParts taken_apart(const ModalBoundary& b) {
+BoundaryParts parts_of(const ModalBoundary& b) {
   return {b.name(), b.rho0(), b.triangles(), b.segments(), b.Phi(), b.Psi()};
 }
 
-ModalBoundary put_together(BoundaryParts parts) {
+ModalBoundary boundary_of(BoundaryParts parts) {
   try {
     return ModalBoundary(std::move(parts.name), std::move(parts.rho0), std::move(parts.triangles),
                          std::move(parts.segments), std::move(parts.Phi), std::move(parts.Psi));
@@ -291,16 +295,16 @@ std::string message_name(MessageKind kind) {
     case MessageKind::kMotion: return "Motion";
     case MessageKind::kLoad: return "Load";
     case MessageKind::kClose: return "Close";
-    case MessageKind::kKept: return "Kept";
+    case MessageKind::kCheckpointDone: return "CheckpointDone";
   }
   return "message of unknown kind " + std::to_string(static_cast<std::int32_t>(kind));
 }
 
 void check_partner(const std::string& partner, std::int32_t protocol, const std::string& version) {
-  if (protocol != kProtocolVersion) throw ProtocolError(foreign_protocol(partner, protocol));
+  if (protocol != kProtocolVersion) throw ProtocolError(code::kProtocolsDiffer, foreign_protocol(partner, protocol));
   if (version != kFootfallVersion)
-    throw ProtocolError(partner + " is footfall " + version + ", this program footfall " + kFootfallVersion +
-                        ": build both from the same footfall");
+    throw ProtocolError(code::kVersionsDiffer, partner + " is footfall " + version + ", this program footfall " +
+                                                   kFootfallVersion + ": build both from the same footfall");
 }
 
 template <class Message>
@@ -335,7 +339,7 @@ template void pack(const Start&, Bytes&);
 template void pack(const Accept&, Bytes&);
 template void pack(const Motion&, Bytes&);
 template void pack(const Load&, Bytes&);
-template void pack(const Kept&, Bytes&);
+template void pack(const CheckpointDone&, Bytes&);
 template void pack(const Close&, Bytes&);
 
 template void unpack(const Bytes&, Hello&);
@@ -344,7 +348,7 @@ template void unpack(const Bytes&, Start&);
 template void unpack(const Bytes&, Accept&);
 template void unpack(const Bytes&, Motion&);
 template void unpack(const Bytes&, Load&);
-template void unpack(const Bytes&, Kept&);
+template void unpack(const Bytes&, CheckpointDone&);
 template void unpack(const Bytes&, Close&);
 
 template <class Message>
@@ -368,10 +372,10 @@ bool is_same_gravity(const Eigen::Vector3d& script, const Eigen::Vector3d& scene
 std::string gravity_differs(const Eigen::Vector3d& script, const Eigen::Vector3d& scene, const std::string& when) {
   if (script.isZero(0.0) && when.empty())
     return "the LIGGGHTS script has no fix gravity, the scene has gravity = " + gravity_text(scene) +
-           ": the grains have no weight";
+           ": the grains would have no weight";
   return "the LIGGGHTS script has the gravity " + gravity_text(script) + when + " (fix gravity), the scene " +
          gravity_text(scene) +
-         " (gravity): make them agree, or say that the grains have their own: fix ID all couple/mbd every N gravity "
+         " (gravity). Make them equal, or allow the grains their own gravity: fix ID all couple/mbd every N gravity "
          "script ...";
 }
 

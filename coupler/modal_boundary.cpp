@@ -1,14 +1,17 @@
+// Positions and velocities of boundary points, and the transposed projection of forces on F, T and Q_a.
+
 #include "coupler/modal_boundary.h"
 
 #include <utility>
 
 #include "coupler/base/errors.h"
+#include "coupler/codes.h"
 
 namespace footfall {
 namespace {
 
 [[noreturn]] void refuse(const std::string& body, const std::string& what) {
-  throw InputError("boundary of body \"" + body + "\": " + what);
+  throw InputError(code::kBoundaryInvalid, "boundary of body \"" + body + "\": " + what);
 }
 
 }  // namespace
@@ -28,19 +31,20 @@ ModalBoundary::ModalBoundary(std::string name, Eigen::Matrix3Xd rho0, std::vecto
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const Eigen::Vector3i& t = triangles_[i];
     if (!is_node(t[0]) || !is_node(t[1]) || !is_node(t[2]))
-      refuse(name_, "triangle " + std::to_string(i) + " names a node outside 0.." + std::to_string(nodes - 1));
+      refuse(name_, "triangle " + std::to_string(i) + " refers to a node outside 0.." + std::to_string(nodes - 1));
   }
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const BeamSegment& s = segments_[i];
     if (!is_node(s.start) || !is_node(s.end))
-      refuse(name_, "segment " + std::to_string(i) + " names a node outside 0.." + std::to_string(nodes - 1));
+      refuse(name_, "segment " + std::to_string(i) + " refers to a node outside 0.." + std::to_string(nodes - 1));
     if (!(s.radius > 0.0)) refuse(name_, "segment " + std::to_string(i) + " has no radius");
     if (rho0_.col(s.start) == rho0_.col(s.end)) refuse(name_, "segment " + std::to_string(i) + " has no length");
   }
   if (Phi_.cols() > 0 && Phi_.rows() != 3 * nodes)
-    refuse(name_, "Phi has " + std::to_string(Phi_.rows()) + " rows; three per node are " + std::to_string(3 * nodes));
+    refuse(name_,
+           "Phi has " + std::to_string(Phi_.rows()) + " rows; expected three per node, " + std::to_string(3 * nodes));
   if (Psi_.size() > 0 && (Psi_.rows() != 3 * nodes || Psi_.cols() != Phi_.cols()))
-    refuse(name_, "Psi must be empty or of the size of Phi");
+    refuse(name_, "Psi must be empty or have the size of Phi");
   if (Phi_.cols() == 0) Phi_.resize(3 * nodes, 0);
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 // The boundary of one body: nodes that move with the body, and the triangles and beam segments between them.
-// The one file that moves boundary points AND projects forces on the body, so that virtual work is conserved:
-// for forces f_c at points c,  sum_c f_c . v_c = F_W . dr + T_W . w + Q_a . da  whatever the motion. [Lin25
-// 5-12, 33], theory 6.3.
+// This file alone moves boundary points and projects forces on the body, so that virtual work is conserved: for forces
+// f_c at points c,  sum_c f_c . v_c = F_W . dr + T_W . w + Q_a . da  in every motion. [Lin25 5-12, 33], theory 6.3.
 
 #include <Eigen/Dense>
 #include <array>
@@ -29,14 +28,12 @@ struct BoundaryPoint {
 };
 
 // Node j in B: rho_j = rho0_j + Phi_j a; small rotation Psi_j a. In W: r_j = r + A rho_j,
-//   dr_j = dr + w x (A rho_j) + A Phi_j da.   s = 0 is a rigid body: Phi and Psi are empty and no modal loop
-//   is entered.
+//   dr_j = dr + w x (A rho_j) + A Phi_j da.   s = 0 is a rigid body: Phi and Psi are empty, without modal loops.
 // Immutable; nothing here allocates after construction.
 class ModalBoundary {
  public:
-  // rho0 [m] 3 x N in B; Phi 3N x s (empty: rigid); Psi 3N x s or empty (the nodal rotations are then
-  // unknown). Throws InputError for no nodes, node indices out of range, a segment without length or radius,
-  // or shapes of the wrong size.
+  // rho0 [m] 3 x N in B; Phi 3N x s (empty: rigid); Psi 3N x s, or empty when the nodal rotations are unknown. Throws
+  // InputError for no nodes, node indices out of range, a segment without length or radius, or shapes of the wrong size.
   ModalBoundary(std::string name, Eigen::Matrix3Xd rho0, std::vector<Eigen::Vector3i> triangles,
                 std::vector<BeamSegment> segments = {}, Eigen::MatrixXd Phi = {}, Eigen::MatrixXd Psi = {});
 
@@ -59,15 +56,15 @@ class ModalBoundary {
   Eigen::Vector3d position(const BodyMotion& motion, const BoundaryPoint& point) const;  // in W [m]
   Eigen::Vector3d velocity(const BodyMotion& motion, const BoundaryPoint& point) const;  // in W [m/s]
 
-  // Of the material there: w + A Psi(c) da, in W [rad/s]. Without Psi its modal part counts as zero.
+  // Of the material at the point: w + A Psi(c) da, in W [rad/s]. Without Psi the modal part is zero.
   Eigen::Vector3d angular_velocity(const BodyMotion& motion, const BoundaryPoint& point) const;
 
   // Adds the force f_W [N] at a boundary point: F += f, T += (c - r) x f, Q_a += (A Phi(c))^T f.
   void add_point_force(const BodyMotion& motion, const BoundaryPoint& point, const Eigen::Vector3d& f_W,
                        GeneralizedForce& Q) const;
-  // Adds the moment m_W [N m] at a boundary point: T += m, Q_a += (A Psi(c))^T m. A force f at the distance d
-  // from the point, as on the surface of a beam, is f and the moment d x f there; the velocity that belongs
-  // to it is velocity() + angular_velocity() x d.
+  // Adds the moment m_W [N m] at a boundary point: T += m, Q_a += (A Psi(c))^T m. A force f at the distance d from the
+  // point, as on the surface of a beam, equals f and the moment d x f at the point; the conjugate velocity is
+  // velocity() + angular_velocity() x d.
   void add_point_moment(const BodyMotion& motion, const BoundaryPoint& point, const Eigen::Vector3d& m_W,
                         GeneralizedForce& Q) const;
 
@@ -82,8 +79,8 @@ class ModalBoundary {
   Eigen::MatrixXd Psi_;
 };
 
-// Barycentric weights of the point c with respect to the triangle x0 x1 x2 (c projected on its plane); they
-// sum to 1. A triangle without area counts as its longer edge at x0.
+// Barycentric weights of the point c, projected on the plane of the triangle x0 x1 x2; they sum to 1. A triangle without
+// area counts as its longer edge at x0.
 Eigen::Vector3d barycentric_weights(const Eigen::Vector3d& x0, const Eigen::Vector3d& x1, const Eigen::Vector3d& x2,
                                     const Eigen::Vector3d& c);
 

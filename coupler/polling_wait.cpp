@@ -1,4 +1,4 @@
-// X
+// Doorbell: local datagram sockets in the abstract namespace. PollingWait: pauses that grow with the time waited.
 
 #include "coupler/polling_wait.h"
 
@@ -25,10 +25,10 @@ struct Address {
   sockaddr_un address{};
   socklen_t size = 0;
 
-  // A name that begins with a zero byte is no file: it goes with its socket.
-  Address(const std::string& job, int seat) {
+  // A name that begins with a zero byte is abstract: no file, it disappears with its socket.
+  Address(const std::string& job, int rank) {
     address.sun_family = AF_UNIX;
-    const std::string name = job + "." + std::to_string(seat);
+    const std::string name = job + "." + std::to_string(rank);
     const std::size_t length = std::min(name.size(), sizeof address.sun_path - 1);
     std::memcpy(address.sun_path + 1, name.data(), length);
     size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + length);
@@ -38,19 +38,19 @@ struct Address {
 
 using Seconds = std::chrono::duration<double>;
 
-constexpr double kWorthSleeping = 10e-3;       // an expected wait from which on it is slept through [s]
-constexpr double kPart = 0.75;                 // of the expected wait, slept in one go [-]
-constexpr double kShare = 1.0 / 64.0;          // nap over time waited [-]
-constexpr double kShortest = 5e-6;             // nap [s]
-constexpr double kLongest = 500e-6;            // nap without a doorbell [s]
+constexpr double kLongWait = 10e-3;            // an expected wait from which the first pause is long [s]
+constexpr double kPart = 0.75;                 // first pause over expected wait [-]
+constexpr double kShare = 1.0 / 64.0;          // pause over time waited [-]
+constexpr double kShortest = 5e-6;             // pause [s]
+constexpr double kLongest = 500e-6;            // pause without a doorbell [s]
 constexpr double kLongestWithDoorbell = 5e-3;  // [s]
-constexpr double kLate = 0.3;                  // what a busy machine may take for anything [s]
+constexpr double kLate = 0.3;                  // delay of any action on a busy machine [s]
 
 }  // namespace
 
-Doorbell::Doorbell(std::string job, int seat)
+Doorbell::Doorbell(std::string job, int rank)
     : job_(std::move(job)), socket_(socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
-  const Address mine(job_, seat);
+  const Address mine(job_, rank);
   if (socket_ >= 0 && bind(socket_, mine.get(), mine.size) != 0) {
     close(socket_);
     socket_ = -1;
@@ -61,10 +61,10 @@ Doorbell::~Doorbell() {
   if (socket_ >= 0) close(socket_);
 }
 
-bool Doorbell::ring(int seat) const {
+bool Doorbell::ring(int rank) const {
   if (socket_ < 0) return false;
-  const Address other(job_, seat);
-  // Rung so often that the queue is full: that is fine.
+  const Address other(job_, rank);
+  // A full queue is no failure: the receiver will wake.
   return sendto(socket_, "!", 1, MSG_NOSIGNAL, other.get(), other.size) >= 0 || errno != ECONNREFUSED;
 }
 
@@ -83,38 +83,38 @@ void Doorbell::wait(double seconds) const {
   }
 }
 
-void PoliteWait::nap() {
-  double nap = kPart * expected_;
-  if (expected_ > kWorthSleeping) {
+void PollingWait::pause() {
+  double length = kPart * expected_;
+  if (expected_ > kLongWait) {
     expected_ = 0.0;
   } else {
     const double waited = Seconds(std::chrono::steady_clock::now() - start_).count();
-    nap = std::clamp(kShare * waited, kShortest, doorbell_ ? kLongestWithDoorbell : kLongest);
+    length = std::clamp(kShare * waited, kShortest, doorbell_ ? kLongestWithDoorbell : kLongest);
   }
-  const double overdue = 4.0 * nap + kLate;
-  alive_for(overdue);
+  const double overdue = 4.0 * length + kLate;
+  promise_progress(overdue);
   stopped_ = stopped();
   const auto asleep = std::chrono::steady_clock::now();
   if (doorbell_)
-    doorbell_->wait(nap);
+    doorbell_->wait(length);
   else
-    std::this_thread::sleep_for(Seconds(nap));
+    std::this_thread::sleep_for(Seconds(length));
   last_ = std::chrono::steady_clock::now();
   if (const double slept = Seconds(last_ - asleep).count(); slept > overdue) stopped_ += slept;
 }
 
-double PoliteWait::stopped() const {
+double PollingWait::stopped() const {
   const double awake = Seconds(std::chrono::steady_clock::now() - last_).count();
   return stopped_ + (awake > kLate ? awake : 0.0);
 }
 
-void wait_politely(MPI_Request& request, const Doorbell* doorbell) {
-  PoliteWait wait(doorbell);
+void wait_polling(MPI_Request& request, const Doorbell* doorbell) {
+  PollingWait wait(doorbell);
   for (;;) {
     int done = 0;
     check_mpi(MPI_Test(&request, &done, MPI_STATUS_IGNORE), "MPI_Test");
     if (done) return;
-    wait.nap();
+    wait.pause();
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// X
+// Waiting for messages without keeping a core busy, which the other program may need: Open MPI's blocking calls spin.
+// PollingWait pauses between two polls; a Doorbell ends a pause early.
 
 #include <mpi.h>
 
@@ -8,45 +9,48 @@
 
 namespace footfall {
 
+// Wakes a process of the same mpirun on the same machine.
+//
+// A pause may end half a millisecond after the message has come, twice in every window. A sender therefore also rings:
+// it sends a datagram of one byte to the receiver's local socket, whose name every process of the job knows. The byte
+// carries no data and may get lost: a process that is woken polls, and one that is not polls after its pause.
 class Doorbell {
  public:
-  // `job`: the same for all processes of one job and no others on this machine; `seat`: of this process, from 0.
-  Doorbell(std::string job, int seat);
+  // job: the same for all processes of a job and unique on this machine; rank: of this process.
+  Doorbell(std::string job, int rank);
   ~Doorbell();
   Doorbell(const Doorbell&) = delete;
   Doorbell& operator=(const Doorbell&) = delete;
 
-  // False where the machine gives no local socket: waits last their whole time.
+  // False where the machine offers no local sockets: pauses then last their full time.
   bool works() const { return socket_ >= 0; }
-  bool ring(int seat) const;        // never blocks; false when nobody sits there (any more)
-  void wait(double seconds) const;  // until rung, or so long; a ring since the last wait counts
+  bool ring(int rank) const;        // never blocks; false when no process of this rank exists (any more)
+  void wait(double seconds) const;  // until rung, or that long; a ring since the last wait counts
 
  private:
   std::string job_;
   int socket_ = -1;
 };
 
-// The naps between two looks. Three quarters of a wait that is expected to be long are slept through; then one looks
-// again after 1/64 of the time waited so far, 5 to 500 microseconds: what is lost stays a small part of every wait, and
-// who looks seldom does not push the other program off its core. A doorbell ends a nap when it rings, so that with one
-// the naps may last up to 5 milliseconds.
-class PoliteWait {
+// The pauses of one wait. Where a long wait is expected, the first pause lasts three quarters of it. Then each lasts
+// 1/64 of the time waited so far, between 5 and 500 microseconds (5 milliseconds with a doorbell): the delay stays a
+// small part of every wait, and rare polls do not push the other program off its core.
+class PollingWait {
  public:
-  explicit PoliteWait(const Doorbell* doorbell, double expected_seconds = 0.0)
+  explicit PollingWait(const Doorbell* doorbell, double expected_seconds = 0.0)
       : doorbell_(doorbell), expected_(expected_seconds), start_(std::chrono::steady_clock::now()) {}
-  void nap();
-  // Overslept in naps or lost between two, as this program was stopped (a suspended job): no time in which the partner
-  // was silent [s].
+  void pause();
+  // Time [s] in which this program itself was stopped (a suspended job); the partner was not silent then.
   double stopped() const;
 
  private:
   const Doorbell* doorbell_;                                     // may be null
   double expected_;                                              // [s]
-  std::chrono::steady_clock::time_point start_, last_ = start_;  // the end of the last nap
-  double stopped_ = 0.0;
+  std::chrono::steady_clock::time_point start_, last_ = start_;  // last_: end of the last pause
+  double stopped_ = 0.0;                                         // [s]
 };
 
 // Returns when the request is complete.
-void wait_politely(MPI_Request& request, const Doorbell* doorbell);
+void wait_polling(MPI_Request& request, const Doorbell* doorbell);
 
 }  // namespace footfall

@@ -1,25 +1,29 @@
 #pragma once
-// The two programs of a coupled run, as messages name them.
+// The two programs of a coupled run: their names in messages, and the environment variables by which `footfall` controls
+// them.
 
 namespace footfall {
 
-inline constexpr const char* kGrainsProgram = "liggghts_mbd";
-inline constexpr const char* kMechanismProgram = "mbd_solver";
+inline constexpr const char* kDemProgram = "liggghts_mbd";
+inline constexpr const char* kMbdProgram = "mbd_solver";
 inline constexpr const char* kStartBoth = "mpirun -np N liggghts_mbd -in SCRIPT : -np 1 mbd_solver SCENE";
 
-// In the environment of a liggghts_mbd whose work is of use only when it is whole (a bed): a signal ends it at once, and
-// it leaves no restart file behind, but this word on standard error.
+// For a liggghts_mbd whose result is of use only when complete (a bed): a signal ends it at once. It then writes no
+// restart file, and this line to standard error.
 inline constexpr const char* kAllOrNothing = "FOOTFALL_ALL_OR_NOTHING";
-inline constexpr const char* kStoppedWord = "liggghts_mbd: interrupted\n";
+inline constexpr const char* kStoppedLine = "liggghts_mbd: interrupted\n";
 
-// In the environment of both programs of a run that is audited: the folder into which they write what they count for
-// `footfall audit`.
+// For both programs of an audited run: the folder into which they write their balances of momentum and energy.
 inline constexpr const char* kAuditFolder = "FOOTFALL_AUDIT";
 
-// In the environment: the file that becomes the note.
-inline constexpr const char* kFailureNote = "FOOTFALL_FAILURE_NOTE";
+// For liggghts_mbd: it refuses every program that the script would run (`shell`, pipes), however the script writes it.
+inline constexpr const char* kNoPrograms = "FOOTFALL_NO_PROGRAMS";
+bool programs_are_refused();
 
-// Leaves the note; nothing happens where no front door asks for one.
+// For both programs: the file by which a program marks that it failed by itself. mpirun's exit code cannot show this: it
+// is 1 as well when mpirun was asked to end.
+inline constexpr const char* kFailureNote = "FOOTFALL_FAILURE_NOTE";
+// Creates that file; does nothing where the variable is not set.
 void note_failure();
 
 }  // namespace footfall

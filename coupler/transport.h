@@ -1,5 +1,5 @@
 #pragma once
-// How bytes get to the partner program. Two kinds: MPI between two programs, loopback between two threads of one.
+// Carries bytes to the partner program. Two kinds: MPI between two programs, loopback between two threads of one.
 
 #include <string>
 
@@ -7,35 +7,35 @@
 
 namespace footfall {
 
-// How long a side that ends waits for the other: for its answer, or for the last message to leave [s].
-inline constexpr double kParting = 2.0;
+// How long a side that ends waits for the other: for its Close, or until its own last message has left [s].
+inline constexpr double kCloseWait = 2.0;
 
 class Transport {
  public:
   virtual ~Transport() = default;
-  // Sends without waiting for the partner to read. Throws PartnerError when the partner is known to be gone.
+  // Does not wait until the partner receives. Throws PartnerError when the partner is known to be gone.
   virtual void send(MessageKind kind, const Bytes& bytes) = 0;
-  // This side has other work to do before it waits for an answer, and the partner shall not wait for that: it is told of
-  // what was sent at once. Who waits next leaves it out.
+  // Wakes a partner that waits for what was sent. Otherwise receive() does so; call it where this side has other work
+  // before it waits.
   virtual void wake_partner() {}
-  // True when a message waits. Never blocks.
+  // True when a message has come. Never blocks.
   virtual bool poll() = 0;
-  // Waits, without keeping a core busy, for the next message and returns its kind.
-  // Throws PartnerError when the partner is gone, or has said nothing for patience [s] (0: wait for ever); Interrupted
-  // when the end of this program was asked for and the partner has not answered soon after.
+  // Waits for the next message without keeping a core busy, and returns its kind. Throws PartnerError when the partner
+  // is gone or has sent nothing for `patience` [s] (0: no limit); Interrupted when this program was asked to end and
+  // the partner has not answered soon after.
   virtual MessageKind receive(Bytes& bytes, double patience) = 0;
-  // Who is at the other end, for messages: "mbd_solver", "liggghts_mbd".
+  // Name of the other end for messages: "mbd_solver", "liggghts_mbd".
   virtual std::string partner() const = 0;
 
-  // How the conversation ended, for who ends the program. parted: the last word was sent. given_up: the partner did not
-  // answer it, may be stopped or hung, and an orderly end would wait for it for ever.
-  void part() { parted_ = true; }
-  bool parted() const { return parted_; }
-  void give_up() { given_up_ = true; }
-  bool given_up() const { return given_up_; }
+  // State of the end of the conversation. closing: Close was sent. unanswered: the partner did not answer it; it may be
+  // stopped or hang, and an orderly end would wait for it for ever.
+  void set_closing() { closing_ = true; }
+  bool closing() const { return closing_; }
+  void set_unanswered() { unanswered_ = true; }
+  bool unanswered() const { return unanswered_; }
 
  private:
-  bool parted_ = false, given_up_ = false;
+  bool closing_ = false, unanswered_ = false;
 };
 
 }  // namespace footfall

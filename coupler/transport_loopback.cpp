@@ -1,8 +1,12 @@
+// Two queues with a mutex each; receive() waits on a condition variable.
+
 #include "coupler/transport_loopback.h"
 
 #include <chrono>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "coupler/codes.h"
 
 namespace footfall {
 
@@ -40,11 +44,11 @@ MessageKind TransportLoopback::receive(Bytes& bytes, double patience) {
   const auto ready = [this] { return !in_->messages.empty() || in_->sender_gone; };
   if (patience > 0.0) {
     if (!in_->arrived.wait_for(lock, std::chrono::duration<double>(patience), ready))
-      throw PartnerError(partner_ + " has said nothing for " + std::to_string(patience) + " s");
+      throw PartnerError(code::kPartnerSilent, partner_ + " has sent nothing for " + number_text(patience) + " s");
   } else {
     in_->arrived.wait(lock, ready);
   }
-  if (in_->messages.empty()) throw PartnerError(partner_ + " is gone");
+  if (in_->messages.empty()) throw PartnerError(code::kPartnerGone, partner_ + " is gone");
   const MessageKind kind = in_->messages.front().first;
   bytes.swap(in_->messages.front().second);
   in_->messages.pop_front();

@@ -1,6 +1,6 @@
 #pragma once
-// Two ends of a pair of queues inside one process: the whole exchange without MPI. Used by tests and accuracy studies
-// with the two sides on two threads, or on one thread that sends before it receives.
+// A pair of queues within one process: the whole exchange without MPI. Tests and accuracy studies use it, with the two
+// sides on two threads, or on one thread that sends before it receives.
 
 #include <condition_variable>
 #include <deque>
@@ -15,9 +15,9 @@ namespace footfall {
 
 class TransportLoopback : public Transport {
  public:
-  // The two ends. Destroying one end makes receive() at the other throw PartnerError once its queue is empty.
+  // The two ends. When one is destroyed, receive() at the other throws PartnerError once its queue is empty.
   static std::pair<std::unique_ptr<TransportLoopback>, std::unique_ptr<TransportLoopback>> make_pair(
-      std::string first_name = kGrainsProgram, std::string second_name = kMechanismProgram);
+      std::string first_name = kDemProgram, std::string second_name = kMbdProgram);
   ~TransportLoopback() override;
 
   void send(MessageKind kind, const Bytes& bytes) override;

@@ -1,3 +1,6 @@
+// The root sends by MPI_Isend and polls by MPI_Iprobe; messages reach the other ranks by MPI_Ibcast. Doorbells end the
+// pauses of whoever waits.
+
 #include "coupler/transport_mpi.h"
 
 #include <algorithm>
@@ -10,6 +13,8 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "coupler/codes.h"
 #include "coupler/communicator.h"
 #include "coupler/interrupt.h"
 #include "coupler/polling_wait.h"
@@ -20,10 +25,10 @@ TransportMpi::TransportMpi(const Communicator& communicator, std::string partner
     : exchange_(communicator.exchange()),
       world_(communicator.world()),
       is_root_(communicator.is_root()),
-      shared_(communicator.size() > 1),
+      forwards_(communicator.size() > 1),
       partner_root_(communicator.partner_root()),
       doorbell_(communicator.doorbell()),
-      own_seats_(communicator.own_seats()),
+      own_ranks_(communicator.own_ranks()),
       partner_(std::move(partner_name)) {
   FOOTFALL_DEMAND(communicator.has_partner());
 }
@@ -32,42 +37,43 @@ TransportMpi::~TransportMpi() {
   int finalized = 0;
   MPI_Finalized(&finalized);
   if (finalized) return;
-  finish(handing_, kParting);  // a rank that has failed never takes it
+  finish(forwarding_, kCloseWait);  // a rank that has failed never receives it
   if (request_ == MPI_REQUEST_NULL) return;
   try {
-    if (finish_last_send(kParting)) return;
-  } catch (const PartnerError&) {  // the partner is gone, and the message with it
+    if (finish(request_, kCloseWait)) return;
+  } catch (const PartnerError&) {  // the partner is gone
   }
-  // The partner never read it. MPI may still look at the bytes, so they stay with the process.
+  // The partner never received it. MPI may still read the bytes: they stay allocated.
   std::make_unique<Bytes>(std::move(sending_)).release();
   MPI_Request_free(&request_);
 }
 
 void TransportMpi::send(MessageKind kind, const Bytes& bytes) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-    throw ProtocolError("message " + message_name(kind) + " has " + std::to_string(bytes.size()) +
-                        " bytes; MPI takes at most 2^31 - 1");
+    throw ProtocolError(code::kMessageTooLarge, "message " + message_name(kind) + " has " +
+                                                    std::to_string(bytes.size()) +
+                                                    " bytes; MPI sends at most 2^31 - 1");
   if (!is_root_) return;
-  // A partner that is stopped may never read the message before; the last word does not wait for that.
-  if (!finish_last_send(kind == MessageKind::kClose ? kParting : 0.0))
-    throw PartnerError(partner_ + " does not read what it was sent");
+  // A stopped partner may never receive the previous message; Close does not wait for that.
+  if (!finish(request_, kind == MessageKind::kClose ? kCloseWait : 0.0))
+    throw PartnerError(code::kPartnerNotReceiving, partner_ + " does not receive what was sent to it");
   sending_ = bytes;
   check_mpi(MPI_Isend(sending_.data(), static_cast<int>(sending_.size()), MPI_BYTE, partner_root_,
                       static_cast<int>(kind), exchange_, &request_),
             "MPI_Isend");
-  unheard_ = true;
+  ring_due_ = true;
   if (kind == MessageKind::kClose) ring_partner();
 }
 
-// Not when something is sent but when this side has nothing to do any more: a partner that wakes before takes its core,
-// and ranks that share one need milliseconds to part again.
+// Rings only when this side has no work left, not when it sends: a partner that wakes earlier takes this side's core,
+// and processes that share a core need milliseconds to separate.
 void TransportMpi::ring_partner() {
-  if (doorbell_ && unheard_ && doorbell_->ring(partner_root_)) partner_heard_ = true;
-  unheard_ = false;
+  if (doorbell_ && ring_due_ && doorbell_->ring(partner_root_)) partner_was_rung_ = true;
+  ring_due_ = false;
 }
 
-// On a machine whose cores all belong to ranks, one of them wakes on this core: it goes first, and this side works where
-// ranks wait for each other. Without that the exchange took as long as what was done meanwhile.
+// Where ranks occupy all cores, one of them wakes on this core. It runs first, and this side works while ranks wait for
+// each other; otherwise the exchange would take as long as the work that overlaps with it.
 void TransportMpi::wake_partner() {
   ring_partner();
   std::this_thread::yield();
@@ -75,21 +81,21 @@ void TransportMpi::wake_partner() {
 
 bool TransportMpi::poll() {
   MPI_Status status;
-  return is_root_ && has_come(status);
+  return is_root_ && message_waits(status);
 }
 
-// Twice: Open MPI looks at its queue first and fetches what has come afterwards, so that one look alone tells of a
-// message at the next one only. A nap between the two was most of what an exchange cost.
-bool TransportMpi::has_come(MPI_Status& status) const {
+// Probes twice: Open MPI reads its queue first and fetches new messages afterwards, so that a single probe finds a
+// message only the next time, after a pause that costs more than the rest of an exchange.
+bool TransportMpi::message_waits(MPI_Status& status) const {
   int waiting = 0;
-  for (int look = 0; look < 2 && !waiting; ++look)
+  for (int probe = 0; probe < 2 && !waiting; ++probe)
     check_mpi(MPI_Iprobe(partner_root_, MPI_ANY_TAG, exchange_, &waiting, &status), "MPI_Iprobe");
   return waiting != 0;
 }
 
 MessageKind TransportMpi::receive(Bytes& bytes, double patience) {
-  if (!shared_) return receive_at_root(bytes, patience);
-  wait_politely(handing_, doorbell_);
+  if (!forwards_) return receive_at_root(bytes, patience);
+  wait_polling(forwarding_, doorbell_);
   if (is_root_) {
     try {
       head_.kind = static_cast<int>(receive_at_root(bytes, patience));
@@ -101,14 +107,14 @@ MessageKind TransportMpi::receive(Bytes& bytes, double patience) {
     head_.size = static_cast<int>(bytes.size());
     std::copy_n(bytes.begin(), std::min(bytes.size(), head_.bytes.size()), head_.bytes.begin());
   }
-  handing_ = hand_on(&head_, sizeof head_);
-  if (!is_root_) wait_politely(handing_, doorbell_);
+  forwarding_ = forward(&head_, sizeof head_);
+  if (!is_root_) wait_polling(forwarding_, doorbell_);
   bytes.resize(static_cast<std::size_t>(head_.size));
   const std::size_t known = std::min(bytes.size(), head_.bytes.size());
   std::copy_n(head_.bytes.begin(), known, bytes.begin());
   if (bytes.size() > known) {
-    MPI_Request rest = hand_on(bytes.data() + known, bytes.size() - known);
-    wait_politely(rest, doorbell_);
+    MPI_Request rest = forward(bytes.data() + known, bytes.size() - known);
+    wait_polling(rest, doorbell_);
   }
   if (head_.kind == Head::kFailure) throw PartnerError(std::string(bytes.begin(), bytes.end()));
   if (head_.kind == Head::kInterrupt) throw Interrupted(std::string(bytes.begin(), bytes.end()));
@@ -116,23 +122,23 @@ MessageKind TransportMpi::receive(Bytes& bytes, double patience) {
 }
 
 // From the root to all ranks of this program.
-MPI_Request TransportMpi::hand_on(void* data, std::size_t size) const {
+MPI_Request TransportMpi::forward(void* data, std::size_t size) const {
   MPI_Request request = MPI_REQUEST_NULL;
   check_mpi(MPI_Ibcast(data, static_cast<int>(size), MPI_BYTE, 0, world_, &request), "MPI_Ibcast");
   wake_own_ranks();
   return request;
 }
 
-// The root has handed something on.
+// After the root has forwarded something.
 void TransportMpi::wake_own_ranks() const {
   if (!doorbell_ || !is_root_) return;
-  for (std::size_t rank = 1; rank < own_seats_.size(); ++rank) doorbell_->ring(own_seats_[rank]);
+  for (std::size_t rank = 1; rank < own_ranks_.size(); ++rank) doorbell_->ring(own_ranks_[rank]);
 }
 
-// Its bell was there, and has been missing for so long that its last message has come.
+// Its doorbell was there, and has been missing for so long that its last message must have come.
 bool TransportMpi::partner_is_gone() {
   constexpr double kLastMessage = 0.5;  // [s]
-  if (!partner_heard_ || doorbell_->ring(partner_root_)) {
+  if (!partner_was_rung_ || doorbell_->ring(partner_root_)) {
     gone_since_ = 0.0;
     return false;
   }
@@ -144,25 +150,25 @@ bool TransportMpi::partner_is_gone() {
 MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
   ring_partner();
   const double start = wall_clock();
-  constexpr double kBetweenLooks = 0.2;  // at the partner [s]
-  double next_look = start + kBetweenLooks;
-  PoliteWait wait(doorbell_, expected_wait_);
+  constexpr double kBetweenChecks = 0.2;  // whether the partner is there [s]
+  double next_check = start + kBetweenChecks;
+  PollingWait wait(doorbell_, expected_wait_);
   MPI_Status status;
   for (;;) {
-    if (has_come(status)) break;
+    if (message_waits(status)) break;
     if (patience > 0.0 && wall_clock() - start - wait.stopped() > patience)
-      throw PartnerError(partner_ + " has said nothing for " + std::to_string(patience) + " s");
-    // The last word has a wait of its own (Link::fail).
-    if (!parted() && waited_enough(wall_clock() - start))
-      throw Interrupted("stopped by a signal while " + partner_ + " was waited for");
-    if (wall_clock() > next_look) {
-      if (partner_is_gone()) throw PartnerError(partner_ + " is gone");
-      next_look = wall_clock() + kBetweenLooks;
+      throw PartnerError(code::kPartnerSilent, partner_ + " has sent nothing for " + number_text(patience) + " s");
+    // The answer to Close has a time limit of its own (Link::fail).
+    if (!closing() && must_stop_waiting(wall_clock() - start))
+      throw Interrupted(code::kInterruptedWaiting, "stopped by a signal while waiting for " + partner_);
+    if (wall_clock() > next_check) {
+      if (partner_is_gone()) throw PartnerError(code::kPartnerGone, partner_ + " is gone");
+      next_check = wall_clock() + kBetweenChecks;
     }
-    wait.nap();
+    wait.pause();
   }
   const double waited = wall_clock() - start;
-  constexpr double kLongestSleep = 1.0;  // a Close must not wait longer to be heard [s]
+  constexpr double kLongestSleep = 1.0;  // a Close must not wait longer than this to be received [s]
   expected_wait_ = status.MPI_TAG == last_kind_ ? std::min({waited, last_wait_, kLongestSleep}) : 0.0;
   last_wait_ = waited;
   last_kind_ = status.MPI_TAG;
@@ -174,18 +180,16 @@ MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
   return static_cast<MessageKind>(status.MPI_TAG);
 }
 
-// True once the last send has left. patience [s]: 0 waits for ever.
-bool TransportMpi::finish_last_send(double patience) { return finish(request_, patience); }
-
+// True once the request is complete. patience [s]: 0: no limit.
 bool TransportMpi::finish(MPI_Request& request, double patience) const {
   const double start = wall_clock();
-  PoliteWait wait(doorbell_);
+  PollingWait wait(doorbell_);
   for (;;) {
     int done = 0;
     check_mpi(MPI_Test(&request, &done, MPI_STATUS_IGNORE), "MPI_Test");
     if (done) return true;
     if (patience > 0.0 && wall_clock() - start > patience) return false;
-    wait.nap();
+    wait.pause();
   }
 }
 

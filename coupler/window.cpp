@@ -1,3 +1,5 @@
+// prediction(tau) + e g(u), and the sums of a steady translation where the motion is one.
+
 #include "coupler/window.h"
 
 #include <algorithm>
@@ -8,8 +10,7 @@
 namespace footfall {
 namespace {
 
-// Below this, relative to the way the body has come, a gap is the round-off of two ways of adding up the same
-// motion.
+// A gap below this, relative to the distance travelled, is the round-off of two ways of summing the same motion.
 constexpr double kRoundOff = 1e-12;
 
 void difference(const BodyMotion& from, const BodyMotion& to, BoundaryStep& out) {
@@ -36,7 +37,7 @@ BoundaryPath::BoundaryPath(const Scheme& scheme, const BodyMotion& initial)
       jump_(initial.mode_count()),
       gap_(initial.mode_count()) {}
 
-// The rest belongs to one window.
+// All other members are set anew in each window.
 void BoundaryPath::visit(Archive& archive) {
   archive("pose", pose_);
   archive("travelled", travelled_);
@@ -53,7 +54,7 @@ void BoundaryPath::begin_window(const BodyMotion& start, int n, double dt) {
   set_zero(jump_);
   difference(start_, pose_, gap_);
 
-  // Is the predicted motion one constant velocity, and does it start where the boundary stands?
+  // Is the predicted motion a constant velocity from the current position?
   const double H = n * dt;
   scheme_.predict(start_, 0.0, before_);
   const Eigen::Vector3d velocity = before_.dr;
@@ -102,7 +103,7 @@ void BoundaryPath::set_pose_at(double tau) {
   shifted_.L = turned(start_.L, g * gap_.theta_W);
   shifted_.a = start_.a + g * gap_.a;
   scheme_.predict(shifted_, tau, pose_);
-  // The closing turn is followed by the predicted one, which turns its angular velocity.
+  // The predicted rotation follows the one that closes the gap, and rotates its angular velocity.
   const Eigen::Vector3d turn_rate = g_rate * gap_.theta_W;
   pose_.dr += g_rate * gap_.r;
   if (!turn_rate.isZero(0.0)) pose_.w += pose_.rotation() * (shifted_.rotation().transpose() * turn_rate);

@@ -1,22 +1,21 @@
 #pragma once
-// The path of one body's boundary through the windows of a run: where the grains see it at every substep.
-// theory 7.4.
+// The path of one body's boundary through the windows of a run: its position for the grains at every substep. theory 7.4.
 //
-// Jump. At the end of a window the prediction misses the computed state by a gap e of O(H^2). Moving a loaded
-// boundary by e at once does work on nobody's account. A continuous path starts where the boundary stands and
-// closes the gap within the window:
+// Jump. At the end of a window the prediction misses the computed state by a gap e of O(H^2). Moving a loaded boundary
+// by e at once creates energy. A continuous path starts at the boundary's current position and closes the gap within the
+// window:
 //   x(tau) = prediction(tau) + e g(u),  u = tau / H
 //   g(u) = 1 - 4 u + 3 u^2
-// g has zero mean, so that the mean position over the window stays that of the prediction, and with it the
-// elastic load: for a body on an elastic contact the amplification stays 1 up to omega H = 2. (Closing it by
-// 1 - u shifts the mean by e/2: it grows at any H.) The mean velocity becomes that of the prediction - e / H,
-// which is second order where the prediction alone is first: so contact damping keeps the order as well.
+// g has zero mean: the mean position over the window remains that of the prediction, and with it the elastic load. For a
+// body on an elastic contact the amplification is then 1 up to omega H = 2. (Closing the gap by 1 - u shifts the mean by
+// e/2, and the amplitude grows at any H.) The mean velocity is that of the prediction - e / H, which is of second order
+// where the prediction alone is of first: contact damping keeps the order as well.
 // Two-mass oscillator of theory 7.3 (H = 1 ms; linear prediction, trapezoid):
 //                     error at 0.2 s, order   energy after 5 s   order with 100 N s/m in the contact
 //   jump              3.1e-3, 2.0             1.008              1.0
 //   closed by 1 - u   1.2e-2, 2.1             1.045              1.9
 //   closed by g       2.7e-3, 2.0             1.001              2.0
-// The velocity that contact damping sees is the derivative of the path.
+// Contact damping acts on the derivative of the path.
 
 #include "coupler/archive.h"
 #include "coupler/body_motion.h"
@@ -24,8 +23,7 @@
 
 namespace footfall {
 
-// What the boundary did in one substep, in generalized coordinates: the displacement whose partner is the
-// GeneralizedForce.
+// Displacement of the boundary in one substep, in generalized coordinates; conjugate to GeneralizedForce.
 struct BoundaryStep {
   explicit BoundaryStep(int modes = 0) : a(Eigen::VectorXd::Zero(modes)) {}
   Eigen::Vector3d r = Eigen::Vector3d::Zero();        // [m]
@@ -33,26 +31,25 @@ struct BoundaryStep {
   Eigen::VectorXd a;                                  // s
 };
 
-// One body. Both programs may hold one: the DEM side to move nodes, the multibody side to know the mean
-// predicted pose. Window: begin_window(motion sent for t_k, n, dt), then advance() n times; after each, pose()
-// is the path at t_k + i dt.
+// The path of one body. The DEM side moves nodes by it; the multibody side computes the mean predicted pose from it. Call
+// begin_window(motion sent for t_k, n, dt), then advance() n times; after each, pose() is the path at t_k + i dt.
 class BoundaryPath {
  public:
-  // The boundary stands at `initial` until the first window. The scheme must outlive the path.
+  // The boundary is at `initial` until the first window. The scheme must outlive the path.
   BoundaryPath(const Scheme& scheme, const BodyMotion& initial);
 
-  // New window of n substeps of dt [s] from `start`: place at t_k and rates of the path. If the path jumps, pose()
-  // jumps here and jump() tells by how much.
+  // Begins a window of n substeps of dt [s] from `start`: position at t_k and rates of the path. If the path jumps,
+  // pose() jumps here by jump().
   void begin_window(const BodyMotion& start, int n, double dt);
-  // One substep on. Precondition: fewer than n calls since begin_window.
+  // Goes one substep further. Precondition: fewer than n calls since begin_window.
   void advance();
 
   const BodyMotion& pose() const { return pose_; }         // r, L, a, dr, w, da of the boundary now
-  const BoundaryStep& last_step() const { return step_; }  // done by the last advance()
+  const BoundaryStep& last_step() const { return step_; }  // by the last advance()
   const BoundaryStep& jump() const { return jump_; }       // by the last begin_window(); zero for a continuous path
-  // True when this window is a translation at constant velocity from where the boundary stands, to round-off:
-  // nodes may then be moved by x += dr * dt per substep, exactly as LIGGGHTS' own `fix move/mesh linear`
-  // does. pose() follows the same sums.
+  // True when this window is a translation at constant velocity from the current position, to round-off. Nodes may then
+  // be moved by x += dr * dt per substep, exactly as LIGGGHTS' own `fix move/mesh linear` does; pose() is summed up in
+  // the same way.
   bool steady_translation() const { return steady_; }
   int substeps_left() const { return n_ - i_; }
   bool first_substep() const { return i_ == 1; }
@@ -63,17 +60,17 @@ class BoundaryPath {
   void set_pose_at(double tau);
 
   const Scheme& scheme_;
-  BodyMotion start_;    // the motion sent: place at t_k, rates of the path
+  BodyMotion start_;    // the motion sent: position at t_k, rates of the path
   BodyMotion pose_;     // the path now
   BodyMotion before_;   // the path one substep ago
-  BodyMotion shifted_;  // start_ moved by what is left of the gap
+  BodyMotion shifted_;  // start_ moved by the rest of the gap
   BoundaryStep step_;
   BoundaryStep jump_;
-  BoundaryStep gap_;        // from the place at t_k to where the boundary stood
-  double travelled_ = 0.0;  // largest |r| met, the scale of round-off in r [m]
-  double amplitude_ = 0.0;  // largest |a| met, likewise
+  BoundaryStep gap_;        // from the position at t_k to the end of the path before
+  double travelled_ = 0.0;  // largest |r| so far, the scale of round-off in r [m]
+  double amplitude_ = 0.0;  // largest |a| so far, likewise
   int n_ = 0;               // substeps of this window
-  int i_ = 0;               // substeps done
+  int i_ = 0;               // of them done
   double dt_ = 0.0;         // [s]
   bool steady_ = false;
 };

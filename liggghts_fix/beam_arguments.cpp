@@ -4,7 +4,7 @@
 #include <set>
 
 #include "coupler/base/errors.h"
-#include "coupler/words.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 namespace {

@@ -18,7 +18,7 @@ DemBody::DemBody(const CoupledBody& scene_body, const Scheme& scheme)
       path_(scheme, scene_body.initial),
       average_(scheme, scene_body.boundary.mode_count()),
       now_(scene_body.boundary.mode_count()),
-      scheme_wants_slopes_(scheme.wants_tangent()) {
+      scheme_wants_slopes_(scheme.requires_tangent()) {
   share_.mean = MeanLoad(boundary_.mode_count());
   if (scheme_wants_slopes_) share_.tangent.resize(1);
   load_ = share_;
@@ -80,7 +80,7 @@ void DemBody::add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slop
   footfall::add_slope(slope, point_W - path_.pose().r, slopes_now_);
 }
 
-void DemBody::take_standing() { average_.set_standing(now_, path_.pose()); }
+void DemBody::take_standing() { average_.set_opening_force(now_, path_.pose()); }
 
 void DemBody::end_substep(double dt) {
   average_.add_step(now_, path_.pose(), path_.last_step(), dt);

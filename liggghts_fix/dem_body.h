@@ -51,8 +51,8 @@ class DemBody {
   // The forces just evaluated stand before the next substep (a run was set up).
   void take_standing();
   // They go on from a set-up as they were before it.
-  void set_standing(const StandingForce& force) { average_.set_standing(force); }
-  const StandingForce& standing() const { return average_.standing(); }  // of this rank
+  void set_opening_force(const OpeningForce& force) { average_.set_opening_force(force); }
+  const OpeningForce& standing() const { return average_.opening_force(); }  // of this rank
   void end_substep(double dt);
   // Of the contacts on this rank since clear_contacts.
   const GeneralizedForce& contact_force() const { return now_; }

@@ -6,9 +6,9 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "coupler/finite_check.h"
 #include "coupler/interrupt.h"
 #include "coupler/message_fields.h"
+#include "coupler/messages.h"
 #include "liggghts_fix/stay_on_core.h"
 
 namespace footfall {
@@ -22,7 +22,7 @@ std::string number(double value) { return number_text(value, 10); }
 void DemLink::say_alive() {
   constexpr double kLate = 0.3;  // [s]
   const double now = wall_clock();
-  alive_for(4.0 * (stepped_ > 0.0 ? now - stepped_ : 0.0) + kLate);
+  promise_progress(4.0 * (stepped_ > 0.0 ? now - stepped_ : 0.0) + kLate);
   stepped_ = now;
 }
 
@@ -67,7 +67,7 @@ void DemLink::begin_window() {
                         std::to_string(motion_.bodies.size()) + " bodies; expected at most " + std::to_string(n_) +
                         " substeps and " + std::to_string(bodies_.size()) + " bodies");
   const std::vector<double>& inverse_masses = motion_.inverse_masses;
-  if (script_.wants_masses &&
+  if (script_.requires_masses &&
       (inverse_masses.size() != bodies_.size() || !std::all_of(inverse_masses.begin(), inverse_masses.end(),
                                                                [](double x) { return x >= 0.0 && std::isfinite(x); })))
     throw ProtocolError("window " + std::to_string(windows_) + ": " + link_->partner() +
@@ -82,7 +82,7 @@ void DemLink::begin_window() {
       throw NumericalError("the motion of body \"" + names_[i] + "\" at t = " + number(motion_.time) +
                            " s is not finite (" + place + ")");
     if (windows_ > 0) work_received_ += bodies_[i]->work_between(at_last_start_[i], start);
-    bodies_[i]->begin_window(start, motion_.n, dt_, script_.wants_masses ? inverse_masses[i] : 0.0);
+    bodies_[i]->begin_window(start, motion_.n, dt_, script_.requires_masses ? inverse_masses[i] : 0.0);
   }
   work_given_ += window_work_;
   window_work_ = 0.0;
@@ -150,7 +150,7 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
   }
   work_ += window_work_;
   load_.window = windows_++;
-  load_.asked_to_end = asked_to_end_;
+  load_.end_requested = asked_to_end_;
   const double now = wall_clock();
   load_.wall_seconds = now - sent_ - waited_;
   load_.waited_seconds = waited_;

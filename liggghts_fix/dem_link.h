@@ -74,7 +74,7 @@ class DemLink {
   // Checkpoints: the folder in which this side has to keep itself after the window that has just ended; empty: it has
   // not. `step` as for start().
   std::string checkpoint() const { return substeps_left_ == 0 && windows_ > 0 ? motion_.checkpoint : ""; }
-  bool keeps_quietly() const { return motion_.quietly; }  // without a trace in what follows
+  bool keeps_quietly() const { return motion_.undisturbed; }  // without a trace in what follows
   static std::string memory_file(const std::string& folder) { return folder + "/grains.txt"; }
   std::string memory(std::int64_t step);  // what stands in that file
   // All files of the folder are there; done false: none is, as it could not be done quietly.

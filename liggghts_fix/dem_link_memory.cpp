@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/whole_file.h"
+#include "coupler/base/files.h"
 #include "coupler/message_fields.h"
 #include "liggghts_fix/dem_link.h"
 
@@ -50,7 +50,7 @@ std::string DemLink::memory(std::int64_t step) {
 }
 
 void DemLink::kept(std::int64_t step, bool done) {
-  Kept kept;
+  CheckpointDone kept;
   kept.window = motion_.window;
   kept.step = step;
   kept.done = done;
@@ -75,7 +75,7 @@ void DemLink::visit(Archive& archive) {
 std::vector<double> DemLink::standing() const {
   std::vector<double> row;
   for (const auto& body : bodies_) {
-    const StandingForce& force = body->standing();
+    const OpeningForce& force = body->standing();
     row.insert(row.end(), force.F_W.data(), force.F_W.data() + 3);
     row.insert(row.end(), force.T_B.data(), force.T_B.data() + 3);
     row.insert(row.end(), force.Q_a.data(), force.Q_a.data() + force.Q_a.size());
@@ -86,14 +86,14 @@ std::vector<double> DemLink::standing() const {
 void DemLink::stand_as_kept(bool on_this_rank) {
   const double* next = kept_standing_.data();
   for (const auto& body : bodies_) {
-    StandingForce force(body->boundary().mode_count());
+    OpeningForce force(body->boundary().mode_count());
     if (on_this_rank) {
       force.F_W = Eigen::Map<const Eigen::Vector3d>(next);
       force.T_B = Eigen::Map<const Eigen::Vector3d>(next + 3);
       force.Q_a = Eigen::Map<const Eigen::VectorXd>(next + 6, force.Q_a.size());
     }
     next += 6 + force.Q_a.size();
-    body->set_standing(force);
+    body->set_opening_force(force);
   }
   FOOTFALL_DEMAND(next == kept_standing_.data() + kept_standing_.size());
   forces_are_new_ = false;

@@ -5,10 +5,8 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/nearest_name.h"
 #include "coupler/base/text.h"
-#include "coupler/finite_check.h"
-#include "coupler/gravity.h"
+#include "coupler/messages.h"
 #include "coupler/programs.h"
 #include "coupler/schemes/registry.h"
 #include "liggghts_fix/dem_link.h"
@@ -39,7 +37,7 @@ void DemLink::greet(const std::string& unit_style) {
   link_->send(hello);
   link_->receive(geometry_);
   check_partner(link_->partner(), kProtocolVersion, geometry_.footfall_version);
-  demand_finite(geometry_, link_->partner());
+  require_finite(geometry_, link_->partner());
   greeted_ = true;
   if (!geometry_.resume.empty()) read_memory();
 }
@@ -117,7 +115,7 @@ void DemLink::start(Start script) {
   script_ = std::move(script);
   link_->send(script_);
   link_->receive(accept_);
-  demand_finite(accept_, link_->partner());
+  require_finite(accept_, link_->partner());
   if (accept_.patience > 0.0 && !own_patience_) link_->set_patience(accept_.patience);
   sent_ = wall_clock();
   lost_here_ = 0.0;

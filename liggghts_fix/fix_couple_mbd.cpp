@@ -8,8 +8,8 @@
 #include "atom.h"
 #include "comm.h"
 #include "coupler/base/errors.h"
+#include "coupler/communicator.h"
 #include "coupler/interrupt.h"
-#include "coupler/mpi_check.h"
 #include "fix_mesh_surface.h"
 #include "integrate.h"
 #include "liggghts_fix/fix_couple_mbd_ahead.h"
@@ -98,10 +98,10 @@ void FixCoupleMbd::init() {
   script.n = arguments_.every;
   script.step = update->ntimestep;
   script.may_end_early = !arguments_.end_of_scene;
-  script.wants_masses = arguments_.mass_of_pair;
+  script.requires_masses = arguments_.mass_of_pair;
   const std::string version = universe->version;  // "Version LIGGGHTS-PUBLIC 3.8.0, compiled ..."
   const std::size_t name = version.find("LIGGGHTS");
-  script.grains_version = name == std::string::npos ? version : version.substr(name, version.find(',') - name);
+  script.dem_version = name == std::string::npos ? version : version.substr(name, version.find(',') - name);
   compare_gravity_ =
       arguments_.gravity_of_scene && !read_gravity(*modify, script) && !link_.started() && !link_.resumed();
   warn_of_clumps(*modify, script);

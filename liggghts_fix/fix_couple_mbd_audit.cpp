@@ -7,7 +7,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/folder.h"
+#include "coupler/base/files.h"
 #include "coupler/programs.h"
 #include "fix_gravity.h"
 #include "fix_mesh_surface.h"

@@ -3,7 +3,7 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "coupler/mpi_check.h"
+#include "coupler/communicator.h"
 #include "domain.h"
 #include "fix_gravity.h"
 #include "fix_multisphere.h"

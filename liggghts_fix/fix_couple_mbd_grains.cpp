@@ -11,7 +11,7 @@
 #include "atom.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "coupler/mpi_check.h"
+#include "coupler/communicator.h"
 #include "input.h"
 #include "lammps.h"
 #include "variable.h"

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "coupler/base/errors.h"
-#include "coupler/mpi_check.h"
+#include "coupler/communicator.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "tri_mesh.h"
 

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "atom.h"
-#include "coupler/mpi_check.h"
+#include "coupler/communicator.h"
 #include "fix_gravity.h"
 #include "fix_multisphere.h"
 #include "fix_wall_gran.h"

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "coupler/mpi_check.h"
+#include "coupler/communicator.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
 #include "liggghts_fix/fix_wall_gran_beam.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "coupler/mpi_check.h"
+#include "coupler/communicator.h"
 #include "liggghts_fix/dem_link.h"
 #include "liggghts_fix/fix_wall_gran_beam.h"
 

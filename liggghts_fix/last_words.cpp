@@ -5,7 +5,7 @@
 
 #include <cctype>
 
-#include "coupler/base/failure_note.h"
+#include "coupler/programs.h"
 
 namespace {
 

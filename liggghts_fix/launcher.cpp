@@ -18,8 +18,6 @@
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/failure_note.h"
-#include "coupler/base/file_error.h"
 #include "coupler/communicator.h"
 #include "coupler/interrupt.h"
 #include "coupler/link.h"
@@ -55,13 +53,13 @@ void stop_as_liggghts(int signal) { LAMMPS_NS::SignalHandler::int_handler(signal
 
 // The quit flag is one of each rank: ranks that leave the loop at different steps wait for each other for ever.
 void stop_some_ranks(int signal) {
-  alarm(kEnding);
+  alarm(kEndingTime);
   stop_as_liggghts(signal);
 }
 
 // What LIGGGHTS makes here is of use only when it is whole.
 void stop_at_once(int) {
-  (void)!write(STDERR_FILENO, kStoppedWord, std::strlen(kStoppedWord));
+  (void)!write(STDERR_FILENO, kStoppedLine, std::strlen(kStoppedLine));
   _exit(kExitInterrupted);
 }
 
@@ -184,13 +182,13 @@ int main(int argc, char** argv) {
     std::unique_ptr<TransportMpi> transport;
     std::unique_ptr<Link> link;
     if (communicator.has_partner()) {
-      transport = std::make_unique<TransportMpi>(communicator, kMechanismProgram);
+      transport = std::make_unique<TransportMpi>(communicator, kMbdProgram);
       link = std::make_unique<Link>(*transport, kPatience);
     }
     DemLink dem_link(link.get());
     // LIGGGHTS ends a wrong script with MPI_Finalize and exit(1): then this is still said.
-    AbortGuard::set_last_words([&] {
-      transport->root_speaks_alone();
+    AbortGuard::set_final_message([&] {
+      transport->stop_forwarding();
       const std::string errors = errors_on_screen();
       return dem_link.fail("LIGGGHTS ended with an error of its own" +
                            (errors.empty() ? "; its message stands in its output and log file" : ": " + errors));

@@ -110,7 +110,7 @@ int run_with(const Arguments& given, Transport& transport) {
                        arguments.scene + "` alone");
     return run_scene(scene, arguments.run, &transport, interrupted());
   } catch (const InputError& error) {
-    if (!transport.parted()) Link(transport).fail(error.what(), Status::kBadInput);
+    if (!transport.closing()) Link(transport).fail(error.what(), Status::kBadInput);
     throw;
   }
 }
@@ -143,7 +143,7 @@ int run_coupled(const Arguments& arguments, const Communicator& communicator) {
   with_ranks.run.mpi_version = std::string(version).substr(0, std::string(version).find(','));
   const int code = guarded([&] { return run_with(with_ranks, transport); });
   // MPI_Finalize would wait for a partner that is stopped or hung.
-  if (transport.given_up()) abort_both_programs(code);
+  if (transport.unanswered()) abort_both_programs(code);
   return code;
 }
 

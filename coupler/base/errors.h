@@ -20,12 +20,17 @@ inline std::string with_code(const MessageCode& code, const std::string& text) {
   return text + " [" + code.number + " " + code.name + "]";
 }
 
-// Does the text end with a code already? Texts that come from the partner program do, as a rule.
+// Does the text end with a code? Reasons that come from the partner program usually do.
 inline bool has_code(const std::string& text) {
   const std::size_t start = text.rfind(" [");
   return start != std::string::npos && text.back() == ']' && start + 8 < text.size() &&
          (text[start + 2] == 'E' || text[start + 2] == 'W') &&
          text.find_first_not_of("0123456789", start + 3) == start + 7 && text[start + 7] == ' ';
+}
+
+// Adds `more` to a message in front of its code.
+inline std::string with_addition(const std::string& text, const std::string& more) {
+  return has_code(text) ? text.substr(0, text.rfind(" [")) + more + text.substr(text.rfind(" [")) : text + more;
 }
 
 // What the errors below have in common: a text for users that ends with its code.

@@ -1,5 +1,6 @@
 #pragma once
-// What the schemes share whose body feels the mean load of the grains and nothing else during the window.
+// Schemes under which a body carries the mean load of the grains during the window and nothing else: css-trapezoid, css,
+// quadratic and frozen. They differ in the predicted path and in the weights of the mean.
 
 #include "coupler/schemes/scheme.h"
 
@@ -7,26 +8,26 @@ namespace footfall {
 
 class ConstantLoadScheme : public Scheme {
  public:
-  bool wants_tangent() const override { return false; }
-  // The path is sent with the rates of the computed state.
+  bool requires_tangent() const override { return false; }
+  // The path has the rates of the computed state.
   void set_path_rates(const Matrix6d&, const BodyLoad&, double, BodyMotion&) const override {}
   std::optional<TangentLoad> reaction(const Matrix6d&, const BodyLoad&, const PredictedPath&, double) const override {
     return std::nullopt;
   }
-  // By the mean loads of this window and of the one before, followed to the window's end.
+  // By the mean loads of this window and of the previous one, extrapolated to the end of the window.
   double pending_work(const AnsweredLoads& loads, const PredictedPath& path, const BodyMotion& computed) const override;
 
   // f is the mean over the window of -K s(tau), tau = i/n:
-  //   f = -K (x + mean_tau v + mean_tau2 a / 2 + standing (s - x))
+  //   f = -K (x + mean_tau v + mean_tau2 a / 2 + mean_gap (s - x))
   //   x' = x + v + f/2,  v' = v + f,  a' = f
   MapState window_map(double omega_h, int n, const MapState& z) const override;
 
  private:
-  // Highest power of tau in the path: 0 rests, 1 has the velocity, 2 the acceleration too.
+  // Highest power of tau in the path: 0 at rest, 1 with velocity, 2 with acceleration.
   virtual int path_degree() const = 0;
 };
 
-// `css-trapezoid`: the straight path, and the impulse that velocity Verlet really applies. The default.
+// `css-trapezoid`: the straight path, and the mean whose impulse velocity Verlet applies. The default.
 class CssTrapezoid : public ConstantLoadScheme {
  public:
   static constexpr std::string_view kName = "css-trapezoid";
@@ -39,7 +40,7 @@ class CssTrapezoid : public ConstantLoadScheme {
   int path_degree() const override { return 1; }
 };
 
-// `css`: the straight path, and the mean over steps 1..n as printed [Lin25 34].
+// `css`: the straight path, and the mean over steps 1..n as published [Lin25 34].
 class Css : public ConstantLoadScheme {
  public:
   static constexpr std::string_view kName = "css";
@@ -52,7 +53,7 @@ class Css : public ConstantLoadScheme {
   int path_degree() const override { return 1; }
 };
 
-// `quadratic`: as css-trapezoid, and half the accelerations times tau^2 in the path.
+// `quadratic`: as css-trapezoid, with half the accelerations times tau^2 in the path.
 class Quadratic : public ConstantLoadScheme {
  public:
   static constexpr std::string_view kName = "quadratic";
@@ -65,7 +66,7 @@ class Quadratic : public ConstantLoadScheme {
   int path_degree() const override { return 2; }
 };
 
-// `frozen`: the boundary rests in its pose at t_k during the whole window. For teaching and tests only: it pumps
+// `frozen`: the boundary rests in its pose at t_k during the whole window. For teaching and tests only: it creates
 // energy.
 class Frozen : public ConstantLoadScheme {
  public:

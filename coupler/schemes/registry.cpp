@@ -1,6 +1,9 @@
+// The table of schemes.
+
 #include "coupler/schemes/registry.h"
 
 #include "coupler/base/errors.h"
+#include "coupler/codes.h"
 #include "coupler/schemes/constant_load.h"
 #include "coupler/schemes/tangent.h"
 
@@ -31,7 +34,8 @@ std::unique_ptr<Scheme> make_scheme(std::string_view name) {
     if (one.name == name) return one.make();
     known += (known.empty() ? "" : ", ") + std::string(one.name);
   }
-  throw InputError("unknown coupling scheme \"" + std::string(name) + "\". Known schemes: " + known + ".");
+  throw InputError(code::kUnknownScheme,
+                   "unknown coupling scheme \"" + std::string(name) + "\". Known schemes: " + known + ".");
 }
 
 const std::vector<std::string>& scheme_names() {

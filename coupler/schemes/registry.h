@@ -1,5 +1,5 @@
 #pragma once
-// The list of the coupling schemes: every name that a scene may give stands in registry.cpp, and nowhere else.
+// The coupling schemes by name. registry.cpp alone lists the names that a scene may use.
 
 #include <memory>
 #include <string>
@@ -12,7 +12,7 @@ namespace footfall {
 
 inline constexpr std::string_view kDefaultScheme = "css-trapezoid";
 
-// Throws InputError for a name that is not in the list, naming all that are.
+// Throws InputError for an unknown name; the message lists the known ones.
 std::unique_ptr<Scheme> make_scheme(std::string_view name);
 const std::vector<std::string>& scheme_names();
 

@@ -1,3 +1,5 @@
+// What several schemes use: gaps between predicted and computed motion, and the straight path.
+
 #include "coupler/schemes/scheme.h"
 
 namespace footfall {

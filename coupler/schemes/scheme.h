@@ -1,8 +1,8 @@
 #pragma once
-// A scheme of the staggered coupling, both halves of it. [Lin25 section 4.2, 34], theory 7.3.
+// A scheme of the staggered coupling: both halves of it. [Lin25 section 4.2, 34], theory 7.3.
 //
-// The grains' side: the path of the boundary while the bodies wait, and how the forces of the substeps become one mean.
-// The body's side: which rates the path is sent with, and which load the body feels once the grains have answered.
+// DEM side: the path of the boundary within a window, and the mean of the forces of its substeps.
+// Multibody side: the rates that are sent for the path, and the load on the body once the grains' mean is known.
 
 #include <optional>
 #include <string_view>
@@ -15,18 +15,18 @@ namespace footfall {
 struct BodyLoad;  // messages.h
 struct MeanLoad;  // load_average.h
 
-// Share of a substep's mean force that comes from the force standing at its start and at its end; the two sum to 1.
-// {1/2, 1/2} is the impulse that velocity Verlet really applies; {0, 1} is the mean over steps 1..n as printed.
+// Weights of the forces at the start and at the end of a substep in its mean force; they sum to 1. {1/2, 1/2} gives the
+// impulse that velocity Verlet applies; {0, 1} is the mean over steps 1..n as published.
 struct StepWeights {
   double opening = 0.5;
   double closing = 0.5;
 };
 
-// The path that a boundary has gone in the grains during a window, as the body's side knows it.
+// The path of a boundary among the grains during a window, as the multibody side predicts it.
 struct PredictedPath {
-  // Computed minus predicted motion at the window's end: [m], and as a rotation vector [rad].
+  // Computed minus predicted motion at the end of the window: [m], and a rotation vector [rad].
   Vector6d gap(const BodyMotion& computed) const;
-  // Predicted end minus mean pose, likewise.
+  // Predicted end minus mean pose, in the same form.
   Vector6d end_from_mean() const;
 
   // Means are weighted as the forces are.
@@ -37,52 +37,52 @@ struct PredictedPath {
   Eigen::Vector4d L_end = Eigen::Vector4d::UnitX();
 };
 
-// What the grains have answered to two windows in a row.
+// The grains' loads of two consecutive windows.
 struct AnsweredLoads {
   const BodyLoad& load;    // of this window
   const MeanLoad& before;  // of the window before
-  double ratio;            // length of this window over that one; 0: there was none [-]
+  double ratio;            // length of this window over the previous one; 0: there was none [-]
 };
 
-// A scheme has no state: it may be shared by all bodies and both programs. Everything is pure here: a scheme that
-// forgets a part does not compile. registry.cpp has the list of them.
+// A scheme has no state and may be shared by all bodies. All functions are pure: a scheme that lacks one does not
+// compile. registry.cpp lists all schemes.
 class Scheme {
  public:
   virtual ~Scheme() = default;
   virtual std::string_view name() const = 0;
 
-  // --- The grains' side.
+  // --- DEM side.
   // Predicted position and velocity (r, L, a, dr, w, da) a time tau [s] after `start`, the motion that was sent;
-  // accelerations are left alone. `out` is sized like `start`. No allocation.
+  // accelerations are unchanged. `out` has the size of `start`. No allocation.
   virtual void predict(const BodyMotion& start, double tau, BodyMotion& out) const = 0;
   virtual StepWeights weights() const = 0;
-  // True: the boundary starts each window where the last one ended and reaches the new prediction at the window's end.
-  // False: it jumps to the prediction at the window's start, and the work of the jump is counted and reported.
+  // True: the boundary starts each window at its current position and reaches the new prediction at the end of the
+  // window. False: it jumps to the prediction at the start, and the work of the jump is reported.
   virtual bool continuous_path() const = 0;
-  // True: the grains' side also returns the tangent stiffness and damping of each body's contacts.
-  virtual bool wants_tangent() const = 0;
+  // True: the DEM side also returns the tangent stiffness and damping of each body's contacts.
+  virtual bool requires_tangent() const = 0;
 
-  // --- The body's side.
-  // `motion`: the computed state at the start of a window of H [s]; its rates become those that the path is sent with.
-  // M: rigid inertia on (r, theta) in W [kg, kg m2]; last: what the grains answered to the window before (empty: none).
+  // --- Multibody side.
+  // motion: the computed state at the start of a window of H [s]; its rates are replaced by those of the path.
+  // M: rigid inertia on (r, theta) in W [kg, kg m2]; last: the grains' load of the previous window (empty: none).
   virtual void set_path_rates(const Matrix6d& M, const BodyLoad& last, double H, BodyMotion& motion) const = 0;
-  // How the load reacts within the window around the mean load of the grains; none: the body feels the mean alone.
+  // The reaction of the load within the window, around the mean load of the grains; none: only the mean load acts.
   virtual std::optional<TangentLoad> reaction(const Matrix6d& M, const BodyLoad& load, const PredictedPath& path,
                                               double H) const = 0;
-  // Work [J] that the contacts would still do on the boundary from its predicted end to the computed motion: the grains
-  // do it only when the next window closes the gap, while the body has received it already.
+  // Work [J] of the contacts on the boundary between its predicted end and the computed motion. The body has received it
+  // already; the grains do it only when the next window closes the gap.
   virtual double pending_work(const AnsweredLoads& loads, const PredictedPath& path,
                               const BodyMotion& computed) const = 0;
 
-  // --- Its map: one window of n substeps of the simplest problem (window_map.h).
+  // --- Stability: one window of n substeps of the model problem in window_map.h.
   virtual MapState window_map(double omega_h, int n, const MapState& z) const = 0;
 
-  // Substeps of window k of a run that would have n: slopes of contacts that stand already are learnt in a window of
-  // one substep.
-  int substeps(int n, long k) const { return wants_tangent() && k == 0 ? 1 : n; }
+  // Substeps of window k of a run with n substeps per window. The slopes of contacts that exist at the start are found
+  // in a first window of one substep.
+  int substeps(int n, long k) const { return requires_tangent() && k == 0 ? 1 : n; }
 };
 
-// r + dr tau,  exp(w tau) L,  a + da tau;  its rates stay.
+// The straight path, of css, css-trapezoid and tangent: r + dr tau,  exp(w tau) L,  a + da tau;  constant rates.
 void predict_linear(const BodyMotion& start, double tau, BodyMotion& out);
 
 }  // namespace footfall

@@ -1,3 +1,5 @@
+// One SDIRK step predicts the mean velocity; the slopes of the contacts, with added damping, react within the window.
+
 #include "coupler/schemes/tangent.h"
 
 #include <algorithm>
@@ -8,13 +10,13 @@
 namespace footfall {
 namespace {
 
-// D over K [s].
+// D / K [s].
 double window_damping(double omega_h, double H) {
   const double w6 = std::pow(0.5 * omega_h, 6);
   return 0.5 * H * w6 / (1.0 + w6);
 }
 
-// Of one body; zero before the first answer.
+// Slopes of one body's contacts; zero before the first window.
 ContactTangent slope_of(const BodyLoad& load) { return load.tangent.empty() ? ContactTangent{} : load.tangent.front(); }
 
 }  // namespace

@@ -1,3 +1,5 @@
+// Exact flow by a matrix exponential, spectral radius by repeated squaring.
+
 #include "coupler/schemes/window_map.h"
 
 #include <Eigen/Dense>
@@ -11,9 +13,8 @@ namespace {
 
 using Map = Eigen::Matrix<double, 5, 5>;
 
-// Gelfand's formula: |A^k|^(1/k) with k = 2^40, by squaring. Its error is log(k) / k, 3e-11, and up to 2e-6 by round-off where
-// eigenvalues coincide and have one eigenvector.
-// (Eigen's eigenvalues of a general matrix take as long to compile as the rest of this room.)
+// Gelfand's formula: |A^k|^(1/k) with k = 2^40, by squaring. Its error is log(k) / k, 3e-11, and up to 2e-6 by round-off
+// where eigenvalues coincide and share one eigenvector. (Eigen's eigenvalues of a general matrix take long to compile.)
 double spectral_radius(Map A) {
   double log_radius = 0.0, share = 1.0;
   for (int doubling = 0; doubling <= 40; ++doubling, share *= 0.5) {

@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of mbd_solver/base: E0430 to E0449, W0430 to W0449.
+// Codes of the messages of mbd_solver/base: E0430 to E0449.
 
 #include "coupler/base/errors.h"
 
@@ -17,7 +17,5 @@ inline constexpr MessageCode kNoSuchFile{"E0433", "no-such-file"};
 inline constexpr MessageCode kParameterOutOfRange{"E0434", "parameter-out-of-range"};
 // A file of an earlier run cannot be removed. Check the folder's permissions.
 inline constexpr MessageCode kFileNotRemoved{"E0435", "file-not-removed"};
-// The list of a run's files cannot be written. The next run into this folder asks before it removes them.
-inline constexpr MessageCode kFileListNotWritten{"W0430", "file-list-not-written"};
 
 }  // namespace footfall::code

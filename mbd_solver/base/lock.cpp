@@ -52,8 +52,7 @@ FileLock& FileLock::operator=(FileLock&& other) noexcept {
 FileLock FileLock::try_lock(const std::string& path) {
   FileLock lock;
   lock.file_ = open(path.c_str(), O_RDWR | O_CREAT, 0644);  // child programs inherit it: no O_CLOEXEC
-  if (lock.file_ < 0)
-    throw InputError(code::kLockNotCreated, path + ": cannot be created: " + std::strerror(errno));
+  if (lock.file_ < 0) throw InputError(code::kLockNotCreated, path + ": cannot be created: " + std::strerror(errno));
   int result = -1;
   do {
     result = flock(lock.file_, LOCK_EX | LOCK_NB);
@@ -99,10 +98,9 @@ FileLock lock_folder(const std::string& folder) {
   }
   if (lock.held()) return lock;
   const int owner = owner_of(file);
-  throw InputError(code::kFolderInUse,
-                   folder + ": another run writes to this folder" +
-                       (owner > 0 ? " (process " + std::to_string(owner) + ")" : std::string()) +
-                       "; wait until it has ended, or choose another folder with --out");
+  throw InputError(code::kFolderInUse, folder + ": another run writes to this folder" +
+                                           (owner > 0 ? " (process " + std::to_string(owner) + ")" : std::string()) +
+                                           "; wait until it has ended, or choose another folder with --out");
 }
 
 std::string locked_name(const std::string& folder) {

@@ -11,6 +11,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "mbd_solver/base/codes.h"
 #include "mbd_solver/base/lock.h"
 
 namespace footfall {
@@ -139,7 +140,7 @@ void remove_made_files(const std::string& folder, const std::string& start) {
     if (fs::is_directory(fs::symlink_status(path, error))) continue;
     error.clear();
     fs::remove(path, error);
-    if (error) throw InputError(path.string() + ": cannot be removed: " + error.message());
+    if (error) throw InputError(code::kFileNotRemoved, path.string() + ": cannot be removed: " + error.message());
     for (fs::path parent = fs::path(name).parent_path(); !parent.empty(); parent = parent.parent_path())
       parents.insert(parent);
   }

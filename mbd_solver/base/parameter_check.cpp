@@ -15,8 +15,9 @@ namespace {
 [[noreturn]] void refuse(std::string_view law, std::string_view name, double value, std::string_view unit,
                          const std::string& expected) {
   const std::string suffix = unit.empty() ? std::string() : " " + std::string(unit);
-  throw InputError(code::kParameterOutOfRange, std::string(law) + ": " + std::string(name) + " is " + number_text(value) + suffix + "; expected " +
-                   expected + suffix + ".");
+  throw InputError(code::kParameterOutOfRange, std::string(law) + ": " + std::string(name) + " is " +
+                                                   number_text(value) + suffix + "; expected " + expected + suffix +
+                                                   ".");
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   const double t_end = motion_.last_window ? t_end_ : state.time + motion_.n * dt;
   const WantedSet wanted_set = motion_.last_window ? WantedSet{} : checkpoint_at(t_end);
   motion_.checkpoint = wanted_set.folder;
-  motion_.quietly = wanted_set.quietly;
+  motion_.undisturbed = wanted_set.quietly;
 
   work_before_ = state.load_work;
 

@@ -52,7 +52,7 @@ class CoupledRun {
 
   // The grains' side was asked to keep itself at the end of the last window.
   bool keeps() const { return !motion_.checkpoint.empty(); }
-  bool keeps_quietly() const { return motion_.quietly; }
+  bool keeps_quietly() const { return motion_.undisturbed; }
   bool wait_until_kept();        // then its files are there; false: it could not be done quietly
   void visit(Archive& archive);  // between two windows
 
@@ -67,7 +67,7 @@ class CoupledRun {
   // Planes and static meshes of the script, as it began to run; those that have gone since, told with the last load.
   const std::vector<StaticWall>& walls() const { return partner_.walls(); }
   const std::vector<std::string>& gone_walls() const { return partner_.load().gone_walls; }
-  bool asked_to_end() const { return partner_.load().asked_to_end; }  // by a signal to a rank of LIGGGHTS
+  bool asked_to_end() const { return partner_.load().end_requested; }  // by a signal to a rank of LIGGGHTS
   const CouplingWatch& watch() const { return *watch_; }
   const std::string& grains_version() const { return partner_.grains_version(); }  // of LIGGGHTS
   double dem_seconds() const { return dem_seconds_; }        // spent by LIGGGHTS on its windows, waiting apart [s]

@@ -12,7 +12,7 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     : link_(transport, patience), bodies_(std::move(bodies)) {
   try {
     Hello hello;
-    link_.receive_patiently(hello);
+    link_.receive_without_limit(hello);
     if (hello.protocol != kProtocolVersion)
       throw ProtocolError("liggghts_mbd speaks protocol " + std::to_string(hello.protocol) + " (footfall " +
                           hello.footfall_version + "), mbd_solver speaks " + std::to_string(kProtocolVersion) +
@@ -24,8 +24,8 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     geometry.bodies = bodies_;
     geometry.resume = terms.resume;
     link_.send(geometry);
-    link_.receive_patiently(start_);
-    demand_finite(start_, link_.partner());
+    link_.receive_without_limit(start_);
+    require_finite(start_, link_.partner());
     check(terms);
     warnings_ = start_.warnings;
     check_gravity(terms.gravity);
@@ -111,7 +111,7 @@ const Load& DemPartner::exchange(const Motion& motion, const std::function<void(
 }
 
 bool DemPartner::expect_kept(std::int64_t window) {
-  Kept kept;
+  CheckpointDone kept;
   link_.receive(kept);
   if (kept.window != window)
     throw ProtocolError("a checkpoint after window " + std::to_string(kept.window) + ", expected one after window " +

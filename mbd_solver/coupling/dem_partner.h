@@ -35,8 +35,8 @@ class DemPartner {
 
   double dt() const { return start_.dt; }    // substep of the grains [s]
   int substeps() const { return start_.n; }  // n of the script; 0: `every auto`
-  bool wants_masses() const { return start_.wants_masses; }
-  const std::string& grains_version() const { return start_.grains_version; }
+  bool wants_masses() const { return start_.requires_masses; }
+  const std::string& grains_version() const { return start_.dem_version; }
   // index in `bodies` of each body of Motion and Load, in their order
   const std::vector<int>& coupled() const { return coupled_; }
 
@@ -59,7 +59,7 @@ class DemPartner {
   // A signal ends the run that it meets: what goes on from its checkpoint was not asked to end.
   void visit(Archive& archive) {
     archive("load", load_);
-    if (archive.restores()) load_.asked_to_end = false;
+    if (archive.restores()) load_.end_requested = false;
   }
   void close() {
     if (!link_.closed()) link_.close();

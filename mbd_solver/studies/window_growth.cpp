@@ -67,10 +67,10 @@ double measured_growth(const std::string& name, double omega_h, int n) {
   GeneralizedForce contact;
   const auto touch = [&] { contact.F_W.z() = -K * path.pose().r.z(); };
   touch();
-  average.set_standing(contact, path.pose());
+  average.set_opening_force(contact, path.pose());
   BodyLoad answer;
   answer.contact_stiffness = K;
-  if (scheme->wants_tangent()) answer.tangent.emplace_back().K(2, 2) = K;
+  if (scheme->requires_tangent()) answer.tangent.emplace_back().K(2, 2) = K;
   BodyWindow window(*scheme, body, state, answer);
   ExternalLoad felt;
 
