@@ -1,3 +1,5 @@
+// Checks a scene by reading it and building its mechanism. The trial starts both programs as a run does and stops them
+// after some seconds.
 #include "mbd_solver/app/check_command.h"
 
 #include <unistd.h>
@@ -13,6 +15,7 @@
 #include "coupler/base/text.h"
 #include "coupler/interrupt.h"
 #include "coupler/programs.h"
+#include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/run_command.h"
 #include "mbd_solver/base/lock.h"
@@ -31,9 +34,9 @@
 namespace footfall {
 namespace {
 
-// What only building the mechanism finds. A message that does not start with a file gets the scene's.
+// Faults that only building the mechanism finds. A message that does not begin with a file gets the scene's.
 void check_by_building(Scene scene) {
-  // The bed may not be made yet: any height will do to see whether the mechanism can be built.
+  // The bed may not be made yet: whether the mechanism can be built does not depend on its height.
   const bool unknown_height =
       scene.touches_particles() && scene.particles->grains.empty() && !scene.particles->surface_height;
   if (unknown_height) scene.particles->surface_height = 0.0;
@@ -56,7 +59,7 @@ void check_by_building(Scene scene) {
 
 Scene checked_scene(const std::string& argument, const std::vector<std::string>& settings) {
   const Scene scene = read_scene(argument, settings);
-  check_by_building(scene);  // its warnings begin with those of the scene
+  check_by_building(scene);  // its warnings include those of the scene
   return scene;
 }
 
@@ -66,7 +69,8 @@ int check_command(const std::string& argument, const std::vector<std::string>& s
   double mass = 0.0;
   for (const BodySpec& body : scene.bodies) mass += body.mass;
   std::printf(
-      "%s: good. %zu bodies (%g kg), %zu joints, %zu struts, %zu springs, %zu controllers, %zu boundaries on %s.\n",
+      "%s: no faults. %zu bodies (%g kg), %zu joints, %zu struts, %zu springs, %zu controllers, %zu boundaries on "
+      "%s.\n",
       scene.file.c_str(), scene.bodies.size(), mass, scene.joints.size(), scene.struts.size(), scene.springs.size(),
       scene.controllers.size(), scene.boundaries.size(), grounds[static_cast<int>(scene.ground.kind)]);
   if (scene.touches_particles())
@@ -76,8 +80,8 @@ int check_command(const std::string& argument, const std::vector<std::string>& s
 
 namespace {
 
-constexpr double kFewest = 0.25;  // of the steps of the trial
-constexpr double kGrown = 0.8;    // steps per simulated second, of those before: below it they have grown
+constexpr double kFewest = 0.25;  // least share of the trial's steps that are taken later
+constexpr double kGrown = 0.8;    // below this ratio of steps per simulated second, later to earlier, steps have grown
 
 }  // namespace
 
@@ -113,13 +117,14 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// A folder of our own that is gone with this.
+// A temporary folder, removed with this object.
 class TrialFolder {
  public:
   TrialFolder() {
     std::string name = (fs::temp_directory_path() / "footfall_trial_XXXXXX").string();
     if (!mkdtemp(name.data()))
-      throw InputError(name + ": no such folder can be made; set TMPDIR to a folder that may be written");
+      throw InputError(code::kNoTemporaryFolder,
+                       name + ": this folder cannot be created; set TMPDIR to a folder that can be written");
     path_ = name;
   }
   ~TrialFolder() {
@@ -139,7 +144,7 @@ void print_coupling(const Json& summary) {
               summary.at("dt_dem_s").get<double>());
   const Json& substeps = summary.at("substeps_per_window");
   std::printf("%s per window\n",
-              substeps.is_number() ? (substeps.dump() + " steps").c_str() : "as many steps as it needs");
+              substeps.is_number() ? (substeps.dump() + " steps").c_str() : "as many steps as required");
   std::string body;
   double largest = 0.0;
   const Json by_body = summary.value("max_omega_h", Json::object());
@@ -151,7 +156,7 @@ void print_coupling(const Json& summary) {
   if (body.empty()) {
     std::printf("  omega H: no body has touched grains so far\n");
   } else {
-    std::printf("  omega H: up to %.2g so far (%s); overlaps up to %s of the radius\n", largest, body.c_str(),
+    std::printf("  largest omega H so far: %.2g (%s); overlaps up to %s of the radius\n", largest, body.c_str(),
                 share_text(summary.at("max_overlap_over_radius").get<double>()).c_str());
   }
 }
@@ -160,14 +165,14 @@ void print_time(const Json& summary, double t_end, double started, double memory
   const double reached = summary.at("end_time_s").get<double>();
   const double wall = summary.at("wall_s").get<double>();
   if (summary.at("status") == "done") {
-    std::printf("Run time: %s; that was the whole run\n", duration_text(started + wall).c_str());
+    std::printf("Run time: %s; the trial was the whole run\n", duration_text(started + wall).c_str());
   } else {
     const RunTime time = expected_run_time(summary.at("trial"), t_end);
-    std::printf("Run time: about %s (%s to %s) as busy as this machine is now; tried for %s, to t = %g of %g s\n",
+    std::printf("Run time: about %s (%s to %s) at the present load of this machine; trial of %s, to t = %g of %g s\n",
                 duration_text(started + time.seconds).c_str(), duration_text(started + time.least).c_str(),
                 duration_text(started + time.most).c_str(), duration_text(wall).c_str(), reached, t_end);
     if (summary.contains("particles"))
-      std::printf("  %s of it for LIGGGHTS\n", share_text(time.share_of_grains).c_str());
+      std::printf("  %s of it in LIGGGHTS\n", share_text(time.share_of_grains).c_str());
   }
   std::printf("  memory: %.0f MB in all programs\n", memory / 1e6);
 }
@@ -179,8 +184,8 @@ int trial_command(const RunArguments& given, double seconds) {
   RunArguments arguments = given;
   const Scene scene = read_scene(arguments.scene, arguments.settings);
   if (scene.touches_particles() && scene.particles->bed && !bed_is_made(bed_folder(*scene.particles->bed))) {
-    std::printf("Run time: not known before the bed is made: %s run %s --until %g makes and keeps it\n",
-                called_as().c_str(), short_path(scene.file).c_str(), 1e-3 * scene.end_time);
+    std::printf("Run time: unknown until the bed is made; `%s run %s --until %g` makes it\n", called_as().c_str(),
+                short_path(scene.file).c_str(), 1e-3 * scene.end_time);
     return kExitDone;
   }
   const TrialFolder folder;
@@ -191,15 +196,15 @@ int trial_command(const RunArguments& given, double seconds) {
   Command& command = plan.command;
   command.words.insert(command.words.end(), {"--try-for", number_text(seconds)});
   command.environment[kLockedFolder] = locked_name(plan.out);
-  command.output = (folder.path() / "said").string();
+  command.output = (folder.path() / "output.txt").string();
   leave_time_to_end(command);
 
   double memory = 0.0;
   const double begun = wall_clock();
-  SuspendedWatch stopped(scene.coupling.timeout);
+  SuspendedWatch suspended(scene.coupling.timeout);
   const ChildEnd end = run_child(command, kMbdProgram, [&] {
     memory = std::max(memory, memory_of_descendants());
-    return stopped();
+    return suspended();
   });
   if (end.interrupted) return kExitInterrupted;
   const fs::path summary_file = fs::path(plan.out) / "summary.json";
@@ -211,12 +216,11 @@ int trial_command(const RunArguments& given, double seconds) {
     if (!errors.empty())
       why = ": LIGGGHTS stopped at " +
             why_liggghts_stopped(plan.log, scene.particles->script, scene.particles->variables);
-    std::fprintf(stderr, "%sfootfall: the trial failed%s\n", read_whole_file(command.output).value_or("").c_str(),
-                 why.c_str());
+    std::fprintf(stderr, "%sfootfall: %s\n", read_whole_file(command.output).value_or("").c_str(),
+                 with_code(code::kTrialFailed, "the trial failed" + why).c_str());
     return !errors.empty() || end.code == kExitBadInput ? kExitBadInput : kExitFailed;
   }
   with_summary_of(plan.out, [&] {
-    // How a trial ends is no part of a run.
     const Json& trial = summary.at("trial");
     const double started = trial.is_null() ? 0.0 : std::max(0.0, trial.at("begun").get<double>() - begun);
     print_time(summary, scene.end_time, started, memory);
@@ -233,21 +237,21 @@ struct Input {
   const char* axis;
 };
 constexpr Input kAcceleration{"a", "a [g]"};
-constexpr Input kAgainst[] = {{"da", "da [g in 0.1 s]"}, {"alpha", "alpha (pitch) [deg]"}};
+constexpr Input kSecond[] = {{"da", "da [g in 0.1 s]"}, {"alpha", "alpha (pitch) [deg]"}};
 
 std::vector<std::string> write_scripts(const ControllerSpec& controller, const std::string& out) {
   const FuzzySystem system(controller.file);
   std::vector<std::string> scripts;
   for (int output : {0, 2}) {
     if (output >= system.output_count()) continue;
-    const std::string voltage = "U" + std::to_string(output + 1);
-    for (const Input& second : kAgainst) {
+    const std::string name = "U" + std::to_string(output + 1);
+    for (const Input& second : kSecond) {
       const ControlSurface surface = control_surface(system, output, kAcceleration.name, second.name);
-      SurfacePicture picture{controller.name + "_" + voltage + "_a_" + second.name,
-                             voltage + " of " + controller.name,
+      SurfacePicture picture{controller.name + "_" + name + "_a_" + second.name,
+                             name + " of " + controller.name,
                              kAcceleration.axis,
                              second.axis,
-                             voltage + " [-]",
+                             name + " [-]",
                              surface.first,
                              surface.second,
                              surface.voltage};
@@ -259,8 +263,8 @@ std::vector<std::string> write_scripts(const ControllerSpec& controller, const s
 
 }  // namespace
 
-int surfaces_command(const std::string& scene_argument, const std::vector<std::string>& settings,
-                     const std::string& out) {
+int draw_control_surfaces(const std::string& scene_argument, const std::vector<std::string>& settings,
+                          const std::string& out) {
   const Scene scene = read_scene(scene_argument, settings);
   std::vector<std::string> scripts;
   for (const ControllerSpec& controller : scene.controllers) {
@@ -269,7 +273,8 @@ int surfaces_command(const std::string& scene_argument, const std::vector<std::s
     scripts.insert(scripts.end(), more.begin(), more.end());
   }
   if (scripts.empty())
-    throw InputError(scene.file + ": controllers: none is of kind \"fuzzy\"; there is no surface to show");
+    throw InputError(code::kNoSurfaces,
+                     scene.file + ": controllers: none is of kind \"fuzzy\", so there is no surface");
   for (const std::string& picture : run_gnuplot(out, scripts)) std::printf("%s\n", short_path(picture).c_str());
   return kExitDone;
 }

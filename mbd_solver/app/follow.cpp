@@ -1,4 +1,4 @@
-// One look at the folder of a run: mbd_solver/app/follow.h
+// Reads the folder of a run repeatedly: lock, run.json, the last row of history.csv, summary.json, LIGGGHTS' log.
 #include "mbd_solver/app/follow.h"
 
 #include <unistd.h>
@@ -11,15 +11,16 @@
 #include <optional>
 
 #include "coupler/base/clock.h"
+#include "coupler/base/csv.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/plots.h"
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/lock.h"
-#include "mbd_solver/base/made_files.h"
 #include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
@@ -31,8 +32,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Somebody runs into the folder, and has not yet said how it ended.
-bool goes_on(const fs::path& run) {
+// The folder is locked, and its summary is not of this run.
+bool is_in_progress(const fs::path& run) {
   const fs::path lock = run / kLockFile, summary = run / "summary.json";
   if (!is_alive(owner_of(lock.string()))) return false;
   std::error_code error;
@@ -40,9 +41,9 @@ bool goes_on(const fs::path& run) {
   return fs::last_write_time(summary, error) < fs::last_write_time(lock, error);
 }
 
-RunLook::State state_of(const std::string& status) {
-  if (status == "done") return RunLook::State::kDone;
-  return status == "interrupted" ? RunLook::State::kInterrupted : RunLook::State::kFailed;
+RunProgress::State state_of(const std::string& status) {
+  if (status == "done") return RunProgress::State::kDone;
+  return status == "interrupted" ? RunProgress::State::kInterrupted : RunProgress::State::kFailed;
 }
 
 double largest_contact(const LastRow& row) {
@@ -70,91 +71,95 @@ LastRow last_row(const std::string& history) {
   if (row.rows == 0) return row;
   const std::size_t start = text->rfind('\n', end - 1) + 1;
   for (const std::string& cell : split(text->substr(start, end - start), ','))
-    row.values.push_back(std::strtod(cell.c_str(), nullptr));
+    if (!read_number(cell, row.values.emplace_back()))
+      throw InputError(code::kRunDamaged, history + ": \"" + cell + "\" in the last row, expected a number");
   if (row.values.size() != row.names.size())
-    throw InputError(history + ": its last row has " + std::to_string(row.values.size()) + " values, expected " +
-                     std::to_string(row.names.size()));
+    throw InputError(code::kRunDamaged, history + ": its last row has " + std::to_string(row.values.size()) +
+                                            " values, expected " + std::to_string(row.names.size()));
   return row;
 }
 
-RunLook look_at_run(const std::string& run) {
+RunProgress progress_of_run(const std::string& run) {
   const fs::path folder(run);
   const bool ended = fs::exists(folder / "summary.json");
   if (!ended && !fs::exists(folder / kLockFile) && !fs::exists(folder / "history.csv"))
-    throw InputError(run + ": holds neither a run that is under way nor the results of one");
-  RunLook look;
+    throw InputError(code::kNoRun, run + ": holds neither a run in progress nor the results of one");
+  RunProgress progress;
   if (fs::exists(folder / kRunNote)) {
     const RunNote note = read_run_note(run);
-    look.title = note.title;
-    look.end_time = note.end_time;
+    progress.title = note.title;
+    progress.end_time = note.end_time;
   }
   const LastRow row = last_row((folder / "history.csv").string());
-  look.rows = row.rows;
+  progress.rows = row.rows;
   if (row.rows > 0) {
-    look.state = RunLook::State::kRunning;
-    look.time = row.values.front();
-    look.contact_force = largest_contact(row);
+    progress.state = RunProgress::State::kRunning;
+    progress.time = row.values.front();
+    progress.contact_force = largest_contact(row);
   } else if (const LogProgress log = log_progress((folder / "liggghts.log").string()); log.begun()) {
-    look.preparation = log.text();
+    progress.preparation = log.text();
   }
-  if (goes_on(folder)) return look;
-  look.state = RunLook::State::kGone;
-  if (!ended) return look;
+  if (is_in_progress(folder)) return progress;
+  progress.state = RunProgress::State::kGone;
+  if (!ended) return progress;
   const nlohmann::ordered_json summary = read_summary((folder / "summary.json").string());
   return with_summary_of(run, [&] {
-    look.state = state_of(summary.value("status", ""));
-    look.reason = summary.value("reason", "");
-    return look;
+    progress.state = state_of(summary.value("status", ""));
+    progress.reason = summary.value("reason", "");
+    return progress;
   });
 }
 
 namespace {
 
-constexpr double kPageInterval = 5.0;  // at least so long between two pages: gnuplot takes time that the run needs [s]
+constexpr double kPageInterval = 5.0;  // least time between two pages, as gnuplot takes time from the run [s]
 
-bool is_over(const RunLook& look) {
-  return look.state != RunLook::State::kSettingUp && look.state != RunLook::State::kRunning;
+bool is_over(const RunProgress& progress) {
+  return progress.state != RunProgress::State::kSettingUp && progress.state != RunProgress::State::kRunning;
 }
 
-int exit_code(const RunLook& look) {
-  switch (look.state) {
-    case RunLook::State::kFailed:
-    case RunLook::State::kGone: return kExitFailed;
-    case RunLook::State::kInterrupted: return kExitInterrupted;
-    case RunLook::State::kSettingUp:
-    case RunLook::State::kRunning:
-    case RunLook::State::kDone: break;
+int exit_code(const RunProgress& progress) {
+  switch (progress.state) {
+    case RunProgress::State::kFailed:
+    case RunProgress::State::kGone: return kExitFailed;
+    case RunProgress::State::kInterrupted: return kExitInterrupted;
+    case RunProgress::State::kSettingUp:
+    case RunProgress::State::kRunning:
+    case RunProgress::State::kDone: break;
   }
   return kExitDone;
 }
 
-double share_of(const RunLook& look) { return look.end_time > 0.0 ? look.time / look.end_time : 0.0; }
+double share_of(const RunProgress& progress) {
+  return progress.end_time > 0.0 ? progress.time / progress.end_time : 0.0;
+}
 
-std::string how_it_ended(const RunLook& look) {
-  const std::string reason = look.reason.empty() ? "" : ": " + look.reason;
-  switch (look.state) {
-    case RunLook::State::kDone: return "done" + reason;
-    case RunLook::State::kFailed: return "failed" + reason;
-    case RunLook::State::kInterrupted: return "interrupted" + reason;
-    case RunLook::State::kGone: return "its programs are gone, and left no summary: were they killed?";
-    case RunLook::State::kSettingUp:
-    case RunLook::State::kRunning: break;
+std::string how_it_ended(const RunProgress& progress) {
+  const std::string reason = progress.reason.empty() ? "" : ": " + progress.reason;
+  switch (progress.state) {
+    case RunProgress::State::kDone: return "done" + reason;
+    case RunProgress::State::kFailed: return "failed" + reason;
+    case RunProgress::State::kInterrupted: return "interrupted" + reason;
+    case RunProgress::State::kGone: return "its programs have ended without a summary; they may have been killed";
+    case RunProgress::State::kSettingUp:
+    case RunProgress::State::kRunning: break;
   }
   return "";
 }
 
-std::string sentence(const RunLook& look, const Pace& pace) {
-  if (look.rows == 0) {
-    const std::string what = look.preparation.empty() ? "it makes its bed, or sets up" : look.preparation;
-    return is_over(look) ? how_it_ended(look) : "before the first row: " + what;
+std::string sentence(const RunProgress& progress, const Pace& pace) {
+  if (progress.rows == 0) {
+    const std::string what = progress.preparation.empty() ? "making the bed, or setting up" : progress.preparation;
+    return is_over(progress) ? how_it_ended(progress) : "before the first row: " + what;
   }
-  std::string text =
-      look.end_time > 0.0 ? time_text(look.time, look.end_time, pace) : "t = " + fixed_text(look.time, 4) + " s";
-  text += " | " + std::to_string(look.rows) + " rows | contact " + fixed_text(look.contact_force / 1e3, 2) + " kN";
-  return is_over(look) ? text + " | " + how_it_ended(look) : text;
+  std::string text = progress.end_time > 0.0 ? time_text(progress.time, progress.end_time, pace)
+                                             : "t = " + fixed_text(progress.time, 4) + " s";
+  text +=
+      " | " + std::to_string(progress.rows) + " rows | contact " + fixed_text(progress.contact_force / 1e3, 2) + " kN";
+  return is_over(progress) ? text + " | " + how_it_ended(progress) : text;
 }
 
-// Pictures of the rows so far. The folder of the run stays as it is: gnuplot works in one of its own.
+// Plots of the rows so far. gnuplot works in a temporary folder, so that nothing of the run is touched.
 class Page {
  public:
   explicit Page(std::string run)
@@ -168,28 +173,27 @@ class Page {
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
 
-  void write(const RunLook& look, const Pace& pace, double interval) {
+  void write(const RunProgress& progress, const Pace& pace, double interval) {
     const std::string title =
-        look.title.empty() ? fs::absolute(run_).lexically_normal().filename().string() : look.title;
+        progress.title.empty() ? fs::absolute(run_).lexically_normal().filename().string() : progress.title;
     HtmlPage page(title);
-    page.paragraph(sentence(look, pace));
-    if (!is_over(look)) page.refresh(static_cast<int>(interval + 0.5));
-    if (look.rows > 1) {
+    page.paragraph(sentence(progress, pace));
+    if (!is_over(progress)) page.refresh(static_cast<int>(interval + 0.5));
+    if (progress.rows > 1) {
       page.section("Plots");
       for (const std::string& picture : pictures()) page.picture(picture);
     }
-    if (is_over(look)) {
+    if (is_over(progress)) {
       page.section("Results");
       for (const char* name : {"report.html", "view.html", "history.csv", "summary.json"})
         if (fs::exists(fs::path(run_) / name)) page.link(name, name, "of this run");
     }
-    const MadeFiles made(run_);
     write_whole_file((fs::path(run_) / "watch.html").string(), page.text(), "is the disk full?");
   }
 
  private:
   std::vector<std::string> pictures() const {
-    // Whole rows alone: the last one may be in writing.
+    // Complete rows only: the last one may be in writing.
     const std::string text = read_whole_file((fs::path(run_) / "history.csv").string()).value_or("");
     const fs::path copy = work_ / "history.csv";
     write_whole_file(copy.string(), text.substr(0, text.rfind('\n') + 1), "is the disk full?");
@@ -198,7 +202,7 @@ class Page {
     const std::string plots = (work_ / "plots").string();
     reduce_long_figures(figures, history, plots);
     std::vector<std::string> scripts = write_plot_scripts(plots, figures, "");
-    if (!scripts.empty()) scripts.pop_back();  // all on one page: they stand there alone already
+    if (!scripts.empty()) scripts.pop_back();  // the overview of all, which are on this page already
     return run_gnuplot(plots, scripts);
   }
 
@@ -206,7 +210,7 @@ class Page {
   fs::path work_;
 };
 
-// False when we are asked to end.
+// False when a signal asks for the end.
 bool wait_for(double seconds) {
   const SignalsHeld signals;
   for (const double end = wall_clock() + seconds; wall_clock() < end;)
@@ -216,27 +220,27 @@ bool wait_for(double seconds) {
 
 }  // namespace
 
-int watch_run(const WatchArguments& arguments) {
-  RunLook look = look_at_run(arguments.run);
-  const double began = wall_clock(), first = share_of(look);
+int follow_run(const FollowArguments& arguments) {
+  RunProgress progress = progress_of_run(arguments.run);
+  const double began = wall_clock(), first = share_of(progress);
   LiveLine line(false, isatty(STDOUT_FILENO) == 1);
   std::optional<Page> page;
   if (arguments.page) page.emplace(arguments.run);
   const double interval = std::max(arguments.interval, kPageInterval);
   double next_page = 0.0;
-  for (bool told = false;; look = look_at_run(arguments.run)) {
-    const Pace pace{share_of(look), share_of(look) - first, wall_clock() - began};
-    const bool last = is_over(look) || arguments.once;
-    if (line.due(pace.share) || !told || last) line.show(sentence(look, pace));
+  for (bool first_time = true;; progress = progress_of_run(arguments.run)) {
+    const Pace pace{share_of(progress), share_of(progress) - first, wall_clock() - began};
+    const bool last = is_over(progress) || arguments.once;
+    if (line.due(pace.share) || first_time || last) line.show(sentence(progress, pace));
     if (page && (last || wall_clock() >= next_page)) {
-      page->write(look, pace, interval);
-      if (!told) {
+      page->write(progress, pace, interval);
+      if (first_time) {
         line.finish();
         std::printf("%s\n", short_path(arguments.run + "/watch.html").c_str());
       }
       next_page = wall_clock() + interval;
     }
-    told = true;
+    first_time = false;
     if (last) break;
     if (!wait_for(arguments.interval)) {
       line.finish();
@@ -244,7 +248,7 @@ int watch_run(const WatchArguments& arguments) {
     }
   }
   line.finish();
-  return exit_code(look);
+  return exit_code(progress);
 }
 
 }  // namespace footfall

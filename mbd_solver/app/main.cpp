@@ -1,5 +1,5 @@
-// footfall: the front door. It only arranges mbd_solver and liggghts_mbd; whatever it does, the line it prints does
-// too. Words that are not its own it hands to footfall_studies, which knows them all.
+// footfall: the command line. It only arranges mbd_solver and liggghts_mbd, with the line that it prints. Commands that
+// start many runs are in footfall_studies, which it starts in its place.
 #include <unistd.h>
 
 #include <cstdio>
@@ -13,16 +13,19 @@
 using namespace footfall;
 
 int main(int argc, char** argv) {
-  const std::string word = argc > 1 ? argv[1] : "";
-  for (const Subcommand& subcommand : subcommands())
-    if (word == subcommand.name) return front_door(argc, argv, subcommands());
-  try {
-    const std::string studies = built_program("footfall_studies");
-    execv(studies.c_str(), argv);
-    std::perror(studies.c_str());
-    return kExitFailed;
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return kExitBadInput;
+  std::string word = argc > 1 ? argv[1] : "";
+  if (word == "help" && argc > 2) word = argv[2];
+  for (const Subcommand& subcommand : subcommands()) {
+    if (word != subcommand.name || subcommand.prepare != nullptr) continue;
+    try {
+      const std::string studies = built_program("footfall_studies");
+      execv(studies.c_str(), argv);
+      std::perror(studies.c_str());
+      return kExitFailed;
+    } catch (const std::exception& e) {
+      std::fprintf(stderr, "%s\n", e.what());
+      return kExitBadInput;
+    }
   }
+  return run_command_line(argc, argv, subcommands());
 }

@@ -1,3 +1,4 @@
+// Copies a scene with the neighbouring folders that its files name as "../NAME/"; these become folders of the copy.
 #include "mbd_solver/app/new_case.h"
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/app/codes.h"
+#include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/scene/shipped_files.h"
 
@@ -17,9 +20,10 @@ namespace fs = std::filesystem;
 namespace {
 
 // Scenes of inputs/ that --from knows; the examples are found by their folders.
+constexpr const char* kAdvice = "choose a folder that can be written";
 constexpr const char* kOfInputs[][2] = {{"lander", "inputs/landing_mr"}, {"drop", "inputs/dropped_sphere"}};
 
-// What a case does not need: pictures and the scripts that draw them, and the page about the example itself.
+// Not copied: pictures, the scripts that draw them, and the page about the example.
 bool is_left_out(const fs::path& file) {
   const std::string ending = file.extension().string();
   return ending == ".png" || ending == ".gp" || ending == ".sh" || ending == ".md";
@@ -32,7 +36,7 @@ bool is_text(const fs::path& file) {
 
 std::string text_of(const fs::path& file) {
   const std::optional<std::string> text = read_whole_file(file.string());
-  if (!text) throw InputError(file.string() + ": cannot be read; install footfall again");
+  if (!text) throw InputError(code::kShippedFileMissing, file.string() + ": cannot be read; install footfall again");
   return *text;
 }
 
@@ -61,13 +65,13 @@ CaseKind kind_in(const std::string& name, const std::string& folder) {
   return {name, title_of(fs::path(shipped_file(folder)) / "scene.toml"), folder};
 }
 
-// Neighbours of the case's folder that its files name, as in "../regolith/in.bed", come along as folders within it.
+// Neighbours of the source folder that its files name, as in "../regolith/in.bed", become folders of the copy.
 class Copy {
  public:
   Copy(fs::path source, fs::path target) : source_(std::move(source)), target_(std::move(target)) {}
 
-  // `shown`: how the scene's own comments name its folder, which becomes that of the copy.
-  void take(const std::string& shown, const std::string& command) {
+  // `shown`: the source folder in the scene's own comments, which is replaced by that of the copy.
+  void copy(const std::string& shown, const std::string& command) {
     for (const fs::directory_entry& entry : fs::directory_iterator(source_)) {
       if (!entry.is_regular_file() || is_left_out(entry.path())) continue;
       if (!is_text(entry.path())) {
@@ -77,7 +81,7 @@ class Copy {
       std::string text = text_of(entry.path());
       for (const std::string& neighbour : neighbours_in(text)) {
         replace_all(text, "../" + neighbour + "/", neighbour + "/");
-        take_folder(neighbour);
+        copy_folder(neighbour);
       }
       replace_all(text, "./footfall run " + shown, command + " run " + target_.string());
       put(entry.path().filename(), text);
@@ -94,36 +98,36 @@ class Copy {
     return names;
   }
 
-  // As it is, with its own folders: what its files call "../OTHER/" is a folder of the copy, too.
-  void take_folder(const fs::path& name) {
+  // Unchanged, with the folders inside; what its files call "../OTHER/" becomes a folder of the copy, too.
+  void copy_folder(const fs::path& name) {
     if (fs::exists(target_ / name)) return;
     make_folder((target_ / name).string(), "");
     for (const fs::directory_entry& entry : fs::directory_iterator(source_.parent_path() / name)) {
-      if (entry.is_directory()) take_folder(name / entry.path().filename());
+      if (entry.is_directory()) copy_folder(name / entry.path().filename());
       if (!entry.is_regular_file() || is_left_out(entry.path())) continue;
       const std::string text = text_of(entry.path());
       if (is_text(entry.path()))
-        for (const std::string& further : neighbours_in(text)) take_folder(further);
+        for (const std::string& further : neighbours_in(text)) copy_folder(further);
       put(name / entry.path().filename(), text);
     }
   }
 
   void put(const fs::path& name, const std::string& text) {
-    write_whole_file((target_ / name).string(), text, "choose a folder that can be written");
+    write_whole_file((target_ / name).string(), text, kAdvice);
   }
 
   fs::path source_, target_;
 };
 
-void demand_new_folder(const fs::path& folder) {
+void require_new_folder(const fs::path& folder) {
   const std::string name = folder.filename().string();
   if (!is_plain_name(name))
-    throw InputError("footfall new: the name \"" + name +
-                     "\" has other characters than letters, digits and _ - . (or too many); LIGGGHTS takes its "
-                     "scripts apart at blanks and marks. Choose another name");
+    throw InputError(code::kNameNotUsable, "footfall new: the name \"" + name +
+                                               "\" has characters other than letters, digits and _ - . (or too many), "
+                                               "at which LIGGGHTS may split its scripts; choose another name");
   std::error_code error;
   if (fs::exists(fs::symlink_status(folder, error)))
-    throw InputError(folder.string() + ": is there already, and nothing is written over; choose another name");
+    throw InputError(code::kNameNotUsable, folder.string() + ": exists already; choose another name");
 }
 
 }  // namespace
@@ -145,22 +149,22 @@ void make_case(const std::string& given, const std::string& from) {
   if (kind == kinds.end()) {
     std::vector<std::string> names;
     for (const CaseKind& k : kinds) names.push_back(k.name);
-    throw InputError("footfall new --from " + from + ": there is no such case." + known_names("cases", from, names));
+    throw InputError(code::kUnknownCase,
+                     "footfall new --from " + from + ": unknown example." + known_names("examples", from, names));
   }
   std::string name = given;
   while (name.size() > 1 && name.back() == '/') name.pop_back();
   const fs::path folder(name);
-  demand_new_folder(folder);
-  make_folder(folder.string(), "choose a folder that can be written");
+  require_new_folder(folder);
+  make_folder(folder.string(), kAdvice);
   try {
     const fs::path source = shipped_file(kind->folder);
-    Copy(source, folder).take(kind->folder, called_as());
-    const std::string page = "# " + folder.filename().string() + ": " + kind->title + "\n" + called_as() + " check " +
-                             name + " says what is wrong with scene.toml, and " + called_as() + " run " + name +
-                             " runs it.\nA copy of " + source.string() +
-                             "; every key with its unit and default: " + shipped_file("inputs/reference/scene.toml") +
-                             "\n";
-    write_whole_file((folder / "README.md").string(), page, "choose a folder that can be written");
+    Copy(source, folder).copy(kind->folder, called_as());
+    const std::string page =
+        "# " + folder.filename().string() + ": " + kind->title + "\n" + "`" + called_as() + " check " + name +
+        "` reports every fault of scene.toml; `" + called_as() + " run " + name + "` runs it.\nA copy of " +
+        source.string() + ". All keys with units and defaults: " + shipped_file("inputs/reference/scene.toml") + "\n";
+    write_whole_file((folder / "README.md").string(), page, kAdvice);
   } catch (...) {
     std::error_code ignored;
     fs::remove_all(folder, ignored);

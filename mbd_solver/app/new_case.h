@@ -1,5 +1,5 @@
 #pragma once
-// footfall new: a folder of one's own with a scene that runs, copied from what comes with the program, to be edited.
+// footfall new: a folder with a scene to edit, copied from an example or an input that comes with the program.
 
 #include <string>
 #include <vector>
@@ -7,17 +7,17 @@
 namespace footfall {
 
 struct CaseKind {
-  std::string name;    // of --from
+  std::string name;    // for --from
   std::string title;   // of its scene
   std::string folder;  // under inputs/ or examples/
 };
 
-// What --from knows: every example without the number before its name, and the scenes of inputs that have a name here.
-// Throws InputError when the program's files are not there.
+// Values of --from: every example, without the number before its name, and some scenes of inputs/. Throws InputError when
+// the files of the program are missing.
 std::vector<CaseKind> case_kinds();
 
-// Makes `folder` with the scene of that kind, the scripts, meshes and tables that it reads, and a README; the copy needs
-// no other file. Throws InputError for a folder that is there, a name that LIGGGHTS could not read, an unknown kind.
+// Creates `folder` with that scene, the scripts, meshes and tables that it reads, and a README; the copy needs no other
+// file. Throws InputError for an existing folder, a name that LIGGGHTS cannot read, or an unknown kind.
 void make_case(const std::string& folder, const std::string& from);
 
 }  // namespace footfall

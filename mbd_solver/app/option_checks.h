@@ -1,5 +1,5 @@
 #pragma once
-// Checks of command-line values, with messages that people can read.
+// Checks of the values of command-line options.
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace footfall {
 
-// good(value): whether a number is taken; expected: "a number above zero".
+// good(value): whether a number is valid; expected: "a number above zero".
 template <class Good>
 CLI::Validator number_that(const Good& good, const std::string& expected, const std::string& name) {
   return CLI::Validator(
@@ -25,7 +25,7 @@ inline CLI::Validator positive() {
   return number_that([](double value) { return value > 0.0; }, "a number above zero", "NUMBER > 0");
 }
 inline CLI::Validator not_negative() {
-  return number_that([](double value) { return value >= 0.0; }, "zero or a number above", "NUMBER >= 0");
+  return number_that([](double value) { return value >= 0.0; }, "zero or a number above zero", "NUMBER >= 0");
 }
 inline CLI::Validator within(double least, double most) {
   const std::string from = number_text(least, 10), to = number_text(most, 10);

@@ -1,9 +1,9 @@
 #include "mbd_solver/app/packed_series.h"
 
+#include <zlib.h>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <zlib.h>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/app/report.h"

@@ -1,3 +1,4 @@
+// Writes dumps of grains as VTK XML (zlib in base64), lists of files with their times, and a script for ParaView.
 #include "mbd_solver/app/paraview_files.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/app/packed_series.h"
 #include "mbd_solver/app/report.h"
+#include "mbd_solver/app/results.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/output/vtk_writer.h"
@@ -24,8 +26,10 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// Length of the window that ends with each drawing [s]. Where the run chose its windows, the history tells how many
-// substeps the one at the next row had.
+constexpr const char* kAdvice = "is the disk full?";
+
+// Length of the window that ends with each drawing [s]. Where the run chose its windows, the history has the number of DEM
+// steps of the window at the next row.
 std::vector<double> windows_before(const std::string& out, const std::vector<double>& drawn, double dt,
                                    const Json& summary) {
   if (summary.contains("substeps_per_window") && summary.at("substeps_per_window").is_number())
@@ -52,7 +56,7 @@ std::string bytes_of(const std::vector<Number>& numbers) {
 template <class Number>
 std::string data_array(const char* type, const char* name, int components, const std::vector<Number>& numbers) {
   const std::string bytes = bytes_of(numbers), packed = bytes.empty() ? "" : packed_bytes(bytes);
-  std::vector<std::uint32_t> header = {0, 0, 0};  // blocks, bytes of a block, bytes of a last one that is smaller
+  std::vector<std::uint32_t> header = {0, 0, 0};  // blocks, bytes of a block, bytes of a smaller last block
   if (!bytes.empty()) {
     const auto padding = static_cast<std::size_t>(std::count(packed.end() - 2, packed.end(), '='));
     header = {1, static_cast<std::uint32_t>(bytes.size()), 0,
@@ -97,13 +101,13 @@ void write_grain_series(const std::string& out) {
       if (!drawn.empty())
         if (const std::size_t k = nearest(drawn, time); std::abs(drawn[k] - time) < 1.001 * windows[k]) time = drawn[k];
       const fs::path made = fs::path(file).replace_extension(".vtp");
-      write_whole_file(made.string(), grain_polydata(read_bed_frame(file)), "is the disk full?");
+      write_whole_file(made.string(), grain_polydata(read_bed_frame(file)), kAdvice);
       list.emplace_back(time, made.filename().string());
     }
     const std::string stem = fs::path(dumps.begin()->second).stem().string();
     write_vtk_list((fs::path(out) / (stem.substr(0, stem.rfind('_')) + ".pvd")).string(), list);
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "footfall: warning: no list of the grains' dumps: %s\n", e.what());
+    warn_missing_file("list of the dumps of grains", e);
   }
 }
 
@@ -111,7 +115,7 @@ namespace {
 
 constexpr const char* kScript =
     R"(# Opens this run in ParaView:  paraview --script=paraview.py  in this folder, or Tools, Python Shell, Run Script.
-# Bodies are coloured by number (the names stand in the field data "body_names"), grains by speed; both have velocities.
+# Bodies are coloured by number (their names are in the field data "body_names"), grains by speed; both have velocities.
 import os
 
 from paraview.simple import *
@@ -169,9 +173,9 @@ bool drew_something(const fs::path& out) {
 
 void write_paraview_script(const std::string& out) {
   try {
-    if (drew_something(out)) write_whole_file((fs::path(out) / "paraview.py").string(), kScript, "is the disk full?");
+    if (drew_something(out)) write_whole_file((fs::path(out) / "paraview.py").string(), kScript, kAdvice);
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "footfall: warning: no paraview.py: %s\n", e.what());
+    warn_missing_file("paraview.py", e);
   }
 }
 

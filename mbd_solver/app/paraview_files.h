@@ -1,7 +1,7 @@
 #pragma once
-// The dumps of grains for ParaView: NAME.pvd lists them with their times, as bodies.pvd does for the bodies. A .pvd
-// lists XML files alone and LIGGGHTS dumps legacy ones or text, so each dump is written once more beside itself, as
-// NAME_STEP.vtp: packed, with id, radius [m], velocity [m/s] and force [N] where the dump has them.
+// Files for ParaView: NAME.pvd lists the dumps of grains with their times, as bodies.pvd does for the bodies. A .pvd lists
+// XML files only and LIGGGHTS dumps legacy files or text, so each dump is written again next to it, as NAME_STEP.vtp:
+// compressed, with id, radius [m], velocity [m/s] and force [N] where the dump has them. And paraview.py, which opens both.
 
 #include <string>
 
@@ -9,19 +9,16 @@
 
 namespace footfall {
 
-// Writes them for the run in `out`; nothing when it dumped no grains. A dump within the window in which the bodies were
-// drawn gets the time of their drawing, so that both step together. A failure is a warning on standard error, not an
-// end.
+// For the run in `out`; nothing without dumps of grains. A dump within the window in which the bodies were drawn gets the
+// time of their drawing, so that both step together. A failure is a warning on standard error.
 void write_grain_series(const std::string& out);
 
-// One dump as VTK's XML: points with float arrays `velocity`, `force` and `radius`, and the integers `id`; each array
-// is one block of zlib in base64, behind VTK's header of it.
+// One dump as VTK XML: points with float arrays `velocity`, `force` and `radius`, and integers `id`; each array is one
+// block of zlib in base64, after VTK's header of it.
 std::string grain_polydata(const BedFrame& frame);
 
-// paraview.py: opens a run in ParaView, bodies and grains in step, grains as spheres coloured by speed.
-
-// Writes it for the run in `out`; nothing when it drew neither bodies nor grains. A failure is a warning on standard
-// error, not an end.
+// paraview.py shows bodies, and grains as spheres coloured by speed. Nothing for a run with neither. A failure is a warning
+// on standard error.
 void write_paraview_script(const std::string& out);
 
 }  // namespace footfall

@@ -1,3 +1,4 @@
+// Curves go into gnuplot's data blocks first, so that it reads the long rows of a history once for several curves.
 #include "mbd_solver/app/plot_script.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/app/codes.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/process.h"
 
@@ -59,8 +61,8 @@ std::vector<std::string> run_gnuplot(const std::string& folder, const std::vecto
   command.words.insert(command.words.end(), scripts.begin(), scripts.end());
   const ChildEnd end = run_child(command);
   if (end.code != 0)
-    throw InputError("gnuplot ended with code " + std::to_string(end.code) + "; see " +
-                     (fs::path(folder) / log).string());
+    throw InputError(code::kGnuplotFailed, "gnuplot ended with exit code " + std::to_string(end.code) + "; see " +
+                                               (fs::path(folder) / log).string());
   for (const std::string& script : scripts)
     pictures.push_back((fs::path(folder) / fs::path(script).replace_extension(".png")).string());
   return pictures;
@@ -92,7 +94,7 @@ std::vector<std::size_t> rows_to_draw(const std::vector<double>& time, std::size
 std::vector<double> drawn_values(const std::vector<double>& values, const std::vector<std::size_t>& rows) {
   std::vector<double> drawn;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    // A pair of rows spans all between them; a row whose follower is the next row stands for itself.
+    // A pair of rows represents all rows between them; a row followed by the next row represents itself.
     const bool pair = i + 1 < rows.size() && rows[i + 1] > rows[i] + 1;
     if (!pair) {
       drawn.push_back(values[rows[i]]);
@@ -134,9 +136,7 @@ constexpr const char* kColours[kSeriesColours] = {"#0072b2", "#d55e00", "#009e73
 
 constexpr std::size_t kBlack = 7;  // line type
 
-// The curves of a figure stand in data blocks, $name_0, $name_1 ...: gnuplot reads the long rows of the history once a
-// block, not once a curve.
-constexpr std::size_t kBlockCurves = 13;  // a `using` of gnuplot takes 14 columns, and the first is the time
+constexpr std::size_t kBlockCurves = 13;  // per data block: `using` takes 14 columns, and the first is the time
 
 std::string block_name(const Figure& figure, std::size_t curve) {
   return "$" + figure.name + "_" + std::to_string(curve / kBlockCurves);
@@ -161,7 +161,7 @@ std::string curve(const Figure& figure, std::size_t i) {
   return block_name(figure, i) + " using 1:" + std::to_string(i % kBlockCurves + 2);
 }
 
-// From the uppermost band to the lowest, so that each is painted over the rest of those above it.
+// From the uppermost band to the lowest, so that each is painted over those above it.
 std::string bands(const Figure& figure) {
   std::string text;
   for (std::size_t i = figure.curves.size(); i > 0; --i)
@@ -245,7 +245,7 @@ std::vector<std::string> write_plot_scripts(const std::string& folder, const std
 std::string write_page_script(const std::string& folder, const PlotPage& page) {
   make_folder(folder);
   const int count = static_cast<int>(page.figures.size()), rows = (count + page.columns - 1) / page.columns;
-  // Curves of all panels stand above each other, whatever their legends.
+  // Equal margins align the panels, whatever their legends.
   std::size_t longest = 0;
   for (const Figure& figure : page.figures)
     for (const Curve& curve : figure.curves)

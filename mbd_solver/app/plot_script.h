@@ -1,5 +1,6 @@
 #pragma once
-// What a curve shows, of the columns of a history.
+// Scripts for gnuplot, and running it: curves over time and surfaces. Each script stands in DIR/plots, reads ../history.csv
+// or ../ledger.csv, and draws itself as PNG and SVG; users can edit and rerun it.
 
 #include <Eigen/Dense>
 #include <string>
@@ -10,7 +11,7 @@
 
 namespace footfall {
 
-// factor (constant + sum of c_i column_i), or factor times the norm of the columns.
+// What a curve shows: factor (constant + sum of c_i column_i), or factor times the norm of the columns.
 struct Formula {
   std::vector<std::pair<double, std::string>> columns;  // c_i and the column's name
   double constant = 0.0;
@@ -21,9 +22,7 @@ struct Formula {
   std::vector<double> values(const History& history) const;  // one per row; throws InputError for an unknown column
 };
 
-// Runs gnuplot.
-
-// What a script begins with that draws columns of CSV files by their names.
+// Beginning of a script that draws columns of CSV files by their names.
 inline constexpr const char* kCsv = "set datafile separator ','\nset datafile columnheaders\nset encoding utf8\n";
 
 struct PictureSize {
@@ -35,23 +34,18 @@ struct PictureSize {
 std::string write_drawing(const std::string& folder, const std::string& name, const PictureSize& size,
                           const std::string& setup, const std::string& drawing);
 
-// Runs the scripts in `folder`, where each makes NAME.png; returns these pictures. Throws InputError when gnuplot is
-// missing or fails.
+// Runs the scripts in `folder`; returns the pictures NAME.png. Throws InputError when gnuplot is missing or fails.
 std::vector<std::string> run_gnuplot(const std::string& folder, const std::vector<std::string>& scripts);
 
-// Long histories as a picture can show them: of every span of time that is narrower than a pixel the lowest and the
-// highest value, so that no peak is lost.
-
-// Which rows stand for the time axis, two per span: first and last. All rows when there are few.
+// Long histories reduced to the resolution of a picture: the lowest and the highest value of every span of time that is
+// narrower than a pixel, so that no peak is lost. The rows for the time axis: first and last of every span; all rows when
+// there are few.
 std::vector<std::size_t> rows_to_draw(const std::vector<double>& time, std::size_t spans);
 
-// Values for these rows: the lowest and the highest of the span, in the order in which they come.
+// Values for these rows: the lowest and the highest of each span, in the order of time.
 std::vector<double> drawn_values(const std::vector<double>& values, const std::vector<std::size_t>& rows);
 
-// gnuplot scripts of figures. Each script stands in DIR/plots, reads ../history.csv or ../ledger.csv and draws itself as
-// PNG and SVG; a user can edit and rerun it.
-
-// Eight colours that people with any colour vision can tell apart (Okabe and Ito 2008, grey in place of yellow).
+// Eight colours that can be distinguished with any colour vision (Okabe and Ito 2008, grey instead of yellow).
 inline constexpr int kSeriesColours = 8;
 std::string series_colour(int series);  // #rrggbb, of 0 ... kSeriesColours - 1
 
@@ -67,12 +61,12 @@ struct Figure {
   std::string axis;  // label of the vertical axis, with unit
   std::vector<Curve> curves;
   std::string file = "../history.csv";  // from the script's folder
-  bool stacked = false;          // each curve is the upper edge of a band, which the one before bounds from below
-  double low = 0.0, high = 0.0;  // of the vertical axis; equal: as the data say
+  bool stacked = false;                 // each curve is the upper edge of a band, the one before its lower edge
+  double low = 0.0, high = 0.0;         // range of the vertical axis; equal: from the data
 };
 
-// Figures of a history with more rows than a picture can show draw NAME.csv in `folder` instead, which this writes: the
-// lowest and the highest value of each span of time. gnuplot needs minutes for long ones.
+// For a history with more rows than a picture can show, writes reduced rows to NAME.csv in `folder` for each figure, which
+// then draws that file: gnuplot takes minutes for long ones.
 void reduce_long_figures(std::vector<Figure>& figures, const History& history, const std::string& folder);
 
 // One script per figure and `overview.gp` with all of them on one page, in `folder`. Returns their file names. Throws
@@ -89,8 +83,7 @@ struct PlotPage {
 };
 std::string write_page_script(const std::string& folder, const PlotPage& page);
 
-// gnuplot scripts of surfaces z(x, y), as [Lin25 Figure 4] shows its control surfaces.
-
+// A surface z(x, y), as the control surfaces in [Lin25 Figure 4].
 struct SurfacePicture {
   std::string name;  // file name without ending
   std::string title;

@@ -1,3 +1,4 @@
+// Chooses columns by kind and name, groups them into panels by unit, and hands figures to plot_script.
 #include "mbd_solver/app/plots.h"
 
 #include <fnmatch.h>
@@ -10,8 +11,8 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
-#include "mbd_solver/base/made_files.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/run/output/summary.h"
 
@@ -84,8 +85,7 @@ std::vector<Curve> energy_curves(const History& history, const std::string& star
 std::vector<Curve> dissipation_curves(const History& history) {
   std::vector<Curve> curves = energy_curves(history, "dissipated.");
   const bool grains = history.find("coupling.energy_residual") >= 0;
-  if (grains && largest(history, "work.contact") > 0.0)
-    curves.push_back({"taken by the grains", of("work.contact", -kKilo)});
+  if (grains && largest(history, "work.contact") > 0.0) curves.push_back({"to the grains", of("work.contact", -kKilo)});
   return curves;
 }
 
@@ -101,9 +101,9 @@ std::string with_stars_for_numbers(const std::string& name) {
   return out;
 }
 
-// More series than there are colours: a figure for each group whose names differ by numbers alone, as the primary
-// struts of all legs.
-void add_readable(const Figure& figure, std::vector<Figure>& out) {
+// With more series than colours: a figure for each group whose names differ only in numbers, as the primary struts of all
+// legs.
+void add_split(const Figure& figure, std::vector<Figure>& out) {
   if (figure.curves.size() <= kSeriesColours) {
     out.push_back(figure);
     return;
@@ -142,16 +142,17 @@ std::vector<Figure> standard_figures(const History& history, const std::string& 
     figures.push_back({"descent", "Descent of " + body, "descent [m]", {{body, {{{-1.0, body + ".z"}}, start}}}});
   }
   figures.push_back({"energy", "Mechanical energy and its parts", "energy [kJ]", energy_curves(history, "energy.")});
-  figures.push_back({"dissipation", "Where the energy went", "energy [kJ]", dissipation_curves(history)});
+  figures.push_back(
+      {"dissipation", "Dissipated energy and work on the grains", "energy [kJ]", dissipation_curves(history)});
   figures.push_back(
       {"strokes", "Strut strokes, compression positive", "stroke [m]", curves_of(history, ".stroke", 1.0)});
   figures.push_back(
       {"strut_forces", "Strut forces, compression positive", "force [kN]", curves_of(history, ".force", kKilo)});
   figures.push_back({"contact_forces", "Contact forces", "force on the body [kN]", contact_curves(history)});
-  std::vector<Figure> readable;
+  std::vector<Figure> split;
   for (const Figure& figure : figures)
-    if (!figure.curves.empty()) add_readable(figure, readable);
-  return readable;
+    if (!figure.curves.empty()) add_split(figure, split);
+  return split;
 }
 
 Figure ledger_figure(const History& ledger) {
@@ -175,9 +176,9 @@ Figure ledger_figure(const History& ledger) {
     bands.push_back({"grains, gravity", "#41ab5d", {"grains.gravity"}});
     bands.push_back({"grains, dissipated and elastic", "#c7e9c0", {"grains.dissipated"}});
   } else if (ledger.find("work.to_grains") >= 0) {
-    bands.push_back({"taken by the grains", "#41ab5d", {"work.to_grains"}});
+    bands.push_back({"to the grains", "#41ab5d", {"work.to_grains"}});
   }
-  // Each band from its own lowest value: only changes of energy mean something, and then no band is negative.
+  // Each band counts from its own lowest value: only changes of energy matter, and no band is negative.
   const auto height = [&](const Band& band) {
     std::vector<double> value(ledger.columns.front().size(), 0.0);
     for (const std::string& name : band.columns) {
@@ -195,7 +196,7 @@ Figure ledger_figure(const History& ledger) {
     scale = std::max(scale, *high - *low);
   }
   Formula edge{{}, 0.0, kKilo};  // upper edge of the band
-  Figure figure{"ledger", "Where the energy is, each part from its lowest value", "energy [kJ]", {}, "../ledger.csv",
+  Figure figure{"ledger", "Energy balance by part, each from its lowest value", "energy [kJ]", {}, "../ledger.csv",
                 true};
   for (std::size_t i = 0; i < bands.size(); ++i) {
     if (!(range[i].second - range[i].first > kVisible * scale)) continue;
@@ -212,7 +213,7 @@ using Names = std::vector<std::string>;
 
 constexpr const char* kKinds[] = {"bodies", "joints", "struts", "springs", "drives", "controllers"};
 
-// A * stays between two dots.
+// A * matches within two dots.
 bool matches(const std::string& pattern, const std::string& name) {
   const auto as_path = [](std::string text) {
     std::replace(text.begin(), text.end(), '.', '/');
@@ -221,7 +222,7 @@ bool matches(const std::string& pattern, const std::string& name) {
   return fnmatch(as_path(pattern).c_str(), as_path(name).c_str(), FNM_PATHNAME | FNM_NOESCAPE) == 0;
 }
 
-// The columns of what the scene has of this kind.
+// The columns of all entries of this kind in the scene.
 Names columns_of_kind(const History& history, const Json& scene, const std::string& kind) {
   Names found;
   const Json entries = scene.value(kind, Json::array());
@@ -270,7 +271,7 @@ const Quantity* quantity_of(const std::string& unit) {
   return found == std::end(kQuantities) ? nullptr : found;
 }
 
-// What stands behind the last dot in all of them: "force" of a.force and b.force. Empty when they differ.
+// The word after the last dot, if it is the same in all: "force" of a.force and b.force.
 std::string common_ending(const Names& columns) {
   std::string common;
   for (const std::string& name : columns) {
@@ -282,7 +283,7 @@ std::string common_ending(const Names& columns) {
   return common;
 }
 
-// "leg_12_primary.force" -> "leg_12" and "primary.force"; no number: all of it behind an empty key.
+// "leg_12_primary.force" -> "leg_12" and "primary.force"; without a number an empty key and the whole name.
 std::pair<std::string, std::string> at_number(const std::string& name) {
   const auto digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   const auto first = std::find_if(name.begin(), name.end(), digit);
@@ -299,7 +300,7 @@ struct Group {
   std::vector<int> colours;
 };
 
-// By the first number in the names. Empty where that makes no groups of at most eight.
+// By the first number in the names. Empty if that does not give groups of at most eight.
 std::vector<Group> by_number(const Names& columns) {
   std::vector<Group> groups;
   Names roles;
@@ -330,7 +331,7 @@ std::vector<Group> by_eights(const Names& columns, const std::string& title) {
   return groups;
 }
 
-// "leg_1_primary.force" -> "leg_1_primary" where all end with ".force", which then stands at the axis.
+// "leg_1_primary.force" -> "leg_1_primary" if all end with ".force", which is then the label of the axis.
 void shorten(Names& labels, const std::string& ending) {
   if (ending.empty()) return;
   for (std::string& label : labels)
@@ -344,8 +345,8 @@ Names chosen_columns(const History& history, const Json& scene, const Names& wor
   for (const std::string& word : words) {
     const Names found = columns_for(history, scene, word);
     if (found.empty())
-      throw InputError("\"" + word + "\" is no column of this run's history, and no pattern of one." +
-                       known_names("columns", word, history.names));
+      throw InputError(code::kUnknownColumn, "\"" + word + "\" matches no column of this run's history." +
+                                                 known_names("columns", word, history.names));
     for (const std::string& name : found)
       if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
   }
@@ -425,16 +426,16 @@ std::string file_name(const std::vector<std::string>& words) {
   return name.substr(0, kLongestFile);
 }
 
-// Of a run that is under way there is none yet.
+// A run in progress has none yet.
 Json summary_of(const fs::path& run) {
   const fs::path file = run / "summary.json";
   return fs::exists(file) ? read_summary(file.string()) : Json::object();
 }
 
-void demand_ending(const std::string& out) {
+void require_picture_ending(const std::string& out) {
   const std::string ending = fs::path(out).extension().string();
   if (!out.empty() && ending != ".png" && ending != ".svg")
-    throw InputError("--out " + out + ": the picture's file ends with \"" + ending + "\", expected .png or .svg");
+    throw InputError(code::kWrongOption, "--out " + out + ": ends with \"" + ending + "\", expected .png or .svg");
 }
 
 PlotPage page_of(const std::string& name, const std::string& title, Panels panels) {
@@ -453,7 +454,7 @@ PlotPage page_of(const std::string& name, const std::string& title, Panels panel
   return page;
 }
 
-std::vector<std::string> listed(const History& history) {
+std::vector<std::string> column_list(const History& history) {
   std::vector<std::string> lines;
   for (std::size_t i = 1; i < history.names.size(); ++i)
     lines.push_back(history.names[i] + " [" + history.units[i] + "]");
@@ -465,12 +466,12 @@ std::vector<std::string> listed(const History& history) {
 std::vector<std::string> plot_columns(const ColumnPlot& plot) {
   const fs::path run(plot.run);
   if (!fs::exists(run / "history.csv"))
-    throw InputError(plot.run + ": holds no history.csv; expected the folder of a run");
-  demand_ending(plot.out);
+    throw InputError(code::kNoRun, plot.run + ": no history.csv; expected the folder of a run");
+  require_picture_ending(plot.out);
   const History history = read_history((run / "history.csv").string());
-  if (plot.columns.empty()) return listed(history);
+  if (plot.columns.empty()) return column_list(history);
   if (history.columns.front().size() < 2)
-    throw InputError(plot.run + "/history.csv: has fewer than two rows: there is nothing to draw yet");
+    throw InputError(code::kNoRun, plot.run + "/history.csv: fewer than two rows, nothing to draw yet");
   const Json summary = summary_of(run);
   const Json scene = summary.value("scene", Json::object());
   const std::vector<std::string> columns = chosen_columns(history, scene, plot.columns);
@@ -478,14 +479,15 @@ std::vector<std::string> plot_columns(const ColumnPlot& plot) {
   const std::string title = plot.title.empty() ? scene.value("title", "") : plot.title;
   PlotPage page = page_of(file_name(plot.columns), title, panels_of(history, columns));
   const fs::path plots = run / "plots";
-  const MadeFiles made(run.string());
   reduce_long_figures(page.figures, history, plots.string());
   const std::string script = write_page_script(plots.string(), page);
   const std::string picture = run_gnuplot(plots.string(), {script}).front();
   if (plot.out.empty()) return {short_path(picture), short_path(fs::path(picture).replace_extension(".svg").string())};
   const std::string drawn = fs::path(picture).replace_extension(fs::path(plot.out).extension()).string();
   const std::optional<std::string> bytes = read_whole_file(drawn);
-  if (!bytes) throw InputError(drawn + ": gnuplot did not draw it; see " + (plots / "gnuplot.log").string());
+  if (!bytes)
+    throw InputError(code::kGnuplotFailed,
+                     drawn + ": gnuplot did not draw it; see " + (plots / "gnuplot.log").string());
   write_whole_file(plot.out, *bytes);
   return {plot.out};
 }

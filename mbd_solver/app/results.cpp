@@ -1,3 +1,4 @@
+// The balance sums columns of history.csv and grains_energy.txt at common times; the rest prints and plots what is there.
 #include "mbd_solver/app/results.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/plots.h"
 #include "mbd_solver/model/laws/strut_law.h"
@@ -18,9 +20,9 @@ namespace {
 
 const std::string kDissipated = "dissipated.";
 constexpr const char* kResidual = "coupling.energy_residual";
-constexpr double kSameTime = 1e-6;  // grains_energy.txt holds six digits
+constexpr double kSameTime = 1e-6;  // grains_energy.txt has six digits
 
-// The values of a column at rising times within its own, along straight lines.
+// The values of a column at ascending times within its range, interpolated linearly.
 std::vector<double> at_times(const std::vector<double>& time, const std::vector<double>& value,
                              const std::vector<double>& wanted) {
   std::vector<double> result;
@@ -47,7 +49,8 @@ std::vector<double> since_start(const std::vector<double>& values, std::size_t c
 
 GrainEnergies read_grain_energies(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw InputError(path + ": cannot be read; expected the energies of the grains that the script writes");
+  if (!file)
+    throw InputError(code::kRunDamaged, path + ": cannot be read; expected the energies that the script writes");
   GrainEnergies grains;
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
@@ -56,12 +59,12 @@ GrainEnergies read_grain_energies(const std::string& path) {
     double step = 0.0, time = 0.0, kinetic = 0.0, rotation = 0.0, gravity = 0.0;
     if (!(words >> step >> time >> kinetic >> rotation >> gravity)) {
       if (file.peek() == std::ifstream::traits_type::eof()) break;
-      throw InputError(path + ":" + std::to_string(number) + ": \"" + line +
-                       "\": expected five numbers: step time kinetic rotation gravity");
+      throw InputError(code::kRunDamaged, path + ":" + std::to_string(number) + ": \"" + line +
+                                              "\": expected five numbers: step time kinetic rotation gravity");
     }
     if (!grains.time.empty() && time <= grains.time.back())
-      throw InputError(path + ":" + std::to_string(number) + ": time " + std::to_string(time) +
-                       " s: expected one later than that of the row before");
+      throw InputError(code::kRunDamaged, path + ":" + std::to_string(number) + ": time " + std::to_string(time) +
+                                              " s: expected a later time than in the row before");
     grains.time.push_back(time);
     grains.kinetic.push_back(kinetic + rotation);
     grains.gravity.push_back(gravity);
@@ -78,7 +81,7 @@ double reference_energy(const History& run) {
 History energy_ledger(const History& run, const GrainEnergies& grains) {
   const std::vector<double>& run_time = run.column("time");
   if (run_time.empty() || run.find("energy.total") < 0)
-    throw InputError("the history holds no energies; there is no ledger to make of it");
+    throw InputError(code::kNoRun, "the history has no energies, and so no balance");
   std::size_t rows = 0;
   while (rows < grains.time.size() && grains.time[rows] <= run_time.back() * (1.0 + kSameTime)) ++rows;
   const bool both_sides = run.find(kResidual) >= 0 && rows > 0;
@@ -141,7 +144,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// One row of the table, when the summary has the figure.
+// One row of the table, if the summary has the key.
 void row(const Json& summary, const char* label, const char* key, double factor, const char* format) {
   if (!summary.contains(key) || !summary[key].is_number()) return;
   std::printf("  %-38s ", label);
@@ -162,7 +165,7 @@ void print_times(const Json& summary) {
   const auto part = [&](const char* key) { return summary.value(key, 0.0); };
   std::printf("  %-38s %.1f s", "wall time", wall);
   if (part("dem_wall_s") > 0.0 && wall > 0.0) {
-    std::printf(" (grains %.1f s, and %.2f s = %.1f %% waiting for the mechanism, which took %.1f s = %.1f %%)",
+    std::printf(" (grains %.1f s, waiting for the mechanism %.2f s = %.1f %%, mechanism %.1f s = %.1f %%)",
                 part("dem_wall_s"), part("waited_wall_s"), 100.0 * part("waited_wall_s") / wall, part("mbd_wall_s"),
                 100.0 * part("mbd_wall_s") / wall);
   }
@@ -170,6 +173,12 @@ void print_times(const Json& summary) {
 }
 
 }  // namespace
+
+void warn_missing_file(const std::string& file, const std::exception& error) {
+  const std::string text = "no " + file + ": " + error.what();
+  const bool coded = dynamic_cast<const CodedError*>(&error) != nullptr;
+  std::fprintf(stderr, "footfall: warning: %s\n", (coded ? text : with_code(code::kNoExtraFiles, text)).c_str());
+}
 
 void print_results(const std::string& out, const std::vector<std::string>& pictures) {
   const Json summary = read_summary((fs::path(out) / "summary.json").string());
@@ -183,12 +192,12 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
     row(summary, "largest depth below the ground", "max_penetration_m", 1.0, "%.3f m");
     row(summary, "largest contact force on one body", "max_contact_force_N", 1e-3, "%.2f kN");
   }
-  row(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "%.4f %% of the energy moved");
-  row(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0,
-      "%.3f %% of the energy moved");
+  row(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "%.4f %% of the energy exchanged");
+  row(summary, "energy error of the interface", "coupling_energy_residual_relative", 100.0,
+      "%.3f %% of the energy exchanged");
   if (summary.contains("ledger")) {
     row(summary.at("ledger"), "energy given to the grains", "energy_to_grains_J", 1e-3, "%.3f kJ");
-    row(summary.at("ledger"), "of it dissipated in the grains", "grains_dissipated_J", 1e-3, "%.3f kJ");
+    row(summary.at("ledger"), "dissipated by the grains", "grains_dissipated_J", 1e-3, "%.3f kJ");
   }
   row(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "%.2f %% of its radius");
   row(summary, "grains", "particles", 1.0, "%.0f");
@@ -220,22 +229,22 @@ bool write_ledger(const std::string& out) {
     const fs::path file = folder / "summary.json";
     if (!fs::exists(file)) return true;
     Json summary = read_summary(file.string());
-    Json figures;
+    Json metrics;
     double error = 0.0;
     for (const double e : ledger.column("closing_error")) error = std::max(error, std::abs(e));
-    figures["closing_error_relative"] = error;
+    metrics["closing_error_relative"] = error;
     if (ledger.find("grains.dissipated") >= 0) {
       const double work = ledger.column("work.to_grains").back();
-      figures["energy_to_grains_J"] = work;
+      metrics["energy_to_grains_J"] = work;
       const double initial = reference_energy(run);
-      if (initial > 0.0) figures["energy_to_grains_share"] = work / initial;
-      figures["grains_dissipated_J"] = ledger.column("grains.dissipated").back();
+      if (initial > 0.0) metrics["energy_to_grains_share"] = work / initial;
+      metrics["grains_dissipated_J"] = ledger.column("grains.dissipated").back();
     }
-    summary["ledger"] = figures;
+    summary["ledger"] = metrics;
     write_summary(file.string(), summary);
     return true;
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "footfall: warning: no energy ledger: %s\n", e.what());
+    warn_missing_file("ledger.csv", e);
   }
   return false;
 }
@@ -253,12 +262,12 @@ std::vector<std::string> make_pictures(const std::string& out) {
       const History energies = read_history(ledger.string());
       std::vector<Figure> more = {ledger_figure(energies)};
       reduce_long_figures(more, energies, plots.string());
-      if (!more.front().curves.empty()) figures.push_back(more.front());  // where no energy moves there is none to draw
+      if (!more.front().curves.empty()) figures.push_back(more.front());
     }
     const std::vector<std::string> scripts = write_plot_scripts(plots.string(), figures, title);
     return run_gnuplot(plots.string(), scripts);
   } catch (const InputError& e) {
-    std::fprintf(stderr, "footfall: warning: no pictures: %s\n", e.what());
+    warn_missing_file("plots", e);
   }
   return {};
 }

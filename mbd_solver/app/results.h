@@ -1,15 +1,15 @@
 #pragma once
-// Where the energy of a run is at each time, on both sides of the interface [J]:
-//   mechanism stored + dissipated + interface + grains stored + grains dissipated - work of prescribed motions =
-//   constant.
-// The mechanism's side comes from history.csv. The grains' side, their kinetic and gravity energy, LIGGGHTS writes
-// (grains_energy.txt, stock commands, inputs/regolith/energy.lammps). What the grains dissipated is what is left of the
-// work they received:
-//   received = -work.contact - coupling.energy_residual,   dissipated = received - change of kinetic - change of
-//   gravity energy.
-// It therefore holds the change of the elastic energy in the contacts as well; LIGGGHTS has no sum of that. It may fall
-// by no more than that energy.
+// After a run: the energy balance by part (ledger.csv), the summary on the terminal, and the plots.
+//
+// Energy balance on both sides of the interface [J], constant over time:
+//   mechanism stored + dissipated + interface + grains stored + grains dissipated - work of prescribed motions
+// The mechanism's part comes from history.csv. LIGGGHTS writes kinetic and gravity energy of the grains
+// (grains_energy.txt, by the stock commands of inputs/regolith/energy.lammps). Energy dissipated by the grains is the
+// rest of the work that they received:
+//   received = -work.contact - coupling.energy_residual,   dissipated = received - change of kinetic and gravity energy
+// It includes the elastic energy of their contacts, of which LIGGGHTS has no sum, and may decrease by that much.
 
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -20,40 +20,38 @@ namespace footfall {
 struct GrainEnergies {          // one entry per row; empty: unknown
   std::vector<double> time;     // [s], rising
   std::vector<double> kinetic;  // translation and rotation [J]
-  std::vector<double> gravity;  // sum of m g z, from any level [J]
+  std::vector<double> gravity;  // sum of m g z, relative to any level [J]
 };
 
-// grains_energy.txt: rows "step time kinetic rotation gravity". A last row that is cut off is left out. Throws
-// InputError "file:line: ...".
+// Reads grains_energy.txt: rows "step time kinetic rotation gravity". Ignores an incomplete last row. Throws InputError.
 GrainEnergies read_grain_energies(const std::string& path);
 
-// Columns, all in J but the first and the last:
-//   time [s]; mechanism.kinetic, .gravity, .strain, .gas, .contact (elastic, of a rigid plane); dissipated.* as in
-//   history.csv;
-//   work.motion: done by prescribed motions so far; with grains: work.to_grains: what the mechanism lost to them,
-//   interface: what of it they did not receive; with `grains`: grains.kinetic, grains.gravity and grains.dissipated,
-//   changes since the first row;
-//   sum: mechanism + dissipated - work.motion + work.to_grains; closing_error: its change over reference_energy [-].
-// Rows at the times of `grains`, the mechanism's between two of its rows along a straight line; without grains at those
-// of `run`.
-// Throws InputError when `run` holds no energies.
+// Columns [J] besides time [s] and closing_error [-]:
+//   mechanism.kinetic, .gravity, .strain, .gas, .contact (elastic, of a rigid plane); dissipated.* as in history.csv
+//   work.motion            work of prescribed motions so far
+//   with particles:        work.to_grains (work of the mechanism on them) and interface (the part they did not receive)
+//   with `grains`:         grains.kinetic, grains.gravity, grains.dissipated: changes since the first row
+//   sum                    mechanism + dissipated - work.motion + work.to_grains
+//   closing_error          change of the sum over reference_energy
+// Rows at the times of `grains`, with the mechanism's values interpolated linearly; without grains at those of `run`.
+// Throws InputError when `run` has no energies.
 History energy_ledger(const History& run, const GrainEnergies& grains);
 
-// What reports mean by "initial energy": of the first row without gravity, or the largest kinetic energy if that is
-// more [J].
+// The energy that errors are related to [J]: in the first row without gravity, or the largest kinetic energy if larger.
 double reference_energy(const History& run);
 
-// What a run says at its end.
+// Warns on standard error that a file after the run could not be made: with the code of `error`, or W0501.
+void warn_missing_file(const std::string& file, const std::exception& error);
 
-// The summary table and the paths of the files in `out`, on standard output.
+// Prints the summary and the paths of the files in `out`.
 void print_results(const std::string& out, const std::vector<std::string>& pictures);
 
-// Writes ledger.csv (output/energy_ledger.h) of the run in `out` and its end figures into summary.json, under "ledger".
-// False when the run left too little to make one; what is wrong with its files is a warning on standard error.
+// Writes ledger.csv, and its final values into summary.json under "ledger". False when the run has too little data.
+// Faults of its files are warnings on standard error.
 bool write_ledger(const std::string& out);
 
-// Writes the gnuplot scripts of the run in `out` and runs them; returns the pictures made. A gnuplot that is missing or
-// fails is a warning on standard error, not an end.
+// Writes the gnuplot scripts of the run in `out` and runs them; returns the pictures. A missing or failing gnuplot is a
+// warning on standard error.
 std::vector<std::string> make_pictures(const std::string& out);
 
 }  // namespace footfall

@@ -1,8 +1,6 @@
 #pragma once
 // The scripts of web/dist, as they are built into the program.
 
-
-
 namespace footfall {
 
 extern const char* const kViewScript;    // of view.html: three.js, uPlot and ours
