@@ -1,6 +1,8 @@
+// Visitors that copy an entry, turn it, and replace "{array}" in its texts.
 #include "mbd_solver/scene/arrays.h"
 
 #include "coupler/base/text.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/tracking_visitor.h"
 
 namespace footfall {
@@ -18,7 +20,7 @@ bool replace_all(std::string& text, const std::string& from, const std::string& 
   return found;
 }
 
-// Every text of an entry, whatever member it stands in.
+// Calls action for every text of a member.
 template <class Action>
 void for_each_text(const FieldRef& ref, const Action& action) {
   if (auto* const* text = std::get_if<std::string*>(&ref)) action(**text);
@@ -109,7 +111,8 @@ class LeftoverFinder final : public TrackingVisitor {
       const std::size_t open = text.find('{');
       if (open == std::string::npos) return;
       const std::string name = text.substr(open + 1, text.find('}', open) - open - 1);
-      findings_.error(*source(), local(key), "\"" + text + "\" names no array." + known_names("arrays", name, arrays_));
+      findings_.error(code::kUnknownArray, *source(), local(key),
+                      "\"" + text + "\" names no array." + known_names("arrays", name, arrays_));
     });
   }
 
@@ -145,7 +148,7 @@ void apply_arrays(Scene& scene, Findings& findings) {
   for (const ArraySpec& array : scene.arrays) {
     names.push_back(array.name);
     if (array.count > kMostCopies) {
-      findings.error(array.source, "count",
+      findings.error(code::kTooManyCopies, array.source, "count",
                      "is " + std::to_string(array.count) + ", expected at most " + std::to_string(kMostCopies));
       continue;
     }

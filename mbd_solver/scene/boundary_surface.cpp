@@ -1,3 +1,4 @@
+// Meshes of shapes, by the generators of mbd_solver/fe, and of files; tubes and spheres are made here.
 #include "mbd_solver/scene/boundary_surface.h"
 
 #include <algorithm>

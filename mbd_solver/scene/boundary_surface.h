@@ -8,20 +8,18 @@
 
 namespace footfall {
 
-// Triangles of the boundary's surface: its file, or the body's shape. Dishes, and discs
-// with faces = "middle", give their mid-surface (one layer: LIGGGHTS meshes work from both sides), the other shapes a
-// closed surface with normals outward. Checked: no
-// degenerate or duplicate triangles, closed where demanded. Empty without a surface. Throws InputError.
+// Triangles of the boundary's surface, from its file or the body's shape. Dishes, and discs with faces = "middle", give their
+// mid-surface (one layer: meshes of LIGGGHTS act on both sides), other shapes a closed surface with outward normals.
+// Checked: no degenerate or duplicate triangles, closed where required. Empty without a surface. Throws InputError.
 TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary);
 
-// The surface of the body's shape in D; a tenth of its size is the edge where the surface gives none. A mesh is read
-// from its file. Empty for points. Throws InputError.
+// The surface of the body's shape in D. The edge is a tenth of its size unless the surface gives one. A mesh is read from
+// its file. Empty for points. Throws InputError.
 TriangleMesh shape_surface(const BodySpec& body, const SurfaceSpec& surface);
 // The file of a shape of kind mesh, scaled, turned and moved into D. Throws InputError.
 TriangleMesh mesh_of_shape(const ShapeSpec& shape);
 
-// Surface of a tube or rod between two points (closed cylinder), and of a sphere about the origin; edge: longest edge
-// wanted [m].
+// Surface of a tube or rod between two points (closed cylinder), and of a sphere about the origin; edge: longest edge [m].
 TriangleMesh cylinder_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double edge);
 TriangleMesh sphere_mesh(double radius, double edge);
 

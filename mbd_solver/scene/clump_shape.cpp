@@ -1,10 +1,11 @@
+// Centres of the spheres of each shape; volume and inertia of their union in closed form.
 #include "mbd_solver/scene/clump_shape.h"
 
 #include <cmath>
 
-#include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/scene/codes.h"
 
 namespace footfall {
 
@@ -80,7 +81,7 @@ Clump clump_of(ClumpShape shape, double equal_radius) {
   clump.radius = scale;
   clump.volume *= std::pow(scale, 3);
   clump.inertia = std::pow(scale, 5) * (S.trace() * Eigen::Matrix3d::Identity() - S);
-  // Zeros by symmetry, which another compiler may miss by round-off: a bed is found again by these numbers.
+  // Zeros by symmetry, which another compiler may miss by round-off: these numbers identify a cached bed.
   constexpr double kRoundOff = 1e-13;
   clump.centres = (clump.centres.array().abs() < kRoundOff * scale).select(0.0, clump.centres);
   clump.inertia = (clump.inertia.array().abs() < kRoundOff * clump.inertia.trace()).select(0.0, clump.inertia);
@@ -91,7 +92,7 @@ ClumpShape clump_shape(const std::string& name) {
   const std::vector<std::string> names = names_of<ClumpShape>();
   for (std::size_t k = 0; k < names.size(); ++k)
     if (names[k] == name) return static_cast<ClumpShape>(k);
-  throw InputError("there is no clump \"" + name + "\"." + known_names("clumps", name, names));
+  throw InputError(code::kUnknownClump, "unknown clump \"" + name + "\"." + known_names("clumps", name, names));
 }
 
 }  // namespace footfall

@@ -1,7 +1,7 @@
+// Look-up and descriptions of nodes.
 #include "mbd_solver/scene/config_node.h"
 
 #include "coupler/base/text.h"
-#include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 

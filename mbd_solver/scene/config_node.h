@@ -1,5 +1,5 @@
 #pragma once
-// A scene file as a tree of values with their lines, free of the library that parsed it.
+// A scene file as a tree of values with their lines, independent of the library that parses it.
 
 #include <string>
 #include <utility>
@@ -23,16 +23,16 @@ struct ConfigNode {
   bool is_number() const { return kind == Kind::kInteger || kind == Kind::kNumber; }
   // The name of an entry of a list of tables: its "name", else its "body"; empty if it has neither.
   std::string entry_name() const;
-  // What it is, for messages: 'text "abc"', "the number 5", "a table".
+  // For messages: 'text "abc"', "the number 5", "a table".
   std::string description() const;
 };
 
 class Findings;
 
-// Parses a TOML file. Throws InputError "file:line: ..." if it is no TOML or cannot be read.
+// Throws InputError "file:line: ..." if the file cannot be read or is no TOML.
 ConfigNode parse_toml_file(const std::string& file);
-// Parses "key=value" (value as TOML; a bare word counts as text) and puts the value at the dotted path; entries of
-// lists of tables are named by their name ("bodies.cabin.mass") or index. What is wrong goes to `findings`.
+// Parses "key=value" (value as TOML; a bare word counts as text) and sets the value at the dotted path; entries of lists
+// of tables are addressed by name ("bodies.cabin.mass") or index. Errors go to `findings`.
 void apply_setting(ConfigNode& root, const std::string& setting, Findings& findings);
 
 }  // namespace footfall

@@ -55,8 +55,7 @@ void Findings::error(const MessageCode& code, const Source& source, const std::s
   coded_error(source, key, with_code(code, what));
 }
 
-void Findings::warning(const MessageCode& code, const Source& source, const std::string& key,
-                       const std::string& what) {
+void Findings::warning(const MessageCode& code, const Source& source, const std::string& key, const std::string& what) {
   warnings_.push_back(with_code(code, place_of(file_, source, key) + what));
 }
 

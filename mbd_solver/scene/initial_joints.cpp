@@ -1,15 +1,18 @@
+// Finds the type of each joint in the text of the scene, copies of arrays included, to choose its coordinate.
 #include "mbd_solver/scene/initial_joints.h"
 
 #include <algorithm>
 #include <optional>
 
 #include "coupler/base/text.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/joint_spec.h"
+#include "mbd_solver/scene/value_checks.h"
 
 namespace footfall {
 namespace {
 
-// Whether "leg_{leg}_knee", a name of an array's entries, may become this name.
+// Whether "leg_{leg}_knee", the name of an array's entries, may become this name.
 bool may_become(const std::string& pattern, const std::string& name) {
   const std::size_t open = pattern.find('{'), close = pattern.find('}', open);
   if (open == std::string::npos || close == std::string::npos) return pattern == name;
@@ -20,7 +23,7 @@ bool may_become(const std::string& pattern, const std::string& name) {
   return false;
 }
 
-// The type of the joint of this name, as far as the text is good: what is wrong with a joint is told elsewhere.
+// The type of the joint of this name, if it can be read; errors of the joint are reported by the reader.
 std::optional<JointType> type_of_joint(const ConfigNode& root, const std::string& name) {
   const ConfigNode* joints = root.find("joints");
   if (!joints) return std::nullopt;
@@ -57,25 +60,23 @@ void expand_initial_joints(ConfigNode& root, Findings& findings) {
       continue;
     }
     if (!node.is_number()) {
-      findings.error(
-          node.line, path,
-          "is " + node.description() + ", expected a number (rad, m), or a table such as { angle_deg = 30 }");
+      findings.coded_error(node.line, path,
+                           is_expected(node, "a number (rad, m), or a table such as { angle_deg = 30 }"));
       continue;
     }
     const std::optional<JointType> type = type_of_joint(root, name);
     const std::vector<CoordinateChoice> has = type ? coordinates_of(*type) : std::vector<CoordinateChoice>();
     if (!type) {
-      kept.emplace_back(name, table_of("angle", node));  // if there is no such joint, the checks tell
+      kept.emplace_back(name, table_of("angle", node));  // the checks report a joint that does not exist
     } else if (has.size() == 1) {
       kept.emplace_back(name, table_of(std::string(name_of(has.front())), node));
     } else if (has.empty()) {
-      findings.error(
-          node.line, path,
-          "is given, but a " + std::string(name_of(*type)) + " joint has no coordinate to start at; leave it out");
+      findings.error(code::kInitialJoint, node.line, path,
+                     "is given, but a " + std::string(name_of(*type)) + " joint has no coordinate; remove it");
     } else {
       std::vector<std::string> names;
       for (const CoordinateChoice coordinate : has) names.emplace_back(name_of(coordinate));
-      findings.error(node.line, path,
+      findings.error(code::kAmbiguousCoordinate, node.line, path,
                      "is " + node.description() + ", but a " + std::string(name_of(*type)) + " joint has " +
                          joined(names, " and ") + "; write [initial.joints." + name + "] " + names.front() + " = " +
                          number_text(node.number));

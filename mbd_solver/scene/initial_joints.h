@@ -6,7 +6,7 @@
 
 namespace footfall {
 
-// Makes tables of the numbers. What no joint takes is reported and left out.
+// Makes tables of the numbers. Values that no joint accepts are reported and dropped.
 void expand_initial_joints(ConfigNode& root, Findings& findings);
 
 }  // namespace footfall

@@ -1,11 +1,12 @@
+// Reads a scene and its bases, the innermost base first, and merges each over the one before.
 #include "mbd_solver/scene/scene_base.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 
-#include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -19,7 +20,7 @@ constexpr std::array<const char*, 10> kPathKeys = {"script",      "file",       
                                                    "table",       "yield_table", "yield_stress", "stiffness_matrix",
                                                    "mass_matrix", "node_file"};
 
-// Values of a base have no line in the file that is read, and their paths are seen from another folder.
+// Values of a base have no line in the file that is read, and their paths are relative to another folder.
 void move_to(ConfigNode& node, const fs::path& folder) {
   node.line = 0;
   for (auto& [key, child] : node.table) {
@@ -31,12 +32,12 @@ void move_to(ConfigNode& node, const fs::path& folder) {
   for (ConfigNode& child : node.list) move_to(child, folder);
 }
 
-// without = ["mr", "gas"]: keys of the base's table that are not in the own one.
+// without = ["mr", "gas"]: keys of the base's table that the merged one does not have.
 void leave_out(ConfigNode& base, const ConfigNode& without, const std::string& file) {
   std::vector<std::string> known;
   for (const auto& entry : base.table) known.push_back(entry.first);
   const auto wrong = [&](const std::string& what) {
-    throw InputError(file + ":" + std::to_string(without.line) + ": without: " + what);
+    throw InputError(code::kBadWithout, place_of(file, without.line, "without") + what);
   };
   if (without.kind != ConfigNode::Kind::kList)
     wrong("is " + without.description() + ", expected a list of keys of the base");
@@ -44,7 +45,7 @@ void leave_out(ConfigNode& base, const ConfigNode& without, const std::string& f
     const auto found =
         std::find_if(base.table.begin(), base.table.end(), [&](const auto& entry) { return entry.first == key.text; });
     if (found == base.table.end())
-      wrong("the base has no \"" + key.text + "\" here." + known_names("keys", key.text, known));
+      wrong("the base has no key \"" + key.text + "\" here." + known_names("keys", key.text, known));
     base.table.erase(found);
   }
 }
@@ -85,28 +86,29 @@ void lay_over(ConfigNode& base, const ConfigNode& own, const std::string& file) 
 }
 
 // The file of a sweep, a study or a rig has no bodies of its own: it names a scene and says what to vary.
-void demand_no_experiment(const ConfigNode& own, const std::string& file) {
+void require_scene(const ConfigNode& own, const std::string& file) {
   const ConfigNode* scene = own.find("scene");
   if (!scene || scene->kind != ConfigNode::Kind::kText || own.find("bodies") || own.find("base")) return;
-  throw InputError(file + ":" + std::to_string(scene->line) + ": scene: this file is an experiment with the scene \"" +
-                   scene->text +
-                   "\", expected a scene; run it with the command of its first lines, such as footfall sweep " + file +
-                   ", or give that scene");
+  throw InputError(
+      code::kNotAScene,
+      place_of(file, scene->line, "scene") + "this file is an experiment with the scene \"" + scene->text +
+          "\", expected a scene; run it with the command that its first lines name, such as footfall sweep " + file +
+          ", or give that scene");
 }
 
 ConfigNode parse(const std::string& argument, int depth) {
   const std::string file = scene_file(argument);
   ConfigNode own = parse_toml_file(file);
-  demand_no_experiment(own, file);
+  require_scene(own, file);
   const ConfigNode* base_key = own.find("base");
   if (!base_key) return own;
-  const int line = base_key->line;
-  const std::string where = file + ":" + std::to_string(line) + ": base: ";
+  const std::string where = place_of(file, base_key->line, "base");
   if (base_key->kind != ConfigNode::Kind::kText)
-    throw InputError(where + "is " + base_key->description() + ", expected the path of another scene, in quotes");
+    throw InputError(code::kBadBase,
+                     where + "is " + base_key->description() + ", expected the path of another scene, in quotes");
   if (depth == kLongestChain)
-    throw InputError(where + "more than " + std::to_string(kLongestChain) +
-                     " scenes built on each other; is one its own base?");
+    throw InputError(code::kBadBase, where + "leads through more than " + std::to_string(kLongestChain) +
+                                         " scenes; check that none is its own base");
   const fs::path target = fs::path(file).parent_path() / base_key->text;
   ConfigNode base;
   try {
@@ -114,9 +116,9 @@ ConfigNode parse(const std::string& argument, int depth) {
   } catch (const InputError& error) {
     throw InputError(where + error.what());
   }
-  const fs::path base_folder = fs::path(scene_file(target.string())).parent_path();
-  move_to(base, fs::relative(base_folder,
-                             fs::path(file).parent_path().empty() ? fs::path(".") : fs::path(file).parent_path()));
+  const fs::path folder = fs::path(file).parent_path(),
+                 base_folder = fs::path(scene_file(target.string())).parent_path();
+  move_to(base, fs::relative(base_folder, folder.empty() ? fs::path(".") : folder));
   own.table.erase(
       std::find_if(own.table.begin(), own.table.end(), [](const auto& entry) { return entry.first == "base"; }));
   lay_over(base, own, file);

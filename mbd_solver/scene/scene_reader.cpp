@@ -1,8 +1,8 @@
-// The one file that knows the TOML library: text -> ConfigNode.
+// Text -> ConfigNode by the library toml++, which only this file uses, and the steps from there to a checked scene.
+#include "mbd_solver/scene/scene_reader.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/named_file.h"
-#include "mbd_solver/scene/scene_reader.h"
 
 #include <toml++/toml.h>
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/config_node.h"
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/findings.h"
@@ -61,7 +62,7 @@ void mark_as_set(ConfigNode& node) {
   for (ConfigNode& child : node.list) mark_as_set(child);
 }
 
-// The value of --set: TOML, or else a bare word ("ida"), which counts as text.
+// The value of --set: TOML, or a bare word ("ida"), which counts as text.
 ConfigNode parse_value(const std::string& text) {
   ConfigNode node;
   try {
@@ -75,11 +76,12 @@ ConfigNode parse_value(const std::string& text) {
 }
 
 constexpr int kMostParts = 100;  // of a dotted key
+const char* const kTooManyParts = " has more than 100 parts between dots, expected a few";
 
 int dots_in(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '.')); }
 
-// The library takes a key apart by calling itself for each of its parts.
-void demand_flat_keys(const std::string& file, const std::string& text) {
+// The library parses a dotted key recursively.
+void require_flat_keys(const std::string& file, const std::string& text) {
   std::istringstream lines(text);
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -89,8 +91,7 @@ void demand_flat_keys(const std::string& file, const std::string& text) {
       const std::size_t end = std::min(line.find_first_of("=],{}", begin), line.size());
       const bool key = end < line.size() && line[end] != ',';
       if (key && dots_in(line.substr(begin, end - begin)) > kMostParts)
-        throw InputError(file + ":" + std::to_string(number) + ": a key has more than " + std::to_string(kMostParts) +
-                         " parts between dots, expected a few");
+        throw InputError(code::kKeyTooDeep, place_of(file, number, "") + "a key" + kTooManyParts);
       begin = end + 1;
     }
   }
@@ -107,7 +108,8 @@ ConfigNode* list_entry(ConfigNode& list, const std::string& name, const std::str
     const std::size_t index = std::stoul(name);
     if (index < list.list.size()) return &list.list[index];
   }
-  findings.error(Source::kFromSet, path, "there is no entry \"" + name + "\"." + known_names("entries", name, names));
+  findings.error(code::kUnknownEntry, Source::kFromSet, path,
+                 "unknown entry \"" + name + "\"." + known_names("entries", name, names));
   return nullptr;
 }
 
@@ -115,35 +117,30 @@ ConfigNode* list_entry(ConfigNode& list, const std::string& name, const std::str
 
 ConfigNode parse_toml_file(const std::string& file) {
   const std::optional<std::string> text = read_whole_file(file);
-  if (!text) throw InputError(file + ": cannot be read; expected a scene file (TOML)");
-  demand_flat_keys(file, *text);
+  if (!text) throw InputError(code::kFileNotReadable, file + ": cannot be read; expected a scene file (TOML)");
+  require_flat_keys(file, *text);
   try {
     return convert(toml::parse(*text, file));
   } catch (const toml::parse_error& e) {
-    throw InputError(file + ":" + std::to_string(e.source().begin.line) +
-                     ": this is not valid TOML: " + std::string(e.description()));
+    throw InputError(code::kNotToml, place_of(file, static_cast<int>(e.source().begin.line), "") +
+                                         "is not valid TOML: " + std::string(e.description()));
   }
 }
 
 void apply_setting(ConfigNode& root, const std::string& setting, Findings& findings) {
   const std::size_t equals = setting.find('=');
-  if (equals == std::string::npos || equals == 0) {
-    findings.error(Source::kFromSet, setting, "expected key=value, for example solver.integrator=ida");
-    return;
-  }
   const std::string path = setting.substr(0, equals);
-  if (dots_in(path) > kMostParts) {
-    findings.error(Source::kFromSet, path.substr(0, 60) + "...",
-                   "has more than " + std::to_string(kMostParts) + " parts between dots, expected a few");
-    return;
-  }
+  const auto refuse = [&](const MessageCode& code, const std::string& what) {
+    findings.error(code, Source::kFromSet, path.substr(0, 60) + (path.size() > 60 ? "..." : ""), what);
+  };
+  if (equals == std::string::npos || equals == 0)
+    return refuse(code::kMalformedSetting, "is no setting, expected key=value, for example solver.integrator=ida");
+  if (dots_in(path) > kMostParts) return refuse(code::kKeyTooDeep, "the key" + std::string(kTooManyParts));
   ConfigNode* node = &root;
   std::istringstream parts(path);
   for (std::string part; std::getline(parts, part, '.');) {
-    if (part.empty()) {
-      findings.error(Source::kFromSet, path, "has an empty part; expected names separated by single dots");
-      return;
-    }
+    if (part.empty())
+      return refuse(code::kMalformedSetting, "has an empty part, expected names separated by single dots");
     if (node->kind == ConfigNode::Kind::kList) {
       node = list_entry(*node, part, path, findings);
       if (!node) return;
@@ -166,18 +163,17 @@ void apply_setting(ConfigNode& root, const std::string& setting, Findings& findi
 std::string scene_file(const std::string& argument) {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  if (argument.empty())
-    throw InputError("the name of the scene is empty; expected a scene file (TOML), or a folder that holds scene.toml");
+  const std::string expected = "a scene file (TOML), or a folder with a scene.toml";
+  if (argument.empty()) throw InputError(code::kNoScene, "the name of the scene is empty; expected " + expected);
   if (fs::is_directory(argument, ignored)) {
     const fs::path file = fs::path(argument) / "scene.toml";
     if (!fs::exists(file, ignored))
-      throw InputError(argument + ": this folder holds no scene.toml; give a scene file or such a folder");
+      throw InputError(code::kNoScene, argument + ": is a folder without scene.toml; expected " + expected);
     return file.string();
   }
   if (!fs::exists(argument, ignored))
-    throw InputError(argument +
-                     ": no such file or folder; expected a scene file (TOML), or a folder that holds scene.toml" +
-                     suggested_path(argument));
+    throw InputError(code::kNoScene,
+                     argument + ": no such file or folder; expected " + expected + suggested_path(argument));
   return argument;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Scene file -> Scene: complete, checked, with defaults; or an InputError that holds every finding.
+// Scene file -> Scene: complete, checked, with defaults; or an InputError with all findings.
 
 #include <set>
 #include <string>
@@ -11,15 +11,15 @@ namespace footfall {
 
 // `argument`: a scene file, or a folder that holds scene.toml. `settings`: "key=value" of --set, applied to the file
 // before it is read. Steps: parse, set, read, copy arrays, resolve (mass properties, paths, names), check.
-// Throws InputError, one finding per line: "file:line: key: what is wrong, what was expected, what to do".
+// Throws InputError, one finding per line: "file:line: key: what is wrong, what was expected, what to do [code]".
 Scene read_scene(const std::string& argument, const std::vector<std::string>& settings = {});
 
-// The file that `argument` means. Throws InputError if there is none.
+// The scene file of such an argument. Throws InputError if there is none.
 std::string scene_file(const std::string& argument);
 
-// Every key the reader knows, as "bodies[].shape.radius", without unit suffixes.
+// All keys of the reader, as "bodies[].shape.radius", without unit suffixes.
 std::set<std::string> known_keys();
-// Every key that was given for this scene, in the same form.
+// The keys that were given for this scene, in the same form.
 std::set<std::string> given_keys(const Scene& scene);
 
 }  // namespace footfall

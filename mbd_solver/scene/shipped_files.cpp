@@ -1,8 +1,9 @@
+// Looks next to the program first, then in the checkout.
 #include "mbd_solver/scene/shipped_files.h"
 
 #include <filesystem>
 
-#include "coupler/base/errors.h"
+#include "mbd_solver/scene/codes.h"
 
 namespace footfall {
 
@@ -15,8 +16,9 @@ std::string shipped_file(const std::string& path) {
   if (fs::exists(installed, error)) return installed.string();
   const fs::path source = fs::path(FOOTFALL_CHECKOUT) / path;
   if (fs::exists(source, error)) return source.string();
-  throw InputError(path + ", which footfall brings along, is neither " + installed.string() + " nor " +
-                   source.string() + "; install footfall again, or build it from a whole checkout");
+  throw InputError(code::kShippedFile, path + ": this part of footfall is neither " + installed.string() + " nor " +
+                                           source.string() +
+                                           "; install footfall again, or build it from a complete checkout");
 }
 
 }  // namespace footfall

@@ -1,6 +1,6 @@
 #pragma once
-// What comes with the program: inputs, examples, scripts of beds. An installed program finds it beside itself, one in a
-// build folder in the checkout that it was built from. Nothing is written there.
+// Files that are shipped with the program: inputs, examples, scripts of beds. An installed program finds them next to itself,
+// one in a build folder in the checkout that it was built from. Nothing is written there.
 
 #include <string>
 

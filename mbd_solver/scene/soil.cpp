@@ -1,10 +1,11 @@
+// Merges the table of a shipped soil under the keys of the scene.
 #include "mbd_solver/scene/soil.h"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/shipped_files.h"
 
@@ -12,21 +13,17 @@ namespace footfall {
 
 namespace {
 
-// What is not there yet; lines are that of the key that asks for it.
+// Adds keys that are not there yet; their line is that of the key `soil`.
 void fill(ConfigNode& own, const ConfigNode& soil, int line) {
   for (const auto& [key, value] : soil.table) {
     ConfigNode* there = own.find(key);
     if (there && there->kind == ConfigNode::Kind::kTable && value.kind == ConfigNode::Kind::kTable) {
       fill(*there, value, line);
     } else if (!there) {
-      ConfigNode fresh;
+      ConfigNode fresh = value;
+      fresh.table.clear();
       fresh.line = line;
-      if (value.kind == ConfigNode::Kind::kTable) {
-        fill(fresh, value, line);
-      } else {
-        fresh = value;
-        fresh.line = line;
-      }
+      fill(fresh, value, line);
       own.table.emplace_back(key, fresh);
     }
   }
@@ -45,20 +42,20 @@ std::vector<std::string> known_soils() {
 void add_soil(ConfigNode& scene, Findings& findings) {
   ConfigNode* particles = scene.find("particles");
   const ConfigNode* soil = particles ? particles->find("soil") : nullptr;
-  if (!soil || soil->kind != ConfigNode::Kind::kText) return;  // another kind of value is told by the reader
+  if (!soil || soil->kind != ConfigNode::Kind::kText) return;  // another type is reported by the reader
   const int line = soil->line;
   const std::string name = soil->text;
   const std::vector<std::string> names = known_soils();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     findings.error(
-        line, "particles.soil",
-        "there is no soil \"" + name + "\"." + known_names("soils", name, names) + " Each is a file of inputs/soils");
+        code::kUnknownSoil, line, "particles.soil",
+        "unknown soil \"" + name + "\"." + known_names("soils", name, names) + " They are files of inputs/soils");
     return;
   }
   ConfigNode* box = particles->find("box");
   if (!box || box->kind != ConfigNode::Kind::kTable) {
-    findings.error(line, "particles.soil",
-                   "is for a bed by numbers, expected [particles.box] with size, depth and radius beside it");
+    findings.error(code::kNeedsOtherKey, line, "particles.soil",
+                   "needs a bed by numbers: [particles.box] with size, depth and radius");
     return;
   }
   const ConfigNode file = parse_toml_file(shipped_file("inputs/soils/" + name + ".toml"));

@@ -1,6 +1,6 @@
 #pragma once
 // particles.soil = "grc-1-dense": a bed with the numbers of a published soil. inputs/soils/NAME.toml holds keys of
-// [particles.box] with the source of each. What the scene says itself stays.
+// [particles.box] with the source of each. Keys of the scene take precedence.
 
 #include <string>
 #include <vector>
@@ -11,11 +11,11 @@ namespace footfall {
 
 class Findings;
 
-// Fills the table particles.box of the scene with what its soil says and the scene does not. Nothing without particles.soil.
-// A soil that nobody knows, or one without a box, becomes a finding.
+// Adds the soil's keys to the table particles.box where the scene has none. Does nothing without particles.soil. An unknown
+// soil, or one without a box, is a finding.
 void add_soil(ConfigNode& scene, Findings& findings);
 
-// The names that inputs/soils has, in their order.
+// The names of inputs/soils, sorted.
 std::vector<std::string> known_soils();
 
 }  // namespace footfall
