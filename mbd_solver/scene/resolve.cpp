@@ -1,10 +1,11 @@
+// The order in which a scene is completed, with its paths and points of joints.
 #include "mbd_solver/scene/resolve.h"
 
 #include <filesystem>
 
-#include "coupler/base/errors.h"
 #include "mbd_solver/scene/arrays.h"
 #include "mbd_solver/scene/box_bed.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/script_mesh.h"
 #include "mbd_solver/scene/tracking_visitor.h"
 
@@ -12,7 +13,7 @@ namespace footfall {
 
 namespace {
 
-// Joins paths with the scene's folder and demands that they exist.
+// Joins paths with the scene's folder and reports those that do not exist.
 class PathResolver final : public TrackingVisitor {
  public:
   PathResolver(const std::string& folder, Findings& findings) : folder_(folder), findings_(findings) {}
@@ -23,11 +24,10 @@ class PathResolver final : public TrackingVisitor {
     namespace fs = std::filesystem;
     const fs::path full = (fs::path(folder_) / **path).lexically_normal();
     std::error_code ignored;
-    if (!fs::is_regular_file(full, ignored)) {
-      findings_.error(*source(), local(key),
-                      "there is no file \"" + **path + "\" (looked for " + full.string() +
+    if (!fs::is_regular_file(full, ignored))
+      findings_.error(code::kNoFile, *source(), local(key),
+                      "the file \"" + **path + "\" does not exist (" + full.string() +
                           "); paths are relative to the scene's folder");
-    }
     **path = full.string();
   }
 
@@ -41,7 +41,7 @@ void resolve_joint_points(Scene& scene, Findings& findings) {
     if (!joint.point) continue;
     for (const char* key : {"point_a", "point_b"}) {
       if (joint.source.given(key))
-        findings.error(joint.source, key, "is given beside \"point\", which stands for both; keep one");
+        findings.error(code::kConflictingKeys, joint.source, key, "is given by \"point\" as well; keep one of the two");
     }
     joint.point_a = joint.point_b = *joint.point;
   }

@@ -7,15 +7,14 @@
 
 namespace footfall {
 
-// What cannot be completed becomes a finding.
+// Errors become findings.
 void resolve_scene(Scene& scene, Findings& findings);
 
-// A body with flexible.segments = N becomes N bodies "NAME_1" ... "NAME_N" with fixed joints between them; what was
-// attached to it is attached to the segment at its point.
+// A body with flexible.segments = N becomes N bodies "NAME_1" ... "NAME_N" with fixed joints between them; joints, struts,
+// springs and forces on it act on the segment at their point.
 void resolve_segments(Scene& scene, Findings& findings);
 
-// Mass, mass centre and inertia of every body from what was given: explicit numbers, or shape and material; "remainder"
-// last.
+// Mass, mass centre and inertia of every body: from numbers, or from shape and material; "remainder" last.
 void resolve_masses(Scene& scene, Findings& findings);
 
 // Mass centre of all bodies in D [m]; total mass [kg].

@@ -1,17 +1,17 @@
-// flexible.segments = N: a tube or rod as N bodies in a row, joined to each other without play. Each bends little in its
-// own frame, so that what a floating frame with linear modes leaves out, stiffening by tension and large bending, comes
-// from the frames. theory 1.4.
+// flexible.segments = N: a tube or rod as N bodies in a row with fixed joints. Each bends little in its own frame, so that
+// the frames describe what linear modes in one floating frame omit: stiffening by tension, and large bending. theory 1.4.
 #include <algorithm>
 #include <cmath>
 
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/resolve.h"
 
 namespace footfall {
 
 namespace {
 
-// Static shapes answer for most of a short segment; so many modes on top.
+// In addition to the static shapes, which describe most of a short segment.
 constexpr int kModesOfASegment = 2;
 
 struct Cut {
@@ -36,14 +36,16 @@ bool may_be_cut(const BodySpec& body, Findings& findings) {
   const bool round = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod);
   const bool of_shape = f.file.empty() && f.mesh.empty() && f.nodes.empty() && f.stiffness_matrix.empty();
   if (!round || !of_shape)
-    findings.error(body.source, "flexible.segments",
-                   "cuts a tube or rod along its axis; this body bends by another model. Leave segments out, or make "
-                   "the bodies and joints yourself");
+    findings.error(
+        code::kSegments, body.source, "flexible.segments",
+        "divides a tube or rod along its axis, but this body has another elastic model; remove it, or define "
+        "the bodies and joints one by one");
   for (const char* key : {"inertia", "position", "orientation"})
     if (body.source.given(key))
-      findings.error(body.source, key, "is given, but each segment's follows from the shape; leave it out");
+      findings.error(code::kSegments, body.source, key, "follows from the shape of each segment; remove it");
   if (body.mass_is_remainder)
-    findings.error(body.source, "mass", "is the remainder; expected a number, or none, for a body in segments");
+    findings.error(code::kSegments, body.source, "mass",
+                   "is the remainder, expected a number, or none, for a body in segments");
   return findings.error_count() == before;
 }
 
@@ -76,7 +78,7 @@ void join(Scene& scene, const Cut& cut) {
   }
 }
 
-// What was attached to the whole is attached to the segment at its point.
+// Joints, struts, springs and forces of the whole act on the segment at their point.
 void attach(Scene& scene, const Cut& cut, Findings& findings) {
   const auto pick = [&](std::string& name, const Eigen::Vector3d& point) {
     if (name == cut.whole.name) name = cut.name(cut.segment_at(point));
@@ -88,15 +90,16 @@ void attach(Scene& scene, const Cut& cut, Findings& findings) {
   for (StrutSpec& strut : scene.struts)
     for (std::size_t end = 0; end < 2; ++end) pick(strut.bodies[end], strut.points[end]);
   for (SpringSpec& spring : scene.springs) {
-    const bool meant = spring.bodies[0] == cut.whole.name || spring.bodies[1] == cut.whole.name;
-    if (meant && !spring.source.given("point"))
-      findings.error(spring.source, "point",
-                     "is missing; \"" + cut.whole.name + "\" is in segments, and one is turned");
+    const bool acts = spring.bodies[0] == cut.whole.name || spring.bodies[1] == cut.whole.name;
+    if (acts && !spring.source.given("point"))
+      findings.error(code::kPointOfAction, spring.source, "point",
+                     "is missing; \"" + cut.whole.name + "\" is in segments, of which one is turned");
     for (std::string& name : spring.bodies) pick(name, spring.point);
   }
   for (ForceSpec& force : scene.forces) {
     if (force.body == cut.whole.name && !force.point)
-      findings.error(force.source, "point", "is missing; \"" + cut.whole.name + "\" is in segments, and one is pushed");
+      findings.error(code::kPointOfAction, force.source, "point",
+                     "is missing; \"" + cut.whole.name + "\" is in segments, of which one is pushed");
     else
       pick(force.body, force.point.value_or(Eigen::Vector3d::Zero()));
   }
@@ -110,7 +113,7 @@ void replace_name(std::vector<std::string>& names, const Cut& cut) {
   names.insert(names.erase(found), segments.begin(), segments.end());
 }
 
-// Every entry about the whole becomes one about each segment; change(entry, k) makes the difference.
+// Every entry of the whole becomes one of each segment; change(entry, k) adapts it.
 template <class Entry, class Change>
 void repeat(std::vector<Entry>& entries, const Cut& cut, const Change& change) {
   std::vector<Entry> result;
@@ -128,17 +131,17 @@ void repeat(std::vector<Entry>& entries, const Cut& cut, const Change& change) {
   entries = std::move(result);
 }
 
-void touch(Scene& scene, const Cut& cut, Findings& findings) {
+void cut_boundaries(Scene& scene, const Cut& cut, Findings& findings) {
   for (const BoundarySpec& boundary : scene.boundaries) {
     if (boundary.body != cut.whole.name) continue;
     if (boundary.surface && !boundary.surface->file.empty())
-      findings.error(boundary.source, "surface.file",
+      findings.error(code::kSegments, boundary.source, "surface.file",
                      "is one surface, but \"" + cut.whole.name +
-                         "\" is in segments; use beams, or give each segment (" + cut.name(0) + ", ...) its own");
+                         "\" is in segments; use beams, or give each segment (" + cut.name(0) + ", ...) a surface");
     if (boundary.beams && !boundary.beams->points.empty())
       findings.error(
-          boundary.source, "beams.points",
-          "are one chain, but \"" + cut.whole.name + "\" is in segments; leave them out: beams follow the axis");
+          code::kSegments, boundary.source, "beams.points",
+          "are one chain, but \"" + cut.whole.name + "\" is in segments; remove them: beams follow the axis");
   }
   repeat(scene.boundaries, cut, [&](BoundarySpec& boundary, int) {
     if (boundary.beams) boundary.beams->segments = (boundary.beams->segments + cut.count - 1) / cut.count;
@@ -146,7 +149,7 @@ void touch(Scene& scene, const Cut& cut, Findings& findings) {
   if (scene.ground.plane) replace_name(scene.ground.plane->bodies, cut);
 }
 
-void start(Scene& scene, const Cut& cut) {
+void cut_initial_velocities(Scene& scene, const Cut& cut) {
   const InitialSpec& initial = scene.initial;
   const Eigen::Matrix3d R_WD = rotation_from_rpy(initial.roll, initial.pitch, initial.yaw);
   const Eigen::Vector3d middle = cut.from + 0.5 * cut.axis;
@@ -170,13 +173,13 @@ void resolve_segments(Scene& scene, Findings& findings) {
     for (BodySpec& segment : bodies_of(cut)) bodies.push_back(std::move(segment));
     attach(scene, cut, findings);
     join(scene, cut);
-    touch(scene, cut, findings);
-    start(scene, cut);
+    cut_boundaries(scene, cut, findings);
+    cut_initial_velocities(scene, cut);
     replace_name(scene.output.bodies, cut);
     for (const ControllerSpec& controller : scene.controllers)
       if (controller.body == body.name)
-        findings.error(controller.source, "body",
-                       "\"" + body.name + "\" is in segments; observe one of them, such as \"" + cut.name(0) + "\"");
+        findings.error(code::kUnknownBody, controller.source, "body",
+                       "\"" + body.name + "\" is in segments; name one of them, such as \"" + cut.name(0) + "\"");
   }
   scene.bodies = std::move(bodies);
 }
