@@ -1,11 +1,55 @@
 #include "mbd_solver/coupling/body_window.h"
 
+#include <cmath>
 #include <utility>
 
 #include "coupler/message_fields.h"
-#include "mbd_solver/coupling/fast_modes.h"
 
 namespace footfall {
+
+void slow_down_fast_modes(const BodyMotion& before, const Eigen::VectorXd& stiffness, double H, BodyMotion& motion) {
+  for (Eigen::Index i = 0; i < motion.da.size(); ++i) {
+    const double Omega = std::sqrt(stiffness[i]), theta = Omega * H;
+    if (!(theta > 0.01)) continue;  // weight below 1e-8
+    const double offset = before.dda[i] / stiffness[i];
+    const double rate =
+        2.0 / H * (offset * (1.0 - std::sin(theta) / theta) + before.da[i] * (1.0 - std::cos(theta)) / (Omega * theta));
+    const double fourth = std::pow(theta, 4), weight = fourth / (1.0 + fourth);
+    motion.da[i] += weight * (rate - motion.da[i]);
+    motion.dda[i] *= 1.0 - weight;
+  }
+}
+
+PredictedWindow::PredictedWindow(const Scheme& scheme, const BodyMotion& initial)
+    : scheme_(scheme), walk_(scheme, initial) {
+  path_.r_mean = path_.r_end = initial.r;
+  path_.L_mean = path_.L_end = initial.L;
+}
+
+void PredictedWindow::begin(const BodyMotion& start, int n, double dt) {
+  const StepWeights weights = scheme_.weights();
+  Eigen::Vector3d r = Eigen::Vector3d::Zero(), theta = Eigen::Vector3d::Zero();  // from the start of the window
+  Vector6d v = Vector6d::Zero();
+  const auto add = [&](double weight) {
+    const BodyMotion& pose = walk_.pose();
+    r += weight * (pose.r - start.r);
+    theta += weight * rotation_vector(start.L, pose.L);
+    v.head<3>() += weight * pose.dr;
+    v.tail<3>() += weight * pose.w;
+  };
+  // The force that opens the window stands since the last substep of the window before.
+  add(weights.opening);
+  walk_.begin_window(start, n, dt);
+  for (int i = 1; i <= n; ++i) {
+    walk_.advance();
+    add(i < n ? 1.0 : weights.closing);
+  }
+  path_.r_mean = start.r + r / n;
+  path_.L_mean = turned(start.L, theta / n);
+  path_.v_mean = v / n;
+  path_.r_end = walk_.pose().r;
+  path_.L_end = walk_.pose().L;
+}
 
 BodyWindow::BodyWindow(const Scheme& scheme, const Body& body, const BodyMotion& initial, const BodyLoad& last)
     : scheme_(scheme),

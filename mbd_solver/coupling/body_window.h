@@ -1,15 +1,55 @@
 #pragma once
-// The windows of one coupled body on the multibody side: which motion is sent, which load is felt, and what is left
-// over at the end. theory 7.1.
+// The path that elastic modes take in the grains when a window is not short beside their period.
 
+#include <Eigen/Core>
 #include <optional>
 
+#include "coupler/body_motion.h"
 #include "coupler/messages.h"
-#include "mbd_solver/coupling/predicted_window.h"
+#include "coupler/schemes/scheme.h"
+#include "coupler/window.h"
 #include "mbd_solver/model/body.h"
-#include "mbd_solver/model/external_load.h"
+#include "mbd_solver/model/state.h"
 
 namespace footfall {
+
+// A mode of angular frequency Omega swings Omega H = theta within a window: a straight path at its present rate da
+// leaves its true mean place by more than its amplitude, and the contacts' answer to that pumps energy, per window
+//   |lambda|^2 = 1 + kappa (1 - cos theta - theta/2 sin theta),  kappa = contact stiffness over the mode's own.
+// A path whose MEAN is that of the free swing about a_s, where the present loads hold the mode,
+//   a_s     = a + dda / Omega^2
+//   da_path = 2/H [(a_s - a)(1 - sin theta / theta) + da (1 - cos theta) / (Omega theta)]
+// does no work to first order in kappa at any theta. It replaces da with weight theta^4 / (1 + theta^4), and takes dda
+// away with it, so that slow modes keep the path of their scheme. The least damping (0.001) then outweighs what is
+// left. theory 7.5.
+//
+// motion: the state at the window's start, its da and dda replaced; before: the same before any other change;
+// stiffness: Omega^2 of each mode [1/s2]; H [s].
+void slow_down_fast_modes(const BodyMotion& before, const Eigen::VectorXd& stiffness, double H, BodyMotion& motion);
+
+// What the boundary of one body does in the grains during a window, known here without being told: the grains' side
+// walks the same path.
+
+// Scheme `tangent` needs the means of the path: the mean load belongs to them, and with the path itself instead of its
+// mean the scheme is unstable. The choice of windows needs the gap between computed and predicted motion.
+class PredictedWindow {
+ public:
+  // The scheme must outlive this. The boundary stands at `initial` until the first window.
+  PredictedWindow(const Scheme& scheme, const BodyMotion& initial);
+
+  // A window of n substeps of dt [s] begins with the motion that is sent, `start`.
+  void begin(const BodyMotion& start, int n, double dt);
+  const PredictedPath& path() const { return path_; }
+  void visit(Archive& archive) { walk_.visit(archive); }  // between two windows
+
+ private:
+  const Scheme& scheme_;
+  BoundaryPath walk_;
+  PredictedPath path_;
+};
+
+// The windows of one coupled body on the multibody side: which motion is sent, which load is felt, and what is left
+// over at the end. theory 7.1.
 
 // Life of a window: begin, then answer, then, once the body has been integrated to the window's end, pending_work and
 // surplus_impulse with the motion computed there.

@@ -1,4 +1,25 @@
 #pragma once
+// How long a boundary falls before it can meet a grain.
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "coupler/archive.h"
+#include "coupler/body_motion.h"
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/scene/run_spec.h"
+
+namespace footfall {
+
+// Time [s] until the lowest point of the undeformed boundary, falling at its present speed, is as low as the highest
+// grain that may lie under it; infinity when it does not fall; 0 when it may touch a grain now, or when nobody said how
+// high the grains stand.
+//   speed = |w| reach - up . dr,  reach = largest |rho0|
+// up: unit vector. site: the grains below this boundary at the start, which count as long as it stays above them; null
+// once it has touched: from then on the highest grain of all counts.
+double flight_time(const BodyMotion& motion, const ModalBoundary& boundary, const Placement& placement,
+                   const Eigen::Vector3d& up, const LandingSite* site);
+
 // How many substeps the next window takes, when the script says `every auto`: few while forces change, many in flight
 // and at rest.
 //
@@ -18,14 +39,6 @@
 // A body without contact: at most half of the time until its lowest point can meet a grain, so that windows shrink on
 // the way; below that, as for the stiffest contact that it has had, or, before its first, that any other has had;
 // single substeps before the first of all.
-
-#include <Eigen/Dense>
-#include <vector>
-
-#include "coupler/archive.h"
-#include "mbd_solver/scene/run_spec.h"
-
-namespace footfall {
 
 // omega H of chosen windows over warn_omega_h: their error is watched, that of fixed ones is not
 inline constexpr double kChosenOmegaH = 2.4;

@@ -3,17 +3,221 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <set>
+#include <utility>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/dynamics/constraint_rows.h"
-#include "mbd_solver/dynamics/joint_closing.h"
 #include "mbd_solver/dynamics/kinematics.h"
-#include "mbd_solver/dynamics/unbent_closing.h"
+#include "mbd_solver/model/elements/gear.h"
+#include "mbd_solver/model/elements/joint_coordinate.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
+namespace {
+
+constexpr double kStartStep = 0.05;  // [rad or m]: of a coordinate on its way to the start
+
+// One more condition per given coordinate: it goes from the drawing's zero at t = 0 to its value at t = 1.
+Model model_on_the_way(const Model& model, const std::vector<StartCoordinate>& start) {
+  Model out = without_forces(model);
+  for (const StartCoordinate& given : start) {
+    const Joint& joint = model.joint(given.joint);
+    PrescribedMotion motion;
+    const auto axis = static_cast<std::size_t>(axis_of(given.coordinate));
+    (given.coordinate == Coordinate::kAngle ? motion.rotation : motion.translation[axis]) =
+        polynomial({0.0, given.value});
+    out.add_joint(prescribed_joint("start of " + joint.name + "." + std::string(name_of(given.coordinate)), joint.m1,
+                                   joint.m2, motion));
+  }
+  return out;
+}
+
+// A mechanism that no joint holds to the ground keeps its first body where it was drawn.
+void put_back_first_body(const Model& model, const Layout& layout, State& state) {
+  for (int j = 0; j < model.joint_count(); ++j)
+    if (model.joint(j).m1.body == kGround || model.joint(j).m2.body == kGround) return;
+  const BodyState& drawn = model.initial(0);
+  const Eigen::Vector3d r = state.q.head<3>();
+  const Eigen::Matrix3d R = rotation_matrix(drawn.L) * rotation_matrix(state.q.segment<4>(3)).transpose();
+  const Eigen::Quaterniond turn(R);
+  for (std::size_t i = 0; i < layout.body_q.size(); ++i) {
+    const int q = layout.body_q[i];
+    const Eigen::Vector3d moved = drawn.r + R * (state.q.segment<3>(q) - r);
+    const Eigen::Vector4d L = state.q.segment<4>(q + 3);
+    const Eigen::Quaterniond turned = turn * Eigen::Quaterniond(L(0), L(1), L(2), L(3));
+    state.q.segment<3>(q) = moved;
+    state.q.segment<4>(q + 3) << turned.w(), turned.x(), turned.y(), turned.z();
+  }
+}
+
+}  // namespace
+
+void move_to_start(const Model& model, const std::vector<StartCoordinate>& start, State& state) {
+  const Model on_the_way = model_on_the_way(model, start);
+  const Layout layout(on_the_way), all(model);
+  ConstraintRows rows(on_the_way, layout);
+  UnbentClosing unbent(on_the_way, layout);
+  Eigen::VectorXd z = state.z;
+  state.z = Eigen::VectorXd::Zero(layout.z_size);
+  double longest = 0.0;
+  for (const StartCoordinate& given : start) longest = std::max(longest, std::abs(given.value));
+  const int steps = 1 + static_cast<int>(longest / kStartStep);
+  for (int k = 1; k <= steps; ++k) {
+    state.time = static_cast<double>(k) / steps;
+    unbent.close(state);
+    rows.evaluate(state);
+    close_joints(on_the_way, layout, rows, state);
+    check_contradiction(on_the_way, layout, rows.phi, 1.0,
+                        "on the way to the coordinates of [initial.joints] they do not close; they stay open",
+                        "m or rad");
+  }
+  state.time = 0.0;
+  for (std::size_t j = 0; j < all.joint_turns.size(); ++j)
+    if (all.joint_turns[j] >= 0) z[all.joint_turns[j]] = state.z[layout.joint_turns[j]];
+  state.z = std::move(z);
+  put_back_first_body(model, layout, state);
+}
+
+namespace {
+
+void add_joints(const Model& model, Model& out) {
+  for (int j = 0; j < model.joint_count(); ++j) {
+    Joint joint = model.joint(j);
+    if (joint.turn_counter >= 0)
+      joint.turn_counter = out.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, joint.m1, joint.m2));
+    out.add_joint(std::move(joint));
+  }
+}
+
+Model unbendable(const Model& model) {
+  Model out;
+  for (int i = 0; i < model.body_count(); ++i) {
+    const Body& body = model.body(i);
+    BodyState start = model.initial(i);
+    if (body.mode_count() == 0) {
+      out.add_body(body, start);
+      continue;
+    }
+    ModalBody modal = *body.modal();
+    for (Eigen::MatrixXd* shapes : {&modal.Phi, &modal.Psi, &modal.stress_modes}) shapes->resize(shapes->rows(), 0);
+    modal.stiffness.resize(0);
+    modal.damping.resize(0);
+    start.a.resize(0);
+    start.da.resize(0);
+    out.add_body(Body(body.name(), std::make_shared<const ModalBody>(std::move(modal))), start);
+  }
+  add_joints(model, out);
+  return out;
+}
+
+}  // namespace
+
+Model without_forces(const Model& model) {
+  Model out;
+  for (int i = 0; i < model.body_count(); ++i) out.add_body(model.body(i), model.initial(i));
+  add_joints(model, out);
+  return out;
+}
+
+UnbentClosing::UnbentClosing(const Model& model, const Layout& layout)
+    : layout_(layout), model_(unbendable(model)), rigid_(model_), rows_(model_, rigid_) {
+  for (int i = 0; i < model.body_count(); ++i) bends_ = bends_ || model.body(i).mode_count() > 0;
+}
+
+void UnbentClosing::close(State& state) {
+  if (!bends_) return;
+  State moved = state;
+  moved.q.resize(rigid_.q_size);
+  moved.v = Eigen::VectorXd::Zero(rigid_.v_size);
+  for (std::size_t i = 0; i < layout_.body_q.size(); ++i)
+    moved.q.segment<7>(rigid_.body_q[i]) = state.q.segment<7>(layout_.body_q[i]);
+  rows_.evaluate(moved);
+  close_joints(model_, rigid_, rows_, moved);
+  if (rows_.phi.lpNorm<Eigen::Infinity>() > kContradiction) return;
+  for (std::size_t i = 0; i < layout_.body_q.size(); ++i)
+    state.q.segment<7>(layout_.body_q[i]) = moved.q.segment<7>(rigid_.body_q[i]);
+  state.z = moved.z;
+}
+
+void close_unbent(const Model& model, State& state) {
+  const Model joints_alone = without_forces(model);
+  const Layout layout(joints_alone);
+  State closed = state;
+  closed.z = Eigen::VectorXd::Zero(layout.z_size);
+  UnbentClosing(joints_alone, layout).close(closed);
+  state.q = closed.q;
+}
+
+namespace {
+
+constexpr int kMostClosingSteps = 30;
+constexpr double kAssembled = 1e-12;  // [m or rad]: what double precision reaches for mechanisms of metres
+// While the joints are still open by a gap g, redundant conditions look independent to about g: they must not
+// steer the closing.
+constexpr double kClosingRank = 1e-5;
+
+// The angles of gears (state.z) as they are; with dx, as they will be after this step of the bodies.
+void follow_turns(const Model& model, const Layout& layout, const Kinematics& kinematics, const Eigen::VectorXd* dx,
+                  State& state) {
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const int z = layout.joint_turns[static_cast<std::size_t>(j)];
+    if (z < 0) continue;
+    const Joint& joint = model.joint(j);
+    const PairMotion pair = kinematics.pair(joint.m1.body, joint.m2.body);
+    const JointCoordinate q(Coordinate::kAngle, pair, joint.m1, joint.m2);
+    state.z[z] = nearest_turn(q.value(), state.z[z]);
+    if (dx == nullptr) continue;
+    Eigen::VectorXd q_x = Eigen::VectorXd::Zero(pair.size());
+    q.add_gradient(1.0, q_x);
+    const int bodies[2] = {joint.m1.body, joint.m2.body};
+    for (int i = 0; i < 2; ++i) {
+      const int n = pair.body[i]->size();
+      if (n > 0)
+        state.z[z] +=
+            q_x.segment(pair.offset(i), n).dot(dx->segment(layout.body_v[static_cast<std::size_t>(bodies[i])], n));
+    }
+  }
+}
+
+}  // namespace
+
+void close_joints(const Model& model, const Layout& layout, ConstraintRows& rows, State& state) {
+  double last = HUGE_VAL;
+  for (int i = 0; i < kMostClosingSteps; ++i) {
+    const double now = rows.phi.lpNorm<Eigen::Infinity>();
+    if (now <= 1e-15 || (now <= kAssembled && now >= 0.5 * last)) break;
+    last = now;
+    const Eigen::VectorXd dx = rows.correction(rows.phi, kClosingRank);
+    follow_turns(model, layout, rows.kinematics(), &dx, state);
+    add_increment(layout, dx, state.q);
+    rows.evaluate(state);
+  }
+  follow_turns(model, layout, rows.kinematics(), nullptr, state);
+}
+
+void check_contradiction(const Model& model, const Layout& layout, const Eigen::VectorXd& defect, double scale,
+                         const std::string& what, const std::string& unit) {
+  const double largest = defect.lpNorm<Eigen::Infinity>();
+  if (largest <= kContradiction * scale) return;
+  std::vector<int> worst;
+  for (int row = 0; row < defect.size(); ++row) {
+    const int joint = layout.row_joint[static_cast<std::size_t>(row)];
+    if (std::abs(defect[row]) > 0.1 * largest && (worst.empty() || worst.back() != joint)) worst.push_back(joint);
+  }
+  throw InputError("joints " + joint_names(model, worst) + " contradict each other: " + what + " by " +
+                   number_text(largest, 3) + " " + unit + ". Move one of them, or free one of its directions.");
+}
+
+std::string joint_names(const Model& model, const std::vector<int>& joints) {
+  std::string out;
+  for (int joint : joints) out += (out.empty() ? "\"" : ", \"") + model.joint(joint).name + "\"";
+  return out;
+}
+
 namespace {
 
 constexpr double kTellGap = 1e-5;  // [m or rad]: gaps beyond the digits of a drawing are told

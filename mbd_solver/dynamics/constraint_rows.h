@@ -4,6 +4,7 @@
 // and what a sparse QR of B^T tells: its rank, the smallest corrections, and the rows that follow from others. Time and
 // memory grow with the number of bodies for chains and trees.
 
+#include <Eigen/Dense>
 #include <Eigen/Sparse>
 #include <vector>
 
@@ -49,6 +50,40 @@ class ConstraintRows {
   Kinematics kinematics_;
   std::vector<Eigen::MatrixXd> factors_;    // C per body
   Eigen::SparseMatrix<double> transposed_;  // B^T
+};
+
+// Redundant conditions in the equations of motion. k combinations Y of the rows of a group of joints are zero in every
+// position: sum_i Y_ij phi''_i = 0. Multipliers along Y move nothing, and what the rows contradict each other by (drift,
+// round-off) has no answer. So k rows rest: their equation is
+//   F_lambda = phi'' - s^2 lambda           s^2: (Phi_v M^-1 Phi_v^T)_ii of the row, or the mean over its joint
+// instead of phi'' - eps lambda. They follow from the others, so phi'' is what they contradict these by, and lambda that
+// over s^2: round-off. No matrix grows, none fills. Which rows rest is a choice of basis and does not matter for the motion
+// while the combinations written with them, Y = 1 in their own row, are of moderate size: these are the solution of
+//   [M, Phi_v^T; Phi_v, -eps; -s^2 where a row rests] [x; y] = [0; -s^2 e]
+// One such solve for all resting rows together shows how large they are; when too large, each is solved for, and other
+// rows take the rest (pivots of Y). |x| in the metric of the mass shows whether they are still zero: if not, the mechanism
+// has left a singular position, and redundant combinations are found anew by QR.
+
+class Redundancy {
+ public:
+  explicit Redundancy(const RedundantGroup& group);
+
+  const std::vector<int>& joints() const { return joints_; }
+  const std::vector<int>& rows() const { return rows_; }        // all rows of all joints, rising
+  const Eigen::VectorXd& s() const { return s_; }               // per row of the group, at the start
+  const std::vector<int>& resting() const { return resting_; }  // places in rows()
+  int count() const { return count_; }                          // combinations at the start
+  // The pivots of `combinations` (rows of the group times s by combinations, independent) rest from now on.
+  void rest(const Eigen::MatrixXd& combinations);
+  // Y, column by column: y in the order of lambda belongs to resting row k; then rest_anew().
+  void take(int k, const Eigen::Ref<const Eigen::VectorXd>& y);
+  void rest_anew() { rest(Y_.leftCols(static_cast<Eigen::Index>(resting_.size()))); }
+
+ private:
+  std::vector<int> joints_, rows_, resting_;
+  int count_ = 0;
+  Eigen::VectorXd s_;
+  Eigen::MatrixXd Y_;
 };
 
 }  // namespace footfall

@@ -1,14 +1,140 @@
 #include "mbd_solver/fe/fe_analysis.h"
 
 #include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/eigen_solver.h"
-#include "mbd_solver/fe/fe_partition.h"
 
 namespace footfall {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using Sparse = Eigen::SparseMatrix<double>;
+
+namespace {
+
+constexpr double kRigid = 1e-6;   // a field that loses all but this fraction of its norm was a rigid motion
+constexpr int kScaleRounds = 10;  // each takes the scale down by up to 1e8; most bodies need two or three
+constexpr int kScaleIterations = 4;
+constexpr double kScaleFloor = 1e-8;
+
+}  // namespace
+
+std::vector<int> active_dofs(const FeModel& model) {
+  std::vector<int> dofs;
+  const VectorXd stiffness = model.stiffness.diagonal();
+  const VectorXd mass = lumped_mass_matrix(model).diagonal();
+  for (int i = 0; i < 6 * model.node_count(); ++i)
+    if (stiffness(i) != 0.0 || mass(i) != 0.0) dofs.push_back(i);
+  return dofs;
+}
+
+std::vector<int> other_dofs(const std::vector<int>& all, const std::vector<int>& excluded) {
+  std::vector<int> sorted = excluded;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<int> result;
+  std::set_difference(all.begin(), all.end(), sorted.begin(), sorted.end(), std::back_inserter(result));
+  return result;
+}
+
+Sparse selected(const Sparse& matrix, const std::vector<int>& rows, const std::vector<int>& columns) {
+  std::vector<int> number(static_cast<std::size_t>(matrix.rows()), -1);
+  for (std::size_t i = 0; i < rows.size(); ++i) number[static_cast<std::size_t>(rows[i])] = static_cast<int>(i);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    for (Sparse::InnerIterator it(matrix, columns[j]); it; ++it) {
+      const int i = number[static_cast<std::size_t>(it.row())];
+      if (i >= 0) entries.emplace_back(i, static_cast<int>(j), it.value());
+    }
+  Sparse result(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+MatrixXd gathered(const MatrixXd& x, const std::vector<int>& rows) {
+  MatrixXd result(static_cast<Index>(rows.size()), x.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i) result.row(static_cast<Index>(i)) = x.row(rows[i]);
+  return result;
+}
+
+MatrixXd scattered(const MatrixXd& x, const std::vector<int>& rows, Index size) {
+  MatrixXd result = MatrixXd::Zero(size, x.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i) result.row(rows[i]) = x.row(static_cast<Index>(i));
+  return result;
+}
+
+MatrixXd rigid_motions(const FeModel& model, const Vector3d& centre) {
+  MatrixXd R = MatrixXd::Zero(6 * model.node_count(), 6);
+  for (int j = 0; j < model.node_count(); ++j) {
+    R.block<3, 3>(6 * j, 0).setIdentity();
+    for (int i = 0; i < 3; ++i)
+      R.block<3, 1>(6 * j, 3 + i) = Vector3d::Unit(i).cross(Vector3d(model.nodes.col(j)) - centre);
+    if (model.rotations) R.block<3, 3>(6 * j + 3, 3).setIdentity();
+  }
+  return R;
+}
+
+// A first bound from fields u = e_i x_k x_l, with the rotation of their curl, theta = 1/2 grad(x_k x_l) x
+// e_i. It can be far too high (the fields do not know where the body is soft), so it is improved by inverse
+// iteration with the bound itself as shift, rigid motion taken out.
+double elastic_scale(const FeModel& model) {
+  const MassProperties body = mass_properties(model);
+  const std::vector<int> active = active_dofs(model);
+  const Sparse M = selected(lumped_mass_matrix(model), active, active);
+  const Sparse K = selected(model.stiffness, active, active);
+  const MatrixXd R = gathered(rigid_motions(model, body.centre), active);
+  const MatrixXd MR = M * R;
+  const Eigen::LDLT<MatrixXd> rigid_mass(R.transpose() * MR);
+  const auto remove_rigid = [&](VectorXd& u) { u -= R * rigid_mass.solve(MR.transpose() * u); };
+  double scale = std::numeric_limits<double>::infinity();
+  VectorXd start = VectorXd::Zero(K.rows());
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      for (int l = k; l < 3; ++l) {
+        VectorXd field = VectorXd::Zero(6 * model.node_count());
+        for (int j = 0; j < model.node_count(); ++j) {
+          const Vector3d x = model.nodes.col(j) - body.centre;
+          const Vector3d gradient = Vector3d::Unit(k) * x(l) + Vector3d::Unit(l) * x(k);
+          field(6 * j + i) = x(k) * x(l);
+          field.segment<3>(6 * j + 3) = 0.5 * gradient.cross(Vector3d(Vector3d::Unit(i)));
+        }
+        VectorXd u = gathered(field, active);
+        const double before = u.dot(M * u);
+        remove_rigid(u);
+        const double mass = u.dot(M * u);
+        const double energy = u.dot(K * u);
+        if (!(mass > kRigid * before) || !(energy > 0.0)) continue;
+        scale = std::min(scale, energy / mass);
+        start += u / std::sqrt(mass);
+      }
+  if (!(scale < std::numeric_limits<double>::infinity()))
+    throw InputError("the model has no stiffness or no mass: no elastic motion was found.");
+
+  Eigen::SimplicialLDLT<Sparse> factor;
+  factor.analyzePattern(K + M);
+  for (int round = 0; round < kScaleRounds; ++round) {
+    factor.factorize(K + scale * M);
+    if (factor.info() != Eigen::Success) break;
+    for (int iteration = 0; iteration < kScaleIterations; ++iteration) {
+      start = factor.solve(M * start).eval();
+      remove_rigid(start);
+      start /= std::sqrt(start.dot(M * start));
+    }
+    const double better = start.dot(K * start);
+    if (!(better > kScaleFloor * scale)) break;  // no strain energy but round-off: a mechanism, for others to find
+    const bool settled = better > 0.5 * scale;
+    scale = std::min(scale, better);
+    if (settled) break;
+  }
+  return scale;
+}
 
 using Eigen::Index;
 using Eigen::Vector3d;

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/fe/beam_section.h"
 #include "mbd_solver/fe/material.h"
 #include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/model/mass_properties.h"
+#include "mbd_solver/model/modal_body.h"
 
 namespace footfall {
 
@@ -59,5 +59,28 @@ Eigen::SparseMatrix<double> lumped_mass_matrix(const FeModel& model);
 
 // The model with all masses multiplied, so that it weighs `mass` [kg].
 FeModel with_mass(FeModel model, double mass);
+
+// Which node of a body is meant by a point of the drawing.
+
+// Index of the node nearest to the point: in D for a model, in B (relative to Bo) for a body. The lowest
+// index wins a tie.
+int nearest_node(const FeModel& model, const Eigen::Vector3d& p_D);
+int nearest_node(const ModalBody& body, const Eigen::Vector3d& p_B);
+
+// The node a joint at this point attaches to. Throws InputError, naming the nearest node and its distance,
+// when none is within tolerance [m], or when the joint needs the rotation of the node and the node has none
+// (solid models of other codes).
+int joint_node(const FeModel& model, const Eigen::Vector3d& p_D, double tolerance, bool needs_rotation);
+int joint_node(const ModalBody& body, const Eigen::Vector3d& p_B, double tolerance, bool needs_rotation);
+
+// What can be wrong with a finite-element model before it is reduced.
+
+// Throws InputError led by `who`: sizes disagree, a mass or inertia is negative, the body has no mass or no
+// inertia about some axis (the mass matrix is not positive), a node without stiffness, disconnected pieces,
+// stiffness that resists rigid-body motion (a support).
+void check_model(const FeModel& model, const std::string& who);
+
+// Throws InputError led by `who` if the model has no such interface node.
+void check_interface(const FeModel& model, const std::vector<int>& nodes, const std::string& who);
 
 }  // namespace footfall

@@ -1,17 +1,20 @@
 #include "mbd_solver/fe/modal_basis.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <sstream>
+#include <vector>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/eigen_solver.h"
-#include "mbd_solver/fe/equal_frequencies.h"
-#include "mbd_solver/fe/fe_check.h"
-#include "mbd_solver/fe/fe_partition.h"
+#include "mbd_solver/fe/fe_analysis.h"
+#include "mbd_solver/fe/fe_model.h"
 #include "mbd_solver/fe/static_error.h"
+#include "mbd_solver/model/mass_properties.h"
 
 namespace footfall {
 namespace {
@@ -221,5 +224,198 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
 }
 
 VectorXd frequencies(const ModalBody& body) { return body.stiffness.cwiseSqrt() / kTwoPi; }
+
+// The step that every flexible body goes through, whoever made its shapes: no rigid motion, mass-orthonormal,
+// diagonal stiffness.
+
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kRigidShape = 1e-6;  // a shape that loses all but this fraction of its norm was a rigid motion
+constexpr double kDependent = 1e-12;  // least eigenvalue of the Gram matrix of unit shapes
+constexpr double kLowest = 0.1, kHighest = 1e6;  // plausible first elastic frequency [Hz]
+
+// M-weighted inner products of two sets of shapes, [Phi; Psi] each.
+MatrixXd inner(const ModalBody& body, const MatrixXd& Phi1, const MatrixXd& Psi1, const MatrixXd& Phi2,
+               const MatrixXd& Psi2) {
+  MatrixXd MPhi = Phi2, JPsi = Psi2;
+  for (Index j = 0; j < body.node_count(); ++j) {
+    MPhi.middleRows(3 * j, 3) *= body.node_mass(j);
+    JPsi.middleRows(3 * j, 3) = (body.node_inertia[static_cast<std::size_t>(j)] * Psi2.middleRows(3 * j, 3)).eval();
+  }
+  return Phi1.transpose() * MPhi + Psi1.transpose() * JPsi;
+}
+
+MatrixXd gram(const ModalBody& body) { return inner(body, body.Phi, body.Psi, body.Phi, body.Psi); }
+
+// Takes the rigid-body content out of the shapes: x - R (R^T M R)^-1 R^T M x, R = translations and rotations
+// about Bo (the mass centre). Nodes keep their rotation only if they have one, i.e. if the model gave it.
+void remove_rigid_motion(ModalBody& body, bool rotations) {
+  const Index n = body.node_count();
+  MatrixXd R_Phi = MatrixXd::Zero(3 * n, 6), R_Psi = MatrixXd::Zero(3 * n, 6);
+  for (Index j = 0; j < n; ++j) {
+    R_Phi.block<3, 3>(3 * j, 0).setIdentity();
+    for (int i = 0; i < 3; ++i) R_Phi.block<3, 1>(3 * j, 3 + i) = Vector3d::Unit(i).cross(Vector3d(body.rho0.col(j)));
+    if (rotations) R_Psi.block<3, 3>(3 * j, 3).setIdentity();
+  }
+  const MatrixXd rigid_mass = inner(body, R_Phi, R_Psi, R_Phi, R_Psi);
+  const MatrixXd content = rigid_mass.ldlt().solve(inner(body, R_Phi, R_Psi, body.Phi, body.Psi));
+  body.Phi -= R_Phi * content;
+  body.Psi -= R_Psi * content;
+}
+
+void transform(ModalBody& body, const MatrixXd& Y) {
+  body.Phi = (body.Phi * Y).eval();
+  body.Psi = (body.Psi * Y).eval();
+  if (body.stress_modes.rows() > 0) body.stress_modes = (body.stress_modes * Y).eval();
+}
+
+void part_equal_frequencies(ModalBody& body) {
+  const Matrix3d weight = axis_weight(principal_axes(body));
+  MatrixXd WPhi = body.Phi;
+  for (Index j = 0; j < body.node_count(); ++j)
+    WPhi.middleRows(3 * j, 3) = (body.node_mass(j) * weight * body.Phi.middleRows(3 * j, 3)).eval();
+  transform(body, along_axes(body.stiffness, body.Phi.transpose() * WPhi));
+}
+
+// Signs do not matter to physics; fixed so that files and pictures can be compared: the largest displacement
+// is positive.
+void fix_signs(ModalBody& body) {
+  VectorXd sign = VectorXd::Ones(body.mode_count());
+  for (Index k = 0; k < body.mode_count(); ++k) {
+    Index at = 0;
+    body.Phi.col(k).cwiseAbs().maxCoeff(&at);
+    if (body.Phi(at, k) < 0.0) sign(k) = -1.0;
+  }
+  transform(body, sign.asDiagonal());
+}
+
+std::string plausibility(const ModalBody& body) {
+  if (body.mode_count() == 0) return "";
+  const double first = frequencies(body)(0);
+  if (first >= kLowest && first <= kHighest) return "";
+  std::ostringstream text;
+  text << "body \"" << body.name << "\": first elastic frequency is " << first << " Hz, expected between " << kLowest
+       << " and " << kHighest
+       << " Hz. Are lengths in metres, masses in kg and Young's modulus in Pa (units off by 1000)?";
+  return text.str();
+}
+
+}  // namespace
+
+ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const BasisOptions& options) {
+  const std::string who = "body \"" + body.name + "\"";
+  const Index s = stiffness.cols();
+  FOOTFALL_DEMAND(body.Phi.cols() == s && body.Psi.cols() == s && stiffness.rows() == s);
+  if (options.mode_count && *options.mode_count > s)
+    throw InputError(who + ": " + std::to_string(*options.mode_count) + " modes asked for, but there are only " +
+                     std::to_string(s) + ".");
+  ReducedBody result;
+  result.p_DBo = body.rho0 * body.node_mass / body.node_mass.sum();
+  body.rho0.colwise() -= result.p_DBo;
+  const bool rotations = s > 0 && !body.Psi.isZero(0.0);
+
+  MatrixXd K = stiffness;
+  if (s > 0) {
+    const VectorXd before = gram(body).diagonal().cwiseSqrt();
+    remove_rigid_motion(body, rotations);
+    const VectorXd norm = gram(body).diagonal().cwiseSqrt();
+    for (Index k = 0; k < s; ++k)
+      if (!(norm(k) > kRigidShape * before(k)))
+        throw InputError(who + ": mode " + std::to_string(k) +
+                         " moves no mass beyond a rigid-body motion, expected elastic modes only. The mass "
+                         "matrix of this basis is "
+                         "not positive; remove the mode.");
+    const MatrixXd unit = norm.cwiseInverse().asDiagonal();
+    transform(body, unit);
+    K = unit * K * unit;
+    const MatrixXd G = gram(body);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> independent(G);
+    if (!(independent.eigenvalues()(0) > kDependent))
+      throw InputError(who + ": the mass matrix of the basis is not positive: its " + std::to_string(s) +
+                       " modes are not independent once rigid motion is removed. Remove modes that repeat others.");
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(0.5 * (K + K.transpose()),
+                                                                   0.5 * (G + G.transpose()));
+    if (!(eigen.eigenvalues()(0) > 0.0))
+      throw InputError(who + ": the modal stiffness is not positive: least omega^2 is " +
+                       std::to_string(eigen.eigenvalues()(0)) + " 1/s2. Every mode must store strain energy.");
+    Index kept = options.mode_count ? *options.mode_count : s;
+    if (options.max_frequency) {
+      const double limit = std::pow(2.0 * kPi * *options.max_frequency, 2);
+      kept = std::min<Index>(kept, (eigen.eigenvalues().array() <= limit).count());
+    }
+    transform(body, eigen.eigenvectors().leftCols(kept));
+    body.stiffness = eigen.eigenvalues().head(kept);
+    // Once more, for round-off: the first pass may have cancelled large rigid motions.
+    remove_rigid_motion(body, rotations);
+    if (kept > 0) {
+      const Eigen::LLT<MatrixXd> cholesky(gram(body));
+      transform(body, cholesky.matrixU().solve(MatrixXd::Identity(kept, kept)));
+      part_equal_frequencies(body);
+      fix_signs(body);
+    }
+  } else {
+    body.stiffness.resize(0);
+  }
+  body.damping.resize(body.stiffness.size());
+  for (Index k = 0; k < body.damping.size(); ++k) {
+    const auto given = static_cast<Index>(options.damping_ratio.size());
+    body.damping(k) =
+        2.0 * options.damping_ratio[static_cast<std::size_t>(std::min(k, given - 1))] * std::sqrt(body.stiffness(k));
+  }
+  const std::string warning = plausibility(body);
+  if (!warning.empty()) result.warnings.push_back(warning);
+  if (body.mode_count() == 0 && !(options.mode_count && *options.mode_count == 0))
+    result.warnings.push_back(who +
+                              ": no elastic mode below the frequency limit, so the body is rigid. Raise the limit.");
+  result.body = std::move(body);
+  return result;
+}
+
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kApart = 1e-3;  // of the largest eigenvalue of B
+
+}  // namespace
+
+Matrix3d axis_weight(const Matrix3d& principal_axes) {
+  return principal_axes * Eigen::Vector3d(1.0, 2.0, 3.0).asDiagonal() * principal_axes.transpose();
+}
+
+Eigen::SparseMatrix<double> axis_weights(const FeModel& model) {
+  const Matrix3d weight = axis_weight(principal_axes(mass_properties(model).inertia));
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < model.node_count(); ++j)
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) entries.emplace_back(6 * j + a, 6 * j + b, model.node_mass(j) * weight(a, b));
+  Eigen::SparseMatrix<double> W(6 * model.node_count(), 6 * model.node_count());
+  W.setFromTriplets(entries.begin(), entries.end());
+  return W;
+}
+
+MatrixXd along_axes(const VectorXd& lambda, const MatrixXd& B) {
+  const Index modes = lambda.size();
+  MatrixXd Y = MatrixXd::Identity(modes, modes);
+  for (Index first = 0, end = 0; first < modes; first = end) {
+    for (end = first + 1; end < modes && lambda(end) - lambda(end - 1) <= kOneFrequency * lambda(end);) ++end;
+    const Index size = end - first;
+    if (size == 1) continue;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(B.block(first, first, size, size));
+    const VectorXd along = eigen.eigenvalues();  // rising
+    const bool apart = (along.tail(size - 1) - along.head(size - 1)).minCoeff() > kApart * along(size - 1);
+    if (apart) Y.block(first, first, size, size) = eigen.eigenvectors();
+  }
+  return Y;
+}
 
 }  // namespace footfall

@@ -1,10 +1,13 @@
 #include "mbd_solver/fe/triangle_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 
 namespace footfall {
 
@@ -49,6 +52,231 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
     result.triangles.push_back(corners);
   }
   return result;
+}
+
+namespace {
+
+constexpr double kDegenerate = 1e-6;  // height over longest edge
+constexpr std::size_t kListed = 10;   // numbers told in one finding
+
+using Edge = std::pair<int, int>;
+
+std::string list(const std::vector<int>& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(numbers.size(), kListed); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
+  if (numbers.size() > kListed) text += " and " + std::to_string(numbers.size() - kListed) + " more";
+  return text;
+}
+
+std::string triangles(const std::vector<int>& numbers) {
+  return (numbers.size() == 1 ? "triangle " : "triangles ") + list(numbers);
+}
+
+int root(std::vector<int>& parent, int i) {
+  while (parent[static_cast<std::size_t>(i)] != i) {
+    parent[static_cast<std::size_t>(i)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
+    i = parent[static_cast<std::size_t>(i)];
+  }
+  return i;
+}
+
+// Triangles that share a vertex are one piece; returns one list of triangles per piece, largest first.
+std::vector<std::vector<int>> pieces(const TriangleMesh& mesh) {
+  std::vector<int> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const Eigen::Vector3i& t : mesh.triangles)
+    for (int i = 1; i < 3; ++i) parent[static_cast<std::size_t>(root(parent, t(i)))] = root(parent, t(0));
+  std::map<int, std::vector<int>> groups;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    groups[root(parent, mesh.triangles[t](0))].push_back(static_cast<int>(t));
+  std::vector<std::vector<int>> result;
+  for (auto& group : groups) result.push_back(std::move(group.second));
+  std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> mesh_findings(const TriangleMesh& mesh, const MeshDemands& demands) {
+  std::vector<std::string> findings;
+  if (mesh.triangles.empty()) return {"the mesh has no triangles, expected at least one."};
+
+  std::vector<int> invalid, degenerate, duplicate;
+  std::map<std::array<int, 3>, int> seen;
+  std::map<Edge, std::vector<int>> forward;  // directed edges: which triangles run along them
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Eigen::Vector3i& corner = mesh.triangles[t];
+    const int number = static_cast<int>(t);
+    bool valid = corner.minCoeff() >= 0 && corner.maxCoeff() < static_cast<int>(mesh.vertices.size());
+    for (int i = 0; valid && i < 3; ++i) valid = mesh.vertices[static_cast<std::size_t>(corner(i))].allFinite();
+    if (!valid) {
+      invalid.push_back(number);
+      continue;
+    }
+    double longest = 0.0;
+    std::array<Eigen::Vector3d, 3> p;
+    for (int i = 0; i < 3; ++i) p[static_cast<std::size_t>(i)] = mesh.vertices[static_cast<std::size_t>(corner(i))];
+    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (p[(i + 1) % 3] - p[i]).norm());
+    if (!((p[1] - p[0]).cross(p[2] - p[0]).norm() > kDegenerate * longest * longest)) {
+      degenerate.push_back(number);
+      continue;
+    }
+    std::array<int, 3> key = {corner(0), corner(1), corner(2)};
+    std::sort(key.begin(), key.end());
+    if (!seen.emplace(key, number).second) {
+      duplicate.push_back(number);
+      continue;
+    }
+    for (int i = 0; i < 3; ++i) forward[{corner(i), corner((i + 1) % 3)}].push_back(number);
+  }
+  if (!invalid.empty())
+    return {triangles(invalid) + ": corner numbers or coordinates are not valid, expected numbers below " +
+            std::to_string(mesh.vertices.size()) + " and finite coordinates."};
+  if (!degenerate.empty())
+    findings.push_back(triangles(degenerate) +
+                       ": no area (a degenerate triangle), expected three corners apart. Remove it or "
+                       "repair the mesh.");
+  if (!duplicate.empty())
+    findings.push_back(triangles(duplicate) +
+                       ": the same corners as an earlier triangle (a duplicate), expected each "
+                       "triangle once.");
+  if (demands.connected) {
+    const std::vector<std::vector<int>> found = pieces(mesh);
+    if (found.size() > 1)
+      findings.push_back("the mesh falls into " + std::to_string(found.size()) +
+                         " disconnected pieces, expected one. The largest has " + std::to_string(found[0].size()) +
+                         " triangles; the next consists of " + triangles(found[1]) +
+                         ". If they should touch, their common vertices differ.");
+  }
+  // An edge is open if only one triangle has it, and crowded if more than two have.
+  std::vector<int> open, crowded, turned;
+  for (const auto& [edge, users] : forward) {
+    const auto opposite = forward.find({edge.second, edge.first});
+    const std::size_t others = opposite == forward.end() ? 0 : opposite->second.size();
+    if (users.size() == 1 && others == 0) open.push_back(users[0]);
+    if (users.size() + others > 2) crowded.insert(crowded.end(), users.begin(), users.end());
+    if (users.size() > 1) turned.insert(turned.end(), users.begin(), users.end());
+  }
+  for (std::vector<int>* numbers : {&open, &crowded, &turned}) {
+    std::sort(numbers->begin(), numbers->end());
+    numbers->erase(std::unique(numbers->begin(), numbers->end()), numbers->end());
+  }
+  if (demands.closed && !open.empty())
+    findings.push_back("the surface is not closed: " + triangles(open) +
+                       " border on a hole, expected every edge to belong to two triangles. Close the hole or "
+                       "weld vertices.");
+  if (demands.closed && !crowded.empty())
+    findings.push_back("the surface is not closed: " + triangles(crowded) +
+                       " meet at an edge of more than two triangles, expected every edge to belong to two.");
+  if (demands.oriented && !turned.empty())
+    findings.push_back(triangles(turned) +
+                       ": neighbours disagree on which side is outside, expected all corners counter-clockwise seen "
+                       "from outside. Turn one of them round.");
+  return findings;
+}
+
+void check_mesh(const TriangleMesh& mesh, const MeshDemands& demands, const std::string& where) {
+  std::string message;
+  for (const std::string& finding : mesh_findings(mesh, demands))
+    message += (message.empty() ? "" : "\n") + where + ": " + finding;
+  if (!message.empty()) throw InputError(message);
+}
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kNoVolume = 1e-12;  // of the cube of the mesh's size
+
+struct Corners {
+  Vector3d a, b, c;
+  double volume() const { return a.dot(b.cross(c)) / 6.0; }
+};
+
+Corners corners_of(const TriangleMesh& mesh, const Eigen::Vector3i& t, const Vector3d& o) {
+  const auto at = [&](int i) { return Vector3d(mesh.vertices[static_cast<std::size_t>(t(i))] - o); };
+  return {at(0), at(1), at(2)};
+}
+
+Vector3d middle_of(const TriangleMesh& mesh) {
+  Vector3d sum = Vector3d::Zero();
+  for (const Vector3d& x : mesh.vertices) sum += x;
+  return sum / static_cast<double>(mesh.vertices.size());
+}
+
+struct Piece {
+  double volume = 0.0;  // negative: faces inward
+  Eigen::AlignedBox3d box;
+};
+
+// Triangles that share a vertex are one piece.
+std::vector<Piece> pieces_of(const TriangleMesh& mesh, const Vector3d& o) {
+  std::vector<std::size_t> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](int vertex) {
+    auto i = static_cast<std::size_t>(vertex);
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const Eigen::Vector3i& t : mesh.triangles)
+    for (int i = 1; i < 3; ++i) parent[root(t(i))] = root(t(0));
+  std::vector<Piece> by_root(mesh.vertices.size());
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    Piece& piece = by_root[root(t(0))];
+    piece.volume += corners_of(mesh, t, o).volume();
+    for (int i = 0; i < 3; ++i) piece.box.extend(mesh.vertices[static_cast<std::size_t>(t(i))]);
+  }
+  by_root.erase(std::remove_if(by_root.begin(), by_root.end(), [](const Piece& p) { return p.box.isEmpty(); }),
+                by_root.end());
+  return by_root;
+}
+
+void demand_outward(const std::vector<Piece>& pieces, double smallest, const std::string& where) {
+  for (const Piece& piece : pieces) {
+    if (std::abs(piece.volume) <= smallest)
+      throw InputError(where + ": the surface encloses no volume, so it has no mass; expected a solid body");
+    if (piece.volume > 0.0) continue;
+    const bool cavity = std::any_of(pieces.begin(), pieces.end(), [&](const Piece& other) {
+      return other.volume > -piece.volume && other.box.contains(piece.box);
+    });
+    if (!cavity)
+      throw InputError(where + ": the surface faces inward (its volume is " + number_text(piece.volume) +
+                       " m3), expected corners counter-clockwise seen from outside; turn its triangles round (flip "
+                       "normals)");
+  }
+}
+
+}  // namespace
+
+MassProperties polyhedron_properties(const TriangleMesh& mesh, double density, const std::string& where) {
+  if (!(density > 0.0)) throw InputError(where + ": the density is " + number_text(density) + ", expected more than 0");
+  MeshDemands demands;
+  demands.closed = demands.oriented = true;
+  check_mesh(mesh, demands, where);
+  const Vector3d o = middle_of(mesh);
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& x : mesh.vertices) box.extend(x);
+  demand_outward(pieces_of(mesh, o), kNoVolume * std::pow(box.diagonal().norm(), 3), where);
+
+  double volume = 0.0;
+  Vector3d moment = Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const Corners k = corners_of(mesh, t, o);
+    const double v = k.volume();
+    const Vector3d s = k.a + k.b + k.c;
+    volume += v;
+    moment += v / 4.0 * s;
+    second += v / 20.0 * (k.a * k.a.transpose() + k.b * k.b.transpose() + k.c * k.c.transpose() + s * s.transpose());
+  }
+  const Vector3d p = moment / volume;
+  const Eigen::Matrix3d about_centre = second - volume * p * p.transpose();
+  MassProperties out;
+  out.mass = density * volume;
+  out.centre = o + p;
+  out.inertia = density * (about_centre.trace() * Eigen::Matrix3d::Identity() - about_centre);
+  return out;
 }
 
 }  // namespace footfall

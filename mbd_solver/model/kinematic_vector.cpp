@@ -1,8 +1,39 @@
 #include "mbd_solver/model/kinematic_vector.h"
 
-#include "mbd_solver/model/mode_sums.h"
-
 namespace footfall {
+namespace {
+
+// Sums over the modes of a body at one marker, U: 3 x s: most of the work on a flexible body.
+
+// U a, U da and U dda in one pass. Nine sums that stay in registers; as three vectors they go through memory, at twice
+// the time.
+struct ModeSums {
+  ModeSums(const Eigen::Matrix3Xd& U, const BodyKinematics& b) {
+    double s0 = 0.0, s1 = 0.0, s2 = 0.0, d0 = 0.0, d1 = 0.0, d2 = 0.0, e0 = 0.0, e1 = 0.0, e2 = 0.0;
+    const double* column = U.data();
+    const double *at_a = b.a.data(), *at_da = b.da.data(), *at_dda = b.dda.data();
+    for (int k = 0; k < b.modes; ++k, column += 3) {
+      const double a_k = at_a[k], da_k = at_da[k], dda_k = at_dda[k];
+      s0 += column[0] * a_k, s1 += column[1] * a_k, s2 += column[2] * a_k;
+      d0 += column[0] * da_k, d1 += column[1] * da_k, d2 += column[2] * da_k;
+      e0 += column[0] * dda_k, e1 += column[1] * dda_k, e2 += column[2] * dda_k;
+    }
+    a << s0, s1, s2;
+    da << d0, d1, d2;
+    dda << e0, e1, e2;
+  }
+  Eigen::Vector3d a, da, dda;
+};
+
+// out += U^T f, a row of three at a time: a product of Eigen's with so short an inner size takes twice the time.
+inline void add_to_modes(const Eigen::Matrix3Xd& U, const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) {
+  const double* column = U.data();
+  for (Eigen::Index k = 0; k < out.size(); ++k, column += 3)
+    out[k] += column[0] * f[0] + column[1] * f[1] + column[2] * f[2];
+}
+
+}  // namespace
+
 KinematicVector KinematicVector::constant(const Eigen::Vector3d& value_W) {
   KinematicVector out;
   out.value_ = value_W;
@@ -222,6 +253,58 @@ NodeTurn::NodeTurn(const BodyKinematics& body, const Marker& marker) {
   a = sums.a;
   da = sums.da;
   dda = sums.dda;
+}
+
+void MarkerVectors::find_axis(int slot, int k) {
+  const Marker& at = marker(slot);
+  if (!turn_[slot]) turn_[slot].emplace(*pair_.body[slot], at);
+  vectors_[3 * slot + k].emplace(pair_, slot, at, k, *turn_[slot]);
+}
+
+// On the modes of a body the axes of one marker act together: Psi^T sum u_k x (A^T f_k).
+void MarkerVectors::add_pushed(Eigen::Ref<Eigen::VectorXd> out) const {
+  for (int slot = 0; slot < 2; ++slot) {
+    const BodyKinematics& body = *pair_.body[slot];
+    const bool* pushed = pushed_ + 3 * slot;
+    if (body.ground || !(pushed[0] || pushed[1] || pushed[2])) continue;
+    const Marker& at = marker(slot);
+    const int first = pair_.offset(slot);
+    Eigen::Vector3d of_modes = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k) {
+      if (!pushed[k]) continue;
+      const Eigen::Vector3d& f = forces_[3 * slot + k];
+      out.segment<3>(first + 3) += vectors_[3 * slot + k]->value().cross(f);
+      if (body.modes == 0) continue;
+      const Eigen::Vector3d local = body.A.transpose() * f;
+      of_modes += Eigen::Vector3d(at.axes.col(k)).cross(local);
+    }
+    if (body.modes > 0) add_to_modes(at.Psi, of_modes, out.segment(first + 6, body.modes));
+  }
+  if (pushed_[kDifference]) vectors_[kDifference]->add_transposed(forces_[kDifference], out);
+}
+
+MovingPoint::MovingPoint(const BodyKinematics& body, const Marker& marker) : body_(&body), marker_(&marker) {
+  Eigen::Vector3d s = marker.s0;
+  rate_ = body.dr;
+  if (body.modes > 0) {
+    Eigen::Vector3d ds = Eigen::Vector3d::Zero();
+    for (int k = 0; k < body.modes; ++k) {
+      s += body.a[k] * marker.S.col(k);
+      ds += body.da[k] * marker.S.col(k);
+    }
+    rate_ += body.A.lazyProduct(ds);
+  }
+  x_ = body.A.lazyProduct(s);
+  value_ = body.r + x_;
+  rate_ += body.w.cross(x_);
+}
+
+void MovingPoint::add_transposed(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const {
+  out.head<3>() += f;
+  out.segment<3>(3) += x_.cross(f);
+  if (body_->modes == 0) return;
+  const Eigen::Vector3d local = body_->A.transpose() * f;
+  add_to_modes(marker_->S, local, out.segment(6, body_->modes));
 }
 
 }  // namespace footfall

@@ -9,8 +9,9 @@
 // Everything below adds to its last argument and allocates nothing. A ground body has no columns.
 
 #include <Eigen/Dense>
+#include <optional>
 
-#include "mbd_solver/model/body_kinematics.h"
+#include "mbd_solver/model/body.h"
 #include "mbd_solver/model/marker.h"
 
 namespace footfall {
@@ -93,6 +94,122 @@ class KinematicVector {
   Eigen::Vector3d value_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acc_ = Eigen::Vector3d::Zero();
+};
+
+// Derivatives of a dot product a.b of kinematic vectors, the coordinate of most springs between two markers. Everything
+// adds to its last argument.
+
+// (a.b)'
+inline double dot_rate(const KinematicVector& a, const KinematicVector& b) {
+  return a.rate().dot(b.value()) + a.value().dot(b.rate());
+}
+
+// out += factor d(a.b)/dx = factor d(a.b)'/dv
+inline void add_dot(const KinematicVector& a, const KinematicVector& b, double factor,
+                    Eigen::Ref<Eigen::VectorXd> out) {
+  a.add_transposed(factor * b.value(), out);
+  b.add_transposed(factor * a.value(), out);
+}
+
+// out += factor d(a.b)'/dx
+inline void add_dot_rate(const KinematicVector& a, const KinematicVector& b, double factor,
+                         Eigen::Ref<Eigen::VectorXd> out) {
+  a.add_rate_by_position(factor * b.value(), out);
+  b.add_rate_by_position(factor * a.value(), out);
+  a.add_transposed(factor * b.rate(), out);
+  b.add_transposed(factor * a.rate(), out);
+}
+
+// (a.b)''
+inline double dot_acc(const KinematicVector& a, const KinematicVector& b) {
+  return a.acc().dot(b.value()) + 2.0 * a.rate().dot(b.rate()) + a.value().dot(b.acc());
+}
+
+// out += factor d(a.b)''/dx at fixed v and dv
+inline void add_dot_acc(const KinematicVector& a, const KinematicVector& b, double factor,
+                        Eigen::Ref<Eigen::VectorXd> out) {
+  a.add_acc_by_position(factor * b.value(), out);
+  b.add_acc_by_position(factor * a.value(), out);
+  a.add_rate_by_position(2.0 * factor * b.rate(), out);
+  b.add_rate_by_position(2.0 * factor * a.rate(), out);
+  a.add_transposed(factor * b.acc(), out);
+  b.add_transposed(factor * a.acc(), out);
+}
+
+// out += factor d(a.b)''/dv at fixed x and dv
+inline void add_dot_acc_by_velocity(const KinematicVector& a, const KinematicVector& b, double factor,
+                                    Eigen::Ref<Eigen::VectorXd> out) {
+  a.add_acc_by_velocity(factor * b.value(), out);
+  b.add_acc_by_velocity(factor * a.value(), out);
+  a.add_transposed(2.0 * factor * b.rate(), out);
+  b.add_transposed(2.0 * factor * a.rate(), out);
+}
+
+// K += factor d2(a.b)/dx2
+inline void add_dot_second(const KinematicVector& a, const KinematicVector& b, double factor,
+                           Eigen::Ref<Eigen::MatrixXd> K) {
+  a.add_second(factor * b.value(), K);
+  b.add_second(factor * a.value(), K);
+  const Eigen::Matrix3d scaled = factor * Eigen::Matrix3d::Identity();
+  a.add_product(scaled, b, K);
+  b.add_product(scaled, a, K);
+}
+
+// The vectors between two markers, each computed at most once. Forces on them are
+// collected, so that all rows of a joint pass through the modes of its bodies once.
+class MarkerVectors {
+ public:
+  MarkerVectors(const PairMotion& pair, const Marker& m1, const Marker& m2) : pair_(pair), m1_(m1), m2_(m2) {}
+  const PairMotion& pair() const { return pair_; }
+  const Marker& marker(int slot) const { return slot == 0 ? m1_ : m2_; }
+  const KinematicVector& axis(int slot, int k) {  // axis k of marker 1 (slot 0) or 2 (slot 1)
+    std::optional<KinematicVector>& axis = vectors_[3 * slot + k];
+    if (!axis) find_axis(slot, k);
+    return *axis;
+  }
+  const KinematicVector& difference() {  // p2 - p1
+    std::optional<KinematicVector>& d = vectors_[kDifference];
+    if (!d) d.emplace(pair_, m1_, m2_);
+    return *d;
+  }
+
+  void push_axis(int slot, int k, const Eigen::Vector3d& f) { push(3 * slot + k, f); }
+  void push_difference(const Eigen::Vector3d& f) { push(kDifference, f); }
+  // out += sum X^T f of all that was pushed
+  void add_pushed(Eigen::Ref<Eigen::VectorXd> out) const;
+
+ private:
+  static constexpr int kDifference = 6, kVectors = 7;
+  void find_axis(int slot, int k);
+  void push(int i, const Eigen::Vector3d& f) {
+    if (!pushed_[i]) forces_[i].setZero();
+    pushed_[i] = true;
+    forces_[i] += f;
+  }
+
+  PairMotion pair_;
+  const Marker& m1_;
+  const Marker& m2_;
+  bool pushed_[kVectors] = {};
+  std::optional<NodeTurn> turn_[2];
+  std::optional<KinematicVector> vectors_[kVectors];
+  Eigen::Vector3d forces_[kVectors];  // of those that are pushed
+};
+
+// Position and velocity of a marker's point: r + x, dr + w x x + A S da.
+class MovingPoint {
+ public:
+  MovingPoint() = default;
+  MovingPoint(const BodyKinematics& body, const Marker& marker);  // not on the ground
+  const Eigen::Vector3d& value() const { return value_; }
+  const Eigen::Vector3d& rate() const { return rate_; }
+  // out += X^T f, in the columns of the body
+  void add_transposed(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const;
+
+ private:
+  const BodyKinematics* body_ = nullptr;
+  const Marker* marker_ = nullptr;
+  Eigen::Vector3d value_ = Eigen::Vector3d::Zero(), rate_ = value_, x_ = value_;
 };
 
 }  // namespace footfall

@@ -42,4 +42,32 @@ struct ModalBody {
   int mode_count() const { return static_cast<int>(stiffness.size()); }
 };
 
+// Where the floating frame with linear modes holds. It has no geometric stiffening (centrifugal tension does not
+// stiffen bending) and takes deflections as small. Measured in tests/physics/rotating_beam_test.cpp and
+// large_deflection_test.cpp; theory 1.4.
+
+// |w| over the lowest elastic angular frequency of the free body: up to here bending frequencies err by less than one
+// percent, held at an end or free; the error grows with the square.
+constexpr double kSpinRange = 0.04;
+// Largest deflection from mean axes over the extent of the body: up to here it errs by less than one percent; the error
+// grows with the square.
+constexpr double kDeflectionRange = 0.01;
+
+// Lowest elastic angular frequency of the free body [rad/s]; the body has modes.
+double lowest_frequency(const ModalBody& body);
+// Diagonal of the box around the nodes, undeformed [m].
+double extent(const ModalBody& body);
+
+// Stress and deflection of a flexible body in a given state. For output, not for the inner loop.
+
+// Von Mises stress [Pa] of each stress point; empty if the body has none.
+Eigen::VectorXd von_mises_of_points(const ModalBody& body, const Eigen::VectorXd& a);
+// Largest von Mises stress [Pa] of each triangle, then of each segment; empty when stress points do not
+// belong to them.
+Eigen::VectorXd von_mises_of_cells(const ModalBody& body, const Eigen::VectorXd& a);
+// Largest von Mises stress [Pa]; 0 without stress points or modes.
+double von_mises(const ModalBody& body, const Eigen::VectorXd& a);
+// Largest |Phi_j a| over the nodes [m].
+double largest_deflection(const ModalBody& body, const Eigen::VectorXd& a);
+
 }  // namespace footfall

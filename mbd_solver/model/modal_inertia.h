@@ -1,14 +1,16 @@
 #pragma once
-// Inertia of one body in its own frame B, rigid (s = 0) or flexible, at a cost of O(s^2) per evaluation:
-// the sums over nodes are done once, at construction (inertia shape integrals).
 
 #include <Eigen/Dense>
 
+#include "mbd_solver/model/body_kinematics.h"
 #include "mbd_solver/model/column_groups.h"
 #include "mbd_solver/model/modal_body.h"
-#include "mbd_solver/model/symmetric.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
+
+// Inertia of one body in its own frame B, rigid (s = 0) or flexible, at a cost of O(s^2) per evaluation:
+// the sums over nodes are done once, at construction (inertia shape integrals).
 
 // All components in B:  v = [dr; w; da] (6+s), dv = its components' rates as used in theory 1.2:
 //   ddr_j = ddr + dw x rho_j + Phi_j dda + w_j,   w_j = 2 w x (Phi_j da) + w x (w x rho_j).

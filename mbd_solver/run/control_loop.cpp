@@ -51,7 +51,7 @@ void ControlLoop::sample_due(const Sample& sample, Inputs& inputs) {
     const double period = entry.controller->period();
     if (time < (static_cast<double>(samples_[i]) - 1e-6) * period) continue;
     const auto outputs = static_cast<Eigen::Index>(entry.outputs.size());
-    Eigen::Ref<Eigen::VectorXd> voltages = inputs.voltages.segment(entry.first_voltage, outputs);
+    Eigen::Ref<Eigen::VectorXd> voltages = inputs.voltages.segment(entry.first_input, outputs);
     const ControllerMeasurement measurement = measure(entry, sample);
     if (measurement.acceleration > entry.touchdown_acceleration)
       entry.wakes_at = std::min(entry.wakes_at, time + entry.touchdown_delay);

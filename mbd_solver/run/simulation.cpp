@@ -61,7 +61,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       control_(mechanism_, {scene_, mechanism_, equations_.layout()}),
       sampler_({scene_, mechanism_, equations_.layout()}, equations_, state_, rates_, inputs_),
       checkpoints_(scene.output.checkpoint_interval, scene.output.checkpoint_interval) {
-  inputs_.voltages = mechanism_.voltages;
+  inputs_.voltages = mechanism_.inputs;
   voltages_move_ = std::isfinite(control_.next_sample());  // else nothing samples: rows alone end no window
   const Kinematics drawn = kinematics();
   if (scene.initial.settle && resume.empty()) start_settled();

@@ -1,3 +1,5 @@
+// Polytropic gas in closed form: force, slope and work from the volume that is left.
+
 #include "mbd_solver/model/laws/gas_spring.h"
 
 #include <cmath>
@@ -6,9 +8,9 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/parameter_check.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
-namespace {}  // namespace
 
 GasSpring::GasSpring(const GasSpringParameters& parameters)
     : parameters_(parameters), area_(0.25 * kPi * parameters.piston_diameter * parameters.piston_diameter) {
@@ -17,18 +19,18 @@ GasSpring::GasSpring(const GasSpringParameters& parameters)
   require_positive(kind(), "initial_volume", parameters.initial_volume, "m3");
   require_within(kind(), "exponent", parameters.exponent, 1.0, 2.0, "");
   if (parameters.largest_stroke && !(*parameters.largest_stroke < stroke_limit()))
-    throw InputError("gas_spring: a stroke of " + number_text(*parameters.largest_stroke) +
-                     " m uses up the gas volume, which ends at V0 / A_p = " + number_text(stroke_limit()) +
-                     " m; expected an end stop before that. Raise initial_volume, or reduce the stroke or "
-                     "piston_diameter.");
+    throw InputError(code::kGasUsedUp,
+                     "gas_spring: a stroke of " + number_text(*parameters.largest_stroke) +
+                         " m uses up the gas volume (limit V0 / A_p = " + number_text(stroke_limit()) +
+                         " m). Add an end stop before it, increase initial_volume, or reduce piston_diameter.");
 }
 
 double GasSpring::volume(double stroke) const {
   const double v = parameters_.initial_volume - area_ * stroke;
   if (!(v > 0.0))  // also catches a stroke that is not a number
-    throw NumericalError("gas_spring: stroke " + number_text(stroke) +
-                         " m has used up the gas volume (limit V0 / A_p = " + number_text(stroke_limit()) +
-                         " m). The strut needs an end stop that acts earlier or is stiffer.");
+    throw NumericalError(code::kGasUsedUp,
+                         "gas_spring: stroke " + number_text(stroke) + " m uses up the gas volume (limit V0 / A_p = " +
+                             number_text(stroke_limit()) + " m). Give the strut an earlier or stiffer end stop.");
   return v;
 }
 

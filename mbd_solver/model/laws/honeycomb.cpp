@@ -1,3 +1,6 @@
+// Each cartridge is an elastic one-sided spring in series with a rate-independent crush c. The crush rate is smoothed
+// just below the crush force, so that force and rates have derivatives.
+
 #include "mbd_solver/model/laws/honeycomb.h"
 
 #include <algorithm>
@@ -6,14 +9,14 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/parameter_check.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
 
-constexpr double kOnset = 0.95;  // crushing sets in at this part of the crush force
+constexpr double kOnset = 0.95;  // crushing starts at this fraction of the crush force
 
-// S(r): 0 up to the onset, 1 at r = 1, C1. Beyond 1 it keeps rising, so that the force is drawn back to P
-// from both sides.
+// S(r): 0 up to the onset, 1 at r = 1, C1. It rises beyond 1, so that the force returns to P from both sides.
 double crushing(double r) {
   const double s = (r - kOnset) / (1.0 - kOnset);
   return s <= 0.0 ? 0.0 : (s < 1.0 ? s * s : 2.0 * s - 1.0);
@@ -26,19 +29,21 @@ double crushing_slope(double r) {
 void check(const HoneycombCartridge& data, const std::string& which) {
   const std::string who = "honeycomb: " + which;
   if (data.stages.empty())
-    throw InputError(who +
-                     ": no stages; expected at least one stage of crush force and crush length. Leave the "
-                     "cartridge out if the strut "
-                     "does not crush this way.");
+    throw InputError(
+        code::kTableShape,
+        who +
+            ": no stages; expected at least one stage of crush force and crush length. Leave the cartridge out "
+            "if the strut does not crush in this direction.");
   double shortest = data.stages.front().crush_length, last = 0.0;
   for (std::size_t i = 0; i < data.stages.size(); ++i) {
     const std::string stage = "stage " + std::to_string(i + 1) + " ";
     require_positive(who, stage + "crush_force", data.stages[i].crush_force, "N");
     require_positive(who, stage + "crush_length", data.stages[i].crush_length, "m");
     if (data.stages[i].crush_force < last)
-      throw InputError(who + ": " + stage + "crush_force " + number_text(data.stages[i].crush_force) +
-                       " N is below that of the stage before, " + number_text(last) +
-                       " N; expected rising forces. In a stack the softest stage crushes first: list it first.");
+      throw InputError(code::kCurveNotRising,
+                       who + ": " + stage + "crush_force " + number_text(data.stages[i].crush_force) +
+                           " N is below that of the previous stage, " + number_text(last) +
+                           " N; expected rising forces. The softest stage crushes first: list it first.");
     last = data.stages[i].crush_force;
     shortest = std::min(shortest, data.stages[i].crush_length);
   }
@@ -47,12 +52,14 @@ void check(const HoneycombCartridge& data, const std::string& which) {
   require_positive(who, "transition_length", data.transition_length, "m");
   require_positive(who, "toe", data.toe, "m");
   if (data.bottom_out_stiffness >= data.elastic_stiffness)
-    throw InputError(who + ": bottom_out_stiffness " + number_text(data.bottom_out_stiffness) +
-                     " N/m is not below elastic_stiffness " + number_text(data.elastic_stiffness) +
-                     " N/m; expected less, because the elastic spring is in series with it.");
+    throw InputError(code::kParametersDisagree,
+                     who + ": bottom_out_stiffness " + number_text(data.bottom_out_stiffness) +
+                         " N/m is not below elastic_stiffness " + number_text(data.elastic_stiffness) +
+                         " N/m; expected less, because the elastic spring is in series with it.");
   if (data.transition_length > shortest)
-    throw InputError(who + ": transition_length " + number_text(data.transition_length) +
-                     " m is longer than the shortest stage, " + number_text(shortest) + " m; expected at most that.");
+    throw InputError(code::kParametersDisagree, who + ": transition_length " + number_text(data.transition_length) +
+                                                    " m is longer than the shortest stage, " + number_text(shortest) +
+                                                    " m; expected at most that.");
 }
 
 }  // namespace
@@ -70,7 +77,8 @@ Honeycomb::Honeycomb(const HoneycombParameters& parameters) {
   if (parameters.compression) add(*parameters.compression, 1.0);
   if (parameters.tension) add(*parameters.tension, -1.0);
   if (cartridges_.empty())
-    throw InputError("honeycomb: neither a compression nor a tension cartridge is given; expected at least one.");
+    throw InputError(code::kParametersDisagree,
+                     "honeycomb: neither a compression nor a tension cartridge is given; expected at least one.");
 }
 
 double Honeycomb::Cartridge::crush_force(double c, double& slope) const {

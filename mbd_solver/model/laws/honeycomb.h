@@ -4,20 +4,20 @@
 //
 // A cartridge of stages i = 1..N (crush force F_i, crush length L_i, softest first) has one inner state, its
 // permanent crush c >= 0. With the closing x+ = x (compression) or -x (tension) and the elastic spring g of
-// one_sided_spring.h:
+// springs.h:
 //
-//   force   f  = g(x+ - c)                       elastic to the point reached; pushes only
+//   force   f  = g(x+ - c)                       elastic up to the crush reached; pushes only
 //   crush   dc = max(0, dx+/dt) S(f / P(c))      irreversible and rate-independent
 //
 // S(r) = s^2 for 0 <= s <= 1 and 2 s - 1 beyond, s = (r - 0.95) / 0.05: crushing sets in at 95 % of the crush
 // force P and holds f = P.
 // P(c) goes from F_1 to F_2 ... in smooth steps over transition_length, centred on the ends of the stages, so
 // that the energy sum F_i L_i is exact. Past the last stage comes the bottom-out: f rises with the slope
-// bottom_out_stiffness over the stroke; compacted foil crushes too, so this work is not given back either.
+// bottom_out_stiffness over the stroke. Compacted foil crushes as well: this work is dissipated, too.
 //
 // Energy: stored is that of the spring g; dissipated is f dc; their sum is force times rate exactly.
-// Free play: after crushing, the strut is loose for -c_tension < x < c_compression: a cartridge that has
-// crushed no longer touches until the stroke comes back to the point where it was left.
+// Free play: after crushing, the strut is loose for -c_tension < x < c_compression; a crushed cartridge touches again
+// where it was left.
 // Valid for any stroke. f is C1 in stroke and state; dc is continuous, with a kink at rate 0 (derivative:
 // that of the loading side).
 
@@ -54,7 +54,7 @@ class Honeycomb final : public StrutLaw {
   explicit Honeycomb(const HoneycombParameters& parameters);  // throws InputError for values out of range
 
   std::string_view kind() const override { return "honeycomb"; }
-  // States: permanent crush [m] of compression, then of tension; a cartridge that is absent has none.
+  // States: permanent crush [m] of compression, then of tension; an absent cartridge has none.
   int state_count() const override { return static_cast<int>(cartridges_.size()); }
   Eigen::VectorXd initial_state() const override { return Eigen::VectorXd::Zero(state_count()); }
   void evaluate(const StrutInput& in, StrutOutput& out) const override;

@@ -1,3 +1,5 @@
+// The chain command -> controller -> torque limit -> gear loss in one place (Shaft), with its derivatives.
+
 #include "mbd_solver/model/laws/motor.h"
 
 #include <algorithm>
@@ -5,11 +7,12 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/parameter_check.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
 
-constexpr double kGearSpeed = 1.0e-3;  // v_e [rad/s or m/s]: below, the loss of the gear fades
+constexpr double kGearSpeed = 1.0e-3;  // v_e: the gear loss fades below this speed [rad/s or m/s]
 
 // l(omega) and its slope.
 struct SpeedLimit {
@@ -24,7 +27,7 @@ struct SpeedLimit {
 
 }  // namespace
 
-// Everything on the way from the coordinate to the torque at the joint, with derivatives by x, v and z.
+// From the coordinate to the torque at the joint, with derivatives by x, v and z.
 struct Motor::Shaft {
   Shaft(const MotorParameters& p, const StrutInput& in) {
     TimeValue c = p.command->at(in.time);
@@ -71,13 +74,13 @@ struct Motor::Shaft {
     T_x = by_tau * tau_x;
     T_v = by_tau * tau_v - p.gear_ratio * std::abs(tau) * loss_v;
     T_z = by_tau * tau_z;
-    lost = p.gear_ratio * std::abs(tau) * loss * v;
+    dissipated = p.gear_ratio * std::abs(tau) * loss * v;
   }
   double e = 0.0, e_x = 0.0, e_v = 0.0;  // error
-  double u = 0.0, u_x = 0.0, u_v = 0.0;  // asked for; by z: ki
-  double tau, tau_x, tau_v, tau_z;       // brought up
+  double u = 0.0, u_x = 0.0, u_v = 0.0;  // required; by z: ki
+  double tau, tau_x, tau_v, tau_z;       // delivered
   double T, T_x, T_v, T_z;               // at the joint
-  double lost;                           // in the gear [W]
+  double dissipated;                     // in the gear [W]
 };
 
 Motor::Motor(const MotorParameters& parameters) : parameters_(parameters) {
@@ -91,12 +94,13 @@ Motor::Motor(const MotorParameters& parameters) : parameters_(parameters) {
   require_within(kind(), "efficiency", p.efficiency, 0.0, 1.0, "");
   if (p.kind != MotorKind::kTorque) require_positive(kind(), "kp", p.kp, "");
   if (p.kind == MotorKind::kTorque && p.ki > 0.0)
-    throw InputError("motor: ki has no error to add up where a torque is commanded; leave it out.");
+    throw InputError(code::kParametersDisagree, "motor: ki has no effect on a commanded torque; leave it out.");
   if (p.largest_torque) require_positive(kind(), "max_torque", *p.largest_torque, "N m");
   if (p.no_load_speed) require_positive(kind(), "max_speed", *p.no_load_speed, "rad/s");
   if (p.no_load_speed && !p.largest_torque)
     throw InputError(
-        "motor: max_speed without max_torque; the torque falls from max_torque at rest to 0 at max_speed.");
+        code::kParametersDisagree,
+        "motor: max_speed requires max_torque; the torque falls from max_torque at rest to 0 at max_speed.");
 }
 
 void Motor::evaluate(const StrutInput& in, StrutOutput& out) const {
@@ -115,7 +119,7 @@ void Motor::evaluate(const StrutInput& in, StrutOutput& out) const {
 }
 
 void Motor::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
-  out.push_back({Dissipation::kFriction, Shaft(parameters_, in).lost});
+  out.push_back({Dissipation::kFriction, Shaft(parameters_, in).dissipated});
 }
 
 double Motor::supplied_power(const StrutInput& in) const {

@@ -1,13 +1,13 @@
 #pragma once
 // A motor with its gear on one coordinate x of a joint, rate v. The motor turns at omega = g v.
-//   asked for:  torque: u = c(t)
+//   required:   torque: u = c(t)
 //               speed: u = kp e + ki z, e = c(t) - v;  position: u = kp e + kd (c'(t) - v) + ki z, e = c(t) - x
-//   brought up: tau = u within [-tau_0 l(-omega), tau_0 l(omega)], l(omega) = 1 - omega / omega_0 within [-1, 1]
-//   integral:   dz = e + (tau - u) / kp: at the limit it stops growing (only with ki > 0)
+//   delivered:  tau = u within [-tau_0 l(-omega), tau_0 l(omega)], l(omega) = 1 - omega / omega_0 within [-1, 1]
+//   integral:   dz = e + (tau - u) / kp: stops growing at the limit (only with ki > 0)
 //   at the joint: T = g (tau - |tau| L tanh(v / v_e)),
 //                 L = 1 - eta where tau drives the joint, 1 / eta - 1 where it brakes
-// Supplied power: tau omega. Dissipated in the gear: g |tau| L v tanh(v / v_e). The rotor's inertia is not here but in
-// the equations of motion (model/joints/constraint_row.h). theory 3.7.
+// Supplied power: tau omega. Dissipated in the gear: g |tau| L v tanh(v / v_e). The rotor's inertia
+// belongs to the equations of motion (elements/constraint_row.h). theory 3.7.
 
 #include <optional>
 
@@ -17,10 +17,10 @@
 namespace footfall {
 
 enum class MotorKind {
-  kTorque,    // brings up the torque `command`
-  kSpeed,     // holds the joint's speed at `command`
-  kPosition,  // holds the joint's coordinate at `command`
-  kBrake      // no motor: laws/brake.h, which holds the joint still as far as `command` presses it
+  kTorque,    // delivers the torque `command`
+  kSpeed,     // controls the joint's speed to `command`
+  kPosition,  // controls the joint's coordinate to `command`
+  kBrake      // no motor: Brake of laws/friction.h, engaged by `command` in [0, 1]
 };
 constexpr std::string_view name_of(MotorKind kind) {
   switch (kind) {
@@ -39,15 +39,15 @@ struct MotorParameters {
   double kp = 0.0;          // >= 0, > 0 for speed and position [N m s/rad or N m/rad]
   double ki = 0.0;          // >= 0 [N m/rad or N m/(rad s)]
   double kd = 0.0;          // >= 0, position [N m s/rad]
-  std::optional<double> largest_torque;  // tau_0: at rest > 0; not given: no limit [N m]
-  std::optional<double> no_load_speed;   // omega_0 > 0; not given: tau_0 at any speed [rad/s]
+  std::optional<double> largest_torque;  // tau_0: at rest > 0; default no limit [N m]
+  std::optional<double> no_load_speed;   // omega_0 > 0; default tau_0 at any speed [rad/s]
   double gear_ratio = 1.0;               // g > 0 [-, rad/m]
   double efficiency = 1.0;               // eta in (0, 1]
 };
 
 class Motor final : public StrutLaw {
  public:
-  explicit Motor(const MotorParameters& parameters);  // throws InputError for a value out of its range
+  explicit Motor(const MotorParameters& parameters);  // throws InputError for a value out of range
 
   std::string_view kind() const override { return "motor"; }
   int state_count() const override { return parameters_.ki > 0.0 ? 1 : 0; }

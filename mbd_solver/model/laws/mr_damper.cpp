@@ -1,33 +1,38 @@
+// A smooth Bingham model, its coil lag, and the formulas that give its two forces from the geometry of the damper.
+
 #include "mbd_solver/model/laws/mr_damper.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/parameter_check.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/parameter_check.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
 
 double clamp_voltage(double u) { return std::clamp(u, 0.0, 1.0); }
 
-MonotoneCurve checked_table(const std::vector<YieldPoint>& table) {
+MonotoneCurve checked_table(const std::vector<Eigen::Vector2d>& table) {
   std::vector<double> u, f;
-  for (const YieldPoint& p : table) {
-    u.push_back(p.voltage);
-    f.push_back(p.force);
+  for (const Eigen::Vector2d& p : table) {
+    u.push_back(p.x());
+    f.push_back(p.y());
   }
   MonotoneCurve curve("mr_damper: yield_table", u, f);
   if (u.front() != 0.0 || u.back() != 1.0)
-    throw InputError("mr_damper: yield_table covers U from " + number_text(u.front()) + " to " + number_text(u.back()) +
-                     "; expected from 0 to 1 exactly.");
+    throw InputError(code::kTableShape, "mr_damper: yield_table covers U from " + number_text(u.front()) + " to " +
+                                            number_text(u.back()) + "; expected 0 to 1.");
   require_not_negative("mr_damper", "the first force of yield_table", f.front(), "N");
   for (std::size_t i = 1; i < f.size(); ++i)
     if (f[i] < f[i - 1])
-      throw InputError("mr_damper: yield_table falls from " + number_text(f[i - 1]) +
-                       " N at U = " + number_text(u[i - 1]) + " to " + number_text(f[i]) +
-                       " N at U = " + number_text(u[i]) + "; expected a force that never falls with U.");
+      throw InputError(code::kCurveNotRising, "mr_damper: yield_table falls from " + number_text(f[i - 1]) +
+                                                  " N at U = " + number_text(u[i - 1]) + " to " + number_text(f[i]) +
+                                                  " N at U = " + number_text(u[i]) +
+                                                  "; expected a force that never falls with U.");
   return curve;
 }
 
@@ -78,6 +83,40 @@ void MrDamper::dissipated_power(const StrutInput& in, std::vector<StrutPower>& o
   out.push_back({Dissipation::kMrViscous, parameters_.viscous_coefficient * v * v});
   out.push_back({Dissipation::kMrYield,
                  yield_force(effective_voltage(in)) * std::tanh(v / parameters_.regularisation_speed) * v});
+}
+
+MrDamperParameters mr_damper_from_geometry(const MrGeometry& g, MrDamperParameters law) {
+  constexpr std::string_view kWho = "mr_damper geometry";
+  require_positive(kWho, "D1", g.D1, "m");
+  require_positive(kWho, "d1", g.d1, "m");
+  require_positive(kWho, "D2", g.D2, "m");
+  require_positive(kWho, "D3", g.D3, "m");
+  require_positive(kWho, "L1", g.L1, "m");
+  require_not_negative(kWho, "L2", g.L2, "m");
+  require_positive(kWho, "L3", g.L3, "m");
+  require_not_negative(kWho, "L4", g.L4, "m");
+  require_positive(kWho, "eta", g.eta, "Pa s");
+  if (g.d1 >= g.D1)
+    throw InputError(code::kParametersDisagree, "mr_damper geometry: core diameter d1 = " + number_text(g.d1) +
+                                                    " m does not fit into the bypass cylinder D1 = " +
+                                                    number_text(g.D1) + " m; expected d1 < D1.");
+  const double D4 = g.D4.value_or(g.D2), d = g.d.value_or(0.5 * (g.D1 - g.d1));
+  require_positive(kWho, "D4", D4, "m");
+  require_positive(kWho, "d", d, "m");
+  if (g.tau_y.empty())
+    throw InputError(
+        code::kTableShape,
+        "mr_damper geometry: the table tau_y is empty; expected pairs of U and yield stress, U from 0 to 1.");
+
+  law.yield_table.clear();
+  for (const Eigen::Vector2d& p : g.tau_y)
+    law.yield_table.emplace_back(p.x(), 3.0 * kPi * g.L1 * p.y() * 0.5 * (g.D1 + g.d1));  // [Lin25 14]
+  law.yield_force = law.yield_table.back().y();
+  law.viscous_coefficient = (12.0 * g.eta * g.L1 / (d * d) +
+                             32.0 * g.eta * (g.L2 / (g.D2 * g.D2) + g.L3 / (g.D3 * g.D3) + g.L4 / (D4 * D4))) *
+                            0.25 * kPi * g.D3 * g.D3;  // [Lin25 15]
+  MrDamper check(law);                                 // the constructor checks the table and the rest of the law
+  return law;
 }
 
 }  // namespace footfall

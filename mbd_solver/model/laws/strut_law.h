@@ -1,29 +1,99 @@
 #pragma once
-// The force law of a strut along its line, without any mechanism around it: force as a function of stroke, rate and
-// inner state. A strut of a scene is a list of such laws between two points; every law can be tested in closed form
-// alone.
+// The force law of a strut along its line, and the kinds of energy that laws and elements report.
 
 #include <Eigen/Dense>
+#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "mbd_solver/model/laws/energy.h"
+#include "mbd_solver/base/kinds.h"
 
 namespace footfall {
 
-// What a law sees. Stroke x = undeformed length - length [m] (compression positive), rate = dx/dt [m/s].
+// Kinds of stored energy: energy.<name> of history.csv.
+enum class Stored {
+  kKinetic,
+  kGravity,  // zero where r = 0
+  kStrain,   // modes, springs, elastic part of honeycombs and stops
+  kGas,
+  kContact  // elastic energy of rigid-plane contacts
+};
+constexpr std::string_view name_of(Stored kind) {
+  switch (kind) {
+    case Stored::kKinetic: return "kinetic";
+    case Stored::kGravity: return "gravity";
+    case Stored::kStrain: return "strain";
+    case Stored::kGas: return "gas";
+    case Stored::kContact: return "contact";
+  }
+  return {};
+}
+
+// Kinds of dissipation: dissipated.<name> of history.csv.
+enum class Dissipation { kMrViscous, kMrYield, kHoneycomb, kDamper, kStop, kModal, kFriction, kContact };
+constexpr std::string_view name_of(Dissipation kind) {
+  switch (kind) {
+    case Dissipation::kMrViscous: return "mr_viscous";
+    case Dissipation::kMrYield: return "mr_yield";
+    case Dissipation::kHoneycomb: return "honeycomb";
+    case Dissipation::kDamper: return "damper";
+    case Dissipation::kStop: return "stop";
+    case Dissipation::kModal: return "modal";
+    case Dissipation::kFriction: return "friction";
+    case Dissipation::kContact: return "contact";
+  }
+  return {};
+}
+
+// Sources of energy other than contacts with grains: work.<name> of history.csv.
+enum class Supply {
+  kMotion,  // prescribed motions
+  kForce,   // forces and torques of the scene
+  kDrive    // drives of joints
+};
+constexpr std::string_view name_of(Supply source) {
+  switch (source) {
+    case Supply::kMotion: return "motion";
+    case Supply::kForce: return "force";
+    case Supply::kDrive: return "drive";
+  }
+  return {};
+}
+
+// One number for each kind.
+template <class Kind>
+struct ByKind {
+  std::array<double, static_cast<std::size_t>(count_of<Kind>())> by_kind{};
+  double& operator[](Kind kind) { return by_kind[static_cast<std::size_t>(kind)]; }
+  double operator[](Kind kind) const { return by_kind[static_cast<std::size_t>(kind)]; }
+  double total() const {
+    double sum = 0.0;
+    for (const double value : by_kind) sum += value;
+    return sum;
+  }
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive("by_kind", by_kind);
+  }
+};
+
+using StoredEnergy = ByKind<Stored>;     // [J]
+using Dissipated = ByKind<Dissipation>;  // power [W] or work [J], each >= 0
+using Supplied = ByKind<Supply>;         // power [W] or work [J]
+
+// Arguments of a law. Stroke x = undeformed length - length [m] (compression positive), rate = dx/dt [m/s].
 struct StrutInput {
   double stroke = 0.0;   // [m]
   double rate = 0.0;     // [m/s]
   double voltage = 0.0;  // U commanded by a controller or constant, in [0, 1] [-]; constant within a step
   Eigen::Ref<const Eigen::VectorXd> z;  // inner states of this law
   double time = 0.0;                    // [s]
-  double command = 0.0;                 // a signal that commands it, beside its function of time, in the unit of that
+  double command = 0.0;                 // a signal added to its function of time, in the same unit
 };
 
-// What a law answers. Force positive in compression (it pushes the ends apart) [N].
+// Results of a law. Force positive in compression (it pushes the ends apart) [N].
 struct StrutOutput {
   explicit StrutOutput(int states)
       : dforce_dz(states), dz(states), ddz_dstroke(states), ddz_drate(states), ddz_dz(states, states) {
@@ -52,6 +122,8 @@ struct StrutPower {
   double power;  // >= 0 [W]
 };
 
+// Force as a function of stroke, rate and inner state. A strut of a scene is a list of laws between two points; each law
+// is tested alone, in closed form.
 class StrutLaw {
  public:
   virtual ~StrutLaw() = default;
@@ -67,7 +139,7 @@ class StrutLaw {
   // Dissipated power, appended by kind.
   // Identity: force * rate + supplied power = d(stored)/dt + sum of dissipated power.
   virtual void dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const = 0;
-  // Power that a drive brings in [W].
+  // Power that a drive supplies [W].
   virtual double supplied_power(const StrutInput&) const { return 0.0; }
 };
 

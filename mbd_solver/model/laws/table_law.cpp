@@ -1,17 +1,20 @@
+// The column of rate 0 is split off as the elastic part with its integral; the rest is interpolated bilinearly.
+
 #include "mbd_solver/model/laws/table_law.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "coupler/base/csv.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/parameter_check.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/parameter_check.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
 
-// Where a value lies among rising nodes: the cell and the part of it, both also for values outside (t < 0 or
-// t > 1).
+// The cell of a value among rising nodes and its relative place there; t < 0 or t > 1 outside.
 struct Place {
   Eigen::Index cell;
   double t, width;
@@ -26,14 +29,17 @@ Place locate(const std::vector<double>& nodes, double value) {
 
 void check_rising(const TableLawParameters& p, const std::vector<double>& values, const char* what, const char* unit) {
   if (values.size() < 2)
-    throw InputError(p.source + ": " + std::to_string(values.size()) + " " + what + "(s); expected at least two.");
+    throw InputError(code::kTableShape,
+                     p.source + ": " + std::to_string(values.size()) + " " + what + "(s); expected at least two.");
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i]))
-      throw InputError(p.source + ": " + what + " " + std::to_string(i + 1) + " is not a finite number.");
+      throw InputError(code::kTableShape,
+                       p.source + ": " + what + " " + std::to_string(i + 1) + " is not a finite number.");
     if (i > 0 && values[i] <= values[i - 1])
-      throw InputError(p.source + ": " + what + " " + number_text(values[i]) + " " + unit + " follows " +
-                       number_text(values[i - 1]) + " " + unit +
-                       "; expected strictly rising values. Sort the table and remove doubles.");
+      throw InputError(code::kCurveNotRising,
+                       p.source + ": " + what + " " + number_text(values[i]) + " " + unit + " follows " +
+                           number_text(values[i - 1]) + " " + unit +
+                           "; expected strictly rising values. Sort the table and remove duplicates.");
   }
 }
 
@@ -49,14 +55,13 @@ TableLaw::TableLaw(const TableLawParameters& p) : stroke_(p.stroke), rate_(p.rat
   check_rising(p, rate_, "rate", "m/s");
   const auto rows = static_cast<Eigen::Index>(stroke_.size()), columns = static_cast<Eigen::Index>(rate_.size());
   if (p.force.rows() != rows || p.force.cols() != columns)
-    throw InputError(p.source + ": the forces are a table of " + std::to_string(p.force.rows()) + " x " +
-                     std::to_string(p.force.cols()) + "; expected strokes x rates, " + std::to_string(rows) + " x " +
-                     std::to_string(columns) + ".");
+    throw InputError(code::kTableShape, p.source + ": the forces are a table of " + std::to_string(p.force.rows()) +
+                                            " x " + std::to_string(p.force.cols()) + "; expected strokes x rates, " +
+                                            std::to_string(rows) + " x " + std::to_string(columns) + ".");
   const auto zero = std::find(rate_.begin(), rate_.end(), 0.0);
   if (zero == rate_.end())
-    throw InputError(p.source +
-                     ": 0 m/s is not among the rates; expected it, because the forces at rest are the "
-                     "elastic part. Add the column.");
+    throw InputError(code::kTableShape,
+                     p.source + ": 0 m/s is not among the rates; add this column, which holds the elastic forces.");
   elastic_ = p.force.col(zero - rate_.begin());
   dissipative_ = p.force.colwise() - elastic_;
   for (Eigen::Index i = 0; i < rows; ++i)
@@ -65,12 +70,13 @@ TableLaw::TableLaw(const TableLawParameters& p) : stroke_(p.stroke), rate_(p.rat
       const std::string where = row < p.lines.size() ? p.source + ":" + std::to_string(p.lines[row]) : p.source;
       const std::string entry = where + ": force " + number_text(p.force(i, j)) + " N at stroke " +
                                 number_text(stroke_[row]) + " m, rate " + number_text(rate_[column]) + " m/s";
-      if (!std::isfinite(p.force(i, j))) throw InputError(entry + " is not a finite number.");
+      if (!std::isfinite(p.force(i, j))) throw InputError(code::kTableShape, entry + " is not a finite number.");
       if (dissipative_(i, j) * rate_[column] < 0.0)
-        throw InputError(entry + (rate_[column] > 0.0 ? " is below" : " is above") + " the force at rest, " +
-                         number_text(elastic_[i]) +
-                         " N: the strut would deliver energy. Expected a passive table: forces " +
-                         (rate_[column] > 0.0 ? "not below it for compression." : "not above it for extension."));
+        throw InputError(code::kTableNotPassive,
+                         entry + (rate_[column] > 0.0 ? " is below" : " is above") + " the force at rest, " +
+                             number_text(elastic_[i]) +
+                             " N: the strut would deliver energy. Expected a passive table: forces " +
+                             (rate_[column] > 0.0 ? "not below it for compression." : "not above it for extension."));
     }
   stored_.assign(stroke_.size(), 0.0);
   for (std::size_t i = 1; i < stroke_.size(); ++i) {
@@ -86,8 +92,7 @@ TableLaw::Split TableLaw::split(double stroke, double rate) const {
   Split s{};
   s.elastic_slope = (elastic_[i + 1] - elastic_[i]) / x.width;
   s.elastic = elastic_[i] + x.t * (elastic_[i + 1] - elastic_[i]);
-  // D is held outside the table: the same bilinear form at the nearest point of it, without slope across the
-  // edge.
+  // Outside the table D is that of its nearest point, without slope across the edge.
   const double tx = std::clamp(x.t, 0.0, 1.0), tv = std::clamp(v.t, 0.0, 1.0);
   const double low = (1.0 - tx) * dissipative_(i, j) + tx * dissipative_(i + 1, j);
   const double high = (1.0 - tx) * dissipative_(i, j + 1) + tx * dissipative_(i + 1, j + 1);
@@ -117,6 +122,40 @@ double TableLaw::stored_energy(const StrutInput& in) const { return elastic_inte
 
 void TableLaw::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
   out.push_back({Dissipation::kDamper, split(in.stroke, in.rate).dissipative * in.rate});
+}
+
+TableLawParameters read_table_law(const std::filesystem::path& file) {
+  CsvReader csv(file.string(), "a table of forces over stroke and rate");
+  TableLawParameters p;
+  p.source = file.string();
+  std::vector<std::vector<double>> rows;
+  while (csv.next()) {
+    const std::size_t width = csv.cells().size();
+    if (p.rate.empty()) {  // the head: a label, then the rates
+      if (width < 3)
+        csv.fail(code::kTableWidth,
+                 "the first line has " + std::to_string(width) + " cells, expected a label and at least two rates");
+      for (std::size_t i = 1; i < width; ++i) p.rate.push_back(csv.number(i));
+      continue;
+    }
+    csv.demand_width(p.rate.size() + 1);
+    const double stroke = csv.number(0);
+    if (!p.stroke.empty() && stroke <= p.stroke.back())
+      csv.fail(code::kTableCell,
+               "stroke " + csv.text(0) + " m does not exceed the one before; expected rising strokes");
+    p.stroke.push_back(stroke);
+    p.lines.push_back(csv.line());
+    rows.emplace_back();
+    for (std::size_t i = 1; i < width; ++i) rows.back().push_back(csv.number(i));
+  }
+  if (rows.size() < 2)
+    throw InputError(code::kTableShape, p.source + ": " + std::to_string(rows.size()) +
+                                            " lines of forces; expected a line of rates and at least two strokes.");
+  p.force.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(p.rate.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    p.force.row(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Eigen::RowVectorXd>(rows[i].data(), static_cast<Eigen::Index>(rows[i].size()));
+  return p;
 }
 
 }  // namespace footfall

@@ -1,16 +1,15 @@
 #pragma once
 // A passive strut given by measured forces over stroke and rate: F(x, v) = E(x) + D(x, v).
 //
-//   E(x)     the column of rate 0: elastic, stored and given back.
+//   E(x)     the column of rate 0: elastic, recoverable.
 //            Linear between strokes, continued with its end slopes.
 //   D(x, v)  the rest, F - E: dissipated.
 //            Bilinear between entries, held at the table's edge outside it, in stroke and in rate.
 //
-// Why bilinear and not smoother: it keeps the sign of D and the monotony of the table exactly, so that a
-// table whose entries all dissipate (D v >= 0) dissipates everywhere, also when extrapolated. The force is
-// continuous, its derivatives jump at the table's lines (one-sided: the side of the larger stroke or rate).
-// A table that would deliver energy (D v < 0 somewhere) is refused, naming the entry. What lies beyond the
-// stroke table is a guess: put an end stop there.
+// Bilinear interpolation keeps the sign of D and the monotony of the table: if all entries dissipate (D v >= 0), the law
+// dissipates everywhere, extrapolation included. The force is continuous; its derivatives jump at the table's lines
+// (one-sided: the side of the larger stroke or rate). A table that delivers energy (D v < 0 somewhere) is an InputError
+// that names the entry. Beyond the last stroke the table is a guess: put an end stop there.
 //
 // File: comma-separated numbers, SI units; # starts a comment. First line: any label, then the rates [m/s],
 // rising, 0 among them. Every further line: a stroke [m], rising, then the forces [N] (compression positive)
@@ -36,13 +35,13 @@ struct TableLawParameters {
   std::vector<int> lines;            // line of each stroke in `source`, for messages; may be empty
 };
 
-// Reads a file. Throws InputError "file:line: ..." for anything that is not such a table.
+// Reads a file. Throws InputError "file:line: ..." for anything else.
 TableLawParameters read_table_law(const std::filesystem::path& file);
 
 class TableLaw final : public StrutLaw {
  public:
-  // Throws InputError if the shape is wrong, stroke or rate do not rise, 0 is not among the rates, or an
-  // entry delivers energy.
+  // Throws InputError if the shape is wrong, stroke or rate do not rise, 0 is not among the rates, or an entry delivers
+  // energy.
   explicit TableLaw(const TableLawParameters& parameters);
 
   std::string_view kind() const override { return "table_law"; }

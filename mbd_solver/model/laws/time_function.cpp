@@ -1,3 +1,5 @@
+// Each kind of function is a small class in this file; the factories below choose one.
+
 #include "mbd_solver/model/laws/time_function.h"
 
 #include <algorithm>
@@ -5,12 +7,14 @@
 #include <functional>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/laws/curves.h"
 
 namespace footfall {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
+constexpr double kTwoPi = 2.0 * kPi;
 
 class Polynomial : public TimeFunction {
  public:
@@ -71,7 +75,7 @@ class SplineTable : public TimeFunction {
   CubicSpline spline_;
 };
 
-// accel is that between the points: 0 of straight lines; that of a monotone curve jumps there and is not told.
+// accel is reported as 0: that of a monotone curve jumps at its points.
 class MonotoneTable : public TimeFunction {
  public:
   MonotoneTable(std::vector<double> times, std::vector<double> values)
@@ -88,7 +92,8 @@ class LineTable : public TimeFunction {
       : times_(std::move(times)), values_(std::move(values)) {
     if (times_.size() < 2 || times_.size() != values_.size() ||
         std::adjacent_find(times_.begin(), times_.end(), std::greater_equal<>()) != times_.end())
-      throw InputError("a table over time: expected at least two times that rise, and as many values.");
+      throw InputError(code::kCurveNotRising,
+                       "a table over time: expected at least two rising times, and as many values.");
   }
   TimeValue at(double t) const override {
     if (t < times_.front()) return {values_.front(), 0.0, 0.0};
@@ -128,7 +133,7 @@ TimeFunctionPtr polynomial(std::vector<double> coefficients) {
 }
 
 TimeFunctionPtr ramp(double from, double to, double t0, double duration) {
-  if (!(duration > 0.0)) throw InputError("the duration of a ramp must be positive.");
+  if (!(duration > 0.0)) throw InputError(code::kParametersDisagree, "the duration of a ramp must be positive.");
   return std::make_shared<Ramp>(from, to, t0, duration);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Functions of time, for prescribed motions, forces and commands of drives, with two derivatives.
+// Functions of time with two derivatives, for prescribed motions, forces and commands of drives.
 
 #include <memory>
 #include <vector>
@@ -21,18 +21,18 @@ using TimeFunctionPtr = std::shared_ptr<const TimeFunction>;
 
 // sum_k c_k t^k; {c0} is a constant, {c0, v} constant velocity.
 TimeFunctionPtr polynomial(std::vector<double> coefficients);
-// From `from` to `to` between t0 and t0 + duration along a fifth-order smooth step (continuous acceleration),
-// constant outside.
+// From `from` to `to` between t0 and t0 + duration along a fifth-order step with continuous acceleration; constant
+// outside. Throws InputError unless duration > 0.
 TimeFunctionPtr ramp(double from, double to, double t0, double duration);
 // mean + amplitude sin(2 pi frequency t + phase), frequency [Hz], phase [rad].
 TimeFunctionPtr sine(double amplitude, double frequency, double phase = 0.0, double mean = 0.0);
-// How a table (t_i, f_i) is filled: as smooth as what uses it asks for, and no smoother, because a spline leaves the
-// range of its points.
-//   kSpline   natural cubic spline, beyond its ends their tangents: motions, which need two derivatives
-//   kMonotone cubic pieces that stay between the points (monotone_curve.h), constant outside: one derivative
+// Interpolation of a table (t_i, f_i): only as smooth as its use requires, because a spline leaves the range of its
+// points.
+//   kSpline   natural cubic spline, continued by its tangents: motions, which require two derivatives
+//   kMonotone MonotoneCurve, constant outside: one derivative
 //   kLines    straight lines, constant outside: the value alone
 enum class TableShape { kSpline, kMonotone, kLines };
-// At least two points, t rising.
+// At least two points, t rising; else InputError.
 TimeFunctionPtr table(std::vector<double> times, std::vector<double> values, TableShape shape);
 
 // Sum of several; an empty sum is zero.

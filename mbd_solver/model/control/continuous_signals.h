@@ -1,0 +1,188 @@
+#pragma once
+// The numbers of one body's motion that have a name: columns of a history, and what signals measure.
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "mbd_solver/model/body.h"
+#include "mbd_solver/model/control/signal_chain.h"
+#include "mbd_solver/model/elements/joint.h"
+#include "mbd_solver/model/elements/joint_coordinate.h"
+#include "mbd_solver/model/elements/strut.h"
+#include "mbd_solver/model/rotation.h"
+
+namespace footfall {
+
+// One column of each thing of a kind; `value` reads it from what the thing is at an instant.
+template <class Thing>
+struct Entry {
+  const char* pattern;
+  const char* unit;
+  double (*value)(const Thing&);
+};
+
+inline constexpr Entry<BodyKinematics> kBodyEntries[] = {
+    {"<body>.x", "m", [](const BodyKinematics& b) { return b.r.x(); }},
+    {"<body>.y", "m", [](const BodyKinematics& b) { return b.r.y(); }},
+    {"<body>.z", "m", [](const BodyKinematics& b) { return b.r.z(); }},
+    {"<body>.vx", "m/s", [](const BodyKinematics& b) { return b.dr.x(); }},
+    {"<body>.vy", "m/s", [](const BodyKinematics& b) { return b.dr.y(); }},
+    {"<body>.vz", "m/s", [](const BodyKinematics& b) { return b.dr.z(); }},
+    {"<body>.ax", "m/s2", [](const BodyKinematics& b) { return b.ddr.x(); }},
+    {"<body>.ay", "m/s2", [](const BodyKinematics& b) { return b.ddr.y(); }},
+    {"<body>.az", "m/s2", [](const BodyKinematics& b) { return b.ddr.z(); }},
+    {"<body>.roll", "rad", [](const BodyKinematics& b) { return rpy_from_rotation(b.A)(0); }},
+    {"<body>.pitch", "rad", [](const BodyKinematics& b) { return rpy_from_rotation(b.A)(1); }},
+    {"<body>.yaw", "rad", [](const BodyKinematics& b) { return rpy_from_rotation(b.A)(2); }}};
+
+inline constexpr Entry<BodyKinematics> kAttitudeEntries[] = {
+    {"<body>.wx", "rad/s", [](const BodyKinematics& b) { return b.w.x(); }},
+    {"<body>.wy", "rad/s", [](const BodyKinematics& b) { return b.w.y(); }},
+    {"<body>.wz", "rad/s", [](const BodyKinematics& b) { return b.w.z(); }},
+    {"<body>.qw", "-", [](const BodyKinematics& b) { return b.L(0) / b.L.norm(); }},
+    {"<body>.qx", "-", [](const BodyKinematics& b) { return b.L(1) / b.L.norm(); }},
+    {"<body>.qy", "-", [](const BodyKinematics& b) { return b.L(2) / b.L.norm(); }},
+    {"<body>.qz", "-", [](const BodyKinematics& b) { return b.L(3) / b.L.norm(); }}};
+
+// What a continuous signal can measure within a step: positions and velocities, never accelerations or forces, so that
+// what follows from it stands on the right side of the equations of motion. A sensor may have one inner state.
+
+class Sensor {
+ public:
+  virtual ~Sensor() = default;
+  virtual std::array<int, 2> bodies() const = 0;  // whose motion it sees; kGround where one is enough
+  virtual bool has_state() const { return false; }
+  // z: its state, or anything. rate_of_state is asked for where there is one.
+  virtual double value(const PairMotion& pair, double z) const = 0;
+  virtual double rate_of_state(const PairMotion&, double) const { return 0.0; }
+};
+
+// A number of one body's motion.
+class BodySensor final : public Sensor {
+ public:
+  BodySensor(int body, double (*reads)(const BodyKinematics&)) : body_(body), reads_(reads) {}
+  std::array<int, 2> bodies() const override { return {kGround, body_}; }
+  double value(const PairMotion& pair, double) const override { return reads_(*pair.body[1]); }
+
+ private:
+  int body_;
+  double (*reads_)(const BodyKinematics&);
+};
+
+// A coordinate of a joint. An angle goes on over any number of turns; its state counts them, as that of a JointForce.
+class CoordinateSensor final : public Sensor {
+ public:
+  CoordinateSensor(const Joint& joint, Coordinate coordinate) : m1_(joint.m1), m2_(joint.m2), coordinate_(coordinate) {}
+  std::array<int, 2> bodies() const override { return {m1_.body, m2_.body}; }
+  bool has_state() const override { return coordinate_ == Coordinate::kAngle; }
+  double value(const PairMotion& pair, double z) const override;
+  double rate_of_state(const PairMotion& pair, double z) const override;
+
+ private:
+  Marker m1_, m2_;
+  Coordinate coordinate_;
+};
+
+// Its rate.
+class CoordinateRateSensor final : public Sensor {
+ public:
+  CoordinateRateSensor(const Joint& joint, Coordinate coordinate)
+      : m1_(joint.m1), m2_(joint.m2), coordinate_(coordinate) {}
+  std::array<int, 2> bodies() const override { return {m1_.body, m2_.body}; }
+  double value(const PairMotion& pair, double) const override {
+    return JointCoordinate(coordinate_, pair, m1_, m2_).rate();
+  }
+
+ private:
+  Marker m1_, m2_;
+  Coordinate coordinate_;
+};
+
+// Stroke or rate of a strut, which must outlive this.
+class StrutSensor final : public Sensor {
+ public:
+  enum class Reads { kStroke, kRate };
+  StrutSensor(const Strut& strut, Reads reads) : strut_(strut), reads_(reads) {}
+  std::array<int, 2> bodies() const override { return strut_.bodies(); }
+  double value(const PairMotion& pair, double) const override {
+    const StrutMotion at = strut_.motion(pair);
+    return reads_ == Reads::kStroke ? at.stroke : at.rate;
+  }
+
+ private:
+  const Strut& strut_;
+  Reads reads_;
+};
+
+// The continuous signals of a model: evaluated with its equations, at every stage of a step; their inner states are
+// integrated with those of the mechanism.
+
+// Where a name's value comes from.
+struct SignalSource {
+  enum class Kind {
+    kTime,
+    kPlace,  // voltages[index]: controllers, sampled signals, states of the scene
+    kSince,  // time - voltages[index]: seconds in the present state of the scene
+    kSensor  // sensors[index]
+  };
+  Kind kind = Kind::kTime;
+  std::size_t index = 0;
+};
+
+class ContinuousSignals {
+ public:
+  // sources: one per name of the chain.
+  ContinuousSignals(SignalChain chain, std::vector<SignalSource> sources, std::vector<std::unique_ptr<Sensor>> sensors);
+
+  int state_count() const { return chain_.state_count() + sensor_states_; }
+  const SignalChain& chain() const { return chain_; }
+  std::vector<int> bodies() const;  // whose motion is measured, in rising order
+
+  // Values into their places among `voltages`, where those of others stand already, and rates of the states. kinematics:
+  // has pair(body_1, body_2). Throws NumericalError. No allocation.
+  template <class Kinematics>
+  void evaluate(double t, const Kinematics& kinematics, const Eigen::Ref<const Eigen::VectorXd>& z,
+                Eigen::Ref<Eigen::VectorXd> voltages, Eigen::Ref<Eigen::VectorXd> dz) const {
+    measure(kinematics, z, dz);
+    run(t, z, voltages, dz);
+  }
+  // The states of every signal (before null), or of those that did not work under the voltages and signals `before`.
+  // Throws NumericalError; at the start, with before null, InputError.
+  template <class Kinematics>
+  void settle(double t, const Kinematics& kinematics, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
+              Eigen::Ref<Eigen::VectorXd> voltages) const {
+    measure(kinematics, z, scratch_);
+    start(t, before, z, voltages);
+  }
+
+ private:
+  template <class Kinematics>
+  void measure(const Kinematics& kinematics, const Eigen::Ref<const Eigen::VectorXd>& z,
+               Eigen::Ref<Eigen::VectorXd> dz) const {
+    Eigen::Index state = chain_.state_count();
+    for (std::size_t i = 0; i < sensors_.size(); ++i) {
+      const std::array<int, 2> bodies = sensors_[i]->bodies();
+      const PairMotion pair = kinematics.pair(bodies[0], bodies[1]);
+      const bool has_state = sensors_[i]->has_state();
+      measured_[static_cast<Eigen::Index>(i)] = sensors_[i]->value(pair, has_state ? z[state] : 0.0);
+      if (!has_state) continue;
+      dz[state] = sensors_[i]->rate_of_state(pair, z[state]);
+      ++state;
+    }
+  }
+  double answer(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& states) const;  // value of node k
+  void set_names(double t, const Eigen::Ref<const Eigen::VectorXd>& voltages) const;
+  void run(double t, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> voltages,
+           Eigen::Ref<Eigen::VectorXd> dz) const;
+  void start(double t, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
+             Eigen::Ref<Eigen::VectorXd> voltages) const;
+
+  SignalChain chain_;
+  std::vector<SignalSource> sources_;
+  std::vector<std::unique_ptr<Sensor>> sensors_;
+  int sensor_states_ = 0;
+  mutable Eigen::VectorXd measured_, scratch_;
+};
+
+}  // namespace footfall

@@ -1,0 +1,215 @@
+#include "mbd_solver/model/control/signal_chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <muParser.h>
+#include <set>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
+
+namespace footfall {
+namespace {
+
+constexpr const char* kNameCharacters = "0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+
+double opposite(double value) { return value == 0.0 ? 1.0 : 0.0; }
+
+[[noreturn]] void complain(const std::string& text, const std::string& what) {
+  throw InputError("\"" + text + "\": " + what);
+}
+
+[[noreturn]] void complain_of(const std::string& text, const mu::Parser::exception_type& error) {
+  std::string what = error.GetMsg();
+  while (!what.empty() && (what.back() == '.' || what.back() == '\n')) what.pop_back();
+  complain(text, what + "; expected an expression such as \"0.3 - 2 * knee.angle\"");
+}
+
+// muParser takes an assignment and a list for expressions, too.
+void demand_one_value(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '=') continue;
+    const char before = i > 0 ? text[i - 1] : ' ', after = i + 1 < text.size() ? text[i + 1] : ' ';
+    if (before == '<' || before == '>' || before == '!' || before == '=' || after == '=') continue;
+    complain(text, "sets a value; expected a comparison by ==, or no \"=\"");
+  }
+}
+
+std::unique_ptr<mu::Parser> parser_of(const std::string& text) {
+  demand_one_value(text);
+  auto parser = std::make_unique<mu::Parser>();
+  parser->DefineNameChars(kNameCharacters);
+  parser->DefineConst("pi", kPi);
+  parser->DefineInfixOprt("!", opposite);
+  parser->SetExpr(text);
+  return parser;
+}
+
+}  // namespace
+
+std::vector<std::string> Expression::names_in(const std::string& text) {
+  std::vector<std::string> names;
+  try {
+    const std::unique_ptr<mu::Parser> parser = parser_of(text);
+    double any = 1.0;
+    for (const auto& [name, place] : parser->GetUsedVar()) names.push_back(name);
+    for (const std::string& name : names) parser->DefineVar(name, &any);
+    parser->Eval();
+    if (parser->GetNumResults() != 1) complain(text, "has several values; expected one");
+  } catch (const mu::Parser::exception_type& error) {
+    complain_of(text, error);
+  }
+  return names;
+}
+
+Expression::Expression(std::string text, NamedValues& values) : text_(std::move(text)) {
+  try {
+    parser_ = parser_of(text_);
+    for (const std::string& name : names_in(text_)) {
+      const auto found = values.find(name);
+      FOOTFALL_DEMAND(found != values.end());
+      parser_->DefineVar(name, &found->second);
+    }
+    parser_->Eval();  // compiles it
+  } catch (const mu::Parser::exception_type& error) {
+    complain_of(text_, error);
+  }
+}
+
+Expression::~Expression() = default;
+Expression::Expression(Expression&&) noexcept = default;
+Expression& Expression::operator=(Expression&&) noexcept = default;
+
+void Expression::complain_of_no_value() const {
+  std::vector<std::string> arguments;
+  for (const auto& [name, place] : parser_->GetVar()) arguments.push_back(name + " = " + number_text(*place, 4));
+  throw NumericalError("\"" + text_ + "\" has no value" + (arguments.empty() ? "" : " where " + joined(arguments)) +
+                       "; guard what divides, a root or a logarithm, for example \"x > 0 ? sqrt(x) : 0\"");
+}
+
+double Expression::value() const {
+  double value = std::nan("");
+  try {
+    value = parser_->Eval();
+  } catch (const mu::Parser::exception_type&) {
+  }
+  if (!std::isfinite(value)) complain_of_no_value();
+  return value;
+}
+
+namespace {
+
+const std::string kSignal = "signal.", kState = "state.";
+
+// The signals of the chain that each node reads in the same evaluation.
+std::vector<std::vector<std::size_t>> reads_of(const std::vector<SignalNode>& nodes) {
+  std::vector<std::vector<std::size_t>> reads(nodes.size());
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (const std::string& input : nodes[k].inputs)
+      for (const std::string& name : Expression::names_in(input))
+        for (std::size_t other = 0; other < nodes.size(); ++other)
+          if (name == kSignal + nodes[other].name) reads[k].push_back(other);
+  return reads;
+}
+
+std::vector<SignalNode> in_order(std::vector<SignalNode> nodes) {
+  std::vector<std::vector<std::size_t>> reads = reads_of(nodes);
+  std::vector<std::string> names;
+  for (const SignalNode& node : nodes) names.push_back(node.name);
+  std::vector<std::size_t> order;
+  try {
+    order = evaluation_order(names, reads);
+  } catch (const InputError&) {
+    // What does not pass through answers from its inner states: it may stand before what it reads.
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      if (!nodes[k].block->passes_through()) reads[k].clear();
+    order = evaluation_order(names, reads);
+  }
+  std::vector<SignalNode> sorted;
+  for (const std::size_t k : order) sorted.push_back(std::move(nodes[k]));
+  return sorted;
+}
+
+}  // namespace
+
+std::vector<std::size_t> evaluation_order(const std::vector<std::string>& names,
+                                          const std::vector<std::vector<std::size_t>>& reads) {
+  std::vector<std::size_t> order, way;
+  std::vector<bool> done(names.size(), false);
+  const auto visit = [&](const auto& self, std::size_t k) -> void {
+    if (done[k]) return;
+    const auto before = std::find(way.begin(), way.end(), k);
+    if (before != way.end()) {
+      std::vector<std::string> circle;
+      for (auto at = before; at != way.end(); ++at) circle.push_back(names[*at]);
+      circle.push_back(names[k]);
+      throw InputError("they depend on each other in a circle: " + joined(circle, " <- ") +
+                       "; put a lowpass between them, which answers from what was before");
+    }
+    way.push_back(k);
+    for (const std::size_t other : reads[k]) self(self, other);
+    way.pop_back();
+    done[k] = true;
+    order.push_back(k);
+  };
+  for (std::size_t k = 0; k < names.size(); ++k) visit(visit, k);
+  return order;
+}
+
+SignalChain::SignalChain(std::vector<SignalNode> nodes)
+    : nodes_(in_order(std::move(nodes))), values_(std::make_unique<NamedValues>()) {
+  std::set<std::string> own, outside;
+  for (const SignalNode& node : nodes_) own.insert(kSignal + node.name);
+  for (const SignalNode& node : nodes_) {
+    FOOTFALL_DEMAND(static_cast<int>(node.inputs.size()) == node.block->input_count());
+    first_state_.push_back(states_);
+    states_ += node.block->state_count();
+    for (const std::string& state : node.states) outside.insert(kState + state);
+    for (const std::string& input : node.inputs)
+      for (const std::string& name : Expression::names_in(input))
+        if (own.count(name) == 0) outside.insert(name);
+  }
+  names_.assign(outside.begin(), outside.end());
+  for (const std::string& name : names_) outside_.push_back(&(*values_)[name]);
+  for (const SignalNode& node : nodes_) own_.push_back(&(*values_)[kSignal + node.name]);
+  for (const SignalNode& node : nodes_) {
+    expressions_.emplace_back();
+    for (const std::string& input : node.inputs) expressions_.back().emplace_back(input, *values_);
+    activities_.emplace_back();
+    for (const std::string& state : node.states) activities_.back().push_back(&values_->at(kState + state));
+    inputs_.push_back(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(node.inputs.size())));
+  }
+}
+
+bool SignalChain::works(std::size_t k) const {
+  const std::vector<const double*>& states = activities_[k];
+  return states.empty() || std::any_of(states.begin(), states.end(), [](const double* s) { return *s != 0.0; });
+}
+
+const Eigen::VectorXd& SignalChain::inputs(std::size_t k) const {
+  Eigen::VectorXd& u = inputs_[k];
+  for (std::size_t i = 0; i < expressions_[k].size(); ++i) {
+    try {
+      u[static_cast<Eigen::Index>(i)] = expressions_[k][i].value();
+    } catch (const NumericalError& error) {
+      const std::vector<std::string>& at = nodes_[k].written_at;
+      throw NumericalError((i < at.size() ? at[i] : "signal \"" + nodes_[k].name + "\": ") + error.what());
+    }
+  }
+  return u;
+}
+
+void SignalChain::settle(std::size_t k, Eigen::Ref<Eigen::VectorXd> z) const {
+  const SignalNode& node = nodes_[k];
+  if (node.block->state_count() == 0) return;
+  if (node.initial) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(node.inputs.size()));
+    u[0] = *node.initial;
+    node.block->settle(u, z);
+  } else {
+    node.block->settle(inputs(k), z);
+  }
+}
+
+}  // namespace footfall

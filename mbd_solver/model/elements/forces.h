@@ -1,0 +1,141 @@
+#pragma once
+// A torque on the node of a marker, and the angular velocity that it works on. Everything adds to its last argument.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "mbd_solver/model/elements/joint_coordinate.h"
+#include "mbd_solver/model/force_element.h"
+#include "mbd_solver/model/kinematic_vector.h"
+#include "mbd_solver/model/laws/springs.h"
+#include "mbd_solver/model/laws/strut_law.h"
+#include "mbd_solver/model/laws/time_function.h"
+
+namespace footfall {
+
+// Angular velocity of the marker's node in W: w + A Psi da [rad/s].
+inline Eigen::Vector3d angular_velocity(const BodyKinematics& body, const Marker& marker) {
+  if (body.modes == 0) return body.w;
+  const Eigen::Vector3d bending = marker.Psi * body.da;
+  return body.w + body.A * bending;
+}
+
+// Q += [0; T; Psi^T A^T T] in the columns of the slot. T in W [N m].
+inline void add_torque(const PairMotion& pair, int slot, const Marker& marker, const Eigen::Vector3d& T,
+                       Eigen::Ref<Eigen::VectorXd> Q) {
+  const BodyKinematics& body = *pair.body[slot];
+  if (body.ground) return;
+  const int offset = pair.offset(slot);
+  Q.segment<3>(offset + 3) += T;
+  if (body.modes > 0) {
+    const Eigen::Vector3d local = body.A.transpose() * T;
+    Q.segment(offset + 6, body.modes).noalias() += marker.Psi.transpose() * local;
+  }
+}
+
+// K += d[0; T; Psi^T A^T T]/dx at fixed T: d(Psi^T A^T T)/dtheta = Psi^T A^T T~
+inline void add_torque_derivative(const PairMotion& pair, int slot, const Marker& marker, const Eigen::Vector3d& T,
+                                  Eigen::Ref<Eigen::MatrixXd> K) {
+  const BodyKinematics& body = *pair.body[slot];
+  for (int k = 0; k < body.modes; ++k) {
+    const Eigen::Vector3d column = body.A * marker.Psi.col(k);
+    K.block<1, 3>(pair.offset(slot) + 6 + k, pair.offset(slot) + 3) += column.cross(T).transpose();
+  }
+}
+
+// A force f and a torque m at a marker of a body, along and about a direction e: the marker's z axis, which turns
+// with the body (and its node), or a direction that stands in W.
+// Each is a function of time, plus a signal.
+//   Q = X_p^T f e + W^T m e,  p' = X_p v,  w = W v of the marker's node;   power f e.p' + m e.w
+// theory 3.6.
+
+// Function of time, null: zero, plus voltages[signal], -1: none.
+struct Magnitude {
+  Magnitude(TimeFunctionPtr f = nullptr, int place = -1) : function(std::move(f)), signal(place) {}
+  bool is_given() const { return function || signal >= 0; }
+  double at(const ElementInput& in) const {
+    return (function ? function->at(in.time).value : 0.0) + (signal >= 0 ? in.voltages[signal] : 0.0);
+  }
+  TimeFunctionPtr function;
+  int signal;
+};
+
+class AppliedForce : public ForceElement {
+ public:
+  // marker: on a body. fixed_direction: unit vector of W; not given: the marker's z axis.
+  AppliedForce(std::string name, Marker marker, std::optional<Eigen::Vector3d> fixed_direction, Magnitude force,
+               Magnitude torque);
+
+  int voltage_count() const override { return std::max(force_.signal, torque_.signal) + 1; }
+
+  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
+  bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
+  void add_energy(const ElementInput&, StoredEnergy&, Dissipated&) const override {}
+  void add_supply(const ElementInput& in, Supplied& power) const override;  // kForce
+
+ private:
+  KinematicVector direction(const PairMotion& pair) const;
+
+  Marker marker_;
+  std::optional<Eigen::Vector3d> fixed_direction_;
+  Magnitude force_, torque_;    // [N], [N m]
+  mutable Eigen::Matrix3Xd X_;  // scratch, 3 x n
+};
+
+// What acts on one coordinate q of a joint (joint_coordinate.h): a sum of laws, as those of a strut, with q in the
+// place of the stroke and force = -(generalized force on q).
+//   Q = -F(q, q', z, t) dq/dx
+// An angle goes on over any number of turns: the first inner state z_0 only tells how many whole turns there are,
+// (joints/whole_turns.h). theory 3.6.
+
+struct JointForceSample {
+  double q = 0.0;       // [rad or m]
+  double rate = 0.0;    // [rad/s or m/s]
+  double force = 0.0;   // on q, all laws together [N m or N]
+  double supply = 0.0;  // power that drives bring in [W]
+};
+
+class JointForce : public ForceElement {
+ public:
+  // Markers of the joint, z along its axis. command_index: of the signal that commands the laws, among the voltages and
+  // signals of a run; -1: none. Not to be evaluated from two threads at once (it owns scratch).
+  JointForce(std::string name, Marker m1, Marker m2, Coordinate coordinate, std::vector<std::unique_ptr<StrutLaw>> laws,
+             int command_index = -1);
+
+  int state_count() const override { return states_; }
+  int voltage_count() const override { return command_index_ + 1; }
+  Eigen::VectorXd initial_state() const override;
+  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
+  bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
+  void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
+  void add_supply(const ElementInput& in, Supplied& power) const override;  // kDrive
+
+  JointForceSample sample(const ElementInput& in) const;
+  const std::vector<std::unique_ptr<StrutLaw>>& laws() const { return laws_; }
+
+ private:
+  double continued(const ElementInput& in, double alpha) const;  // q
+  StrutInput law_input(const ElementInput& in, const JointCoordinate& at, std::size_t law) const;
+  const StrutOutput& evaluate(const ElementInput& in, const JointCoordinate& at, std::size_t law) const;
+
+  Marker m1_, m2_;
+  Coordinate coordinate_;
+  std::vector<std::unique_ptr<StrutLaw>> laws_;
+  std::vector<int> first_state_;
+  int states_;
+  int command_index_;
+  mutable std::vector<StrutOutput> out_;  // one per law
+  mutable std::vector<StrutPower> power_;
+  mutable Eigen::VectorXd row_, row_rate_;  // scratch rows of size n
+  mutable CoordinateScratch scratch_;
+};
+
+// Spring and damper on the angle about the common z axis of two markers: torque on body 2 about z1
+//   T = -k (phi - phi0) - c phi',  phi0 = free_stroke
+// theory 3.5.
+std::unique_ptr<JointForce> torsional_spring(std::string name, Marker m1, Marker m2,
+                                             const LinearSpringDamperParameters& parameters);
+
+}  // namespace footfall

@@ -1,0 +1,64 @@
+#include "mbd_solver/model/elements/gear.h"
+
+#include <cmath>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/model/elements/joint_coordinate.h"
+
+namespace footfall {
+
+int add_gear(Model& model, const std::string& name, const std::vector<GearMember>& members) {
+  FOOTFALL_DEMAND(members.size() >= 2);
+  int first = -1;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const GearMember& member = members[i];
+    FOOTFALL_DEMAND(std::isfinite(member.factor) && member.factor != 0.0);
+    const Marker m1 = model.joint(member.joint).m1, m2 = model.joint(member.joint).m2;
+    Joint joint;
+    joint.name = i == 0 ? name : name + "/" + std::to_string(i + 1);
+    joint.kind = "gear";
+    joint.m1 = m1;
+    joint.m2 = m2;
+    joint.row_of = first;
+    ConstraintRow row;
+    row.unit = members[0].coordinate == Coordinate::kAngle ? ConstraintRow::Unit::kAngle : ConstraintRow::Unit::kLength;
+    row.scale = member.factor / members[0].factor;
+    row.coordinate = member.coordinate;
+    row.curve = member.curve;
+    row.scratch = std::make_shared<CoordinateScratch>(12 + m1.S.cols() + m2.S.cols());
+    joint.rows = {row};
+    if (member.coordinate == Coordinate::kAngle && !member.curve)
+      joint.turn_counter = model.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, m1, m2));
+    const int index = model.add_joint(std::move(joint));
+    if (first < 0) first = index;
+  }
+  return first;
+}
+
+TurnCounter::TurnCounter(std::string name, Marker m1, Marker m2)
+    : ForceElement(std::move(name), m1.body, m2.body),
+      m1_(std::move(m1)),
+      m2_(std::move(m2)),
+      scratch_(12 + m1_.S.cols() + m2_.S.cols()),
+      row_(scratch_.row.size()) {}
+
+void TurnCounter::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd>, Eigen::Ref<Eigen::VectorXd> dz) const {
+  const JointCoordinate at(Coordinate::kAngle, in.pair, m1_, m2_);
+  dz[0] = turn_counter_rate(at.rate(), nearest_turn(at.value(), in.z[0]), in.z[0]);
+}
+
+bool TurnCounter::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
+  const JointCoordinate at(Coordinate::kAngle, in.pair, m1_, m2_);
+  Eigen::Ref<Eigen::VectorXd> row = row_.head(in.pair.size());
+  row.setZero();
+  at.add_gradient(1.0, row);
+  out.ddz_dv.row(0) += row.transpose();
+  out.ddz_dx.row(0) += kTurnFollow * row.transpose();
+  row.setZero();
+  at.add_rate_by_position(1.0, scratch_, row);
+  out.ddz_dx.row(0) += row.transpose();
+  out.ddz_dz(0, 0) -= kTurnFollow;
+  return true;
+}
+
+}  // namespace footfall

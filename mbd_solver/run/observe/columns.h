@@ -1,0 +1,33 @@
+#pragma once
+// The columns of history.csv: one registry of name, unit and value. docs/history.md lists it for users.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/run/observe/metrics.h"
+#include "mbd_solver/run/observe/sampler.h"
+
+namespace footfall {
+
+struct Column {
+  std::string name;     // `footpad_1.x`
+  std::string unit;     // SI; "-" for a plain number
+  std::string pattern;  // its name in the registry: `<body>.x`
+  std::function<double(const Sample&)> value;
+  enum class Reads { kSample, kFlexible, kJoints };
+  Reads reads = Reads::kSample;  // beside the sample: flexible or joints, which must have taken it
+};
+
+// Those that this scene has, in the order of the file. flexible and joints have taken the sample before a value is
+// asked for; they and the subject's parts must outlive the columns.
+std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible, const JointFigures& joints);
+
+// The whole registry: what any scene can have.
+struct ColumnPattern {
+  std::string pattern;
+  std::string unit;
+};
+std::vector<ColumnPattern> column_patterns();
+
+}  // namespace footfall

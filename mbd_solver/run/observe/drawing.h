@@ -1,0 +1,30 @@
+#pragma once
+// The mechanism as a picture: the deformed surfaces and axes of all bodies, with displacement and stress.
+
+#include "mbd_solver/run/observe/sampler.h"
+#include "mbd_solver/run/output/vtk_writer.h"
+
+namespace footfall {
+
+class Drawing {
+ public:
+  // What the subject views must outlive this.
+  explicit Drawing(const Subject& subject);
+  // No body has anything to draw.
+  bool empty() const { return parts_.empty(); }
+  // The reference holds until the next call.
+  const VtkFrame& frame(const Sample& sample);
+
+ private:
+  struct Part {
+    int body;
+    ModalBoundary shape;  // nodes in B with their modes
+    int first_point;
+  };
+
+  const Model& model_;
+  std::vector<Part> parts_;
+  VtkFrame frame_;
+};
+
+}  // namespace footfall

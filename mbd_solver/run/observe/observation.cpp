@@ -1,0 +1,101 @@
+#include "mbd_solver/run/observe/observation.h"
+
+#include <algorithm>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/model/control/continuous_signals.h"
+
+namespace footfall {
+namespace {
+
+Scene recording_everything(Scene scene) {
+  scene.output.bodies.clear();
+  scene.output.joints = scene.output.attitudes = scene.output.reactions = true;
+  return scene;
+}
+
+}  // namespace
+
+Readings::Readings(const std::vector<std::string>& names, const Subject& subject)
+    : scene_(recording_everything(subject.scene)),
+      subject_{scene_, subject.mechanism, subject.layout},
+      flexible_(subject_),
+      joints_(subject_) {
+  const Mechanism& mechanism = subject.mechanism;
+  const std::vector<Column> columns = history_columns(subject_, flexible_, joints_);
+  const ContinuousSignals* const continuous = mechanism.model.signals();
+  std::string unknown;
+  for (const std::string& name : names) {
+    Reading reading;
+    reading.source = signal_source(mechanism, name);
+    if (reading.source) {
+      if (reading.source->kind == SignalSource::Kind::kPlace && continuous)
+        for (std::size_t k = 0; k < continuous->chain().size(); ++k)
+          if (continuous->chain().node(k).place == static_cast<int>(reading.source->index)) reading.continuous = true;
+      readings_.push_back(std::move(reading));
+      continue;
+    }
+    const auto column = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
+    if (column == columns.end()) {
+      std::vector<std::string> known;
+      for (const Column& c : columns) known.push_back(c.name);
+      const std::string line = where_read(subject.scene, name) + "nothing is called \"" + name +
+                               "\"; expected the name of a column of history.csv (without \"-\" in it), signal.NAME, "
+                               "state.NAME or time." +
+                               known_names("columns", name, known);
+      if (unknown.find(line) == std::string::npos) unknown += (unknown.empty() ? "" : "\n") + line;
+      continue;
+    }
+    reading.column = column->value;
+    uses_flexible_ = uses_flexible_ || column->reads == Column::Reads::kFlexible;
+    uses_joints_ = uses_joints_ || column->reads == Column::Reads::kJoints;
+    readings_.push_back(std::move(reading));
+  }
+  if (!unknown.empty()) throw InputError(unknown);
+}
+
+void Readings::take(const Sample& sample) {
+  if (uses_flexible_) flexible_.take(sample);
+  if (uses_joints_) joints_.take(sample);
+}
+
+double Readings::value(std::size_t k, const Sample& sample, const Eigen::VectorXd& voltages) const {
+  const Reading& reading = readings_[k];
+  if (!reading.source) return reading.column(sample);
+  const auto index = static_cast<Eigen::Index>(reading.source->index);
+  switch (reading.source->kind) {
+    case SignalSource::Kind::kTime: return sample.state.time;
+    case SignalSource::Kind::kPlace: return (reading.continuous ? sample.voltages : voltages)(index);
+    case SignalSource::Kind::kSince: return sample.state.time - voltages(index);
+    case SignalSource::Kind::kSensor: break;
+  }
+  FOOTFALL_DEMAND(false);
+}
+
+Observation::Observation(const Subject& subject)
+    : flexible_(subject),
+      joints_(subject),
+      columns_(history_columns(subject, flexible_, joints_)),
+      row_(columns_.size()) {}
+
+std::vector<std::string> Observation::names() const {
+  std::vector<std::string> names;
+  for (const Column& column : columns_) names.push_back(column.name);
+  return names;
+}
+
+std::vector<std::string> Observation::units() const {
+  std::vector<std::string> units;
+  for (const Column& column : columns_) units.push_back(column.unit);
+  return units;
+}
+
+const std::vector<double>& Observation::row(const Sample& sample) {
+  flexible_.take(sample);
+  joints_.take(sample);
+  for (std::size_t i = 0; i < columns_.size(); ++i) row_[i] = columns_[i].value(sample);
+  return row_;
+}
+
+}  // namespace footfall

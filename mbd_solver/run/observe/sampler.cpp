@@ -1,0 +1,63 @@
+#include "mbd_solver/run/observe/sampler.h"
+
+#include "mbd_solver/model/elements/rigid_plane.h"
+
+namespace footfall {
+
+Sampler::Sampler(const Subject& subject, Equations& equations, const State& state, const Eigen::VectorXd& rates,
+                 const Inputs& inputs)
+    : subject_(subject),
+      equations_(equations),
+      kinematics_(subject.mechanism.model),
+      y_(Eigen::VectorXd::Zero(subject.layout.size())),
+      sample_{state, inputs, voltages_, rates, kinematics_, energy_, contact_} {
+  const Model& model = subject.mechanism.model;
+  for (int i = 0; i < model.body_count(); ++i) contact_.emplace_back(model.body(i).mode_count());
+}
+
+void Sampler::take(long window, bool last, const CouplingSample* coupling) {
+  const Layout& layout = subject_.layout;
+  const State& state = sample_.state;
+  const Eigen::VectorXd& rates = sample_.rates;
+  kinematics_.load(layout, state.q, state.v, rates.segment(layout.v0(), layout.v_size));
+  equations_.pack(state, rates.tail(layout.row_count), y_);
+  equations_.signals(state, sample_.inputs, voltages_);
+  equations_.energy(state.time, y_, sample_.inputs, energy_);
+  update_contact();
+  sample_.window = window;
+  sample_.last = last;
+  sample_.coupling = coupling;
+}
+
+void Sampler::update_contact() {
+  const std::vector<ExternalLoad>& loads = sample_.inputs.loads;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    contact_[i].F_W = loads[i].F_W;
+    contact_[i].T_W = kinematics_.of(static_cast<int>(i)).A * loads[i].T_B;
+  }
+  const Mechanism& mechanism = subject_.mechanism;
+  const auto add = [&](int body, const Vector6d& wrench) {
+    GeneralizedForce& contact = contact_[static_cast<std::size_t>(body)];
+    contact.F_W += wrench.head<3>();
+    contact.T_W += wrench.tail<3>();
+  };
+  if (loads.empty())
+    for (GeneralizedForce& contact : contact_) contact.set_zero();
+  for (std::size_t k = 0; k < mechanism.planes.size(); ++k) {
+    const auto& plane = static_cast<const RigidPlane&>(mechanism.model.force(mechanism.planes[k]));
+    add(mechanism.plane_bodies[k], plane.wrench(element_input(subject_, sample_, mechanism.planes[k])));
+  }
+  for (const ContactEntry& entry : mechanism.contacts) {
+    const auto& contact = static_cast<const SurfaceContact&>(mechanism.model.force(entry.force));
+    const Vector6d on_1 = contact.wrench(element_input(subject_, sample_, entry.force));
+    add(entry.body_1, on_1);
+    if (entry.body_2 == kGround) continue;
+    // The opposite, about the other one's Bo.
+    const Eigen::Vector3d arm = kinematics_.of(entry.body_1).r - kinematics_.of(entry.body_2).r;
+    Vector6d on_2 = -on_1;
+    on_2.tail<3>() -= arm.cross(Eigen::Vector3d(on_1.head<3>()));
+    add(entry.body_2, on_2);
+  }
+}
+
+}  // namespace footfall

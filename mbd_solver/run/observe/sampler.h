@@ -1,0 +1,73 @@
+#pragma once
+// What is known at one instant of a run: all that history, pictures, summary and progress are made of, and what
+// controllers see.
+
+#include <vector>
+
+#include "coupler/body_motion.h"
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/coupling/coupling_sample.h"
+#include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/dynamics/kinematics.h"
+
+namespace footfall {
+
+// What is observed: fixed during a run. A view: whoever runs the scene owns everything.
+struct Subject {
+  const Scene& scene;
+  const Mechanism& mechanism;
+  const Layout& layout;                  // of the state
+  const Agreement* agreement = nullptr;  // null without grains
+};
+
+// At the start, and at the end of every window. Views of what the run owns: good until it goes on.
+struct Sample {
+  const State& state;
+  const Inputs& inputs;             // of the window that ends here
+  const Eigen::VectorXd& voltages;  // of the inputs, with the continuous signals now
+  const Eigen::VectorXd& rates;     // [dq; dv; dz; lambda]
+  const Kinematics& kinematics;     // of all bodies, with accelerations
+  const EnergySample& energy;
+  // of the ground on each body, F_W and T_W about Bo: mean of the grains over the window, or of the plane now
+  const std::vector<GeneralizedForce>& contact;
+  long window = 0;                           // windows done
+  bool last = false;                         // the end time has been reached
+  const CouplingSample* coupling = nullptr;  // null without grains
+};
+
+// What force element `force` of the model works with at this instant.
+inline ElementInput element_input(const Subject& subject, const Sample& sample, int force) {
+  const ForceElement& element = subject.mechanism.model.force(force);
+  const int z = subject.layout.force_z[static_cast<std::size_t>(force)];
+  return {sample.kinematics.pair(element.bodies()[0], element.bodies()[1]),
+          sample.state.z.segment(z, element.state_count()), sample.voltages, sample.state.time};
+}
+
+// From a state to a Sample: kinematics, energies and ground contact, each computed once.
+
+class Sampler {
+ public:
+  // The run's own, all of which must outlive the sampler; rates: [dq; dv; dz; lambda].
+  Sampler(const Subject& subject, Equations& equations, const State& state, const Eigen::VectorXd& rates,
+          const Inputs& inputs);
+  Sampler(const Sampler&) = delete;
+  Sampler& operator=(const Sampler&) = delete;
+
+  // Computes the sample of the present state. coupling: null without grains.
+  void take(long window, bool last, const CouplingSample* coupling);
+  const Sample& sample() const { return sample_; }  // after take()
+
+ private:
+  void update_contact();
+
+  Subject subject_;
+  Equations& equations_;
+  Kinematics kinematics_;
+  Eigen::VectorXd voltages_;
+  EnergySample energy_;
+  std::vector<GeneralizedForce> contact_;
+  Eigen::VectorXd y_;  // [q; v; z; lambda]
+  Sample sample_;      // views what stands above
+};
+
+}  // namespace footfall

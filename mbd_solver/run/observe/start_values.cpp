@@ -1,0 +1,192 @@
+#include "mbd_solver/run/observe/start_values.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/run/observe/observation.h"
+#include "mbd_solver/run/observe/sampler.h"
+
+namespace footfall {
+namespace {
+
+// The mechanism where a run begins: its joints are closed, and no grain has touched it.
+class StartedMechanism {
+ public:
+  StartedMechanism(const Scene& scene, const Mechanism& mechanism)
+      : assembly_(assemble(mechanism.model, assembly_options(scene))),
+        equations_(mechanism.model, assembly_),
+        state_(assembly_.state),
+        rates_(Eigen::VectorXd::Zero(equations_.layout().size())),
+        sampler_({scene, mechanism, equations_.layout()}, equations_, state_, rates_, inputs_),
+        still_(mechanism.model) {
+    inputs_.voltages = mechanism.inputs;
+    still_.load(equations_.layout(), state_.q, state_.v, Eigen::VectorXd());
+  }
+
+  // Of a position or a velocity.
+  double measure(const Sensor& sensor) const {
+    const std::array<int, 2> bodies = sensor.bodies();
+    return sensor.value(still_.pair(bodies[0], bodies[1]), 0.0);
+  }
+  // With accelerations and forces; null where a law has no value.
+  const Sample* sample() {
+    try {
+      equations_.settle_signals(nullptr, inputs_, state_);
+      equations_.accelerations(state_, inputs_, rates_);
+      sampler_.take(0, false, nullptr);
+      return &sampler_.sample();
+    } catch (const NumericalError&) {
+      return nullptr;
+    }
+  }
+
+ private:
+  Assembly assembly_;
+  Equations equations_;
+  State state_;
+  Inputs inputs_;
+  Eigen::VectorXd rates_;
+  Sampler sampler_;
+  Kinematics still_;  // without accelerations
+};
+
+class StartValues {
+ public:
+  using Measured =
+      std::function<std::optional<double>(std::size_t name)>;  // beyond voltages; nothing: the run knows it
+
+  StartValues(const Scene& scene, const Mechanism& mechanism)
+      : scene_(scene), mechanism_(mechanism), voltages_(mechanism.inputs) {}
+
+  const Eigen::VectorXd& voltages() const { return voltages_; }
+
+  // Its nodes in their order, those whose names are known.
+  void evaluate(const SignalChain& chain, const Measured& measured) {
+    set_names(chain, measured);
+    for (std::size_t k = 0; k < chain.size(); ++k) {
+      const SignalNode& node = chain.node(k);
+      double y = 0.0;
+      if (!is_known(node) || (state_may_change_ && !node.states.empty())) {
+        unknown_.insert("signal." + node.name);
+      } else if (chain.works(k)) {
+        Eigen::VectorXd z = Eigen::VectorXd::Zero(node.block->state_count());
+        chain.settle(k, z);
+        const Eigen::VectorXd& u = chain.inputs(k);
+        if (!node.block->passes_through()) {
+          y = node.block->value(z, z);
+        } else {
+          y = node.period > 0.0 ? node.block->sample(u, node.period, z) : node.block->value(u, z);
+        }
+      }
+      chain.put(k, y);
+      voltages_(node.place) = y;
+    }
+  }
+
+  // Those of the first state. One that holds, or may hold, leads to another at once.
+  void judge(const SignalChain& conditions, const Measured& measured) {
+    set_names(conditions, measured);
+    for (const EventSpec& event : scene_.events) {
+      const std::string& first = scene_.states.front().name;
+      const bool looked_for = event.from.empty()
+                                  ? event.to != first
+                                  : std::find(event.from.begin(), event.from.end(), first) != event.from.end();
+      if (!looked_for) continue;
+      std::size_t k = 0;
+      while (conditions.node(k).name != event.name) ++k;
+      const bool known = is_known(conditions.node(k)), holds = known && conditions.inputs(k)[0] != 0.0;
+      state_may_change_ = state_may_change_ || holds || !known;
+      if (holds) break;
+    }
+    if (!state_may_change_) return;
+    for (const StateSpec& state : scene_.states) unknown_.insert("state." + state.name);
+  }
+
+ private:
+  void set_names(const SignalChain& chain, const Measured& measured) {
+    for (std::size_t i = 0; i < chain.names().size(); ++i) {
+      const std::optional<double> value = value_of(chain.names()[i], [&] { return measured(i); });
+      if (!value) unknown_.insert(chain.names()[i]);
+      chain.set(i, value.value_or(0.0));
+    }
+  }
+  // Nothing for what controllers say, and for what reads what is not known.
+  template <class Measure>
+  std::optional<double> value_of(const std::string& name, Measure measure) const {
+    if (unknown_.count(name) > 0) return std::nullopt;
+    if (name == "time" || name == "state.since") return 0.0;
+    if (const std::optional<SignalSource> source = signal_source(mechanism_, name)) {
+      if (name.rfind("signal.", 0) != 0 && name.rfind("state.", 0) != 0) return std::nullopt;
+      return voltages_(static_cast<Eigen::Index>(source->index));
+    }
+    return measure();
+  }
+  bool is_known(const SignalNode& node) const {
+    for (const std::string& input : node.inputs)
+      for (const std::string& name : Expression::names_in(input))
+        if (unknown_.count(name) > 0) return false;
+    return true;
+  }
+
+  const Scene& scene_;
+  const Mechanism& mechanism_;
+  Eigen::VectorXd voltages_;
+  std::set<std::string> unknown_;
+  bool state_may_change_ = false;
+};
+
+// The script's walls stand where LIGGGHTS puts them, and what settles, settles in the run.
+bool start_is_known(const Scene& scene, const Mechanism& mechanism) {
+  return !scene.initial.settle && std::none_of(mechanism.contacts.begin(), mechanism.contacts.end(),
+                                               [](const ContactEntry& entry) { return entry.body_2 == kGround; });
+}
+
+}  // namespace
+
+AssemblyOptions assembly_options(const Scene& scene) {
+  AssemblyOptions options;
+  options.gap_tolerance = std::max(options.gap_tolerance, scene.initial.largest_gap);
+  for (const InitialJointSpec& given : scene.initial.joints) {
+    const int joint = scene.joint_index(given.name);
+    for (const CoordinateChoice choice : coordinates_of(scene.joints[static_cast<std::size_t>(joint)].type))
+      if (given.value(choice)) options.start.push_back({joint, coordinate_of(choice), *given.value(choice)});
+  }
+  return options;
+}
+
+void demand_values_at_start(const Scene& scene, bool is_placed, Mechanism& mechanism) {
+  if (scene.signals.empty() && scene.events.empty()) return;
+  const Layout layout(mechanism.model);
+  const SignalChain sampled = chain_of_signals(scene, std::move(mechanism.sampled));
+  const SignalChain conditions(conditions_of(scene));
+  std::vector<std::string> names = sampled.names();
+  names.insert(names.end(), conditions.names().begin(), conditions.names().end());
+  Readings readings(names, {scene, mechanism, layout});
+
+  std::unique_ptr<StartedMechanism> start;
+  if (is_placed && start_is_known(scene, mechanism)) start = std::make_unique<StartedMechanism>(scene, mechanism);
+  StartValues values(scene, mechanism);
+  try {
+    if (const ContinuousSignals* const continuous = mechanism.model.signals()) {
+      const SignalChain& chain = continuous->chain();
+      values.evaluate(chain, [&](std::size_t name) -> std::optional<double> {
+        if (!start) return std::nullopt;
+        return start->measure(*sensor_of(mechanism, chain.names()[name]));
+      });
+    }
+    const Sample* const sample = start ? start->sample() : nullptr;
+    if (sample) readings.take(*sample);
+    const auto read = [&](std::size_t name) -> std::optional<double> {
+      if (!sample) return std::nullopt;
+      return readings.value(name, *sample, values.voltages());
+    };
+    values.judge(conditions, [&](std::size_t name) { return read(sampled.names().size() + name); });
+    values.evaluate(sampled, read);
+  } catch (const NumericalError& error) {
+    throw InputError(error.what());
+  }
+}
+
+}  // namespace footfall

@@ -1,0 +1,123 @@
+#include "mbd_solver/run/output/summary.h"
+
+#include <sys/utsname.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <thread>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+
+namespace footfall {
+
+std::string compiler_version() {
+#if defined(__clang__)
+  return std::string("Clang ") + __clang_version__;
+#elif defined(__GNUC__)
+  return std::string("GCC ") + __VERSION__;
+#else
+  return "unknown";
+#endif
+}
+
+nlohmann::ordered_json machine() {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  std::ifstream processors("/proc/cpuinfo");
+  for (std::string line; std::getline(processors, line) && !json.contains("processor");)
+    if (const std::size_t colon = line.find(':'); colon != std::string::npos && line.rfind("model name", 0) == 0)
+      json["processor"] = trimmed(line.substr(colon + 1));
+  if (const unsigned cores = std::thread::hardware_concurrency(); cores > 0) json["cores"] = cores;
+  utsname system{};
+  if (uname(&system) == 0) json["system"] = std::string(system.sysname) + " " + system.release + " " + system.machine;
+  return json;
+}
+
+using Json = nlohmann::ordered_json;
+
+void write_run_note(const std::string& folder, const RunNote& note) {
+  const Json json = {{"footfall", FOOTFALL_VERSION},
+                     {"title", note.title},
+                     {"scene_file", note.scene_file},
+                     {"end_time_s", note.end_time}};
+  write_summary(folder + "/" + kRunNote, json);
+}
+
+RunNote read_run_note(const std::string& folder) {
+  const std::string file = folder + "/" + kRunNote;
+  const Json json = read_summary(file);
+  try {
+    return {json.at("title"), json.at("scene_file"), json.at("end_time_s")};
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(file + ": is not the note of a run: " + error.what());
+  }
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string file_in(const std::string& folder) { return folder + "/start.json"; }
+
+}  // namespace
+
+void write_run_start(const std::string& folder, const RunStart& start) {
+  Json json;
+  json["footfall"] = FOOTFALL_VERSION;
+  json["scene_file"] = start.scene_file;
+  json["settings"] = start.settings;
+  json["until"] = start.until;
+  json["ranks"] = start.ranks;
+  json["scene"] = Json::parse(start.scene);
+  write_summary(file_in(folder), json);
+}
+
+RunStart read_run_start(const std::string& folder) {
+  const Json json = read_summary(file_in(folder));
+  try {
+    if (json.at("footfall") != FOOTFALL_VERSION)
+      throw InputError(file_in(folder) + ": was written by footfall " + json.at("footfall").get<std::string>() +
+                       ", and this is " + FOOTFALL_VERSION + ": resume the run with the program that began it");
+    return {json.at("scene_file"), json.at("settings"), json.at("until"), json.at("ranks"), json.at("scene").dump()};
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(file_in(folder) + ": is not the start of a run: " + error.what());
+  }
+}
+
+namespace {
+
+// JSON has no word for NaN: the library would write null without complaint.
+void demand_finite(const nlohmann::ordered_json& value, const std::string& path) {
+  if (value.is_number_float() && !std::isfinite(value.get<double>()))
+    throw NumericalError("summary: \"" + path + "\" is no longer finite");
+  if (!value.is_structured()) return;
+  for (const auto& [key, inner] : value.items()) demand_finite(inner, path.empty() ? key : path + "." + key);
+}
+
+}  // namespace
+
+void write_summary(const std::string& path, const nlohmann::ordered_json& summary) {
+  demand_finite(summary, "");
+  write_whole_file(path, summary.dump(2) + "\n");
+}
+
+void throw_incomplete_summary(const std::string& folder, const std::string& what) {
+  throw InputError(folder + "/summary.json: is not the whole summary of a run (" + what +
+                   "); was it cut, or written by hand?");
+}
+
+nlohmann::ordered_json read_summary(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw InputError(path + ": cannot be read; expected the summary.json of a run");
+  try {
+    const nlohmann::ordered_json summary = nlohmann::ordered_json::parse(file);
+    if (!summary.is_object()) throw InputError(path + ": is not the summary of a run: it holds no { ... }");
+    return summary;
+  } catch (const nlohmann::json::exception& e) {
+    throw InputError(path + ": is not the summary of a run: " + e.what());
+  }
+}
+
+}  // namespace footfall
