@@ -1,3 +1,5 @@
+// Sums momentum and energy window by window on both sides of the interface, and compares the sums with bounds from
+// round-off.
 #include "mbd_solver/app/audit.h"
 
 #include <Eigen/Dense>
@@ -7,53 +9,26 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <functional>
 #include <limits>
 #include <map>
 
+#include "coupler/base/csv.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/check_command.h"
+#include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/run_command.h"
-#include "mbd_solver/base/made_files.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/scene/script_text.h"
 
 namespace footfall {
 namespace {
 
-using Row = std::vector<std::string>;
+constexpr const char* kExpected = "a table of a run with --audit";
 
-// Calls `take` with the cells of every line behind the first, whose number of cells they have.
-Row for_each_line(const std::string& path, const std::function<void(const Row&, const std::string&)>& take) {
-  std::ifstream file(path);
-  std::string line;
-  if (!file || !std::getline(file, line))
-    throw InputError(path + ": cannot be read; expected what an audited run writes (footfall audit SCENE)");
-  const Row names = split(line, ',');
-  for (int number = 2; std::getline(file, line); ++number) {
-    const Row cells = split(line, ',');
-    const std::string where = path + ":" + std::to_string(number) + ": ";
-    if (cells.size() != names.size())
-      throw InputError(where + "has " + std::to_string(cells.size()) + " values, expected " +
-                       std::to_string(names.size()));
-    take(cells, where);
-  }
-  return names;
-}
-
-double number(const std::string& text, const std::string& where) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(value))
-    throw InputError(where + "\"" + text.substr(0, 40) + "\", expected a finite number");
-  return value;
-}
-
-Eigen::Vector3d vector(const Row& cells, std::size_t at, const std::string& where) {
-  return {number(cells[at], where), number(cells[at + 1], where), number(cells[at + 2], where)};
+Eigen::Vector3d vector(const CsvReader& csv, std::size_t at) {
+  return {csv.number(at), csv.number(at + 1), csv.number(at + 2)};
 }
 
 }  // namespace
@@ -61,21 +36,19 @@ Eigen::Vector3d vector(const Row& cells, std::size_t at, const std::string& wher
 const AuditSource& AuditWindow::find(const std::string& kind, const std::string& name) const {
   for (const AuditSource& source : sources)
     if (source.kind == kind && source.name == name) return source;
-  throw InputError("the audit has no " + kind + " of \"" + name + "\" in window " + std::to_string(this->number));
+  throw InputError(code::kAuditDamaged,
+                   "the audit has no " + kind + " of \"" + name + "\" in window " + std::to_string(number));
 }
 
 GrainsAudit read_grains_audit(const std::string& path) {
+  constexpr std::size_t kColumns = 11;
   GrainsAudit audit;
-  for_each_line(path, [&audit](const Row& cells, const std::string& where) {
-    if (cells.size() != 11) throw InputError(where + "expected eleven values");
-    const long window = std::lround(number(cells[0], where));
-    AuditSource one;
-    one.kind = cells[1];
-    one.name = cells[2];
-    one.linear = vector(cells, 3, where);
-    one.angular = vector(cells, 6, where);
-    one.force = number(cells[9], where);
-    one.moment = number(cells[10], where);
+  CsvReader csv(path, kExpected);
+  csv.next();  // names
+  while (csv.next()) {
+    csv.demand_width(kColumns);
+    const long window = std::lround(csv.number(0));
+    const AuditSource one{csv.text(1), csv.text(2), vector(csv, 3), vector(csv, 6), csv.number(9), csv.number(10)};
     if (one.kind == "clock") {
       AuditWindow& next = audit.windows.emplace_back();
       next.number = window;
@@ -83,48 +56,44 @@ GrainsAudit read_grains_audit(const std::string& path) {
       next.length = one.linear.y();
       next.substeps = one.angular.x();
       next.periodic = static_cast<int>(one.angular.z());
-      return;
-    }
-    if (window < 0) {
+    } else if (window < 0) {
       if (one.kind == "state") audit.start = one;
       if (one.kind == "energy") audit.start_energy = one.linear, audit.start_count = one.linear.z();
-      return;
-    }
-    if (audit.windows.empty() || audit.windows.back().number != window)
-      throw InputError(where + "window " + std::to_string(window) + " has not begun");
-    AuditWindow& now = audit.windows.back();
-    if (one.kind == "state") {
-      now.state = one;
+    } else if (audit.windows.empty() || audit.windows.back().number != window) {
+      csv.fail(code::kAuditDamaged, "window " + std::to_string(window) + " has no row \"clock\" before it");
+    } else if (one.kind == "state") {
+      audit.windows.back().state = one;
     } else if (one.kind == "energy") {
-      now.energy = one.linear;
-      now.count = one.linear.z();
+      audit.windows.back().energy = one.linear;
+      audit.windows.back().count = one.linear.z();
     } else {
-      now.sources.push_back(one);
+      audit.windows.back().sources.push_back(one);
     }
-  });
+  }
   return audit;
 }
 
 MechanismAudit read_mechanism_audit(const std::string& path) {
-  MechanismAudit audit;
-  std::vector<Row> lines;
-  const Row names = for_each_line(path, [&](const Row& cells, const std::string& where) {
-    for (const std::string& text : cells) number(text, where);
-    lines.push_back(cells);
-  });
   constexpr std::size_t kOwn = 11, kPerBody = 7;  // columns
-  for (const Row& cells : lines) {
+  MechanismAudit audit;
+  CsvReader csv(path, kExpected);
+  std::vector<std::string> names;
+  if (csv.next())
+    for (const std::string_view& name : csv.cells()) names.emplace_back(name);
+  if (names.size() < kOwn) csv.fail(code::kAuditDamaged, "expected the names of the columns");
+  while (csv.next()) {
+    csv.demand_width(names.size());
     MechanismRow& row = audit.rows.emplace_back();
-    row.time = number(cells[0], path);
-    row.momentum = vector(cells, 1, path);
-    row.size = number(cells[4], path);
-    row.mass = number(cells[5], path);
-    row.gravity = vector(cells, 6, path);
-    audit.free = cells[9] == "1";
-    audit.reacts = cells[10] == "1";
-    for (std::size_t at = kOwn; at + kPerBody <= cells.size(); at += kPerBody) {
+    row.time = csv.number(0);
+    row.momentum = vector(csv, 1);
+    row.size = csv.number(4);
+    row.mass = csv.number(5);
+    row.gravity = vector(csv, 6);
+    audit.free = csv.number(9) == 1.0;
+    audit.reacts = csv.number(10) == 1.0;
+    for (std::size_t at = kOwn; at + kPerBody <= names.size(); at += kPerBody) {
       const std::string body = names[at].substr(0, names[at].rfind('.'));
-      row.loads[body] = {vector(cells, at, path), vector(cells, at + 3, path), number(cells[at + 6], path)};
+      row.loads[body] = {vector(csv, at), vector(csv, at + 3), csv.number(at + 6)};
     }
   }
   return audit;
@@ -135,10 +104,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
-// Round-off: every half step rounds the velocity of every grain, and every contact its force.
+// Round-off: every half step rounds the velocity of each grain, and every contact its force.
 constexpr double kRoundingsPerStep = 4.0, kRoundingsOfForce = 100.0;
-// Lengths of windows that differ by less are the same: sums of many time steps.
-constexpr double kSameMoment = 1e-9;
+// Lengths of windows are sums of many time steps; equal ones differ by less [-].
+constexpr double kSameLength = 1e-9;
 
 // Linear, or angular about the origin.
 struct Impulse {
@@ -153,9 +122,9 @@ class LineMaker {
     line_.quantity = std::move(quantity);
     line_.unit = std::move(unit);
   }
-  // `flowed`: what the bound is relative to.
+  // `flowed`: the exchanged amount to which the bound is relative.
   void take(long window, double defect, double flowed, double relative_bound, double round_off) {
-    if (flowed <= 0.0 && defect <= round_off) return;  // nothing flowed
+    if (flowed <= 0.0 && defect <= round_off) return;  // nothing was exchanged
     const double bound = relative_bound * flowed + round_off;
     const double excess = bound > 0.0 ? defect / bound : std::numeric_limits<double>::infinity();
     if (line_.verdict != AuditVerdict::kNotExercised && excess <= excess_) return;
@@ -178,8 +147,8 @@ class LineMaker {
   double excess_ = -1.0;
 };
 
-// The components of an angular momentum that periodic directions leave alone: a grain, or a force, that passes over to
-// the other side changes the others by an arm of a period.
+// The components of angular momentum that periodic directions do not affect: a grain, or a force, that crosses to the
+// other side changes the others by the arm of a period.
 Vector3d whole_components(int periodic) {
   switch (periodic) {
     case 0: return Vector3d::Ones();
@@ -201,7 +170,7 @@ Impulse sum_of(const AuditWindow& window, const std::string& kind, bool angular)
   return sum;
 }
 
-// What does not depend on linear or angular.
+// Exchanged amount and round-off of a window.
 struct Scales {
   double flowed, round_off;
 };
@@ -235,10 +204,10 @@ void balance_of_grains(const GrainsAudit& grains, bool angular, std::vector<Audi
     if (count == window.count) {
       balance.take(window.number, size(change - got), scales.flowed, kAuditBound, scales.round_off);
     } else {
-      insertion = "grains came or went; windows in which they did are left out";
+      insertion = "windows in which the number of grains changed are left out";
     }
     walls.take(window.number, size(sum("body_wall").value + body.value), scales.flowed, kAuditBound, scales.round_off);
-    // The grains on both sides of a period share one contact with two arms.
+    // Grains on both sides of a period share one contact with two arms.
     if (!angular || window.periodic == 0)
       pairs.take(window.number, of_pairs.value.norm(), of_pairs.size, kAuditBound, 0.0);
     gravity.take(window.number, (of_gravity.value - weight.value).norm(), of_gravity.size, kAuditBound, 0.0);
@@ -254,10 +223,10 @@ void balance_of_grains(const GrainsAudit& grains, bool angular, std::vector<Audi
   if (!insertion.empty()) lines[lines.size() - 4].note = insertion;
 }
 
-// What each body got, on its way from the contacts into the integrator.
-void ways_of_loads(const GrainsAudit& grains, const MechanismAudit& mechanism, std::vector<AuditLine>& lines) {
-  LineMaker impulse("load: impulse, counted and sent", "N s"), force("load: mean force, counted and sent", "N s"),
-      moment("load: mean moment, counted and sent", "N m s"), felt("load: sent and felt", "N s");
+// The load on each body, from the contacts to the integrator.
+void paths_of_loads(const GrainsAudit& grains, const MechanismAudit& mechanism, std::vector<AuditLine>& lines) {
+  LineMaker impulse("load: impulse, summed and sent", "N s"), force("load: mean force, summed and sent", "N s"),
+      moment("load: mean moment, summed and sent", "N m s"), felt("load: sent and received", "N s");
   for (std::size_t k = 0; k < grains.windows.size(); ++k) {
     const AuditWindow& window = grains.windows[k];
     const double linear = kEps * kRoundingsOfForce * sum_of(window, "body_wall", false).size,
@@ -283,9 +252,9 @@ void balance_of_mechanism(const GrainsAudit& grains, const MechanismAudit& mecha
   LineMaker momentum("mechanism: linear momentum", "N s");
   for (std::size_t k = 1; k < mechanism.rows.size() && k <= grains.windows.size(); ++k) {
     const MechanismRow &from = mechanism.rows[k - 1], &to = mechanism.rows[k];
-    // The scene may end within a step of the grains: the last window is theirs to the nearest whole step.
+    // The scene may end within a DEM step: the last window of the grains ends at the nearest whole step.
     const double whole = grains.windows[k - 1].length, moved = to.time - from.time;
-    const bool cut = k + 1 == mechanism.rows.size() && std::abs(moved - whole) > kSameMoment * whole;
+    const bool cut = k + 1 == mechanism.rows.size() && std::abs(moved - whole) > kSameLength * whole;
     const double H = cut ? moved : whole;
     Vector3d got = H * to.mass * to.gravity;
     double flowed = got.norm();
@@ -296,19 +265,19 @@ void balance_of_mechanism(const GrainsAudit& grains, const MechanismAudit& mecha
     momentum.take(grains.windows[k - 1].number, (to.momentum - from.momentum - got).norm(), flowed, kMechanismBound,
                   kEps * kRoundingsOfForce * to.size);
   }
-  if (!mechanism.free) momentum.leave_out("the ground holds it, drives it, or forces are applied to it");
-  if (mechanism.reacts) momentum.leave_out("with scheme tangent the load moves with the body within the window");
+  if (!mechanism.free) momentum.leave_out("joints to the ground, drives or applied forces act on it");
+  if (mechanism.reacts) momentum.leave_out("with scheme tangent the load depends on the motion within the window");
   lines.push_back(momentum.line());
 }
 
-// Work that bodies did on the grains, and what became of it. Elastic energy of contacts is not known to LIGGGHTS: it
-// stands in what is called lost here, which may therefore fall.
+// Work of the bodies on the grains. LIGGGHTS does not know the elastic energy of contacts: it is part of the energy that
+// seems dissipated, which may therefore decrease.
 void energies(const GrainsAudit& grains, const MechanismAudit& mechanism, std::vector<AuditLine>& lines) {
   AuditLine lost, gap;
-  lost.quantity = "grains: energy that came back from contacts";
-  lost.note = "elastic energy of contacts: stored before, or made";
-  gap.quantity = "interface: work given and received";
-  gap.note = "of the scheme; summary.json judges it";
+  lost.quantity = "grains: energy returned by contacts";
+  lost.note = "elastic energy of contacts, stored before or created";
+  gap.quantity = "interface: work sent and received";
+  gap.note = "an error of the scheme; see coupling_energy_residual_relative in summary.json";
   double sum = 0.0, most = 0.0, flow = 0.0, given = 0.0, work_flow = 0.0;
   const Vector3d* before = &grains.start_energy;
   for (const AuditWindow& window : grains.windows) {
@@ -335,7 +304,7 @@ void energies(const GrainsAudit& grains, const MechanismAudit& mechanism, std::v
     line->unit = "J";
     line->flowed = flowed;
     line->relative = flowed > 0.0 ? line->defect / flowed : 0.0;
-    line->verdict = flowed > 0.0 ? AuditVerdict::kTold : AuditVerdict::kNotExercised;
+    line->verdict = flowed > 0.0 ? AuditVerdict::kReported : AuditVerdict::kNotExercised;
     lines.push_back(*line);
   }
 }
@@ -352,9 +321,9 @@ std::string verdict_text(AuditVerdict verdict) {
   switch (verdict) {
     case AuditVerdict::kHolds: return "holds";
     case AuditVerdict::kWrong: return "WRONG";
-    case AuditVerdict::kNotExercised: return "nothing flowed";
+    case AuditVerdict::kNotExercised: return "nothing exchanged";
     case AuditVerdict::kNotChecked: return "not checked";
-    case AuditVerdict::kTold: return "told";
+    case AuditVerdict::kReported: return "reported";
   }
   return "";
 }
@@ -367,7 +336,7 @@ std::vector<AuditLine> audit_lines(const GrainsAudit& grains, const MechanismAud
   std::vector<AuditLine> lines;
   balance_of_grains(grains, false, lines);
   balance_of_grains(grains, true, lines);
-  ways_of_loads(grains, mechanism, lines);
+  paths_of_loads(grains, mechanism, lines);
   balance_of_mechanism(grains, mechanism, lines);
   energies(grains, mechanism, lines);
   return lines;
@@ -375,15 +344,15 @@ std::vector<AuditLine> audit_lines(const GrainsAudit& grains, const MechanismAud
 
 std::string audit_table(const std::vector<AuditLine>& lines) {
   std::vector<std::vector<std::string>> rows = {
-      {"quantity", "unit", "worst defect", "of what flowed", "window", "bound", "verdict"}};
+      {"quantity", "unit", "largest error", "of exchange", "window", "bound", "verdict"}};
   std::vector<std::string> notes;
   int holds = 0, wrong = 0;
   for (const AuditLine& line : lines) {
     const bool measured = line.verdict == AuditVerdict::kHolds || line.verdict == AuditVerdict::kWrong;
-    const bool told = line.verdict == AuditVerdict::kTold;
-    rows.push_back({line.quantity, line.unit, measured || told ? entry_text(line.defect) : "-",
-                    measured || told ? entry_text(line.relative) : "-",
-                    line.window >= 0 && (measured || told) ? std::to_string(line.window) : "-",
+    const bool reported = line.verdict == AuditVerdict::kReported;
+    rows.push_back({line.quantity, line.unit, measured || reported ? entry_text(line.defect) : "-",
+                    measured || reported ? entry_text(line.relative) : "-",
+                    line.window >= 0 && (measured || reported) ? std::to_string(line.window) : "-",
                     measured ? entry_text(line.bound) : "-", verdict_text(line.verdict)});
     if (!line.note.empty()) notes.push_back(line.quantity + ": " + line.note);
     holds += line.verdict == AuditVerdict::kHolds ? 1 : 0;
@@ -411,7 +380,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Length of a window [s], as the script says; 0 where only LIGGGHTS knows.
+// Length of a window [s] from the script; 0 if only LIGGGHTS can compute it.
 double window_length(const Scene& scene) {
   const ParticlesSpec& particles = *scene.particles;
   const ScriptText script(particles.script, particles.variables);
@@ -427,19 +396,20 @@ double window_length(const Scene& scene) {
 
 }  // namespace
 
-int audit_command(const AuditArguments& arguments) {
-  RunArguments run = arguments.run;
+int audit_command(const RunArguments& arguments, int windows) {
+  RunArguments run = arguments;
   std::vector<std::string> settings = run.settings;
   if (!run.scheme.empty()) settings.push_back("coupling.scheme=\"" + run.scheme + "\"");
   const Scene scene = checked_scene(run.scene, settings);
   if (!scene.touches_particles())
-    throw InputError(scene.file + ": ground.kind is not \"particles\": without grains there is nothing to audit");
+    throw InputError(code::kNotCoupled, scene.file + ": ground.kind is not \"particles\"; --audit requires grains");
   if (run.until <= 0.0) {
     const double H = window_length(scene);
     if (H <= 0.0)
-      throw InputError(scene.particles->script +
-                       ": only LIGGGHTS knows how long its windows are; say how far to go: --until SECONDS");
-    run.until = arguments.windows * H;
+      throw InputError(code::kWrongOption, scene.particles->script +
+                                               ": only LIGGGHTS can compute the length of its windows; add --until "
+                                               "SECONDS");
+    run.until = windows * H;
   }
   run.audit = true;
   run.quiet = true;
@@ -451,7 +421,6 @@ int audit_command(const AuditArguments& arguments) {
   const fs::path out = run.out;
   const std::vector<AuditLine> lines = audit_lines((out / "audit").string());
   const std::string table = audit_table(lines);
-  const MadeFiles made(run.out);
   write_whole_file((out / "audit.txt").string(), table);
   std::printf("%s", table.c_str());
   return audit_holds(lines) ? kExitDone : kExitFailed;

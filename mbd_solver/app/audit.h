@@ -1,5 +1,7 @@
 #pragma once
-// The two files of an audited run, read back.
+// footfall run --audit: does the momentum and energy that the grains lose agree with what mechanism, walls and gravity
+// receive? From two files that both programs write: DIR/audit/grains.csv (fix couple/mbd, its audit) and mechanism.csv
+// (run/observe/records.h).
 
 #include <Eigen/Dense>
 #include <map>
@@ -10,7 +12,7 @@
 
 namespace footfall {
 
-// One line of grains.csv (liggghts_fix/fix_couple_mbd_audit.h says what stands there).
+// One line of grains.csv.
 struct AuditSource {
   std::string kind, name;
   Eigen::Vector3d linear = Eigen::Vector3d::Zero();   // [N s]
@@ -28,7 +30,7 @@ struct AuditWindow {
   Eigen::Vector3d energy = Eigen::Vector3d::Zero();  // kinetic, m g . x [J], count; at its end
   std::vector<AuditSource> sources;
 
-  // Throws InputError when there is none.
+  // Throws InputError if there is none.
   const AuditSource& find(const std::string& kind, const std::string& name) const;
 };
 
@@ -63,24 +65,21 @@ struct MechanismAudit {
 GrainsAudit read_grains_audit(const std::string& path);
 MechanismAudit read_mechanism_audit(const std::string& path);
 
-// Does what the grains lost agree with what mechanism, walls and gravity got? From the two files that both programs of an
-// audited run write (liggghts_fix/fix_couple_mbd_audit.h, mbd_solver/observe/momentum_record.h). docs/audit.md.
-
 enum class AuditVerdict {
   kHolds,
   kWrong,
-  kNotExercised,  // nothing flowed
+  kNotExercised,  // nothing was exchanged
   kNotChecked,    // cannot be known; `note` says why
-  kTold           // a figure without a bound
+  kReported       // a value without a bound
 };
 std::string verdict_text(AuditVerdict verdict);
 
-// One line of the table: of all windows the one that is farthest out, measured by its own bound.
+// One line of the table: of all windows the one with the largest error relative to its bound.
 struct AuditLine {
   std::string quantity;
   std::string unit;
   double defect = 0.0;    // in that window [unit]
-  double flowed = 0.0;    // what was exchanged in that window [unit]
+  double flowed = 0.0;    // exchanged in that window [unit]
   double relative = 0.0;  // defect over flowed; 0 where nothing flowed
   double bound = 0.0;     // of `defect` [unit]
   long window = -1;       // -1: of the whole run
@@ -88,9 +87,9 @@ struct AuditLine {
   std::string note;
 };
 
-// Largest defect over what bodies and grains exchanged; round-off of the sums over all grains is added to it.
+// Largest error over the exchange between bodies and grains; round-off of the sums over all grains is added.
 inline constexpr double kAuditBound = 1e-10;
-// Of the momentum of the mechanism, which has the errors of its time integration as well.
+// Of the momentum of the mechanism, which includes errors of time integration.
 inline constexpr double kMechanismBound = 1e-6;
 
 // folder: that of the audit (grains.csv, mechanism.csv). Throws InputError when a file is missing or no such file.
@@ -101,14 +100,8 @@ std::vector<AuditLine> audit_lines(const GrainsAudit& grains, const MechanismAud
 std::string audit_table(const std::vector<AuditLine>& lines);
 bool audit_holds(const std::vector<AuditLine>& lines);
 
-// footfall audit: a short coupled run in which both programs count what they exchange, and a table of what agrees.
-
-struct AuditArguments {
-  RunArguments run;   // `until` 0: `windows` of them
-  int windows = 200;  // of the coupling, from the start
-};
-
-// Exit code 0 when every quantity holds, 1 when one does not; otherwise that of the run. Throws InputError.
-int audit_command(const AuditArguments& arguments);
+// Runs the scene with recording for so many windows, or until run.until, and prints the table. Returns the exit code: 0 when
+// every quantity holds, 1 when one does not; otherwise that of the run. Throws InputError.
+int audit_command(const RunArguments& run, int windows);
 
 }  // namespace footfall

@@ -1,3 +1,5 @@
+// Writes a stock script from the run's own one: `fix couple/mbd` becomes velocities per window for stock movers. Then both
+// beds are measured at their common steps.
 #include "mbd_solver/app/compare_command.h"
 
 #include <Eigen/Geometry>
@@ -13,8 +15,9 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/app/codes.h"
+#include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/app/plot_script.h"
-#include "mbd_solver/base/made_files.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_frames.h"
@@ -42,17 +45,17 @@ Words words_of(const std::string& line) {
   return words;
 }
 
-// Lines of a script, those that end with & joined with the next; files that it includes only where they couple.
+// Lines of a script, continued ones (&) joined; included files are inserted only if they couple.
 std::vector<std::string> logical_lines(const std::string& path, const std::string& here, int depth = 0) {
   std::ifstream file(path);
-  if (!file) throw InputError(path + ": cannot be read; it is the script of the coupled run");
+  if (!file) throw InputError(code::kNoRun, path + ": cannot be read; it is the script of the coupled run");
   std::vector<std::string> lines;
   std::string line, whole;
   while (std::getline(file, line)) {
     const std::size_t end = line.find_last_not_of(" \t\r");
-    const bool goes_on = end != std::string::npos && line[end] == '&';
-    whole += goes_on ? line.substr(0, end) : line;
-    if (goes_on) continue;
+    const bool continued = end != std::string::npos && line[end] == '&';
+    whole += continued ? line.substr(0, end) : line;
+    if (continued) continue;
     lines.push_back(whole);
     whole.clear();
     const Words words = words_of(lines.back());
@@ -81,16 +84,16 @@ std::string with(std::string line, const std::string& name, const std::string& v
   return line;
 }
 
-// ${NAME} of every known variable, twice for those that stand in another.
+// Replaces ${NAME} of every known variable, twice for variables within others.
 std::string with_all(std::string line, const Variables& variables) {
   for (int pass = 0; pass < 2; ++pass)
     for (const auto& [name, value] : variables) line = with(line, name, value);
   return line;
 }
 
-// Lines with their loops over meshes written out,
+// Writes out loops over meshes,
 //   variable NAME index VALUES / label L / lines / next NAME / jump SELF L
-// and with the values of variables where they couple. variables: those that the run was given; the script's own join them.
+// and replaces variables in lines that couple. variables: of the run's command line; those of the script are added.
 std::vector<std::string> written_out(const std::vector<std::string>& lines, Variables& variables) {
   std::vector<std::string> out;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -120,13 +123,7 @@ std::vector<std::string> written_out(const std::vector<std::string>& lines, Vari
 
 std::string number(double value) { return number_text(value, 15); }
 
-Eigen::Matrix3d rotation(const std::vector<double>& pose) {
-  const Eigen::Vector3d r(pose[3], pose[4], pose[5]);
-  return r.norm() > 0.0 ? Eigen::AngleAxisd(r.norm(), r.normalized()).toRotationMatrix()
-                        : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-}
-
-// The pose at any time, straight between two recorded ones.
+// The pose at any time, linear between two recorded ones.
 std::vector<double> pose_at(const RecordedMotion& motion, double t) {
   const auto after = std::lower_bound(motion.time.begin(), motion.time.end(), t);
   if (after == motion.time.begin()) return motion.pose.front();
@@ -144,14 +141,14 @@ std::string variable(int mesh, int component) {
   return "replay" + std::to_string(mesh) + "_" + kNames[component];
 }
 
-// One velocity per line and span of `every` steps. Turned by the three movers one after the other, so that the spin
-// counts.
+// One velocity per line and span of `every` steps. The three movers turn the mesh one after the other, with the components
+// of the angular velocity.
 void write_velocities(const RecordedMotion& motion, int mesh, double span, int spans, Replay& replay) {
   std::string text[6];
   std::vector<double> before = pose_at(motion, 0.0);
-  for (int k = 0; k <= spans; ++k) {  // one line more than is used: `next` after the last span
+  for (int k = 0; k <= spans; ++k) {  // `next` after the last span needs one more line
     const std::vector<double> after = pose_at(motion, (k + 1) * span);
-    const Eigen::AngleAxisd turn(rotation(after) * rotation(before).transpose());
+    const Eigen::AngleAxisd turn(rotation_of(after) * rotation_of(before).transpose());
     const Eigen::Vector3d spin = turn.angle() * turn.axis() / span;
     for (int c = 0; c < 3; ++c) {
       text[c] += number((after[static_cast<std::size_t>(c)] - before[static_cast<std::size_t>(c)]) / span) + "\n";
@@ -162,14 +159,14 @@ void write_velocities(const RecordedMotion& motion, int mesh, double span, int s
   for (int c = 0; c < 6; ++c) replay.files[variable(mesh, c) + ".txt"] = text[c];
 }
 
-// Takes the place of `fix couple/mbd`.
+// The lines that replace `fix couple/mbd`.
 std::string movers(const Words& coupling, const std::string& motion_folder, const std::string& out, double dt,
                    Replay& replay) {
   std::vector<std::pair<std::string, RecordedMotion>> meshes;
   for (std::size_t i = 5; i + 2 < coupling.size(); ++i)
     if (coupling[i] == "mesh") meshes.emplace_back(coupling[i + 1], read_motion(motion_folder, coupling[i + 2]));
   if (meshes.empty())
-    throw InputError("the run moved no mesh of its script; there is nothing that stock LIGGGHTS could replay");
+    throw InputError(code::kNotCoupled, "the run moved no mesh of its script, so stock LIGGGHTS has nothing to replay");
   const std::vector<double>& time = meshes.front().second.time;
   double shortest = time.back();
   for (std::size_t k = 1; k + 1 < time.size(); ++k) shortest = std::min(shortest, time[k] - time[k - 1]);
@@ -179,7 +176,7 @@ std::string movers(const Words& coupling, const std::string& motion_folder, cons
 
   std::ostringstream text;
   text << "# The motion of the coupled run: velocities for every " << replay.every
-       << " steps, by the movers that stock LIGGGHTS has.\n";
+       << " steps, by the movers of stock LIGGGHTS.\n";
   std::string forces;
   int mesh = 0;
   for (const auto& [id, motion] : meshes) {
@@ -220,37 +217,11 @@ bool mentions(const std::string& line, const std::vector<std::string>& fixes) {
 
 }  // namespace
 
-RecordedMotion read_motion(const std::string& folder, const std::string& body) {
-  const History history = read_history((fs::path(folder) / (body + ".csv")).string());
-  RecordedMotion motion;
-  motion.body = body;
-  motion.time = history.column("time");
-  motion.bend = history.column("bend");
-  for (std::size_t k = 0; k < motion.time.size(); ++k) {
-    std::vector<double>& pose = motion.pose.emplace_back();
-    for (const char* name : {"x", "y", "z", "rx", "ry", "rz"}) pose.push_back(history.column(name)[k]);
-    std::vector<double>& force = motion.force.emplace_back();
-    for (const char* name : {"fx", "fy", "fz"}) force.push_back(history.column(name)[k]);
-  }
-  if (motion.time.size() < 2)
-    throw InputError(folder + "/" + body + ".csv: holds fewer than two windows; there is nothing to replay");
-  return motion;
-}
-
-std::vector<std::string> recorded_bodies(const std::string& folder) {
-  std::vector<std::string> bodies;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".csv") bodies.push_back(entry.path().stem().string());
-  std::sort(bodies.begin(), bodies.end());
-  return bodies;
-}
-
 Replay stock_replay(const std::string& script, const std::string& motion, const std::string& out, double dt,
                     Variables variables) {
   Replay replay;
   std::map<std::string, std::string> geometry;  // fix couple/mbd/geometry -> body
-  std::vector<std::string> gone;                // ids of fixes that stock LIGGGHTS does not have
+  std::vector<std::string> gone;                // ids of fixes that are left out
   std::ostringstream text;
   text << "# Written by footfall compare: " << script << " for stock LIGGGHTS.\n";
   bool coupled = false;
@@ -261,7 +232,7 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
     if (style == "couple/mbd/geometry" && w.size() > 5) {
       geometry[w[1]] = w[5];
     } else if (style.rfind("mesh/surface", 0) == 0) {
-      w[3] = "mesh/surface/stress";  // tells the forces
+      w[3] = "mesh/surface/stress";  // computes the forces
       if (w.size() > 5 && w[4] == "fix" && geometry.count(w[5]) > 0) {
         w[4] = "file";
         w[5] = (fs::path(motion) / (geometry[w[5]] + ".stl")).string();
@@ -274,8 +245,7 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
     } else if (line.find("wall/gran/beam") != std::string::npos) {
       if (!style.empty()) gone.push_back(w[1]);
       const bool has = !style.empty() || (variables.count("beam_count") > 0 && variables.at("beam_count") != "0");
-      if (has)
-        replay.notes.push_back("fix " + (style.empty() ? "beams" : w[1]) + ": stock LIGGGHTS has no wall of beams");
+      if (has) replay.notes.push_back("fix " + (style.empty() ? "beams" : w[1]) + ": stock LIGGGHTS has no beam walls");
     } else if (coupled && !w.empty() && w[0] == "run") {
       text << final_run(replay) << "\n";
       break;
@@ -289,7 +259,8 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
     }
   }
   if (!coupled)
-    throw InputError(script + ": has no line \"fix ID all couple/mbd ...\"; only a coupled run can be replayed");
+    throw InputError(code::kNotCoupled,
+                     script + ": no line \"fix ID all couple/mbd ...\"; only a coupled run can be replayed");
   replay.script = text.str();
   return replay;
 }
@@ -368,14 +339,14 @@ void compare_forces(const ComparedRun& a, const ComparedRun& b, const std::vecto
                          J_a.norm(), J_b.norm(), 100.0 * difference, peak(a.bodies[i]), peak(b.bodies[i]));
   }
   if (surfaces.size() > 1 && all_a.norm() > 0.0)
-    result.table += text("  %-16s %10.4g N s %10.4g N s %9.2f %%\n", "all together", all_a.norm(), all_b.norm(),
+    result.table += text("  %-16s %10.4g N s %10.4g N s %9.2f %%\n", "all bodies", all_a.norm(), all_b.norm(),
                          100.0 * (all_a - all_b).norm() / all_a.norm());
   result.forces = "time";
   for (const SurfacePath& surface : surfaces)
     result.forces += "," + surface.body + " " + a.label + "," + surface.body + " " + b.label;
   result.forces += "\n";
   if (surfaces.empty()) return;
-  // At the first run's windows; the other's impulse over each of them.
+  // At the windows of the first run; of the other run the impulse over each of them.
   double before = 0.0;
   for (std::size_t k = 0; k < a.bodies[0].time.size(); ++k) {
     const double t = a.bodies[0].time[k];
@@ -409,8 +380,8 @@ void compare_profiles(const BedFrame& bed_a, const BedFrame& bed_b, const Compar
   }
   if (count > 0)
     result.table += text(
-        "crater around %s at %.3g s: lowest ring at %.4g and %.4g m, rings differ by %.2g m in the mean (a grain is "
-        "%.2g m)\n",
+        "crater around %s at %.3g s: lowest ring at %.4g and %.4g m, mean difference of the rings %.2g m (diameter of "
+        "the smallest grain %.2g m)\n",
         surface.body.c_str(), t, deepest_a, deepest_b, sum / count, width);
 }
 
@@ -424,7 +395,7 @@ Comparison compare_beds(const ComparedRun& a, const ComparedRun& b, const std::v
   result.beds = "time";
   for (const char* figure : {"kinetic energy", "coordination number", "packing", "displacement"})
     result.beds += std::string(",") + figure + " " + a.label + "," + figure + " " + b.label;
-  result.beds += ",apart median,apart largest,share apart\n";
+  result.beds += ",distance median,distance largest,share distant\n";
   BedFrame start_a, start_b, last_a, last_b;
   double last = 0.0, first_grain = -1.0, one_in_hundred = -1.0;
   std::string rows;
@@ -460,22 +431,23 @@ Comparison compare_beds(const ComparedRun& a, const ComparedRun& b, const std::v
   }
   if (!result.has_beds) {
     result.table +=
-        "the runs dumped their grains at no common step: nothing to say of the beds (dump id x y z vx vy vz radius)\n";
+        "the runs have no dumps of grains at a common step, so the beds cannot be compared (dump id x y z vx vy vz "
+        "radius)\n";
     return result;
   }
   result.table +=
       text("\nbeds: %s and %s\n  %-7s %21s   %13s   %13s   %19s   %s\n  %-7s %21s   %13s   %13s   %19s   %s\n",
            a.label.c_str(), b.label.c_str(), "time", "kinetic energy", "neighbours", "packing", "displacement",
-           "same grains apart by", "[s]", "[J/kg]", "nearer than 1%", "under bodies", "mean [m]",
+           "distance of the same grains", "[s]", "[J/kg]", "gap below 1 %", "under bodies", "mean [m]",
            "median, largest [m], % over r/10");
   result.table += rows;
   if (!surfaces.empty()) compare_profiles(last_a, last_b, a, b, surfaces.front(), last, result);
   if (first_grain < 0.0) {
-    result.table += text("no grain is a tenth of its radius apart until %.3g s\n", last);
+    result.table += text("until %.3g s no grain differs by a tenth of its radius\n", last);
   } else {
     result.table +=
-        text("chaos: the first grain is a tenth of its radius apart at %.3g s, one in a hundred ", first_grain);
-    result.table += one_in_hundred < 0.0 ? text("not until %.3g s\n", last) : text("at %.3g s\n", one_in_hundred);
+        text("chaos: the first grain differs by a tenth of its radius at %.3g s, one in a hundred ", first_grain);
+    result.table += one_in_hundred < 0.0 ? text("not before %.3g s\n", last) : text("at %.3g s\n", one_in_hundred);
   }
   return result;
 }
@@ -486,17 +458,16 @@ void write(const fs::path& file, const std::string& text) {
   write_whole_file(file.string(), text, "is the disk full?");
 }
 
-// The summary of a coupled run that recorded its motion.
+// The summary of a coupled run with recorded motion.
 Json coupled_summary(const std::string& run) {
   const fs::path summary = fs::path(run) / "summary.json";
-  if (!fs::exists(summary))
-    throw InputError(run + ": holds no summary.json; expected the folder of a run (footfall run ... --out " + run +
-                     ")");
+  if (!fs::exists(summary)) throw InputError(code::kNoRun, run + ": no summary.json; expected the folder of a run");
   const Json json = read_summary(summary.string());
-  if (!json.contains("dt_dem_s")) throw InputError(run + ": this run touched no grains; there are no beds to compare");
+  if (!json.contains("dt_dem_s")) throw InputError(code::kNotCoupled, run + ": a run without grains has no bed");
   if (recorded_bodies((fs::path(run) / "motion").string()).empty())
-    throw InputError(
-        run + ": no motion of a surface was recorded (motion/BODY.csv); only runs with coupled meshes can be compared");
+    throw InputError(code::kNotCoupled, run +
+                                            ": no recorded motion of a surface (motion/BODY.csv); only runs with "
+                                            "coupled meshes can be compared");
   return json;
 }
 
@@ -543,11 +514,11 @@ ComparedRun stock_run(const fs::path& out, const Replay& replay, double dt) {
       body.force.push_back(f);
     }
     if (!words)
-      throw InputError((out / "forces.txt").string() + ": \"" + line +
-                       "\": expected a step and three forces for each body");
+      throw InputError(code::kReplayFailed, (out / "forces.txt").string() + ": \"" + line +
+                                                "\": expected a step and three forces for each body");
   }
   if (result.bodies.empty() || result.bodies[0].time.empty())
-    throw InputError((out / "forces.txt").string() + ": stock LIGGGHTS wrote no forces");
+    throw InputError(code::kReplayFailed, (out / "forces.txt").string() + ": stock LIGGGHTS wrote no forces");
   return result;
 }
 
@@ -571,12 +542,14 @@ void run_stock(const std::string& liggghts, const Json& particles, const fs::pat
   const ChildEnd end = run_child(command);
   const std::string log = (out / "liggghts.log").string();
   if (!liggghts_errors(log).empty())
-    throw InputError("stock LIGGGHTS stopped at " + why_liggghts_stopped(log, (out / "in.stock").string(), variables));
+    throw InputError(code::kReplayFailed,
+                     "stock LIGGGHTS stopped at " + why_liggghts_stopped(log, (out / "in.stock").string(), variables));
   if (end.code != 0)
-    throw PartnerError("stock LIGGGHTS ended with code " + std::to_string(end.code) + "; see " + command.output);
+    throw PartnerError(code::kReplayFailed,
+                       "stock LIGGGHTS ended with exit code " + std::to_string(end.code) + "; see " + command.output);
 }
 
-std::string where_movers_end(const std::string& run, const Replay& replay) {
+std::string limits_of_replay(const std::string& run, const Replay& replay) {
   double bend = 0.0;
   std::string worst;
   for (const std::string& body : replay.bodies) {
@@ -587,21 +560,18 @@ std::string where_movers_end(const std::string& run, const Replay& replay) {
   }
   char text[300];
   std::snprintf(text, sizeof text,
-                "stock movers turn and shift a mesh, but cannot bend it: nodes were up to %.2g mm (%s) from the rigid "
-                "motion that was replayed\n",
+                "stock movers cannot bend a mesh: nodes were up to %.2g mm (%s) from the replayed rigid motion\n",
                 1e3 * bend, worst.c_str());
   std::string all = text;
   for (const std::string& note : replay.notes) all += "left out of the replay: " + note + "\n";
   return all;
 }
 
-// Curves of a CSV in pairs, run a as a line, run b as dots; name of the script.
+// Draws columns of a CSV file in pairs, run a as a line, run b as dots. Returns the name of the script.
 std::string plot_script(const fs::path& folder, const std::string& name, const std::string& data, const std::string& x,
                         const std::string& y, int first, int pairs) {
   std::ostringstream gp;
-  gp << "set datafile separator ','\nset datafile columnheaders\nset terminal pngcairo size 900,480 font 'DejaVu "
-        "Sans,11'\nset output "
-     << gnuplot_text(name + ".png") << "\nset xlabel " << gnuplot_text(x) << "\nset ylabel " << gnuplot_text(y)
+  gp << "set xlabel " << gnuplot_text(x) << "\nset ylabel " << gnuplot_text(y)
      << "\nset grid lc rgb '#e0e0e0'\nset key outside right noenhanced\n"
      << "array c[8] = ['#0072b2','#d55e00','#009e73','#cc79a7','#e69f00','#56b4e9','#f0e442','#000000']\nplot ";
   for (int k = 0; k < pairs; ++k)
@@ -609,23 +579,21 @@ std::string plot_script(const fs::path& folder, const std::string& name, const s
        << " with lines lw 1.5 lc rgb c[" << k % 8 + 1 << "] title columnheader(" << first + 2 * k
        << "), '' using 1:" << first + 2 * k + 1 << " with points pt 6 ps 0.5 lc rgb c[" << k % 8 + 1
        << "] title columnheader(" << first + 2 * k + 1 << ")";
-  write(folder / (name + ".gp"), gp.str() + "\n");
-  return name + ".gp";
+  return write_drawing(folder.string(), name, {900, 480}, kCsv, gp.str() + "\n");
 }
 
 int compare(const std::string& run, const std::string& other, bool trust_script, bool quiet) {
   const Json summary = coupled_summary(run);
   const double dt = summary.at("dt_dem_s");
   const fs::path out = fs::absolute(fs::path(run) / "compare").lexically_normal();
-  // Stock LIGGGHTS will run the script; the summary may come from somebody else.
   if (other.empty() && !trust_script) {
     const Json& particles = summary.at("scene").at("particles");
     require_safe_script(particles.value("script", ""),
                         particles.value("variables", std::map<std::string, std::string>{}));
   }
-  const std::string liggghts = other.empty() ? installed_program("liggghts", "liggghts") : "";  // stock, not ours
-  remove_made_files(run, "compare/");
-  const MadeFiles made(run);
+  const std::string liggghts = other.empty() ? installed_program("liggghts", "liggghts") : "";
+  std::error_code ignored;
+  fs::remove_all(out, ignored);
   make_folder((out / "plots").string(), "is the disk full?");
 
   std::vector<std::string> bodies;
@@ -641,13 +609,13 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
     run_stock(liggghts, summary.at("scene").at("particles"), out, quiet);
     bodies = replay.bodies;
     second = stock_run(out, replay, dt);
-    remark = where_movers_end(run, replay);
+    remark = limits_of_replay(run, replay);
   } else {
     const Json theirs = coupled_summary(other);
     if (theirs.at("dt_dem_s") != summary.at("dt_dem_s"))
-      throw InputError(other + ": its grains were moved in steps of " + theirs.at("dt_dem_s").dump() + " s, those of " +
-                       run + " in steps of " + summary.at("dt_dem_s").dump() +
-                       " s: there are no common steps to compare");
+      throw InputError(code::kNotComparable, other + ": DEM time step " + theirs.at("dt_dem_s").dump() +
+                                                 " s, but that of " + run + " is " + summary.at("dt_dem_s").dump() +
+                                                 " s; the runs have no common steps");
     for (const std::string& body : recorded_bodies((fs::path(run) / "motion").string()))
       if (fs::exists(fs::path(other) / "motion" / (body + ".csv"))) bodies.push_back(body);
     second = coupled_run(other, other, bodies);
@@ -663,16 +631,17 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
                                                   "force of the grains [N]", 2, static_cast<int>(bodies.size()))};
   if (comparison.has_beds) {
     write(out / "profile.csv", comparison.profile);
-    scripts.push_back(plot_script(out / "plots", "kinetic_energy", "beds.csv", "time [s]",
-                                  "kinetic energy of the grains [J/kg]", 2, 1));
-    scripts.push_back(plot_script(out / "plots", "coordination", "beds.csv", "time [s]",
-                                  "neighbours nearer than 1 % of the radius", 4, 1));
-    scripts.push_back(
-        plot_script(out / "plots", "packing", "beds.csv", "time [s]", "solid fraction under the bodies", 6, 1));
-    scripts.push_back(plot_script(out / "plots", "displacement", "beds.csv", "time [s]",
-                                  "mean displacement of the grains [m]", 8, 1));
-    scripts.push_back(
-        plot_script(out / "plots", "apart", "beds.csv", "time [s]", "distance of the same grains [m]", 10, 1));
+    struct Plot {
+      const char *name, *axis;
+      int column;
+    };
+    constexpr Plot kPlots[] = {{"kinetic_energy", "kinetic energy of the grains [J/kg]", 2},
+                               {"coordination", "neighbours with a gap below 1 % of the radius", 4},
+                               {"packing", "solid fraction under the bodies", 6},
+                               {"displacement", "mean displacement of the grains [m]", 8},
+                               {"distance", "distance of the same grains [m]", 10}};
+    for (const Plot& plot : kPlots)
+      scripts.push_back(plot_script(out / "plots", plot.name, "beds.csv", "time [s]", plot.axis, plot.column, 1));
     scripts.push_back(plot_script(out / "plots", "crater", "profile.csv", "distance from the body [m]",
                                   "height of the surface [m]", 2, 1));
   }

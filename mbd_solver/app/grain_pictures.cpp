@@ -1,3 +1,4 @@
+// Draws every grain and triangle with DepthImage, and writes the page around it as a gnuplot script.
 #include "mbd_solver/app/grain_pictures.h"
 
 #include <algorithm>
@@ -11,12 +12,12 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/app/compare_command.h"
+#include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/app/plot_script.h"
-#include "mbd_solver/base/made_files.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/base/quote.h"
+#include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/run/output/summary.h"
 
@@ -32,7 +33,7 @@ constexpr Stop kSpeeds[] = {{0.0, {233, 223, 199}},
                             {0.3, {127, 174, 138}},
                             {0.65, {31, 111, 168}},
                             {1.0, {46, 20, 90}}};
-constexpr double kOverlap = 0.25;  // of the smallest grain's radius: more than grains press into plates
+constexpr double kOverlap = 0.25;  // lift of plates over the smallest radius: more than grains overlap with them
 constexpr Colour kPlates{205, 208, 214}, kTubes{192, 57, 43};
 
 Colour colour_of(double share) {
@@ -59,7 +60,7 @@ std::string palette() {
 
 double speed(const BedFrame& bed, Eigen::Index i) { return bed.v.cols() > i ? bed.v.col(i).norm() : 0.0; }
 
-// The largest of 1, 2 and 5 times a power of ten that is not above `value`.
+// The largest number up to `value` that is 1, 2 or 5 times a power of ten.
 double round_below(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   return value >= 5.0 * power ? 5.0 * power : value >= 2.0 * power ? 2.0 * power : power;
@@ -84,7 +85,8 @@ Eye eye_around(const std::vector<const BedFrame*>& beds, const std::vector<const
       }
   for (const MechanismShape* shape : shapes)
     for (Eigen::Index j = 0; j < shape->frame.points.cols(); ++j) include(shape->frame.points.col(j), 0.0);
-  if (grains == 0) throw InputError("there is nothing to draw: no grain lies behind y = " + std::to_string(cut) + " m");
+  if (grains == 0)
+    throw InputError(code::kNothingToDraw, "--cut-at: no grain has y above " + std::to_string(cut) + " m");
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(0.02 * (eye.high_E - eye.low_E).maxCoeff());
   eye.low_E -= margin;
   eye.high_E += margin;
@@ -163,7 +165,7 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 
-// Where the foremost coupled surface is [m]; without any, the middle of the bed.
+// y of the foremost coupled surface [m]; without any, of the middle of the bed.
 double foremost(const fs::path& motion, const BedFrame& bed, double t) {
   double y = std::numeric_limits<double>::infinity();
   for (const std::string& body : recorded_bodies(motion.string())) {
@@ -182,9 +184,9 @@ struct Moment {
 std::vector<Moment> read_moments(const PicturesArguments& a, const Json& summary) {
   const std::map<long, std::string> frames = find_bed_frames(a.run);
   if (frames.empty() || !summary.contains("dt_dem_s"))
-    throw InputError(a.run +
-                     ": holds no dumps of grains; run the scene with frames, as --set particles.variables.frames=0.05 "
-                     "does for inputs/landing_mr");
+    throw InputError(code::kNoDumps, a.run +
+                                         ": no dumps of grains; run the scene with frames, in inputs/landing_mr by "
+                                         "--set particles.variables.frames=0.05");
   const double dt = summary.at("dt_dem_s");
   std::vector<double> times;
   std::vector<std::string> files;
@@ -195,15 +197,14 @@ std::vector<Moment> read_moments(const PicturesArguments& a, const Json& summary
   std::set<std::size_t> chosen;
   for (const double t : a.times) {
     if (!(t >= 0.0))
-      throw InputError("--times: is " + std::to_string(t) + ", expected times of the run, from 0 to " +
-                       std::to_string(times.back()) + " s");
+      throw InputError(code::kOutOfData, "--times: is " + number_text(t) + ", expected times of the run, from 0 to " +
+                                             number_text(times.back()) + " s");
     chosen.insert(nearest(times, t));
   }
   const MechanismShapes shapes(a.run, summary);
   if (!shapes.drawn())
-    std::fprintf(
-        stderr,
-        "footfall: the run drew no bodies (--set output.vtk=true does); only what touches the grains is shown\n");
+    std::fprintf(stderr,
+                 "footfall: the run drew no bodies (--set output.vtk=true does); only coupled surfaces are shown\n");
   std::vector<Moment> moments;
   for (const std::size_t k : chosen)
     moments.push_back({times[k], read_bed_frame(files[k]), shapes.empty() ? MechanismShape{} : shapes.near(times[k])});
@@ -213,9 +214,7 @@ std::vector<Moment> read_moments(const PicturesArguments& a, const Json& summary
 int draw_pictures(const PicturesArguments& a) {
   const fs::path folder(a.run);
   if (!fs::exists(folder / "summary.json"))
-    throw InputError(a.run + ": holds no summary.json; expected the folder of a run");
-  if (!a.view.empty() && a.view.size() != 2)
-    throw InputError("--view: expected two angles: azimuth,elevation in degrees");
+    throw InputError(code::kNoRun, a.run + ": no summary.json; expected the folder of a run");
   const Json summary = read_summary((folder / "summary.json").string());
   const std::vector<Moment> moments = read_moments(a, summary);
 
@@ -231,13 +230,12 @@ int draw_pictures(const PicturesArguments& a) {
     beds.push_back(&moment.bed);
     shapes.push_back(&moment.shape);
   }
-  const std::vector<double> angles = !a.view.empty() ? a.view
-                                     : cut           ? std::vector<double>{-90, 12}
-                                                     : std::vector<double>{-65, 28};
+  const std::vector<double> angles = !a.camera.empty() ? a.camera
+                                     : cut             ? std::vector<double>{-90, 12}
+                                                       : std::vector<double>{-65, 28};
   view.eye = eye_around({beds.front()}, shapes, view.cut, angles[0] * kDegree, angles[1] * kDegree);
   view.fastest = a.fastest > 0.0 ? a.fastest : colour_range(beds);
 
-  const MadeFiles made(a.run);
   const std::string out = (folder / "pictures").string();
   const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
   std::vector<std::string> scripts;
@@ -246,12 +244,12 @@ int draw_pictures(const PicturesArguments& a) {
     std::snprintf(name, sizeof name, "%s_%.4fs", cut ? "cut" : "grains", moment.time);
     std::snprintf(words, sizeof words, "%s%st = %.4g s", title.substr(0, 100).c_str(), title.empty() ? "" : ", ",
                   moment.time);
-    std::string said = words;
+    std::string heading = words;
     if (cut) {
       std::snprintf(words, sizeof words, ", cut at y = %.3g m", view.cut);
-      said += words;
+      heading += words;
     }
-    scripts.push_back(write_grain_picture(out, name, said, moment.bed, moment.shape, view));
+    scripts.push_back(write_grain_picture(out, name, heading, moment.bed, moment.shape, view));
   }
   for (const std::string& picture : run_gnuplot(out, scripts)) std::printf("%s\n", short_path(picture).c_str());
   return kExitDone;
@@ -259,7 +257,7 @@ int draw_pictures(const PicturesArguments& a) {
 
 }  // namespace
 
-int pictures_command(const PicturesArguments& a) {
+int draw_grain_pictures(const PicturesArguments& a) {
   return with_summary_of(a.run, [&] { return draw_pictures(a); });
 }
 

@@ -1,10 +1,14 @@
+// Reads drawings (VTU) or recorded rigid motions of surfaces (CSV and STL), and returns points, triangles and lines.
 #include "mbd_solver/app/mechanism_shape.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/app/codes.h"
+#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/mesh_reader.h"
 
 namespace footfall {
@@ -22,6 +26,37 @@ double radius_of(const Json& body) {
 }
 
 }  // namespace
+
+RecordedMotion read_motion(const std::string& folder, const std::string& body) {
+  const History history = read_history((fs::path(folder) / (body + ".csv")).string());
+  RecordedMotion motion;
+  motion.body = body;
+  motion.time = history.column("time");
+  motion.bend = history.column("bend");
+  for (std::size_t k = 0; k < motion.time.size(); ++k) {
+    std::vector<double>& pose = motion.pose.emplace_back();
+    for (const char* name : {"x", "y", "z", "rx", "ry", "rz"}) pose.push_back(history.column(name)[k]);
+    std::vector<double>& force = motion.force.emplace_back();
+    for (const char* name : {"fx", "fy", "fz"}) force.push_back(history.column(name)[k]);
+  }
+  if (motion.time.size() < 2) throw InputError(code::kRunDamaged, folder + "/" + body + ".csv: fewer than two windows");
+  return motion;
+}
+
+std::vector<std::string> recorded_bodies(const std::string& folder) {
+  std::vector<std::string> bodies;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".csv") bodies.push_back(entry.path().stem().string());
+  std::sort(bodies.begin(), bodies.end());
+  return bodies;
+}
+
+Eigen::Matrix3d rotation_of(const std::vector<double>& pose) {
+  const Eigen::Vector3d r(pose[3], pose[4], pose[5]);
+  return r.norm() > 0.0 ? Eigen::AngleAxisd(r.norm(), r.normalized()).toRotationMatrix()
+                        : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+}
 
 std::size_t nearest(const std::vector<double>& times, double t) {
   std::size_t best = 0;
@@ -79,9 +114,8 @@ MechanismShape MechanismShapes::recorded_near(double t) const {
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const auto& [record, mesh] = surfaces_[i];
     const std::vector<double>&from = record.pose.front(), &to = record.pose[nearest(record.time, t)];
-    const Eigen::Vector3d x0(from[0], from[1], from[2]), x(to[0], to[1], to[2]), turn(to[3], to[4], to[5]);
-    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-    if (turn.norm() > 0.0) R = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+    const Eigen::Vector3d x0(from[0], from[1], from[2]), x(to[0], to[1], to[2]);
+    const Eigen::Matrix3d R = rotation_of(to);
     for (const Eigen::Vector3i& triangle : mesh.triangles) {
       shape.frame.triangles.emplace_back(triangle.array() + static_cast<int>(points.size()));
       body.push_back(static_cast<double>(i));

@@ -1,18 +1,31 @@
 #pragma once
-// The mechanism as a run left it: drawn (bodies.pvd), or else its coupled surfaces alone, moved rigidly as DIR/motion
-// says.
+// The mechanism as a run recorded it: as drawn (bodies.pvd), or only its coupled surfaces, moved rigidly (DIR/motion).
 
 #include <string>
 #include <vector>
 
-#include "mbd_solver/app/compare_command.h"
 #include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/output/vtk_writer.h"
 
 namespace footfall {
 
-// The mechanism at one moment.
+// One coupled mesh: position and rotation since the start, at the ends of windows.
+struct RecordedMotion {
+  std::string body;
+  std::vector<double> time;                // [s]
+  std::vector<std::vector<double>> pose;   // x y z of the nodes' mean [m], rotation vector [rad]
+  std::vector<std::vector<double>> force;  // mean force of the grains in the window before [N]
+  std::vector<double> bend;                // largest distance of a node from the rigid motion [m]
+};
+// Reads FOLDER/BODY.csv. Throws InputError.
+RecordedMotion read_motion(const std::string& folder, const std::string& body);
+// Names of all bodies recorded in the folder.
+std::vector<std::string> recorded_bodies(const std::string& folder);
+// Rotation matrix of a pose.
+Eigen::Matrix3d rotation_of(const std::vector<double>& pose);
+
+// The mechanism at one time.
 struct MechanismShape {
   VtkFrame frame;                   // points [m], triangles, lines
   std::vector<double> line_radius;  // of each line [m]
@@ -20,17 +33,16 @@ struct MechanismShape {
 
 class MechanismShapes {
  public:
-  // `run`: folder with this summary.json. Throws InputError for files that are damaged; a run that left neither is
-  // empty.
+  // `run`: folder with this summary.json. Throws InputError for damaged files. Empty for a run that recorded neither.
   MechanismShapes(const std::string& run, const nlohmann::ordered_json& summary);
 
   bool drawn() const { return !frames_.empty(); }
   bool empty() const { return frames_.empty() && surfaces_.empty(); }
-  // Of the frames as drawn [s]; of recorded surfaces, all their moments.
+  // Of the frames as drawn, or of recorded surfaces [s].
   const std::vector<double>& times() const { return times_; }
   // By the number of each cell ("body" of the frame's cell_numbers).
   const std::vector<std::string>& body_names() const { return names_; }
-  // At the moment nearest to t [s].
+  // At the time nearest to t [s].
   MechanismShape near(double t) const;
 
  private:

@@ -1,3 +1,4 @@
+// Differences, zigzag and planes of bytes before zlib.
 #include "mbd_solver/app/packed_series.h"
 
 #include <zlib.h>

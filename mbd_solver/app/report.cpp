@@ -1,3 +1,4 @@
+// HTML pages by concatenation: style, tables, pictures (base64) and the scripts of the interactive plots are in the page.
 #include "mbd_solver/app/report.h"
 
 #include <algorithm>
@@ -7,13 +8,14 @@
 #include <fstream>
 #include <sstream>
 
+#include "coupler/base/csv.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/results.h"
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/app/viewer_scripts.h"
-#include "mbd_solver/base/made_files.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/summary.h"
@@ -36,10 +38,10 @@ constexpr const char* kSheet =
     "solid #d55e00;padding:.4em .8em}"
     "nav a{margin-right:1em}summary{cursor:pointer}";
 
+// Begins with a number, as "12.5" and "3.2 %".
 bool is_number(const std::string& text) {
-  std::istringstream in(text);
   double value = 0.0;
-  return static_cast<bool>(in >> value);
+  return read_number(text.substr(0, text.find(' ')), value);
 }
 
 }  // namespace
@@ -102,7 +104,7 @@ void HtmlPage::folded(const std::string& label, const std::string& text, const s
 
 void HtmlPage::picture(const std::string& path, const std::string& caption) {
   const std::string bytes = read_whole_file(path).value_or("");
-  if (bytes.empty()) throw InputError(path + ": cannot be read; expected a picture");
+  if (bytes.empty()) throw InputError(code::kPictureNotReadable, path + ": cannot be read; expected a picture");
   const std::filesystem::path name(path);
   const std::string kind = name.extension() == ".svg" ? "svg+xml" : "png";
   std::string words = caption.empty() ? name.stem().string() : caption;
@@ -125,12 +127,16 @@ std::string HtmlPage::text() const {
 
 namespace {
 
-// how scenes and scripts mark what the paper does not print
+using Rows = std::vector<std::vector<std::string>>;  // of a table
+
+constexpr const char* kLedgerPicture = "ledger.png";  // in a section of its own
+
+// Marks of assumed values in scenes and scripts.
 const std::vector<std::string> kMarks = {"[A]", "(assumed"};
 
 std::string contents(const fs::path& path) { return read_whole_file(path.string()).value_or(""); }
 
-// The scene file, the scenes it is built on, and the scripts of the grains.
+// The scene file, the scenes on which it is based, and the scripts of the grains.
 std::vector<fs::path> sources_of(const Json& summary) {
   std::vector<fs::path> files;
   fs::path next = summary.value("scene_file", "");
@@ -163,10 +169,9 @@ std::vector<fs::path> sources_of(const Json& summary) {
   return files;
 }
 
-}  // namespace
-
 std::string short_text(double value) { return number_text(value, 5); }
 
+// gnuplot leaves an empty file where it fails.
 bool has_content(const std::string& file) {
   std::error_code error;
   return fs::file_size(file, error) > 0 && !error;
@@ -201,13 +206,13 @@ void show_scene(const Json& summary, HtmlPage& page) {
     page.preformatted(text);
   }
   const std::vector<fs::path> files = sources_of(summary);
-  Rows rows = {{"where", "assumed, because the paper does not print it"}};
+  Rows rows = {{"where", "assumed, because the paper does not give it"}};
   for (const fs::path& file : files) {
     std::istringstream lines(contents(file));
     int number = 0;
     for (std::string line; std::getline(lines, line);) {
       ++number;
-      if (line.rfind("#", 0) == 0) continue;  // explains the marks
+      if (line.rfind("#", 0) == 0) continue;  // an explanation of the marks
       if (std::none_of(kMarks.begin(), kMarks.end(),
                        [&](const std::string& m) { return line.find(m) != std::string::npos; }))
         continue;
@@ -217,7 +222,7 @@ void show_scene(const Json& summary, HtmlPage& page) {
   if (rows.size() > 1) page.table(rows);
   for (const fs::path& file : files)
     page.folded((file.parent_path().filename() / file.filename()).string() + ", as it is now", contents(file), kMarks);
-  page.folded("the scene as it was run, with all defaults", summary.at("scene").dump(2));
+  page.folded("the scene of this run, with all defaults", summary.at("scene").dump(2));
 }
 
 void show_versions(const Json& summary, HtmlPage& page) {
@@ -233,17 +238,14 @@ void show_versions(const Json& summary, HtmlPage& page) {
   page.table(rows, false);
 }
 
-namespace {
-
-// A figure of the summary times `factor`, when it is there; `meaning`: a cell behind it.
-void figure(const Json& summary, const char* label, const char* key, double factor, const char* unit, Rows& rows,
-            const char* meaning = nullptr) {
+// A number of the summary times `factor`, if it has one; `meaning`: a further cell.
+void add_metric(const Json& summary, const char* label, const char* key, double factor, const char* unit, Rows& rows,
+                const char* meaning = nullptr) {
   if (!summary.contains(key) || !summary[key].is_number()) return;
   rows.push_back({label, short_text(factor * summary[key].get<double>()), unit});
   if (meaning != nullptr) rows.back().emplace_back(meaning);
 }
 
-// What a reader has to know before any figure.
 void show_warnings(const Json& summary, HtmlPage& page) {
   const std::string status = summary.value("status", "unknown");
   if (status != "done")
@@ -255,26 +257,26 @@ void show_warnings(const Json& summary, HtmlPage& page) {
 void show_summary(const Json& summary, HtmlPage& page) {
   page.section("Summary");
   const std::string body = summary.value("observed_body", "");
-  const std::string observed = "of the body that is observed" + (body.empty() ? "" : ", " + body);
-  const std::string peak = "Largest acceleration " + observed + ": what its cargo must stand.",
-                    descent = "How far it came down from its start, " + observed + ".";
-  Rows rows = {{"figure", "value", "unit", "what it says"}};
-  figure(summary, "simulated time", "end_time_s", 1.0, "s", rows, "The run ends here.");
-  figure(summary, "peak acceleration", "peak_acceleration_g", 1.0, "g", rows, peak.c_str());
-  figure(summary, "largest descent", "max_descent_m", 1.0, "m", rows, descent.c_str());
-  figure(summary, "largest depth below the ground", "max_penetration_m", 1.0, "m", rows,
-         "How deep the lowest point of a touching surface went.");
-  figure(summary, "largest contact force on one body", "max_contact_force_N", 1e-3, "kN", rows,
-         "Of all grains together, mean over a window; of a plane at one instant.");
-  figure(summary, "grains", "particles", 1.0, "", rows, "In the bed at the end.");
-  figure(summary, "steps of the mechanism", "steps", 1.0, "", rows, "Of the time integration, rejected ones apart.");
-  figure(summary, "wall time", "wall_s", 1.0, "s", rows, "From the first window to the last.");
-  figure(summary, "of it grains", "dem_wall_s", 1.0, "s", rows, "What LIGGGHTS took.");
-  figure(summary, "of it waiting", "waited_wall_s", 1.0, "s", rows,
-         "The grains stood still for the mechanism and the exchange.");
-  figure(summary, "mechanism", "mbd_wall_s", 1.0, "s", rows, "What the multibody solver took.");
-  figure(summary, "mechanism, while grains move", "mbd_beside_wall_s", 1.0, "s", rows,
-         "The part of its work for which the grains did not wait, rows and controllers with it.");
+  const std::string monitored = "of the monitored body" + (body.empty() ? "" : ", " + body);
+  const std::string peak = "Largest acceleration " + monitored + ", which its payload has to withstand.",
+                    descent = "Largest distance below its start, " + monitored + ".";
+  Rows rows = {{"metric", "value", "unit", "meaning"}};
+  add_metric(summary, "simulated time", "end_time_s", 1.0, "s", rows, "End time of the run.");
+  add_metric(summary, "peak acceleration", "peak_acceleration_g", 1.0, "g", rows, peak.c_str());
+  add_metric(summary, "largest descent", "max_descent_m", 1.0, "m", rows, descent.c_str());
+  add_metric(summary, "largest depth below the ground", "max_penetration_m", 1.0, "m", rows,
+             "Of the lowest point of a coupled surface.");
+  add_metric(summary, "largest contact force on one body", "max_contact_force_N", 1e-3, "kN", rows,
+             "Sum over all grains, mean over a window; on a plane at one instant.");
+  add_metric(summary, "grains", "particles", 1.0, "", rows, "In the bed at the end.");
+  add_metric(summary, "steps of the mechanism", "steps", 1.0, "", rows, "Accepted steps of the time integration.");
+  add_metric(summary, "wall time", "wall_s", 1.0, "s", rows, "From the first window to the last.");
+  add_metric(summary, "of it DEM", "dem_wall_s", 1.0, "s", rows, "Steps of LIGGGHTS.");
+  add_metric(summary, "of it waiting", "waited_wall_s", 1.0, "s", rows,
+             "LIGGGHTS waited for the mechanism and the exchange.");
+  add_metric(summary, "mechanism", "mbd_wall_s", 1.0, "s", rows, "Steps of the multibody solver.");
+  add_metric(summary, "mechanism, while grains move", "mbd_beside_wall_s", 1.0, "s", rows,
+             "The part for which LIGGGHTS did not wait, including output and controllers.");
   page.table(rows);
   std::string active;
   for (const Json& part : summary.value("active", Json::array()))
@@ -282,54 +284,56 @@ void show_summary(const Json& summary, HtmlPage& page) {
   if (!active.empty()) page.paragraph("Active parts: " + active + ".");
 }
 
-// The page that plays the run, made with the report.
+// Writes view.html with the report.
 void show_view(const fs::path& folder, HtmlPage& page) {
   if (!has_frames(folder.string()) || !fs::exists(folder / "history.csv")) return;
   try {
     write_view({folder.string(), 0});
-    page.link("view.html", "Play the run in 3D", "view.html stands beside this page, and is one file too.");
+    page.link("view.html", "Play the run in 3D", "view.html, next to this page.");
   } catch (const InputError& error) {
     page.warning(std::string("The run cannot be played in 3D: ") + error.what());
   }
 }
 
-// Every column of the history, to choose from, zoom and read.
+// Interactive plots of any column of the history.
 void show_history(const fs::path& folder, const Json& summary, HtmlPage& page) {
   if (!fs::exists(folder / "history.csv")) return;
   const History history = read_history((folder / "history.csv").string());
   if (history.columns.empty() || history.columns.front().empty()) return;
   page.section("History");
   page.paragraph(
-      "Type a part of a name to add a column, at most eight. Drag over a plot to zoom, double-click to go back; values "
-      "stand under the pointer. docs/history.md says what each column is.");
+      "Type a part of a name to add a column, at most eight. Drag over a plot to zoom, double-click to reset; the "
+      "pointer "
+      "shows values. docs/reference/history.md explains the columns.");
   PageParts parts;
   add_history(history, first_columns(history, summary.value("observed_body", "")), parts);
   page.plots(parts.elements(kReportScript));
 }
 
 void show_quality(const Json& summary, HtmlPage& page) {
-  page.section("How far to trust it");
+  page.section("Quality of the results");
   Rows rows = {{"measure", "value", "unit"}};
-  figure(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "% of the energy moved", rows);
-  figure(summary, "drift of the joints, position", "drift_position", 1.0, "m, rad", rows);
-  figure(summary, "drift of the joints, velocity", "drift_velocity", 1.0, "m/s, rad/s", rows);
-  figure(summary, "energy lost or made by the interface", "coupling_energy_residual_relative", 100.0,
-         "% of the energy moved", rows);
-  figure(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "% of its radius", rows);
-  figure(summary, "time step of the grains", "dt_dem_s", 1.0, "s", rows);
-  figure(summary, "windows", "windows", 1.0, "", rows);
+  add_metric(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "% of the energy exchanged",
+             rows);
+  add_metric(summary, "drift of the joints, position", "drift_position", 1.0, "m, rad", rows);
+  add_metric(summary, "drift of the joints, velocity", "drift_velocity", 1.0, "m/s, rad/s", rows);
+  add_metric(summary, "energy error of the interface", "coupling_energy_residual_relative", 100.0,
+             "% of the energy exchanged", rows);
+  add_metric(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "% of its radius", rows);
+  add_metric(summary, "time step of the grains", "dt_dem_s", 1.0, "s", rows);
+  add_metric(summary, "windows", "windows", 1.0, "", rows);
   page.table(rows);
   if (!summary.contains("max_omega_h")) return;
   page.paragraph(
-      "Largest omega H of each coupled body: its contact frequency times the window. Below one half the windows are "
-      "small enough, above two they are unstable.");
+      "Largest coupling frequency number omega H of each coupled body. Below 0.5 results do not depend on the coupling "
+      "interval; above 2 the coupling is unstable.");
   rows = {{"body", "omega H"}};
   for (const auto& [body, value] : summary.at("max_omega_h").items())
     rows.push_back({body, short_text(value.get<double>())});
   page.table(rows);
 }
 
-// ledger.csv at the start and the end of the run, and its picture.
+// ledger.csv at the start and the end of the run, and its plot.
 void show_ledger(const fs::path& folder, HtmlPage& page) {
   if (!fs::exists(folder / "ledger.csv")) return;
   const History ledger = read_history((folder / "ledger.csv").string());
@@ -345,22 +349,20 @@ void show_ledger(const fs::path& folder, HtmlPage& page) {
     rows.push_back(
         {words, short_text(column.front()), short_text(column.back()), short_text(column.back() - column.front())});
   }
-  page.section("Energy ledger");
+  page.section("Energy balance by part");
   page.paragraph(
-      "Energy stored and dissipated in the mechanism, work it gave to the grains, and what they made of it. The sum "
-      "would stay the same without numerical "
-      "errors. What the grains dissipated is the rest of the work they received; it holds the elastic energy in their "
-      "contacts too, and may fall by that much.");
+      "Energy stored and dissipated in the mechanism, its work on the grains, and the energy of the grains. Without "
+      "numerical errors the sum is constant. Energy dissipated by the grains is the rest of the work that they "
+      "received; "
+      "it includes the elastic energy of their contacts and may decrease by that much.");
   page.table(rows);
   if (has_content((folder / "plots" / kLedgerPicture).string()))
-    page.picture((folder / "plots" / kLedgerPicture).string(), "Where the energy is");
+    page.picture((folder / "plots" / kLedgerPicture).string(), "Energy balance by part");
 }
-
-}  // namespace
 
 std::string run_page(const std::string& run) {
   const fs::path folder(run);
-  // A run that was started by its plain line, or without plots, has none yet.
+  // A run that footfall did not start, or without plots, has none yet.
   const bool ledger = fs::exists(folder / "ledger.csv") || write_ledger(folder.string());
   if (ledger && !fs::exists(folder / "plots" / kLedgerPicture)) make_pictures(folder.string());
   const Json summary = read_summary((folder / "summary.json").string());
@@ -377,7 +379,7 @@ std::string run_page(const std::string& run) {
   show_ledger(folder, page);
   show_pictures((folder / "plots").string(), "Plots", page);
   if (fs::exists(folder / "compare/comparison.txt")) {
-    page.section("Beside stock LIGGGHTS or another run");
+    page.section("Comparison with stock LIGGGHTS or another run");
     page.preformatted(read_whole_file((folder / "compare/comparison.txt").string()).value_or(""));
     for (const std::string& picture : pictures_in((folder / "compare/plots").string())) page.picture(picture);
   }
@@ -386,15 +388,10 @@ std::string run_page(const std::string& run) {
   return page.text();
 }
 
-namespace {
-
 Rows csv_rows(const fs::path& file) {
   Rows rows;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    rows.push_back(split(line, ','));
-  }
+  for (CsvReader csv(file.string(), "a table of a sweep"); csv.next();)
+    rows.emplace_back(csv.cells().begin(), csv.cells().end());
   return rows;
 }
 
@@ -419,7 +416,7 @@ std::string sweep_page(const fs::path& folder) {
   for (const fs::path& run : runs) {
     try {
       last = read_summary((run / "summary.json").string());
-    } catch (const InputError&) {  // cut short: one run of many
+    } catch (const InputError&) {  // one damaged run among many
       rows.push_back({fs::relative(run, folder).string(), "damaged", "-", "-", "-", "-"});
       continue;
     }
@@ -432,7 +429,7 @@ std::string sweep_page(const fs::path& folder) {
                     percent("max_overlap_over_radius"), short_text(last.value("wall_s", 0.0))});
   }
   if (runs.empty()) return page.text();
-  page.section("How far to trust them");
+  page.section("Quality of the results");
   page.table(rows);
   show_scene(last, page);
   page.paragraph("The scene is that of the run " + runs.back().filename().string() + ".");
@@ -445,13 +442,13 @@ std::string sweep_page(const fs::path& folder) {
 std::string write_report(const std::string& folder) {
   const fs::path path = fs::absolute(folder).lexically_normal();
   std::string text;
-  const MadeFiles made(path.string());
   if (fs::exists(path / "summary.json")) {
     text = with_summary_of(path.string(), [&] { return run_page(path.string()); });
   } else if (fs::exists(path / "runs.csv")) {
     text = with_summary_of(path.string(), [&] { return sweep_page(path); });
   } else {
-    throw InputError(folder + ": holds neither summary.json nor runs.csv; expected the folder of a run or of a sweep");
+    throw InputError(code::kNoRun,
+                     folder + ": neither summary.json nor runs.csv; expected the folder of a run or a sweep");
   }
   const fs::path file = path / "report.html";
   write_whole_file(file.string(), text, "is the disk full?");

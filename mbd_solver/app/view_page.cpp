@@ -1,3 +1,4 @@
+// Collects history, bodies and grains of a run into one page. All frames are read first, for the box of all positions.
 #include "mbd_solver/app/view_page.h"
 
 #include <algorithm>
@@ -9,11 +10,11 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/app/packed_series.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/viewer_scripts.h"
-#include "mbd_solver/base/made_files.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/run/output/summary.h"
@@ -25,9 +26,9 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t kSpans = 2000;  // of time, when there are more rows than twice as many
+constexpr std::size_t kSpans = 2000;  // of time, for histories with more than twice as many rows
 
-// JSON that neither ends a script element nor means anything in XML.
+// JSON that neither ends a script element nor has characters with a meaning in XML.
 std::string harmless(const Json& json) {
   std::string text;
   for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) {
@@ -111,7 +112,7 @@ const Eigen::VectorXd* cell_numbers(const VtkFrame& frame, const std::string& na
   return nullptr;
 }
 
-// The moments that are packed: all that were drawn; of recorded ones so many, evenly spread.
+// The times in the page: all drawn ones, or `most` of the recorded ones, evenly spread.
 std::vector<double> moments_of(const MechanismShapes& shapes, std::size_t most) {
   const std::vector<double>& all = shapes.times();
   if (shapes.drawn() || all.size() <= most) return all;
@@ -120,7 +121,7 @@ std::vector<double> moments_of(const MechanismShapes& shapes, std::size_t most) 
   return chosen;
 }
 
-// The bodies whose stress is known: others are drawn in their own colour, not in that of no stress.
+// The bodies whose stress is known; others are drawn in their own colour, not in that of zero stress.
 std::set<int> stressed_bodies(const std::vector<MechanismShape>& frames) {
   std::set<int> stressed;
   for (const MechanismShape& shape : frames) {
@@ -157,8 +158,9 @@ void add_bodies(const std::string& run, const Json& summary, FrameLimits& limits
   if (shapes.empty()) return;
   if (!shapes.drawn())
     limits.notes.push_back(
-        "The run drew no bodies: only their surfaces that touch the grains are shown, without their bending. "
-        "Run it with --set output.vtk=true to see all.");
+        "The run drew no bodies: only coupled surfaces are shown, without bending. Run it with --set output.vtk=true "
+        "to "
+        "see all.");
   const std::vector<double> times = moments_of(shapes, limits.moments);
   std::vector<MechanismShape> frames;
   Box box;
@@ -169,9 +171,12 @@ void add_bodies(const std::string& run, const Json& summary, FrameLimits& limits
     const VtkFrame& first = frames.front().frame;
     if (frame.points.cols() != first.points.cols() || frame.triangles.size() != first.triangles.size() ||
         frame.lines.size() != first.lines.size())
-      throw InputError(run + ": its drawings of the bodies hold different points; were files of two runs mixed?");
+      throw InputError(code::kRunDamaged,
+                       run +
+                           ": drawings of the bodies with different numbers of points; the folder may "
+                           "hold files of two runs");
     if (!frame.points.allFinite())
-      throw InputError(run + ": a drawing of the bodies holds a point that is not finite; was a file damaged?");
+      throw InputError(code::kRunDamaged, run + ": a drawing of the bodies has a point that is not finite");
     for (Eigen::Index j = 0; j < frame.points.cols(); ++j) box.include(frame.points.col(j));
     if (const Eigen::VectorXd* values = cell_numbers(frame, "von_mises_Pa"); values != nullptr && values->size() > 0)
       stress = std::max(stress, values->maxCoeff());
@@ -209,11 +214,11 @@ void add_bodies(const std::string& run, const Json& summary, FrameLimits& limits
 
 namespace {
 
-constexpr double kShown = 0.999;  // of the grains of a frame are within the colours
+constexpr double kShown = 0.999;  // share of the grains within the colour scale
 
-// A frame as it stays in memory until the box of all is known: single precision is finer than the steps of a page.
+// A frame in memory until the box of all is known; single precision is finer than the steps of a page.
 struct LeanFrame {
-  std::vector<int> id;        // rising
+  std::vector<int> id;        // ascending
   Eigen::Matrix3Xf x;         // [m]
   Eigen::MatrixXf numbers;    // a row per number, a column per grain
   std::vector<float> radius;  // [m]
@@ -222,7 +227,7 @@ struct LeanFrame {
 struct Number {
   const char* name;
   const char* unit;
-  const Eigen::Matrix3Xd BedFrame::*vector;  // whose length it is
+  const Eigen::Matrix3Xd BedFrame::*vector;  // its length is the number
 };
 const Number kNumbers[] = {{"speed", "m/s", &BedFrame::v}, {"force", "N", &BedFrame::f}};
 
@@ -232,15 +237,16 @@ LeanFrame lean(const BedFrame& bed, const std::vector<Number>& numbers, const st
   for (std::size_t j = 0; j < numbers.size(); ++j) {
     const Eigen::Matrix3Xd& vectors = bed.*numbers[j].vector;
     if (vectors.cols() != bed.x.cols())
-      throw InputError(file + ": lacks the " + numbers[j].name + " of the grains, which the first dump holds");
+      throw InputError(code::kRunDamaged,
+                       file + ": lacks the " + numbers[j].name + " of grains, which the first dump has");
     frame.numbers.row(static_cast<Eigen::Index>(j)) = vectors.colwise().norm().cast<float>();
   }
   if (!frame.x.allFinite() || !frame.numbers.allFinite())
-    throw InputError(file + ": holds a number that is not finite; was it cut off?");
+    throw InputError(code::kRunDamaged, file + ": has a number that is not finite");
   return frame;
 }
 
-// The value that all but one in a thousand stay below.
+// The value that one in a thousand exceeds.
 double upper(std::vector<float> values) {
   if (values.empty()) return 0.0;
   const auto k = static_cast<std::ptrdiff_t>(kShown * static_cast<double>(values.size() - 1));
@@ -248,7 +254,7 @@ double upper(std::vector<float> values) {
   return values[static_cast<std::size_t>(k)];
 }
 
-// Every so many, the first and the last among them.
+// `most` of the dumps, evenly spread, with the first and the last.
 std::vector<std::pair<long, std::string>> thinned(const std::map<long, std::string>& dumps, std::size_t most) {
   std::vector<std::pair<long, std::string>> all(dumps.begin(), dumps.end()), chosen;
   if (all.size() <= most) return all;
@@ -263,7 +269,7 @@ std::size_t most_frames(const FrameLimits& limits, std::size_t grains) {
   return limits.frames > 0 ? std::min(most, static_cast<std::size_t>(limits.frames)) : most;
 }
 
-// Places of the grains of a frame among all that ever were.
+// Calls action(column in the frame, place among the grains of all frames).
 template <class Action>
 void for_each_place(const std::vector<int>& all, const LeanFrame& frame, const Action& action) {
   std::size_t place = 0;
@@ -277,7 +283,7 @@ struct FrameBed {
   std::vector<double> times;  // [s]
   std::vector<LeanFrame> frames;
   std::vector<Number> numbers;
-  std::vector<int> ids;  // of all frames, rising
+  std::vector<int> ids;  // of all frames, ascending
 };
 
 FrameBed read_bed(const std::vector<std::pair<long, std::string>>& dumps, double dt) {
@@ -297,7 +303,7 @@ FrameBed read_bed(const std::vector<std::pair<long, std::string>>& dumps, double
   return bed;
 }
 
-// How far the grains have come since the first frame, at the end of the colours [m].
+// Displacement of the grains since the first frame, at the end of the colour scale [m].
 double farthest(const FrameBed& bed) {
   double most = 0.0;
   std::vector<Eigen::Vector3f> start(bed.ids.size());
@@ -307,11 +313,11 @@ double farthest(const FrameBed& bed) {
     known[place] = true;
   });
   for (const LeanFrame& frame : bed.frames) {
-    std::vector<float> way;
+    std::vector<float> distance;
     for_each_place(bed.ids, frame, [&](Eigen::Index i, std::size_t place) {
-      if (known[place]) way.push_back((frame.x.col(i) - start[place]).norm());
+      if (known[place]) distance.push_back((frame.x.col(i) - start[place]).norm());
     });
-    most = std::max(most, upper(std::move(way)));
+    most = std::max(most, upper(std::move(distance)));
   }
   return most;
 }
@@ -375,7 +381,7 @@ void add_grains(const std::string& run, double dt, FrameLimits& limits, PagePart
 
 namespace {
 
-// Nothing may be loaded, whatever the page holds.
+// The page may load nothing, whatever it contains.
 constexpr const char* kPolicy =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 
@@ -383,18 +389,17 @@ bool touches_grains(const Json& scene) {
   return scene.contains("ground") && scene.at("ground").value("kind", "") == "particles";
 }
 
-// What the user may miss, and how to get it.
+// Reports what the page lacks, and how to get it.
 std::vector<std::string> missing_of(const Json& summary, const PageParts& parts) {
   std::vector<std::string> missing;
   const Json scene = summary.value("scene", Json::object());
   if (parts.run.at("grains").is_null() && touches_grains(scene))
     missing.push_back(
-        "The run dumped no grains, so none are shown. Where its script knows the variable, run it with "
-        "--set particles.variables.frames=0.01; else add a dump of id x y z vx vy vz radius to the script.");
+        "The run has no dumps of grains, so none are shown. Run it with --set particles.variables.frames=0.01 if its "
+        "script has this variable; otherwise add a dump of id x y z vx vy vz radius to the script.");
   if (parts.run.at("bodies").is_null())
     missing.push_back(
-        "There are no drawings of bodies: either output.vtk was false, or no body of the scene has a shape or a "
-        "boundary.");
+        "There are no drawings of bodies: output.vtk was false, or no body of the scene has a shape or a boundary.");
   return missing;
 }
 
@@ -408,12 +413,12 @@ void add_plane(const Json& summary, PageParts& parts) {
 
 std::string page_text(const std::string& title, const std::string& folder, const Json& summary,
                       const std::vector<std::string>& notes, const PageParts& parts) {
-  std::string head, said;
+  std::string head, missing;
   if (const std::string status = summary.value("status", "unknown"); status != "done")
     head += "<p class=\"warning\">" + html_text("This run is not complete: " + status) + "</p>";
   for (const Json& text : summary.value("warnings", Json::array()))
     head += "<p class=\"warning\">" + html_text(text.get<std::string>()) + "</p>";
-  for (const std::string& note : notes) said += "<p>" + html_text(note) + "</p>";
+  for (const std::string& note : notes) missing += "<p>" + html_text(note) + "</p>";
   return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
          "charset=\"utf-8\"/>\n<meta http-equiv=\"Content-Security-Policy\" content=\"" +
          std::string(kPolicy) + "\"/>\n<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
@@ -421,7 +426,7 @@ std::string page_text(const std::string& title, const std::string& folder, const
          html_text(title) + "</h1><span>" + html_text(folder) + "</span>" + head +
          "</header>\n<div id=\"footfall-stage\"><div id=\"footfall-panel\"></div><div id=\"footfall-loading\" "
          "hidden=\"\"></div><div id=\"footfall-missing\"" +
-         (said.empty() ? " hidden=\"\"" : "") + ">" + said +
+         (missing.empty() ? " hidden=\"\"" : "") + ">" + missing +
          "</div></div>\n<div id=\"footfall-plots\"></div>\n<div id=\"footfall-bar\"></div>\n<div id=\"footfall-fault\" "
          "hidden=\"\"></div>\n" +
          parts.elements(kViewScript) + "</body>\n</html>\n";
@@ -439,7 +444,7 @@ std::string view_of(const ViewArguments& a, const fs::path& folder) {
   add_plane(summary, parts);
   const History history = read_history((folder / "history.csv").string());
   if (history.column("time").empty())
-    throw InputError((folder / "history.csv").string() + ": holds no row; the run ended before there was one");
+    throw InputError(code::kNoRun, (folder / "history.csv").string() + ": no rows; the run ended before the first one");
   add_history(history, first_columns(history, summary.value("observed_body", "")), parts);
   std::vector<std::string> notes = missing_of(summary, parts);
   notes.insert(notes.end(), limits.notes.begin(), limits.notes.end());
@@ -454,9 +459,8 @@ std::string view_of(const ViewArguments& a, const fs::path& folder) {
 std::string write_view(const ViewArguments& arguments) {
   const fs::path folder = fs::absolute(arguments.run).lexically_normal();
   if (!fs::exists(folder / "summary.json") || !fs::exists(folder / "history.csv"))
-    throw InputError(arguments.run + ": holds no summary.json and history.csv; expected the folder of a run");
+    throw InputError(code::kNoRun, arguments.run + ": no summary.json and history.csv; expected the folder of a run");
   const std::string text = with_summary_of(arguments.run, [&] { return view_of(arguments, folder); });
-  const MadeFiles made(folder.string());
   const std::string file = (folder / "view.html").string();
   write_whole_file(file, text, "is the disk full?");
   return file;

@@ -1,9 +1,9 @@
 #pragma once
-// The scripts of web/dist, as they are built into the program.
+// The scripts of web/dist, built into the program.
 
 namespace footfall {
 
-extern const char* const kViewScript;    // of view.html: three.js, uPlot and ours
-extern const char* const kReportScript;  // of report.html: uPlot and ours
+extern const char* const kViewScript;    // of view.html: three.js, uPlot and web/src
+extern const char* const kReportScript;  // of report.html: uPlot and web/src
 
 }  // namespace footfall

@@ -7,7 +7,6 @@
 #include "coupler/base/errors.h"
 #include "coupler/interrupt.h"
 #include "mbd_solver/base/lock.h"
-#include "mbd_solver/base/made_files.h"
 #include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/run/output/summary.h"
@@ -51,12 +50,10 @@ auto as_file_error(const Write& write) {
 int run_scene(const Scene& scene, const RunOptions& options, Transport* transport,
               const volatile std::sig_atomic_t& interrupted) {
   const double t_end = options.until > 0.0 ? std::min(options.until, scene.end_time) : scene.end_time;
-  // Started by its plain line the run holds its folder itself, and notes what it makes there.
+  // Started without footfall the run locks its folder itself.
   FileLock lock;
-  std::optional<MadeFiles> made;
   if (!folder_is_held_for_us(options.out)) {
     lock = lock_folder(options.out);
-    made.emplace(options.out);
   }
   Simulation simulation(scene, t_end, transport, options.checkpoint);
   CoupledRun* const coupled = simulation.coupled();
