@@ -1,20 +1,21 @@
-// Contact with planes, with the script's walls, and of bodies with each other.
+// Contacts with planes, with the walls of the script, and of bodies with each other.
 
 #include <algorithm>
 #include <cmath>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/build/codes.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {
 
-// Places deeper than this share of the smaller body are not pushed back any more: they have gone through.
+// Points deeper than this share of the smaller body have passed through and are not pushed back.
 constexpr double kDepth = 0.1;
-// Of so many places it is told on which side of a surface a body stands.
-constexpr std::size_t kAsked = 32;
+// So many points decide on which side of a surface a body is.
+constexpr std::size_t kSamples = 32;
 
 ContactLaw contact_law(const ContactLawSpec& spec, const Scene& scene) {
   ContactLaw law;
@@ -78,10 +79,10 @@ std::shared_ptr<const ContactSurface> surface_of(const Scene& scene, const Mecha
   return surface;
 }
 
-// Some of the places, in the frame of a body (or of the walls, kGround), at the start.
+// Some of the points, in the frame of a body (or of the walls, kGround), at the start.
 std::vector<Eigen::Vector3d> places_at_start(const Model& model, const std::vector<ContactPoint>& places, int frame) {
   std::vector<Eigen::Vector3d> out;
-  const std::size_t stride = std::max<std::size_t>(1, places.size() / kAsked);
+  const std::size_t stride = std::max<std::size_t>(1, places.size() / kSamples);
   for (std::size_t i = 0; i < places.size(); i += stride) {
     const Eigen::Vector3d p = model.initial_position(places[i].marker);
     if (frame == kGround) {
@@ -94,7 +95,7 @@ std::vector<Eigen::Vector3d> places_at_start(const Model& model, const std::vect
   return out;
 }
 
-// The places of A against the surface of B; nothing where B has none.
+// The points of A against the surface of B; nothing where B has none.
 void add_side(const Scene& scene, const Mechanism& mechanism, const BodyBoundary& A, const BodyBoundary& B, int slot,
               std::vector<SurfaceContact::Side>& sides) {
   auto seen = std::make_shared<SurfaceSeen>();
@@ -114,7 +115,7 @@ void add_pair(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism)
   const BodyBoundary& A = boundary_of(mechanism, scene.body_index(spec.between[0]));
   const BodyBoundary& B = boundary_of(mechanism, scene.body_index(spec.between[1]));
   std::vector<SurfaceContact::Side> sides;
-  // A ball meets a surface as what it is: then the other one's corners need not meet the ball.
+  // A ball touches a surface exactly: then the points of the other body need not be tested against the ball.
   const bool a_is_ball = is_ball(scene, A), b_is_ball = is_ball(scene, B);
   const bool b_bends = B.boundary.mode_count() > 0;
   if (a_is_ball || !b_is_ball) add_side(scene, mechanism, A, B, 0, sides);
@@ -211,10 +212,11 @@ void set_walls(const std::vector<StaticWall>& walls, Mechanism& mechanism) {
     entry.walls->sides = surface->sides_of(places_at_start(mechanism.model, entry.places, kGround), across);
     const std::string& name = mechanism.model.body(entry.body_1).name();
     if (across > kDepth * reach(boundary_of(mechanism, entry.body_1)))
-      throw InputError("contacts: body \"" + name +
-                       "\" stands on both sides of a wall of the script at the start, by " + number_text(across) +
-                       " m; walls cannot hold it. Move it, or leave it out of the entry with "
-                       "walls = true (bodies)");
+      throw InputError(code::kAcrossWall,
+                       "contacts: body \"" + name + "\" is on both sides of a wall of the script at the start, by " +
+                           number_text(across) +
+                           " m, so the wall cannot hold it; move it, or exclude it from the entry with walls = true "
+                           "(bodies)");
     entry.walls->surface = surface;
   }
 }

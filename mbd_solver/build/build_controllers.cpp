@@ -1,6 +1,6 @@
 // Controllers of the scene and the struts they drive.
 
-#include "coupler/base/errors.h"
+#include "mbd_solver/build/codes.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/control/controllers.h"
 #include "mbd_solver/model/control/fuzzy_controller.h"
@@ -28,29 +28,23 @@ std::unique_ptr<Controller> build(const ControllerSpec& spec, int outputs, std::
       for (std::size_t i = 0; i < p.grid.size(); ++i) p.grid[i] = spec.grid[i];
       auto controller = std::make_unique<FuzzyController>(p);
       if (controller->table_difference())
-        warnings.push_back("controller " + spec.name + ": tabulated; largest difference to the exact controller " +
-                           std::to_string(*controller->table_difference()));
+        warnings.push_back(
+            with_code(code::kTableDifference, "controller \"" + spec.name +
+                                                  "\": the table differs from the exact controller by up to " +
+                                                  std::to_string(*controller->table_difference())));
       return controller;
     }
     case ControllerKind::kSkyhook: {
-      SkyhookControllerParameters p;
+      SkyhookControllerParameters p = spec.skyhook;
       p.outputs = outputs;
       p.period = spec.period;
-      p.on = spec.on;
-      p.off = spec.off;
-      p.deadband = spec.deadband;
       return std::make_unique<SkyhookController>(p);
     }
     case ControllerKind::kPid: {
-      PidControllerParameters p;
+      PidControllerParameters p = spec.pid;
       p.outputs = outputs;
       p.period = spec.period;
       p.filter_frequency = spec.filter_frequency;
-      p.set_point = spec.set_point;
-      p.kp = spec.kp;
-      p.ki = spec.ki;
-      p.kd = spec.kd;
-      p.bias = spec.bias;
       return std::make_unique<PidController>(p);
     }
   }
@@ -66,23 +60,25 @@ void add_controllers(const Scene& scene, Mechanism& mechanism) {
     entry.name = spec.name;
     entry.controller = build(spec, outputs, mechanism.warnings);
     if (entry.controller->output_count() != outputs)
-      throw InputError(place_of(scene.file, spec.source, "outputs") + "are " + std::to_string(outputs) +
-                       ", but the controller has " + std::to_string(entry.controller->output_count()) +
-                       "; name as many");
+      throw InputError(code::kOutputCount, place_of(scene.file, spec.source, "outputs") + "contains " +
+                                               std::to_string(outputs) + " names, expected " +
+                                               std::to_string(entry.controller->output_count()) +
+                                               ", the outputs of the controller");
     entry.body = scene.body_index(spec.body);
     entry.touchdown_acceleration = spec.touchdown_acceleration;
     entry.touchdown_delay = spec.touchdown_delay;
     if (spec.touchdown_acceleration == 0.0 || spec.kind == ControllerKind::kConstant)
       entry.wakes_at = -std::numeric_limits<double>::infinity();
     entry.outputs = spec.outputs;
-    entry.first_voltage = static_cast<int>(mechanism.voltages.size());
+    for (int k = 0; k < outputs; ++k) {
+      const int place = add_input(mechanism, 0.0);
+      if (k == 0) entry.first_input = place;
+    }
     entry.struts.assign(static_cast<std::size_t>(outputs), -1);
     for (std::size_t i = 0; i < scene.struts.size(); ++i)
       for (std::size_t k = 0; k < spec.outputs.size(); ++k)
         if (scene.struts[i].mr && scene.struts[i].mr->controller == spec.name + "." + spec.outputs[k])
           entry.struts[k] = static_cast<int>(i);
-    mechanism.voltages.conservativeResize(entry.first_voltage + outputs);
-    mechanism.voltages.tail(outputs).setZero();
     mechanism.controllers.push_back(std::move(entry));
   }
 }

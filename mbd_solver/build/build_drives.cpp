@@ -1,6 +1,5 @@
 // What acts on the coordinates of joints: stops, friction, springs, and the drives with their rotors.
 
-#include "coupler/base/errors.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/elements/forces.h"
@@ -13,62 +12,25 @@ namespace {
 
 using Laws = std::vector<std::unique_ptr<StrutLaw>>;
 
-std::unique_ptr<StrutLaw> build(const JointStopsSpec& spec) {
-  EndStopParameters p;
-  p.smallest_stroke = spec.min;
-  p.largest_stroke = spec.max;
-  p.stiffness = spec.stiffness;
-  p.dissipation = spec.dissipation;
-  p.toe = spec.toe;
-  return std::make_unique<EndStop>(p);
-}
-
-std::unique_ptr<StrutLaw> build(const JointFrictionSpec& spec) {
-  JointFrictionParameters p;
-  p.coulomb = spec.coulomb;
-  p.breakaway = spec.breakaway.value_or(spec.coulomb);
-  p.stribeck_speed = spec.stribeck_speed;
-  p.viscous = spec.viscous;
-  p.stick_displacement = spec.stick_displacement;
-  return std::make_unique<JointFriction>(p);
-}
-
-std::unique_ptr<StrutLaw> build(const JointSpringSpec& spec) {
-  LinearSpringDamperParameters p;
-  p.stiffness = spec.stiffness;
-  p.damping = spec.damping;
-  p.free_stroke = spec.rest;
-  return std::make_unique<LinearSpringDamper>(p);
-}
-
 Laws laws_of(const CoordinateSpec& spec) {
   Laws laws;
-  if (spec.stops) laws.push_back(build(*spec.stops));
-  if (spec.friction) laws.push_back(build(*spec.friction));
-  if (spec.spring) laws.push_back(build(*spec.spring));
+  if (spec.stops) laws.push_back(std::make_unique<EndStop>(*spec.stops));
+  if (spec.friction) laws.push_back(std::make_unique<JointFriction>(*spec.friction));
+  if (spec.spring) laws.push_back(std::make_unique<LinearSpringDamper>(*spec.spring));
   return laws;
 }
 
-std::unique_ptr<StrutLaw> build_brake(const DriveSpec& spec) {
-  BrakeParameters p;
-  p.command = time_function(spec.command, command_shape(spec.kind));
-  p.largest_force = spec.gear_ratio * spec.max_torque.value_or(0.0);
-  p.lag = spec.lag;
-  return std::make_unique<Brake>(p);
-}
-
 std::unique_ptr<StrutLaw> build(const DriveSpec& spec) {
-  if (spec.kind == MotorKind::kBrake) return build_brake(spec);
-  MotorParameters p;
-  p.kind = spec.kind;
-  p.command = time_function(spec.command, command_shape(spec.kind));
-  p.kp = spec.kp;
-  p.ki = spec.ki;
-  p.kd = spec.kd;
-  p.largest_torque = spec.max_torque;
-  p.no_load_speed = spec.max_speed;
-  p.gear_ratio = spec.gear_ratio;
-  p.efficiency = spec.efficiency;
+  const TimeFunctionPtr command = time_function(spec.command, command_shape(spec.motor.kind));
+  if (spec.motor.kind == MotorKind::kBrake) {
+    BrakeParameters p;
+    p.command = command;
+    p.largest_force = spec.motor.gear_ratio * spec.motor.largest_torque.value_or(0.0);
+    p.lag = spec.lag;
+    return std::make_unique<Brake>(p);
+  }
+  MotorParameters p = spec.motor;
+  p.command = command;
   return std::make_unique<Motor>(p);
 }
 
@@ -114,8 +76,8 @@ void add_drives(const Scene& scene, Mechanism& mechanism) {
     mechanism.drives.push_back({spec.name, force, coordinate});
     if (spec.rotor_inertia == 0.0) continue;
     const Marker m1 = model.joint(joint).m1, m2 = model.joint(joint).m2;
-    model.add_joint(
-        rotor("rotor/" + spec.name, m1, m2, coordinate, spec.rotor_inertia * spec.gear_ratio * spec.gear_ratio));
+    model.add_joint(rotor("rotor/" + spec.name, m1, m2, coordinate,
+                          spec.rotor_inertia * spec.motor.gear_ratio * spec.motor.gear_ratio));
   }
 }
 

@@ -1,13 +1,13 @@
-// Flexible bodies of the scene: finite-element model from shape, mesh, frame or file, reduced to modes whose interface
-// is where joints, struts and springs attach.
+// Flexible bodies of the scene: a finite-element model from shape, mesh, frame or file, reduced to modes. Its interface nodes
+// are those at which joints, struts, springs and forces act.
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 
-#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/build/codes.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/fe/fe_model.h"
 #include "mbd_solver/fe/mesh_generator.h"
@@ -21,11 +21,10 @@
 namespace footfall {
 namespace {
 
-constexpr std::size_t kMostElements = 20000;  // of a plate: minutes
-constexpr double kSameWeight = 0.01;          // relative: masses in scenes are rounded
+constexpr std::size_t kMostElements = 20000;  // of a plate; the reduction then takes minutes
+constexpr double kSameMass = 0.01;            // relative: masses in scenes are rounded
 
-// A point of D at which something is attached to the body. Joints that hold an attitude need the rotations of their
-// node.
+// A point of D at which an element acts on the body. Joints that hold an attitude need the rotations of their node.
 struct Attachment {
   Eigen::Vector3d point;  // in D [m]
   bool turns;             // transmits moments
@@ -56,11 +55,11 @@ std::vector<Attachment> attachments(const Scene& scene, const std::string& body)
   return points;
 }
 
-// Farther from every node than the nodes from each other, a point is no point of the body.
+// A point farther from every node than the nodes are from each other is no point of the body.
 double reach(const Eigen::Matrix3Xd& nodes) { return (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).norm(); }
 
-// The nodes nearest to the attachments: with all six motions as interface where one of theirs turns, else with
-// displacement only.
+// The nodes nearest to the attachments become the interface: with all six motions where one of them turns, else with
+// displacements only.
 void set_interface(const FeModel& model, const std::vector<Attachment>& attached, BasisOptions& options) {
   std::map<int, bool> turns;
   for (const Attachment& a : attached) turns[joint_node(model, a.point, reach(model.nodes), a.turns)] |= a.turns;
@@ -141,8 +140,9 @@ FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& ma
   if (!spec.mesh.empty()) {
     const TriangleMesh mesh = read_mesh(spec.mesh, spec.mesh_scale);
     if (mesh.triangles.size() > kMostElements)
-      throw InputError(spec.mesh + ": has " + std::to_string(mesh.triangles.size()) + " triangles, expected at most " +
-                       std::to_string(kMostElements) + " finite elements; use a coarser mesh");
+      throw InputError(code::kTooManyElements, spec.mesh + ": has " + std::to_string(mesh.triangles.size()) +
+                                                   " triangles, expected at most " + std::to_string(kMostElements) +
+                                                   " finite elements; use a coarser mesh");
     return plate_model(mesh, thickness, material, spec.mesh);
   }
   const double edge = spec.mesh_size > 0.0 ? spec.mesh_size : shape.radius / 4.0;
@@ -152,16 +152,16 @@ FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& ma
                      "body \"" + body.name + "\"");
 }
 
-// A model of another code brings its own mass: units of grams or tonnes show here.
-void check_weight(const BodySpec& body, double mass, const std::string& file) {
-  if (std::abs(mass - body.mass) <= kSameWeight * body.mass) return;
-  std::ostringstream text;
-  text << "the model in " << file << " weighs " << mass << " kg, the scene says " << body.mass
-       << " kg; expected the same to 1 %. Are the units of the model m, kg and N?";
-  throw InputError(text.str());
+// A model of another code has a mass of its own, which shows wrong units such as grams or tonnes.
+void check_mass(const BodySpec& body, double mass, const std::string& file) {
+  if (std::abs(mass - body.mass) <= kSameMass * body.mass) return;
+  throw InputError(code::kModelMass,
+                   "the model in " + file + " weighs " + number_text(mass) + " kg, the scene states " +
+                       number_text(body.mass) +
+                       " kg, expected the same to 1 %; check that the units of the model are m, kg and N");
 }
 
-// Bodies that were reduced, for those that are copies of them: of an array, or of the same drawing.
+// Reduced bodies, for their copies in an array or elsewhere in the scene.
 class Reductions {
  public:
   ReducedBody reduce(const BodySpec& body, FeModel model, const BasisOptions& options) {
@@ -206,15 +206,14 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, Reductions& reducti
     reduced = read_modal_body(spec.file, options, body.name);
     for (const Attachment& a : attached)
       joint_node(reduced.body, a.point - reduced.p_DBo, reach(reduced.body.rho0), a.turns);
-    check_weight(body, reduced.body.node_mass.sum(), spec.file);
+    check_mass(body, reduced.body.node_mass.sum(), spec.file);
   } else if (!spec.stiffness_matrix.empty()) {
     FeModel model = read_matrix_market(spec.stiffness_matrix, spec.mass_matrix, spec.node_file);
-    check_weight(body, model.node_mass.sum(), spec.mass_matrix);
+    check_mass(body, model.node_mass.sum(), spec.mass_matrix);
     set_interface(model, attached, options);
     reduced = reductions.reduce(body, std::move(model), options);
   } else {
-    const MaterialSpec& m = scene.material(body.material);
-    const Material material{m.density, m.young, m.poisson};
+    const MaterialSpec& material = scene.material(body.material);
     const bool beam = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod);
     FeModel model = !spec.nodes.empty()         ? frame(spec, material)
                     : spec.mesh.empty() && beam ? beam_along_shape(*body.shape, spec.elements, attached, material)

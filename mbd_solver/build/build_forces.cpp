@@ -1,18 +1,13 @@
-// Struts, springs, forces and the rigid plane of the scene.
+// Struts, springs and forces of the scene. Their parameters are those of the laws; what depends on the strut is added here.
 
 #include <cmath>
 
-#include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/elements/bushing.h"
 #include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/strut.h"
-#include "mbd_solver/model/laws/gas_spring.h"
-#include "mbd_solver/model/laws/honeycomb.h"
-#include "mbd_solver/model/laws/mr_damper.h"
-#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/laws/table_law.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/findings.h"
@@ -20,70 +15,40 @@
 namespace footfall {
 namespace {
 
-// build(spec, strut, length): the law of one section, within its strut of undeformed length `length` [m].
+// build(spec, strut, length): the law of one section, in a strut of undeformed length `length` [m].
 
-std::unique_ptr<StrutLaw> build(const GasSpec& spec, const StrutSpec& strut, double) {
-  GasSpringParameters p;
-  p.piston_diameter = spec.piston_diameter;
-  p.initial_pressure = spec.pressure;
-  p.initial_volume = spec.volume;
-  p.exponent = spec.exponent;
-  if (strut.stops) p.largest_stroke = strut.stops->max;
+std::unique_ptr<StrutLaw> build(const GasSpringParameters& spec, const StrutSpec& strut, double) {
+  GasSpringParameters p = spec;
+  if (strut.stops) p.largest_stroke = strut.stops->largest_stroke;
   return std::make_unique<GasSpring>(p);
 }
 
 std::unique_ptr<StrutLaw> build(const MrSpec& spec, const StrutSpec&, double) {
-  MrDamperParameters p;
-  p.yield_force = spec.yield_force;
-  p.viscous_coefficient = spec.viscous;
-  p.regularisation_speed = spec.regularisation_speed;
-  p.coil_lag = spec.coil_lag;
-  p.initial_voltage = spec.controller.empty() && spec.signal.empty() ? spec.voltage : spec.initial_voltage;
-  for (const Eigen::Vector2d& row : spec.yield_table) p.yield_table.push_back({row.x(), row.y()});
-  if (spec.geometry) {
-    const MrGeometrySpec& g = *spec.geometry;
-    MrGeometry geometry{g.D1, g.d1, g.D2, g.D3, g.D4, g.d, g.L1, g.L2, g.L3, g.L4, g.viscosity, {}};
-    for (const Eigen::Vector2d& row : g.yield_stress) geometry.tau_y.push_back({row.x(), row.y()});
-    p = mr_damper_from_geometry(geometry, p);
-  }
+  MrDamperParameters p = spec;
+  if (spec.controller.empty() && spec.signal.empty()) p.initial_voltage = spec.voltage;
+  if (spec.geometry) p = mr_damper_from_geometry(*spec.geometry, p);
   return std::make_unique<MrDamper>(p);
 }
 
 std::unique_ptr<StrutLaw> build(const HoneycombSpec& spec, const StrutSpec&, double) {
-  HoneycombCartridge cartridge;
-  cartridge.stages.clear();
-  for (const CrushStageSpec& stage : spec.stages) cartridge.stages.push_back({stage.force, stage.length});
-  cartridge.elastic_stiffness = spec.elastic_stiffness;
-  cartridge.bottom_out_stiffness = spec.bottom_out_stiffness;
-  cartridge.transition_length = spec.transition_length;
-  cartridge.toe = spec.toe;
   HoneycombParameters p;
-  p.compression = spec.compression ? std::optional(cartridge) : std::nullopt;
-  p.tension = spec.tension ? std::optional(cartridge) : std::nullopt;
+  p.compression = spec.compression ? std::optional<HoneycombCartridge>(spec) : std::nullopt;
+  p.tension = spec.tension ? std::optional<HoneycombCartridge>(spec) : std::nullopt;
   return std::make_unique<Honeycomb>(p);
 }
 
-std::unique_ptr<StrutLaw> build(const StopsSpec& spec, const StrutSpec& strut, double) {
-  EndStopParameters p;
-  p.smallest_stroke = spec.min;
-  p.largest_stroke = spec.max;
-  p.stiffness = spec.stiffness;
-  p.dissipation = spec.dissipation;
-  p.toe = spec.toe;
-  // A gas strut rests on its extended end under the preload: the stop yields by its penetration there, so it sits that
-  // much higher.
+std::unique_ptr<StrutLaw> build(const EndStopParameters& spec, const StrutSpec& strut, double) {
+  EndStopParameters p = spec;
+  // A gas strut rests on its extended end under the preload, which compresses the stop: the stop is set back by as much.
   if (strut.gas && p.smallest_stroke) {
     const double area = 0.25 * kPi * strut.gas->piston_diameter * strut.gas->piston_diameter;
-    p.smallest_stroke = *p.smallest_stroke + EndStop(p).penetration(strut.gas->pressure * area);
+    p.smallest_stroke = *p.smallest_stroke + EndStop(p).penetration(strut.gas->initial_pressure * area);
   }
   return std::make_unique<EndStop>(p);
 }
 
 std::unique_ptr<StrutLaw> build(const LinearSpringSpec& spec, const StrutSpec&, double length) {
-  LinearSpringDamperParameters p;
-  p.stiffness = spec.stiffness;
-  p.damping = spec.damping;
-  p.preload = spec.preload;
+  LinearSpringDamperParameters p = spec;
   if (spec.free_length) p.free_stroke = length - *spec.free_length;
   return std::make_unique<LinearSpringDamper>(p);
 }
@@ -100,33 +65,32 @@ std::vector<std::unique_ptr<StrutLaw>> laws_of(const StrutSpec& strut, double le
   return laws;
 }
 
+// Where the voltage of the strut is among the inputs: an output of its controller, a signal, or a constant of its own;
+// -1 without a damper.
+int voltage_place(const StrutSpec& spec, Mechanism& mechanism) {
+  if (!spec.mr) return -1;
+  if (!spec.mr->controller.empty()) {
+    for (const ControllerEntry& controller : mechanism.controllers)
+      for (std::size_t k = 0; k < controller.outputs.size(); ++k)
+        if (controller.name + "." + controller.outputs[k] == spec.mr->controller)
+          return controller.first_input + static_cast<int>(k);
+    FOOTFALL_DEMAND(false);
+  }
+  if (!spec.mr->signal.empty()) return signal_place(mechanism, spec.mr->signal);
+  return add_input(mechanism, spec.mr->voltage);
+}
+
 }  // namespace
 
 void add_struts(const Scene& scene, Mechanism& mechanism) {
-  for (std::size_t i = 0; i < scene.struts.size(); ++i) {
-    const StrutSpec& spec = scene.struts[i];
-    // The voltage of the strut: an output of its controller, or a constant of its own.
-    int voltage = -1;
-    if (spec.mr && !spec.mr->controller.empty()) {
-      for (const ControllerEntry& controller : mechanism.controllers)
-        for (std::size_t k = 0; k < controller.outputs.size(); ++k)
-          if (controller.name + "." + controller.outputs[k] == spec.mr->controller)
-            voltage = controller.first_voltage + static_cast<int>(k);
-      FOOTFALL_DEMAND(voltage >= 0);
-    } else if (spec.mr && !spec.mr->signal.empty()) {
-      voltage = signal_place(mechanism, spec.mr->signal);
-    } else if (spec.mr) {
-      voltage = static_cast<int>(mechanism.voltages.size());
-      mechanism.voltages.conservativeResize(voltage + 1);
-      mechanism.voltages(voltage) = spec.mr->voltage;
-    }
+  for (const StrutSpec& spec : scene.struts) {
+    const int voltage = voltage_place(spec, mechanism);
     const double length = spec.length.value_or((spec.points[1] - spec.points[0]).norm());
-    const Model& model = mechanism.model;
+    const auto marker = [&](std::size_t end) {
+      return mechanism.model.marker_at(scene.body_index(spec.bodies[end]), mechanism.placement.point(spec.points[end]));
+    };
     try {
-      auto strut = std::make_unique<Strut>(
-          spec.name, model.marker_at(scene.body_index(spec.bodies[0]), mechanism.placement.point(spec.points[0])),
-          model.marker_at(scene.body_index(spec.bodies[1]), mechanism.placement.point(spec.points[1])),
-          laws_of(spec, length), length, voltage);
+      auto strut = std::make_unique<Strut>(spec.name, marker(0), marker(1), laws_of(spec, length), length, voltage);
       mechanism.struts.push_back({spec.name, mechanism.model.add_force(std::move(strut))});
     } catch (const InputError& error) {
       throw InputError(place_of(scene.file, spec.source) + error.what());
@@ -158,17 +122,10 @@ std::unique_ptr<ForceElement> build(const SpringSpec& spec, const Scene& scene, 
       Bushing::Parameters p;
       p.rotational_stiffness = spec.stiffness;
       p.rotational_damping = spec.damping;
-      // It turns only: its point is where it reads the attitude, the mass centre of b where the scene gives none.
+      // It only turns: its point is where it measures the attitude, by default the mass centre of b.
       return bushing(b == kGround || spec.source.given("point") ? placement.point(spec.point) : model.initial(b).r, p);
     }
-    case SpringKind::kBushing: {
-      Bushing::Parameters p;
-      p.stiffness = spec.stiffness;
-      p.damping = spec.damping;
-      p.rotational_stiffness = spec.turning_stiffness;
-      p.rotational_damping = spec.turning_damping;
-      return bushing(placement.point(spec.point), p);
-    }
+    case SpringKind::kBushing: return bushing(placement.point(spec.point), spec);
   }
   FOOTFALL_DEMAND(false);
 }

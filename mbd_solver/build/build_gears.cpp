@@ -2,6 +2,7 @@
 
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/elements/gear.h"
 
 namespace footfall {
@@ -13,11 +14,7 @@ void add_gears(const Scene& scene, Mechanism& mechanism) {
       members.push_back(
           {scene.joint_index(spec.joints[i]), coordinate_of(scene.coordinate_of(spec, i)), spec.factors[i]});
     if (!spec.curve.empty()) {
-      std::vector<double> q, y;
-      for (const Eigen::Vector2d& point : spec.curve) {
-        q.push_back(point[0]);
-        y.push_back(point[1]);
-      }
+      auto [q, y] = columns_of(spec.curve);
       if (spec.closed && members.back().coordinate == Coordinate::kAngle) q.back() = q.front() + 2.0 * kPi;  // exactly
       members.back().curve =
           std::make_shared<CubicSpline>("gears." + spec.name + ".curve", q, y,

@@ -1,42 +1,20 @@
-// Signals and states of the scene: blocks, their places among the voltages of a run, and what the continuous ones measure.
+// Signals and states of the scene: blocks, their places among the inputs of a run, and what the continuous ones measure.
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/build/codes.h"
 #include "mbd_solver/build/fuzzy_block.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/control/continuous_signals.h"
 #include "mbd_solver/model/control/signal_blocks.h"
 #include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 namespace {
-
-std::unique_ptr<SignalBlock> build_pid(const SignalSpec& spec) {
-  PidBlockParameters p;
-  p.kp = spec.kp;
-  p.ki = spec.ki;
-  p.kd = spec.kd;
-  p.bias = spec.bias;
-  p.min = spec.min;
-  p.max = spec.max;
-  p.derivative_frequency = spec.derivative_frequency;
-  p.rate_is_given = !spec.rate.empty();
-  p.period = spec.period;
-  return std::make_unique<PidBlock>(p);
-}
-
-std::unique_ptr<SignalBlock> build_table(const SignalSpec& spec) {
-  std::vector<double> x, y;
-  for (const Eigen::Vector2d& point : spec.points) {
-    x.push_back(point.x());
-    y.push_back(point.y());
-  }
-  return std::make_unique<LookupTable>(x, y);
-}
 
 std::unique_ptr<SignalBlock> build_table2(const SignalSpec& spec) {
   using RowByRow = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -47,7 +25,11 @@ std::unique_ptr<SignalBlock> build_table2(const SignalSpec& spec) {
 std::unique_ptr<SignalBlock> build(const SignalSpec& spec) {
   switch (spec.kind) {
     case SignalKind::kExpression: return std::make_unique<PassBlock>();
-    case SignalKind::kPid: return build_pid(spec);
+    case SignalKind::kPid: {
+      PidBlockParameters p = spec;
+      p.rate_is_given = !spec.rate.empty();
+      return std::make_unique<PidBlock>(p);
+    }
     case SignalKind::kLowpass:
       return std::make_unique<LinearFilter>(LinearFilter::low_pass(spec.frequency, spec.period));
     case SignalKind::kLowpass2:
@@ -56,7 +38,10 @@ std::unique_ptr<SignalBlock> build(const SignalSpec& spec) {
       return std::make_unique<LinearFilter>(LinearFilter::notch(spec.frequency, spec.damping, spec.period));
     case SignalKind::kRateLimit: return std::make_unique<RateLimit>(spec.max_rate);
     case SignalKind::kSaturation: return std::make_unique<Saturation>(spec.min, spec.max);
-    case SignalKind::kTable: return build_table(spec);
+    case SignalKind::kTable: {
+      const auto [x, y] = columns_of(spec.points);
+      return std::make_unique<LookupTable>(x, y);
+    }
     case SignalKind::kTable2: return build_table2(spec);
     case SignalKind::kFuzzy: return std::make_unique<FuzzyBlock>(spec.file, spec.inputs.size(), spec.output);
   }
@@ -146,10 +131,12 @@ void add_continuous(const Scene& scene, SignalChain chain, Mechanism& mechanism)
     }
     std::unique_ptr<Sensor> sensor = sensor_of(mechanism, name);
     if (!sensor)
-      throw InputError(where_read(scene, name) + "a continuous signal cannot measure \"" + name +
-                       "\"; it knows time, positions and velocities of bodies, joints and struts, and other signals. "
-                       "For accelerations, forces and contacts give the signal a period, for example period_ms = 1." +
-                       known_names("names", name, continuous_names(mechanism)));
+      throw InputError(
+          code::kNotContinuous,
+          where_read(scene, name) + "a continuous signal cannot read \"" + name +
+              "\", expected time, positions and velocities of bodies, joints and struts, or other signals. "
+              "For accelerations, forces and contacts give the signal a period, for example period_ms = 1." +
+              known_names("names", name, continuous_names(mechanism)));
     sources.push_back({SignalSource::Kind::kSensor, sensors.size()});
     sensors.push_back(std::move(sensor));
   }
@@ -171,7 +158,7 @@ std::optional<SignalSource> signal_source(const Mechanism& mechanism, const std:
   for (const ControllerEntry& entry : mechanism.controllers)
     for (std::size_t k = 0; k < entry.outputs.size(); ++k)
       if (is(name, entry.name, entry.outputs[k]))
-        return SignalSource{Kind::kPlace, static_cast<std::size_t>(entry.first_voltage) + k};
+        return SignalSource{Kind::kPlace, static_cast<std::size_t>(entry.first_input) + k};
   return std::nullopt;
 }
 
@@ -222,16 +209,10 @@ std::vector<SignalNode> conditions_of(const Scene& scene) {
 }
 
 void add_signal_places(const Scene& scene, Mechanism& mechanism) {
-  const auto take = [&](double value) {
-    const int place = static_cast<int>(mechanism.voltages.size());
-    mechanism.voltages.conservativeResize(place + 1);
-    mechanism.voltages(place) = value;
-    return place;
-  };
-  for (const SignalSpec& spec : scene.signals) mechanism.signals.push_back({spec.name, take(0.0)});
+  for (const SignalSpec& spec : scene.signals) mechanism.signals.push_back({spec.name, add_input(mechanism, 0.0)});
   for (const StateSpec& spec : scene.states)
-    mechanism.states.push_back({spec.name, take(mechanism.states.empty() ? 1.0 : 0.0)});
-  if (!scene.states.empty()) mechanism.state_since = take(0.0);
+    mechanism.states.push_back({spec.name, add_input(mechanism, mechanism.states.empty() ? 1.0 : 0.0)});
+  if (!scene.states.empty()) mechanism.state_since = add_input(mechanism, 0.0);
 }
 
 void add_signals(const Scene& scene, Mechanism& mechanism) {

@@ -1,3 +1,4 @@
+// Reads the last frame of a text dump of LIGGGHTS.
 #include "mbd_solver/build/grain_dump.h"
 
 #include <algorithm>
@@ -6,14 +7,15 @@
 #include <set>
 #include <sstream>
 
-#include "coupler/base/errors.h"
+#include "mbd_solver/build/codes.h"
 
 namespace footfall {
 
 namespace {
 
 InputError wrong_line(const std::string& path, int number, const std::string& line, const char* expected) {
-  return InputError(path + ":" + std::to_string(number) + ": \"" + line + "\": expected " + expected);
+  return InputError(code::kGrainFile, path + ":" + std::to_string(number) + ": is \"" + line + "\", expected " +
+                                          expected + "; make the bed again");
 }
 
 }  // namespace
@@ -21,8 +23,8 @@ InputError wrong_line(const std::string& path, int number, const std::string& li
 std::vector<GrainPlace> read_grains(const std::string& path) {
   std::ifstream file(path);
   if (!file)
-    throw InputError("particles.grains: cannot read " + path +
-                     "; it is written with the bed (dump custom x y z radius)");
+    throw InputError(code::kNoGrainFile, "particles.grains: " + path +
+                                             " cannot be read; it is written with the bed (dump custom x y z radius)");
   std::vector<GrainPlace> grains;
   std::string line;
   bool atoms = false, clumps = false;
@@ -46,7 +48,8 @@ std::vector<GrainPlace> read_grains(const std::string& path) {
       throw wrong_line(path, number, line, "finite x y z and a positive radius");
     grains.push_back(grain);
   }
-  if (grains.empty()) throw InputError(path + ": holds no grains; expected a dump of x y z radius");
+  if (grains.empty())
+    throw InputError(code::kGrainFile, path + ": contains no grains, expected a dump of x y z radius");
   return grains;
 }
 

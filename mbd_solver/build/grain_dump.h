@@ -1,5 +1,5 @@
 #pragma once
-// Where the grains of a bed are, from the text dump that is written with it.
+// The positions of the grains of a bed, from the text dump that is written with it.
 
 #include <Eigen/Dense>
 #include <string>
@@ -10,12 +10,11 @@ namespace footfall {
 struct GrainPlace {
   Eigen::Vector3d centre;  // in W [m]
   double radius;           // [m]
-  int clump = 0;           // spheres of one number are one rigid grain; 0: a grain by itself
+  int clump = 0;           // spheres with the same number are one rigid grain; 0: a single grain
 };
 
-// Text dump of LIGGGHTS with columns x y z radius after a line "ITEM: ATOMS x y z radius"; of several frames the last. A
-// fifth column named mol has the number of the clump.
-// Throws InputError: not there, no grains, a line that is no grain.
+// Text dump of LIGGGHTS with columns x y z radius after a line "ITEM: ATOMS x y z radius"; the last of several frames. A fifth
+// column named mol is the number of the clump. Throws InputError: unreadable, no grains, a line that is no grain.
 std::vector<GrainPlace> read_grains(const std::string& path);
 
 // Spheres of one clump count as one.

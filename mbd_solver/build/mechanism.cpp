@@ -1,9 +1,7 @@
+// The steps of building in their order, the bodies, and the inputs.
 #include "mbd_solver/build/mechanism.h"
 
-#include <cmath>
-
-#include "coupler/base/errors.h"
-#include "mbd_solver/model/rotation.h"
+#include "mbd_solver/scene/resolve.h"
 
 namespace footfall {
 
@@ -15,16 +13,16 @@ Eigen::Matrix3d axes_D(const BodySpec& body, const FlexibleBody& flexible) {
   return flexible.modal ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : body.orientation.toRotationMatrix();
 }
 
+int add_input(Mechanism& mechanism, double value) {
+  const int place = static_cast<int>(mechanism.inputs.size());
+  mechanism.inputs.conservativeResize(place + 1);
+  mechanism.inputs(place) = value;
+  return place;
+}
+
 void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism) {
   const Placement& placement = mechanism.placement;
-  Eigen::Vector3d centre_D = Eigen::Vector3d::Zero();
-  double mass = 0.0;
-  for (const BodySpec& spec : scene.bodies) {
-    centre_D += spec.mass * spec.position;
-    mass += spec.mass;
-  }
-  const Eigen::Vector3d p_WC = placement.point(centre_D / mass);
-
+  const Eigen::Vector3d p_WC = placement.point(mass_centre(scene));
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const BodySpec& spec = scene.bodies[i];
     BodyState state;
@@ -47,23 +45,7 @@ Mechanism build_mechanism(const Scene& scene) {
   std::vector<std::string> warnings = scene.warnings;
   const std::vector<FlexibleBody> flexible = build_flexible_bodies(scene, warnings);
   std::vector<BodyBoundary> boundaries = build_boundaries(scene, flexible);
-  Mechanism mechanism{place(scene, boundaries, flexible),
-                      Model(scene.gravity),
-                      {},
-                      {},
-                      {},
-                      {},
-                      {},
-                      {},
-                      {},
-                      {},
-                      {},
-                      {},
-                      {},
-                      {},
-                      {},
-                      -1,
-                      {}};
+  Mechanism mechanism(place(scene, boundaries, flexible), scene.gravity);
   mechanism.boundaries = std::move(boundaries);
   mechanism.warnings = std::move(warnings);
   add_bodies(scene, flexible, mechanism);

@@ -1,5 +1,5 @@
 #pragma once
-// A scene turned into what a run works with: the model, what may touch the ground, and who controls which strut.
+// The mechanism of a scene, ready for a run: the model, what may touch the ground, and what controls which strut.
 
 #include <limits>
 #include <memory>
@@ -18,44 +18,43 @@
 
 namespace footfall {
 
-// The ground under one boundary at the start, for the time of its flight: no grain stands higher within `stray` around
-// its outline.
+// The ground under one boundary at the start, for the time of its flight: no grain within `stray` of its outline is higher.
 struct LandingSite {
   double height = 0.0;                          // along up [m]
-  double stray = 0.0;                           // so far its points may leave the outline [m]
-  Eigen::Vector3d r = Eigen::Vector3d::Zero();  // Bo and attitude of its body at the start
+  double stray = 0.0;                           // how far its points may leave the outline [m]
+  Eigen::Vector3d r = Eigen::Vector3d::Zero();  // Bo [m] and attitude of its body at the start
   Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();
 };
 
-// The drawing frame D in the inertial frame W at the start: p_W = p_WD + R_WD p_D.
+// The frame D of the reference configuration in the inertial frame W at the start: p_W = p_WD + R_WD p_D.
 struct Placement {
   Eigen::Matrix3d R_WD = Eigen::Matrix3d::Identity();
   Eigen::Vector3d p_WD = Eigen::Vector3d::Zero();  // [m]
-  bool ground_known = false;                       // the scene says how high the ground stands
+  bool ground_known = false;                       // the scene gives the height of the ground
   double ground_height = 0.0;                      // of plane or highest grain under the boundaries, along up [m]
-  std::vector<LandingSite> sites;                  // per boundary, where the grains are known one by one; else empty
+  std::vector<LandingSite> sites;                  // per boundary, where each grain is known; else empty
 
   Eigen::Vector3d point(const Eigen::Vector3d& p_D) const { return p_WD + R_WD * p_D; }
 };
 
-// What of one body touches the ground.
+// The boundary of one body. Without points and rims: ground.plane.bodies excludes it.
 struct BodyBoundary {
-  int body = 0;
-  ModalBoundary boundary;            // nodes in B of the undeformed body: what touches grains, or is drawn
+  int body = 0;                      // index in the scene and the model
+  ModalBoundary boundary;            // nodes in B of the undeformed body: for grains and pictures
   std::vector<ContactPoint> points;  // on the body: the nodes, each with the radius of the beams that end there
-  std::vector<ContactRim> rims;      // a rigid sphere, rod, tube or disc meets a plane as what it is, not by its nodes:
-                                     // its centre is a point, or it has two rims
-};                                   // Without points and rims: ground.plane.bodies leaves it out.
+  std::vector<ContactRim> rims;  // of a rigid rod, tube, disc or cylinder, which touches a plane exactly, not by its
+                                 // nodes (a sphere: its centre is the point)
+};
 
-// What of a body meets a plane: its points and rims are filled.
+// Fills points and rims, with which the body touches a plane.
 void add_plane_places(const Scene& scene, const Body& body, BodyBoundary& entry);
-// The sphere or capsule that a rigid boundary is as a whole; null where its nodes are the surface.
+// The sphere or capsule of a rigid boundary; null where its nodes are the surface.
 const ShapeSpec* round_shape(const Scene& scene, const BodyBoundary& entry);
-// What of a body meets meshes and other bodies: a ball for a sphere, two for a capsule, else the nodes.
+// The points with which a body touches meshes and other bodies: one for a sphere, two for a capsule, else the nodes.
 std::vector<ContactPoint> contact_places(const Scene& scene, const Body& body, const BodyBoundary& entry);
 
-// Lowest place of a boundary along the unit vector n_B (in body axes), counted from Bo [m], with the modes at `a`;
-// infinity without points and rims.
+// Lowest point of a boundary along the unit vector n_B (in body axes), from Bo [m], with the modal coordinates a; infinity
+// without points and rims.
 double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const Eigen::VectorXd& a);
 
 struct StrutEntry {
@@ -63,7 +62,7 @@ struct StrutEntry {
   int force = 0;  // index of the Strut in the model
 };
 
-// A coordinate of a joint of the scene, body b against body a, zero in the drawing.
+// A coordinate of a joint of the scene: body b relative to body a, zero in the reference configuration.
 struct CoordinateEntry {
   std::string name;  // of the joint
   int joint = 0;     // index in the model
@@ -85,13 +84,12 @@ struct GearEntry {
 struct ControllerEntry {
   std::string name;
   std::unique_ptr<Controller> controller;
-  int body = 0;  // observed
-  // Asleep, at voltage 0, until `touchdown_delay` after the upward acceleration has first exceeded
-  // `touchdown_acceleration`.
+  int body = 0;  // whose motion is measured
+  // Its outputs are 0 until `touchdown_delay` after the upward acceleration has first exceeded `touchdown_acceleration`.
   double touchdown_acceleration = 0.0;                        // [m/s2]
   double touchdown_delay = 0.0;                               // [s]
-  double wakes_at = std::numeric_limits<double>::infinity();  // [s]; minus infinity: always awake
-  int first_voltage = 0;    // its outputs are voltages first_voltage ... in the Inputs
+  double wakes_at = std::numeric_limits<double>::infinity();  // [s]; minus infinity: from the start
+  int first_input = 0;                                        // place of its first output among the inputs
   std::vector<int> struts;  // for each output the strut it drives (index into Mechanism::struts), -1 for none
   std::vector<std::string> outputs;
 };
@@ -101,31 +99,33 @@ struct ContactEntry {
   int force = 0;  // index of its SurfaceContact in the model
   int body_1 = 0;
   int body_2 = kGround;  // kGround: walls
-  // Of walls: what the contact sees of them, empty until they are known; and the places of the body.
+  // Of walls: their surface, empty until they are known; and the points of the body.
   std::shared_ptr<SurfaceSeen> walls;
   std::vector<ContactPoint> places;
 
   bool holds(int a, int b) const { return (a == body_1 && b == body_2) || (a == body_2 && b == body_1); }
 };
 
-// A signal or a state of the scene, and the place of its value among the voltages of a run.
+// A signal or a state of the scene, and the place of its value among the inputs of a run.
 struct PlaceEntry {
   std::string name;
   int place = 0;
 };
 
 struct Mechanism {
+  Mechanism(Placement placed, const Eigen::Vector3d& gravity) : placement(std::move(placed)), model(gravity) {}
+
   Placement placement;
   Model model;
   std::vector<BodyBoundary> boundaries;
   std::vector<StrutEntry> struts;
   std::vector<int> planes;        // force indices of rigid-plane contacts, one per touching body
-  std::vector<int> plane_bodies;  // their bodies; one may touch several planes
+  std::vector<int> plane_bodies;  // their bodies; a body may touch several planes
   std::vector<ContactEntry> contacts;
   std::vector<ControllerEntry> controllers;
   std::vector<CoordinateEntry> coordinates;
   std::vector<DriveEntry> drives;
-  Eigen::VectorXd voltages;  // at the start: constants of struts without controller, first outputs; then signals
+  Eigen::VectorXd inputs;  // at the start: outputs of controllers, signals and states, constants of struts [-]
   std::vector<std::string> warnings;
   std::vector<GearEntry> gears;
   std::vector<PlaceEntry> signals;
@@ -134,10 +134,13 @@ struct Mechanism {
   std::vector<SignalNode> sampled;  // signals with a period, for the run
 };
 
-// Throws InputError where the scene cannot be built (a basis that does not exist, a gas volume used up, ...).
+// Throws InputError if the scene cannot be built (a basis that does not exist, a gas compressed to nothing, ...).
 Mechanism build_mechanism(const Scene& scene);
 
-// ---- the steps of build_mechanism, one file each ----
+// ---- the steps of build_mechanism ----
+
+// Adds an input with this value at the start; returns its place.
+int add_input(Mechanism& mechanism, double value);
 
 // A flexible body before placement: reduced model with origin p_DBo, axes of D.
 struct FlexibleBody {
@@ -147,8 +150,8 @@ struct FlexibleBody {
 // One entry per body of the scene; `modal` is null for rigid bodies. Warnings are appended.
 std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<std::string>& warnings);
 
-// The script's walls, known when a coupled run begins; again when some are gone. Throws InputError when a body that they
-// hold stands on both sides of one.
+// The walls of the script, at the beginning of a coupled run and whenever some are removed. Throws InputError if a body is
+// on both sides of a wall that should hold it.
 void set_walls(const std::vector<StaticWall>& walls, Mechanism& mechanism);
 
 // The boundary of each entry of scene.boundaries, in the order of the scene.
@@ -169,14 +172,14 @@ void add_forces(const Scene& scene, Mechanism& mechanism);
 void add_plane(const Scene& scene, Mechanism& mechanism);
 void add_contacts(const Scene& scene, Mechanism& mechanism);
 void add_controllers(const Scene& scene, Mechanism& mechanism);
-void add_signal_places(const Scene& scene, Mechanism& mechanism);  // before what they drive
+void add_signal_places(const Scene& scene, Mechanism& mechanism);  // before what they command
 void add_signals(const Scene& scene, Mechanism& mechanism);        // after what they measure
 
-// Where the value of a name among the voltages of a run, or the time, is found; nothing for other names.
+// Where the value of a name is found among the inputs of a run, or the time; nothing for other names.
 std::optional<SignalSource> signal_source(const Mechanism& mechanism, const std::string& name);
-// What measures a name of bodies, joints or struts that is a position or a velocity; null for other names.
+// The sensor of a position or velocity of bodies, joints or struts; null for other names.
 std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string& name);
-// Signals that are evaluated together, in order. Throws InputError with the place of the scene's signals.
+// Signals that are evaluated together, in order. Throws InputError with the place of the signals in the scene.
 SignalChain chain_of_signals(const Scene& scene, std::vector<SignalNode> nodes);
 // One node per event of the scene, in its order: its input is the condition.
 std::vector<SignalNode> conditions_of(const Scene& scene);

@@ -3,11 +3,12 @@
 #include <cmath>
 #include <limits>
 
-#include "coupler/base/errors.h"
+#include "mbd_solver/build/codes.h"
 #include "mbd_solver/build/grain_dump.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/rotation.h"
-#include "mbd_solver/model/up_direction.h"
+#include "mbd_solver/model/rotation.h"
+#include "mbd_solver/scene/resolve.h"
 
 namespace footfall {
 namespace {
@@ -24,7 +25,7 @@ double highest_under(const std::vector<GrainPlace>& grains, const Eigen::Vector3
   return highest;
 }
 
-constexpr double kStray = 0.1;  // of a boundary's reach
+constexpr double kStray = 0.1;  // of the radius of a boundary's footprint
 
 }  // namespace
 
@@ -33,13 +34,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
   Placement placement;
   const InitialSpec& initial = scene.initial;
   placement.R_WD = rotation_from_rpy(initial.roll, initial.pitch, initial.yaw);
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double mass = 0.0;
-  for (const BodySpec& body : scene.bodies) {
-    centre += body.mass * body.position;
-    mass += body.mass;
-  }
-  centre /= mass;
+  const Eigen::Vector3d centre = mass_centre(scene);
   placement.p_WD = centre - placement.R_WD * centre + initial.position;
 
   const Eigen::Vector3d up = up_direction(scene.gravity);
@@ -52,7 +47,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
 
   placement.ground_known = plane || !grains.empty() || (particles && scene.particles->surface_height);
 
-  // Per boundary: how far its lowest point stands above the ground under it.
+  // Per boundary: how far its lowest point is above the ground under it.
   double smallest = std::numeric_limits<double>::infinity();
   double highest_ground = -std::numeric_limits<double>::infinity();
   for (const BodyBoundary& entry : boundaries) {
@@ -62,7 +57,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
     const auto lowest_along = [&](const Eigen::Vector3d& n) {
       return n.dot(r) + lowest_place(entry, R_WB.transpose() * n, Eigen::VectorXd());
     };
-    if (plane) {  // a sloping plane: the place of the boundary nearest to it counts
+    if (plane) {  // a sloping plane: the point of the boundary nearest to it counts
       const PlaneSpec& spec = *scene.ground.plane;
       const double gap = lowest_along(spec.normal) - spec.normal.dot(spec.point);
       smallest = std::min(smallest, gap / std::max(1e-6, spec.normal.dot(up)));
@@ -86,13 +81,14 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
 
   if (initial.clearance) {
     if (particles && grains.empty() && !scene.particles->surface_height)
-      throw InputError(
-          "initial.clearance: the height of the grains is not known; give particles.grains (a dump of x y z radius) or "
-          "particles.surface_height, or leave clearance out and use initial.position");
+      throw InputError(code::kNoGroundHeight,
+                       "initial.clearance: the height of the grains is unknown; give particles.grains (a dump of x y z "
+                       "radius) or particles.surface_height, or use initial.position instead");
     if (!std::isfinite(smallest))
-      throw InputError(boundaries.empty()
-                           ? "initial.clearance: no boundary that could stand above the ground; add [[boundaries]]"
-                           : "initial.clearance: no grain under any boundary; check initial.position against the bed");
+      throw InputError(code::kNoGroundHeight,
+                       std::string("initial.clearance: ") +
+                           (boundaries.empty() ? "the scene has no boundary; add [[boundaries]]"
+                                               : "no grain is under any boundary; check initial.position and the bed"));
     const Eigen::Vector3d lift = (*initial.clearance - smallest) * up;
     placement.p_WD += lift;
     for (LandingSite& site : placement.sites) site.r += lift;

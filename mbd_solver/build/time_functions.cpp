@@ -1,6 +1,16 @@
+// Sums of polynomial, sine and table; a signal is added where the function is used.
 #include "mbd_solver/build/time_functions.h"
 
 namespace footfall {
+
+std::pair<std::vector<double>, std::vector<double>> columns_of(const std::vector<Eigen::Vector2d>& rows) {
+  std::pair<std::vector<double>, std::vector<double>> columns;
+  for (const Eigen::Vector2d& row : rows) {
+    columns.first.push_back(row.x());
+    columns.second.push_back(row.y());
+  }
+  return columns;
+}
 
 TableShape command_shape(MotorKind kind) {
   return kind == MotorKind::kPosition ? TableShape::kMonotone : TableShape::kLines;
@@ -11,11 +21,7 @@ TimeFunctionPtr time_function(const TimeFunctionSpec& spec, TableShape shape) {
       polynomial(spec.polynomial.empty() ? std::vector<double>{0.0} : spec.polynomial)};
   if (spec.amplitude != 0.0) parts.push_back(sine(spec.amplitude, spec.frequency, spec.phase));
   if (!spec.table.empty()) {
-    std::vector<double> times, values;
-    for (const Eigen::Vector2d& row : spec.table) {
-      times.push_back(row.x());
-      values.push_back(row.y());
-    }
+    auto [times, values] = columns_of(spec.table);
     parts.push_back(table(std::move(times), std::move(values), shape));
   }
   return sum(std::move(parts));

@@ -1,5 +1,8 @@
 #pragma once
-// Functions of time of a scene as the model takes them.
+// Functions of time of a scene, for the model.
+
+#include <utility>
+#include <vector>
 
 #include "mbd_solver/model/laws/motor.h"
 #include "mbd_solver/model/laws/time_function.h"
@@ -7,10 +10,13 @@
 
 namespace footfall {
 
-// Of the tables in commands of a drive: a position is led with its rate as well.
+// The two columns of a table.
+std::pair<std::vector<double>, std::vector<double>> columns_of(const std::vector<Eigen::Vector2d>& rows);
+
+// Of a table in the command of a drive: a position needs a continuous rate.
 TableShape command_shape(MotorKind kind);
 
-// shape: of its table, by what uses the function.
+// shape: of its table; what uses the function decides.
 TimeFunctionPtr time_function(const TimeFunctionSpec& spec, TableShape shape);
 // Null where none is given.
 TimeFunctionPtr time_function(const std::optional<TimeFunctionSpec>& spec, TableShape shape);

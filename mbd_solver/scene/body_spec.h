@@ -14,13 +14,10 @@
 
 namespace footfall {
 
-struct MaterialSpec {
+struct MaterialSpec : Material {
   Source source;
   std::string name;
-  double density = 0.0;                 // [kg/m3] > 0
-  double young = 0.0;                   // [Pa] > 0
-  double poisson = Material{}.poisson;  // [-] in (-1, 0.5)
-  double yield_stress = 0.0;            // [Pa]; 0: not known, no warning when it is passed
+  double yield_stress = 0.0;  // [Pa]; 0: unknown, no warning when it is exceeded
 };
 
 enum class ShapeKind { kBox, kTube, kRod, kDisc, kDish, kSphere, kCylinder, kCapsule, kMesh, kPoints };
