@@ -9,7 +9,7 @@
 #include "coupler/messages.h"
 #include "coupler/schemes/registry.h"
 #include "mbd_solver/coupling/window_choice.h"
-#include "mbd_solver/model/up_direction.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {

@@ -53,11 +53,11 @@ void Equations::sample_energy(double t, const Eigen::Ref<const Eigen::VectorXd>&
     add_load_force(inputs.loads[at], body, Q);
     out.load_power[i] = Q.dot(y.segment(layout_.v0() + layout_.body_v[at], body.size()));
   }
-  const Eigen::VectorXd& voltages = voltages_at(t, y, inputs);
+  const Eigen::VectorXd& values = input_values_at(t, y, inputs);
   for (int i = 0; i < model_.force_count(); ++i) {
     const ForceElement& element = model_.force(i);
     const int z = layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)];
-    const ElementInput in{w.force_pair(element), y.segment(z, element.state_count()), voltages, t};
+    const ElementInput in{w.force_pair(element), y.segment(z, element.state_count()), values, t};
     element.add_energy(in, out.stored, out.power);
     element.add_supply(in, out.supplied);
   }

@@ -128,13 +128,13 @@ const BodyKinematics& Equations::motion(int body) const { return work_->kinemati
 ElementInput Equations::element_input(int force, const State& state, const Inputs& inputs) const {
   const ForceElement& element = model_.force(force);
   return {work_->force_pair(element),
-          state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count()), inputs.voltages,
+          state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count()), inputs.values,
           state.time};
 }
 
 void Equations::demand_fitting(const Inputs& inputs) const {
   for (int i = 0; i < model_.force_count(); ++i)
-    FOOTFALL_DEMAND(inputs.voltages.size() >= model_.force(i).voltage_count());
+    FOOTFALL_DEMAND(inputs.values.size() >= model_.force(i).input_count());
   if (inputs.loads.empty()) return;
   FOOTFALL_DEMAND(static_cast<int>(inputs.loads.size()) == model_.body_count());
   for (int i = 0; i < model_.body_count(); ++i) {
@@ -183,7 +183,7 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
     int row = layout_.joint_row[static_cast<std::size_t>(j)];
     for (const ConstraintRow& written : joint.rows) {
       const RowValue value =
-          press_row(written, t, vectors, lambda[row], w.row.head(pair.size()), reaction, w.kinematics.turns(j));
+          measure_row_with_reaction(written, t, vectors, lambda[row], w.row.head(pair.size()), reaction, w.kinematics.turns(j));
       double& condition = F[layout_.lambda0() + row];
       if (joint.row_of < 0) condition = -w.regularisation[row] * lambda[row];  // else the row of an earlier joint
       condition += value.acc + alpha2 * value.rate + beta2 * value.phi;
@@ -198,7 +198,7 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
   }
 
   // Continuous signals, then force elements.
-  const Eigen::VectorXd& voltages = voltages_at(t, y, inputs);
+  const Eigen::VectorXd& values = input_values_at(t, y, inputs);
   if (model_.signals()) F.segment(layout_.z0() + layout_.signal_z, w.signal_rates.size()) -= w.signal_rates;
   for (int i = 0; i < model_.force_count(); ++i) {
     const ForceElement& element = model_.force(i);
@@ -207,7 +207,7 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
     Eigen::Ref<Eigen::VectorXd> Q = w.local.head(pair.size());
     Eigen::Ref<Eigen::VectorXd> dz = w.row.head(m);
     Q.setZero();
-    element.add_force({pair, y.segment(z, m), voltages, t}, Q, dz);
+    element.add_force({pair, y.segment(z, m), values, t}, Q, dz);
     const std::array<int, 2> v = pair_v(layout_, element.bodies()[0], element.bodies()[1]);
     for (int k = 0; k < 2; ++k) {
       const int n = pair.body[k]->size();

@@ -133,7 +133,7 @@ class Equations {
   // Voltages and signals at a state: those of the inputs, continuous signals at their present values.
   void signals(const State& state, const Inputs& inputs, Eigen::VectorXd& out);
   // States of the continuous signals at the start (before null), or of those that begin to work as the scene goes to
-  // another of its states: `before` are the voltages and signals until then.
+  // another of its states: `before` are the inputs until then.
   void settle_signals(const Eigen::VectorXd* before, const Inputs& inputs, State& state);
 
   // Unpacks a state for the output functions below.
@@ -162,14 +162,14 @@ class Equations {
   void rest_rows();  // regularisation of all rows
   void demand_fitting(const Inputs& inputs) const;
   // At the loaded kinematics: of the inputs, or with the continuous signals among them. Also the rates of their states.
-  const Eigen::VectorXd& voltages_at(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs);
+  const Eigen::VectorXd& input_values_at(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs);
   void add_signal_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs);
   void gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                           const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
   void add_body_derivatives(int index, double c, const Inputs& inputs);
   void add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda);
   void add_force_derivatives(int index, double t, const Eigen::Ref<const Eigen::VectorXd>& z,
-                             const Eigen::VectorXd& voltages);
+                             const Eigen::VectorXd& values);
   // All at the loaded kinematics, which are those of the state:
   bool factor_saddle(const State& state);
   void fill_saddle(double t, double mass, const Eigen::VectorXd& diagonal);  // [mass M, Phi_v^T; Phi_v, -diagonal]

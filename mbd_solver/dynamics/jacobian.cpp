@@ -99,7 +99,7 @@ void Equations::add_joint_derivatives(int index, double t, double c, const Eigen
 }
 
 void Equations::add_force_derivatives(int index, double t, const Eigen::Ref<const Eigen::VectorXd>& z,
-                                      const Eigen::VectorXd& voltages) {
+                                      const Eigen::VectorXd& values) {
   Workspace& w = *work_;
   const ForceElement& element = model_.force(index);
   const PairPlaces& places = w.force_places[static_cast<std::size_t>(index)];
@@ -108,7 +108,7 @@ void Equations::add_force_derivatives(int index, double t, const Eigen::Ref<cons
   double* values = w.lower.valuePtr();
   double* stiffness = w.stiffness.data();
   for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) part->setZero();
-  if (!element.add_derivatives({pair, z, voltages, t}, d)) return;
+  if (!element.add_derivatives({pair, z, values, t}, d)) return;
 
   // F_v takes -Q, F_z takes -g.
   for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) *part = -*part;
@@ -143,11 +143,11 @@ void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::Vecto
   for (int place : w.z_z) w.lower.valuePtr()[place] += c;
   for (std::size_t row = 0; row < w.lambda_lambda.size(); ++row)
     w.lower.valuePtr()[w.lambda_lambda[row]] -= w.regularisation[static_cast<Eigen::Index>(row)];
-  const Eigen::VectorXd& voltages = voltages_at(t, y, inputs);
+  const Eigen::VectorXd& values = input_values_at(t, y, inputs);
   for (int i = 0; i < model_.force_count(); ++i)
     add_force_derivatives(
         i, t, y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], model_.force(i).state_count()),
-        voltages);
+        values);
   if (model_.signals()) add_signal_derivatives(t, y, inputs);
 }
 

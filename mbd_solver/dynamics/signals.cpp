@@ -13,7 +13,7 @@ namespace {
 constexpr double kDifference = 1e-6;  // [m, rad, m/s, rad/s, -]: for Newton's matrix alone
 
 struct Answer {
-  Eigen::VectorXd voltages, rates;
+  Eigen::VectorXd values, rates;
 };
 
 // The kinematics with one body changed.
@@ -42,19 +42,19 @@ void move(BodyKinematics& body, bool position, int j, double step) {
 
 }  // namespace
 
-const Eigen::VectorXd& Equations::voltages_at(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
+const Eigen::VectorXd& Equations::input_values_at(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                               const Inputs& inputs) {
   const ContinuousSignals* signals = model_.signals();
-  if (!signals) return inputs.voltages;
+  if (!signals) return inputs.values;
   Workspace& w = *work_;
-  w.voltages = inputs.voltages;
-  signals->evaluate(t, w.kinematics, y.segment(layout_.z0() + layout_.signal_z, w.signal_rates.size()), w.voltages,
+  w.values = inputs.values;
+  signals->evaluate(t, w.kinematics, y.segment(layout_.z0() + layout_.signal_z, w.signal_rates.size()), w.values,
                     w.signal_rates);
-  return w.voltages;
+  return w.values;
 }
 
 void Equations::signals(const State& state, const Inputs& inputs, Eigen::VectorXd& out) {
-  out = inputs.voltages;
+  out = inputs.values;
   if (!model_.signals()) return;
   Workspace& w = *work_;
   load(state);
@@ -65,8 +65,8 @@ void Equations::settle_signals(const Eigen::VectorXd* before, const Inputs& inpu
   if (!model_.signals()) return;
   Workspace& w = *work_;
   load(state);
-  w.voltages = inputs.voltages;
-  model_.signals()->settle(state.time, w.kinematics, before, state.z.tail(w.signal_rates.size()), w.voltages);
+  w.values = inputs.values;
+  model_.signals()->settle(state.time, w.kinematics, before, state.z.tail(w.signal_rates.size()), w.values);
 }
 
 // By central differences of the signals, which are few: of each coordinate and velocity of the bodies that they measure,
@@ -75,7 +75,7 @@ void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::V
   Workspace& w = *work_;
   const SignalPlaces& places = w.signal_places;
   const Eigen::Index states = w.signal_rates.size();
-  Answer plus{inputs.voltages, w.signal_rates}, minus = plus;
+  Answer plus{inputs.values, w.signal_rates}, minus = plus;
   Eigen::VectorXd z = y.segment(layout_.z0() + layout_.signal_z, states);
 
   // The column of one change: `by_states` of the signals, else of measured body b; into these values.
@@ -84,7 +84,7 @@ void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::V
       const Eigen::VectorXd rates = (minus.rates - plus.rates) / (2.0 * step);
       (by_states ? places.states_states : places.states_v[b]).add_column(values, column, rates);
     }
-    if (plus.voltages == minus.voltages) return;
+    if (plus.values == minus.values) return;
     for (const SignalPlaces::Driven& driven : places.driven) {
       const ForceElement& element = model_.force(driven.force);
       const PairMotion pair = w.force_pair(element);
@@ -94,7 +94,7 @@ void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::V
       for (const int side : {0, 1}) {
         Q[side] = Eigen::VectorXd::Zero(pair.size());
         dz[side] = Eigen::VectorXd::Zero(m);
-        element.add_force({pair, z_of, side == 0 ? plus.voltages : minus.voltages, t}, Q[side], dz[side]);
+        element.add_force({pair, z_of, side == 0 ? plus.values : minus.values, t}, Q[side], dz[side]);
       }
       const Eigen::VectorXd dQ = (Q[1] - Q[0]) / (2.0 * step), ddz = (dz[1] - dz[0]) / (2.0 * step);
       for (int i = 0; i < 2; ++i) {
@@ -107,8 +107,8 @@ void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::V
   };
 
   const auto evaluate = [&](const auto& kinematics, Answer& answer) {
-    answer.voltages = inputs.voltages;
-    model_.signals()->evaluate(t, kinematics, z, answer.voltages, answer.rates);
+    answer.values = inputs.values;
+    model_.signals()->evaluate(t, kinematics, z, answer.values, answer.rates);
   };
   for (std::size_t b = 0; b < places.measured.size(); ++b) {
     const int body = places.measured[b], n = w.kinematics.of(body).size();

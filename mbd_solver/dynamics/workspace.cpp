@@ -111,7 +111,7 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout, const 
     const std::size_t count = signal_places.measured.size();
     signal_places.states_v.resize(count);
     for (int i = 0; i < model.force_count(); ++i) {
-      if (model.force(i).voltage_count() == 0) continue;
+      if (model.force(i).input_count() == 0) continue;
       SignalPlaces::Driven driven;
       driven.force = i;
       driven.v_v[0].resize(count);

@@ -37,7 +37,7 @@ struct SignalPlaces {
     SparseBlock v_states[2], z_states;     // by the states of the signals
   };
   std::vector<int> measured;          // bodies
-  std::vector<Driven> driven;         // elements that read voltages or signals
+  std::vector<Driven> driven;         // elements that read inputs
   std::vector<SparseBlock> states_v;  // per measured body: rows of the states of the signals
   SparseBlock states_states;
 };
@@ -58,7 +58,7 @@ struct Equations::Workspace {
   Eigen::VectorXd local;                     // generalized force of a pair
   Eigen::MatrixXd K, D, M;                   // local matrices of the largest pair or body
   Eigen::VectorXd empty;
-  Eigen::VectorXd voltages, signal_rates;  // with the continuous signals; rates of their states
+  Eigen::VectorXd values, signal_rates;  // with the continuous signals; rates of their states
 
   // Derivatives of the lower rows F_v, F_z, F_lambda, in one pattern over [v; z; lambda], two value arrays:
   //   stiffness          by the increments dx of positions (columns of v)

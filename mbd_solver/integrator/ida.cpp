@@ -367,7 +367,7 @@ bool same(const ExternalLoad& a, const ExternalLoad& b) {
 }
 
 bool same(const Inputs& a, const Inputs& b) {
-  return same(a.voltages, b.voltages) && a.loads.size() == b.loads.size() &&
+  return same(a.values, b.values) && a.loads.size() == b.loads.size() &&
          std::equal(a.loads.begin(), a.loads.end(), b.loads.begin(),
                     [](const ExternalLoad& x, const ExternalLoad& y) { return same(x, y); });
 }

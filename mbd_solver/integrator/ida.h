@@ -1,6 +1,6 @@
 #pragma once
 // SUNDIALS IDA: variable-order BDF on the same residual and the same analytic Jacobian (KLU). A window with
-// other loads or voltages (or a state that was changed from outside, a projection included) is a new initial
+// other loads or inputs (or a state that was changed from outside, a projection included) is a new initial
 // value problem: IDA starts again at first order. While nothing changes it goes on. Where drift is projected, all values
 // of its history move by what the projection moves (E. Eich, SIAM J. Numer. Anal. 30 (1993), 1467): order and step stay.
 // Its error test is that of a single step, without the correction that one_step carries along: errors of hundreds of steps

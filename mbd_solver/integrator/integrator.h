@@ -1,5 +1,5 @@
 #pragma once
-// Advances a State through one window under constant loads and voltages.
+// Advances a State through one window under constant loads and inputs.
 
 #include <functional>
 #include <limits>
@@ -49,7 +49,7 @@ struct IntegratorStatistics {
 struct Rows {
   std::function<double(double time)> next;  // the first wanted time after this one [s]; infinity: no more
   // Takes the state, projected when the integrator does so, and its rates [dq; dv; dz; lambda]. False ends the window
-  // there: an event changes the loads or voltages.
+  // there: an event changes the loads or inputs.
   std::function<bool(const State& state, const Eigen::VectorXd& rates)> on_row;
 
   double after(double time) const { return next ? next(time) : std::numeric_limits<double>::infinity(); }
@@ -59,7 +59,7 @@ class Integrator {
  public:
   virtual ~Integrator() = default;
   virtual std::string name() const = 0;  // "one_step", "ida"
-  // From state.time to t_end [s], loads and voltages constant. On return state is at t_end exactly (or at the row that
+  // From state.time to t_end [s], loads and inputs constant. On return state is at t_end exactly (or at the row that
   // ended the window), projected when asked, and its integrals (dissipated, load_work, supplied) have grown. Throws
   // NumericalError naming time and body or joint.
   virtual void advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// One body: its inertia (rigid or modal), and the numbers that say where it is.
+// One body: its inertia (rigid or modal), and its position and velocity.
 
 #include <Eigen/Dense>
 #include <memory>
@@ -24,8 +24,7 @@ struct BodyState {
 // Constant after construction. A rigid body has mode_count() == 0 and enters no modal loop.
 class Body {
  public:
-  // Rigid: mass [kg] > 0, inertia about the centre of mass in B [kg m2], symmetric positive definite. Throws
-  // InputError.
+  // Rigid: mass [kg] > 0, inertia about the centre of mass in B [kg m2], symmetric positive definite; else InputError.
   Body(std::string name, double mass, const Eigen::Matrix3d& inertia);
   // Flexible (or rigid when the modal body holds no modes).
   Body(std::string name, std::shared_ptr<const ModalBody> modal);

@@ -1,6 +1,6 @@
 #pragma once
-// (BodyMotion is the message struct of coupler/, in the same namespace.)
-// The motion of one body at one instant, unpacked once per evaluation and read by all joints and forces.
+// The motion of one body at one instant, unpacked once per evaluation and read by all joints and forces. (BodyMotion is
+// the message of coupler/.)
 
 #include <Eigen/Dense>
 
@@ -16,7 +16,7 @@ struct BodyKinematics {
   Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  // A(L / |L|)
   Eigen::Vector3d dr = Eigen::Vector3d::Zero();     // [m/s]
   Eigen::Vector3d w = Eigen::Vector3d::Zero();      // [rad/s]
-  Eigen::Vector3d ddr = Eigen::Vector3d::Zero();    // [m/s2]; zero unless accelerations were asked for
+  Eigen::Vector3d ddr = Eigen::Vector3d::Zero();    // [m/s2]; zero unless accelerations are loaded
   Eigen::Vector3d dw = Eigen::Vector3d::Zero();     // [rad/s2]
   Eigen::VectorXd a, da, dda;                       // s each; sized once
 

@@ -16,6 +16,12 @@ inline constexpr MessageCode kModesMoveCentre{"E0301", "modes-move-centre"};
 inline constexpr MessageCode kNoLength{"E0302", "no-length"};
 // A joint connects a body with itself. Name two bodies, or a body and the ground.
 inline constexpr MessageCode kOneBodyOnly{"E0303", "one-body-only"};
+// Two bodies, joints or elements of a model share a name. Rename one.
+inline constexpr MessageCode kTwiceInModel{"E0330", "twice-in-model"};
+// A model refers to a body that it does not have. Correct the name or index.
+inline constexpr MessageCode kNotInModel{"E0331", "not-in-model"};
+// The initial state of a body is not finite. Correct its position and velocity.
+inline constexpr MessageCode kInitialState{"E0332", "initial-state"};
 // A prescribed motion has no component. Give at least one.
 inline constexpr MessageCode kNothingPrescribed{"E0304", "nothing-prescribed"};
 // Parameters of a law, controller or element contradict each other, or one is missing. Follow the message.

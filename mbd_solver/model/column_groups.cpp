@@ -1,3 +1,5 @@
+// Groups are found greedily: each column joins the group to which it adds the lowest cost, or begins a new one.
+
 #include "mbd_solver/model/column_groups.h"
 
 #include <algorithm>
@@ -8,7 +10,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// What a group costs in instructions, roughly: a product, its rows added up and its columns collected one by one.
+// Approximate cost of a group in instructions: one product, its rows added and its columns collected one by one.
 double cost(Index rows, Index columns) {
   const double product = 60.0, row = 4.0, column = 4.0, entry = 1.75;
   return product + static_cast<double>(rows) * (row + entry * static_cast<double>(columns)) +
@@ -25,7 +27,6 @@ struct Columns {
   }
 };
 
-// Each column joins the group to which it adds least, or begins one.
 std::vector<Columns> gather(const Eigen::MatrixXd& A) {
   const double zero = A.size() > 0 ? ColumnGroups::kRoundOff * A.cwiseAbs().maxCoeff() : 0.0;
   std::vector<Columns> groups;

@@ -1,8 +1,8 @@
 #pragma once
-// A constant matrix that is partly empty, as a few dense blocks: columns with entries in much the same rows stand together,
-// and only these rows are kept.   y += A x  is one dense product for each group.
-// Modes of a straight rod bend along one principal axis each, so many sums over two of them are zero in these axes. Of a body
-// of any shape none is: one group.
+// A constant matrix that is partly empty, as a few dense blocks: columns with entries in much the same rows form a group
+// that stores these rows only.   y += A x  is one dense product for each group.
+// Modes of a straight rod bend along one principal axis each, so that many sums over two modes are zero in these axes. For
+// a body of general shape none is zero: one group.
 
 #include <Eigen/Dense>
 #include <vector>
@@ -11,7 +11,7 @@ namespace footfall {
 
 class ColumnGroups {
  public:
-  static constexpr double kRoundOff = 1e-14;  // times the largest entry: what is smaller counts as zero
+  static constexpr double kRoundOff = 1e-14;  // of the largest entry: smaller ones count as zero
 
   ColumnGroups() = default;
   explicit ColumnGroups(const Eigen::MatrixXd& A);
@@ -19,7 +19,7 @@ class ColumnGroups {
   // y += A x. `scratch`: rows + columns of A, overwritten.
   void add_product(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> y,
                    Eigen::Ref<Eigen::VectorXd> scratch) const;
-  Eigen::Index entries() const;  // that are multiplied, zeros among them
+  Eigen::Index entries() const;  // multiplied entries, zeros included
 
  private:
   struct Group {

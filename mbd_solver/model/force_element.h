@@ -1,8 +1,8 @@
 #pragma once
-// A force element: acts on one or two bodies (or a body and the ground), may own inner states z, knows its
-// energy and power. Generalized forces and derivatives are local to its pair of bodies: velocities [v1; v2],
-// increments [dx1; dx2] as in kinematic_vector.h; the assembler scatters them. Gravity is a constant of the
-// model and external loads come with each window, so neither is a force element.
+// A force element acts on one or two bodies (or a body and the ground), may own inner states z, and reports its energy and
+// power. Generalized forces and derivatives are local to its pair of bodies: velocities [v1; v2], increments [dx1; dx2] as
+// in kinematic_vector.h; the assembler scatters them. Gravity is a constant of the model and external loads are constants
+// of a window; neither is a force element.
 
 #include <Eigen/Dense>
 #include <array>
@@ -16,8 +16,8 @@ namespace footfall {
 struct ElementInput {
   PairMotion pair;
   Eigen::Ref<const Eigen::VectorXd> z;  // inner states of this element
-  Eigen::Ref<const Eigen::VectorXd>
-      voltages;       // controlled voltages [-] and signals; only continuous signals change within a step
+  // Inputs of the model: controller outputs, then signals; only continuous signals change within a step.
+  Eigen::Ref<const Eigen::VectorXd> inputs;
   double time = 0.0;  // [s]
 };
 
@@ -38,18 +38,18 @@ class ForceElement {
   const std::array<int, 2>& bodies() const { return bodies_; }  // body indices or kGround
 
   virtual int state_count() const { return 0; }
-  // Inner states do not act on each other but within blocks of so many neighbours; it divides state_count().
+  // Inner states act on each other only within blocks of this size, which divides state_count().
   virtual int state_block() const { return state_count(); }
-  virtual int voltage_count() const { return 0; }  // ElementInput::voltages must have at least so many entries
+  virtual int input_count() const { return 0; }  // required size of ElementInput::inputs
   virtual Eigen::VectorXd initial_state() const { return {}; }
   // Q += generalized force (n); dz = rate of the inner states (m, overwritten).
   virtual void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
                          Eigen::Ref<Eigen::VectorXd> dz) const = 0;
-  // Adds all derivatives; false when they are all zero (no contact): then nothing is scattered.
+  // Adds all derivatives; false if all are zero (no contact), and nothing is to be scattered.
   virtual bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const = 0;
   // Adds stored energy and dissipated power. Identity: supplied power - Q.v = d(stored)/dt + sum of dissipated power.
   virtual void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const = 0;
-  // Adds the power that comes from outside.
+  // Adds the power supplied from outside.
   virtual void add_supply(const ElementInput&, Supplied&) const {}
 
  private:

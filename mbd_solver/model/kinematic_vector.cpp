@@ -1,12 +1,12 @@
+// Products with the Jacobian X and its derivatives, term by term; sums over modes take most of the time of flexible
+// bodies.
+
 #include "mbd_solver/model/kinematic_vector.h"
 
 namespace footfall {
 namespace {
 
-// Sums over the modes of a body at one marker, U: 3 x s: most of the work on a flexible body.
-
-// U a, U da and U dda in one pass. Nine sums that stay in registers; as three vectors they go through memory, at twice
-// the time.
+// U a, U da and U dda (U: 3 x s) in one pass. Nine sums stay in registers; three Eigen vectors would take twice as long.
 struct ModeSums {
   ModeSums(const Eigen::Matrix3Xd& U, const BodyKinematics& b) {
     double s0 = 0.0, s1 = 0.0, s2 = 0.0, d0 = 0.0, d1 = 0.0, d2 = 0.0, e0 = 0.0, e1 = 0.0, e2 = 0.0;
@@ -25,7 +25,7 @@ struct ModeSums {
   Eigen::Vector3d a, da, dda;
 };
 
-// out += U^T f, a row of three at a time: a product of Eigen's with so short an inner size takes twice the time.
+// out += U^T f by rows of three; Eigen's product with so short an inner size takes twice as long.
 inline void add_to_modes(const Eigen::Matrix3Xd& U, const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) {
   const double* column = U.data();
   for (Eigen::Index k = 0; k < out.size(); ++k, column += 3)
@@ -261,7 +261,7 @@ void MarkerVectors::find_axis(int slot, int k) {
   vectors_[3 * slot + k].emplace(pair_, slot, at, k, *turn_[slot]);
 }
 
-// On the modes of a body the axes of one marker act together: Psi^T sum u_k x (A^T f_k).
+// The axes of one marker act on the modes together: Psi^T sum u_k x (A^T f_k).
 void MarkerVectors::add_pushed(Eigen::Ref<Eigen::VectorXd> out) const {
   for (int slot = 0; slot < 2; ++slot) {
     const BodyKinematics& body = *pair_.body[slot];

@@ -1,12 +1,11 @@
 #pragma once
-// The one piece of kinematics from which every joint, strut and contact is made: a vector alpha that is a
-// signed sum of body vectors, sigma (r + A u) for points, sigma A u for axes, u = u0 + U a, with all the
-// derivatives an implicit solver needs.
+// The piece of kinematics from which all joints, struts and contacts are made: a vector alpha that is a signed sum of body
+// vectors, sigma (r + A u) for points, sigma A u for axes, u = u0 + U a, with all derivatives of an implicit solver.
 //   x = A u,  y = A U da,   x' = w x x + y,   x'' = dw x x + A U dda + w x (w x x) + 2 w x y
 // Local coordinates of a pair of bodies: increments dx = [dr; dtheta; da] and velocities v = [dr; w; da],
 // body 1 then body 2.
 //   d alpha = X dx,  alpha' = X v,  X = sigma [I or 0, -x~, A U] in the columns of its body.
-// Everything below adds to its last argument and allocates nothing. A ground body has no columns.
+// All functions add to their last argument and allocate nothing. A ground body has no columns.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -23,7 +22,7 @@ struct PairMotion {
   int size() const { return body[0]->size() + body[1]->size(); }
 };
 
-// How a node turns with the modes of its body, in B: sums over the modes that all axes of a marker share,
+// Rotation of a node by the modes of its body, in B: sums over the modes that all axes of a marker share,
 //   U_k a = -u_k~ Psi a = (Psi a) x u_k
 struct NodeTurn {
   NodeTurn() = default;
@@ -33,7 +32,7 @@ struct NodeTurn {
 
 class KinematicVector {
  public:
-  // A constant vector of W, for dot products with a direction that does not move.
+  // A constant vector of W, for dot products with a fixed direction.
   static KinematicVector constant(const Eigen::Vector3d& value_W);
   // Axis k (0, 1, 2) of the marker on the body in `slot` (0 or 1).
   static KinematicVector axis(const PairMotion& pair, int slot, const Marker& marker, int k);
@@ -61,14 +60,14 @@ class KinematicVector {
   void add_acc_by_velocity(const Eigen::Vector3d& f, Eigen::Ref<Eigen::VectorXd> out) const;
   // K += X^T C X_other
   void add_product(const Eigen::Matrix3d& C, const KinematicVector& other, Eigen::Ref<Eigen::MatrixXd> K) const;
-  // out += X;  out += d alpha' / dx  (3 x n each), for laws that are easier to write with matrices
+  // out += X;  out += d alpha' / dx  (3 x n each), for laws written with matrices
   void add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> out) const;
   void add_rate_jacobian(Eigen::Ref<Eigen::Matrix3Xd> out) const;
   // K += d(X^T f) / dx at fixed f
   void add_second(const Eigen::Vector3d& f, Eigen::Ref<Eigen::MatrixXd> K) const;
 
   KinematicVector() = default;  // the zero vector of W
-  // axis() and difference() where the vector is to stand, without a copy
+  // axis() and difference() in place, without a copy
   KinematicVector(const PairMotion& pair, int slot, const Marker& marker, int k, const NodeTurn& turn);
   KinematicVector(const PairMotion& pair, const Marker& m1, const Marker& m2);
 
@@ -78,7 +77,7 @@ class KinematicVector {
     const Eigen::Matrix3Xd* U;  // 3 x s
     int offset;                 // first local column of the body
     double sign;
-    bool point;               // r takes part
+    bool point;               // r is included
     Eigen::Vector3d x, y, z;  // A u, A U da, A U dda
   };
   struct Local {  // in B
@@ -96,8 +95,7 @@ class KinematicVector {
   Eigen::Vector3d acc_ = Eigen::Vector3d::Zero();
 };
 
-// Derivatives of a dot product a.b of kinematic vectors, the coordinate of most springs between two markers. Everything
-// adds to its last argument.
+// --- Derivatives of a dot product a.b of kinematic vectors, the coordinate of most springs between two markers.
 
 // (a.b)'
 inline double dot_rate(const KinematicVector& a, const KinematicVector& b) {
@@ -155,8 +153,8 @@ inline void add_dot_second(const KinematicVector& a, const KinematicVector& b, d
   b.add_product(scaled, a, K);
 }
 
-// The vectors between two markers, each computed at most once. Forces on them are
-// collected, so that all rows of a joint pass through the modes of its bodies once.
+// The vectors between two markers, each computed at most once. Forces on them are collected, so that all rows of a joint
+// pass through the modes of its bodies once.
 class MarkerVectors {
  public:
   MarkerVectors(const PairMotion& pair, const Marker& m1, const Marker& m2) : pair_(pair), m1_(m1), m2_(m2) {}
@@ -175,7 +173,7 @@ class MarkerVectors {
 
   void push_axis(int slot, int k, const Eigen::Vector3d& f) { push(3 * slot + k, f); }
   void push_difference(const Eigen::Vector3d& f) { push(kDifference, f); }
-  // out += sum X^T f of all that was pushed
+  // out += sum X^T f over all pushed forces
   void add_pushed(Eigen::Ref<Eigen::VectorXd> out) const;
 
  private:
@@ -193,10 +191,10 @@ class MarkerVectors {
   bool pushed_[kVectors] = {};
   std::optional<NodeTurn> turn_[2];
   std::optional<KinematicVector> vectors_[kVectors];
-  Eigen::Vector3d forces_[kVectors];  // of those that are pushed
+  Eigen::Vector3d forces_[kVectors];  // of the pushed vectors
 };
 
-// Position and velocity of a marker's point: r + x, dr + w x x + A S da.
+// Position and velocity of a marker's point, r + x and dr + w x x + A S da, where no further derivatives are required.
 class MovingPoint {
  public:
   MovingPoint() = default;

@@ -1,8 +1,11 @@
+// On a flexible body a marker moves with one node; the modes of that node become those of the marker.
+
 #include "mbd_solver/model/marker.h"
 
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
@@ -34,8 +37,9 @@ Marker node_marker(int index, const Body& body, int node, const Eigen::Vector3d&
                    const Eigen::Matrix3d& axes_B) {
   const ModalBody* modal = body.modal();
   if (modal == nullptr || node < 0 || node >= modal->node_count())
-    throw InputError("body \"" + body.name() + "\": there is no node " + std::to_string(node) + "; it has " +
-                     std::to_string(modal == nullptr ? 0 : modal->node_count()) + " nodes.");
+    throw InputError(code::kNoSuchNode, "body \"" + body.name() + "\": there is no node " + std::to_string(node) +
+                                            "; it has " + std::to_string(modal == nullptr ? 0 : modal->node_count()) +
+                                            " nodes.");
   Marker marker = rigid_marker(index, modal->rho0.col(node) + offset_B, axes_B);
   if (body.mode_count() == 0) return marker;
   marker.Psi = modal->Psi.middleRows(3 * node, 3);

@@ -1,5 +1,5 @@
 #pragma once
-// A marker: a point with three axes on a body or on the ground, to which joints, struts and contacts attach.
+// A marker is a point with three axes on a body or on the ground, to which joints, struts and contacts attach.
 //   position  p = r + A s(a),  s = s0 + S a,  S = Phi_j - off~ Psi_j  (node j, offset `off` from it)
 //   axis k    e_k = A (u_k + U_k a),  U_k = -u_k~ Psi_j
 // The rotation of the node is taken to first order in a, as the modes themselves are.
@@ -21,11 +21,11 @@ struct Marker {
 
 Marker ground_marker(const Eigen::Vector3d& p_W, const Eigen::Matrix3d& axes_W = Eigen::Matrix3d::Identity());
 
-// At a point of body `index`, in B. On a flexible body it rides on the nearest node, the rest a rigid offset.
+// At a point of body `index`, in B. On a flexible body it is attached to the nearest node with a rigid offset.
 Marker body_marker(int index, const Body& body, const Eigen::Vector3d& p_B,
                    const Eigen::Matrix3d& axes_B = Eigen::Matrix3d::Identity());
 
-// At `offset` from node `node` of a flexible body, in B. Throws InputError when the body has no such node.
+// At `offset` from node `node` of a flexible body, in B. Throws InputError if the body has no such node.
 Marker node_marker(int index, const Body& body, int node, const Eigen::Vector3d& offset_B = Eigen::Vector3d::Zero(),
                    const Eigen::Matrix3d& axes_B = Eigen::Matrix3d::Identity());
 

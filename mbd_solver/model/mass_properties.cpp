@@ -1,3 +1,5 @@
+// Closed forms of simple solids, sums by the parallel-axis theorem, and principal axes from an eigenvalue problem.
+
 #include "mbd_solver/model/mass_properties.h"
 
 #include <Eigen/Eigenvalues>
@@ -7,13 +9,15 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {
 
 void demand_positive(double value, const std::string& what) {
-  if (!(value > 0.0)) throw InputError(what + " is " + number_text(value) + "; it must be positive.");
+  if (!(value > 0.0))
+    throw InputError(code::kMassProperties, what + " is " + number_text(value) + "; it must be positive.");
 }
 
 // A solid of revolution between two points: transverse and axial inertia about its middle.
@@ -52,8 +56,8 @@ MassProperties tube_properties(const Eigen::Vector3d& from, const Eigen::Vector3
   demand_positive(density, "density [kg/m3]");
   const double outer = 0.5 * diameter, inner = outer - wall;
   if (inner < 0.0)
-    throw InputError("wall of a tube is " + std::to_string(wall) + " m; it must not exceed the radius, " +
-                     std::to_string(outer) + " m.");
+    throw InputError(code::kMassProperties, "wall of a tube is " + number_text(wall) +
+                                                " m; it must not exceed the radius, " + number_text(outer) + " m.");
   const double mass = density * length * kPi * (outer * outer - inner * inner);
   const double r2 = outer * outer + inner * inner;
   return along_line(from, to, mass, 0.5 * mass * r2, mass * (3.0 * r2 + length * length) / 12.0);
@@ -118,9 +122,9 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kAlong = 1e-9;  // [rad] axes that are nearer to the frame's are the frame's
+constexpr double kAlong = 1e-9;  // axes nearer to the frame's than this are the frame's [rad]
 
-// The frame turned on the shortest way, so that its axis nearest to `axis` lies along it.
+// The frame turned by the shortest rotation that aligns its nearest axis with `axis`.
 Matrix3d turned_frame(const Vector3d& axis) {
   Index nearest = 0;
   axis.cwiseAbs().maxCoeff(&nearest);
@@ -128,7 +132,7 @@ Matrix3d turned_frame(const Vector3d& axis) {
   return shortest_turn(Vector3d::Unit(nearest), along.normalized());
 }
 
-// Each column to the axis of the frame that is nearest to it: the nearest of all first, then of those left.
+// Assigns each column to the nearest axis of the frame, the best match first.
 Matrix3d in_order(Matrix3d columns) {
   Matrix3d nearness = columns.cwiseAbs(), ordered;
   for (int chosen = 0; chosen < 2; ++chosen) {

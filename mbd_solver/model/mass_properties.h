@@ -1,5 +1,6 @@
 #pragma once
-// Mass, centre and inertia of simple solids from dimensions and density, in the drawing's own axes.
+// Mass, centre and inertia of simple solids from dimensions and density, in axes of the reference configuration; principal
+// axes.
 
 #include <Eigen/Dense>
 
@@ -9,13 +10,13 @@ namespace footfall {
 
 struct MassProperties {
   double mass = 0.0;                                  // [kg]
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();   // centre of mass in drawing axes [m]
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the centre of mass, in drawing axes [kg m2]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();   // centre of mass [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the centre of mass [kg m2]
 };
 
-// All throw InputError when a dimension or the density is not positive (or a wall thicker than the radius).
+// All throw InputError if a dimension or the density is not positive, or a wall is thicker than the radius.
 MassProperties box_properties(const Eigen::Vector3d& size, double density);  // centred at the origin
-// Between two end points, both in drawing axes; outer diameter, wall thickness [m].
+// Between two end points; outer diameter, wall thickness [m].
 MassProperties tube_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double wall,
                                double density);
 MassProperties rod_properties(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double density);
@@ -31,13 +32,13 @@ MassProperties with_mass(const MassProperties& solid, double mass);
 // Several solids as one rigid body.
 MassProperties operator+(const MassProperties& a, const MassProperties& b);
 
-// Axes in which the inertia of a body is diagonal, chosen in one way where its shape leaves a choice.
+// --- Principal axes, chosen uniquely where the shape of a body leaves a choice.
 
 constexpr double kSameMoment = 1e-6;  // moments of inertia that differ by less, relative to the largest, are equal
 
 // Unit vectors of the principal axes as columns, right-handed; column i is the one nearest to axis i of the frame, on the
-// same side. Of a solid of revolution: its axis, and the frame's other two turned with it on the shortest way. Of a solid
-// with three equal moments, and of one that lies along the frame's axes: the identity, to the bit.
+// same side. For a solid of revolution: its axis, and the frame's other two axes turned with it by the shortest rotation. For
+// a solid with three equal moments, or one along the frame's axes: exactly the identity.
 // inertia: 3 x 3 symmetric [kg m2], about any one point.
 Eigen::Matrix3d principal_axes(const Eigen::Matrix3d& inertia);
 // About Bo, undeformed, in B.

@@ -1,3 +1,5 @@
+// Stress recovery from modal coordinates, and the measures that the range of linear modes is checked with.
+
 #include "mbd_solver/model/modal_body.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #pragma once
-// A flexible body reduced to modal coordinates: what the floating-frame equations need, whoever made it
-// (beam elements, plate elements, or a file of a finite-element code). [Lin25 5-12], theory 1.2
-// of reference.
+// A flexible body reduced to modal coordinates, from beam elements, plate elements or a file of a finite-element code; its
+// stresses and the range of its linear modes. [Lin25 5-12], theory 1.2.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -14,10 +13,8 @@ namespace footfall {
 // Small rotation of node j, in B:            theta_j = Psi_j a                   [rad]
 // Kinetic energy: 1/2 sum_j m_j |dr_j|^2 + 1/2 sum_j (w_B + Psi_j da)^T J_j (w_B + Psi_j da)
 // Strain energy: 1/2 a^T K a;  modal damping force: -C da.
-// Floating frame: MEAN AXES always. Origin Bo = centre of mass undeformed; the modes hold no rigid-body
-// content:
-//   sum_j m_j Phi_j = 0 and sum_j (m_j rho0_j x Phi_j + J_j Psi_j) = 0 (to round-off), whatever basis made
-//   them.
+// Floating frame: MEAN AXES always. Origin Bo = centre of mass, undeformed; the modes have no rigid-body content:
+//   sum_j m_j Phi_j = 0 and sum_j (m_j rho0_j x Phi_j + J_j Psi_j) = 0 (to round-off), for every kind of basis.
 // Modes are mass-orthonormal: sum_j (m_j Phi_j^T Phi_j + Psi_j^T J_j Psi_j) = I, K = diag(omega_k^2).
 struct ModalBody {
   std::string name;
@@ -28,11 +25,10 @@ struct ModalBody {
   Eigen::MatrixXd Psi;                        // 3N x s rotational mode shapes [rad per unit of a]
   Eigen::VectorXd stiffness;                  // s: omega_k^2 [1/s2] (mass-orthonormal modes)
   Eigen::VectorXd damping;                    // s: 2 zeta_k omega_k [1/s]
-  // Largest relative error of static deflection against the model the modes were made from (fe/static_error.h); empty
-  // when nothing is attached, or the model is not known.
+  // Largest relative error of static deflection against the full model (fe/static_error.h); empty if nothing is attached
+  // or the model is not known.
   std::optional<double> static_error;
-  // Stress recovery: sigma = stress_modes * a, six components (xx yy zz xy yz zx, element axes) per stress
-  // point.
+  // Stress recovery: sigma = stress_modes * a, six components (xx yy zz xy yz zx, element axes) per stress point.
   Eigen::MatrixXd stress_modes;  // 6 P x s [Pa per unit of a]; may be empty
   // Surface and beam connectivity of the same nodes, for boundaries and for pictures.
   std::vector<Eigen::Vector3i> triangles;  // node indices; may be empty
@@ -42,28 +38,26 @@ struct ModalBody {
   int mode_count() const { return static_cast<int>(stiffness.size()); }
 };
 
-// Where the floating frame with linear modes holds. It has no geometric stiffening (centrifugal tension does not
-// stiffen bending) and takes deflections as small. Measured in tests/physics/rotating_beam_test.cpp and
-// large_deflection_test.cpp; theory 1.4.
+// --- Range of validity. The floating frame with linear modes has no geometric stiffening (centrifugal tension does not
+// stiffen bending) and assumes small deflections. theory 1.4.
 
-// |w| over the lowest elastic angular frequency of the free body: up to here bending frequencies err by less than one
-// percent, held at an end or free; the error grows with the square.
+// |w| over the lowest elastic angular frequency of the free body: below this limit the error of bending frequencies is less
+// than one percent, clamped or free; it grows with the square.
 constexpr double kSpinRange = 0.04;
-// Largest deflection from mean axes over the extent of the body: up to here it errs by less than one percent; the error
-// grows with the square.
+// Largest deflection from mean axes over the extent of the body: below this limit the error of deflection is less than one
+// percent; it grows with the square.
 constexpr double kDeflectionRange = 0.01;
 
-// Lowest elastic angular frequency of the free body [rad/s]; the body has modes.
+// Lowest elastic angular frequency of the free body [rad/s]; the body must have modes.
 double lowest_frequency(const ModalBody& body);
 // Diagonal of the box around the nodes, undeformed [m].
 double extent(const ModalBody& body);
 
-// Stress and deflection of a flexible body in a given state. For output, not for the inner loop.
+// --- Stress and deflection in a given state: for output.
 
 // Von Mises stress [Pa] of each stress point; empty if the body has none.
 Eigen::VectorXd von_mises_of_points(const ModalBody& body, const Eigen::VectorXd& a);
-// Largest von Mises stress [Pa] of each triangle, then of each segment; empty when stress points do not
-// belong to them.
+// Largest von Mises stress [Pa] of each triangle, then of each segment; empty if stress points do not belong to them.
 Eigen::VectorXd von_mises_of_cells(const ModalBody& body, const Eigen::VectorXd& a);
 // Largest von Mises stress [Pa]; 0 without stress points or modes.
 double von_mises(const ModalBody& body, const Eigen::VectorXd& a);

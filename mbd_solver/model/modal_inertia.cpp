@@ -1,9 +1,12 @@
+// Shape integrals over the nodes, then forces of inertia and their derivatives as sums over one or two modes (theory 1.2).
+
 #include "mbd_solver/model/modal_inertia.h"
 
 #include <Eigen/Eigenvalues>
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/model/rotation.h"
 
@@ -15,17 +18,20 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kRoundOff = 1e-12;  // times the largest modal mass: what is smaller beside the diagonal is zero
-constexpr double kZeroSum = 1e-8;    // times the largest sum over two modes: what is smaller is round-off of the modes
+constexpr double kRoundOff = 1e-12;  // of the largest modal mass: smaller off-diagonal terms are zero
+constexpr double kZeroSum = 1e-8;    // of the largest sum over two modes: smaller ones are round-off
 
-// A body without inertia about some axis has a singular mass matrix: refuse it here, where its name is known.
+// A body without inertia about some axis has a singular mass matrix.
 void require_positive(double mass, const Matrix3d& inertia, const std::string& body) {
   const std::string who = body.empty() ? "body" : "body \"" + body + "\"";
-  if (!(mass > 0.0)) throw InputError(who + ": mass is " + std::to_string(mass) + " kg, expected a positive number.");
+  if (!(mass > 0.0))
+    throw InputError(code::kMassProperties,
+                     who + ": mass is " + std::to_string(mass) + " kg, expected a positive number.");
   const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(moments.minCoeff() > 0.0) || !inertia.allFinite())
-    throw InputError(who + ": smallest principal moment of inertia is " + std::to_string(moments.minCoeff()) +
-                     " kg m2, expected a symmetric positive definite inertia about the centre of mass.");
+    throw InputError(code::kMassProperties,
+                     who + ": smallest principal moment of inertia is " + std::to_string(moments.minCoeff()) +
+                         " kg m2, expected a symmetric positive definite inertia about the centre of mass.");
 }
 
 }  // namespace
@@ -93,7 +99,7 @@ ModalInertia::ModalInertia(const ModalBody& body)
   J0_ = 0.5 * (J0_ + J0_.transpose()).eval();
   Mff_ = 0.5 * (Mff_ + Mff_.transpose()).eval();
   if (s > 0) {
-    // Modes are orthogonal but for round-off, or what has been added to the body since.
+    // Modes are orthogonal up to round-off, unless masses were added to the body.
     const Eigen::MatrixXd mass = Mff_.diagonal().asDiagonal();
     if ((Mff_ - mass).cwiseAbs().maxCoeff() <= kRoundOff * mass.maxCoeff()) Mff_ = mass;
     orthogonal_ = Mff_.isDiagonal(0.0);
@@ -212,7 +218,7 @@ void ModalInertia::mass_product(const Vec& a, const Vec& x, Scratch& scratch, Ei
 // force:   2 w x (S1 da) + w x (w x S)
 // moment:  dJ w + w x (J w + C da) + dC da
 // modal k: -1/2 w . dJ/da_k w + w . sum_l da_l (dC_k/da_l - dC_l/da_k) + C_k da_k + K_k a_k
-// All sums over two modes are two products. dC da is a sum over pairs of modes, to which their symmetric part gives all.
+// All sums over two modes are two products. dC da is a sum over pairs of modes; only their symmetric part contributes.
 void ModalInertia::inertia_force(const Vec& a, const Vec& v, const Vec& dv, Scratch& scratch,
                                  Eigen::Ref<Eigen::VectorXd> g) const {
   const Index s = modes_;
@@ -270,17 +276,7 @@ double ModalInertia::damping_power(const Vec& da) const { return (C_.array() * d
 
 Vector3d ModalInertia::centre_of_mass(const Vec& a) const { return to_body(first_moment(a)) / mass_; }
 
-// Derivatives of the forces of inertia of one body.
-
-namespace {
-
-using Vec = Eigen::Ref<const Eigen::VectorXd>;
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-
-}  // namespace
-
-// Row by row the derivatives of g = M(a) dv + h(a, v), with dv = [ddr; dw; dda]; see the function above.
+// Row by row the derivatives of g = M(a) dv + h(a, v), with dv = [ddr; dw; dda]; see inertia_force().
 void ModalInertia::derivatives(const Vec& a, const Vec& v, const Vec& dv, Eigen::Ref<Eigen::MatrixXd> dg_da,
                                Eigen::Ref<Eigen::MatrixXd> dg_dv) const {
   const Eigen::Index size = 6 + modes_;

@@ -1,4 +1,6 @@
 #pragma once
+// Inertia of one body in its own frame B, rigid (s = 0) or flexible, at a cost of O(s^2) per evaluation: sums over nodes are
+// done once, at construction (inertia shape integrals).
 
 #include <Eigen/Dense>
 
@@ -9,16 +11,13 @@
 
 namespace footfall {
 
-// Inertia of one body in its own frame B, rigid (s = 0) or flexible, at a cost of O(s^2) per evaluation:
-// the sums over nodes are done once, at construction (inertia shape integrals).
-
 // All components in B:  v = [dr; w; da] (6+s), dv = its components' rates as used in theory 1.2:
 //   ddr_j = ddr + dw x rho_j + Phi_j dda + w_j,   w_j = 2 w x (Phi_j da) + w x (w x rho_j).
 //   M(a) dv + h(a, v) = applied generalized force: Lagrange's equations of
 //   T = 1/2 m |dr|^2 + dr . (w x S(a) + S1 da) + 1/2 w . J(a) w + w . C(a) da + 1/2 da^T Mff da
 // with elastic and damping forces in h. The rotary inertia J_j of a node turns with it, by t_j = Psi_j a: to second
-// order in a it is J_j + t~ J_j - J_j t~ + 1/2 (t~ t~ J_j + J_j t~ t~) - t~ J_j t~, with the node's angular velocity
-// w + Psi_j da + 1/2 t x Psi_j da. This holds gyroscopic and centrifugal moments of discs on a shaft.
+// order in a this is J_j + t~ J_j - J_j t~ + 1/2 (t~ t~ J_j + J_j t~ t~) - t~ J_j t~, with the node's angular velocity
+// w + Psi_j da + 1/2 t x Psi_j da. This includes gyroscopic and centrifugal moments of discs on a shaft.
 // For s = 0: M = diag(m I, J), h = [m w x (w x c); w x J w] with c = 0.
 class ModalInertia {
  public:
@@ -28,7 +27,7 @@ class ModalInertia {
 
   int mode_count() const { return modes_; }
   double mass() const { return mass_; }
-  // Products in the sums over two modes of one inertia_force: 15 s^2 at most, fewer where sums are zero.
+  // Number of products in the sums over two modes of one inertia_force: at most 15 s^2, fewer where sums are zero.
   Eigen::Index products() const { return by_a_.entries() + by_da_.entries(); }
 
   // M(a): (6+s) x (6+s), symmetric positive definite.
@@ -59,7 +58,7 @@ class ModalInertia {
  private:
   Eigen::Vector3d to_principal(const Eigen::Vector3d& of_body) const;
   Eigen::Vector3d to_body(const Eigen::Vector3d& of_principal) const;
-  // The first six rows, or columns: two vectors.
+  // The first six rows or columns are two vectors.
   void rows_to_body(Eigen::Ref<Eigen::MatrixXd> A) const;
   void columns_to_body(Eigen::Ref<Eigen::MatrixXd> A) const;
   void sum_by_a(const Eigen::Ref<const Eigen::VectorXd>& a, Scratch& scratch) const;                         // by_a
@@ -72,18 +71,17 @@ class ModalInertia {
   Symmetric inertia_curvature(int l, int k) const { return pairs_.block<6, 1>(6 * k, l); }  // d2J/da_l da_k
   Eigen::Vector3d coupling_slope(int l, int k) const { return pairs_.block<3, 1>(6 * modes_ + 3 * k, l); }  // dC_k/da_l
 
-  // Shape integrals. Vectors and matrices are in the principal axes of the body, in which many sums over two modes are zero
-  // (column_groups.h); x~ is the skew matrix of x, sums over nodes j, t_k = Psi_k of the node.
+  // Shape integrals, in the principal axes of the body, where many sums over two modes are zero (column_groups.h); x~ is the skew matrix of x, sums over nodes j, t_k = Psi_k of the node.
   int modes_ = 0;
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();  // the principal axes in B, columns
-  bool turned_ = false;                                 // they are not those of B
+  bool turned_ = false;                                 // they differ from the axes of B
   double mass_ = 0.0;                                   // sum m [kg]
   Eigen::Vector3d S0_;                                  // sum m rho0 [kg m]
   Eigen::Matrix3Xd S1_;                                 // 3 x s: sum m Phi
   Eigen::Matrix3d J0_;                                  // sum -m rho0~ rho0~ + J_j [kg m2]
   Eigen::Matrix<double, 6, Eigen::Dynamic> J1_;         // 6 x s: dJ/da_k at a = 0
   Eigen::Matrix3Xd C0_;                                 // 3 x s: sum m rho0~ Phi + J_j Psi
-  // 9s x s, what is summed over two modes:
+  // 9s x s, integrals with two modes:
   // rows 6k.., column l:  J2_lk = d2J/da_l da_k
   // rows 6s + 3k..:       C1_lk = dC_k/da_l = sum m Phi_l x Phi_k + t_l x J_j t_k - 1/2 J_j (t_l x t_k)
   Eigen::MatrixXd pairs_;

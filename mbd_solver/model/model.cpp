@@ -1,8 +1,11 @@
+// Adding a part checks its name, its bodies and its initial state.
+
 #include "mbd_solver/model/model.h"
 
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
@@ -10,8 +13,8 @@ namespace {
 
 void demand_known_body(const std::string& what, int body, int count) {
   if (body < kGround || body >= count)
-    throw InputError(what + ": it names body number " + std::to_string(body) + ", but there are " +
-                     std::to_string(count) + " bodies.");
+    throw InputError(code::kNotInModel, what + ": it names body number " + std::to_string(body) + ", but there are " +
+                                            std::to_string(count) + " bodies.");
 }
 
 }  // namespace
@@ -19,7 +22,7 @@ void demand_known_body(const std::string& what, int body, int count) {
 int Model::add_body(Body body, const BodyState& initial) {
   for (const Body& other : bodies_) {
     if (other.name() == body.name())
-      throw InputError("body \"" + body.name() + "\": there are two bodies of this name.");
+      throw InputError(code::kTwiceInModel, "body \"" + body.name() + "\": there are two bodies of this name.");
   }
   BodyState state = initial;
   const int s = body.mode_count();
@@ -29,7 +32,7 @@ int Model::add_body(Body body, const BodyState& initial) {
   const bool finite = state.r.allFinite() && state.L.allFinite() && state.dr.allFinite() && state.w.allFinite() &&
                       state.a.allFinite() && state.da.allFinite();
   if (!finite || !(state.L.norm() > 0.0))
-    throw InputError("body \"" + body.name() + "\": its initial state is not finite.");
+    throw InputError(code::kInitialState, "body \"" + body.name() + "\": its initial state is not finite.");
   state.L.normalize();
   bodies_.push_back(std::move(body));
   initial_.push_back(std::move(state));
@@ -38,7 +41,8 @@ int Model::add_body(Body body, const BodyState& initial) {
 
 int Model::add_joint(Joint joint) {
   for (const Joint& other : joints_) {
-    if (other.name == joint.name) throw InputError("joint \"" + joint.name + "\": there are two joints of this name.");
+    if (other.name == joint.name)
+      throw InputError(code::kTwiceInModel, "joint \"" + joint.name + "\": there are two joints of this name.");
   }
   demand_known_body("joint \"" + joint.name + "\"", joint.m1.body, body_count());
   demand_known_body("joint \"" + joint.name + "\"", joint.m2.body, body_count());
@@ -51,12 +55,12 @@ int Model::add_force(std::unique_ptr<ForceElement> element) {
   const std::array<int, 2>& bodies = element->bodies();
   for (const std::unique_ptr<ForceElement>& other : forces_) {
     if (other->name() == element->name())
-      throw InputError("force element \"" + element->name() + "\": there are two of this name.");
+      throw InputError(code::kTwiceInModel, "force element \"" + element->name() + "\": there are two of this name.");
   }
   for (int body : bodies) demand_known_body("force element \"" + element->name() + "\"", body, body_count());
   if (bodies[0] == bodies[1])
-    throw InputError("force element \"" + element->name() +
-                     "\": it must act between two different bodies, or a body and the ground.");
+    throw InputError(code::kOneBodyOnly, "force element \"" + element->name() +
+                                             "\": it must act between two different bodies, or a body and the ground.");
   forces_.push_back(std::move(element));
   return force_count() - 1;
 }
@@ -67,7 +71,7 @@ int Model::body_index(const std::string& name) const {
     if (body(i).name() == name) return i;
     known += (i > 0 ? ", " : "") + body(i).name();
   }
-  throw InputError("unknown body \"" + name + "\". Known bodies: " + known + ".");
+  throw InputError(code::kNotInModel, "unknown body \"" + name + "\". Known bodies: " + known + ".");
 }
 
 Marker Model::marker_at(int index, const Eigen::Vector3d& p_W, const Eigen::Matrix3d& axes_W) const {

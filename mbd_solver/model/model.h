@@ -1,6 +1,5 @@
 #pragma once
-// The constant description of a mechanism: bodies, joints, force elements, gravity. Built once, then only
-// read.
+// The constant description of a mechanism: bodies, joints, force elements, gravity. Built once, then only read.
 
 #include <memory>
 #include <string>
@@ -13,18 +12,18 @@
 
 namespace footfall {
 
-class ContinuousSignals;  // signals/continuous_signals.h, who knows joints and elements
+class ContinuousSignals;  // control/continuous_signals.h, which includes joints and elements
 
 class Model {
  public:
   // `gravity` [m/s2] in W.
   explicit Model(const Eigen::Vector3d& gravity = Eigen::Vector3d::Zero()) : gravity_(gravity) {}
 
-  // Each returns the index of what was added. Names must be unique among their kind (InputError).
+  // Each returns the index of the new part. Names must be unique among their kind (InputError).
   int add_body(Body body, const BodyState& initial);
   int add_joint(Joint joint);
   int add_force(std::unique_ptr<ForceElement> element);
-  // Once, after what they measure.
+  // Once, after the parts that the signals measure.
   void set_signals(std::shared_ptr<const ContinuousSignals> signals) { signals_ = std::move(signals); }
 
   const Eigen::Vector3d& gravity() const { return gravity_; }
@@ -34,16 +33,15 @@ class Model {
   const Body& body(int index) const { return bodies_[static_cast<std::size_t>(index)]; }
   const Joint& joint(int index) const { return joints_[static_cast<std::size_t>(index)]; }
   const ForceElement& force(int index) const { return *forces_[static_cast<std::size_t>(index)]; }
-  const ContinuousSignals* signals() const { return signals_.get(); }  // null without
+  const ContinuousSignals* signals() const { return signals_.get(); }  // null if there are none
   const BodyState& initial(int index) const { return initial_[static_cast<std::size_t>(index)]; }
   // Index by name; InputError with a list of the known names.
   int body_index(const std::string& name) const;
 
-  // Marker on a body (or kGround) from a point and axes given in W at the initial state: joints are easiest
-  // written so.
+  // Marker on a body (or kGround) from a point and axes given in W at the initial state.
   Marker marker_at(int body, const Eigen::Vector3d& p_W,
                    const Eigen::Matrix3d& axes_W = Eigen::Matrix3d::Identity()) const;
-  // Where a marker is at the initial state, in W [m].
+  // Position of a marker at the initial state, in W [m].
   Eigen::Vector3d initial_position(const Marker& marker) const;
 
  private:

@@ -1,3 +1,5 @@
+// Quaternions are normalised where they are read, so that an integrator may leave |L| to drift.
+
 #include "mbd_solver/model/rotation.h"
 
 #include <algorithm>
@@ -73,7 +75,7 @@ Eigen::Matrix3d axes_with_z(const Eigen::Vector3d& z, const Eigen::Vector3d& x_h
   Eigen::Matrix3d axes;
   axes.col(2) = z.normalized();
   Eigen::Vector3d x = x_hint - x_hint.dot(axes.col(2)) * axes.col(2);
-  // A hint (nearly) parallel to z says nothing: take the unit vector farthest from z instead.
+  // A hint (nearly) parallel to z is replaced by the unit vector farthest from z.
   if (x.norm() < 1e-6 * x_hint.norm() || x.norm() == 0.0) {
     Eigen::Index k = 0;
     axes.col(2).cwiseAbs().minCoeff(&k);

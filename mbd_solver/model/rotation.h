@@ -1,7 +1,7 @@
 #pragma once
-// Rotations: unit quaternions L = (l0, l), scalar first, and rotation increments dtheta in the inertial frame
-// W.
-//   A(L) is evaluated with L / |L|, so that every function of the attitude has no component along L:
+// Rotations: unit quaternions L = (l0, l), scalar first, and rotation increments dtheta in the inertial frame W; symmetric
+// matrices and the direction of up.
+//   A(L) is evaluated with L / |L|, so that functions of the attitude do not depend on |L|:
 //   dtheta = 2 R(L) dL / |L|^2,   R(L) = [-l, l~ + l0 I] (3 x 4),   R(L) L = 0,   dL/dt = 1/2 R(L)^T w.
 
 #include <Eigen/Dense>
@@ -32,7 +32,7 @@ Eigen::Vector4d quaternion_from_matrix(const Eigen::Matrix3d& A);
 // Unit quaternion of a rotation by `angle` [rad] about `axis` (any length but zero).
 Eigen::Vector4d quaternion_about(const Eigen::Vector3d& axis, double angle);
 
-// Rz(yaw) Ry(pitch) Rx(roll), angles in [rad]: the one order of roll, pitch and yaw in scenes and histories.
+// Rz(yaw) Ry(pitch) Rx(roll), angles in [rad]: the order of roll, pitch and yaw in scenes and histories.
 Eigen::Matrix3d rotation_from_rpy(double roll, double pitch, double yaw);
 // Its inverse (roll, pitch, yaw): roll and yaw in [-pi, pi], pitch in [-pi/2, pi/2].
 Eigen::Vector3d rpy_from_rotation(const Eigen::Matrix3d& A);
@@ -40,15 +40,19 @@ Eigen::Vector3d rpy_from_rotation(const Eigen::Matrix3d& A);
 // L turned by the rotation vector dtheta (in W, any size): exp(dtheta) * L, normalised.
 Eigen::Vector4d rotated(const Eigen::Vector4d& L, const Eigen::Vector3d& dtheta);
 
-// Right-handed axes (columns x, y, z) whose z is `z` and whose x is as near as possible to `x_hint` (any axis
-// when parallel).
+// Right-handed axes (columns x, y, z) whose z is `z` and whose x is as near as possible to `x_hint` (any axis if parallel).
 Eigen::Matrix3d axes_with_z(const Eigen::Vector3d& z, const Eigen::Vector3d& x_hint = Eigen::Vector3d::UnitX());
 
-// The turn on the shortest way that takes the direction of `from` to that of `to`, both unit vectors; half a turn about an axis
-// normal to `from` where they are opposite. (Eigen's FromTwoVectors compiles a singular value decomposition for that case.)
+// The shortest rotation of the direction `from` to `to`, both unit vectors; half a turn about an axis normal to `from` if
+// they are opposite. (Eigen's FromTwoVectors compiles a singular value decomposition for that case.)
 Eigen::Matrix3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-// A symmetric 3 x 3 matrix as its six numbers.
+// Up, for heights and vertical speeds: against gravity g [m/s2], along z without gravity. A unit vector of W.
+inline Eigen::Vector3d up_direction(const Eigen::Vector3d& g) {
+  return g.norm() > 0.0 ? Eigen::Vector3d(-g.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+}
+
+// --- A symmetric 3 x 3 matrix as six numbers.
 
 using Symmetric = Eigen::Matrix<double, 6, 1>;  // xx yy zz xy yz zx
 

@@ -1,6 +1,6 @@
 #pragma once
-// Everything that changes while a model runs, as plain numbers: saving and restoring a State resumes a run to
-// the bit (the integrator itself is told to forget() at the checkpoint in both runs).
+// Everything that changes while a model runs, as plain numbers, and its inputs from outside. A State that is saved and
+// restored resumes a run bit for bit, because integrators restart at a checkpoint in both runs.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -20,22 +20,23 @@ struct State {
   Dissipated dissipated;      // [J]
   Eigen::VectorXd load_work;  // work of the external loads on each body [J]
   Supplied supplied;          // work of prescribed motions, forces and drives [J]
-  // Next internal step to try [s]; 0: the integrator chooses.
+  // Next internal step to try [s]; 0: chosen by the integrator.
   double step = 0.0;
 };
 
-// What comes from outside and is constant during one window: loads on bodies and controlled voltages.
-
+// A load on one body that is constant during one window.
 struct ExternalLoad {
   Eigen::Vector3d F_W = Eigen::Vector3d::Zero();  // force, constant in W [N]
   Eigen::Vector3d T_B = Eigen::Vector3d::Zero();  // moment about Bo, constant in the body frame B [N m]
   Eigen::VectorXd Q_a;                            // modal forces; empty means zero
-  std::optional<TangentLoad> tangent;             // reacts within the window
+  std::optional<TangentLoad> tangent;             // varies with the motion within the window
 };
 
+// What is constant during one window.
 struct Inputs {
   std::vector<ExternalLoad> loads;  // one per body, in the order of the model; empty means no loads at all
-  Eigen::VectorXd voltages;  // one per controlled output [-]; then signals, those that are continuous without value
+  // Outputs of controllers [-], then signals. Entries of continuous signals are unused.
+  Eigen::VectorXd values;
 };
 
 }  // namespace footfall

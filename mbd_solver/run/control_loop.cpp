@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "mbd_solver/model/elements/strut.h"
-#include "mbd_solver/model/up_direction.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 
@@ -51,15 +51,15 @@ void ControlLoop::sample_due(const Sample& sample, Inputs& inputs) {
     const double period = entry.controller->period();
     if (time < (static_cast<double>(samples_[i]) - 1e-6) * period) continue;
     const auto outputs = static_cast<Eigen::Index>(entry.outputs.size());
-    Eigen::Ref<Eigen::VectorXd> voltages = inputs.voltages.segment(entry.first_input, outputs);
+    Eigen::Ref<Eigen::VectorXd> values = inputs.values.segment(entry.first_input, outputs);
     const ControllerMeasurement measurement = measure(entry, sample);
     if (measurement.acceleration > entry.touchdown_acceleration)
       entry.wakes_at = std::min(entry.wakes_at, time + entry.touchdown_delay);
-    entry.controller->sample(measurement, voltages);  // asleep too: its filter follows
-    if (time < entry.wakes_at - 1e-9) voltages.setZero();
+    entry.controller->sample(measurement, values);  // asleep too: its filter follows
+    if (time < entry.wakes_at - 1e-9) values.setZero();
     samples_[i] = static_cast<long>(std::floor(time / period + 1e-6)) + 1;
   }
-  if (signals_) signals_->sample_due(sample, inputs.voltages);
+  if (signals_) signals_->sample_due(sample, inputs.values);
 }
 
 void ControlLoop::visit(Archive& archive) {

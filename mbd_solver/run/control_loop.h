@@ -1,5 +1,5 @@
 #pragma once
-// Sampled control: at its period each controller sees the mechanism and sets voltages, constant until its next sample.
+// Sampled control: at its period each controller sees the mechanism and sets inputs, constant until its next sample.
 
 #include "coupler/archive.h"
 #include "mbd_solver/run/observe/sampler.h"
@@ -13,7 +13,7 @@ class ControlLoop {
   // Throws InputError for a signal or event that reads what is not there.
   ControlLoop(Mechanism& mechanism, const Subject& subject);
 
-  // Samples every controller and signal that is due at this time (within rounding) and writes its voltages. inputs: those that the
+  // Samples every controller and signal that is due at this time (within rounding) and writes its inputs. inputs: those that the
   // sample views.
   void sample_due(const Sample& sample, Inputs& inputs);
   // Time of the next sample [s]; infinity without controllers.

@@ -7,7 +7,7 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/integrator/ida.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
-#include "mbd_solver/model/up_direction.h"
+#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/scene_json.h"
 

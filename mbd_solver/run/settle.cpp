@@ -55,7 +55,7 @@ class Relaxation {
   Relaxation(const Mechanism& mechanism, const Assembly& assembly, const IntegratorOptions& options)
       : equations_(mechanism.model, assembly), rates_(Eigen::VectorXd::Zero(equations_.layout().size())) {
     integrator_ = make_integrator("one_step", equations_, options);
-    inputs_.voltages = mechanism.inputs;
+    inputs_.values = mechanism.inputs;
     state_ = assembly.state;
     equations_.settle_signals(nullptr, inputs_, state_);
     stop();

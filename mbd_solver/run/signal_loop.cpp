@@ -58,14 +58,14 @@ const std::string& SignalLoop::event_name(int event) const {
   return subject_.scene.events[static_cast<std::size_t>(event)].name;
 }
 
-SignalLoop::Held SignalLoop::held(const Sample& sample, const Eigen::VectorXd& voltages) {
+SignalLoop::Held SignalLoop::held(const Sample& sample, const Eigen::VectorXd& values) {
   if (conditions_.size() == 0) return {};
   of_conditions_.take(sample);
   for (std::size_t i = 0; i < conditions_.names().size(); ++i)
-    conditions_.set(i, of_conditions_.value(i, sample, voltages));
+    conditions_.set(i, of_conditions_.value(i, sample, values));
   const auto in_state = [&](const std::string& name) {
     for (const PlaceEntry& state : subject_.mechanism.states)
-      if (state.name == name) return voltages(state.place) != 0.0;
+      if (state.name == name) return values(state.place) != 0.0;
     return false;
   };
   for (const std::size_t k : order_) {
@@ -83,21 +83,21 @@ SignalLoop::Held SignalLoop::held(const Sample& sample, const Eigen::VectorXd& v
   return {};
 }
 
-void SignalLoop::happen(int event, double time, Eigen::VectorXd& voltages) {
+void SignalLoop::happen(int event, double time, Eigen::VectorXd& values) {
   const std::string& to = subject_.scene.events[static_cast<std::size_t>(event)].to;
   const Mechanism& mechanism = subject_.mechanism;
-  for (const PlaceEntry& state : mechanism.states) voltages(state.place) = state.name == to ? 1.0 : 0.0;
-  voltages(mechanism.state_since) = time;
+  for (const PlaceEntry& state : mechanism.states) values(state.place) = state.name == to ? 1.0 : 0.0;
+  values(mechanism.state_since) = time;
   for (std::size_t k = 0; k < chain_.size(); ++k) {
     const std::vector<std::string>& states = chain_.node(k).states;
     if (!states.empty() && std::find(states.begin(), states.end(), to) == states.end()) {
-      voltages(chain_.node(k).place) = 0.0;
+      values(chain_.node(k).place) = 0.0;
       worked_[k] = false;
     }
   }
 }
 
-void SignalLoop::sample_due(const Sample& sample, Eigen::VectorXd& voltages) {
+void SignalLoop::sample_due(const Sample& sample, Eigen::VectorXd& values) {
   const double time = sample.state.time;
   for (std::size_t k = 0; k < conditions_.size(); ++k)
     if (const double period = conditions_.node(k).period; period > 0.0 && due(time, period, looks_[k]))
@@ -108,13 +108,13 @@ void SignalLoop::sample_due(const Sample& sample, Eigen::VectorXd& voltages) {
   if (!any) return;
 
   readings_.take(sample);
-  for (std::size_t i = 0; i < chain_.names().size(); ++i) chain_.set(i, readings_.value(i, sample, voltages));
+  for (std::size_t i = 0; i < chain_.names().size(); ++i) chain_.set(i, readings_.value(i, sample, values));
   const auto states = [&](std::size_t k) -> Eigen::Ref<Eigen::VectorXd> {
     return z_.segment(chain_.first_state(k), chain_.node(k).block->state_count());
   };
   try {
     // Values, in order; what answers from its states alone moves them when all values are known.
-    for (std::size_t k = 0; k < chain_.size(); ++k) chain_.put(k, voltages(chain_.node(k).place));
+    for (std::size_t k = 0; k < chain_.size(); ++k) chain_.put(k, values(chain_.node(k).place));
     for (std::size_t k = 0; k < chain_.size(); ++k) {
       if (!is_due(k)) continue;
       const SignalNode& node = chain_.node(k);
@@ -125,7 +125,7 @@ void SignalLoop::sample_due(const Sample& sample, Eigen::VectorXd& voltages) {
                                          : node.block->value(states(k), states(k));
       }
       chain_.put(k, y);
-      voltages(node.place) = y;
+      values(node.place) = y;
     }
     for (std::size_t k = 0; k < chain_.size(); ++k) {
       if (!is_due(k)) continue;

@@ -27,14 +27,14 @@ class SignalLoop {
     int event = -1;
     bool sampled = false;  // it has a period: it happens at the sample itself
   };
-  Held held(const Sample& sample, const Eigen::VectorXd& voltages);
-  // Goes to the event's state: it is among the voltages, and signals that stop are 0.
-  void happen(int event, double time, Eigen::VectorXd& voltages);
+  Held held(const Sample& sample, const Eigen::VectorXd& values);
+  // Goes to the event's state: it is among the inputs, and signals that stop are 0.
+  void happen(int event, double time, Eigen::VectorXd& values);
   const std::string& event_name(int event) const;
   std::size_t state_count() const { return subject_.mechanism.states.size(); }
 
   // Computes the signals that are due at this time (within rounding), and writes their values.
-  void sample_due(const Sample& sample, Eigen::VectorXd& voltages);
+  void sample_due(const Sample& sample, Eigen::VectorXd& values);
 
   void visit(Archive& archive);
 

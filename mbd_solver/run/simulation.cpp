@@ -61,8 +61,8 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       control_(mechanism_, {scene_, mechanism_, equations_.layout()}),
       sampler_({scene_, mechanism_, equations_.layout()}, equations_, state_, rates_, inputs_),
       checkpoints_(scene.output.checkpoint_interval, scene.output.checkpoint_interval) {
-  inputs_.voltages = mechanism_.inputs;
-  voltages_move_ = std::isfinite(control_.next_sample());  // else nothing samples: rows alone end no window
+  inputs_.values = mechanism_.inputs;
+  inputs_change_ = std::isfinite(control_.next_sample());  // else nothing samples: rows alone end no window
   const Kinematics drawn = kinematics();
   if (scene.initial.settle && resume.empty()) start_settled();
   equations_.settle_signals(nullptr, inputs_, state_);
@@ -133,9 +133,9 @@ void Simulation::check_finite() const {
 // Samples the controllers that are due, and remembers whether that has changed a voltage.
 void Simulation::control() {
   const double due = control_.next_sample();
-  const Eigen::VectorXd voltages = inputs_.voltages;
+  const Eigen::VectorXd values = inputs_.values;
   control_.sample_due(sampler_.sample(), inputs_);
-  if (control_.next_sample() > due) voltages_move_ = inputs_.voltages != voltages;
+  if (control_.next_sample() > due) inputs_change_ = inputs_.values != values;
 }
 
 // started: on the clock on the wall [s].
@@ -191,7 +191,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
       control();
       last_row = state_.time;
       on_the_way += wall_clock() - row_started;
-      return interrupted == 0 && !voltages_move_;
+      return interrupted == 0 && !inputs_change_;
     };
   }
 
@@ -203,7 +203,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     return WantedSet{keep.begin(window_ + 1), !due(end)};
   };
 
-  // What the grains need not wait for: rows and voltages.
+  // What the grains need not wait for: rows and inputs.
   bool untold = false;  // the sample
   const auto tell = [&] {
     if (!untold) return;
@@ -211,7 +211,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     times_.total = wall_clock() - started;
     observe(at);
   };
-  const auto choose_voltages = [&] {
+  const auto sample_controllers = [&] {
     const double control_started = wall_clock();
     control();
     times_.control += wall_clock() - control_started;
@@ -219,7 +219,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
   const auto meanwhile = [&] {
     const double begun = wall_clock();
     tell();
-    choose_voltages();
+    sample_controllers();
     times_.beside += wall_clock() - begun;
   };
   const auto exchange = [&] {
@@ -241,11 +241,11 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
     if (asked_to_end() && (kept || !keep)) break;
 
     // Window: with grains motion goes out and the mean load comes in.
-    if (!coupled_) choose_voltages();
+    if (!coupled_) sample_controllers();
     const double t_end =
         coupled_
             ? exchange()
-            : std::min({voltages_move_ ? control_.next_sample() : t_end_, t_end_, keep ? checkpoints_.next() : t_end_});
+            : std::min({inputs_change_ ? control_.next_sample() : t_end_, t_end_, keep ? checkpoints_.next() : t_end_});
     if (coupled_ && coupled_->script_has_ended()) break;
 
     // Integrate, and check.

@@ -1,8 +1,8 @@
 #pragma once
 // The run of one scene, a window at a time. Data runs one way:
 //   Scene -> Mechanism -> State -> window (with grains: motion out, load in) -> Sample -> whoever observes
-// While it runs: controllers set voltages, the window's end is found, the mechanism moves to it, its state is checked,
-// the sample is observed. With grains the sample is observed, and voltages are set, when the motion is out: the grains move
+// While it runs: controllers set inputs, the window's end is found, the mechanism moves to it, its state is checked,
+// the sample is observed. With grains the sample is observed, and inputs are set, when the motion is out: the grains move
 // meanwhile.
 
 #include <csignal>
@@ -100,7 +100,7 @@ class Simulation {
   Eigen::VectorXd rates_;  // [dq; dv; dz; lambda] at state_.time
   long window_ = 0;        // windows done
   ControlLoop control_;
-  bool voltages_move_ = true;  // the last sample has changed one
+  bool inputs_change_ = true;  // the last sample has changed one
   bool event_ahead_ = false;   // a row has ended the window, as the condition of an event holds there
   State checked_;              // the last one where no condition held; only with events without a period
   Sampler sampler_;

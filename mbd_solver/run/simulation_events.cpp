@@ -8,7 +8,7 @@ namespace footfall {
 bool Simulation::event_holds() {
   SignalLoop* const signals = control_.signals();
   if (!signals) return false;
-  if (signals->held(sampler_.sample(), inputs_.voltages).event >= 0) return true;
+  if (signals->held(sampler_.sample(), inputs_.values).event >= 0) return true;
   if (signals->watches()) checked_ = state_;
   return false;
 }
@@ -20,14 +20,14 @@ void Simulation::let_events_happen() {
   const double time = state_.time;
   std::string way;
   for (std::size_t count = 0;; ++count) {
-    const int event = signals->held(sampler_.sample(), inputs_.voltages).event;
+    const int event = signals->held(sampler_.sample(), inputs_.values).event;
     if (event < 0) break;
     way += (way.empty() ? "\"" : ", \"") + signals->event_name(event) + "\"";
     if (count > signals->state_count())
       throw NumericalError("t = " + std::to_string(time) + " s: events lead in a circle without end: " + way +
                            "; expected conditions that are false in the state they lead to.");
-    const Eigen::VectorXd before = inputs_.voltages;
-    signals->happen(event, time, inputs_.voltages);
+    const Eigen::VectorXd before = inputs_.values;
+    signals->happen(event, time, inputs_.values);
     equations_.settle_signals(&before, inputs_, state_);
     equations_.accelerations(state_, inputs_, rates_);
     take_sample();
@@ -39,7 +39,7 @@ void Simulation::let_events_happen() {
 void Simulation::find_event() {
   event_ahead_ = false;
   SignalLoop& signals = *control_.signals();
-  const bool sampled = signals.held(sampler_.sample(), inputs_.voltages).sampled;
+  const bool sampled = signals.held(sampler_.sample(), inputs_.values).sampled;
   if (!coupled_ && !sampled && checked_.time < state_.time) {
     const double step = checked_.step;
     const auto go_to = [&](double time) {
@@ -55,7 +55,7 @@ void Simulation::find_event() {
       const double middle = 0.5 * (checked_.time + late);
       if (middle <= checked_.time || middle >= late) break;
       go_to(middle);
-      if (signals.held(sampler_.sample(), inputs_.voltages).event >= 0) {
+      if (signals.held(sampler_.sample(), inputs_.values).event >= 0) {
         late = middle;
       } else {
         checked_ = state_;

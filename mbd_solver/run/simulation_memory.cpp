@@ -25,7 +25,7 @@ inline constexpr auto kFields<ExternalLoad> =
 
 template <>
 inline constexpr auto kFields<Inputs> =
-    std::tuple{Field{"loads", &Inputs::loads}, Field{"voltages", &Inputs::voltages}};
+    std::tuple{Field{"loads", &Inputs::loads}, Field{"values", &Inputs::values}};
 
 template <>
 inline constexpr auto kFields<IntegratorStatistics> =
@@ -53,7 +53,7 @@ void Simulation::visit(Archive& archive) {
   archive("rates", rates_);
   archive("inputs", inputs_);
   archive("window", window_);
-  archive("voltages_move", voltages_move_);
+  archive("inputs_change", inputs_change_);
   archive("times", times_);
   archive("next_checkpoint", checkpoints_);
   archive("control", control_);

@@ -34,13 +34,13 @@ std::vector<int> ContinuousSignals::bodies() const {
   return {bodies.begin(), bodies.end()};
 }
 
-void ContinuousSignals::set_names(double t, const Eigen::Ref<const Eigen::VectorXd>& voltages) const {
+void ContinuousSignals::set_names(double t, const Eigen::Ref<const Eigen::VectorXd>& values) const {
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(sources_[i].index);
     switch (sources_[i].kind) {
       case SignalSource::Kind::kTime: chain_.set(i, t); break;
-      case SignalSource::Kind::kPlace: chain_.set(i, voltages[index]); break;
-      case SignalSource::Kind::kSince: chain_.set(i, t - voltages[index]); break;
+      case SignalSource::Kind::kPlace: chain_.set(i, values[index]); break;
+      case SignalSource::Kind::kSince: chain_.set(i, t - values[index]); break;
       case SignalSource::Kind::kSensor: chain_.set(i, measured_[index]); break;
     }
   }
@@ -51,15 +51,15 @@ double ContinuousSignals::answer(std::size_t k, const Eigen::Ref<const Eigen::Ve
   return block.passes_through() ? block.value(chain_.inputs(k), states) : block.value(states, states);
 }
 
-void ContinuousSignals::run(double t, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> voltages,
+void ContinuousSignals::run(double t, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> values,
                             Eigen::Ref<Eigen::VectorXd> dz) const {
-  set_names(t, voltages);
+  set_names(t, values);
   // First what answers from its states alone, then the others in order; rates where all values are known.
   for (std::size_t k = 0; k < chain_.size(); ++k) {
     const SignalNode& node = chain_.node(k);
     const double y = chain_.works(k) ? answer(k, z.segment(chain_.first_state(k), node.block->state_count())) : 0.0;
     chain_.put(k, y);
-    voltages[node.place] = y;
+    values[node.place] = y;
   }
   for (std::size_t k = 0; k < chain_.size(); ++k) {
     const SignalBlock& block = *chain_.node(k).block;
@@ -74,13 +74,13 @@ void ContinuousSignals::run(double t, const Eigen::Ref<const Eigen::VectorXd>& z
 }
 
 void ContinuousSignals::start(double t, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
-                              Eigen::Ref<Eigen::VectorXd> voltages) const {
+                              Eigen::Ref<Eigen::VectorXd> values) const {
   std::vector<bool> worked(chain_.size(), false);
   if (before) {
     set_names(t, *before);
     for (std::size_t k = 0; k < chain_.size(); ++k) worked[k] = chain_.works(k);
   }
-  set_names(t, voltages);
+  set_names(t, values);
   const auto begin = [&](std::size_t k) {
     const SignalNode& node = chain_.node(k);
     Eigen::Ref<Eigen::VectorXd> states = z.segment(chain_.first_state(k), node.block->state_count());
@@ -90,7 +90,7 @@ void ContinuousSignals::start(double t, const Eigen::VectorXd* before, Eigen::Re
       y = answer(k, states);
     }
     chain_.put(k, y);
-    voltages[node.place] = y;
+    values[node.place] = y;
   };
   try {
     for (std::size_t k = 0; k < chain_.size(); ++k) begin(k);

@@ -122,8 +122,8 @@ class StrutSensor final : public Sensor {
 struct SignalSource {
   enum class Kind {
     kTime,
-    kPlace,  // voltages[index]: controllers, sampled signals, states of the scene
-    kSince,  // time - voltages[index]: seconds in the present state of the scene
+    kPlace,  // inputs[index]: controllers, sampled signals, states of the scene
+    kSince,  // time - inputs[index]: seconds in the present state of the scene
     kSensor  // sensors[index]
   };
   Kind kind = Kind::kTime;
@@ -139,21 +139,21 @@ class ContinuousSignals {
   const SignalChain& chain() const { return chain_; }
   std::vector<int> bodies() const;  // whose motion is measured, in rising order
 
-  // Values into their places among `voltages`, where those of others stand already, and rates of the states. kinematics:
+  // Values into their places among `inputs`, where those of others stand already, and rates of the states. kinematics:
   // has pair(body_1, body_2). Throws NumericalError. No allocation.
   template <class Kinematics>
   void evaluate(double t, const Kinematics& kinematics, const Eigen::Ref<const Eigen::VectorXd>& z,
-                Eigen::Ref<Eigen::VectorXd> voltages, Eigen::Ref<Eigen::VectorXd> dz) const {
+                Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> dz) const {
     measure(kinematics, z, dz);
-    run(t, z, voltages, dz);
+    run(t, z, values, dz);
   }
-  // The states of every signal (before null), or of those that did not work under the voltages and signals `before`.
+  // The states of every signal (before null), or of those that did not work under the inputs `before`.
   // Throws NumericalError; at the start, with before null, InputError.
   template <class Kinematics>
   void settle(double t, const Kinematics& kinematics, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
-              Eigen::Ref<Eigen::VectorXd> voltages) const {
+              Eigen::Ref<Eigen::VectorXd> values) const {
     measure(kinematics, z, scratch_);
-    start(t, before, z, voltages);
+    start(t, before, z, values);
   }
 
  private:
@@ -172,11 +172,11 @@ class ContinuousSignals {
     }
   }
   double answer(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& states) const;  // value of node k
-  void set_names(double t, const Eigen::Ref<const Eigen::VectorXd>& voltages) const;
-  void run(double t, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> voltages,
+  void set_names(double t, const Eigen::Ref<const Eigen::VectorXd>& values) const;
+  void run(double t, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> values,
            Eigen::Ref<Eigen::VectorXd> dz) const;
   void start(double t, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
-             Eigen::Ref<Eigen::VectorXd> voltages) const;
+             Eigen::Ref<Eigen::VectorXd> values) const;
 
   SignalChain chain_;
   std::vector<SignalSource> sources_;

@@ -51,7 +51,7 @@ struct SignalNode {
   std::vector<std::string> states;  // it works in these states of the scene only, else it is 0; empty: always
   std::optional<double> initial;    // value of its inputs before the start; not given: those of the start
   double period = 0.0;              // [s]; 0: continuous
-  int place = 0;                    // of its value among the voltages and signals of a run
+  int place = 0;                    // of its value among the inputs of a run
   // Where the inputs stand, for messages: "scene.toml:40: signals.pitch.input: ". Empty: they go by the node's name.
   std::vector<std::string> written_at = {};
 };

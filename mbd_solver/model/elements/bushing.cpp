@@ -1,17 +1,21 @@
+// theta is a function of u = [w; c], which is linear in dot products of axes; close to zero angle by series.
+
 #include "mbd_solver/model/elements/bushing.h"
 
 #include <cmath>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/codes.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/elements/forces.h"
 
 namespace footfall {
 namespace {
 
-constexpr double kSmall = 0.01;  // of (|w| / c)^2: below, differences of nearly equal numbers give way to series
-constexpr int kTerms = 9;        // of the series: kSmall^kTerms is beyond round-off
+constexpr double kSmall = 0.01;  // of (|w| / c)^2: series below it, because closed forms cancel
+constexpr int kTerms = 9;        // of the series: kSmall^kTerms is below round-off
 
 // dV/dG_ij of V = b . [w; c].
 Eigen::Matrix3d by_products(const Eigen::Vector4d& b) {
@@ -132,15 +136,16 @@ void add_angular_jacobian(const PairMotion& pair, int slot, const Marker& marker
   }
 }
 
-// The rotation vector, with the complaint about half a turn.
+// The rotation vector; NumericalError near half a turn.
 RotationVector rotation(const std::string& name, const PairMotion& pair, const Marker& m1, const Marker& m2) {
   const RotationVector theta(pair, m1, m2);
   if (theta.angle() > Bushing::kLargestTurn * kPi / 180.0)
-    throw NumericalError(
-        "spring \"" + name + "\": its bodies are turned by " + number_text(theta.angle() * 180.0 / kPi, 4) +
-        " degrees against each other, and at half a turn the way back is not known; expected at most " +
-        number_text(Bushing::kLargestTurn) +
-        " degrees. A torsion spring about a joint's axis takes any number of turns.");
+    throw NumericalError(code::kHalfTurn, "spring \"" + name + "\": its bodies are rotated by " +
+                                              number_text(theta.angle() * 180.0 / kPi, 4) +
+                                              " degrees against each other (limit " +
+                                              number_text(Bushing::kLargestTurn) +
+                                              "), where the direction of the torque becomes ambiguous. Use a torsion "
+                                              "spring about a joint's axis, which allows any number of turns.");
   return theta;
 }
 
@@ -168,7 +173,8 @@ Bushing::Bushing(std::string name, Marker m1, Marker m2, const Parameters& param
   const Parameters& p = parameters_;
   for (const Eigen::Vector3d* values : {&p.stiffness, &p.damping, &p.rotational_stiffness, &p.rotational_damping})
     if (!(values->minCoeff() >= 0.0))
-      throw InputError("spring \"" + this->name() + "\": stiffness and damping must not be negative.");
+      throw InputError(code::kParameterOutOfRange,
+                       "spring \"" + this->name() + "\": stiffness and damping must not be negative.");
   translates_ = !p.stiffness.isZero(0.0) || !p.damping.isZero(0.0);
   turns_ = !p.rotational_stiffness.isZero(0.0);
   damps_turning_ = !p.rotational_damping.isZero(0.0);

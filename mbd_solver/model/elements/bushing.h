@@ -1,8 +1,5 @@
 #pragma once
-// The rotation vector theta = phi n of marker 2 against marker 1, from dot products G_ij = e1_i . e2_j of their axes:
-//   c = (tr G - 1) / 2,   w_k = (G_ji - G_ij) / 2 for (i, j, k) = (x, y, z), (y, z, x), (z, x, y)
-//   phi = atan2(|w|, c) in [0, pi],   theta = f w,   f = phi / |w|
-// theta has the same components in both markers. f is smooth up to half a turn, where the axis of rotation jumps.
+// A bushing, and the rotation vector between two markers that it is written with.
 
 #include <Eigen/Dense>
 
@@ -11,6 +8,10 @@
 
 namespace footfall {
 
+// The rotation vector theta = phi n of marker 2 against marker 1, from dot products G_ij = e1_i . e2_j of their axes:
+//   c = (tr G - 1) / 2,   w_k = (G_ji - G_ij) / 2 for (i, j, k) = (x, y, z), (y, z, x), (z, x, y)
+//   phi = atan2(|w|, c) in [0, pi],   theta = f w,   f = phi / |w|
+// theta has the same components in both markers. f is smooth up to half a turn, where the axis of rotation jumps.
 class RotationVector {
  public:
   RotationVector(const PairMotion& pair, const Marker& m1, const Marker& m2);
@@ -23,7 +24,7 @@ class RotationVector {
   Eigen::Matrix4d curvature(const Eigen::Vector3d& p) const;
   Eigen::Matrix<double, 3, 4> jacobian() const;
 
-  // Everything below adds to its last argument.
+  // All add to their last argument.
   void add_gradient(const Eigen::Vector4d& b, Eigen::Ref<Eigen::VectorXd> out) const;     // out += b . du/dx
   void add_second(const Eigen::Vector4d& b, Eigen::Ref<Eigen::MatrixXd> K) const;         // K += b . d2u/dx2
   void add_jacobian(Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, 4>> columns) const;  // columns += (du/dx)^T
@@ -38,13 +39,11 @@ class RotationVector {
 
 // Bushing between two markers: a spring and a damper along and about each axis of marker 1.
 //   displacement  d_i = e1_i . (p2 - p1),  force along e1_i:  -k_i d_i - c_i d_i'
-//   rotation      potential V = 1/2 sum_i k_i theta_i^2 with the rotation vector theta of rotation_vector.h: a rotation
-//                 by phi about axis i alone is turned back by k_i phi, however large phi is below half a turn.
-//                 Beyond kLargestTurn the axis is about to jump: NumericalError.
+//   rotation      potential V = 1/2 sum_i k_i theta_i^2 of the rotation vector theta: after a rotation by phi about axis i
+//                 alone the torque is k_i phi, below half a turn. NumericalError beyond kLargestTurn, near the jump.
 //   damping torque on body 2 about e1_i:  -c_i e1_i . (w2 - w1), w = angular velocity of the node (A Psi da included),
 //                 at any angle
-// The weak centring spring of a pad pivot is this with translation left to a spherical joint. theory 3.5.
-
+// The weak centring spring of a pad pivot is a bushing without translation, next to a spherical joint. theory 3.5.
 class Bushing : public ForceElement {
  public:
   static constexpr double kLargestTurn = 175.0;  // [degrees]
@@ -57,7 +56,7 @@ class Bushing : public ForceElement {
   };
   Bushing(std::string name, Marker m1, Marker m2, const Parameters& parameters);
 
-  // All throw NumericalError beyond kLargestTurn where a rotational stiffness is not zero.
+  // All throw NumericalError beyond kLargestTurn if a rotational stiffness is not zero.
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;

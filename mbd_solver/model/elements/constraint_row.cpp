@@ -1,8 +1,8 @@
+// Rows with one constant dot product, most rows of most joints, have a path of their own; the others are sums.
+
 #include "mbd_solver/model/elements/constraint_row.h"
 
 #include <cmath>
-
-#include "mbd_solver/model/elements/joint_coordinate.h"
 
 namespace footfall {
 namespace {
@@ -21,7 +21,7 @@ const KinematicVector& vector_of(const Factor& factor, MarkerVectors& vectors) {
   return vectors.difference();
 }
 
-// Coefficients c_i(t) of the terms with two derivatives, and the function f(t) taken off.
+// Coefficients c_i(t) of the terms with two derivatives, and the function f(t).
 struct Coefficients {
   TimeValue c[2];
   TimeValue f;
@@ -106,11 +106,7 @@ void coordinate_derivatives(const ConstraintRow& row, MarkerVectors& vectors, do
   if (lambda != 0.0) q.add_second(row.scale * lambda, scratch, K);
 }
 
-}  // namespace
-
-namespace {
-
-// One dot product with a constant coefficient c less a constant: most rows of most joints.
+// One dot product with a constant coefficient c minus a constant: most rows of most joints.
 template <typename Use>
 RowValue one_product(const ConstraintRow& row, MarkerVectors& vectors, Use use) {
   const double c = row.scale;
@@ -131,7 +127,7 @@ RowValue one_product(const ConstraintRow& row, MarkerVectors& vectors, Use use) 
   return {c * D - row.offset, c * dD, c * ddD};
 }
 
-// Of a sum of dot products. use(factor, f): the gradient of phi is the sum of X^T f over its factors.
+// A sum of dot products. use(factor, f): the gradient of phi is the sum of X^T f over its factors.
 template <typename Use>
 RowValue sum_of_products(const ConstraintRow& row, double t, MarkerVectors& vectors, Use use) {
   // D = alpha.beta,  D' = alpha'.beta + alpha.beta',  D'' = alpha''.beta + 2 alpha'.beta' + alpha.beta''
@@ -184,8 +180,9 @@ RowValue measure_row(const ConstraintRow& row, double t, MarkerVectors& vectors,
   return sum_of_products(row, t, vectors, [](const Factor&, const Eigen::Vector3d&) {});
 }
 
-RowValue press_row(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
-                   const Eigen::Ref<Eigen::VectorXd>& scratch, Eigen::Ref<Eigen::VectorXd> reaction, double near) {
+RowValue measure_row_with_reaction(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
+                                   const Eigen::Ref<Eigen::VectorXd>& scratch, Eigen::Ref<Eigen::VectorXd> reaction,
+                                   double near) {
   if (row.coordinate || row.law) {
     const RowValue value = evaluate_row(row, t, vectors, scratch, near);
     reaction += lambda * scratch;

@@ -1,8 +1,11 @@
+// Normal force, clipped slip, and the damping that gives a coefficient of restitution (found by bisection).
+
 #include "mbd_solver/model/elements/contact_law.h"
 
 #include <limits>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/codes.h"
 
 namespace footfall {
 namespace {
@@ -19,8 +22,7 @@ Approach approach(double u) {
 
 constexpr double kStretch = 10.0;  // |clip(u)| / v_s at most: u there gives 99.5 % of mu f_n
 
-// Energy per k/m taken up by a damped approach at u = d v, minus that given back when leaving at w = d e v
-// (times d^2).
+// Energy per k/m absorbed by a damped approach at u = d v, minus that returned at rebound speed w = d e v (times d^2).
 double restitution_defect(double u, double e) {
   const double w = e * u;
   return (u - std::log1p(u)) - ((w - 1.0) * std::exp(w) + 1.0);
@@ -29,8 +31,10 @@ double restitution_defect(double u, double e) {
 }  // namespace
 
 double contact_damping_for_restitution(double e, double impact_speed) {
-  if (!(e > 0.0 && e <= 1.0)) throw InputError("restitution is " + std::to_string(e) + "; it must be in (0, 1].");
-  if (!(impact_speed > 0.0)) throw InputError("the impact speed of a restitution must be positive.");
+  if (!(e > 0.0 && e <= 1.0))
+    throw InputError(code::kParameterOutOfRange, "restitution is " + std::to_string(e) + "; it must be in (0, 1].");
+  if (!(impact_speed > 0.0))
+    throw InputError(code::kParameterOutOfRange, "the impact speed of a restitution must be positive.");
   if (e == 1.0) return 0.0;
   // The defect rises from 0 like (1 - e^2) u^2 / 2 and falls to minus infinity: bracket the zero, then halve.
   double low = 1e-9, high = 1.0;
@@ -49,9 +53,10 @@ double creep_speed(double mu, double slip_speed, double slope) {
 }
 
 void ContactLaw::check(const std::string& where) const {
-  if (!(stiffness > 0.0)) throw InputError(where + "stiffness must be positive.");
-  if (!(damping >= 0.0 && friction >= 0.0)) throw InputError(where + "damping and friction must not be negative.");
-  if (!(slip_speed > 0.0)) throw InputError(where + "slip_speed must be positive.");
+  if (!(stiffness > 0.0)) throw InputError(code::kParameterOutOfRange, where + "stiffness must be positive.");
+  if (!(damping >= 0.0 && friction >= 0.0))
+    throw InputError(code::kParameterOutOfRange, where + "damping and friction must not be negative.");
+  if (!(slip_speed > 0.0)) throw InputError(code::kParameterOutOfRange, where + "slip_speed must be positive.");
 }
 
 ContactLaw::Clipped ContactLaw::clip(const Eigen::Vector3d& u) const {

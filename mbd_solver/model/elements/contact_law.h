@@ -1,6 +1,6 @@
 #pragma once
-// The law of a contact place, the same for planes, meshes and bodies (theory 6.4): Hertz with Hunt-Crossley damping along
-// the normal, Coulomb friction with a spring xi that takes over what the place would creep with.
+// The contact law of a point, the same for planes, meshes and bodies (theory 6.4): Hertz with Hunt-Crossley damping along
+// the normal, Coulomb friction with a spring xi that prevents creep.
 //   f_n = k delta^1.5 g(d delta'),  g(u) = 1 + u for u >= 0, exp(u) for u < 0
 //   f_t = -mu f_n u / sqrt(u^2 + v_s^2),  u = v_t + xi / tau,  xi' = clip(u) - xi / tau
 
@@ -13,18 +13,18 @@ namespace footfall {
 // d [s/m] for restitution e in (0, 1] at impact speed [m/s] > 0. Throws InputError outside.
 double contact_damping_for_restitution(double e, double impact_speed);
 
-// Without springs: how fast what would stick on a slope [rad] creeps down it [m/s]: mu v / sqrt(v^2 + v_s^2) = tan slope gives
-// v = v_s tan slope / sqrt(mu^2 - tan^2 slope). Infinite where it slides, tan slope >= mu.
+// Creep speed on a slope [rad] without springs [m/s]: mu v / sqrt(v^2 + v_s^2) = tan slope gives
+// v = v_s tan slope / sqrt(mu^2 - tan^2 slope). Infinite if it slides, tan slope >= mu.
 double creep_speed(double mu, double slip_speed, double slope);
 
 struct ContactLaw {
-  double stiffness = 0.0;    // k of each place [N/m^1.5] > 0
+  double stiffness = 0.0;    // k of each point [N/m^1.5] > 0
   double damping = 0.0;      // d [s/m] >= 0
   double friction = 0.3;     // mu >= 0
   double slip_speed = 1e-3;  // v_s [m/s] > 0: |u| at which friction is 71 % of mu f_n
   double stick_time = 0.01;  // tau [s] >= 0; 0: no springs
 
-  // Throws InputError on values outside their range; where begins the message.
+  // Throws InputError on values outside their range; the message begins with `where`.
   void check(const std::string& where) const;
 
   struct Clipped {

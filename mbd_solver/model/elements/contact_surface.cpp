@@ -1,20 +1,24 @@
+// Corners are welded and pieces oriented once; a box tree then finds the triangles near a point, and the local minima of
+// their distances are the contacts.
+
 #include "mbd_solver/model/elements/contact_surface.h"
 
-#include <algorithm>
-#include <cmath>
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/AABB.h>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
 
-constexpr double kSamePlace = 1e-9;  // corners so near are one [of the size of the surface]
+constexpr double kSamePlace = 1e-9;  // distance of corners that are welded [of the size of the surface]
 
 using Cell = std::tuple<long, long, long>;
 using Edge = std::pair<int, int>;
@@ -63,8 +67,8 @@ bool runs(const Eigen::Vector3i& t, const Edge& edge) {  // from first to second
   return false;
 }
 
-// Walks from triangle to triangle over edges that two share, and turns each like the one it comes from.
-void turn_alike(TrianglePieces& out, const TrianglesAtEdge& at_edge) {
+// Follows edges that two triangles share, and gives each triangle the orientation of its predecessor.
+void orient_pieces(TrianglePieces& out, const TrianglesAtEdge& at_edge) {
   std::vector<bool> seen(out.triangles.size(), false);
   for (std::size_t start = 0; start < out.triangles.size(); ++start) {
     if (seen[start]) continue;
@@ -110,7 +114,7 @@ void add_normals(TrianglePieces& out, const TrianglesAtEdge& at_edge) {
   for (PieceTriangle& t : out.triangles) {
     const auto v = [&](int k) { return out.vertices[static_cast<std::size_t>(t.corners[k % 3])]; };
     const Eigen::Vector3d across = (v(1) - v(0)).cross(v(2) - v(0));
-    if (!(across.norm() > 0.0)) throw InputError("a triangle has no area");
+    if (!(across.norm() > 0.0)) throw InputError(code::kMeshDefect, "a triangle has no area");
     t.normal = across.normalized();
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector3d to = v(k + 1) - v(k), from = v(k + 2) - v(k);
@@ -147,7 +151,7 @@ TrianglePieces triangle_pieces(const Eigen::Matrix3Xd& vertices, const std::vect
     out.triangles.push_back(triangle);
   }
   const TrianglesAtEdge at_edge = triangles_at_edges(out);
-  turn_alike(out, at_edge);
+  orient_pieces(out, at_edge);
   add_normals(out, at_edge);
   return out;
 }
@@ -174,9 +178,9 @@ NearestPoint nearest_on_triangle(const Eigen::Vector3d& p, const Eigen::Vector3d
 
 namespace {
 
-constexpr double kOneSurface = 0.93969262078590838;  // cos 20 degrees: minima of alike normals are one
-constexpr double kSamePoint = 1e-12;                 // nearest points so near are one [of their size]
-constexpr double kOnIt = 1e-14;                      // a point so near has no direction to its nearest point [m]
+constexpr double kOneSurface = 0.93969262078590838;  // cos 20 degrees: minima with closer normals are one contact
+constexpr double kSamePoint = 1e-12;                 // distance of equal nearest points [of their size]
+constexpr double kOnIt = 1e-14;                      // a closer point has no direction to its nearest point [m]
 
 double sign_of(double x) { return x < 0.0 ? -1.0 : 1.0; }
 
@@ -226,7 +230,7 @@ struct ContactSurface::Triangles {
     find(bv.rightChild(), box, p);
   }
   bool shares(const PieceTriangle& t, int corner) const { return (t.corners.array() == corner).any(); }
-  // The nearest point of a triangle on its edge or corner is a minimum of the distance when no neighbour is nearer.
+  // The nearest point on an edge or corner is a minimum of the distance if no neighbour is nearer.
   bool is_minimum(const Candidate& c, const Eigen::Vector3d& p) const {
     if (c.at.edge < 0 && c.at.corner < 0) return true;
     const PieceTriangle& t = pieces.triangles[c.triangle];
@@ -343,7 +347,7 @@ SurfaceSides ContactSurface::sides_of(const std::vector<Eigen::Vector3d>& points
     }
     for (std::size_t k = 0; k < counts.size(); ++k) {
       const bool over_it = counts[k].plus + counts[k].minus > 0;
-      take(over_it ? counts[k] : Count{beside[k].plus, beside[k].minus, 0.0, 0.0});  // beside it nobody stands across
+      take(over_it ? counts[k] : Count{beside[k].plus, beside[k].minus, 0.0, 0.0});  // beyond a border none is across
     }
   }
   return sides;
@@ -352,7 +356,7 @@ SurfaceSides ContactSurface::sides_of(const std::vector<Eigen::Vector3d>& points
 void ContactSurface::touches(const Eigen::Vector3d& p, double radius, double depth, const SurfaceSides& sides,
                              std::vector<SurfaceTouch>& out) const {
   out.clear();
-  std::size_t piece = 0;  // of the planes and the meshes before
+  std::size_t piece = 0;  // counts planes and pieces of meshes
   for (const Plane& plane : planes_) {
     const double outside = sides[piece++];
     const double distance = outside * plane.normal.dot(p - plane.point);
@@ -389,7 +393,7 @@ void ContactSurface::touches(const Eigen::Vector3d& p, double radius, double dep
       const bool alike = mesh->pieces.open[k] && radius > 0.0;  // both sides
       return mesh->touch(c, p, alike ? mesh->side(c, p) : sides[first_piece + k]);
     };
-    // Within: the nearest place alone.
+    // Within: the nearest point alone.
     const SurfaceTouch first = touch(mesh->near.front());
     if (first.distance < 0.0 || radius == 0.0) {
       if (first.distance < 0.0 && -first.distance < depth && !mesh->on_border(mesh->near.front())) out.push_back(first);

@@ -1,7 +1,8 @@
+// Both elements write their force as a gradient times a law, and differentiate it by the product rule.
+
 #include "mbd_solver/model/elements/forces.h"
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/elements/joint_coordinate.h"
 
 namespace footfall {
 namespace {
@@ -89,18 +90,18 @@ Eigen::VectorXd JointForce::initial_state() const {
   return z;
 }
 
-double JointForce::continued(const ElementInput& in, double alpha) const {
+double JointForce::with_turns(const ElementInput& in, double alpha) const {
   if (coordinate_ != Coordinate::kAngle) return alpha;
   return nearest_turn(alpha, in.z[0]);
 }
 
 StrutInput JointForce::law_input(const ElementInput& in, const JointCoordinate& at, std::size_t law) const {
-  return {continued(in, at.value()),
+  return {with_turns(in, at.value()),
           at.rate(),
           0.0,
           in.z.segment(first_state_[law], laws_[law]->state_count()),
           in.time,
-          command_index_ >= 0 ? in.voltages[command_index_] : 0.0};
+          command_index_ >= 0 ? in.inputs[command_index_] : 0.0};
 }
 
 const StrutOutput& JointForce::evaluate(const ElementInput& in, const JointCoordinate& at, std::size_t law) const {
@@ -111,7 +112,7 @@ const StrutOutput& JointForce::evaluate(const ElementInput& in, const JointCoord
 void JointForce::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
                            Eigen::Ref<Eigen::VectorXd> dz) const {
   const JointCoordinate at(coordinate_, in.pair, m1_, m2_);
-  if (coordinate_ == Coordinate::kAngle) dz[0] = turn_counter_rate(at.rate(), continued(in, at.value()), in.z[0]);
+  if (coordinate_ == Coordinate::kAngle) dz[0] = turn_counter_rate(at.rate(), with_turns(in, at.value()), in.z[0]);
   double force = 0.0;
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const StrutOutput& law = evaluate(in, at, i);
@@ -176,7 +177,7 @@ void JointForce::add_supply(const ElementInput& in, Supplied& power) const {
 
 JointForceSample JointForce::sample(const ElementInput& in) const {
   const JointCoordinate at(coordinate_, in.pair, m1_, m2_);
-  JointForceSample out{continued(in, at.value()), at.rate()};
+  JointForceSample out{with_turns(in, at.value()), at.rate()};
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     out.force -= evaluate(in, at, i).force;
     out.supply += laws_[i]->supplied_power(law_input(in, at, i));

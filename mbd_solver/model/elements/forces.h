@@ -1,5 +1,5 @@
 #pragma once
-// A torque on the node of a marker, and the angular velocity that it works on. Everything adds to its last argument.
+// Forces and torques at a marker, and on a coordinate of a joint.
 
 #include <algorithm>
 #include <memory>
@@ -14,6 +14,8 @@
 #include "mbd_solver/model/laws/time_function.h"
 
 namespace footfall {
+
+// --- A torque on the node of a marker, and the angular velocity that it works on. All add to their last argument.
 
 // Angular velocity of the marker's node in W: w + A Psi da [rad/s].
 inline Eigen::Vector3d angular_velocity(const BodyKinematics& body, const Marker& marker) {
@@ -45,30 +47,28 @@ inline void add_torque_derivative(const PairMotion& pair, int slot, const Marker
   }
 }
 
-// A force f and a torque m at a marker of a body, along and about a direction e: the marker's z axis, which turns
-// with the body (and its node), or a direction that stands in W.
-// Each is a function of time, plus a signal.
-//   Q = X_p^T f e + W^T m e,  p' = X_p v,  w = W v of the marker's node;   power f e.p' + m e.w
-// theory 3.6.
-
-// Function of time, null: zero, plus voltages[signal], -1: none.
+// A function of time (null: zero) plus inputs[signal] (-1: none).
 struct Magnitude {
   Magnitude(TimeFunctionPtr f = nullptr, int place = -1) : function(std::move(f)), signal(place) {}
   bool is_given() const { return function || signal >= 0; }
   double at(const ElementInput& in) const {
-    return (function ? function->at(in.time).value : 0.0) + (signal >= 0 ? in.voltages[signal] : 0.0);
+    return (function ? function->at(in.time).value : 0.0) + (signal >= 0 ? in.inputs[signal] : 0.0);
   }
   TimeFunctionPtr function;
   int signal;
 };
 
+// A force f and a torque m at a marker of a body, along and about a direction e: the marker's z axis, which turns with the
+// body (and its node), or a direction fixed in W.
+//   Q = X_p^T f e + W^T m e,  p' = X_p v,  w = W v of the marker's node;   power f e.p' + m e.w
+// theory 3.6.
 class AppliedForce : public ForceElement {
  public:
-  // marker: on a body. fixed_direction: unit vector of W; not given: the marker's z axis.
+  // marker: on a body. fixed_direction: unit vector of W; default the marker's z axis.
   AppliedForce(std::string name, Marker marker, std::optional<Eigen::Vector3d> fixed_direction, Magnitude force,
                Magnitude torque);
 
-  int voltage_count() const override { return std::max(force_.signal, torque_.signal) + 1; }
+  int input_count() const override { return std::max(force_.signal, torque_.signal) + 1; }
 
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
@@ -84,28 +84,26 @@ class AppliedForce : public ForceElement {
   mutable Eigen::Matrix3Xd X_;  // scratch, 3 x n
 };
 
-// What acts on one coordinate q of a joint (joint_coordinate.h): a sum of laws, as those of a strut, with q in the
-// place of the stroke and force = -(generalized force on q).
-//   Q = -F(q, q', z, t) dq/dx
-// An angle goes on over any number of turns: the first inner state z_0 only tells how many whole turns there are,
-// (joints/whole_turns.h). theory 3.6.
-
 struct JointForceSample {
   double q = 0.0;       // [rad or m]
   double rate = 0.0;    // [rad/s or m/s]
   double force = 0.0;   // on q, all laws together [N m or N]
-  double supply = 0.0;  // power that drives bring in [W]
+  double supply = 0.0;  // power supplied by drives [W]
 };
 
+// Force on one coordinate q of a joint (joint_coordinate.h): a sum of laws of struts, with q as the stroke and
+// force = -(generalized force on q).
+//   Q = -F(q, q', z, t) dq/dx
+// Angles count any number of turns: the first inner state z_0 counts them (nearest_turn). theory 3.6.
 class JointForce : public ForceElement {
  public:
-  // Markers of the joint, z along its axis. command_index: of the signal that commands the laws, among the voltages and
-  // signals of a run; -1: none. Not to be evaluated from two threads at once (it owns scratch).
+  // Markers of the joint, z along its axis. command_index: of the signal that commands the laws, among the inputs; -1: none.
+  // Not for evaluation by two threads at once (it owns scratch).
   JointForce(std::string name, Marker m1, Marker m2, Coordinate coordinate, std::vector<std::unique_ptr<StrutLaw>> laws,
              int command_index = -1);
 
   int state_count() const override { return states_; }
-  int voltage_count() const override { return command_index_ + 1; }
+  int input_count() const override { return command_index_ + 1; }
   Eigen::VectorXd initial_state() const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
@@ -116,7 +114,7 @@ class JointForce : public ForceElement {
   const std::vector<std::unique_ptr<StrutLaw>>& laws() const { return laws_; }
 
  private:
-  double continued(const ElementInput& in, double alpha) const;  // q
+  double with_turns(const ElementInput& in, double alpha) const;  // q
   StrutInput law_input(const ElementInput& in, const JointCoordinate& at, std::size_t law) const;
   const StrutOutput& evaluate(const ElementInput& in, const JointCoordinate& at, std::size_t law) const;
 

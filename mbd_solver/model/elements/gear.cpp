@@ -1,3 +1,5 @@
+// A gear adds one joint with a shared row per member, and a counter of turns for each angle.
+
 #include "mbd_solver/model/elements/gear.h"
 
 #include <cmath>

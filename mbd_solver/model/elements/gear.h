@@ -1,11 +1,11 @@
 #pragma once
-// A gear, a rack, a differential: a weighted sum of coordinates of joints that is zero,
-//   phi = sum_i f_i q_i = 0,   q_i = 0 in the drawing,   angles over any number of turns (TurnCounter)
-// divided by f_1, so that phi has the unit of the first coordinate and its multiplier is minus the torque or force that the
-// gear brings on it: Q_i = -lambda f_i / f_1. It does no work. theory 2.1.
-// A cam: one of the coordinates enters as a curve, f_i (y(q_i) - y(0)), and Q_i = -lambda y' f_i / f_1. Its angle is
-// taken in the turn nearest to the middle of the curve: a closed one goes on over any number of turns.
-// In the model it is one joint per coordinate between the two bodies of that; they share one row.
+// A gear, a rack or a differential: a weighted sum of joint coordinates is zero,
+//   phi = sum_i f_i q_i = 0,   q_i = 0 in the reference configuration,   angles over any number of turns (TurnCounter)
+// divided by f_1, so that phi has the unit of the first coordinate and its multiplier is minus the torque or force of the
+// gear on it: Q_i = -lambda f_i / f_1. It does no work. theory 2.1.
+// A cam: one of the coordinates enters as a curve, f_i (y(q_i) - y(0)), and Q_i = -lambda y' f_i / f_1. Its angle is taken
+// in the turn nearest to the middle of the curve; a closed curve allows any number of turns.
+// The model holds one joint per coordinate, between the two bodies of that coordinate; they share one row.
 
 #include <memory>
 #include <string>
@@ -25,15 +25,14 @@ struct GearMember {
   std::shared_ptr<const CubicSpline> curve = nullptr;  // y of a cam; null: q itself
 };
 
-// Index of the first of the joints that it adds; at least two members. Their names are NAME, NAME/2 ...
+// Returns the index of the first joint that it adds; at least two members. The joints are named NAME, NAME/2 ...
 int add_gear(Model& model, const std::string& name, const std::vector<GearMember>& members);
 
-// Counts the turns of an angle for a gear, and acts on nothing. theory 2.1.
-//   z' = q' + kTurnFollow (q - z)     (joints/whole_turns.h)
-
+// Counts the turns of an angle for a gear, without any force. theory 2.1.
+//   z' = q' + kTurnFollow (q - z)     (joint_coordinate.h)
 class TurnCounter : public ForceElement {
  public:
-  // Markers of the joint, z along its axis. Not to be evaluated from two threads at once (it owns scratch).
+  // Markers of the joint, z along its axis. Not for evaluation by two threads at once (it owns scratch).
   TurnCounter(std::string name, Marker m1, Marker m2);
 
   int state_count() const override { return 1; }

@@ -1,8 +1,11 @@
+// Each kind of joint is a list of rows: dot products of axes and of the difference of points.
+
 #include "mbd_solver/model/elements/joint.h"
 
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/elements/rolling.h"
 
 namespace footfall {
@@ -42,7 +45,8 @@ void add_parallel(Joint& joint) {
 
 Joint joint_of(std::string name, std::string kind, Marker m1, Marker m2) {
   if (m1.body == m2.body)
-    throw InputError("joint \"" + name + "\": it must connect two different bodies, or a body and the ground.");
+    throw InputError(code::kOneBodyOnly,
+                     "joint \"" + name + "\": it must connect two different bodies, or a body and the ground.");
   Joint joint;
   joint.name = std::move(name);
   joint.kind = std::move(kind);
@@ -138,8 +142,8 @@ Joint rolling_joint(std::string name, Marker m1, Marker m2, double radius, bool 
 
 Joint distance_joint(std::string name, Marker m1, Marker m2, double length) {
   if (!(std::isfinite(length) && length > 0.0))
-    throw InputError("joint \"" + name + "\": length is " + std::to_string(length) +
-                     " m; it must be positive (use a spherical joint for zero).");
+    throw InputError(code::kNoLength, "joint \"" + name + "\": length is " + std::to_string(length) +
+                                          " m; it must be positive (for zero use a spherical joint).");
   Joint joint = joint_of(std::move(name), "distance", std::move(m1), std::move(m2));
   // phi = (d.d - length^2) / (2 length): the gap itself to first order.
   ConstraintRow row = row_of(ConstraintRow::Unit::kLength, {Kind::kDifference, 0}, {Kind::kDifference, 0});
@@ -178,14 +182,15 @@ Joint prescribed_joint(std::string name, Marker m1, Marker m2, const PrescribedM
     joint.rows.push_back(row);
   }
   if (joint.rows.empty())
-    throw InputError("joint \"" + joint.name + "\": a prescribed motion must prescribe at least one coordinate.");
+    throw InputError(code::kNothingPrescribed,
+                     "joint \"" + joint.name + "\": a prescribed motion must prescribe at least one coordinate.");
   return joint;
 }
 
 Vector6d joint_wrench(const Joint& joint, const PairMotion& pair, double t,
                       const Eigen::Ref<const Eigen::VectorXd>& lambda) {
   MarkerVectors vectors(pair, joint.m1, joint.m2);
-  // On body 2, or on body 1 with the sign turned when 2 is the ground.
+  // On body 2; if body 2 is the ground, minus that on body 1.
   const int slot = pair.body[1]->ground ? 0 : 1;
   const BodyKinematics& body = *pair.body[slot];
   Vector6d wrench = Vector6d::Zero();

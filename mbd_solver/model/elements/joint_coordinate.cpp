@@ -1,8 +1,8 @@
+// The angle by the quotient rule on its sine and cosine, both dot products of axes.
+
 #include "mbd_solver/model/elements/joint_coordinate.h"
 
 #include <cmath>
-
-#include "mbd_solver/model/kinematic_vector.h"
 
 namespace footfall {
 

@@ -1,6 +1,5 @@
 #pragma once
-// An angle that goes on over any number of turns. A state z only tells how many whole turns there are; theory 3.6.
-//   q = alpha + 2 pi round((z - alpha) / 2 pi),  z' = q' + kTurnFollow (q - z),  z = 0 at the start,  alpha in (-pi, pi]
+// Coordinates of joints, and angles over any number of turns.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -12,21 +11,17 @@
 
 namespace footfall {
 
-constexpr double kTurnFollow = 10.0;  // [1/s]: the error of z as an integral fades within some 0.1 s
+// An angle q over any number of turns; a state z selects the turn. theory 3.6.
+//   q = alpha + 2 pi round((z - alpha) / 2 pi),  z' = q' + kTurnFollow (q - z),  z = 0 at the start,  alpha in (-pi, pi]
+constexpr double kTurnFollow = 10.0;  // the error of z as an integral decays within about 0.1 s [1/s]
 
 inline double nearest_turn(double alpha, double z) { return alpha + 2.0 * kPi * std::round((z - alpha) / (2.0 * kPi)); }
 inline double turn_counter_rate(double rate, double q, double z) { return rate + kTurnFollow * (q - z); }
 
-// A coordinate q of a joint: body 2 against body 1, with the derivatives that forces, rotors and histories need.
-//   angle about z1:         q = atan2(s, c),  s = y1.x2,  c = x1.x2,  q' = (c s' - s c') / rho,  rho = s^2 + c^2
-//                           q'' = (c s'' - s c'') / rho - q' rho' / rho
-//   displacement along e:   q = e.(p2 - p1),  e = z1, x1 or y1, which turns with body 1
-// An angle is in (-pi, pi]; who needs whole turns counts them. theory 2.1.
-
 enum class Coordinate {
   kAngle,          // about z1 [rad]
   kDisplacement,   // along z1 [m]
-  kDisplacementX,  // along x1 [m]: of a planar joint, as the next
+  kDisplacementX,  // along x1 [m]: of a planar joint, like the next
   kDisplacementY   // along y1 [m]
 };
 constexpr std::string_view name_of(Coordinate coordinate) {
@@ -38,7 +33,7 @@ constexpr std::string_view name_of(Coordinate coordinate) {
   }
   return {};
 }
-// Which axis of marker 1 it turns about, or slides along: 0, 1, 2.
+// The axis of marker 1 of the rotation or displacement: 0, 1, 2.
 constexpr int axis_of(Coordinate coordinate) {
   switch (coordinate) {
     case Coordinate::kDisplacementX: return 0;
@@ -55,6 +50,11 @@ struct CoordinateScratch {
   Eigen::VectorXd s, c, row;
 };
 
+// A coordinate q of a joint: body 2 against body 1, with the derivatives that forces, rotors and histories require.
+//   angle about z1:         q = atan2(s, c),  s = y1.x2,  c = x1.x2,  q' = (c s' - s c') / rho,  rho = s^2 + c^2
+//                           q'' = (c s'' - s c'') / rho - q' rho' / rho
+//   displacement along e:   q = e.(p2 - p1),  e = z1, x1 or y1, which turns with body 1
+// An angle is in (-pi, pi]; turns are counted with nearest_turn. theory 2.1.
 class JointCoordinate {
  public:
   JointCoordinate(Coordinate kind, const PairMotion& pair, const Marker& m1, const Marker& m2);
@@ -63,7 +63,7 @@ class JointCoordinate {
   double rate() const { return dq_; }  // [rad/s or m/s]
   double acc() const { return ddq_; }  // with the accelerations of the bodies
 
-  // Everything below adds to its last argument.
+  // All add to their last argument.
   void add_gradient(double factor, Eigen::Ref<Eigen::VectorXd> out) const;  // factor dq/dx = factor dq'/dv
   void add_rate_by_position(double factor, CoordinateScratch& scratch, Eigen::Ref<Eigen::VectorXd> out) const;
   void add_acc_by_position(double factor, CoordinateScratch& scratch, Eigen::Ref<Eigen::VectorXd> out) const;

@@ -1,3 +1,5 @@
+// Heights are tested first, so that points off the plane cost little; then force and derivatives of each contact.
+
 #include "mbd_solver/model/elements/rigid_plane.h"
 
 #include <algorithm>
@@ -5,18 +7,20 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/codes.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/kinematic_vector.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {
 
-constexpr int kRimPlaces = 12;     // m of a round edge: the second lowest is 0.13 R above the lowest
-constexpr double kUpright = 1e-9;  // s below which no place of an edge is lowest: the edge lies flat
-constexpr double kClear = 1e-9;    // [m]: a place higher than this does not touch, whatever the round-off
+constexpr int kRimPlaces = 12;     // m of an edge: the second lowest place is 0.13 R above the lowest
+constexpr double kUpright = 1e-9;  // s below which an edge lies flat and has no lowest place
+constexpr double kClear = 1e-9;    // a place above this height does not touch, round-off included [m]
 
-// Of place k of a round edge.
+// Of place k of an edge.
 double rim_cosine(int k) {
   static const std::array<double, kRimPlaces> cosines = [] {
     std::array<double, kRimPlaces> out{};
@@ -68,19 +72,22 @@ RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const
       rims_(std::move(rims)),
       parameters_(parameters) {
   const std::string where = "rigid plane of \"" + this->name() + "\": ";
-  if (points_.empty() && rims_.empty()) throw InputError(where + "no contact points given.");
-  if (!(parameters_.normal.norm() > 0.0)) throw InputError(where + "the normal must not be zero.");
+  if (points_.empty() && rims_.empty()) throw InputError(code::kNoContactPoints, where + "no contact points given.");
+  if (!(parameters_.normal.norm() > 0.0))
+    throw InputError(code::kParameterOutOfRange, where + "the normal must not be zero.");
   parameters_.check(where);
   parameters_.normal.normalize();
   for (const ContactPoint& point : points_) {
     FOOTFALL_DEMAND(point.marker.body == bodies()[0] && point.marker.body != kGround);
-    if (!(point.radius >= 0.0)) throw InputError(where + "the radius of a contact point must not be negative.");
+    if (!(point.radius >= 0.0))
+      throw InputError(code::kParameterOutOfRange, where + "the radius of a contact point must not be negative.");
     reach_ = std::max(reach_, point.marker.s0.norm() + point.radius);
     flexible_reach_ = std::max(flexible_reach_, point.marker.S.norm());
   }
   for (const ContactRim& rim : rims_) {
     FOOTFALL_DEMAND(rim.marker.body == bodies()[0] && rim.marker.body != kGround && rim.marker.S.cols() == 0);
-    if (!(rim.radius > 0.0)) throw InputError(where + "the radius of a round edge must be positive.");
+    if (!(rim.radius > 0.0))
+      throw InputError(code::kParameterOutOfRange, where + "the radius of a round edge must be positive.");
     reach_ = std::max(reach_, rim.marker.s0.norm() + rim.radius);
   }
   tangents_ = axes_with_z(parameters_.normal).leftCols<2>();
@@ -139,7 +146,7 @@ void RigidPlane::each_contact(const ElementInput& in, const ContactRim& rim, int
     if (height + rim.radius * n.dot(e_k) > kClear) continue;
     on_rim_.s0 = rim.marker.s0 + rim.radius * (body.A.transpose() * e_k);
     if (!contact(in, on_rim_, 0.0, first_place + k, at)) continue;
-    // b stays level while the body turns by dtheta: the places turn about a by psi = -(b x n).dtheta / s on top.
+    // b stays horizontal while the body turns by dtheta: in addition the places turn about a by psi = -(b x n).dtheta / s.
     if (tilted) at.wander = (-rim.radius / s) * a.cross(e_k) * b.cross(n).transpose();
     use(at);
   }
@@ -148,11 +155,12 @@ void RigidPlane::each_contact(const ElementInput& in, const ContactRim& rim, int
 template <class Use>
 void RigidPlane::each_contact(const ElementInput& in, Use use) const {
   if (far(*in.pair.body[0])) return;
-  // Heights first: most places touch nothing, and their velocities are not wanted.
+  // Heights first: most points do not touch, and their velocities are not required.
   const BodyKinematics& body = *in.pair.body[0];
   const Eigen::Vector3d n_B = body.A.transpose() * parameters_.normal;
   const double height = parameters_.normal.dot(body.r - parameters_.point);
-  const double bent = body.modes == 0 ? 0.0 : flexible_reach_ * body.a.norm();  // no place moves further by the modes
+  const double bent =
+      body.modes == 0 ? 0.0 : flexible_reach_ * body.a.norm();  // largest displacement of a point by the modes
   Contact at;
   int place = -1;
   for (const ContactPoint& point : points_) {
@@ -239,7 +247,7 @@ void RigidPlane::add_energy(const ElementInput& in, StoredEnergy& stored, Dissip
     power[Dissipation::kContact] += (at.normal_force - at.elastic) * at.closing;
     power[Dissipation::kFriction] += mu * at.normal_force * at.inverse_speed * at.u.dot(at.slip);
     if (tau == 0.0) return;
-    // Stored mu f psi(xi), f = k delta^1.5: its rate is no loss.
+    // Stored mu f psi(xi), f = k delta^1.5: its rate is not dissipated.
     const double root = std::sqrt(at.spring.squaredNorm() + v_s * v_s), psi = tau * (root - v_s);
     const Eigen::Vector3d rate = parameters_.clip(at.u).value - at.spring;  // xi'
     stored[Stored::kContact] += mu * at.elastic * psi;

@@ -1,23 +1,22 @@
 #pragma once
-// Contact of one body with a rigid plane, at given points (spheres of radius >= 0) and round edges of the body.
-// Theory 6.4.
+// Contact of one body with a rigid plane, at points (spheres of radius >= 0) and circular edges of the body. Theory 6.4.
 //   overlap   delta = radius - n.(p - p0), contact while delta > 0 at c = p - radius n, moving with p and w
 //   normal    f_n = k delta^1.5 g(d delta'),  g(u) = 1 + u for u >= 0, exp(u) for u < 0:
-//             Hunt-Crossley while closing, never pulls
+//             Hunt-Crossley damping while closing, never tensile
 //   friction  f_t = -mu f_n u / sqrt(u^2 + v_s^2),  u = v_t + xi / tau,
 //             xi' = clip(u) - xi / tau,  clip(u) = u where |u| <= 10 v_s, else 10 v_s u / |u|;  xi' = -xi / tau in the air
-// Each place has a spring xi [m] (two inner states). While it sticks, xi' = v_t: the spring takes over what the place would
-// creep with, and v_t falls to zero within tau. It gives up to 99.5 % of mu f_n, and slides with mu f_n. tau = 0: no
-// springs, u = v_t; then what would stick creeps.
-// A round edge (circle of radius R about c, axis a; rigid bodies) touches at m places that count from its lowest one:
+// Each place has a spring xi [m] (two inner states). During stick xi' = v_t: the spring replaces creep, and v_t decays to
+// zero within tau. The spring bears up to 99.5 % of mu f_n; sliding friction is mu f_n. tau = 0: no springs, u = v_t, and
+// stick becomes creep.
+// A circular edge (radius R about c, axis a; rigid bodies) touches at m places, counted from the lowest:
 //   p_k = c + R e_k,  e_k = cos(2 pi k/m) e_0 + sin(2 pi k/m) a x e_0,  e_0 = -(n - (n.a) a)/s,  s = |n x a|.
-// They stay where the plane is while the body rolls past, so a cylinder rolls as round as it is. delta_k depends on
-// height and tilt s alone and is the same for k and -k: what p_k travels along the edge does no work.
-// Restitution e after an impact at speed v depends on d v alone:
+// The places remain at the plane while the body rolls, so that a cylinder rolls smoothly. delta_k depends on height and
+// tilt s alone and is the same for k and -k: the motion of p_k along the edge does no work.
+// Restitution e of an impact at speed v depends on d v alone:
 //   d v - ln(1 + d v) = (e d v - 1) exp(e d v) + 1.
 // Power: damping k delta^1.5 (g - 1) delta' >= 0; friction -f_t.v_t - d(stored)/dt, where the springs store
 //   mu k delta^1.5 tau v_s (sqrt(1 + (xi / (tau v_s))^2) - 1),
-// so that it is >= 0 but for what a spring takes when the place is pressed down on it: at most 10 tau v_s mu d(f_n)/dt.
+// so that it is >= 0 except while the normal force grows on a deflected spring: at least -10 tau v_s mu d(f_n)/dt.
 
 #include <algorithm>
 #include <vector>
@@ -60,11 +59,11 @@ class RigidPlane : public ForceElement {
 
  private:
   struct Contact;
-  bool far(const BodyKinematics& body) const;  // bounding sphere clear of the plane: one comparison
+  bool far(const BodyKinematics& body) const;  // bounding sphere clear of the plane
   int place_count() const;
   bool contact(const ElementInput& in, const Marker& marker, double radius, int place, Contact& out) const;
   template <class Use>
-  void each_contact(const ElementInput& in, Use use) const;  // use(contact) of all that touch
+  void each_contact(const ElementInput& in, Use use) const;  // use(contact) for every contact
   template <class Use>
   void each_contact(const ElementInput& in, const ContactRim& rim, int first_place, Use use) const;
 
@@ -72,7 +71,7 @@ class RigidPlane : public ForceElement {
   std::vector<ContactRim> rims_;
   Parameters parameters_;
   Eigen::Matrix<double, 3, 2> tangents_;  // columns span the plane; xi is in these
-  double reach_ = 0.0;                    // radius about Bo that holds all undeformed spheres [m]
+  double reach_ = 0.0;                    // radius about Bo that encloses all undeformed spheres [m]
   double flexible_reach_ = 0.0;           // largest |S| of a point: reach grows by this times |a| [m per unit of a]
   mutable Eigen::Matrix3Xd X_, by_x_;     // scratch, 3 x n
   mutable Marker on_rim_;                 // scratch: one place of a rim

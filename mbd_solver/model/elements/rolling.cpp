@@ -1,9 +1,9 @@
+// The rows are functions of ten dot products and their rates; automatic differentiation gives their derivatives.
+
 #include "mbd_solver/model/elements/rolling.h"
 
 #include <cmath>
 #include <unsupported/Eigen/AutoDiff>
-
-#include "mbd_solver/model/kinematic_vector.h"
 
 namespace footfall {
 namespace {
@@ -20,7 +20,7 @@ struct Products {
   T u[kCount], du[kCount], ddu[kCount];
 };
 
-// Velocity of the touching point along axis k of marker 1, its derivative, and the height above touching.
+// Velocity of the contact point along axis k of marker 1, its derivative, and the gap.
 template <typename T>
 struct Condition {
   T phi, rate, acc;
@@ -80,7 +80,7 @@ Condition<ByAll> condition(double R, bool is_disc, int k, const Products<ByAll>&
   return is_disc ? disc(R, k, p) : sphere(R, k, p);
 }
 
-// c_m with u_k = sum_m c_m u_m', written once more for their derivatives by u.
+// c_m with u_k = sum_m c_m u_m', for their derivatives by u.
 void weights(double R, bool is_disc, int k, const ByValue (&u)[kCount], ByValue (&c)[kCount]) {
   for (ByValue& weight : c) weight = ByValue(0.0);
   c[kD] = ByValue(1.0);

@@ -1,8 +1,11 @@
+// The laws act along the line between the markers; the chain rule takes their derivatives to both bodies.
+
 #include "mbd_solver/model/elements/strut.h"
 
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 
@@ -15,8 +18,9 @@ Strut::Strut(std::string name, Marker m1, Marker m2, std::vector<std::unique_ptr
       length_(undeformed_length),
       voltage_index_(voltage_index) {
   if (!(std::isfinite(length_) && length_ > 0.0))
-    throw InputError("strut \"" + this->name() + "\": the undeformed length is " + std::to_string(length_) +
-                     " m; it must be positive. Are both ends at the same point?");
+    throw InputError(code::kNoLength, "strut \"" + this->name() + "\": the undeformed length is " +
+                                          std::to_string(length_) +
+                                          " m; it must be positive. Are both ends at the same point?");
   for (const std::unique_ptr<StrutLaw>& law : laws_) {
     first_state_.push_back(states_);
     states_ += law->state_count();
@@ -39,7 +43,8 @@ Strut::Line Strut::line(const PairMotion& pair) const {
   Line out{KinematicVector::difference(pair, m1_, m2_), 0.0, 0.0, 0.0, Eigen::Vector3d::Zero()};
   out.length = out.d.value().norm();
   if (!(out.length > 1e-9 * length_))
-    throw NumericalError("strut \"" + name() + "\": its two ends meet; it has no direction left.");
+    throw NumericalError(code::kStrutEndsMeet,
+                         "strut \"" + name() + "\": its two ends coincide, so that it has no direction.");
   out.e = out.d.value() / out.length;
   out.stroke = length_ - out.length;
   out.rate = -out.e.dot(out.d.rate());
@@ -47,7 +52,7 @@ Strut::Line Strut::line(const PairMotion& pair) const {
 }
 
 StrutInput Strut::law_input(const ElementInput& in, const Line& line, std::size_t law) const {
-  const double voltage = voltage_index_ >= 0 ? in.voltages[voltage_index_] : 0.0;
+  const double voltage = voltage_index_ >= 0 ? in.inputs[voltage_index_] : 0.0;
   return {line.stroke, line.rate, voltage, in.z.segment(first_state_[law], laws_[law]->state_count())};
 }
 

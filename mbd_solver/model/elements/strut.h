@@ -1,5 +1,5 @@
 #pragma once
-// A strut: one line of force between two markers, made of any number of laws that share stroke and rate.
+// A strut: a line of force between two markers, with any number of laws that share stroke and rate.
 //   d = p2 - p1, length l = |d|, e = d/l;  stroke x = l0 - l, rate = -e.d'
 //   force F(x, rate, U, z) along e, positive when it pushes the ends apart
 // A point-to-point spring-damper is a strut with a spring and a damper law.
@@ -25,14 +25,13 @@ struct StrutMotion {
 
 class Strut : public ForceElement {
  public:
-  // undeformed_length [m] > 0: length at zero stroke. voltage_index: which controlled voltage drives it, or
-  // -1 (then U = 0). Throws InputError when the length is not positive. Not to be evaluated from two threads
-  // at once (it owns scratch).
+  // undeformed_length [m] > 0: length at zero stroke. voltage_index: of the voltage among the inputs; -1: U = 0. Throws
+  // InputError if the length is not positive. Not for evaluation by two threads at once (it owns scratch).
   Strut(std::string name, Marker m1, Marker m2, std::vector<std::unique_ptr<StrutLaw>> laws, double undeformed_length,
         int voltage_index = -1);
 
   int state_count() const override { return states_; }
-  int voltage_count() const override { return voltage_index_ + 1; }
+  int input_count() const override { return voltage_index_ + 1; }
   Eigen::VectorXd initial_state() const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
@@ -50,9 +49,9 @@ class Strut : public ForceElement {
     double length, stroke, rate;
     Eigen::Vector3d e;
   };
-  Line line(const PairMotion& pair) const;  // throws NumericalError when the two points coincide
+  Line line(const PairMotion& pair) const;  // throws NumericalError if the two points coincide
   StrutInput law_input(const ElementInput& in, const Line& line, std::size_t law) const;
-  // puts the strut's name on errors
+  // adds the strut's name to errors
   const StrutOutput& evaluate(const ElementInput& in, const Line& line, std::size_t law) const;
 
   Marker m1_, m2_;

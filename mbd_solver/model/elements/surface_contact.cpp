@@ -1,3 +1,5 @@
+// Each point may have several contacts with the surface; they share one spring. Derivatives are written out (below).
+
 #include "mbd_solver/model/elements/surface_contact.h"
 
 #include <algorithm>
@@ -8,11 +10,10 @@
 
 namespace footfall {
 
-// One place in contact, as the two sources of surface_contact.h share it.
-
+// One contact of a point.
 struct SurfaceContact::Contact {
-  int slot = 0;                                      // of the body A with the place
-  KinematicVector p;                                 // of the place
+  int slot = 0;                                      // of the body A with the point
+  KinematicVector p;                                 // of the point
   double radius = 0.0;                               // R [m]
   double overlap = 0.0;                              // delta [m]
   double closing = 0.0;                              // delta' [m/s]
@@ -28,7 +29,6 @@ struct SurfaceContact::Contact {
   ContactLaw::Normal normal;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on A [N]
 };
-
 
 SurfaceContact::SurfaceContact(std::string name, int body_1, int body_2, std::vector<Side> sides, const ContactLaw& law)
     : ForceElement(std::move(name), body_1, body_2), sides_(std::move(sides)), law_(law) {
@@ -151,7 +151,7 @@ void SurfaceContact::add_energy(const ElementInput& in, StoredEnergy& stored, Di
       power[Dissipation::kContact] += (at.normal.force - elastic) * at.closing;
       power[Dissipation::kFriction] += mu * at.normal.force * at.inverse_speed * at.u.dot(at.g + at.closing * at.n);
       if (tau == 0.0) continue;
-      // Stored mu f psi(P xi), f = k delta^1.5: its rate is no loss.
+      // Stored mu f psi(P xi), f = k delta^1.5: its rate is not dissipated.
       const double root = std::sqrt(at.held.squaredNorm() + v_s * v_s), psi = tau * (root - v_s);
       const Eigen::Vector3d n_rate = B.w.cross(at.n) + at.H * at.apart;
       const Eigen::Vector3d rate = xi_rate + tau * (B.w.cross(at.spring) - at.n.dot(at.spring) * n_rate);
@@ -184,15 +184,14 @@ double SurfaceContact::largest_overlap(const ElementInput& in) const {
   return largest;
 }
 
-// The derivatives of one contact of mbd_solver/model/elements/surface_contact.h.
-//   X = dp/dx of the place; E_r, E_A, E_B pick dr of B and the turns of A and B out of dx
+// The derivatives of one contact.
+//   X = dp/dx of the point; E_r, E_A, E_B select dr of B and the rotations of A and B from dx
 //   D = X - E_r + (p - r_B)~ E_B               d(phi) = n.D dx, also p' - v_B(p) = D v
 //   N = dn/dx = H D - n~ E_B
 //   G = D + R n~ (E_A - E_B)                   g = G v, Q = G^T f
 //   g_x = p'_x - w_B~ (X - E_r) - R (w_A - w_B)~ N
 //   u_x = P (g_x - s~ E_B) - (n.y) N - n y^T N,  y = g + s,  s = xi / tau
 //   f   = f_n (n - mu u / sqrt(u^2 + v_s^2))
-
 void SurfaceContact::add_derivatives(const ElementInput& in, const Contact& at, int place, double share,
                                      ElementDerivatives& out) const {
   const BodyKinematics &A = *in.pair.body[at.slot], &B = *in.pair.body[1 - at.slot];
@@ -202,7 +201,7 @@ void SurfaceContact::add_derivatives(const ElementInput& in, const Contact& at, 
   const Eigen::Vector3d turning = A.w - B.w;
   for (Eigen::Matrix3Xd* m : {&X_, &D_, &N_, &G_, &g_x_, &f_x_, &f_v_, &u_x_}) m->setZero(3, n);
 
-  // The place against B.
+  // The point against B.
   at.p.add_jacobian(X_);
   if (!B.ground) X_.middleCols<3>(b) -= unit;  // X - E_r
   D_ = X_;
@@ -231,7 +230,7 @@ void SurfaceContact::add_derivatives(const ElementInput& in, const Contact& at, 
   const Eigen::Matrix3d by_g = by_u * P - by_closing * at.n.transpose();
   f_v_.noalias() = by_g.lazyProduct(G_);
 
-  // Q = G^T f, and what turns with the bodies at fixed f.
+  // Q = G^T f; then the rotation of G with the bodies at fixed f.
   out.dQ_dx.noalias() += G_.transpose().lazyProduct(f_x_);
   out.dQ_dv.noalias() += G_.transpose().lazyProduct(f_v_);
   at.p.add_second(at.force, out.dQ_dx);
@@ -243,7 +242,7 @@ void SurfaceContact::add_derivatives(const ElementInput& in, const Contact& at, 
   }
   if (tau == 0.0) return;
 
-  // xi_B' = R^T (clip(u) - P s), R the attitude of B: its share of this contact; -P s changes with n and B as u does.
+  // xi_B' = R^T (clip(u) - P s), R the attitude of B: the share of this contact. -P s varies with n and B like u.
   const ContactLaw::Clipped clipped = law_.clip(at.u);
   const Eigen::Matrix3d R = B.A, R_T = share * R.transpose();
   const Eigen::Matrix3d by_s = P * R / tau;

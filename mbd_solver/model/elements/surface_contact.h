@@ -1,13 +1,13 @@
 #pragma once
-// Contact of two bodies, or of a body and walls that stand still: the places of one (points, balls) against the surface of
-// the other (model/surface/contact_surface.h), by the law of contact_law.h. Theory 6.5.
-//   overlap   delta = R - phi(p),  p the place in the frame of the surface B,  n = grad phi
-//   point     c = p - R n; what the bodies do there:  g = v_A(c) - v_B(c) = p' - v_B(p) - R (w_A - w_B) x n
+// Contact of two bodies, or of a body and fixed walls: points and balls of one against the surface of the other
+// (contact_surface.h), by the law of contact_law.h. Theory 6.5.
+//   overlap   delta = R - phi(p),  p the point in the frame of the surface B,  n = grad phi
+//   place     c = p - R n, with the relative velocity  g = v_A(c) - v_B(c) = p' - v_B(p) - R (w_A - w_B) x n
 //   force     f(delta, -n.g, g - (n.g) n) on A at c, -f on B at the same c: momentum is conserved to round-off
-// Every place has one spring xi (three inner states, in the frame of B) for all that it touches:
+// Every point has one spring xi (three inner states, in the frame of B) for all its contacts:
 //   u_i = P_i (g_i + xi / tau),  P_i = I - n_i n_i^T,
 //   xi' = mean over its contacts of clip(u_i) - P_i xi / tau, turning with B;  xi' = -xi / tau in the air.
-// With one contact on a flat surface that is the law of the plane. The body with the surface is rigid.
+// With one contact on a flat surface this is the law of the plane. The body with the surface is rigid.
 
 #include <memory>
 #include <vector>
@@ -19,22 +19,21 @@
 
 namespace footfall {
 
-// The surface that places meet, and on which side of its pieces they are. Walls become known when a run begins.
+// The surface that points meet, and their side of each piece. Walls become known when a run begins.
 struct SurfaceSeen {
-  std::shared_ptr<const ContactSurface> surface;  // null: nothing touches yet
+  std::shared_ptr<const ContactSurface> surface;  // null: no contact yet
   SurfaceSides sides;
 };
 
 class SurfaceContact : public ForceElement {
  public:
   struct Side {
-    int slot = 0;  // of the body with the places: 0 or 1
+    int slot = 0;  // of the body with the points: 0 or 1
     std::vector<ContactPoint> points;
     std::shared_ptr<const SurfaceSeen> seen;  // of the other body, in its frame
-    double depth = 0.0;                       // places deeper than this within triangles do not touch [m] > 0
+    double depth = 0.0;                       // points deeper than this within triangles do not touch [m] > 0
   };
-  // body_2 may be kGround; its markers are then walls. At least one place. Throws InputError on values of the law outside
-  // their range.
+  // body_2 may be kGround, for walls. At least one point. Throws InputError on values of the law outside their range.
   SurfaceContact(std::string name, int body_1, int body_2, std::vector<Side> sides, const ContactLaw& law);
 
   ~SurfaceContact() override;
@@ -53,7 +52,7 @@ class SurfaceContact : public ForceElement {
  private:
   struct Contact;
   bool far(const Side& side, double reach, double flexible_reach, const ElementInput& in) const;
-  // use(side, place, contacts of the place, how many): every place that touches.
+  // use(place, contacts, count) for every point with contacts.
   template <class Use>
   void each_place(const ElementInput& in, Use use) const;
   void add_derivatives(const ElementInput& in, const Contact& at, int place, double share,
@@ -65,7 +64,7 @@ class SurfaceContact : public ForceElement {
   ContactLaw law_;
   int places_ = 0;
   mutable std::vector<SurfaceTouch> touches_;                       // scratch
-  mutable std::vector<Contact> contacts_;                           // scratch: of one place
+  mutable std::vector<Contact> contacts_;                           // scratch: of one point
   mutable Eigen::Matrix3Xd X_, D_, N_, G_, g_x_, f_x_, f_v_, u_x_;  // scratch, 3 x n
 };
 

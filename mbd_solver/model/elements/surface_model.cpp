@@ -1,11 +1,13 @@
+// A tree of boxes per surface, built at its first use; lines become slivers, because boxes need an area.
+
 #include "mbd_solver/model/elements/surface_model.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
+#include <Eigen/Geometry>
+#include <algorithm>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/rotation.h"
@@ -13,7 +15,7 @@
 namespace footfall {
 namespace {
 
-// The box around a triangle without area has no axes: a line becomes a sliver of this width [of its length].
+// Width of the sliver that replaces a line [of its length].
 constexpr double kSliver = 1e-8;
 
 bool is_line(const Eigen::Vector3i& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
@@ -81,9 +83,9 @@ void SurfaceModel::move(const Eigen::Matrix3Xd& vertices) {
 
 SurfaceGap gap_between(const SurfaceModel& a, const SurfaceModel& b, const FramePose& b_in_a) {
   const fcl::Transform3d at_a = fcl::Transform3d::Identity(), at_b = transform(b_in_a);
-  fcl::DistanceRequestd ask(true);
+  fcl::DistanceRequestd request(true);
   fcl::DistanceResultd found;
-  fcl::distance(&a.tree().model, at_a, &b.tree().model, at_b, ask, found);
+  fcl::distance(&a.tree().model, at_a, &b.tree().model, at_b, request, found);
   SurfaceGap gap;
   gap.distance = std::max(0.0, found.min_distance) - a.thickness_ - b.thickness_;
   gap.place = 0.5 * (found.nearest_points[0] + found.nearest_points[1]);

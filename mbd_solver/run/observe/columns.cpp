@@ -221,13 +221,13 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
   for (const ControllerEntry& controller : mechanism.controllers)
     for (std::size_t k = 0; k < controller.outputs.size(); ++k)
       out.add(kVoltage, {controller.name, controller.outputs[k]},
-              [i = controller.first_input + static_cast<int>(k)](const Sample& s) { return s.inputs.voltages(i); });
+              [i = controller.first_input + static_cast<int>(k)](const Sample& s) { return s.inputs.values(i); });
   for (const PlaceEntry& signal : mechanism.signals)
-    out.add(kSignal, {signal.name}, [i = signal.place](const Sample& s) { return s.voltages(i); });
+    out.add(kSignal, {signal.name}, [i = signal.place](const Sample& s) { return s.values(i); });
   for (const PlaceEntry& state : mechanism.states)
-    out.add(kState, {state.name}, [i = state.place](const Sample& s) { return s.voltages(i); });
+    out.add(kState, {state.name}, [i = state.place](const Sample& s) { return s.values(i); });
   if (mechanism.state_since >= 0)
-    out.add(kStateSince, {}, [i = mechanism.state_since](const Sample& s) { return s.state.time - s.voltages(i); });
+    out.add(kStateSince, {}, [i = mechanism.state_since](const Sample& s) { return s.state.time - s.values(i); });
   for (int k = 0; k < count_of<Stored>(); ++k) {
     const auto form = static_cast<Stored>(k);
     out.add(kStored, {std::string(name_of(form))}, [form](const Sample& s) { return s.energy.stored[form]; });

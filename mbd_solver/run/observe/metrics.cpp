@@ -7,7 +7,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/modal_body.h"
-#include "mbd_solver/model/up_direction.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 

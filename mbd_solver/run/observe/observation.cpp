@@ -60,14 +60,14 @@ void Readings::take(const Sample& sample) {
   if (uses_joints_) joints_.take(sample);
 }
 
-double Readings::value(std::size_t k, const Sample& sample, const Eigen::VectorXd& voltages) const {
+double Readings::value(std::size_t k, const Sample& sample, const Eigen::VectorXd& values) const {
   const Reading& reading = readings_[k];
   if (!reading.source) return reading.column(sample);
   const auto index = static_cast<Eigen::Index>(reading.source->index);
   switch (reading.source->kind) {
     case SignalSource::Kind::kTime: return sample.state.time;
-    case SignalSource::Kind::kPlace: return (reading.continuous ? sample.voltages : voltages)(index);
-    case SignalSource::Kind::kSince: return sample.state.time - voltages(index);
+    case SignalSource::Kind::kPlace: return (reading.continuous ? sample.values : values)(index);
+    case SignalSource::Kind::kSince: return sample.state.time - values(index);
     case SignalSource::Kind::kSensor: break;
   }
   FOOTFALL_DEMAND(false);

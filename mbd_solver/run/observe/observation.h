@@ -1,6 +1,6 @@
 #pragma once
 // What names of expressions stand for at a sample: columns of the history, all of them, recorded or not; signals, states,
-// voltages and time.
+// inputs and time.
 
 #include <string>
 #include <vector>
@@ -21,8 +21,8 @@ class Readings {
 
   // Before values are asked for.
   void take(const Sample& sample);
-  // Of names[k]. voltages: those of the window that begins, as far as they are known.
-  double value(std::size_t k, const Sample& sample, const Eigen::VectorXd& voltages) const;
+  // Of names[k]. inputs: those of the window that begins, as far as they are known.
+  double value(std::size_t k, const Sample& sample, const Eigen::VectorXd& values) const;
 
   void visit(Archive& archive) {
     archive("flexible", flexible_);

@@ -10,7 +10,7 @@ Sampler::Sampler(const Subject& subject, Equations& equations, const State& stat
       equations_(equations),
       kinematics_(subject.mechanism.model),
       y_(Eigen::VectorXd::Zero(subject.layout.size())),
-      sample_{state, inputs, voltages_, rates, kinematics_, energy_, contact_} {
+      sample_{state, inputs, values_, rates, kinematics_, energy_, contact_} {
   const Model& model = subject.mechanism.model;
   for (int i = 0; i < model.body_count(); ++i) contact_.emplace_back(model.body(i).mode_count());
 }
@@ -21,7 +21,7 @@ void Sampler::take(long window, bool last, const CouplingSample* coupling) {
   const Eigen::VectorXd& rates = sample_.rates;
   kinematics_.load(layout, state.q, state.v, rates.segment(layout.v0(), layout.v_size));
   equations_.pack(state, rates.tail(layout.row_count), y_);
-  equations_.signals(state, sample_.inputs, voltages_);
+  equations_.signals(state, sample_.inputs, values_);
   equations_.energy(state.time, y_, sample_.inputs, energy_);
   update_contact();
   sample_.window = window;

@@ -24,7 +24,7 @@ struct Subject {
 struct Sample {
   const State& state;
   const Inputs& inputs;             // of the window that ends here
-  const Eigen::VectorXd& voltages;  // of the inputs, with the continuous signals now
+  const Eigen::VectorXd& values;  // of the inputs, with the continuous signals now
   const Eigen::VectorXd& rates;     // [dq; dv; dz; lambda]
   const Kinematics& kinematics;     // of all bodies, with accelerations
   const EnergySample& energy;
@@ -40,7 +40,7 @@ inline ElementInput element_input(const Subject& subject, const Sample& sample, 
   const ForceElement& element = subject.mechanism.model.force(force);
   const int z = subject.layout.force_z[static_cast<std::size_t>(force)];
   return {sample.kinematics.pair(element.bodies()[0], element.bodies()[1]),
-          sample.state.z.segment(z, element.state_count()), sample.voltages, sample.state.time};
+          sample.state.z.segment(z, element.state_count()), sample.values, sample.state.time};
 }
 
 // From a state to a Sample: kinematics, energies and ground contact, each computed once.
@@ -63,7 +63,7 @@ class Sampler {
   Subject subject_;
   Equations& equations_;
   Kinematics kinematics_;
-  Eigen::VectorXd voltages_;
+  Eigen::VectorXd values_;
   EnergySample energy_;
   std::vector<GeneralizedForce> contact_;
   Eigen::VectorXd y_;  // [q; v; z; lambda]

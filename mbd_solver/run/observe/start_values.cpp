@@ -21,7 +21,7 @@ class StartedMechanism {
         rates_(Eigen::VectorXd::Zero(equations_.layout().size())),
         sampler_({scene, mechanism, equations_.layout()}, equations_, state_, rates_, inputs_),
         still_(mechanism.model) {
-    inputs_.voltages = mechanism.inputs;
+    inputs_.values = mechanism.inputs;
     still_.load(equations_.layout(), state_.q, state_.v, Eigen::VectorXd());
   }
 
@@ -55,12 +55,12 @@ class StartedMechanism {
 class StartValues {
  public:
   using Measured =
-      std::function<std::optional<double>(std::size_t name)>;  // beyond voltages; nothing: the run knows it
+      std::function<std::optional<double>(std::size_t name)>;  // beyond inputs; nothing: the run knows it
 
   StartValues(const Scene& scene, const Mechanism& mechanism)
-      : scene_(scene), mechanism_(mechanism), voltages_(mechanism.inputs) {}
+      : scene_(scene), mechanism_(mechanism), values_(mechanism.inputs) {}
 
-  const Eigen::VectorXd& voltages() const { return voltages_; }
+  const Eigen::VectorXd& inputs() const { return values_; }
 
   // Its nodes in their order, those whose names are known.
   void evaluate(const SignalChain& chain, const Measured& measured) {
@@ -81,7 +81,7 @@ class StartValues {
         }
       }
       chain.put(k, y);
-      voltages_(node.place) = y;
+      values_(node.place) = y;
     }
   }
 
@@ -119,7 +119,7 @@ class StartValues {
     if (name == "time" || name == "state.since") return 0.0;
     if (const std::optional<SignalSource> source = signal_source(mechanism_, name)) {
       if (name.rfind("signal.", 0) != 0 && name.rfind("state.", 0) != 0) return std::nullopt;
-      return voltages_(static_cast<Eigen::Index>(source->index));
+      return values_(static_cast<Eigen::Index>(source->index));
     }
     return measure();
   }
@@ -132,7 +132,7 @@ class StartValues {
 
   const Scene& scene_;
   const Mechanism& mechanism_;
-  Eigen::VectorXd voltages_;
+  Eigen::VectorXd values_;
   std::set<std::string> unknown_;
   bool state_may_change_ = false;
 };
@@ -180,7 +180,7 @@ void demand_values_at_start(const Scene& scene, bool is_placed, Mechanism& mecha
     if (sample) readings.take(*sample);
     const auto read = [&](std::size_t name) -> std::optional<double> {
       if (!sample) return std::nullopt;
-      return readings.value(name, *sample, values.voltages());
+      return readings.value(name, *sample, values.inputs());
     };
     values.judge(conditions, [&](std::size_t name) { return read(sampled.names().size() + name); });
     values.evaluate(sampled, read);
