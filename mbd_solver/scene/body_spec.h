@@ -1,6 +1,6 @@
 #pragma once
-// Bodies and materials of a scene. After reading, mass, inertia, position and orientation of every body are numbers,
-// whether they were given or followed from shape and material.
+// Bodies and materials of a scene. After reading, mass, inertia, position and orientation of every body are known, given as
+// numbers or calculated from shape and material.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -37,21 +37,20 @@ constexpr std::string_view name_of(ShapeKind kind) {
   return {};
 }
 
-// Geometry in D. Gives mass properties, a boundary surface, and the model of a flexible body (tube, rod: beam; disc,
-// dish: plate).
+// Geometry in D. It gives mass properties, a boundary surface, and the elastic model (tube, rod: beam; disc, dish: plate).
 struct ShapeSpec {
   ShapeKind kind = ShapeKind::kBox;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();    // box, disc, sphere, cylinder; dish: its lowest point [m]
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     // disc, dish: normal; the dish opens along it; cylinder [-]
   Eigen::Vector3d from = Eigen::Vector3d::Zero();      // tube, rod: first end; capsule: centre of its round end [m]
-  Eigen::Vector3d to = Eigen::Vector3d::Zero();        // likewise the second end [m]
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();        // the second end [m]
   Eigen::Vector3d size = Eigen::Vector3d::Zero();      // box: edges along the body's axes [m]
   double diameter = 0.0;                               // tube, rod, capsule: outer [m]
   double wall = 0.0;                                   // tube [m]
   double radius = 0.0;                                 // disc, dish (of the rim), sphere, cylinder [m]
   double length = 0.0;                                 // cylinder: along its axis [m]
   double thickness = 0.0;                              // disc, dish [m]
-  double depth = 0.0;                                  // dish: rim above the lowest point [m]
+  double depth = 0.0;                                  // dish: height of the rim above the lowest point [m]
   std::vector<Eigen::Vector3d> points;                 // points: equal point masses [m]
   std::string file;                                    // mesh: closed, STL, OBJ or PLY; placed by x -> R scale x + p
   double scale = 1.0;                                  // mesh: metres per unit of the file [-]
@@ -59,7 +58,7 @@ struct ShapeSpec {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  // mesh: R, of the file's axes in D
 };
 
-// Cross section of the members of a frame: tube (diameter, wall), or the four numbers themselves.
+// Cross section of the members of a frame: tube (diameter, wall), or four numbers.
 struct SectionSpec {
   std::string name;
   double diameter = 0.0;   // outer [m]; 0: the numbers below are given
@@ -74,7 +73,7 @@ struct MemberSpec {
   int first = 0;  // index into FlexibleSpec::nodes, from 0
   int second = 0;
   std::string section;
-  int elements = 1;  // the member is divided into so many beam elements
+  int elements = 1;  // beam elements of the member
 };
 
 enum class ModalBasis { kCraigBampton, kFreeFree };
@@ -87,20 +86,20 @@ constexpr std::string_view name_of(ModalBasis kind) {
 }
 
 struct FlexibleSpec {
-  bool enabled = true;  // flexible = false, or the scene's switch: rigid
+  bool enabled = true;  // false: rigid
   ModalBasis basis = ModalBasis::kCraigBampton;
-  std::optional<int> modes;  // on top of the static shapes; 0: rigid; not given: all below max_frequency, or 10
-  std::optional<double> max_frequency;    // of these modes, those above it are left out [Hz]
+  std::optional<int> modes;  // in addition to the static shapes; 0: rigid; not given: all below max_frequency, or 10
+  std::optional<double> max_frequency;    // modes above it are omitted [Hz]
   double damping = kDefaultDampingRatio;  // modal damping ratio [-]
   int elements = 8;                       // tube, rod: beam elements along the axis
-  int segments = 1;                       // tube, rod: so many bodies in a row, each with modes of its own
+  int segments = 1;                       // tube, rod: number of bodies in a row, each with modes of its own
   double mesh_size = 0.0;                 // disc, dish: edge length of triangles [m]; 0: radius / 4
-  std::string mesh;                       // plate on this triangle mesh instead of the shape (STL, OBJ, PLY)
+  std::string mesh;                       // triangle mesh of a plate, instead of the shape (STL, OBJ, PLY)
   double mesh_scale = 1.0;                // metres per unit of the mesh file [-]
-  double thickness = 0.0;                 // plate on a mesh [m]; 0: the shape's
-  std::string file;                       // reduced model of another code (its own format), instead of shape and mesh
-  std::string stiffness_matrix;           // full model of another code: K and M as MatrixMarket files, and their nodes,
-  std::string mass_matrix;                // one "x y z" per line, in D
+  double thickness = 0.0;                 // of a plate on a mesh [m]; 0: that of the shape
+  std::string file;              // reduced model of another code (modal_body_file.h), instead of shape and mesh
+  std::string stiffness_matrix;  // full model of another code: K and M as MatrixMarket files, and their nodes,
+  std::string mass_matrix;       // one "x y z" per line, in D
   std::string node_file;
   std::vector<Eigen::Vector3d> nodes;  // 3D frame of beams: nodes in D [m]
   std::vector<MemberSpec> members;     // 3D frame: members between nodes

@@ -1,3 +1,4 @@
+// From the numbers of [particles.box] to the variables of inputs/box/in.bed and in.grains.
 #include "mbd_solver/scene/box_bed.h"
 
 #include <algorithm>
@@ -18,10 +19,10 @@ namespace {
 using Variables = std::map<std::string, std::string>;
 
 constexpr double kLooseFraction = 0.55, kDenseFraction = 0.61;  // solid fraction of settled beds [-]
-constexpr double kBelowSurface = 1.3;                           // radii that the mean surface lies below z = 0
+constexpr double kBelowSurface = 1.3;                           // depth of the mean surface below z = 0, in radii
 constexpr double kPouredHeight = 2.4;                           // of the loose column, over the depth of the bed
 constexpr double kPouredClumps = 4.8;                           // the same of clumps, which need more space
-constexpr double kFilledByClumps = 0.14;                        // of that column [-]
+constexpr double kFilledByClumps = 0.14;                        // share of that column [-]
 constexpr double kPourFriction = 0.05;                          // packing = "dense"
 constexpr int kDigits = 12;
 
@@ -34,7 +35,7 @@ std::vector<Clump> clumps_of(const BoxSpec& box) {
   return clumps;
 }
 
-// Of clumps: one of their spheres. It is lighter than the clump, so its times are the shorter ones.
+// Of clumps: one of their spheres, which is lighter than the clump and has the shorter times.
 ElasticGrain smallest_grain(const BoxSpec& box) {
   const GrainMaterialSpec& m = box.material;
   double radius = *std::min_element(box.radius.begin(), box.radius.end());
@@ -42,14 +43,14 @@ ElasticGrain smallest_grain(const BoxSpec& box) {
   return {radius, m.density, m.young, m.poisson};
 }
 
-// Speed of the uppermost grain that is poured [m/s].
+// Impact speed of the uppermost poured grain [m/s].
 double pour_speed(const Scene& scene) {
   const BoxSpec& box = *scene.particles->box;
   const double height = box.clumps.empty() ? kPouredHeight : kPouredClumps;
   return std::sqrt(2.0 * scene.gravity.norm() * (height - 1.0) * box.depth);
 }
 
-// The largest speed that is known before the run [m/s].
+// The largest speed known before the run [m/s].
 double known_speed(const Scene& scene) {
   double speed = std::max(pour_speed(scene), scene.initial.velocity.norm());
   for (const BodyVelocitySpec& body : scene.initial.bodies)
@@ -75,14 +76,14 @@ std::string contact_model(const Scene& scene) {
   return model;
 }
 
-// Share of the k-th of `count` kinds; alike without `shares`.
+// Share of the k-th of `count` kinds; equal without `shares`.
 double share_of(const std::vector<double>& shares, std::size_t k, std::size_t count) {
   if (shares.empty() || count < 2) return 1.0 / static_cast<double>(count);
   return shares[k] / std::accumulate(shares.begin(), shares.end(), 0.0);
 }
 
-// The words of LIGGGHTS' templates, each in quotes, and of their distribution by mass. Mass and inertia are given, so that
-// LIGGGHTS guesses only which share of a clump's volume each sphere is (ntry), for its own counting.
+// The words of LIGGGHTS' templates, each in quotes, and of their distribution by mass. Mass and inertia are given; LIGGGHTS
+// estimates only the share of each sphere in the clump's volume (ntry), for its own statistics.
 void add_clumps(const BoxSpec& box, Variables& all) {
   const std::vector<Clump> clumps = clumps_of(box);
   if (clumps.empty()) return;
@@ -118,7 +119,7 @@ bool is_prime(int n) {
   return n > 1;
 }
 
-// LIGGGHTS wants primes above 10000; none of these is a seed of the scripts.
+// LIGGGHTS requires primes above 10000; the scripts use none of these.
 int prime_of(int seed) {
   int n = 20000000;
   for (int k = 0; k < seed; ++k)
@@ -127,7 +128,7 @@ int prime_of(int seed) {
   return n;
 }
 
-// What the script of the bed and that of the run must have alike.
+// What the scripts of the bed and of the run have in common.
 Variables common_variables(const Scene& scene) {
   const BoxSpec& box = *scene.particles->box;
   const GrainMaterialSpec& m = box.material;
@@ -246,12 +247,12 @@ BoxNumbers box_numbers(const Scene& scene) {
 void resolve_box(Scene& scene, Findings& findings) {
   if (!scene.particles || !scene.particles->box || !check_box(scene, findings)) return;
   ParticlesSpec& particles = *scene.particles;
-  if (!particles.script.empty() || particles.bed) return;  // a scene for other ground that holds both
+  if (!particles.script.empty() || particles.bed) return;  // a scene of another ground may have both
   try {
     particles.script = box_script("in.grains");
     particles.bed = BedSpec{box_script("in.bed"), bed_variables(scene)};
   } catch (const InputError& e) {
-    findings.error(particles.source, "box", e.what());
+    findings.coded_error(particles.source, "box", e.what());
     return;
   }
   particles.variables.merge(run_variables(scene));

@@ -1,6 +1,6 @@
 #pragma once
-// A bed of grains by numbers instead of by a script: [particles.box]. It is made and run by the scripts of inputs/box,
-// which get these numbers as variables.
+// A bed of grains by numbers instead of a script: [particles.box]. The scripts of inputs/box make it and run on it; they get
+// these numbers as variables.
 
 #include <optional>
 #include <string>
@@ -42,7 +42,7 @@ constexpr std::string_view name_of(Packing kind) {
   return {};
 }
 
-// Hertz and Mindlin contacts. Grains are softer than sand is, which allows longer time steps.
+// Hertz and Mindlin contacts. Grains are softer than sand, which allows longer time steps.
 struct GrainMaterialSpec {
   double density = 2600.0;  // [kg/m3] > 0
   double young = 1e7;       // [Pa] >= 5e6
@@ -51,12 +51,12 @@ struct GrainMaterialSpec {
   double restitution = 0.3;                         // [-] in (0.05, 1]
   double friction = 0.5;                            // [-] >= 0
   double rolling_friction = 0.2;                    // [-] >= 0
-  RollingModel rolling_model = RollingModel::kCdt;  // of clumps none, unless it is given
+  RollingModel rolling_model = RollingModel::kCdt;  // of clumps: none, unless given
   double cohesion = 0.0;                            // cohesion energy density [J/m3] >= 0
   CohesionModel cohesion_model = CohesionModel::kSjkr;
 };
 
-// The mechanism's bodies, and each of them on grains; what is not given is as grain on grain.
+// The bodies of the mechanism, and their contacts with grains; not given: as grain on grain.
 struct BodyContactSpec {
   double young = 2e11;   // [Pa] >= 5e6
   double poisson = 0.3;  // [-] in [0, 0.5)
@@ -67,22 +67,22 @@ struct BoxSpec {
   std::vector<double> size;                 // along x and y [m]
   double depth = 0.0;                       // of the levelled bed: floor at z = -depth, surface at z = 0 of W [m]
   std::vector<double> radius;               // of the grains, one or two; of clumps: of the sphere of their volume [m]
-  std::vector<double> shares;               // of two radii in the mass; empty: alike [-]
+  std::vector<double> shares;               // of two radii in the mass; empty: equal [-]
   std::vector<std::string> clumps;          // shapes of the grains (clump_shape.h); empty: spheres
-  std::vector<double> clump_shares;         // of the shapes in the mass; empty: alike [-]
+  std::vector<double> clump_shares;         // of the shapes in the mass; empty: equal [-]
   std::vector<double> centre = {0.0, 0.0};  // of the bed along x and y of W [m]
-  std::vector<double> pit;  // [x_1, x_2]: there the settled bed is taken away, across its width; empty: nowhere
+  std::vector<double> pit;  // [x_1, x_2]: there the settled bed is removed, across its width; empty: nowhere [m]
   double pit_depth = 0.0;   // of the pit below the surface [m]
-  bool periodic = false;    // it goes on at its sides; else walls of grain material
-  bool walls = true;        // floor and sides stand in the run, too; else bodies of the scene are in their places
+  bool periodic = false;    // in x and y; else walls of grain material
+  bool walls = true;        // floor and sides act in the run, too; else bodies of the scene replace them
   Packing packing = Packing::kLoose;
-  int seed = 1;                     // another sample of the bed for each number >= 1
+  int seed = 1;                     // each number >= 1 gives another sample of the bed
   std::optional<double> headroom;   // of the simulation box above the surface [m]
   std::optional<double> margin;     // of the simulation box around the walls [m]
   std::optional<double> time_step;  // of the grains [s]; not given: by rayleigh_fraction
   double rayleigh_fraction = 0.1;   // of the Rayleigh time, and half of it of the Hertz time: the time step
-  std::optional<int> every;         // substeps per window; not given: chosen for each window
-  double frames = 0.0;              // between dumps of the grains [s]; 0: none
+  std::optional<int> every;         // DEM steps per coupling interval; not given: chosen for each interval
+  double frames = 0.0;              // interval of dumps of the grains [s]; 0: none
   GrainMaterialSpec material;
   BodyContactSpec bodies;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// What of the mechanism touches the ground, and what the ground is.
+// Boundaries of the mechanism, contacts, and the ground.
 
 #include <Eigen/Dense>
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace footfall {
 
-// Which faces of a disc its generated surface has.
+// The faces of the generated surface of a disc.
 enum class SurfaceFaces { kAuto, kMiddle, kBoth };
 constexpr std::string_view name_of(SurfaceFaces kind) {
   switch (kind) {
@@ -28,12 +28,12 @@ constexpr std::string_view name_of(SurfaceFaces kind) {
 // Triangles: generated from the body's shape, or read from a file.
 struct SurfaceSpec {
   double element_size = 0.0;  // edge length of generated triangles [m]; 0: a tenth of the shape's size
-  std::string file;           // STL, OBJ or PLY, drawn in D; empty: from the shape (or the flexible body's mesh)
+  std::string file;           // STL, OBJ or PLY; empty: from the shape (or the mesh of the flexible body)
   std::string from_script;    // id of a mesh of particles.script, instead of file, scale, position and orientation
-  double scale = 1.0;         // metres per unit of the file [-]; the file is scaled, then turned, then moved
+  double scale = 1.0;         // metres per unit of the file [-]; scale, then orientation, then position apply
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               // of the file's origin in D [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  // of the file's axes in D
-  bool closed = false;                                              // demand a watertight surface
+  bool closed = false;                                              // require a watertight surface
   // Of a disc. middle: its mid-surface, without thickness. both: closed, with a rim of its thickness.
   // auto: the mid-surface of a flexible one, which is its finite-element mesh; both faces of a rigid one.
   SurfaceFaces faces = SurfaceFaces::kAuto;
@@ -64,8 +64,8 @@ constexpr std::string_view name_of(GroundKind kind) {
   return {};
 }
 
-// Law of a contact place (theory 6.4): f_n = k delta^1.5 g(d delta'), friction mu f_n while
-// it slides, a spring while it sticks. With friction_speed: mu f_n v_t / sqrt(v_t^2 + friction_speed^2), no springs.
+// Law of a contact point (theory 6.4): f_n = k delta^1.5 g(d delta'), friction mu f_n while it slides, a spring while it
+// sticks. With friction_speed: mu f_n v_t / sqrt(v_t^2 + friction_speed^2), without springs.
 // k = stiffness, or by Hertz from young: 4/3 young / (1 - poisson^2) sqrt(contact_radius). d = damping, or from
 // restitution.
 struct ContactLawSpec {
@@ -74,16 +74,16 @@ struct ContactLawSpec {
   double contact_radius = 0.02;                         // of each node [m]
   std::optional<double> stiffness;                      // k of each node, instead of young [N/m^1.5]
   std::optional<double> restitution;                    // [-] in (0, 1], at impact_speed
-  std::optional<double> impact_speed;                   // [m/s] > 0; not given: that of the initial velocity
+  std::optional<double> impact_speed;                   // [m/s] > 0; not given: the initial velocity
   std::optional<double> damping;                        // d, instead of restitution [s/m]
   double friction = RigidPlane::Parameters{}.friction;  // [-] >= 0
-  std::optional<double> friction_speed;                 // not given: true stick. Else it creeps [m/s] > 0
+  std::optional<double> friction_speed;                 // not given: true stick; else it creeps [m/s] > 0
 };
 
 struct PlaneSpec : ContactLawSpec {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    // in W [m]
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of the ground, unit vector in W
-  std::vector<std::string> bodies;                    // which boundaries touch it; empty: all
+  std::vector<std::string> bodies;                    // whose boundaries touch it; empty: all
 };
 
 inline constexpr const char* kPlaneWord = "plane";  // in ContactSpec::between
@@ -94,9 +94,9 @@ struct ContactSpec : ContactLawSpec {
   std::vector<std::string> between;                   // two bodies, or a body and "plane"; empty with walls
   bool walls = false;                                 // planes and static meshes of the LIGGGHTS script
   std::vector<std::string> bodies;                    // with walls: which boundaries; empty: all
-  bool ignore = false;                                // the two pass through each other, and nothing tells
+  bool ignore = false;                                // the two pass through each other without a warning
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    // of the plane, in W [m]
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // of the plane, where the body is, unit vector in W
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // of the plane, to the side of the body, unit vector in W [-]
   bool with_plane() const { return between.size() == 2 && between[1] == kPlaneWord; }
 };
 
@@ -106,7 +106,7 @@ struct GroundSpec {
   std::optional<PlaneSpec> plane;  // needed by kind = "plane"; ignored (but checked) otherwise
 };
 
-// The bed: made once by a script of its own, kept as a restart file.
+// The bed: made once by a script of its own, cached as a restart file.
 struct BedSpec {
   std::string script;                            // LIGGGHTS script that writes the restart file ${bed}
   std::map<std::string, std::string> variables;  // -var name value for that script
@@ -117,14 +117,15 @@ struct ParticlesSpec {
   std::string script;  // LIGGGHTS script of the coupled run; gets -var out DIR, -var bed FILE, and:
   std::map<std::string, std::string> variables;  // -var name value
   int ranks = 2;                                 // LIGGGHTS processes
-  std::string soil;                              // of the box: what it says comes from inputs/soils/NAME.toml (soil.h)
+  std::string soil;                              // numbers of the box from inputs/soils/NAME.toml (soil.h)
   std::optional<BedSpec> bed;                    // none: the script makes or reads its own particles
-  std::optional<BoxSpec>
-      box;             // instead of both scripts: they are then those of inputs/box, and the variables its numbers
-  std::string grains;  // text dump (x y z radius) of the grains at the start; the front door sets it:
-                       // clearance counts from the highest grain under the boundaries
+  std::optional<BoxSpec> box;                    // instead of both scripts, which are then those of inputs/box
+  std::string
+      grains;  // text dump (x y z radius) of the grains at the start, set by `footfall run`: clearance counts from
+               // the highest grain under the boundaries
   std::optional<double> surface_height;  // instead of grains: height of the bed's surface [m]
-  double max_time_step = 1e-4;           // larger DEM steps are refused: wrong on this soil long before unstable [s]
+  double max_time_step =
+      1e-4;  // of DEM [s]; larger steps give wrong results on this soil long before they are unstable
 };
 
 }  // namespace footfall

@@ -1,7 +1,7 @@
 #pragma once
-// Motors of a scene: each drives one coordinate of a joint, by a torque or force that it can bring up.
-// Torque and speed are those of the motor; at the joint they are gear_ratio times larger and smaller. On a
-// displacement, read force for the torque of the joint, and rad/m for the unit of the gear ratio.
+// Motors and brakes of a scene: each acts on one coordinate of a joint, by a limited torque or force. Torque and speed are
+// those of the motor; at the joint they are gear_ratio times larger and smaller. On a displacement the joint has a force
+// instead of a torque, and the gear ratio the unit rad/m.
 
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// Forces and torques of a scene that are functions of time, at a point of a body.
+// Forces and torques of a scene as functions of time, at a point of a body.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -11,8 +11,8 @@
 namespace footfall {
 
 enum class ForceFrame {
-  kBody,     // the direction is drawn in D and turns with the body
-  kInertial  // the direction stands in W, and stays; the point moves with the body
+  kBody,     // the direction is given in D and turns with the body
+  kInertial  // the direction is fixed in W; the point moves with the body
 };
 constexpr std::string_view name_of(ForceFrame frame) {
   switch (frame) {

@@ -1,3 +1,4 @@
+// Rayleigh time and Hertz contact time.
 #include "mbd_solver/scene/grain_time_step.h"
 
 #include <cmath>
@@ -18,7 +19,7 @@ double hertz_time(const ElasticGrain& g, double speed) {
 }
 
 double rounded_down(double value) {
-  constexpr double kRoundOff = 1e-9;  // 8.8e-5 itself stays
+  constexpr double kRoundOff = 1e-9;  // 8.8e-5 remains 8.8e-5
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
   return std::floor(value / unit + kRoundOff) * unit;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Which time step the grains can take: theory 5.
+// Times that limit the time step of grains: theory 5.
 
 namespace footfall {
 
@@ -10,15 +10,15 @@ struct ElasticGrain {
   double poisson;  // nu [-]
 };
 
-// How long a Rayleigh wave takes around a grain [s]:
+// Rayleigh time of a grain [s]:
 //   pi r sqrt(rho / G) / (0.1631 nu + 0.8766),  G = E / (2 (1 + nu))
 double rayleigh_time(const ElasticGrain& grain);
 
-// How long two equal grains touch that meet at `speed` [m/s] > 0, by Hertz [s]:
+// Duration of a Hertz contact of two equal grains at the impact speed `speed` [m/s] > 0 [s]:
 //   2.87 (m*^2 / (r* E*^2 speed))^(1/5),  m* = m / 2, r* = r / 2, E* = E / (2 (1 - nu^2))
 double hertz_time(const ElasticGrain& grain, double speed);
 
-// The largest number of two digits that is not above the value > 0: 8.84e-5 -> 8.8e-5.
+// The value > 0 rounded down to two digits: 8.84e-5 -> 8.8e-5.
 double rounded_down(double value);
 
 }  // namespace footfall

@@ -1,4 +1,4 @@
-// The coordinates that joints of a scene leave free, and what acts on them.
+// The coordinates that types of joints leave free, and the members of specs that belong to them.
 #include <algorithm>
 
 #include "coupler/base/text.h"

@@ -31,8 +31,7 @@ enum class JointType {
 
 enum class KeyUse { kUnused, kOptional, kRequired };
 
-// What each type of joint is, for the reader (its name), the checks (its keys beside name, bodies and points) and the
-// builder of flexible bodies.
+// Facts of a type of joint: its name, its keys besides name, bodies and points, and its free coordinates.
 struct JointTraits {
   std::string_view name;
   KeyUse axis;
@@ -40,7 +39,7 @@ struct JointTraits {
   KeyUse length;
   KeyUse radius;
   KeyUse motion;
-  bool points_may_differ;  // in the drawing
+  bool points_may_differ;  // in the reference configuration
   bool holds_attitude;     // transmits moments
   bool turns;              // its angle about `axis` is a coordinate
   bool slides;             // its displacement along `axis` is a coordinate
@@ -68,15 +67,15 @@ constexpr JointTraits traits_of(JointType type) {
 }
 constexpr std::string_view name_of(JointType type) { return traits_of(type).name; }
 
-// f(t) = sum_k c_k t^k + amplitude sin(2 pi frequency t + phase) + table(t) + signal. Unit: the one of what it moves
-// ([m], [rad], [N] ...).
+// f(t) = sum_k c_k t^k + amplitude sin(2 pi frequency t + phase) + table(t) + signal. The unit is that of its key ([m], [rad],
+// [N] ...).
 struct TimeFunctionSpec {
   std::vector<double> polynomial;      // c_0, c_1, ... [unit / s^k]
   double amplitude = 0.0;              // [unit]
   double frequency = 0.0;              // [Hz]
   double phase = 0.0;                  // [rad]
   std::vector<Eigen::Vector2d> table;  // (t [s], value [unit]), t rising: a cubic spline through them
-  std::string signal;                  // name of one, in this unit; not for a prescribed motion
+  std::string signal;                  // name of a signal in this unit; not for a prescribed motion
 };
 
 // Motion of body b relative to body a (or the ground), in the joint's frame, which turns with a: z = axis, x = axis2
@@ -87,9 +86,9 @@ struct MotionSpec {
   bool hold_other_rotations = false;         // keeps z of both bodies parallel
 };
 
-// The coordinates that a joint leaves free: body b relative to body a, zero in the drawing.
+// The coordinates that a joint leaves free: body b relative to body a, zero in the reference configuration.
 enum class CoordinateChoice {
-  kAuto,           // the one that there is
+  kAuto,           // the only one
   kAngle,          // about the axis [rad]: revolute, cylindrical, planar
   kDisplacement,   // along the axis [m]: prismatic, cylindrical
   kDisplacementX,  // across the axis [m]: planar; x of the joint's frame, which turns with a: axis2, made perpendicular
@@ -125,7 +124,7 @@ struct JointSpec {
   JointType type = JointType::kFixed;
   std::array<std::string, 2> bodies;     // a, b; "ground" is allowed for one of them
   std::optional<Eigen::Vector3d> point;  // gives both of the next two [m]
-  // The joint's point on a and on b in D [m], resolved by scene_reader. They may differ for distance and point_on_plane
+  // The joint's point on a and on b in D [m]. They may differ for distance and point_on_plane
   // (a: a point of the plane), and rolling (likewise; b: the centre of the wheel) only; else the gap is checked.
   Eigen::Vector3d point_a = Eigen::Vector3d::Zero();
   Eigen::Vector3d point_b = Eigen::Vector3d::Zero();
@@ -138,7 +137,7 @@ struct JointSpec {
   std::optional<double> length;      // distance [m]; not given: that of the points
   std::optional<double> radius;      // rolling [m] > 0
   std::optional<MotionSpec> motion;  // prescribed
-  // What acts on its coordinates, where it has them.
+  // Force laws on its coordinates, where it has them.
   std::optional<CoordinateSpec> angle, displacement, displacement_x, displacement_y;
   const std::optional<CoordinateSpec>& acting_on(CoordinateChoice coordinate) const;  // none on kAuto
 };

@@ -1,4 +1,4 @@
-// The keys a scene may have, and the keys one has.
+// The keys that a scene can have, and those that were given.
 #include <algorithm>
 
 #include "mbd_solver/scene/scene_reader.h"
@@ -8,7 +8,7 @@ namespace footfall {
 
 namespace {
 
-// Enters everything, whether it is there or not; lists count as one entry "[]".
+// Enters all sections, present or not; a list counts as one entry "[]".
 class KeyLister final : public FieldVisitor {
  public:
   std::set<std::string> keys;

@@ -1,5 +1,5 @@
 #pragma once
-// Which keys of an entry belong to its kind. Keys that every kind has (name, kind, bodies ...) are not listed.
+// The keys of each kind of an entry. Keys of every kind (name, kind, bodies ...) are not listed.
 
 #include <algorithm>
 #include <string>
@@ -59,7 +59,7 @@ inline std::vector<std::string> keys_of(SignalKind kind) {
   return {};
 }
 
-// The keys that belong to other kinds and mean nothing for this one.
+// The keys of other kinds that have no effect on this one.
 template <class Kind>
 std::vector<std::string> foreign_keys(Kind kind) {
   const std::vector<std::string> own = keys_of(kind);

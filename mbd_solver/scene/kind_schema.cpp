@@ -1,3 +1,4 @@
+// Walks through all kinds.
 #include "mbd_solver/scene/kind_schema.h"
 
 #include "mbd_solver/scene/joint_spec.h"
@@ -22,7 +23,7 @@ Json keys_of_joint(JointType type) {
   return {{"required", required}, {"optional", optional}};
 }
 
-// Which of them must be given the checks know alone.
+// Which of them are required only the checks know.
 template <class Kind>
 Json every_kind() {
   Json all = Json::object();

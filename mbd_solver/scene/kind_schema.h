@@ -1,10 +1,10 @@
 #pragma once
-// Which keys belong to each kind of joint, spring, drive, controller and signal, for the pages of the reference:
+// The keys of each kind of joint, spring, drive, controller and signal, for the reference pages:
 //
 //   { "joints": { "revolute": { "required": ["axis"], "optional": ["angle"] }, ... }, "springs": { ... }, ... }
 //
-// It is made of what the checks of a scene know (joint_spec.h, kind_keys.h). Keys that every kind has (name, bodies,
-// points ...) are not in it. `footfall schema` writes it as "x-kinds".
+// It is made of joint_spec.h and kind_keys.h, as the checks of a scene are. Keys of every kind (name, bodies, points ...) are
+// omitted. `footfall schema` writes it as "x-kinds".
 
 #include "mbd_solver/scene/field_json.h"
 

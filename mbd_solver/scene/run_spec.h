@@ -1,5 +1,5 @@
 #pragma once
-// Start, controllers, solver, coupling and output of a scene.
+// Initial state, controllers, solver, coupling and output of a scene.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -15,8 +15,8 @@
 
 namespace footfall {
 
-// Velocity of one body instead of the mechanism's; must agree with the joints (the solver's first projection reports if
-// not).
+// Velocity of one body instead of that of the mechanism. The first projection of the solver reports one that contradicts the
+// joints.
 struct BodyVelocitySpec {
   Source source;
   std::string body;
@@ -24,7 +24,7 @@ struct BodyVelocitySpec {
   std::optional<Eigen::Vector3d> angular_velocity;  // in W [rad/s]
 };
 
-// A coordinate of a joint at the start, instead of the drawing's zero.
+// The initial coordinate of a joint, instead of zero.
 struct InitialJointSpec {
   Source source;
   std::string name;                                                       // of the joint
@@ -33,9 +33,9 @@ struct InitialJointSpec {
   const std::optional<double>& value(CoordinateChoice coordinate) const;  // none of kAuto
 };
 
-// Places the drawing D in W: turned about the total mass centre by R_WD = Rz(yaw) Ry(pitch) Rx(roll), moved by
-// position, then up or down to the clearance. What is fixed to the ground by joints, struts or springs is drawn in D
-// too and is placed with it.
+// Places the frame D in W: turned about the total mass centre by R_WD = Rz(yaw) Ry(pitch) Rx(roll), moved by
+// position, then up or down to the clearance. Points fixed to the ground by joints, struts or springs are given in D and
+// placed with it.
 struct InitialSpec {
   Source source;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();          // [m]
@@ -45,8 +45,8 @@ struct InitialSpec {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // about it [rad/s]
   std::vector<BodyVelocitySpec> bodies;
   std::vector<InitialJointSpec> joints;
-  bool settle = false;        // the run starts where the mechanism rests under its loads; not with grains
-  double largest_gap = 1e-6;  // of the points of a joint in the drawing, closed before the start [m]
+  bool settle = false;        // the run starts from the equilibrium under its loads; not with grains
+  double largest_gap = 1e-6;  // between the points of a joint, closed before the start [m]
 };
 
 enum class ControllerKind { kConstant, kFuzzy, kSkyhook, kPid };
@@ -115,13 +115,13 @@ struct SolverSpec {
   OneStepMethod method = OneStepMethod::kAuto;
   double rtol = 1e-6;          // [-]
   std::optional<double> atol;  // of positions [m, rad]; not given: a hundredth of rtol
-  double max_step = 1e-3;      // [s]; one step never crosses a window
-  bool error_control = true;   // one_step: false takes steps of max_step, whatever their error
+  double max_step = 1e-3;      // [s]; a step never exceeds the coupling interval
+  bool error_control = true;   // one_step: false takes steps of max_step without error control
   DriftKind drift = DriftKind::kProjection;
   double baumgarte_velocity = 100.0;  // alpha: ddPhi + 2 alpha dPhi + beta^2 Phi = 0 [1/s]
   double baumgarte_position = 100.0;  // beta [1/s]
 
-  // Absolute tolerances: with the relative one they say to how many digits metres and metres per second are asked for.
+  // Absolute tolerances.
   double atol_position() const { return atol.value_or(0.01 * rtol); }  // [m], [rad]
   double atol_velocity() const { return 100.0 * atol_position(); }     // [m/s], [rad/s]
 };
@@ -129,20 +129,20 @@ struct SolverSpec {
 struct CouplingSpec {
   Source source;
   std::string scheme{kDefaultScheme};  // one of scheme_names()
-  // `every auto` in the script: substeps per window are chosen in [1, max_substeps] so that the force on a body misses
-  // by the tolerance's share of the force scale at the window's end.
-  double tolerance = 0.01;  // [-]
-  int max_substeps = 100;
-  double warn_omega_h = 0.5;         // warn above this estimate of omega H [-]
-  bool stop_on_energy_gain = true;   // end the run when the interface pumps energy ...
-  double max_energy_residual = 0.1;  // ... of more than this share of what the contacts have moved [-]
+  // `every auto` in the script: the DEM steps of a coupling interval ("window") are chosen in [1, max_substeps] so that the
+  // error of the force on a body at its end is `tolerance` times the force scale.
+  double tolerance = 0.01;           // [-]
+  int max_substeps = 100;            // [-]
+  double warn_omega_h = 0.5;         // warn above this coupling frequency number omega H [-]
+  bool stop_on_energy_gain = true;   // end the run when the coupling adds spurious energy ...
+  double max_energy_residual = 0.1;  // ... of more than this share of the energy exchanged by contacts [-]
   bool stop_on_chatter = true;       // end the run when the mean force alternates from window to window
-  double timeout = 300.0;            // of silence of the partner within a run [s]
+  double timeout = 300.0;            // without a message of the partner [s]
 };
 
 struct OutputSpec {
   Source source;
-  double interval = 1e-3;            // rows of history.csv [s]
+  double interval = 1e-3;            // between rows of history.csv [s]
   std::vector<std::string> bodies;   // whose motion is recorded; empty: all
   bool joints = true;                // coordinates of joints and their rates are recorded
   bool reactions = false;            // forces and moments of joints are recorded

@@ -1,7 +1,7 @@
 #pragma once
-// A scene as plain numbers: what the TOML file says, complete with defaults, SI units, and nothing else. Filled by
-// scene_reader, judged by scene_check, turned into a Model by the run part. All points and directions are in the
-// drawing frame D: the mechanism in its design position; [initial] places D in the inertial frame W.
+// A scene as plain numbers: the contents of the TOML file with defaults, in SI units. scene_reader fills it, scene_check
+// checks it, mbd_solver/build makes a Model of it. All points and directions are in the frame D of the reference
+// configuration, in which the scene describes the mechanism; [initial] places D in the inertial frame W.
 
 #include <optional>
 #include <string>
@@ -20,8 +20,7 @@
 
 namespace footfall {
 
-// "{name}" in any string of an entry: the entry is copied `count` times, copy k (from 1) turned by start + (k - 1)
-// step.
+// An entry with "{name}" in a text is copied `count` times; copy k (from 1) is turned by start + (k - 1) step.
 struct ArraySpec {
   Source source;
   std::string name;
@@ -34,9 +33,9 @@ struct ArraySpec {
 struct Scene {
   Source source;                      // top-level keys
   std::string file;                   // the scene file as it was opened
-  std::string folder;                 // its folder: every path in the scene is relative to it and stored joined with it
+  std::string folder;                 // its folder: paths of the file are relative to it, and are stored joined with it
   std::vector<std::string> settings;  // --set key=value, as given
-  std::vector<std::string> warnings;  // findings that do not stop a run, formatted
+  std::vector<std::string> warnings;  // findings that do not stop a run, with place and code
 
   std::string title;
   double end_time = 1.0;                                       // [s]
@@ -44,7 +43,7 @@ struct Scene {
   std::optional<double> total_mass;                            // [kg]; needed by one body with mass = "remainder"
   bool flexible = true;                                        // false: every body is rigid
 
-  std::vector<ArraySpec> arrays;  // already applied: kept for the record
+  std::vector<ArraySpec> arrays;  // already applied
   std::vector<MaterialSpec> materials;
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;
@@ -56,7 +55,7 @@ struct Scene {
   std::vector<BoundarySpec> boundaries;
   std::vector<ContactSpec> contacts;
   GroundSpec ground;
-  std::optional<ParticlesSpec> particles;  // needed by ground.kind = "particles"
+  std::optional<ParticlesSpec> particles;  // required by ground.kind = "particles"
   std::vector<ControllerSpec> controllers;
   std::vector<SignalSpec> signals;
   std::vector<StateSpec> states;
@@ -66,14 +65,14 @@ struct Scene {
   CouplingSpec coupling;
   OutputSpec output;
 
-  // Index of the body of this name; -1 for "ground". The scene is checked, so every name is known (FOOTFALL_DEMAND).
+  // Look-ups of a checked scene; an unknown name is an internal error. "ground" has the index -1.
   int body_index(const std::string& name) const;
   const MaterialSpec& material(const std::string& name) const;
-  // The coordinate that a drive moves, of a checked scene.
+  // The coordinate that a drive moves.
   CoordinateChoice coordinate_of(const DriveSpec& drive) const;
-  // The coordinate that the gear's joint of this index takes part with, of a checked scene.
+  // The coordinate of the gear's joint of this index.
   CoordinateChoice coordinate_of(const GearSpec& gear, std::size_t index) const;
-  int joint_index(const std::string& name) const;                    // FOOTFALL_DEMAND likewise
+  int joint_index(const std::string& name) const;
   CoordinateChoice only_coordinate(const std::string& joint) const;  // of a joint that has one
   bool touches_particles() const { return ground.kind == GroundKind::kParticles; }
 };

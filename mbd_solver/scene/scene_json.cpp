@@ -1,3 +1,4 @@
+// A visitor that writes values.
 #include "mbd_solver/scene/scene_json.h"
 
 #include "mbd_solver/scene/field_json.h"

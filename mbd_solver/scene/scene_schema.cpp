@@ -1,3 +1,4 @@
+// A visitor that writes the type of every key.
 #include "mbd_solver/scene/scene_schema.h"
 
 #include <cmath>
@@ -47,7 +48,7 @@ Json vector_of(const Rule& rule) {
   return any_of(three, {{"enum", {"x", "y", "z", "-x", "-y", "-z"}}});
 }
 
-// What the reader takes for a member of each type (value_reader.cpp).
+// What the reader accepts for a member of each type (value_reader.cpp).
 Json type_of(const double&, const Rule& rule) { return number(rule); }
 Json type_of(const int&, const Rule& rule) { return whole(rule); }
 Json type_of(const bool&, const Rule&) { return of_type("boolean"); }
@@ -98,8 +99,8 @@ std::string description(const Rule& rule, const std::string& unit) {
   std::string text;
   if (!unit.empty()) text = "[" + unit + "]";
   const auto add = [&](const char* what) { text += (text.empty() ? "" : " ") + std::string(what); };
-  if (rule.meaning == Meaning::kPath) add("A file, seen from the scene's folder.");
-  if (rule.meaning == Meaning::kDirection) add("A direction; its length does not count.");
+  if (rule.meaning == Meaning::kPath) add("A file, relative to the scene's folder.");
+  if (rule.meaning == Meaning::kDirection) add("A direction of any length.");
   if (rule.required) add("Required.");
   return text;
 }
@@ -118,7 +119,7 @@ class SchemaWriter final : public FieldVisitor {
     Json type = std::visit([&](const auto* value) { return type_of(*value, rule); }, ref);
     const std::string text = description(rule, unit_name(rule.unit));
     if (!text.empty()) type["description"] = text;
-    // Other units have no default of their own: it is that of the SI key.
+    // The default is given in SI units only.
     for (const UnitSuffix& unit : unit_suffixes(rule.unit)) {
       Json other = type;
       other["description"] = description(rule, unit.suffix.substr(1));
@@ -190,9 +191,9 @@ std::string scene_schema() {
   Scene scene;
   visit_fields(writer, scene);
   Json base = of_type("string");
-  base["description"] = "A scene that this one is laid over.";
+  base["description"] = "Path of a scene that this one modifies.";
   writer.root["properties"]["base"] = std::move(base);
-  // initial_joints.cpp takes a number, too.
+  // initial_joints.cpp accepts a number as well.
   Json& joint = writer.root["properties"]["initial"]["properties"]["joints"]["additionalProperties"];
   joint = any_of(of_type("number"), joint);
   Json schema = schema_text("Scene of footfall", writer.root);

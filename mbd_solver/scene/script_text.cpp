@@ -1,3 +1,4 @@
+// Lines to commands: joins and comments, quotes, plain variables, includes and branches.
 #include "mbd_solver/scene/script_text.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// As LIGGGHTS parts a line: blanks part words but inside quotes, `#` starts a comment but inside quotes.
+// As LIGGGHTS splits a line: outside of quotes blanks separate words, and `#` begins a comment.
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
   bool inside = false;
@@ -70,10 +71,10 @@ std::string ScriptText::value(const std::string& name) const {
 }
 
 // Commands of one file: `&` joins lines, ${name} is replaced where its value is plain.
-void ScriptText::read(const std::string& file, const std::string& asked_at) {
+void ScriptText::read(const std::string& file, const std::string& included_at) {
   const std::string path = std::filesystem::path(file).lexically_normal().string();
   if (std::find(open_.begin(), open_.end(), path) != open_.end()) {
-    circle_ = asked_at;
+    circle_ = included_at;
     return;
   }
   std::ifstream stream(path);
@@ -124,11 +125,11 @@ void ScriptText::add_branches(const ScriptCommand& command) {
   }
 }
 
-// LIGGGHTS looks from the folder where it runs; scripts say ${here} for their own.
-void ScriptText::include(const std::string& name, const std::string& asked_at) {
+// LIGGGHTS includes relative to its working folder; scripts write ${here} for their own.
+void ScriptText::include(const std::string& name, const std::string& included_at) {
   const std::filesystem::path near = std::filesystem::path(fixed_.at("here")) / name;
   std::error_code ignored;
-  read(std::filesystem::exists(near, ignored) ? near.string() : name, asked_at);
+  read(std::filesystem::exists(near, ignored) ? near.string() : name, included_at);
 }
 
 // ${name}, $c, v_name, and the names of the commands `variable` and `next`.
@@ -151,7 +152,7 @@ void ScriptText::note_names(const std::string& text) {
     if (words[i] == "variable" || words[i] == "next") names_.insert(words[i + 1]);
 }
 
-// A value is put in once and not looked at again: a variable may name itself.
+// A value is inserted once and not expanded again: a variable may name itself.
 std::string ScriptText::substitute(std::string text) const {
   for (std::size_t at = text.find("${"); at != std::string::npos; at = text.find("${", at)) {
     const std::size_t end = text.find('}', at);

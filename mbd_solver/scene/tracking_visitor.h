@@ -1,5 +1,5 @@
 #pragma once
-// Base of visitors that walk a Scene as it is: enters what is there and knows where it is.
+// Base of visitors that walk through a Scene: enters what is present and knows the path of each key.
 
 #include <string>
 #include <vector>

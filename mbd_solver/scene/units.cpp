@@ -1,3 +1,4 @@
+// The table of units and suffixes.
 #include "mbd_solver/scene/units.h"
 
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
-// Units of scene numbers: SI without a suffix, others by the suffix of the key (angle_deg, diameter_mm), converted on
-// reading.
+// Units of scene numbers: SI without a suffix, others by the suffix of the key (angle_deg, diameter_mm), converted by the
+// reader.
 
 #include <string>
 #include <vector>
