@@ -28,7 +28,7 @@ SignalLoop::SignalLoop(std::vector<SignalNode> sampled, const Subject& subject)
       of_conditions_(conditions_.names(), subject),
       samples_(chain_.size(), 0),
       looks_(conditions_.size(), 0),
-      worked_(chain_.size(), false),
+      was_active_(chain_.size(), false),
       z_(Eigen::VectorXd::Zero(chain_.state_count())) {
   const std::vector<EventSpec>& events = subject.scene.events;
   for (std::size_t k = 0; k < conditions_.size(); ++k) {
@@ -92,7 +92,7 @@ void SignalLoop::happen(int event, double time, Eigen::VectorXd& values) {
     const std::vector<std::string>& states = chain_.node(k).states;
     if (!states.empty() && std::find(states.begin(), states.end(), to) == states.end()) {
       values(chain_.node(k).place) = 0.0;
-      worked_[k] = false;
+      was_active_[k] = false;
     }
   }
 }
@@ -119,8 +119,8 @@ void SignalLoop::sample_due(const Sample& sample, Eigen::VectorXd& values) {
       if (!is_due(k)) continue;
       const SignalNode& node = chain_.node(k);
       double y = 0.0;
-      if (chain_.works(k)) {
-        if (!worked_[k]) chain_.settle(k, states(k));
+      if (chain_.active(k)) {
+        if (!was_active_[k]) chain_.settle(k, states(k));
         y = node.block->passes_through() ? node.block->sample(chain_.inputs(k), node.period, states(k))
                                          : node.block->value(states(k), states(k));
       }
@@ -130,8 +130,8 @@ void SignalLoop::sample_due(const Sample& sample, Eigen::VectorXd& values) {
     for (std::size_t k = 0; k < chain_.size(); ++k) {
       if (!is_due(k)) continue;
       const SignalNode& node = chain_.node(k);
-      worked_[k] = chain_.works(k);
-      if (worked_[k] && !node.block->passes_through()) node.block->advance(chain_.inputs(k), node.period, states(k));
+      was_active_[k] = chain_.active(k);
+      if (was_active_[k] && !node.block->passes_through()) node.block->advance(chain_.inputs(k), node.period, states(k));
       samples_[k] = samples_until(time, node.period);
     }
   } catch (const NumericalError& error) {
@@ -142,7 +142,7 @@ void SignalLoop::sample_due(const Sample& sample, Eigen::VectorXd& values) {
 void SignalLoop::visit(Archive& archive) {
   archive("samples", samples_);
   archive("looks", looks_);
-  archive("worked", worked_);
+  archive("worked", was_active_);
   archive("z", z_);
   archive("readings", readings_);
   archive("of_conditions", of_conditions_);

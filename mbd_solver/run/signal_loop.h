@@ -49,7 +49,7 @@ class SignalLoop {
   std::vector<int> events_;            // per node of conditions_: index in the scene
   std::vector<std::size_t> order_;     // of looking: first what has no period, each as the scene lists them
   std::vector<long> samples_, looks_;  // so far, per node of chain_ and of conditions_
-  std::vector<bool> worked_;           // per node of chain_, at its last sample
+  std::vector<bool> was_active_;           // per node of chain_, at its last sample
   Eigen::VectorXd z_;                  // inner states of chain_
   bool watches_ = false;
 };

@@ -1,9 +1,10 @@
+// Signals are evaluated in the order of the chain; rates follow once all values are known.
+
 #include "mbd_solver/model/control/continuous_signals.h"
 
 #include <set>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/elements/joint_coordinate.h"
 
 namespace footfall {
 
@@ -46,7 +47,7 @@ void ContinuousSignals::set_names(double t, const Eigen::Ref<const Eigen::Vector
   }
 }
 
-double ContinuousSignals::answer(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& states) const {
+double ContinuousSignals::output(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& states) const {
   const SignalBlock& block = *chain_.node(k).block;
   return block.passes_through() ? block.value(chain_.inputs(k), states) : block.value(states, states);
 }
@@ -54,10 +55,9 @@ double ContinuousSignals::answer(std::size_t k, const Eigen::Ref<const Eigen::Ve
 void ContinuousSignals::run(double t, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> values,
                             Eigen::Ref<Eigen::VectorXd> dz) const {
   set_names(t, values);
-  // First what answers from its states alone, then the others in order; rates where all values are known.
   for (std::size_t k = 0; k < chain_.size(); ++k) {
     const SignalNode& node = chain_.node(k);
-    const double y = chain_.works(k) ? answer(k, z.segment(chain_.first_state(k), node.block->state_count())) : 0.0;
+    const double y = chain_.active(k) ? output(k, z.segment(chain_.first_state(k), node.block->state_count())) : 0.0;
     chain_.put(k, y);
     values[node.place] = y;
   }
@@ -65,7 +65,7 @@ void ContinuousSignals::run(double t, const Eigen::Ref<const Eigen::VectorXd>& z
     const SignalBlock& block = *chain_.node(k).block;
     if (block.state_count() == 0) continue;
     auto rates = dz.segment(chain_.first_state(k), block.state_count());
-    if (chain_.works(k)) {
+    if (chain_.active(k)) {
       block.rates(chain_.inputs(k), z.segment(chain_.first_state(k), block.state_count()), rates);
     } else {
       rates.setZero();
@@ -75,19 +75,19 @@ void ContinuousSignals::run(double t, const Eigen::Ref<const Eigen::VectorXd>& z
 
 void ContinuousSignals::start(double t, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
                               Eigen::Ref<Eigen::VectorXd> values) const {
-  std::vector<bool> worked(chain_.size(), false);
+  std::vector<bool> was_active(chain_.size(), false);
   if (before) {
     set_names(t, *before);
-    for (std::size_t k = 0; k < chain_.size(); ++k) worked[k] = chain_.works(k);
+    for (std::size_t k = 0; k < chain_.size(); ++k) was_active[k] = chain_.active(k);
   }
   set_names(t, values);
   const auto begin = [&](std::size_t k) {
     const SignalNode& node = chain_.node(k);
     Eigen::Ref<Eigen::VectorXd> states = z.segment(chain_.first_state(k), node.block->state_count());
     double y = 0.0;
-    if (chain_.works(k)) {
-      if (!worked[k]) chain_.settle(k, states);
-      y = answer(k, states);
+    if (chain_.active(k)) {
+      if (!was_active[k]) chain_.settle(k, states);
+      y = output(k, states);
     }
     chain_.put(k, y);
     values[node.place] = y;
@@ -95,7 +95,7 @@ void ContinuousSignals::start(double t, const Eigen::VectorXd* before, Eigen::Re
   try {
     for (std::size_t k = 0; k < chain_.size(); ++k) begin(k);
   } catch (const NumericalError& error) {
-    if (!before) throw InputError(error.what());  // at the start it is the scene's
+    if (!before) throw InputError(error.what());  // at the start the scene is to be corrected
     throw NumericalError("t = " + std::to_string(t) + " s: " + error.what());
   }
 }

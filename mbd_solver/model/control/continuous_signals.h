@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of one body's motion that have a name: columns of a history, and what signals measure.
+// Continuous signals, evaluated with the equations of motion, and the sensors that they read.
 
 #include <array>
 #include <memory>
@@ -14,7 +14,9 @@
 
 namespace footfall {
 
-// One column of each thing of a kind; `value` reads it from what the thing is at an instant.
+// --- Named numbers of one body's motion: columns of a history, and what signals measure.
+
+// A column of every thing of one kind; `value` reads it from the thing's current state.
 template <class Thing>
 struct Entry {
   const char* pattern;
@@ -45,15 +47,14 @@ inline constexpr Entry<BodyKinematics> kAttitudeEntries[] = {
     {"<body>.qy", "-", [](const BodyKinematics& b) { return b.L(2) / b.L.norm(); }},
     {"<body>.qz", "-", [](const BodyKinematics& b) { return b.L(3) / b.L.norm(); }}};
 
-// What a continuous signal can measure within a step: positions and velocities, never accelerations or forces, so that
-// what follows from it stands on the right side of the equations of motion. A sensor may have one inner state.
-
+// A measurement of a continuous signal within a step: positions and velocities, never accelerations or forces, because
+// signals belong to the right-hand side of the equations of motion. A sensor may have one inner state.
 class Sensor {
  public:
   virtual ~Sensor() = default;
-  virtual std::array<int, 2> bodies() const = 0;  // whose motion it sees; kGround where one is enough
+  virtual std::array<int, 2> bodies() const = 0;  // whose motion it measures; kGround if one is enough
   virtual bool has_state() const { return false; }
-  // z: its state, or anything. rate_of_state is asked for where there is one.
+  // z: its state, if it has one.
   virtual double value(const PairMotion& pair, double z) const = 0;
   virtual double rate_of_state(const PairMotion&, double) const { return 0.0; }
 };
@@ -70,7 +71,7 @@ class BodySensor final : public Sensor {
   double (*reads_)(const BodyKinematics&);
 };
 
-// A coordinate of a joint. An angle goes on over any number of turns; its state counts them, as that of a JointForce.
+// A coordinate of a joint. Angles count any number of turns, by the state, like those of a JointForce.
 class CoordinateSensor final : public Sensor {
  public:
   CoordinateSensor(const Joint& joint, Coordinate coordinate) : m1_(joint.m1), m2_(joint.m2), coordinate_(coordinate) {}
@@ -115,21 +116,20 @@ class StrutSensor final : public Sensor {
   Reads reads_;
 };
 
-// The continuous signals of a model: evaluated with its equations, at every stage of a step; their inner states are
-// integrated with those of the mechanism.
-
-// Where a name's value comes from.
+// The source of a named value.
 struct SignalSource {
   enum class Kind {
     kTime,
     kPlace,  // inputs[index]: controllers, sampled signals, states of the scene
-    kSince,  // time - inputs[index]: seconds in the present state of the scene
+    kSince,  // time - inputs[index]: seconds in the current state of the scene
     kSensor  // sensors[index]
   };
   Kind kind = Kind::kTime;
   std::size_t index = 0;
 };
 
+// The continuous signals of a model: evaluated at every stage of a step; their inner states are integrated with those of
+// the mechanism.
 class ContinuousSignals {
  public:
   // sources: one per name of the chain.
@@ -139,16 +139,16 @@ class ContinuousSignals {
   const SignalChain& chain() const { return chain_; }
   std::vector<int> bodies() const;  // whose motion is measured, in rising order
 
-  // Values into their places among `inputs`, where those of others stand already, and rates of the states. kinematics:
-  // has pair(body_1, body_2). Throws NumericalError. No allocation.
+  // Writes the signals into their places among the input `values`, and the rates of the states into dz. kinematics: has
+  // pair(body_1, body_2). Throws NumericalError. No allocation.
   template <class Kinematics>
   void evaluate(double t, const Kinematics& kinematics, const Eigen::Ref<const Eigen::VectorXd>& z,
                 Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> dz) const {
     measure(kinematics, z, dz);
     run(t, z, values, dz);
   }
-  // The states of every signal (before null), or of those that did not work under the inputs `before`.
-  // Throws NumericalError; at the start, with before null, InputError.
+  // Settles the states of every signal (before null), or of those that were inactive under the inputs `before`. Throws
+  // NumericalError; at the start, with before null, InputError.
   template <class Kinematics>
   void settle(double t, const Kinematics& kinematics, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
               Eigen::Ref<Eigen::VectorXd> values) const {
@@ -171,7 +171,7 @@ class ContinuousSignals {
       ++state;
     }
   }
-  double answer(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& states) const;  // value of node k
+  double output(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& states) const;  // value of node k
   void set_names(double t, const Eigen::Ref<const Eigen::VectorXd>& values) const;
   void run(double t, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> values,
            Eigen::Ref<Eigen::VectorXd> dz) const;

@@ -1,3 +1,5 @@
+// The filter, and the three controllers without fuzzy rules.
+
 #include "mbd_solver/model/control/controllers.h"
 
 #include <algorithm>
@@ -5,14 +7,20 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/parameter_check.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
+namespace {
+
+constexpr std::string_view kPid = "controller pid", kSkyhook = "controller skyhook";
+
+}  // namespace
 
 AccelerationFilter::AccelerationFilter(std::string_view owner, double frequency, double period) : period_(period) {
-  constexpr double kTwoPi = 6.28318530717958647692;
   require_not_negative(owner, "filter_frequency", frequency, "Hz");
   require_positive(owner, "period", period, "s");
-  gain_ = frequency > 0.0 ? -std::expm1(-kTwoPi * frequency * period) : 1.0;
+  gain_ = frequency > 0.0 ? -std::expm1(-2.0 * kPi * frequency * period) : 1.0;
 }
 
 void AccelerationFilter::sample(double acceleration) {
@@ -37,7 +45,8 @@ void AccelerationFilter::restore(const Eigen::Ref<const Eigen::VectorXd>& memory
 ConstantController::ConstantController(const ConstantControllerParameters& parameters) : parameters_(parameters) {
   const std::string who = "controller constant";
   require_positive(who, "period", parameters.period, "s");
-  if (parameters.voltages.size() == 0) throw InputError(who + ": no voltages; expected one for each controlled strut.");
+  if (parameters.voltages.size() == 0)
+    throw InputError(code::kParametersDisagree, who + ": no voltages; expected one for each controlled strut.");
   for (Eigen::Index i = 0; i < parameters.voltages.size(); ++i)
     require_within(who, "voltage " + std::to_string(i + 1), parameters.voltages[i], 0.0, 1.0, "");
 }
@@ -50,20 +59,14 @@ void ConstantController::restore(const Eigen::Ref<const Eigen::VectorXd>& memory
   FOOTFALL_DEMAND(memory.size() == 0);
 }
 
-namespace {
-
-constexpr std::string_view kWho = "controller pid";
-
-}  // namespace
-
 PidController::PidController(const PidControllerParameters& p)
-    : parameters_(p), filter_(kWho, p.filter_frequency, p.period) {
-  require_positive(kWho, "outputs", p.outputs, "");
-  require_positive(kWho, "set_point", p.set_point, "m/s2");
-  require_not_negative(kWho, "kp", p.kp, "s2/m");
-  require_not_negative(kWho, "ki", p.ki, "s/m");
-  require_not_negative(kWho, "kd", p.kd, "s3/m");
-  require_within(kWho, "bias", p.bias, 0.0, 1.0, "");
+    : parameters_(p), filter_(kPid, p.filter_frequency, p.period) {
+  require_positive(kPid, "outputs", p.outputs, "");
+  require_positive(kPid, "set_point", p.set_point, "m/s2");
+  require_not_negative(kPid, "kp", p.kp, "s2/m");
+  require_not_negative(kPid, "ki", p.ki, "s/m");
+  require_not_negative(kPid, "kd", p.kd, "s3/m");
+  require_within(kPid, "bias", p.bias, 0.0, 1.0, "");
 }
 
 void PidController::sample(const ControllerMeasurement& m, Eigen::Ref<Eigen::VectorXd> voltages) {
@@ -71,14 +74,15 @@ void PidController::sample(const ControllerMeasurement& m, Eigen::Ref<Eigen::Vec
   const PidControllerParameters& p = parameters_;
   filter_.sample(m.acceleration);
   const double error = p.set_point - filter_.acceleration();
-  const auto wanted = [&](double integral) { return p.bias + p.kp * error + p.ki * integral - p.kd * filter_.jerk(); };
-  // The integral takes this sample's error unless that only drives a saturated U further, or the body does
-  // not brake.
+  const auto required = [&](double integral) {
+    return p.bias + p.kp * error + p.ki * integral - p.kd * filter_.jerk();
+  };
+  // The integral adds this error unless U is saturated in its direction, or the body does not decelerate.
   const double next = integral_ + error * p.period;
-  const double trial = wanted(next);
+  const double trial = required(next);
   const bool winds_up = (trial > 1.0 && error > 0.0) || (trial < 0.0 && error < 0.0);
   if (!winds_up && filter_.acceleration() > 0.0) integral_ = next;
-  voltages.setConstant(std::clamp(wanted(integral_), 0.0, 1.0));
+  voltages.setConstant(std::clamp(required(integral_), 0.0, 1.0));
 }
 
 Eigen::VectorXd PidController::memory() const {
@@ -95,7 +99,6 @@ void PidController::restore(const Eigen::Ref<const Eigen::VectorXd>& memory) {
 }
 
 SkyhookController::SkyhookController(const SkyhookControllerParameters& p) : parameters_(p) {
-  constexpr std::string_view kSkyhook = "controller skyhook";
   require_positive(kSkyhook, "outputs", p.outputs, "");
   require_positive(kSkyhook, "period", p.period, "s");
   require_within(kSkyhook, "on", p.on, 0.0, 1.0, "");
@@ -108,7 +111,7 @@ void SkyhookController::sample(const ControllerMeasurement& m, Eigen::Ref<Eigen:
   FOOTFALL_DEMAND(m.strut_rate.size() == held_.size());
   for (Eigen::Index i = 0; i < held_.size(); ++i) {
     const double rate = m.strut_rate[i];
-    // Written so that a rate or velocity that is not a number keeps the held value too.
+    // Written so that NaN keeps the held value.
     if (!(std::abs(rate) > parameters_.deadband && std::abs(m.velocity) > parameters_.deadband)) continue;
     held_[i] = m.velocity * rate < 0.0 ? parameters_.on : parameters_.off;
   }

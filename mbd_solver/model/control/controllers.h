@@ -1,6 +1,6 @@
 #pragma once
-// A sampled controller: sees the motion of one body at its own period, answers voltages in [0, 1]. Never called inside
-// a residual: between two samples its outputs are constants of the model.
+// Sampled controllers: from the motion of one body, at their own period, to voltages in [0, 1]. They are never called inside
+// a residual; between two samples their outputs are constants of the model.
 
 #include <Eigen/Dense>
 #include <string>
@@ -11,7 +11,7 @@ namespace footfall {
 
 inline constexpr double kDefaultControllerPeriod = 1.0e-3;  // [s]
 
-// What is measured on the observed body (the cabin), already in the controller's own terms. Frames: inertial W, z up.
+// Measurements on the monitored body (the cabin). Frame: inertial W, z up.
 struct ControllerMeasurement {
   double time = 0.0;           // [s]
   double acceleration = 0.0;   // along the up axis, gravity not included (coordinate acceleration) [m/s2]
@@ -27,25 +27,21 @@ class Controller {
   virtual std::string_view kind() const = 0;  // "constant", "fuzzy", "skyhook", "pid"
   virtual int output_count() const = 0;
   virtual double period() const = 0;  // [s] > 0
-  // One sample. Writes output_count() voltages, each finite and in [0, 1]. Changes the controller's memory (filter,
-  // integral).
+  // One sample. Writes output_count() voltages, each finite and in [0, 1], and updates the memory (filter, integral).
   virtual void sample(const ControllerMeasurement& m, Eigen::Ref<Eigen::VectorXd> voltages) = 0;
-  // The memory as numbers, so that a run can be checkpointed and resumed to the bit.
+  // The memory as numbers, for checkpoints.
   virtual Eigen::VectorXd memory() const = 0;
   virtual void restore(const Eigen::Ref<const Eigen::VectorXd>& memory) = 0;
 };
 
-// What a sampled controller makes of a raw acceleration: a first-order low-pass and, from its output, the
-// jerk.
-//   y_k = y_(k-1) + (1 - exp(-2 pi f T)) (a_k - y_(k-1)),   jerk_k = (y_k - y_(k-1)) / T
-// the exact response of the analogue filter to a held input. The first sample sets y = a and jerk = 0.
-
 inline constexpr double kDefaultFilterFrequency = 50.0;  // [Hz]
 
+// First-order low-pass of a sampled acceleration, and the jerk of its output:
+//   y_k = y_(k-1) + (1 - exp(-2 pi f T)) (a_k - y_(k-1)),   jerk_k = (y_k - y_(k-1)) / T
+// the exact response of the analogue filter to a held input. The first sample sets y = a and jerk = 0.
 class AccelerationFilter {
  public:
-  // frequency f: corner [Hz], > 0, or 0 for no filter (y = a). period T > 0 [s]. Throws InputError, naming
-  // `owner`.
+  // frequency f: corner [Hz], > 0, or 0 for no filter (y = a). period T > 0 [s]. Throws InputError, naming `owner`.
   AccelerationFilter(std::string_view owner, double frequency, double period);
 
   void sample(double acceleration);                  // [m/s2]
@@ -54,7 +50,7 @@ class AccelerationFilter {
 
   static constexpr int kMemory = 3;
   void save(Eigen::Ref<Eigen::VectorXd> memory) const;            // kMemory numbers
-  void restore(const Eigen::Ref<const Eigen::VectorXd>& memory);  // what save wrote
+  void restore(const Eigen::Ref<const Eigen::VectorXd>& memory);  // as written by save()
 
  private:
   double gain_;    // 1 - exp(-2 pi f T) [-]
@@ -63,8 +59,7 @@ class AccelerationFilter {
   double filtered_ = 0.0, jerk_ = 0.0;
 };
 
-// Constant voltages: the passive strut that every comparison needs.
-
+// Constant voltages: the passive strut of comparisons.
 struct ConstantControllerParameters {
   Eigen::VectorXd voltages;                  // one per controlled strut, each in [0, 1] [-]; at least one
   double period = kDefaultControllerPeriod;  // > 0 [s]
@@ -85,18 +80,15 @@ class ConstantController final : public Controller {
   ConstantControllerParameters parameters_;
 };
 
-// PID on the vertical acceleration: hold the deceleration of the body at a set value by adding or taking
-// damping force.
+// PID on the vertical acceleration: controls the deceleration of the body to a set value.
 //   e = set_point - a,   U = clamp(bias + kp e + ki integral(e) - kd jerk, 0, 1),   the same for every strut
-// a and jerk come from the acceleration filter. The integral is held while U is saturated and e would push it
-// further (anti-windup), and it only runs while the body brakes (a > 0), so that free fall does not wind it
-// up.
-
+// a and jerk come from the acceleration filter. The integral stops while U is saturated in the direction of e (anti-windup),
+// and while the body does not decelerate (a <= 0), so that free fall does not wind it up.
 struct PidControllerParameters {
   int outputs = 4;                                    // controlled struts >= 1
   double period = kDefaultControllerPeriod;           // > 0 [s]
   double filter_frequency = kDefaultFilterFrequency;  // corner of the acceleration filter, 0 = none [Hz]
-  double set_point = 29.4;                            // wanted upward acceleration > 0 (3 g) [m/s2]
+  double set_point = 29.4;                            // required upward acceleration > 0 (3 g) [m/s2]
   double kp = 0.03;                                   // >= 0 [s2/m]
   double ki = 0.5;                                    // >= 0 [s/m]
   double kd = 0.0;                                    // >= 0 [s3/m]
@@ -120,12 +112,11 @@ class PidController final : public Controller {
   double integral_ = 0.0;  // of e [m/s]
 };
 
-// On-off skyhook (Karnopp 1974), strut by strut: a strut is on while its damper force opposes the motion of
-// the body. A compressing strut (rate > 0) pushes the body up, so
+// On-off skyhook (Karnopp 1974), strut by strut: a strut is on while its damper force opposes the motion of the body. A
+// compressing strut (rate > 0) pushes the body up, so
 //   U_i = on   if velocity * rate_i < 0 (body sinks while the strut compresses, or rises while it extends),
 //   else off
-// and U_i keeps its value while |rate_i| < deadband or |velocity| < deadband: no chatter at rest.
-
+// U_i does not change while |rate_i| < deadband or |velocity| < deadband: no chatter at rest.
 struct SkyhookControllerParameters {
   int outputs = 4;                           // controlled struts >= 1
   double period = kDefaultControllerPeriod;  // > 0 [s]

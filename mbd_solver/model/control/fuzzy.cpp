@@ -1,9 +1,12 @@
+// The only file that includes FuzzyLite. A .fll file is split into lines with their numbers, each line is checked alone, and
+// every error names its line; FuzzyLite's own messages do not.
+
 #include "mbd_solver/model/control/fuzzy.h"
 
+#include <fl/Headers.h>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fl/Headers.h>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -13,9 +16,12 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/parameter_check.h"
+#include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/control/fuzzy_table.h"
 
 namespace footfall {
+
+namespace {
 
 struct FllLine {
   int number;         // in the file, from 1
@@ -28,38 +34,6 @@ struct FllBlock {
   std::vector<FllLine> lines;
 };
 
-// Throws InputError "file:line: ..." for a file that cannot be read, a line without colon, a line outside a
-// block, a key the block does not know, or a variable or term given twice.
-std::vector<FllBlock> read_fll_text(const std::filesystem::path& file);
-
-// Inside of a FuzzySystem: FuzzyLite's engine, read and checked by fuzzy_reader.cpp, evaluated by fuzzy.cpp. The only
-// file that includes FuzzyLite.
-
-// FuzzyLite's engine with the variables and rules of a file. Throws InputError "file:line: ...".
-std::unique_ptr<fl::Engine> read_fuzzy_engine(const std::string& file, const std::vector<FllBlock>& blocks);
-
-struct FuzzySystem::Engine {
-  std::unique_ptr<fl::Engine> engine;
-  std::array<fl::InputVariable*, kFuzzyInputs> input{};  // in the order of FuzzyInput
-  std::vector<fl::OutputVariable*> output;
-  FuzzyInput lower{}, upper{};
-  std::optional<MamdaniSystem> plain;  // the same rules for the fast grid, if they are that simple
-
-  // Throw InputError "file:line: ...".
-  void take_variables(const std::string& file, const std::vector<FllBlock>& blocks);
-  void check_coverage(const std::string& file) const;
-
-  // The ends of an input's range and, rising between them, the corners of its terms. `complete` is false if a term has a
-  // shape without corners.
-  std::vector<double> corners(std::size_t input_index, bool& complete) const;
-  std::optional<MamdaniSystem> plain_system() const;
-  void set_inputs(const FuzzyInput& value) const {
-    for (std::size_t i = 0; i < kFuzzyInputs; ++i) input[i]->setValue(std::clamp(value[i], lower[i], upper[i]));
-  }
-};
-
-namespace {
-
 const std::map<std::string, std::vector<std::string>> kKeys = {
     {"Engine", {"description"}},
     {"InputVariable", {"description", "enabled", "range", "lock-range", "term"}},
@@ -71,11 +45,13 @@ const std::map<std::string, std::vector<std::string>> kKeys = {
 
 std::string first_word(const std::string& text) { return text.substr(0, text.find_first_of(" \t")); }
 
-}  // namespace
-
+// Throws InputError "file:line: ..." for a file that cannot be read, a line without colon, a line outside a block, an unknown
+// key, or a variable or term given twice.
 std::vector<FllBlock> read_fll_text(const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in) throw InputError(file.string() + ": cannot be read. Expected a fuzzy controller (.fll); check the path.");
+  if (!in)
+    throw InputError(code::kFllSyntax,
+                     file.string() + ": cannot be read; expected a fuzzy controller (.fll). Check the path.");
   std::vector<FllBlock> blocks;
   std::string text;
   for (int number = 1; std::getline(in, text); ++number) {
@@ -84,40 +60,185 @@ std::vector<FllBlock> read_fll_text(const std::filesystem::path& file) {
     if (line.empty()) continue;
     const auto colon = line.find(':');
     if (colon == std::string::npos)
-      throw InputError(where + "\"" + line + "\" has no colon; expected \"key: value\", for example \"range: 0 5\".");
+      throw InputError(code::kFllSyntax,
+                       where + "\"" + line + "\" has no colon; expected \"key: value\", for example \"range: 0 5\".");
     const FllLine entry{number, trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1))};
     if (kKeys.count(entry.key) > 0) {
       for (const FllBlock& other : blocks)
         if (entry.key.find("Variable") != std::string::npos && other.head.value == entry.value &&
             other.head.key != "Engine" && other.head.key != "RuleBlock")
-          throw InputError(where + "variable \"" + entry.value + "\" is already defined in line " +
-                           std::to_string(other.head.number) + ".");
+          throw InputError(code::kFllSyntax, where + "variable \"" + entry.value + "\" is already defined in line " +
+                                                 std::to_string(other.head.number) + ".");
       blocks.push_back({entry, {}});
       continue;
     }
     if (blocks.empty())
-      throw InputError(where + "\"" + entry.key + "\" stands before any block; expected \"Engine: name\" first.");
+      throw InputError(code::kFllSyntax,
+                       where + "\"" + entry.key + "\" precedes the first block; expected \"Engine: name\" first.");
     FllBlock& block = blocks.back();
     const std::vector<std::string>& known = kKeys.at(block.head.key);
     if (std::find(known.begin(), known.end(), entry.key) == known.end())
-      throw InputError(where + "unknown key \"" + entry.key + "\" in " + block.head.key + " \"" + block.head.value +
-                       "\". Known keys: " + joined(known) + ".");
+      throw InputError(code::kFllSyntax, where + "unknown key \"" + entry.key + "\" in " + block.head.key + " \"" +
+                                             block.head.value + "\". Known keys: " + joined(known) + ".");
     if (entry.key == "term")
       for (const FllLine& other : block.lines)
         if (other.key == "term" && first_word(other.value) == first_word(entry.value))
-          throw InputError(where + "term \"" + first_word(entry.value) + "\" of \"" + block.head.value +
-                           "\" is already defined in line " + std::to_string(other.number) + ".");
+          throw InputError(code::kFllSyntax, where + "term \"" + first_word(entry.value) + "\" of \"" +
+                                                 block.head.value + "\" is already defined in line " +
+                                                 std::to_string(other.number) + ".");
     block.lines.push_back(entry);
   }
   return blocks;
 }
 
-// What a FuzzySystem answers: FuzzyLite's own evaluation, and the same rules on a grid.
+constexpr int kMostSamples = 100000;  // of a defuzzifier's integral; FuzzyLite's default is 100
+
+// FuzzyLite's text without its trace.
+std::string first_line(const fl::Exception& error) {
+  const std::string text = error.getWhat();
+  return text.substr(0, text.find('\n'));
+}
+
+template <class Variables>
+std::string names(const Variables& variables) {
+  std::string list;
+  for (const auto* v : variables) list += (list.empty() ? "" : ", ") + v->getName();
+  return list;
+}
+
+std::unique_ptr<fl::Engine> import(const std::string& text) {
+  return std::unique_ptr<fl::Engine>(fl::FllImporter().fromString(text));
+}
+
+// FuzzyLite accepts any number of samples, and one that overflows becomes negative.
+bool sample_count_is_valid(const fl::Engine& engine) {
+  for (const fl::OutputVariable* v : engine.outputVariables())
+    if (const auto* integral = dynamic_cast<const fl::IntegralDefuzzifier*>(v->getDefuzzifier()))
+      if (integral->getResolution() < 1 || integral->getResolution() > kMostSamples) return false;
+  return true;
+}
+
+// Imports every line of a block alone, to find the one that FuzzyLite refuses. Rules require the engine: check_rule.
+void check_lines(const std::string& file, const FllBlock& block) {
+  if (block.head.key == "Engine") return;
+  for (const FllLine& line : block.lines) {
+    if (line.key == "rule") continue;
+    const auto refuse = [&](const std::string& why) {
+      throw InputError(code::kFllSyntax, file + ":" + std::to_string(line.number) + ": \"" + line.key + ": " +
+                                             line.value + "\" of " + block.head.key + " \"" + block.head.value +
+                                             "\" has a syntax error: " + why);
+    };
+    try {
+      const auto alone = import("Engine: check\n" + block.head.key + ": " + block.head.value + "\n" + line.key + ": " +
+                                line.value + "\n");
+      if (!sample_count_is_valid(*alone)) refuse("expected 1 to " + std::to_string(kMostSamples) + " samples.");
+    } catch (const fl::Exception& error) {
+      refuse(first_line(error));
+    }
+  }
+}
+
+std::string without_brackets(std::string word) {
+  word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == '(' || c == ')'; }), word.end());
+  return word;
+}
+
+// Checks the names in every "variable is [hedges] term" of a rule; FuzzyLite reports its other errors.
+void check_rule(const std::string& where, const std::string& text, const fl::Engine& engine) {
+  std::istringstream in(text);
+  std::vector<std::string> word;
+  for (std::string w; in >> w;) word.push_back(w);
+  const auto ends_proposition = [](const std::string& w) {
+    return w == "and" || w == "or" || w == "then" || w == "with";
+  };
+  for (std::size_t i = 1; i + 1 < word.size(); ++i) {
+    if (word[i] != "is") continue;
+    const std::string name = without_brackets(word[i - 1]);
+    const fl::Variable* variable = nullptr;
+    for (const fl::Variable* v : engine.variables())
+      if (v->getName() == name) variable = v;
+    if (!variable)
+      throw InputError(code::kFllSyntax, where + "the rule names an unknown variable \"" + name +
+                                             "\". Known variables: " + names(engine.variables()) + ".");
+    std::size_t last = i + 1;
+    while (last + 1 < word.size() && !ends_proposition(word[last + 1])) ++last;
+    const std::string term = without_brackets(word[last]);
+    if (term != "any" && !variable->hasTerm(term))  // "is any": the rule does not use this variable
+      throw InputError(code::kFllSyntax, where + "variable \"" + name + "\" has no term \"" + term +
+                                             "\". Its terms: " + names(variable->terms()) + ".");
+  }
+  try {
+    std::unique_ptr<fl::Rule> rule(fl::Rule::parse(text, &engine));
+  } catch (const fl::Exception& error) {
+    throw InputError(code::kFllSyntax, where + "the rule \"" + text + "\" has a syntax error: " + first_line(error));
+  }
+}
+
+// The place of a key of a variable, or of the variable if the key is absent.
+std::string where_is(const std::string& file, const std::vector<FllBlock>& blocks, const std::string& variable,
+                     const std::string& key) {
+  for (const FllBlock& block : blocks) {
+    if (block.head.key.find("Variable") == std::string::npos || block.head.value != variable) continue;
+    for (const FllLine& line : block.lines)
+      if (line.key == key) return file + ":" + std::to_string(line.number) + ": ";
+    return file + ":" + std::to_string(block.head.number) + ": ";
+  }
+  return file + ": ";
+}
+
+void check_range(const std::string& where, const fl::Variable& variable, bool valid, const std::string& expected) {
+  if (!valid || !std::isfinite(variable.range()))
+    throw InputError(code::kFllVariables, where + "range of \"" + variable.getName() + "\" is " +
+                                              number_text(variable.getMinimum()) + " to " +
+                                              number_text(variable.getMaximum()) + "; expected " + expected + ".");
+}
+
+// FuzzyLite's engine with the variables and rules of a file. Throws InputError "file:line: ...".
+std::unique_ptr<fl::Engine> read_fuzzy_engine(const std::string& file, const std::vector<FllBlock>& blocks) {
+  fl::fuzzylite::setLogging(false);  // its errors are exceptions; it must not write to our output
+  // The text in two parts, because rules are checked against variables.
+  std::string variables, rules;
+  for (const FllBlock& block : blocks) {
+    check_lines(file, block);
+    std::string& text = block.head.key == "RuleBlock" ? rules : variables;
+    text += block.head.key + ": " + block.head.value + "\n";
+    for (const FllLine& line : block.lines) text += line.key + ": " + line.value + "\n";
+  }
+  try {
+    const std::unique_ptr<fl::Engine> without_rules = import(variables);
+    for (const FllBlock& block : blocks)
+      for (const FllLine& line : block.lines)
+        if (line.key == "rule") check_rule(file + ":" + std::to_string(line.number) + ": ", line.value, *without_rules);
+    return import(variables + rules);
+  } catch (const fl::Exception& error) {
+    throw InputError(code::kFllSyntax, file + ": is not a fuzzy controller: " + first_line(error));
+  }
+}
+
+}  // namespace
+
+struct FuzzySystem::Engine {
+  std::unique_ptr<fl::Engine> engine;
+  std::array<fl::InputVariable*, kFuzzyInputs> input{};  // in the order of FuzzyInput
+  std::vector<fl::OutputVariable*> output;
+  FuzzyInput lower{}, upper{};
+  std::optional<MamdaniSystem> plain;  // the same rules for the fast grid, if they are plain
+
+  // Throw InputError "file:line: ...".
+  void take_variables(const std::string& file, const std::vector<FllBlock>& blocks);
+  void check_coverage(const std::string& file) const;
+
+  // The ends of an input's range and the corners of its terms, rising. `complete` is false if a term has no corners.
+  std::vector<double> corners(std::size_t input_index, bool& complete) const;
+  std::optional<MamdaniSystem> plain_system() const;
+  void set_inputs(const FuzzyInput& value) const {
+    for (std::size_t i = 0; i < kFuzzyInputs; ++i) input[i]->setValue(std::clamp(value[i], lower[i], upper[i]));
+  }
+};
 
 namespace {
 
-// The term of an input that a plain rule asks for, gathered over "and" into `terms`; false if the antecedent
-// is anything else.
+// Collects the terms of a plain rule, joined by "and", into `terms`; false if the antecedent is of another form.
 bool gather(const fl::Expression* node, const std::vector<fl::InputVariable*>& inputs, std::array<int, 4>& terms) {
   if (node->type() == fl::Expression::Operator) {
     const auto* op = static_cast<const fl::Operator*>(node);
@@ -164,7 +285,7 @@ std::vector<double> FuzzySystem::Engine::corners(std::size_t i, bool& complete) 
       complete = false;
   }
   std::sort(all.begin(), all.end());
-  std::vector<double> inside;  // corners closer than a thousandth of the range are one (decimals written short)
+  std::vector<double> inside;  // corners closer than a thousandth of the range are merged
   for (const double c : all)
     if (c >= lower[i] && c <= upper[i] && (inside.empty() || c - inside.back() > 1e-3 * (upper[i] - lower[i])))
       inside.push_back(c);
@@ -226,7 +347,7 @@ std::vector<double> FuzzySystem::breakpoints(int input) const {
 void FuzzySystem::evaluate(const FuzzyInput& value, Eigen::Ref<Eigen::VectorXd> voltages) const {
   FOOTFALL_DEMAND(voltages.size() == output_count());
   for (const double x : value)
-    if (std::isnan(x)) {  // which rules fire would be chance
+    if (std::isnan(x)) {  // else the rules that fire would be arbitrary
       voltages.setConstant(kNoRuleVoltage);
       return;
     }
@@ -271,21 +392,25 @@ FuzzyFunction::FuzzyFunction(const std::filesystem::path& path, std::size_t inpu
   for (const fl::InputVariable* v : engine.inputVariables()) names.push_back(v->getName());
   for (const fl::OutputVariable* v : engine.outputVariables()) outputs.push_back(v->getName());
   if (names.size() != inputs)
-    throw InputError(file + ": has " + std::to_string(names.size()) + " input variables (" + joined(names) +
-                     "), but the signal gives " + std::to_string(inputs) + " inputs; expected one for each.");
+    throw InputError(code::kFllVariables, file + ": has " + std::to_string(names.size()) + " input variables (" +
+                                              joined(names) + "), but the signal has " + std::to_string(inputs) +
+                                              " inputs; expected one for each.");
   if (output.empty() && outputs.size() != 1)
-    throw InputError(file + ": has " + std::to_string(outputs.size()) + " output variables (" + joined(outputs) +
-                     "); the signal must say which by output = \"...\".");
+    throw InputError(code::kFllVariables, file + ": has " + std::to_string(outputs.size()) + " output variables (" +
+                                              joined(outputs) + "); select one by output = \"...\" of the signal.");
   for (fl::OutputVariable* v : engine.outputVariables())
     if (output.empty() || v->getName() == output) parts_->output = v;
   if (!parts_->output)
-    throw InputError(file + ": there is no OutputVariable \"" + output + "\"." +
-                     known_names("outputs", output, outputs));
+    throw InputError(code::kFllVariables, file + ": there is no OutputVariable \"" + output + "\"." +
+                                              known_names("outputs", output, outputs));
   if (parts_->output->isLockPreviousValue())
-    throw InputError(file + ": \"" + parts_->output->getName() +
-                     "\" keeps its previous value; expected lock-previous: false, a hidden memory is not resumed.");
+    throw InputError(
+        code::kFllVariables,
+        file + ": \"" + parts_->output->getName() +
+            "\" stores its previous value, which cannot be saved in a checkpoint; expected lock-previous: false.");
   std::string status;
-  if (!engine.isReady(&status)) throw InputError(file + ": the fuzzy system is not complete: " + status);
+  if (!engine.isReady(&status))
+    throw InputError(code::kFllVariables, file + ": the fuzzy system is not complete: " + status);
 }
 
 FuzzyFunction::~FuzzyFunction() = default;
@@ -299,117 +424,10 @@ double FuzzyFunction::value(const Eigen::Ref<const Eigen::VectorXd>& inputs) con
   }
   engine.process();
   const double value = parts_->output->getValue();
-  if (!std::isfinite(value)) throw NumericalError("no rule of the fuzzy system fires here.");
+  if (!std::isfinite(value))
+    throw NumericalError(code::kNoRuleFires, "no rule of the fuzzy system fires for these inputs.");
   return value;
 }
-
-// From a .fll file to a checked FuzzySystem: every complaint names its line.
-
-namespace {
-
-constexpr int kMostSamples = 100000;  // of a defuzzifier's integral; FuzzyLite takes 100 if the file says nothing
-
-// FuzzyLite's text without its trace.
-std::string first_line(const fl::Exception& error) {
-  const std::string text = error.getWhat();
-  return text.substr(0, text.find('\n'));
-}
-
-template <class Variables>
-std::string names(const Variables& variables) {
-  std::string list;
-  for (const auto* v : variables) list += (list.empty() ? "" : ", ") + v->getName();
-  return list;
-}
-
-std::unique_ptr<fl::Engine> import(const std::string& text) {
-  return std::unique_ptr<fl::Engine>(fl::FllImporter().fromString(text));
-}
-
-// FuzzyLite takes any number of samples, and one that overflows becomes negative.
-bool takes_possible_samples(const fl::Engine& engine) {
-  for (const fl::OutputVariable* v : engine.outputVariables())
-    if (const auto* integral = dynamic_cast<const fl::IntegralDefuzzifier*>(v->getDefuzzifier()))
-      if (integral->getResolution() < 1 || integral->getResolution() > kMostSamples) return false;
-  return true;
-}
-
-// Imports every line of a block alone, so that the one FuzzyLite refuses is known. Rules need the whole
-// engine: check_rule.
-void check_lines(const std::string& file, const FllBlock& block) {
-  if (block.head.key == "Engine") return;
-  for (const FllLine& line : block.lines) {
-    if (line.key == "rule") continue;
-    const auto refuse = [&](const std::string& why) {
-      throw InputError(file + ":" + std::to_string(line.number) + ": \"" + line.key + ": " + line.value + "\" of " +
-                       block.head.key + " \"" + block.head.value + "\" is not understood: " + why);
-    };
-    try {
-      const auto alone = import("Engine: check\n" + block.head.key + ": " + block.head.value + "\n" + line.key + ": " +
-                                line.value + "\n");
-      if (!takes_possible_samples(*alone)) refuse("expected 1 to " + std::to_string(kMostSamples) + " samples.");
-    } catch (const fl::Exception& error) {
-      refuse(first_line(error));
-    }
-  }
-}
-
-std::string without_brackets(std::string word) {
-  word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == '(' || c == ')'; }), word.end());
-  return word;
-}
-
-// Every "variable is [hedges] term" of a rule must name what exists; what else is wrong with it, FuzzyLite
-// says.
-void check_rule(const std::string& where, const std::string& text, const fl::Engine& engine) {
-  std::istringstream in(text);
-  std::vector<std::string> word;
-  for (std::string w; in >> w;) word.push_back(w);
-  const auto ends_proposition = [](const std::string& w) {
-    return w == "and" || w == "or" || w == "then" || w == "with";
-  };
-  for (std::size_t i = 1; i + 1 < word.size(); ++i) {
-    if (word[i] != "is") continue;
-    const std::string name = without_brackets(word[i - 1]);
-    const fl::Variable* variable = nullptr;
-    for (const fl::Variable* v : engine.variables())
-      if (v->getName() == name) variable = v;
-    if (!variable)
-      throw InputError(where + "the rule names an unknown variable \"" + name +
-                       "\". Known variables: " + names(engine.variables()) + ".");
-    std::size_t last = i + 1;
-    while (last + 1 < word.size() && !ends_proposition(word[last + 1])) ++last;
-    const std::string term = without_brackets(word[last]);
-    if (term != "any" && !variable->hasTerm(term))  // "is any": the rule does not ask for this variable
-      throw InputError(where + "variable \"" + name + "\" has no term \"" + term +
-                       "\". Its terms: " + names(variable->terms()) + ".");
-  }
-  try {
-    std::unique_ptr<fl::Rule> rule(fl::Rule::parse(text, &engine));
-  } catch (const fl::Exception& error) {
-    throw InputError(where + "the rule \"" + text + "\" is not understood: " + first_line(error));
-  }
-}
-
-// Where a key of a variable stands, or the variable if the key is not given.
-std::string where_is(const std::string& file, const std::vector<FllBlock>& blocks, const std::string& variable,
-                     const std::string& key) {
-  for (const FllBlock& block : blocks) {
-    if (block.head.key.find("Variable") == std::string::npos || block.head.value != variable) continue;
-    for (const FllLine& line : block.lines)
-      if (line.key == key) return file + ":" + std::to_string(line.number) + ": ";
-    return file + ":" + std::to_string(block.head.number) + ": ";
-  }
-  return file + ": ";
-}
-
-void check_range(const std::string& where, const fl::Variable& variable, bool valid, const std::string& expected) {
-  if (!valid || !std::isfinite(variable.range()))
-    throw InputError(where + "range of \"" + variable.getName() + "\" is " + number_text(variable.getMinimum()) +
-                     " to " + number_text(variable.getMaximum()) + "; expected " + expected + ".");
-}
-
-}  // namespace
 
 void FuzzySystem::Engine::take_variables(const std::string& file, const std::vector<FllBlock>& blocks) {
   for (std::size_t i = 0; i < kFuzzyInputs; ++i) {
@@ -417,8 +435,9 @@ void FuzzySystem::Engine::take_variables(const std::string& file, const std::vec
     for (fl::InputVariable* v : engine->inputVariables())
       if (v->getName() == name) input[i] = v;
     if (!input[i])
-      throw InputError(file + ": there is no InputVariable \"" + name +
-                       "\"; expected a, da, alpha and beta. Found: " + names(engine->inputVariables()) + ".");
+      throw InputError(code::kFllVariables,
+                       file + ": there is no InputVariable \"" + name +
+                           "\"; expected a, da, alpha and beta. Found: " + names(engine->inputVariables()) + ".");
     lower[i] = input[i]->getMinimum();
     upper[i] = input[i]->getMaximum();
     const std::string where = where_is(file, blocks, name, "range");
@@ -430,30 +449,32 @@ void FuzzySystem::Engine::take_variables(const std::string& file, const std::vec
   }
   for (const fl::InputVariable* v : engine->inputVariables())
     if (std::find(input.begin(), input.end(), v) == input.end())
-      throw InputError(where_is(file, blocks, v->getName(), "") + "InputVariable \"" + v->getName() +
-                       "\" is not measured. Expected a, da, alpha and beta only.");
+      throw InputError(code::kFllVariables, where_is(file, blocks, v->getName(), "") + "InputVariable \"" +
+                                                v->getName() +
+                                                "\" is not measured; expected a, da, alpha and beta only.");
   for (std::size_t i = 0; i < engine->numberOfOutputVariables(); ++i) {
     fl::OutputVariable* v = engine->getOutputVariable(i);
     const std::string expected = "U" + std::to_string(i + 1);
     if (v->getName() != expected)
-      throw InputError(where_is(file, blocks, v->getName(), "") + "OutputVariable \"" + v->getName() +
-                       "\" is output number " + std::to_string(i + 1) +
-                       "; expected the outputs U1, U2, ... in this order.");
+      throw InputError(code::kFllVariables, where_is(file, blocks, v->getName(), "") + "OutputVariable \"" +
+                                                v->getName() + "\" is output number " + std::to_string(i + 1) +
+                                                "; expected the outputs U1, U2, ... in this order.");
     check_range(where_is(file, blocks, expected, "range"), *v, v->getMinimum() == 0.0 && v->getMaximum() == 1.0,
                 "0 to 1");
     if (v->isLockPreviousValue())
-      throw InputError(where_is(file, blocks, expected, "lock-previous") + "\"" + expected +
-                       "\" keeps its previous value; expected lock-previous: false, because a hidden memory "
-                       "could not be resumed.");
+      throw InputError(
+          code::kFllVariables,
+          where_is(file, blocks, expected, "lock-previous") + "\"" + expected +
+              "\" stores its previous value, which cannot be saved in a checkpoint; expected lock-previous: false.");
     output.push_back(v);
   }
   if (output.empty())
-    throw InputError(file + ": there is no OutputVariable; expected U1, U2, ...: one for each controlled strut.");
+    throw InputError(code::kFllVariables,
+                     file + ": there is no OutputVariable; expected U1, U2, ...: one for each controlled strut.");
 }
 
-// Each output must get a rule at every corner of the terms and half way between corners. Between corners no
-// term begins or ends, so that this grid finds every gap of terms with corners; inputs with other terms get
-// nine even points more.
+// Each output requires a rule at every corner of the terms and half way between corners. Between corners no term begins or
+// ends, so that this grid finds every gap of terms with corners; inputs with other terms get nine more even points.
 void FuzzySystem::Engine::check_coverage(const std::string& file) const {
   std::array<std::vector<double>, kFuzzyInputs> nodes;
   for (std::size_t i = 0; i < kFuzzyInputs; ++i) {
@@ -469,35 +490,16 @@ void FuzzySystem::Engine::check_coverage(const std::string& file) const {
       if (rules->isEnabled()) rules->activate();
     for (const fl::OutputVariable* v : output)
       if (v->fuzzyOutput()->isEmpty())
-        throw InputError(file + ": no rule fires for " + v->getName() + " at a = " + number_text(x[0]) + ", da = " +
-                         number_text(x[1]) + ", alpha = " + number_text(x[2]) + ", beta = " + number_text(x[3]) +
-                         "; expected rules that cover the whole input box. Add the missing rule, or widen the terms.");
+        throw InputError(
+            code::kNoRuleFires,
+            file + ": no rule fires for " + v->getName() + " at a = " + number_text(x[0]) +
+                ", da = " + number_text(x[1]) + ", alpha = " + number_text(x[2]) + ", beta = " + number_text(x[3]) +
+                "; expected rules that cover the whole input box. Add the missing rule, or widen the terms.");
   };
   for (const double a : nodes[0])
     for (const double da : nodes[1])
       for (const double alpha : nodes[2])
         for (const double beta : nodes[3]) check({a, da, alpha, beta});
-}
-
-std::unique_ptr<fl::Engine> read_fuzzy_engine(const std::string& file, const std::vector<FllBlock>& blocks) {
-  fl::fuzzylite::setLogging(false);  // its complaints come as exceptions; it must not write into our output
-  // the file's text in two parts, because rules can be checked only against variables
-  std::string variables, rules;
-  for (const FllBlock& block : blocks) {
-    check_lines(file, block);
-    std::string& text = block.head.key == "RuleBlock" ? rules : variables;
-    text += block.head.key + ": " + block.head.value + "\n";
-    for (const FllLine& line : block.lines) text += line.key + ": " + line.value + "\n";
-  }
-  try {
-    const std::unique_ptr<fl::Engine> without_rules = import(variables);
-    for (const FllBlock& block : blocks)
-      for (const FllLine& line : block.lines)
-        if (line.key == "rule") check_rule(file + ":" + std::to_string(line.number) + ": ", line.value, *without_rules);
-    return import(variables + rules);
-  } catch (const fl::Exception& error) {
-    throw InputError(file + ": is not a fuzzy controller: " + first_line(error));
-  }
 }
 
 FuzzySystem::FuzzySystem(const std::filesystem::path& path) : engine_(std::make_unique<Engine>()) {
@@ -506,7 +508,8 @@ FuzzySystem::FuzzySystem(const std::filesystem::path& path) : engine_(std::make_
   engine_->engine = read_fuzzy_engine(file, blocks);
   engine_->take_variables(file, blocks);
   std::string status;
-  if (!engine_->engine->isReady(&status)) throw InputError(file + ": the controller is not complete: " + status);
+  if (!engine_->engine->isReady(&status))
+    throw InputError(code::kFllVariables, file + ": the controller is not complete: " + status);
   engine_->check_coverage(file);
   engine_->plain = engine_->plain_system();
 }

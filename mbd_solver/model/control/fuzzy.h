@@ -9,23 +9,21 @@
 
 namespace footfall {
 
-// A fuzzy system read from a FuzzyLite (.fll) file and evaluated by FuzzyLite [Lin25 section 2.2.2];
-// fuzzy_engine.h is the door to the library. No time, filter or memory here: those are the
-// FuzzyController's.
+// The fuzzy system of a controller: read from a FuzzyLite (.fll) file and evaluated by FuzzyLite [Lin25 section 2.2.2]. It
+// has no time, filter or memory.
 //
-// What the file must hold, else InputError "file:line: ...":
+// Required content of the file, else InputError "file:line: ...":
 //
 //   inputs   a      upward acceleration of the body          [g, 9.80665 m/s2]   range [0, a_max]
 //            da     its rate, change per 0.1 s (kJerkTime)   [g]                 range [-r, r]
 //            alpha  pitch, positive when the +x legs sink    [degree]            range [-r, r]
 //            beta   roll, positive when the +y legs sink     [degree]            range [-r, r]
-//   outputs  U1 ... Un, range [0, 1], lock-previous false (a hidden memory could not be resumed)
-//   rules    that name known variables and terms and cover the whole input box
+//   outputs  U1 ... Un, range [0, 1], lock-previous false (its hidden memory cannot be saved)
+//   rules    with known variables and terms, which cover the whole input box
 //
-// Coverage is checked when loading, at all corners of the terms and half way between them, which is complete
-// for terms with corners (triangle, trapezoid, ramp, rectangle).
-// Inputs outside their range are clamped to it. Where no rule fires for an output although the check passed
-// (terms of other shapes), or an input is not a number, the output is kNoRuleVoltage.
+// Coverage is checked when the file is read, at all corners of the terms and half way between them, which is complete for
+// terms with corners (triangle, trapezoid, ramp, rectangle). Inputs outside their range are clamped. If no rule fires
+// although the check passed (terms of other shapes), or an input is NaN, the output is kNoRuleVoltage.
 
 constexpr double kStandardGravity = 9.80665;  // [m/s2]
 constexpr double kJerkTime = 0.1;             // the jerk input is the change of a in this time [s]
@@ -45,35 +43,33 @@ class FuzzySystem {
   int output_count() const;
   const FuzzyInput& lower() const;  // of the input ranges, units as FuzzyInput
   const FuzzyInput& upper() const;
-  // The ends of an input's range and, rising between them, the corners of its terms: there the voltages have
-  // kinks.
+  // The ends of an input's range and the corners of its terms, rising: there the voltages have kinks.
   std::vector<double> breakpoints(int input) const;
   // FuzzyLite's own evaluation: output_count() voltages in [0, 1].
   void evaluate(const FuzzyInput& input, Eigen::Ref<Eigen::VectorXd> voltages) const;
-  // The same at all points of a grid: [a][da][alpha][beta][output]; to round-off. Fast for plain
-  // min/max/centroid systems (mamdani_grid.h), point by point for all others.
+  // The same at all points of a grid, to round-off: [a][da][alpha][beta][output]. Fast for plain min/max/centroid systems
+  // (fuzzy_table.h), point by point for all others.
   std::vector<double> evaluate_on_grid(const std::array<Eigen::VectorXd, kFuzzyInputs>& nodes) const;
 
  private:
-  struct Engine;  // FuzzyLite's, which keeps its last values inside: one thread at a time
+  struct Engine;  // FuzzyLite's, which stores its last values: one thread at a time
   std::unique_ptr<Engine> engine_;
 };
 
-// One output of a FuzzyLite file (.fll) over any inputs, in the units of the file. Inputs outside their range are cut to
-// it. No memory: lock-previous must be false.
-
+// One output of a FuzzyLite file (.fll) over any inputs, in the units of the file. Inputs outside their range are clamped.
+// No memory: lock-previous must be false.
 class FuzzyFunction {
  public:
-  // inputs: how many there shall be, in the order of the file's input variables. output: name of an output variable;
-  // empty: the only one. Throws InputError "file:line: ...".
+  // inputs: their number, in the order of the file's input variables. output: name of an output variable; empty: the only
+  // one. Throws InputError "file:line: ...".
   FuzzyFunction(const std::filesystem::path& file, std::size_t inputs, const std::string& output);
   ~FuzzyFunction();
 
-  // Throws NumericalError where no rule fires.
+  // Throws NumericalError if no rule fires.
   double value(const Eigen::Ref<const Eigen::VectorXd>& inputs) const;
 
  private:
-  struct Parts;  // FuzzyLite's engine keeps its last values inside: one thread at a time
+  struct Parts;  // FuzzyLite's engine stores its last values: one thread at a time
   std::unique_ptr<Parts> parts_;
 };
 

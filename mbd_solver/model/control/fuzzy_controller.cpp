@@ -1,9 +1,12 @@
+// Measurements in the units of the rules; evaluation exact or by table.
+
 #include "mbd_solver/model/control/fuzzy_controller.h"
 
 #include <string>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
@@ -11,7 +14,8 @@ namespace {
 std::size_t input_index(std::string_view name) {
   for (std::size_t i = 0; i < kFuzzyInputs; ++i)
     if (name == kFuzzyInputNames[i]) return i;
-  throw InputError("control surface: unknown input \"" + std::string(name) + "\". Known inputs: a, da, alpha, beta.");
+  throw InputError(code::kFllVariables,
+                   "control surface: unknown input \"" + std::string(name) + "\". Known inputs: a, da, alpha, beta.");
 }
 
 }  // namespace
@@ -20,12 +24,14 @@ ControlSurface control_surface(const FuzzySystem& system, int output, std::strin
                                int points, const FuzzyInput& held) {
   const std::size_t i = input_index(first), j = input_index(second);
   if (i == j)
-    throw InputError("control surface: both axes are \"" + std::string(first) + "\"; expected two different inputs.");
+    throw InputError(code::kParametersDisagree,
+                     "control surface: both axes are \"" + std::string(first) + "\"; expected two different inputs.");
   if (output < 0 || output >= system.output_count())
-    throw InputError("control surface: there is no output U" + std::to_string(output + 1) + "; expected U1 to U" +
-                     std::to_string(system.output_count()) + ".");
+    throw InputError(code::kFllVariables, "control surface: there is no output U" + std::to_string(output + 1) +
+                                              "; expected U1 to U" + std::to_string(system.output_count()) + ".");
   if (points < 2)
-    throw InputError("control surface: " + std::to_string(points) + " points along an axis; expected at least 2.");
+    throw InputError(code::kFuzzyGrid,
+                     "control surface: " + std::to_string(points) + " points along an axis; expected at least 2.");
   ControlSurface surface{Eigen::VectorXd::LinSpaced(points, system.lower()[i], system.upper()[i]),
                          Eigen::VectorXd::LinSpaced(points, system.lower()[j], system.upper()[j]),
                          Eigen::MatrixXd(points, points)};

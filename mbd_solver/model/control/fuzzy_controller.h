@@ -1,6 +1,5 @@
 #pragma once
-// A control surface: one voltage of a fuzzy system over two of its inputs, the other two held, as in [Lin25
-// Figure 4].
+// The fuzzy controller, and control surfaces of its rules.
 
 #include <memory>
 #include <optional>
@@ -12,21 +11,20 @@
 
 namespace footfall {
 
+// A control surface: one voltage of a fuzzy system over two of its inputs, the other two held, as in [Lin25 Figure 4].
 struct ControlSurface {
   Eigen::VectorXd first;    // values of the first input, in its unit (fuzzy.h)
   Eigen::VectorXd second;   // values of the second input
   Eigen::MatrixXd voltage;  // first x second [-]
 };
 
-// output: 0 for U1. first, second: names of two different inputs ("a", "da", "alpha", "beta"), each over its
-// whole range on `points` points. held: the values of the other two inputs. Throws InputError for an unknown
-// name or output.
+// output: 0 for U1. first, second: names of two different inputs ("a", "da", "alpha", "beta"), each over its whole range on
+// `points` points. held: the values of the other two inputs. Throws InputError for an unknown name or output.
 ControlSurface control_surface(const FuzzySystem& system, int output, std::string_view first, std::string_view second,
                                int points = 41, const FuzzyInput& held = {0.0, 0.0, 0.0, 0.0});
 
-// The fuzzy controller in the controller slot: filters the measured acceleration, forms the jerk, turns
-// everything into the units of the .fll file (fuzzy.h) and evaluates it, exactly or by its table.
-
+// Filters the measured acceleration, forms the jerk, converts to the units of the .fll file (fuzzy.h) and evaluates the
+// rules, exactly or by a table.
 struct FuzzyControllerParameters {
   std::filesystem::path file;                         // the .fll file
   double period = kDefaultControllerPeriod;           // > 0 [s]
@@ -46,8 +44,7 @@ class FuzzyController final : public Controller {
   Eigen::VectorXd memory() const override;
   void restore(const Eigen::Ref<const Eigen::VectorXd>& memory) override;
 
-  // Largest difference of the table to the exact controller, found when it was built; nothing if not
-  // tabulated.
+  // Largest difference between the table and the exact rules, at construction; empty if not tabulated.
   std::optional<double> table_difference() const { return table_difference_; }
   const FuzzySystem& system() const { return system_; }
 

@@ -1,3 +1,5 @@
+// Rules are reduced to those that fire for the first two inputs before the other two are visited.
+
 #include "mbd_solver/model/control/fuzzy_table.h"
 
 #include <algorithm>
@@ -7,12 +9,12 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
 
-// One output with room to work: its samples, and for each term the samples where it is not 0 (most terms
-// cover a small part).
+// One output with scratch: its samples, and for each term the samples where it is not 0 (most terms cover few).
 struct Sampled {
   explicit Sampled(const MamdaniOutput& of)
       : output(of), x(of.membership.rows()), y(of.membership.rows()), level(of.membership.cols()) {
@@ -54,8 +56,8 @@ std::vector<double> evaluate_on_grid(const MamdaniSystem& system, const std::arr
   std::vector<double> values;
   values.reserve(static_cast<std::size_t>(axis[0].rows() * axis[1].rows() * axis[2].rows() * axis[3].rows()) *
                  outputs.size());
-  std::vector<std::pair<const MamdaniRule*, double>>
-      active;  // rules that fire for the first two inputs, with their minimum so far
+  // Rules that fire for the first two inputs, with their minimum so far.
+  std::vector<std::pair<const MamdaniRule*, double>> active;
   for (Eigen::Index i = 0; i < axis[0].rows(); ++i)
     for (Eigen::Index j = 0; j < axis[1].rows(); ++j) {
       active.clear();
@@ -83,16 +85,15 @@ namespace {
 
 constexpr double kMostValues = 2.0e7;  // 160 MB
 
-// The points of one axis: all corners, and the intervals between them divided in proportion to their length,
-// at least once.
+// The points of one axis: all corners, and the intervals between them divided in proportion to their length.
 Eigen::VectorXd axis_nodes(const std::vector<double>& corners, int points, const std::string& name) {
   const std::size_t intervals = corners.size() - 1;
   if (points < static_cast<int>(corners.size()))
-    throw InputError("controller fuzzy: grid has " + std::to_string(points) + " points along " + name +
-                     "; expected at least " + std::to_string(corners.size()) + ", one for each corner of its terms.");
+    throw InputError(code::kFuzzyGrid, "controller fuzzy: grid has " + std::to_string(points) + " points along " +
+                                           name + "; expected at least " + std::to_string(corners.size()) +
+                                           ", one for each corner of its terms.");
   std::vector<int> parts(intervals, 1);
-  for (int left = points - 1 - static_cast<int>(intervals); left > 0;
-       --left) {  // the next part goes to the longest parts
+  for (int left = points - 1 - static_cast<int>(intervals); left > 0; --left) {  // the longest part is divided next
     std::size_t longest = 0;
     const auto length = [&](std::size_t i) { return (corners[i + 1] - corners[i]) / parts[i]; };
     for (std::size_t i = 1; i < intervals; ++i)
@@ -116,9 +117,9 @@ FuzzyTable::FuzzyTable(const FuzzySystem& system, const FuzzyGrid& grid) : outpu
   double total = outputs_;
   for (const int points : grid) total *= points;
   if (total > kMostValues)
-    throw InputError("controller fuzzy: grid asks for a table of " + std::to_string(std::llround(total)) +
-                     " numbers; expected at most " + std::to_string(std::llround(kMostValues)) +
-                     ". Take fewer points.");
+    throw InputError(code::kFuzzyGrid, "controller fuzzy: grid requires a table of " +
+                                           std::to_string(std::llround(total)) + " numbers; expected at most " +
+                                           std::to_string(std::llround(kMostValues)) + ". Use fewer points.");
   for (std::size_t i = 0; i < kFuzzyInputs; ++i)
     nodes_[i] = axis_nodes(system.breakpoints(static_cast<int>(i)), grid[i], kFuzzyInputNames[i]);
   values_ = system.evaluate_on_grid(nodes_);
@@ -126,14 +127,13 @@ FuzzyTable::FuzzyTable(const FuzzySystem& system, const FuzzyGrid& grid) : outpu
 
 void FuzzyTable::evaluate(const FuzzyInput& input, Eigen::Ref<Eigen::VectorXd> voltages) const {
   FOOTFALL_DEMAND(voltages.size() == outputs_);
-  // Lower corner of the cell and the place inside it, input by input; then the 16 corners with their
-  // multilinear weights.
+  // Lower corner of the cell and the place inside it, input by input; then the 16 corners with multilinear weights.
   std::array<std::size_t, kFuzzyInputs> corner{}, stride{};
   FuzzyInput t{};
   std::size_t step = static_cast<std::size_t>(outputs_);
   for (std::size_t i = kFuzzyInputs; i-- > 0;) {
     const Eigen::VectorXd& nodes = nodes_[i];
-    if (std::isnan(input[i])) {  // as the exact controller: no rule fires
+    if (std::isnan(input[i])) {  // like the exact rules: none fires
       voltages.setConstant(kNoRuleVoltage);
       return;
     }
@@ -155,7 +155,7 @@ void FuzzyTable::evaluate(const FuzzyInput& input, Eigen::Ref<Eigen::VectorXd> v
     }
     if (weight > 0.0) voltages += weight * Eigen::Map<const Eigen::VectorXd>(values_.data() + at, outputs_);
   }
-  // A sum of weights may pass 1 by a unit in the last place.
+  // A sum of weights may exceed 1 by a unit in the last place.
   voltages = voltages.cwiseMax(0.0).cwiseMin(1.0);
 }
 

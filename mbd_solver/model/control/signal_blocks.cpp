@@ -1,3 +1,5 @@
+// Filters advance by the matrix exponential; tables interpolate; the PID's integral is held back at its limits.
+
 #include "mbd_solver/model/control/signal_blocks.h"
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include "coupler/matrix_exponential.h"
 #include "mbd_solver/base/parameter_check.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 
@@ -53,7 +56,7 @@ LinearFilter LinearFilter::notch(double frequency, double damping, double period
 
 void LinearFilter::settle(const BlockValues& u, Eigen::Ref<Eigen::VectorXd> z) const {
   z.setZero();
-  z[0] = u[0];  // A z + b u = 0 in all of them
+  z[0] = u[0];  // A z + b u = 0 for all kinds
 }
 
 double LinearFilter::value(const BlockValues& u, const BlockValues& z) const {
@@ -76,7 +79,7 @@ namespace {
 
 struct Place {
   Eigen::Index cell;
-  double share;  // of the point behind the cell, in [0, 1]
+  double share;  // of the point after the cell, in [0, 1]
 };
 
 Place place_of(const std::vector<double>& x, double u) {
@@ -86,11 +89,11 @@ Place place_of(const std::vector<double>& x, double u) {
 }
 
 void demand_rising(const std::vector<double>& x) {
-  if (x.size() < 2) throw InputError("table: has fewer than two points; expected at least two.");
+  if (x.size() < 2) throw InputError(code::kTableShape, "table: expected at least two points.");
   for (std::size_t i = 1; i < x.size(); ++i)
     if (!(x[i] > x[i - 1]))
-      throw InputError("table: " + number_text(x[i]) + " stands after " + number_text(x[i - 1]) +
-                       "; expected inputs that rise.");
+      throw InputError(code::kCurveNotRising, "table: " + number_text(x[i]) + " follows " + number_text(x[i - 1]) +
+                                                  "; expected rising inputs.");
 }
 
 }  // namespace
@@ -126,14 +129,15 @@ PidBlock::PidBlock(const PidBlockParameters& parameters)
   require_not_negative("pid", "ki", p.ki, "");
   require_not_negative("pid", "kd", p.kd, "");
   require_not_negative("pid", "derivative_frequency", p.derivative_frequency, "Hz");
-  if (p.min && p.max && !(*p.min < *p.max)) throw InputError("pid: min is not below max.");
+  if (p.min && p.max && !(*p.min < *p.max)) throw InputError(code::kParametersDisagree, "pid: min is not below max.");
   if ((p.min || p.max) && p.ki > 0.0 && !(p.kp > 0.0))
-    throw InputError("pid: ki with limits needs kp; the integral is held back by what is cut off, over kp.");
+    throw InputError(code::kParametersDisagree, "pid: ki with limits requires kp, for the anti-windup.");
   if (has_rate() && p.period == 0.0 && w_ == 0.0)
-    throw InputError("pid: kd without derivative_frequency; a continuous pid needs it, or the rate, or a period.");
+    throw InputError(code::kParametersDisagree,
+                     "pid: kd of a continuous pid requires derivative_frequency, a rate as second input, or a period.");
 }
 
-double PidBlock::asked_for(const BlockValues& u, const BlockValues& z) const {
+double PidBlock::unlimited(const BlockValues& u, const BlockValues& z) const {
   const PidBlockParameters& p = parameters_;
   double v = p.bias + p.kp * u[0];
   if (has_integral()) v += p.ki * z[0];
@@ -151,7 +155,7 @@ double PidBlock::limited(double v) const {
 }
 
 double PidBlock::integral_rate(const BlockValues& u, const BlockValues& z) const {
-  const double v = asked_for(u, z), cut = limited(v) - v;
+  const double v = unlimited(u, z), cut = limited(v) - v;
   return cut == 0.0 ? u[0] : u[0] + cut / parameters_.kp;
 }
 
@@ -160,7 +164,7 @@ void PidBlock::settle(const BlockValues& u, Eigen::Ref<Eigen::VectorXd> z) const
   if (has_rate()) z[z.size() - 1] = u[0];
 }
 
-double PidBlock::value(const BlockValues& u, const BlockValues& z) const { return limited(asked_for(u, z)); }
+double PidBlock::value(const BlockValues& u, const BlockValues& z) const { return limited(unlimited(u, z)); }
 
 void PidBlock::rates(const BlockValues& u, const BlockValues& z, Eigen::Ref<Eigen::VectorXd> dz) const {
   if (has_rate()) dz[dz.size() - 1] = w_ * (u[0] - z[z.size() - 1]);

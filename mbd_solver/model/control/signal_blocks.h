@@ -1,9 +1,5 @@
 #pragma once
-// What makes one signal y of its inputs u: a transfer function, a limit, a table. Its inner states z belong to whoever
-// uses it. A block works in two ways:
-//   continuous: y = value(u, z), z' = rates(u, z), integrated with the mechanism
-//   sampled:    y_k = sample(u_k, z) at its period T; z then moves to the next sample, u_k held
-// No function here allocates.
+// Blocks of signals: from inputs u to one signal y. Filters, limits, PID, lookup tables.
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -15,15 +11,19 @@ namespace footfall {
 
 using BlockValues = Eigen::Ref<const Eigen::VectorXd>;
 
+// A block works in two ways; its inner states z belong to the caller:
+//   continuous: y = value(u, z), z' = rates(u, z), integrated with the mechanism
+//   sampled:    y_k = sample(u_k, z) at its period T; z then advances to the next sample, with u_k held
+// No function allocates.
 class SignalBlock {
  public:
   virtual ~SignalBlock() = default;
 
   virtual int input_count() const { return 1; }
   virtual int state_count() const { return 0; }
-  // y depends on u at once. Without, a loop may go through it.
+  // y depends on u directly. If false, a loop of signals may contain this block.
   virtual bool passes_through() const { return true; }
-  // z at rest with this input for long; y is then what it settles to.
+  // z of the steady state with this input.
   virtual void settle(const BlockValues&, Eigen::Ref<Eigen::VectorXd>) const {}
   virtual double value(const BlockValues& u, const BlockValues& z) const = 0;
   virtual void rates(const BlockValues&, const BlockValues&, Eigen::Ref<Eigen::VectorXd>) const {}
@@ -42,8 +42,6 @@ class PassBlock final : public SignalBlock {
   double value(const BlockValues& u, const BlockValues&) const override { return u[0]; }
 };
 
-// Limits of a signal and of its rate.
-
 // y = u within [min, max]
 class Saturation final : public SignalBlock {
  public:
@@ -59,7 +57,7 @@ class Saturation final : public SignalBlock {
   std::optional<double> min_, max_;
 };
 
-// y_k = y_(k-1) + (u_k - y_(k-1)), this change within +- r T. Sampled only: its rate jumps.
+// y_k = y_(k-1) + (u_k - y_(k-1)), the change within +- r T. Sampled only: its rate jumps.
 class RateLimit final : public SignalBlock {
  public:
   explicit RateLimit(double largest_rate) : rate_(largest_rate) {}  // r > 0 [unit/s]
@@ -78,9 +76,8 @@ class RateLimit final : public SignalBlock {
 // Linear filters with unit gain at rest, w = 2 pi f:
 //   low pass, first order   1 / (1 + s/w)
 //   low pass, second order  w^2 / (s^2 + 2 D w s + w^2)
-//   notch                   (s^2 + w^2) / (s^2 + 2 D w s + w^2): nothing passes at f, the width is 2 D f
-// as z' = A z + b u, y = c.z + d u. Sampled, z moves by exp(A T): the exact answer to inputs that are held.
-
+//   notch                   (s^2 + w^2) / (s^2 + 2 D w s + w^2): zero gain at f, width 2 D f
+// as z' = A z + b u, y = c.z + d u. Sampled, z advances by exp(A T): the exact response to held inputs.
 class LinearFilter final : public SignalBlock {
  public:
   // frequency f > 0 [Hz], damping D > 0 [-]; period T > 0 [s] or 0 for a continuous filter. Throw InputError.
@@ -106,7 +103,6 @@ class LinearFilter final : public SignalBlock {
 };
 
 // Measured or designed values over one or two inputs: linear between the points, constant outside.
-
 class LookupTable final : public SignalBlock {
  public:
   // y over x: at least two points, x rising. Throws InputError.
@@ -124,15 +120,14 @@ class LookupTable final : public SignalBlock {
 
 // PID with limits and anti-windup.
 //   v = bias + kp e + ki I + kd D,   y = v within [min, max]
-//   I' = e + (y - v) / kp:  at a limit the integral stops growing
-//   D = the second input where there is one, else the filtered rate D = w (e - z), z' = w (e - z), w = 2 pi f
-// Sampled: I moves by Euler's rule, z exactly; without f the rate is the difference over a period, D = (e_k - e_k-1) / T.
-
+//   I' = e + (y - v) / kp:  the integral stops growing at a limit
+//   D = the second input if there is one, else the filtered rate D = w (e - z), z' = w (e - z), w = 2 pi f
+// Sampled: I by Euler's rule, z exactly; without f the rate is the difference over a period, D = (e_k - e_k-1) / T.
 struct PidBlockParameters {
   double kp = 0.0, ki = 0.0, kd = 0.0;  // >= 0 [unit, unit/s, unit s]
   double bias = 0.0;
   std::optional<double> min, max;
-  double derivative_frequency = 0.0;  // f >= 0 [Hz]; 0: none, for sampled ones alone
+  double derivative_frequency = 0.0;  // f >= 0 [Hz]; 0: none, sampled only
   bool rate_is_given = false;         // by the second input
   double period = 0.0;                // [s]; 0: continuous
 };
@@ -151,7 +146,7 @@ class PidBlock final : public SignalBlock {
  private:
   bool has_integral() const { return parameters_.ki > 0.0; }
   bool has_rate() const { return parameters_.kd > 0.0 && !parameters_.rate_is_given; }
-  double asked_for(const BlockValues& u, const BlockValues& z) const;  // v
+  double unlimited(const BlockValues& u, const BlockValues& z) const;  // v
   double limited(double v) const;
   double integral_rate(const BlockValues& u, const BlockValues& z) const;  // I'
 

@@ -1,13 +1,16 @@
+// muParser reads the expressions; a depth-first search orders the signals and finds loops.
+
 #include "mbd_solver/model/control/signal_chain.h"
 
+#include <muParser.h>
 #include <algorithm>
 #include <cmath>
-#include <muParser.h>
 #include <set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
@@ -16,23 +19,23 @@ constexpr const char* kNameCharacters = "0123456789_.abcdefghijklmnopqrstuvwxyzA
 
 double opposite(double value) { return value == 0.0 ? 1.0 : 0.0; }
 
-[[noreturn]] void complain(const std::string& text, const std::string& what) {
-  throw InputError("\"" + text + "\": " + what);
+[[noreturn]] void refuse(const std::string& text, const std::string& what) {
+  throw InputError(code::kExpressionSyntax, "\"" + text + "\": " + what);
 }
 
-[[noreturn]] void complain_of(const std::string& text, const mu::Parser::exception_type& error) {
+[[noreturn]] void refuse_syntax(const std::string& text, const mu::Parser::exception_type& error) {
   std::string what = error.GetMsg();
   while (!what.empty() && (what.back() == '.' || what.back() == '\n')) what.pop_back();
-  complain(text, what + "; expected an expression such as \"0.3 - 2 * knee.angle\"");
+  refuse(text, what + "; expected an expression such as \"0.3 - 2 * knee.angle\"");
 }
 
-// muParser takes an assignment and a list for expressions, too.
+// muParser accepts assignments and lists as well.
 void demand_one_value(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '=') continue;
     const char before = i > 0 ? text[i - 1] : ' ', after = i + 1 < text.size() ? text[i + 1] : ' ';
     if (before == '<' || before == '>' || before == '!' || before == '=' || after == '=') continue;
-    complain(text, "sets a value; expected a comparison by ==, or no \"=\"");
+    refuse(text, "assigns a value; write == to compare");
   }
 }
 
@@ -56,9 +59,9 @@ std::vector<std::string> Expression::names_in(const std::string& text) {
     for (const auto& [name, place] : parser->GetUsedVar()) names.push_back(name);
     for (const std::string& name : names) parser->DefineVar(name, &any);
     parser->Eval();
-    if (parser->GetNumResults() != 1) complain(text, "has several values; expected one");
+    if (parser->GetNumResults() != 1) refuse(text, "has several values; expected one");
   } catch (const mu::Parser::exception_type& error) {
-    complain_of(text, error);
+    refuse_syntax(text, error);
   }
   return names;
 }
@@ -73,7 +76,7 @@ Expression::Expression(std::string text, NamedValues& values) : text_(std::move(
     }
     parser_->Eval();  // compiles it
   } catch (const mu::Parser::exception_type& error) {
-    complain_of(text_, error);
+    refuse_syntax(text_, error);
   }
 }
 
@@ -81,11 +84,12 @@ Expression::~Expression() = default;
 Expression::Expression(Expression&&) noexcept = default;
 Expression& Expression::operator=(Expression&&) noexcept = default;
 
-void Expression::complain_of_no_value() const {
+void Expression::throw_no_value() const {
   std::vector<std::string> arguments;
   for (const auto& [name, place] : parser_->GetVar()) arguments.push_back(name + " = " + number_text(*place, 4));
-  throw NumericalError("\"" + text_ + "\" has no value" + (arguments.empty() ? "" : " where " + joined(arguments)) +
-                       "; guard what divides, a root or a logarithm, for example \"x > 0 ? sqrt(x) : 0\"");
+  throw NumericalError(code::kNoValue,
+                       "\"" + text_ + "\" has no value" + (arguments.empty() ? "" : " where " + joined(arguments)) +
+                           "; guard divisions, roots and logarithms, for example \"x > 0 ? sqrt(x) : 0\"");
 }
 
 double Expression::value() const {
@@ -94,7 +98,7 @@ double Expression::value() const {
     value = parser_->Eval();
   } catch (const mu::Parser::exception_type&) {
   }
-  if (!std::isfinite(value)) complain_of_no_value();
+  if (!std::isfinite(value)) throw_no_value();
   return value;
 }
 
@@ -121,7 +125,7 @@ std::vector<SignalNode> in_order(std::vector<SignalNode> nodes) {
   try {
     order = evaluation_order(names, reads);
   } catch (const InputError&) {
-    // What does not pass through answers from its inner states: it may stand before what it reads.
+    // A block without direct feedthrough depends on its states only: it may precede what it reads.
     for (std::size_t k = 0; k < nodes.size(); ++k)
       if (!nodes[k].block->passes_through()) reads[k].clear();
     order = evaluation_order(names, reads);
@@ -144,8 +148,8 @@ std::vector<std::size_t> evaluation_order(const std::vector<std::string>& names,
       std::vector<std::string> circle;
       for (auto at = before; at != way.end(); ++at) circle.push_back(names[*at]);
       circle.push_back(names[k]);
-      throw InputError("they depend on each other in a circle: " + joined(circle, " <- ") +
-                       "; put a lowpass between them, which answers from what was before");
+      throw InputError(code::kSignalLoop, "they depend on each other in a loop: " + joined(circle, " <- ") +
+                                              "; put a lowpass filter into the loop");
     }
     way.push_back(k);
     for (const std::size_t other : reads[k]) self(self, other);
@@ -182,7 +186,7 @@ SignalChain::SignalChain(std::vector<SignalNode> nodes)
   }
 }
 
-bool SignalChain::works(std::size_t k) const {
+bool SignalChain::active(std::size_t k) const {
   const std::vector<const double*>& states = activities_[k];
   return states.empty() || std::any_of(states.begin(), states.end(), [](const double* s) { return *s != 0.0; });
 }

@@ -70,7 +70,7 @@ class StartValues {
       double y = 0.0;
       if (!is_known(node) || (state_may_change_ && !node.states.empty())) {
         unknown_.insert("signal." + node.name);
-      } else if (chain.works(k)) {
+      } else if (chain.active(k)) {
         Eigen::VectorXd z = Eigen::VectorXd::Zero(node.block->state_count());
         chain.settle(k, z);
         const Eigen::VectorXd& u = chain.inputs(k);
@@ -150,7 +150,7 @@ AssemblyOptions assembly_options(const Scene& scene) {
   options.gap_tolerance = std::max(options.gap_tolerance, scene.initial.largest_gap);
   for (const InitialJointSpec& given : scene.initial.joints) {
     const int joint = scene.joint_index(given.name);
-    for (const CoordinateChoice choice : coordinates_of(scene.joints[static_cast<std::size_t>(joint)].type))
+    for (const Coordinate choice : coordinates_of(scene.joints[static_cast<std::size_t>(joint)].type))
       if (given.value(choice)) options.start.push_back({joint, coordinate_of(choice), *given.value(choice)});
   }
   return options;
