@@ -1,3 +1,4 @@
+// Starts the calibration in its locked folder and writes pages, tables and settings at the end.
 #include "mbd_solver/studies/calibrate_command.h"
 
 #include <algorithm>
@@ -9,11 +10,14 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/app/codes.h"
+#include "mbd_solver/app/results.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/studies/calibration_page.h"
+#include "mbd_solver/studies/codes.h"
 
 namespace footfall {
 
@@ -21,12 +25,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-int interrupted_message() {
-  std::fprintf(stderr, "footfall: interrupted; the same command goes on with the runs that are left\n");
+int report_interruption() {
+  std::fprintf(
+      stderr, "footfall: %s\n",
+      with_code(code::kStudyInterrupted, "interrupted; the same command resumes with the remaining runs").c_str());
   return kExitInterrupted;
 }
 
-// Of LIGGGHTS in one run.
+// The largest number of LIGGGHTS processes in one run.
 int most_ranks_of(const CalibrationSpec& spec, const Evaluations& evaluations) {
   int most = 1;
   for (std::size_t scene = 0; scene < spec.scenes.size(); ++scene) {
@@ -40,14 +46,14 @@ int most_ranks_of(const CalibrationSpec& spec, const Evaluations& evaluations) {
   return most;
 }
 
-// "--set KEY=VALUE" of every scene's run at the set, ready to be copied.
-std::string settings_text(const CalibrationSpec& spec, const Evaluations& evaluations, const Shares& shares) {
+// Commands with the settings of every scene's run at the set, to be copied.
+std::string settings_text(const CalibrationSpec& spec, const Evaluations& evaluations, const UnitPoint& point) {
   std::string text;
-  for (std::size_t i = 0; i < shares.size(); ++i)
-    text += "# " + spec.parameters[i].name + " = " + spec.parameters[i].text(shares[i]) + "\n";
+  for (std::size_t i = 0; i < point.size(); ++i)
+    text += "# " + spec.parameters[i].name + " = " + spec.parameters[i].text(point[i]) + "\n";
   for (std::size_t scene = 0; scene < spec.scenes.size(); ++scene) {
     text += "footfall run " + shell_word(spec.scenes[scene].scene);
-    for (const std::string& setting : evaluations.settings(full_fidelity(spec), scene, shares))
+    for (const std::string& setting : evaluations.settings(full_fidelity(spec), scene, point))
       if (setting.rfind("output.", 0) != 0) text += " --set " + shell_word(setting);
     text += "\n";
   }
@@ -59,14 +65,14 @@ void write_all(const CalibrationSpec& spec, const CalibrationRun& run, const Eva
   const auto path = [&](const std::string& name) { return (fs::path(folder) / name).string(); };
   const CalibrationOutcome& outcome = run.outcome();
   const std::vector<const Evaluation*> sets = run.comparable();
-  write_whole_file(path("way.csv"), way_table(spec, outcome).csv());
-  write_whole_file(path("best.txt"), settings_text(spec, evaluations, outcome.best->shares));
-  write_whole_file(path("most_met.txt"), settings_text(spec, evaluations, most_met(spec, sets)->shares));
+  write_whole_file(path("way.csv"), path_table(spec, outcome).csv());
+  write_whole_file(path("best.txt"), settings_text(spec, evaluations, outcome.best->point));
+  write_whole_file(path("most_met.txt"), settings_text(spec, evaluations, most_met(spec, sets)->point));
   std::vector<std::string> pictures;
   try {
     pictures = draw_calibration(spec, outcome, folder);
   } catch (const InputError& e) {
-    std::fprintf(stderr, "footfall: warning: no picture: %s\n", e.what());
+    warn_missing_file("picture", e);
   }
   const std::string name = fs::path(a.file).stem().string(), title = spec.title.empty() ? name : spec.title;
   const std::vector<PagePart> parts =
@@ -80,14 +86,15 @@ void write_all(const CalibrationSpec& spec, const CalibrationRun& run, const Eva
     std::printf("%s\n", path(file).c_str());
 }
 
-// What is known by now, beside a calibration that goes on.
-int say_so_far(const CalibrationSpec& spec, Evaluations& evaluations, const CalibrateArguments& a) {
-  evaluations.only_look();
+int print_so_far(const CalibrationSpec& spec, Evaluations& evaluations, const CalibrateArguments& a) {
+  evaluations.read_only();
   CalibrationRun run(spec, evaluations, 1);
   if (!run.start())
-    throw InputError(a.file + ": the runs of the start are not all done; try again when it has printed its misfit");
+    throw InputError(
+        code::kStartNotDone,
+        a.file + ": the runs of the start are not done; try again after the misfit of the start is printed");
   if (run.search()) {
-    std::printf("%s has ended; the same command without --so-far prints its page\n", a.file.c_str());
+    std::printf("%s: the calibration has ended; without --so-far the same command prints its page\n", a.file.c_str());
     return kExitDone;
   }
   const std::string title = spec.title.empty() ? fs::path(a.file).stem().string() : spec.title;
@@ -105,29 +112,30 @@ int calibrate_command(const CalibrateArguments& a) {
   const std::string out = a.out.empty() ? "runs/calibrations/" + fs::path(a.file).stem().string() : a.out;
   const std::string folder = short_path(fs::absolute(out).string());
   if (a.so_far && !fs::is_directory(folder))
-    throw InputError(folder + ": there is no such folder; --so-far looks at a calibration that goes on or was stopped");
+    throw InputError(code::kNoRun,
+                     folder + ": no such folder; --so-far requires a calibration in progress or interrupted");
   make_folder(folder);
   std::optional<FileLock> lock;
   if (!a.so_far) lock.emplace(lock_folder(folder));
   Evaluations evaluations(spec, (fs::path(folder) / "runs").string(), (fs::path(folder) / "numbers.jsonl").string());
-  if (a.so_far) return say_so_far(spec, evaluations, a);
+  if (a.so_far) return print_so_far(spec, evaluations, a);
   const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int jobs = a.jobs > 0 ? a.jobs : std::max(1, machine / most_ranks_of(spec, evaluations));
 
   CalibrationRun run(spec, evaluations, jobs);
-  std::printf("the start, %d runs at once\n", jobs);
+  std::printf("runs of the start, %d at once\n", jobs);
   std::fflush(stdout);
-  if (!run.start()) return interrupted_message();
+  if (!run.start()) return report_interruption();
   const Prediction prediction = run.predict();
-  std::printf("start: misfit %s, %d of %zu targets met\nto come, at most: %d sets, %d runs, about %s h\n",
+  std::printf("start: misfit %s, %d of %zu targets met\nremaining, at most: %d sets, %d runs, about %s h\n",
               number_text(run.outcome().start->misfit, 5).c_str(), run.outcome().start->met(), spec.targets.size(),
               prediction.sets, prediction.runs, number_text(prediction.hours, 3).c_str());
   for (const std::string& line : prediction.lines) std::printf("  %s\n", line.c_str());
   std::fflush(stdout);
   if (a.estimate) return kExitDone;
-  if (!run.search()) return interrupted_message();
+  if (!run.search()) return report_interruption();
   write_all(spec, run, evaluations, a, folder);
-  std::printf("%d runs done, %d taken from before\n", evaluations.runs_done(), evaluations.runs_reused());
+  std::printf("%d runs done, %d done before\n", evaluations.runs_done(), evaluations.runs_reused());
   return kExitDone;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// footfall calibrate FILE: the parameters with which runs meet targets (calibration.h), how well the targets determine
-// them, and which targets pull against each other. Its folder holds NAME.md, report.html, way.csv, best.txt, pictures,
-// and the runs; the same command goes on where it was stopped. What is known so far can be asked for at any time.
+// footfall calibrate FILE: the parameters with which runs meet targets, how well the targets determine them, and trade-offs
+// between targets. The folder of results holds NAME.md, report.html, way.csv, best.txt, pictures, and the runs; the same
+// command resumes an interrupted calibration.
 
 #include <string>
 
@@ -11,9 +11,9 @@ struct CalibrateArguments {
   std::string file;
   std::string out;        // empty: runs/calibrations/NAME
   std::string table;      // also write the page to this file; empty: no
-  int jobs = 0;           // runs at once; 0: as many as fit the cores
-  bool estimate = false;  // run the start, tell the time that all will take, and stop
-  bool so_far = false;    // run nothing: print the page of what is known by now
+  int jobs = 0;           // runs at once; 0: as many as the cores allow
+  bool estimate = false;  // only the runs of the start, and an estimate of the time of all
+  bool so_far = false;    // no runs: print the results so far
 };
 
 // Returns the exit code: 0; 3 when interrupted. Throws InputError, NumericalError.

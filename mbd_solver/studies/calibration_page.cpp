@@ -1,3 +1,4 @@
+// Builds pages of parts: text, a table, pictures. gnuplot draws from the CSV files of the folder.
 #include "mbd_solver/studies/calibration_page.h"
 
 #include <algorithm>
@@ -11,7 +12,22 @@
 
 namespace footfall {
 
-std::string wanted(const TargetSpec& t) {
+double distance(const TargetResult& t) {
+  double sum = 0.0;
+  for (const double r : t.residuals) sum += r * r;
+  return std::sqrt(sum / static_cast<double>(t.residuals.size()));
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using PageRows = std::vector<std::vector<std::string>>;
+
+constexpr double kSearchEnded = 1.0;  // largest gain of misfit by a linear step after the search
+
+// "0.9 to 1.1", "at least 2", "0.5".
+std::string requirement_text(const TargetSpec& t) {
   if (t.is_curve()) return "curve " + std::filesystem::path(t.file).filename().string();
   if (t.value) return number_text(*t.value);
   if (t.least == t.most) return number_text(t.least);
@@ -20,12 +36,7 @@ std::string wanted(const TargetSpec& t) {
   return number_text(t.least) + " to " + number_text(t.most);
 }
 
-double distance(const TargetResult& t) {
-  double sum = 0.0;
-  for (const double r : t.residuals) sum += r * r;
-  return std::sqrt(sum / static_cast<double>(t.residuals.size()));
-}
-
+// The value with its spread over the seeds; "failed".
 std::string value_text(const TargetSpec& spec, const TargetResult& t) {
   if (t.failed) return "failed";
   if (spec.is_curve()) return "within " + number_text(distance(t), 3) + " tolerances";
@@ -39,42 +50,34 @@ int seeds_that_meet(const TargetSpec& spec, const TargetResult& t) {
   }));
 }
 
-namespace fs = std::filesystem;
-
-namespace {
-
-using PageRows = std::vector<std::vector<std::string>>;
-
-constexpr double kSearchEnded = 1.0;  // a linear step gains no more misfit than this
-
 PagePart best_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
   PagePart part;
   part.heading = "The best set";
   const Determination& d = o.determination;
   part.text = "Intervals of " + percent(spec.confidence) + " %, from " + std::to_string(d.rows) +
-              " numbers that feel a parameter" +
-              (d.scale > 1.0 ? ", widened by " + number_text(std::sqrt(d.scale), 3) +
-                                   " because the misfit is larger than the tolerances allow"
-                             : "") +
-              ". \"No\": the interval takes three quarters of the range or more, so the targets do not say.";
+              " numbers that depend on a parameter" +
+              (d.scale > 1.0
+                   ? ", widened by " + number_text(std::sqrt(d.scale), 3) + " because the misfit exceeds the tolerances"
+                   : "") +
+              ". Determined \"no\": the interval covers three quarters of the range or more.";
   if (d.gain > kSearchEnded)
-    part.text += "\n\nThe search has not ended: a linear step would lower the misfit by about " +
+    part.text += "\n\nThe search has not converged: a linear step would lower the misfit by about " +
                  number_text(d.gain, 3) + " of " + number_text(o.best->misfit, 3) +
-                 ". Give the last stage more evaluations before the intervals are believed.";
+                 ". The intervals are reliable only with more evaluations in the last stage.";
   if (o.confirmations > 1)
     part.text += "\n\nWhole runs differ from those of the search. The set is the best of " +
                  std::to_string(o.confirmations) +
-                 " that were run whole: the one that the search found, and those next to it that should meet more to "
-                 "first order. Differences are those about the one that the search found.";
+                 " that were run whole: that of the search, and sets near it that should meet more targets to first "
+                 "order. Differences are those about the set of the search.";
   PageRows rows = {{"parameter", "range", "scale", "start", "best", "interval", "determined", "source of the range"}};
-  const Shares start = start_of(spec);
+  const UnitPoint start = start_of(spec);
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
-    const SoughtParameter& p = spec.parameters[i];
+    const CalibrationParameter& p = spec.parameters[i];
     const Interval& interval = d.intervals[i];
     rows.push_back({p.name, number_text(p.least) + " to " + number_text(p.most), std::string(name_of(p.scale)),
-                    number_text(p.value(start[i])), number_text(p.value(o.best->shares[i])),
+                    number_text(p.value(start[i])), number_text(p.value(o.best->point[i])),
                     number_text(interval.least, 4) + " to " + number_text(interval.most, 4),
-                    interval.is_determined() + (interval.at_edge ? "; at the end of its range" : ""), p.origin});
+                    interval.is_determined() + (interval.at_edge ? "; at the end of the range" : ""), p.origin});
   }
   part.rows = rows;
   return part;
@@ -83,27 +86,27 @@ PagePart best_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
 PagePart targets_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
   PagePart part;
   part.heading = "The targets";
-  part.text =
-      "Met at the start: " + std::to_string(o.start->met()) + " of " + std::to_string(spec.targets.size()) +
-      ", at the best set " + std::to_string(o.best->met()) + ", confirmed " + std::to_string(o.confirmed->met()) +
-      ". Misfit: " + number_text(o.start->misfit, 4) + " at the start, " + number_text(o.best->misfit, 4) +
-      " at the best set as the last stage runs it, " + number_text(o.confirmed->misfit, 4) +
-      " confirmed: with no stage's settings, over all seeds" +
-      (o.confirmations > 1 ? ", the best of " + std::to_string(o.confirmations) + " sets that were run so" : "") +
-      ". Off: distance of the confirmed value [tolerances].";
+  part.text = "Met at the start: " + std::to_string(o.start->met()) + " of " + std::to_string(spec.targets.size()) +
+              ", at the best set " + std::to_string(o.best->met()) + ", confirmed " +
+              std::to_string(o.confirmed->met()) + ". Misfit: " + number_text(o.start->misfit, 4) + " at the start, " +
+              number_text(o.best->misfit, 4) + " at the best set with the runs of the last stage, " +
+              number_text(o.confirmed->misfit, 4) + " confirmed by whole runs over all seeds" +
+              (o.confirmations > 1 ? ", the best of " + std::to_string(o.confirmations) + " sets run whole" : "") +
+              ". Distance: of the confirmed value [tolerances].";
   if (spec.cap > 0.0)
-    part.text += " In the misfit a target that is further off counts as " + number_text(spec.cap) +
-                 " tolerances: the question is how many are met together.";
-  if (const std::vector<std::size_t> chosen = weightiest(spec); chosen.size() < spec.targets.size())
-    part.text += " Of the " + std::to_string(chosen.size()) + " weightiest targets are met: at the start " +
+    part.text += " Larger distances count as " + number_text(spec.cap) +
+                 " tolerances in the misfit; the best set is the one that meets most targets.";
+  if (const std::vector<std::size_t> chosen = heaviest_targets(spec); chosen.size() < spec.targets.size())
+    part.text += " Of the " + std::to_string(chosen.size()) + " targets of the largest weight are met: at the start " +
                  std::to_string(met_of(*o.start, chosen)) + ", at the best set " +
                  std::to_string(met_of(*o.best, chosen)) + ", confirmed " +
                  std::to_string(met_of(*o.confirmed, chosen)) + ".";
   if (o.confirmed->met() < o.best->met())
-    part.text += "\n\nThe runs of the last stage say something else than whole ones: " + std::to_string(o.best->met()) +
+    part.text += "\n\nRuns of the last stage differ from whole ones: " + std::to_string(o.best->met()) +
                  " targets met become " + std::to_string(o.confirmed->met()) +
-                 ". Give the file a last stage with dearer runs, or more seeds, before the best set is believed.";
-  PageRows rows = {{"target", "wanted", "tolerance", "weight", "start", "best", "confirmed", "off", "met", "source"}};
+                 ". Use more accurate runs in the last stage, or more seeds.";
+  PageRows rows = {
+      {"target", "required", "tolerance", "weight", "start", "best", "confirmed", "distance", "met", "source"}};
   for (std::size_t t = 0; t < spec.targets.size(); ++t) {
     const TargetSpec& target = spec.targets[t];
     const TargetResult& confirmed = o.confirmed->targets[t];
@@ -111,7 +114,7 @@ PagePart targets_part(const CalibrationSpec& spec, const CalibrationOutcome& o) 
     if (confirmed.of_seed.size() > 1)
       met += ", " + std::to_string(seeds_that_meet(target, confirmed)) + " of " +
              std::to_string(confirmed.of_seed.size()) + " seeds";
-    rows.push_back({target.name, wanted(target), number_text(target.tolerance), number_text(target.weight),
+    rows.push_back({target.name, requirement_text(target), number_text(target.tolerance), number_text(target.weight),
                     value_text(target, o.start->targets[t]), value_text(target, o.best->targets[t]),
                     value_text(target, confirmed), number_text(distance(confirmed), 3), met, target.origin});
   }
@@ -121,10 +124,10 @@ PagePart targets_part(const CalibrationSpec& spec, const CalibrationOutcome& o) 
 
 PagePart sensitivity_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
   PagePart part;
-  part.heading = "What each parameter does";
+  part.heading = "Effect of each parameter";
   part.text =
-      "Change of each target over the whole range of a parameter, to first order about the best set [tolerances]"
-      "; of a curve without sign.";
+      "Change of each target over the whole range of a parameter, to first order about the best set [tolerances]; of "
+      "curves without sign.";
   PageRows rows = {{"target"}};
   append(rows.front(), names_in(spec.parameters));
   for (std::size_t t = 0; t < spec.targets.size(); ++t) {
@@ -149,10 +152,11 @@ std::string direction_text(const CalibrationSpec& spec, const Eigen::VectorXd& d
 
 PagePart correlation_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
   PagePart part;
-  part.heading = "What goes together";
-  part.text = "Correlation of the parameters: near 1 or -1, the targets see only a combination of the two.";
+  part.heading = "Correlation of the parameters";
+  part.text = "Near 1 or -1 the targets determine only a combination of the two.";
   for (const Eigen::VectorXd& direction : o.determination.loose)
-    part.text += "\n\nNothing holds the direction " + direction_text(spec, direction) + " (shares of the ranges).";
+    part.text += "\n\nThe targets do not determine the direction " + direction_text(spec, direction) +
+                 " (relative to the ranges).";
   PageRows rows = {{"parameter"}};
   append(rows.front(), names_in(spec.parameters));
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
@@ -166,64 +170,64 @@ PagePart correlation_part(const CalibrationSpec& spec, const CalibrationOutcome&
   return part;
 }
 
-PagePart pull_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
+PagePart trade_off_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
   PagePart part;
-  part.heading = "Which targets pull against each other";
-  if (o.pulls.empty()) {
+  part.heading = "Trade-offs between targets";
+  if (o.trade_offs.empty()) {
     part.text = "All targets that are single numbers are met at the best set.";
     return part;
   }
   part.text =
-      "For each target that the best set does not meet: the smallest step that would meet it to first order, and"
-      " what that step costs the others. A step longer than a range is out of reach.";
-  PageRows rows = {{"target", "off", "step, shares of the ranges", "costs [tolerances]"}};
-  for (const Pull& pull : o.pulls) {
+      "For each target that the best set does not meet: the smallest step that would meet it to first order, and its "
+      "cost "
+      "for the others. A step longer than a range is impossible.";
+  PageRows rows = {{"target", "distance", "step, relative to the ranges", "cost [tolerances]"}};
+  for (const TradeOff& trade_off : o.trade_offs) {
     std::vector<std::string> costs;
-    for (const auto& [s, cost] : pull.costs) costs.push_back(spec.targets[s].name + " +" + number_text(cost, 2));
+    for (const auto& [s, cost] : trade_off.costs) costs.push_back(spec.targets[s].name + " +" + number_text(cost, 2));
     std::vector<std::string> step;
-    for (Eigen::Index i = 0; i < pull.step.size(); ++i)
-      if (std::abs(pull.step[i]) > 0.02)
-        step.push_back(spec.parameters[static_cast<std::size_t>(i)].name + (pull.step[i] > 0.0 ? " +" : " ") +
-                       number_text(pull.step[i], 2));
-    rows.push_back({spec.targets[pull.target].name, number_text(distance(o.best->targets[pull.target]), 3),
-                    pull.felt ? joined(step) : "no parameter moves it here",
-                    costs.empty() ? "nothing" : joined(costs)});
+    for (Eigen::Index i = 0; i < trade_off.step.size(); ++i)
+      if (std::abs(trade_off.step[i]) > 0.02)
+        step.push_back(spec.parameters[static_cast<std::size_t>(i)].name + (trade_off.step[i] > 0.0 ? " +" : " ") +
+                       number_text(trade_off.step[i], 2));
+    rows.push_back({spec.targets[trade_off.target].name, number_text(distance(o.best->targets[trade_off.target]), 3),
+                    trade_off.moved ? joined(step) : "no parameter affects it here",
+                    costs.empty() ? "none" : joined(costs)});
   }
   part.rows = rows;
   return part;
 }
 
-PagePart together_part(const CalibrationSpec& spec, const CalibrationOutcome& o,
-                       const std::vector<const Evaluation*>& sets) {
+PagePart conflicts_of_sets_part(const CalibrationSpec& spec, const CalibrationOutcome& o,
+                                const std::vector<const Evaluation*>& sets) {
   const Evaluation* most = most_met(spec, sets);
-  PagePart part = apart_part(spec, sets);
-  part.text = "Of the " + std::to_string(sets.size()) +
-              " sets that were run as the last stage runs them, the one that "
-              "meets most meets " +
-              std::to_string(most->met()) + " of " + std::to_string(spec.targets.size()) + " (misfit " +
-              number_text(most->misfit, 4) + "; the best set meets " + std::to_string(o.best->met()) + ")." + part.text;
+  PagePart part = conflicts_part(spec, sets);
+  part.text = "Of " + std::to_string(sets.size()) +
+              " sets with runs as in the last stage, one meets most targets: " + std::to_string(most->met()) + " of " +
+              std::to_string(spec.targets.size()) + " (misfit " + number_text(most->misfit, 4) +
+              "; the best set meets " + std::to_string(o.best->met()) + ")." + part.text;
   return part;
 }
 
-PagePart alone_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
+PagePart single_targets_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
   PagePart part;
-  part.heading = "Targets that no set meets, each sought alone";
+  part.heading = "Targets that no set meets, sought one by one";
   part.text =
-      "With no regard to the other targets, from the nearest of the sets above, by response surfaces through all of "
-      "them. Off: distance [tolerances]; parameters that do not move the target are left out.";
-  part.rows = {{"target", "wanted", "nearest of the sets above, off", "more sets", "nearest of all", "off", "at"}};
-  for (const Alone& alone : o.alone) {
-    const TargetSpec& target = spec.targets[alone.target];
-    const TargetResult& result = alone.nearest->targets[alone.target];
+      "Without regard to the other targets, from the nearest of the sets above, by response surfaces. Distances in "
+      "tolerances; only parameters that affect the target.";
+  part.rows = {{"target", "required", "distance of the sets above", "more sets", "nearest of all", "distance", "at"}};
+  for (const SingleTarget& single_target : o.single_targets) {
+    const TargetSpec& target = spec.targets[single_target.target];
+    const TargetResult& result = single_target.nearest->targets[single_target.target];
     std::vector<std::string> at;
     for (std::size_t i = 0; i < spec.parameters.size(); ++i)
-      if (std::find(alone.moved_by.begin(), alone.moved_by.end(), i) != alone.moved_by.end())
+      if (std::find(single_target.moved_by.begin(), single_target.moved_by.end(), i) != single_target.moved_by.end())
         at.push_back(spec.parameters[i].name + " " +
-                     number_text(spec.parameters[i].value(alone.nearest->shares[i]), 3));
-    part.rows.push_back({target.name, wanted(target),
-                         number_text(alone.nearest_before, 3) + " of " + std::to_string(alone.before) + " sets",
-                         std::to_string(alone.sets), value_text(target, result), number_text(distance(result), 3),
-                         joined(at)});
+                     number_text(spec.parameters[i].value(single_target.nearest->point[i]), 3));
+    part.rows.push_back(
+        {target.name, requirement_text(target),
+         number_text(single_target.nearest_before, 3) + " of " + std::to_string(single_target.before) + " sets",
+         std::to_string(single_target.sets), value_text(target, result), number_text(distance(result), 3), joined(at)});
   }
   return part;
 }
@@ -232,20 +236,39 @@ PagePart search_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
   PagePart part;
   part.heading = "The search";
   if (o.whole_time)
-    part.text =
-        "Time told beforehand: " + number_text(o.predicted, 3) + " h; taken: " + number_text(o.taken, 3) + " h.";
-  part.rows = {{"stage", "sets", "runs", "misfit at its end", "why it ended"}};
+    part.text = "Estimated time: " + number_text(o.predicted, 3) + " h; taken: " + number_text(o.taken, 3) + " h.";
+  part.rows = {{"stage", "sets", "runs", "final misfit", "reason of the end"}};
   for (std::size_t k = 0; k < o.stages.size(); ++k) {
     const StageOutcome& stage = o.stages[k];
     int runs = 0;
     for (const Evaluation* e : stage.evaluations) runs += e->runs;
     part.rows.push_back({std::string(name_of(spec.stages[k].method)), std::to_string(stage.evaluations.size()),
-                         std::to_string(runs), number_text(stage.best, 5), stage.way.end});
+                         std::to_string(runs), number_text(stage.best, 5), stage.path.end});
   }
   return part;
 }
 
 }  // namespace
+
+PagePart conflicts_part(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {
+  PagePart part;
+  const Conflicts found = conflicts_of(spec, sets);
+  std::vector<std::string> never;
+  for (const std::size_t t : found.never) never.push_back(spec.targets[t].name);
+  part.text =
+      never.empty() ? " Every target is met by some set." : "\n\nMet by none of them: " + joined(never, "; ") + ".";
+  if (found.pairs.empty()) return part;
+  const std::vector<std::size_t> chosen = heaviest_targets(spec);
+  part.text += "\n\nFrom pairs, at most " + std::to_string(most_without_conflict(found, chosen)) + " of the " +
+               std::to_string(chosen.size()) + " targets" +
+               (chosen.size() < spec.targets.size() ? " of the largest weight" : "") +
+               " can be met together. These pairs are met by some sets each, and by none together:";
+  part.rows = {{"target", "other target", "sets that meet the first", "the other", "both"}};
+  for (const Conflicts::Pair& pair : found.pairs)
+    part.rows.push_back({spec.targets[pair.a].name, spec.targets[pair.b].name, std::to_string(pair.met_a),
+                         std::to_string(pair.met_b), "0"});
+  return part;
+}
 
 std::vector<PagePart> calibration_parts(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
                                         const std::vector<const Evaluation*>& comparable, const std::string& command,
@@ -259,9 +282,9 @@ std::vector<PagePart> calibration_parts(const CalibrationSpec& spec, const Calib
                                  targets_part(spec, outcome),
                                  sensitivity_part(spec, outcome),
                                  correlation_part(spec, outcome),
-                                 pull_part(spec, outcome),
-                                 together_part(spec, outcome, comparable)};
-  if (!outcome.alone.empty()) parts.push_back(alone_part(spec, outcome));
+                                 trade_off_part(spec, outcome),
+                                 conflicts_of_sets_part(spec, outcome, comparable)};
+  if (!outcome.single_targets.empty()) parts.push_back(single_targets_part(spec, outcome));
   parts.push_back(search_part(spec, outcome));
   if (!pictures.empty()) parts.push_back(last);
   return parts;
@@ -296,8 +319,6 @@ std::string html(const std::string& title, const std::vector<PagePart>& parts) {
   return page.text();
 }
 
-// The page of a calibration that has not ended: sets that are known by now, run as the stage under way runs them.
-
 namespace {
 
 PagePart sets_part(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets, const Evaluation& least,
@@ -305,16 +326,16 @@ PagePart sets_part(const CalibrationSpec& spec, const std::vector<const Evaluati
   PagePart part;
   part.heading = "Parameters";
   part.rows = {{"parameter", "range", "start", "least misfit", "most met", "source of the range"}};
-  const Shares start = start_of(spec);
+  const UnitPoint start = start_of(spec);
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
-    const SoughtParameter& p = spec.parameters[i];
+    const CalibrationParameter& p = spec.parameters[i];
     part.rows.push_back({p.name, number_text(p.least) + " to " + number_text(p.most), number_text(p.value(start[i])),
-                         number_text(p.value(least.shares[i]), 4), number_text(p.value(most.shares[i]), 4), p.origin});
+                         number_text(p.value(least.point[i]), 4), number_text(p.value(most.point[i]), 4), p.origin});
   }
-  part.text = "Of " + std::to_string(sets.size()) + " sets the one of least misfit, " + number_text(least.misfit, 4) +
-              ", meets " + std::to_string(least.met()) + " of " + std::to_string(spec.targets.size()) +
-              " targets; the one that meets most meets " + std::to_string(most.met()) + ", with a misfit of " +
-              number_text(most.misfit, 4) + ".";
+  part.text = "Of " + std::to_string(sets.size()) + " sets the one with the least misfit, " +
+              number_text(least.misfit, 4) + ", meets " + std::to_string(least.met()) + " of " +
+              std::to_string(spec.targets.size()) + " targets; the largest number met is " +
+              std::to_string(most.met()) + ", with a misfit of " + number_text(most.misfit, 4) + ".";
   return part;
 }
 
@@ -322,15 +343,15 @@ PagePart met_part(const CalibrationSpec& spec, const CalibrationOutcome& o, cons
                   const Evaluation& most) {
   PagePart part;
   part.heading = "Targets";
-  part.text = "Off: distance in the set that meets most, and the least of all sets [tolerances].";
-  part.rows = {{"target", "wanted", "start", "most met", "off", "least off", "sets that meet it", "source"}};
+  part.text = "Distance in the set that meets most targets, and the least of all sets [tolerances].";
+  part.rows = {{"target", "required", "start", "most met", "distance", "least", "sets that meet it", "source"}};
   for (std::size_t t = 0; t < spec.targets.size(); ++t) {
     const auto met =
         std::count_if(sets.begin(), sets.end(), [&](const Evaluation* e) { return e->targets[t].is_met(); });
     double least = distance(most.targets[t]);
     for (const Evaluation* e : sets)
       if (!e->targets[t].failed) least = std::min(least, distance(e->targets[t]));
-    part.rows.push_back({spec.targets[t].name, wanted(spec.targets[t]),
+    part.rows.push_back({spec.targets[t].name, requirement_text(spec.targets[t]),
                          value_text(spec.targets[t], o.start->targets[t]), value_text(spec.targets[t], most.targets[t]),
                          number_text(distance(most.targets[t]), 3), number_text(least, 3),
                          std::to_string(met) + " of " + std::to_string(sets.size()), spec.targets[t].origin});
@@ -343,23 +364,21 @@ PagePart met_part(const CalibrationSpec& spec, const CalibrationOutcome& o, cons
 std::vector<PagePart> so_far_parts(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
                                    const std::vector<const Evaluation*>& comparable, const std::string& command) {
   PagePart first;
-  first.text =
-      "So far, by `" + command + "`. The calibration has not ended: nothing is confirmed, and there are no intervals.";
-  const StageSpec& asked = spec.stages[outcome.stages.size() - 1];
+  first.text = "Results so far, by `" + command +
+               "`. The calibration is in progress: nothing is confirmed, and there are no intervals.";
+  const StageSpec& stage = spec.stages[outcome.stages.size() - 1];
   if (comparable.empty()) return {first};
   first.text += " Stage " + std::to_string(outcome.stages.size()) + " of " + std::to_string(spec.stages.size()) + ", " +
-                std::string(name_of(asked.method)) + ", of " + std::to_string(asked.evaluations) + " sets at most.";
+                std::string(name_of(stage.method)) + ", at most " + std::to_string(stage.evaluations) + " sets.";
   const Evaluation* least =
       *std::min_element(comparable.begin(), comparable.end(),
                         [](const Evaluation* a, const Evaluation* b) { return a->misfit < b->misfit; });
   const Evaluation* most = most_met(spec, comparable);
-  PagePart together = apart_part(spec, comparable);
-  together.heading = "What comes together";
+  PagePart together = conflicts_part(spec, comparable);
+  together.heading = "Targets met together";
   together.text.erase(0, together.text.find_first_not_of(" \n"));
   return {first, sets_part(spec, comparable, *least, *most), met_part(spec, outcome, comparable, *most), together};
 }
-
-// Tables for programs, and the pictures drawn from them.
 
 namespace {
 
@@ -368,15 +387,30 @@ std::string drawn(const std::string& folder, const std::string& name, int height
                        "unset logscale\nset autoscale\nunset ylabel\nset ytics noenhanced\nset grid\n" + drawing);
 }
 
-double off(const TargetResult& t) {
-  double sum = 0.0;
-  for (const double r : t.residuals) sum += r * r;
-  return std::sqrt(sum / static_cast<double>(t.residuals.size()));
+// Positions in the ranges: best set, interval.
+Table parameter_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome) {
+  Table table({"parameter", "best", "least", "most"});
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
+    const CalibrationParameter& p = spec.parameters[i];
+    const Interval& interval = outcome.determination.intervals[i];
+    table.add({p.name, number_text(outcome.best->point[i]), number_text(p.position(interval.least)),
+               number_text(p.position(interval.most))});
+  }
+  return table;
+}
+
+// Distances at the start, at the best set, and confirmed [tolerances].
+Table target_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome) {
+  Table table({"target", "start", "best", "confirmed"});
+  for (std::size_t t = 0; t < spec.targets.size(); ++t)
+    table.add({spec.targets[t].name, number_text(distance(outcome.start->targets[t])),
+               number_text(distance(outcome.best->targets[t])), number_text(distance(outcome.confirmed->targets[t]))});
+  return table;
 }
 
 }  // namespace
 
-Table way_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome) {
+Table path_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome) {
   std::vector<std::string> head = {"set", "stage"};
   append(head, names_in(spec.parameters));
   append(head, {"misfit", "least", "met"});
@@ -389,35 +423,16 @@ Table way_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome) 
     for (const Evaluation* e : outcome.stages[k].evaluations) {
       least = std::min(least, e->misfit);
       std::vector<std::string> row = {std::to_string(++number), std::to_string(k + 1)};
-      for (std::size_t i = 0; i < e->shares.size(); ++i) row.push_back(spec.parameters[i].text(e->shares[i]));
+      for (std::size_t i = 0; i < e->point.size(); ++i) row.push_back(spec.parameters[i].text(e->point[i]));
       append(row, {number_text(e->misfit, 10), number_text(least, 10), std::to_string(e->met())});
       for (std::size_t t = 0; t < e->targets.size(); ++t)
         row.push_back(e->targets[t].failed         ? ""
-                      : spec.targets[t].is_curve() ? number_text(off(e->targets[t]), 10)
+                      : spec.targets[t].is_curve() ? number_text(distance(e->targets[t]), 10)
                                                    : number_text(e->targets[t].values.front(), 10));
       row.push_back(e->message);
       table.add(row);
     }
   }
-  return table;
-}
-
-Table parameter_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome) {
-  Table table({"parameter", "best", "least", "most"});
-  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
-    const SoughtParameter& p = spec.parameters[i];
-    const Interval& interval = outcome.determination.intervals[i];
-    table.add({p.name, number_text(outcome.best->shares[i]), number_text(p.share(interval.least)),
-               number_text(p.share(interval.most))});
-  }
-  return table;
-}
-
-Table target_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome) {
-  Table table({"target", "start", "best", "confirmed"});
-  for (std::size_t t = 0; t < spec.targets.size(); ++t)
-    table.add({spec.targets[t].name, number_text(off(outcome.start->targets[t])),
-               number_text(off(outcome.best->targets[t])), number_text(off(outcome.confirmed->targets[t]))});
   return table;
 }
 
@@ -444,9 +459,10 @@ std::vector<std::string> draw_calibration(const CalibrationSpec& spec, const Cal
              "set logscale y\nset xlabel 'set'\nset ylabel 'misfit'\nset key outside right top\n"
              "plot 'misfit.csv' using 1:2 with points pt 7 ps 0.6 lc 'gray' title 'each set', "
              "'' using 1:3 with steps lw 2 lc 1 title 'least of the stage'\n"),
-       drawn(folder, "parameters", 140 + 40 * parameters,
-             "set xlabel 'share of the range'\nset xrange [0:1]\nset yrange [-0.7:" + fixed_text(parameters - 0.3, 1) +
-                 "] reverse\nplot 'parameters.csv' using 2:0:3:4:ytic(1) with xerrorbars pt 7 lw 2 lc 1 notitle\n"),
+       drawn(
+           folder, "parameters", 140 + 40 * parameters,
+           "set xlabel 'position in the range'\nset xrange [0:1]\nset yrange [-0.7:" + fixed_text(parameters - 0.3, 1) +
+               "] reverse\nplot 'parameters.csv' using 2:0:3:4:ytic(1) with xerrorbars pt 7 lw 2 lc 1 notitle\n"),
        drawn(folder, "targets", 160 + 26 * targets,
              "set xlabel 'distance from the target [tolerances]'\nset key outside right top\nset yrange [-0.7:" +
                  fixed_text(targets - 0.3, 1) +

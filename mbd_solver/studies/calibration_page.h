@@ -1,46 +1,39 @@
 #pragma once
-// Targets and what runs say of them, as pages have it.
+// The results of a calibration: pages as Markdown and HTML, tables, and pictures.
 
 #include <string>
 #include <vector>
 
 #include "mbd_solver/studies/calibration_run.h"
-#include "mbd_solver/studies/determination.h"
-#include "mbd_solver/studies/evaluations.h"
 #include "mbd_solver/studies/tables.h"
 
 namespace footfall {
 
-// "0.9 to 1.1", "at least 2", "0.5".
-std::string wanted(const TargetSpec& target);
-// In tolerances; of a curve the root mean square.
-double distance(const TargetResult& result);
-// The value with its spread over the seeds; "failed".
-std::string value_text(const TargetSpec& target, const TargetResult& result);
-int seeds_that_meet(const TargetSpec& target, const TargetResult& result);
-
-// What a calibration found, as a page: once as Markdown, once as HTML; and as tables for programs.
-
-// `command`: that makes it again. `pictures`: what draw_calibration made.
-std::vector<PagePart> calibration_parts(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
-                                        const std::vector<const Evaluation*>& comparable, const std::string& command,
-                                        const std::vector<std::string>& pictures);
+struct PagePart {
+  std::string heading;                         // empty: continues the part before
+  std::string text;                            // before the table
+  std::vector<std::vector<std::string>> rows;  // the head first; empty: no table
+  std::vector<std::string> pictures;           // PNG files
+};
 std::string markdown(const std::string& title, const std::vector<PagePart>& parts);
 std::string html(const std::string& title, const std::vector<PagePart>& parts);
 
-// While it goes: sets that are known by now, with the start as each stage runs it (calibration_so_far.cpp).
+// `command`: that makes it. `pictures`: of draw_calibration.
+std::vector<PagePart> calibration_parts(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
+                                        const std::vector<const Evaluation*>& comparable, const std::string& command,
+                                        const std::vector<std::string>& pictures);
+// Before the end of the calibration: the sets known so far.
 std::vector<PagePart> so_far_parts(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
                                    const std::vector<const Evaluation*>& comparable, const std::string& command);
+// Conflicts of targets among these sets, as sentences and a table of pairs.
+PagePart conflicts_part(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
 
+// Distance from the target [tolerances]; of a curve the root mean square.
+double distance(const TargetResult& result);
 // Every set of every stage in the order of the search: stage, parameters, misfit, targets.
-Table way_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome);
-// Shares of the ranges: best, interval.
-Table parameter_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome);
-// Misfit of each target at the start and at the best set [tolerances].
-Table target_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome);
-
-// Draws misfit.png, parameters.png and targets.png in `folder` from misfit.csv, parameters.csv and targets.csv, which
-// it writes. Throws InputError when gnuplot is missing or fails.
+Table path_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome);
+// Writes misfit.csv, parameters.csv and targets.csv into `folder` and draws them. Throws InputError when gnuplot is missing
+// or fails.
 std::vector<std::string> draw_calibration(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
                                           const std::string& folder);
 

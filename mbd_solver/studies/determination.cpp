@@ -1,3 +1,4 @@
+// Central differences, the eigenvalues of J^T J, and counts of sets that meet targets.
 #include "mbd_solver/studies/determination.h"
 
 #include <algorithm>
@@ -12,15 +13,15 @@
 namespace footfall {
 namespace {
 
-constexpr double kSmallestStep = 1e-9;  // of a share: sets nearer than this are one
-constexpr double kFeltFrom = 1e-6;      // tolerances per range: less is round-off
-constexpr double kCostFrom = 0.5;       // tolerances
+constexpr double kSmallestStep = 1e-9;  // of a position; closer sets are equal
+constexpr double kLeastSlope = 1e-6;    // tolerances per range: less is round-distance
+constexpr double kLeastCost = 0.5;      // tolerances
 
-// d y / d share_i of one number of the sets, where both ends of the difference have it; else 0.
+// d y / d u_i of one number of the sets; 0 if one end of the difference lacks it.
 template <class Number>
 double slope(const std::vector<const Evaluation*>& around, std::size_t i, const Number& number) {
   const Evaluation &up = *around[2 * i], &down = *around[2 * i + 1];
-  const double width = up.shares[i] - down.shares[i];
+  const double width = up.point[i] - down.point[i];
   if (width < kSmallestStep) return 0.0;
   const std::optional<double> a = number(up), b = number(down);
   return a && b ? (*a - *b) / width : 0.0;
@@ -29,8 +30,8 @@ double slope(const std::vector<const Evaluation*>& around, std::size_t i, const 
 // y of a target that is a single number, in tolerances.
 Eigen::VectorXd gradient(const CalibrationSpec& spec, std::size_t t, const Evaluation& best,
                          const std::vector<const Evaluation*>& around) {
-  Eigen::VectorXd g(static_cast<Eigen::Index>(best.shares.size()));
-  for (std::size_t i = 0; i < best.shares.size(); ++i)
+  Eigen::VectorXd g(static_cast<Eigen::Index>(best.point.size()));
+  for (std::size_t i = 0; i < best.point.size(); ++i)
     g[static_cast<Eigen::Index>(i)] = slope(around, i, [&](const Evaluation& e) -> std::optional<double> {
       if (e.targets[t].failed || e.targets[t].values.empty()) return {};
       return e.targets[t].values.front() / spec.targets[t].tolerance;
@@ -55,11 +56,11 @@ double normal_quantile(double confidence) {
 
 std::string Interval::is_determined() const { return share < 0.25 ? "yes" : share < 0.75 ? "weakly" : "no"; }
 
-std::vector<Shares> difference_sets(const CalibrationSpec& spec, const Shares& best) {
-  std::vector<Shares> sets;
+std::vector<UnitPoint> difference_sets(const CalibrationSpec& spec, const UnitPoint& best) {
+  std::vector<UnitPoint> sets;
   for (std::size_t i = 0; i < best.size(); ++i)
     for (const double sign : {1.0, -1.0}) {
-      Shares set = best;
+      UnitPoint set = best;
       set[i] = std::clamp(best[i] + sign * spec.step, 0.0, 1.0);
       sets.push_back(set);
     }
@@ -68,8 +69,8 @@ std::vector<Shares> difference_sets(const CalibrationSpec& spec, const Shares& b
 
 Determination determination_of(const CalibrationSpec& spec, const Evaluation& best,
                                const std::vector<const Evaluation*>& around) {
-  FOOTFALL_DEMAND(around.size() == 2 * best.shares.size());
-  const auto n = static_cast<Eigen::Index>(best.shares.size());
+  FOOTFALL_DEMAND(around.size() == 2 * best.point.size());
+  const auto n = static_cast<Eigen::Index>(best.point.size());
   const std::vector<double> r = best.residuals(spec);
   Determination d;
   d.jacobian = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(r.size()), n);
@@ -97,12 +98,12 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
       }
   }
   for (Eigen::Index k = 0; k < d.jacobian.rows(); ++k)
-    if (d.jacobian.row(k).cwiseAbs().maxCoeff() > kFeltFrom) ++d.rows;
+    if (d.jacobian.row(k).cwiseAbs().maxCoeff() > kLeastSlope) ++d.rows;
   const int freedom = d.rows - static_cast<int>(n);
   if (freedom > 0) d.scale = std::max(1.0, best.misfit / freedom);
   const double q = d.scale > 1.0 ? student_t(spec.confidence, freedom) : normal_quantile(spec.confidence);
 
-  // By directions, so that those which nothing holds are told. Narrower than the range they count as held.
+  // By directions, to find those that no target determines: wider than the range.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(d.jacobian.transpose() * d.jacobian);
   const Eigen::VectorXd slack =
       (d.scale / eigen.eigenvalues().cwiseMax(1e-12).array()).matrix();  // variance of each direction
@@ -119,7 +120,7 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
   d.correlation = sd.cwiseInverse().asDiagonal() * covariance * sd.cwiseInverse().asDiagonal();
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const double u = best.shares[at], low = std::max(0.0, u - q * sd[i]), high = std::min(1.0, u + q * sd[i]);
+    const double u = best.point[at], low = std::max(0.0, u - q * sd[i]), high = std::min(1.0, u + q * sd[i]);
     Interval interval;
     interval.least = spec.parameters[at].value(low);
     interval.most = spec.parameters[at].value(high);
@@ -130,34 +131,35 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
   return d;
 }
 
-std::vector<Pull> pulls_of(const CalibrationSpec& spec, const Evaluation& best,
-                           const std::vector<const Evaluation*>& around) {
-  std::vector<Pull> pulls;
+std::vector<TradeOff> trade_offs_of(const CalibrationSpec& spec, const Evaluation& best,
+                                    const std::vector<const Evaluation*>& around) {
+  std::vector<TradeOff> trade_offs;
   const auto single = [&](std::size_t t) { return !spec.targets[t].is_curve() && !best.targets[t].failed; };
   for (std::size_t t = 0; t < spec.targets.size(); ++t) {
     if (!single(t) || best.targets[t].is_met()) continue;
-    Pull pull;
-    pull.target = t;
+    TradeOff trade_off;
+    trade_off.target = t;
     const Eigen::VectorXd g = gradient(spec, t, best, around);
-    pull.felt = g.norm() > kFeltFrom;
-    pull.step = Eigen::VectorXd::Zero(g.size());
-    if (pull.felt) pull.step = -best.targets[t].residuals.front() * g / g.squaredNorm();
-    for (std::size_t s = 0; s < spec.targets.size() && pull.felt; ++s) {
+    trade_off.moved = g.norm() > kLeastSlope;
+    trade_off.step = Eigen::VectorXd::Zero(g.size());
+    if (trade_off.moved) trade_off.step = -best.targets[t].residuals.front() * g / g.squaredNorm();
+    for (std::size_t s = 0; s < spec.targets.size() && trade_off.moved; ++s) {
       if (s == t || !single(s)) continue;
       const double y = best.targets[s].values.front();
-      const double after = y + spec.targets[s].tolerance * gradient(spec, s, best, around).dot(pull.step);
+      const double after = y + spec.targets[s].tolerance * gradient(spec, s, best, around).dot(trade_off.step);
       const double cost = std::abs(residual_of(spec.targets[s], after)) - std::abs(residual_of(spec.targets[s], y));
-      if (cost >= kCostFrom) pull.costs.emplace_back(s, cost);
+      if (cost >= kLeastCost) trade_off.costs.emplace_back(s, cost);
     }
-    std::sort(pull.costs.begin(), pull.costs.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-    pulls.push_back(pull);
+    std::sort(trade_off.costs.begin(), trade_off.costs.end(),
+              [](const auto& a, const auto& b) { return a.second > b.second; });
+    trade_offs.push_back(trade_off);
   }
-  return pulls;
+  return trade_offs;
 }
 
 namespace {
 
-constexpr std::array<double, 5> kMoves = {1.0, 0.5, 0.2, 0.1, 0.05};  // times h, as down_from() goes
+constexpr std::array<double, 5> kMoves = {1.0, 0.5, 0.2, 0.1, 0.05};  // steps of descend(), times h
 
 TargetSpec narrowed(TargetSpec target) {
   if (!target.is_band()) return target;
@@ -169,20 +171,20 @@ TargetSpec narrowed(TargetSpec target) {
 
 }  // namespace
 
-Shares adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eigen::MatrixXd& sensitivity) {
+UnitPoint adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eigen::MatrixXd& sensitivity) {
   std::vector<TargetSpec> targets;
   for (const TargetSpec& target : spec.targets) targets.push_back(narrowed(target));
   std::vector<double> steps(kMoves.begin(), kMoves.end());
   for (double& step : steps) step *= spec.step;
   DescentBounds within;
-  for (const double share : whole.shares) {
+  for (const double share : whole.point) {
     within.least.push_back(std::max(0.0, share - spec.step));
     within.most.push_back(std::min(1.0, share + spec.step));
   }
-  const auto phi = [&](const Shares& u) {
+  const auto phi = [&](const UnitPoint& u) {
     Eigen::VectorXd step(static_cast<Eigen::Index>(u.size()));
-    for (std::size_t i = 0; i < u.size(); ++i) step[static_cast<Eigen::Index>(i)] = u[i] - whole.shares[i];
-    if (broken_by(spec, u) > 0.0) return std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < u.size(); ++i) step[static_cast<Eigen::Index>(i)] = u[i] - whole.point[i];
+    if (violation_of(spec, u) > 0.0) return std::numeric_limits<double>::infinity();
     double sum = step.squaredNorm() / (spec.step * spec.step);
     for (std::size_t t = 0; t < targets.size(); ++t) {
       if (targets[t].is_curve() || whole.targets[t].failed) continue;
@@ -193,7 +195,7 @@ Shares adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eige
     }
     return sum;
   };
-  return down_from(whole.shares, within, steps, phi);
+  return descend(whole.point, within, steps, phi);
 }
 
 const Evaluation* most_met(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {
@@ -209,7 +211,7 @@ const Evaluation* most_met(const CalibrationSpec& spec, const std::vector<const 
   return most;
 }
 
-std::vector<std::size_t> weightiest(const CalibrationSpec& spec) {
+std::vector<std::size_t> heaviest_targets(const CalibrationSpec& spec) {
   double most = 0.0;
   for (const TargetSpec& target : spec.targets) most = std::max(most, target.weight);
   std::vector<std::size_t> chosen;
@@ -223,13 +225,13 @@ int met_of(const Evaluation& set, const std::vector<std::size_t>& targets) {
       std::count_if(targets.begin(), targets.end(), [&](std::size_t t) { return set.targets[t].is_met(); }));
 }
 
-Apart apart(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {
+Conflicts conflicts_of(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {
   const auto count = [&](std::size_t a, std::size_t b) {
     return static_cast<int>(std::count_if(sets.begin(), sets.end(), [&](const Evaluation* e) {
       return e->targets[a].is_met() && e->targets[b].is_met();
     }));
   };
-  Apart found;
+  Conflicts found;
   for (std::size_t a = 0; a < spec.targets.size(); ++a) {
     if (count(a, a) == 0) found.never.push_back(a);
     for (std::size_t b = a + 1; b < spec.targets.size(); ++b)
@@ -241,7 +243,7 @@ Apart apart(const CalibrationSpec& spec, const std::vector<const Evaluation*>& s
 
 namespace {
 
-// Of the targets from `first` on, those in `out` left aside: the first is taken, or it is not.
+// Among the targets from `first` on, without those in `out`: with the first one, or without it.
 std::size_t most_from(std::size_t first, std::vector<int> out, const std::vector<std::vector<std::size_t>>& others) {
   const std::size_t n = others.size();
   while (first < n && out[first] > 0) ++first;
@@ -250,41 +252,22 @@ std::size_t most_from(std::size_t first, std::vector<int> out, const std::vector
   std::size_t open = 0;
   for (const std::size_t other : others[first]) open += other > first && with[other]++ == 0 ? 1 : 0;
   const std::size_t taken = 1 + most_from(first + 1, with, others);
-  if (open <= 1) return taken;  // with one other at most, taking it is never worse
+  if (open <= 1) return taken;  // with one conflict at most, taking it is never worse
   return std::max(taken, most_from(first + 1, out, others));
 }
 
 }  // namespace
 
-std::size_t most_without_a_pair(const Apart& apart, const std::vector<std::size_t>& targets) {
+std::size_t most_without_conflict(const Conflicts& conflicts, const std::vector<std::size_t>& targets) {
   const std::size_t n = targets.empty() ? 0 : 1 + *std::max_element(targets.begin(), targets.end());
   std::vector<int> out(n, 1);
   for (const std::size_t target : targets) out[target] = 0;
   std::vector<std::vector<std::size_t>> others(n);
-  for (const Apart::Pair& pair : apart.pairs)
+  for (const Conflicts::Pair& pair : conflicts.pairs)
     if (pair.a < n && pair.b < n) others[pair.a].push_back(pair.b), others[pair.b].push_back(pair.a);
-  for (const std::size_t target : apart.never)
+  for (const std::size_t target : conflicts.never)
     if (target < n) out[target] = 1;
   return most_from(0, out, others);
-}
-
-PagePart apart_part(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {
-  PagePart part;
-  const Apart found = apart(spec, sets);
-  std::vector<std::string> never;
-  for (const std::size_t t : found.never) never.push_back(spec.targets[t].name);
-  part.text =
-      never.empty() ? " Every target was met by some set." : "\n\nMet by none of them: " + joined(never, "; ") + ".";
-  if (found.pairs.empty()) return part;
-  const std::vector<std::size_t> chosen = weightiest(spec);
-  part.text += "\n\nAs far as pairs tell, at most " + std::to_string(most_without_a_pair(found, chosen)) + " of the " +
-               std::to_string(chosen.size()) + (chosen.size() < spec.targets.size() ? " weightiest" : "") +
-               " targets can come together. Each met by some sets, and by none together:";
-  part.rows = {{"target", "and target", "sets that meet the one", "the other", "both"}};
-  for (const Apart::Pair& pair : found.pairs)
-    part.rows.push_back({spec.targets[pair.a].name, spec.targets[pair.b].name, std::to_string(pair.met_a),
-                         std::to_string(pair.met_b), "0"});
-  return part;
 }
 
 }  // namespace footfall

@@ -1,13 +1,16 @@
 #pragma once
-// What the targets say about the parameters, to first order about the best set. With r the weighted residuals, J their
-// derivatives by the shares of the ranges (central differences), m rows that depend on a parameter, n parameters:
+// What the targets determine about the parameters: to first order about the best set, and without linearity from the sets
+// that were run.
+//
+// With r the weighted residuals, J their derivatives by the positions in the ranges (central differences), m rows that depend
+// on a parameter, n parameters:
 //
 //   C = s2 (J^T J)^-1,   s2 = max(1, Phi / (m - n))          Gauss-Newton
-//   interval of share i:  u_i +- q sqrt(C_ii)
+//   interval of u_i:      u_i +- q sqrt(C_ii)
 //
-// q: of the normal distribution where s2 = 1 (tolerances are believed), of Student's t with m - n where the misfit is
-// larger than tolerances allow. For m <= n, s2 = 1. Directions that no target feels leave the interval at the whole
-// range. On a logarithmic scale the interval is one of factors.
+// q: of the normal distribution where s2 = 1 (tolerances are taken as standard deviations), of Student's t with m - n where
+// the misfit exceeds the tolerances. For m <= n, s2 = 1. Directions that no target determines leave the interval at the
+// whole range. On a logarithmic scale the interval is one of factors.
 
 #include <Eigen/Dense>
 #include <string>
@@ -19,7 +22,7 @@ namespace footfall {
 
 struct Interval {
   double least = 0.0, most = 0.0;  // values, within the range
-  double share = 1.0;              // of the range that it takes, 0 to 1
+  double share = 1.0;              // width over the range, 0 to 1
   bool at_edge = false;            // the best value is an end of the range
 
   // "yes"; "weakly" from a quarter of the range on; "no" from three quarters on.
@@ -27,79 +30,64 @@ struct Interval {
 };
 
 struct Determination {
-  Eigen::MatrixXd jacobian;     // rows as Evaluation::residuals, one column per parameter
+  Eigen::MatrixXd jacobian;     // rows as Evaluation::residuals, a column per parameter
   Eigen::MatrixXd sensitivity;  // of each target [tolerances per range]; a curve: root mean square over its rows
   std::vector<Interval> intervals;
   Eigen::MatrixXd correlation;
   double scale = 1.0;                  // s2
   int rows = 0;                        // m
-  double gain = 0.0;                   // of the misfit, by a Gauss-Newton step: large where the search has not ended
-  std::vector<Eigen::VectorXd> loose;  // directions (shares, unit length) that nothing holds within the range
+  double gain = 0.0;                   // decrease of the misfit by a Gauss-Newton step: large before the search's end
+  std::vector<Eigen::VectorXd> loose;  // directions (unit length) that no target determines within the range
 };
 
-// The sets to be run for it: best + and - step along each parameter, cut at the range.
-std::vector<Shares> difference_sets(const CalibrationSpec& spec, const Shares& best);
+// The sets for the differences: best + and - step along each parameter, limited to the range.
+std::vector<UnitPoint> difference_sets(const CalibrationSpec& spec, const UnitPoint& best);
 // `around`: as difference_sets.
 Determination determination_of(const CalibrationSpec& spec, const Evaluation& best,
                                const std::vector<const Evaluation*>& around);
 
-// To meet one target by the smallest step that does it to first order, and what that costs others.
-struct Pull {
+// The smallest step that meets one target to first order, and its cost for others.
+struct TradeOff {
   std::size_t target = 0;
-  bool felt = false;                                  // some parameter moves it
-  Eigen::VectorXd step;                               // shares
+  bool moved = false;                                 // some parameter affects it
+  Eigen::VectorXd step;                               // of the positions in the ranges
   std::vector<std::pair<std::size_t, double>> costs;  // target, rise of |r| [tolerances], from 0.5 on, largest first
 };
 // Of the targets that are single numbers and not met.
-std::vector<Pull> pulls_of(const CalibrationSpec& spec, const Evaluation& best,
-                           const std::vector<const Evaluation*>& around);
+std::vector<TradeOff> trade_offs_of(const CalibrationSpec& spec, const Evaluation& best,
+                                    const std::vector<const Evaluation*>& around);
 
 // x that a standard normal variable exceeds with probability (1 - confidence) / 2.
 double normal_quantile(double confidence);
 
-// Whole runs differ from the cheap ones of a search: some targets are lost, some are won. The set next to one that was
-// run whole which should meet more, to first order:
+// The set near one that was run whole that should meet more targets, to first order; whole runs differ from the cheaper ones
+// of a search:
 //
 //   y_t(u) = y_t of the whole runs at u0 + S_t . (u - u0),   least  Phi(y(u)) + |u - u0|^2 / h^2,   |u_i - u0_i| <= h
 //
-// S: derivatives from the search's differences, and h their step: further away they say nothing. Bounds count from kInsideBounds tolerances within, because a set on a bound is
-// as likely to be out as in. Curves have no part in it.
-
+// S: sensitivity from the search's differences, h their step, the range of validity. Bands count kInsideBounds tolerances
+// narrower, because a set on a bound is as likely outside as inside. Curves are left out. Returns the set of `whole` when no
+// step is better.
 constexpr double kInsideBounds = 0.5;  // [tolerances]
+UnitPoint adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eigen::MatrixXd& sensitivity);
 
-// `sensitivity`: of Determination. Equal to the set of `whole` when no step is worth it.
-Shares adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eigen::MatrixXd& sensitivity);
-
-// A part of a calibration's page.
-
-struct PagePart {
-  std::string heading;                         // empty: goes on under the one before
-  std::string text;                            // before the table
-  std::vector<std::vector<std::string>> rows;  // the head first; empty: no table
-  std::vector<std::string> pictures;           // PNG files
-};
-
-// Which targets come together, from sets that were run: no linearity is taken for granted.
-
-// The set of those given that meets most targets, counted by their weights; the least misfit decides between equals.
+// The set that meets most targets, counted by weight; of equals that with the least misfit.
 const Evaluation* most_met(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
-// The targets of the largest weight: all, unless some count less.
-std::vector<std::size_t> weightiest(const CalibrationSpec& spec);
+// The targets of the largest weight.
+std::vector<std::size_t> heaviest_targets(const CalibrationSpec& spec);
 int met_of(const Evaluation& set, const std::vector<std::size_t>& targets);
-// Pairs of targets that some set meets alone, and no set together; and targets that none meets.
-struct Apart {
+
+// Targets that no set meets, and pairs that some sets meet one by one, but none together.
+struct Conflicts {
   std::vector<std::size_t> never;
   struct Pair {
     std::size_t a, b;
-    int met_a, met_b;  // sets
+    int met_a, met_b;  // number of sets
   };
   std::vector<Pair> pairs;
 };
-Apart apart(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
-// So many of the targets can come together at most, as far as these pairs and the targets that none meets tell: the
-// largest choice of the others without a pair.
-std::size_t most_without_a_pair(const Apart& apart, const std::vector<std::size_t>& targets);
-// The same as sentences, and a table of the pairs.
-PagePart apart_part(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
+Conflicts conflicts_of(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
+// The largest number of the targets without a conflict: an upper bound of the number that can be met together.
+std::size_t most_without_conflict(const Conflicts& conflicts, const std::vector<std::size_t>& targets);
 
 }  // namespace footfall

@@ -1,3 +1,4 @@
+// Turns sets of parameters into runs of the store, and finished runs into values of targets.
 #include "mbd_solver/studies/evaluations.h"
 
 #include <algorithm>
@@ -13,7 +14,8 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/scene/field_reader.h"
-#include "mbd_solver/studies/experiment.h"
+#include "mbd_solver/studies/codes.h"
+#include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/studies/tables.h"
 
 namespace footfall {
@@ -22,21 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kCurveWithin = 1.5;  // tolerances, root mean square: noise of one tolerance alone makes about one
-
-double mean_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
-double spread_of(const std::vector<double>& values) {
-  if (values.size() < 2) return 0.0;
-  const double mean = mean_of(values);
-  double sum = 0.0;
-  for (const double value : values) sum += (value - mean) * (value - mean);
-  return std::sqrt(sum / static_cast<double>(values.size() - 1));
-}
+constexpr double kCurveWithin = 1.5;  // tolerances, root mean square; noise of one tolerance gives about one
 
 TargetResult failure(const CalibrationSpec& spec) {
   TargetResult result;
@@ -85,22 +73,22 @@ std::vector<double> first_crossings(const std::vector<double>& x, const std::vec
 
 RunNumbers numbers_of(const CalibrationSpec& spec, const std::string& scene, const std::string& folder) {
   RunNumbers numbers;
-  numbers.figures.assign(spec.figures.size(), std::nan(""));
+  numbers.metrics.assign(spec.metrics.size(), std::nan(""));
   numbers.curves.resize(spec.targets.size());
   History history;
   for (std::size_t t = 0; t < spec.targets.size(); ++t) {
     const TargetSpec& target = spec.targets[t];
     if (target.scene != scene && target.against != scene) continue;
     if (!target.is_curve()) {
-      const auto k = static_cast<std::size_t>(index_of(spec.figures, target.figure));
-      if (std::isnan(numbers.figures[k]))
-        numbers.figures[k] = figures_of_run({spec.figures[k]}, folder, spec.file).front();
+      const auto k = static_cast<std::size_t>(index_of(spec.metrics, target.metric));
+      if (std::isnan(numbers.metrics[k]))
+        numbers.metrics[k] = metrics_of_run({spec.metrics[k]}, folder, spec.file).front();
       continue;
     }
     if (history.names.empty()) history = read_history((fs::path(folder) / "history.csv").string());
     std::vector<double> places;
     for (const Eigen::Vector2d& row : read_two_columns(target.file)) places.push_back(row.x());
-    demand_columns({target.over, target.column}, history, folder, spec.file, "targets." + target.name);
+    require_columns({target.over, target.column}, history, folder, spec.file, "targets." + target.name);
     const std::vector<double>& x = history.column(target.over);
     if (!x.empty()) numbers.curves[t] = first_crossings(x, history.column(target.column), places);
   }
@@ -122,27 +110,28 @@ TargetResult result_of(const CalibrationSpec& spec, std::size_t target,
     for (std::size_t k = 0; k < rows.size(); ++k) {
       std::vector<double> values;
       for (const RunNumbers& run : mine) values.push_back(run.curves[target][k]);
-      result.values.push_back(mean_of(values));
-      result.spread.push_back(spread_of(values));
+      const SampledMetric sampled = sampled_metric(values);
+      result.values.push_back(sampled.mean);
+      result.spread.push_back(sampled.spread);
       result.residuals.push_back((result.values.back() - rows[k].y()) / t.tolerance);
     }
     return result;
   }
-  const auto k = static_cast<std::size_t>(index_of(spec.figures, t.figure));
+  const auto k = static_cast<std::size_t>(index_of(spec.metrics, t.metric));
   std::vector<double> values, others, ratios;
-  for (const RunNumbers& run : mine) values.push_back(run.figures[k]);
-  double y = mean_of(values);
+  for (const RunNumbers& run : mine) values.push_back(run.metrics[k]);
+  double y = sampled_metric(values).mean;
   if (!t.against.empty()) {
     for (const RunNumbers& run : runs[static_cast<std::size_t>(index_of(spec.scenes, t.against))])
-      others.push_back(run.figures[k]);
+      others.push_back(run.metrics[k]);
     if (others.size() != values.size()) return failure(spec);
     for (std::size_t s = 0; s < values.size(); ++s) values[s] /= others[s];
-    y /= mean_of(others);
+    y /= sampled_metric(others).mean;
   }
   if (!std::isfinite(y)) return failure(spec);
   for (const double value : values) result.of_seed.push_back({value});
   result.values = {y};
-  result.spread = {spread_of(values)};
+  result.spread = {sampled_metric(values).spread};
   result.residuals = {residual_of(t, y)};
   result.band = t.is_band();
   return result;
@@ -152,12 +141,12 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// A target that this scene's runs have to answer.
-bool asks(const TargetSpec& target, const std::string& scene) {
+// True if the target requires runs of this scene.
+bool requires(const TargetSpec& target, const std::string& scene) {
   return target.scene == scene || target.against == scene;
 }
 
-std::string text_of(const FigureSpec& f) {
+std::string text_of(const MetricSpec& f) {
   std::ostringstream text;
   text.precision(17);
   text << f.name << '\n' << f.key << '\n' << joined(f.columns, ",") << '\n' << name_of(f.reduction) << ' ' << f.average;
@@ -168,80 +157,80 @@ std::string text_of(const FigureSpec& f) {
 
 }  // namespace
 
-std::string RunLedger::asked_of(const std::string& scene) const {
+std::string RunRecords::requirements_of(const std::string& scene) const {
   std::ostringstream text;
   text.precision(17);
   for (const TargetSpec& target : spec_.targets) {
-    if (!asks(target, scene)) continue;
+    if (!requires(target, scene)) continue;
     if (target.is_curve()) {
       text << target.name << '\n' << target.column << '\n' << target.over;
       for (const Eigen::Vector2d& row : read_two_columns(target.file)) text << ' ' << row.x();
     } else {
-      text << text_of(spec_.figures[static_cast<std::size_t>(index_of(spec_.figures, target.figure))]);
+      text << text_of(spec_.metrics[static_cast<std::size_t>(index_of(spec_.metrics, target.metric))]);
     }
     text << '\n';
   }
   return fingerprint(text.str()).substr(0, 16);
 }
 
-RunLedger::RunLedger(const CalibrationSpec& spec, std::string file) : spec_(spec), file_(std::move(file)) {
+RunRecords::RunRecords(const CalibrationSpec& spec, std::string file) : spec_(spec), file_(std::move(file)) {
   if (file_.empty()) return;
-  for (const CalibrationScene& scene : spec_.scenes) asked_[scene.name] = asked_of(scene.name);
+  for (const CalibrationScene& scene : spec_.scenes) requirements_[scene.name] = requirements_of(scene.name);
   std::istringstream in(read_whole_file(file_).value_or(""));
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     if (line.empty()) continue;
     const Json json = Json::parse(line, nullptr, false);
-    if (in.eof() && json.is_discarded()) break;  // cut short
+    if (in.eof() && json.is_discarded()) break;  // incomplete
     try {
-      const std::string scene = json.at("scene"), asked = json.at("asked");
-      const auto known = asked_.find(scene);
-      if (known == asked_.end() || known->second != asked) {
+      const std::string scene = json.at("scene"), required = json.at("asked");
+      const auto known = requirements_.find(scene);
+      if (known == requirements_.end() || known->second != required) {
         other_lines_ += line + "\n";
         continue;
       }
       Entry entry;
       entry.run = json.at("run");
       entry.wall = json.at("wall_s"), entry.cpu = json.at("cpu_s");
-      entry.numbers.figures.assign(spec_.figures.size(), std::nan(""));
+      entry.numbers.metrics.assign(spec_.metrics.size(), std::nan(""));
       entry.numbers.curves.resize(spec_.targets.size());
       for (const auto& [name, value] : json.at("figures").items())
-        if (const int k = index_of(spec_.figures, name); k >= 0)
-          entry.numbers.figures[static_cast<std::size_t>(k)] = value.get<double>();
+        if (const int k = index_of(spec_.metrics, name); k >= 0)
+          entry.numbers.metrics[static_cast<std::size_t>(k)] = value.get<double>();
       for (const auto& [name, values] : json.at("curves").items())
         if (const int t = index_of(spec_.targets, name); t >= 0)
           entry.numbers.curves[static_cast<std::size_t>(t)] = values.get<std::vector<double>>();
       entries_[{scene, json.at("recipe")}] = entry;
     } catch (const Json::exception&) {
-      throw InputError(file_ + ":" + std::to_string(number) +
-                       ": is no entry of a ledger of runs; expected a line as footfall calibrate writes it. Remove the "
-                       "line, and the run is done again");
+      throw InputError(code::kRecordsDamaged,
+                       file_ + ":" + std::to_string(number) +
+                           ": is not a record of a run; remove the line, and the run is repeated");
     }
   }
 }
 
-const RunLedger::Entry* RunLedger::find(const std::string& scene, const std::string& recipe) const {
+const RunRecords::Entry* RunRecords::find(const std::string& scene, const std::string& recipe) const {
   const auto found = entries_.find({scene, recipe});
   return recipe.empty() || found == entries_.end() ? nullptr : &found->second;
 }
 
-void RunLedger::note(const std::string& scene, const std::string& recipe, const Entry& entry) {
+void RunRecords::add(const std::string& scene, const std::string& recipe, const Entry& entry) {
   if (file_.empty() || recipe.empty()) return;
   changed_ = entries_.emplace(std::make_pair(scene, recipe), entry).second || changed_;
 }
 
-void RunLedger::write() {
+void RunRecords::write() {
   if (!changed_) return;
   std::string text = other_lines_;
   for (const auto& [key, entry] : entries_) {
-    Json figures = Json::object(), curves = Json::object();
-    for (std::size_t k = 0; k < entry.numbers.figures.size(); ++k)
-      if (!std::isnan(entry.numbers.figures[k])) figures[spec_.figures[k].name] = entry.numbers.figures[k];
+    Json metrics = Json::object(), curves = Json::object();
+    for (std::size_t k = 0; k < entry.numbers.metrics.size(); ++k)
+      if (!std::isnan(entry.numbers.metrics[k])) metrics[spec_.metrics[k].name] = entry.numbers.metrics[k];
     for (std::size_t t = 0; t < entry.numbers.curves.size(); ++t)
       if (!entry.numbers.curves[t].empty()) curves[spec_.targets[t].name] = entry.numbers.curves[t];
-    const Json line = {{"scene", key.first}, {"recipe", key.second}, {"asked", asked_.at(key.first)},
+    const Json line = {{"scene", key.first}, {"recipe", key.second}, {"asked", requirements_.at(key.first)},
                        {"run", entry.run},   {"wall_s", entry.wall}, {"cpu_s", entry.cpu},
-                       {"figures", figures}, {"curves", curves}};
+                       {"figures", metrics}, {"curves", curves}};
     text += line.dump() + "\n";
   }
   write_whole_file(file_, text);
@@ -268,35 +257,36 @@ std::vector<double> Evaluation::residuals(const CalibrationSpec& spec) const {
   return all;
 }
 
-std::string Evaluations::key(const Fidelity& fidelity, const Shares& shares) const {
+std::string Evaluations::key(const Fidelity& fidelity, const UnitPoint& point) const {
   std::string text = joined(fidelity.settings, "\n") + "\n" + number_text(fidelity.until, 10) + "\n" +
-                     std::to_string(fidelity.seeds) + "\n" + (fidelity.alone ? std::to_string(*fidelity.alone) : "");
-  for (std::size_t i = 0; i < shares.size(); ++i) text += "\n" + spec_.parameters[i].text(shares[i]);
+                     std::to_string(fidelity.seeds) + "\n" +
+                     (fidelity.single_target ? std::to_string(*fidelity.single_target) : "");
+  for (std::size_t i = 0; i < point.size(); ++i) text += "\n" + spec_.parameters[i].text(point[i]);
   return text;
 }
 
 bool Evaluations::needs(const Fidelity& fidelity, std::size_t scene) const {
-  if (!fidelity.alone) return true;
-  const TargetSpec& target = spec_.targets[*fidelity.alone];
+  if (!fidelity.single_target) return true;
+  const TargetSpec& target = spec_.targets[*fidelity.single_target];
   return spec_.scenes[scene].name == target.scene || spec_.scenes[scene].name == target.against;
 }
 
 std::vector<std::string> Evaluations::settings(const Fidelity& fidelity, std::size_t scene,
-                                               const Shares& shares) const {
+                                               const UnitPoint& point) const {
   std::vector<std::string> settings = spec_.settings;
   append(settings, fidelity.settings);
   append(settings, spec_.scenes[scene].settings);
-  for (std::size_t i = 0; i < shares.size(); ++i)
-    append(settings, filled(spec_.parameters[i].settings, spec_.parameters[i].text(shares[i])));
-  return with_formulas(settings, spec_, shares);
+  for (std::size_t i = 0; i < point.size(); ++i)
+    append(settings, filled(spec_.parameters[i].settings, spec_.parameters[i].text(point[i])));
+  return with_formulas(settings, spec_, point);
 }
 
 std::vector<std::size_t> Evaluations::moved_by(const Fidelity& fidelity, std::size_t target) const {
   const TargetSpec& t = spec_.targets[target];
-  const Shares from = start_of(spec_);
+  const UnitPoint from = start_of(spec_);
   std::vector<std::size_t> parameters;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    Shares to = from;
+    UnitPoint to = from;
     to[i] = from[i] < 0.5 ? 1.0 : 0.0;
     const bool moves = [&] {
       for (std::size_t scene = 0; scene < spec_.scenes.size(); ++scene)
@@ -310,59 +300,59 @@ std::vector<std::size_t> Evaluations::moved_by(const Fidelity& fidelity, std::si
   return parameters;
 }
 
-RunRequest Evaluations::request(const Fidelity& fidelity, std::size_t scene, int seed, const Shares& shares) const {
+RunRequest Evaluations::request(const Fidelity& fidelity, std::size_t scene, int seed, const UnitPoint& point) const {
   const CalibrationScene& s = spec_.scenes[scene];
   RunRequest request;
   request.scene = s.scene;
-  request.settings = settings(fidelity, scene, shares);
+  request.settings = settings(fidelity, scene, point);
   if (spec_.seeds)
     append(request.settings, filled(spec_.seeds->settings, spec_.seeds->values[static_cast<std::size_t>(seed)]));
   request.until = fidelity.until > 0.0 ? fidelity.until : s.until > 0.0 ? s.until : spec_.until;
   request.time_limit = spec_.time_limit;
-  // The name does not depend on the way of the search.
+  // Independent of the path of the search.
   request.name =
       s.name + "_" + fingerprint(joined(request.settings, "\n") + "\n" + number_text(request.until, 10)).substr(0, 16);
   return request;
 }
 
-const Evaluation* Evaluations::known(const Fidelity& fidelity, const Shares& shares) {
-  const std::string name = key(fidelity, shares);
+const Evaluation* Evaluations::known(const Fidelity& fidelity, const UnitPoint& point) {
+  const std::string name = key(fidelity, point);
   const auto found = known_.find(name);
   if (found != known_.end()) return &found->second;
-  const double broken = broken_by(spec_, shares);
-  if (broken == 0.0) return nullptr;
+  const double violation = violation_of(spec_, point);
+  if (violation == 0.0) return nullptr;
   Evaluation e;
-  e.shares = shares;
-  e.misfit = kBroken * (1.0 + broken);
-  e.message = "breaks a constraint";
+  e.point = point;
+  e.misfit = kViolated * (1.0 + violation);
+  e.message = "violates a constraint";
   for (std::size_t t = 0; t < spec_.targets.size(); ++t)
     e.targets.push_back(result_of(spec_, t, std::vector<std::vector<RunNumbers>>(spec_.scenes.size())));
   return &known_.emplace(name, e).first->second;
 }
 
-bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<Shares>& sets, int jobs, bool must_be_read) {
+bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<UnitPoint>& sets, int jobs, bool must_be_read) {
   std::vector<std::vector<std::vector<std::size_t>>> runs;  // by set and scene, one per seed
-  std::vector<std::size_t> all, asked;                      // asked: those that the ledger does not have
-  for (const Shares& shares : sets) {
+  std::vector<std::size_t> all, required;                   // required: not among the records
+  for (const UnitPoint& point : sets) {
     runs.emplace_back();
     for (std::size_t scene = 0; scene < spec_.scenes.size(); ++scene) {
       runs.back().emplace_back();
-      if (known(fidelity, shares) || !needs(fidelity, scene)) continue;
+      if (known(fidelity, point) || !needs(fidelity, scene)) continue;
       for (int seed = 0; seed < fidelity.seeds; ++seed) {
-        RunRequest r = request(fidelity, scene, seed, shares);
+        RunRequest r = request(fidelity, scene, seed, point);
         r.may_be_refused = !must_be_read;
         runs.back().back().push_back(store_.add(r));
         all.push_back(runs.back().back().back());
-        if (!in_ledger(scene, all.back())) asked.push_back(all.back());
+        if (!in_records(scene, all.back())) required.push_back(all.back());
       }
     }
   }
-  std::vector<std::size_t> left = store_.left(asked);
-  if (looks_)  // one that has failed is done again by a search, but it has been seen to fail
+  std::vector<std::size_t> left = store_.left(required);
+  if (read_only_)  // a search repeats failed runs; here they count as failed
     left.erase(std::remove_if(left.begin(), left.end(),
                               [&](std::size_t run) { return store_.end_of(run).status == "failed"; }),
                left.end());
-  if (looks_ && !left.empty()) return false;
+  if (read_only_ && !left.empty()) return false;
   runs_reused_ += static_cast<int>(all.size() - left.size());
   for (const std::size_t run : store_.beds_to_make(left, 2)) {
     std::printf("making the bed of %s\n", store_.request(run).name.c_str());
@@ -384,18 +374,18 @@ bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<Shares>&
     if (left.size() == all.size()) e.lasted = taken / rounds;
     known_.emplace(key(fidelity, sets[k]), e);
   }
-  if (!looks_) ledger_.write();
+  if (!read_only_) records_.write();
   return true;
 }
 
-const RunLedger::Entry* Evaluations::in_ledger(std::size_t scene, std::size_t run) const {
-  return store_.is_done(run) ? nullptr : ledger_.find(spec_.scenes[scene].name, store_.portable_recipe(run));
+const RunRecords::Entry* Evaluations::in_records(std::size_t scene, std::size_t run) const {
+  return store_.is_done(run) ? nullptr : records_.find(spec_.scenes[scene].name, store_.portable_recipe(run));
 }
 
-Evaluation Evaluations::evaluation_of(const Fidelity& fidelity, const Shares& shares,
+Evaluation Evaluations::evaluation_of(const Fidelity& fidelity, const UnitPoint& point,
                                       const std::vector<std::vector<std::size_t>>& runs) {
   Evaluation e;
-  e.shares = shares;
+  e.point = point;
   std::vector<std::vector<RunNumbers>> numbers;
   for (std::size_t scene = 0; scene < runs.size(); ++scene) {
     numbers.emplace_back();
@@ -403,7 +393,7 @@ Evaluation Evaluations::evaluation_of(const Fidelity& fidelity, const Shares& sh
     const std::string& name = spec_.scenes[scene].name;
     for (const std::size_t run : runs[scene]) {
       ++e.runs;
-      if (const RunLedger::Entry* entry = in_ledger(scene, run)) {
+      if (const RunRecords::Entry* entry = in_records(scene, run)) {
         e.wall += entry->wall;
         e.cpu += entry->cpu;
         numbers.back().push_back(entry->numbers);
@@ -413,23 +403,24 @@ Evaluation Evaluations::evaluation_of(const Fidelity& fidelity, const Shares& sh
       e.wall += end.cost.wall;
       e.cpu += end.cost.cpu;
       failed = failed || !end.done();
-      // Whoever ended it, it says nothing about the set.
+      // Such an end is no result of the set.
       if (end.code == kExitInterrupted || (end.code > 128 && spec_.time_limit == 0))
-        throw PartnerError("the run " + end.folder + " was ended from outside (code " + std::to_string(end.code) +
-                           "); the same command goes on");
+        throw PartnerError(code::kRunEndedFromOutside, "the run " + end.folder + " was ended from outside (exit code " +
+                                                           std::to_string(end.code) + "); the same command resumes");
       if (!end.done()) {
         e.message = name + ": " + (end.message.empty() ? end.status : end.message);
         continue;
       }
       numbers.back().push_back(numbers_of(spec_, name, end.folder));
-      ledger_.note(name, store_.portable_recipe(run),
+      records_.add(name, store_.portable_recipe(run),
                    {store_.request(run).name, numbers.back().back(), end.cost.wall, end.cost.cpu});
     }
     if (failed) numbers.back().clear();
   }
   for (std::size_t t = 0; t < spec_.targets.size(); ++t) {
     e.targets.push_back(result_of(spec_, t, numbers));
-    if (fidelity.asks(t)) e.misfit += e.targets.back().misfit(spec_.targets[t], fidelity.alone ? 0.0 : spec_.cap);
+    if (fidelity.requires(t))
+      e.misfit += e.targets.back().misfit(spec_.targets[t], fidelity.single_target ? 0.0 : spec_.cap);
   }
   return e;
 }

@@ -1,3 +1,4 @@
+// Fits by QR of the centred logarithms; pictures show measured over fitted values.
 #include "mbd_solver/studies/fits.h"
 
 #include <Eigen/QR>
@@ -13,6 +14,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/base/quote.h"
+#include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/tables.h"
 
 namespace footfall {
@@ -25,13 +27,13 @@ double student_probability(double x, int degrees) {
   return 1.0 - Eigen::numext::betainc(0.5 * degrees, 0.5, degrees / (degrees + x * x));
 }
 
-void demand_rows(Eigen::Index rows, Eigen::Index coefficients) {
+void require_rows(Eigen::Index rows, Eigen::Index coefficients) {
   if (rows <= coefficients)
-    throw InputError(std::to_string(rows) + " values for " + std::to_string(coefficients) +
-                     " coefficients, expected more values than coefficients");
+    throw InputError(code::kPowerLaw, std::to_string(rows) + " values for " + std::to_string(coefficients) +
+                                          " coefficients, expected more values");
 }
 
-// Fills what follows from residuals e of log y about the law.
+// From the residuals e of log y about the law.
 void judge(PowerLaw& law, const Eigen::VectorXd& log_y, const Eigen::VectorXd& e) {
   const double total = (log_y.array() - log_y.mean()).square().sum();
   law.scatter = std::sqrt(e.squaredNorm() / law.degrees_of_freedom);
@@ -57,17 +59,17 @@ double PowerLaw::at(const Eigen::VectorXd& x) const {
 
 PowerLaw fit_power_law(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
   const Eigen::Index n = x.rows(), m = x.cols();
-  demand_rows(n, m + 1);
-  // About their means the columns are orthogonal to the constant, and near collinearity shows in the pivots.
+  require_rows(n, m + 1);
+  // Centred columns are orthogonal to the constant, and pivots show collinearity.
   const Eigen::MatrixXd log_x = x.array().log();
   const Eigen::VectorXd log_y = y.array().log();
   const Eigen::RowVectorXd mean_x = log_x.colwise().mean();
   const Eigen::MatrixXd X = log_x.rowwise() - mean_x;
-  constexpr double kIndependent = 1e-8;  // of the largest pivot; logarithms read from files carry some six digits
+  constexpr double kIndependent = 1e-8;  // of the largest pivot; numbers in files have about six digits
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(X);
   qr.setThreshold(kIndependent);
   if (qr.rank() < m)
-    throw InputError("the quantities do not vary independently of each other; expected values in all combinations");
+    throw InputError(code::kPowerLaw, "the quantities do not vary independently; expected values in all combinations");
 
   PowerLaw law;
   law.exponents = qr.solve((log_y.array() - log_y.mean()).matrix());
@@ -89,7 +91,7 @@ PowerLaw fit_power_law(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
 }
 
 PowerLaw fit_factor(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, const Eigen::VectorXd& exponents) {
-  demand_rows(x.rows(), 1);
+  require_rows(x.rows(), 1);
   const Eigen::VectorXd log_y = y.array().log();
   const Eigen::VectorXd rest = log_y - x.array().log().matrix() * exponents;
   PowerLaw law;
@@ -118,19 +120,19 @@ std::string law_text(const FitSpec& fit, const PowerLaw& law) {
   return text;
 }
 
-// Where a message about the fit points to.
-std::string place_of(const ExperimentSpec& spec, const FitSpec& fit) {
+// Place of the fit in the file, for messages.
+std::string place_of(const SweepSpec& spec, const FitSpec& fit) {
   return spec.file + ":" + std::to_string(fit.source.line) + ": " + fit.source.path;
 }
 
-// " with diameter 0.24": which runs are meant.
+// " with diameter 0.24": the runs of the fit.
 std::string where_text(const FitSpec& fit) {
   std::string text;
   for (const auto& [parameter, value] : fit.where) text += (text.empty() ? " with " : ", ") + parameter + " " + value;
   return text;
 }
 
-// Those who published.
+// Authors of published exponents.
 std::set<std::string> publishers(const FitSpec& fit) {
   std::set<std::string> names;
   for (const FitFactor& factor : fit.factors)
@@ -138,7 +140,7 @@ std::set<std::string> publishers(const FitSpec& fit) {
   return names;
 }
 
-// The exponent in the file's words; empty: not published by them.
+// The published exponent; empty: none by this author.
 std::string published_by(const FitFactor& factor, const std::string& who) {
   const auto found = factor.published.find(who);
   return found == factor.published.end() ? "" : number_text(*number_in(found->second), kShort);
@@ -147,11 +149,10 @@ std::string published_by(const FitFactor& factor, const std::string& who) {
 struct FitResult {
   FitData data;
   PowerLaw law;
-  std::vector<std::pair<std::string, PowerLaw>> published;  // of those who give every exponent: only A is fitted
+  std::vector<std::pair<std::string, PowerLaw>> published;  // of authors who give every exponent: only A is fitted
 };
 
-FitResult fitted(const ExperimentSpec& spec, const FitSpec& fit, const Plan& plan,
-                 const std::vector<RunResult>& results) {
+FitResult fitted(const SweepSpec& spec, const FitSpec& fit, const Plan& plan, const std::vector<RunResult>& results) {
   FitResult r;
   r.data = fit_data(spec, fit, plan, results);
   try {
@@ -207,7 +208,7 @@ void add_rows(const FitSpec& fit, const FitResult& r, const std::string& name, c
   }
 }
 
-// Round numbers between the decades, so that every picture has more than one number on each axis.
+// Tics between the decades, so that every axis has more than one number.
 std::string tics_between(double low, double high) {
   const bool narrow = high < 4.0 * low;  // few would lie within
   const std::vector<int> digits = narrow ? std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8} : std::vector<int>{1, 2, 3, 5};
@@ -219,7 +220,7 @@ std::string tics_between(double low, double high) {
 }
 
 // Measured over fitted, one symbol per value of the parameter `marks`; the line is the law. Returns the script.
-std::string draw_fit(const ExperimentSpec& spec, const FitSpec& fit, const Plan& plan, const FitResult& r,
+std::string draw_fit(const SweepSpec& spec, const FitSpec& fit, const Plan& plan, const FitResult& r,
                      const std::string& folder) {
   const int marks = index_of(spec.parameters, fit.marks);
   const auto mark_of = [&](std::size_t run) {
@@ -228,7 +229,7 @@ std::string draw_fit(const ExperimentSpec& spec, const FitSpec& fit, const Plan&
   std::vector<std::string> values = {""};
   if (marks >= 0) values = names_in(spec.parameters[static_cast<std::size_t>(marks)].choices);
   std::string data;
-  std::vector<std::string> curves = {"x with lines lc rgb 'gray40' title 'the law'"};
+  std::vector<std::string> curves = {"x with lines lc rgb 'gray40' title 'power law'"};
   for (std::size_t k = 0; k < values.size(); ++k) {
     std::string points;
     for (std::size_t i = 0; i < r.data.runs.size(); ++i) {
@@ -249,14 +250,13 @@ std::string draw_fit(const ExperimentSpec& spec, const FitSpec& fit, const Plan&
                        "set logscale xy\nset grid\nset size square\nset xtics " + tics + "\nset ytics " + tics +
                            "\nset xrange " + range + "\nset yrange " + range + "\nset title " +
                            gnuplot_text(spec.title + where_text(fit)) + " noenhanced\nset xlabel " +
-                           gnuplot_text(law_text(fit, r.law)) + " noenhanced\nset ylabel " + gnuplot_text(fit.figure) +
+                           gnuplot_text(law_text(fit, r.law)) + " noenhanced\nset ylabel " + gnuplot_text(fit.metric) +
                            " noenhanced\nset key below center noenhanced\nplot " + joined(curves) + "\n");
 }
 
 }  // namespace
 
-FitData fit_data(const ExperimentSpec& spec, const FitSpec& fit, const Plan& plan,
-                 const std::vector<RunResult>& results) {
+FitData fit_data(const SweepSpec& spec, const FitSpec& fit, const Plan& plan, const std::vector<RunResult>& results) {
   FitData data;
   const auto is_meant = [&](const RunRequest& run) {
     return std::all_of(fit.where.begin(), fit.where.end(), [&](const auto& entry) {
@@ -270,18 +270,18 @@ FitData fit_data(const ExperimentSpec& spec, const FitSpec& fit, const Plan& pla
   data.y.resize(data.x.rows());
   const auto positive = [&](double value, const std::string& what, std::size_t run) {
     if (!(value > 0.0))
-      throw InputError(place_of(spec, fit) + "." + what + ": is " + number_text(value, kShort) + " in the run " +
-                       plan.runs[run].name + ", expected more than 0 in a power law");
+      throw InputError(code::kPowerLaw, place_of(spec, fit) + "." + what + ": is " + number_text(value, kShort) +
+                                            " in the run " + plan.runs[run].name + ", expected a number above zero");
     return value;
   };
   for (Eigen::Index row = 0; row < data.x.rows(); ++row) {
     const std::size_t run = data.runs[static_cast<std::size_t>(row)];
     const auto value_of = [&](const std::string& name) {
-      if (const int figure = index_of(spec.figures, name); figure >= 0)
-        return results[run].figures[static_cast<std::size_t>(figure)];
+      if (const int metric = index_of(spec.metrics, name); metric >= 0)
+        return results[run].metrics[static_cast<std::size_t>(metric)];
       return *number_in(plan.runs[run].values[static_cast<std::size_t>(index_of(spec.parameters, name))]);
     };
-    data.y[row] = positive(value_of(fit.figure), "figure", run);
+    data.y[row] = positive(value_of(fit.metric), "figure", run);
     for (Eigen::Index k = 0; k < data.x.cols(); ++k) {
       const FitFactor& factor = fit.factors[static_cast<std::size_t>(k)];
       for (const std::string& name : factor.sum) data.x(row, k) += value_of(name);
@@ -291,7 +291,7 @@ FitData fit_data(const ExperimentSpec& spec, const FitSpec& fit, const Plan& pla
   return data;
 }
 
-std::vector<std::string> write_fits(const ExperimentSpec& spec, const Plan& plan, const std::vector<RunResult>& results,
+std::vector<std::string> write_fits(const SweepSpec& spec, const Plan& plan, const std::vector<RunResult>& results,
                                     const std::string& folder) {
   if (spec.fits.empty()) return {};
   std::vector<FitResult> found;

@@ -1,6 +1,6 @@
 #pragma once
-// A power law through measured values: y = A x_1^p_1 x_2^p_2 ... by least squares on logarithms, with what the scatter
-// leaves open.
+// Power laws y = A x_1^p_1 x_2^p_2 ... by least squares on logarithms, with confidence intervals, through all finished runs
+// of a sweep, next to published exponents.
 //
 //   log y_i = log A + sum_k p_k log x_ik + e_i,   e_i independent, normal, of one variance
 //
@@ -28,33 +28,27 @@ struct PowerLaw {
   double at(const Eigen::VectorXd& x) const;
 };
 
-// x: one row per value, one column per quantity; all positive. Throws InputError when there are not more rows than
-// coefficients, or when the columns do not vary independently of each other.
+// x: a row per value, a column per quantity; all positive. Throws InputError for too few rows, or columns that do not vary
+// independently.
 PowerLaw fit_power_law(const Eigen::MatrixXd& x, const Eigen::VectorXd& y);
 
-// The same with the exponents given: only A is fitted (n - 1 degrees of freedom). r_squared may be negative: worse than
-// a constant.
+// With given exponents: only A is fitted (n - 1 degrees of freedom). r_squared is negative if worse than a constant.
 PowerLaw fit_factor(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, const Eigen::VectorXd& exponents);
 
-// The t that a variable of Student's distribution exceeds in absolute value with probability 1 - confidence. degrees >=
-// 1.
+// Two-sided quantile of Student's distribution: |t| exceeds it with probability 1 - confidence. degrees >= 1.
 double student_t(double confidence, int degrees);
 
-// Power laws through all finished runs of an experiment (fit_spec.h, power_law.h), beside exponents that others
-// published.
-
 struct FitData {
-  std::vector<std::size_t> runs;  // those that are done
+  std::vector<std::size_t> runs;  // finished ones
   Eigen::MatrixXd x;              // one row per run, one column per factor
-  Eigen::VectorXd y;              // the figure
+  Eigen::VectorXd y;              // the metric
 };
 // Throws InputError when a run has a number that is not positive.
-FitData fit_data(const ExperimentSpec& spec, const FitSpec& fit, const Plan& plan,
-                 const std::vector<RunResult>& results);
+FitData fit_data(const SweepSpec& spec, const FitSpec& fit, const Plan& plan, const std::vector<RunResult>& results);
 
 // Prints every fit and writes fits.csv, fits.md, and NAME.png and NAME.svg (measured over fitted, logarithmic) into
 // `folder`; returns the files. Nothing without fits.
-std::vector<std::string> write_fits(const ExperimentSpec& spec, const Plan& plan, const std::vector<RunResult>& results,
+std::vector<std::string> write_fits(const SweepSpec& spec, const Plan& plan, const std::vector<RunResult>& results,
                                     const std::string& folder);
 
 }  // namespace footfall

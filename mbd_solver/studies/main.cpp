@@ -1,13 +1,132 @@
-// footfall_studies: all commands of footfall and the help of all; footfall starts it for those that it does not have itself.
-#include <vector>
+// footfall_studies: the commands of footfall that start many runs, and the schema of files. A program of its own, so that a
+// first run does not wait for its compilation; footfall starts it for these commands.
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <memory>
+#include <string>
 
+#include "coupler/base/errors.h"
 #include "mbd_solver/app/command_line.h"
-#include "mbd_solver/studies/studies.h"
+#include "mbd_solver/app/option_checks.h"
+#include "mbd_solver/scene/scene_schema.h"
+#include "mbd_solver/studies/calibrate_command.h"
+#include "mbd_solver/studies/calibration.h"
+#include "mbd_solver/studies/rig.h"
+#include "mbd_solver/studies/rig_command.h"
+#include "mbd_solver/studies/sweep_command.h"
+#include "mbd_solver/studies/sweep_file.h"
 
-using namespace footfall;
+namespace footfall {
+namespace {
+
+void add_out(CLI::App& command, std::string& out, const std::string& usual) {
+  command.add_option("--out", out, "Folder for results (default: " + usual + "/NAME)");
+}
+void add_jobs(CLI::App& command, int& jobs) {
+  command
+      .add_option("--jobs", jobs,
+                  "Runs at once (default: " + (jobs ? std::to_string(jobs) : "as many as the cores allow") + ")")
+      ->check(positive());
+}
+void add_only(CLI::App& command, int& only) {
+  command.add_option("--only", only, "Only this run, without tables: one element of a job array")
+      ->check(within(0, 1 << 30));
+}
+void add_list(CLI::App& command, bool& list) {
+  command.add_flag("--list", list, "Make the beds, list the runs, and stop");
+}
+
+// Options of sweep and accuracy.
+void add_sweep_options(CLI::App& command, SweepArguments& a) {
+  command.add_option("FILE", a.file, "Sweep file, as in inputs/sweeps and inputs/accuracy")->required();
+  add_out(command, a.out, a.runs);
+  add_jobs(command, a.jobs);
+  command.add_option("--case", a.of_case, "Only this curve, or this case of a stability map");
+  add_only(command, a.only);
+  command.add_option("--table", a.table, "Also write the table to this file, as Markdown");
+  command.add_flag("--short", a.short_form, "The short form of the file, as in tests");
+  add_list(command, a.list);
+  command.add_flag("--merge", a.merge, "Tables and plots of the finished runs");
+  command.add_flag("--slurm", a.slurm, "Write sweep.sbatch, the runs as a Slurm job array, and stop");
+}
+
+Action sweep(CLI::App& command) {
+  const auto a = std::make_shared<SweepArguments>();
+  a->command = "sweep";
+  a->runs = "runs/sweeps";
+  a->resume = true;
+  add_sweep_options(command, *a);
+  return [a] { return sweep_command(*a); };
+}
+
+Action accuracy(CLI::App& command) {
+  const auto a = std::make_shared<SweepArguments>();
+  a->command = "accuracy";
+  a->runs = "runs/accuracy";
+  a->jobs = 1;
+  add_sweep_options(command, *a);
+  command.add_flag("--resume", a->resume, "Do not repeat finished runs with the same scene, settings and script");
+  return [a] { return sweep_command(*a); };
+}
+
+Action calibrate(CLI::App& command) {
+  const auto a = std::make_shared<CalibrateArguments>();
+  command.add_option("FILE", a->file, "Calibration file, as in inputs/calibrations")->required();
+  add_out(command, a->out, "runs/calibrations");
+  add_jobs(command, a->jobs);
+  command.add_option("--table", a->table, "Also write the page to this file, as Markdown");
+  command.add_flag("--estimate", a->estimate, "Carry out the runs of the start, estimate the time of all, and stop");
+  command.add_flag("--so-far", a->so_far, "Print the results so far, also while the calibration is in progress");
+  return [a] { return calibrate_command(*a); };
+}
+
+Action rig(CLI::App& command) {
+  const auto a = std::make_shared<RigArguments>();
+  std::string names;
+  for (const Rig& one : all_rigs()) names += std::string(names.empty() ? "" : "; ") + one.name + ": " + one.what;
+  command.add_option("NAME", a->name, names)->required();
+  command.add_option("--file", a->file, "Sweep file instead of inputs/rigs/NAME.toml: an edited copy of it")
+      ->check(CLI::ExistingFile);
+  add_out(command, a->out, "runs/rigs");
+  command.add_option("--set", a->settings, "Change one value of the scene in every run: key=value")
+      ->allow_extra_args(false);
+  command.add_option("--gravity", a->gravity, "earth, moon, mars, or a number [m/s2] (default: the scene's, earth)");
+  command.add_option("--samples", a->samples, "Samples of the bed (default: 3)")->check(positive());
+  command.add_flag("--checks", a->checks,
+                   "Repeat with a bed of twice the size, grains of half the size, and at half the speed, and report "
+                   "changes above 5 %. Takes many times as long");
+  add_jobs(command, a->jobs);
+  command.add_flag("--short", a->short_form, "A short form on a small bed, as in tests; its results have no meaning");
+  add_only(command, a->only);
+  add_list(command, a->list);
+  return [a] { return rig_command(*a); };
+}
+
+Action schema(CLI::App& command) {
+  const auto sweeps = std::make_shared<bool>(false), calibrations = std::make_shared<bool>(false);
+  CLI::Option* of_sweeps = command.add_flag("--sweeps,--experiments", *sweeps, "That of sweep files");
+  command.add_flag("--calibrations", *calibrations, "That of calibration files")->excludes(of_sweeps);
+  return [sweeps, calibrations] {
+    const std::string text = *sweeps ? sweep_schema() : *calibrations ? calibration_schema() : scene_schema();
+    std::printf("%s\n", text.c_str());
+    return kExitDone;
+  };
+}
+
+// The table of all commands, with those of this program.
+std::vector<Subcommand> with_studies(std::vector<Subcommand> commands) {
+  constexpr std::pair<const char*, Action (*)(CLI::App&)> kStudies[] = {
+      {"sweep", sweep}, {"accuracy", accuracy}, {"calibrate", calibrate}, {"rig", rig}, {"schema", schema}};
+  for (Subcommand& command : commands)
+    for (const auto& [name, prepare] : kStudies)
+      if (name == std::string(command.name)) command.prepare = prepare;
+  return commands;
+}
+
+}  // namespace
+}  // namespace footfall
 
 int main(int argc, char** argv) {
-  std::vector<Subcommand> commands = subcommands();
-  commands.insert(commands.end(), studies().begin(), studies().end());
-  return front_door(argc, argv, commands, print_help);
+  return footfall::run_command_line(argc, argv, footfall::with_studies(footfall::subcommands()));
 }

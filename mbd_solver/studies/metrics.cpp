@@ -1,3 +1,4 @@
+// Reductions of columns, and statistics over an ensemble.
 #include "mbd_solver/studies/metrics.h"
 
 #include <Eigen/Core>
@@ -13,6 +14,7 @@
 #include "mbd_solver/bed/bed_measures.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/studies/codes.h"
 
 namespace footfall {
 
@@ -44,13 +46,13 @@ double steady(const std::vector<double>& x) {
   return std::accumulate(x.end() - static_cast<std::ptrdiff_t>(last), x.end(), 0.0) / last;
 }
 
-double reduced(const FigureSpec& figure, const std::vector<double>& x) {
-  switch (figure.reduction) {
+double reduced(const MetricSpec& metric, const std::vector<double>& x) {
+  switch (metric.reduction) {
     case Reduction::kMin: return *std::min_element(x.begin(), x.end());
     case Reduction::kFinal: return x.back();
     case Reduction::kLargest: return std::abs(*std::max_element(x.begin(), x.end(), smaller_size));
     case Reduction::kDrop: return x.front() - *std::min_element(x.begin(), x.end());
-    case Reduction::kPeaks: return count_peaks(x, figure.prominence * *std::max_element(x.begin(), x.end()));
+    case Reduction::kPeaks: return count_peaks(x, metric.prominence * *std::max_element(x.begin(), x.end()));
     case Reduction::kVariation: return variation(x);
     case Reduction::kSteady: return steady(x);
     case Reduction::kMax: break;
@@ -58,24 +60,23 @@ double reduced(const FigureSpec& figure, const std::vector<double>& x) {
   return *std::max_element(x.begin(), x.end());
 }
 
-double of_history(const FigureSpec& figure, const History& history) {
+double of_history(const MetricSpec& metric, const History& history) {
   std::vector<double> values;  // of the columns
-  for (const std::string& name : figure.columns) {
+  for (const std::string& name : metric.columns) {
     const std::vector<double>& column = history.column(name);
-    if (!column.empty()) values.push_back(reduced(figure, column));
+    if (!column.empty()) values.push_back(reduced(metric, column));
   }
   if (values.empty()) return kNone;
-  if (figure.average) return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  if (figure.reduction == Reduction::kFinal) return values.back();
-  return figure.reduction == Reduction::kMin ? *std::min_element(values.begin(), values.end())
+  if (metric.average) return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  if (metric.reduction == Reduction::kFinal) return values.back();
+  return metric.reduction == Reduction::kMin ? *std::min_element(values.begin(), values.end())
                                              : *std::max_element(values.begin(), values.end());
 }
 
 }  // namespace
 
 int count_peaks(const std::vector<double>& values, double least) {
-  // From one valley to the next: a peak is told when the curve has risen by `least` to it and fallen by `least` from
-  // it.
+  // From valley to valley: a peak counts when the curve has risen by `least` to it and fallen by `least` from it.
   int peaks = 0;
   bool climbing = true;  // since `lowest`; else falling since `highest`
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -99,48 +100,48 @@ int count_peaks(const std::vector<double>& values, double least) {
   return peaks + (climbing && std::isfinite(highest) ? 1 : 0);
 }
 
-void demand_columns(const std::vector<std::string>& columns, const History& history, const std::string& folder,
-                    const std::string& file, const std::string& who) {
+void require_columns(const std::vector<std::string>& columns, const History& history, const std::string& folder,
+                     const std::string& file, const std::string& who) {
   for (const std::string& name : columns)
     if (history.find(name) < 0)
-      throw InputError(file + ": " + who + ": " + folder + "/history.csv has no column \"" + name + "\"." +
-                       known_names("columns", name, history.names));
+      throw InputError(code::kMetricMissing, file + ": " + who + ": " + folder + "/history.csv has no column \"" +
+                                                 name + "\"." + known_names("columns", name, history.names));
 }
 
-FigureFault fault_of(const FigureSpec& f) {
+MetricFault fault_of(const MetricSpec& f) {
   const int sources = (f.key.empty() ? 0 : 1) + (f.columns.empty() ? 0 : 1) + (f.slope.empty() ? 0 : 1);
   if (sources != 1)
-    return {"key", "expected one of key (of summary.json), columns (of history.csv) and slope (of the grains)"};
+    return {"key", "expected one of key (of summary.json), columns (of history.csv) and slope (of the bed)"};
   if (!f.slope.empty() && (f.slope.size() != 2 || !(f.slope[0] < f.slope[1])))
     return {"slope", "expected two heights [m], the lower one first, such as [-0.06, -0.02]"};
   return {};
 }
 
-std::vector<double> figures_of_run(const std::vector<FigureSpec>& figures, const std::string& folder,
+std::vector<double> metrics_of_run(const std::vector<MetricSpec>& metrics, const std::string& folder,
                                    const std::string& file) {
   const std::string summary_file = (fs::path(folder) / "summary.json").string();
   const nlohmann::ordered_json summary = read_summary(summary_file);
   const auto of_summary = [&](const std::string& key) {
     if (!summary.contains(key) || !summary[key].is_number())
-      throw InputError(file + ": figures: " + summary_file + " has no number \"" + key + "\"." +
-                       known_names("numbers", key, numbers_in(summary)));
+      throw InputError(code::kMetricMissing, file + ": figures: " + summary_file + " has no number \"" + key + "\"." +
+                                                 known_names("numbers", key, numbers_in(summary)));
     return summary[key].get<double>();
   };
   History history;
   std::vector<double> values;
-  for (const FigureSpec& figure : figures) {
-    if (!figure.columns.empty()) {
+  for (const MetricSpec& metric : metrics) {
+    if (!metric.columns.empty()) {
       if (history.names.empty()) history = read_history((fs::path(folder) / "history.csv").string());
-      demand_columns(figure.columns, history, folder, file, "figures." + figure.name + ".columns");
+      require_columns(metric.columns, history, folder, file, "figures." + metric.name + ".columns");
     }
-    if (figure.compares_curves()) {
+    if (metric.compares_curves()) {
       values.push_back(kNone);
       continue;
     }
-    values.push_back(!figure.key.empty()    ? of_summary(figure.key)
-                     : figure.slope.empty() ? of_history(figure, history)
-                                            : last_slope(folder, figure.slope[0], figure.slope[1]).angle);
-    if (!figure.over.empty()) values.back() /= of_summary(figure.over);
+    values.push_back(!metric.key.empty()    ? of_summary(metric.key)
+                     : metric.slope.empty() ? of_history(metric, history)
+                                            : last_slope(folder, metric.slope[0], metric.slope[1]).angle);
+    if (!metric.over.empty()) values.back() /= of_summary(metric.over);
   }
   return values;
 }
@@ -155,7 +156,7 @@ double value_at(const std::vector<double>& times, const std::vector<double>& val
   return values[i] + u * (values[i + 1] - values[i]);
 }
 
-// Mean and standard deviation (0 for one value).
+// Mean and standard deviation; 0 for one value.
 std::pair<double, double> mean_and_spread(const std::vector<double>& values) {
   const Eigen::Map<const Eigen::ArrayXd> x(values.data(), static_cast<Eigen::Index>(values.size()));
   const double mean = x.mean(), freedoms = std::max(1.0, static_cast<double>(values.size()) - 1.0);
@@ -168,7 +169,8 @@ double history_error(const History& run, const History& reference, const std::ve
                      double until) {
   const std::vector<double>& times = run.column("time");
   const std::vector<double>& reference_times = reference.column("time");
-  if (reference_times.size() < 2 || times.empty()) throw InputError("figures: a run without rows cannot be compared");
+  if (reference_times.size() < 2 || times.empty())
+    throw InputError(code::kRunWithoutRows, "figures: a run without rows cannot be compared");
   const auto end = until > 0.0 ? std::upper_bound(times.begin(), times.end(), until * (1.0 + 1e-9)) : times.end();
   const std::size_t count = std::max<std::size_t>(1, static_cast<std::size_t>(end - times.begin()));
   double sum = 0.0;
@@ -176,11 +178,11 @@ double history_error(const History& run, const History& reference, const std::ve
     const std::vector<double>& mine = run.column(name);
     const std::vector<double>& theirs = reference.column(name);
     const auto [low, high] = std::minmax_element(theirs.begin(), theirs.end());
-    const double swing = *high > *low ? *high - *low : 1.0;
+    const double range = *high > *low ? *high - *low : 1.0;
     double square = 0.0;
     const std::size_t first = at_end ? count - 1 : 0;
     for (std::size_t i = first; i < count; ++i) {
-      const double difference = (mine[i] - value_at(reference_times, theirs, times[i])) / swing;
+      const double difference = (mine[i] - value_at(reference_times, theirs, times[i])) / range;
       square += difference * difference;
     }
     sum += square / static_cast<double>(count - first);
@@ -188,35 +190,35 @@ double history_error(const History& run, const History& reference, const std::ve
   return std::sqrt(sum / static_cast<double>(columns.size()));
 }
 
-std::vector<double> curve_errors(const std::vector<FigureSpec>& figures, const std::string& folder,
+std::vector<double> curve_errors(const std::vector<MetricSpec>& metrics, const std::string& folder,
                                  const std::string& reference) {
-  std::vector<double> errors(figures.size(), SampledFigure::kNone);
+  std::vector<double> errors(metrics.size(), SampledMetric::kNone);
   History mine, theirs;
-  for (std::size_t k = 0; k < figures.size(); ++k) {
-    if (!figures[k].compares_curves()) continue;
+  for (std::size_t k = 0; k < metrics.size(); ++k) {
+    if (!metrics[k].compares_curves()) continue;
     if (mine.names.empty()) {
       mine = read_history(folder + "/history.csv");
       theirs = read_history(reference + "/history.csv");
     }
     errors[k] =
-        history_error(mine, theirs, figures[k].columns, figures[k].error == ErrorKind::kFinal, figures[k].until);
+        history_error(mine, theirs, metrics[k].columns, metrics[k].error == ErrorKind::kFinal, metrics[k].until);
   }
   return errors;
 }
 
-SampledFigure sampled_figure(const std::vector<double>& figures) {
-  SampledFigure sampled;
-  if (!figures.empty()) std::tie(sampled.mean, sampled.spread) = mean_and_spread(figures);
+SampledMetric sampled_metric(const std::vector<double>& metrics) {
+  SampledMetric sampled;
+  if (!metrics.empty()) std::tie(sampled.mean, sampled.spread) = mean_and_spread(metrics);
   return sampled;
 }
 
-SampledFigure sampled_figure(const std::vector<double>& figures, const std::vector<double>& reference) {
+SampledMetric sampled_metric(const std::vector<double>& metrics, const std::vector<double>& reference) {
   std::vector<double> differences;
-  for (std::size_t k = 0; k < figures.size(); ++k) differences.push_back(figures[k] - reference[k]);
-  const auto [mean, spread] = mean_and_spread(figures);
+  for (std::size_t k = 0; k < metrics.size(); ++k) differences.push_back(metrics[k] - reference[k]);
+  const auto [mean, spread] = mean_and_spread(metrics);
   const auto [difference, scatter] = mean_and_spread(differences);
   const double expected = mean_and_spread(reference).first, size = expected != 0.0 ? std::abs(expected) : 1.0;
-  return {mean, spread, std::abs(difference) / size, scatter / std::sqrt(static_cast<double>(figures.size())) / size};
+  return {mean, spread, std::abs(difference) / size, scatter / std::sqrt(static_cast<double>(metrics.size())) / size};
 }
 
 double slope(const std::vector<std::pair<double, double>>& points) {

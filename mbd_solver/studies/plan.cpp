@@ -1,3 +1,4 @@
+// Combines values of parameters and curves into runs; runs that differ only in members of the ensemble are one case.
 #include "mbd_solver/studies/plan.h"
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/tables.h"
 #include "mbd_solver/studies/window_growth.h"
 
@@ -13,9 +15,9 @@ namespace footfall {
 namespace {
 
 constexpr double kMostRuns = 1e5;
-constexpr std::size_t kLongest = 200;  // characters of a folder's name: the system allows 255, and ".done.json" follows
+constexpr std::size_t kLongest = 200;  // characters of a folder's name: the system allows 255, with ".done.json"
 
-// As part of a folder's name: LIGGGHTS splits paths at blanks.
+// As a part of a folder's name, without blanks, at which LIGGGHTS splits paths.
 std::string file_name(std::string text) {
   for (char& c : text)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-' && c != '+') c = '_';
@@ -26,7 +28,7 @@ std::string file_name(std::string text) {
 // One choice of every parameter.
 struct Combination {
   std::string name;   // of a folder
-  std::string group;  // the choices but for ensembles
+  std::string group;  // the choices, without ensembles
   std::string scene;  // empty: not changed
   std::vector<std::string> values, settings;
 };
@@ -59,23 +61,24 @@ std::vector<std::string> settings_of(const CurveSpec& curve, std::vector<std::st
   return curve.beside.empty() ? settings : filled(settings, curve.beside[static_cast<std::size_t>(at)], "{beside}");
 }
 
-// Before memory is taken for them.
-const ExperimentSpec& of_bearable_size(const ExperimentSpec& spec, bool short_form) {
+// Before the runs take memory.
+const SweepSpec& with_limited_size(const SweepSpec& spec, bool short_form) {
   double combinations = 1.0, values = spec.curves.empty() ? 1.0 : 0.0;
   for (const ParameterSpec& parameter : spec.parameters)
     combinations *= static_cast<double>((short_form ? parameter.short_choices : parameter.choices).size());
   for (const CurveSpec& curve : spec.curves)
     values += static_cast<double>((short_form ? curve.short_values : curve.values).size());
   if (combinations * values > kMostRuns)
-    throw InputError(spec.file + ": makes " + number_text(combinations * values, 3) + " runs, expected at most " +
-                     number_text(kMostRuns) + "; give fewer values, or several files");
+    throw InputError(code::kTooManyRuns, spec.file + ": has " + number_text(combinations * values, 3) +
+                                             " runs, expected at most " + number_text(kMostRuns) +
+                                             "; give fewer values, or use several files");
   return spec;
 }
 
 class Planner {
  public:
-  Planner(const ExperimentSpec& spec, bool short_form)
-      : spec_(of_bearable_size(spec, short_form)),
+  Planner(const SweepSpec& spec, bool short_form)
+      : spec_(with_limited_size(spec, short_form)),
         short_(short_form),
         combinations_(combinations_of(spec.parameters, short_form)) {}
 
@@ -93,11 +96,13 @@ class Planner {
     std::set<std::string> names;
     for (const RunRequest& run : plan_.runs) {
       if (run.name.size() > kLongest)
-        throw InputError(spec_.file + ": a run is named \"" + run.name.substr(0, 60) + "...\", which has " +
-                         std::to_string(run.name.size()) + " characters, expected at most " + std::to_string(kLongest) +
-                         ": it names a folder; give parameters and choices shorter names");
+        throw InputError(code::kRunName, spec_.file + ": the run \"" + run.name.substr(0, 60) + "...\" has a name of " +
+                                             std::to_string(run.name.size()) + " characters, expected at most " +
+                                             std::to_string(kLongest) +
+                                             " for a folder; shorten names of parameters and choices");
       if (!names.insert(run.name).second)
-        throw InputError(spec_.file + ": two runs are named \"" + run.name + "\"; give their choices different names");
+        throw InputError(code::kRunName,
+                         spec_.file + ": two runs are named \"" + run.name + "\"; give their choices different names");
     }
     return plan_;
   }
@@ -137,7 +142,7 @@ class Planner {
     return static_cast<int>(plan_.cases.size()) - 1;
   }
 
-  // The runs of all combinations: a case each, where they differ by more than the ensemble.
+  // The runs of all combinations; those that differ by more than the ensemble are cases of their own.
   void add(const std::string& name, const PlannedCase& shape, const std::string& scene,
            const std::vector<std::string>& settings, double until) {
     const std::size_t first = plan_.cases.size();
@@ -164,14 +169,14 @@ class Planner {
     }
   }
 
-  // Nothing runs without a scene: then the coupling code alone is measured.
+  // Without a scene nothing runs: only the coupling code is measured.
   Plan growth_plan() {
     if (!spec_.scene.empty()) plan_.runs = growth_runs(*spec_.growth, spec_.scene);
     for (RunRequest& run : plan_.runs) run.time_limit = spec_.time_limit;
     return plan_;
   }
 
-  const ExperimentSpec& spec_;
+  const SweepSpec& spec_;
   bool short_;
   std::vector<Combination> combinations_;
   Plan plan_;
@@ -186,6 +191,6 @@ std::vector<std::string> filled(std::vector<std::string> texts, const std::strin
   return texts;
 }
 
-Plan plan_of(const ExperimentSpec& spec, bool short_form) { return Planner(spec, short_form).plan(); }
+Plan plan_of(const SweepSpec& spec, bool short_form) { return Planner(spec, short_form).plan(); }
 
 }  // namespace footfall

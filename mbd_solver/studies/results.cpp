@@ -1,3 +1,4 @@
+// Reads the folders of finished runs, and judges cases by their metrics, errors and energies.
 #include "mbd_solver/studies/results.h"
 
 #include <algorithm>
@@ -6,16 +7,17 @@
 #include <regex>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/tables.h"
 
 namespace footfall {
 namespace {
 
-std::size_t figure_index(const ExperimentSpec& spec, const std::string& name) {
-  return static_cast<std::size_t>(index_of(spec.figures, name));
+std::size_t metric_index(const SweepSpec& spec, const std::string& name) {
+  return static_cast<std::size_t>(index_of(spec.metrics, name));
 }
 
-CaseResult case_of(const ExperimentSpec& spec, const PlannedCase& plan, const std::vector<RunResult>& runs) {
+CaseResult case_of(const SweepSpec& spec, const PlannedCase& plan, const std::vector<RunResult>& runs) {
   CaseResult c;
   c.plan = plan;
   for (const std::size_t run : plan.runs) {
@@ -33,37 +35,36 @@ CaseResult case_of(const ExperimentSpec& spec, const PlannedCase& plan, const st
     c.steps += share * r.summary.value("steps", 0.0);
     c.windows += share * r.summary.value("windows", 0.0);
   }
-  for (std::size_t k = 0; k < spec.figures.size(); ++k) {
+  for (std::size_t k = 0; k < spec.metrics.size(); ++k) {
     std::vector<double> values;
-    for (const std::size_t run : c.done) values.push_back(runs[run].figures[k]);
-    c.figures.push_back(sampled_figure(values));
+    for (const std::size_t run : c.done) values.push_back(runs[run].metrics[k]);
+    c.metrics.push_back(sampled_metric(values));
   }
   for (const LimitSpec& limit : spec.limits)
-    c.within_limits = c.within_limits && c.figures[figure_index(spec, limit.figure)].mean <= limit.most;
+    c.within_limits = c.within_limits && c.metrics[metric_index(spec, limit.metric)].mean <= limit.most;
   return c;
 }
 
 // Errors of a case whose runs are all done, against its reference.
-void compare(const ExperimentSpec& spec, const std::vector<RunResult>& runs, const CaseResult* reference,
-             CaseResult& c) {
+void compare(const SweepSpec& spec, const std::vector<RunResult>& runs, const CaseResult* reference, CaseResult& c) {
   const double share = 1.0 / static_cast<double>(c.plan.runs.size());
   for (std::size_t m = 0; m < c.plan.runs.size() && reference; ++m) {
     const std::vector<double> errors =
-        curve_errors(spec.figures, runs[c.plan.runs[m]].end.folder, runs[reference->plan.runs[m]].end.folder);
+        curve_errors(spec.metrics, runs[c.plan.runs[m]].end.folder, runs[reference->plan.runs[m]].end.folder);
     for (std::size_t k = 0; k < errors.size(); ++k)
-      if (spec.figures[k].compares_curves())
-        c.figures[k].error = (m == 0 ? 0.0 : c.figures[k].error) + share * errors[k];
+      if (spec.metrics[k].compares_curves())
+        c.metrics[k].error = (m == 0 ? 0.0 : c.metrics[k].error) + share * errors[k];
   }
-  for (std::size_t k = 0; k < spec.figures.size(); ++k) {
-    if (spec.figures[k].error == ErrorKind::kItself) {
-      c.figures[k].error = 0.0;
-      for (const std::size_t run : c.plan.runs) c.figures[k].error += share * std::abs(runs[run].figures[k]);
+  for (std::size_t k = 0; k < spec.metrics.size(); ++k) {
+    if (spec.metrics[k].error == ErrorKind::kItself) {
+      c.metrics[k].error = 0.0;
+      for (const std::size_t run : c.plan.runs) c.metrics[k].error += share * std::abs(runs[run].metrics[k]);
     }
-    if (spec.figures[k].error != ErrorKind::kRelative || !reference) continue;
+    if (spec.metrics[k].error != ErrorKind::kRelative || !reference) continue;
     std::vector<double> mine, theirs;
-    for (const std::size_t run : c.plan.runs) mine.push_back(runs[run].figures[k]);
-    for (const std::size_t run : reference->plan.runs) theirs.push_back(runs[run].figures[k]);
-    c.figures[k] = sampled_figure(mine, theirs);
+    for (const std::size_t run : c.plan.runs) mine.push_back(runs[run].metrics[k]);
+    for (const std::size_t run : reference->plan.runs) theirs.push_back(runs[run].metrics[k]);
+    c.metrics[k] = sampled_metric(mine, theirs);
   }
 }
 
@@ -78,93 +79,93 @@ bool Results::grains() const {
                      [](const CaseResult& c) { return !c.plan.is_reference && c.cost.dem > 0.0; });
 }
 
-std::vector<CaseResult> cases_of(const ExperimentSpec& spec, const Plan& plan, const std::vector<RunResult>& runs) {
+std::vector<CaseResult> cases_of(const SweepSpec& spec, const Plan& plan, const std::vector<RunResult>& runs) {
   std::vector<CaseResult> cases;
   for (const PlannedCase& c : plan.cases) cases.push_back(case_of(spec, c, runs));
   return cases;
 }
 
-Results results_of(const ExperimentSpec& spec, const Plan& plan, const RunStore& store) {
+Results results_of(const SweepSpec& spec, const Plan& plan, const RunStore& store) {
   Results results;
   results.members = plan.members;
   for (std::size_t run = 0; run < plan.runs.size(); ++run) {
     const RunEnd end = store.end_of(run);
-    results.runs.push_back({end, end.done() ? figures_of_run(spec.figures, end.folder, spec.file)
-                                            : std::vector<double>(spec.figures.size(), SampledFigure::kNone)});
+    results.runs.push_back({end, end.done() ? metrics_of_run(spec.metrics, end.folder, spec.file)
+                                            : std::vector<double>(spec.metrics.size(), SampledMetric::kNone)});
   }
   results.cases = cases_of(spec, plan, results.runs);
-  if (spec.figures.empty()) return results;  // nothing to compare
+  if (spec.metrics.empty()) return results;  // nothing to compare
   for (CaseResult& c : results.cases) {
     const int k = c.plan.is_reference ? static_cast<int>(&c - results.cases.data()) : c.plan.reference;
     const CaseResult* reference = k < 0 ? nullptr : &results.cases[static_cast<std::size_t>(k)];
     if (reference && reference->code != 0)
-      throw NumericalError("the run \"" + reference->plan.name +
-                           "\", which others are compared with, ended with code " + std::to_string(reference->code) +
-                           ": " + reference->message);
+      throw NumericalError(code::kReferenceFailed, "the reference \"" + reference->plan.name +
+                                                       "\" ended with exit code " + std::to_string(reference->code) +
+                                                       ": " + reference->message);
     if (c.code == 0) compare(spec, results.runs, reference, c);
   }
   return results;
 }
 
-std::vector<std::size_t> ranking(const ExperimentSpec& spec, const std::vector<CaseResult>& cases) {
+std::vector<std::size_t> ranking(const SweepSpec& spec, const std::vector<CaseResult>& cases) {
   std::vector<std::size_t> order;
   if (spec.minimise.empty()) return order;
-  const std::size_t k = figure_index(spec, spec.minimise);
+  const std::size_t k = metric_index(spec, spec.minimise);
   for (std::size_t i = 0; i < cases.size(); ++i)
     if (cases[i].within_limits && !cases[i].done.empty()) order.push_back(i);
   std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return cases[a].figures[k].mean < cases[b].figures[k].mean; });
+            [&](std::size_t a, std::size_t b) { return cases[a].metrics[k].mean < cases[b].metrics[k].mean; });
   return order;
 }
 
-double order_of(const std::vector<CaseResult>& cases, int curve, std::size_t figure) {
+double order_of(const std::vector<CaseResult>& cases, int curve, std::size_t metric) {
   std::vector<std::pair<double, double>> line;
   for (const CaseResult& c : cases)
-    if (c.is_of(curve)) line.emplace_back(c.plan.x, c.figures[figure].error);
+    if (c.is_of(curve)) line.emplace_back(c.plan.x, c.metrics[metric].error);
   return observed_order(line);
 }
 
-std::vector<Outcome> outcomes_of(const ExperimentSpec& spec, const std::vector<CaseResult>& cases) {
-  std::vector<Outcome> outcomes;
-  for (const StatementSpec& s : spec.statements) {
-    const std::size_t k = figure_index(spec, s.figure);
+std::vector<CheckResult> check_results_of(const SweepSpec& spec, const std::vector<CaseResult>& cases) {
+  std::vector<CheckResult> check_results;
+  for (const CheckSpec& s : spec.checks) {
+    const std::size_t k = metric_index(spec, s.metric);
     const int curve = index_of(spec.curves, s.curve);
-    Outcome o;
-    for (const CaseResult& c : cases) {  // some are left out of the short form
-      if (c.plan.name == s.of_case) o.value = c.figures[k].mean;
-      if (!s.against.empty() && c.plan.name == s.against) o.reference = c.figures[k].mean;
-      // Of the last value, also where it is zero and no point of a logarithmic line.
-      if (s.error && c.is_of(curve)) o.value = c.figures[k].error;
+    CheckResult o;
+    for (const CaseResult& c : cases) {  // the short form leaves some out
+      if (c.plan.name == s.of_case) o.value = c.metrics[k].mean;
+      if (!s.against.empty() && c.plan.name == s.against) o.reference = c.metrics[k].mean;
+      // At the last value, also if the error is zero and no point of a logarithmic line.
+      if (s.error && c.is_of(curve)) o.value = c.metrics[k].error;
     }
     if (!s.order.empty()) o.value = order_of(cases, curve, k);
     o.judged = s.against.empty() ? o.value : o.value / o.reference;
-    o.came_out = o.judged >= s.least && o.judged <= s.most;
-    outcomes.push_back(o);
+    o.reproduced = o.judged >= s.least && o.judged <= s.most;
+    check_results.push_back(o);
   }
-  return outcomes;
+  return check_results;
 }
 
 namespace {
 
 bool is_judged(const CaseResult& point) {
-  return point.code == 0 && std::all_of(point.figures.begin(), point.figures.end(),
-                                        [](const SampledFigure& f) { return std::isfinite(f.error); });
+  return point.code == 0 && std::all_of(point.metrics.begin(), point.metrics.end(),
+                                        [](const SampledMetric& f) { return std::isfinite(f.error); });
 }
 
-// The figure with the largest error, but for one.
-std::size_t worst_figure(const CaseResult& point, std::size_t apart = kNoFigure) {
-  std::size_t worst = kNoFigure;
-  for (std::size_t m = 0; m < point.figures.size(); ++m)
-    if (m != apart && (worst == kNoFigure || point.figures[m].error > point.figures[worst].error)) worst = m;
+// The metric with the largest error, without one.
+std::size_t worst_metric(const CaseResult& point, std::size_t excepted = kNoMetric) {
+  std::size_t worst = kNoMetric;
+  for (std::size_t m = 0; m < point.metrics.size(); ++m)
+    if (m != excepted && (worst == kNoMetric || point.metrics[m].error > point.metrics[worst].error)) worst = m;
   return worst;
 }
 
-double largest_error(const CaseResult& point, std::size_t apart = kNoFigure) {
-  return point.figures[worst_figure(point, apart)].error;
+double largest_error(const CaseResult& point, std::size_t excepted = kNoMetric) {
+  return point.metrics[worst_metric(point, excepted)].error;
 }
 
-// What the curve's run times are measured by.
-const CaseResult* yardstick(const ExperimentSpec& spec, const Results& results, int curve) {
+// The case to whose run time the others of the curve are related.
+const CaseResult* time_reference(const SweepSpec& spec, const Results& results, int curve) {
   const CaseResult *own = nullptr, *common = nullptr;
   for (const CaseResult& c : results.cases) {
     if (c.is_of(curve) && c.plan.value == spec.curves[static_cast<std::size_t>(curve)].default_value && c.code == 0)
@@ -176,26 +177,26 @@ const CaseResult* yardstick(const ExperimentSpec& spec, const Results& results, 
   return own ? own : common;
 }
 
-Advice advice_for(const ExperimentSpec& spec, const Results& results, const CaseResult& point, double limit,
-                  std::size_t apart = kNoFigure) {
-  Advice advice;
-  advice.point = &point;
-  advice.apart = apart;
-  advice.worst = worst_figure(point, apart);
-  for (std::size_t k = 0; k < point.figures.size(); ++k)
-    if (k != apart && point.figures[k].standard_error > limit) advice.resolved = false;
-  const CaseResult* by = yardstick(spec, results, point.plan.curve);
-  advice.time_ratio = by && by->cost.cpu > 0.0 ? point.cost.cpu / by->cost.cpu : 0.0;
-  return advice;
+Recommendation recommendation_for(const SweepSpec& spec, const Results& results, const CaseResult& point, double limit,
+                                  std::size_t excepted = kNoMetric) {
+  Recommendation recommendation;
+  recommendation.point = &point;
+  recommendation.excepted = excepted;
+  recommendation.worst = worst_metric(point, excepted);
+  for (std::size_t k = 0; k < point.metrics.size(); ++k)
+    if (k != excepted && point.metrics[k].standard_error > limit) recommendation.resolved = false;
+  const CaseResult* by = time_reference(spec, results, point.plan.curve);
+  recommendation.time_ratio = by && by->cost.cpu > 0.0 ? point.cost.cpu / by->cost.cpu : 0.0;
+  return recommendation;
 }
 
-Advice advice_of_curve(const ExperimentSpec& spec, const Results& results, int curve, double limit) {
-  // The first case from which on all are within the limit; null without.
-  const auto first_within = [&](std::size_t apart) {
+Recommendation recommendation_for_curve(const SweepSpec& spec, const Results& results, int curve, double limit) {
+  // The first case from which on all are within the limit; null: none.
+  const auto first_within = [&](std::size_t excepted) {
     const CaseResult* first = nullptr;
     for (const CaseResult& c : results.cases) {
       if (!c.is_of(curve)) continue;
-      const bool within = is_judged(c) && largest_error(c, apart) <= limit;
+      const bool within = is_judged(c) && largest_error(c, excepted) <= limit;
       first = !within ? nullptr : first ? first : &c;
     }
     return first;
@@ -204,34 +205,35 @@ Advice advice_of_curve(const ExperimentSpec& spec, const Results& results, int c
   for (const CaseResult& c : results.cases)
     if (c.is_of(curve) && is_judged(c) && (!best || largest_error(c) < largest_error(*best))) best = &c;
   if (!best) return {};
-  std::size_t apart = kNoFigure;
-  const CaseResult* chosen = first_within(apart);
-  if (!chosen && best->figures.size() > 1) {
-    apart = worst_figure(*best);
-    chosen = first_within(apart);
+  std::size_t excepted = kNoMetric;
+  const CaseResult* chosen = first_within(excepted);
+  if (!chosen && best->metrics.size() > 1) {
+    excepted = worst_metric(*best);
+    chosen = first_within(excepted);
   }
-  Advice advice = chosen ? advice_for(spec, results, *chosen, limit, apart) : advice_for(spec, results, *best, limit);
-  advice.within = chosen != nullptr;
-  return advice;
+  Recommendation recommendation = chosen ? recommendation_for(spec, results, *chosen, limit, excepted)
+                                         : recommendation_for(spec, results, *best, limit);
+  recommendation.within = chosen != nullptr;
+  return recommendation;
 }
 
 }  // namespace
 
-std::vector<Advice> advice_of(const ExperimentSpec& spec, const Results& results, double limit) {
-  std::vector<Advice> advice;
+std::vector<Recommendation> recommendations_of(const SweepSpec& spec, const Results& results, double limit) {
+  std::vector<Recommendation> recommendation;
   for (int curve = 0; curve < static_cast<int>(spec.curves.size()); ++curve)
-    advice.push_back(advice_of_curve(spec, results, curve, limit));
-  return advice;
+    recommendation.push_back(recommendation_for_curve(spec, results, curve, limit));
+  return recommendation;
 }
 
-std::vector<Advice> errors_of_defaults(const ExperimentSpec& spec, const Results& results) {
-  std::vector<Advice> defaults;
+std::vector<Recommendation> errors_of_defaults(const SweepSpec& spec, const Results& results) {
+  std::vector<Recommendation> defaults;
   for (const CaseResult& c : results.cases)
     if (c.plan.curve >= 0 && !c.plan.is_reference && is_judged(c) &&
         c.plan.value == spec.curves[static_cast<std::size_t>(c.plan.curve)].default_value)
-      defaults.push_back(advice_for(spec, results, c, 1.0));
+      defaults.push_back(recommendation_for(spec, results, c, 1.0));
   std::sort(defaults.begin(), defaults.end(),
-            [](const Advice& a, const Advice& b) { return a.largest().error > b.largest().error; });
+            [](const Recommendation& a, const Recommendation& b) { return a.largest().error > b.largest().error; });
   return defaults;
 }
 
@@ -239,11 +241,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// More than this, of the reference energy, is a gain: the coupling warns of as much.
-constexpr double kGain = 2e-2;
+constexpr double kGain = 2e-2;  // of the reference energy: created energy at which the coupling warns, too
 
-// Energy of the mechanism and of the interface: whatever is more than at the start plus the work done by motions. What
-// the grains did to the bodies is taken as the grains' own account of it.
+// Energy created in the mechanism and the interface, over the reference energy: above the start plus the work of prescribed
+// motions. The work of the grains counts as the grains report it.
 double energy_gain(const History& h, double reference) {
   if (h.columns.empty() || h.columns.front().empty() || !(reference > 0.0)) return 0.0;
   std::vector<double> sums(h.columns.front().size(), 0.0);
@@ -258,8 +259,8 @@ double energy_gain(const History& h, double reference) {
   return std::max(0.0, *std::max_element(sums.begin(), sums.end())) / reference;
 }
 
-// Longer messages are cut where a sentence or clause ends; files are named from the folder of the inputs on.
-std::string shortened(const ExperimentSpec& spec, std::string text) {
+// Cuts long messages after a clause, and names files relative to the folder of inputs.
+std::string shortened(const SweepSpec& spec, std::string text) {
   constexpr std::size_t most = 110;
   const std::string inputs = fs::path(spec.folder).parent_path().string() + "/";
   for (std::size_t at = text.find(inputs); at != std::string::npos; at = text.find(inputs))
@@ -277,25 +278,26 @@ bool mentions(const RunEnd& run, const std::string& pattern) {
                      [&](const std::string& warning) { return std::regex_search(warning, expression); });
 }
 
-// Of a run that is done: its error and its gain of energy.
-void judge_motion(const ExperimentSpec& spec, const EndSpec& end, const RunEnd& run, const RunEnd* reference,
+// Of a finished run: its error and created energy.
+void judge_motion(const SweepSpec& spec, const EndSpec& end, const RunEnd& run, const RunEnd* reference,
                   Verdict& verdict) {
   const History history = read_history(run.folder + "/history.csv");
   if (!end.columns.empty()) {
     if (reference->code != kExitDone)
-      throw NumericalError(verdict.name + " " + verdict.value + ": its reference fails: " + reference->message);
+      throw NumericalError(code::kReferenceFailed,
+                           verdict.name + " " + verdict.value + ": its reference has failed: " + reference->message);
     verdict.error = history_error(history, read_history(reference->folder + "/history.csv"), end.columns, end.at_end);
     verdict.note = "error " + percent(verdict.error) + " %, ";
   }
   const double gain = energy_gain(history, run.summary.value("reference_energy_J", 0.0));
-  verdict.note += "gain " + percent(gain) + " %";
-  // Without a reference, a warning is taken at its word.
+  verdict.note += "created energy " + percent(gain) + " %";
+  // Without a reference a warning decides.
   const bool good = gain <= kGain && (end.columns.empty() ? run.warnings.empty() : verdict.error <= end.tolerance);
   verdict.found = good ? "accurate" : run.warnings.empty() ? "WRONG WITHOUT A WARNING" : "warned";
   if (verdict.found == "warned") verdict.note += "; " + shortened(spec, run.warnings.front());
 }
 
-Verdict judge(const ExperimentSpec& spec, const PlannedCase& c, const RunEnd& run, const RunEnd* reference) {
+Verdict judge(const SweepSpec& spec, const PlannedCase& c, const RunEnd& run, const RunEnd* reference) {
   const CurveSpec& curve = spec.curves[static_cast<std::size_t>(c.curve)];
   const EndSpec& end = curve.end;
   const auto at = std::find(curve.values.begin(), curve.values.end(), c.value) - curve.values.begin();
@@ -308,8 +310,8 @@ Verdict judge(const ExperimentSpec& spec, const PlannedCase& c, const RunEnd& ru
     judge_motion(spec, end, run, reference, verdict);
   } else {
     const bool own = run.code == kExitFailed || run.code == kExitBadInput;
-    verdict.found = run.code == RunEnd::kHung ? "hangs"
-                    : !own                    ? "ended with code " + std::to_string(run.code)
+    verdict.found = run.code == RunEnd::kHung ? "no end"
+                    : !own                    ? "exit code " + std::to_string(run.code)
                     : run.message.empty()     ? "ended without a message"
                     : run.code == kExitFailed ? "stopped"
                                               : "refused";
@@ -323,8 +325,7 @@ Verdict judge(const ExperimentSpec& spec, const PlannedCase& c, const RunEnd& ru
   return verdict;
 }
 
-// Of first order at most: beyond the value `beyond` no error is larger than that of an earlier such value times the
-// ratio of the values.
+// First order at most: from the value `beyond` on no error exceeds that of an earlier value times the ratio of the values.
 void judge_order(double beyond, const std::vector<Verdict>& earlier, Verdict& verdict) {
   const double x = std::atof(verdict.value.c_str());
   if (beyond <= 0.0 || x < beyond) return;
@@ -332,14 +333,14 @@ void judge_order(double beyond, const std::vector<Verdict>& earlier, Verdict& ve
     const double y = std::atof(v.value.c_str());
     if (v.name != verdict.name || y < beyond || v.error <= 0.0 || verdict.error <= v.error * x / y) continue;
     verdict.as_expected = false;
-    verdict.note += "; grew from " + percent(v.error) + " % at " + v.value + ", faster than in proportion";
+    verdict.note += "; error grew from " + percent(v.error) + " % at " + v.value + ", more than in proportion";
     return;
   }
 }
 
 }  // namespace
 
-std::vector<Verdict> verdicts_of(const ExperimentSpec& spec, const Results& results) {
+std::vector<Verdict> verdicts_of(const SweepSpec& spec, const Results& results) {
   std::vector<Verdict> verdicts;
   const auto end_of = [&](const PlannedCase& c) { return &results.runs[c.runs.front()].end; };
   for (const CaseResult& c : results.cases) {
@@ -353,18 +354,17 @@ std::vector<Verdict> verdicts_of(const ExperimentSpec& spec, const Results& resu
   return verdicts;
 }
 
-std::string verdict_page(const ExperimentSpec& spec, const std::vector<Verdict>& verdicts) {
-  std::string text = "# " + spec.title + "\n\nWritten by `footfall accuracy " +
-                     fs::path(spec.file).filename().string() +
-                     "`; every line is a test. accurate: against its reference, or by its energy where none is named. "
-                     "warned: the run is done, its energy bounded,\n"
-                     "its error larger, and it said so. stopped: it ended itself with this message. refused: it did "
-                     "not start.\n";
+std::string verdict_page(const SweepSpec& spec, const std::vector<Verdict>& verdicts) {
+  std::string text =
+      "# " + spec.title + "\n\nWritten by `footfall accuracy " + fs::path(spec.file).filename().string() +
+      "`; every line is a test. accurate: within the tolerance of its reference, or without created "
+      "energy. warned: done, energy bounded,\nerror larger, and a warning reported it. stopped: ended by "
+      "itself with this message. refused: not started.\n";
   std::vector<std::string> groups;
   for (const Verdict& v : verdicts)
     if (std::find(groups.begin(), groups.end(), v.group) == groups.end()) groups.push_back(v.group);
   for (const std::string& group : groups) {
-    Table table({"case", "value", "verdict", "what was seen"});
+    Table table({"case", "value", "verdict", "result"});
     for (const Verdict& v : verdicts)
       if (v.group == group)
         table.add({v.name, v.value, v.found + (v.as_expected ? "" : " (expected: " + v.expected + ")"), v.note});

@@ -20,13 +20,13 @@ struct RigCheck {
 // the end time [s]; only where `slow`. Throws InputError where the bed is a script's, or a motion is something else.
 std::vector<RigCheck> checks_of(const Scene& scene, bool slow);
 // Of a rig whose bodies hold the bed: tray, frame and lid of a shear box, the gate before a slope. Twice the size: bodies,
-// bed and way are twice as long, pressures are the same.
+// bed and path are twice as long, pressures are the same.
 std::vector<RigCheck> checks_of_holding_bodies(const Scene& scene, bool slow);
 
-// A rig: a scene that is an instrument, run on samples of a bed, and what its figures make of the soil. The runs are an
-// experiment (inputs/rigs/NAME.toml, experiments/experiment.h); a rig adds the evaluation.
+// A rig: a scene that is an instrument, run on samples of a bed, and what its metrics make of the soil. The runs are an
+// sweep (inputs/rigs/NAME.toml, sweeps/sweep.h); a rig adds the evaluation.
 
-// A finished run of the experiment.
+// A finished run of the sweep.
 struct RigRun {
   std::string name, folder;
   Scene scene;  // with all its settings
@@ -49,7 +49,7 @@ struct RigSample {
   std::vector<RigCurve> curves;
 };
 
-// The answer that a law printed elsewhere gives, nothing fitted but what the law leaves open.
+// The answer that a law published_values elsewhere gives, nothing fitted but what the law leaves open.
 struct RigClaim {
   std::string text, answer;  // the answer's name
   double least = 0.0, most = 0.0;
@@ -61,11 +61,11 @@ struct Rig {
   const char* what;     // for --help
   const char* x_label;  // of the picture
   const char* y_label;
-  // The runs of one sample of the bed, in the order of the experiment. Throws InputError when they are no runs of this
+  // The runs of one sample of the bed, in the order of the sweep. Throws InputError when they are no runs of this
   // rig.
   RigSample (*evaluate)(const std::vector<RigRun>& runs);
   // What the evaluation needs of the scene, before anything runs. Throws InputError naming what is missing.
-  void (*demand)(const Scene& scene);
+  void (*require)(const Scene& scene);
   bool slow = true;  // its speed is no subject: half of it is a check
   std::vector<RigClaim> claims;
   std::vector<RigCheck> (*checks)(const Scene& scene, bool slow) = checks_of;
@@ -85,14 +85,14 @@ RigSample evaluate_repose(const std::vector<RigRun>& runs);
 RigSample evaluate_sphere(const std::vector<RigRun>& runs);
 RigSample evaluate_rft(const std::vector<RigRun>& runs);
 
-void demand_plate(const Scene& scene);
-void demand_cone(const Scene& scene);
-void demand_wheel(const Scene& scene);
-void demand_shear(const Scene& scene);
-void demand_box(const Scene& scene);
-void demand_repose(const Scene& scene);
-void demand_sphere(const Scene& scene);
-void demand_rft(const Scene& scene);
+void require_plate(const Scene& scene);
+void require_cone(const Scene& scene);
+void require_wheel(const Scene& scene);
+void require_shear(const Scene& scene);
+void require_box(const Scene& scene);
+void require_repose(const Scene& scene);
+void require_sphere(const Scene& scene);
+void require_rft(const Scene& scene);
 
 // What evaluations of rigs have in common: histories, means over bins, least squares.
 
@@ -126,7 +126,7 @@ struct LineFit {
 };
 LineFit least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& y);
 
-// Resistive force theory of dry granular media, with its printed coefficients: see rft_rig.cpp.
+// Resistive force theory of dry granular media, with its published_values coefficients: see rft_rig.cpp.
 
 // Stress per depth along x and z, of generic media at scalar one [N/cm^3]. Positive against a motion along +x, and
 // upwards.

@@ -14,8 +14,8 @@
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/shipped_files.h"
-#include "mbd_solver/studies/experiment.h"
-#include "mbd_solver/studies/experiment_command.h"
+#include "mbd_solver/studies/sweep_file.h"
+#include "mbd_solver/studies/sweep_command.h"
 #include "mbd_solver/studies/fits.h"
 #include "mbd_solver/studies/results.h"
 #include "mbd_solver/studies/rig.h"
@@ -168,7 +168,7 @@ constexpr double kEarth = 9.81, kMoon = 1.62, kMars = 3.71;  // [m/s2]
 std::string key_of(const std::string& setting) { return setting.substr(0, setting.find('=')); }
 
 // What the rig varies itself would silently win over --set.
-void demand_free(const ExperimentSpec& spec, const std::vector<std::string>& settings) {
+void demand_free(const SweepSpec& spec, const std::vector<std::string>& settings) {
   for (const ParameterSpec& parameter : spec.parameters)
     for (const ChoiceSpec& choice : parameter.choices)
       for (const std::string& varied : choice.settings)
@@ -181,7 +181,7 @@ void demand_free(const ExperimentSpec& spec, const std::vector<std::string>& set
 }
 
 // So many samples of the bed: the first ones of the file's one ensemble. Where those are 1, 2, 3 ... there are more.
-void take_samples(ExperimentSpec& spec, int samples) {
+void take_samples(SweepSpec& spec, int samples) {
   for (ParameterSpec& parameter : spec.parameters) {
     if (!parameter.ensemble || parameter.settings.empty()) continue;
     std::vector<ChoiceSpec>& choices = parameter.choices;
@@ -203,7 +203,7 @@ void demand_scenes(const Plan& plan, const Rig& rig) {
   for (const RunRequest& run : plan.runs) {
     const Scene scene = read_scene(run.scene, run.settings);
     box_of(scene);
-    rig.demand(scene);
+    rig.require(scene);
   }
 }
 
@@ -228,7 +228,7 @@ void add_checks(Plan& plan, const Rig& rig, bool wanted) {
 }
 
 // The finished runs, by check and sample. A sample of which a run is missing is left out, and said so.
-std::vector<RigVariant> variants_of(const Rig& rig, const ExperimentSpec& spec, const Plan& plan,
+std::vector<RigVariant> variants_of(const Rig& rig, const SweepSpec& spec, const Plan& plan,
                                     const Results& results) {
   struct VariantRuns {
     std::string check;
@@ -284,7 +284,7 @@ int rig_command(const RigArguments& a) {
   const Rig& rig = rig_named(a.name);
   std::vector<std::string> settings = a.settings;
   if (!a.gravity.empty()) settings.push_back(gravity_setting(a.gravity));
-  ExperimentArguments e;
+  SweepArguments e;
   e.command = "rig";
   e.file = a.file.empty() ? shipped_file(std::string("inputs/rigs/") + rig.name + ".toml") : a.file;
   e.out = a.out;
@@ -300,7 +300,7 @@ int rig_command(const RigArguments& a) {
   if (!a.gravity.empty()) append(e.again, {"--gravity", a.gravity});
   if (a.samples > 0) append(e.again, {"--samples", std::to_string(a.samples)});
   if (a.checks) e.again.push_back("--checks");
-  e.change = [&](ExperimentSpec& spec) {
+  e.change = [&](SweepSpec& spec) {
     if (!spec.curves.empty() || spec.growth || spec.parameters.empty())
       throw InputError(spec.file + ": a rig is made of [[parameters]]");
     demand_free(spec, settings);
@@ -312,7 +312,7 @@ int rig_command(const RigArguments& a) {
     demand_scenes(plan, rig);
     add_checks(plan, rig, a.checks);
   };
-  e.write = [&](const ExperimentSpec& spec, const Plan& plan, const Results& results, const std::string& folder,
+  e.write = [&](const SweepSpec& spec, const Plan& plan, const Results& results, const std::string& folder,
                 const std::string& command) {
     const std::vector<RigVariant> variants = variants_of(rig, spec, plan, results);
     if (variants.empty() || variants.front().samples.empty())
@@ -320,7 +320,7 @@ int rig_command(const RigArguments& a) {
     write_rig(rig, variants, folder, spec.title, command + (a.short_form ? " --short" : ""), !a.short_form);
     return results.all_done();
   };
-  return experiment_command(e);
+  return sweep_command(e);
 }
 
 }  // namespace footfall

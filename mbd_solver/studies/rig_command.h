@@ -26,7 +26,7 @@ RigStatistic statistic_of(const std::vector<RigSample>& samples, std::size_t ans
 void write_rig(const Rig& rig, const std::vector<RigVariant>& variants, const std::string& folder,
                const std::string& title, const std::string& command, bool verdicts);
 
-// footfall rig NAME: an experiment of inputs/rigs, and what it makes of the soil.
+// footfall rig NAME: a sweep of inputs/rigs, and what it makes of the soil.
 
 struct RigArguments {
   std::string name, file, out, gravity;  // file empty: inputs/rigs/NAME.toml; gravity empty: the scene's

@@ -75,7 +75,7 @@ Pressed plate_of(const RigRun& run) {
 
 }  // namespace
 
-void demand_plate(const Scene& scene) {
+void require_plate(const Scene& scene) {
   double half = 0.0;
   plate_in(scene, half);
 }
@@ -125,7 +125,7 @@ RigSample evaluate_plate(const std::vector<RigRun>& runs) {
   return sample;
 }
 
-void demand_cone(const Scene& scene) { mesh_of(scene, "cone", "cone.stl"); }
+void require_cone(const Scene& scene) { mesh_of(scene, "cone", "cone.stl"); }
 
 RigSample evaluate_cone(const std::vector<RigRun>& runs) {
   RigSample sample;
@@ -205,11 +205,11 @@ Driven wheel_of(const Scene& scene) {
 
 }  // namespace
 
-void demand_wheel(const Scene& scene) { wheel_of(scene); }
+void require_wheel(const Scene& scene) { wheel_of(scene); }
 
 RigSample evaluate_wheel(const std::vector<RigRun>& runs) {
   RigSample sample;
-  RigCurve pull{"drawbar pull", {}, {}}, torque{"torque / (load R)", {}, {}};
+  RigCurve trade_off{"drawbar pull", {}, {}}, torque{"torque / (load R)", {}, {}};
   for (const RigRun& run : runs) {
     const auto [R, v, omega] = wheel_of(run.scene);
     const double slip = 1.0 - v / (omega * R);
@@ -222,14 +222,14 @@ RigSample evaluate_wheel(const std::vector<RigRun>& runs) {
     sample.answers.push_back({"drawbar pull / load" + at, "", dp});
     sample.answers.push_back({"torque / (load R)" + at, "", t});
     sample.answers.push_back({"sinkage" + at, "m", s});
-    pull.x.push_back(slip), pull.y.push_back(dp);
+    trade_off.x.push_back(slip), trade_off.y.push_back(dp);
     torque.x.push_back(slip), torque.y.push_back(t);
   }
-  sample.curves = {pull, torque};
+  sample.curves = {trade_off, torque};
   return sample;
 }
 
-void demand_shear(const Scene& scene) { mesh_of(scene, "ring", "ring.stl"); }
+void require_shear(const Scene& scene) { mesh_of(scene, "ring", "ring.stl"); }
 
 RigSample evaluate_shear(const std::vector<RigRun>& runs) {
   RigSample sample;
@@ -278,7 +278,7 @@ double load_of(const Scene& scene) {
 
 }  // namespace
 
-void demand_box(const Scene& scene) {
+void require_box(const Scene& scene) {
   mesh_of(scene, "tray", "box_tray.stl");
   body_of(scene, "frame");
   body_of(scene, "lid");
@@ -327,7 +327,7 @@ constexpr double kLowerPart = 0.2, kUpperPart = 0.8;
 
 }  // namespace
 
-void demand_repose(const Scene& scene) {
+void require_repose(const Scene& scene) {
   const BoxSpec& box = box_of(scene);
   if (box.pit.empty()) throw InputError(scene.file + ": this rig needs particles.box.pit");
   if (!(box.frames > 0.0)) throw InputError(scene.file + ": this rig needs particles.box.frames");
@@ -337,7 +337,7 @@ RigSample evaluate_repose(const std::vector<RigRun>& runs) {
   RigSample sample;
   for (const RigRun& run : runs) {
     const double r = -mean_surface(run);
-    demand_repose(run.scene);
+    require_repose(run.scene);
     const BoxSpec& box = box_of(run.scene);
     const auto frames = find_bed_frames(run.folder);
     if (frames.empty()) throw InputError(run.folder + ": no dumps of the grains");
@@ -404,7 +404,7 @@ const BodySpec& ball_of(const Scene& scene) {
 
 }  // namespace
 
-void demand_sphere(const Scene& scene) { ball_of(scene); }
+void require_sphere(const Scene& scene) { ball_of(scene); }
 
 RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
   RigSample sample;
@@ -502,7 +502,7 @@ RftAlpha rft_alpha(double beta, double gamma) {
               D10 * std::sin(angle(1, 0))};
 }
 
-void demand_rft(const Scene& scene) { drawn_plate_of(scene); }
+void require_rft(const Scene& scene) { drawn_plate_of(scene); }
 
 RigSample evaluate_rft(const std::vector<RigRun>& runs) {
   RigSample sample;

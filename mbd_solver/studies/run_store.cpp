@@ -1,3 +1,4 @@
+// Each run is a `footfall run` of its own, several at once. Recipes are fingerprints of the scene as JSON and its files.
 #include "mbd_solver/studies/run_store.h"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// A line for every text in `value` that is the name of a file. Read as LIGGGHTS reads it: with the files it includes,
-// if it has any. With a root, the names are changed to those seen from there, in `value` too.
+// Writes a line for every text in `value` that names a file, with the fingerprint of the file and of those it includes.
+// With a root, names become relative to it, also in `value`.
 void add_files(Json& value, const fs::path& root, std::ostream& text) {
   for (auto& inner : value)
     if (inner.is_structured()) {
@@ -40,7 +41,7 @@ void add_files(Json& value, const fs::path& root, std::ostream& text) {
     }
 }
 
-// What mbd_solver says about itself is the message; else the last words of the log.
+// The message of mbd_solver about itself, otherwise the last line of the log.
 std::string last_message(const std::string& log) {
   const std::string solver = "mbd_solver: ";
   std::ifstream in(log);
@@ -54,14 +55,14 @@ std::string last_message(const std::string& log) {
   return own.empty() ? last : own;
 }
 
-// Empty when there is none, or when it is cut short.
+// Empty if the file does not exist, or is incomplete.
 Json read_object(const std::string& file) {
   std::ifstream in(file);
   const Json json = in ? Json::parse(in, nullptr, false) : Json();
   return json.is_object() ? json : Json::object();
 }
 
-// The text of an entry; empty when there is none.
+// The text of an entry; empty if there is none.
 std::string text_in(const Json& json, const char* key) {
   return json.contains(key) && json.at(key).is_string() ? json.at(key).get<std::string>() : "";
 }
@@ -74,7 +75,7 @@ RunCost cost_of(const Json& from) {
   return cost;
 }
 
-// A hung run is asked to end as Ctrl-C asks it, and ends its programs in order; only then it is killed.
+// At the time limit a run is asked to end as by Ctrl-C, and killed later.
 std::vector<std::string> words_of(const RunRequest& request, const std::string& folder, bool resumes) {
   std::vector<std::string> words;
   if (request.time_limit > 0) words = {"timeout", "--foreground", "-k", "30", std::to_string(request.time_limit)};
@@ -119,7 +120,7 @@ std::size_t RunStore::add(const RunRequest& request) {
     entry.recipe = fingerprint(recipe_of(scene, request.until));
     entry.portable_recipe = fingerprint(portable_recipe_of(scene, request.until));
     entry.home = homes_.try_emplace({entry.recipe, request.repeats}, number).first->second;
-    entry.keeps = scene.output.checkpoint_interval > 0.0;
+    entry.has_checkpoints = scene.output.checkpoint_interval > 0.0;
     if (scene.touches_particles()) {
       entry.ranks = scene.particles->ranks;
       if (scene.particles->bed) entry.bed.push_back(*scene.particles->bed);
@@ -138,7 +139,7 @@ std::string RunStore::folder(std::size_t run) const {
 bool RunStore::is_done(std::size_t run) const {
   const Entry& home = runs_[runs_[run].home];
   if (home.code >= 0) return home.code == kExitDone;
-  if (!keep_ || home.recipe.empty()) return false;
+  if (!reuse_ || home.recipe.empty()) return false;
   return text_in(read_object(record_file(run)), "recipe") == home.recipe &&
          text_in(read_object(summary_file(run)), "status") == "done";
 }
@@ -181,11 +182,11 @@ void RunStore::try_bed(std::size_t run) {
   }
 }
 
-// It was stopped, or killed, with a checkpoint, and is made from the same as then. A checkpoint shows in the last bits of
-// what follows, so only runs that ask for checkpoints go on; what is timed more than once begins anew.
+// It was interrupted or killed after a checkpoint, and its recipe is unchanged. A checkpoint affects the last bits of later
+// results, so only runs whose scene sets checkpoints are resumed; runs that are timed several times start again.
 bool RunStore::can_resume(std::size_t run) const {
   const Entry& home = runs_[runs_[run].home];
-  if (!keep_ || !home.keeps || home.recipe.empty() || home.request.repeats > 1) return false;
+  if (!reuse_ || !home.has_checkpoints || home.recipe.empty() || home.request.repeats > 1) return false;
   if (text_in(read_object(begun_file(run)), "recipe") != home.recipe) return false;
   const Json summary = read_object(summary_file(run));
   if (!summary.empty() && text_in(summary, "status") != "interrupted") return false;
@@ -205,7 +206,7 @@ std::vector<std::size_t> RunStore::left(const std::vector<std::size_t>& runs) co
   return left;
 }
 
-void RunStore::note_end(Entry& entry, int code, double cpu, bool first) {
+void RunStore::record_end(Entry& entry, int code, double cpu, bool first) {
   entry.code = code;
   const Json summary = read_object(summary_file(entry.home));
   if (summary.empty()) return;
@@ -233,7 +234,7 @@ bool RunStore::carry_out(const std::vector<std::size_t>& runs, int jobs,
     std::vector<std::size_t> again;
     const bool interrupted = run_pool(commands, jobs, [&](int task, int code, double cpu) {
       const std::size_t run = round[static_cast<std::size_t>(task)];
-      note_end(runs_[run], code, cpu, k == 1);
+      record_end(runs_[run], code, cpu, k == 1);
       if (code == kExitDone && k < runs_[run].request.repeats)
         again.push_back(run);
       else
@@ -253,7 +254,7 @@ RunEnd RunStore::end_of(std::size_t run) const {
   if (fs::exists(summary_file(run))) {
     const Json found = read_object(summary_file(run));
     end.status = text_in(found, "status");
-    if (end.status.empty()) {  // cut short: this run has failed, not the experiment
+    if (end.status.empty()) {  // incomplete: the run has failed
       end.status = "damaged";
     } else {
       end.summary = found;
@@ -266,7 +267,7 @@ RunEnd RunStore::end_of(std::size_t run) const {
   const Json record = read_object(record_file(run));
   end.cost = home.code < 0 && record.contains("cost") ? cost_of(record.at("cost")) : home.cost;
   if (end.code == RunEnd::kHung)
-    end.message = "hangs: no end within " + std::to_string(home.request.time_limit) + " s";
+    end.message = "no end within the time limit of " + std::to_string(home.request.time_limit) + " s";
   else if (end.code != kExitDone)
     end.message = last_message(end.folder + ".log");
   return end;

@@ -1,3 +1,4 @@
+// Runs NLopt, or Gauss-Newton steps, until a set with unknown misfit is requested; exceptions leave the search there.
 #include "mbd_solver/studies/search.h"
 
 #include <Eigen/Dense>
@@ -6,117 +7,103 @@
 #include <nlopt.hpp>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/studies/codes.h"
 
 namespace footfall {
 namespace {
 
 constexpr double kFirstStep = 0.15;  // of a local search, as a share of the ranges
 
-nlopt::algorithm algorithm_of(SearchMethod method) {
-  switch (method) {
-    case SearchMethod::kDirect: return nlopt::GN_DIRECT_L;
-    case SearchMethod::kCrs2: return nlopt::GN_CRS2_LM;
-    case SearchMethod::kIsres: return nlopt::GN_ISRES;
-    case SearchMethod::kBobyqa: return nlopt::LN_BOBYQA;
-    case SearchMethod::kSbplx: return nlopt::LN_SBPLX;
-    case SearchMethod::kGaussNewton:
-    case SearchMethod::kSurrogate: break;  // not of NLopt
-  }
-  return nlopt::LN_SBPLX;
-}
-
-double squared_distance(const Shares& a, const Shares& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return sum;
-}
-
-// What NLopt asks, and what it is told.
-class Walker {
+// The objective of NLopt.
+class NloptSearch {
  public:
-  Walker(const SearchQuestions& questions, int evaluations, std::size_t most_wanted)
-      : questions_(questions), evaluations_(evaluations), most_wanted_(most_wanted) {}
+  NloptSearch(const SearchQueries& queries, int evaluations, std::size_t most_requested)
+      : queries_(queries), evaluations_(evaluations), most_requested_(most_requested) {}
 
-  double misfit(const Shares& set) {
-    if (ended_) throw nlopt::forced_stop();  // some methods ask on before they stop
-    const auto seen = std::find(way.sets.begin(), way.sets.end(), set);
-    if (seen != way.sets.end()) return misfits_[static_cast<std::size_t>(seen - way.sets.begin())];
-    const auto guessed = std::find(way.wanted.begin(), way.wanted.end(), set);
-    if (guessed != way.wanted.end()) return nearest(set);
-    if (static_cast<int>(way.sets.size() + way.wanted.size()) >= evaluations_) end("all evaluations done");
-    if (way.wanted.empty() && !questions_.may_go_on(set)) end("limit reached");
-    const std::optional<double> known = questions_.misfit(set);
-    if (way.wanted.empty() && known) {
-      way.sets.push_back(set);
+  double misfit(const UnitPoint& set) {
+    if (ended_) throw nlopt::forced_stop();  // some methods continue before they stop
+    const auto coordinates = std::find(path.sets.begin(), path.sets.end(), set);
+    if (coordinates != path.sets.end()) return misfits_[static_cast<std::size_t>(coordinates - path.sets.begin())];
+    const auto guessed = std::find(path.requested.begin(), path.requested.end(), set);
+    if (guessed != path.requested.end()) return nearest(set);
+    if (static_cast<int>(path.sets.size() + path.requested.size()) >= evaluations_) end("all evaluations done");
+    if (path.requested.empty() && !queries_.may_continue(set)) end("limit reached");
+    const std::optional<double> known = queries_.misfit(set);
+    if (path.requested.empty() && known) {
+      path.sets.push_back(set);
       misfits_.push_back(*known);
-      if (*known < way.misfit) way.misfit = *known, way.best = set;
+      if (*known < path.misfit) path.misfit = *known, path.best = set;
       return *known;
     }
-    if (known) return *known;  // behind a guess: on no way yet
-    way.wanted.push_back(set);
-    if (way.wanted.size() >= most_wanted_) end("");
+    if (known) return *known;  // after a guess: not on the path yet
+    path.requested.push_back(set);
+    if (path.requested.size() >= most_requested_) end("");
     return nearest(set);
   }
 
-  StageWay way;
+  SearchPath path;
 
  private:
   [[noreturn]] void end(const std::string& why) {
     ended_ = true;
-    way.end = why;
+    path.end = why;
     throw nlopt::forced_stop();
   }
 
-  double nearest(const Shares& set) const {
-    double distance = std::numeric_limits<double>::infinity(), value = 1.0;
-    for (std::size_t k = 0; k < way.sets.size(); ++k)
-      if (const double d = squared_distance(set, way.sets[k]); d < distance) distance = d, value = misfits_[k];
+  double nearest(const UnitPoint& set) const {
+    double least = std::numeric_limits<double>::infinity(), value = 1.0;
+    for (std::size_t k = 0; k < path.sets.size(); ++k)
+      if (const double d = distance(set, path.sets[k]); d < least) least = d, value = misfits_[k];
     return value;
   }
 
-  const SearchQuestions& questions_;
+  const SearchQueries& queries_;
   int evaluations_;
-  std::size_t most_wanted_;
-  std::vector<double> misfits_;  // of way.sets
+  std::size_t most_requested_;
+  std::vector<double> misfits_;  // of path.sets
   bool ended_ = false;
 };
 
-double asked(const Shares& set, Shares&, void* walker) { return static_cast<Walker*>(walker)->misfit(set); }
+double objective(const UnitPoint& set, UnitPoint&, void* search_state) {
+  return static_cast<NloptSearch*>(search_state)->misfit(set);
+}
 
 }  // namespace
 
-StageWay walk(const StageSpec& stage, const Shares& start, const SearchQuestions& questions, std::size_t most_wanted) {
-  Walker walker(questions, stage.evaluations, std::max<std::size_t>(1, most_wanted));
-  nlopt::srand(static_cast<unsigned long>(stage.seed));
-  nlopt::opt search(algorithm_of(stage.method), static_cast<unsigned>(start.size()));
+SearchPath search_path(const StageSpec& stage, const UnitPoint& start, const SearchQueries& queries,
+                       std::size_t most_requested) {
+  NloptSearch search_state(queries, stage.evaluations, std::max<std::size_t>(1, most_requested));
+  nlopt::opt search(stage.method == SearchMethod::kDirect ? nlopt::GN_DIRECT_L : nlopt::LN_SBPLX,
+                    static_cast<unsigned>(start.size()));
   search.set_lower_bounds(0.0);
   search.set_upper_bounds(1.0);
-  search.set_min_objective(asked, &walker);
-  search.set_maxeval(20 * stage.evaluations + 100);  // sets that it asks for again cost nothing
+  search.set_min_objective(objective, &search_state);
+  search.set_maxeval(20 * stage.evaluations + 100);  // repeated sets cost nothing
   search.set_xtol_abs(stage.precision);
-  if (goes_one_by_one(stage.method)) search.set_initial_step(kFirstStep);
-  Shares at = start;
+  if (is_sequential(stage.method)) search.set_initial_step(kFirstStep);
+  UnitPoint at = start;
   double least = 0.0;
   try {
     search.optimize(at, least);
-    walker.way.end = "within its precision";
+    search_state.path.end = "within its precision";
   } catch (const nlopt::forced_stop&) {
   } catch (const nlopt::roundoff_limited&) {
-    walker.way.end = "as precise as numbers are";
+    search_state.path.end = "limited by round-off";
   } catch (const std::exception& e) {
-    throw InputError("the search " + std::string(name_of(stage.method)) + " was refused by NLopt: " + e.what());
+    throw InputError(code::kSearchRefused,
+                     "NLopt refused the search " + std::string(name_of(stage.method)) + ": " + e.what());
   }
-  return walker.way;
+  return search_state.path;
 }
 
 namespace {
 
-constexpr double kBetter = 1e-9;  // less than this is rounding
+constexpr double kBetter = 1e-9;  // smaller improvements are round-off
 
 }  // namespace
 
-Shares down_from(Shares u, const DescentBounds& bounds, const std::vector<double>& steps,
-                 const std::function<double(const Shares&)>& value) {
+UnitPoint descend(UnitPoint u, const DescentBounds& bounds, const std::vector<double>& steps,
+                  const std::function<double(const UnitPoint&)>& value) {
   double least = value(u);
   for (const double step : steps)
     for (bool better = true; better;) {
@@ -139,22 +126,22 @@ namespace {
 
 constexpr double kFirstDamping = 1.0, kLeastDamping = 1e-6, kMostDamping = 1e8;  // lambda
 
-struct OutOfSets {};  // the stage stops here: sets are wanted, or a limit is reached
+struct OutOfSets {};  // the stage stops: sets are requested, or a limit is reached
 
 class LeastSquares {
  public:
-  LeastSquares(const StageSpec& stage, double step, const LeastSquaresQuestions& questions)
-      : stage_(stage), step_(step), questions_(questions) {}
+  LeastSquares(const StageSpec& stage, double step, const LeastSquaresQueries& queries)
+      : stage_(stage), step_(step), queries_(queries) {}
 
-  void search(Shares at) {
+  void search(UnitPoint at) {
     Eigen::VectorXd r = residuals(at);
     double damping = kFirstDamping;
     for (;;) {
       const Eigen::MatrixXd j = derivatives(at, r.size());
       for (bool better = false; !better;) {
-        const Shares next = stepped(at, j, r, damping);
+        const UnitPoint next = stepped(at, j, r, damping);
         if (distance_of(at, next) < stage_.precision || damping > kMostDamping) {
-          way.end = "within its precision";
+          path.end = "within its precision";
           return;
         }
         const Eigen::VectorXd tried = residuals(next);
@@ -165,42 +152,42 @@ class LeastSquares {
     }
   }
 
-  StageWay way;
+  SearchPath path;
 
  private:
-  Eigen::VectorXd residuals(const Shares& set) { return residuals(std::vector<Shares>{set}).front(); }
+  Eigen::VectorXd residuals(const UnitPoint& set) { return residuals(std::vector<UnitPoint>{set}).front(); }
 
-  // Of all sets, or none where one is not known.
-  std::vector<Eigen::VectorXd> residuals(const std::vector<Shares>& sets) {
+  // Of all sets; leaves the search if one is not known.
+  std::vector<Eigen::VectorXd> residuals(const std::vector<UnitPoint>& sets) {
     std::vector<Eigen::VectorXd> all;
-    for (const Shares& set : sets) {
-      const bool fresh = std::find(way.sets.begin(), way.sets.end(), set) == way.sets.end();
-      if (fresh && static_cast<int>(way.sets.size() + way.wanted.size()) >= stage_.evaluations)
+    for (const UnitPoint& set : sets) {
+      const bool fresh = std::find(path.sets.begin(), path.sets.end(), set) == path.sets.end();
+      if (fresh && static_cast<int>(path.sets.size() + path.requested.size()) >= stage_.evaluations)
         stop("all evaluations done");
-      if (fresh && way.wanted.empty() && !questions_.may_go_on(set)) stop("limit reached");
-      const auto known = questions_.residuals(set);
+      if (fresh && path.requested.empty() && !queries_.may_continue(set)) stop("limit reached");
+      const auto known = queries_.residuals(set);
       if (!known) {
-        way.wanted.push_back(set);
+        path.requested.push_back(set);
         continue;
       }
       const Eigen::VectorXd r =
           Eigen::Map<const Eigen::VectorXd>(known->data(), static_cast<Eigen::Index>(known->size()));
       all.push_back(r);
-      if (!fresh || !way.wanted.empty()) continue;
-      way.sets.push_back(set);
-      if (r.size() > 0 && r.squaredNorm() < way.misfit) way.misfit = r.squaredNorm(), way.best = set;
+      if (!fresh || !path.requested.empty()) continue;
+      path.sets.push_back(set);
+      if (r.size() > 0 && r.squaredNorm() < path.misfit) path.misfit = r.squaredNorm(), path.best = set;
     }
-    if (!way.wanted.empty()) throw OutOfSets();
+    if (!path.requested.empty()) throw OutOfSets();
     return all;
   }
 
   [[noreturn]] void stop(const std::string& why) {
-    way.end = why;
+    path.end = why;
     throw OutOfSets();
   }
 
-  Eigen::MatrixXd derivatives(const Shares& at, Eigen::Index rows) {
-    std::vector<Shares> sets;
+  Eigen::MatrixXd derivatives(const UnitPoint& at, Eigen::Index rows) {
+    std::vector<UnitPoint> sets;
     for (std::size_t i = 0; i < at.size(); ++i)
       for (const double sign : {1.0, -1.0}) {
         sets.push_back(at);
@@ -214,8 +201,8 @@ class LeastSquares {
     return j;
   }
 
-  // Parameters that the step would take out of their ranges stay at the end, and the others are solved for anew.
-  static Shares stepped(const Shares& at, const Eigen::MatrixXd& j, const Eigen::VectorXd& r, double damping) {
+  // Parameters that the step would move out of their ranges stop at the end, and the others are solved for again.
+  static UnitPoint stepped(const UnitPoint& at, const Eigen::MatrixXd& j, const Eigen::VectorXd& r, double damping) {
     const auto n = static_cast<Eigen::Index>(at.size());
     Eigen::VectorXd d = Eigen::VectorXd::Zero(n);
     std::vector<Eigen::Index> open(at.size());
@@ -239,12 +226,12 @@ class LeastSquares {
         cut = true;
       }
     }
-    Shares next = at;
+    UnitPoint next = at;
     for (std::size_t i = 0; i < at.size(); ++i) next[i] = std::clamp(at[i] + d[static_cast<Eigen::Index>(i)], 0.0, 1.0);
     return next;
   }
 
-  static double distance_of(const Shares& a, const Shares& b) {
+  static double distance_of(const UnitPoint& a, const UnitPoint& b) {
     double most = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
     return most;
@@ -252,19 +239,19 @@ class LeastSquares {
 
   const StageSpec& stage_;
   double step_;
-  const LeastSquaresQuestions& questions_;
+  const LeastSquaresQueries& queries_;
 };
 
 }  // namespace
 
-StageWay walk_least_squares(const StageSpec& stage, const Shares& start, double step,
-                            const LeastSquaresQuestions& questions) {
-  LeastSquares search(stage, step, questions);
+SearchPath least_squares_path(const StageSpec& stage, const UnitPoint& start, double step,
+                              const LeastSquaresQueries& queries) {
+  LeastSquares search(stage, step, queries);
   try {
     search.search(start);
   } catch (const OutOfSets&) {
   }
-  return search.way;
+  return search.path;
 }
 
 }  // namespace footfall

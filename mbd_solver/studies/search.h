@@ -1,11 +1,10 @@
 #pragma once
-// One stage of a search by NLopt, as a function of the misfits that are known. It begins anew whenever more are known
-// and goes the same way up to there, so its way depends neither on how many runs go side by side, nor on how often it
-// was killed: it needs no state but the runs themselves.
+// Searches as functions of the known misfits. A search starts again whenever more misfits are known and repeats its path up to
+// there, so the path depends neither on the number of runs at once nor on interruptions, and the runs are its only state.
 //
-// Where a misfit is not known yet, the search goes on with that of the nearest set that is, to see which sets it will
-// probably ask for next: these are run side by side. Only the first of them is certain; the others of a global search
-// are nearly always right, because its first sets do not depend on misfits.
+// Where a misfit is not known yet, the search continues with that of the nearest known set, to find out which sets it will
+// probably request next; these are run at the same time. Only the first of them is certain; those of a global search are
+// nearly always right, because its first sets do not depend on misfits.
 
 #include <functional>
 #include <optional>
@@ -15,48 +14,46 @@
 
 namespace footfall {
 
-struct StageWay {
-  std::vector<Shares> wanted;  // not known yet, the certain one first; empty: the stage has ended
-  Shares best;                 // of those on the way
+struct SearchPath {
+  std::vector<UnitPoint> requested;  // not known yet, the certain one first; empty: the stage has ended
+  UnitPoint best;                    // of the known ones
   double misfit = std::numeric_limits<double>::infinity();
-  std::vector<Shares> sets;  // in the order of the search, each once
-  std::string end;           // why it ended
+  std::vector<UnitPoint> sets;  // in the order of the search, each once
+  std::string end;              // reason of the end
 };
 
-struct SearchQuestions {
-  std::function<std::optional<double>(const Shares&)> misfit;  // none: not known yet
-  std::function<bool(const Shares&)> may_go_on;                // asked before each set that is known or certain
+struct SearchQueries {
+  std::function<std::optional<double>(const UnitPoint&)> misfit;  // none: not known yet
+  std::function<bool(const UnitPoint&)> may_continue;             // called before each set that is known or certain
 };
 
-// `most_wanted`: so many sets are asked for at once. `start` is the first set of a local search, and of crs2 and isres.
-// Throws InputError when NLopt refuses.
-StageWay walk(const StageSpec& stage, const Shares& start, const SearchQuestions& questions, std::size_t most_wanted);
+// A search by NLopt. `most_requested`: number of sets requested at once. `start`: first set of a local search. Throws
+// InputError when NLopt refuses.
+SearchPath search_path(const StageSpec& stage, const UnitPoint& start, const SearchQueries& queries,
+                       std::size_t most_requested);
 
-// The way down a formula of the shares, one parameter at a time: steps in both directions of every parameter, as long as
-// one of them is better, then shorter ones. For surfaces with kinks, whose values cost nothing.
-
-// Each share stays between those of `least` and `most`. `steps`: from long to short. `value`: infinite where a set is not
-// allowed.
+// Coordinate descent for cheap functions with kinks: steps of every parameter in both directions as long as one of them
+// improves the value, then shorter ones. `steps`: from long to short. `value`: infinite where a set is not allowed.
 struct DescentBounds {
-  Shares least, most;
+  UnitPoint least, most;
 };
-Shares down_from(Shares u, const DescentBounds& bounds, const std::vector<double>& steps,
-                 const std::function<double(const Shares&)>& value);
+UnitPoint descend(UnitPoint u, const DescentBounds& bounds, const std::vector<double>& steps,
+                  const std::function<double(const UnitPoint&)>& value);
 
-// The stage "gauss_newton": least squares, which NLopt does not have. From a set u with residuals r, and derivatives J
-// by central differences of `step` (their sets are run side by side),
+// The method gauss_newton (Levenberg-Marquardt). From a set u with residuals r, and derivatives J by central differences of
+// `step`, whose sets are run at the same time,
 //
-//   (J^T J + lambda I) d = -J^T r,   u + d cut at the ranges
+//   (J^T J + lambda I) d = -J^T r,   u + d limited to the ranges
 //
-// [Levenberg, Marquardt]. A better set is taken, and lambda falls to a tenth; else it grows ten times. Ends when d is
-// within the stage's precision, or lambda is at its end. A search begun anew goes the same way, as walk() does.
+// lambda falls to a tenth after a better set, and grows ten times otherwise. Ends when d is within the stage's precision, or
+// lambda at its largest value.
 
-struct LeastSquaresQuestions {
-  std::function<std::optional<std::vector<double>>(const Shares&)> residuals;  // none: not known yet; empty: failed
-  std::function<bool(const Shares&)> may_go_on;
+struct LeastSquaresQueries {
+  std::function<std::optional<std::vector<double>>(const UnitPoint&)> residuals;  // none: not known yet; empty: failed
+  std::function<bool(const UnitPoint&)> may_continue;
 };
 
-StageWay walk_least_squares(const StageSpec& stage, const Shares& start, double step,
-                            const LeastSquaresQuestions& questions);
+SearchPath least_squares_path(const StageSpec& stage, const UnitPoint& start, double step,
+                              const LeastSquaresQueries& queries);
 
 }  // namespace footfall

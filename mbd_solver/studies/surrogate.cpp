@@ -1,3 +1,4 @@
+// Solves for all smoothings by one inverse each, and chooses the next set on the model.
 #include "mbd_solver/studies/surrogate.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 double cube(double r) { return r * r * r; }
 
-// P: with a plane where the points span it and two more are left to tell its error.
+// P: with a plane if the points span it and at least two more determine its error.
 Eigen::MatrixXd tail_of(const Eigen::MatrixXd& points) {
   const Eigen::Index n = points.cols(), m = points.rows();
   Eigen::MatrixXd p(n, m + 1);
@@ -34,7 +35,7 @@ ResponseSurfaces::ResponseSurfaces(const Eigen::MatrixXd& points, const Eigen::M
   matrix.bottomLeftCorner(p.cols(), n) = p.transpose();
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(all, numbers);
   right.topRows(n) = values;
-  weights_ = Eigen::MatrixXd::Zero(all, numbers);  // one point alone: its value everywhere
+  weights_ = Eigen::MatrixXd::Zero(all, numbers);  // of a single point: its value everywhere
   weights_.row(n) = values.colwise().mean();
   left_out_errors_ = Eigen::VectorXd::Constant(numbers, std::numeric_limits<double>::infinity());
   for (const double smoothing : kSmoothings) {
@@ -45,7 +46,7 @@ ResponseSurfaces::ResponseSurfaces(const Eigen::MatrixXd& points, const Eigen::M
     for (Eigen::Index k = 0; k < numbers; ++k) {
       const double error =
           std::sqrt((solution.col(k).head(n).array() / inverse.diagonal().head(n).array()).square().mean());
-      if (!(error < left_out_errors_[k])) continue;  // nor when it is no number
+      if (!(error < left_out_errors_[k])) continue;  // also if not a number
       left_out_errors_[k] = error;
       weights_.col(k) = solution.col(k);
     }
@@ -67,33 +68,27 @@ constexpr std::size_t kCandidates = 2000, kMostDrawn = 20 * kCandidates;
 constexpr std::array<double, 2> kWeights = {0.8, 0.5};            // a
 constexpr std::array<double, 3> kReaches = {0.2, 0.1, 0.04};      // of candidates about the best set
 const std::vector<double> kSteps = {0.2, 0.1, 0.05, 0.02, 0.01};  // down the model
-constexpr double kApart = 0.01;                                   // of two sets, in one parameter at least
+constexpr double kLeastDistance = 0.01;                           // between sets
 
-double distance(const Shares& a, const Shares& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum);
-}
-
-double distance(const Shares& u, const std::vector<Shares>& sets) {
+double nearest_distance(const UnitPoint& u, const std::vector<UnitPoint>& sets) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Shares& set : sets) least = std::min(least, distance(u, set));
+  for (const UnitPoint& set : sets) least = std::min(least, distance(u, set));
   return least;
 }
 
-// The model of Phi: a group of surfaces for all numbers that the same parameters move.
+// The model of Phi: a group of surfaces for all numbers that the same parameters affect.
 class Model {
  public:
-  Model(const SurrogateQuestions& questions, const std::vector<Shares>& sets,
+  Model(const SurrogateQueries& queries, const std::vector<UnitPoint>& sets,
         const std::vector<std::vector<double>>& numbers)
-      : questions_(questions) {
+      : queries_(queries) {
     std::map<std::vector<std::size_t>, std::vector<std::size_t>> numbers_moved_by;
-    for (std::size_t k = 0; k < questions.moved_by.size(); ++k) numbers_moved_by[questions.moved_by[k]].push_back(k);
+    for (std::size_t k = 0; k < queries.moved_by.size(); ++k) numbers_moved_by[queries.moved_by[k]].push_back(k);
     for (const auto& [by, moved] : numbers_moved_by) {
       Eigen::MatrixXd points(static_cast<Eigen::Index>(by.size()), static_cast<Eigen::Index>(sets.size()));
       Eigen::MatrixXd values(points.cols(), static_cast<Eigen::Index>(moved.size()));
       for (std::size_t j = 0; j < sets.size(); ++j) {
-        points.col(static_cast<Eigen::Index>(j)) = seen(by, sets[j]);
+        points.col(static_cast<Eigen::Index>(j)) = coordinates(by, sets[j]);
         for (std::size_t k = 0; k < moved.size(); ++k)
           values(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = numbers[j][moved[k]];
       }
@@ -101,35 +96,36 @@ class Model {
     }
   }
 
-  double misfit(const Shares& u) const {
+  double misfit(const UnitPoint& u) const {
     double sum = 0.0;
     for (const Group& group : groups_) {
-      const Eigen::VectorXd values = group.surfaces.at(seen(group.by, u));
+      const Eigen::VectorXd values = group.surfaces.at(coordinates(group.by, u));
       for (std::size_t k = 0; k < group.moved.size(); ++k)
-        sum += questions_.part(group.moved[k], values[static_cast<Eigen::Index>(k)]);
+        sum += queries_.part(group.moved[k], values[static_cast<Eigen::Index>(k)]);
     }
     return sum;
   }
 
-  Shares down(const Shares& from) const {
-    return down_from(from, {Shares(from.size(), 0.0), Shares(from.size(), 1.0)}, kSteps, [this](const Shares& u) {
-      return questions_.allowed(u) ? misfit(u) : std::numeric_limits<double>::infinity();
-    });
+  UnitPoint down(const UnitPoint& from) const {
+    return descend(from, {UnitPoint(from.size(), 0.0), UnitPoint(from.size(), 1.0)}, kSteps,
+                   [this](const UnitPoint& u) {
+                     return queries_.allowed(u) ? misfit(u) : std::numeric_limits<double>::infinity();
+                   });
   }
 
  private:
   struct Group {
-    std::vector<std::size_t> by, moved;  // parameters, and the numbers that they move
+    std::vector<std::size_t> by, moved;  // parameters, and the numbers that they affect
     ResponseSurfaces surfaces;
   };
 
-  static Eigen::VectorXd seen(const std::vector<std::size_t>& by, const Shares& u) {
+  static Eigen::VectorXd coordinates(const std::vector<std::size_t>& by, const UnitPoint& u) {
     Eigen::VectorXd x(static_cast<Eigen::Index>(by.size()));
     for (std::size_t i = 0; i < by.size(); ++i) x[static_cast<Eigen::Index>(i)] = u[by[i]];
     return x;
   }
 
-  const SurrogateQuestions& questions_;
+  const SurrogateQueries& queries_;
   std::vector<Group> groups_;
 };
 
@@ -142,13 +138,13 @@ std::vector<double> scaled(std::vector<double> values) {
 
 }  // namespace
 
-SurrogateSearch::SurrogateSearch(const StageSpec& stage, const Shares& start, SurrogateQuestions questions)
+SurrogateSearch::SurrogateSearch(const StageSpec& stage, const UnitPoint& start, SurrogateQueries queries)
     : stage_(stage),
-      questions_(std::move(questions)),
+      queries_(std::move(queries)),
       start_(start),
       random_(static_cast<std::mt19937_64::result_type>(stage.seed)) {
-  for (const Shares& set : questions_.earlier)
-    if (const auto numbers = questions_.numbers(set)) learn(set, *numbers);
+  for (const UnitPoint& set : queries_.earlier)
+    if (const auto numbers = queries_.numbers(set)) learn(set, *numbers);
   const std::size_t rows = start.size() + 2;
   for (std::size_t i = 0; i < start.size(); ++i) {
     std::vector<double> places(rows);
@@ -166,7 +162,7 @@ double SurrogateSearch::normal() {
   return std::sqrt(-2.0 * std::log(1.0 - uniform())) * std::cos(2.0 * M_PI * uniform());
 }
 
-void SurrogateSearch::learn(const Shares& set, const std::vector<double>& numbers) {
+void SurrogateSearch::learn(const UnitPoint& set, const std::vector<double>& numbers) {
   if (std::find(tried_.begin(), tried_.end(), set) != tried_.end()) return;
   tried_.push_back(set);
   if (numbers.empty()) return;
@@ -178,23 +174,23 @@ void SurrogateSearch::learn(const Shares& set, const std::vector<double>& number
 
 double SurrogateSearch::misfit_of(const std::vector<double>& numbers) const {
   double sum = 0.0;
-  for (std::size_t k = 0; k < numbers.size(); ++k) sum += questions_.part(k, numbers[k]);
+  for (std::size_t k = 0; k < numbers.size(); ++k) sum += queries_.part(k, numbers[k]);
   return sum;
 }
 
-Shares SurrogateSearch::latin(std::size_t row) {
-  Shares set;
+UnitPoint SurrogateSearch::latin(std::size_t row) {
+  UnitPoint set;
   for (const std::vector<double>& places : hypercube_) set.push_back(places[row]);
   return set;
 }
 
-Shares SurrogateSearch::next() {
+UnitPoint SurrogateSearch::next() {
   if (known_.size() < start_.size() + 2 && designed_ < start_.size() + 2) return latin(designed_++);
   if (known_.empty()) return latin(modelled_++ % (start_.size() + 2));
-  const Model model(questions_, known_, known_numbers_);
-  std::vector<Shares> candidates;
+  const Model model(queries_, known_, known_numbers_);
+  std::vector<UnitPoint> candidates;
   for (std::size_t drawn = 0; candidates.size() < kCandidates && drawn < kMostDrawn; ++drawn) {
-    Shares u = best_;
+    UnitPoint u = best_;
     const bool anywhere = drawn % 2 == 0;
     const double reach = kReaches[drawn / 2 % kReaches.size()];
     const double moved = std::max(0.2, 1.0 / static_cast<double>(u.size()));  // share of the parameters
@@ -203,21 +199,21 @@ Shares SurrogateSearch::next() {
         share = uniform();
       else if (uniform() < moved)
         share = std::clamp(share + reach * normal(), 0.0, 1.0);
-    if (questions_.allowed(u)) candidates.push_back(u);
+    if (queries_.allowed(u)) candidates.push_back(u);
   }
-  if (candidates.empty()) return latin(modelled_++ % (start_.size() + 2));  // constraints leave hardly anything
+  if (candidates.empty()) return latin(modelled_++ % (start_.size() + 2));  // hardly any set satisfies the constraints
   std::vector<double> misfits, distances;
-  for (const Shares& u : candidates) {
+  for (const UnitPoint& u : candidates) {
     misfits.push_back(model.misfit(u));
-    distances.push_back(distance(u, tried_));
+    distances.push_back(nearest_distance(u, tried_));
   }
   const std::size_t kind = modelled_++ % (kWeights.size() + 1);
   if (kind == 0) {
-    const Shares low =
+    const UnitPoint low =
         candidates[static_cast<std::size_t>(std::min_element(misfits.begin(), misfits.end()) - misfits.begin())];
-    const Shares ways[2] = {model.down(low), model.down(best_)};
-    const Shares& u = model.misfit(ways[0]) < model.misfit(ways[1]) ? ways[0] : ways[1];
-    if (distance(u, tried_) >= kApart) return u;
+    const UnitPoint ends[2] = {model.down(low), model.down(best_)};
+    const UnitPoint& u = model.misfit(ends[0]) < model.misfit(ends[1]) ? ends[0] : ends[1];
+    if (nearest_distance(u, tried_) >= kLeastDistance) return u;
   }
   const double a = kWeights[kind == 0 ? 0 : kind - 1];
   const std::vector<double> m = scaled(misfits), d = scaled(distances);
@@ -228,29 +224,29 @@ Shares SurrogateSearch::next() {
   return candidates[chosen];
 }
 
-const StageWay& SurrogateSearch::go() {
+const SearchPath& SurrogateSearch::go() {
   for (;;) {
-    if (way_.wanted.empty()) {
-      if (static_cast<int>(way_.sets.size()) >= stage_.evaluations) {
-        way_.end = "all evaluations done";
-        return way_;
+    if (path_.requested.empty()) {
+      if (static_cast<int>(path_.sets.size()) >= stage_.evaluations) {
+        path_.end = "all evaluations done";
+        return path_;
       }
-      const Shares set = way_.sets.empty() ? start_ : next();
-      if (!questions_.may_go_on(set)) {
-        way_.end = "limit reached";
-        return way_;
+      const UnitPoint set = path_.sets.empty() ? start_ : next();
+      if (!queries_.may_continue(set)) {
+        path_.end = "limit reached";
+        return path_;
       }
-      way_.wanted = {set};
+      path_.requested = {set};
     }
-    const Shares set = way_.wanted.front();
-    const auto numbers = questions_.numbers(set);
-    if (!numbers) return way_;
+    const UnitPoint set = path_.requested.front();
+    const auto numbers = queries_.numbers(set);
+    if (!numbers) return path_;
     learn(set, *numbers);
-    way_.wanted.clear();
-    way_.sets.push_back(set);
+    path_.requested.clear();
+    path_.sets.push_back(set);
     if (numbers->empty()) continue;
     const double misfit = misfit_of(*numbers);
-    if (misfit < way_.misfit) way_.misfit = misfit, way_.best = set;
+    if (misfit < path_.misfit) path_.misfit = misfit, path_.best = set;
   }
 }
 

@@ -1,3 +1,4 @@
+// Rows are built from the spec and the results; the right half of error pictures is over run time.
 #include "mbd_solver/studies/tables.h"
 
 #include <algorithm>
@@ -65,60 +66,61 @@ std::optional<double> number_in(const std::string& text) {
 
 namespace {
 
-std::string word_of(const Outcome& outcome) {
-  return std::isnan(outcome.judged) ? "not run" : outcome.came_out ? "yes" : "no";
+std::string word_of(const CheckResult& check_result) {
+  return std::isnan(check_result.judged) ? "not run" : check_result.reproduced ? "yes" : "no";
 }
 
-const std::string& about(const StatementSpec& s) { return s.curve.empty() ? s.of_case : s.curve; }
+const std::string& about(const CheckSpec& s) { return s.curve.empty() ? s.of_case : s.curve; }
 
 }  // namespace
 
-Table run_table(const ExperimentSpec& spec, const Plan& plan, const Results& results) {
+Table run_table(const SweepSpec& spec, const Plan& plan, const Results& results) {
   const bool named = !spec.curves.empty();
   std::vector<std::string> head = {"run"};
   if (named) head.push_back("name");
   append(head, names_in(spec.parameters));
   head.push_back("status");
-  append(head, names_in(spec.figures));
+  append(head, names_in(spec.metrics));
   Table table(head);
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     std::vector<std::string> row = {std::to_string(i)};
     if (named) row.push_back(plan.runs[i].name);
     append(row, plan.runs[i].values);
     row.push_back(results.runs[i].end.status);
-    for (const double value : results.runs[i].figures) row.push_back(cell(value));
+    for (const double value : results.runs[i].metrics) row.push_back(cell(value));
     table.add(row);
   }
   return table;
 }
 
-Table case_table(const ExperimentSpec& spec, const std::vector<CaseResult>& cases) {
+Table case_table(const SweepSpec& spec, const std::vector<CaseResult>& cases) {
   std::vector<std::string> head = {"case", "runs", "within_limits"};
-  for (const FigureSpec& figure : spec.figures) append(head, {figure.name, "spread of " + figure.name});
+  for (const MetricSpec& metric : spec.metrics) append(head, {metric.name, "spread of " + metric.name});
   Table table(head);
   for (const CaseResult& c : cases) {
     std::vector<std::string> row = {c.plan.name, std::to_string(c.done.size()), c.within_limits ? "yes" : "no"};
-    for (const SampledFigure& f : c.figures) append(row, {cell(f.mean), cell(f.spread)});
+    for (const SampledMetric& f : c.metrics) append(row, {cell(f.mean), cell(f.spread)});
     table.add(row);
   }
   return table;
 }
 
-std::string case_page(const ExperimentSpec& spec, const std::vector<CaseResult>& cases) {
+std::string case_page(const SweepSpec& spec, const std::vector<CaseResult>& cases) {
   const bool limits = !spec.limits.empty();
   std::vector<std::string> head = {spec.title};
-  append(head, names_in(spec.figures));
+  append(head, names_in(spec.metrics));
   if (limits) head.push_back("within the limits");
   Table table(head);
-  for (const PrintedSpec& printed : spec.printed) {
-    std::vector<std::string> row = {printed.name};
-    for (const std::string& value : printed.values) row.push_back(value.empty() ? "" : rounded(*number_in(value)));
+  for (const PublishedSpec& published_values : spec.published_values) {
+    std::vector<std::string> row = {published_values.name};
+    for (const std::string& value : published_values.values)
+      row.push_back(value.empty() ? "" : rounded(*number_in(value)));
     row.resize(head.size());
     table.add(row);
   }
   for (const CaseResult& c : cases) {
     std::vector<std::string> row = {c.plan.name};
-    for (const SampledFigure& f : c.figures)
+    for (const SampledMetric& f : c.metrics)
       row.push_back(rounded(f.mean) + (c.done.size() > 1 ? " +- " + rounded(f.spread) : ""));
     if (limits) row.push_back(c.within_limits ? "yes" : "no");
     table.add(row);
@@ -126,23 +128,23 @@ std::string case_page(const ExperimentSpec& spec, const std::vector<CaseResult>&
   return "Made by `./footfall sweep " + spec.file + "`.\n\n" + table.page();
 }
 
-Table statement_table(const ExperimentSpec& spec, const std::vector<Outcome>& outcomes) {
+Table check_table(const SweepSpec& spec, const std::vector<CheckResult>& results_of_checks) {
   Table table({"statement", "figure", "case", "value", "against", "reference", "judged", "least", "most", "came_out"});
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const StatementSpec& s = spec.statements[i];
-    const Outcome& o = outcomes[i];
-    table.add({s.text, s.figure, about(s), cell(o.value), s.against, cell(o.reference), cell(o.judged), cell(s.least),
+  for (std::size_t i = 0; i < results_of_checks.size(); ++i) {
+    const CheckSpec& s = spec.checks[i];
+    const CheckResult& o = results_of_checks[i];
+    table.add({s.text, s.metric, about(s), cell(o.value), s.against, cell(o.reference), cell(o.judged), cell(s.least),
                cell(s.most), word_of(o)});
   }
   return table;
 }
 
-std::string statement_page(const ExperimentSpec& spec, const std::vector<Outcome>& outcomes) {
-  Table table({"statement", "numbers", "expected", "came out"});
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const StatementSpec& s = spec.statements[i];
-    const Outcome& o = outcomes[i];
-    std::string numbers = s.figure + ": " + about(s) + " " + rounded(o.value);
+std::string check_page(const SweepSpec& spec, const std::vector<CheckResult>& results_of_checks) {
+  Table table({"check", "numbers", "expected", "reproduced"});
+  for (std::size_t i = 0; i < results_of_checks.size(); ++i) {
+    const CheckSpec& s = spec.checks[i];
+    const CheckResult& o = results_of_checks[i];
+    std::string numbers = s.metric + ": " + about(s) + " " + rounded(o.value);
     if (!s.against.empty()) numbers += ", " + s.against + " " + rounded(o.reference) + ", ratio " + rounded(o.judged);
     std::vector<std::string> bounds;
     if (std::isfinite(s.least)) bounds.push_back("at least " + rounded(s.least));
@@ -155,11 +157,11 @@ std::string statement_page(const ExperimentSpec& spec, const std::vector<Outcome
 
 namespace {
 
-std::string curve_of(const ExperimentSpec& spec, const CaseResult& point) {
+std::string curve_of(const SweepSpec& spec, const CaseResult& point) {
   return point.plan.curve < 0 ? "reference" : spec.curves[static_cast<std::size_t>(point.plan.curve)].name;
 }
 
-// Enough of a message for a cell.
+// The beginning of a message, for a cell.
 std::string one_line(const std::string& message) {
   constexpr std::size_t kMost = 90;
   const std::string line = message.substr(0, message.find('\n'));
@@ -167,67 +169,67 @@ std::string one_line(const std::string& message) {
 }
 
 // "12 ± 3 %"
-std::string error_text(const SampledFigure& f) {
+std::string error_text(const SampledMetric& f) {
   return percent(f.error) + (f.standard_error > 0.0 ? " ± " + percent(f.standard_error) : "") + " %";
 }
 
-std::string error_cell(const Results& results, const CaseResult& point, const SampledFigure& f) {
+std::string error_cell(const Results& results, const CaseResult& point, const SampledMetric& f) {
   if (!std::isfinite(f.error)) return "";
   if (results.members == 1) return percent(f.error);
-  if (!std::isfinite(f.mean)) return percent(f.error) + " %";  // of whole curves: no figure
-  const std::string figure = number_text(f.mean, 4) + " ± " + number_text(f.spread, 2);
-  return point.plan.is_reference ? figure : figure + "; " + error_text(f);
+  if (!std::isfinite(f.mean)) return percent(f.error) + " %";  // of whole curves
+  const std::string metric = number_text(f.mean, 4) + " ± " + number_text(f.spread, 2);
+  return point.plan.is_reference ? metric : metric + "; " + error_text(f);
 }
 
-std::vector<std::string> page_row(const ExperimentSpec& spec, const Results& results, const CaseResult& point) {
+std::vector<std::string> page_row(const SweepSpec& spec, const Results& results, const CaseResult& point) {
   std::vector<std::string> row = {curve_of(spec, point), point.plan.value};
   if (point.code != 0) {
-    row.push_back("ended with code " + std::to_string(point.code) + ": " + one_line(point.message));
+    row.push_back("exit code " + std::to_string(point.code) + ": " + one_line(point.message));
     return row;
   }
   const bool grains = results.grains();
   row.push_back(number_text(grains ? point.windows : point.steps));
-  for (const SampledFigure& f : point.figures) row.push_back(error_cell(results, point, f));
+  for (const SampledMetric& f : point.metrics) row.push_back(error_cell(results, point, f));
   if (grains) row.push_back(number_text(point.own_time(), 3));
   row.push_back(number_text(results.members > 1 ? point.cost.cpu : point.cost.wall, 3));
   return row;
 }
 
 // Value, its largest error and its run time.
-std::vector<std::string> advice_cells(const ExperimentSpec& spec, const Advice& a) {
-  if (!a.point) return {"none was done", "", ""};
-  std::string value = (a.within ? "" : "none; best is ") + a.point->plan.value;
-  if (a.apart != kNoFigure)
-    value += ", but for " + spec.figures[a.apart].name + " (" + percent(a.point->figures[a.apart].error) + " %)";
+std::vector<std::string> recommendation_cells(const SweepSpec& spec, const Recommendation& a) {
+  if (!a.point) return {"none is done", "", ""};
+  std::string value = (a.within ? "" : "none; best: ") + a.point->plan.value;
+  if (a.excepted != kNoMetric)
+    value += ", without " + spec.metrics[a.excepted].name + " (" + percent(a.point->metrics[a.excepted].error) + " %)";
   if (!a.resolved) value += " (not resolved)";
-  return {value, error_text(a.largest()) + ", " + spec.figures[a.worst].name,
+  return {value, error_text(a.largest()) + ", " + spec.metrics[a.worst].name,
           a.time_ratio > 0.0 ? fixed_text(a.time_ratio, 2) : ""};
 }
 
-std::string errors_with_defaults(const ExperimentSpec& spec, const Results& results) {
-  const std::vector<Advice> defaults = errors_of_defaults(spec, results);
+std::string errors_with_defaults(const SweepSpec& spec, const Results& results) {
+  const std::vector<Recommendation> defaults = errors_of_defaults(spec, results);
   if (defaults.empty()) return "";
   std::vector<std::string> errors;
-  for (const Advice& a : defaults)
+  for (const Recommendation& a : defaults)
     errors.push_back((errors.empty() ? "" : "\"" + curve_of(spec, *a.point) + "\": ") + error_text(a.largest()) +
-                     " of " + spec.figures[a.worst].name + " at " + a.point->plan.value);
+                     " of " + spec.metrics[a.worst].name + " at " + a.point->plan.value);
   return "\nWith the scene's own values the largest error is that of \"" + curve_of(spec, *defaults.front().point) +
          "\": " + joined(errors, "; ") + ".\n";
 }
 
-std::string scatter_of_reference(const ExperimentSpec& spec, const Results& results) {
+std::string scatter_of_reference(const SweepSpec& spec, const Results& results) {
   const CaseResult& reference = *points_of(results).front();
   if (results.members == 1 || !reference.plan.is_reference) return "";
   std::vector<std::string> scatters;
-  for (std::size_t m = 0; m < spec.figures.size(); ++m) {
-    const SampledFigure& f = reference.figures[m];
+  for (std::size_t m = 0; m < spec.metrics.size(); ++m) {
+    const SampledMetric& f = reference.metrics[m];
     if (std::isfinite(f.mean) && f.mean != 0.0)
-      scatters.push_back(percent(f.spread / std::abs(f.mean)) + " % (" + spec.figures[m].name + ")");
+      scatters.push_back(percent(f.spread / std::abs(f.mean)) + " % (" + spec.metrics[m].name + ")");
   }
   const double share = 1.0 / std::sqrt(static_cast<double>(results.members));
-  return "\nFrom sample to sample the figures of the reference scatter by " + joined(scatters) + ";\nof a mean of " +
+  return "\nThe metrics of the reference vary from sample to sample by " + joined(scatters) + ";\nmeans of " +
          std::to_string(results.members) + " by " + fixed_text(share, 2) +
-         " times that. Errors are told closer because run and reference start from the same samples.\n";
+         " times that. Errors are known more precisely because run and reference start from the same samples.\n";
 }
 
 }  // namespace
@@ -239,15 +241,15 @@ std::vector<const CaseResult*> points_of(const Results& results) {
   return points;
 }
 
-Table error_table(const ExperimentSpec& spec, const Results& results) {
+Table error_table(const SweepSpec& spec, const Results& results) {
   const bool samples = results.members > 1;
   std::vector<std::string> head = {"curve", "value", "x", "exit_code"};
   for (const auto& [name, time] : kTimes) head.push_back(name);
   append(head, {"steps", "windows"});
-  for (const FigureSpec& figure : spec.figures) append(head, {"error." + figure.name, "order." + figure.name});
+  for (const MetricSpec& metric : spec.metrics) append(head, {"error." + metric.name, "order." + metric.name});
   if (samples)
-    for (const FigureSpec& figure : spec.figures)
-      append(head, {"mean." + figure.name, "spread." + figure.name, "standard_error." + figure.name});
+    for (const MetricSpec& metric : spec.metrics)
+      append(head, {"mean." + metric.name, "spread." + metric.name, "standard_error." + metric.name});
   Table table(head);
   const CaseResult* before = nullptr;  // of the same curve
   for (const CaseResult* point : points_of(results)) {
@@ -256,48 +258,47 @@ Table error_table(const ExperimentSpec& spec, const Results& results) {
                                     std::to_string(point->code)};
     for (const auto& [name, time] : kTimes) row.push_back(number_text(point->cost.*time, 4));
     append(row, {number_text(point->steps), number_text(point->windows)});
-    for (std::size_t m = 0; m < spec.figures.size(); ++m) {
-      const double error = point->figures[m].error;
+    for (std::size_t m = 0; m < spec.metrics.size(); ++m) {
+      const double error = point->metrics[m].error;
       double order = 0.0;
       if (before && before->code == 0 && point->code == 0)
-        order = observed_order({{before->plan.x, before->figures[m].error}, {point->plan.x, error}});
+        order = observed_order({{before->plan.x, before->metrics[m].error}, {point->plan.x, error}});
       append(row, {cell(error), order != 0.0 ? fixed_text(order, 2) : ""});
     }
     if (samples)
-      for (const SampledFigure& f : point->figures) append(row, {cell(f.mean), cell(f.spread), cell(f.standard_error)});
+      for (const SampledMetric& f : point->metrics) append(row, {cell(f.mean), cell(f.spread), cell(f.standard_error)});
     table.add(row);
     before = point;
   }
   return table;
 }
 
-std::string recommendations(const ExperimentSpec& spec, const Results& results) {
+std::string recommendation_section(const SweepSpec& spec, const Results& results) {
   std::ostringstream out;
   out << "\n## Recommended settings\n\nThe cheapest value of each curve from which on all errors are within 1 % and "
          "within 5 %, with its largest error and its processor time over\n"
-         "that of the scene's own value, or of the reference where the curve has no such value.";
+         "that of the scene's own value, or of the reference if the curve has no such value.";
   if (results.members > 1)
-    out << " ± is what " << results.members
-        << " samples leave open: the deviation of the error from\nsample to sample over the root of their number; "
-           "where it passes the limit, the value is not resolved.";
-  out << " Where no value keeps all figures within\nthe limit but one does without the worst of them, it is told with "
-         "that one's error.\n\n";
+    out << " ± is the standard error of " << results.members
+        << " samples;\nwhere it exceeds the limit, the value is not resolved.";
+  out << " Where a value keeps all metrics but one within the limit,\nit is listed with the error of that metric.\n\n";
   Table table({"curve", "within 1 %", "largest error", "time", "within 5 %", "largest error", "time"});
-  const std::vector<Advice> fine = advice_of(spec, results, 0.01), coarse = advice_of(spec, results, 0.05);
+  const std::vector<Recommendation> fine = recommendations_of(spec, results, 0.01),
+                                    coarse = recommendations_of(spec, results, 0.05);
   for (std::size_t c = 0; c < fine.size(); ++c) {
     std::vector<std::string> row = {spec.curves[c].name};
-    append(row, advice_cells(spec, fine[c]));
-    append(row, advice_cells(spec, coarse[c]));
+    append(row, recommendation_cells(spec, fine[c]));
+    append(row, recommendation_cells(spec, coarse[c]));
     table.add(row);
   }
   out << table.page() << errors_with_defaults(spec, results) << scatter_of_reference(spec, results);
   return out.str();
 }
 
-std::string error_page(const ExperimentSpec& spec, const Results& results, const std::string& command) {
+std::string error_page(const SweepSpec& spec, const Results& results, const std::string& command) {
   const bool samples = results.members > 1, grains = results.grains();
   std::vector<std::string> head = {"curve", "value", grains ? "windows" : "steps"};
-  append(head, names_in(spec.figures));
+  append(head, names_in(spec.metrics));
   if (grains) head.push_back("mechanism + exchange");
   head.push_back(samples ? "processor time" : grains ? "whole" : "run time");
   Table table(head);
@@ -308,11 +309,12 @@ std::string error_page(const ExperimentSpec& spec, const Results& results, const
     out << "Errors in percent of the reference; run times in s.\n\n" << table.page();
     return out.str();
   }
-  out << "Mean and spread (standard deviation) over " << results.members
-      << " samples; then the error of the mean against the reference's of the same curve, and its standard "
-         "error.\nRun times in s; processor time is that of all programs, without the bed.\n\nMade by `"
+  out << "Mean and standard deviation over " << results.members
+      << " samples; then the error of the mean against the reference of the curve, and its standard error.\nRun times "
+         "in "
+         "s; processor time of all programs, without making the bed.\n\nMade by `"
       << command << "`.\n\n"
-      << table.page() << recommendations(spec, results);
+      << table.page() << recommendation_section(spec, results);
   return out.str();
 }
 
@@ -320,10 +322,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Some point of the curve has such an error, and a place over x; over run time all have.
-bool has_points(const Results& results, int curve, std::size_t figure, bool over_time) {
+// Some point of the curve has this error, and a position over x; over run time all have one.
+bool has_points(const Results& results, int curve, std::size_t metric, bool over_time) {
   return std::any_of(results.cases.begin(), results.cases.end(), [&](const CaseResult& c) {
-    return c.is_of(curve) && c.code == 0 && (over_time || c.plan.x > 0.0) && c.figures[figure].error > 0.0;
+    return c.is_of(curve) && c.code == 0 && (over_time || c.plan.x > 0.0) && c.metrics[metric].error > 0.0;
   });
 }
 
@@ -336,24 +338,24 @@ std::string rows_of(const Results& results, int curve) {
   return " every ::" + std::to_string(from) + "::" + std::to_string(from + count - 1);
 }
 
-// Columns go by their numbers: gnuplot does not know names with a comma.
-std::string error_lines(const ExperimentSpec& spec, const Results& results, const std::string& file, const Table& table,
-                        std::size_t figure, bool over_time) {
+// Columns by their numbers, as gnuplot does not read names with a comma.
+std::string error_lines(const SweepSpec& spec, const Results& results, const std::string& file, const Table& table,
+                        std::size_t metric, bool over_time) {
   const bool samples = results.members > 1;
   const auto column = [&](const std::string& name) { return "column(" + std::to_string(table.column(name)) + ")"; };
   const std::string x = !over_time ? column("x")
                         : samples  ? column("cpu_s")
                                    : column("mbd_wall_s") + "+" + column("exchange_wall_s");
-  const std::string name = spec.figures[figure].name;
+  const std::string name = spec.metrics[metric].name;
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < spec.curves.size(); ++k) {
     const int curve = static_cast<int>(k);
-    if (!has_points(results, curve, figure, over_time)) continue;
+    if (!has_points(results, curve, metric, over_time)) continue;
     std::string title = spec.curves[k].name;
-    if (const double order = over_time ? 0.0 : order_of(results.cases, curve, figure); order != 0.0)
+    if (const double order = over_time ? 0.0 : order_of(results.cases, curve, metric); order != 0.0)
       title += "  order " + fixed_text(order, 1);
-    // On the right only of curves that have no place on the left, which are not over x.
-    if (over_time && !samples && has_points(results, curve, figure, false)) title.clear();
+    // The title once: on the right only for curves that are not over x.
+    if (over_time && !samples && has_points(results, curve, metric, false)) title.clear();
     const std::string color = std::to_string(k + 1), points = gnuplot_text(file) + rows_of(results, curve) +
                                                               " using (" + x + "):(" + column("error." + name) + ")";
     lines.push_back(points + " with linespoints pt " + std::to_string(k + 4) + " lw 1.5 lc " + color + " title " +
@@ -367,16 +369,16 @@ std::string error_lines(const ExperimentSpec& spec, const Results& results, cons
 
 }  // namespace
 
-std::vector<std::string> draw_plots(const ExperimentSpec& spec, const Results& results, const std::string& folder) {
+std::vector<std::string> draw_plots(const SweepSpec& spec, const Results& results, const std::string& folder) {
   std::vector<std::string> scripts;
   for (const PlotSpec& plot : spec.plots) {
     std::vector<std::string> lines;
     for (std::size_t k = 0; k < results.cases.size(); ++k) {
       const CaseResult& c = results.cases[k];
       if (c.done.empty()) continue;
-      // The first run of an ensemble stands for it.
+      // The first run represents an ensemble.
       const fs::path file = fs::absolute(results.runs[c.done.front()].end.folder) / "history.csv";
-      read_history(file.string()).column(plot.column);  // what is missing is told here
+      read_history(file.string()).column(plot.column);  // throws for a missing column
       lines.push_back(gnuplot_text(file.string()) + " using 1:" + gnuplot_text(plot.column) + " with lines lw 1.6 lc " +
                       std::to_string(k + 1) + " title " + gnuplot_text(c.plan.name));
     }
@@ -391,19 +393,19 @@ std::vector<std::string> draw_plots(const ExperimentSpec& spec, const Results& r
   return run_gnuplot(folder, scripts);
 }
 
-std::vector<std::string> draw_errors(const ExperimentSpec& spec, const Results& results, const std::string& folder,
+std::vector<std::string> draw_errors(const SweepSpec& spec, const Results& results, const std::string& folder,
                                      const std::string& name, const Table& table) {
-  const int rows = static_cast<int>(spec.figures.size());
+  const int rows = static_cast<int>(spec.metrics.size());
   const std::string time = results.members > 1 ? "processor time [s]"
                            : results.grains()  ? "run time of mechanism and exchange [s]"
                                                : "run time [s]";
   std::string drawing = "set multiplot layout " + std::to_string(rows) + ",2 title " + gnuplot_text(spec.title) +
                         " font 'DejaVu Sans,13' noenhanced\nset logscale xy\nset format '%.0e'\nset grid\n" +
                         "set key below center samplen 2 noenhanced\n";
-  for (std::size_t figure = 0; figure < spec.figures.size(); ++figure) {
+  for (std::size_t metric = 0; metric < spec.metrics.size(); ++metric) {
     for (const bool over_time : {false, true}) {
-      const std::string lines = error_lines(spec, results, name + ".csv", table, figure, over_time);
-      drawing += "set ylabel " + gnuplot_text("error: " + spec.figures[figure].name) + " noenhanced\nset xlabel " +
+      const std::string lines = error_lines(spec, results, name + ".csv", table, metric, over_time);
+      drawing += "set ylabel " + gnuplot_text("error: " + spec.metrics[metric].name) + " noenhanced\nset xlabel " +
                  gnuplot_text(over_time ? time : spec.x_name) + " noenhanced offset 0,0.6\n" +
                  (lines.empty() ? "set multiplot next\n" : "plot " + lines + "\n");
     }

@@ -1,5 +1,5 @@
 #pragma once
-// A table of an experiment: CSV for programs, Markdown for pages; and the texts of its cells.
+// Tables, pages and pictures of a sweep: CSV for programs, Markdown for pages, pictures by gnuplot from the CSV files.
 
 #include <optional>
 #include <string>
@@ -15,8 +15,8 @@ class Table {
   explicit Table(std::vector<std::string> head) : rows_{std::move(head)} {}
 
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-  int column(const std::string& name) const;  // its number, from 1; 0: there is none
-  std::string csv() const;                    // RFC 4180: cells with a comma or a quote stand in quotes
+  int column(const std::string& name) const;  // its number, from 1; 0: none
+  std::string csv() const;                    // RFC 4180: cells with a comma or a quote are quoted
   std::string page() const;                   // Markdown
 
  private:
@@ -25,51 +25,36 @@ class Table {
 
 void append(std::vector<std::string>& row, const std::vector<std::string>& more);
 
-// A number in a table: empty where there is none.
-std::string cell(double value, int digits = 6);
-// As people read it: three digits, and round-off is zero.
-std::string rounded(double value);
+std::string cell(double value, int digits = 6);  // empty if not finite
+std::string rounded(double value);               // three digits; round-off is zero
 std::string percent(double share);
-
-// The number that a text is; none when it is more or less than one.
+// The number that a text is; nothing if it is anything else.
 std::optional<double> number_in(const std::string& text);
 
-// The runs, cases and statements of an experiment as tables.
+// Runs, cases and checks. The pages have published values, the command that makes them, and explanations of checks that are
+// not reproduced.
+Table run_table(const SweepSpec& spec, const Plan& plan, const Results& results);
+Table case_table(const SweepSpec& spec, const std::vector<CaseResult>& cases);
+std::string case_page(const SweepSpec& spec, const std::vector<CaseResult>& cases);
+Table check_table(const SweepSpec& spec, const std::vector<CheckResult>& results);
+std::string check_page(const SweepSpec& spec, const std::vector<CheckResult>& results);
 
-Table run_table(const ExperimentSpec& spec, const Plan& plan, const Results& results);
-Table case_table(const ExperimentSpec& spec, const std::vector<CaseResult>& cases);
-// The same for people, with printed figures and the command that makes it.
-std::string case_page(const ExperimentSpec& spec, const std::vector<CaseResult>& cases);
-
-Table statement_table(const ExperimentSpec& spec, const std::vector<Outcome>& outcomes);
-// The same for people, with why something did not come out.
-std::string statement_page(const ExperimentSpec& spec, const std::vector<Outcome>& outcomes);
-
-// Errors of the curves of an experiment: as CSV, and as a page; with an ensemble the page also says what it recommends.
-
-// The rows of the tables: with an ensemble those of the references first. They point into the results.
+// The cases of the tables of errors: with an ensemble the references first. They point into the results.
 std::vector<const CaseResult*> points_of(const Results& results);
+// Errors of the curves; with an ensemble also mean, spread and standard error of every metric.
+Table error_table(const SweepSpec& spec, const Results& results);
+// The same as Markdown; with an ensemble also `command`, which makes it, and recommended values for 1 and 5 %.
+std::string error_page(const SweepSpec& spec, const Results& results, const std::string& command);
+std::string recommendation_section(const SweepSpec& spec, const Results& results);
 
-// With an ensemble, every row has mean, spread and standard error (see SampledFigure) of every figure.
-Table error_table(const ExperimentSpec& spec, const Results& results);
+// Both draw NAME.png and NAME.svg in `folder` and return the PNG files. Throw InputError when gnuplot is missing or fails.
 
-// `command`: the one that makes the page, told with an ensemble.
-std::string error_page(const ExperimentSpec& spec, const Results& results, const std::string& command);
-
-// The section "Recommended settings" for 1 and 5 %.
-std::string recommendations(const ExperimentSpec& spec, const Results& results);
-
-// Pictures of an experiment, drawn by gnuplot from the CSV files of its folder and of its runs.
-
-// Each draws NAME.png and NAME.svg in `folder` and returns the PNG files. Throws InputError when gnuplot is missing or
-// fails.
-
-// The histories of [[plots]] over time, one line per case.
-std::vector<std::string> draw_plots(const ExperimentSpec& spec, const Results& results, const std::string& folder);
-// From NAME.csv, which holds `table` (error_page.h): one row per figure, error over x on the left (slopes: observed
-// orders), over run time on the right, all axes logarithmic. Of an ensemble, whose runs often share the machine, errors
-// are over the processor time of all programs, and bars go up by the standard error.
-std::vector<std::string> draw_errors(const ExperimentSpec& spec, const Results& results, const std::string& folder,
+// The histories of [[plots]] over time, a line per case.
+std::vector<std::string> draw_plots(const SweepSpec& spec, const Results& results, const std::string& folder);
+// From NAME.csv, which holds `table`: a row per metric, error over x on the left (slopes: observed orders), over run time on
+// the right, all axes logarithmic. With an ensemble over the processor time of all programs, as runs share the machine, and
+// with bars of the standard error.
+std::vector<std::string> draw_errors(const SweepSpec& spec, const Results& results, const std::string& folder,
                                      const std::string& name, const Table& table);
 
 }  // namespace footfall

@@ -1,3 +1,4 @@
+// Measures growth as the slope of log size over windows, with the coupling code and with LIGGGHTS.
 #include "mbd_solver/studies/window_growth.h"
 
 #include <Eigen/Dense>
@@ -17,10 +18,10 @@ namespace {
 constexpr double kNoRate = std::numeric_limits<double>::quiet_NaN();
 const double kOmega = std::sqrt(50.0 * 1e4 / 20.0);  // of the pad of linear.toml on 50 contacts of kn [1/s]
 constexpr double kClosed = 5e-4;                     // the contacts stay closed within this [m]
-constexpr double kFast = 3.0;                        // growth from which one pair of windows tells it
-constexpr double kSettled = 0.1;                     // and by which two such ratios agree when one mode is left
-constexpr double kDecayed = 1e-7;                    // of the first velocity: below, tolerances would be measured
-constexpr int kWindows = 200, kFewWindows = 40;      // of a motion that stays, and of one that grows
+constexpr double kFast = 3.0;                        // growth from which one pair of windows suffices
+constexpr double kSettled = 0.1;                     // agreement of two such ratios when one mode dominates
+constexpr double kDecayed = 1e-7;                    // of the first velocity; below, tolerances dominate
+constexpr int kWindows = 200, kFewWindows = 40;      // of a bounded motion, of a growing one
 constexpr int kDigits = 10;
 
 bool grows(const std::string& scheme, double omega_h, int n) { return predicted_growth(scheme, omega_h, n) > 1.2; }
@@ -28,7 +29,7 @@ bool grows(const std::string& scheme, double omega_h, int n) { return predicted_
 // First velocity [m/s].
 double push(const std::string& scheme, double omega_h, int n) { return grows(scheme, omega_h, n) ? 1e-11 : 1e-2; }
 
-// In the run that was done in `folder`.
+// Of the run in `folder`.
 double growth_in_liggghts(const std::string& folder, const std::string& scheme, double omega_h, int n) {
   const std::filesystem::path file = std::filesystem::path(folder) / "history.csv";
   if (!std::filesystem::exists(file)) return kNoRate;
@@ -53,7 +54,7 @@ double predicted_growth(const std::string& scheme, double omega_h, int n) {
 
 double measured_growth(const std::string& name, double omega_h, int n) {
   constexpr int windows = 4000;
-  // of the initial motion: beyond, round-off or overflow would be measured
+  // Of the initial motion; beyond, round-off or overflow dominates.
   constexpr double least = 1e-9, most = 1e150;
   const double K = omega_h * omega_h, dt = 1.0 / n;
   const std::unique_ptr<Scheme> scheme = make_scheme(name);
@@ -75,8 +76,7 @@ double measured_growth(const std::string& name, double omega_h, int n) {
   ExternalLoad felt;
 
   std::vector<std::pair<double, double>> logs;  // of the size, over windows
-  // All that the next window depends on, so that the size does not dip where position and velocity pass through zero
-  // together.
+  // Everything on which the next window depends, so that the size does not vanish where position and velocity do.
   const auto size = [&] {
     return Eigen::Vector4d(omega_h * state.r.z(), state.dr.z(), state.ddr.z() / omega_h, omega_h * path.pose().r.z())
         .norm();
@@ -111,7 +111,7 @@ double measured_growth(const std::string& name, double omega_h, int n) {
     if (!(share > least && share < most)) break;
     logs.emplace_back(k, std::log(share));
   }
-  // Slope over the second half, where the fastest-growing mode is alone.
+  // Slope over the second half, where the fastest-growing mode dominates.
   logs.erase(logs.begin(), logs.begin() + static_cast<std::ptrdiff_t>(logs.size() / 2));
   return logs.size() < 2 ? kNoRate : std::exp(slope(logs));
 }
@@ -126,7 +126,7 @@ double growth_of_series(const std::vector<double>& v) {
   Eigen::VectorXd next(count - 2);
   for (std::size_t k = 0; k + 2 < count; ++k) {
     const double scale =
-        1.0 / (std::abs(v[from + k]) + std::abs(v[from + k + 1]));  // every window counts alike while the motion decays
+        1.0 / (std::abs(v[from + k]) + std::abs(v[from + k + 1]));  // equal weights for a decaying motion
     const auto row = static_cast<Eigen::Index>(k);
     past.row(row) << scale * v[from + k + 1], scale * v[from + k];
     next[row] = scale * v[from + k + 2];
@@ -174,7 +174,7 @@ std::vector<GrowthPoint> growth_of_schemes(const GrowthSpec& growth, const std::
   return points;
 }
 
-std::string growth_page(const ExperimentSpec& spec, const std::vector<GrowthPoint>& points) {
+std::string growth_page(const SweepSpec& spec, const std::vector<GrowthPoint>& points) {
   std::vector<std::string> head = scheme_names();
   head.insert(head.begin(), "omega H");
   Table table(head);
@@ -188,8 +188,9 @@ std::string growth_page(const ExperimentSpec& spec, const std::vector<GrowthPoin
     row.clear();
   }
   return "# " + spec.title + "\n\nGrowth of the motion per window of " + std::to_string(spec.growth->substeps) +
-         " substeps, one body on linear contacts with grains that stand, no damping: in LIGGGHTS / by the coupling "
-         "code\nalone / theory ([window maps](theory.md)). Above 1 the scheme makes energy.\n\n" +
+         " DEM steps, one body on linear contacts with fixed grains, without damping: in LIGGGHTS / coupling code only "
+         "/ "
+         "theory\n(theory 7.7). Above 1 the scheme creates energy.\n\n" +
          table.page();
 }
 

@@ -1,4 +1,5 @@
-#include "mbd_solver/studies/experiment_command.h"
+// Makes the beds first, then carries out the runs in a pool, then writes tables and pictures.
+#include "mbd_solver/studies/sweep_command.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -7,17 +8,20 @@
 #include <sstream>
 #include <thread>
 
+#include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/app/results.h"
+#include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed.h"
+#include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/run/output/history.h"
-#include "mbd_solver/scene/findings.h"
-#include "mbd_solver/studies/experiment.h"
+#include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/fits.h"
 #include "mbd_solver/studies/metrics.h"
 #include "mbd_solver/studies/results.h"
@@ -35,29 +39,29 @@ std::string path_of(const OutputPlace& place, const std::string& file) {
   return (fs::path(place.folder) / file).string();
 }
 
-void say(const std::string& text) { std::printf("%s\n", text.c_str()); }
+void print_line(const std::string& text) { std::printf("%s\n", text.c_str()); }
 
-// Into the folder, and where else it was asked for; and for people who look on.
+// Writes it into the folder and to --table, and prints it.
 void write_page(const OutputPlace& place, const std::string& text) {
   write_whole_file(path_of(place, place.name + ".md"), text);
   if (!place.table.empty()) write_whole_file(place.table, text);
-  say(text + path_of(place, place.name + ".md"));
+  print_line(text + path_of(place, place.name + ".md"));
 }
 
-bool write_growth(const ExperimentSpec& spec, const Results& results, const OutputPlace& place) {
+bool write_growth(const SweepSpec& spec, const Results& results, const OutputPlace& place) {
   const std::vector<GrowthPoint> points = growth_of_schemes(*spec.growth, results.runs);
   write_page(place, growth_page(spec, points));
   bool all = true;
   for (const GrowthPoint& p : points) {
     if (p.as_theory(!results.runs.empty())) continue;
     all = false;
-    std::printf("NOT SO    %s, omega H %g: growth in LIGGGHTS %.6g, code alone %.6g, theory %.6g\n", p.scheme.c_str(),
+    std::printf("differs: %s, omega H %g: growth in LIGGGHTS %.6g, coupling code %.6g, theory %.6g\n", p.scheme.c_str(),
                 p.omega_h, p.in_liggghts, p.measured, p.theory);
   }
   return all;
 }
 
-bool write_map(const ExperimentSpec& spec, const Results& results, const OutputPlace& place) {
+bool write_map(const SweepSpec& spec, const Results& results, const OutputPlace& place) {
   const std::vector<Verdict> verdicts = verdicts_of(spec, results);
   write_page(place, verdict_page(spec, verdicts));
   const auto bad = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return !v.as_expected; });
@@ -65,84 +69,84 @@ bool write_map(const ExperimentSpec& spec, const Results& results, const OutputP
   return bad == 0;
 }
 
-// True when all that must come out did.
-bool write_statements(const ExperimentSpec& spec, const Results& results, const OutputPlace& place) {
-  const std::vector<Outcome> outcomes = outcomes_of(spec, results.cases);
-  if (outcomes.empty()) return true;
-  write_whole_file(path_of(place, "statements.csv"), statement_table(spec, outcomes).csv());
-  write_whole_file(path_of(place, "statements.md"), statement_page(spec, outcomes));
-  say("\n" + statement_page(spec, outcomes));
-  for (std::size_t i = 0; i < outcomes.size(); ++i)
-    if (spec.statements[i].must && !outcomes[i].came_out) return false;
+// True when all [[expect]] are reproduced.
+bool write_checks(const SweepSpec& spec, const Results& results, const OutputPlace& place) {
+  const std::vector<CheckResult> check_results = check_results_of(spec, results.cases);
+  if (check_results.empty()) return true;
+  write_whole_file(path_of(place, "statements.csv"), check_table(spec, check_results).csv());
+  write_whole_file(path_of(place, "statements.md"), check_page(spec, check_results));
+  print_line("\n" + check_page(spec, check_results));
+  for (std::size_t i = 0; i < check_results.size(); ++i)
+    if (spec.checks[i].must && !check_results[i].reproduced) return false;
   return true;
 }
 
-void write_errors(const ExperimentSpec& spec, const Results& results, const OutputPlace& place) {
+void write_errors(const SweepSpec& spec, const Results& results, const OutputPlace& place) {
   const std::string csv = path_of(place, place.name + ".csv");
   const Table table = error_table(spec, results);
   write_whole_file(csv, table.csv());
   if (!place.table.empty()) write_whole_file(place.table, error_page(spec, results, place.command));
-  say(error_page(spec, results, place.command) + csv);
+  print_line(error_page(spec, results, place.command) + csv);
   try {
-    say(joined(draw_errors(spec, results, place.folder, place.name, table), "\n"));
+    print_line(joined(draw_errors(spec, results, place.folder, place.name, table), "\n"));
   } catch (const InputError& e) {
-    std::fprintf(stderr, "footfall: warning: no picture: %s\n", e.what());
+    warn_missing_file("picture", e);
   }
 }
 
 }  // namespace
 
-void demand_results(const ExperimentSpec& spec, const std::string& folder) {
-  figures_of_run(spec.figures, folder, spec.file);
+void require_results(const SweepSpec& spec, const std::string& folder) {
+  metrics_of_run(spec.metrics, folder, spec.file);
   if (spec.plots.empty()) return;
   const History history = read_history(folder + "/history.csv");
   for (const PlotSpec& plot : spec.plots)
-    demand_columns({plot.column}, history, folder, spec.file, "plots." + plot.name + ".column");
+    require_columns({plot.column}, history, folder, spec.file, "plots." + plot.name + ".column");
 }
 
-bool write_output(const ExperimentSpec& spec, const Plan& plan, const Results& results, const OutputPlace& place) {
+bool write_output(const SweepSpec& spec, const Plan& plan, const Results& results, const OutputPlace& place) {
   if (spec.growth) return write_growth(spec, results, place);
   if (spec.is_map()) return write_map(spec, results, place);
   write_whole_file(path_of(place, "runs.csv"), run_table(spec, plan, results).csv());
   write_whole_file(path_of(place, "cases.csv"), case_table(spec, results.cases).csv());
   write_whole_file(path_of(place, "cases.md"), case_page(spec, results.cases));
-  if (spec.curves.empty()) say(case_page(spec, results.cases));
+  if (spec.curves.empty()) print_line(case_page(spec, results.cases));
   for (const CaseResult& c : results.cases)
-    if (c.code != 0) std::printf("%s ended with code %d: %s\n", c.plan.name.c_str(), c.code, c.message.c_str());
-  const bool expected = write_statements(spec, results, place);
+    if (c.code != 0) std::printf("%s ended with exit code %d: %s\n", c.plan.name.c_str(), c.code, c.message.c_str());
+  const bool expected = write_checks(spec, results, place);
   const std::vector<std::size_t> order = ranking(spec, results.cases);
   if (!order.empty())
     std::printf("best in %s within the limits: %s\n", spec.minimise.c_str(),
                 results.cases[order.front()].plan.name.c_str());
-  for (const std::string& file : {path_of(place, "runs.csv"), path_of(place, "cases.csv")}) say(file);
-  for (const std::string& file : draw_plots(spec, results, place.folder)) say(file);
+  for (const std::string& file : {path_of(place, "runs.csv"), path_of(place, "cases.csv")}) print_line(file);
+  for (const std::string& file : draw_plots(spec, results, place.folder)) print_line(file);
   if (!place.short_form)
-    for (const std::string& file : write_fits(spec, plan, results.runs, place.folder)) say(file);
+    for (const std::string& file : write_fits(spec, plan, results.runs, place.folder)) print_line(file);
   if (!spec.curves.empty())
     write_errors(spec, results, place);
   else if (!place.table.empty())
     write_whole_file(place.table, case_page(spec, results.cases));
-  // With curves, how a run ended is part of what is told.
+  // With curves, how a run ended is a result.
   return expected && (!spec.curves.empty() || results.all_done());
 }
 
 namespace {
 
-// One curve alone, with what is said about it.
-ExperimentSpec with_curve(ExperimentSpec spec, const std::string& name) {
+// One curve with its checks.
+SweepSpec with_curve(SweepSpec spec, const std::string& name) {
   const int k = index_of(spec.curves, name);
   if (k < 0)
-    throw InputError(spec.file + ": no case \"" + name + "\"." + known_names("cases", name, names_in(spec.curves)));
+    throw InputError(code::kUnknownCurve,
+                     spec.file + ": no case \"" + name + "\"." + known_names("cases", name, names_in(spec.curves)));
   const CurveSpec curve = spec.curves[static_cast<std::size_t>(k)];
   spec.curves = {curve};
-  auto& said = spec.statements;
-  said.erase(std::remove_if(said.begin(), said.end(), [&](const StatementSpec& s) { return s.curve != name; }),
-             said.end());
+  const auto of_others = [&](const CheckSpec& s) { return s.curve != name; };
+  spec.checks.erase(std::remove_if(spec.checks.begin(), spec.checks.end(), of_others), spec.checks.end());
   return spec;
 }
 
 // The same command again, for one run or for all.
-std::vector<std::string> words_again(const ExperimentArguments& a, const std::string& file, const std::string& out) {
+std::vector<std::string> words_again(const SweepArguments& a, const std::string& file, const std::string& out) {
   std::vector<std::string> words = {built_program("footfall")};
   words.insert(words.end(), a.again.begin(), a.again.end());
   if (a.again.empty()) words.insert(words.end(), {a.command, file});
@@ -159,31 +163,31 @@ void list_runs(const RunStore& store, const std::vector<std::size_t>& chosen) {
   }
 }
 
-void write_slurm(const ExperimentArguments& a, const std::string& out, std::size_t runs, int ranks) {
+void write_slurm(const SweepArguments& a, const std::string& out, std::size_t runs, int ranks) {
   const std::string path = (fs::path(out) / "sweep.sbatch").string();
   const std::string line =
       shell_line({words_again(a, fs::absolute(a.file).string(), fs::absolute(out).string()), {}, "", ""});
-  // A line end in a name would begin a line of the script.
+  // A line end in a name would begin a new line of the script.
   for (const char c : line)
     if (static_cast<unsigned char>(c) < 0x20)
-      throw InputError("--slurm: a name on the command line holds a line end or another control character; rename it");
+      throw InputError(code::kSlurmName, "--slurm: a name on the command line has a control character; rename it");
   std::string output = fs::absolute(out).string() + "/slurm_";
   for (std::size_t at = output.find('%'); at != std::string::npos; at = output.find('%', at + 2))
-    output.insert(at, "%");  // Slurm's own mark
+    output.insert(at, "%");  // Slurm replaces %
   std::ostringstream file;
   file << "#!/bin/bash\n#SBATCH --job-name=" << shell_word(fs::path(a.file).stem().string()) << "\n#SBATCH --array=0-"
        << runs - 1 << "\n#SBATCH --nodes=1\n#SBATCH --ntasks=" << ranks + 1
        << "\n#SBATCH --output=" << shell_word(output + "%a.txt") << "\n"
-       << "# Beds first, on the machine you submit from:  " << line << " --list\n"
-       << "# Tables and plots at the end:                 " << line << " --merge\n"
+       << "# First, on the machine from which you submit, the beds:  " << line << " --list\n"
+       << "# At the end tables and plots:                            " << line << " --merge\n"
        << line << " --only \"$SLURM_ARRAY_TASK_ID\"\n";
   write_whole_file(path, file.str());
   std::printf("%s: %zu runs; submit with  sbatch %s\n", path.c_str(), runs, shell_word(path).c_str());
 }
 
-// Beds come first, several at once, each by a process of its own (--only RUN --list), so that runs side by side find
-// them. Throws when one cannot be made, with what its process said; Interrupted at a signal.
-void make_beds(const RunStore& store, const ExperimentArguments& a, const std::string& out,
+// Makes the beds before the runs, several at once, each in a process of its own (--only RUN --list). Throws the error of a
+// process that fails; Interrupted at a signal.
+void make_beds(const RunStore& store, const SweepArguments& a, const std::string& out,
                const std::vector<std::size_t>& runs, int jobs) {
   if (runs.empty()) return;
   make_folder((fs::path(out) / "runs").string());
@@ -193,32 +197,33 @@ void make_beds(const RunStore& store, const ExperimentArguments& a, const std::s
     words.insert(words.end(), {"--only", std::to_string(run), "--list"});
     commands.push_back({words, {}, store.folder(run) + ".bed.log", ""});
   }
-  std::printf("%zu beds to make, %d at once\n", commands.size(), jobs);
+  std::printf("making %zu beds, %d at once\n", commands.size(), jobs);
   std::fflush(stdout);
   int failed = -1, failed_with = 0;
   const bool interrupted = run_pool(commands, jobs, [&](int bed, int code, double) {
     if (code != kExitDone && failed < 0) failed = bed, failed_with = code;
   });
-  if (interrupted) throw Interrupted("interrupted while making the beds; those that are done are kept");
+  if (interrupted)
+    throw Interrupted(code::kBedInterrupted, "interrupted while making the beds; finished ones are in the cache");
   if (failed < 0) return;
   const std::string reason = read_whole_file(commands[static_cast<std::size_t>(failed)].output).value_or("");
-  if (failed_with == kExitBadInput) throw InputError(reason);
-  throw PartnerError(reason);
+  if (failed_with == kExitBadInput) throw InputError(trimmed(reason));
+  throw PartnerError(trimmed(reason));
 }
 
-void say_end(const RunStore& store, std::size_t run) {
+void print_end(const RunStore& store, std::size_t run, const std::string& count, const std::string& left) {
   const RunEnd end = store.end_of(run);
-  std::printf("%s: %s\n", store.request(run).name.c_str(),
-              end.code == kExitDone
-                  ? "done"
-                  : ("ended with code " + std::to_string(end.code) + ", see " + end.folder + ".log").c_str());
+  const std::string result =
+      end.code == kExitDone ? "done" : "exit code " + std::to_string(end.code) + ", see " + end.folder + ".log";
+  std::printf("%s: %s (%s)%s\n", store.request(run).name.c_str(), result.c_str(), count.c_str(),
+              left.empty() ? "" : (", " + left).c_str());
   std::fflush(stdout);
 }
 
 }  // namespace
 
-int experiment_command(const ExperimentArguments& a) {
-  ExperimentSpec spec = read_experiment(a.file);
+int sweep_command(const SweepArguments& a) {
+  SweepSpec spec = read_sweep_file(a.file);
   if (a.change) a.change(spec);
   if (!a.of_case.empty()) spec = with_curve(spec, a.of_case);
   if (a.short_form && spec.growth && !spec.growth->short_omega_h.empty())
@@ -235,9 +240,10 @@ int experiment_command(const ExperimentArguments& a) {
   for (const RunRequest& run : plan.runs) store.add(run);
   const int count = static_cast<int>(plan.runs.size());
   if (a.only >= count)
-    throw InputError("--only " + std::to_string(a.only) + ": there are runs 0 to " + std::to_string(count - 1));
+    throw InputError(code::kNoSuchRun,
+                     "--only " + std::to_string(a.only) + ": expected a run from 0 to " + std::to_string(count - 1));
   make_folder(place.folder);
-  // Elements of a job array share it; each of their runs has a folder of its own.
+  // Elements of a job array share the folder; each of their runs has its own.
   const FileLock lock = a.only < 0 && !a.merge ? lock_folder(place.folder) : FileLock();
   const auto write = [&] {
     const Results results = results_of(spec, plan, store);
@@ -266,21 +272,27 @@ int experiment_command(const ExperimentArguments& a) {
 
   const std::vector<std::size_t> left = store.left(chosen);
   const auto done = std::count_if(chosen.begin(), chosen.end(), [&](std::size_t run) { return store.is_done(run); });
-  bool demanded = false;
-  const auto demand_once = [&](std::size_t run) {
-    if (demanded || !store.is_done(run)) return;
-    demand_results(spec, store.folder(run));
-    demanded = true;
+  bool complete = false;  // a finished run has everything that metrics and plots require
+  const auto check_once = [&](std::size_t run) {
+    if (complete || !store.is_done(run)) return;
+    require_results(spec, store.folder(run));
+    complete = true;
   };
-  for (const std::size_t run : chosen) demand_once(run);
+  for (const std::size_t run : chosen) check_once(run);
   std::printf("%zu runs to do, %td done before, %d at once\n", left.size(), done, jobs);
   std::fflush(stdout);
+  const double started = wall_clock();
+  std::size_t finished = 0;
   const auto ended = [&](std::size_t run) {
-    say_end(store, run);
-    demand_once(run);
+    const double share = static_cast<double>(++finished) / static_cast<double>(left.size());
+    print_end(store, run, std::to_string(finished) + " of " + std::to_string(left.size()),
+              time_left({share, share, wall_clock() - started}));
+    check_once(run);
   };
   if (!store.carry_out(left, jobs, ended)) {
-    std::fprintf(stderr, "footfall: interrupted; the same command goes on with the runs that are left\n");
+    std::fprintf(
+        stderr, "footfall: %s\n",
+        with_code(code::kStudyInterrupted, "interrupted; the same command resumes with the remaining runs").c_str());
     return kExitInterrupted;
   }
   if (a.only >= 0) return store.is_done(chosen.front()) ? kExitDone : kExitFailed;

@@ -1,0 +1,72 @@
+#pragma once
+// Codes of the messages of mbd_solver/studies: E0580 to E0629. Faults of single keys have the codes of scene/codes.h.
+
+#include "coupler/base/errors.h"
+
+namespace footfall::code {
+
+// --- Sweep and calibration files.
+
+// The file is a scene, where a sweep file or a calibration file is expected. Run it, or name the other file.
+inline constexpr MessageCode kSceneGiven{"E0580", "scene-given"};
+// A metric is not one of [[figures]] of the file. Correct its name, or define it.
+inline constexpr MessageCode kUnknownMetric{"E0581", "unknown-metric"};
+// A parameter is not one of [[parameters]] of the file, or has no such value. Correct the name or the value.
+inline constexpr MessageCode kUnknownParameter{"E0582", "unknown-parameter"};
+// There is no such curve or case in the sweep. Correct its name.
+inline constexpr MessageCode kUnknownCurve{"E0583", "unknown-curve"};
+// A value that is listed for a curve or parameter is not one of its values. Correct it.
+inline constexpr MessageCode kNotAValue{"E0584", "not-a-value"};
+// A formula cannot be read or evaluated. Correct it.
+inline constexpr MessageCode kStudyFormula{"E0585", "study-formula"};
+// There is no such scene in [[scenes]]. Correct its name.
+inline constexpr MessageCode kUnknownSceneName{"E0586", "unknown-scene-name"};
+// The sweep has more runs than can be planned. Give fewer values, or use several files.
+inline constexpr MessageCode kTooManyRuns{"E0587", "too-many-runs"};
+// Two runs have the same name, or a name is too long for a folder. Rename parameters or choices.
+inline constexpr MessageCode kRunName{"E0588", "run-name"};
+
+// --- Runs and results.
+
+// A run has no such number in summary.json, or no such column in history.csv. Correct the metric.
+inline constexpr MessageCode kMetricMissing{"E0590", "metric-missing"};
+// The run with which others are compared has failed. Its message follows.
+inline constexpr MessageCode kReferenceFailed{"E0591", "reference-failed"};
+// There is no run of this number. --list lists all.
+inline constexpr MessageCode kNoSuchRun{"E0592", "no-such-run"};
+// A run has no rows to compare. Look at its log.
+inline constexpr MessageCode kRunWithoutRows{"E0593", "run-without-rows"};
+// Signals ended the study. The same command resumes with the remaining runs.
+inline constexpr MessageCode kStudyInterrupted{"E0594", "study-interrupted"};
+// A power law cannot be fitted: too few runs, numbers that are not positive, or dependent factors.
+inline constexpr MessageCode kPowerLaw{"E0595", "power-law"};
+// A name cannot be written into a Slurm script. Rename the file or folder.
+inline constexpr MessageCode kSlurmName{"E0596", "slurm-name"};
+
+// --- Calibration.
+
+// The runs of the start have failed. The message of the run follows; correct the scene or the start.
+inline constexpr MessageCode kStartFailed{"E0600", "start-failed"};
+// Nothing can be reported yet: the runs of the start are not done. Try again later.
+inline constexpr MessageCode kStartNotDone{"E0601", "start-not-done"};
+// The file of recorded runs has a damaged line. Remove the line.
+inline constexpr MessageCode kRecordsDamaged{"E0602", "records-damaged"};
+// NLopt refused the search. Look at ranges and evaluations of the stage.
+inline constexpr MessageCode kSearchRefused{"E0603", "search-refused"};
+// A signal from outside ended a run. Start the same command again.
+inline constexpr MessageCode kRunEndedFromOutside{"E0604", "run-ended-from-outside"};
+
+// --- Rigs.
+
+// There is no such rig. `footfall rig --help` lists all.
+inline constexpr MessageCode kUnknownRig{"E0610", "unknown-rig"};
+// The scene lacks something that the rig requires. Start from a copy of the rig's own scene.
+inline constexpr MessageCode kRigScene{"E0611", "rig-scene"};
+// The runs are not those of the rig. Start from a copy of the rig's own file.
+inline constexpr MessageCode kRigRuns{"E0612", "rig-runs"};
+// The value of --gravity is not valid. Give earth, moon, mars or a number.
+inline constexpr MessageCode kRigGravity{"E0613", "rig-gravity"};
+// A check of the rig is not possible with this scene. Run it without --checks.
+inline constexpr MessageCode kRigCheck{"E0614", "rig-check"};
+
+}  // namespace footfall::code

@@ -1,0 +1,178 @@
+#pragma once
+// A sweep file: many runs, metrics of them, and checks. `footfall sweep` and `footfall accuracy` read the same files, whose
+// keys docs/reference/sweep_files.md describes. A case is one value of a curve, or one combination of the values of
+// parameters; every case is run for every value of the ensemble.
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/scene/field_visitor.h"
+#include "mbd_solver/scene/source.h"
+#include "mbd_solver/studies/metrics.h"
+
+namespace footfall {
+
+struct ChoiceSpec {
+  std::string name, scene;  // scene empty: the sweep's
+  std::vector<std::string> settings;
+};
+
+// [[parameters]]: every combination of their values is a case; the last one varies fastest.
+struct ParameterSpec {
+  std::string name;
+  std::vector<std::string> settings, values, short_values;  // {value} in settings is replaced by each value
+  std::vector<ChoiceSpec> choices, short_choices;           // given instead of values, or one for each value
+  bool ensemble = false;                                    // its values are samples of one case, as seeds are
+  Source source;
+};
+
+// How the runs of a stability map must end: see Verdict in results.h.
+struct EndSpec {
+  std::vector<std::string> ends;     // one for all, or one per value; empty: not a stability map
+  std::string group;                 // heading in the table
+  std::string message;               // regular expression that warnings or the last message must match; empty: any
+  std::vector<std::string> columns;  // of history.csv, compared with the reference; empty: judged by energy
+  bool at_end = false;               // compare the last row only
+  double tolerance = 0.02;           // of the error, over the reference's range [-]
+  double order_beyond = 0.0;  // from this value on errors grow at most in proportion to the value; 0: not checked
+};
+
+// [[curves]]: their values are cases, one after the other.
+struct CurveSpec {
+  std::string name, scene;             // scene empty: the sweep's
+  std::vector<std::string> settings;   // "{value}" and "{beside}" are replaced
+  std::vector<std::string> reference;  // settings of a reference of its own, likewise; empty: [reference] only
+  std::vector<std::string> values, beside;
+  std::vector<std::string> short_values = {""};  // of the short form; {""}: the first value; empty: none
+  std::string default_value;                     // the value that the scene has; empty: none of them
+  double scale = 1.0;                            // x = scale value
+  double until = 0.0;                            // [s]; 0: the sweep's
+  EndSpec end;
+  Source source;
+};
+
+// [reference]: the run with which the others are compared.
+struct ReferenceSpec {
+  std::string scene;  // empty: the sweep's, otherwise the curve's
+  std::vector<std::string> settings;
+};
+
+// [short]: changes for --short.
+struct ShortSpec {
+  double until = 0.0;  // [s]; 0: unchanged
+  std::vector<std::string> settings;
+};
+
+// [[limits]]: cases beyond are left out of the ranking.
+struct LimitSpec {
+  std::string metric;
+  double most = 0.0;
+  Source source;
+};
+
+// [[plots]]: a column of history.csv over time, a line per case.
+struct PlotSpec {
+  std::string name, title, column, label;
+};
+
+// [[printed]]: published values of the metrics, in the order of [[figures]].
+struct PublishedSpec {
+  std::string name;
+  std::vector<std::string> values;  // numbers; empty: not published
+  Source source;
+};
+
+// [[statements]] and [[expect]]: bounds of a metric of a case; with `order` or `error`, of a curve.
+struct CheckSpec {
+  std::string text, metric, why;  // why: explanation, shown where the check is not reproduced
+  std::string of_case, against;   // against: case that the metric is divided by; empty: none
+  std::string curve;
+  std::vector<double> order;    // bounds of the slope of the error over x: empty, or two
+  std::optional<double> error;  // bound of the error at the last value [-]
+  double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
+  bool must = false;  // [[expect]]: exit code 1 unless reproduced
+  Source source;
+};
+
+// [growth]: growth per window instead of all the above: window_growth.h.
+struct GrowthSpec {
+  std::vector<double> omega_h, short_omega_h;  // [-]; short_omega_h empty: all
+  int substeps = 20;                           // DEM steps per window
+};
+
+struct FitFactor {
+  std::string name;                              // in the law
+  std::vector<std::string> sum;                  // parameters and metrics whose sum it is
+  std::map<std::string, std::string> published;  // exponents, by author
+  Source source;
+};
+
+// [[fits]]: a power law through all runs, metric = A factor_1^p_1 factor_2^p_2 ...
+struct FitSpec {
+  std::string name, metric, label;           // label: of the metric in the law
+  std::string marks;                         // parameter whose values get symbols of their own in the picture
+  std::map<std::string, std::string> where;  // only runs with these values of parameters
+  std::vector<FitFactor> factors;
+  Source source;
+};
+
+struct SweepSpec {
+  std::string file, folder;  // of the file
+  std::string title, scene, x_name = "value";
+  std::string minimise;               // metric that ranks the cases within the limits; empty: no ranking
+  std::vector<std::string> settings;  // of every run
+  double until = 0.0;                 // [s]; 0: the scene's end time
+  int time_limit = 0;                 // of a run, wall-clock [s]; 0: none
+  int repeats = 1;                    // of every run; the shortest run time counts
+  ShortSpec short_form;
+  std::vector<ParameterSpec> parameters;
+  std::vector<CurveSpec> curves;
+  std::optional<ReferenceSpec> reference;
+  std::vector<MetricSpec> metrics;  // [[figures]]
+  std::vector<LimitSpec> limits;
+  std::vector<PublishedSpec> published_values;
+  std::vector<CheckSpec> checks, expected;  // those of [[expect]] are in both
+  std::vector<PlotSpec> plots;
+  std::vector<FitSpec> fits;
+  std::optional<GrowthSpec> growth;
+  Source source;
+
+  bool is_map() const { return !curves.empty() && !curves.front().end.ends.empty(); }
+};
+
+// Visits several keys of one rule.
+struct KeyedMember {
+  const char* key;
+  FieldRef member;
+};
+void visit_keys(FieldVisitor& v, const Rule& rule, const std::vector<KeyedMember>& keys);
+
+void visit_fields(FieldVisitor& v, SweepSpec& spec);  // its keys
+// Throws InputError with all findings, "file:line: key: what is wrong, what was expected".
+SweepSpec read_sweep_file(const std::string& file);
+// JSON schema (draft 2020-12) of these files, from the same description of keys.
+std::string sweep_schema();
+
+// Replaces "{value}", or another mark, in every text.
+std::vector<std::string> filled(std::vector<std::string> texts, const std::string& value,
+                                const std::string& mark = "{value}");
+
+// Position of the entry with this name; -1 without.
+template <class Named>
+int index_of(const std::vector<Named>& list, const std::string& name) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+template <class Named>
+std::vector<std::string> names_in(const std::vector<Named>& list) {
+  std::vector<std::string> names;
+  for (const Named& entry : list) names.push_back(entry.name);
+  return names;
+}
+
+}  // namespace footfall
