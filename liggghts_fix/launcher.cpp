@@ -1,6 +1,6 @@
-// liggghts_mbd: Debian's unmodified LIGGGHTS plus the fix styles of footfall. Same command line, same output, same exit
-// code as liggghts; alone it is LIGGGHTS, and next to mbd_solver under one mpirun it is the grains' side of a coupled
-// run:
+// liggghts_mbd: Debian's LIGGGHTS library, not rebuilt, with the fix styles of footfall and with those of its functions
+// replaced that replaced/README.md lists. Same command line, output and exit codes as liggghts, and the same results to the
+// bit without our fixes. Next to mbd_solver under one mpirun it is the DEM side of a coupled run:
 //   mpirun -np 2 liggghts_mbd -in in.script : -np 1 mbd_solver scene.toml
 
 #include <mpi.h>
@@ -25,67 +25,67 @@
 #include "coupler/transport_mpi.h"
 #include "input.h"
 #include "lammps.h"
-#include "liggghts_fix/dem_link.h"
-#include "liggghts_fix/fix_couple_mbd.h"
-#include "liggghts_fix/fix_couple_mbd_audit.h"
-#include "liggghts_fix/fix_couple_mbd_geometry.h"
-#include "liggghts_fix/fix_wall_gran_beam.h"
-#include "liggghts_fix/fix_wall_gran_smooth.h"
-#include "liggghts_fix/last_words.h"
+#include "liggghts_fix/codes.h"
+#include "liggghts_fix/contact/fix_wall_gran_beam.h"
+#include "liggghts_fix/contact/fix_wall_gran_smooth.h"
+#include "liggghts_fix/couple/fix_couple_mbd.h"
+#include "liggghts_fix/couple/fix_couple_mbd_geometry.h"
+#include "liggghts_fix/couple/grain_audit.h"
 #include "liggghts_fix/liggghts_access.h"
-#include "liggghts_fix/past_screen.h"
-#include "liggghts_fix/program_world.h"
+#include "liggghts_fix/link/dem_link.h"
+#include "liggghts_fix/replaced/comm_world.h"
+#include "liggghts_fix/replaced/screen.h"
 #include "signal_handling.h"
 
 namespace {
 
 using namespace footfall;
 
-// How long a partner may be silent before it counts as lost [s], until it has said how long (coupling.timeout of the
-// scene, whose default this is).
+// How long the partner may be silent before its Accept brings coupling.timeout of the scene, whose default this is [s].
 constexpr double kPatience = 300.0;
 
-// How long an end that failed may take before it is forced [s].
+// How long an orderly end after a failure may take before it is forced [s].
 constexpr unsigned kFailedEnd = 4;
 
-// LIGGGHTS' own: SIGINT and SIGTERM end the run after the step, with a restart file.
+// As LIGGGHTS: SIGINT and SIGTERM end the run after the step, with a restart file.
 void stop_as_liggghts(int signal) { LAMMPS_NS::SignalHandler::int_handler(signal); }
 
-// The quit flag is one of each rank: ranks that leave the loop at different steps wait for each other for ever.
-void stop_some_ranks(int signal) {
+// Each rank has its own quit flag: ranks that leave the loop at different steps would wait for each other for ever.
+void stop_with_time_limit(int signal) {
   alarm(kEndingTime);
   stop_as_liggghts(signal);
 }
 
-// What LIGGGHTS makes here is of use only when it is whole.
+// The result is of use only when it is complete.
 void stop_at_once(int) {
   (void)!write(STDERR_FILENO, kStoppedLine, std::strlen(kStoppedLine));
   _exit(kExitInterrupted);
 }
 
-// Without a partner: as LIGGGHTS' own main, but that several ranks end for certain. SIGUSR1 asks for a restart file.
+// Without a partner: as LIGGGHTS' own main, except that several ranks end within a time limit. SIGUSR1 requests a restart
+// file.
 void install_signal_handlers(int ranks) {
   const bool all_or_nothing = std::getenv(kAllOrNothing) != nullptr;
   std::signal(SIGUSR1, all_or_nothing ? stop_at_once : LAMMPS_NS::SignalHandler::usr1_handler);
   for (const int signal : {SIGINT, SIGTERM})
-    std::signal(signal, all_or_nothing ? stop_at_once : ranks > 1 ? stop_some_ranks : stop_as_liggghts);
+    std::signal(signal, all_or_nothing ? stop_at_once : ranks > 1 ? stop_with_time_limit : stop_as_liggghts);
   for (const int signal : {SIGHUP, SIGQUIT}) std::signal(signal, all_or_nothing ? stop_at_once : SIG_DFL);
 }
 
-// The value of LIGGGHTS' option, by its long or short name; nullptr when it is not given.
+// The value of LIGGGHTS' option, by its long or short name; null when it is not given.
 char** option(int argc, char** argv, const char* name, const char* short_name) {
   for (int i = 1; i + 1 < argc; ++i)
     if (std::strcmp(argv[i], name) == 0 || std::strcmp(argv[i], short_name) == 0) return &argv[i + 1];
   return nullptr;
 }
 
-// `-screen none` makes LIGGGHTS print through a null stream as soon as a script has a mesh: nowhere is then a better
-// place, until the screen is kept. True when the option is given.
-bool mend_screen_none(int argc, char** argv) {
-  static char nowhere[] = "/dev/null";
+// With `-screen none` LIGGGHTS prints to a null stream as soon as a script has a mesh. The option is replaced by a file
+// that can be written to. True when the option is given.
+bool replace_screen_none(int argc, char** argv) {
+  static char null_device[] = "/dev/null";
   char** screen = option(argc, argv, "-screen", "-sc");
   if (!screen || std::strcmp(*screen, "none") != 0) return false;
-  *screen = nowhere;
+  *screen = null_device;
   return true;
 }
 
@@ -95,55 +95,56 @@ LAMMPS_NS::Fix* create_fix(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) {
 }
 
 int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_link) {
-  const bool silent = mend_screen_none(argc, argv);
-  if (silent) silence_what_goes_past_the_screen();
-  // Not owned by a pointer that deletes it on the way of an exception: a LIGGGHTS stopped in mid-step cannot be taken
-  // down in order.
+  const bool silent = replace_screen_none(argc, argv);
+  if (silent) hide_restart_version();
+  // Not owned by a smart pointer, which would delete it when an exception leaves: a LIGGGHTS stopped within a step cannot be
+  // destroyed in order.
   auto* lmp = new LAMMPS_NS::LAMMPS(argc, argv, communicator.world());
   if (silent) {
     char** log = option(argc, argv, "-log", "-l");
-    if (std::FILE* kept = screen_kept_for_last_words(log ? *log : "log.liggghts")) lmp->screen = kept;
+    if (std::FILE* hidden = open_hidden_screen(log ? *log : "log.liggghts")) lmp->screen = hidden;
   }
-  // Line by line: who reads the log while it is written sees what LIGGGHTS is at.
+  // Line by line: readers of the log see the progress of LIGGGHTS.
   if (lmp->logfile) std::setvbuf(lmp->logfile, nullptr, _IOLBF, BUFSIZ);
   attach_dem_link(lmp, dem_link);
   register_fix_style(lmp, "couple/mbd/geometry", create_fix<LAMMPS_NS::FixCoupleMbdGeometry>);
   register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
   register_fix_style(lmp, "wall/gran/beam", create_fix<LAMMPS_NS::FixWallGranBeam>);
   register_fix_style(lmp, "wall/gran", create_fix<LAMMPS_NS::FixWallGranSmooth>);
-  let_meshes_resume(lmp);
-  const std::unique_ptr<LAMMPS_NS::GrainAudit> audit = LAMMPS_NS::audit_if_asked(lmp, dem_link);
+  make_meshes_resumable(lmp);
+  const std::unique_ptr<LAMMPS_NS::GrainAudit> audit = LAMMPS_NS::audit_if_required(lmp, dem_link);
   lmp->input->file();
-  // The scene's end has stopped a run as a signal would; the script goes on behind that run.
+  // The end of the scene stops a run as a signal would; the script then continues after that run.
   while (LAMMPS_NS::SignalHandler::request_quit && dem_link.finished() && interrupted() == 0) {
     LAMMPS_NS::SignalHandler::request_quit = false;
     lmp->input->file();
   }
-  int code = kExitDone;
+  int exit_code = kExitDone;
   if (LAMMPS_NS::SignalHandler::request_quit && dem_link.has_partner() && !dem_link.finished()) {
-    code = kExitInterrupted;
-    if (!dem_link.fail("LIGGGHTS was stopped by a signal", Status::kInterrupted)) abort_both_programs(code);
+    exit_code = kExitInterrupted;
+    const std::string reason = with_code(code::kLiggghtsInterrupted, "LIGGGHTS was stopped by a signal");
+    if (!dem_link.fail(reason, Status::kInterrupted)) abort_both_programs(exit_code);
   }
   dem_link.script_ended();
   delete lmp;
-  return code;
+  return exit_code;
 }
 
-void say(const std::exception& error) {
+void print_error(const std::exception& error) {
   std::fflush(stdout);
   std::fprintf(stderr, "liggghts_mbd: ERROR: %s\n", error.what());
   std::fflush(stderr);
 }
 
-// Our errors arise on all ranks alike: one says it, all tell the partner together. Returns the exit code.
-int stop(const std::exception& error, int code, const Communicator& communicator, DemLink& dem_link) {
-  if (communicator.is_root()) say(error);
-  // A partner that does not hear it would keep MPI_Finalize waiting.
-  const Status status = code == kExitBadInput      ? Status::kBadInput
-                        : code == kExitInterrupted ? Status::kInterrupted
-                                                   : Status::kFailed;
-  if (!dem_link.fail(error.what(), status)) abort_both_programs(code);
-  return code;
+// Errors of footfall occur on all ranks: the root prints them, and all inform the partner together. Returns the exit code.
+int stop(const std::exception& error, int exit_code, const Communicator& communicator, DemLink& dem_link) {
+  if (communicator.is_root()) print_error(error);
+  const Status status = exit_code == kExitBadInput      ? Status::kBadInput
+                        : exit_code == kExitInterrupted ? Status::kInterrupted
+                                                        : Status::kFailed;
+  // MPI_Finalize would wait for a partner that does not answer.
+  if (!dem_link.fail(error.what(), status)) abort_both_programs(exit_code);
+  return exit_code;
 }
 
 int run_and_report(int argc, char** argv, const Communicator& communicator, DemLink& dem_link) {
@@ -161,8 +162,8 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
     return stop(error, kExitFailed, communicator, dem_link);
   } catch (const FileError& error) {
     return stop(error, kExitFailed, communicator, dem_link);
-  } catch (const std::exception& error) {  // a mistake of ours or no memory: perhaps on this rank alone
-    say(error);
+  } catch (const std::exception& error) {  // an internal error or lack of memory, possibly on this rank only
+    print_error(error);
     abort_both_programs(kExitFailed);
   }
 }
@@ -170,13 +171,13 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that cannot grow is an error of write()
   end_on_signals("liggghts_mbd");
   MPI_Init(&argc, &argv);
-  int code = kExitDone;
+  int exit_code = kExitDone;
   try {
     const Communicator communicator;
-    let_world_mean(communicator.world());
+    redirect_comm_world(communicator.world());
     AbortGuard::install(communicator);
     if (!communicator.has_partner()) install_signal_handlers(communicator.size());
     std::unique_ptr<TransportMpi> transport;
@@ -186,24 +187,25 @@ int main(int argc, char** argv) {
       link = std::make_unique<Link>(*transport, kPatience);
     }
     DemLink dem_link(link.get());
-    // LIGGGHTS ends a wrong script with MPI_Finalize and exit(1): then this is still said.
+    // LIGGGHTS ends a wrong script with MPI_Finalize and exit(1): then this message is still sent.
     AbortGuard::set_final_message([&] {
       transport->stop_forwarding();
       const std::string errors = errors_on_screen();
-      return dem_link.fail("LIGGGHTS ended with an error of its own" +
-                           (errors.empty() ? "; its message stands in its output and log file" : ": " + errors));
+      return dem_link.fail(
+          with_code(code::kLiggghtsError, "LIGGGHTS ended with an error of its own" +
+                                              (errors.empty() ? "; see its output and log file" : ": " + errors)));
     });
-    code = run_and_report(argc, argv, communicator, dem_link);
-    let_world_mean(MPI_COMM_WORLD);
+    exit_code = run_and_report(argc, argv, communicator, dem_link);
+    redirect_comm_world(MPI_COMM_WORLD);
     AbortGuard::release();
   } catch (const std::exception& error) {
-    say(error);
-    code = kExitBadInput;
+    print_error(error);
+    exit_code = kExitBadInput;
     AbortGuard::release();
   }
-  if (code == kExitFailed) note_failure();
-  // It waits for the partner, which may be stopped or hung.
-  if (code != kExitDone) end_within(kFailedEnd, code);
+  if (exit_code == kExitFailed) note_failure();
+  // MPI_Finalize waits for the partner, which may be stopped or hang.
+  if (exit_code != kExitDone) end_within(kFailedEnd, exit_code);
   MPI_Finalize();
-  return code;
+  return exit_code;
 }

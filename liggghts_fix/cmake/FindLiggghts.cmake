@@ -1,5 +1,5 @@
-# Debian's unmodified LIGGGHTS library: target Liggghts::Liggghts, LIGGGHTS_VERSION.
-# Refuses any version but the one whose private members liggghts_access*.cpp know.
+# Debian's LIGGGHTS library, as installed: target Liggghts::Liggghts, LIGGGHTS_VERSION.
+# Refuses any version but the one whose private members liggghts_access.cpp know.
 find_path(LIGGGHTS_INCLUDE_DIR fix_mesh_surface.h PATH_SUFFIXES liggghts)
 find_library(LIGGGHTS_LIBRARY liggghts)
 find_program(LIGGGHTS_EXECUTABLE liggghts)
@@ -16,7 +16,7 @@ find_package_handle_standard_args(Liggghts
   REQUIRED_VARS LIGGGHTS_LIBRARY LIGGGHTS_INCLUDE_DIR LIGGGHTS_EXECUTABLE VERSION_VAR LIGGGHTS_VERSION)
 if(NOT LIGGGHTS_VERSION VERSION_EQUAL Liggghts_FIND_VERSION)
   message(FATAL_ERROR "LIGGGHTS ${LIGGGHTS_VERSION} at ${LIGGGHTS_LIBRARY}: footfall reaches into private members of version "
-    "${Liggghts_FIND_VERSION} only. Install Debian's libliggghts-dev of that version, or check liggghts_access*.cpp against yours.")
+    "${Liggghts_FIND_VERSION} only. Install Debian's libliggghts-dev of that version, or check liggghts_access.cpp against yours.")
 endif()
 
 # The package lacks the lists of contact models that LIGGGHTS' own build makes: one #include per model.

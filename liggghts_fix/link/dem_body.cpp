@@ -1,0 +1,121 @@
+// Projects contacts on the body, averages over the window, and samples contact slopes at a few substeps.
+
+#include "liggghts_fix/link/dem_body.h"
+
+#include <algorithm>
+
+#include "coupler/message_fields.h"
+
+namespace footfall {
+namespace {
+
+// Slopes change slowly compared with forces, and multiply only the error of the prediction: a mean over so many substeps
+// is as good as one over all.
+constexpr int kSlopeSamples = 8;
+
+}  // namespace
+
+DemBody::DemBody(const CoupledBody& scene_body, const Scheme& scheme)
+    : boundary_(scene_body.boundary),
+      path_(scheme, scene_body.initial),
+      average_(scheme, scene_body.boundary.mode_count()),
+      now_(scene_body.boundary.mode_count()),
+      scheme_needs_slopes_(scheme.requires_tangent()) {
+  share_.mean = MeanLoad(boundary_.mode_count());
+  if (scheme_needs_slopes_) share_.tangent.resize(1);
+  load_ = share_;
+}
+
+void DemBody::visit(Archive& archive) {
+  archive("path", path_);
+  archive("load", load_);
+}
+
+void DemBody::begin_window(const BodyMotion& start, int n, double dt, double inverse_mass) {
+  inverse_mass_ = inverse_mass;
+  path_.begin_window(start, n, dt);
+  average_.begin_window(path_.jump(), path_.pose());
+  stiffness_time_ = 0.0;
+  time_ = 0.0;
+  overlap_ = patch_over_facet_ = 0.0;
+  contact_time_ = 0.0;
+  substep_ = 0;
+  slope_stride_ = (n + kSlopeSamples - 1) / kSlopeSamples;
+  slope_samples_ = 0;
+  slopes_sum_ = {};
+}
+
+void DemBody::clear_contacts() {
+  now_.set_zero();
+  samples_slopes_ = scheme_needs_slopes_ && substep_ % slope_stride_ == slope_stride_ / 2;
+  if (samples_slopes_) slopes_now_ = {};
+  stiffness_now_ = 0.0;
+  contacts_now_ = 0;
+}
+
+void DemBody::add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_W,
+                          double overlap_over_radius, double stiffness) {
+  boundary_.add_point_force(path_.pose(), point, f_W, now_);
+  boundary_.add_point_moment(path_.pose(), point, m_W, now_);
+  count_contact(overlap_over_radius, stiffness);
+}
+
+void DemBody::count_patch(double over_facet) { patch_over_facet_ = std::max(patch_over_facet_, over_facet); }
+
+void DemBody::add_load(const GeneralizedForce& Q) {
+  now_.F_W += Q.F_W;
+  now_.T_W += Q.T_W;
+  now_.Q_a += Q.Q_a;
+}
+
+void DemBody::count_contact(double overlap_over_radius, double stiffness) {
+  overlap_ = std::max(overlap_, overlap_over_radius);
+  stiffness_now_ += stiffness;
+  ++contacts_now_;
+}
+
+void DemBody::add_slope(const BoundaryPoint& point, const Eigen::Vector3d& arm_W, const ContactSlope& slope) {
+  add_slope(boundary_.position(path_.pose(), point) + arm_W, slope);
+}
+
+void DemBody::add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope) {
+  footfall::add_slope(slope, point_W - path_.pose().r, slopes_now_);
+}
+
+void DemBody::use_as_opening_force() { average_.set_opening_force(now_, path_.pose()); }
+
+void DemBody::end_substep(double dt) {
+  average_.add_step(now_, path_.pose(), path_.last_step(), dt);
+  stiffness_time_ += stiffness_now_ * dt;
+  contact_time_ += static_cast<double>(contacts_now_) * dt;
+  if (samples_slopes_) {
+    slopes_sum_.K += slopes_now_.K;
+    slopes_sum_.C += slopes_now_.C;
+    ++slope_samples_;
+  }
+  ++substep_;
+  time_ += dt;
+}
+
+void DemBody::append_share(std::vector<double>& row) {
+  share_.mean = average_.finish();
+  share_.contacts = contacts_now_;
+  share_.mean_contacts = contact_time_ / time_;
+  share_.contact_stiffness = stiffness_time_ / time_;
+  share_.max_overlap_over_radius = overlap_;
+  share_.max_patch_over_facet = patch_over_facet_;
+  const double per_sample = 1.0 / std::max(1, slope_samples_);
+  for (ContactTangent& tangent : share_.tangent) {
+    tangent.K = per_sample * slopes_sum_.K;
+    tangent.C = per_sample * slopes_sum_.C;
+  }
+  footfall::append_share(share_, row);
+}
+
+double DemBody::work_between(const BodyMotion& from, const BodyMotion& to) const {
+  // T_B turns with the body: its work is T_B . theta_B, where theta has the same components in B at both ends.
+  const Eigen::Vector3d theta_B = from.rotation().transpose() * rotation_vector(from.L, to.L);
+  return load_.mean.F_W.dot(to.r - from.r) + load_.mean.T_B.dot(theta_B) + load_.mean.Q_a.dot(to.a - from.a);
+}
+
+}  // namespace footfall

@@ -1,0 +1,97 @@
+#pragma once
+// One coupled body on the DEM side: the path of its boundary, and the load of this rank's grains on it.
+
+#include <cstdint>
+#include <vector>
+
+#include "coupler/load_average.h"
+#include "coupler/messages.h"
+#include "coupler/modal_boundary.h"
+#include "coupler/window.h"
+#include "liggghts_fix/link/contact_slope.h"
+#include "liggghts_fix/link/rank_shares.h"
+
+namespace footfall {
+
+// A window: begin_window; per substep advance, clear_contacts, add_contact for every contact of this rank, end_substep;
+// then append_share, a gather over the ranks, clear_load and add_share for every rank.
+class DemBody {
+ public:
+  // Both must outlive the body.
+  DemBody(const CoupledBody& scene_body, const Scheme& scheme);
+
+  const ModalBoundary& boundary() const { return boundary_; }
+  const BoundaryPath& path() const { return path_; }
+  const BodyMotion& pose() const { return path_.pose(); }
+
+  // inverse_mass [1/kg]: 1/m of the mass that contacts act on; 0: unknown, fixed or driven.
+  void begin_window(const BodyMotion& start, int n, double dt, double inverse_mass = 0.0);
+  double inverse_mass() const { return inverse_mass_; }
+  void advance() { path_.advance(); }
+
+  void clear_contacts();
+  // Adds a contact: force f_W [N] ON the body at the boundary point, and moment m_W [N m] about that point (rolling
+  // friction, and contacts at a distance from the point, as on the surface of a beam); overlap over grain radius [-];
+  // normal stiffness [N/m] (0: unknown).
+  void add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_W,
+                   double overlap_over_radius, double stiffness);
+  // Of a contact on a curved part of a mesh: patch radius sqrt(2 R overlap) over the width of the facet [-].
+  void count_patch(double over_facet);
+  // The same in two parts, where many contacts are projected together (beams): their generalized force ON the body, and
+  // the values of each contact.
+  void add_load(const GeneralizedForce& Q);
+  void count_contact(double overlap_over_radius, double stiffness);
+  // Does the scheme use contact slopes, and is this one of the substeps at which they are sampled? Then call add_slope
+  // for every contact: at arm_W [m] from a boundary point (on a periodic mesh the position in W would be that of an
+  // image), or at a point in W [m].
+  bool samples_slopes() const { return samples_slopes_; }
+  void add_slope(const BoundaryPoint& point, const Eigen::Vector3d& arm_W, const ContactSlope& slope);
+  void add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope);
+  // The forces just evaluated in the set-up of a run open the next substep.
+  void use_as_opening_force();
+  // The forces from before the set-up open it instead.
+  void set_opening_force(const OpeningForce& force) { average_.set_opening_force(force); }
+  const OpeningForce& opening_force() const { return average_.opening_force(); }  // of this rank
+  void end_substep(double dt);
+  // Of the contacts on this rank since clear_contacts.
+  const GeneralizedForce& contact_force() const { return now_; }
+
+  // At the end of a window: appends the load of this rank's grains to its row (rank_shares.h).
+  void append_share(std::vector<double>& row);
+  std::size_t share_size() const { return footfall::share_size(load_); }
+  // Then, with the rows of all ranks: clear_load, and add_share for every rank. add_share returns the start of the next
+  // share in the row.
+  void clear_load() { clear(load_); }
+  const double* add_share(const double* row) { return footfall::add_share(row, load_); }
+
+  // Complete after the shares of all ranks were added.
+  const BodyLoad& load() const { return load_; }
+  // Mean moment about Bo in W at the end of the window [N m].
+  Eigen::Vector3d mean_moment_W() const { return pose().rotation() * load_.mean.T_B; }
+  // State between two windows, without the opening force, of which each rank has a part (DemLink::opening_forces).
+  void visit(Archive& archive);
+  // Work of the mean load of the last window between two computed states [J].
+  double work_between(const BodyMotion& from, const BodyMotion& to) const;
+
+ private:
+  const ModalBoundary& boundary_;
+  BoundaryPath path_;
+  LoadAverage average_;
+  GeneralizedForce now_;        // of all contacts since clear_contacts
+  double stiffness_now_ = 0.0;  // [N/m]
+  std::int64_t contacts_now_ = 0;
+  double stiffness_time_ = 0.0;  // integral over the window [N s/m]
+  double contact_time_ = 0.0;    // integral of the contacts over the window [s]
+  double time_ = 0.0;            // of the window [s]
+  double inverse_mass_ = 0.0;    // [1/kg]
+  bool scheme_needs_slopes_;
+  bool samples_slopes_ = false;
+  int substep_ = 0, slope_stride_ = 1, slope_samples_ = 0;  // in the window
+  ContactTangent slopes_now_, slopes_sum_;                  // sum over contacts; sum over samples
+  double overlap_ = 0.0;                                    // largest in the window over radius [-]
+  double patch_over_facet_ = 0.0;                           // likewise [-]
+  BodyLoad share_;                                          // of this rank, in the last window
+  BodyLoad load_;                                           // of all ranks
+};
+
+}  // namespace footfall

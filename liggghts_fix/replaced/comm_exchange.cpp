@@ -1,0 +1,16 @@
+// LAMMPS_NS::Comm::exchange, in which grains change ranks. Grains outside of the box are lost here, and LIGGGHTS corrects
+// its total at once: only the numbers before and after show how many.
+
+#include "atom.h"
+#include "comm.h"
+#include "lammps.h"
+#include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/link/dem_link.h"
+#include "liggghts_fix/replaced/next_definition.h"
+
+void LAMMPS_NS::Comm::exchange() {
+  static const auto exchange = footfall::next_definition<void (*)(Comm*)>("_ZN9LAMMPS_NS4Comm8exchangeEv");
+  const int before = atom->nlocal;
+  exchange(this);
+  if (footfall::DemLink* const link = footfall::find_dem_link(lmp)) link->grains_exchanged(before, atom->nlocal);
+}
