@@ -1,3 +1,5 @@
+// Both methods solve M x = mu (K + shift M) x, whose matrix on the right is positive definite even if M is not.
+
 #include "mbd_solver/fe/eigen_solver.h"
 
 #include <Eigen/SparseCholesky>
@@ -7,6 +9,7 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
@@ -18,14 +21,13 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr Index kDenseSize = 300;  // above, subspace iteration is faster
 constexpr int kMaxIterations = 300;
-constexpr double kConverged = 1e-11;  // relative change of every lambda + shift in one iteration
-constexpr double kRoundOff = 1e-5;    // or, of a slender body, no progress in kStalled iterations below this
+constexpr double kConverged = 1e-11;  // largest relative change of a lambda + shift in one iteration
+constexpr double kRoundOff = 1e-5;    // slender bodies: below this, kStalled iterations without progress suffice
 constexpr int kStalled = 6;
 constexpr double kRank = 1e-12;      // singular below this fraction of a block's largest eigenvalue
-constexpr double kMassless = 1e-14;  // mu below this fraction of the largest: no mass in that direction
+constexpr double kMassless = 1e-14;  // no mass in a direction with mu below this fraction of the largest
 
-// In A = K + shift M the problem reads M x = mu A x with mu = 1 / (lambda + shift) >= 0: A is positive
-// definite even if M is not, and the lowest modes have the largest mu.
+// With A = K + shift M the problem is M x = mu A x, mu = 1 / (lambda + shift) >= 0; the lowest modes have the largest mu.
 struct Reduced {
   VectorXd mu;  // descending
   MatrixXd y;   // y^T A y = 1
@@ -36,7 +38,8 @@ Reduced solve_reduced(const MatrixXd& M, const MatrixXd& A) {
   const MatrixXd scaled_A = scale.asDiagonal() * A * scale.asDiagonal();
   const Eigen::LLT<MatrixXd> cholesky(scaled_A);
   if (cholesky.info() != Eigen::Success || !scale.allFinite())
-    throw InputError("stiffness is not positive definite: a motion stores no strain energy, or a negative one.");
+    throw InputError(code::kStiffness,
+                     "stiffness is not positive definite: the strain energy of some motion is not positive.");
   MatrixXd C = scale.asDiagonal() * M * scale.asDiagonal();
   cholesky.matrixL().solveInPlace(C);
   C = cholesky.matrixL().solve(C.transpose()).eval();
@@ -55,8 +58,9 @@ Modes modes_from(const VectorXd& mu, const MatrixXd& x, double shift) {
 }
 
 [[noreturn]] void refuse_massless(int count) {
-  throw InputError("mass matrix is not positive: fewer than " + std::to_string(count) +
-                   " independent motions carry mass. Ask for fewer modes, or give every node a mass.");
+  throw InputError(code::kTooManyModes,
+                   "mass matrix is not positive: fewer than " + std::to_string(count) +
+                       " independent motions have mass. Request fewer modes, or give every node a mass.");
 }
 
 Modes dense_modes(const Sparse& K, const Sparse& M, int count, double shift) {
@@ -69,10 +73,11 @@ Modes subspace_modes(const Sparse& K, const Sparse& M, int count, double shift) 
   const Sparse A = K + shift * M;
   const Eigen::SimplicialLDLT<Sparse> factor(A);
   if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0))
-    throw InputError("stiffness is not positive definite: a motion stores no strain energy, or a negative one.");
+    throw InputError(code::kStiffness,
+                     "stiffness is not positive definite: the strain energy of some motion is not positive.");
   const Index n = A.rows();
   const Index width = std::min<Index>(mass_rank(M), std::max<Index>(2 * count, count + 8));
-  std::mt19937 random(1);  // the same start every time: the same result every time
+  std::mt19937 random(1);  // fixed seed: reproducible results
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   MatrixXd X(n, width);
   for (Index j = 0; j < width; ++j)
@@ -95,13 +100,14 @@ Modes subspace_modes(const Sparse& K, const Sparse& M, int count, double shift) 
       return modes_from(mu, X * reduced.y.leftCols(count), shift);
     last = mu;
   }
-  throw NumericalError("modes: subspace iteration for " + std::to_string(count) + " modes did not converge in " +
-                       std::to_string(kMaxIterations) + " iterations.");
+  throw NumericalError(code::kModesNotConverged, "modes: subspace iteration for " + std::to_string(count) +
+                                                     " modes did not converge in " + std::to_string(kMaxIterations) +
+                                                     " iterations.");
 }
 
 }  // namespace
 
-// Blocks are found by following the couplings.
+// Finds the blocks by following couplings.
 int mass_rank(const Sparse& M) {
   int rank = 0;
   std::vector<bool> done(static_cast<std::size_t>(M.cols()), false);
@@ -128,8 +134,8 @@ int mass_rank(const Sparse& M) {
 Modes lowest_modes(const Sparse& K, const Sparse& M, int count, double shift, EigenMethod method) {
   FOOTFALL_DEMAND(count >= 0 && K.rows() == M.rows());
   if (count > K.rows())
-    throw InputError(std::to_string(count) + " modes asked for, but there are only " + std::to_string(K.rows()) +
-                     " degrees of freedom.");
+    throw InputError(code::kTooManyModes, std::to_string(count) + " modes required, but there are only " +
+                                              std::to_string(K.rows()) + " degrees of freedom.");
   if (count > mass_rank(M)) refuse_massless(count);
   if (count == 0) return {VectorXd(0), MatrixXd(K.rows(), 0)};
   const bool dense = method == EigenMethod::kDense ||

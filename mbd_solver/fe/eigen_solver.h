@@ -1,6 +1,5 @@
 #pragma once
-// Lowest modes of K x = lambda M x; K symmetric positive semidefinite, M symmetric positive semidefinite
-// (massless degrees of freedom are allowed: they follow statically).
+// Lowest modes of K x = lambda M x; K and M symmetric positive semidefinite (massless degrees of freedom follow statically).
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -14,17 +13,17 @@ struct Modes {
 
 enum class EigenMethod { kAutomatic, kDense, kSubspace };
 
-// The `count` lowest modes. K + shift M must be positive definite: shift = 0 for a supported body, about the
-// first elastic lambda for a free one. Dense for small problems, else subspace iteration on (K + shift M)^-1
-// M; both give the same modes. Throws InputError when M has fewer than `count` positive directions or K +
-// shift M is not positive definite, NumericalError when the iteration does not converge.
+// The `count` lowest modes. K + shift M must be positive definite: shift = 0 for a supported body, about the first elastic
+// lambda for a free one. Dense for small problems, else subspace iteration on (K + shift M)^-1 M, with the same result.
+// Throws InputError if M has fewer than `count` positive directions or K + shift M is not positive definite, NumericalError
+// if the iteration does not converge.
 Modes lowest_modes(const Eigen::SparseMatrix<double>& K, const Eigen::SparseMatrix<double>& M, int count, double shift,
                    EigenMethod method = EigenMethod::kAutomatic);
 
 // Number of independent motions with mass of a lumped (block-diagonal, blocks of at most 3) mass matrix.
 int mass_rank(const Eigen::SparseMatrix<double>& M);
 
-// Every mode that carries mass, dense; for the small problems of reduced bases.
+// All modes with mass, dense; for the small problems of reduced bases.
 Modes all_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& M, double shift);
 
 }  // namespace footfall

@@ -1,3 +1,5 @@
+// Stiffness and stress in element axes: the beam in closed form, the shell as plate plus membrane.
+
 #include "mbd_solver/fe/elements.h"
 
 #include <algorithm>
@@ -19,8 +21,8 @@ Eigen::Matrix3d beam_axes(const Vector3d& from, const Vector3d& to, const Vector
   return R_DE;
 }
 
-// Bending in a plane with deflection v and slope t: EI/L^3 [12, 6L, -12, 6L; 6L, 4L^2, -6L, 2L^2; ...]. In
-// the xy plane t = theta_z = dv/dx, in the xz plane dw/dx = -theta_y, hence the sign.
+// Bending in a plane with deflection v and slope t: EI/L^3 [12, 6L, -12, 6L; 6L, 4L^2, -6L, 2L^2; ...]. In the xy plane
+// t = theta_z = dv/dx, in the xz plane dw/dx = -theta_y, hence the sign.
 Matrix12d beam_stiffness(double length, const BeamSection& section, const Material& material) {
   const double L = length;
   Matrix12d K = Matrix12d::Zero();
@@ -46,8 +48,7 @@ Matrix12d beam_stiffness(double length, const BeamSection& section, const Materi
   return K;
 }
 
-// Section forces at the first end are minus the nodal forces there, at the second end the nodal forces
-// themselves.
+// Section forces are minus the nodal forces at the first end, and the nodal forces at the second.
 BeamStressMatrix beam_stress(double length, const BeamSection& section, const Material& material) {
   const Matrix12d K = beam_stiffness(length, section, material);
   BeamStressMatrix S = BeamStressMatrix::Zero();

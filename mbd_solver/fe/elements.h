@@ -1,5 +1,6 @@
 #pragma once
-// From the axes of an element to those of the drawing, three rows and columns at a time: every degree of freedom belongs to a vector.
+// Finite elements: a beam and a flat shell, and the transformation of their matrices to the frame D of the reference
+// configuration.
 
 #include <Eigen/Dense>
 
@@ -7,7 +8,9 @@
 
 namespace footfall {
 
-// T K T^T, T = diag(R_DE, R_DE, ...): columns of R_DE are the axes of the element in the drawing.
+// --- Transformation by vectors of three: every degree of freedom belongs to one.
+
+// T K T^T, T = diag(R_DE, R_DE, ...): columns of R_DE are the axes of the element in D.
 template <class Matrix>
 Matrix turned_stiffness(Matrix K, const Eigen::Matrix3d& R_DE) {
   for (Eigen::Index j = 0; j < K.cols(); j += 3)
@@ -29,32 +32,28 @@ Matrix turned_stress(Matrix S, const Eigen::Matrix3d& R_DE) {
   return S;
 }
 
-// Straight 3D Euler-Bernoulli frame element: axial force, torsion and bending in two planes, cross sections
-// stay plane and normal. Two nodes, 12 degrees of freedom in the order [u1; theta1; u2; theta2], each (x, y,
-// z).
+// --- Straight 3D Euler-Bernoulli beam: axial force, torsion and bending in two planes. Two nodes, 12 degrees of freedom in
+// the order [u1; theta1; u2; theta2], each (x, y, z).
 
 using Matrix12d = Eigen::Matrix<double, 12, 12>;
 constexpr int kBeamStressPoints = 8;  // four fibres at the first end, then four at the second
 using BeamStressMatrix = Eigen::Matrix<double, 6 * kBeamStressPoints, 12>;
 
-// R_DE: columns are the element's axes in the drawing frame D. x from first to second end; z is as near to
-// `up` as x allows. Without `up` (zero): D's z axis, or D's x axis for an element that runs along z. It
-// matters only for sections that are not round.
+// R_DE: columns are the element's axes in D. x from first to second end; z as near to `up` as possible. Without `up` (zero):
+// D's z axis, or D's x axis for an element along z. It matters only for sections that are not round.
 Eigen::Matrix3d beam_axes(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                           const Eigen::Vector3d& up = Eigen::Vector3d::Zero());
 
 // Stiffness in element axes [N/m, N, N m]; exact for loads at the ends.
 Matrix12d beam_stiffness(double length, const BeamSection& section, const Material& material);
 
-// Stress (xx yy zz xy yz zx, element axes) at the fibres from the end displacements in element axes [Pa/m,
-// Pa/rad]. sigma_xx = N/A + My z/Iy - Mz y/Iz, torsion shear T/W along the circumference; shear of transverse
-// forces is left out.
+// Stress (xx yy zz xy yz zx, element axes) at the fibres from the end displacements in element axes [Pa/m, Pa/rad].
+// sigma_xx = N/A + My z/Iy - Mz y/Iz, torsion shear T/W along the circumference; shear of transverse forces is neglected.
 BeamStressMatrix beam_stress(double length, const BeamSection& section, const Material& material);
 
-// Flat triangular shell element: thin plate bending (discrete Kirchhoff triangle, Batoz, Bathe and Ho 1980)
-// and a membrane with rotations about the normal (the optimal triangle of Felippa 2003), so that no
-// fictitious drilling spring is needed. Three nodes, 18 degrees of freedom in the order [u1; theta1; u2;
-// theta2; u3; theta3], each (x, y, z) in the drawing frame D.
+// --- Flat triangular shell: thin plate bending (discrete Kirchhoff triangle, Batoz, Bathe and Ho 1980) and a membrane with
+// rotations about the normal (the optimal triangle of Felippa 2003), without a fictitious drilling spring. Three nodes, 18
+// degrees of freedom in the order [u1; theta1; u2; theta2; u3; theta3], each (x, y, z) in D.
 
 using Matrix18d = Eigen::Matrix<double, 18, 18>;
 using PlateStressMatrix = Eigen::Matrix<double, 12, 18>;

@@ -1,3 +1,5 @@
+// Selected rows and columns of K and M, factored by sparse Cholesky; elastic_scale() bounds the first mode by trial fields.
+
 #include "mbd_solver/fe/fe_analysis.h"
 
 #include <Eigen/SparseCholesky>
@@ -9,6 +11,7 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/eigen_solver.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 
@@ -20,8 +23,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 namespace {
 
-constexpr double kRigid = 1e-6;   // a field that loses all but this fraction of its norm was a rigid motion
-constexpr int kScaleRounds = 10;  // each takes the scale down by up to 1e8; most bodies need two or three
+constexpr double kRigid = 1e-6;   // a field is a rigid motion if less than this fraction of its norm remains
+constexpr int kScaleRounds = 10;  // each lowers the scale by up to 1e8; most bodies need two or three
 constexpr int kScaleIterations = 4;
 constexpr double kScaleFloor = 1e-8;
 
@@ -81,9 +84,9 @@ MatrixXd rigid_motions(const FeModel& model, const Vector3d& centre) {
   return R;
 }
 
-// A first bound from fields u = e_i x_k x_l, with the rotation of their curl, theta = 1/2 grad(x_k x_l) x
-// e_i. It can be far too high (the fields do not know where the body is soft), so it is improved by inverse
-// iteration with the bound itself as shift, rigid motion taken out.
+// A first bound from fields u = e_i x_k x_l, with the rotation of their curl, theta = 1/2 grad(x_k x_l) x e_i. It can be far
+// too high, because the fields ignore where the body is soft; inverse iteration with the bound as shift and rigid motion
+// removed improves it.
 double elastic_scale(const FeModel& model) {
   const MassProperties body = mass_properties(model);
   const std::vector<int> active = active_dofs(model);
@@ -115,7 +118,7 @@ double elastic_scale(const FeModel& model) {
         start += u / std::sqrt(mass);
       }
   if (!(scale < std::numeric_limits<double>::infinity()))
-    throw InputError("the model has no stiffness or no mass: no elastic motion was found.");
+    throw InputError(code::kFeModel, "the model has no stiffness or no mass: no elastic motion was found.");
 
   Eigen::SimplicialLDLT<Sparse> factor;
   factor.analyzePattern(K + M);
@@ -128,17 +131,13 @@ double elastic_scale(const FeModel& model) {
       start /= std::sqrt(start.dot(M * start));
     }
     const double better = start.dot(K * start);
-    if (!(better > kScaleFloor * scale)) break;  // no strain energy but round-off: a mechanism, for others to find
+    if (!(better > kScaleFloor * scale)) break;  // only round-off: a mechanism, which is found later
     const bool settled = better > 0.5 * scale;
     scale = std::min(scale, better);
     if (settled) break;
   }
   return scale;
 }
-
-using Eigen::Index;
-using Eigen::Vector3d;
-using Eigen::VectorXd;
 
 VectorXd pressure_load(const FeModel& model, double pressure) {
   VectorXd load = VectorXd::Zero(6 * model.node_count());
@@ -158,7 +157,8 @@ VectorXd static_solution(const FeModel& model, const std::vector<int>& fixed, co
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(K);
   const double largest = K.diagonal().cwiseAbs().maxCoeff();
   if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 1e-14 * largest))
-    throw InputError("static solution: the supports leave the body free to move. Fix more degrees of freedom.");
+    throw InputError(code::kSupports,
+                     "static solution: the supports leave the body free to move. Fix more degrees of freedom.");
   return scattered(factor.solve(gathered(load, free)), free, load.size());
 }
 

@@ -1,3 +1,5 @@
+// Assembly by triplets; checks of members, mass, connection and freedom from supports.
+
 #include "mbd_solver/fe/fe_model.h"
 
 #include <Eigen/Eigenvalues>
@@ -7,9 +9,12 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/codes.h"
 #include "mbd_solver/fe/elements.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/triangle_mesh.h"
+#include "mbd_solver/model/codes.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {
@@ -19,20 +24,13 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-Matrix3d skew(const Vector3d& x) {
-  Matrix3d m;
-  m << 0.0, -x.z(), x.y(), x.z(), 0.0, -x.x(), -x.y(), x.x(), 0.0;
-  return m;
-}
-
 Eigen::SparseMatrix<double> assembled(int rows, int columns, const Triplets& entries) {
   Eigen::SparseMatrix<double> matrix(rows, columns);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
 
-// Adds an element matrix whose columns (and rows, if it is a stiffness) belong to the nodes, six degrees of
-// freedom each.
+// Adds an element matrix with six columns (and rows, of a stiffness) per node.
 template <typename Matrix>
 void add_stiffness(const Matrix& K, const std::vector<int>& nodes, Triplets& entries) {
   const int n = 6 * static_cast<int>(nodes.size());
@@ -54,7 +52,7 @@ void add_stress(const Matrix& S, int first_row, const std::vector<int>& nodes, T
 void require_members(const std::vector<Vector3d>& nodes, const std::vector<BeamMember>& members,
                      const std::vector<BeamSection>& sections) {
   const int n = static_cast<int>(nodes.size());
-  if (members.empty()) throw InputError("beam model: no members, expected at least one.");
+  if (members.empty()) throw InputError(code::kFeModel, "beam model: no members, expected at least one.");
   std::vector<int> piece(nodes.size());
   std::iota(piece.begin(), piece.end(), 0);
   const auto root = [&piece](int i) {
@@ -67,29 +65,33 @@ void require_members(const std::vector<Vector3d>& nodes, const std::vector<BeamM
     const std::string who = "beam model: member " + std::to_string(e);
     for (int node : {member.first, member.second}) {
       if (node < 0 || node >= n)
-        throw InputError(who + ": unknown node " + std::to_string(node) + ", expected 0 to " + std::to_string(n - 1) +
-                         ".");
+        throw InputError(code::kFeModel, who + ": unknown node " + std::to_string(node) + ", expected 0 to " +
+                                             std::to_string(n - 1) + ".");
       used[static_cast<std::size_t>(node)] = true;
     }
     if (member.section < 0 || member.section >= static_cast<int>(sections.size()))
-      throw InputError(who + ": unknown section " + std::to_string(member.section) + ", expected 0 to " +
-                       std::to_string(static_cast<int>(sections.size()) - 1) + ".");
+      throw InputError(code::kFeModel, who + ": unknown section " + std::to_string(member.section) +
+                                           ", expected 0 to " + std::to_string(static_cast<int>(sections.size()) - 1) +
+                                           ".");
     const Vector3d& a = nodes[static_cast<std::size_t>(member.first)];
     const Vector3d& b = nodes[static_cast<std::size_t>(member.second)];
     if (!a.allFinite() || !b.allFinite() || !member.up.allFinite())
-      throw InputError(who + ": the coordinates of its nodes or its up direction are not finite numbers.");
+      throw InputError(code::kFeModel,
+                       who + ": the coordinates of its nodes or its up direction are not finite numbers.");
     if (!((b - a).norm() > 0.0))
-      throw InputError(who + ": its nodes " + std::to_string(member.first) + " and " + std::to_string(member.second) +
-                       " are at the same place, expected two different points.");
+      throw InputError(code::kFeModel, who + ": its nodes " + std::to_string(member.first) + " and " +
+                                           std::to_string(member.second) + " coincide; expected two different points.");
     piece[static_cast<std::size_t>(root(member.second))] = root(member.first);
   }
   for (int j = 0; j < n; ++j) {
     if (!used[static_cast<std::size_t>(j)])
-      throw InputError("beam model: node " + std::to_string(j) +
-                       " belongs to no member, so no joint can attach to it. Connect it or remove it.");
+      throw InputError(code::kFeModel,
+                       "beam model: node " + std::to_string(j) +
+                           " belongs to no member, so no joint can attach to it. Connect it or remove it.");
     if (root(j) != root(0))
-      throw InputError("beam model: disconnected pieces: no chain of members leads from node 0 to node " +
-                       std::to_string(j) + ". A body must be one piece.");
+      throw InputError(code::kFeModel,
+                       "beam model: disconnected pieces: no chain of members leads from node 0 to node " +
+                           std::to_string(j) + ". A body must be one piece.");
   }
 }
 
@@ -143,7 +145,7 @@ FeModel beam_model(const std::vector<Vector3d>& nodes, const std::vector<BeamMem
 
 FeModel straight_beam(const Vector3d& from, const Vector3d& to, int n, const BeamSection& section,
                       const Material& material) {
-  if (n < 1) throw InputError("beam: " + std::to_string(n) + " elements, expected at least 1.");
+  if (n < 1) throw InputError(code::kFeModel, "beam: " + std::to_string(n) + " elements, expected at least 1.");
   std::vector<Vector3d> nodes;
   std::vector<BeamMember> members;
   for (int i = 0; i <= n; ++i) {
@@ -161,7 +163,8 @@ FeModel straight_beam(const Vector3d& from, const Vector3d& to, int n, const Bea
 FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& material, const std::string& where) {
   check(material);
   if (!(thickness > 0.0))
-    throw InputError(where + ": thickness is " + std::to_string(thickness) + " m, expected a positive number.");
+    throw InputError(code::kParameterOutOfRange,
+                     where + ": thickness is " + std::to_string(thickness) + " m, expected a positive number.");
   MeshDemands demands;
   demands.connected = true;
   demands.oriented = true;
@@ -186,8 +189,8 @@ FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& 
   }
   for (int j = 0; j < count; ++j)
     if (model.node_mass(j) == 0.0)
-      throw InputError(where + ": vertex " + std::to_string(j) +
-                       " belongs to no triangle, so no joint can attach to it. Remove it.");
+      throw InputError(code::kFeModel, where + ": vertex " + std::to_string(j) +
+                                           " belongs to no triangle, so no joint can attach to it. Remove it.");
   model.stiffness = assembled(6 * count, 6 * count, stiffness);
   model.stress = assembled(12 * static_cast<int>(mesh.triangles.size()), 6 * count, stress);
   return model;
@@ -219,7 +222,9 @@ Eigen::SparseMatrix<double> lumped_mass_matrix(const FeModel& model) {
 }
 
 FeModel with_mass(FeModel model, double mass) {
-  if (!(mass > 0.0)) throw InputError("body: mass is " + std::to_string(mass) + " kg, expected a positive number.");
+  if (!(mass > 0.0))
+    throw InputError(code::kParameterOutOfRange,
+                     "body: mass is " + std::to_string(mass) + " kg, expected a positive number.");
   const double factor = mass / model.node_mass.sum();
   model.node_mass *= factor;
   for (Matrix3d& J : model.node_inertia) J *= factor;
@@ -227,8 +232,6 @@ FeModel with_mass(FeModel model, double mass) {
 }
 
 namespace {
-
-using Eigen::Vector3d;
 
 int nearest(const Eigen::Matrix3Xd& nodes, const Vector3d& p) {
   FOOTFALL_DEMAND(nodes.cols() > 0);
@@ -245,14 +248,13 @@ int joint_node(const Eigen::Matrix3Xd& nodes, bool rotations, const Vector3d& p,
   if (!(distance <= tolerance)) {
     message << "no joint can attach at (" << p.transpose() << ") m: the nearest node, " << node << ", at ("
             << nodes.col(node).transpose() << ") m, is " << distance << " m away, expected at most " << tolerance
-            << " m. Move the joint to a node, or put a node there.";
-    throw InputError(message.str());
+            << " m. Move the joint to a node, or add a node there.";
+    throw InputError(code::kNoSuchNode, message.str());
   }
   if (needs_rotation && !rotations) {
     message << "no joint that holds an orientation can attach to node " << node
-            << ": the model has displacements only, no rotations. Use a spherical joint, or bring a model "
-               "with rotations.";
-    throw InputError(message.str());
+            << ": the model has no rotations. Use a spherical joint, or a model with rotations.";
+    throw InputError(code::kNodeWithoutRotation, message.str());
   }
   return node;
 }
@@ -274,40 +276,39 @@ int joint_node(const ModalBody& body, const Vector3d& p_B, double tolerance, boo
 
 namespace {
 
-using Eigen::Index;
-using Eigen::Matrix3d;
 using Eigen::MatrixXd;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kSymmetric = 1e-6;    // largest |K - K^T| over largest |K|: files print six digits or more
-constexpr double kUnsupported = 1e-6;  // force of a rigid-body motion over the sum of its parts' magnitudes, likewise
+constexpr double kUnsupported = 1e-6;  // force of a rigid-body motion over the sum of its magnitudes
 constexpr double kMassRank = 1e-12;    // singular below this fraction of the largest eigenvalue
 
 void check_mass(const FeModel& model, const std::string& who) {
   const std::string not_positive = who + ": mass matrix is not positive: ";
   for (int j = 0; j < model.node_count(); ++j) {
     if (!(model.node_mass(j) >= 0.0))
-      throw InputError(not_positive + "node " + std::to_string(j) + " has the mass " +
-                       std::to_string(model.node_mass(j)) + " kg, expected 0 or more.");
+      throw InputError(code::kFeModel, not_positive + "node " + std::to_string(j) + " has the mass " +
+                                           std::to_string(model.node_mass(j)) + " kg, expected 0 or more.");
     const Matrix3d& J = model.node_inertia[static_cast<std::size_t>(j)];
     const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(J, Eigen::EigenvaluesOnly).eigenvalues();
     if (!(moments.minCoeff() >= -kMassRank * moments.cwiseAbs().maxCoeff()))
-      throw InputError(not_positive + "node " + std::to_string(j) + " has a rotary inertia with the principal value " +
-                       std::to_string(moments.minCoeff()) + " kg m2, expected 0 or more.");
+      throw InputError(code::kFeModel, not_positive + "node " + std::to_string(j) +
+                                           " has a rotary inertia with the principal value " +
+                                           std::to_string(moments.minCoeff()) + " kg m2, expected 0 or more.");
   }
-  if (!(model.node_mass.sum() > 0.0)) throw InputError(not_positive + "the body has no mass.");
+  if (!(model.node_mass.sum() > 0.0)) throw InputError(code::kFeModel, not_positive + "the body has no mass.");
   const Vector3d moments =
       Eigen::SelfAdjointEigenSolver<Matrix3d>(mass_properties(model).inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(moments.minCoeff() > kMassRank * moments.maxCoeff()))
-    throw InputError(not_positive +
-                     "the body has no inertia about one of its axes, expected nodes that are not all in one "
-                     "line, or nodes "
-                     "with rotary inertia.");
+    throw InputError(
+        code::kFeModel,
+        not_positive +
+            "the body has no inertia about one of its axes; expected nodes that are not all on one line, or nodes "
+            "with rotary inertia.");
 }
 
-// Nodes that the stiffness couples are one piece.
+// Nodes coupled by the stiffness form one piece.
 void check_connected(const FeModel& model, const std::string& who) {
   std::vector<bool> reached(static_cast<std::size_t>(model.node_count()), false);
   std::vector<int> todo = {0};
@@ -325,8 +326,8 @@ void check_connected(const FeModel& model, const std::string& who) {
   }
   const auto missing = std::find(reached.begin(), reached.end(), false);
   if (missing != reached.end())
-    throw InputError(who + ": disconnected pieces: no stiffness leads from node 0 to node " +
-                     std::to_string(missing - reached.begin()) + ", expected a body of one piece.");
+    throw InputError(code::kFeModel, who + ": disconnected pieces: no stiffness leads from node 0 to node " +
+                                         std::to_string(missing - reached.begin()) + ", expected a body of one piece.");
 }
 
 void check_free(const FeModel& model, const std::string& who) {
@@ -336,10 +337,11 @@ void check_free(const FeModel& model, const std::string& who) {
     const double force = (model.stiffness * R.col(k)).norm();
     const double parts = (magnitude * R.col(k).cwiseAbs()).norm();
     if (!(force <= kUnsupported * parts))
-      throw InputError(who + ": the stiffness matrix resists " + (k < 3 ? "translation along " : "rotation about ") +
-                       std::string(1, "xyz"[k % 3]) + " of the whole body (relative force " +
-                       std::to_string(force / parts) +
-                       "), expected a free body. Remove its supports; joints are given in the scene.");
+      throw InputError(code::kFeModel,
+                       who + ": the stiffness matrix resists " + (k < 3 ? "translation along " : "rotation about ") +
+                           std::string(1, "xyz"[k % 3]) + " of the whole body (relative force " +
+                           std::to_string(force / parts) +
+                           "), expected a free body. Remove its supports; joints are given in the scene.");
   }
 }
 
@@ -349,17 +351,18 @@ void check_model(const FeModel& model, const std::string& who) {
   const Index n = model.node_count();
   FOOTFALL_DEMAND(model.node_mass.size() == n && static_cast<Index>(model.node_inertia.size()) == n);
   FOOTFALL_DEMAND(model.stiffness.rows() == 6 * n && model.stiffness.cols() == 6 * n);
-  if (n == 0) throw InputError(who + ": the model has no nodes.");
+  if (n == 0) throw InputError(code::kFeModel, who + ": the model has no nodes.");
   check_mass(model, who);
   const VectorXd diagonal = model.stiffness.diagonal();
   for (int j = 0; j < n; ++j)
     if (!(diagonal.segment<3>(6 * j).minCoeff() > 0.0))
-      throw InputError(who + ": node " + std::to_string(j) +
-                       " has no stiffness against some displacement: it belongs to no element, so no joint "
-                       "can attach to it.");
+      throw InputError(code::kFeModel,
+                       who + ": node " + std::to_string(j) +
+                           " has no stiffness against some displacement: it belongs to no element, so no joint "
+                           "can attach to it.");
   const Sparse skewed = model.stiffness - Sparse(model.stiffness.transpose());
   if (!(skewed.norm() <= kSymmetric * model.stiffness.norm()))
-    throw InputError(who + ": the stiffness matrix is not symmetric.");
+    throw InputError(code::kFeModel, who + ": the stiffness matrix is not symmetric.");
   check_connected(model, who);
   check_free(model, who);
 }
@@ -367,9 +370,9 @@ void check_model(const FeModel& model, const std::string& who) {
 void check_interface(const FeModel& model, const std::vector<int>& nodes, const std::string& who) {
   for (int node : nodes)
     if (node < 0 || node >= model.node_count())
-      throw InputError(who + ": interface node " + std::to_string(node) +
-                       " does not exist, so no joint can attach to it; expected 0 to " +
-                       std::to_string(model.node_count() - 1) + ".");
+      throw InputError(code::kNoSuchNode, who + ": interface node " + std::to_string(node) +
+                                              " does not exist, so no joint can attach to it; expected 0 to " +
+                                              std::to_string(model.node_count() - 1) + ".");
 }
 
 }  // namespace footfall

@@ -1,6 +1,6 @@
 #pragma once
-// A finite-element model of one unsupported body: nodes of six degrees of freedom, sparse stiffness, lumped
-// mass.
+// A finite-element model of one unsupported body: nodes with six degrees of freedom, sparse stiffness, lumped mass. Frames
+// and shells are made here; models are checked, and nodes found, before a body is reduced.
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -14,8 +14,8 @@
 
 namespace footfall {
 
-// Degree of freedom 6 j + i: displacement i = 0..2 [m] or rotation i - 3 = 0..2 [rad] of node j, along the
-// drawing's axes D.
+// Degree of freedom 6 j + i: displacement i = 0..2 [m] or rotation i - 3 = 0..2 [rad] of node j, along the axes of the
+// reference configuration D.
 struct FeModel {
   Eigen::Matrix3Xd nodes;                     // 3 x N, in D [m]
   Eigen::SparseMatrix<double> stiffness;      // 6N x 6N, symmetric, both triangles stored
@@ -24,7 +24,7 @@ struct FeModel {
   Eigen::SparseMatrix<double> stress;         // 6P x 6N: stress (xx yy zz xy yz zx, element axes) of P points [Pa]
   std::vector<Eigen::Vector3i> triangles;     // points 2 t (top), 2 t + 1 (bottom) belong to triangle t
   std::vector<Eigen::Vector2i> segments;      // points 8 e ... 8 e + 7 belong to segment e
-  bool rotations = true;                      // false: a solid model of a foreign code; nodes have no rotations
+  bool rotations = true;                      // false: a solid model of another code, without rotations
 
   int node_count() const { return static_cast<int>(nodes.cols()); }
 };
@@ -35,11 +35,10 @@ struct BeamMember {
   Eigen::Vector3d up = Eigen::Vector3d::Zero();  // see beam_axes
 };
 
-// 3D frame. Every member gets a node in its middle: nodes 0..N-1 are the given ones, N + e is the middle of
-// member e, and its two halves, one element each, are the segments 2 e and 2 e + 1. Mass, also the
-// rotary inertia of the cross sections, is lumped by Simpson's rule (1/6, 4/6, 1/6), so mass, centre and
-// inertia of a straight member are exact and frequencies converge with h^4. Throws InputError: no such node
-// or section, member of no length, node without member, disconnected frame.
+// 3D frame. Every member gets a node in its middle: nodes 0..N-1 are the given ones, N + e is the middle of member e, and its
+// two halves, one element each, are the segments 2 e and 2 e + 1. Mass and rotary inertia of cross sections are lumped by
+// Simpson's rule (1/6, 4/6, 1/6), so that mass, centre and inertia of a straight member are exact and frequencies converge
+// with h^4. Throws InputError: unknown node or section, member without length, node without member, disconnected frame.
 FeModel beam_model(const std::vector<Eigen::Vector3d>& nodes, const std::vector<BeamMember>& members,
                    const std::vector<BeamSection>& sections, const Material& material);
 
@@ -47,8 +46,8 @@ FeModel beam_model(const std::vector<Eigen::Vector3d>& nodes, const std::vector<
 FeModel straight_beam(const Eigen::Vector3d& from, const Eigen::Vector3d& to, int n, const BeamSection& section,
                       const Material& material);
 
-// Thin shell on any connected triangle mesh (its mid-surface); a third of each triangle's mass at each
-// corner, no rotary inertia.
+// Thin shell on a connected triangle mesh (its mid-surface); a third of each triangle's mass at each corner, no rotary
+// inertia.
 FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& material,
                     const std::string& where = "plate");
 
@@ -57,30 +56,28 @@ MassProperties mass_properties(const FeModel& model);
 // 6N x 6N, block-diagonal.
 Eigen::SparseMatrix<double> lumped_mass_matrix(const FeModel& model);
 
-// The model with all masses multiplied, so that it weighs `mass` [kg].
+// The model with masses scaled to the total `mass` [kg].
 FeModel with_mass(FeModel model, double mass);
 
-// Which node of a body is meant by a point of the drawing.
+// --- Nodes at points of the reference configuration.
 
-// Index of the node nearest to the point: in D for a model, in B (relative to Bo) for a body. The lowest
-// index wins a tie.
+// Index of the node nearest to the point: in D for a model, in B (relative to Bo) for a body. Of equal ones the lowest.
 int nearest_node(const FeModel& model, const Eigen::Vector3d& p_D);
 int nearest_node(const ModalBody& body, const Eigen::Vector3d& p_B);
 
-// The node a joint at this point attaches to. Throws InputError, naming the nearest node and its distance,
-// when none is within tolerance [m], or when the joint needs the rotation of the node and the node has none
-// (solid models of other codes).
+// The node to which a joint at this point attaches. Throws InputError, with the nearest node and its distance, if none is
+// within tolerance [m], or if the joint requires the rotation of a node that has none (solid models of other codes).
 int joint_node(const FeModel& model, const Eigen::Vector3d& p_D, double tolerance, bool needs_rotation);
 int joint_node(const ModalBody& body, const Eigen::Vector3d& p_B, double tolerance, bool needs_rotation);
 
-// What can be wrong with a finite-element model before it is reduced.
+// --- Checks before a model is reduced.
 
-// Throws InputError led by `who`: sizes disagree, a mass or inertia is negative, the body has no mass or no
-// inertia about some axis (the mass matrix is not positive), a node without stiffness, disconnected pieces,
-// stiffness that resists rigid-body motion (a support).
+// Throws InputError beginning with `who`: sizes disagree, a mass or inertia is negative, the body has no mass or no inertia
+// about some axis (the mass matrix is not positive), a node has no stiffness, pieces are disconnected, or the stiffness
+// resists rigid-body motion (a support).
 void check_model(const FeModel& model, const std::string& who);
 
-// Throws InputError led by `who` if the model has no such interface node.
+// Throws InputError beginning with `who` if the model lacks an interface node.
 void check_interface(const FeModel& model, const std::vector<int>& nodes, const std::string& who);
 
 }  // namespace footfall

@@ -1,3 +1,5 @@
+// Section constants in closed form; torsion of rectangles by Saint-Venant's series.
+
 #include "mbd_solver/fe/material.h"
 
 #include <algorithm>
@@ -6,6 +8,7 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/codes.h"
 #include "mbd_solver/base/pi.h"
 
 namespace footfall {
@@ -18,15 +21,15 @@ void check(const Material& material) {
     message << "material: Young's modulus is " << material.young << " Pa, expected a positive number. ";
   if (!(material.poisson > -1.0 && material.poisson < 0.5))
     message << "material: Poisson's ratio is " << material.poisson << ", expected a number between -1 and 0.5. ";
-  if (!message.str().empty()) throw InputError(message.str());
+  if (!message.str().empty()) throw InputError(code::kParameterOutOfRange, message.str());
 }
 
 namespace {
 
 void require_positive(double value, const char* what) {
   if (!(value > 0.0) || !std::isfinite(value))
-    throw InputError(std::string("beam section: ") + what + " is " + std::to_string(value) +
-                     ", expected a positive number.");
+    throw InputError(code::kParameterOutOfRange, std::string("beam section: ") + what + " is " + std::to_string(value) +
+                                                     ", expected a positive number.");
 }
 
 std::array<Eigen::Vector2d, 4> round_fibres(double radius) {
@@ -51,9 +54,10 @@ BeamSection tube_section(double outer_diameter, double wall) {
   require_positive(outer_diameter, "outer diameter [m]");
   require_positive(wall, "wall [m]");
   if (2.0 * wall >= outer_diameter)
-    throw InputError("beam section: wall is " + std::to_string(wall) +
-                     " m, expected less than half the outer diameter of " + std::to_string(outer_diameter) +
-                     " m. For a solid section use a rod.");
+    throw InputError(code::kParameterOutOfRange, "beam section: wall is " + std::to_string(wall) +
+                                                     " m, expected less than half the outer diameter of " +
+                                                     std::to_string(outer_diameter) +
+                                                     " m. For a solid section use a rod.");
   return ring(0.5 * outer_diameter - wall, 0.5 * outer_diameter);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Linear elastic, isotropic material.
+// Linear elastic, isotropic material, and cross sections of beams. Section axes y, z are the element's; the beam runs
+// along x.
 
 #include <Eigen/Dense>
 #include <array>
@@ -17,24 +18,22 @@ struct Material {
 // Throws InputError, naming the quantity and its valid range.
 void check(const Material& material);
 
-// Cross section of a beam element. Section axes y, z are the element's; the beam runs along x.
-
 struct BeamSection {
   double area = 0.0;             // [m2]
   double bending_y = 0.0;        // Iy: second moment of area about y, resists bending in the xz plane [m4]
   double bending_z = 0.0;        // Iz [m4]
   double torsion = 0.0;          // torsion constant; Iy + Iz for round sections only [m4]
   double torsion_modulus = 0.0;  // W: largest shear stress of torsion = torque / W [m3]
-  // Where bending stress is evaluated: (y, z) of four points on the outer fibre [m].
+  // Points of bending stress: (y, z) of four points on the outer fibre [m].
   std::array<Eigen::Vector2d, 4> fibres{};
 };
 
-// All lengths in m; every one throws InputError on a value that is no section.
+// All lengths in m; all throw InputError on values that are no section.
 BeamSection tube_section(double outer_diameter, double wall);
 BeamSection rod_section(double diameter);
 // Solid rectangle, width along y, height along z; torsion by Saint-Venant's series.
 BeamSection rectangle_section(double width, double height);
-// Any section: radius is the distance of the outer fibre from the axis, for stresses only; shear stress
+// Any section: radius is the distance of the outer fibre from the axis, for stresses only; shear stress is
 // torque radius / torsion.
 BeamSection general_section(double area, double bending_y, double bending_z, double torsion, double radius);
 

@@ -1,3 +1,5 @@
+// Discs, dishes and capsules are rings of six sectors mapped to their surface; a box is six grids, welded.
+
 #include "mbd_solver/fe/mesh_generator.h"
 
 #include <algorithm>
@@ -6,18 +8,21 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/codes.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMaxTriangles = 2e6;  // more is a mistake in a unit
+constexpr double kMaxTriangles = 2e6;  // more indicates a wrong unit
 
 void require_length(double value, const char* what) {
   if (!(value > 0.0) || !std::isfinite(value))
-    throw InputError(std::string("mesh: ") + what + " is " + std::to_string(value) + " m, expected a positive number.");
+    throw InputError(code::kParameterOutOfRange,
+                     std::string("mesh: ") + what + " is " + std::to_string(value) + " m, expected a positive number.");
 }
 
 // Number of equal parts of a length so that none is longer than the edge.
@@ -25,13 +30,13 @@ int parts(double length, double edge) { return std::max(1, static_cast<int>(std:
 
 void require_affordable(double triangles) {
   if (triangles > kMaxTriangles)
-    throw InputError("mesh: edge length asks for " + std::to_string(triangles) + " triangles, expected at most " +
-                     std::to_string(kMaxTriangles) + ". Use longer edges, in metres.");
+    throw InputError(code::kParameterOutOfRange, "mesh: edge length requires " + std::to_string(triangles) +
+                                                     " triangles, expected at most " + std::to_string(kMaxTriangles) +
+                                                     ". Use longer edges, in metres.");
 }
 
-// Ring k has 6 k vertices; each of the six sectors between rings k-1 and k has k triangles pointing inward
-// and k-1 pointing outward. place(s, phi): position at the fraction s of the way from centre to rim, and
-// angle phi.
+// Ring k has 6 k vertices; each of the six sectors between rings k-1 and k has k triangles pointing inward and k-1 pointing
+// outward. place(s, phi): position at the fraction s from centre to rim and at the angle phi.
 TriangleMesh ring_mesh(int rings, const std::function<Vector3d(double, double)>& place) {
   require_affordable(6.0 * rings * rings);
   TriangleMesh mesh;
@@ -105,8 +110,9 @@ TriangleMesh dish_mesh(double rim_radius, double depth, double edge) {
   require_length(depth, "dish depth");
   require_length(edge, "edge length");
   if (depth > rim_radius)
-    throw InputError("mesh: dish depth is " + std::to_string(depth) + " m, expected at most the radius of the rim, " +
-                     std::to_string(rim_radius) + " m.");
+    throw InputError(code::kParametersDisagree, "mesh: dish depth is " + std::to_string(depth) +
+                                                    " m, expected at most the radius of the rim, " +
+                                                    std::to_string(rim_radius) + " m.");
   const double sphere = (rim_radius * rim_radius + depth * depth) / (2.0 * depth);
   const double opening = std::atan2(rim_radius, sphere - depth);
   return ring_mesh(parts(sphere * opening, edge), [sphere, opening](double s, double phi) {
@@ -118,7 +124,7 @@ TriangleMesh dish_mesh(double rim_radius, double depth, double edge) {
 
 TriangleMesh capsule_mesh(double radius, double length, double edge) {
   require_length(length, "capsule length");
-  TriangleMesh cap = dish_mesh(radius, radius, edge);  // seen in a mirror its normals point outward
+  TriangleMesh cap = dish_mesh(radius, radius, edge);  // mirrored, its normals point outward
   for (Vector3d& x : cap.vertices) x.z() = 0.5 * length + radius - x.z();
   const int around = 6 * parts(0.5 * kPi * radius, edge);
   for (auto rim = cap.vertices.end() - around; rim != cap.vertices.end(); ++rim) rim->z() = 0.5 * length;

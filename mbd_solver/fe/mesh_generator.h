@@ -1,13 +1,12 @@
 #pragma once
-// Meshes of simple shapes, with near-uniform triangles. All throw InputError on lengths that are no shape.
+// Meshes of simple shapes, with near-uniform triangles. All throw InputError on impossible lengths.
 
 #include "mbd_solver/fe/triangle_mesh.h"
 
 namespace footfall {
 
-// Disc in the xy plane about the origin, normals along z. Vertex 0 is the centre, ring k holds 6 k vertices;
-// sixfold symmetric. The rim is a polygon on the circle: its area is smaller than the circle's by the factor
-// 1 - (pi / (3 n))^2 / 6 for n rings.
+// Disc in the xy plane about the origin, normals along z. Vertex 0 is the centre, ring k has 6 k vertices; sixfold symmetric.
+// The rim is a polygon on the circle: its area is the circle's times 1 - (pi / (3 n))^2 / 6 for n rings.
 TriangleMesh disc_mesh(double radius, double edge);
 
 // Closed disc of the given thickness about the origin, normals outward: two faces as above at z = +- thickness/2, and
@@ -18,8 +17,8 @@ TriangleMesh thick_disc_mesh(double radius, double thickness, double edge);
 // end.
 TriangleMesh capsule_mesh(double radius, double length, double edge);
 
-// Spherical cap: lowest point (vertex 0) at the origin, rim of the given radius at height `depth`, opening
-// along z; normals point to the inside (+z at the lowest point). depth <= rim radius.
+// Spherical cap: lowest point (vertex 0) at the origin, rim of the given radius at height `depth`, opening along z; normals
+// point to the inside (+z at the lowest point). depth <= rim radius.
 TriangleMesh dish_mesh(double rim_radius, double depth, double edge);
 
 // Closed surface of a box about the origin, edges along the axes, normals outward.

@@ -1,3 +1,6 @@
+// Free-free or Craig-Bampton shapes on the active degrees of freedom; then every basis, also one from a file, is freed from
+// rigid motion, made mass-orthonormal and diagonalised.
+
 #include "mbd_solver/fe/modal_basis.h"
 
 #include <Eigen/Eigenvalues>
@@ -9,11 +12,13 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/codes.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/eigen_solver.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/fe_model.h"
 #include "mbd_solver/fe/static_error.h"
+#include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/mass_properties.h"
 
 namespace footfall {
@@ -24,12 +29,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr double kTwoPi = 6.28318530717958647692;
-constexpr int kFirstGuess = 16;  // modes asked for first when only a frequency limit is known
+constexpr double kTwoPi = 2.0 * kPi;
+constexpr int kFirstGuess = 16;  // modes in the first attempt if only a frequency limit is known
 
 double lambda_of(double frequency) { return std::pow(kTwoPi * frequency, 2); }
 
-// What reduce() works on: stiffness, mass and weights of directions (equal_frequencies.h) on the active degrees of freedom.
+// Stiffness, mass and weights of directions (axis_weights) on the active degrees of freedom.
 struct Problem {
   const FeModel& model;
   std::vector<int> active;
@@ -38,14 +43,14 @@ struct Problem {
   std::string name;
 };
 
-// How many modes are asked for, on top of the static shapes if there are any.
-struct Wanted {
+// Limits of the modes, in addition to static shapes.
+struct ModeLimits {
   std::optional<int> count;
   double limit = std::numeric_limits<double>::infinity();  // of lambda [1/s2]
 };
 
-// The modes with lambda up to the limit, at most `most`. rank: how many there are. One more is looked at, so that a pair of one
-// frequency is parted before it is cut.
+// The modes with lambda up to the limit, at most `most`. rank: number of modes. One more is computed, so that a pair of equal
+// frequency is aligned before it is split.
 Modes modes_up_to(const Sparse& K, const Sparse& M, const Sparse& W, double limit, int most, int rank, double shift) {
   most = std::min(most, rank);
   const int seen = std::min(most + 1, rank);
@@ -54,38 +59,42 @@ Modes modes_up_to(const Sparse& K, const Sparse& M, const Sparse& W, double limi
     const Index within = (modes.lambda.array() <= limit).count();
     if (count < seen && within == count) continue;
     const MatrixXd shapes = modes.shapes * along_axes(modes.lambda, modes.shapes.transpose() * (W * modes.shapes));
-    const Index kept = std::min<Index>(within, most);
-    return {modes.lambda.head(kept), shapes.leftCols(kept)};
+    const Index taken = std::min<Index>(within, most);
+    return {modes.lambda.head(taken), shapes.leftCols(taken)};
   }
 }
 
-// More than there are is the user's mistake; without a wish the default.
-int checked_count(const Problem& problem, const Wanted& wanted, int available, const std::string& on_top) {
-  if (!wanted.count) return std::isinf(wanted.limit) ? std::min(kDefaultModeCount, available) : available;
-  if (*wanted.count > available)
-    throw InputError(problem.name + ": " + std::to_string(*wanted.count) + " modes asked for" + on_top +
-                     ", but the model of " + std::to_string(problem.model.node_count()) + " nodes has only " +
-                     std::to_string(available) +
-                     " elastic degrees of freedom with mass. Ask for fewer modes or refine the mesh.");
-  return *wanted.count;
+// The required number of modes, or the default.
+int checked_count(const Problem& problem, const ModeLimits& limits, int available, const std::string& on_top) {
+  if (!limits.count) return std::isinf(limits.limit) ? std::min(kDefaultModeCount, available) : available;
+  if (*limits.count > available)
+    throw InputError(code::kTooManyModes,
+                     problem.name + ": " + std::to_string(*limits.count) + " modes required" + on_top +
+                         ", but the model of " + std::to_string(problem.model.node_count()) + " nodes has only " +
+                         std::to_string(available) +
+                         " elastic degrees of freedom with mass. Request fewer modes or refine the mesh.");
+  return *limits.count;
 }
 
-// The first six modes are the rigid-body motions: check_model has shown that they meet no force. No other may
-// be without strain; what round-off makes of the six zeros measures how well a zero can be told.
+// The first six modes are the rigid-body motions (check_model). No other mode may be without strain; the round-off of the six
+// zeros gives the threshold.
 void require_six_rigid(const VectorXd& lambda, const Problem& problem) {
   if (lambda.size() <= 6) return;
   const double zero = std::max(kNoStiffness * problem.scale, 10.0 * lambda.head<6>().cwiseAbs().maxCoeff());
   const Index rigid = (lambda.array() <= zero).count();
   if (rigid > 6)
-    throw InputError(problem.name + ": the body can move without strain in " + std::to_string(rigid) +
-                     " ways, expected the six rigid-body motions. Look for hinges or loose nodes in the model.");
+    throw InputError(
+        code::kFeModel,
+        problem.name + ": the body has " + std::to_string(rigid) +
+            " independent motions without strain; expected the six rigid-body motions. Check the model for hinges and "
+            "loose nodes.");
 }
 
 // Elastic free-free modes, columns on the active degrees of freedom.
-MatrixXd free_free_shapes(const Problem& problem, const Wanted& wanted) {
+MatrixXd free_free_shapes(const Problem& problem, const ModeLimits& limits) {
   const int rank = mass_rank(problem.M);
-  const int count = checked_count(problem, wanted, rank - 6, "");
-  const Modes modes = modes_up_to(problem.K, problem.M, problem.W, wanted.limit, count + 6, rank, problem.scale);
+  const int count = checked_count(problem, limits, rank - 6, "");
+  const Modes modes = modes_up_to(problem.K, problem.M, problem.W, limits.limit, count + 6, rank, problem.scale);
   require_six_rigid(modes.lambda, problem);
   return modes.shapes.rightCols(modes.shapes.cols() - 6);
 }
@@ -105,9 +114,9 @@ std::vector<int> interface_dofs(const Problem& problem, const BasisOptions& opti
 }
 
 // [static shapes, fixed-interface modes] on the active degrees of freedom. Static shapes inside: -K_ii^-1 K_ib. K_ii is
-// singular when the interface does not hold the body, but the loads K_ib do no work on the free motions, and any
-// solution will do: those motions are in the basis, too, as the first fixed-interface modes. They do not count.
-MatrixXd craig_bampton_basis(const Problem& problem, const HeldBody& body, const Wanted& wanted) {
+// singular if the interface does not hold the body, but the loads K_ib do no work on the free motions; any solution is valid,
+// because these motions are the first fixed-interface modes. They are not counted.
+MatrixXd craig_bampton_basis(const Problem& problem, const HeldBody& body, const ModeLimits& limits) {
   std::vector<int> all(problem.active.size());
   std::iota(all.begin(), all.end(), 0);
   const std::vector<int> inside = other_dofs(all, body.held);
@@ -117,20 +126,20 @@ MatrixXd craig_bampton_basis(const Problem& problem, const HeldBody& body, const
   const Sparse K_ii = selected(problem.K, inside, inside);
   const Sparse M_ii = selected(problem.M, inside, inside), W_ii = selected(problem.W, inside, inside);
   const int holds = held_motions(body), free = 6 - holds, rank = inside.empty() ? 0 : mass_rank(M_ii);
-  const int count = checked_count(problem, wanted, std::max(0, rank - free),
-                                  " on top of " + std::to_string(n_held - holds) + " static shapes");
+  const int count = checked_count(problem, limits, std::max(0, rank - free),
+                                  " in addition to " + std::to_string(n_held - holds) + " static shapes");
   if (inside.empty()) return basis;
   const MatrixXd load = -MatrixXd(selected(problem.K, inside, body.held));
   basis += scattered(balanced_solution(K_ii, M_ii, load, problem.scale), inside, size);
-  const Modes fixed = modes_up_to(K_ii, M_ii, W_ii, wanted.limit, count + free, rank, problem.scale);
+  const Modes fixed = modes_up_to(K_ii, M_ii, W_ii, limits.limit, count + free, rank, problem.scale);
   MatrixXd result(size, n_held + fixed.shapes.cols());
   result << basis, scattered(fixed.shapes, inside, size);
   return result;
 }
 
 // The eigenproblem within that basis. Elastic shapes only.
-MatrixXd craig_bampton_shapes(const Problem& problem, const HeldBody& body, const Wanted& wanted) {
-  const MatrixXd basis = craig_bampton_basis(problem, body, wanted);
+MatrixXd craig_bampton_shapes(const Problem& problem, const HeldBody& body, const ModeLimits& limits) {
+  const MatrixXd basis = craig_bampton_basis(problem, body, limits);
   const Modes modes =
       all_modes(basis.transpose() * (problem.K * basis), basis.transpose() * (problem.M * basis), problem.scale);
   require_six_rigid(modes.lambda, problem);
@@ -140,23 +149,25 @@ MatrixXd craig_bampton_shapes(const Problem& problem, const HeldBody& body, cons
 std::string static_warning(const std::string& name, double error) {
   std::ostringstream text;
   text.precision(2);
-  text << name << ": its modes err by " << 100.0 * error
-       << " % in the static response to loads at its attachments (static_error). Raise its modes or max_frequency, or "
-          "use "
-          "the basis \"craig_bampton\".";
-  return text.str();
+  text << name << ": its modes underestimate static deflections at its attachments by " << 100.0 * error
+       << " % (static_error). Increase modes or max_frequency, or use the basis \"craig_bampton\".";
+  return with_code(code::kStaticError, text.str());
 }
 
 void check_options(const BasisOptions& options, const std::string& name) {
   if (options.mode_count && *options.mode_count < 0)
-    throw InputError(name + ": modes is " + std::to_string(*options.mode_count) + ", expected 0 or more.");
+    throw InputError(code::kParameterOutOfRange,
+                     name + ": modes is " + std::to_string(*options.mode_count) + ", expected 0 or more.");
   if (options.max_frequency && !(*options.max_frequency > 0.0))
-    throw InputError(name + ": maximum frequency is " + std::to_string(*options.max_frequency) +
-                     " Hz, expected a positive number.");
-  if (options.damping_ratio.empty()) throw InputError(name + ": no damping ratio given, expected at least one.");
+    throw InputError(
+        code::kParameterOutOfRange,
+        name + ": maximum frequency is " + std::to_string(*options.max_frequency) + " Hz, expected a positive number.");
+  if (options.damping_ratio.empty())
+    throw InputError(code::kParameterOutOfRange, name + ": no damping ratio given, expected at least one.");
   for (double zeta : options.damping_ratio)
     if (!(zeta >= 0.0) || !std::isfinite(zeta))
-      throw InputError(name + ": damping ratio is " + std::to_string(zeta) + ", expected 0 or more.");
+      throw InputError(code::kParameterOutOfRange,
+                       name + ": damping ratio is " + std::to_string(zeta) + ", expected 0 or more.");
 }
 
 }  // namespace
@@ -174,8 +185,8 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
                         selected(axis_weights(model), active, active),
                         elastic_scale(model),
                         name};
-  Wanted wanted{options.mode_count};
-  if (options.max_frequency) wanted.limit = lambda_of(*options.max_frequency);
+  ModeLimits limits{options.mode_count};
+  if (options.max_frequency) limits.limit = lambda_of(*options.max_frequency);
 
   MatrixXd shapes(problem.K.rows(), 0);
   std::optional<double> error_of_statics;
@@ -184,9 +195,9 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
     const std::vector<int> held = interface_dofs(problem, options);
     const MatrixXd rigid = gathered(rigid_motions(model, mass_properties(model).centre), active);
     const HeldBody body{problem.K, problem.M, rigid, held, problem.scale};
-    if (!(wanted.count && *wanted.count == 0)) {
-      shapes = options.kind == BasisKind::kFreeFree || held.empty() ? free_free_shapes(problem, wanted)
-                                                                    : craig_bampton_shapes(problem, body, wanted);
+    if (!(limits.count && *limits.count == 0)) {
+      shapes = options.kind == BasisKind::kFreeFree || held.empty() ? free_free_shapes(problem, limits)
+                                                                    : craig_bampton_shapes(problem, body, limits);
       if (!held.empty() && shapes.cols() > 0) {
         error_of_statics = static_error(body, shapes);
         error_at_attachments = interface_error(body, shapes);
@@ -215,7 +226,7 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
   raw.triangles = model.triangles;
   raw.segments = model.segments;
   raw.static_error = error_of_statics;
-  BasisOptions all_of_them = options;  // chosen already
+  BasisOptions all_of_them = options;  // the shapes are already selected
   all_of_them.max_frequency.reset();
   if (shapes.cols() > 0) all_of_them.mode_count.reset();
   ReducedBody reduced = orthonormalised(std::move(raw), shapes.transpose() * (model.stiffness * shapes), all_of_them);
@@ -225,19 +236,15 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
 
 VectorXd frequencies(const ModalBody& body) { return body.stiffness.cwiseSqrt() / kTwoPi; }
 
-// The step that every flexible body goes through, whoever made its shapes: no rigid motion, mass-orthonormal,
-// diagonal stiffness.
+// --- For every flexible body: no rigid motion, mass-orthonormal shapes, diagonal stiffness.
 
 namespace {
 
-using Eigen::Index;
 using Eigen::Matrix3d;
-using Eigen::MatrixXd;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 
-constexpr double kRigidShape = 1e-6;  // a shape that loses all but this fraction of its norm was a rigid motion
-constexpr double kDependent = 1e-12;  // least eigenvalue of the Gram matrix of unit shapes
+constexpr double kRigidShape = 1e-6;  // a shape is a rigid motion if less than this fraction of its norm remains
+constexpr double kDependent = 1e-12;  // smallest eigenvalue of the Gram matrix of unit shapes
 constexpr double kLowest = 0.1, kHighest = 1e6;  // plausible first elastic frequency [Hz]
 
 // M-weighted inner products of two sets of shapes, [Phi; Psi] each.
@@ -253,8 +260,8 @@ MatrixXd inner(const ModalBody& body, const MatrixXd& Phi1, const MatrixXd& Psi1
 
 MatrixXd gram(const ModalBody& body) { return inner(body, body.Phi, body.Psi, body.Phi, body.Psi); }
 
-// Takes the rigid-body content out of the shapes: x - R (R^T M R)^-1 R^T M x, R = translations and rotations
-// about Bo (the mass centre). Nodes keep their rotation only if they have one, i.e. if the model gave it.
+// Removes the rigid-body content of the shapes: x - R (R^T M R)^-1 R^T M x, R = translations and rotations about Bo (the mass
+// centre). rotations: the model has rotations of nodes.
 void remove_rigid_motion(ModalBody& body, bool rotations) {
   const Index n = body.node_count();
   MatrixXd R_Phi = MatrixXd::Zero(3 * n, 6), R_Psi = MatrixXd::Zero(3 * n, 6);
@@ -275,7 +282,7 @@ void transform(ModalBody& body, const MatrixXd& Y) {
   if (body.stress_modes.rows() > 0) body.stress_modes = (body.stress_modes * Y).eval();
 }
 
-void part_equal_frequencies(ModalBody& body) {
+void align_equal_frequencies(ModalBody& body) {
   const Matrix3d weight = axis_weight(principal_axes(body));
   MatrixXd WPhi = body.Phi;
   for (Index j = 0; j < body.node_count(); ++j)
@@ -283,8 +290,7 @@ void part_equal_frequencies(ModalBody& body) {
   transform(body, along_axes(body.stiffness, body.Phi.transpose() * WPhi));
 }
 
-// Signs do not matter to physics; fixed so that files and pictures can be compared: the largest displacement
-// is positive.
+// Signs have no physical meaning; the largest displacement is made positive, so that files and pictures can be compared.
 void fix_signs(ModalBody& body) {
   VectorXd sign = VectorXd::Ones(body.mode_count());
   for (Index k = 0; k < body.mode_count(); ++k) {
@@ -295,15 +301,14 @@ void fix_signs(ModalBody& body) {
   transform(body, sign.asDiagonal());
 }
 
-std::string plausibility(const ModalBody& body) {
+std::string frequency_warning(const ModalBody& body) {
   if (body.mode_count() == 0) return "";
   const double first = frequencies(body)(0);
   if (first >= kLowest && first <= kHighest) return "";
   std::ostringstream text;
   text << "body \"" << body.name << "\": first elastic frequency is " << first << " Hz, expected between " << kLowest
-       << " and " << kHighest
-       << " Hz. Are lengths in metres, masses in kg and Young's modulus in Pa (units off by 1000)?";
-  return text.str();
+       << " and " << kHighest << " Hz. Check the units: lengths in m, masses in kg, Young's modulus in Pa.";
+  return with_code(code::kUnusualFrequencies, text.str());
 }
 
 }  // namespace
@@ -313,8 +318,8 @@ ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const Bas
   const Index s = stiffness.cols();
   FOOTFALL_DEMAND(body.Phi.cols() == s && body.Psi.cols() == s && stiffness.rows() == s);
   if (options.mode_count && *options.mode_count > s)
-    throw InputError(who + ": " + std::to_string(*options.mode_count) + " modes asked for, but there are only " +
-                     std::to_string(s) + ".");
+    throw InputError(code::kTooManyModes, who + ": " + std::to_string(*options.mode_count) +
+                                              " modes required, but there are only " + std::to_string(s) + ".");
   ReducedBody result;
   result.p_DBo = body.rho0 * body.node_mass / body.node_mass.sum();
   body.rho0.colwise() -= result.p_DBo;
@@ -327,36 +332,37 @@ ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const Bas
     const VectorXd norm = gram(body).diagonal().cwiseSqrt();
     for (Index k = 0; k < s; ++k)
       if (!(norm(k) > kRigidShape * before(k)))
-        throw InputError(who + ": mode " + std::to_string(k) +
-                         " moves no mass beyond a rigid-body motion, expected elastic modes only. The mass "
-                         "matrix of this basis is "
-                         "not positive; remove the mode.");
+        throw InputError(code::kShapesDependent,
+                         who + ": mode " + std::to_string(k) +
+                             " is a rigid-body motion; expected elastic modes only. Remove the mode.");
     const MatrixXd unit = norm.cwiseInverse().asDiagonal();
     transform(body, unit);
     K = unit * K * unit;
     const MatrixXd G = gram(body);
     const Eigen::SelfAdjointEigenSolver<MatrixXd> independent(G);
     if (!(independent.eigenvalues()(0) > kDependent))
-      throw InputError(who + ": the mass matrix of the basis is not positive: its " + std::to_string(s) +
-                       " modes are not independent once rigid motion is removed. Remove modes that repeat others.");
+      throw InputError(code::kShapesDependent,
+                       who + ": the " + std::to_string(s) +
+                           " modes are not independent after rigid motion is removed. Remove dependent modes.");
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(0.5 * (K + K.transpose()),
                                                                    0.5 * (G + G.transpose()));
     if (!(eigen.eigenvalues()(0) > 0.0))
-      throw InputError(who + ": the modal stiffness is not positive: least omega^2 is " +
-                       std::to_string(eigen.eigenvalues()(0)) + " 1/s2. Every mode must store strain energy.");
-    Index kept = options.mode_count ? *options.mode_count : s;
+      throw InputError(code::kStiffness, who + ": the modal stiffness is not positive: smallest omega^2 is " +
+                                             std::to_string(eigen.eigenvalues()(0)) +
+                                             " 1/s2. Every mode must store strain energy.");
+    Index count = options.mode_count ? *options.mode_count : s;
     if (options.max_frequency) {
       const double limit = std::pow(2.0 * kPi * *options.max_frequency, 2);
-      kept = std::min<Index>(kept, (eigen.eigenvalues().array() <= limit).count());
+      count = std::min<Index>(count, (eigen.eigenvalues().array() <= limit).count());
     }
-    transform(body, eigen.eigenvectors().leftCols(kept));
-    body.stiffness = eigen.eigenvalues().head(kept);
-    // Once more, for round-off: the first pass may have cancelled large rigid motions.
+    transform(body, eigen.eigenvectors().leftCols(count));
+    body.stiffness = eigen.eigenvalues().head(count);
+    // Once more, because of round-off: the first pass may have cancelled large rigid motions.
     remove_rigid_motion(body, rotations);
-    if (kept > 0) {
+    if (count > 0) {
       const Eigen::LLT<MatrixXd> cholesky(gram(body));
-      transform(body, cholesky.matrixU().solve(MatrixXd::Identity(kept, kept)));
-      part_equal_frequencies(body);
+      transform(body, cholesky.matrixU().solve(MatrixXd::Identity(count, count)));
+      align_equal_frequencies(body);
       fix_signs(body);
     }
   } else {
@@ -368,21 +374,19 @@ ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const Bas
     body.damping(k) =
         2.0 * options.damping_ratio[static_cast<std::size_t>(std::min(k, given - 1))] * std::sqrt(body.stiffness(k));
   }
-  const std::string warning = plausibility(body);
+  const std::string warning = frequency_warning(body);
   if (!warning.empty()) result.warnings.push_back(warning);
   if (body.mode_count() == 0 && !(options.mode_count && *options.mode_count == 0))
-    result.warnings.push_back(who +
-                              ": no elastic mode below the frequency limit, so the body is rigid. Raise the limit.");
+    result.warnings.push_back(
+        with_code(code::kUnusualFrequencies,
+                  who + ": no elastic mode is below the frequency limit; the body is rigid. Increase the limit."));
   result.body = std::move(body);
   return result;
 }
 
-namespace {
+// --- Modes of equal frequency.
 
-using Eigen::Index;
-using Eigen::Matrix3d;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+namespace {
 
 constexpr double kApart = 1e-3;  // of the largest eigenvalue of B
 

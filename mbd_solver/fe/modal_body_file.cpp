@@ -1,3 +1,5 @@
+// Both formats are read record by record; errors name file and line.
+
 #include "mbd_solver/fe/modal_body_file.h"
 
 #include <algorithm>
@@ -8,12 +10,43 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
+namespace {
+
+// Records of a plain text file: lines with content, split at blanks, with their places for messages.
+class TextRecords {
+ public:
+  // comment: begins a comment up to the end of the line. Throws InputError if the file cannot be read.
+  TextRecords(const std::string& path, char comment);
+
+  // Goes to the next record; false at the end of the file.
+  bool next();
+  // The same; throws InputError at the end of the file.
+  void require_next(const std::string& expected);
+
+  const std::vector<std::string>& words() const { return words_; }
+  std::size_t size() const { return words_.size(); }
+  // Words as numbers; throw InputError naming the word. integer: within [low, high].
+  double number(std::size_t i) const;
+  int integer(std::size_t i, int low, int high) const;
+
+  // Throws InputError "path:line: message".
+  [[noreturn]] void fail(const std::string& message) const;
+
+ private:
+  std::string path_;
+  char comment_;
+  std::ifstream stream_;
+  int line_ = 0;
+  std::vector<std::string> words_;
+};
 
 TextRecords::TextRecords(const std::string& path, char comment) : path_(path), comment_(comment), stream_(path) {
   if (!stream_)
-    throw InputError(path + ": the file cannot be opened. Check the name; it is relative to the scene file.");
+    throw InputError(code::kModelFile,
+                     path + ": the file cannot be opened. Check the name; it is relative to the scene file.");
 }
 
 bool TextRecords::next() {
@@ -52,10 +85,8 @@ int TextRecords::integer(std::size_t i, int low, int high) const {
 }
 
 void TextRecords::fail(const std::string& message) const {
-  throw InputError(path_ + ":" + std::to_string(line_) + ": " + message);
+  throw InputError(code::kModelFile, path_ + ":" + std::to_string(line_) + ": " + message);
 }
-
-namespace {
 
 using Eigen::Index;
 using Eigen::Matrix3d;
@@ -65,7 +96,7 @@ using Eigen::VectorXd;
 
 constexpr const char* kFormat = "footfall-modal-body";
 constexpr int kVersion = 1;
-constexpr int kMaxCount = 1000000;  // more nodes, modes or triangles than this is a damaged file
+constexpr int kMaxCount = 1000000;  // larger numbers of nodes, modes or triangles indicate a damaged file
 
 // Reads `keyword N`, returns N.
 int read_count(TextRecords& file, const std::string& keyword, int low) {
@@ -113,7 +144,7 @@ void read_modes(TextRecords& file, ModalBody& body) {
   if (s > 6 * n - 6)
     file.fail(std::to_string(s) + " modes, but " + std::to_string(n) + " nodes have only " + std::to_string(6 * n - 6) +
               " elastic degrees of freedom.");
-  std::vector<VectorXd> Phi, Psi;  // as they come, so that a wrong count does not ask for memory
+  std::vector<VectorXd> Phi, Psi;  // grown mode by mode, so that a wrong count does not allocate
   for (int k = 0; k < s; ++k) {
     file.require_next("\"mode " + std::to_string(k) + "\"");
     if (read_count(file, "mode", 0) != k) file.fail("expected \"mode " + std::to_string(k) + "\".");
@@ -256,16 +287,15 @@ void write_modal_body(const std::string& path, const ModalBody& body, const Vect
          << body.stress_modes.format(Eigen::IOFormat(17, Eigen::DontAlignCols)) << '\n';
   file << "end\n";
   file.close();
-  if (!file) throw InputError(path + ": the file cannot be written. Check that the folder exists and has room.");
+  if (!file)
+    throw InputError(code::kModelFileNotWritten,
+                     path + ": the file cannot be written. Check the folder and the free space.");
 }
 
-// A free finite-element model from MatrixMarket files; declared in modal_body_file.h.
+// --- MatrixMarket.
 
 namespace {
 
-using Eigen::Index;
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr int kMaxSize = 100000000;
@@ -285,7 +315,7 @@ Sparse read_matrix(const std::string& path) {
   const std::vector<std::string>& w = header.words();
   if (w.size() != 5 || lower(w[0]) != "%%matrixmarket" || lower(w[1]) != "matrix" || lower(w[2]) != "coordinate" ||
       (lower(w[3]) != "real" && lower(w[3]) != "integer") || (lower(w[4]) != "symmetric" && lower(w[4]) != "general"))
-    header.fail("not a matrix that can be read, expected " + expected + ".");
+    header.fail("unsupported matrix, expected " + expected + ".");
   const bool symmetric = lower(w[4]) == "symmetric";
 
   TextRecords file(path, '%');
@@ -323,8 +353,7 @@ Sparse six_per_node(const Sparse& matrix, int per_node) {
   return result;
 }
 
-// Diagonal terms scaled so that the total mass is kept (it is the same along x, y and z); an already lumped
-// matrix stays as it is.
+// Diagonal terms scaled to the total mass, which is the same along x, y and z; a lumped matrix does not change.
 void lump(const Sparse& M, const std::string& path, FeModel& model) {
   const int n = model.node_count();
   Vector3d total, diagonal;
@@ -336,11 +365,13 @@ void lump(const Sparse& M, const std::string& path, FeModel& model) {
   }
   const double mass = total.mean();
   if (!(diagonal.minCoeff() > 0.0 && total.minCoeff() > 0.0))
-    throw InputError(path + ": mass matrix is not positive: the total mass is " + std::to_string(mass) + " kg.");
+    throw InputError(code::kModelFile,
+                     path + ": mass matrix is not positive: the total mass is " + std::to_string(mass) + " kg.");
   if (!((total.array() - mass).abs().maxCoeff() <= 1e-6 * mass))
-    throw InputError(path + ": the total mass differs along x, y and z (" + std::to_string(total.x()) + ", " +
-                     std::to_string(total.y()) + ", " + std::to_string(total.z()) +
-                     " kg), expected the same. Is the order of the rows node by node, x y z first?");
+    throw InputError(code::kModelFile,
+                     path + ": the total mass differs along x, y and z (" + std::to_string(total.x()) + ", " +
+                         std::to_string(total.y()) + ", " + std::to_string(total.z()) +
+                         " kg); expected the same. Check that the rows are ordered node by node, x y z first.");
   const double factor = mass / diagonal.mean();
   model.node_mass.resize(n);
   for (int j = 0; j < n; ++j) {
@@ -365,17 +396,18 @@ FeModel read_matrix_market(const std::string& stiffness_path, const std::string&
     if (file.size() != 3) file.fail(std::to_string(file.size()) + " numbers, expected three: x y z.");
     nodes.emplace_back(file.number(0), file.number(1), file.number(2));
   }
-  if (nodes.empty()) throw InputError(nodes_path + ": no nodes, expected one \"x y z\" per line.");
+  if (nodes.empty()) throw InputError(code::kModelFile, nodes_path + ": no nodes, expected one \"x y z\" per line.");
   const Sparse K = read_matrix(stiffness_path);
   const Sparse M = read_matrix(mass_path);
   const auto n = static_cast<Index>(nodes.size());
   if (K.rows() != 3 * n && K.rows() != 6 * n)
-    throw InputError(stiffness_path + ": " + std::to_string(K.rows()) + " rows for the " + std::to_string(n) +
-                     " nodes of " + nodes_path + ", expected 3 or 6 per node: " + std::to_string(3 * n) + " or " +
-                     std::to_string(6 * n) + ".");
+    throw InputError(code::kModelFile, stiffness_path + ": " + std::to_string(K.rows()) + " rows for the " +
+                                           std::to_string(n) + " nodes of " + nodes_path +
+                                           ", expected 3 or 6 per node: " + std::to_string(3 * n) + " or " +
+                                           std::to_string(6 * n) + ".");
   if (M.rows() != K.rows())
-    throw InputError(mass_path + ": " + std::to_string(M.rows()) + " rows, expected " + std::to_string(K.rows()) +
-                     " as in " + stiffness_path + ".");
+    throw InputError(code::kModelFile, mass_path + ": " + std::to_string(M.rows()) + " rows, expected " +
+                                           std::to_string(K.rows()) + " as in " + stiffness_path + ".");
   const int per_node = static_cast<int>(K.rows() / n);
   FeModel model;
   model.rotations = per_node == 6;

@@ -1,48 +1,8 @@
 #pragma once
-// Records of a plain text file: the lines that hold something, split at blanks, with the place of each for
-// error messages.
-
-#include <fstream>
-#include <string>
-#include <vector>
-
-#include "mbd_solver/fe/fe_model.h"
-#include "mbd_solver/fe/modal_basis.h"
-
-namespace footfall {
-
-class TextRecords {
- public:
-  // comment: everything from this character to the end of the line is skipped. Throws InputError if the file
-  // cannot be read.
-  TextRecords(const std::string& path, char comment);
-
-  // Goes to the next record; false at the end of the file.
-  bool next();
-  // The same, but throws InputError at the end of the file, saying what was expected.
-  void require_next(const std::string& expected);
-
-  const std::vector<std::string>& words() const { return words_; }
-  std::size_t size() const { return words_.size(); }
-  // Words as numbers; throw InputError naming the word. integer: within [low, high].
-  double number(std::size_t i) const;
-  int integer(std::size_t i, int low, int high) const;
-
-  // Throws InputError "path:line: message".
-  [[noreturn]] void fail(const std::string& message) const;
-
- private:
-  std::string path_;
-  char comment_;
-  std::ifstream stream_;
-  int line_ = 0;
-  std::vector<std::string> words_;
-};
-
 // Reduced models of other finite-element codes.
 //
 // Modal body file: plain text, SI units, numbers separated by blanks, `#` starts a comment, line breaks
-// separate records. Node numbers start at 0. Sections in this order; the ones in [brackets] may be left out:
+// separate records. Node numbers start at 0. Sections in this order; those in [brackets] are optional:
 // clang-format off
 //   footfall-modal-body 1   format and version, first line
 //   nodes N                 N lines: x y z mass, or: x y z mass Jxx Jyy Jzz Jxy Jyz Jzx
@@ -61,20 +21,26 @@ class TextRecords {
 //   end
 // clang-format on
 // The modes need be neither orthonormal nor free of rigid motion, but elastic: footfall removes rigid motion
-// (mean axes), moves the origin to the mass centre and orthonormalises, so that files of fixed-interface and
-// static modes can be used as they are. The rotation (J and psi) columns may be missing; joints that hold an
-// orientation need them.
+// (mean axes), moves the origin to the mass centre and orthonormalises, so that files of fixed-interface and static modes can
+// be used unchanged. The rotation columns (J and psi) are optional; joints that hold an orientation require them.
 //
 // MatrixMarket: `coordinate real general|symmetric` files of K and M, rows in the order of the nodes, six
 // (displacement, rotation) or three (displacement) per node, and a file of nodes, one `x y z` per line. Mass
 // is lumped per node if it is not yet: diagonal terms scaled to the total mass (Hinton, Rock and
 // Zienkiewicz). Reduce the model with reduce().
 
+#include <string>
+
+#include "mbd_solver/fe/fe_model.h"
+#include "mbd_solver/fe/modal_basis.h"
+
+namespace footfall {
+
 // Throws InputError with path:line on anything malformed. Options: mode_count, max_frequency, damping_ratio
 // (if the file has none).
 ReducedBody read_modal_body(const std::string& path, const BasisOptions& options, const std::string& name);
 
-// Writes the body with its origin at p_DBo; reading it gives the same body to round-off.
+// Writes the body with its origin at p_DBo; reading it returns the same body to round-off.
 void write_modal_body(const std::string& path, const ModalBody& body, const Eigen::Vector3d& p_DBo);
 
 // A free body from K, M and nodes. Throws InputError with path:line.

@@ -1,3 +1,5 @@
+// Loads at the interface and weight, each balanced, are solved with the full model and within the basis.
+
 #include "mbd_solver/fe/static_error.h"
 
 #include <Eigen/SVD>
@@ -9,6 +11,7 @@
 #include "mbd_solver/fe/eigen_solver.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/modal_basis.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
@@ -20,8 +23,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kShift = 1e-4;          // of the elastic scale; see balanced_solution
 constexpr int kPasses = 5;               // error 1e-4 to the sixth power, with a scale 100 times too high 1e-12
-constexpr double kSameDirection = 1e-9;  // singular value over the largest: less is round-off
-constexpr double kOnlyRigid = 1e-6;      // what is left of a unit load balanced at the interface: less is nothing
+constexpr double kSameDirection = 1e-9;  // smaller singular values relative to the largest are round-off
+constexpr double kOnlyRigid = 1e-6;      // a smaller rest of a balanced unit load counts as zero
 
 // Rows and columns of one size, so that metres and radians can be compared.
 MatrixXd scaled(MatrixXd x) {
@@ -53,8 +56,8 @@ MatrixXd interface_loads(const HeldBody& body) {
   return scattered(gathered(balanced, some).transpose(), body.held, body.K.rows());
 }
 
-// The same for weight, with the interface held: f = M r for translations r, without what only swings the body about
-// an interface that does not hold it.
+// The same for weight, with the interface held: f = M r for translations r, without the part that swings the body about an
+// interface that does not hold it.
 double weight_error(const HeldBody& body, const MatrixXd& shapes) {
   std::vector<int> all(static_cast<std::size_t>(body.K.rows()));
   std::iota(all.begin(), all.end(), 0);
@@ -70,7 +73,7 @@ double weight_error(const HeldBody& body, const MatrixXd& shapes) {
   }
   const VectorXd exact = f.cwiseProduct(balanced_solution(K, M, f, body.scale)).colwise().sum();
 
-  // Motions of frame and shapes that leave the interface where it is.
+  // Motions of frame and shapes with the interface at rest.
   MatrixXd V(body.rigid.rows(), 6 + shapes.cols());
   V << body.rigid, shapes;
   V = scaled(V);
@@ -87,12 +90,12 @@ double weight_error(const HeldBody& body, const MatrixXd& shapes) {
 
 }  // namespace
 
-// K is singular, but the load does no work on motions without strain, so a solution exists. It is found with a slightly
-// shifted matrix and refined: each pass makes the error smaller by shift / (first elastic lambda + shift).
+// K is singular, but the load does no work on motions without strain, so that a solution exists. A slightly shifted matrix
+// and refinement find it: each pass reduces the error by the factor shift / (first elastic lambda + shift).
 MatrixXd balanced_solution(const Sparse& K, const Sparse& M, const MatrixXd& load, double scale) {
   const Eigen::SimplicialLDLT<Sparse> factor(Sparse(K + kShift * scale * M));
   if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0))
-    throw InputError("stiffness is not positive definite with the interface held.");
+    throw InputError(code::kStiffness, "stiffness is not positive definite with the interface held.");
   MatrixXd x = factor.solve(load);
   for (int pass = 0; pass < kPasses; ++pass) x += factor.solve(load - K * x);
   return x;

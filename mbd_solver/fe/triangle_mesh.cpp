@@ -1,3 +1,5 @@
+// Welding by cells, defects from the uses of each directed edge, volume integrals as sums over tetrahedra.
+
 #include "mbd_solver/fe/triangle_mesh.h"
 
 #include <algorithm>
@@ -8,6 +10,8 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/codes.h"
+#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 
@@ -17,8 +21,7 @@ TriangleMesh moved(const TriangleMesh& mesh, const Eigen::Matrix3d& R, const Eig
   return result;
 }
 
-// Vertices are sorted into cells of the size of the tolerance; a partner is in the same or in a neighbouring
-// cell.
+// Vertices are sorted into cells of the size of the tolerance; a partner is in the same or a neighbouring cell.
 TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
   FOOTFALL_DEMAND(tolerance > 0.0);
   using Cell = std::array<long, 3>;
@@ -57,7 +60,7 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
 namespace {
 
 constexpr double kDegenerate = 1e-6;  // height over longest edge
-constexpr std::size_t kListed = 10;   // numbers told in one finding
+constexpr std::size_t kListed = 10;   // numbers in one message
 
 using Edge = std::pair<int, int>;
 
@@ -145,9 +148,9 @@ std::vector<std::string> mesh_findings(const TriangleMesh& mesh, const MeshDeman
     const std::vector<std::vector<int>> found = pieces(mesh);
     if (found.size() > 1)
       findings.push_back("the mesh falls into " + std::to_string(found.size()) +
-                         " disconnected pieces, expected one. The largest has " + std::to_string(found[0].size()) +
+                         " disconnected pieces; expected one. The largest has " + std::to_string(found[0].size()) +
                          " triangles; the next consists of " + triangles(found[1]) +
-                         ". If they should touch, their common vertices differ.");
+                         ". If they should touch, weld their common vertices.");
   }
   // An edge is open if only one triangle has it, and crowded if more than two have.
   std::vector<int> open, crowded, turned;
@@ -171,8 +174,8 @@ std::vector<std::string> mesh_findings(const TriangleMesh& mesh, const MeshDeman
                        " meet at an edge of more than two triangles, expected every edge to belong to two.");
   if (demands.oriented && !turned.empty())
     findings.push_back(triangles(turned) +
-                       ": neighbours disagree on which side is outside, expected all corners counter-clockwise seen "
-                       "from outside. Turn one of them round.");
+                       ": inconsistent orientation with neighbours; expected all corners counter-clockwise seen from "
+                       "outside. Flip one of them.");
   return findings;
 }
 
@@ -180,7 +183,7 @@ void check_mesh(const TriangleMesh& mesh, const MeshDemands& demands, const std:
   std::string message;
   for (const std::string& finding : mesh_findings(mesh, demands))
     message += (message.empty() ? "" : "\n") + where + ": " + finding;
-  if (!message.empty()) throw InputError(message);
+  if (!message.empty()) throw InputError(code::kMeshDefect, message);
 }
 
 namespace {
@@ -210,54 +213,47 @@ struct Piece {
   Eigen::AlignedBox3d box;
 };
 
-// Triangles that share a vertex are one piece.
-std::vector<Piece> pieces_of(const TriangleMesh& mesh, const Vector3d& o) {
-  std::vector<std::size_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](int vertex) {
-    auto i = static_cast<std::size_t>(vertex);
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const Eigen::Vector3i& t : mesh.triangles)
-    for (int i = 1; i < 3; ++i) parent[root(t(i))] = root(t(0));
-  std::vector<Piece> by_root(mesh.vertices.size());
-  for (const Eigen::Vector3i& t : mesh.triangles) {
-    Piece& piece = by_root[root(t(0))];
-    piece.volume += corners_of(mesh, t, o).volume();
-    for (int i = 0; i < 3; ++i) piece.box.extend(mesh.vertices[static_cast<std::size_t>(t(i))]);
+std::vector<Piece> solid_pieces(const TriangleMesh& mesh, const Vector3d& o) {
+  std::vector<Piece> result;
+  for (const std::vector<int>& numbers : pieces(mesh)) {
+    Piece& piece = result.emplace_back();
+    for (const int n : numbers) {
+      const Eigen::Vector3i& t = mesh.triangles[static_cast<std::size_t>(n)];
+      piece.volume += corners_of(mesh, t, o).volume();
+      for (int i = 0; i < 3; ++i) piece.box.extend(mesh.vertices[static_cast<std::size_t>(t(i))]);
+    }
   }
-  by_root.erase(std::remove_if(by_root.begin(), by_root.end(), [](const Piece& p) { return p.box.isEmpty(); }),
-                by_root.end());
-  return by_root;
+  return result;
 }
 
 void demand_outward(const std::vector<Piece>& pieces, double smallest, const std::string& where) {
   for (const Piece& piece : pieces) {
     if (std::abs(piece.volume) <= smallest)
-      throw InputError(where + ": the surface encloses no volume, so it has no mass; expected a solid body");
+      throw InputError(code::kMeshDefect, where + ": the surface encloses no volume; expected a solid body");
     if (piece.volume > 0.0) continue;
     const bool cavity = std::any_of(pieces.begin(), pieces.end(), [&](const Piece& other) {
       return other.volume > -piece.volume && other.box.contains(piece.box);
     });
     if (!cavity)
-      throw InputError(where + ": the surface faces inward (its volume is " + number_text(piece.volume) +
-                       " m3), expected corners counter-clockwise seen from outside; turn its triangles round (flip "
-                       "normals)");
+      throw InputError(code::kMeshDefect,
+                       where + ": the surface faces inward (its volume is " + number_text(piece.volume) +
+                           " m3); expected corners counter-clockwise seen from outside. Flip its normals.");
   }
 }
 
 }  // namespace
 
 MassProperties polyhedron_properties(const TriangleMesh& mesh, double density, const std::string& where) {
-  if (!(density > 0.0)) throw InputError(where + ": the density is " + number_text(density) + ", expected more than 0");
+  if (!(density > 0.0))
+    throw InputError(code::kParameterOutOfRange,
+                     where + ": the density is " + number_text(density) + ", expected more than 0");
   MeshDemands demands;
   demands.closed = demands.oriented = true;
   check_mesh(mesh, demands, where);
   const Vector3d o = middle_of(mesh);
   Eigen::AlignedBox3d box;
   for (const Vector3d& x : mesh.vertices) box.extend(x);
-  demand_outward(pieces_of(mesh, o), kNoVolume * std::pow(box.diagonal().norm(), 3), where);
+  demand_outward(solid_pieces(mesh, o), kNoVolume * std::pow(box.diagonal().norm(), 3), where);
 
   double volume = 0.0;
   Vector3d moment = Vector3d::Zero();

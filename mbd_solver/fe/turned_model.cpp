@@ -1,3 +1,5 @@
+// Matrices are compared by their products with two deflections without symmetry.
+
 #include "mbd_solver/fe/turned_model.h"
 
 #include <cmath>
@@ -10,7 +12,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Every vector of three in x, turned.
+// Every vector of three in x, rotated.
 template <class Derived>
 Eigen::MatrixXd turned_vectors(const Eigen::MatrixBase<Derived>& x, const Eigen::Matrix3d& R) {
   Eigen::MatrixXd out(x.rows(), x.cols());
@@ -23,7 +25,7 @@ bool same(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double size) {
          (a.size() == 0 || (a - b).cwiseAbs().maxCoeff() <= kSameModel * size);
 }
 
-// Whether A x, turned where it holds vectors, is B y: each block of `rows` entries to kSameModel of what its terms are.
+// `answer` equals B y: each block of `rows` entries to kSameModel of the size of its terms.
 using Sparse = Eigen::SparseMatrix<double>;
 bool same_answer(const VectorXd& answer, const Sparse& B, const VectorXd& y, Index rows) {
   const VectorXd off = answer - B * y, terms = B.cwiseAbs() * y.cwiseAbs();
@@ -32,7 +34,7 @@ bool same_answer(const VectorXd& answer, const Sparse& B, const VectorXd& y, Ind
   return true;
 }
 
-// A deflection with no symmetry and no zeros: matrices that answer two of these alike are the same.
+// A deflection without symmetry and zeros.
 VectorXd some_deflection(Index size, double start) {
   VectorXd x(size);
   double phase = start;

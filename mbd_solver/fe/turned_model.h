@@ -1,5 +1,5 @@
 #pragma once
-// One body in several places, as the legs of a lander or the wheels of a rover: reduced once, the others are turned copies.
+// Copies of one body, such as the legs of a lander or the wheels of a rover: it is reduced once, and the result is rotated.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -9,13 +9,12 @@
 
 namespace footfall {
 
-// p [m] where `copy` is `model` moved by x -> R x + p, with all it has: nodes, masses, inertias, stiffness and stress, to
-// kSameModel of their size. Nothing where it is another model. R: a rotation, in D.
+// p [m] if `copy` is `model` moved by x -> R x + p, with nodes, masses, inertias, stiffness and stress, to kSameModel of
+// their size; empty if it is another model. R: a rotation, in D.
 std::optional<Eigen::Vector3d> place_of_copy(const FeModel& model, const FeModel& copy, const Eigen::Matrix3d& R);
 inline constexpr double kSameModel = 1e-11;
 
-// What reduce() gives for that copy, to round-off, from what it gave for the model. Stresses are along the axes of the
-// elements, which turn with them.
+// The reduced copy, to round-off, from the reduced model. Stresses are along the axes of the elements, which rotate, too.
 ReducedBody turned(const ReducedBody& reduced, const Eigen::Matrix3d& R, const Eigen::Vector3d& p,
                    const std::string& name);
 

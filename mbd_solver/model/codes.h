@@ -78,6 +78,8 @@ inline constexpr MessageCode kModesNotConverged{"E0326", "modes-not-converged"};
 inline constexpr MessageCode kShapesDependent{"E0327", "shapes-dependent"};
 // A model file of another code cannot be read or is malformed. Correct the line that is named.
 inline constexpr MessageCode kModelFile{"E0328", "model-file"};
+// A model file cannot be written. Check the folder and the free space.
+inline constexpr MessageCode kModelFileNotWritten{"E0333", "model-file-not-written"};
 // The supports leave a body free to move. Add supports.
 inline constexpr MessageCode kSupports{"E0329", "supports"};
 
