@@ -3,7 +3,7 @@
 //
 //   constexpr std::string_view name_of(Kind kind)
 //
-// a switch without default, so that the compiler requires the name of a new kind; it returns "" for other values. The
+// a switch without default, or name_in with the names in the order of the enumeration; it returns "" for other values. The
 // number of kinds, their list and the list of their names follow from it.
 
 #include <string>
@@ -11,6 +11,13 @@
 #include <vector>
 
 namespace footfall {
+
+template <class Kind, class... Names>
+constexpr std::string_view name_in(Kind kind, const Names&... names) {
+  const std::string_view list[] = {names...};
+  const int k = static_cast<int>(kind);
+  return k >= 0 && k < static_cast<int>(sizeof...(names)) ? list[k] : std::string_view();
+}
 
 template <class Kind>
 constexpr int count_of() {

@@ -119,13 +119,12 @@ bool add_round_shape(const BodySpec& body, const BoundarySpec& spec, BodyBoundar
         add_rim(end, shape.to - shape.from, 0.5 * shape.diameter);
       return true;
     case ShapeKind::kDisc:
+    case ShapeKind::kCylinder: {
+      const double length = shape.kind == ShapeKind::kDisc ? shape.thickness : shape.length;
       for (const double side : {-0.5, 0.5})
-        add_rim(shape.centre + side * shape.thickness * shape.axis.normalized(), shape.axis, shape.radius);
+        add_rim(shape.centre + side * length * shape.axis.normalized(), shape.axis, shape.radius);
       return true;
-    case ShapeKind::kCylinder:
-      for (const double side : {-0.5, 0.5})
-        add_rim(shape.centre + side * shape.length * shape.axis.normalized(), shape.axis, shape.radius);
-      return true;
+    }
     case ShapeKind::kCapsule:
       for (const Eigen::Vector3d& end : {shape.from, shape.to})
         entry.points.push_back({rigid_marker(entry.body, R_BD * (end - body.position)), 0.5 * shape.diameter});

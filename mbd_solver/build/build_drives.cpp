@@ -42,33 +42,21 @@ int add_joint_force(const std::string& name, int joint, Coordinate coordinate, L
 
 }  // namespace
 
-Coordinate coordinate_of(CoordinateChoice choice) {
-  switch (choice) {
-    case CoordinateChoice::kAngle: return Coordinate::kAngle;
-    case CoordinateChoice::kDisplacement: return Coordinate::kDisplacement;
-    case CoordinateChoice::kDisplacementX: return Coordinate::kDisplacementX;
-    case CoordinateChoice::kDisplacementY: return Coordinate::kDisplacementY;
-    case CoordinateChoice::kAuto: break;
-  }
-  FOOTFALL_DEMAND(false);
-}
-
 void add_drives(const Scene& scene, Mechanism& mechanism) {
   Model& model = mechanism.model;
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {
     const JointSpec& spec = scene.joints[i];
     const int joint = static_cast<int>(i);
-    for (const CoordinateChoice choice : coordinates_of(spec.type)) {
-      const Coordinate coordinate = coordinate_of(choice);
+    for (const Coordinate coordinate : coordinates_of(spec.type)) {
       mechanism.coordinates.push_back({spec.name, joint, coordinate});
-      if (const std::optional<CoordinateSpec>& acting = spec.acting_on(choice))
+      if (const std::optional<CoordinateSpec>& acting = spec.acting_on(coordinate))
         add_joint_force("joint/" + spec.name + "/" + std::string(name_of(coordinate)), joint, coordinate,
                         laws_of(*acting), model);
     }
   }
   for (const DriveSpec& spec : scene.drives) {
     const int joint = scene.joint_index(spec.joint);
-    const Coordinate coordinate = coordinate_of(scene.coordinate_of(spec));
+    const Coordinate coordinate = scene.coordinate_of(spec);
     Laws laws;
     laws.push_back(build(spec));
     const int force = add_joint_force("drive/" + spec.name, joint, coordinate, std::move(laws), model,

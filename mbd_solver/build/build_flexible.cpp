@@ -30,14 +30,6 @@ struct Attachment {
   bool turns;             // transmits moments
 };
 
-BasisKind basis_kind(ModalBasis basis) {
-  switch (basis) {
-    case ModalBasis::kCraigBampton: return BasisKind::kCraigBampton;
-    case ModalBasis::kFreeFree: return BasisKind::kFreeFree;
-  }
-  FOOTFALL_DEMAND(false);
-}
-
 std::vector<Attachment> attachments(const Scene& scene, const std::string& body) {
   std::vector<Attachment> points;
   for (const JointSpec& joint : scene.joints) {
@@ -89,10 +81,7 @@ FeModel beam_along_shape(const ShapeSpec& shape, int elements, const std::vector
     const int pieces = std::max(1, static_cast<int>(std::lround(span * elements)));
     for (int k = 1; k <= pieces; ++k) {
       nodes.push_back(shape.from + (kept[i - 1] + span * k / pieces) * axis);
-      BeamMember member;
-      member.first = static_cast<int>(nodes.size()) - 2;
-      member.second = member.first + 1;
-      members.push_back(member);
+      members.push_back({static_cast<int>(nodes.size()) - 2, static_cast<int>(nodes.size()) - 1});
     }
   }
   const BeamSection section =
@@ -123,11 +112,7 @@ FeModel frame(const FlexibleSpec& spec, const Material& material) {
         next = static_cast<int>(nodes.size());
         nodes.push_back(from + (to - from) * k / m.elements);
       }
-      BeamMember member;
-      member.first = last;
-      member.second = next;
-      member.section = section;
-      members.push_back(member);
+      members.push_back({last, next, section});
       last = next;
     }
   }
@@ -195,7 +180,7 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, Reductions& reducti
                    std::vector<std::string>& warnings) {
   const FlexibleSpec& spec = *body.flexible;
   BasisOptions options;
-  options.kind = basis_kind(spec.basis);
+  options.kind = spec.basis;
   options.mode_count = spec.modes;
   options.max_frequency = spec.max_frequency;
   options.damping_ratio = {spec.damping};

@@ -11,8 +11,7 @@ void add_gears(const Scene& scene, Mechanism& mechanism) {
   for (const GearSpec& spec : scene.gears) {
     std::vector<GearMember> members;
     for (std::size_t i = 0; i < spec.joints.size(); ++i)
-      members.push_back(
-          {scene.joint_index(spec.joints[i]), coordinate_of(scene.coordinate_of(spec, i)), spec.factors[i]});
+      members.push_back({scene.joint_index(spec.joints[i]), scene.coordinate_of(spec, i), spec.factors[i]});
     if (!spec.curve.empty()) {
       auto [q, y] = columns_of(spec.curve);
       if (spec.closed && members.back().coordinate == Coordinate::kAngle) q.back() = q.front() + 2.0 * kPi;  // exactly

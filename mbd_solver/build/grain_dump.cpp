@@ -11,11 +11,13 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 InputError wrong_line(const std::string& path, int number, const std::string& line, const char* expected) {
-  return InputError(code::kGrainFile, path + ":" + std::to_string(number) + ": is \"" + line + "\", expected " +
-                                          expected + "; make the bed again");
+  return InputError(kGrainFile, path + ":" + std::to_string(number) + ": is \"" + line + "\", expected " + expected +
+                                    "; make the bed again");
 }
 
 }  // namespace
@@ -23,8 +25,8 @@ InputError wrong_line(const std::string& path, int number, const std::string& li
 std::vector<GrainPlace> read_grains(const std::string& path) {
   std::ifstream file(path);
   if (!file)
-    throw InputError(code::kNoGrainFile, "particles.grains: " + path +
-                                             " cannot be read; it is written with the bed (dump custom x y z radius)");
+    throw InputError(kNoGrainFile, "particles.grains: " + path +
+                                       " cannot be read; it is written with the bed (dump custom x y z radius)");
   std::vector<GrainPlace> grains;
   std::string line;
   bool atoms = false, clumps = false;
@@ -48,8 +50,7 @@ std::vector<GrainPlace> read_grains(const std::string& path) {
       throw wrong_line(path, number, line, "finite x y z and a positive radius");
     grains.push_back(grain);
   }
-  if (grains.empty())
-    throw InputError(code::kGrainFile, path + ": contains no grains, expected a dump of x y z radius");
+  if (grains.empty()) throw InputError(kGrainFile, path + ": contains no grains, expected a dump of x y z radius");
   return grains;
 }
 

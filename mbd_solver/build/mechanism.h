@@ -163,7 +163,6 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
 
 void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism);
 void add_joints(const Scene& scene, Mechanism& mechanism);
-Coordinate coordinate_of(CoordinateChoice choice);          // not of kAuto
 void add_drives(const Scene& scene, Mechanism& mechanism);  // after add_joints
 void add_gears(const Scene& scene, Mechanism& mechanism);   // after add_joints
 void add_struts(const Scene& scene, Mechanism& mechanism);  // after add_controllers

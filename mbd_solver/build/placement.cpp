@@ -7,7 +7,6 @@
 #include "mbd_solver/build/grain_dump.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/rotation.h"
-#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/resolve.h"
 
 namespace footfall {

@@ -22,19 +22,7 @@ struct MaterialSpec : Material {
 
 enum class ShapeKind { kBox, kTube, kRod, kDisc, kDish, kSphere, kCylinder, kCapsule, kMesh, kPoints };
 constexpr std::string_view name_of(ShapeKind kind) {
-  switch (kind) {
-    case ShapeKind::kBox: return "box";
-    case ShapeKind::kTube: return "tube";
-    case ShapeKind::kRod: return "rod";
-    case ShapeKind::kDisc: return "disc";
-    case ShapeKind::kDish: return "dish";
-    case ShapeKind::kSphere: return "sphere";
-    case ShapeKind::kCylinder: return "cylinder";
-    case ShapeKind::kCapsule: return "capsule";
-    case ShapeKind::kMesh: return "mesh";
-    case ShapeKind::kPoints: return "points";
-  }
-  return {};
+  return name_in(kind, "box", "tube", "rod", "disc", "dish", "sphere", "cylinder", "capsule", "mesh", "points");
 }
 
 // Geometry in D. It gives mass properties, a boundary surface, and the elastic model (tube, rod: beam; disc, dish: plate).
@@ -76,18 +64,11 @@ struct MemberSpec {
   int elements = 1;  // beam elements of the member
 };
 
-enum class ModalBasis { kCraigBampton, kFreeFree };
-constexpr std::string_view name_of(ModalBasis kind) {
-  switch (kind) {
-    case ModalBasis::kCraigBampton: return "craig_bampton";
-    case ModalBasis::kFreeFree: return "free_free";
-  }
-  return {};
-}
+constexpr std::string_view name_of(BasisKind kind) { return name_in(kind, "craig_bampton", "free_free"); }
 
 struct FlexibleSpec {
   bool enabled = true;  // false: rigid
-  ModalBasis basis = ModalBasis::kCraigBampton;
+  BasisKind basis = BasisKind::kCraigBampton;
   std::optional<int> modes;  // in addition to the static shapes; 0: rigid; not given: all below max_frequency, or 10
   std::optional<double> max_frequency;    // modes above it are omitted [Hz]
   double damping = kDefaultDampingRatio;  // modal damping ratio [-]

@@ -11,36 +11,17 @@
 namespace footfall {
 
 enum class RollingModel { kNone, kCdt, kEpsd2 };
-constexpr std::string_view name_of(RollingModel kind) {
-  switch (kind) {
-    case RollingModel::kNone: return "none";
-    case RollingModel::kCdt: return "cdt";
-    case RollingModel::kEpsd2: return "epsd2";
-  }
-  return {};
-}
+constexpr std::string_view name_of(RollingModel kind) { return name_in(kind, "none", "cdt", "epsd2"); }
 
 enum class CohesionModel { kSjkr, kSjkr2 };
-constexpr std::string_view name_of(CohesionModel kind) {
-  switch (kind) {
-    case CohesionModel::kSjkr: return "sjkr";
-    case CohesionModel::kSjkr2: return "sjkr2";
-  }
-  return {};
-}
+constexpr std::string_view name_of(CohesionModel kind) { return name_in(kind, "sjkr", "sjkr2"); }
 
 // How the bed is poured.
 enum class Packing {
   kLoose,  // with the friction of its grains
   kDense   // nearly smooth
 };
-constexpr std::string_view name_of(Packing kind) {
-  switch (kind) {
-    case Packing::kLoose: return "loose";
-    case Packing::kDense: return "dense";
-  }
-  return {};
-}
+constexpr std::string_view name_of(Packing kind) { return name_in(kind, "loose", "dense"); }
 
 // Hertz and Mindlin contacts. Grains are softer than sand, which allows longer time steps.
 struct GrainMaterialSpec {

@@ -6,6 +6,8 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 bool is_flexible(const BodySpec& body) { return body.flexible && body.flexible->enabled; }
@@ -14,35 +16,34 @@ void check_surface(const BodySpec& body, const SurfaceSpec& surface, const Entry
   const bool own_mesh = is_flexible(body) && (!body.flexible->mesh.empty() || !body.flexible->file.empty());
   const bool from_file = !surface.file.empty();
   at.error_if(
-      !from_file && !own_mesh && (!body.shape || body.shape->kind == ShapeKind::kPoints), code::kNoSurface, "surface",
+      !from_file && !own_mesh && (!body.shape || body.shape->kind == ShapeKind::kPoints), kNoSurface, "surface",
       "cannot be generated: body \"" + body.name + "\" has no shape with a surface; give surface.file or a shape");
   const bool shape_is_mesh = body.shape && body.shape->kind == ShapeKind::kMesh && !own_mesh;
   at.error_if((from_file || shape_is_mesh) && at.given("surface.element_size") && surface.from_script.empty(),
-              code::kKeyWithoutEffect, "surface.element_size", "has no effect on a mesh from a file; remove it");
+              kKeyWithoutEffect, "surface.element_size", "has no effect on a mesh from a file; remove it");
   for (const char* key : {"surface.scale", "surface.position", "surface.orientation"})
-    at.error_if(!from_file && at.given(key), code::kKeyWithoutEffect, key,
-                "belongs to a surface from a file; remove it");
+    at.error_if(!from_file && at.given(key), kKeyWithoutEffect, key, "belongs to a surface from a file; remove it");
   if (!at.given("surface.faces")) return;
   const bool drawn = !from_file && body.shape && !own_mesh;
   const bool disc = drawn && body.shape->kind == ShapeKind::kDisc, dish = drawn && body.shape->kind == ShapeKind::kDish;
-  at.error_if(!disc && !dish, code::kKeyWithoutEffect, "surface.faces",
+  at.error_if(!disc && !dish, kKeyWithoutEffect, "surface.faces",
               "belongs to a disc or dish, which the surface of \"" + body.name + "\" is not; remove it");
-  at.error_if(dish && surface.faces == SurfaceFaces::kBoth, code::kUnknownChoice, "surface.faces",
+  at.error_if(dish && surface.faces == SurfaceFaces::kBoth, kUnknownChoice, "surface.faces",
               "is \"both\", but a dish has its mid-surface only; expected \"middle\"");
 }
 
 void check_beams(const BodySpec& body, const BeamsSpec& beams, const EntryFindings& at) {
   const bool round = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod);
   const bool frame = is_flexible(body) && !body.flexible->nodes.empty();
-  at.error_if(!round && !frame && beams.points.empty(), code::kMissingKey, "beams.points",
+  at.error_if(!round && !frame && beams.points.empty(), kMissingKey, "beams.points",
               "is missing; only a tube or rod has an axis to follow");
-  at.error_if(beams.points.size() == 1, code::kWrongCount, "beams.points", "is one point, expected two or more");
-  at.error_if(!round && !(beams.radius > 0.0), code::kMissingKey, "beams.radius",
+  at.error_if(beams.points.size() == 1, kWrongCount, "beams.points", "is one point, expected two or more");
+  at.error_if(!round && !(beams.radius > 0.0), kMissingKey, "beams.radius",
               "is missing; only a tube or rod has a diameter");
 }
 
 void check_boundary(const Scene& scene, const BoundarySpec& boundary, const EntryFindings& at) {
-  at.error_if(!boundary.surface && !boundary.beams, code::kEmptyEntry, "",
+  at.error_if(!boundary.surface && !boundary.beams, kEmptyEntry, "",
               "has neither a surface nor beams; give surface = {} or beams = {}");
   for (const BodySpec& body : scene.bodies) {
     if (body.name != boundary.body) continue;
@@ -54,26 +55,26 @@ void check_boundary(const Scene& scene, const BoundarySpec& boundary, const Entr
 
 // prefix: before the keys in a message.
 void check_law(const Scene& scene, const std::string& prefix, const ContactLawSpec& law, const EntryFindings& at) {
-  at.error_if(law.young && law.stiffness, code::kConflictingKeys, prefix + "stiffness",
+  at.error_if(law.young && law.stiffness, kConflictingKeys, prefix + "stiffness",
               "follows from young, which is given as well; keep one of the two");
-  at.error_if(!law.young && !law.stiffness, code::kMissingKey, prefix + "young",
+  at.error_if(!law.young && !law.stiffness, kMissingKey, prefix + "young",
               "is missing; give young [Pa] or stiffness [N/m^1.5]");
-  at.error_if(law.restitution && law.damping, code::kConflictingKeys, prefix + "damping",
+  at.error_if(law.restitution && law.damping, kConflictingKeys, prefix + "damping",
               "follows from restitution, which is given as well; keep one of the two");
-  at.error_if(law.restitution && *law.restitution <= 0.0, code::kOutOfRange, prefix + "restitution",
+  at.error_if(law.restitution && *law.restitution <= 0.0, kOutOfRange, prefix + "restitution",
               "is 0, expected more than 0, at most 1");
   at.error_if(
-      law.restitution && *law.restitution < 1.0 && !law.impact_speed && scene.initial.velocity.isZero(),
-      code::kMissingKey, prefix + "impact_speed",
+      law.restitution && *law.restitution < 1.0 && !law.impact_speed && scene.initial.velocity.isZero(), kMissingKey,
+      prefix + "impact_speed",
       "is missing; the coefficient of restitution holds at one impact speed, and initial.velocity does not give it");
-  at.error_if(!(law.poisson > -1.0 && law.poisson < 0.5), code::kOutOfRange, prefix + "poisson",
+  at.error_if(!(law.poisson > -1.0 && law.poisson < 0.5), kOutOfRange, prefix + "poisson",
               "is " + number_text(law.poisson) + ", expected more than -1 and less than 0.5");
 }
 
 void check_has_boundary(const Scene& scene, const EntryFindings& at, const char* key, const std::string& name) {
   const std::vector<std::string> names = boundary_names(scene);
   if (!is_in(names, name))
-    at.error(code::kUnknownBoundary, key,
+    at.error(kUnknownBoundary, key,
              "\"" + name + "\" has no entry in [[boundaries]]." + known_names("boundaries", name, names));
 }
 
@@ -85,7 +86,7 @@ bool deforms(const Scene& scene, const std::string& name) {
 
 void check_between(const Scene& scene, const ContactSpec& contact, const EntryFindings& at) {
   if (contact.between.size() != 2) {
-    at.error(code::kWrongCount, "between",
+    at.error(kWrongCount, "between",
              "contains " + std::to_string(contact.between.size()) +
                  " names, expected two bodies, or a body and \"plane\" (or walls = true instead)");
     return;
@@ -93,10 +94,10 @@ void check_between(const Scene& scene, const ContactSpec& contact, const EntryFi
   const std::string &first = contact.between[0], &second = contact.between[1];
   check_has_boundary(scene, at, "between", first);
   if (!contact.with_plane()) check_has_boundary(scene, at, "between", second);
-  at.error_if(first == second, code::kListedTwice, "between", "contains \"" + first + "\" twice");
-  at.error_if(contact.ignore && contact.with_plane(), code::kConflictingKeys, "ignore",
+  at.error_if(first == second, kListedTwice, "between", "contains \"" + first + "\" twice");
+  at.error_if(contact.ignore && contact.with_plane(), kConflictingKeys, "ignore",
               "is for two bodies; a body without contact with a plane needs no entry");
-  at.error_if(!contact.ignore && deforms(scene, first) && deforms(scene, second), code::kFlexibleContact, "between",
+  at.error_if(!contact.ignore && deforms(scene, first) && deforms(scene, second), kFlexibleContact, "between",
               "names two flexible bodies; expected at most one, whose nodes touch the surface of the rigid one");
 }
 
@@ -105,20 +106,19 @@ void check_contacts(const Scene& scene, Findings& findings) {
     const ContactSpec& contact = scene.contacts[i];
     const EntryFindings at(findings, contact.source);
     if (contact.walls) {
-      at.error_if(!contact.between.empty(), code::kConflictingKeys, "walls",
-                  "excludes between; give each of them an entry");
-      at.error_if(contact.ignore, code::kConflictingKeys, "ignore", "is for two bodies, not for walls");
-      at.error_if(!scene.touches_particles(), code::kGround, "walls",
+      at.error_if(!contact.between.empty(), kConflictingKeys, "walls", "excludes between; give each of them an entry");
+      at.error_if(contact.ignore, kConflictingKeys, "ignore", "is for two bodies, not for walls");
+      at.error_if(!scene.touches_particles(), kGroundIncomplete, "walls",
                   "are those of a LIGGGHTS script, but ground.kind is not \"particles\"");
-      at.error_if(scene.boundaries.empty(), code::kGround, "walls", "touch [[boundaries]], but the scene has none");
+      at.error_if(scene.boundaries.empty(), kGroundIncomplete, "walls", "touch [[boundaries]], but the scene has none");
       for (const std::string& name : contact.bodies) check_has_boundary(scene, at, "bodies", name);
     } else {
       check_between(scene, contact, at);
-      at.error_if(!contact.bodies.empty(), code::kConflictingKeys, "bodies",
+      at.error_if(!contact.bodies.empty(), kConflictingKeys, "bodies",
                   "belongs to walls = true; between names its bodies");
     }
     for (const char* key : {"point", "normal"})
-      at.error_if(at.given(key) && !contact.with_plane(), code::kKeyWithoutEffect, key,
+      at.error_if(at.given(key) && !contact.with_plane(), kKeyWithoutEffect, key,
                   "belongs to a plane: between = [\"BODY\", \"plane\"]");
     if (!contact.ignore) check_law(scene, "", contact, at);
     for (std::size_t j = 0; j < i; ++j) {
@@ -128,8 +128,7 @@ void check_contacts(const Scene& scene, Findings& findings) {
       const bool shared = contact.bodies.empty() || other.bodies.empty() ||
                           std::find_first_of(contact.bodies.begin(), contact.bodies.end(), other.bodies.begin(),
                                              other.bodies.end()) != contact.bodies.end();
-      at.error_if(same || (contact.walls && other.walls && shared), code::kListedTwice,
-                  contact.walls ? "walls" : "between",
+      at.error_if(same || (contact.walls && other.walls && shared), kListedTwice, contact.walls ? "walls" : "between",
                   "are in an earlier entry already: the contact would count twice");
     }
   }
@@ -143,7 +142,7 @@ void check_contact(const Scene& scene, Findings& findings) {
     const EntryFindings at(findings, boundary.source);
     check_body_name(scene, at, "body", boundary.body);
     for (std::size_t j = 0; j < i; ++j)
-      at.error_if(!boundary.body.empty() && scene.boundaries[j].body == boundary.body, code::kListedTwice, "body",
+      at.error_if(!boundary.body.empty() && scene.boundaries[j].body == boundary.body, kListedTwice, "body",
                   "\"" + boundary.body + "\" already has a boundary; put surface and beams into one entry");
     check_boundary(scene, boundary, at);
   }
@@ -154,17 +153,17 @@ void check_contact(const Scene& scene, Findings& findings) {
     check_law(scene, "plane.", *scene.ground.plane, at);
     for (const std::string& name : scene.ground.plane->bodies) check_has_boundary(scene, at, "plane.bodies", name);
   }
-  at.error_if(kind == GroundKind::kPlane && !scene.ground.plane, code::kGround, "plane",
+  at.error_if(kind == GroundKind::kPlane && !scene.ground.plane, kGroundIncomplete, "plane",
               "is missing; ground.kind = \"plane\" needs [ground.plane]");
-  at.error_if(kind == GroundKind::kParticles && !scene.particles, code::kGround, "kind",
+  at.error_if(kind == GroundKind::kParticles && !scene.particles, kGroundIncomplete, "kind",
               "is \"particles\", but there is no [particles] section with a script or a box");
   if (kind == GroundKind::kParticles && scene.particles && scene.particles->script.empty() && !scene.particles->box)
-    findings.error(code::kMissingKey, scene.particles->source, "script",
+    findings.error(kMissingKey, scene.particles->source, "script",
                    "is missing; name a LIGGGHTS script, or give [particles.box] for a simple bed");
-  at.error_if(kind != GroundKind::kNone && scene.boundaries.empty(), code::kGround, "kind",
+  at.error_if(kind != GroundKind::kNone && scene.boundaries.empty(), kGroundIncomplete, "kind",
               "gives a ground that nothing touches; add [[boundaries]], or set kind = \"none\"");
   if (scene.initial.clearance && kind == GroundKind::kNone)
-    findings.error(code::kGround, scene.initial.source, "clearance",
+    findings.error(kGroundIncomplete, scene.initial.source, "clearance",
                    "is measured from the ground, but ground.kind is \"none\"; remove it, or give a ground");
 }
 

@@ -7,10 +7,12 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 // "is no coordinate of a spherical joint; expected a joint of type revolute or cylindrical".
-std::string no_coordinate(CoordinateChoice coordinate, JointType type) {
+std::string no_coordinate(Coordinate coordinate, JointType type) {
   std::vector<std::string> types;
   for (const JointType other : every<JointType>())
     if (has_coordinate(other, coordinate)) types.emplace_back(name_of(other));
@@ -19,9 +21,7 @@ std::string no_coordinate(CoordinateChoice coordinate, JointType type) {
          (names.empty() ? "" : names + " of it, or ") + "a joint of type " + joined(types, " or ");
 }
 
-Unit unit_of(CoordinateChoice coordinate) {
-  return coordinate == CoordinateChoice::kAngle ? Unit::kAngle : Unit::kLength;
-}
+Unit unit_of(Coordinate coordinate) { return coordinate == Coordinate::kAngle ? Unit::kAngle : Unit::kLength; }
 
 // "20 degrees", "0.01 m".
 std::string value_text(double value, Unit unit) {
@@ -29,28 +29,27 @@ std::string value_text(double value, Unit unit) {
   return number_text(value) + (unit == Unit::kLength ? " m" : "");
 }
 
-void check_coordinate(const JointSpec& joint, CoordinateChoice coordinate, const EntryFindings& at) {
+void check_coordinate(const JointSpec& joint, Coordinate coordinate, const EntryFindings& at) {
   const std::optional<CoordinateSpec>& c = joint.acting_on(coordinate);
   if (!c) return;
   const std::string key(name_of(coordinate));
-  if (!has_coordinate(joint.type, coordinate))
-    at.error(code::kUnknownCoordinate, key, no_coordinate(coordinate, joint.type));
-  at.error_if(!c->stops && !c->friction && !c->spring, code::kEmptyEntry, key,
+  if (!has_coordinate(joint.type, coordinate)) at.error(kUnknownCoordinate, key, no_coordinate(coordinate, joint.type));
+  at.error_if(!c->stops && !c->friction && !c->spring, kEmptyEntry, key,
               "has no force law; give at least one of stops, friction, spring");
   if (c->stops) {
     const std::optional<double>&min = c->stops->smallest_stroke, &max = c->stops->largest_stroke;
-    at.error_if(!min && !max, code::kEmptyEntry, key + ".stops", "limit nothing; give min, max or both");
+    at.error_if(!min && !max, kEmptyEntry, key + ".stops", "limit nothing; give min, max or both");
     if (min && max) check_min_below_max(at, key + ".stops.", *min, *max, unit_of(coordinate));
   }
   if (c->friction && c->friction->breakaway && *c->friction->breakaway < c->friction->coulomb)
-    at.error(code::kRangeReversed, key + ".friction.breakaway",
+    at.error(kRangeReversed, key + ".friction.breakaway",
              "is " + number_text(*c->friction->breakaway) + ", expected at least coulomb, " +
                  number_text(c->friction->coulomb));
-  at.error_if(c->spring && c->spring->stiffness == 0.0 && c->spring->damping == 0.0, code::kEmptyEntry, key + ".spring",
+  at.error_if(c->spring && c->spring->stiffness == 0.0 && c->spring->damping == 0.0, kEmptyEntry, key + ".spring",
               "has neither stiffness nor damping; give one of them");
 }
 
-void warn_of_start_beyond_stops(const JointSpec& joint, const InitialJointSpec& given, CoordinateChoice coordinate,
+void warn_of_start_beyond_stops(const JointSpec& joint, const InitialJointSpec& given, Coordinate coordinate,
                                 const EntryFindings& at) {
   const std::optional<CoordinateSpec>& c = joint.acting_on(coordinate);
   if (!c || !c->stops) return;
@@ -59,7 +58,7 @@ void warn_of_start_beyond_stops(const JointSpec& joint, const InitialJointSpec& 
   const bool below = min && value < *min;
   if (!below && !(max && value > *max)) return;
   const Unit unit = unit_of(coordinate);
-  at.warning(code::kStartBeyondStop, std::string(name_of(coordinate)),
+  at.warning(kStartBeyondStop, std::string(name_of(coordinate)),
              "starts joint \"" + joint.name + "\" at " + value_text(value, unit) + ", beyond its stop at " +
                  value_text(below ? *min : *max, unit) +
                  ", which throws it back at once; start it within its stops, or move the stop");
@@ -73,16 +72,16 @@ void check_coordinate_of(const Scene& scene, const DriveSpec& drive, const Entry
   const std::string type(name_of(joint->type)), expected = "; expected " + coordinate_names(joint->type);
   const std::size_t count = coordinates_of(joint->type).size();
   if (count == 0) {
-    at.error(code::kUnknownCoordinate, "joint",
+    at.error(kUnknownCoordinate, "joint",
              "\"" + drive.joint + "\" is " + type +
                  "; a drive moves an angle or displacement of a revolute, prismatic, cylindrical or planar joint");
-  } else if (drive.coordinate == CoordinateChoice::kAuto) {
-    at.error_if(count > 1, code::kAmbiguousCoordinate, "coordinate",
+  } else if (!drive.coordinate) {
+    at.error_if(count > 1, kAmbiguousCoordinate, "coordinate",
                 "is missing; a " + type + " joint has " + (count == 2 ? "two" : "three") + expected);
-  } else if (!has_coordinate(joint->type, drive.coordinate)) {
+  } else if (!has_coordinate(joint->type, *drive.coordinate)) {
     at.error(
-        code::kUnknownCoordinate, "coordinate",
-        "is \"" + std::string(name_of(drive.coordinate)) + "\", which a " + type + " joint does not have" + expected);
+        kUnknownCoordinate, "coordinate",
+        "is \"" + std::string(name_of(*drive.coordinate)) + "\", which a " + type + " joint does not have" + expected);
   }
 }
 
@@ -92,8 +91,7 @@ const JointSpec* find_joint(const Scene& scene, const EntryFindings& at, const s
                             const std::string& name) {
   for (const JointSpec& joint : scene.joints)
     if (joint.name == name) return &joint;
-  at.error(code::kUnknownJoint, key,
-           "unknown joint \"" + name + "\"." + known_names("joints", name, names_in(scene.joints)));
+  at.error(kUnknownJoint, key, "unknown joint \"" + name + "\"." + known_names("joints", name, names_in(scene.joints)));
   return nullptr;
 }
 
@@ -103,7 +101,7 @@ void check_min_below_max(const EntryFindings& at, const std::string& within, dou
   const Source& source = at.source();
   const bool of_min = source.line_of(within + "min") == Source::kFromSet && source.line_of(within + "max") > 0;
   const double mine = of_min ? min : max, other = of_min ? max : min;
-  at.error(code::kRangeReversed, within + (of_min ? "min" : "max"),
+  at.error(kRangeReversed, within + (of_min ? "min" : "max"),
            "is " + value_text(mine, unit) + ", expected " + (of_min ? "less than max, " : "more than min, ") +
                value_text(other, unit));
 }
@@ -115,30 +113,30 @@ void check_initial_joints(const Scene& scene, Findings& findings) {
     const JointSpec* joint = find_joint(scene, at, "", given.name);
     if (!joint) continue;
     bool empty = true;
-    for (const CoordinateChoice coordinate : every<CoordinateChoice>()) {
+    for (const Coordinate coordinate : every<Coordinate>()) {
       if (!given.value(coordinate)) continue;
       empty = false;
       if (!has_coordinate(joint->type, coordinate))
-        at.error(code::kInitialJoint, std::string(name_of(coordinate)), no_coordinate(coordinate, joint->type));
+        at.error(kInitialJoint, std::string(name_of(coordinate)), no_coordinate(coordinate, joint->type));
       warn_of_start_beyond_stops(*joint, given, coordinate, at);
     }
     if (given.angle && std::abs(*given.angle) > kPi)
-      at.error(code::kInitialJoint, "angle",
+      at.error(kInitialJoint, "angle",
                "is " + number_text(*given.angle * 180.0 / kPi, 6) +
                    " degrees, expected at most half a turn: the laws of this angle count turns from there");
-    at.error_if(empty && given.source.refused.empty(), code::kEmptyEntry, "",
+    at.error_if(empty && given.source.refused.empty(), kEmptyEntry, "",
                 "is empty; expected angle or displacement, for example angle_deg = 30");
   }
   const EntryFindings at(findings, initial.source);
   if (initial.settle) {
-    at.error_if(scene.touches_particles(), code::kSettle, "settle",
+    at.error_if(scene.touches_particles(), kSettle, "settle",
                 "is not possible with grains; settle the mechanism on a plane, or remove it");
     const bool moves =
         !initial.velocity.isZero(0.0) || !initial.angular_velocity.isZero(0.0) || !initial.bodies.empty();
-    at.error_if(moves, code::kSettle, "settle", "starts from rest, but velocities are given; remove one of the two");
+    at.error_if(moves, kSettle, "settle", "starts from rest, but velocities are given; remove one of the two");
   }
   if (!initial.joints.empty() && initial.clearance)
-    at.warning(code::kClearance, "clearance",
+    at.warning(kClearance, "clearance",
                "is measured in the reference configuration, before [initial.joints] moves the bodies: the gap at the "
                "start differs from it");
 }
@@ -146,7 +144,7 @@ void check_initial_joints(const Scene& scene, Findings& findings) {
 void check_drives(const Scene& scene, Findings& findings) {
   for (const JointSpec& joint : scene.joints)
     if (joint.source.good("type"))
-      for (const CoordinateChoice coordinate : every<CoordinateChoice>())
+      for (const Coordinate coordinate : every<Coordinate>())
         check_coordinate(joint, coordinate, {findings, joint.source});
   check_unique_names(scene.drives, "drive", findings);
   for (const DriveSpec& drive : scene.drives) {
@@ -156,15 +154,14 @@ void check_drives(const Scene& scene, Findings& findings) {
     check_coordinate_of(scene, drive, at);
     check_function(at, "command", drive.command);
     if (drive.command) check_signal_name(scene, at, "command.signal", drive.command->signal);
-    at.error_if(!drive.command, code::kMissingKey, "command",
-                "is missing; for example command = { polynomial = [0, 0.5] }");
+    at.error_if(!drive.command, kMissingKey, "command", "is missing; for example command = { polynomial = [0, 0.5] }");
     check_kind_keys(at, motor.kind, "drive");
-    at.error_if(motor.kind == MotorKind::kBrake && !motor.largest_torque, code::kMissingKey, "max_torque",
+    at.error_if(motor.kind == MotorKind::kBrake && !motor.largest_torque, kMissingKey, "max_torque",
                 "is missing; the torque at which a brake slides [N m]");
     at.error_if((motor.kind == MotorKind::kSpeed || motor.kind == MotorKind::kPosition) && !(motor.kp > 0.0),
-                code::kMissingKey, "kp", "is missing; a drive that holds a speed or a position needs it");
-    at.error_if(!(motor.efficiency > 0.0), code::kOutOfRange, "efficiency", "is 0, expected more than 0, at most 1");
-    at.error_if(motor.no_load_speed && !motor.largest_torque, code::kNeedsOtherKey, "max_torque",
+                kMissingKey, "kp", "is missing; a drive that holds a speed or a position needs it");
+    at.error_if(!(motor.efficiency > 0.0), kOutOfRange, "efficiency", "is 0, expected more than 0, at most 1");
+    at.error_if(motor.no_load_speed && !motor.largest_torque, kNeedsOtherKey, "max_torque",
                 "is missing; the torque falls from it at rest to 0 at max_speed");
   }
 }

@@ -9,6 +9,8 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 constexpr double kLargestGap = 1e-6;      // between points that should coincide in D [m]
@@ -22,13 +24,13 @@ void check_points(const JointSpec& joint, double largest_gap, const EntryFinding
   const bool both = at.given("point_a") && at.given("point_b");
   const bool may_differ = traits_of(joint.type).points_may_differ;
   if (!at.given("point") && !both) {
-    at.error(code::kMissingKey, "point",
+    at.error(kMissingKey, "point",
              may_differ ? "is missing; give point_a and point_b"
                         : "is missing; give the joint's point (or point_a and point_b)");
     return;
   }
   const double gap = (joint.point_b - joint.point_a).norm();
-  at.error_if(!may_differ && gap > largest_gap, code::kJointOpen, "point_b",
+  at.error_if(!may_differ && gap > largest_gap, kJointOpen, "point_b",
               "is " + number_text(gap) + " m from point_a: the joint between \"" + joint.bodies[0] + "\" and \"" +
                   joint.bodies[1] + "\" is open; expected points within " + number_text(largest_gap) +
                   " m (initial.largest_gap closes larger gaps)");
@@ -36,17 +38,16 @@ void check_points(const JointSpec& joint, double largest_gap, const EntryFinding
     // The centre of a disc on its edge is lower when the disc leans.
     const double lean = at.given("axis2") ? joint.axis.cross(joint.axis2).norm() : 1.0;
     const double height = joint.axis.dot(joint.point_b - joint.point_a);
-    at.error_if(std::abs(height - *joint.radius * lean) > largest_gap, code::kJointGeometry, "point_b",
+    at.error_if(std::abs(height - *joint.radius * lean) > largest_gap, kJointGeometry, "point_b",
                 "is " + number_text(height) + " m above the plane, expected " + number_text(*joint.radius * lean) +
                     " m" +
                     (lean < 1.0 ? ", radius times the sine of the angle between axis and axis2" : ", the radius"));
   }
   if (joint.type != JointType::kDistance) return;
   if (gap == 0.0) {
-    at.error(code::kJointGeometry, "point_b",
-             "is the same point as point_a; a distance joint needs two different ones");
+    at.error(kJointGeometry, "point_b", "is the same point as point_a; a distance joint needs two different ones");
   } else if (joint.length && std::abs(*joint.length - gap) > kLargestGap) {
-    at.error(code::kJointGeometry, "length",
+    at.error(kJointGeometry, "length",
              "is " + number_text(*joint.length) + " m, but the points are " + number_text(gap) +
                  " m apart; remove it, or move them");
   }
@@ -86,13 +87,13 @@ void check_spline(const EntryFindings& at, const std::string& key, const TimeFun
       when = t;
     }
   if (overshoot > kOvershoot * range && range > 0.0)
-    at.warning(code::kSplineOvershoot, key + ".table",
+    at.warning(kSplineOvershoot, key + ".table",
                "the smooth curve through the points leaves their range by " + number_text(overshoot, 3) + " at " +
                    number_text(when, 3) + " s; give more points where the motion begins and ends");
   const double speed = spline.at(times.back()).slope;
   const double beyond = std::abs(speed) * (end_time - times.back());
   if (end_time > times.back() && beyond > kOvershoot * range)
-    at.warning(code::kMotionContinues, key + ".table",
+    at.warning(kMotionContinues, key + ".table",
                "ends at " + number_text(times.back(), 4) + " s; until " + number_text(end_time, 4) +
                    " s the motion continues at its last speed, " + number_text(speed, 3) +
                    " per s; give more points, the last ones equal where the motion should rest");
@@ -100,14 +101,13 @@ void check_spline(const EntryFindings& at, const std::string& key, const TimeFun
 
 void check_motion(const JointSpec& joint, double end_time, const EntryFindings& at) {
   if (traits_of(joint.type).motion == KeyUse::kUnused) {
-    at.error_if(joint.motion.has_value(), code::kMotion, "motion",
-                "belongs to joints of type \"prescribed\"; remove it");
+    at.error_if(joint.motion.has_value(), kMotion, "motion", "belongs to joints of type \"prescribed\"; remove it");
   } else {
     const bool any = joint.motion && (joint.motion->x || joint.motion->y || joint.motion->z || joint.motion->rotation);
-    at.error_if(!any, code::kMotion, "motion",
+    at.error_if(!any, kMotion, "motion",
                 "prescribes nothing; expected at least one of x, y, z, rotation, for example motion = { z = { "
                 "polynomial = [0, -0.1] } }");
-    at.error_if(joint.motion && joint.motion->hold_other_rotations && !joint.motion->rotation, code::kNeedsOtherKey,
+    at.error_if(joint.motion && joint.motion->hold_other_rotations && !joint.motion->rotation, kNeedsOtherKey,
                 "motion.hold_other_rotations",
                 "needs a prescribed rotation, for example rotation = { polynomial = [0] }");
   }
@@ -118,12 +118,12 @@ void check_motion(const JointSpec& joint, double end_time, const EntryFindings& 
     check_function(at, key, *function);
     if (!*function) continue;
     check_spline(at, key, **function, end_time);
-    at.error_if(!(*function)->signal.empty(), code::kMotion, key + ".signal",
+    at.error_if(!(*function)->signal.empty(), kMotion, key + ".signal",
                 "has no two derivatives, which a motion needs; use a [[drives]] entry of kind \"position\"");
   }
   // sin(angle - f) = 0 is also fulfilled half a turn away.
   if (m.rotation && !(std::cos(initial_value(*m.rotation)) > 0.0))
-    at.error(code::kMotionStart, "motion.rotation",
+    at.error(kMotionStart, "motion.rotation",
              "begins at " + number_text(degrees(initial_value(*m.rotation)), 4) +
                  " degrees from the reference configuration, expected less than 90; draw the bodies as they start, and "
                  "count the rotation from there");
@@ -146,7 +146,7 @@ void check_motion_twice(const JointSpec& first, const JointSpec& second, Finding
       first.bodies == second.bodies || (first.bodies[0] == second.bodies[1] && first.bodies[1] == second.bodies[0]);
   if (!first.motion || !second.motion || !same_pair) return;
   const auto report = [&](const std::string& key) {
-    findings.error(code::kMotionTwice, second.source, "motion." + key,
+    findings.error(kMotionTwice, second.source, "motion." + key,
                    "is already prescribed by joint \"" + first.name + "\" (line " + std::to_string(first.source.line) +
                        ") between the same two bodies; keep one of them");
   };
@@ -161,23 +161,23 @@ void check_motion_twice(const JointSpec& first, const JointSpec& second, Finding
 void check_axes(const JointSpec& joint, const EntryFindings& at) {
   const JointTraits traits = traits_of(joint.type);
   const double cosine = std::abs(joint.axis.dot(joint.axis2));
-  at.error_if(traits.axis == KeyUse::kRequired && !at.given("axis"), code::kMissingKey, "axis",
+  at.error_if(traits.axis == KeyUse::kRequired && !at.given("axis"), kMissingKey, "axis",
               "is missing; this type of joint needs it");
   at.error_if(
-      traits.axis2 == KeyUse::kRequired && !at.given("axis2"), code::kMissingKey, "axis2",
+      traits.axis2 == KeyUse::kRequired && !at.given("axis2"), kMissingKey, "axis2",
       "is missing; a " + std::string(traits.name) + " joint has a second axis, fixed in \"" + joint.bodies[1] + "\"");
-  at.error_if(joint.type == JointType::kUniversal && cosine > kLargestCosine, code::kJointGeometry, "axis2",
+  at.error_if(joint.type == JointType::kUniversal && cosine > kLargestCosine, kJointGeometry, "axis2",
               "makes " + number_text(degrees(std::acos(std::min(1.0, cosine)))) + " degrees with axis, expected 90");
   const bool has_x = joint.type == JointType::kPrescribed || (joint.type == JointType::kPlanar && at.given("axis2"));
-  at.error_if(has_x && cosine > kSameDirection, code::kJointGeometry, "axis2",
+  at.error_if(has_x && cosine > kSameDirection, kJointGeometry, "axis2",
               "is parallel to axis, expected the x direction of the joint, perpendicular to its z = axis");
-  at.error_if(joint.type == JointType::kRolling && at.given("axis2") && cosine > kSameDirection, code::kJointGeometry,
+  at.error_if(joint.type == JointType::kRolling && at.given("axis2") && cosine > kSameDirection, kJointGeometry,
               "axis2", "is parallel to axis, so the disc lies flat; expected a disc on its edge");
-  at.error_if(traits.radius == KeyUse::kRequired && !joint.radius, code::kMissingKey, "radius",
+  at.error_if(traits.radius == KeyUse::kRequired && !joint.radius, kMissingKey, "radius",
               "is missing; the radius of the wheel [m]");
   for (const auto& [key, use] :
        {std::pair("radius", traits.radius), {"axis2", traits.axis2}, {"length", traits.length}})
-    at.error_if(use == KeyUse::kUnused && at.source().good(key), code::kKeyWithoutEffect, key,
+    at.error_if(use == KeyUse::kUnused && at.source().good(key), kKeyWithoutEffect, key,
                 "has no effect on this type of joint; remove it");
 }
 
@@ -185,11 +185,11 @@ void check_axes(const JointSpec& joint, const EntryFindings& at) {
 
 void check_function(const EntryFindings& at, const std::string& key, const std::optional<TimeFunctionSpec>& f) {
   if (!f) return;
-  at.error_if(f->amplitude != 0.0 && f->frequency == 0.0, code::kMissingKey, key + ".frequency",
+  at.error_if(f->amplitude != 0.0 && f->frequency == 0.0, kMissingKey, key + ".frequency",
               "is missing; an amplitude needs it (Hz). For a constant use polynomial = [value]");
   for (std::size_t i = 1; i < f->table.size(); ++i) {
     if (f->table[i].x() > f->table[i - 1].x()) continue;
-    at.error(code::kNotRising, key + ".table",
+    at.error(kNotRising, key + ".table",
              "has time " + number_text(f->table[i].x()) + " s after " + number_text(f->table[i - 1].x()) +
                  " s, expected rising times");
     break;

@@ -5,6 +5,8 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 constexpr double kMostRows = 1e7;            // of history.csv
@@ -39,13 +41,13 @@ double triangles_on(const ShapeSpec& s, double edge) {
 
 void check_edge(const EntryFindings& at, const std::string& key, const ShapeSpec& shape, double edge, double most) {
   const double triangles = edge > 0.0 ? triangles_on(shape, edge) : 0.0;
-  at.error_if(triangles > most, code::kTooLarge, key,
+  at.error_if(triangles > most, kTooLarge, key,
               "is " + number_text(edge) + " m, which makes about " + number_text(triangles, 2) +
                   " triangles of this shape, expected at most " + number_text(most) + "; give a longer edge, in m");
 }
 
 void check_int(const EntryFindings& at, const std::string& key, long value, int most) {
-  at.error_if(value > most, code::kTooLarge, key,
+  at.error_if(value > most, kTooLarge, key,
               "is " + std::to_string(value) + ", expected at most " + std::to_string(most));
 }
 
@@ -54,7 +56,7 @@ void check_int(const EntryFindings& at, const std::string& key, long value, int 
 void check_limits(const Scene& scene, Findings& findings) {
   const auto check_count = [&](const Source& source, const char* key, double interval, double most, const char* what) {
     if (interval > 0.0 && scene.end_time / interval > most)
-      findings.error(code::kTooLarge, source, key,
+      findings.error(kTooLarge, source, key,
                      "is " + number_text(interval) + " s: " + number_text(scene.end_time / interval, 3) + " " + what +
                          " until end_time, expected at most " + number_text(most) + "; give a longer interval");
   };
@@ -67,7 +69,7 @@ void check_limits(const Scene& scene, Findings& findings) {
   const SolverSpec& solver = scene.solver;
   if (solver.source.given("max_step")) check_count(solver.source, "max_step", solver.max_step, kMostSteps, "steps");
   if (!(solver.rtol < kLargestRtol))
-    findings.error(code::kTolerance, solver.source, "rtol",
+    findings.error(kTolerance, solver.source, "rtol",
                    "is " + number_text(solver.rtol) + ", expected less than " + number_text(kLargestRtol) +
                        ", such as 1e-6: the relative error of a step");
   if (scene.particles) check_int({findings, scene.particles->source}, "ranks", scene.particles->ranks, kMostRanks);
@@ -78,7 +80,7 @@ void check_limits(const Scene& scene, Findings& findings) {
     long elements = 0;
     for (const MemberSpec& member : body.flexible->members) elements += member.elements;
     at.error_if(
-        elements > kMostElements, code::kTooLarge, "flexible.members",
+        elements > kMostElements, kTooLarge, "flexible.members",
         "have " + std::to_string(elements) + " elements together, expected at most " + std::to_string(kMostElements));
     if (body.shape) check_edge(at, "flexible.mesh_size", *body.shape, body.flexible->mesh_size, kMostPlateTriangles);
   }

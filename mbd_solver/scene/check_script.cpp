@@ -11,6 +11,8 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 // The time step in force when the coupled grains move. Before the coupling a script may settle its bed with another step;
@@ -27,7 +29,7 @@ void check_time_step(const ScriptText& script, const ParticlesSpec& particles, F
   if (step == nullptr) return;
   const double dt = *as_number(step->words[1]);
   if (dt <= particles.max_time_step * (1.0 + 1e-9)) return;
-  findings.error(code::kScriptTimeStep, particles.source, "max_time_step",
+  findings.error(kScriptTimeStep, particles.source, "max_time_step",
                  "the script's time step is " + number_text(dt) + " s (" + step->place() + "), expected at most " +
                      number_text(particles.max_time_step) +
                      " s: on this kind of soil twice that runs without any message and is wrong by tens of per cent. "
@@ -44,7 +46,7 @@ void check_bed_is_given(const ScriptText& script, const ParticlesSpec& particles
     const bool unknown = w[1].find("${") != std::string::npos;
     std::error_code ignored;
     if (unknown ? w[1].find("${bed}") == std::string::npos : std::filesystem::exists(w[1], ignored)) continue;
-    findings.error(code::kScriptBed, particles.source, "script",
+    findings.error(kScriptBed, particles.source, "script",
                    command.place() + " reads a settled bed, " + w[1] +
                        (unknown ? ", whose variable has no value" : ", which does not exist") +
                        "; add [particles.bed] with the script that makes it (script = \"in.bed\"), or name a restart "
@@ -65,8 +67,7 @@ void check_values(const std::map<std::string, std::string>& variables, const std
       if (next == variables.end()) break;
       chain += " -> " + next->first;
       if (next->first == name) {
-        at.error(code::kVariableCircle, key + "." + name,
-                 "the variable refers to itself: " + chain + "; give it a value");
+        at.error(kVariableCircle, key + "." + name, "the variable refers to itself: " + chain + "; give it a value");
         return;
       }
       text = &next->second;
@@ -84,9 +85,9 @@ void check_variables(const ScriptText& script, const std::map<std::string, std::
     const std::string what =
         "the script neither declares nor reads this variable." + known_names("variables", name, known);
     if (script.whole() && !nearest_name(name, known).empty())
-      at.error(code::kUnknownVariable, key + "." + name, what);
+      at.error(kUnknownVariable, key + "." + name, what);
     else
-      at.warning(code::kUnusedVariable, key + "." + name, what);
+      at.warning(kUnusedVariable, key + "." + name, what);
   }
 }
 
@@ -117,7 +118,7 @@ void check_gravity(const ScriptText& script, const Scene& scene, const EntryFind
   }
   if (only == nullptr && grains_move && script.whole() && script.straight() && !scene.gravity.isZero(0.0)) {
     const Eigen::Vector3d down = scene.gravity.normalized();
-    at.warning(code::kNoGrainGravity, "script",
+    at.warning(kNoGrainGravity, "script",
                "has no fix gravity, so the grains have no weight; the scene's gravity is " +
                    gravity_text(scene.gravity) + ". Add  fix gravity all gravity " + number_text(scene.gravity.norm()) +
                    " vector " + number_text(down[0]) + " " + number_text(down[1]) + " " + number_text(down[2]));
@@ -132,7 +133,7 @@ void check_gravity(const ScriptText& script, const Scene& scene, const EntryFind
   }
   if (!size || direction.isZero(0.0)) return;
   const Eigen::Vector3d g = *size * direction.normalized();
-  at.error_if((g - scene.gravity).norm() > 1e-6 * scene.gravity.norm(), code::kScriptGravity, "script",
+  at.error_if((g - scene.gravity).norm() > 1e-6 * scene.gravity.norm(), kScriptGravity, "script",
               "the gravity of the grains is " + gravity_text(g) + " (" + only->place() + "), that of the scene " +
                   gravity_text(scene.gravity) +
                   "; make them agree, or declare that the grains have their own: fix ID all couple/mbd every N gravity "
@@ -165,7 +166,7 @@ std::map<std::string, std::string> conditions(const ScriptText& script) {
 void compare_with_bed(const ScriptText& script, const ScriptText& bed, const ParticlesSpec& particles,
                       const EntryFindings& at) {
   const auto differs = [&](const std::string& what, const std::string& of_bed, const std::string& of_run) {
-    at.warning(code::kBedDiffers, "bed",
+    at.warning(kBedDiffers, "bed",
                "the bed is made with " + what + " = " + of_bed + ", the run has " + of_run +
                    ", so the grains do not rest as they would in the run; make them agree unless this is intended");
   };
@@ -192,7 +193,7 @@ std::optional<ScriptText> script_of(const std::string& file, const std::map<std:
                                     const std::string& key, const EntryFindings& at) {
   ScriptText script(file, variables);
   if (script.circle().empty()) return script;
-  at.error(code::kScriptCircle, key, script.circle() + " includes a file that includes this line again");
+  at.error(kScriptCircle, key, script.circle() + " includes a file that includes this line again");
   return std::nullopt;
 }
 
@@ -206,7 +207,7 @@ void check_script(const Scene& scene, Findings& findings) {
   if (!script) return;
   const bool couples = std::any_of(script->commands().begin(), script->commands().end(),
                                    [](const ScriptCommand& command) { return command.is_fix("couple/mbd"); });
-  at.error_if(!couples && script->whole(), code::kScriptNotCoupled, "script",
+  at.error_if(!couples && script->whole(), kScriptNotCoupled, "script",
               "has no line \"fix ID all couple/mbd ...\" (in " + particles.script +
                   " and the files it includes), so the mechanism would never meet the grains; add one, or set "
                   "ground.kind to \"none\" or \"plane\"");

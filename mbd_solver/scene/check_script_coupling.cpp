@@ -5,6 +5,8 @@
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
+
+using namespace code;
 namespace {
 
 using Names = std::vector<std::string>;
@@ -45,7 +47,7 @@ void check_bodies_named(const ScriptCommand& command, bool straight, const Names
   if (command.is_fix("couple/mbd") && straight) named = named_after("mesh", 2, command);
   for (const std::string& body : named)
     if (!is_in(known, body))
-      at.error(code::kScriptName, "script",
+      at.error(kScriptName, "script",
                command.place() + " names the body \"" + body + "\", which has no boundary in this scene." +
                    known_names("boundaries", body, known));
 }
@@ -61,7 +63,7 @@ void check_meshes_named(const ScriptText& script, const EntryFindings& at) {
     if (!command.is_fix("couple/mbd") || command.conditional) continue;
     for (const std::string& mesh : named_after("mesh", 1, command))
       if (!is_in(meshes, mesh))
-        at.error(code::kScriptName, "script",
+        at.error(kScriptName, "script",
                  command.place() + " couples the mesh \"" + mesh +
                      "\", but no line above it is a fix mesh/surface of this id." +
                      known_names("meshes", mesh, meshes));
@@ -80,7 +82,7 @@ void check_run_follows(const ScriptText& script, const EntryFindings& at) {
     if (coupling != nullptr && may_run(command)) return;
   }
   if (coupling != nullptr)
-    at.error(code::kScriptNoRun, "script",
+    at.error(kScriptNoRun, "script",
              coupling->place() +
                  " couples, but no run follows this line, so nothing would move; add a last line  run 1000000000  (the "
                  "scene ends it)");
@@ -94,7 +96,7 @@ void check_steps_continue(const ScriptText& script, const EntryFindings& at) {
     if (command.is_fix("couple/mbd")) coupling = command.conditional ? nullptr : &command;
     if (w[0] == "clear" || w[0] == "unfix") coupling = nullptr;
     if (w[0] == "reset_timestep" && coupling != nullptr && !command.conditional)
-      at.error(code::kScriptResetsSteps, "script",
+      at.error(kScriptResetsSteps, "script",
                command.place() + " resets the steps that the coupling (" + coupling->place() +
                    ") counts, which LIGGGHTS refuses; move reset_timestep above fix couple/mbd");
   }

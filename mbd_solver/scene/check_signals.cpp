@@ -4,6 +4,8 @@
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
+
+using namespace code;
 namespace {
 
 // "signal.pitch" with the prefix "signal.": "pitch".
@@ -14,7 +16,7 @@ bool cut_prefix(const std::string& text, const std::string& prefix, std::string&
 }
 
 void check_state_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
-  check_known(at, code::kUnknownState, key, "state", "states", name, names_in(scene.states));
+  check_known(at, kUnknownState, key, "state", "states", name, names_in(scene.states));
 }
 
 // It can be read, and the signals and states that it names exist. Columns are known when the mechanism is built.
@@ -25,7 +27,7 @@ void check_expression(const Scene& scene, const EntryFindings& at, const std::st
       std::string rest;
       if (cut_prefix(name, "signal.", rest)) check_signal_name(scene, at, key, rest);
       if (name == "state.since") {
-        at.error_if(scene.states.empty(), code::kUnknownState, key,
+        at.error_if(scene.states.empty(), kUnknownState, key,
                     "uses state.since, but there are no [[states]]; add them");
       } else if (cut_prefix(name, "state.", rest)) {
         check_state_name(scene, at, key, rest);
@@ -41,10 +43,10 @@ bool is_filter(SignalKind kind) {
 }
 
 void check_rising(const EntryFindings& at, const std::string& key, const std::vector<double>& x) {
-  at.error_if(x.size() < 2, code::kWrongCount, key, "has fewer than two values, expected at least two, rising");
+  at.error_if(x.size() < 2, kWrongCount, key, "has fewer than two values, expected at least two, rising");
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (x[i] > x[i - 1]) continue;
-    at.error(code::kNotRising, key,
+    at.error(kNotRising, key,
              "has " + number_text(x[i]) + " after " + number_text(x[i - 1]) + ", expected rising values");
     return;
   }
@@ -52,17 +54,17 @@ void check_rising(const EntryFindings& at, const std::string& key, const std::ve
 
 void check_limits_of(const SignalSpec& s, const EntryFindings& at) {
   if (s.min && s.max) check_min_below_max(at, "", *s.min, *s.max, Unit::kNone);
-  at.error_if(s.kind == SignalKind::kSaturation && !s.min && !s.max, code::kEmptyEntry, "",
+  at.error_if(s.kind == SignalKind::kSaturation && !s.min && !s.max, kEmptyEntry, "",
               "limits nothing; give min, max or both");
   if (s.kind != SignalKind::kPid) return;
-  at.error_if(s.kp == 0.0 && s.ki == 0.0 && s.kd == 0.0, code::kMissingKey, "kp",
+  at.error_if(s.kp == 0.0 && s.ki == 0.0 && s.kd == 0.0, kMissingKey, "kp",
               "is missing; give at least one of kp, ki, kd");
-  at.error_if((s.min || s.max) && s.ki > 0.0 && s.kp == 0.0, code::kNeedsOtherKey, "kp",
+  at.error_if((s.min || s.max) && s.ki > 0.0 && s.kp == 0.0, kNeedsOtherKey, "kp",
               "is missing; a limited pid with ki needs kp > 0, which scales the correction of its integral");
-  at.error_if(s.kd > 0.0 && s.rate.empty() && s.derivative_frequency == 0.0 && s.period == 0.0, code::kNeedsOtherKey,
+  at.error_if(s.kd > 0.0 && s.rate.empty() && s.derivative_frequency == 0.0 && s.period == 0.0, kNeedsOtherKey,
               "derivative_frequency",
               "is missing; a continuous pid with kd needs it (Hz), or rate = \"...\", the input's derivative");
-  at.error_if(!s.rate.empty() && s.kd == 0.0, code::kNeedsOtherKey, "rate", "has no effect without kd; add kd");
+  at.error_if(!s.rate.empty() && s.kd == 0.0, kNeedsOtherKey, "rate", "has no effect without kd; add kd");
 }
 
 void check_table(const SignalSpec& s, const EntryFindings& at) {
@@ -75,8 +77,8 @@ void check_table(const SignalSpec& s, const EntryFindings& at) {
   if (s.kind != SignalKind::kTable2 || refused("x") || refused("x2") || refused("input2") || refused("values")) return;
   check_rising(at, "x", s.x);
   check_rising(at, "x2", s.x2);
-  at.error_if(s.input2.empty(), code::kMissingKey, "input2", "is missing; this kind of signal has two inputs");
-  at.error_if(s.values.size() != s.x.size() * s.x2.size(), code::kWrongCount, "values",
+  at.error_if(s.input2.empty(), kMissingKey, "input2", "is missing; this kind of signal has two inputs");
+  at.error_if(s.values.size() != s.x.size() * s.x2.size(), kWrongCount, "values",
               "contains " + std::to_string(s.values.size()) + " numbers, expected one for each pair of x and x2 (" +
                   std::to_string(s.x.size() * s.x2.size()) + ")");
 }
@@ -92,7 +94,7 @@ void check_signal(const Scene& scene, const SignalSpec& s, const EntryFindings& 
   // needs(condition, key, why): a key that this kind cannot do without; refused values are reported already.
   const auto needs = [&](bool missing, const std::string& key, const std::string& why) {
     if (missing && s.source.refused.count(key) == 0)
-      at.error(code::kMissingKey, key, (at.given(key) ? "is 0; " : "is missing; ") + why);
+      at.error(kMissingKey, key, (at.given(key) ? "is 0; " : "is missing; ") + why);
   };
   const bool fuzzy = s.kind == SignalKind::kFuzzy, rate_limit = s.kind == SignalKind::kRateLimit;
   needs(!fuzzy && s.input.empty(), "input", "expected an expression such as \"0.3 - knee.angle\"");
@@ -108,22 +110,21 @@ void check_states(const Scene& scene, Findings& findings) {
   check_unique_names(scene.events, "event", findings);
   for (const StateSpec& state : scene.states)
     if (state.name == "since")
-      findings.error(code::kReservedName, state.source, "name",
+      findings.error(kReservedName, state.source, "name",
                      "\"since\" is the time in the present state; choose another name");
   if (scene.states.size() == 1)
-    findings.error(code::kWrongCount, scene.states[0].source, "",
+    findings.error(kWrongCount, scene.states[0].source, "",
                    "is the only state, expected another one that an event changes to");
   for (const EventSpec& event : scene.events) {
     const EntryFindings at(findings, event.source);
     check_expression(scene, at, "when", event.when);
     if (!event.to.empty() && scene.states.empty()) {
-      at.error(code::kUnknownState, "to",
-               "names a state, but there are no [[states]]; list them, the initial one first");
+      at.error(kUnknownState, "to", "names a state, but there are no [[states]]; list them, the initial one first");
       continue;
     }
     check_state_name(scene, at, "to", event.to);
     for (const std::string& state : event.from) check_state_name(scene, at, "from", state);
-    at.error_if(is_in(event.from, event.to), code::kListedTwice, "from",
+    at.error_if(is_in(event.from, event.to), kListedTwice, "from",
                 "contains \"" + event.to + "\", to which the event changes; remove it");
   }
 }

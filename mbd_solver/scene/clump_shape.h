@@ -16,17 +16,10 @@
 
 namespace footfall {
 
+// 2 spheres; 3 in a line; 3; 4; 5: two tetrahedra on one triangle; 6.
 enum class ClumpShape { kPair, kRod, kTriangle, kTetrahedron, kBipyramid, kOctahedron };
-constexpr std::string_view name_of(ClumpShape shape) {
-  switch (shape) {
-    case ClumpShape::kPair: return "pair";                // 2 spheres
-    case ClumpShape::kRod: return "rod";                  // 3 in a line
-    case ClumpShape::kTriangle: return "triangle";        // 3
-    case ClumpShape::kTetrahedron: return "tetrahedron";  // 4
-    case ClumpShape::kBipyramid: return "bipyramid";      // 5: two tetrahedra on one triangle
-    case ClumpShape::kOctahedron: return "octahedron";    // 6
-  }
-  return {};
+constexpr std::string_view name_of(ClumpShape kind) {
+  return name_in(kind, "pair", "rod", "triangle", "tetrahedron", "bipyramid", "octahedron");
 }
 
 struct Clump {

@@ -161,7 +161,7 @@ inline constexpr MessageCode kExpression{"E0174", "expression"};
 // No surface or beam can be made for this boundary. Give a file, or a shape that has one.
 inline constexpr MessageCode kNoSurface{"E0180", "no-surface"};
 // The section of the chosen ground is missing, or nothing can touch it. Complete the scene, or set ground.kind = "none".
-inline constexpr MessageCode kGround{"E0181", "ground"};
+inline constexpr MessageCode kGroundIncomplete{"E0181", "ground-incomplete"};
 // Contact of two flexible bodies is not supported. Make one of them rigid.
 inline constexpr MessageCode kFlexibleContact{"E0182", "flexible-contact"};
 

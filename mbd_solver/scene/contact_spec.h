@@ -16,14 +16,7 @@ namespace footfall {
 
 // The faces of the generated surface of a disc.
 enum class SurfaceFaces { kAuto, kMiddle, kBoth };
-constexpr std::string_view name_of(SurfaceFaces kind) {
-  switch (kind) {
-    case SurfaceFaces::kAuto: return "auto";
-    case SurfaceFaces::kMiddle: return "middle";
-    case SurfaceFaces::kBoth: return "both";
-  }
-  return {};
-}
+constexpr std::string_view name_of(SurfaceFaces kind) { return name_in(kind, "auto", "middle", "both"); }
 
 // Triangles: generated from the body's shape, or read from a file.
 struct SurfaceSpec {
@@ -55,14 +48,7 @@ struct BoundarySpec {
 };
 
 enum class GroundKind { kNone, kPlane, kParticles };
-constexpr std::string_view name_of(GroundKind kind) {
-  switch (kind) {
-    case GroundKind::kNone: return "none";
-    case GroundKind::kPlane: return "plane";
-    case GroundKind::kParticles: return "particles";
-  }
-  return {};
-}
+constexpr std::string_view name_of(GroundKind kind) { return name_in(kind, "none", "plane", "particles"); }
 
 // Law of a contact point (theory 6.4): f_n = k delta^1.5 g(d delta'), friction mu f_n while it slides, a spring while it
 // sticks. With friction_speed: mu f_n v_t / sqrt(v_t^2 + friction_speed^2), without springs.

@@ -18,7 +18,7 @@ struct DriveSpec {
   std::string name;
   MotorParameters motor;  // kind, gains, limits and gear; its command is made of `command`
   std::string joint;
-  CoordinateChoice coordinate = CoordinateChoice::kAuto;
+  std::optional<Coordinate> coordinate;  // not given ("auto"): the only one of the joint
   // kTorque: of the motor [N m]; kSpeed: of the joint [rad/s or m/s]; kPosition: of the joint [rad or m]; kBrake: pressing,
   // limited to [0, 1] [-]
   std::optional<TimeFunctionSpec> command;

@@ -12,6 +12,8 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 const ConfigNode& empty_table() {
@@ -157,14 +159,14 @@ class FieldReader final : public FieldVisitor {
     if (found.empty()) {
       if (rule.required) {
         const std::string unit = unit_name(rule.unit);
-        report(code::kMissingKey, key, frame.node->line,
+        report(kMissingKey, key, frame.node->line,
                "is missing; it has no default" + (unit.empty() ? "" : " (unit " + unit + ")"));
       }
       return std::nullopt;
     }
     for (const Given& g : found) frame.taken.push_back(g.written);
     if (found.size() > 1)
-      report(code::kUnitSuffix, found[1].written, found[1].node->line,
+      report(kUnitSuffix, found[1].written, found[1].node->line,
              "is also given as \"" + found[0].written + "\"; keep one of the two");
     // --set overrides the file.
     const auto set =
@@ -178,7 +180,7 @@ class FieldReader final : public FieldVisitor {
     const Frame& frame = frames_.back();
     for (const auto& [key, node] : frame.node->table) {
       if (std::find(frame.taken.begin(), frame.taken.end(), key) != frame.taken.end()) continue;
-      report(code::kUnknownKey, key, node.line, "unknown key." + known_names("keys here", key, frame.known));
+      report(kUnknownKey, key, node.line, "unknown key." + known_names("keys here", key, frame.known));
     }
   }
 

@@ -98,6 +98,11 @@ class FieldVisitor {
   virtual ~FieldVisitor() = default;
 
   virtual void field(const std::string& key, const FieldRef& ref, const Rule& rule) = 0;
+  // The origin and the name of an entry.
+  void entry(Source& source, std::string& name) {
+    field("", &source, {});
+    field("name", &name, rule::required(rule::name));
+  }
   // Several keys with the same rule.
   void fields(const Rule& rule, std::initializer_list<std::pair<const char*, FieldRef>> list) {
     for (const auto& [key, ref] : list) field(key, ref, rule);
@@ -116,6 +121,14 @@ class FieldVisitor {
   template <class Kind>  // by the names of name_of
   void choice(const std::string& key, Kind& kind, const Rule& rule = {}) {
     choice(key, kind, names_of<Kind>(), rule);
+  }
+  template <class Kind>  // or none, by the word `none`
+  void choice(const std::string& key, std::optional<Kind>& kind, const std::string& none) {
+    std::vector<std::string> names = names_of<Kind>();
+    names.insert(names.begin(), none);
+    Choice c{kind ? 1 + static_cast<int>(*kind) : 0, std::move(names)};
+    field(key, &c, {});
+    kind = c.value > 0 ? std::optional<Kind>(static_cast<Kind>(c.value - 1)) : std::nullopt;
   }
   template <class E>
   void choice(const std::string& key, E& value, std::vector<std::string> names, const Rule& rule = {}) {
@@ -137,42 +150,19 @@ class FieldVisitor {
 };
 
 void visit_fields(FieldVisitor& v, Scene& scene);
-void visit_fields(FieldVisitor& v, ArraySpec& array);
 void visit_fields(FieldVisitor& v, MaterialSpec& material);
 void visit_fields(FieldVisitor& v, BodySpec& body);
-void visit_fields(FieldVisitor& v, ShapeSpec& shape);
-void visit_fields(FieldVisitor& v, FlexibleSpec& flexible);
-void visit_fields(FieldVisitor& v, MemberSpec& member);
-void visit_fields(FieldVisitor& v, SectionSpec& section);
 void visit_fields(FieldVisitor& v, JointSpec& joint);
-void visit_fields(FieldVisitor& v, MotionSpec& motion);
 void visit_fields(FieldVisitor& v, TimeFunctionSpec& function, Unit unit);
-void visit_fields(FieldVisitor& v, CoordinateSpec& coordinate, Unit unit);
 void visit_fields(FieldVisitor& v, StrutSpec& strut);
-void visit_fields(FieldVisitor& v, GasSpringParameters& gas);
-void visit_fields(FieldVisitor& v, MrSpec& mr);
-void visit_fields(FieldVisitor& v, MrGeometry& geometry);
-void visit_fields(FieldVisitor& v, HoneycombSpec& honeycomb);
-void visit_fields(FieldVisitor& v, HoneycombStage& stage);
-void visit_fields(FieldVisitor& v, EndStopParameters& stops);
-void visit_fields(FieldVisitor& v, LinearSpringSpec& spring);
-void visit_fields(FieldVisitor& v, TableSpec& table);
 void visit_fields(FieldVisitor& v, SpringSpec& spring);
 void visit_fields(FieldVisitor& v, ForceSpec& force);
 void visit_fields(FieldVisitor& v, DriveSpec& drive);
 void visit_fields(FieldVisitor& v, GearSpec& gear);
-void visit_fields(FieldVisitor& v, InitialJointSpec& joint);
 void visit_fields(FieldVisitor& v, BoundarySpec& boundary);
-void visit_fields(FieldVisitor& v, SurfaceSpec& surface);
-void visit_fields(FieldVisitor& v, BeamsSpec& beams);
 void visit_fields(FieldVisitor& v, ContactSpec& contact);
 void visit_fields(FieldVisitor& v, GroundSpec& ground);
-void visit_fields(FieldVisitor& v, PlaneSpec& plane);
 void visit_fields(FieldVisitor& v, ParticlesSpec& particles);
-void visit_fields(FieldVisitor& v, BedSpec& bed);
-void visit_fields(FieldVisitor& v, BoxSpec& box);
-void visit_fields(FieldVisitor& v, GrainMaterialSpec& material);
-void visit_fields(FieldVisitor& v, BodyContactSpec& bodies);
 void visit_fields(FieldVisitor& v, ControllerSpec& controller);
 void visit_fields(FieldVisitor& v, SignalSpec& signal);
 void visit_fields(FieldVisitor& v, StateSpec& state);

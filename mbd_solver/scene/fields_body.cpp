@@ -13,7 +13,7 @@ void visit_fields(FieldVisitor& v, MaterialSpec& m) {
   v.field("yield_stress", &m.yield_stress, not_negative(Unit::kPressure));
 }
 
-void visit_fields(FieldVisitor& v, ShapeSpec& s) {
+static void visit_fields(FieldVisitor& v, ShapeSpec& s) {
   v.choice("kind", s.kind, required());
   v.field("centre", &s.centre, point);
   v.field("axis", &s.axis, direction);
@@ -32,19 +32,19 @@ void visit_fields(FieldVisitor& v, ShapeSpec& s) {
   v.field("orientation", &s.orientation, plain);
 }
 
-void visit_fields(FieldVisitor& v, SectionSpec& s) {
+static void visit_fields(FieldVisitor& v, SectionSpec& s) {
   v.fields(positive(Unit::kLength), {{"diameter", &s.diameter}, {"wall", &s.wall}});
   v.field("area", &s.area, positive(Unit::kArea));
   v.fields(positive(Unit::kArea2), {{"bending_y", &s.bending_y}, {"bending_z", &s.bending_z}, {"torsion", &s.torsion}});
 }
 
-void visit_fields(FieldVisitor& v, MemberSpec& m) {
+static void visit_fields(FieldVisitor& v, MemberSpec& m) {
   v.fields(required(not_negative()), {{"first", &m.first}, {"second", &m.second}});
   v.field("section", &m.section, required(name));
   v.field("elements", &m.elements, positive());
 }
 
-void visit_fields(FieldVisitor& v, FlexibleSpec& f) {
+static void visit_fields(FieldVisitor& v, FlexibleSpec& f) {
   v.field("enabled", &f.enabled, plain);
   v.choice("basis", f.basis);
   v.field("modes", &f.modes, not_negative());
@@ -65,8 +65,7 @@ void visit_fields(FieldVisitor& v, FlexibleSpec& f) {
 }
 
 void visit_fields(FieldVisitor& v, BodySpec& b) {
-  v.field("", &b.source, {});
-  v.field("name", &b.name, required(name));
+  v.entry(b.source, b.name);
   v.section("shape", b.shape);
   v.field("material", &b.material, name);
   NumberOrWord mass{&b.mass, "remainder", &b.mass_is_remainder};

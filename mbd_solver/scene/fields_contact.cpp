@@ -5,7 +5,7 @@ namespace footfall {
 
 using namespace rule;
 
-void visit_fields(FieldVisitor& v, SurfaceSpec& s) {
+static void visit_fields(FieldVisitor& v, SurfaceSpec& s) {
   v.field("element_size", &s.element_size, positive(Unit::kLength));
   v.field("file", &s.file, path);
   v.field("from_script", &s.from_script, name);
@@ -15,7 +15,7 @@ void visit_fields(FieldVisitor& v, SurfaceSpec& s) {
   v.choice("faces", s.faces);
 }
 
-void visit_fields(FieldVisitor& v, BeamsSpec& b) {
+static void visit_fields(FieldVisitor& v, BeamsSpec& b) {
   v.field("radius", &b.radius, positive(Unit::kLength));
   v.field("segments", &b.segments, positive());
   v.field("points", &b.points, point);
@@ -43,7 +43,7 @@ void visit_law(FieldVisitor& v, ContactLawSpec& p) {
 
 }  // namespace
 
-void visit_fields(FieldVisitor& v, PlaneSpec& p) {
+static void visit_fields(FieldVisitor& v, PlaneSpec& p) {
   v.field("point", &p.point, {Unit::kLength});
   v.field("normal", &p.normal, direction);
   visit_law(v, p);
@@ -67,12 +67,12 @@ void visit_fields(FieldVisitor& v, GroundSpec& g) {
   v.section("plane", g.plane);
 }
 
-void visit_fields(FieldVisitor& v, BedSpec& b) {
+static void visit_fields(FieldVisitor& v, BedSpec& b) {
   v.field("script", &b.script, required(path));
   v.field("variables", &b.variables, plain);
 }
 
-void visit_fields(FieldVisitor& v, GrainMaterialSpec& m) {
+static void visit_fields(FieldVisitor& v, GrainMaterialSpec& m) {
   v.field("density", &m.density, positive(Unit::kDensity));
   v.field("young", &m.young, positive(Unit::kPressure));
   v.field("poisson", &m.poisson, plain);
@@ -83,7 +83,7 @@ void visit_fields(FieldVisitor& v, GrainMaterialSpec& m) {
   v.choice("cohesion_model", m.cohesion_model);
 }
 
-void visit_fields(FieldVisitor& v, BodyContactSpec& b) {
+static void visit_fields(FieldVisitor& v, BodyContactSpec& b) {
   v.field("young", &b.young, positive(Unit::kPressure));
   v.field("poisson", &b.poisson, plain);
   v.field("restitution", &b.restitution, share);
@@ -91,7 +91,7 @@ void visit_fields(FieldVisitor& v, BodyContactSpec& b) {
   v.field("cohesion", &b.cohesion, not_negative(Unit::kPressure));
 }
 
-void visit_fields(FieldVisitor& v, BoxSpec& b) {
+static void visit_fields(FieldVisitor& v, BoxSpec& b) {
   const Rule length = positive(Unit::kLength);
   v.fields(required(length), {{"size", &b.size}, {"depth", &b.depth}, {"radius", &b.radius}});
   v.field("shares", &b.shares, positive());

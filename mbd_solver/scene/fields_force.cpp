@@ -5,14 +5,14 @@ namespace footfall {
 
 using namespace rule;
 
-void visit_fields(FieldVisitor& v, GasSpringParameters& g) {
+static void visit_fields(FieldVisitor& v, GasSpringParameters& g) {
   v.field("piston_diameter", &g.piston_diameter, required(positive(Unit::kLength)));
   v.field("pressure", &g.initial_pressure, required(positive(Unit::kPressure)));
   v.field("volume", &g.initial_volume, required(positive(Unit::kVolume)));
   v.field("exponent", &g.exponent, positive());
 }
 
-void visit_fields(FieldVisitor& v, MrGeometry& g) {
+static void visit_fields(FieldVisitor& v, MrGeometry& g) {
   const Rule length = positive(Unit::kLength), not_negative_length = not_negative(Unit::kLength);
   v.fields(required(length), {{"D1", &g.D1}, {"d1", &g.d1}, {"D2", &g.D2}, {"D3", &g.D3}});
   v.fields(length, {{"D4", &g.D4}, {"d", &g.d}});
@@ -24,7 +24,7 @@ void visit_fields(FieldVisitor& v, MrGeometry& g) {
   v.field("yield_stress", &g.tau_y, required({Unit::kPressure}));
 }
 
-void visit_fields(FieldVisitor& v, MrSpec& m) {
+static void visit_fields(FieldVisitor& v, MrSpec& m) {
   v.field("yield_force", &m.yield_force, not_negative(Unit::kForce));
   v.field("viscous", &m.viscous_coefficient, not_negative(Unit::kDamping));
   v.field("yield_table", &m.yield_table, {Unit::kForce});
@@ -35,12 +35,12 @@ void visit_fields(FieldVisitor& v, MrSpec& m) {
   v.section("geometry", m.geometry);
 }
 
-void visit_fields(FieldVisitor& v, HoneycombStage& s) {
+static void visit_fields(FieldVisitor& v, HoneycombStage& s) {
   v.field("force", &s.crush_force, required(positive(Unit::kForce)));
   v.field("length", &s.crush_length, required(positive(Unit::kLength)));
 }
 
-void visit_fields(FieldVisitor& v, HoneycombSpec& h) {
+static void visit_fields(FieldVisitor& v, HoneycombSpec& h) {
   v.list("stages", h.stages);
   v.fields(plain, {{"compression", &h.compression}, {"tension", &h.tension}});
   v.fields(positive(Unit::kStiffness),
@@ -48,33 +48,32 @@ void visit_fields(FieldVisitor& v, HoneycombSpec& h) {
   v.fields(positive(Unit::kLength), {{"transition_length", &h.transition_length}, {"toe", &h.toe}});
 }
 
-void visit_fields(FieldVisitor& v, EndStopParameters& s) {
+static void visit_fields(FieldVisitor& v, EndStopParameters& s) {
   v.fields({Unit::kLength}, {{"min", &s.smallest_stroke}, {"max", &s.largest_stroke}});
   v.field("stiffness", &s.stiffness, positive(Unit::kStiffness));
   v.field("dissipation", &s.dissipation, not_negative());
   v.field("toe", &s.toe, positive(Unit::kLength));
 }
 
-void visit_fields(FieldVisitor& v, LinearSpringSpec& s) {
+static void visit_fields(FieldVisitor& v, LinearSpringSpec& s) {
   v.field("stiffness", &s.stiffness, not_negative(Unit::kStiffness));
   v.field("damping", &s.damping, not_negative(Unit::kDamping));
   v.field("preload", &s.preload, {Unit::kForce});
   v.field("free_length", &s.free_length, positive(Unit::kLength));
 }
 
-void visit_fields(FieldVisitor& v, TableSpec& t) { v.field("file", &t.file, required(path)); }
+static void visit_fields(FieldVisitor& v, TableSpec& t) { v.field("file", &t.file, required(path)); }
 
 void visit_fields(FieldVisitor& v, StrutSpec& s) {
-  v.field("", &s.source, {});
-  v.fields(required(name), {{"name", &s.name}, {"bodies", &s.bodies}});
+  v.entry(s.source, s.name);
+  v.field("bodies", &s.bodies, required(name));
   v.field("points", &s.points, required(point));
   v.field("length", &s.length, positive(Unit::kLength));
   each_law(s, [&](const char* key, auto& law) { v.section(key, law); });
 }
 
 void visit_fields(FieldVisitor& v, SpringSpec& s) {
-  v.field("", &s.source, {});
-  v.field("name", &s.name, required(name));
+  v.entry(s.source, s.name);
   v.choice("kind", s.kind, required());
   v.field("bodies", &s.bodies, required(name));
   v.field("point", &s.point, point);
@@ -91,8 +90,8 @@ void visit_fields(FieldVisitor& v, SpringSpec& s) {
 }
 
 void visit_fields(FieldVisitor& v, ForceSpec& f) {
-  v.field("", &f.source, {});
-  v.fields(required(name), {{"name", &f.name}, {"body", &f.body}});
+  v.entry(f.source, f.name);
+  v.field("body", &f.body, required(name));
   v.field("point", &f.point, point);
   v.choice("frame", f.frame);
   v.field("direction", &f.direction, required(direction));

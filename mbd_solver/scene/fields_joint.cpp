@@ -13,7 +13,7 @@ void visit_fields(FieldVisitor& v, TimeFunctionSpec& f, Unit unit) {
   v.field("signal", &f.signal, name);
 }
 
-void visit_fields(FieldVisitor& v, MotionSpec& m) {
+static void visit_fields(FieldVisitor& v, MotionSpec& m) {
   const auto length = [](FieldVisitor& w, TimeFunctionSpec& f) { visit_fields(w, f, Unit::kLength); };
   const auto angle = [](FieldVisitor& w, TimeFunctionSpec& f) { visit_fields(w, f, Unit::kAngle); };
   v.section("x", m.x, Presence::kOptional, length);
@@ -23,7 +23,7 @@ void visit_fields(FieldVisitor& v, MotionSpec& m) {
   v.field("hold_other_rotations", &m.hold_other_rotations, plain);
 }
 
-void visit_fields(FieldVisitor& v, CoordinateSpec& c, Unit unit) {
+static void visit_fields(FieldVisitor& v, CoordinateSpec& c, Unit unit) {
   v.section("stops", c.stops, Presence::kOptional, [unit](FieldVisitor& w, EndStopParameters& s) {
     w.fields({unit}, {{"min", &s.smallest_stroke}, {"max", &s.largest_stroke}});
     w.field("stiffness", &s.stiffness, required(positive()));
@@ -43,8 +43,7 @@ void visit_fields(FieldVisitor& v, CoordinateSpec& c, Unit unit) {
 }
 
 void visit_fields(FieldVisitor& v, JointSpec& j) {
-  v.field("", &j.source, {});
-  v.field("name", &j.name, required(name));
+  v.entry(j.source, j.name);
   v.choice("type", j.type, required());
   v.field("bodies", &j.bodies, required(name));
   v.fields(point, {{"point", &j.point}, {"point_a", &j.point_a}, {"point_b", &j.point_b}});
@@ -60,19 +59,18 @@ void visit_fields(FieldVisitor& v, JointSpec& j) {
 }
 
 void visit_fields(FieldVisitor& v, GearSpec& g) {
-  v.field("", &g.source, {});
-  v.fields(required(name), {{"name", &g.name}, {"joints", &g.joints}});
+  v.entry(g.source, g.name);
+  v.field("joints", &g.joints, required(name));
   v.field("factors", &g.factors, required());
   v.fields(plain, {{"coordinates", &g.coordinates}, {"curve", &g.curve}, {"closed", &g.closed}});
 }
 
 void visit_fields(FieldVisitor& v, DriveSpec& d) {
   MotorParameters& m = d.motor;
-  v.field("", &d.source, {});
-  v.field("name", &d.name, required(name));
+  v.entry(d.source, d.name);
   v.choice("kind", m.kind, required());
   v.field("joint", &d.joint, required(name));
-  v.choice("coordinate", d.coordinate);
+  v.choice("coordinate", d.coordinate, "auto");
   v.section("command", d.command, Presence::kOptional,
             [](FieldVisitor& w, TimeFunctionSpec& function) { visit_fields(w, function, Unit::kNone); });
   v.fields(not_negative(), {{"kp", &m.kp}, {"ki", &m.ki}, {"kd", &m.kd}});

@@ -12,7 +12,7 @@ void visit_fields(FieldVisitor& v, BodyVelocitySpec& b) {
   v.field("angular_velocity", &b.angular_velocity, {Unit::kAngularVelocity, Range::kAny, Meaning::kFree});
 }
 
-void visit_fields(FieldVisitor& v, InitialJointSpec& j) {
+static void visit_fields(FieldVisitor& v, InitialJointSpec& j) {
   v.field("", &j.source, {});
   v.field("angle", &j.angle, {Unit::kAngle});
   v.fields({Unit::kLength}, {{"displacement", &j.displacement},
@@ -34,8 +34,7 @@ void visit_fields(FieldVisitor& v, InitialSpec& i) {
 }
 
 void visit_fields(FieldVisitor& v, ControllerSpec& c) {
-  v.field("", &c.source, {});
-  v.field("name", &c.name, required(name));
+  v.entry(c.source, c.name);
   v.choice("kind", c.kind, required());
   v.field("body", &c.body, required(name));
   v.field("period", &c.period, positive(Unit::kTime));

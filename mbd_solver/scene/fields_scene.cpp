@@ -5,7 +5,7 @@ namespace footfall {
 
 using namespace rule;
 
-void visit_fields(FieldVisitor& v, ArraySpec& a) {
+static void visit_fields(FieldVisitor& v, ArraySpec& a) {
   v.field("", &a.source, {});
   v.field("count", &a.count, required(positive()));
   v.fields({Unit::kAngle}, {{"start", &a.start}, {"step", &a.step}});

@@ -6,8 +6,7 @@ namespace footfall {
 using namespace rule;
 
 void visit_fields(FieldVisitor& v, SignalSpec& s) {
-  v.field("", &s.source, {});
-  v.field("name", &s.name, required(name));
+  v.entry(s.source, s.name);
   v.choice("kind", s.kind, required());
   v.field("input", &s.input, plain);
   v.field("period", &s.period, not_negative(Unit::kTime));
@@ -25,14 +24,10 @@ void visit_fields(FieldVisitor& v, SignalSpec& s) {
   v.fields(plain, {{"inputs", &s.inputs}, {"output", &s.output}});
 }
 
-void visit_fields(FieldVisitor& v, StateSpec& s) {
-  v.field("", &s.source, {});
-  v.field("name", &s.name, required(name));
-}
+void visit_fields(FieldVisitor& v, StateSpec& s) { v.entry(s.source, s.name); }
 
 void visit_fields(FieldVisitor& v, EventSpec& e) {
-  v.field("", &e.source, {});
-  v.field("name", &e.name, required(name));
+  v.entry(e.source, e.name);
   v.field("from", &e.from, name);
   v.field("when", &e.when, required());
   v.field("to", &e.to, required(name));

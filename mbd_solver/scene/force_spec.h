@@ -14,13 +14,7 @@ enum class ForceFrame {
   kBody,     // the direction is given in D and turns with the body
   kInertial  // the direction is fixed in W; the point moves with the body
 };
-constexpr std::string_view name_of(ForceFrame frame) {
-  switch (frame) {
-    case ForceFrame::kBody: return "body";
-    case ForceFrame::kInertial: return "inertial";
-  }
-  return {};
-}
+constexpr std::string_view name_of(ForceFrame kind) { return name_in(kind, "body", "inertial"); }
 
 struct ForceSpec {
   Source source;

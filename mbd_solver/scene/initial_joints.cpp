@@ -65,7 +65,7 @@ void expand_initial_joints(ConfigNode& root, Findings& findings) {
       continue;
     }
     const std::optional<JointType> type = type_of_joint(root, name);
-    const std::vector<CoordinateChoice> has = type ? coordinates_of(*type) : std::vector<CoordinateChoice>();
+    const std::vector<Coordinate> has = type ? coordinates_of(*type) : std::vector<Coordinate>();
     if (!type) {
       kept.emplace_back(name, table_of("angle", node));  // the checks report a joint that does not exist
     } else if (has.size() == 1) {
@@ -75,7 +75,7 @@ void expand_initial_joints(ConfigNode& root, Findings& findings) {
                      "is given, but a " + std::string(name_of(*type)) + " joint has no coordinate; remove it");
     } else {
       std::vector<std::string> names;
-      for (const CoordinateChoice coordinate : has) names.emplace_back(name_of(coordinate));
+      for (const Coordinate coordinate : has) names.emplace_back(name_of(coordinate));
       findings.error(code::kAmbiguousCoordinate, node.line, path,
                      "is " + node.description() + ", but a " + std::string(name_of(*type)) + " joint has " +
                          joined(names, " and ") + "; write [initial.joints." + name + "] " + names.front() + " = " +

@@ -8,40 +8,39 @@ namespace footfall {
 namespace {
 
 template <class T, class Owner>
-const std::optional<T>& one_of(const Owner& owner, CoordinateChoice coordinate) {
+const std::optional<T>& one_of(const Owner& owner, Coordinate coordinate) {
   static const std::optional<T> nothing;
   switch (coordinate) {
-    case CoordinateChoice::kAuto: break;
-    case CoordinateChoice::kAngle: return owner.angle;
-    case CoordinateChoice::kDisplacement: return owner.displacement;
-    case CoordinateChoice::kDisplacementX: return owner.displacement_x;
-    case CoordinateChoice::kDisplacementY: return owner.displacement_y;
+    case Coordinate::kAngle: return owner.angle;
+    case Coordinate::kDisplacement: return owner.displacement;
+    case Coordinate::kDisplacementX: return owner.displacement_x;
+    case Coordinate::kDisplacementY: return owner.displacement_y;
   }
   return nothing;
 }
 
 }  // namespace
 
-std::vector<CoordinateChoice> coordinates_of(JointType type) {
+std::vector<Coordinate> coordinates_of(JointType type) {
   const JointTraits traits = traits_of(type);
-  std::vector<CoordinateChoice> out;
-  if (traits.turns) out.push_back(CoordinateChoice::kAngle);
-  if (traits.slides) out.push_back(CoordinateChoice::kDisplacement);
+  std::vector<Coordinate> out;
+  if (traits.turns) out.push_back(Coordinate::kAngle);
+  if (traits.slides) out.push_back(Coordinate::kDisplacement);
   if (traits.slides_across) {
-    out.push_back(CoordinateChoice::kDisplacementX);
-    out.push_back(CoordinateChoice::kDisplacementY);
+    out.push_back(Coordinate::kDisplacementX);
+    out.push_back(Coordinate::kDisplacementY);
   }
   return out;
 }
 
-bool has_coordinate(JointType type, CoordinateChoice coordinate) {
-  const std::vector<CoordinateChoice> has = coordinates_of(type);
+bool has_coordinate(JointType type, Coordinate coordinate) {
+  const std::vector<Coordinate> has = coordinates_of(type);
   return std::find(has.begin(), has.end(), coordinate) != has.end();
 }
 
 std::string coordinate_names(JointType type) {
   std::vector<std::string> names;
-  for (const CoordinateChoice coordinate : coordinates_of(type))
+  for (const Coordinate coordinate : coordinates_of(type))
     names.push_back("\"" + std::string(name_of(coordinate)) + "\"");
   if (names.size() < 2) return joined(names);
   const std::string last = names.back();
@@ -49,11 +48,11 @@ std::string coordinate_names(JointType type) {
   return joined(names) + " or " + last;
 }
 
-const std::optional<CoordinateSpec>& JointSpec::acting_on(CoordinateChoice coordinate) const {
+const std::optional<CoordinateSpec>& JointSpec::acting_on(Coordinate coordinate) const {
   return one_of<CoordinateSpec>(*this, coordinate);
 }
 
-const std::optional<double>& InitialJointSpec::value(CoordinateChoice coordinate) const {
+const std::optional<double>& InitialJointSpec::value(Coordinate coordinate) const {
   return one_of<double>(*this, coordinate);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mbd_solver/base/kinds.h"
+#include "mbd_solver/model/elements/joint_coordinate.h"
 #include "mbd_solver/model/laws/friction.h"
 #include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/scene/source.h"
@@ -86,27 +87,10 @@ struct MotionSpec {
   bool hold_other_rotations = false;         // keeps z of both bodies parallel
 };
 
-// The coordinates that a joint leaves free: body b relative to body a, zero in the reference configuration.
-enum class CoordinateChoice {
-  kAuto,           // the only one
-  kAngle,          // about the axis [rad]: revolute, cylindrical, planar
-  kDisplacement,   // along the axis [m]: prismatic, cylindrical
-  kDisplacementX,  // across the axis [m]: planar; x of the joint's frame, which turns with a: axis2, made perpendicular
-  kDisplacementY   // y = z cross x
-};
-constexpr std::string_view name_of(CoordinateChoice choice) {
-  switch (choice) {
-    case CoordinateChoice::kAuto: return "auto";
-    case CoordinateChoice::kAngle: return "angle";
-    case CoordinateChoice::kDisplacement: return "displacement";
-    case CoordinateChoice::kDisplacementX: return "displacement_x";
-    case CoordinateChoice::kDisplacementY: return "displacement_y";
-  }
-  return {};
-}
-// Those of a type of joint; none has kAuto.
-std::vector<CoordinateChoice> coordinates_of(JointType type);
-bool has_coordinate(JointType type, CoordinateChoice coordinate);
+// The coordinates that a type of joint leaves free: body b relative to body a, zero in the reference configuration. x is that of
+// the joint's frame, which turns with a: axis2, made perpendicular to the axis.
+std::vector<Coordinate> coordinates_of(JointType type);
+bool has_coordinate(JointType type, Coordinate coordinate);
 // For messages: "angle", "displacement_x" or "displacement_y"
 std::string coordinate_names(JointType type);
 
@@ -139,7 +123,7 @@ struct JointSpec {
   std::optional<MotionSpec> motion;  // prescribed
   // Force laws on its coordinates, where it has them.
   std::optional<CoordinateSpec> angle, displacement, displacement_x, displacement_y;
-  const std::optional<CoordinateSpec>& acting_on(CoordinateChoice coordinate) const;  // none on kAuto
+  const std::optional<CoordinateSpec>& acting_on(Coordinate coordinate) const;
 };
 
 }  // namespace footfall

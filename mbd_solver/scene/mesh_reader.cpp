@@ -21,6 +21,8 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 // Vertices nearer than this share of the mesh's size are one: STL repeats each vertex, rounded to single precision.
@@ -40,30 +42,29 @@ std::string extension_of(const std::string& file) {
 void check_format(const std::string& file) {
   const std::string extension = extension_of(file);
   if (extension != ".stl" && extension != ".obj" && extension != ".ply")
-    throw InputError(code::kMeshFormat, file + ": ends in \"" + extension + "\", expected .stl, .obj or .ply");
+    throw InputError(kMeshFormat, file + ": ends in \"" + extension + "\", expected .stl, .obj or .ply");
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored))
-    throw InputError(code::kNoFile, file + ": this mesh file does not exist");
+    throw InputError(kNoFile, file + ": this mesh file does not exist");
 }
 
 // Size of the file [bytes].
 std::uintmax_t checked_size(const std::string& file) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
-  if (error) throw InputError(code::kFileNotReadable, file + ": cannot be read: " + error.message());
-  if (bytes == 0) throw InputError(code::kMeshEmpty, file + ": is empty, expected a mesh");
+  if (error) throw InputError(kFileNotReadable, file + ": cannot be read: " + error.message());
+  if (bytes == 0) throw InputError(kMeshEmpty, file + ": is empty, expected a mesh");
   if (bytes > kMostBytes)
-    throw InputError(code::kMeshTooLarge, file + ": has " + std::to_string(bytes >> 20) +
-                                              " MB, expected a mesh of at most " + std::to_string(kMostBytes >> 20) +
-                                              " MB");
+    throw InputError(kMeshTooLarge, file + ": has " + std::to_string(bytes >> 20) + " MB, expected a mesh of at most " +
+                                        std::to_string(kMostBytes >> 20) + " MB");
   return bytes;
 }
 
 void demand_affordable(const std::string& file, std::size_t triangles) {
   if (triangles > kMostTriangles)
-    throw InputError(code::kMeshTooLarge, file + ": has " + std::to_string(triangles) +
-                                              " triangles, expected at most " + std::to_string(kMostTriangles) +
-                                              ": every node costs time in every step; use a coarser mesh");
+    throw InputError(kMeshTooLarge, file + ": has " + std::to_string(triangles) + " triangles, expected at most " +
+                                        std::to_string(kMostTriangles) +
+                                        ": every node costs time in every step; use a coarser mesh");
 }
 
 // A line of a head, which may end in CR, LF or both.
@@ -90,11 +91,11 @@ void demand_elements_fit(const std::string& file, std::uintmax_t bytes) {
     std::istringstream words(line);
     while (words >> word)  // a name may begin as "inf" does
       if (word.front() >= '0' && word.front() <= '9' && std::strtod(word.c_str(), nullptr) > static_cast<double>(bytes))
-        throw InputError(code::kMeshDamaged, file + ":" + std::to_string(number) + ": announces " + word +
-                                                 " elements in a file of " + std::to_string(bytes) +
-                                                 " bytes; export it again");
+        throw InputError(kMeshDamaged, file + ":" + std::to_string(number) + ": announces " + word +
+                                           " elements in a file of " + std::to_string(bytes) +
+                                           " bytes; export it again");
   }
-  throw InputError(code::kMeshDamaged,
+  throw InputError(kMeshDamaged,
                    file + ": cannot be read as a mesh: none of its first " + std::to_string(kMostHeadLines) +
                        " lines is \"end_header\", with which the head of a PLY file ends; export it again");
 }
@@ -106,7 +107,7 @@ TriangleMesh read_raw(const std::string& file) {
   // Points and lines are dropped; degenerate triangles stay, so that the mesh check can name them.
   const aiScene* read =
       importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_SortByPType);
-  if (!read) throw InputError(code::kMeshFormat, file + ": cannot be read as a mesh: " + importer.GetErrorString());
+  if (!read) throw InputError(kMeshFormat, file + ": cannot be read as a mesh: " + importer.GetErrorString());
   TriangleMesh mesh;
   for (unsigned m = 0; m < read->mNumMeshes; ++m) {
     const aiMesh& part = *read->mMeshes[m];
@@ -127,27 +128,27 @@ TriangleMesh read_raw(const std::string& file) {
   return mesh;
 }
 
-template <class Vector>
-std::string as_bytes(const std::vector<Vector>& list) {
-  std::string bytes(sizeof(std::size_t) + list.size() * sizeof(Vector), '\0');
-  const std::size_t count = list.size();
-  std::memcpy(&bytes[0], &count, sizeof count);
-  if (count > 0) std::memcpy(&bytes[sizeof count], list.data(), count * sizeof(Vector));
+// A mesh as bytes, for the pipe between two processes: two counts, the vertices, the triangles.
+std::string packed(const TriangleMesh& mesh) {
+  const std::size_t counts[] = {mesh.vertices.size(), mesh.triangles.size()};
+  std::string bytes(reinterpret_cast<const char*>(counts), sizeof counts);
+  bytes.append(reinterpret_cast<const char*>(mesh.vertices.data()), counts[0] * sizeof(Eigen::Vector3d));
+  bytes.append(reinterpret_cast<const char*>(mesh.triangles.data()), counts[1] * sizeof(Eigen::Vector3i));
   return bytes;
 }
 
-// Reads a list from `bytes` at `at`, which advances.
-template <class Vector>
-std::vector<Vector> from_bytes(const std::string& bytes, std::size_t& at) {
-  std::size_t count = 0;
-  FOOTFALL_DEMAND(bytes.size() >= at + sizeof count);
-  std::memcpy(&count, &bytes[at], sizeof count);
-  at += sizeof count;
-  FOOTFALL_DEMAND((bytes.size() - at) / sizeof(Vector) >= count);
-  std::vector<Vector> list(count);
-  if (count > 0) std::memcpy(static_cast<void*>(list.data()), &bytes[at], count * sizeof(Vector));
-  at += count * sizeof(Vector);
-  return list;
+TriangleMesh unpacked(const std::string& bytes) {
+  std::size_t counts[2];
+  FOOTFALL_DEMAND(bytes.size() >= sizeof counts);
+  std::memcpy(counts, bytes.data(), sizeof counts);
+  const std::size_t size = counts[0] * sizeof(Eigen::Vector3d);
+  FOOTFALL_DEMAND(bytes.size() == sizeof counts + size + counts[1] * sizeof(Eigen::Vector3i));
+  TriangleMesh mesh;
+  mesh.vertices.resize(counts[0]);
+  mesh.triangles.resize(counts[1]);
+  bytes.copy(reinterpret_cast<char*>(mesh.vertices.data()), size, sizeof counts);
+  bytes.copy(reinterpret_cast<char*>(mesh.triangles.data()), std::string::npos, sizeof counts + size);
+  return mesh;
 }
 
 }  // namespace
@@ -156,32 +157,24 @@ TriangleMesh read_mesh(const std::string& file, double scale) {
   check_format(file);
   const std::uintmax_t size = checked_size(file);
   demand_elements_fit(file, size);
-  const std::string bytes = read_apart(file, size, [&] {
-    const TriangleMesh raw = read_raw(file);
-    return as_bytes(raw.vertices) + as_bytes(raw.triangles);
-  });
-  TriangleMesh mesh;
-  std::size_t at = 0;
-  mesh.vertices = from_bytes<Eigen::Vector3d>(bytes, at);
-  mesh.triangles = from_bytes<Eigen::Vector3i>(bytes, at);
-  if (mesh.triangles.empty()) throw InputError(code::kMeshEmpty, file + ": contains no triangles");
+  TriangleMesh mesh = unpacked(read_apart(file, size, [&] { return packed(read_raw(file)); }));
+  if (mesh.triangles.empty()) throw InputError(kMeshEmpty, file + ": contains no triangles");
   const int count = static_cast<int>(mesh.vertices.size());
   for (const Eigen::Vector3i& triangle : mesh.triangles)
     if (triangle.minCoeff() < 0 || triangle.maxCoeff() >= count)
-      throw InputError(code::kMeshDamaged, file + ": a triangle has vertex " + std::to_string(triangle.maxCoeff()) +
-                                               " of " + std::to_string(count) + "; export it again");
+      throw InputError(kMeshDamaged, file + ": a triangle has vertex " + std::to_string(triangle.maxCoeff()) + " of " +
+                                         std::to_string(count) + "; export it again");
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     mesh.vertices[i] *= scale;
     if (!mesh.vertices[i].allFinite())
-      throw InputError(code::kMeshDamaged,
+      throw InputError(kMeshDamaged,
                        file + ": vertex " + std::to_string(i) + " has a coordinate that is no number; export it again");
     box.extend(mesh.vertices[i]);
   }
   const double across = box.diagonal().norm();
   if (!(kWeldTolerance * across > 0.0 && std::isfinite(across)))
-    throw InputError(code::kMeshEmpty,
-                     file + ": has an extent of " + std::to_string(across) + " m, expected a surface");
+    throw InputError(kMeshEmpty, file + ": has an extent of " + std::to_string(across) + " m, expected a surface");
   return welded(mesh, kWeldTolerance * across);
 }
 

@@ -16,6 +16,8 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 constexpr rlim_t kSeconds = 5;                    // of processor time, and one more for each
@@ -61,8 +63,7 @@ void send(int pipe, const std::string& text) {
   try {
     text = kGood + read();
   } catch (const std::bad_alloc&) {
-    text = kWrong +
-           with_code(code::kMeshDamaged, file + ": needs more memory than a file of its size can; export it again");
+    text = kWrong + with_code(kMeshDamaged, file + ": needs more memory than a file of its size can; export it again");
   } catch (const std::exception& error) {
     text = kWrong + std::string(error.what());
   }
@@ -85,9 +86,7 @@ std::string received(int pipe) {
 
 std::string read_apart(const std::string& file, std::size_t bytes, const std::function<std::string()>& read) {
   int ends[2];
-  const auto failed = [&] {
-    return InputError(code::kFileNotReadable, file + ": cannot be read: " + std::strerror(errno));
-  };
+  const auto failed = [&] { return InputError(kFileNotReadable, file + ": cannot be read: " + std::strerror(errno)); };
   if (pipe(ends) != 0) throw failed();
   const pid_t child = fork();
   if (child < 0) {
@@ -115,7 +114,7 @@ std::string read_apart(const std::string& file, std::size_t bytes, const std::fu
     problem = "ended its reader without a result";
   }
   if (!problem.empty())
-    throw InputError(code::kMeshDamaged, file + ": " + problem + "; the file is damaged, export it again");
+    throw InputError(kMeshDamaged, file + ": " + problem + "; the file is damaged, export it again");
   if (text.front() == kWrong) throw InputError(text.substr(1));
   return text.substr(1);
 }

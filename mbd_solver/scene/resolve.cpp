@@ -14,27 +14,21 @@ namespace footfall {
 namespace {
 
 // Joins paths with the scene's folder and reports those that do not exist.
-class PathResolver final : public TrackingVisitor {
- public:
-  PathResolver(const std::string& folder, Findings& findings) : folder_(folder), findings_(findings) {}
-  void field(const std::string& key, const FieldRef& ref, const Rule& rule) override {
-    if (track(ref) || rule.meaning != Meaning::kPath) return;
-    auto* const* path = std::get_if<std::string*>(&ref);
-    if (!path || (*path)->empty()) return;
-    namespace fs = std::filesystem;
-    const fs::path full = (fs::path(folder_) / **path).lexically_normal();
+void resolve_paths(Scene& scene, Findings& findings) {
+  namespace fs = std::filesystem;
+  FieldWalk walk([&](const std::string& key, const FieldRef& ref, const Rule& rule, const FieldWalk& at) {
+    std::string* path = member<std::string>(ref);
+    if (rule.meaning != Meaning::kPath || !path || path->empty()) return;
+    const fs::path full = (fs::path(scene.folder) / *path).lexically_normal();
     std::error_code ignored;
     if (!fs::is_regular_file(full, ignored))
-      findings_.error(code::kNoFile, *source(), local(key),
-                      "the file \"" + **path + "\" does not exist (" + full.string() +
-                          "); paths are relative to the scene's folder");
-    **path = full.string();
-  }
-
- private:
-  std::string folder_;
-  Findings& findings_;
-};
+      findings.error(code::kNoFile, *at.source(), at.local(key),
+                     "the file \"" + *path + "\" does not exist (" + full.string() +
+                         "); paths are relative to the scene's folder");
+    *path = full.string();
+  });
+  visit_fields(walk, scene);
+}
 
 void resolve_joint_points(Scene& scene, Findings& findings) {
   for (JointSpec& joint : scene.joints) {
@@ -64,8 +58,7 @@ Eigen::Vector3d mass_centre(const Scene& scene) {
 
 void resolve_scene(Scene& scene, Findings& findings) {
   apply_arrays(scene, findings);
-  PathResolver paths(scene.folder, findings);
-  visit_fields(paths, scene);
+  resolve_paths(scene, findings);
   resolve_joint_points(scene, findings);
   resolve_segments(scene, findings);
   resolve_script_meshes(scene, findings);

@@ -3,7 +3,7 @@
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/fe/polyhedron.h"
+#include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/boundary_surface.h"
@@ -11,6 +11,8 @@
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
+
+using namespace code;
 
 namespace {
 
@@ -39,10 +41,10 @@ bool check_shape(const BodySpec& body, Findings& findings) {
   const std::string kind(name_of(shape.kind));
   const int before = findings.error_count();
   for (auto key = keys.begin(); key != keys.end() && *key != "|"; ++key)
-    at.error_if(!at.given("shape." + *key), code::kMissingKey, "shape." + *key, "is missing; a " + kind + " needs it");
+    at.error_if(!at.given("shape." + *key), kMissingKey, "shape." + *key, "is missing; a " + kind + " needs it");
   for (const auto& [path, line] : body.source.lines) {
     const std::string key = path.rfind("shape.", 0) == 0 ? path.substr(6) : "kind";
-    at.error_if(key != "kind" && !is_in(keys, key), code::kKeyWithoutEffect, path,
+    at.error_if(key != "kind" && !is_in(keys, key), kKeyWithoutEffect, path,
                 "has no effect on a " + kind + "; remove it");
   }
   const std::set<std::string>& refused = body.source.refused;
@@ -50,14 +52,14 @@ bool check_shape(const BodySpec& body, Findings& findings) {
     return false;
   const bool long_body =
       shape.kind == ShapeKind::kTube || shape.kind == ShapeKind::kRod || shape.kind == ShapeKind::kCapsule;
-  at.error_if(long_body && !((shape.to - shape.from).norm() > 0.0), code::kShape, "shape.to",
+  at.error_if(long_body && !((shape.to - shape.from).norm() > 0.0), kShape, "shape.to",
               "is the same point as \"from\", expected a different one");
   at.error_if(
-      shape.kind == ShapeKind::kTube && 2.0 * shape.wall > shape.diameter, code::kShape, "shape.wall",
+      shape.kind == ShapeKind::kTube && 2.0 * shape.wall > shape.diameter, kShape, "shape.wall",
       "is " + number_text(shape.wall) + " m, expected at most half the diameter; for a solid bar use kind = \"rod\"");
-  at.error_if(shape.kind == ShapeKind::kDish && shape.depth > shape.radius, code::kShape, "shape.depth",
+  at.error_if(shape.kind == ShapeKind::kDish && shape.depth > shape.radius, kShape, "shape.depth",
               "is " + number_text(shape.depth) + " m, expected at most the radius");
-  at.error_if(shape.kind == ShapeKind::kPoints && shape.points.size() < 3, code::kShape, "shape.points",
+  at.error_if(shape.kind == ShapeKind::kPoints && shape.points.size() < 3, kShape, "shape.points",
               "contains " + std::to_string(shape.points.size()) + " points, expected at least three, not on one line");
   return findings.error_count() == before;
 }
@@ -127,7 +129,7 @@ bool resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
   const bool mass_given = at.given("mass"), inertia_given = at.given("inertia");
   if (!body.shape) {
     for (const char* key : {"mass", "inertia", "position"})
-      at.error_if(!at.given(key), code::kMissingKey, key,
+      at.error_if(!at.given(key), kMissingKey, key,
                   "is missing; give it, or give a shape (with a material, or with the mass)");
     return body.source.good("mass") && inertia_given && at.given("position");
   }
@@ -138,12 +140,11 @@ bool resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
     const bool points = body.shape->kind == ShapeKind::kPoints;
     if (body.material.empty() || points) {
       at.error(
-          code::kMissingKey, "mass",
+          kMissingKey, "mass",
           std::string("is missing; give it") + (points ? ": points have no volume" : ", or a material for the shape"));
       return false;
     }
-    check_known(at, code::kUnknownMaterial, "material", "material", "materials", body.material,
-                names_in(scene.materials));
+    check_known(at, kUnknownMaterial, "material", "material", "materials", body.material, names_in(scene.materials));
     density = 0.0;
     for (const MaterialSpec& material : scene.materials)
       if (material.name == body.material) density = material.density;
@@ -172,7 +173,7 @@ void resolve_remainder(Scene& scene, Findings& findings) {
     if (!body.mass_is_remainder) {
       others += body.mass;
     } else if (rest) {
-      findings.error(code::kTotalMass, body.source, "mass",
+      findings.error(kTotalMass, body.source, "mass",
                      "is the remainder, as is that of \"" + rest->name + "\"; only one body can have it");
     } else {
       rest = &body;
@@ -180,7 +181,7 @@ void resolve_remainder(Scene& scene, Findings& findings) {
   }
   if (!rest) {
     if (scene.total_mass && std::abs(others - *scene.total_mass) > 1e-6 * *scene.total_mass && !findings.has_errors())
-      findings.error(code::kTotalMass, scene.source, "total_mass",
+      findings.error(kTotalMass, scene.source, "total_mass",
                      "is " + number_text(*scene.total_mass) + " kg, but the bodies weigh " + number_text(others) +
                          " kg; remove it, or let one body have mass = \"remainder\"");
     return;
@@ -188,9 +189,9 @@ void resolve_remainder(Scene& scene, Findings& findings) {
   const EntryFindings at(findings, rest->source);
   const double mass = scene.total_mass.value_or(0.0) - others;
   if (!scene.total_mass) {
-    at.error(code::kNeedsOtherKey, "mass", "is the remainder of total_mass, which is missing at the top of the scene");
+    at.error(kNeedsOtherKey, "mass", "is the remainder of total_mass, which is missing at the top of the scene");
   } else if (!(mass > 0.0)) {
-    at.error(code::kTotalMass, "mass",
+    at.error(kTotalMass, "mass",
              "is the remainder, but the other bodies weigh " + number_text(others) + " kg of the total_mass of " +
                  number_text(*scene.total_mass) + " kg");
   } else {
@@ -204,11 +205,11 @@ void check_inertia(const BodySpec& body, Findings& findings) {
   const Eigen::Vector3d e = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.inertia).eigenvalues();
   const EntryFindings at(findings, body.source);
   if (!(e[0] > 0.0)) {
-    at.error(code::kInertia, "inertia",
+    at.error(kInertia, "inertia",
              "is not positive definite (smallest principal value " + number_text(e[0]) +
                  " kg m2), expected [Ixx, Iyy, Izz] > 0, in kg m2 about the mass centre");
   } else if (e[2] > (e[0] + e[1]) * (1.0 + 1e-9)) {
-    at.error(code::kInertia, "inertia",
+    at.error(kInertia, "inertia",
              "has a largest principal value of " + number_text(e[2]) +
                  " kg m2, expected at most the sum of the other two, " + number_text(e[0] + e[1]) + " kg m2");
   }

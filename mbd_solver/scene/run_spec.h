@@ -27,10 +27,10 @@ struct BodyVelocitySpec {
 // The initial coordinate of a joint, instead of zero.
 struct InitialJointSpec {
   Source source;
-  std::string name;                                                       // of the joint
-  std::optional<double> angle;                                            // [rad]
-  std::optional<double> displacement, displacement_x, displacement_y;     // [m]
-  const std::optional<double>& value(CoordinateChoice coordinate) const;  // none of kAuto
+  std::string name;                                                    // of the joint
+  std::optional<double> angle;                                         // [rad]
+  std::optional<double> displacement, displacement_x, displacement_y;  // [m]
+  const std::optional<double>& value(Coordinate coordinate) const;
 };
 
 // Places the frame D in W: turned about the total mass centre by R_WD = Rz(yaw) Ry(pitch) Rx(roll), moved by
@@ -50,15 +50,7 @@ struct InitialSpec {
 };
 
 enum class ControllerKind { kConstant, kFuzzy, kSkyhook, kPid };
-constexpr std::string_view name_of(ControllerKind kind) {
-  switch (kind) {
-    case ControllerKind::kConstant: return "constant";
-    case ControllerKind::kFuzzy: return "fuzzy";
-    case ControllerKind::kSkyhook: return "skyhook";
-    case ControllerKind::kPid: return "pid";
-  }
-  return {};
-}
+constexpr std::string_view name_of(ControllerKind kind) { return name_in(kind, "constant", "fuzzy", "skyhook", "pid"); }
 
 struct ControllerSpec {
   Source source;
@@ -80,33 +72,15 @@ struct ControllerSpec {
 };
 
 enum class IntegratorKind { kOneStep, kIda };
-constexpr std::string_view name_of(IntegratorKind kind) {
-  switch (kind) {
-    case IntegratorKind::kOneStep: return "one_step";
-    case IntegratorKind::kIda: return "ida";
-  }
-  return {};
-}
+constexpr std::string_view name_of(IntegratorKind kind) { return name_in(kind, "one_step", "ida"); }
 
 enum class OneStepMethod { kAuto, kTrBdf2, kEsdirk3, kEsdirk5 };
-constexpr std::string_view name_of(OneStepMethod method) {
-  switch (method) {
-    case OneStepMethod::kAuto: return "auto";
-    case OneStepMethod::kTrBdf2: return "tr_bdf2";
-    case OneStepMethod::kEsdirk3: return "esdirk3";
-    case OneStepMethod::kEsdirk5: return "esdirk5";
-  }
-  return {};
+constexpr std::string_view name_of(OneStepMethod kind) {
+  return name_in(kind, "auto", "tr_bdf2", "esdirk3", "esdirk5");
 }
 
 enum class DriftKind { kProjection, kBaumgarte };
-constexpr std::string_view name_of(DriftKind kind) {
-  switch (kind) {
-    case DriftKind::kProjection: return "projection";
-    case DriftKind::kBaumgarte: return "baumgarte";
-  }
-  return {};
-}
+constexpr std::string_view name_of(DriftKind kind) { return name_in(kind, "projection", "baumgarte"); }
 
 struct SolverSpec {
   Source source;

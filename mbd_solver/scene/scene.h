@@ -69,11 +69,11 @@ struct Scene {
   int body_index(const std::string& name) const;
   const MaterialSpec& material(const std::string& name) const;
   // The coordinate that a drive moves.
-  CoordinateChoice coordinate_of(const DriveSpec& drive) const;
+  Coordinate coordinate_of(const DriveSpec& drive) const;
   // The coordinate of the gear's joint of this index.
-  CoordinateChoice coordinate_of(const GearSpec& gear, std::size_t index) const;
+  Coordinate coordinate_of(const GearSpec& gear, std::size_t index) const;
   int joint_index(const std::string& name) const;
-  CoordinateChoice only_coordinate(const std::string& joint) const;  // of a joint that has one
+  Coordinate only_coordinate(const std::string& joint) const;  // of a joint that has one
   bool touches_particles() const { return ground.kind == GroundKind::kParticles; }
 };
 

@@ -11,6 +11,8 @@
 #include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {
+
+using namespace code;
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,7 +39,7 @@ void leave_out(ConfigNode& base, const ConfigNode& without, const std::string& f
   std::vector<std::string> known;
   for (const auto& entry : base.table) known.push_back(entry.first);
   const auto wrong = [&](const std::string& what) {
-    throw InputError(code::kBadWithout, place_of(file, without.line, "without") + what);
+    throw InputError(kBadWithout, place_of(file, without.line, "without") + what);
   };
   if (without.kind != ConfigNode::Kind::kList)
     wrong("is " + without.description() + ", expected a list of keys of the base");
@@ -90,7 +92,7 @@ void require_scene(const ConfigNode& own, const std::string& file) {
   const ConfigNode* scene = own.find("scene");
   if (!scene || scene->kind != ConfigNode::Kind::kText || own.find("bodies") || own.find("base")) return;
   throw InputError(
-      code::kNotAScene,
+      kNotAScene,
       place_of(file, scene->line, "scene") + "this file is an experiment with the scene \"" + scene->text +
           "\", expected a scene; run it with the command that its first lines name, such as footfall sweep " + file +
           ", or give that scene");
@@ -104,11 +106,11 @@ ConfigNode parse(const std::string& argument, int depth) {
   if (!base_key) return own;
   const std::string where = place_of(file, base_key->line, "base");
   if (base_key->kind != ConfigNode::Kind::kText)
-    throw InputError(code::kBadBase,
+    throw InputError(kBadBase,
                      where + "is " + base_key->description() + ", expected the path of another scene, in quotes");
   if (depth == kLongestChain)
-    throw InputError(code::kBadBase, where + "leads through more than " + std::to_string(kLongestChain) +
-                                         " scenes; check that none is its own base");
+    throw InputError(kBadBase, where + "leads through more than " + std::to_string(kLongestChain) +
+                                   " scenes; check that none is its own base");
   const fs::path target = fs::path(file).parent_path() / base_key->text;
   ConfigNode base;
   try {

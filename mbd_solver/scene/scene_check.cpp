@@ -4,6 +4,8 @@
 #include "coupler/base/text.h"
 
 namespace footfall {
+
+using namespace code;
 namespace {
 
 constexpr double kLeastDensity = 50.0;  // of materials that machines are built of [kg/m3]
@@ -25,19 +27,19 @@ const MaterialSpec& Scene::material(const std::string& name) const {
   return materials[static_cast<std::size_t>(index_of(materials, name))];
 }
 
-CoordinateChoice Scene::coordinate_of(const DriveSpec& drive) const {
-  return drive.coordinate != CoordinateChoice::kAuto ? drive.coordinate : only_coordinate(drive.joint);
+Coordinate Scene::coordinate_of(const DriveSpec& drive) const {
+  return drive.coordinate ? *drive.coordinate : only_coordinate(drive.joint);
 }
 
-CoordinateChoice Scene::coordinate_of(const GearSpec& gear, std::size_t index) const {
+Coordinate Scene::coordinate_of(const GearSpec& gear, std::size_t index) const {
   if (index < gear.coordinates.size())
-    for (const CoordinateChoice choice : every<CoordinateChoice>())
-      if (choice != CoordinateChoice::kAuto && gear.coordinates[index] == name_of(choice)) return choice;
+    for (const Coordinate coordinate : every<Coordinate>())
+      if (gear.coordinates[index] == name_of(coordinate)) return coordinate;
   return only_coordinate(gear.joints[index]);
 }
 
-CoordinateChoice Scene::only_coordinate(const std::string& joint) const {
-  const std::vector<CoordinateChoice> has = coordinates_of(joints[static_cast<std::size_t>(joint_index(joint))].type);
+Coordinate Scene::only_coordinate(const std::string& joint) const {
+  const std::vector<Coordinate> has = coordinates_of(joints[static_cast<std::size_t>(joint_index(joint))].type);
   FOOTFALL_DEMAND(has.size() == 1);
   return has.front();
 }
@@ -55,17 +57,17 @@ void check_known(const EntryFindings& at, const MessageCode& code, const std::st
 }
 
 void check_body_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
-  check_known(at, code::kUnknownBody, key, "body", "bodies", name, names_in(scene.bodies));
+  check_known(at, kUnknownBody, key, "body", "bodies", name, names_in(scene.bodies));
 }
 
 void check_signal_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
-  check_known(at, code::kUnknownSignal, key, "signal", "signals", name, names_in(scene.signals));
+  check_known(at, kUnknownSignal, key, "signal", "signals", name, names_in(scene.signals));
 }
 
 void check_pair(const Scene& scene, const EntryFindings& at, const std::array<std::string, 2>& bodies) {
   for (const std::string& name : bodies)
     if (name != "ground") check_body_name(scene, at, "bodies", name);
-  at.error_if(!bodies[0].empty() && bodies[0] == bodies[1], code::kListedTwice, "bodies",
+  at.error_if(!bodies[0].empty() && bodies[0] == bodies[1], kListedTwice, "bodies",
               "are both \"" + bodies[0] + "\"; expected two different ones");
 }
 
@@ -75,38 +77,37 @@ namespace {
 void check_flexible(const Scene& scene, const BodySpec& body, const EntryFindings& at) {
   const FlexibleSpec& f = *body.flexible;
   const int matrices = !f.stiffness_matrix.empty() + !f.mass_matrix.empty() + !f.node_file.empty();
-  at.error_if(matrices == 1 || matrices == 2, code::kNeedsOtherKey, "flexible",
+  at.error_if(matrices == 1 || matrices == 2, kNeedsOtherKey, "flexible",
               "has only a part of stiffness_matrix, mass_matrix and node_file; a model in matrices needs all three");
   const int models = !f.file.empty() + !f.mesh.empty() + !f.nodes.empty() + (matrices > 0);
-  at.error_if(models > 1, code::kElasticModel, "flexible",
-              "has more than one of file, mesh, nodes and matrices; keep one");
+  at.error_if(models > 1, kElasticModel, "flexible", "has more than one of file, mesh, nodes and matrices; keep one");
   if (models == 0 && !(body.shape && !body.source.good("shape.kind"))) {
     const bool bends = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod ||
                                       body.shape->kind == ShapeKind::kDisc || body.shape->kind == ShapeKind::kDish);
-    at.error_if(!bends, code::kElasticModel, "flexible",
+    at.error_if(!bends, kElasticModel, "flexible",
                 "this body has no shape that bends; expected a tube, rod, disc or dish, or flexible = { file, mesh, "
                 "nodes or matrices }");
   }
   if (f.file.empty() && matrices == 0) {
     if (body.material.empty()) {
-      at.error(code::kMissingKey, "material", "is missing; a flexible body needs density, young and poisson");
+      at.error(kMissingKey, "material", "is missing; a flexible body needs density, young and poisson");
     } else if (is_in(names_in(scene.materials), body.material) && !(scene.material(body.material).young > 0.0)) {
-      at.all().error(code::kMissingKey, scene.material(body.material).source, "young",
+      at.all().error(kMissingKey, scene.material(body.material).source, "young",
                      "is missing; the flexible body \"" + body.name + "\" needs it");
     }
   }
-  at.error_if(!f.mesh.empty() && f.thickness <= 0.0 && !(body.shape && body.shape->thickness > 0.0), code::kMissingKey,
+  at.error_if(!f.mesh.empty() && f.thickness <= 0.0 && !(body.shape && body.shape->thickness > 0.0), kMissingKey,
               "flexible.thickness", "is missing; a plate on a mesh needs it");
   const int nodes = static_cast<int>(f.nodes.size());
   for (const MemberSpec& m : f.members) {
-    at.error_if(std::max(m.first, m.second) >= nodes || m.first == m.second, code::kFrameMember, "flexible.members",
+    at.error_if(std::max(m.first, m.second) >= nodes || m.first == m.second, kFrameMember, "flexible.members",
                 "joins nodes " + std::to_string(m.first) + " and " + std::to_string(m.second) +
                     ", expected two different ones from 0 to " + std::to_string(nodes - 1));
     if (!is_in(names_in(f.sections), m.section))
-      at.error(code::kUnknownSection, "flexible.members",
+      at.error(kUnknownSection, "flexible.members",
                "unknown section \"" + m.section + "\"." + known_names("sections", m.section, names_in(f.sections)));
   }
-  at.error_if(nodes > 0 && f.members.empty(), code::kMissingKey, "flexible.members",
+  at.error_if(nodes > 0 && f.members.empty(), kMissingKey, "flexible.members",
               "is missing; nodes without members are no frame");
 }
 
@@ -114,23 +115,21 @@ void check_flexible(const Scene& scene, const BodySpec& body, const EntryFinding
 
 void check_bodies(const Scene& scene, Findings& findings) {
   if (scene.bodies.empty())
-    findings.error(code::kNoBodies, scene.source, "bodies", "is missing; a scene needs at least one [[bodies]] entry");
+    findings.error(kNoBodies, scene.source, "bodies", "is missing; a scene needs at least one [[bodies]] entry");
   check_unique_names(scene.bodies, "body", findings);
   for (const MaterialSpec& m : scene.materials) {
     const EntryFindings at(findings, m.source);
     if (m.density > 0.0 && m.density < kLeastDensity)
-      at.warning(code::kLightMaterial, "density",
+      at.warning(kLightMaterial, "density",
                  "is " + number_text(m.density) +
                      " kg/m3, lighter than foam. If it is in g/cm3, write density_g_cm3 = " + number_text(m.density));
-    at.error_if(!(m.poisson > -1.0 && m.poisson < 0.5), code::kOutOfRange, "poisson",
+    at.error_if(!(m.poisson > -1.0 && m.poisson < 0.5), kOutOfRange, "poisson",
                 "is " + number_text(m.poisson) + ", expected more than -1 and less than 0.5");
   }
   for (const BodySpec& body : scene.bodies) {
     const EntryFindings at(findings, body.source);
-    at.error_if(body.name == "ground", code::kReservedName, "name",
-                "\"ground\" is the inertial frame; choose another name");
-    check_known(at, code::kUnknownMaterial, "material", "material", "materials", body.material,
-                names_in(scene.materials));
+    at.error_if(body.name == "ground", kReservedName, "name", "\"ground\" is the inertial frame; choose another name");
+    check_known(at, kUnknownMaterial, "material", "material", "materials", body.material, names_in(scene.materials));
     if (body.flexible && body.flexible->enabled) check_flexible(scene, body, at);
   }
   const std::vector<BodyVelocitySpec>& moving = scene.initial.bodies;
@@ -138,7 +137,7 @@ void check_bodies(const Scene& scene, Findings& findings) {
     const EntryFindings at(findings, v->source);
     check_body_name(scene, at, "body", v->body);
     const auto same = std::find_if(moving.begin(), v, [&](const BodyVelocitySpec& o) { return o.body == v->body; });
-    at.error_if(!v->body.empty() && same != v, code::kListedTwice, "body",
+    at.error_if(!v->body.empty() && same != v, kListedTwice, "body",
                 "\"" + v->body + "\" already has a velocity (line " + std::to_string(same->source.line) +
                     "); give each body one entry");
   }
@@ -161,7 +160,7 @@ void warn_of_loose_bodies(const Scene& scene, Findings& findings) {
   for (const ForceSpec& force : scene.forces) used.push_back(force.body);
   for (const BodySpec& body : scene.bodies)
     if (!is_in(used, body.name))
-      findings.warning(code::kLooseBody, body.source, "name",
+      findings.warning(kLooseBody, body.source, "name",
                        "body \"" + body.name +
                            "\" is connected to nothing: no joint, strut, spring, force or boundary names it; add a "
                            "joint, or remove the body");
@@ -171,7 +170,7 @@ void warn_of_gravity_upwards(const Scene& scene, Findings& findings) {
   if (scene.ground.kind != GroundKind::kPlane || !scene.ground.plane) return;
   const double along = scene.gravity.dot(scene.ground.plane->normal);
   if (along > 1e-9)
-    findings.warning(code::kGravityUpwards, scene.source, "gravity",
+    findings.warning(kGravityUpwards, scene.source, "gravity",
                      "points away from the ground, " + number_text(along) +
                          " m/s2 along its normal, so bodies fall off it; expected the other sign, such as "
                          "[0, 0, -9.81]");

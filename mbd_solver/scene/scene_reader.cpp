@@ -23,6 +23,8 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 ConfigNode convert(const toml::node& node) {
@@ -91,7 +93,7 @@ void require_flat_keys(const std::string& file, const std::string& text) {
       const std::size_t end = std::min(line.find_first_of("=],{}", begin), line.size());
       const bool key = end < line.size() && line[end] != ',';
       if (key && dots_in(line.substr(begin, end - begin)) > kMostParts)
-        throw InputError(code::kKeyTooDeep, place_of(file, number, "") + "a key" + kTooManyParts);
+        throw InputError(kKeyTooDeep, place_of(file, number, "") + "a key" + kTooManyParts);
       begin = end + 1;
     }
   }
@@ -108,7 +110,7 @@ ConfigNode* list_entry(ConfigNode& list, const std::string& name, const std::str
     const std::size_t index = std::stoul(name);
     if (index < list.list.size()) return &list.list[index];
   }
-  findings.error(code::kUnknownEntry, Source::kFromSet, path,
+  findings.error(kUnknownEntry, Source::kFromSet, path,
                  "unknown entry \"" + name + "\"." + known_names("entries", name, names));
   return nullptr;
 }
@@ -117,13 +119,13 @@ ConfigNode* list_entry(ConfigNode& list, const std::string& name, const std::str
 
 ConfigNode parse_toml_file(const std::string& file) {
   const std::optional<std::string> text = read_whole_file(file);
-  if (!text) throw InputError(code::kFileNotReadable, file + ": cannot be read; expected a scene file (TOML)");
+  if (!text) throw InputError(kFileNotReadable, file + ": cannot be read; expected a scene file (TOML)");
   require_flat_keys(file, *text);
   try {
     return convert(toml::parse(*text, file));
   } catch (const toml::parse_error& e) {
-    throw InputError(code::kNotToml, place_of(file, static_cast<int>(e.source().begin.line), "") +
-                                         "is not valid TOML: " + std::string(e.description()));
+    throw InputError(kNotToml, place_of(file, static_cast<int>(e.source().begin.line), "") +
+                                   "is not valid TOML: " + std::string(e.description()));
   }
 }
 
@@ -134,13 +136,12 @@ void apply_setting(ConfigNode& root, const std::string& setting, Findings& findi
     findings.error(code, Source::kFromSet, path.substr(0, 60) + (path.size() > 60 ? "..." : ""), what);
   };
   if (equals == std::string::npos || equals == 0)
-    return refuse(code::kMalformedSetting, "is no setting, expected key=value, for example solver.integrator=ida");
-  if (dots_in(path) > kMostParts) return refuse(code::kKeyTooDeep, "the key" + std::string(kTooManyParts));
+    return refuse(kMalformedSetting, "is no setting, expected key=value, for example solver.integrator=ida");
+  if (dots_in(path) > kMostParts) return refuse(kKeyTooDeep, "the key" + std::string(kTooManyParts));
   ConfigNode* node = &root;
   std::istringstream parts(path);
   for (std::string part; std::getline(parts, part, '.');) {
-    if (part.empty())
-      return refuse(code::kMalformedSetting, "has an empty part, expected names separated by single dots");
+    if (part.empty()) return refuse(kMalformedSetting, "has an empty part, expected names separated by single dots");
     if (node->kind == ConfigNode::Kind::kList) {
       node = list_entry(*node, part, path, findings);
       if (!node) return;
@@ -164,16 +165,15 @@ std::string scene_file(const std::string& argument) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   const std::string expected = "a scene file (TOML), or a folder with a scene.toml";
-  if (argument.empty()) throw InputError(code::kNoScene, "the name of the scene is empty; expected " + expected);
+  if (argument.empty()) throw InputError(kNoScene, "the name of the scene is empty; expected " + expected);
   if (fs::is_directory(argument, ignored)) {
     const fs::path file = fs::path(argument) / "scene.toml";
     if (!fs::exists(file, ignored))
-      throw InputError(code::kNoScene, argument + ": is a folder without scene.toml; expected " + expected);
+      throw InputError(kNoScene, argument + ": is a folder without scene.toml; expected " + expected);
     return file.string();
   }
   if (!fs::exists(argument, ignored))
-    throw InputError(code::kNoScene,
-                     argument + ": no such file or folder; expected " + expected + suggested_path(argument));
+    throw InputError(kNoScene, argument + ": no such file or folder; expected " + expected + suggested_path(argument));
   return argument;
 }
 

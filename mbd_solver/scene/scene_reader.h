@@ -1,7 +1,6 @@
 #pragma once
 // Scene file -> Scene: complete, checked, with defaults; or an InputError with all findings.
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -16,10 +15,5 @@ Scene read_scene(const std::string& argument, const std::vector<std::string>& se
 
 // The scene file of such an argument. Throws InputError if there is none.
 std::string scene_file(const std::string& argument);
-
-// All keys of the reader, as "bodies[].shape.radius", without unit suffixes.
-std::set<std::string> known_keys();
-// The keys that were given for this scene, in the same form.
-std::set<std::string> given_keys(const Scene& scene);
 
 }  // namespace footfall

@@ -10,12 +10,14 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-[[noreturn]] void fail(const std::string& what) { throw InputError(code::kScriptMesh, what); }
+[[noreturn]] void fail(const std::string& what) { throw InputError(kScriptMesh, what); }
 
 // Word `at` as a number. Throws InputError.
 double number_at(const Words& words, std::size_t at) {
@@ -84,11 +86,9 @@ void resolve_script_meshes(Scene& scene, Findings& findings) {
     const EntryFindings at(findings, boundary.source);
     for (const char* other :
          {"surface.file", "surface.scale", "surface.position", "surface.orientation", "surface.element_size"})
-      at.error_if(at.given(other), code::kConflictingKeys, other,
-                  "is given by from_script as well; keep one of the two");
+      at.error_if(at.given(other), kConflictingKeys, other, "is given by from_script as well; keep one of the two");
     if (!scene.particles || !scene.particles->source.given("script")) {
-      at.error(code::kNeedsOtherKey, key,
-               "names the mesh \"" + id + "\" of a script, which particles.script must name");
+      at.error(kNeedsOtherKey, key, "names the mesh \"" + id + "\" of a script, which particles.script must name");
       continue;
     }
     const std::string& file = scene.particles->script;
@@ -101,7 +101,7 @@ void resolve_script_meshes(Scene& scene, Findings& findings) {
       if (command.words[1] == id) found = &command;
     }
     if (!found) {
-      at.error(code::kUnknownMesh, key, "unknown fix mesh/surface \"" + id + "\"." + known_names("meshes", id, known));
+      at.error(kUnknownMesh, key, "unknown fix mesh/surface \"" + id + "\"." + known_names("meshes", id, known));
       continue;
     }
     try {

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+
+#include "coupler/base/csv.h"
 
 namespace footfall {
 namespace {
@@ -43,10 +44,8 @@ std::vector<std::string> words_of(const std::string& text) {
 }  // namespace
 
 std::optional<double> as_number(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (end == nullptr || *end != '\0' || end == text.c_str()) return std::nullopt;
-  return value;
+  double value = 0.0;
+  return read_number(text, value) ? std::optional<double>(value) : std::nullopt;
 }
 
 bool ScriptCommand::is_computed() const {

@@ -9,6 +9,8 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 // In addition to the static shapes, which describe most of a short segment.
@@ -37,14 +39,14 @@ bool may_be_cut(const BodySpec& body, Findings& findings) {
   const bool of_shape = f.file.empty() && f.mesh.empty() && f.nodes.empty() && f.stiffness_matrix.empty();
   if (!round || !of_shape)
     findings.error(
-        code::kSegments, body.source, "flexible.segments",
+        kSegments, body.source, "flexible.segments",
         "divides a tube or rod along its axis, but this body has another elastic model; remove it, or define "
         "the bodies and joints one by one");
   for (const char* key : {"inertia", "position", "orientation"})
     if (body.source.given(key))
-      findings.error(code::kSegments, body.source, key, "follows from the shape of each segment; remove it");
+      findings.error(kSegments, body.source, key, "follows from the shape of each segment; remove it");
   if (body.mass_is_remainder)
-    findings.error(code::kSegments, body.source, "mass",
+    findings.error(kSegments, body.source, "mass",
                    "is the remainder, expected a number, or none, for a body in segments");
   return findings.error_count() == before;
 }
@@ -92,13 +94,13 @@ void attach(Scene& scene, const Cut& cut, Findings& findings) {
   for (SpringSpec& spring : scene.springs) {
     const bool acts = spring.bodies[0] == cut.whole.name || spring.bodies[1] == cut.whole.name;
     if (acts && !spring.source.given("point"))
-      findings.error(code::kPointOfAction, spring.source, "point",
+      findings.error(kPointOfAction, spring.source, "point",
                      "is missing; \"" + cut.whole.name + "\" is in segments, of which one is turned");
     for (std::string& name : spring.bodies) pick(name, spring.point);
   }
   for (ForceSpec& force : scene.forces) {
     if (force.body == cut.whole.name && !force.point)
-      findings.error(code::kPointOfAction, force.source, "point",
+      findings.error(kPointOfAction, force.source, "point",
                      "is missing; \"" + cut.whole.name + "\" is in segments, of which one is pushed");
     else
       pick(force.body, force.point.value_or(Eigen::Vector3d::Zero()));
@@ -135,12 +137,12 @@ void cut_boundaries(Scene& scene, const Cut& cut, Findings& findings) {
   for (const BoundarySpec& boundary : scene.boundaries) {
     if (boundary.body != cut.whole.name) continue;
     if (boundary.surface && !boundary.surface->file.empty())
-      findings.error(code::kSegments, boundary.source, "surface.file",
+      findings.error(kSegments, boundary.source, "surface.file",
                      "is one surface, but \"" + cut.whole.name +
                          "\" is in segments; use beams, or give each segment (" + cut.name(0) + ", ...) a surface");
     if (boundary.beams && !boundary.beams->points.empty())
       findings.error(
-          code::kSegments, boundary.source, "beams.points",
+          kSegments, boundary.source, "beams.points",
           "are one chain, but \"" + cut.whole.name + "\" is in segments; remove them: beams follow the axis");
   }
   repeat(scene.boundaries, cut, [&](BoundarySpec& boundary, int) {
@@ -178,7 +180,7 @@ void resolve_segments(Scene& scene, Findings& findings) {
     replace_name(scene.output.bodies, cut);
     for (const ControllerSpec& controller : scene.controllers)
       if (controller.body == body.name)
-        findings.error(code::kUnknownBody, controller.source, "body",
+        findings.error(kUnknownBody, controller.source, "body",
                        "\"" + body.name + "\" is in segments; name one of them, such as \"" + cut.name(0) + "\"");
   }
   scene.bodies = std::move(bodies);

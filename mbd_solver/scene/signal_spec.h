@@ -25,19 +25,8 @@ enum class SignalKind {
   kFuzzy    // rules of a FuzzyLite file, over any inputs
 };
 constexpr std::string_view name_of(SignalKind kind) {
-  switch (kind) {
-    case SignalKind::kExpression: return "expression";
-    case SignalKind::kPid: return "pid";
-    case SignalKind::kLowpass: return "lowpass";
-    case SignalKind::kLowpass2: return "lowpass2";
-    case SignalKind::kNotch: return "notch";
-    case SignalKind::kRateLimit: return "rate_limit";
-    case SignalKind::kSaturation: return "saturation";
-    case SignalKind::kTable: return "table";
-    case SignalKind::kTable2: return "table2";
-    case SignalKind::kFuzzy: return "fuzzy";
-  }
-  return {};
+  return name_in(kind, "expression", "pid", "lowpass", "lowpass2", "notch", "rate_limit", "saturation", "table",
+                 "table2", "fuzzy");
 }
 
 // Inherited: period [s] of every kind (0: continuous); min, max of pid and saturation; the rest of pid, whose error e is the

@@ -78,14 +78,7 @@ enum class SpringKind {
   kBushing  // at `point`: stiffness [N/m], damping [N s/m], rotational_stiffness, rotational_damping; each of them one
             // number, or one for x, y and z of its axes: z = axis, x = axis2
 };
-constexpr std::string_view name_of(SpringKind kind) {
-  switch (kind) {
-    case SpringKind::kTorsion: return "torsion";
-    case SpringKind::kCentring: return "centring";
-    case SpringKind::kBushing: return "bushing";
-  }
-  return {};
-}
+constexpr std::string_view name_of(SpringKind kind) { return name_in(kind, "torsion", "centring", "bushing"); }
 
 // The inherited stiffnesses and dampings have the units of the kind.
 struct SpringSpec : Bushing::Parameters {

@@ -1,15 +1,33 @@
 #pragma once
-// Base of visitors that walk through a Scene: enters what is present and knows the path of each key.
+// A walk through the fields of a Scene that are present, with the path of each key.
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mbd_solver/scene/field_visitor.h"
 
 namespace footfall {
 
-class TrackingVisitor : public FieldVisitor {
+class FieldWalk final : public FieldVisitor {
  public:
+  // Called for every field, the sources of entries included (key "").
+  using Action =
+      std::function<void(const std::string& key, const FieldRef& ref, const Rule& rule, const FieldWalk& walk)>;
+  explicit FieldWalk(Action action) : action_(std::move(action)) {}
+
+  Source* source() const { return stack_.back().source; }  // of the entry around; null outside
+  std::string local(const std::string& key) const { return stack_.back().local + key; }  // within that entry
+  std::string full(const std::string& key) const { return stack_.back().full + key; }    // within the scene, by index
+
+  void field(const std::string& key, const FieldRef& ref, const Rule& rule) override {
+    if (Source* const* source = std::get_if<Source*>(&ref)) {
+      stack_.back().source = *source;
+      stack_.back().local.clear();
+    }
+    action_(key, ref, rule, *this);
+  }
   bool begin_section(const std::string& key, Presence, bool& present) override {
     if (present) push(key);
     return present;
@@ -23,20 +41,6 @@ class TrackingVisitor : public FieldVisitor {
   void end_item() override { stack_.pop_back(); }
   void end_list() override { lists_.pop_back(); }
 
- protected:
-  // Call first in field(): true for the source of an entry, which is then current.
-  bool track(const FieldRef& ref) {
-    Source* const* source = std::get_if<Source*>(&ref);
-    if (source) {
-      stack_.back().source = *source;
-      stack_.back().local.clear();
-    }
-    return source != nullptr;
-  }
-  Source* source() const { return stack_.back().source; }  // of the entry around; null outside
-  std::string local(const std::string& key) const { return stack_.back().local + key; }  // key within that entry
-  std::string full(const std::string& key) const { return stack_.back().full + key; }  // key within the scene, by index
-
  private:
   struct Place {
     Source* source;
@@ -45,8 +49,16 @@ class TrackingVisitor : public FieldVisitor {
   };
   void push(const std::string& key) { stack_.push_back({source(), local(key) + ".", full(key) + "."}); }
 
+  Action action_;
   std::vector<Place> stack_ = {{nullptr, "", ""}};
   std::vector<std::string> lists_;
 };
+
+// The member that a field refers to, if it is of this type; else null.
+template <class T>
+T* member(const FieldRef& ref) {
+  T* const* pointer = std::get_if<T*>(&ref);
+  return pointer ? *pointer : nullptr;
+}
 
 }  // namespace footfall

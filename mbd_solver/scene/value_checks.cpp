@@ -8,8 +8,10 @@
 
 namespace footfall {
 
+using namespace code;
+
 std::string is_expected(const ConfigNode& node, const std::string& expected) {
-  return with_code(code::kWrongType, "is " + node.description() + ", expected " + expected);
+  return with_code(kWrongType, "is " + node.description() + ", expected " + expected);
 }
 
 std::string with_unit(const std::string& what, const Rule& rule) {
@@ -33,7 +35,7 @@ std::string check_range(double value, const Rule& rule) {
   }
   if (expected.empty()) return "";
   const std::string unit = unit_name(rule.unit);
-  return with_code(code::kOutOfRange,
+  return with_code(kOutOfRange,
                    "is " + number_text(value) + (unit.empty() ? "" : " " + unit) + ", expected " + expected);
 }
 
@@ -44,8 +46,7 @@ std::string read_numbers(const ConfigNode& node, const ValueContext& c, std::siz
   if (node.kind != ConfigNode::Kind::kList || (count && node.list.size() != count)) return is_expected(node, expected);
   std::vector<double> result;
   for (const ConfigNode& item : node.list) {
-    if (!item.is_number())
-      return with_code(code::kWrongType, "contains " + item.description() + ", expected " + expected);
+    if (!item.is_number()) return with_code(kWrongType, "contains " + item.description() + ", expected " + expected);
     result.push_back(item.number * c.factor);
     const std::string problem = check_range(result.back(), c.rule);
     if (!problem.empty()) return "number " + std::to_string(result.size()) + " " + problem;

@@ -34,4 +34,16 @@ std::string read_list(const ConfigNode& node, const ValueContext& c, const std::
   return "";
 }
 
+// A list of two.
+template <class T>
+std::string read_pair(const ConfigNode& node, const ValueContext& c, const std::string& expected,
+                      std::array<T, 2>& target) {
+  std::vector<T> list;
+  const std::string problem = read_value(node, c, list);
+  if (!problem.empty()) return problem;
+  if (list.size() != 2) return is_expected(node, expected);
+  target = {list[0], list[1]};
+  return "";
+}
+
 }  // namespace footfall

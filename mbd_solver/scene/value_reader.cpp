@@ -13,6 +13,8 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 using Kind = ConfigNode::Kind;
@@ -54,11 +56,11 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::strin
     return "";
   }
   if (node.kind != Kind::kText) return is_expected(node, "text in quotes");
-  if (node.text.empty() && c.rule.required) return with_code(code::kMissingKey, "is empty, expected a name");
+  if (node.text.empty() && c.rule.required) return with_code(kMissingKey, "is empty, expected a name");
   if (c.rule.meaning == Meaning::kName && !node.text.empty() && !is_plain_name(without_braces(node.text)))
-    return with_code(code::kBadName, "is " + node.description() + ", expected a name of at most " +
-                                         std::to_string(kLongestName) +
-                                         " letters, digits, _ - and . (not first): it becomes a column and a file");
+    return with_code(kBadName, "is " + node.description() + ", expected a name of at most " +
+                                   std::to_string(kLongestName) +
+                                   " letters, digits, _ - and . (not first): it becomes a column and a file");
   target = node.text;
   return "";
 }
@@ -73,12 +75,7 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::vecto
 }
 
 std::string read_value(const ConfigNode& node, const ValueContext& c, std::array<std::string, 2>& target) {
-  std::vector<std::string> names;
-  const std::string problem = read_value(node, c, names);
-  if (!problem.empty()) return problem;
-  if (names.size() != 2) return is_expected(node, "two names of bodies");
-  target = {names[0], names[1]};
-  return "";
+  return read_pair(node, c, "two names of bodies", target);
 }
 
 std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<double>& target) {
@@ -119,17 +116,17 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::vecto
     if (node.kind != Kind::kList) return is_expected(node, expected);
     for (const ConfigNode& item : node.list) {
       if (item.kind != Kind::kList || item.list.size() != 2 || !item.list[0].is_number() || !item.list[1].is_number())
-        return with_code(code::kWrongType, "contains " + item.description() + ", expected " + expected);
+        return with_code(kWrongType, "contains " + item.description() + ", expected " + expected);
       result.emplace_back(item.list[0].number, item.list[1].number * c.factor);
     }
   }
   if (result.size() < 2)
-    return with_code(code::kWrongCount, "has " + std::to_string(result.size()) + " rows, expected at least two");
+    return with_code(kWrongCount, "has " + std::to_string(result.size()) + " rows, expected at least two");
   for (std::size_t i = 1; i < result.size(); ++i) {
     if (!(result[i][0] > result[i - 1][0]))
-      return with_code(code::kNotRising, "does not rise: row " + std::to_string(i + 1) + " begins with " +
-                                             number_text(result[i][0]) + " after " + number_text(result[i - 1][0]) +
-                                             "; expected a rising first column");
+      return with_code(kNotRising, "does not rise: row " + std::to_string(i + 1) + " begins with " +
+                                       number_text(result[i][0]) + " after " + number_text(result[i - 1][0]) +
+                                       "; expected a rising first column");
   }
   target = std::move(result);
   return "";
@@ -160,8 +157,8 @@ std::string read_value(const ConfigNode& node, const ValueContext&, Choice& targ
     target.value = static_cast<int>(i);
     return "";
   }
-  return with_code(code::kUnknownChoice, "is " + node.description() + ", which is none of the choices." +
-                                             known_names("choices", node.text, target.names));
+  return with_code(kUnknownChoice, "is " + node.description() + ", which is none of the choices." +
+                                       known_names("choices", node.text, target.names));
 }
 
 std::string read_value(const ConfigNode& node, const ValueContext& c, NumberOrWord& target) {

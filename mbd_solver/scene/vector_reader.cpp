@@ -10,6 +10,8 @@
 
 namespace footfall {
 
+using namespace code;
+
 namespace {
 
 std::string named_axis(const ConfigNode& node, Eigen::Vector3d& axis) {
@@ -31,7 +33,7 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, Eigen::Vec
   if (!problem.empty()) return problem;
   const Eigen::Vector3d vector(v[0], v[1], v[2]);
   if (direction && !(vector.norm() > 0.0))
-    return with_code(code::kOutOfRange, "is zero and has no direction, expected a vector such as [0, 0, 1]");
+    return with_code(kOutOfRange, "is zero and has no direction, expected a vector such as [0, 0, 1]");
   target = direction ? vector.normalized() : vector;
   return "";
 }
@@ -41,12 +43,7 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::vecto
 }
 
 std::string read_value(const ConfigNode& node, const ValueContext& c, std::array<Eigen::Vector3d, 2>& target) {
-  std::vector<Eigen::Vector3d> points;
-  const std::string problem = read_value(node, c, points);
-  if (!problem.empty()) return problem;
-  if (points.size() != 2) return is_expected(node, "two points [[x, y, z], [x, y, z]]");
-  target = {points[0], points[1]};
-  return "";
+  return read_pair(node, c, "two points [[x, y, z], [x, y, z]]", target);
 }
 
 std::string read_value(const ConfigNode& node, const ValueContext& c, PerAxis& target) {
@@ -92,7 +89,7 @@ std::string read_value(const ConfigNode& node, const ValueContext&, Eigen::Quate
   const auto& [key, value] = node.table.front();
   const bool quaternion = key == "quaternion";
   if (!quaternion && key != "rpy" && key != "rpy_deg")
-    return with_code(code::kUnknownKey, "contains the unknown key \"" + key + "\", expected " + expected);
+    return with_code(kUnknownKey, "contains the unknown key \"" + key + "\", expected " + expected);
   std::vector<double> v;
   const double factor = key == "rpy_deg" ? radians_per_degree() : 1.0;
   const std::string problem = read_numbers(value, {Rule(), factor, ""}, quaternion ? 4 : 3, v);
@@ -103,7 +100,7 @@ std::string read_value(const ConfigNode& node, const ValueContext&, Eigen::Quate
   }
   const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
   if (std::abs(q.norm() - 1.0) > 1e-3)
-    return with_code(code::kOutOfRange, "quaternion has the length " + number_text(q.norm()) + ", expected 1");
+    return with_code(kOutOfRange, "quaternion has the length " + number_text(q.norm()) + ", expected 1");
   target = q.normalized();
   return "";
 }
