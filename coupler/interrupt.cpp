@@ -1,5 +1,5 @@
-// Signal handlers that set flags and an alarm. They may also tell a suspended job that resumes from mpirun's warning:
-// both arrive as SIGCONT, but after a stop the last promise of progress is overdue.
+// Signal handlers that set flags and an alarm. SIGCONT has two meanings: a suspended job resumes, or mpirun warns that it
+// will kill. After a suspension the last promise of progress is overdue.
 
 #include "coupler/interrupt.h"
 

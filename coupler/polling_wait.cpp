@@ -78,8 +78,8 @@ void Doorbell::wait(double seconds) const {
   time.tv_sec = static_cast<time_t>(std::floor(seconds));
   time.tv_nsec = static_cast<long>((seconds - std::floor(seconds)) * 1e9);
   if (ppoll(&bell, 1, &time, nullptr) <= 0) return;
-  char heard[16];
-  while (recv(socket_, heard, sizeof heard, 0) >= 0) {
+  char received[16];
+  while (recv(socket_, received, sizeof received, 0) >= 0) {
   }
 }
 

@@ -1,5 +1,5 @@
-// The root sends by MPI_Isend and polls by MPI_Iprobe; messages reach the other ranks by MPI_Ibcast. Doorbells end the
-// pauses of whoever waits.
+// The root sends by MPI_Isend and polls by MPI_Iprobe; messages reach the other ranks by MPI_Ibcast. Doorbells end
+// pauses early.
 
 #include "coupler/transport_mpi.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// The bodies of the scene that the script couples. The first question about a body makes the handshake with mbd_solver:
-// Hello goes out, and Geometry brings the boundaries of all bodies.
+// The bodies of the scene that the script couples. The first access to a body performs the handshake with mbd_solver:
+// Hello is sent, and Geometry brings the boundaries of all bodies.
 
 #include <set>
 #include <string>

@@ -12,13 +12,13 @@
 #include <limits>
 #include <map>
 
-#include "coupler/base/csv.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/check_command.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/run_command.h"
+#include "mbd_solver/base/csv.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/scene/script_text.h"
 
@@ -46,7 +46,7 @@ GrainsAudit read_grains_audit(const std::string& path) {
   CsvReader csv(path, kExpected);
   csv.next();  // names
   while (csv.next()) {
-    csv.demand_width(kColumns);
+    csv.require_width(kColumns);
     const long window = std::lround(csv.number(0));
     const AuditSource one{csv.text(1), csv.text(2), vector(csv, 3), vector(csv, 6), csv.number(9), csv.number(10)};
     if (one.kind == "clock") {
@@ -82,7 +82,7 @@ MechanismAudit read_mechanism_audit(const std::string& path) {
     for (const std::string_view& name : csv.cells()) names.emplace_back(name);
   if (names.size() < kOwn) csv.fail(code::kAuditDamaged, "expected the names of the columns");
   while (csv.next()) {
-    csv.demand_width(names.size());
+    csv.require_width(names.size());
     MechanismRow& row = audit.rows.emplace_back();
     row.time = csv.number(0);
     row.momentum = vector(csv, 1);

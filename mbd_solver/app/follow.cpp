@@ -11,7 +11,6 @@
 #include <optional>
 
 #include "coupler/base/clock.h"
-#include "coupler/base/csv.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
@@ -19,6 +18,7 @@
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/plots.h"
 #include "mbd_solver/app/report.h"
+#include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/bed/liggghts_log.h"

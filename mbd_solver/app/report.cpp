@@ -8,7 +8,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "coupler/base/csv.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
@@ -16,6 +15,7 @@
 #include "mbd_solver/app/results.h"
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/app/viewer_scripts.h"
+#include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/summary.h"

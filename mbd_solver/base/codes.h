@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of mbd_solver/base: E0430 to E0449.
+// Codes of the messages of mbd_solver/base: E0430 to E0449, and E0250 to E0252 for tables.
 
 #include "coupler/base/errors.h"
 
@@ -17,5 +17,12 @@ inline constexpr MessageCode kNoSuchFile{"E0433", "no-such-file"};
 inline constexpr MessageCode kParameterOutOfRange{"E0434", "parameter-out-of-range"};
 // A file of an earlier run cannot be removed. Check the folder's permissions.
 inline constexpr MessageCode kFileNotRemoved{"E0435", "file-not-removed"};
+
+// A table cannot be opened. Check path and permissions.
+inline constexpr MessageCode kTableNotReadable{"E0250", "table-not-readable"};
+// A cell of a table is not a finite number. Correct the line that is named.
+inline constexpr MessageCode kTableCell{"E0251", "table-cell"};
+// A line of a table has another number of cells than expected. Correct the line that is named.
+inline constexpr MessageCode kTableWidth{"E0252", "table-width"};
 
 }  // namespace footfall::code

@@ -17,7 +17,7 @@ void read_fields(const ConfigNode& root, Scene& scene, Findings& findings);
 void read_fields(const ConfigNode& root, const std::string& folder, const std::function<void(FieldVisitor&)>& describe,
                  Findings& findings);
 
-// Two columns of a text file (coupler/base/csv.h; commas, semicolons or blanks); the first line may name them.
+// Two columns of a text file (mbd_solver/base/csv.h; commas, semicolons or blanks); the first line may name them.
 std::vector<Eigen::Vector2d> read_two_columns(const std::string& file);
 
 }  // namespace footfall

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "coupler/base/csv.h"
+#include "mbd_solver/base/csv.h"
 
 namespace footfall {
 namespace {

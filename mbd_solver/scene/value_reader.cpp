@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "coupler/base/csv.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/csv.h"
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/value_checks.h"
@@ -96,7 +96,7 @@ std::vector<Eigen::Vector2d> read_two_columns(const std::string& file) {
   for (bool first = true; csv.next(); first = false) {
     const char begin = csv.cells().front().front();
     if (first && (std::isalpha(static_cast<unsigned char>(begin)) || begin == '"')) continue;  // names of the columns
-    csv.demand_width(2);
+    csv.require_width(2);
     rows.emplace_back(csv.number(0), csv.number(1));
   }
   return rows;

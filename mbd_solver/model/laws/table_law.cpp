@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/base/csv.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/parameter_check.h"
 #include "mbd_solver/model/codes.h"
 
@@ -138,7 +138,7 @@ TableLawParameters read_table_law(const std::filesystem::path& file) {
       for (std::size_t i = 1; i < width; ++i) p.rate.push_back(csv.number(i));
       continue;
     }
-    csv.demand_width(p.rate.size() + 1);
+    csv.require_width(p.rate.size() + 1);
     const double stroke = csv.number(0);
     if (!p.stroke.empty() && stroke <= p.stroke.back())
       csv.fail(code::kTableCell,

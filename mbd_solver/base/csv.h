@@ -9,20 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "coupler/base/errors.h"
+#include "mbd_solver/base/codes.h"
 
 namespace footfall {
-
-namespace code {
-
-// A table cannot be opened. Check path and permissions.
-inline constexpr MessageCode kTableNotReadable{"E0250", "table-not-readable"};
-// A cell of a table is not a finite number. Correct the line that is named.
-inline constexpr MessageCode kTableCell{"E0251", "table-cell"};
-// A line of a table has another number of cells than expected. Correct the line that is named.
-inline constexpr MessageCode kTableWidth{"E0252", "table-width"};
-
-}  // namespace code
 
 class CsvReader {
  public:
@@ -39,7 +28,7 @@ class CsvReader {
   // Throws InputError if the cell is not a finite number.
   double number(std::size_t column) const;
   // Throws InputError unless the line has so many cells.
-  void demand_width(std::size_t cells) const;
+  void require_width(std::size_t cells) const;
 
   const std::string& path() const { return path_; }
   int line() const { return line_; }                                               // counted from 1
@@ -55,7 +44,7 @@ class CsvReader {
   int line_ = 0;
 };
 
-// The number that a text is, with nothing behind it; false if it is none. Not finite counts as a number.
+// Reads the text as one number; false unless the whole text is a number. inf and nan count as numbers.
 bool read_number(std::string_view text, double& value);
 
 }  // namespace footfall

@@ -1,5 +1,6 @@
-// Text tables line by line, without a copy of the cells. Numbers by from_chars; strtod takes what counts as 0 or infinite.
-#include "coupler/base/csv.h"
+// Text tables line by line, without copies of the cells. Numbers by from_chars, and by strtod beyond the range of double.
+
+#include "mbd_solver/base/csv.h"
 
 #include <charconv>
 #include <cmath>
@@ -54,7 +55,7 @@ double CsvReader::number(std::size_t column) const {
   fail(code::kTableCell, "\"" + text(column).substr(0, 40) + "\", expected a finite number such as -12.5 or 3e4");
 }
 
-void CsvReader::demand_width(std::size_t cells) const {
+void CsvReader::require_width(std::size_t cells) const {
   if (cells_.size() != cells)
     fail(code::kTableWidth, "has " + std::to_string(cells_.size()) + " cells, expected " + std::to_string(cells));
 }
