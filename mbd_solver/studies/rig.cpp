@@ -1,3 +1,4 @@
+// The table of rigs, their checks as settings of a scene, and tools of the evaluations.
 #include "mbd_solver/studies/rig.h"
 
 #include <Eigen/QR>
@@ -8,6 +9,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/tables.h"
 
 namespace footfall {
@@ -71,7 +73,7 @@ const std::vector<Rig>& all_rigs() {
        evaluate_sphere,
        require_sphere,
        false,
-       {{"force k z + m v^2 / d1 explains the trajectories: R^2 at least 0.9", "R^2", 0.9, 1.0,
+       {{"force k z + m v^2 / d1 describes the trajectories: R^2 at least 0.9", "R^2", 0.9, 1.0,
          "Katsuragi and Durian, Nature Phys. 3, 420 (2007)"},
         {"k d1 / (m g) sqrt(rho_b / rho_s) = 3 whatever the friction, within a factor of 1.5", "k d1 over its law", 2.0,
          4.5, "Katsuragi and Durian, PRE 87, 052208 (2013)"},
@@ -86,7 +88,7 @@ const std::vector<Rig>& all_rigs() {
        evaluate_rft,
        require_rft,
        true,
-       {{"the printed coefficients and one scalar: R^2 at least 0.9", "R^2", 0.9, 1.0,
+       {{"the published coefficients and one scalar: R^2 at least 0.9", "R^2", 0.9, 1.0,
          "Li, Zhang and Goldman, Science 339, 1408 (2013)"}}},
   };
   return rigs;
@@ -98,7 +100,7 @@ const Rig& rig_named(const std::string& name) {
     if (rig.name == name) return rig;
     names.emplace_back(rig.name);
   }
-  throw InputError("footfall rig " + name + ": there is no such rig." + known_names("rigs", name, names));
+  throw InputError(code::kUnknownRig, "footfall rig " + name + ": unknown rig." + known_names("rigs", name, names));
 }
 
 namespace {
@@ -131,8 +133,8 @@ RigCheck half_speed(const Scene& scene) {
     for (const auto& [key, f] : parts) {
       if (!f) continue;
       if (!f->table.empty() || f->amplitude != 0.0)
-        throw InputError(scene.file + ": joint \"" + joint.name +
-                         "\": --checks can slow down polynomials of time only");
+        throw InputError(code::kRigCheck, scene.file + ": joint \"" + joint.name +
+                                              "\": --checks requires a motion that is a polynomial of time");
       if (f->polynomial.size() > 1)
         half.settings.push_back("joints." + joint.name + ".motion." + key + ".polynomial=" + slower(f->polynomial));
     }
@@ -142,11 +144,11 @@ RigCheck half_speed(const Scene& scene) {
 
 std::string times(const Eigen::Vector3d& v, double factor) { return list_text({v.x(), v.y(), v.z()}, factor); }
 
-// Of a bed by numbers; throws InputError for one of a script.
+// Throws InputError for a bed from a script.
 const BoxSpec& box_to_change(const Scene& scene) {
   if (!scene.particles || !scene.particles->box)
-    throw InputError("--checks: the bed of " + scene.file +
-                     " comes from a script; bed and grains of [particles.box] are what checks change");
+    throw InputError(code::kRigCheck,
+                     "--checks: " + scene.file + " has no [particles.box], whose bed and grains the checks change");
   return *scene.particles->box;
 }
 
@@ -182,7 +184,7 @@ std::vector<RigCheck> checks_of_holding_bodies(const Scene& scene, bool slow) {
     if (shape.kind == ShapeKind::kMesh)
       append(twice.settings, {key + "shape.scale=" + number_text(2.0 * shape.scale, kRigDigits),
                               key + "shape.position=" + times(shape.position, 2.0)});
-    else  // the lid; its weight is a part of the pressure
+    else  // the lid, whose weight is a part of the pressure
       append(twice.settings,
              {key + "shape.size=" + times(shape.size, 2.0), key + "shape.centre=" + times(shape.centre, 2.0),
               key + "mass=" + number_text(4.0 * body.mass, kRigDigits)});
@@ -208,20 +210,20 @@ History history_of(const RigRun& run) {
 const BodySpec& body_of(const Scene& scene, const std::string& name) {
   for (const BodySpec& body : scene.bodies)
     if (body.name == name) return body;
-  throw InputError(scene.file + ": this rig needs a body named \"" + name + "\"");
+  throw InputError(code::kRigScene, scene.file + ": this rig requires a body named \"" + name + "\"");
 }
 
 const ShapeSpec& mesh_of(const Scene& scene, const std::string& name, const std::string& file) {
   const BodySpec& body = body_of(scene, name);
   if (body.shape && body.shape->kind == ShapeKind::kMesh && std::filesystem::path(body.shape->file).filename() == file)
     return *body.shape;
-  throw InputError(scene.file + ": body \"" + name + "\": the rig expects the mesh " + file +
-                   ", whose dimensions it knows; of another body it would make wrong pressures");
+  throw InputError(code::kRigScene, scene.file + ": body \"" + name + "\": this rig requires the mesh " + file +
+                                        ", whose dimensions its pressures assume");
 }
 
 const BoxSpec& box_of(const Scene& scene) {
   if (!scene.particles || !scene.particles->box)
-    throw InputError(scene.file + ": a rig needs a bed by [particles.box]");
+    throw InputError(code::kRigScene, scene.file + ": a rig requires a bed by [particles.box]");
   return *scene.particles->box;
 }
 
@@ -231,6 +233,11 @@ double mean_surface(const RigRun& run) {
 }
 
 double gravity_of(const RigRun& run) { return run.scene.gravity.norm(); }
+
+double density_of_bed(const BoxSpec& box) {
+  constexpr double kSolidLoose = 0.55, kSolidDense = 0.61;
+  return box.material.density * (box.packing == Packing::kDense ? kSolidDense : kSolidLoose);
+}
 
 Bins binned(const std::vector<double>& x, const std::vector<double>& y, double from, double to, int count) {
   Bins bins;
@@ -272,6 +279,12 @@ LineFit least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& y) {
   const double total = (y.array() - y.mean()).square().sum();
   fit.r_squared = total > 0.0 ? 1.0 - (y - A * fit.c).squaredNorm() / total : 1.0;
   return fit;
+}
+
+Eigen::Vector2d two_coefficients(const Eigen::MatrixXd& A, const Eigen::VectorXd& y) {
+  if (A.rows() == 2) return A.colPivHouseholderQr().solve(y);
+  const LineFit fit = least_squares(A, y);
+  return fit.valid ? Eigen::Vector2d(fit.c) : Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace footfall

@@ -1,6 +1,6 @@
 #pragma once
-// The checks that a rig makes of itself: the same with a bed of twice the size, with grains of half the size, at half the
-// speed.
+// Rigs: scenes that are instruments, run on samples of a bed, and the evaluation of their runs. The runs are a sweep
+// (inputs/rigs/NAME.toml); checks repeat them with twice the bed, half the grains, half the speed.
 
 #include <Eigen/Core>
 #include <string>
@@ -16,15 +16,12 @@ struct RigCheck {
   std::vector<std::string> settings;  // of --set
 };
 
-// Of a scene with a box. Half the speed: every prescribed motion that is a polynomial of time, c_k -> c_k / 2^k, and twice
-// the end time [s]; only where `slow`. Throws InputError where the bed is a script's, or a motion is something else.
+// For a scene with [particles.box]. Half the speed, only if `slow`: every prescribed motion, a polynomial of time, becomes
+// c_k / 2^k, with twice the end time. Throws InputError for a bed from a script, or other motions.
 std::vector<RigCheck> checks_of(const Scene& scene, bool slow);
-// Of a rig whose bodies hold the bed: tray, frame and lid of a shear box, the gate before a slope. Twice the size: bodies,
-// bed and path are twice as long, pressures are the same.
+// For a rig whose bodies contain the bed (tray, frame and lid of a shear box, the gate before a slope): with twice the bed also
+// bodies and motions are twice as long, pressures are unchanged.
 std::vector<RigCheck> checks_of_holding_bodies(const Scene& scene, bool slow);
-
-// A rig: a scene that is an instrument, run on samples of a bed, and what its metrics make of the soil. The runs are an
-// sweep (inputs/rigs/NAME.toml, sweeps/sweep.h); a rig adds the evaluation.
 
 // A finished run of the sweep.
 struct RigRun {
@@ -32,7 +29,7 @@ struct RigRun {
   Scene scene;  // with all its settings
 };
 
-// A number that the rig is for, of one sample of the bed. NaN: the runs do not give it.
+// A number that the rig measures, of one sample of the bed. NaN: the runs do not determine it.
 struct RigAnswer {
   std::string name, unit;
   double value = 0.0;
@@ -49,7 +46,7 @@ struct RigSample {
   std::vector<RigCurve> curves;
 };
 
-// The answer that a law published_values elsewhere gives, nothing fitted but what the law leaves open.
+// The range of an answer that a published law predicts.
 struct RigClaim {
   std::string text, answer;  // the answer's name
   double least = 0.0, most = 0.0;
@@ -61,21 +58,19 @@ struct Rig {
   const char* what;     // for --help
   const char* x_label;  // of the picture
   const char* y_label;
-  // The runs of one sample of the bed, in the order of the sweep. Throws InputError when they are no runs of this
-  // rig.
+  // Evaluates the runs of one sample of the bed, in the order of the sweep. Throws InputError for runs of another rig.
   RigSample (*evaluate)(const std::vector<RigRun>& runs);
-  // What the evaluation needs of the scene, before anything runs. Throws InputError naming what is missing.
+  // Throws InputError, before anything runs, when the scene lacks something that the evaluation requires.
   void (*require)(const Scene& scene);
-  bool slow = true;  // its speed is no subject: half of it is a check
+  bool slow = true;  // half the speed is a check
   std::vector<RigClaim> claims;
   std::vector<RigCheck> (*checks)(const Scene& scene, bool slow) = checks_of;
 };
 
-// All of them; throws InputError for a name that none has.
 const std::vector<Rig>& all_rigs();
-const Rig& rig_named(const std::string& name);
+const Rig& rig_named(const std::string& name);  // throws InputError for an unknown name
 
-// The evaluations; each source says the equations.
+// The evaluations; rig_evaluations.cpp has their equations.
 RigSample evaluate_plate(const std::vector<RigRun>& runs);
 RigSample evaluate_cone(const std::vector<RigRun>& runs);
 RigSample evaluate_wheel(const std::vector<RigRun>& runs);
@@ -94,19 +89,20 @@ void require_repose(const Scene& scene);
 void require_sphere(const Scene& scene);
 void require_rft(const Scene& scene);
 
-// What evaluations of rigs have in common: histories, means over bins, least squares.
+// Tools of the evaluations.
 
 History history_of(const RigRun& run);
-// A body of the scene. Throws InputError naming the rig's need when there is none.
+// A body of the scene. Throws InputError when it is missing.
 const BodySpec& body_of(const Scene& scene, const std::string& name);
-// The shape of one that is the mesh of this file of inputs/rigs/scenes: the rig knows its dimensions by its scale alone.
-// Throws InputError for any other.
+// The shape of a body that is this mesh of inputs/rigs/scenes, whose dimensions follow from its scale. Throws InputError for
+// any other.
 const ShapeSpec& mesh_of(const Scene& scene, const std::string& name, const std::string& file);
-// The bed. Throws InputError when there is none of [particles.box].
+// Throws InputError without [particles.box].
 const BoxSpec& box_of(const Scene& scene);
-// Where the bed's mean surface lies: about a radius of the larger grains below z = 0 [m], negative.
+// Height of the bed's mean surface [m]: about a radius of the larger grains below z = 0, negative.
 double mean_surface(const RigRun& run);
-double gravity_of(const RigRun& run);  // its size [m/s2]
+double gravity_of(const RigRun& run);       // magnitude [m/s2]
+double density_of_bed(const BoxSpec& box);  // bulk [kg/m3]
 
 // Means of x and y over `count` equal bins of x in [from, to]; empty bins are left out.
 struct Bins {
@@ -117,26 +113,26 @@ Bins binned(const std::vector<double>& x, const std::vector<double>& y, double f
 // Mean of the rows after the share `from` of the time.
 double late_mean(const History& history, const std::string& column, double from);
 
-// y = A c by least squares. `valid` is false when there are not more rows than coefficients, or A has not full rank; c is
-// then NaN. R^2 is about the mean of y.
+// y = A c by least squares. Not valid, with c NaN, unless there are more rows than coefficients and A has full rank. R^2 about
+// the mean of y.
 struct LineFit {
   bool valid = false;
   Eigen::VectorXd c;
   double r_squared = 0.0;
 };
 LineFit least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& y);
+// The same for two coefficients, exact for two rows.
+Eigen::Vector2d two_coefficients(const Eigen::MatrixXd& A, const Eigen::VectorXd& y);
 
-// Resistive force theory of dry granular media, with its published_values coefficients: see rft_rig.cpp.
-
-// Stress per depth along x and z, of generic media at scalar one [N/cm^3]. Positive against a motion along +x, and
-// upwards.
+// Resistive force theory with its published coefficients: stress per depth along x and z of generic media with scalar one
+// [N/cm^3]. Positive against a motion along +x, and upwards.
 struct RftAlpha {
   double z = 0.0, x = 0.0;
 };
 // beta, gamma in [-pi/2, pi/2] [rad]: of the plate to the horizontal, of the motion below the horizontal.
 RftAlpha rft_alpha(double beta, double gamma);
 
-// The mu in (0, 2] at which 3D-RFT's xi = weight (894 mu^3 - 386 mu^2 + 89 mu) is `xi`, weight = rho g [N/m^3]; NaN: none.
+// The mu in (0, 2] with xi = weight (894 mu^3 - 386 mu^2 + 89 mu) of 3D-RFT, weight = rho g [N/m^3]; NaN: none.
 double friction_of_xi(double xi, double weight);
 
 }  // namespace footfall

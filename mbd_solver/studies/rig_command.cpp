@@ -1,3 +1,4 @@
+// Turns a rig into a sweep whose runs get a value more, the check, and evaluates finished runs by check and sample.
 #include "mbd_solver/studies/rig_command.h"
 
 #include <algorithm>
@@ -9,16 +10,20 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/results.h"
 #include "mbd_solver/base/quote.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/shipped_files.h"
-#include "mbd_solver/studies/sweep_file.h"
-#include "mbd_solver/studies/sweep_command.h"
+#include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/fits.h"
 #include "mbd_solver/studies/results.h"
 #include "mbd_solver/studies/rig.h"
+#include "mbd_solver/studies/sweep_command.h"
+#include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/studies/tables.h"
 
 namespace footfall {
@@ -27,16 +32,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kAsked = 0.95, kMoved = 0.05;
+constexpr double kConfidence95 = 0.95, kMoved = 0.05;
 constexpr int kSampleDigits = 8;
 
-std::string answer_text(double value) { return std::isfinite(value) ? number_text(value, 4) : "not found"; }
+std::string answer_text(double value) { return std::isfinite(value) ? number_text(value, 4) : "not determined"; }
 
-// "+12 %", beside the mean of the rig itself.
-std::string moved_by(double mean, double own) {
-  if (!std::isfinite(mean) || !std::isfinite(own) || own == 0.0) return "not found";
+// "+12 %", relative to the rig without check.
+std::string change_text(double mean, double own) {
+  if (!std::isfinite(mean) || !std::isfinite(own) || own == 0.0) return "not determined";
   const double share = (mean - own) / std::abs(own);
-  return (share < 0.0 ? "" : "+") + share_text(share) + (std::abs(share) > kMoved ? ", moved" : "");
+  return (share < 0.0 ? "" : "+") + share_text(share) + (std::abs(share) > kMoved ? ", above the limit" : "");
 }
 
 Table answer_table(const std::vector<RigVariant>& variants) {
@@ -50,13 +55,13 @@ Table answer_table(const std::vector<RigVariant>& variants) {
                                     std::isfinite(own.interval) ? number_text(own.interval, 2) : "",
                                     std::to_string(own.samples)};
     for (std::size_t v = 1; v < variants.size(); ++v)
-      row.push_back(moved_by(statistic_of(variants[v].samples, i).mean, own.mean));
+      row.push_back(change_text(statistic_of(variants[v].samples, i).mean, own.mean));
     table.add(row);
   }
   return table;
 }
 
-// A row for each sample of the bed and each check: what the means are made of. Empty: not found.
+// A row per sample of the bed and check: the values of the means. Empty: not determined.
 Table sample_table(const std::vector<RigVariant>& variants) {
   std::vector<std::string> head = {"check", "sample"};
   for (const RigAnswer& answer : variants.front().samples.front().answers) head.push_back(answer.name);
@@ -71,7 +76,7 @@ Table sample_table(const std::vector<RigVariant>& variants) {
   return table;
 }
 
-// A bound lies within the interval. R^2 and the like cannot pass 1, so that bound is none.
+// A bound lies within the interval. 1 is no bound, as R^2 cannot exceed it.
 bool is_open(const RigClaim& claim, const RigStatistic& s) {
   if (!std::isfinite(s.interval)) return false;
   const auto holds = [&](double bound) { return std::abs(bound - s.mean) < s.interval; };
@@ -86,16 +91,16 @@ std::string claim_lines(const Rig& rig, const RigVariant& own) {
         std::find_if(answers.begin(), answers.end(), [&](const RigAnswer& a) { return a.name == claim.answer; });
     FOOTFALL_DEMAND(found != answers.end());
     const RigStatistic s = statistic_of(own.samples, static_cast<std::size_t>(found - answers.begin()));
-    const bool so = s.mean >= claim.least && s.mean <= claim.most;
+    const bool met = s.mean >= claim.least && s.mean <= claim.most;
     text += "| " + claim.text + " (" + claim.source + ") | " + number_text(claim.least) + " to " +
             number_text(claim.most) + " | " + answer_text(s.mean) +
-            (std::isfinite(s.interval) ? " +- " + number_text(s.interval, 2) : "") + " | " + (so ? "yes" : "no") +
-            (is_open(claim, s) ? ", but the interval leaves it open" : "") + " |\n";
+            (std::isfinite(s.interval) ? " +- " + number_text(s.interval, 2) : "") + " | " + (met ? "yes" : "no") +
+            (is_open(claim, s) ? ", but within the interval of uncertainty" : "") + " |\n";
   }
-  return text.empty() ? text : "\n| law | asked | found | met |\n|---|---|---|---|\n" + text;
+  return text.empty() ? text : "\n| law | predicted | measured | agrees |\n|---|---|---|---|\n" + text;
 }
 
-// All curves of the rig itself below each other, a blank line between two.
+// All curves of the rig without checks, one after the other.
 std::string draw_curves(const Rig& rig, const RigVariant& own, const std::string& folder, const std::string& title) {
   Table table({"curve", "x", "y"});
   std::vector<std::string> lines;
@@ -123,7 +128,7 @@ std::string draw_curves(const Rig& rig, const RigVariant& own, const std::string
   try {
     return joined(run_gnuplot(folder, {write_drawing(folder, rig.name, {900, 620}, kCsv, drawing)}), "\n") + "\n";
   } catch (const InputError& e) {
-    std::fprintf(stderr, "footfall: warning: no picture: %s\n", e.what());
+    warn_missing_file("picture", e);
     return "";
   }
 }
@@ -139,11 +144,9 @@ RigStatistic statistic_of(const std::vector<RigSample>& samples, std::size_t ans
       values.push_back(sample.answers[answer].value);
   s.samples = static_cast<int>(values.size());
   if (values.empty()) return s;
-  double sum = 0.0, squares = 0.0;
-  for (const double value : values) sum += value;
-  s.mean = sum / s.samples;
-  for (const double value : values) squares += (value - s.mean) * (value - s.mean);
-  if (s.samples > 1) s.interval = student_t(kAsked, s.samples - 1) * std::sqrt(squares / (s.samples - 1) / s.samples);
+  const SampledMetric sampled = sampled_metric(values);
+  s.mean = sampled.mean;
+  if (s.samples > 1) s.interval = student_t(kConfidence95, s.samples - 1) * sampled.spread / std::sqrt(s.samples);
   return s;
 }
 
@@ -167,39 +170,41 @@ constexpr double kEarth = 9.81, kMoon = 1.62, kMars = 3.71;  // [m/s2]
 
 std::string key_of(const std::string& setting) { return setting.substr(0, setting.find('=')); }
 
-// What the rig varies itself would silently win over --set.
-void demand_free(const SweepSpec& spec, const std::vector<std::string>& settings) {
+// --set would have no effect on keys that the rig varies.
+void require_not_varied(const SweepSpec& spec, const std::vector<std::string>& settings) {
   for (const ParameterSpec& parameter : spec.parameters)
     for (const ChoiceSpec& choice : parameter.choices)
       for (const std::string& varied : choice.settings)
         for (const std::string& setting : settings)
           if (key_of(setting) == key_of(varied))
-            throw InputError("--set " + setting + ": the rig varies this key itself, as its \"" + parameter.name +
-                             "\"; " +
-                             (parameter.ensemble ? "--samples says how many there are"
-                                                 : "copy " + spec.file + ", edit it, and give it by --file"));
+            throw InputError(code::kConflictingKeys,
+                             "--set " + setting + ": the rig varies this key itself, as \"" + parameter.name + "\"; " +
+                                 (parameter.ensemble ? "set their number with --samples"
+                                                     : "edit a copy of " + spec.file + " and use --file"));
 }
 
-// So many samples of the bed: the first ones of the file's one ensemble. Where those are 1, 2, 3 ... there are more.
-void take_samples(SweepSpec& spec, int samples) {
+// Sets the number of samples: the first ones of the file's ensemble; if those are 1, 2, 3 ... there are more.
+void set_samples(SweepSpec& spec, int samples) {
   for (ParameterSpec& parameter : spec.parameters) {
     if (!parameter.ensemble || parameter.settings.empty()) continue;
     std::vector<ChoiceSpec>& choices = parameter.choices;
     const int given = static_cast<int>(choices.size());
     if (samples > given && choices.back().name != std::to_string(given))
-      throw InputError("--samples " + std::to_string(samples) + ": " + spec.file + " names " + std::to_string(given) +
-                       " values of its \"" + parameter.name + "\"; copy it, add values, and give it by --file");
+      throw InputError(code::kWrongOption, "--samples " + std::to_string(samples) + ": " + spec.file + " has " +
+                                               std::to_string(given) + " values of \"" + parameter.name +
+                                               "\"; add values to a copy and use --file");
     for (int k = given + 1; k <= samples; ++k)
       choices.push_back({std::to_string(k), "", filled(parameter.settings, std::to_string(k))});
     choices.resize(static_cast<std::size_t>(samples));
     parameter.short_choices = parameter.choices;
     return;
   }
-  throw InputError(spec.file + ": --samples needs [[parameters]] with ensemble = true, settings and values");
+  throw InputError(code::kNeedsOtherKey,
+                   spec.file + ": --samples requires [[parameters]] with ensemble = true, settings and values");
 }
 
-// An evaluation that fails after hours of runs has lost them.
-void demand_scenes(const Plan& plan, const Rig& rig) {
+// Before the runs, which take hours.
+void require_scenes(const Plan& plan, const Rig& rig) {
   for (const RunRequest& run : plan.runs) {
     const Scene scene = read_scene(run.scene, run.settings);
     box_of(scene);
@@ -207,12 +212,12 @@ void demand_scenes(const Plan& plan, const Rig& rig) {
   }
 }
 
-// Every run again for each check, whose name is the last of its values; without checks they are empty.
-void add_checks(Plan& plan, const Rig& rig, bool wanted) {
+// Repeats every run for each check, whose name is the last of its values; empty without checks.
+void add_checks(Plan& plan, const Rig& rig, bool with_checks) {
   const std::size_t own = plan.runs.size();
   for (std::size_t i = 0; i < own; ++i) {
     plan.runs[i].values.emplace_back();
-    if (!wanted) continue;
+    if (!with_checks) continue;
     const RunRequest run = plan.runs[i];
     const Scene scene = read_scene(run.scene, run.settings);
     for (const RigCheck& check : rig.checks(scene, rig.slow)) {
@@ -227,9 +232,8 @@ void add_checks(Plan& plan, const Rig& rig, bool wanted) {
   }
 }
 
-// The finished runs, by check and sample. A sample of which a run is missing is left out, and said so.
-std::vector<RigVariant> variants_of(const Rig& rig, const SweepSpec& spec, const Plan& plan,
-                                    const Results& results) {
+// The finished runs, by check and sample. Leaves out, and reports, samples with a missing run.
+std::vector<RigVariant> variants_of(const Rig& rig, const SweepSpec& spec, const Plan& plan, const Results& results) {
   struct VariantRuns {
     std::string check;
     std::vector<RigRun> runs;
@@ -250,7 +254,7 @@ std::vector<RigVariant> variants_of(const Rig& rig, const SweepSpec& spec, const
     auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == key; });
     if (group == groups.end()) group = groups.insert(group, {key, VariantRuns{check, {}, true}});
     if (!results.runs[i].end.done()) {
-      std::printf("%s ended with code %d: %s; its sample of the bed is left out\n", request.name.c_str(),
+      std::printf("%s ended with exit code %d: %s; its sample of the bed is left out\n", request.name.c_str(),
                   results.runs[i].end.code, results.runs[i].end.message.c_str());
       group->second.whole = false;
       continue;
@@ -276,7 +280,9 @@ std::string gravity_setting(const std::string& name) {
   if (name == "moon") g = kMoon;
   if (name == "mars") g = kMars;
   if (g == 0.0) g = number_in(name).value_or(0.0);
-  if (!(g > 0.0)) throw InputError("--gravity " + name + ": expected earth, moon, mars, or a number of m/s2 above 0");
+  if (!(g > 0.0))
+    throw InputError(code::kRigGravity,
+                     "--gravity " + name + ": expected earth, moon, mars, or a number above zero [m/s2]");
   return "gravity=[0,0," + number_text(-g) + "]";
 }
 
@@ -302,21 +308,21 @@ int rig_command(const RigArguments& a) {
   if (a.checks) e.again.push_back("--checks");
   e.change = [&](SweepSpec& spec) {
     if (!spec.curves.empty() || spec.growth || spec.parameters.empty())
-      throw InputError(spec.file + ": a rig is made of [[parameters]]");
-    demand_free(spec, settings);
+      throw InputError(code::kRigRuns, spec.file + ": a rig requires [[parameters]], without [[curves]] and [growth]");
+    require_not_varied(spec, settings);
     append(spec.settings, settings);
     append(spec.short_form.settings, settings);
-    if (a.samples > 0) take_samples(spec, a.samples);
+    if (a.samples > 0) set_samples(spec, a.samples);
   };
   e.extend = [&](Plan& plan) {
-    demand_scenes(plan, rig);
+    require_scenes(plan, rig);
     add_checks(plan, rig, a.checks);
   };
   e.write = [&](const SweepSpec& spec, const Plan& plan, const Results& results, const std::string& folder,
                 const std::string& command) {
     const std::vector<RigVariant> variants = variants_of(rig, spec, plan, results);
     if (variants.empty() || variants.front().samples.empty())
-      throw InputError(folder + ": no sample of the bed has all its runs; nothing to evaluate");
+      throw InputError(code::kRigRuns, folder + ": no sample of the bed has all its runs, nothing to evaluate");
     write_rig(rig, variants, folder, spec.title, command + (a.short_form ? " --short" : ""), !a.short_form);
     return results.all_done();
   };

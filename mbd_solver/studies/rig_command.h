@@ -1,5 +1,6 @@
 #pragma once
-// What a rig tells: its answers with their intervals, whether checks move them, whether claims came out, and a picture.
+// footfall rig NAME: a sweep of inputs/rigs, its answers with confidence intervals, their changes by the checks, agreement
+// with published laws, and a picture.
 
 #include <string>
 #include <vector>
@@ -21,12 +22,10 @@ struct RigStatistic {
 };
 RigStatistic statistic_of(const std::vector<RigSample>& samples, std::size_t answer);
 
-// Prints and writes into the folder: NAME.md, NAME.csv, NAME_curves.csv, and NAME.png and .svg. `title` and `command`
-// head the page. Claims are told when `verdicts`. Answers are those of the first sample.
+// Prints the page and writes NAME.md, NAME.csv, NAME_samples.csv, NAME_curves.csv, NAME.png and .svg into the folder. `title`
+// and `command` head the page; `verdicts`: with published laws.
 void write_rig(const Rig& rig, const std::vector<RigVariant>& variants, const std::string& folder,
                const std::string& title, const std::string& command, bool verdicts);
-
-// footfall rig NAME: a sweep of inputs/rigs, and what it makes of the soil.
 
 struct RigArguments {
   std::string name, file, out, gravity;  // file empty: inputs/rigs/NAME.toml; gravity empty: the scene's

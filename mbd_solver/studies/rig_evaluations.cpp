@@ -1,13 +1,15 @@
+// The equations of every rig, and their evaluation from histories of runs.
+//
 // Plate and cone pressed into a bed.
 //
 //   plate  p(s) = (k_c / b + k_phi) s^n    Bekker, Introduction to Terrain-Vehicle Systems (1969)
 //
 // p is the mean pressure on the plate, s the sinkage of its lower face below the bed's mean surface, b its shorter side
-// (its radius when it is round). n is common to all widths; log p is fitted, at 20 depths from two grain radii on.
+// (its radius when it is round). n is common to all widths; log p is fitted at 20 depths, from two grain radii on.
 //
 //   cone   q(s) = F / A = q_0 + G s        A the largest section of the cone, s the depth of its tip
 //
-// G, the gradient of the cone index, is fitted from where the cone is all in the bed.
+// G, the gradient of the cone index, is fitted from the depth of the whole cone on.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +20,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/bed/bed_measures.h"
+#include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/rig.h"
 
 namespace footfall {
@@ -25,15 +28,15 @@ namespace {
 
 constexpr int kBins = 20;
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-constexpr double kShallow = 2.0;  // grain radii of sinkage that are left out
+constexpr double kShallow = 2.0;  // sinkage that is left out [grain radii]
 
-// Sinkage and pressure of a body whose lowest point is drawn at z = 0 + `below` its column z.
+// Pressure over sinkage of a plate of width b [m].
 struct Pressed {
   double b = 0.0, area = 0.0;
   Bins bins;
 };
 
-// Depth of the lowest point below the mean surface, as the run goes on.
+// Depth over time of the lowest point, `lowest` below its column z, under the mean surface [m].
 std::vector<double> sinkage_of(const RigRun& run, const History& history, const std::string& body, double lowest) {
   std::vector<double> s = history.column(body + ".z");
   for (double& z : s) z = mean_surface(run) - (z - lowest);
@@ -45,7 +48,7 @@ std::vector<double> divided_by(std::vector<double> values, double divisor) {
   return values;
 }
 
-// Its width, or its radius, and area; half: of its height [m].
+// Width, or radius, and area; half: half its height [m].
 Pressed plate_in(const Scene& scene, double& half) {
   const BodySpec& plate = body_of(scene, "plate");
   Pressed p;
@@ -58,7 +61,7 @@ Pressed plate_in(const Scene& scene, double& half) {
     p.area = kPi * p.b * p.b;
     half = 0.5 * plate.shape->length;
   } else {
-    throw InputError(scene.file + ": body \"plate\": the rig knows boxes and upright cylinders");
+    throw InputError(code::kRigScene, scene.file + ": body \"plate\": this rig requires a box or an upright cylinder");
   }
   return p;
 }
@@ -110,11 +113,7 @@ RigSample evaluate_plate(const std::vector<RigRun>& runs) {
     B.row(k) << 1.0 / plates[static_cast<std::size_t>(k)].b, 1.0;
     k_b(k) = std::exp(fit.c(k));
   }
-  Eigen::Vector2d k = Eigen::Vector2d::Constant(kNoValue);
-  if (count == 2)
-    k = Eigen::Vector2d(B.colPivHouseholderQr().solve(k_b));
-  else if (const LineFit widths = least_squares(B, k_b); widths.valid)
-    k = widths.c;
+  const Eigen::Vector2d k = two_coefficients(B, k_b);
   sample.answers = {
       {"n", "", fit.c(count)}, {"k_c", "N/m^(n+1)", k(0)}, {"k_phi", "N/m^(n+2)", k(1)}, {"R^2", "", fit.r_squared}};
   for (std::size_t i = 0; i < plates.size(); ++i) {
@@ -131,9 +130,9 @@ RigSample evaluate_cone(const std::vector<RigRun>& runs) {
   RigSample sample;
   for (const RigRun& run : runs) {
     const double diameter = mesh_of(run.scene, "cone", "cone.stl").scale, area = 0.25 * kPi * diameter * diameter;
-    const double length = 0.5 * diameter / std::tan(15.0 * kPi / 180.0);  // of the cone itself
+    const double length = 0.5 * diameter / std::tan(15.0 * kPi / 180.0);  // of the cone
     const History history = history_of(run);
-    // The column is of the centre of mass: what it has gone down is counted from the drawing, where the tip is at 0.
+    // The column is that of the centre of mass; in the reference configuration the tip is at 0.
     const std::vector<double>& z = history.column("cone.z");
     const double clearance = run.scene.initial.clearance.value_or(0.0);
     std::vector<double> s = z;
@@ -163,29 +162,29 @@ RigSample evaluate_cone(const std::vector<RigRun>& runs) {
 // Wheel and shear ring: steady means, over the last 40 % of a run.
 //
 //   wheel   slip i = 1 - v / (omega R); drawbar pull DP = F_x and torque T of the grains on the wheel; sinkage s of its
-//           lowest point below the bed's mean surface. Told are DP / W, T / (W R), W the mean force of the grains upwards.
+//           lowest point below the bed's mean surface. Reported are DP / W and T / (W R), W the mean upward force of the grains.
 //
 //   ring    sigma = F_z / (pi (r_o^2 - r_i^2)),  tau = 3 |M_z| / (2 pi (r_o^3 - r_i^3)),  tau = c + sigma tan(phi)
-//           the stress that a ring of even shear stress brings its moment by [Wong, Theory of Ground Vehicles, 2.4]
+//           for uniform shear stress under the ring [Wong, Theory of Ground Vehicles, 2.4]
 
 namespace {
 
-constexpr double kSteady = 0.6;               // of the time: what follows is the steady part
+constexpr double kSteady = 0.6;               // share of the time before the steady part
 constexpr double kInner = 0.5, kOuter = 1.0;  // radii of ring.stl, in its scale
 
 const MotionSpec& motion_of(const Scene& scene, const std::string& joint) {
   for (const JointSpec& j : scene.joints)
     if (j.name == joint && j.motion) return *j.motion;
-  throw InputError(scene.file + ": this rig needs a joint named \"" + joint + "\" with a motion");
+  throw InputError(code::kRigScene, scene.file + ": this rig requires a joint named \"" + joint + "\" with a motion");
 }
 
-// Of a motion that is a straight line over time: the slip is one number then.
+// The rate of a motion that is linear in time, so that the slip is constant.
 double rate_of(const Scene& scene, const std::string& joint, const char* key,
                const std::optional<TimeFunctionSpec>& f) {
   if (f && f->table.empty() && f->amplitude == 0.0 && (f->polynomial.size() == 1 || f->polynomial.size() == 2))
     return f->polynomial.size() == 2 ? f->polynomial[1] : 0.0;
-  throw InputError(scene.file + ": joint \"" + joint + "\": motion." + key +
-                   ": the rig expects polynomial = [0, RATE], as the slip is told by two steady rates");
+  throw InputError(code::kRigScene, scene.file + ": joint \"" + joint + "\": motion." + key +
+                                        ": this rig requires polynomial = [0, RATE], for a constant slip");
 }
 
 struct Driven {
@@ -195,11 +194,11 @@ struct Driven {
 Driven wheel_of(const Scene& scene) {
   const BodySpec& wheel = body_of(scene, "wheel");
   if (!wheel.shape || wheel.shape->kind != ShapeKind::kCylinder)
-    throw InputError(scene.file + ": body \"wheel\": the rig expects a cylinder");
+    throw InputError(code::kRigScene, scene.file + ": body \"wheel\": this rig requires a cylinder");
   const Driven driven{wheel.shape->radius, rate_of(scene, "rig", "x", motion_of(scene, "rig").x),
                       rate_of(scene, "hub", "rotation", motion_of(scene, "hub").rotation)};
   if (driven.omega == 0.0)
-    throw InputError(scene.file + ": joint \"hub\": motion.rotation: the wheel does not turn, and has no slip");
+    throw InputError(code::kRigScene, scene.file + ": joint \"hub\": motion.rotation: a wheel at rest has no slip");
   return driven;
 }
 
@@ -209,7 +208,7 @@ void require_wheel(const Scene& scene) { wheel_of(scene); }
 
 RigSample evaluate_wheel(const std::vector<RigRun>& runs) {
   RigSample sample;
-  RigCurve trade_off{"drawbar pull", {}, {}}, torque{"torque / (load R)", {}, {}};
+  RigCurve pull{"drawbar pull", {}, {}}, torque{"torque / (load R)", {}, {}};
   for (const RigRun& run : runs) {
     const auto [R, v, omega] = wheel_of(run.scene);
     const double slip = 1.0 - v / (omega * R);
@@ -222,10 +221,10 @@ RigSample evaluate_wheel(const std::vector<RigRun>& runs) {
     sample.answers.push_back({"drawbar pull / load" + at, "", dp});
     sample.answers.push_back({"torque / (load R)" + at, "", t});
     sample.answers.push_back({"sinkage" + at, "m", s});
-    trade_off.x.push_back(slip), trade_off.y.push_back(dp);
+    pull.x.push_back(slip), pull.y.push_back(dp);
     torque.x.push_back(slip), torque.y.push_back(t);
   }
-  sample.curves = {trade_off, torque};
+  sample.curves = {pull, torque};
   return sample;
 }
 
@@ -246,11 +245,7 @@ RigSample evaluate_shear(const std::vector<RigRun>& runs) {
     A.row(row) << 1.0, sigma;
     line.x.push_back(sigma), line.y.push_back(tau(row));
   }
-  Eigen::Vector2d c = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
-  if (A.rows() == 2)
-    c = A.colPivHouseholderQr().solve(tau);
-  else if (const LineFit fit = least_squares(A, tau); fit.valid)
-    c = fit.c;
+  const Eigen::Vector2d c = two_coefficients(A, tau);
   sample.curves = {line};
   sample.answers = {{"friction angle phi", "deg", std::atan(c(1)) * 180.0 / kPi}, {"cohesion c", "Pa", c(0)}};
   for (Eigen::Index i = 0; i < A.rows(); ++i)
@@ -262,18 +257,18 @@ RigSample evaluate_shear(const std::vector<RigRun>& runs) {
 //
 //   tau = |F_x| / A,   sigma = (-F_z - W / 2) / A,   tau = c + sigma tan(phi)
 //
-// F: force of the grains on the tray. W: weight of the grains, half of which lie below the plane; it is what tray, frame and
-// lid feel together, -sum F_z. A is not corrected for how far the frame has been drawn.
+// F: force of the grains on the tray. W: weight of the grains, half of it below the plane; it is -sum F_z of tray, frame and
+// lid. A is not corrected for the displacement of the frame.
 
 namespace {
 
-constexpr double kDrawn = 0.6;   // of the time: what follows is judged
+constexpr double kDrawn = 0.6;   // share of the time before the part that counts
 constexpr double kInside = 2.0;  // inner width of box_tray.stl, in its scale
 
 double load_of(const Scene& scene) {
   for (const ForceSpec& force : scene.forces)
     if (force.name == "load" && force.force && !force.force->polynomial.empty()) return force.force->polynomial.front();
-  throw InputError(scene.file + ": this rig needs a force named \"load\", a polynomial of time");
+  throw InputError(code::kRigScene, scene.file + ": this rig requires a force named \"load\", a polynomial of time");
 }
 
 }  // namespace
@@ -306,11 +301,8 @@ RigSample evaluate_box(const std::vector<RigRun>& runs) {
     ratios.push_back({"sigma" + at, "Pa", sigma});
     ratios.push_back({"tau / sigma" + at, "", tau(row) / sigma});
   }
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  Eigen::Vector2d c = Eigen::Vector2d::Constant(kNone);
+  const Eigen::Vector2d c = two_coefficients(A, tau);
   const LineFit fit = least_squares(A, tau);
-  if (fit.valid) c = fit.c;
-  if (A.rows() == 2) c = A.colPivHouseholderQr().solve(tau);
   sample.curves = {line};
   sample.answers = {{"friction angle phi", "deg", std::atan(c(1)) * 180.0 / kPi}, {"cohesion c", "Pa", c(0)}};
   if (fit.valid) sample.answers.push_back({"R^2", "", fit.r_squared});
@@ -318,8 +310,8 @@ RigSample evaluate_box(const std::vector<RigRun>& runs) {
   return sample;
 }
 
-// Angle of repose: the surface that a wall leaves which has drawn back (analysis/bed_slope.h), between a fifth and four
-// fifths of the height of the step.
+// Angle of repose: the slope (bed_slope) that a retreating wall leaves, between a fifth and four fifths of the height of
+// the step.
 
 namespace {
 
@@ -329,8 +321,8 @@ constexpr double kLowerPart = 0.2, kUpperPart = 0.8;
 
 void require_repose(const Scene& scene) {
   const BoxSpec& box = box_of(scene);
-  if (box.pit.empty()) throw InputError(scene.file + ": this rig needs particles.box.pit");
-  if (!(box.frames > 0.0)) throw InputError(scene.file + ": this rig needs particles.box.frames");
+  if (box.pit.empty()) throw InputError(code::kRigScene, scene.file + ": this rig requires particles.box.pit");
+  if (!(box.frames > 0.0)) throw InputError(code::kRigScene, scene.file + ": this rig requires particles.box.frames");
 }
 
 RigSample evaluate_repose(const std::vector<RigRun>& runs) {
@@ -340,7 +332,7 @@ RigSample evaluate_repose(const std::vector<RigRun>& runs) {
     require_repose(run.scene);
     const BoxSpec& box = box_of(run.scene);
     const auto frames = find_bed_frames(run.folder);
-    if (frames.empty()) throw InputError(run.folder + ": no dumps of the grains");
+    if (frames.empty()) throw InputError(code::kRigRuns, run.folder + ": no dumps of grains");
     const double half = 0.5 * box.size[0], step = box.pit_depth;
     const BedSlope slope = bed_slope(
         read_bed_frame(frames.rbegin()->second),
@@ -357,34 +349,33 @@ RigSample evaluate_repose(const std::vector<RigRun>& runs) {
 //   m a = -m g + k z + m v^2 / d1          Katsuragi and Durian, Nature Phys. 3, 420 (2007)
 //
 // z the depth of its lowest point below the bed's mean surface, downwards positive; a + g upwards. (a + g) is linear in z
-// and v^2: k / m and 1 / d1 by least squares over all trajectories of a sample at once, from two grain radii of depth to
-// the first stop. What comes before is the first contact, which the law leaves out. Means over 40 depths each.
+// and v^2: k / m and 1 / d1 by least squares over all trajectories of a sample, from two grain radii of depth (the law
+// excludes the first contact) to the first stop. Means over 40 depths each.
 //
 //   d1 = (0.25 / mu) (rho_s / rho_b) D,   k = 12 mu (rho_b / rho_s)^(1/2) m g / D     PRE 87, 052208 (2013)
 //
-// At high speed the depth is linear in the speed of the impact, and the time to the stop the same for all [Goldman and
-// Umbanhowar, PRE 77, 021308 (2008)]: told are R^2 of a line through the depths and the time at the largest speed over that
-// at the next one.
+// At high speed the depth is linear in the impact speed, and the time to the stop constant [Goldman and Umbanhowar, PRE 77,
+// 021308 (2008)]: reported are R^2 of a line through the depths, and the time at the largest speed over that at the next one.
 //
-// rho_s of the sphere, rho_b of the bed. Their product does not know the friction mu: it is 3.
+// rho_s of the sphere, rho_b of the bed. The product k d1 does not depend on the friction mu: it is 3 in this law.
 
 namespace {
 
 constexpr int kDropBins = 40;
 constexpr double kDropFirst = 2.0;  // grain radii
-// A run's impact: speed [m/s], depth [m] and time [s] of its first stop.
-struct Standstill {
+// Impact speed [m/s], depth [m] and time [s] of the first stop.
+struct FirstStop {
   double speed = 0.0, depth = 0.0, time = 0.0;
 };
 
-// Of three speeds or more; else NaN.
-std::vector<RigAnswer> linear_depth(std::vector<Standstill> stops) {
-  std::sort(stops.begin(), stops.end(), [](const Standstill& a, const Standstill& b) { return a.speed < b.speed; });
+// For three speeds or more; otherwise NaN.
+std::vector<RigAnswer> linear_depth(std::vector<FirstStop> stops) {
+  std::sort(stops.begin(), stops.end(), [](const FirstStop& a, const FirstStop& b) { return a.speed < b.speed; });
   const auto count = static_cast<Eigen::Index>(stops.size());
   Eigen::MatrixXd A(count, 2);
   Eigen::VectorXd depth(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Standstill& stop = stops[static_cast<std::size_t>(i)];
+    const FirstStop& stop = stops[static_cast<std::size_t>(i)];
     A.row(i) << 1.0, stop.speed;
     depth(i) = stop.depth;
   }
@@ -393,12 +384,10 @@ std::vector<RigAnswer> linear_depth(std::vector<Standstill> stops) {
           {"time to the stop, largest speed over the next", "", ratio}};
 }
 
-constexpr double kSolidLoose = 0.55, kSolidDense = 0.61;
-
 const BodySpec& ball_of(const Scene& scene) {
   const BodySpec& ball = body_of(scene, "ball");
   if (!ball.shape || ball.shape->kind != ShapeKind::kSphere)
-    throw InputError(scene.file + ": body \"ball\": the rig expects a sphere");
+    throw InputError(code::kRigScene, scene.file + ": body \"ball\": this rig requires a sphere");
   return ball;
 }
 
@@ -410,7 +399,7 @@ RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
   RigSample sample;
   std::vector<std::array<double, 3>> rows;  // z, v^2, a + g
   std::vector<RigAnswer> depths;
-  std::vector<Standstill> stops;
+  std::vector<FirstStop> stops;
   for (const RigRun& run : runs) {
     const BodySpec& ball = ball_of(run.scene);
     const History history = history_of(run);
@@ -445,7 +434,7 @@ RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
   const BoxSpec& box = *run.scene.particles->box;
   const double m = ball.mass, g = gravity_of(run), D = 2.0 * ball.shape->radius;
   const double rho_s = m / (kPi / 6.0 * D * D * D);
-  const double rho_b = box.material.density * (box.packing == Packing::kDense ? kSolidDense : kSolidLoose);
+  const double rho_b = density_of_bed(box);
   const double k = m * fit.c(0), d1 = 1.0 / fit.c(1);
   sample.answers = {{"k", "N/m", k},
                     {"d1", "m", d1},
@@ -460,8 +449,7 @@ RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
   return sample;
 }
 
-// RFT, the theory of resistive forces. The stress on a plate that is drawn slowly through a bed is proportional to its
-// depth,
+// Resistive force theory (RFT). The stress on a plate drawn slowly through a bed is proportional to its depth,
 //
 //   sigma_x,z = alpha_x,z(beta, gamma) |z|
 //   alpha_z = zeta sum_m,n [ A_mn cos 2 pi (m beta / pi + n gamma / (2 pi)) + B_mn sin 2 pi (m beta / pi + n gamma / (2 pi)) ]
@@ -475,8 +463,8 @@ RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
 // one plate width on. zeta is fitted by least squares to all alpha_x and alpha_z of a sample; R^2 is
 // 1 - sum (measured - zeta theory)^2 / sum (measured - mean)^2.
 //
-// 3D-RFT has xi = rho_c g (894 mu^3 - 386 mu^2 + 89 mu), Agarwal, Goldman and Kamrin, PNAS 120 (2023);
-// the mu at which it is the fitted scalar is told.
+// 3D-RFT has xi = rho_c g (894 mu^3 - 386 mu^2 + 89 mu), Agarwal, Goldman and Kamrin, PNAS 120 (2023); reported is the mu
+// at which it equals the fitted scalar.
 
 namespace {
 
@@ -486,7 +474,7 @@ constexpr double kMeasuredFrom = 1.0;   // plate widths of depth
 const BodySpec& drawn_plate_of(const Scene& scene) {
   const BodySpec& plate = body_of(scene, "plate");
   if (!plate.shape || plate.shape->kind != ShapeKind::kBox)
-    throw InputError(scene.file + ": body \"plate\": the rig expects a box");
+    throw InputError(code::kRigScene, scene.file + ": body \"plate\": this rig requires a box");
   return plate;
 }
 
@@ -515,7 +503,7 @@ RigSample evaluate_rft(const std::vector<RigRun>& runs) {
     const std::vector<double>&x = history.column("plate.x"), &z = history.column("plate.z");
     const std::vector<double>&fx = history.column("plate.contact.fx"), &fz = history.column("plate.contact.fz");
     const double gamma = std::atan2(-(z.back() - z.front()), x.back() - x.front());
-    // The plate's plane from its attitude: its body x axis, in W, at the drawing.
+    // The plate's plane from its body x axis, in W, in the reference configuration.
     const Eigen::Vector3d along = plate.orientation * Eigen::Vector3d::UnitX();
     double beta = std::atan2(along.z(), along.x());
     if (beta > 0.5 * kPi + 1e-9) beta -= kPi;
@@ -529,7 +517,8 @@ RigSample evaluate_rft(const std::vector<RigRun>& runs) {
       sum_x -= depth * fx[i] / area;  // against the motion
       sum_z += depth * fz[i] / area;
     }
-    if (!(sum_zz > 0.0)) throw InputError(run.folder + ": the plate does not go a plate width deep");
+    if (!(sum_zz > 0.0))
+      throw InputError(code::kRigRuns, run.folder + ": the plate does not reach a depth of its width");
     const RftAlpha alpha = rft_alpha(beta, gamma);
     for (const auto& [mine, theirs, curve] :
          {std::tuple{sum_z / sum_zz, alpha.z, &z_curve}, {sum_x / sum_zz, alpha.x, &x_curve}}) {
@@ -542,7 +531,7 @@ RigSample evaluate_rft(const std::vector<RigRun>& runs) {
   const double zeta = t.dot(m) / t.squaredNorm();
   const double r2 = 1.0 - (m - zeta * t).squaredNorm() / (m.array() - m.mean()).square().sum();
   const BoxSpec& box = *runs.front().scene.particles->box;
-  const double rho = box.material.density * (box.packing == Packing::kDense ? 0.61 : 0.55);
+  const double rho = density_of_bed(box);
   sample.answers = {
       {"scalar zeta", "", zeta},
       {"R^2", "", r2},
