@@ -1,29 +1,29 @@
 #pragma once
-// Codes of the messages about building a mechanism from a scene: E0300 to E0339, W0300 to W0339.
+// Codes of the messages about building a mechanism from a scene: E0260 to E0279, W0260 to W0279.
 
 #include "coupler/base/errors.h"
 
 namespace footfall::code {
 
 // The model of another code weighs another mass than the scene states. Check that it is in m, kg and N.
-inline constexpr MessageCode kModelMass{"E0300", "model-mass"};
+inline constexpr MessageCode kModelMass{"E0260", "model-mass"};
 // A plate has more finite elements than can be reduced in minutes. Use a coarser mesh.
-inline constexpr MessageCode kTooManyElements{"E0301", "too-many-elements"};
+inline constexpr MessageCode kTooManyElements{"E0261", "too-many-elements"};
 // A body is on both sides of a wall at the start, so the wall cannot hold it. Move the body, or exclude it.
-inline constexpr MessageCode kAcrossWall{"E0302", "across-wall"};
+inline constexpr MessageCode kAcrossWall{"E0262", "across-wall"};
 // A mesh of the script is no wall that a contact can use. Correct the mesh.
-inline constexpr MessageCode kWallMesh{"E0303", "wall-mesh"};
+inline constexpr MessageCode kWallMesh{"E0263", "wall-mesh"};
 // A controller has another number of outputs than the scene names. Name as many.
-inline constexpr MessageCode kOutputCount{"E0304", "output-count"};
+inline constexpr MessageCode kOutputCount{"E0264", "output-count"};
 // A continuous signal reads what is known at samples only. Give the signal a period.
-inline constexpr MessageCode kNotContinuous{"E0305", "not-continuous"};
+inline constexpr MessageCode kNotContinuous{"E0265", "not-continuous"};
 // The file of grains does not exist or cannot be read. Make the bed again.
-inline constexpr MessageCode kNoGrainFile{"E0306", "no-grain-file"};
+inline constexpr MessageCode kNoGrainFile{"E0266", "no-grain-file"};
 // The file of grains has a damaged line or no grains. Make the bed again.
-inline constexpr MessageCode kGrainFile{"E0307", "grain-file"};
+inline constexpr MessageCode kGrainFile{"E0267", "grain-file"};
 // initial.clearance needs the height of the ground under a boundary. Give grains, a surface height or a boundary above it.
-inline constexpr MessageCode kNoGroundHeight{"E0308", "no-ground-height"};
+inline constexpr MessageCode kNoGroundHeight{"E0268", "no-ground-height"};
 // A tabulated controller differs from the exact one by this much. Use a finer grid if it matters.
-inline constexpr MessageCode kTableDifference{"W0300", "table-difference"};
+inline constexpr MessageCode kTableDifference{"W0260", "table-difference"};
 
 }  // namespace footfall::code

@@ -19,8 +19,8 @@ void check_surface(const BodySpec& body, const SurfaceSpec& surface, const Entry
       !from_file && !own_mesh && (!body.shape || body.shape->kind == ShapeKind::kPoints), kNoSurface, "surface",
       "cannot be generated: body \"" + body.name + "\" has no shape with a surface; give surface.file or a shape");
   const bool shape_is_mesh = body.shape && body.shape->kind == ShapeKind::kMesh && !own_mesh;
-  at.error_if((from_file || shape_is_mesh) && at.given("surface.element_size") && surface.from_script.empty(),
-              kKeyWithoutEffect, "surface.element_size", "has no effect on a mesh from a file; remove it");
+  at.no_effect_if((from_file || shape_is_mesh) && at.given("surface.element_size") && surface.from_script.empty(),
+                  "surface.element_size", "a mesh from a file");
   for (const char* key : {"surface.scale", "surface.position", "surface.orientation"})
     at.error_if(!from_file && at.given(key), kKeyWithoutEffect, key, "belongs to a surface from a file; remove it");
   if (!at.given("surface.faces")) return;
@@ -35,11 +35,9 @@ void check_surface(const BodySpec& body, const SurfaceSpec& surface, const Entry
 void check_beams(const BodySpec& body, const BeamsSpec& beams, const EntryFindings& at) {
   const bool round = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod);
   const bool frame = is_flexible(body) && !body.flexible->nodes.empty();
-  at.error_if(!round && !frame && beams.points.empty(), kMissingKey, "beams.points",
-              "is missing; only a tube or rod has an axis to follow");
+  at.missing_if(!round && !frame && beams.points.empty(), "beams.points", "only a tube or rod has an axis to follow");
   at.error_if(beams.points.size() == 1, kWrongCount, "beams.points", "is one point, expected two or more");
-  at.error_if(!round && !(beams.radius > 0.0), kMissingKey, "beams.radius",
-              "is missing; only a tube or rod has a diameter");
+  at.missing_if(!round && !(beams.radius > 0.0), "beams.radius", "only a tube or rod has a diameter");
 }
 
 void check_boundary(const Scene& scene, const BoundarySpec& boundary, const EntryFindings& at) {
@@ -57,16 +55,14 @@ void check_boundary(const Scene& scene, const BoundarySpec& boundary, const Entr
 void check_law(const Scene& scene, const std::string& prefix, const ContactLawSpec& law, const EntryFindings& at) {
   at.error_if(law.young && law.stiffness, kConflictingKeys, prefix + "stiffness",
               "follows from young, which is given as well; keep one of the two");
-  at.error_if(!law.young && !law.stiffness, kMissingKey, prefix + "young",
-              "is missing; give young [Pa] or stiffness [N/m^1.5]");
+  at.missing_if(!law.young && !law.stiffness, prefix + "young", "give young [Pa] or stiffness [N/m^1.5]");
   at.error_if(law.restitution && law.damping, kConflictingKeys, prefix + "damping",
               "follows from restitution, which is given as well; keep one of the two");
   at.error_if(law.restitution && *law.restitution <= 0.0, kOutOfRange, prefix + "restitution",
               "is 0, expected more than 0, at most 1");
-  at.error_if(
-      law.restitution && *law.restitution < 1.0 && !law.impact_speed && scene.initial.velocity.isZero(), kMissingKey,
-      prefix + "impact_speed",
-      "is missing; the coefficient of restitution holds at one impact speed, and initial.velocity does not give it");
+  at.missing_if(law.restitution && *law.restitution < 1.0 && !law.impact_speed && scene.initial.velocity.isZero(),
+                prefix + "impact_speed",
+                "the coefficient of restitution holds at one impact speed, and initial.velocity does not give it");
   at.error_if(!(law.poisson > -1.0 && law.poisson < 0.5), kOutOfRange, prefix + "poisson",
               "is " + number_text(law.poisson) + ", expected more than -1 and less than 0.5");
 }

@@ -154,12 +154,12 @@ void check_drives(const Scene& scene, Findings& findings) {
     check_coordinate_of(scene, drive, at);
     check_function(at, "command", drive.command);
     if (drive.command) check_signal_name(scene, at, "command.signal", drive.command->signal);
-    at.error_if(!drive.command, kMissingKey, "command", "is missing; for example command = { polynomial = [0, 0.5] }");
+    at.missing_if(!drive.command, "command", "for example command = { polynomial = [0, 0.5] }");
     check_kind_keys(at, motor.kind, "drive");
-    at.error_if(motor.kind == MotorKind::kBrake && !motor.largest_torque, kMissingKey, "max_torque",
-                "is missing; the torque at which a brake slides [N m]");
-    at.error_if((motor.kind == MotorKind::kSpeed || motor.kind == MotorKind::kPosition) && !(motor.kp > 0.0),
-                kMissingKey, "kp", "is missing; a drive that holds a speed or a position needs it");
+    at.missing_if(motor.kind == MotorKind::kBrake && !motor.largest_torque, "max_torque",
+                  "the torque at which a brake slides [N m]");
+    at.missing_if((motor.kind == MotorKind::kSpeed || motor.kind == MotorKind::kPosition) && !(motor.kp > 0.0), "kp",
+                  "a drive that holds a speed or a position needs it");
     at.error_if(!(motor.efficiency > 0.0), kOutOfRange, "efficiency", "is 0, expected more than 0, at most 1");
     at.error_if(motor.no_load_speed && !motor.largest_torque, kNeedsOtherKey, "max_torque",
                 "is missing; the torque falls from it at rest to 0 at max_speed");

@@ -35,17 +35,16 @@ void check_mr(const Scene& scene, const MrSpec& mr, const EntryFindings& at) {
     at.error_if(mr.geometry->d1 >= mr.geometry->D1, kOutOfRange, "mr.geometry.d1",
                 "is not less than D1; the core must fit into the bypass cylinder");
   } else {
-    at.error_if(!at.given("mr.yield_force") && mr.yield_table.empty(), kMissingKey, "mr.yield_force",
-                "is missing; give it [N], a yield_table, or geometry");
-    at.error_if(!at.given("mr.viscous"), kMissingKey, "mr.viscous", "is missing; give it [N s/m], or geometry");
+    at.missing_if(!at.given("mr.yield_force") && mr.yield_table.empty(), "mr.yield_force",
+                  "give it [N], a yield_table, or geometry");
+    at.missing_if(!at.given("mr.viscous"), "mr.viscous", "give it [N s/m], or geometry");
   }
   check_voltage_table(at, "mr.yield_table", mr.yield_table);
   check_signal_name(scene, at, "mr.signal", mr.signal);
   at.error_if(!mr.signal.empty() && (at.given("mr.voltage") || !mr.controller.empty()), kConflictingKeys, "mr.signal",
               "gives the voltage, as does a controller or voltage; keep one of them");
   if (mr.controller.empty()) return;
-  at.error_if(at.given("mr.voltage"), kConflictingKeys, "mr.voltage",
-              "is given by the controller as well; keep one of the two");
+  at.given_twice_if(at.given("mr.voltage"), "mr.voltage", "the controller");
   std::vector<std::string> outputs;
   for (const ControllerSpec& c : scene.controllers)
     for (const std::string& output : c.outputs) outputs.push_back(c.name + "." + output);
@@ -53,7 +52,7 @@ void check_mr(const Scene& scene, const MrSpec& mr, const EntryFindings& at) {
 }
 
 void check_honeycomb(const HoneycombSpec& h, const EntryFindings& at) {
-  at.error_if(h.stages.empty(), kMissingKey, "honeycomb.stages", "is missing; expected at least one { force, length }");
+  at.missing_if(h.stages.empty(), "honeycomb.stages", "expected at least one { force, length }");
   at.error_if(!h.compression && !h.tension, kEmptyEntry, "honeycomb",
               "acts neither in compression nor in tension; allow one of them");
   for (std::size_t i = 1; i < h.stages.size(); ++i)
@@ -127,8 +126,8 @@ void check_springs(const Scene& scene, Findings& findings) {
                                        [&](const std::string& name) { return is_flexible(scene, name); });
     if (torsion && !at.given("point") && flexible != spring.bodies.end())
       at.error(kPointOfAction, "point", "is missing; \"" + *flexible + "\" is flexible and is turned at a point");
-    at.error_if(torsion && !at.given("axis"), kMissingKey, "axis", "is missing; a torsion spring turns about it");
-    at.error_if(bushing && !at.given("point"), kMissingKey, "point", "is missing; a bushing acts there");
+    at.missing_if(torsion && !at.given("axis"), "axis", "a torsion spring turns about it");
+    at.missing_if(bushing && !at.given("point"), "point", "a bushing acts there");
     check_kind_keys(at, spring.kind, "spring");
     const auto uniform = [](const Eigen::Vector3d& k) { return k.x() == k.y() && k.y() == k.z(); };
     at.error_if(!bushing && !(uniform(spring.stiffness) && uniform(spring.damping)), kWrongCount,
@@ -174,8 +173,7 @@ void check_controllers(const Scene& scene, Findings& findings) {
       if (c.source.written_together("kind", key))
         at.warning(kUnusedKey, key, "has no effect on this kind of controller");
     const bool constant = c.kind == ControllerKind::kConstant, fuzzy = c.kind == ControllerKind::kFuzzy;
-    at.error_if(fuzzy && c.file.empty(), kMissingKey, "file",
-                "is missing; a fuzzy controller is read from an .fll file");
+    at.missing_if(fuzzy && c.file.empty(), "file", "a fuzzy controller is read from an .fll file");
     at.error_if(constant && c.voltages.size() != 1 && c.voltages.size() != outputs, kWrongCount, "voltages",
                 "contains " + std::to_string(c.voltages.size()) + " numbers, expected one, or one per output (" +
                     std::to_string(outputs) + ")");

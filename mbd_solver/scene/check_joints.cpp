@@ -161,11 +161,9 @@ void check_motion_twice(const JointSpec& first, const JointSpec& second, Finding
 void check_axes(const JointSpec& joint, const EntryFindings& at) {
   const JointTraits traits = traits_of(joint.type);
   const double cosine = std::abs(joint.axis.dot(joint.axis2));
-  at.error_if(traits.axis == KeyUse::kRequired && !at.given("axis"), kMissingKey, "axis",
-              "is missing; this type of joint needs it");
-  at.error_if(
-      traits.axis2 == KeyUse::kRequired && !at.given("axis2"), kMissingKey, "axis2",
-      "is missing; a " + std::string(traits.name) + " joint has a second axis, fixed in \"" + joint.bodies[1] + "\"");
+  at.missing_if(traits.axis == KeyUse::kRequired && !at.given("axis"), "axis", "this type of joint needs it");
+  at.missing_if(traits.axis2 == KeyUse::kRequired && !at.given("axis2"), "axis2",
+                "a " + std::string(traits.name) + " joint has a second axis, fixed in \"" + joint.bodies[1] + "\"");
   at.error_if(joint.type == JointType::kUniversal && cosine > kLargestCosine, kJointGeometry, "axis2",
               "makes " + number_text(degrees(std::acos(std::min(1.0, cosine)))) + " degrees with axis, expected 90");
   const bool has_x = joint.type == JointType::kPrescribed || (joint.type == JointType::kPlanar && at.given("axis2"));
@@ -173,20 +171,18 @@ void check_axes(const JointSpec& joint, const EntryFindings& at) {
               "is parallel to axis, expected the x direction of the joint, perpendicular to its z = axis");
   at.error_if(joint.type == JointType::kRolling && at.given("axis2") && cosine > kSameDirection, kJointGeometry,
               "axis2", "is parallel to axis, so the disc lies flat; expected a disc on its edge");
-  at.error_if(traits.radius == KeyUse::kRequired && !joint.radius, kMissingKey, "radius",
-              "is missing; the radius of the wheel [m]");
+  at.missing_if(traits.radius == KeyUse::kRequired && !joint.radius, "radius", "the radius of the wheel [m]");
   for (const auto& [key, use] :
        {std::pair("radius", traits.radius), {"axis2", traits.axis2}, {"length", traits.length}})
-    at.error_if(use == KeyUse::kUnused && at.source().good(key), kKeyWithoutEffect, key,
-                "has no effect on this type of joint; remove it");
+    at.no_effect_if(use == KeyUse::kUnused && at.source().good(key), key, "this type of joint");
 }
 
 }  // namespace
 
 void check_function(const EntryFindings& at, const std::string& key, const std::optional<TimeFunctionSpec>& f) {
   if (!f) return;
-  at.error_if(f->amplitude != 0.0 && f->frequency == 0.0, kMissingKey, key + ".frequency",
-              "is missing; an amplitude needs it (Hz). For a constant use polynomial = [value]");
+  at.missing_if(f->amplitude != 0.0 && f->frequency == 0.0, key + ".frequency",
+                "an amplitude needs it (Hz). For a constant use polynomial = [value]");
   for (std::size_t i = 1; i < f->table.size(); ++i) {
     if (f->table[i].x() > f->table[i - 1].x()) continue;
     at.error(kNotRising, key + ".table",

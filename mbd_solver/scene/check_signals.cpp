@@ -57,8 +57,7 @@ void check_limits_of(const SignalSpec& s, const EntryFindings& at) {
   at.error_if(s.kind == SignalKind::kSaturation && !s.min && !s.max, kEmptyEntry, "",
               "limits nothing; give min, max or both");
   if (s.kind != SignalKind::kPid) return;
-  at.error_if(s.kp == 0.0 && s.ki == 0.0 && s.kd == 0.0, kMissingKey, "kp",
-              "is missing; give at least one of kp, ki, kd");
+  at.missing_if(s.kp == 0.0 && s.ki == 0.0 && s.kd == 0.0, "kp", "give at least one of kp, ki, kd");
   at.error_if((s.min || s.max) && s.ki > 0.0 && s.kp == 0.0, kNeedsOtherKey, "kp",
               "is missing; a limited pid with ki needs kp > 0, which scales the correction of its integral");
   at.error_if(s.kd > 0.0 && s.rate.empty() && s.derivative_frequency == 0.0 && s.period == 0.0, kNeedsOtherKey,
@@ -77,7 +76,7 @@ void check_table(const SignalSpec& s, const EntryFindings& at) {
   if (s.kind != SignalKind::kTable2 || refused("x") || refused("x2") || refused("input2") || refused("values")) return;
   check_rising(at, "x", s.x);
   check_rising(at, "x2", s.x2);
-  at.error_if(s.input2.empty(), kMissingKey, "input2", "is missing; this kind of signal has two inputs");
+  at.missing_if(s.input2.empty(), "input2", "this kind of signal has two inputs");
   at.error_if(s.values.size() != s.x.size() * s.x2.size(), kWrongCount, "values",
               "contains " + std::to_string(s.values.size()) + " numbers, expected one for each pair of x and x2 (" +
                   std::to_string(s.x.size() * s.x2.size()) + ")");

@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages about scene files and LIGGGHTS scripts (E0100 to E0299, W0100 to W0299). The comment above a code
+// Codes of the messages about scene files and LIGGGHTS scripts (E0100 to E0249, W0100 to W0249). The comment above a code
 // says what the message means and what to do; docs/reference/messages.md is made of these lines.
 
 #include "coupler/base/errors.h"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/source.h"
 
 namespace footfall {
@@ -57,6 +58,21 @@ class EntryFindings {
   }
   void error_if(bool wrong, const MessageCode& code, const std::string& key, const std::string& what) const {
     if (wrong) error(code, key, what);
+  }
+  // "KEY is missing; why".
+  void missing(const std::string& key, const std::string& why) const {
+    error(code::kMissingKey, key, "is missing; " + why);
+  }
+  void missing_if(bool wrong, const std::string& key, const std::string& why) const {
+    if (wrong) missing(key, why);
+  }
+  // on: "a mesh from a file".
+  void no_effect_if(bool wrong, const std::string& key, const std::string& on) const {
+    error_if(wrong, code::kKeyWithoutEffect, key, "has no effect on " + on + "; remove it");
+  }
+  // by: "the controller".
+  void given_twice_if(bool wrong, const std::string& key, const std::string& by) const {
+    error_if(wrong, code::kConflictingKeys, key, "is given by " + by + " as well; keep one of the two");
   }
   void warning(const MessageCode& code, const std::string& key, const std::string& what) const {
     findings_.warning(code, source_, key, what);

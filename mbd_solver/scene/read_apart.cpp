@@ -1,11 +1,13 @@
-// A fork with limits of time and memory; the result comes back through a pipe.
+// A fork with limits of time and memory; the result comes back through a file in memory.
 #include "mbd_solver/scene/read_apart.h"
 
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <exception>
@@ -42,16 +44,7 @@ void limit(int resource, rlim_t most) {
   setrlimit(resource, &both);
 }
 
-void send(int pipe, const std::string& text) {
-  for (std::size_t sent = 0; sent < text.size();) {
-    const ssize_t n = ::write(pipe, text.data() + sent, text.size() - sent);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) _exit(1);
-    sent += static_cast<std::size_t>(n);
-  }
-}
-
-[[noreturn]] void answer(int pipe, const std::string& file, std::size_t bytes,
+[[noreturn]] void answer(int result, const std::string& file, std::size_t bytes,
                          const std::function<std::string()>& read) {
   for (const int crash : kCrashes) signal(crash, SIG_DFL);  // no crash report
   limit(RLIMIT_CORE, 0);
@@ -67,44 +60,26 @@ void send(int pipe, const std::string& text) {
   } catch (const std::exception& error) {
     text = kWrong + std::string(error.what());
   }
-  send(pipe, text);
-  _exit(0);
-}
-
-std::string received(int pipe) {
-  std::string text;
-  char buffer[65536];
-  for (;;) {
-    const ssize_t n = ::read(pipe, buffer, sizeof buffer);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return text;
-    text.append(buffer, static_cast<std::size_t>(n));
-  }
+  _exit(::write(result, text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0 : 1);
 }
 
 }  // namespace
 
 std::string read_apart(const std::string& file, std::size_t bytes, const std::function<std::string()>& read) {
-  int ends[2];
-  const auto failed = [&] { return InputError(kFileNotReadable, file + ": cannot be read: " + std::strerror(errno)); };
-  if (pipe(ends) != 0) throw failed();
+  const auto failed = [&] {
+    return InputError(code::kFileNotReadable, file + ": cannot be read: " + std::strerror(errno));
+  };
+  const int result = memfd_create("footfall", MFD_CLOEXEC);
+  if (result < 0) throw failed();
   const pid_t child = fork();
-  if (child < 0) {
-    const InputError error = failed();
-    close(ends[0]);
-    close(ends[1]);
-    throw error;
-  }
-  if (child == 0) {
-    close(ends[0]);
-    answer(ends[1], file, bytes, read);
-  }
-  close(ends[1]);
-  const std::string text = received(ends[0]);
-  close(ends[0]);
+  if (child == 0) answer(result, file, bytes, read);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  std::string text(static_cast<std::size_t>(std::max<off_t>(0, lseek(result, 0, SEEK_END))), '\0');
+  const bool whole = pread(result, &text[0], text.size(), 0) == static_cast<ssize_t>(text.size());
+  close(result);
+  if (child < 0 || !whole) throw failed();
   std::string problem;
   if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)) {
     problem = "was not read within " + std::to_string(seconds_for(bytes)) + " s";

@@ -41,11 +41,10 @@ bool check_shape(const BodySpec& body, Findings& findings) {
   const std::string kind(name_of(shape.kind));
   const int before = findings.error_count();
   for (auto key = keys.begin(); key != keys.end() && *key != "|"; ++key)
-    at.error_if(!at.given("shape." + *key), kMissingKey, "shape." + *key, "is missing; a " + kind + " needs it");
+    at.missing_if(!at.given("shape." + *key), "shape." + *key, "a " + kind + " needs it");
   for (const auto& [path, line] : body.source.lines) {
     const std::string key = path.rfind("shape.", 0) == 0 ? path.substr(6) : "kind";
-    at.error_if(key != "kind" && !is_in(keys, key), kKeyWithoutEffect, path,
-                "has no effect on a " + kind + "; remove it");
+    at.no_effect_if(key != "kind" && !is_in(keys, key), path, "a " + kind);
   }
   const std::set<std::string>& refused = body.source.refused;
   if (std::any_of(refused.begin(), refused.end(), [](const std::string& k) { return k.rfind("shape.", 0) == 0; }))
@@ -129,8 +128,7 @@ bool resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
   const bool mass_given = at.given("mass"), inertia_given = at.given("inertia");
   if (!body.shape) {
     for (const char* key : {"mass", "inertia", "position"})
-      at.error_if(!at.given(key), kMissingKey, key,
-                  "is missing; give it, or give a shape (with a material, or with the mass)");
+      at.missing_if(!at.given(key), key, "give it, or give a shape (with a material, or with the mass)");
     return body.source.good("mass") && inertia_given && at.given("position");
   }
   if (!check_shape(body, findings)) return false;

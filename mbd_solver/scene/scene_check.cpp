@@ -90,14 +90,14 @@ void check_flexible(const Scene& scene, const BodySpec& body, const EntryFinding
   }
   if (f.file.empty() && matrices == 0) {
     if (body.material.empty()) {
-      at.error(kMissingKey, "material", "is missing; a flexible body needs density, young and poisson");
+      at.missing("material", "a flexible body needs density, young and poisson");
     } else if (is_in(names_in(scene.materials), body.material) && !(scene.material(body.material).young > 0.0)) {
       at.all().error(kMissingKey, scene.material(body.material).source, "young",
                      "is missing; the flexible body \"" + body.name + "\" needs it");
     }
   }
-  at.error_if(!f.mesh.empty() && f.thickness <= 0.0 && !(body.shape && body.shape->thickness > 0.0), kMissingKey,
-              "flexible.thickness", "is missing; a plate on a mesh needs it");
+  at.missing_if(!f.mesh.empty() && f.thickness <= 0.0 && !(body.shape && body.shape->thickness > 0.0),
+                "flexible.thickness", "a plate on a mesh needs it");
   const int nodes = static_cast<int>(f.nodes.size());
   for (const MemberSpec& m : f.members) {
     at.error_if(std::max(m.first, m.second) >= nodes || m.first == m.second, kFrameMember, "flexible.members",
@@ -107,8 +107,7 @@ void check_flexible(const Scene& scene, const BodySpec& body, const EntryFinding
       at.error(kUnknownSection, "flexible.members",
                "unknown section \"" + m.section + "\"." + known_names("sections", m.section, names_in(f.sections)));
   }
-  at.error_if(nodes > 0 && f.members.empty(), kMissingKey, "flexible.members",
-              "is missing; nodes without members are no frame");
+  at.missing_if(nodes > 0 && f.members.empty(), "flexible.members", "nodes without members are no frame");
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ void resolve_script_meshes(Scene& scene, Findings& findings) {
     const EntryFindings at(findings, boundary.source);
     for (const char* other :
          {"surface.file", "surface.scale", "surface.position", "surface.orientation", "surface.element_size"})
-      at.error_if(at.given(other), kConflictingKeys, other, "is given by from_script as well; keep one of the two");
+      at.given_twice_if(at.given(other), other, "from_script");
     if (!scene.particles || !scene.particles->source.given("script")) {
       at.error(kNeedsOtherKey, key, "names the mesh \"" + id + "\" of a script, which particles.script must name");
       continue;
