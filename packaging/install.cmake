@@ -1,5 +1,5 @@
 # What `cmake --install` puts where. Two components:
-#   runtime      programs, what a run needs, man pages, completion, docs     package footfall
+#   runtime      programs, inputs, man pages, completion, docs               package footfall
 #   development  headers and libraries: find_package(footfall)               package footfall-dev
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -13,18 +13,29 @@ install(FILES README.md CHANGELOG.md LICENSE packaging/copyright DESTINATION ${C
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT runtime
   FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.txt" PATTERN site EXCLUDE)
 
-# The pages of help are made by the program itself.
-find_program(GZIP gzip REQUIRED)
-set(help ${CMAKE_BINARY_DIR}/help)
-add_custom_command(OUTPUT ${help}/_footfall
-  COMMAND ${CMAKE_COMMAND} -E rm -rf ${help}
-  COMMAND footfall help --write ${help}
-  COMMAND sh -c "exec \"$1\" -9n \"$2\"/*.1" sh ${GZIP} ${help}
-  DEPENDS footfall footfall_studies COMMENT "Man pages and completion" VERBATIM)
-add_custom_target(help_pages ALL DEPENDS ${help}/_footfall)
-install(DIRECTORY ${help}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT runtime FILES_MATCHING PATTERN "*.1.gz")
-install(FILES ${help}/footfall.bash DESTINATION share/bash-completion/completions RENAME footfall COMPONENT runtime)
-install(FILES ${help}/_footfall DESTINATION share/zsh/vendor-completions COMPONENT runtime)
+# Man pages from --help by help2man, where it is installed; a completion for bash that asks `footfall --help`.
+find_program(HELP2MAN help2man)
+find_program(GZIP gzip)
+set(man ${CMAKE_BINARY_DIR}/man)
+set(man_page_files)
+if(HELP2MAN AND GZIP)
+  foreach(command "" run check new view report plot compare sweep accuracy calibrate rig schema test)
+    set(page ${man}/footfall.1.gz)
+    set(name "flexible multibody mechanisms against beds of grains")
+    if(command)
+      set(page ${man}/footfall-${command}.1.gz)
+      set(name "the command ${command} of footfall")
+    endif()
+    add_custom_command(OUTPUT ${page}
+      COMMAND sh -c "mkdir -p \"$5\" && \"$1\" --no-info --no-discard-stderr --version-string=${PROJECT_VERSION} --name=\"$2\" \"$3 $4\" | gzip -9n >\"$6\""
+        sh ${HELP2MAN} ${name} $<TARGET_FILE:footfall> "${command}" ${man} ${page}
+      DEPENDS footfall footfall_studies COMMENT "Man page footfall ${command}" VERBATIM)
+    list(APPEND man_page_files ${page})
+  endforeach()
+endif()
+add_custom_target(man_pages ALL DEPENDS ${man_page_files})
+install(FILES ${man_page_files} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT runtime)
+install(FILES packaging/footfall.bash DESTINATION share/bash-completion/completions RENAME footfall COMPONENT runtime)
 
 # Headers by their full paths, as the sources name them.
 install(DIRECTORY coupler DESTINATION include/footfall COMPONENT development FILES_MATCHING PATTERN "*.h")

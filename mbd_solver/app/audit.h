@@ -69,7 +69,7 @@ enum class AuditVerdict {
   kHolds,
   kWrong,
   kNotExercised,  // nothing was exchanged
-  kNotChecked,    // cannot be known; `note` says why
+  kNotChecked,    // impossible; `note` gives the reason
   kReported       // a value without a bound
 };
 std::string verdict_text(AuditVerdict verdict);
@@ -96,7 +96,7 @@ inline constexpr double kMechanismBound = 1e-6;
 std::vector<AuditLine> audit_lines(const std::string& folder);
 std::vector<AuditLine> audit_lines(const GrainsAudit& grains, const MechanismAudit& mechanism);
 
-// As a table for people; its last line says what it comes to.
+// As an aligned table with a summary in the last line.
 std::string audit_table(const std::vector<AuditLine>& lines);
 bool audit_holds(const std::vector<AuditLine>& lines);
 

@@ -173,9 +173,9 @@ std::string where_liggghts_stopped(const std::string& log, const std::string& sc
   }
   const std::size_t none = commands.size();
   std::size_t at = none;
-  for (const std::string& said : log_lines(log)) {
-    if (said.rfind("ERROR", 0) == 0) break;
-    const std::vector<std::string> line = blank_words(said);
+  for (const std::string& logged : log_lines(log)) {
+    if (logged.rfind("ERROR", 0) == 0) break;
+    const std::vector<std::string> line = blank_words(logged);
     if (line.empty() || (at != none && is_repeated(line, written[at]))) continue;
     // Usually the next command; after a loop an earlier one.
     const std::size_t first = at == none ? 0 : at + 1;
