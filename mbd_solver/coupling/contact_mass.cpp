@@ -67,7 +67,7 @@ double ContactMass::along(const ExternalLoad& felt, const State& state, double H
   q_.segment<3>(first + 3) = equations_.motion(body_).A * T;
   q_.segment(first + 6, Q.size()) = Q;
   moved_ = q_;
-  equations_.respond(state, moved_);
+  equations_.saddle().respond(state, moved_);
   const double yields = q_.dot(moved_);  // [1/kg]
   mass_ = yields * own * kHeld > 1.0 ? 1.0 / yields : std::numeric_limits<double>::infinity();
   return mass_;

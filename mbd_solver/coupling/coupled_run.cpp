@@ -181,7 +181,7 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
 // Masses that are due are found by factors at the window's start.
 void CoupledRun::prepare_masses(const State& state) {
   for (const Coupled& body : bodies_)
-    if (body.mass_age >= kMassHolds && body.contact_mass.asks_mechanism()) return equations_.factor_at(state);
+    if (body.mass_age >= kMassHolds && body.contact_mass.asks_mechanism()) return equations_.saddle().factor_at(state);
 }
 
 void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {

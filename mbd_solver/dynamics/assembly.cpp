@@ -1,3 +1,5 @@
+// Gauss-Newton closes the joints with the smallest correction in the mass metric; given coordinates are reached in steps.
+
 #include "mbd_solver/dynamics/assembly.h"
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/dynamics/codes.h"
 #include "mbd_solver/dynamics/constraint_rows.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/model/elements/gear.h"
@@ -19,9 +22,9 @@
 namespace footfall {
 namespace {
 
-constexpr double kStartStep = 0.05;  // [rad or m]: of a coordinate on its way to the start
+constexpr double kStartStep = 0.05;  // of a coordinate on its way to its start value [rad or m]
 
-// One more condition per given coordinate: it goes from the drawing's zero at t = 0 to its value at t = 1.
+// One more condition per given coordinate: from zero at t = 0 to its value at t = 1.
 Model model_on_the_way(const Model& model, const std::vector<StartCoordinate>& start) {
   Model out = without_forces(model);
   for (const StartCoordinate& given : start) {
@@ -36,7 +39,7 @@ Model model_on_the_way(const Model& model, const std::vector<StartCoordinate>& s
   return out;
 }
 
-// A mechanism that no joint holds to the ground keeps its first body where it was drawn.
+// A mechanism without joints to the ground: its first body returns to its initial position.
 void put_back_first_body(const Model& model, const Layout& layout, State& state) {
   for (int j = 0; j < model.joint_count(); ++j)
     if (model.joint(j).m1.body == kGround || model.joint(j).m2.body == kGround) return;
@@ -72,7 +75,7 @@ void move_to_start(const Model& model, const std::vector<StartCoordinate>& start
     rows.evaluate(state);
     close_joints(on_the_way, layout, rows, state);
     check_contradiction(on_the_way, layout, rows.phi, 1.0,
-                        "on the way to the coordinates of [initial.joints] they do not close; they stay open",
+                        "they cannot be closed on the way to the coordinates of [initial.joints] and stay open",
                         "m or rad");
   }
   state.time = 0.0;
@@ -155,12 +158,12 @@ void close_unbent(const Model& model, State& state) {
 namespace {
 
 constexpr int kMostClosingSteps = 30;
-constexpr double kAssembled = 1e-12;  // [m or rad]: what double precision reaches for mechanisms of metres
-// While the joints are still open by a gap g, redundant conditions look independent to about g: they must not
-// steer the closing.
+constexpr double kAssembled = 1e-12;  // accuracy in double precision for mechanisms of metres [m or rad]
+// While the joints are open by a gap g, redundant conditions appear independent to about g; they must not influence the
+// closing.
 constexpr double kClosingRank = 1e-5;
 
-// The angles of gears (state.z) as they are; with dx, as they will be after this step of the bodies.
+// The angles of gears (state.z) now; with dx, after this step of the bodies.
 void follow_turns(const Model& model, const Layout& layout, const Kinematics& kinematics, const Eigen::VectorXd* dx,
                   State& state) {
   for (int j = 0; j < model.joint_count(); ++j) {
@@ -208,8 +211,9 @@ void check_contradiction(const Model& model, const Layout& layout, const Eigen::
     const int joint = layout.row_joint[static_cast<std::size_t>(row)];
     if (std::abs(defect[row]) > 0.1 * largest && (worst.empty() || worst.back() != joint)) worst.push_back(joint);
   }
-  throw InputError("joints " + joint_names(model, worst) + " contradict each other: " + what + " by " +
-                   number_text(largest, 3) + " " + unit + ". Move one of them, or free one of its directions.");
+  throw InputError(code::kJointsContradict, "joints " + joint_names(model, worst) + " contradict each other: " + what +
+                                                " by " + number_text(largest, 3) + " " + unit +
+                                                ". Move one of them, or free one of its directions.");
 }
 
 std::string joint_names(const Model& model, const std::vector<int>& joints) {
@@ -220,7 +224,7 @@ std::string joint_names(const Model& model, const std::vector<int>& joints) {
 
 namespace {
 
-constexpr double kTellGap = 1e-5;  // [m or rad]: gaps beyond the digits of a drawing are told
+constexpr double kReportedGap = 1e-5;  // larger gaps are reported [m or rad]
 
 State initial_state(const Model& model, const Layout& layout) {
   State state;
@@ -243,8 +247,7 @@ State initial_state(const Model& model, const Layout& layout) {
 
 std::string number(double x) { return number_text(x, 3); }
 
-// Cosine of the angle between the attitude a joint wants and the one it has, where dot products alone cannot
-// tell a half turn.
+// Cosine of the angle between required and actual attitude of a joint, for half turns, which its rows do not detect.
 double attitude_cosine(const Joint& joint, const PairMotion& pair, double t) {
   double smallest = 1.0;
   if (joint.kind == "fixed" || joint.kind == "prismatic") {
@@ -285,20 +288,20 @@ double check_gaps(const Model& model, const Layout& layout, const ConstraintRows
       }
     }
     const PairMotion pair = rows.kinematics().pair(joint.m1.body, joint.m2.body);
-    if (attitude_cosine(joint, pair, t) < 0.0) angle = kPi;  // a half turn, which the sines above do not see
+    if (attitude_cosine(joint, pair, t) < 0.0) angle = kPi;  // a half turn, which the sines above do not detect
     const double gap = std::sqrt(gap2);
     largest = std::max({largest, gap, angle});
     const std::string where =
         (findings.empty() ? "" : "\n") + std::string("joint \"") + joint.name + "\" (" + joint.kind + "): ";
     if (!(gap <= tolerance)) {
-      findings += where + "gap of " + number(gap) + " m in the initial position; at most " + number(tolerance) +
-                  " m is closed silently. Check the positions of its bodies and its point.";
+      findings += where + "gap of " + number(gap) + " m in the initial position (limit " + number(tolerance) +
+                  " m). Check the positions of its bodies and its point.";
     } else if (!(angle <= tolerance)) {
       findings += where + "its axes are off by " + number((angle > 1.0 ? kPi : std::asin(angle)) * 180.0 / kPi) +
                   " degrees in the initial position. Check the attitudes of its bodies and its axes.";
     }
   }
-  if (!findings.empty()) throw InputError(findings);
+  if (!findings.empty()) throw InputError(code::kJointGap, findings);
   return largest;
 }
 
@@ -313,24 +316,27 @@ void note_redundant(const Model& model, const Layout& layout, Assembly& out) {
     }
   }
   for (const auto& [joint, entry] : found)
-    out.notes.push_back("joint \"" + model.joint(joint).name + "\": " + std::to_string(entry.first) + " of its " +
-                        std::to_string(model.joint(joint).rows.size()) + " conditions follow from " +
-                        joint_names(model, {entry.second.begin(), entry.second.end()}) +
-                        " and are redundant: its reactions are the smallest that hold.");
+    out.notes.push_back(with_code(code::kRedundantConditions,
+                                  "joint \"" + model.joint(joint).name + "\": " + std::to_string(entry.first) +
+                                      " of its " + std::to_string(model.joint(joint).rows.size()) +
+                                      " conditions follow from " +
+                                      joint_names(model, {entry.second.begin(), entry.second.end()}) +
+                                      " and are redundant; its reactions are the smallest possible."));
 }
 
-// What a gear turned by more than half a turn on the way to the start: laws and histories count from the turn it is in.
+// Gears that turned by more than half a turn on the way to the start.
 void note_turns(const Model& model, const Layout& layout, Assembly& out) {
   for (int j = 0; j < model.joint_count(); ++j) {
     const int z = layout.joint_turns[static_cast<std::size_t>(j)];
     if (z < 0 || std::abs(out.state.z[z]) <= kPi) continue;
-    out.notes.push_back("joint \"" + model.joint(j).name + "\": its gear starts with an angle of " +
-                        number(out.state.z[z]) +
-                        " rad; what else acts on that angle, and its column, count from the nearest turn.");
+    out.notes.push_back(with_code(code::kGearTurn, "joint \"" + model.joint(j).name +
+                                                       "\": its gear starts at an angle of " + number(out.state.z[z]) +
+                                                       " rad; other laws on this angle and its column count from the "
+                                                       "nearest turn."));
   }
 }
 
-// What the given velocities were changed by, and where they did not fit.
+// The change of the given velocities, and the joint that they did not fit.
 void note_speeds(const Model& model, const Layout& layout, const Eigen::VectorXd& rate, const Eigen::VectorXd& change,
                  bool given, double tolerance, Assembly& out) {
   out.largest_speed_change = change.lpNorm<Eigen::Infinity>();
@@ -341,12 +347,14 @@ void note_speeds(const Model& model, const Layout& layout, const Eigen::VectorXd
   std::size_t body = layout.body_v.size() - 1;
   while (layout.body_v[body] > entry) --body;
   const Eigen::Vector3d dv = change.segment<3>(layout.body_v[body]), dw = change.segment<3>(layout.body_v[body] + 3);
-  out.notes.push_back((given ? "the given initial velocities do not fit the joints: joint \""
-                             : "joints move from the start, and no initial velocities are given: joint \"") +
-                      model.joint(layout.row_joint[static_cast<std::size_t>(row)]).name + "\" would open at " +
-                      number(std::abs(rate[row])) + " m/s or rad/s. The smallest change that fits was made; body \"" +
-                      model.body(static_cast<int>(body)).name() + "\" is changed most, by " + number(dv.norm()) +
-                      " m/s and " + number(dw.norm()) + " rad/s.");
+  out.notes.push_back(with_code(
+      code::kVelocitiesChanged,
+      (given ? std::string("the given initial velocities do not fit the joints: joint \"")
+             : std::string("joints move from the start, and no initial velocities are given: joint \"")) +
+          model.joint(layout.row_joint[static_cast<std::size_t>(row)]).name + "\" would open at " +
+          number(std::abs(rate[row])) + " m/s or rad/s. Velocities were changed by the smallest correction; body \"" +
+          model.body(static_cast<int>(body)).name() + "\" changed most, by " + number(dv.norm()) + " m/s and " +
+          number(dw.norm()) + " rad/s."));
 }
 
 }  // namespace
@@ -355,28 +363,30 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   const Layout layout(model);
   Assembly out;
   out.state = initial_state(model, layout);
-  if (!out.state.z.allFinite()) throw InputError("an inner state of a force element is not finite at the start.");
+  if (!out.state.z.allFinite())
+    throw InputError(code::kNotFinite, "an inner state of a force element is not finite at the start.");
   if (layout.row_count == 0) return out;
   ConstraintRows rows(model, layout);
   rows.evaluate(out.state);
   out.largest_gap = check_gaps(model, layout, rows, out.state.time, options.gap_tolerance);
 
-  if (out.largest_gap > kTellGap) {
+  if (out.largest_gap > kReportedGap) {
     close_unbent(model, out.state);
     rows.evaluate(out.state);
   }
   close_joints(model, layout, rows, out.state);
-  check_contradiction(model, layout, rows.phi, 1.0, "together they cannot be closed; they stay open", "m or rad");
-  if (out.largest_gap > kTellGap)
-    out.notes.push_back("the drawing does not quite close: joints were open by up to " + number(out.largest_gap) +
-                        " m or rad, and bodies were moved by the least that closes them.");
+  check_contradiction(model, layout, rows.phi, 1.0, "they cannot be closed together and stay open", "m or rad");
+  if (out.largest_gap > kReportedGap)
+    out.notes.push_back(with_code(code::kJointsClosed,
+                                  "joints are open in the reference configuration by up to " + number(out.largest_gap) +
+                                      " m or rad; bodies were moved by the smallest displacements that close them."));
   if (!options.start.empty()) {
     move_to_start(model, options.start, out.state);
     rows.evaluate(out.state);
     note_turns(model, layout, out);
   }
 
-  // Velocities: the smallest change that satisfies Phi_v v + Phi_t = 0. Twice, for round-off.
+  // Velocities: the smallest change that satisfies Phi_v v + Phi_t = 0. Twice, because of round-off.
   const Eigen::VectorXd v_given = out.state.v, rate_given = rows.rate;
   for (int i = 0; i < 2 && rows.rate.lpNorm<Eigen::Infinity>() > 0.0; ++i) {
     out.state.v += rows.correction(rows.rate, options.rank_tolerance);
@@ -389,7 +399,8 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   out.redundant = rows.redundant(options.rank_tolerance);
   out.rank = layout.row_count;
   for (int j = 0; j < model.joint_count(); ++j)
-    for (const ConstraintRow& row : model.joint(j).rows) out.rank -= row.inertia > 0.0 ? 1 : 0;  // rotors hold nothing
+    for (const ConstraintRow& row : model.joint(j).rows)
+      out.rank -= row.inertia > 0.0 ? 1 : 0;  // rotors are no conditions
   for (const RedundantGroup& group : out.redundant) out.rank -= static_cast<int>(group.dropped.size());
   note_redundant(model, layout, out);
   return out;

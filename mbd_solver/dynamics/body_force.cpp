@@ -1,3 +1,5 @@
+// Velocities are rotated into B, forces and matrices back into W, by blocks of three.
+
 #include "mbd_solver/dynamics/body_force.h"
 
 #include "mbd_solver/model/rotation.h"

@@ -1,8 +1,7 @@
 #pragma once
 // Inertia, elastic and gravity forces of one body, and the external load on it, in W, with derivatives.
-// Inertia comes from ModalInertia in B and is turned into W: g_W = T g_B, T = diag(A, A, I), because turning
-// the body and turning the frame are the same:  dg/dtheta = -g~ + (dg/dv) v~ + (dg/ddv) dv~  (block by
-// block). Rigid bodies take a short way of their own.
+// Inertia from ModalInertia in B is transformed to W: g_W = T g_B, T = diag(A, A, I). Rotating the body and rotating the frame
+// are equivalent:  dg/dtheta = -g~ + (dg/dv) v~ + (dg/ddv) dv~  (block by block). Rigid bodies have a shorter path.
 
 #include <Eigen/Dense>
 
@@ -31,7 +30,7 @@ void body_mass_matrix(const Body& body, const BodyKinematics& at, InertiaScratch
 void body_mass_product(const Body& body, const BodyKinematics& at, const Eigen::Ref<const Eigen::VectorXd>& x,
                        InertiaScratch& scratch, Eigen::Ref<Eigen::VectorXd> out);
 
-// Of M dv + h: dF/dx, dF/dv, and M (= dF/ddv), all overwritten.
+// Derivatives of M dv + h: dF/dx, dF/dv, and M (= dF/ddv), all overwritten.
 void body_derivatives(const Body& body, const BodyKinematics& at, InertiaScratch& scratch,
                       Eigen::Ref<Eigen::MatrixXd> dF_dx, Eigen::Ref<Eigen::MatrixXd> dF_dv,
                       Eigen::Ref<Eigen::MatrixXd> M);

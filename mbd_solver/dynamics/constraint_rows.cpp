@@ -1,3 +1,6 @@
+// Rows are scaled by the Cholesky factors of the masses; SPQR orders them, and rows behind its rank are combinations of the
+// others.
+
 #include "mbd_solver/dynamics/constraint_rows.h"
 
 #include <Eigen/SPQRSupport>
@@ -14,10 +17,10 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-constexpr double kTakesPart = 1e-6;  // share of a unit row above which it takes part in a combination that is zero
+constexpr double kTakesPart = 1e-6;  // smallest share of a unit row in a combination
 
-// A P = Q [R; 0], R with `rank` rows, its first columns upper triangular. Columns of A are unit vectors; one with less
-// than `tolerance` that is new counts as a combination of the others and stands behind them.
+// A P = Q [R; 0], R with `rank` rows, its first columns upper triangular. Columns of A are unit vectors; one with an
+// independent part below `tolerance` is a combination of the others and follows them.
 struct SparseQr {
   SparseQr(const SparseMatrix& A, double tolerance) : size(A.rows()) {
     qr.setPivotThreshold(tolerance);
@@ -88,7 +91,7 @@ void ConstraintRows::evaluate(const State& state) {
         Eigen::Ref<Eigen::VectorXd> part = phi_v.segment(pair.offset(i), pair.body[i]->size());
         factors_[static_cast<std::size_t>(bodies[i])].triangularView<Eigen::Lower>().solveInPlace(part);
       }
-      if (joint.rows[k].inertia > 0.0) phi_v.setZero();  // a rotor closes nothing
+      if (joint.rows[k].inertia > 0.0) phi_v.setZero();  // a rotor is no condition
       const double size = phi_v.norm();
       if (size > 0.0 && layout_.shared[static_cast<std::size_t>(row)] == 0) scale[row] = 1.0 / size;
       for (int i = 0; i < 2; ++i) {
@@ -102,7 +105,7 @@ void ConstraintRows::evaluate(const State& state) {
   transposed_.resize(layout_.v_size, m);
   transposed_.setFromTriplets(entries.begin(), entries.end());
   transposed_.makeCompressed();
-  // The rows of gears are sums: their lengths are known only now.
+  // The rows of gears are sums: their lengths are known only here.
   for (int row = 0; row < m; ++row) {
     if (layout_.shared[static_cast<std::size_t>(row)] == 0) continue;
     const double size = transposed_.col(row).norm();
@@ -144,20 +147,20 @@ std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) con
   const SparseMatrix R = qr.R.leftCols(rank);
   const auto order = [&](Eigen::Index k) { return qr.order[static_cast<std::size_t>(k)]; };
 
-  // Every row left over is a combination of the others, R x = its column: y = [x; -1] is a null vector of B^T.
+  // Every remaining row is a combination of the others, R x = its column: y = [x; -1] is a null vector of B^T.
   std::vector<int> parent(static_cast<std::size_t>(model_.joint_count()));
   std::iota(parent.begin(), parent.end(), 0);
   std::vector<Eigen::SparseVector<double>> null_vectors;
   std::vector<std::vector<int>> sources;
-  std::vector<int> followers;  // the row left over
-  const auto rotates_only = [&](int row) {
+  std::vector<int> followers;  // the remaining row
+  const auto is_rotor = [&](int row) {
     const std::size_t joint = static_cast<std::size_t>(layout_.row_joint[static_cast<std::size_t>(row)]);
     return model_.joint(static_cast<int>(joint))
                .rows[static_cast<std::size_t>(row - layout_.joint_row[joint])]
                .inertia > 0.0;
   };
   for (Eigen::Index k = rank; k < layout_.row_count; ++k) {
-    if (rotates_only(order(k))) continue;
+    if (is_rotor(order(k))) continue;
     followers.push_back(order(k));
     Eigen::VectorXd x = qr.R.col(k);
     R.triangularView<Eigen::Upper>().solveInPlace(x);
@@ -177,7 +180,7 @@ std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) con
     sources.push_back(std::move(from));
   }
 
-  // One group per set of joints that take part together.
+  // One group per set of joints with common combinations.
   std::map<int, RedundantGroup> groups;
   for (std::size_t k = 0; k < null_vectors.size(); ++k) {
     const int row = followers[k];
@@ -251,7 +254,7 @@ void Redundancy::rest(const Eigen::MatrixXd& combinations) {
     if (moved_to[i] < combinations.cols()) resting_.push_back(static_cast<int>(i));
 }
 
-void Redundancy::take(int k, const Eigen::Ref<const Eigen::VectorXd>& y) {
+void Redundancy::set_combination(int k, const Eigen::Ref<const Eigen::VectorXd>& y) {
   for (std::size_t i = 0; i < rows_.size(); ++i)
     Y_(static_cast<Eigen::Index>(i), k) = s_[static_cast<Eigen::Index>(i)] * y[rows_[i]];
 }

@@ -1,8 +1,8 @@
 #pragma once
 // All conditions of all joints at one state, sparse, in the metric of the mass matrix:
 //   B = D Phi_v C^-T,  M = C C^T,  D scales every row to unit length
-// and what a sparse QR of B^T tells: its rank, the smallest corrections, and the rows that follow from others. Time and
-// memory grow with the number of bodies for chains and trees.
+// A sparse QR of B^T gives its rank, the smallest corrections, and the rows that follow from others. Time and memory grow with
+// the number of bodies for chains and trees.
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -13,7 +13,7 @@
 
 namespace footfall {
 
-// Joints whose conditions depend on each other: k combinations of their rows are zero in every position nearby,
+// Joints with dependent conditions: k combinations of their rows are zero in all positions nearby,
 //   sum_i U_ij phi'_i D_i = 0 for j = 1 .. k
 struct RedundantGroup {
   std::vector<int> joints;                // rising
@@ -30,9 +30,9 @@ class ConstraintRows {
   ConstraintRows(const Model& model, const Layout& layout);
 
   void evaluate(const State& state);
-  // The smallest change (in the mass metric) of positions or velocities that removes the defects, in the sense of least
-  // squares where they contradict each other: -C^-T B^+ D defect. Rows count as dependent when what is new in them is
-  // below `rank_tolerance` of their length.
+  // The smallest change (in the mass metric) of positions or velocities that removes the defects, in the least-squares sense if
+  // they contradict each other: -C^-T B^+ D defect. Rows are dependent if their independent part is below `rank_tolerance` of
+  // their length.
   Eigen::VectorXd correction(const Eigen::VectorXd& defect, double rank_tolerance) const;
   // The groups of joints with redundant rows.
   std::vector<RedundantGroup> redundant(double rank_tolerance) const;
@@ -41,8 +41,8 @@ class ConstraintRows {
   Eigen::VectorXd phi, rate, scale;  // phi, phi', diagonal of D
 
  private:
-  // Lengths of rows, one for the forces of a joint and one for its moments, so that the smallest reactions do not
-  // depend on the directions in which its conditions are written.
+  // Lengths of rows, one for the forces of a joint and one for its moments, so that the smallest reactions do not depend on the
+  // directions of its conditions.
   Eigen::VectorXd joint_lengths(const RedundantGroup& group) const;
 
   const Model& model_;
@@ -53,17 +53,16 @@ class ConstraintRows {
 };
 
 // Redundant conditions in the equations of motion. k combinations Y of the rows of a group of joints are zero in every
-// position: sum_i Y_ij phi''_i = 0. Multipliers along Y move nothing, and what the rows contradict each other by (drift,
-// round-off) has no answer. So k rows rest: their equation is
+// position: sum_i Y_ij phi''_i = 0. Multipliers along Y cause no motion, and contradictions between the rows (drift, round-off)
+// have no solution. Therefore k rows rest: their equation is
 //   F_lambda = phi'' - s^2 lambda           s^2: (Phi_v M^-1 Phi_v^T)_ii of the row, or the mean over its joint
-// instead of phi'' - eps lambda. They follow from the others, so phi'' is what they contradict these by, and lambda that
-// over s^2: round-off. No matrix grows, none fills. Which rows rest is a choice of basis and does not matter for the motion
-// while the combinations written with them, Y = 1 in their own row, are of moderate size: these are the solution of
+// instead of phi'' - eps lambda. They follow from the others, so that phi'' is their contradiction, and lambda that over s^2:
+// round-off. The matrix does not grow. The choice of resting rows is a choice of basis and does not influence the motion as
+// long as the combinations in that basis, Y = 1 in their own row, are of moderate size. They are the solution of
 //   [M, Phi_v^T; Phi_v, -eps; -s^2 where a row rests] [x; y] = [0; -s^2 e]
-// One such solve for all resting rows together shows how large they are; when too large, each is solved for, and other
-// rows take the rest (pivots of Y). |x| in the metric of the mass shows whether they are still zero: if not, the mechanism
-// has left a singular position, and redundant combinations are found anew by QR.
-
+// One such solve for all resting rows together gives their size; if it is too large, each is solved for, and other rows are
+// selected (pivots of Y). |x| in the metric of the mass shows whether they are still zero: if not, the mechanism has left a
+// singular position, and redundant combinations are found again by QR.
 class Redundancy {
  public:
   explicit Redundancy(const RedundantGroup& group);
@@ -73,11 +72,11 @@ class Redundancy {
   const Eigen::VectorXd& s() const { return s_; }               // per row of the group, at the start
   const std::vector<int>& resting() const { return resting_; }  // places in rows()
   int count() const { return count_; }                          // combinations at the start
-  // The pivots of `combinations` (rows of the group times s by combinations, independent) rest from now on.
+  // Lets the pivots of `combinations` (rows of the group times s by combinations, independent) rest.
   void rest(const Eigen::MatrixXd& combinations);
-  // Y, column by column: y in the order of lambda belongs to resting row k; then rest_anew().
-  void take(int k, const Eigen::Ref<const Eigen::VectorXd>& y);
-  void rest_anew() { rest(Y_.leftCols(static_cast<Eigen::Index>(resting_.size()))); }
+  // Sets a column of Y: y, in the order of lambda, of resting row k; after all columns, reselect().
+  void set_combination(int k, const Eigen::Ref<const Eigen::VectorXd>& y);
+  void reselect() { rest(Y_.leftCols(static_cast<Eigen::Index>(resting_.size()))); }
 
  private:
   std::vector<int> joints_, rows_, resting_;

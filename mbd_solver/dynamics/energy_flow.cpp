@@ -1,3 +1,5 @@
+// Differences of all forms between samples, summed with their magnitudes.
+
 #include "mbd_solver/dynamics/energy_flow.h"
 
 #include <algorithm>
@@ -6,11 +8,11 @@
 namespace footfall {
 namespace {
 
-constexpr double kRoundOff = 1e-9;  // of the largest form: what differences of energies keep of sixteen digits
+constexpr double kRoundOff = 1e-9;  // of the largest form: accuracy of differences of energies
 
 }  // namespace
 
-void EnergyFlow::take(const StoredEnergy& stored, const State& state, const Kinematics& kinematics) {
+void EnergyFlow::sample(const StoredEnergy& stored, const State& state, const Kinematics& kinematics) {
   double mass = 0.0;
   Eigen::Vector3d P = Eigen::Vector3d::Zero();
   for (int i = 0; i < model_.body_count(); ++i) {

@@ -1,3 +1,9 @@
+// The residual is assembled body by body, joint by joint and element by element; the Jacobians are gathered once over
+// [v; z; lambda] by increments dx = [dr; dtheta; da] and by velocities, and then
+//   full:     columns of q = stiffness chained by dtheta = (2 R(L) / |L|^2) dL, rows of dq - N v on top;
+//   reduced:  q eliminated by dq = N v at the rate c:
+//             dx = T dv,  T = diag(1/c, (c I + w~/2) / (c^2 + |w|^2 / 4), 1/c).
+
 #include "mbd_solver/dynamics/equations.h"
 
 #include <algorithm>
@@ -5,123 +11,89 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/text.h"
-#include "mbd_solver/dynamics/workspace.h"
+#include "mbd_solver/dynamics/body_force.h"
+#include "mbd_solver/dynamics/jacobian_pattern.h"
+#include "mbd_solver/model/control/continuous_signals.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
-namespace {
 
-// eps of the equations of motion relative to the diagonal of Phi_v M^-1 Phi_v^T.
-constexpr double kRegularisation = 1e-12;
-// A body lighter than this share of the heaviest that joints connect it with counts as so heavy in eps. Between two heavy
-// bodies a light one makes Phi_v M^-1 Phi_v^T large on its diagonal alone; eps would be as large as what holds the two.
-constexpr double kLight = 1e-6;
-// Lighter than this share it is lost in the round-off of the heaviest.
-constexpr double kLost = 1e-15;
+// What Equations writes while it works: sized once, then reused.
+struct Equations::Workspace {
+  Workspace(const Model& model, const Layout& layout);
 
-// Per body: what eps takes its share of a row's length by, 1 for all but very light ones. Throws InputError.
-std::vector<double> shares_in_eps(const Model& model) {
-  std::vector<double> heaviest;
-  for (int i = 0; i < model.body_count(); ++i) heaviest.push_back(model.body(i).mass());
-  // Each pass carries the heaviest mass one joint further.
-  for (bool changed = true; changed;) {
-    changed = false;
-    const auto connect = [&](int a, int b) {
-      if (a == kGround || b == kGround) return;
-      double &at_a = heaviest[static_cast<std::size_t>(a)], &at_b = heaviest[static_cast<std::size_t>(b)];
-      changed = changed || at_a != at_b;
-      at_a = at_b = std::max(at_a, at_b);
-    };
-    for (int j = 0; j < model.joint_count(); ++j) {
-      const Joint& joint = model.joint(j);
-      connect(joint.m1.body, joint.m2.body);
-      if (joint.row_of < 0) continue;
-      for (const int other : {model.joint(joint.row_of).m1.body, model.joint(joint.row_of).m2.body})
-        for (const int own : {joint.m1.body, joint.m2.body}) connect(other, own);
+  PairMotion joint_pair(const Joint& joint) const { return kinematics.pair(joint.m1.body, joint.m2.body); }
+  PairMotion force_pair(const ForceElement& force) const {
+    return kinematics.pair(force.bodies()[0], force.bodies()[1]);
+  }
+
+  Kinematics kinematics;
+  JacobianPattern pattern;
+  Eigen::VectorXd own_diagonal;              // per velocity
+  std::vector<InertiaScratch> inertia;       // per body
+  std::vector<ElementDerivatives> elements;  // per force element
+  Eigen::VectorXd row, row2, row3, row4;     // local rows of the largest pair
+  Eigen::VectorXd local;                     // generalized force of a pair
+  Eigen::MatrixXd K, D, M;                   // local matrices of the largest pair or body
+  Eigen::VectorXd empty;
+  Eigen::VectorXd values, signal_rates;  // inputs with the continuous signals; rates of their states
+  std::vector<int> working_joints;       // with rows that move with time or turn a rotor: the others do no work
+};
+
+Equations::Workspace::Workspace(const Model& model, const Layout& layout)
+    : kinematics(model), pattern(model, layout, kinematics) {
+  int largest = 0;
+  for (int i = 0; i < model.body_count(); ++i) {
+    inertia.emplace_back(model.body(i).mode_count());
+    largest = std::max(largest, 6 + model.body(i).mode_count());
+  }
+  const int n = 2 * largest;
+  local = Eigen::VectorXd::Zero(n);
+  K = D = M = Eigen::MatrixXd::Zero(n, n);
+  int most_states = 0;
+  for (int i = 0; i < model.force_count(); ++i) {
+    const ForceElement& force = model.force(i);
+    const int size = force_pair(force).size(), m = force.state_count();
+    ElementDerivatives d;
+    d.dQ_dx = d.dQ_dv = Eigen::MatrixXd::Zero(size, size);
+    d.dQ_dz = Eigen::MatrixXd::Zero(size, m);
+    d.ddz_dx = d.ddz_dv = Eigen::MatrixXd::Zero(m, size);
+    d.ddz_dz = Eigen::MatrixXd::Zero(m, force.state_block());
+    elements.push_back(d);
+    most_states = std::max(most_states, m);
+  }
+  row = row2 = row3 = row4 = Eigen::VectorXd::Zero(std::max(n, most_states));
+  for (int j = 0; j < model.joint_count(); ++j) {
+    for (const ConstraintRow& r : model.joint(j).rows) {
+      if (!r.motion && !(r.inertia > 0.0) && !r.law) continue;
+      working_joints.push_back(j);
+      break;
     }
   }
-  for (int i = 0; i < model.body_count(); ++i) {
-    double& share = heaviest[static_cast<std::size_t>(i)];
-    if (model.body(i).mass() < kLost * share)
-      throw InputError(
-          "body \"" + model.body(i).name() + "\" weighs " + number_text(model.body(i).mass(), 3) +
-          " kg, and a body of " + number_text(share, 3) +
-          " kg hangs together with it by joints: masses that differ by more than a factor of 1e15 cannot be "
-          "told from each other's round-off. Make it heavier, or leave it out.");
-    share = std::min(1.0, model.body(i).mass() / (kLight * share));
-  }
-  return heaviest;
+  own_diagonal = Eigen::VectorXd::Zero(layout.v_size);
+  signal_rates = Eigen::VectorXd::Zero(layout.z_size - layout.signal_z);
 }
-
-}  // namespace
 
 Equations::Equations(const Model& model, const Assembly& assembly, const Baumgarte& baumgarte)
     : model_(model),
       layout_(model),
       baumgarte_(baumgarte),
-      work_(std::make_unique<Workspace>(model, layout_, assembly.redundant)) {
-  set_row_sizes(assembly.state);
-  rest_rows();
-}
+      work_(std::make_unique<Workspace>(model, layout_)),
+      saddle_(std::make_unique<SaddleSystem>(*this, assembly)) {}
 
 Equations::~Equations() = default;
-
-void Equations::set_row_sizes(const State& state) {
-  Workspace& w = *work_;
-  load(state);
-  const std::vector<double> shares = shares_in_eps(model_);
-  for_each_row(
-      model_, layout_, w.kinematics, state.time, w.row,
-      [&](const RowPlace& at, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-        const Joint& joint = model_.joint(at.joint);
-        const int bodies[2] = {joint.m1.body, joint.m2.body};
-        double size = 0.0, held = 0.0;
-        for (int i = 0; i < 2; ++i) {
-          const int n = pair.body[i]->size();
-          if (n == 0) continue;
-          Eigen::Ref<Eigen::MatrixXd> M = w.M.topLeftCorner(n, n);
-          body_mass_matrix(model_.body(bodies[i]), *pair.body[i], w.inertia[static_cast<std::size_t>(bodies[i])], M);
-          const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
-          const double length2 = part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
-          size += length2;
-          held += shares[static_cast<std::size_t>(bodies[i])] * length2;
-        }
-        w.row_size[at.row] += size;  // of a gear, without what its members share on one body: an estimate
-        w.eps[at.row] += kRegularisation * held;
-      });
-  w.smallest_size = w.row_size;
-  for (const Redundancy& redundancy : w.redundancies) {
-    for (std::size_t i = 0; i < redundancy.rows().size(); ++i) {
-      const double s = redundancy.s()[static_cast<Eigen::Index>(i)];
-      w.smallest_size[redundancy.rows()[i]] = s * s;
-    }
-  }
-}
-
-void Equations::rest_rows() {
-  Workspace& w = *work_;
-  if (!w.redundancies.empty()) ++w.rest_choices;
-  w.regularisation = w.eps;
-  // A row that only gives a joint's coordinate its rotor: lambda = J q''.
-  for (int row = 0; row < layout_.row_count; ++row) {
-    const int joint = layout_.row_joint[static_cast<std::size_t>(row)];
-    const int first = layout_.joint_row[static_cast<std::size_t>(joint)];
-    const double inertia = model_.joint(joint).rows[static_cast<std::size_t>(row - first)].inertia;
-    if (inertia > 0.0) w.regularisation[row] = 1.0 / inertia;
-  }
-  for (const Redundancy& redundancy : w.redundancies)
-    for (const int i : redundancy.resting()) {
-      const int row = redundancy.rows()[static_cast<std::size_t>(i)];
-      w.regularisation[row] = w.smallest_size[row];
-    }
-}
-
-long Equations::rest_choices() const { return work_->rest_choices; }
 
 void Equations::load(const State& state) {
   work_->kinematics.load(layout_, state.q, state.v, work_->empty);
   work_->kinematics.load_turns(layout_, state.z);
 }
+
+void Equations::load(const Eigen::Ref<const Eigen::VectorXd>& y) {
+  work_->kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size), work_->empty);
+  work_->kinematics.load_turns(layout_, y.segment(layout_.z0(), layout_.z_size));
+}
+
+const Kinematics& Equations::kinematics() const { return work_->kinematics; }
 
 const BodyKinematics& Equations::motion(int body) const { return work_->kinematics.of(body); }
 
@@ -132,9 +104,8 @@ ElementInput Equations::element_input(int force, const State& state, const Input
           state.time};
 }
 
-void Equations::demand_fitting(const Inputs& inputs) const {
-  for (int i = 0; i < model_.force_count(); ++i)
-    FOOTFALL_DEMAND(inputs.values.size() >= model_.force(i).input_count());
+void Equations::check_inputs(const Inputs& inputs) const {
+  for (int i = 0; i < model_.force_count(); ++i) FOOTFALL_DEMAND(inputs.values.size() >= model_.force(i).input_count());
   if (inputs.loads.empty()) return;
   FOOTFALL_DEMAND(static_cast<int>(inputs.loads.size()) == model_.body_count());
   for (int i = 0; i < model_.body_count(); ++i) {
@@ -182,10 +153,11 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
     reaction.setZero();
     int row = layout_.joint_row[static_cast<std::size_t>(j)];
     for (const ConstraintRow& written : joint.rows) {
-      const RowValue value =
-          measure_row_with_reaction(written, t, vectors, lambda[row], w.row.head(pair.size()), reaction, w.kinematics.turns(j));
+      const RowValue value = measure_row_with_reaction(written, t, vectors, lambda[row], w.row.head(pair.size()),
+                                                       reaction, w.kinematics.turns(j));
       double& condition = F[layout_.lambda0() + row];
-      if (joint.row_of < 0) condition = -w.regularisation[row] * lambda[row];  // else the row of an earlier joint
+      if (joint.row_of < 0)
+        condition = -saddle_->regularisation()[row] * lambda[row];  // otherwise the row of an earlier joint
       condition += value.acc + alpha2 * value.rate + beta2 * value.phi;
       ++row;
     }
@@ -216,6 +188,482 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
     F.segment(z, m) -= dz;
   }
 }
+
+void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x,
+                           double t, Eigen::Ref<Eigen::VectorXd> out) {
+  Workspace& w = *work_;
+  w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size), w.empty);
+  out = x;
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    const int n = w.kinematics.of(i).size(), v = layout_.v0() + layout_.body_v[at];
+    body_mass_product(model_.body(i), w.kinematics.of(i), x.segment(v, n), w.inertia[at], out.segment(v, n));
+  }
+  for_each_row(
+      model_, layout_, w.kinematics, t, w.row,
+      [&](const RowPlace& at, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+        const Joint& joint = model_.joint(at.joint);
+        const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
+        double sum = at.adds ? out[layout_.lambda0() + at.row] : 0.0;
+        for (int i = 0; i < 2; ++i) {
+          const int n = pair.body[i]->size();
+          if (n > 0)
+            sum += phi_v.segment(pair.offset(i), n).dot(x.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n));
+        }
+        out[layout_.lambda0() + at.row] = sum;
+      });
+}
+
+// --- Energies and powers.
+
+namespace {
+
+void add_stored(const Body& model, const BodyKinematics& body, const Eigen::Vector3d& gravity, Eigen::VectorXd& scratch,
+                StoredEnergy& stored) {
+  const Eigen::Vector3d w_B = body.A.transpose() * body.w;
+  if (body.modes == 0) {
+    stored[Stored::kKinetic] += 0.5 * model.mass() * body.dr.squaredNorm() + 0.5 * w_B.dot(model.rigid_inertia() * w_B);
+  } else {
+    Eigen::Ref<Eigen::VectorXd> v_B = scratch.head(body.size());
+    v_B.head<3>() = body.A.transpose() * body.dr;
+    v_B.segment<3>(3) = w_B;
+    v_B.tail(body.modes) = body.da;
+    stored[Stored::kKinetic] += model.inertia().kinetic_energy(body.a, v_B);
+    stored[Stored::kStrain] += model.inertia().strain_energy(body.a);
+  }
+  stored[Stored::kGravity] -= model.mass() * gravity.dot(body.r);
+}
+
+}  // namespace
+
+void Equations::energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs, EnergySample& out) {
+  sample_energy(t, y, inputs, true, out);
+}
+
+void Equations::powers(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs, EnergySample& out) {
+  sample_energy(t, y, inputs, false, out);
+}
+
+void Equations::sample_energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs,
+                              bool stored_by_bodies, EnergySample& out) {
+  Workspace& w = *work_;
+  w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size), w.empty);
+  out.stored = {};
+  out.power = {};
+  out.supplied = {};
+  out.load_power.setZero(model_.body_count());
+
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    const BodyKinematics& body = w.kinematics.of(i);
+    if (stored_by_bodies) add_stored(model_.body(i), body, model_.gravity(), w.local, out.stored);
+    if (body.modes > 0) out.power[Dissipation::kModal] += model_.body(i).inertia().damping_power(body.da);
+    if (inputs.loads.empty()) continue;
+    Eigen::Ref<Eigen::VectorXd> Q = w.local.head(body.size());
+    Q.setZero();
+    add_load_force(inputs.loads[at], body, Q);
+    out.load_power[i] = Q.dot(y.segment(layout_.v0() + layout_.body_v[at], body.size()));
+  }
+  const Eigen::VectorXd& values = input_values_at(t, y, inputs);
+  for (int i = 0; i < model_.force_count(); ++i) {
+    const ForceElement& element = model_.force(i);
+    const int z = layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)];
+    const ElementInput in{w.force_pair(element), y.segment(z, element.state_count()), values, t};
+    element.add_energy(in, out.stored, out.power);
+    element.add_supply(in, out.supplied);
+  }
+  // The work of joint forces -Phi_v^T lambda is -lambda Phi_v v, which is zero except for prescribed motions.
+  for (const int j : w.working_joints) {
+    for_each_row_of(
+        j, model_, layout_, w.kinematics, t, w.row,
+        [&](const RowPlace& at, const PairMotion&, const Eigen::Ref<Eigen::VectorXd>&, const RowValue& value) {
+          // A rotor: 1/2 J q'^2, J = 1 / eps.
+          if (value.speed != 0.0)
+            out.stored[Stored::kKinetic] += 0.5 * value.speed * value.speed / saddle_->regularisation()[at.row];
+          if (value.phi_t != 0.0)
+            out.supplied[Supply::kMotion] -= y[layout_.lambda0() + at.row] * (value.rate - value.phi_t);
+        });
+  }
+}
+
+Vector6d Equations::joint_wrench(int index, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const {
+  const Joint& joint = model_.joint(index);
+  return footfall::joint_wrench(
+      joint, work_->joint_pair(joint), t,
+      lambda.segment(layout_.joint_row[static_cast<std::size_t>(index)], static_cast<Eigen::Index>(joint.rows.size())));
+}
+
+// --- Jacobians.
+
+namespace {
+
+// Of a body's contribution to the diagonal: Newton takes one iteration in a hundred more.
+constexpr double kNegligible = 3e-3;
+
+void add_columns(const SparseBlock& block, double* values, const Eigen::Ref<const Eigen::MatrixXd>& X) {
+  for (Eigen::Index k = 0; k < X.cols(); ++k) block.add_column(values, static_cast<int>(k), X.col(k));
+}
+
+// One column of a matrix as a vector of its stored values.
+Eigen::Map<const Eigen::VectorXd> stored(const Eigen::SparseMatrix<double>& pattern, const double* values, int column) {
+  const int begin = pattern.outerIndexPtr()[column], end = pattern.outerIndexPtr()[column + 1];
+  return {values + begin, end - begin};
+}
+
+// The last `count` stored values of a column.
+Eigen::Map<Eigen::VectorXd> tail(Eigen::SparseMatrix<double>& matrix, int column, Eigen::Index count) {
+  return {matrix.valuePtr() + matrix.outerIndexPtr()[column + 1] - count, count};
+}
+
+}  // namespace
+
+void Equations::add_body_derivatives(int index, double c, const Inputs& inputs) {
+  Workspace& w = *work_;
+  const std::size_t at = static_cast<std::size_t>(index);
+  const BodyKinematics& body = w.kinematics.of(index);
+  const int n = body.size();
+  Eigen::Ref<Eigen::MatrixXd> K = w.K.topLeftCorner(n, n), D = w.D.topLeftCorner(n, n), M = w.M.topLeftCorner(n, n);
+  body_derivatives(model_.body(index), body, w.inertia[at], K, D, M);
+  Eigen::Ref<Eigen::VectorXd> own = w.own_diagonal.segment(layout_.body_v[at], n);
+  own = c * M.diagonal();
+  if (body.modes > 0) {
+    own.tail(body.modes) += D.diagonal().tail(body.modes).cwiseMax(0.0);
+    own.tail(body.modes) += (1.0 / c) * K.diagonal().tail(body.modes).cwiseMax(0.0);
+  }
+  if (!inputs.loads.empty()) {  // F_v takes -Q
+    K = -K;
+    D = -D;
+    add_load_derivatives(inputs.loads[at], body, K, D);
+    K = -K;
+    D = -D;
+  }
+  D += c * M;
+  add_columns(w.pattern.bodies[at].v_v, w.pattern.stiffness.data(), K);
+  add_columns(w.pattern.bodies[at].v_v, w.pattern.lower.valuePtr(), D);
+}
+
+void Equations::add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda) {
+  Workspace& w = *work_;
+  const Joint& joint = model_.joint(index);
+  const PairPlaces& places = w.pattern.joints[static_cast<std::size_t>(index)];
+  const PairMotion pair = w.joint_pair(joint);
+  MarkerVectors vectors(pair, joint.m1, joint.m2);
+  const int n = pair.size();
+  double* values = w.pattern.lower.valuePtr();
+  double* stiffness = w.pattern.stiffness.data();
+  const bool closes = joint.rows.front().inertia == 0.0;  // else a rotor
+  const double alpha2 = closes ? 2.0 * baumgarte_.alpha : 0.0;
+
+  Eigen::Ref<Eigen::MatrixXd> K = w.K.topLeftCorner(n, n);
+  Eigen::Ref<Eigen::VectorXd> phi_v = w.row.head(n), rate_dx = w.row2.head(n), acc_dx = w.row3.head(n),
+                              acc_dv = w.row4.head(n);
+  K.setZero();
+  for (std::size_t k = 0; k < joint.rows.size(); ++k) {
+    const int local = static_cast<int>(k), row = layout_.joint_row[static_cast<std::size_t>(index)] + local;
+    const double beta2 = closes && joint.rows[k].holds_positions() ? baumgarte_.beta * baumgarte_.beta : 0.0;
+    evaluate_row(joint.rows[k], t, vectors, phi_v);  // phi alone depends on whole turns
+    row_derivatives(joint.rows[k], t, vectors, lambda[row], rate_dx, acc_dx, acc_dv, K);
+    // F_lambda = phi'' + 2 alpha phi' + beta^2 phi - eps lambda
+    if (alpha2 != 0.0 || beta2 != 0.0) acc_dx += alpha2 * rate_dx + beta2 * phi_v;
+    acc_dv += (c + alpha2) * phi_v;
+    for (int i = 0; i < 2; ++i) {
+      const int m = pair.body[i]->size(), offset = pair.offset(i);
+      if (m == 0) continue;
+      for (int j = 0; j < m; ++j) {
+        places.extra_v[i].add(stiffness, local, j, acc_dx[offset + j]);
+        places.extra_v[i].add(values, local, j, acc_dv[offset + j]);
+      }
+      places.v_extra[i].add_column(values, local, phi_v.segment(offset, m));
+    }
+  }
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      const int ni = pair.body[i]->size(), nj = pair.body[j]->size();
+      if (ni > 0 && nj > 0) add_columns(places.v_v[i][j], stiffness, K.block(pair.offset(i), pair.offset(j), ni, nj));
+    }
+  }
+}
+
+void Equations::add_force_derivatives(int index, double t, const Eigen::Ref<const Eigen::VectorXd>& z,
+                                      const Eigen::VectorXd& input_values) {
+  Workspace& w = *work_;
+  const ForceElement& element = model_.force(index);
+  const PairPlaces& places = w.pattern.forces[static_cast<std::size_t>(index)];
+  const PairMotion pair = w.force_pair(element);
+  ElementDerivatives& d = w.elements[static_cast<std::size_t>(index)];
+  double* values = w.pattern.lower.valuePtr();
+  double* stiffness = w.pattern.stiffness.data();
+  for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) part->setZero();
+  if (!element.add_derivatives({pair, z, input_values, t}, d)) return;
+
+  // F_v takes -Q, F_z takes -g.
+  for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) *part = -*part;
+  for (int j = 0; j < 2; ++j) {
+    const int nj = pair.body[j]->size(), cj = pair.offset(j);
+    if (nj == 0) continue;
+    for (int i = 0; i < 2; ++i) {
+      const int ni = pair.body[i]->size(), ci = pair.offset(i);
+      if (ni == 0) continue;
+      add_columns(places.v_v[i][j], stiffness, d.dQ_dx.block(ci, cj, ni, nj));
+      add_columns(places.v_v[i][j], values, d.dQ_dv.block(ci, cj, ni, nj));
+    }
+    if (element.state_count() == 0) continue;
+    add_columns(places.extra_v[j], stiffness, d.ddz_dx.middleCols(cj, nj));
+    add_columns(places.extra_v[j], values, d.ddz_dv.middleCols(cj, nj));
+    add_columns(places.v_extra[j], values, d.dQ_dz.middleRows(cj, nj));
+  }
+  const int block = element.state_block();
+  for (std::size_t k = 0; k < places.extra_extra.size(); ++k)
+    add_columns(places.extra_extra[k], values, d.ddz_dz.middleRows(static_cast<int>(k) * block, block));
+}
+
+void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
+                                   const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs) {
+  Workspace& w = *work_;
+  w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size),
+                    ydot.segment(layout_.v0(), layout_.v_size));
+  w.pattern.stiffness.setZero();
+  Eigen::Map<Eigen::VectorXd>(w.pattern.lower.valuePtr(), w.pattern.lower.nonZeros()).setZero();
+  for (int i = 0; i < model_.body_count(); ++i) add_body_derivatives(i, c, inputs);
+  for (int i = 0; i < model_.joint_count(); ++i) add_joint_derivatives(i, t, c, y.tail(layout_.row_count));
+  for (int place : w.pattern.z_z) w.pattern.lower.valuePtr()[place] += c;
+  for (std::size_t row = 0; row < w.pattern.lambda_lambda.size(); ++row)
+    w.pattern.lower.valuePtr()[w.pattern.lambda_lambda[row]] -=
+        saddle_->regularisation()[static_cast<Eigen::Index>(row)];
+  const Eigen::VectorXd& values = input_values_at(t, y, inputs);
+  for (int i = 0; i < model_.force_count(); ++i)
+    add_force_derivatives(
+        i, t, y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], model_.force(i).state_count()),
+        values);
+  if (model_.signals()) add_signal_derivatives(t, y, inputs);
+}
+
+const Eigen::SparseMatrix<double>& Equations::jacobian_pattern() const { return work_->pattern.full; }
+
+const Eigen::SparseMatrix<double>& Equations::jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
+                                                       const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
+                                                       const Inputs& inputs) {
+  Workspace& w = *work_;
+  gather_derivatives(t, y, ydot, c, inputs);
+  double* values = w.pattern.full.valuePtr();
+  Eigen::Map<Eigen::VectorXd>(values, w.pattern.full.nonZeros()).setZero();
+  for (int j = 0; j < w.pattern.lower.cols(); ++j) {
+    const Eigen::Map<const Eigen::VectorXd> column = stored(w.pattern.lower, w.pattern.lower.valuePtr(), j);
+    tail(w.pattern.full, layout_.q_size + j, column.size()) = column;
+  }
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    const BodyKinematics& body = w.kinematics.of(i);
+    const BodyPlaces& places = w.pattern.bodies[at];
+    const int q = layout_.body_q[at], v = layout_.body_v[at];
+    const Matrix34d R = rate_matrix(body.L);
+
+    // Lower rows by q.
+    const auto by = [&](int k) { return stored(w.pattern.lower, w.pattern.stiffness.data(), v + k); };
+    const Eigen::Index count = by(0).size();
+    for (int k = 0; k < 3; ++k) tail(w.pattern.full, q + k, count) = by(k);
+    const double scale = 2.0 / body.L.squaredNorm();
+    for (int l = 0; l < 4; ++l)
+      tail(w.pattern.full, q + 3 + l, count) = scale * (R(0, l) * by(3) + R(1, l) * by(4) + R(2, l) * by(5));
+    for (int k = 0; k < body.modes; ++k) tail(w.pattern.full, q + 7 + k, count) = by(6 + k);
+
+    // F_q = dq - N v;  -d(1/2 R(L)^T w)/dL = -1/2 [0, -w^T; w, w~]
+    for (std::size_t k = 0; k < 3; ++k) {
+      values[places.r_r[k]] = c;
+      values[places.r_dr[k]] = -1.0;
+    }
+    for (std::size_t k = 0; k < places.a_a.size(); ++k) {
+      values[places.a_a[k]] = c;
+      values[places.a_da[k]] = -1.0;
+    }
+    Eigen::Matrix4d by_L;
+    by_L(0, 0) = c;
+    by_L.topRightCorner<1, 3>() = 0.5 * body.w.transpose();
+    by_L.bottomLeftCorner<3, 1>() = -0.5 * body.w;
+    by_L.bottomRightCorner<3, 3>() = -0.5 * skew(body.w);
+    by_L.bottomRightCorner<3, 3>().diagonal().array() += c;
+    for (int k = 0; k < 4; ++k) places.L_L.add_column(values, k, by_L.col(k));
+    for (int k = 0; k < 3; ++k) places.L_w.add_column(values, k, -0.5 * R.row(k).transpose());
+  }
+  return w.pattern.full;
+}
+
+const Eigen::SparseMatrix<double>& Equations::reduced_pattern() const { return work_->pattern.reduced; }
+
+const Eigen::VectorXd& Equations::own_diagonal() const { return work_->own_diagonal; }
+
+// Pairs of forces cancel in the sum of the rows of dr, so that Newton conserves linear momentum to round-off at every
+// iteration: these rows are complete. With redundant rows all are complete, because the mechanism may pass singular
+// positions, where the result depends on the order of pivots.
+Eigen::VectorXd Equations::negligible_shares() const {
+  if (saddle_->has_redundant_rows()) return Eigen::VectorXd::Zero(layout_.v_size);
+  Eigen::VectorXd share = Eigen::VectorXd::Constant(layout_.v_size, kNegligible);
+  for (const int v : layout_.body_v) share.segment<3>(v).setConstant(ThinLu::kRoundOff);
+  return share;
+}
+
+const Eigen::SparseMatrix<double>& Equations::reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
+                                                               const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
+                                                               const Inputs& inputs) {
+  Workspace& w = *work_;
+  gather_derivatives(t, y, ydot, c, inputs);
+  Eigen::Map<Eigen::VectorXd> values(w.pattern.reduced.valuePtr(), w.pattern.reduced.nonZeros());
+  values = Eigen::Map<const Eigen::VectorXd>(w.pattern.lower.valuePtr(), w.pattern.lower.nonZeros());
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const BodyKinematics& body = w.kinematics.of(i);
+    const int v = layout_.body_v[static_cast<std::size_t>(i)];
+    const auto by = [&](int k) { return stored(w.pattern.lower, w.pattern.stiffness.data(), v + k); };
+    const Eigen::Index count = by(0).size();
+    Eigen::Matrix3d T = 0.5 * skew(body.w);
+    T.diagonal().array() += c;
+    T /= c * c + 0.25 * body.w.squaredNorm();
+    for (int k = 0; k < 3; ++k) tail(w.pattern.reduced, v + k, count) += by(k) / c;
+    for (int k = 0; k < 3; ++k)
+      tail(w.pattern.reduced, v + 3 + k, count) += T(0, k) * by(3) + T(1, k) * by(4) + T(2, k) * by(5);
+    for (int k = 6; k < body.size(); ++k) tail(w.pattern.reduced, v + k, count) += by(k) / c;
+  }
+  return w.pattern.reduced;
+}
+
+void Equations::subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> out) const {
+  const Workspace& w = *work_;
+  const int* outer = w.pattern.lower.outerIndexPtr();
+  const int* inner = w.pattern.lower.innerIndexPtr();
+  for (int j = 0; j < layout_.v_size; ++j) {
+    for (int k = outer[j]; k < outer[j + 1]; ++k) out[inner[k]] -= w.pattern.stiffness[k] * dx[j];
+  }
+}
+
+// --- Continuous signals: derivatives by central differences.
+
+namespace {
+
+constexpr double kDifference = 1e-6;  // step of differences, which only Newton's matrix uses [m, rad, m/s, rad/s, -]
+
+struct SignalValues {
+  Eigen::VectorXd values, rates;
+};
+
+// The kinematics with one body changed.
+struct Changed {
+  const Kinematics& base;
+  const BodyKinematics& was;
+  BodyKinematics now;
+  const BodyKinematics* of(int body) const { return &base.of(body) == &was ? &now : &base.of(body); }
+  PairMotion pair(int body_1, int body_2) const { return {{of(body_1), of(body_2)}}; }
+};
+
+// Moves coordinate j of dx = [dr; dtheta; da], or of v = [dr; w; da].
+void move(BodyKinematics& body, bool position, int j, double step) {
+  const Eigen::Vector3d e = Eigen::Vector3d::Unit(j % 3) * step;
+  if (j >= 6) {
+    (position ? body.a : body.da)[j - 6] += step;
+  } else if (!position) {
+    (j < 3 ? body.dr : body.w) += e;
+  } else if (j < 3) {
+    body.r += e;
+  } else {
+    body.L += quaternion_rate(body.L, e);
+    body.A = rotation_matrix(body.L);
+  }
+}
+
+}  // namespace
+
+const Eigen::VectorXd& Equations::input_values_at(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
+                                                  const Inputs& inputs) {
+  const ContinuousSignals* signals = model_.signals();
+  if (!signals) return inputs.values;
+  Workspace& w = *work_;
+  w.values = inputs.values;
+  signals->evaluate(t, w.kinematics, y.segment(layout_.z0() + layout_.signal_z, w.signal_rates.size()), w.values,
+                    w.signal_rates);
+  return w.values;
+}
+
+void Equations::signals(const State& state, const Inputs& inputs, Eigen::VectorXd& out) {
+  out = inputs.values;
+  if (!model_.signals()) return;
+  Workspace& w = *work_;
+  load(state);
+  model_.signals()->evaluate(state.time, w.kinematics, state.z.tail(w.signal_rates.size()), out, w.signal_rates);
+}
+
+void Equations::settle_signals(const Eigen::VectorXd* before, const Inputs& inputs, State& state) {
+  if (!model_.signals()) return;
+  Workspace& w = *work_;
+  load(state);
+  w.values = inputs.values;
+  model_.signals()->settle(state.time, w.kinematics, before, state.z.tail(w.signal_rates.size()), w.values);
+}
+
+// Central differences over each coordinate and velocity of the measured bodies, and over each state of the signals. F_z
+// contains minus the rates, F_v minus the forces.
+void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs) {
+  Workspace& w = *work_;
+  const SignalPlaces& places = w.pattern.signals;
+  const Eigen::Index states = w.signal_rates.size();
+  SignalValues plus{inputs.values, w.signal_rates}, minus = plus;
+  Eigen::VectorXd z = y.segment(layout_.z0() + layout_.signal_z, states);
+
+  // Adds the column of one change, of a state of the signals (by_states) or of the measured body b, to these values.
+  const auto add_column = [&](double* values, int column, bool by_states, std::size_t b, double step) {
+    if (states > 0) {
+      const Eigen::VectorXd rates = (minus.rates - plus.rates) / (2.0 * step);
+      (by_states ? places.states_states : places.states_v[b]).add_column(values, column, rates);
+    }
+    if (plus.values == minus.values) return;
+    for (const SignalPlaces::Driven& driven : places.driven) {
+      const ForceElement& element = model_.force(driven.force);
+      const PairMotion pair = w.force_pair(element);
+      const int m = element.state_count();
+      const auto z_of = y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(driven.force)], m);
+      Eigen::VectorXd Q[2], dz[2];
+      for (const int side : {0, 1}) {
+        Q[side] = Eigen::VectorXd::Zero(pair.size());
+        dz[side] = Eigen::VectorXd::Zero(m);
+        element.add_force({pair, z_of, side == 0 ? plus.values : minus.values, t}, Q[side], dz[side]);
+      }
+      const Eigen::VectorXd dQ = (Q[1] - Q[0]) / (2.0 * step), ddz = (dz[1] - dz[0]) / (2.0 * step);
+      for (int i = 0; i < 2; ++i) {
+        const int n = pair.body[i]->size();
+        const SparseBlock& block = by_states ? driven.v_states[i] : driven.v_v[i][b];
+        if (n > 0) block.add_column(values, column, dQ.segment(pair.offset(i), n));
+      }
+      if (m > 0) (by_states ? driven.z_states : driven.z_v[b]).add_column(values, column, ddz);
+    }
+  };
+
+  const auto evaluate = [&](const auto& kinematics, SignalValues& out) {
+    out.values = inputs.values;
+    model_.signals()->evaluate(t, kinematics, z, out.values, out.rates);
+  };
+  for (std::size_t b = 0; b < places.measured.size(); ++b) {
+    const int body = places.measured[b], n = w.kinematics.of(body).size();
+    for (const bool position : {true, false}) {
+      for (int j = 0; j < n; ++j) {
+        Changed changed{w.kinematics, w.kinematics.of(body), w.kinematics.of(body)};
+        move(changed.now, position, j, kDifference);
+        evaluate(changed, plus);
+        changed.now = changed.was;
+        move(changed.now, position, j, -kDifference);
+        evaluate(changed, minus);
+        add_column(position ? w.pattern.stiffness.data() : w.pattern.lower.valuePtr(), j, false, b, kDifference);
+      }
+    }
+  }
+  for (Eigen::Index j = 0; j < states; ++j) {
+    const double before = z[j], step = kDifference * (1.0 + std::abs(before));
+    z[j] = before + step;
+    evaluate(w.kinematics, plus);
+    z[j] = before - step;
+    evaluate(w.kinematics, minus);
+    z[j] = before;
+    add_column(w.pattern.lower.valuePtr(), static_cast<int>(j), true, 0, step);
+  }
+}
+
+// --- States as vectors, names of entries.
 
 void Equations::pack(const State& state, const Eigen::Ref<const Eigen::VectorXd>& lambda,
                      Eigen::Ref<Eigen::VectorXd> y) const {

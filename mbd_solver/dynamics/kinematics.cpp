@@ -1,3 +1,5 @@
+// Positions, attitudes and modal coordinates are visited body by body.
+
 #include "mbd_solver/dynamics/kinematics.h"
 
 #include "mbd_solver/model/control/continuous_signals.h"

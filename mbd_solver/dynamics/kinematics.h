@@ -1,6 +1,7 @@
 #pragma once
-// Where everything stands in y = [q; v; z; lambda]; lambda are the multipliers of all rows of all joints.
+// The order of unknowns, the kinematics of all bodies at one instant, and visits of the rows of all joints.
 
+#include <array>
 #include <vector>
 
 #include "coupler/body_motion.h"
@@ -9,6 +10,7 @@
 
 namespace footfall {
 
+// Places of all parts in y = [q; v; z; lambda]; lambda are the multipliers of all rows of all joints.
 struct Layout {
   explicit Layout(const Model& model);
 
@@ -20,20 +22,19 @@ struct Layout {
 
   std::vector<int> body_q, body_v;  // first entry of each body in q and in v
   std::vector<int> force_z;         // first inner state of each force element in z
-  int signal_z = 0;                 // first state of the continuous signals in z; they end it
+  int signal_z = 0;                 // first state of the continuous signals, the last part of z
   std::vector<int> joint_row;       // first row of each joint among all rows; members of a gear share one
   std::vector<int> row_joint;       // for each of all rows: its joint, the first member of a gear
   std::vector<int> joint_turns;     // for each joint: the inner state that counts its turns for a gear in z, or -1
-  std::vector<char> shared;         // for each of all rows: whether several joints add to it
+  std::vector<char> shared;         // for each of all rows: several joints contribute to it
 };
 
 // The kinematics of all bodies at one instant, unpacked from the vectors of a state.
-
 class Kinematics {
  public:
   explicit Kinematics(const Model& model);
 
-  // dv may be empty: then accelerations are zero.
+  // dv may be empty: accelerations are then zero.
   void load(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q,
             const Eigen::Ref<const Eigen::VectorXd>& v, const Eigen::Ref<const Eigen::VectorXd>& dv);
   // The inner states that count the turns of gears.
@@ -51,22 +52,58 @@ class Kinematics {
   std::vector<double> turns_;           // per joint; empty without gears
 };
 
-// What a message tells of a body: position, velocity and acceleration. `motion` is sized: for the body's modes, or for
-// none when its boundary is rigid. No allocation.
+// Position, velocity and acceleration of a body as a message. `motion` is sized for the body's modes, or for none if its
+// boundary is rigid. No allocation.
 void fill_motion(const BodyKinematics& body, BodyMotion& motion);
 
 // q moved by increments dx = [dr; dtheta; da] per body.
 void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> q);
 
-// Positions of an implicit step: solves c (q - known) = N(q) v for q, exactly (the quaternion part is linear
-// in L).
+// Positions of an implicit step: solves c (q - known) = N(q) v for q, exactly (the quaternion part is linear in L).
 void solve_positions(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& known,
                      const Eigen::Ref<const Eigen::VectorXd>& v, double c, Eigen::Ref<Eigen::VectorXd> q);
 
-// A difference of positions dq, small, in increments dx, and back.
+// A small difference of positions dq as increments dx, and back.
 void to_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q,
                    const Eigen::Ref<const Eigen::VectorXd>& dq, Eigen::Ref<Eigen::VectorXd> dx);
 void from_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q,
                      const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> dq);
+
+// --- Rows of joints.
+
+// A row: its index among all rows, its joint, its index in the joint.
+struct RowPlace {
+  int row, joint, local;
+  bool adds;  // it contributes to the row of an earlier joint, the first member of its gear
+};
+
+// Calls visit(place, pair, phi_v, value) for every row of joint j. phi_v is a scratch row of the pair.
+template <typename Visit>
+void for_each_row_of(int j, const Model& model, const Layout& layout, const Kinematics& kinematics, double t,
+                     Eigen::VectorXd& scratch, Visit visit) {
+  const Joint& joint = model.joint(j);
+  MarkerVectors vectors(kinematics.pair(joint.m1.body, joint.m2.body), joint.m1, joint.m2);
+  const PairMotion& pair = vectors.pair();
+  Eigen::Ref<Eigen::VectorXd> phi_v = scratch.head(pair.size());
+  for (std::size_t k = 0; k < joint.rows.size(); ++k) {
+    const RowValue value = evaluate_row(joint.rows[k], t, vectors, phi_v, kinematics.turns(j));
+    const int local = static_cast<int>(k);
+    visit(RowPlace{layout.joint_row[static_cast<std::size_t>(j)] + local, j, local, joint.row_of >= 0}, pair, phi_v,
+          value);
+  }
+}
+
+// For every row of every joint.
+template <typename Visit>
+void for_each_row(const Model& model, const Layout& layout, const Kinematics& kinematics, double t,
+                  Eigen::VectorXd& scratch, Visit visit) {
+  for (int j = 0; j < model.joint_count(); ++j) for_each_row_of(j, model, layout, kinematics, t, scratch, visit);
+}
+
+// First velocity coordinate of each body of a pair in v; -1 for the ground.
+inline std::array<int, 2> pair_v(const Layout& layout, int body_1, int body_2) {
+  return {body_1 == kGround ? -1 : layout.body_v[static_cast<std::size_t>(body_1)],
+          body_2 == kGround ? -1 : layout.body_v[static_cast<std::size_t>(body_2)]};
+}
 
 }  // namespace footfall

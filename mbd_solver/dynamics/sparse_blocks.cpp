@@ -1,3 +1,5 @@
+// Places are found once, by binary search in the compressed columns.
+
 #include "mbd_solver/dynamics/sparse_blocks.h"
 
 #include <algorithm>

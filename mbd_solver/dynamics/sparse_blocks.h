@@ -1,14 +1,13 @@
 #pragma once
-// A sparse matrix of dense blocks whose pattern never changes: blocks are announced, the matrix is built, and
-// from then on each block is written through its own list of places, without a search.
+// A sparse matrix of dense blocks with a constant pattern: blocks are announced, the matrix is built, and each block is then
+// written through its own list of places, without a search.
 
 #include <Eigen/Sparse>
 #include <vector>
 
 namespace footfall {
 
-// Where the columns of one dense block start in the value array. Rows of a block are neighbours in every
-// column.
+// First places of the columns of one dense block in the value array. Rows of a block are contiguous in every column.
 class SparseBlock {
  public:
   SparseBlock() = default;

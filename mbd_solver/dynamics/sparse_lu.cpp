@@ -1,3 +1,5 @@
+// KLU is refactored with old pivots while their condition estimate stays good; ThinLu copies the selected entries first.
+
 #include "mbd_solver/dynamics/sparse_lu.h"
 
 #include <klu.h>
@@ -9,7 +11,7 @@
 namespace footfall {
 namespace {
 
-// Pivots of an earlier factorization are good enough while the condition they show stays within this factor.
+// Pivots of an earlier factorization are reused while their condition estimate stays within this factor.
 constexpr double kPivotsAge = 1e-2;
 
 }  // namespace
@@ -17,14 +19,13 @@ constexpr double kPivotsAge = 1e-2;
 struct SparseLu::Klu {
   explicit Klu(const Eigen::SparseMatrix<double>& m) : matrix(m) {
     klu_defaults(&common);
-    common.scale = 1;  // rows by their sums: equations of motion mix masses, conditions and 1 / h; three
-                       // times less fill here
+    common.scale = 1;  // rows by their sums: rows of masses, conditions and 1 / h differ in size; a third of the fill
   }
   ~Klu() {
     klu_free_numeric(&numeric, &common);
     klu_free_symbolic(&symbolic, &common);
   }
-  // KLU's interface takes its input without const, and leaves it alone.
+  // KLU takes its input without const, but does not change it.
   int* outer() const { return const_cast<int*>(matrix.outerIndexPtr()); }
   int* inner() const { return const_cast<int*>(matrix.innerIndexPtr()); }
   double* values() const { return const_cast<double*>(matrix.valuePtr()); }
@@ -86,7 +87,7 @@ void SparseLu::forget() { klu_free_numeric(&klu_->numeric, &klu_->common); }
 
 namespace {
 
-constexpr double kMatters = 3.0;  // times what may be left out
+constexpr double kMatters = 3.0;  // times the limit of neglected entries
 
 }  // namespace
 
@@ -99,14 +100,14 @@ bool ThinLu::factor(const Eigen::VectorXd& own) {
   FOOTFALL_DEMAND(own.size() == share_.size());
   column_ = own.cwiseSqrt();
   row_ = share_.cwiseProduct(column_);
-  if (!lu_ || misses()) choose();
+  if (!lu_ || neglects_too_much()) select();
   const double* values = matrix_.valuePtr();
   double* thin = thin_.valuePtr();
   for (std::size_t k = 0; k < from_.size(); ++k) thin[k] = values[from_[k]];
   return lu_->factor();
 }
 
-bool ThinLu::misses() const {
+bool ThinLu::neglects_too_much() const {
   const int* outer = matrix_.outerIndexPtr();
   const int* inner = matrix_.innerIndexPtr();
   const double* values = matrix_.valuePtr();
@@ -123,25 +124,25 @@ bool ThinLu::misses() const {
   return false;
 }
 
-void ThinLu::choose() {
+void ThinLu::select() {
   const int* outer = matrix_.outerIndexPtr();
   const int* inner = matrix_.innerIndexPtr();
   const double* values = matrix_.valuePtr();
   const int velocities = static_cast<int>(share_.size());
   lu_.reset();
   from_.clear();
-  std::vector<Eigen::Triplet<double>> kept;
+  std::vector<Eigen::Triplet<double>> selected;
   for (int j = 0; j < matrix_.cols(); ++j) {
     for (int k = outer[j]; k < outer[j + 1]; ++k) {
       const int i = inner[k];
       const bool may_go = i < velocities && j < velocities && i != j;
       if (may_go && std::abs(values[k]) < row_[i] * column_[j]) continue;
-      kept.emplace_back(i, j, 0.0);
+      selected.emplace_back(i, j, 0.0);
       from_.push_back(k);
     }
   }
   thin_.resize(matrix_.rows(), matrix_.cols());
-  thin_.setFromTriplets(kept.begin(), kept.end());
+  thin_.setFromTriplets(selected.begin(), selected.end());
   thin_.makeCompressed();
   lu_ = std::make_unique<SparseLu>(thin_);
 }

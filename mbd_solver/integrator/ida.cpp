@@ -219,7 +219,7 @@ int Ida::Sundials::residual(realtype time, N_Vector y, N_Vector ydot, N_Vector F
   const int flag = s.guarded([&] {
     s.equations.residual(time, view(y), view(ydot), *s.inputs_now, writable(F));
     const int rows = s.equations.layout().row_count;
-    s.equations.expect_multipliers(view(static_cast<IDAMem>(s.memory)->ida_yypredict).tail(rows),
+    s.equations.saddle().expect_multipliers(view(static_cast<IDAMem>(s.memory)->ida_yypredict).tail(rows),
                                    writable(F).tail(rows));
   });
   if (flag != 0) return flag;
@@ -244,7 +244,7 @@ void Ida::Sundials::restart(const State& state, const Inputs& inputs, Integrator
   const Layout& layout = equations.layout();
   count(statistics);
   // Consistent start by our own solve: dq, dv, dz, and multipliers without a rate.
-  equations.stage_rates(state, inputs, rates);
+  equations.saddle().stage_rates(state, inputs, rates);
   ++statistics.factorizations;
   equations.pack(state, rates.tail(layout.row_count), writable(y));
   writable(ydot) = rates;
@@ -293,8 +293,8 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
     rates = view(scratch2);
     rates.tail(equations.layout().row_count) = view(scratch).tail(equations.layout().row_count);
     row = state;
-    statistics.count(options.projection ? equations.project(row) : equations.check_closed(row));
-    equations.smallest_multipliers(row, rates.tail(equations.layout().row_count));
+    statistics.count(options.projection ? equations.saddle().project(row) : equations.saddle().check_closed(row));
+    equations.saddle().smallest_multipliers(row, rates.tail(equations.layout().row_count));
     if (rows.on_row(row, rates)) continue;
     state = row;
     return false;
@@ -392,7 +392,7 @@ const Eigen::VectorXd& Ida::end_rates() const { return ida_->rates; }
 void Ida::forget() {
   ida_->state_last = {};
   ida_->forget_passage();
-  ida_->equations.forget();
+  ida_->equations.saddle().forget();
   ida_->check(SUNLinSol_KLUReInit(ida_->solver, ida_->matrix, SUNSparseMatrix_NNZ(ida_->matrix), SUNKLU_REINIT_PARTIAL),
               "SUNLinSol_KLUReInit");
 }
@@ -411,7 +411,7 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
                        same(state.v, s.state_last.v) && same(state.z, s.state_last.z) && same(inputs, s.inputs_last);
   if (goes_on) s.aim(t_end, rows, state);
   bool starts = !goes_on, ended_by_row = false;
-  Equations::Drift drift;
+  Drift drift;
   int steps = 0;
   ProgressWatch watch(state.time, t_end);
   const double kept_position = std::max(kLeastDrift, kDriftKept * s.share * s.options.atol);
@@ -429,17 +429,17 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
       starts = false;
     }
     ended_by_row = !s.step(t_end, inputs, rows, state, statistics_);
-    if (++steps % kRenewRest == 0) s.equations.renew_rest(state);
+    if (++steps % kRenewRest == 0) s.equations.saddle().update_resting_rows(state);
     if (const std::string slow = watch.complaint(state.time); !slow.empty()) s.give_up(slow);
-    drift = s.options.projection ? s.equations.drift(state) : s.equations.check_closed(state);
+    drift = s.options.projection ? s.equations.saddle().drift(state) : s.equations.saddle().check_closed(state);
     if (!ended_by_row) s.look_ahead(state);
     if (ended_by_row || state.time >= t_end || !s.options.projection ||
         (drift.position < kept_position && drift.velocity < kept_velocity))
       continue;
-    statistics_.count(s.equations.project(state, Equations::Close::kFully));
+    statistics_.count(s.equations.saddle().project(state, SaddleSystem::Close::kFully));
     if (s.move_history(state)) continue;
-    s.equations.forget();  // pivots of other positions shall not turn the motion here
-    s.equations.project(state, Equations::Close::kFully);
+    s.equations.saddle().forget();  // pivots of other positions shall not turn the motion here
+    s.equations.saddle().project(state, SaddleSystem::Close::kFully);
     starts = true;
   }
   s.count(statistics_);
@@ -447,13 +447,13 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
 
   bool goes_on_next = !ended_by_row && !starts;
   if (s.options.projection && (drift.position > kProjectAbove || drift.velocity > kProjectSpeedAbove)) {
-    drift = s.equations.project(state);
+    drift = s.equations.saddle().project(state);
     goes_on_next = goes_on_next && s.move_history(state);
   }
   s.state_last = goes_on_next ? state : State{};
   s.inputs_last = inputs;
   statistics_.count(drift);
-  if (!ended_by_row) s.equations.smallest_multipliers(state, s.rates.tail(s.equations.layout().row_count));
+  if (!ended_by_row) s.equations.saddle().smallest_multipliers(state, s.rates.tail(s.equations.layout().row_count));
 }
 
 std::string sundials_version() {
@@ -550,7 +550,7 @@ void Ida::Sundials::look_ahead(const State& state) {
   if (equations.layout().row_count == 0 || !options.projection || ++steps_since_look < kEvery) return;
   steps_since_look = 0;
   if (looks > 0 && !(state.time > seen.back().time)) looks = 0;
-  seen = {seen[1], seen[2], Nearness{state.time, equations.log_determinant(state)}};
+  seen = {seen[1], seen[2], Nearness{state.time, equations.saddle().log_determinant(state)}};
   highest = std::max(highest, seen.back().log_determinant);
   if (++looks < static_cast<int>(seen.size()) || seen.back().log_determinant > highest - kFaded) return;
   const double there = singular_time(seen);

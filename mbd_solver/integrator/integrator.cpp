@@ -8,7 +8,7 @@
 
 namespace footfall {
 
-void IntegratorStatistics::count(const Equations::Drift& drift) {
+void IntegratorStatistics::count(const Drift& drift) {
   drift_position = std::max(drift_position, drift.position_left);
   drift_velocity = std::max(drift_velocity, drift.velocity_left);
   removed_position = std::max(removed_position, drift.position);

@@ -39,7 +39,7 @@ struct IntegratorStatistics {
   // singular position, 0 when none is beyond the tolerance.
   double told_error = 0.0;
 
-  void count(const Equations::Drift& drift);  // at the end of a window
+  void count(const Drift& drift);  // at the end of a window
   // What another integrator has done for this one, from `before` to `now`; windows stay those of this one.
   void add(const IntegratorStatistics& before, const IntegratorStatistics& now);
 };

@@ -40,7 +40,7 @@ OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
       tableau_(&usual_),
       norm_(equations.layout(), options),
       lu_(equations.reduced_pattern(), equations.negligible_shares()),
-      may_be_singular_(equations.rest_choices() > 0) {
+      may_be_singular_(equations.saddle().resting_row_changes() > 0) {
   const int n = equations.layout().size();
   const std::size_t stages = static_cast<std::size_t>(std::max(usual_.stages, high_.stages));
   y_ = Ydot_ = known_ = F_ = change_ = rates_ = left_ = row_rates_ = Eigen::VectorXd::Zero(n);
@@ -64,7 +64,7 @@ void OneStep::forget() {
   looked_time_ = std::numeric_limits<double>::quiet_NaN();
   left_time_ = kNever;
   lu_.forget();
-  equations_.forget();
+  equations_.saddle().forget();
 }
 
 void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) {
@@ -111,9 +111,9 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
   state.step = wanted;
   rates_ = K_[0];
   if (!closed_)
-    statistics_.count(options_.projection ? equations_.project(state, Equations::Close::kByFactorsAtHand)
-                                          : equations_.check_closed(state));
-  equations_.smallest_multipliers(state, rates_.tail(layout.row_count));
+    statistics_.count(options_.projection ? equations_.saddle().project(state, SaddleSystem::Close::kWithOldFactors)
+                                          : equations_.saddle().check_closed(state));
+  equations_.saddle().smallest_multipliers(state, rates_.tail(layout.row_count));
   left_time_ = state.time;
   equations_.pack(state, rates_.tail(layout.row_count), left_);
 }
@@ -167,9 +167,9 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   newton_tolerance_ =
       kNewton * std::clamp(expected, std::min(std::max(kLeastError, kRoundOff / options_.rtol), 1.0), 1.0);
 
-  if (const long choices = equations_.rest_choices(); choices != rest_choices_) {
+  if (const long choices = equations_.saddle().resting_row_changes(); choices != rest_choices_) {
     rest_choices_ = choices;
-    equations_.rest_multipliers(t, y_, K_[0].tail(rows));
+    equations_.saddle().multipliers_without_resting_rows(t, y_, K_[0].tail(rows));
   }
   for (int i = 1; i < stages; ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
@@ -227,9 +227,9 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   const double reached = t_new + kNear * h;  // a row that round-off has put just behind the step belongs to it
   for (; row_time_ < t_end && row_time_ <= reached; row_time_ = rows.after(row_time_)) {
     interpolate(row_time_, h);
-    statistics_.count(options_.projection ? equations_.project(row_, Equations::Close::kByFactorsAtHand)
-                                          : equations_.check_closed(row_));
-    equations_.smallest_multipliers(row_, row_rates_.tail(equations_.layout().row_count));
+    statistics_.count(options_.projection ? equations_.saddle().project(row_, SaddleSystem::Close::kWithOldFactors)
+                                          : equations_.saddle().check_closed(row_));
+    equations_.saddle().smallest_multipliers(row_, row_rates_.tail(equations_.layout().row_count));
     if (rows.on_row(row_, row_rates_)) continue;
     state = row_;
     K_[0] = row_rates_;
@@ -246,7 +246,7 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   tableau_before_ = tableau_;
   error_before_ = error_;
   y_.swap(Y_[last()]);
-  if (fresh_) equations_.renew_rest(state);
+  if (fresh_) equations_.saddle().update_resting_rows(state);
   if (closed_) {
     statistics_.count(end_drift_);
     state.q = end_.q;

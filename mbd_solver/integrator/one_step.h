@@ -105,7 +105,7 @@ class OneStep : public Integrator {
   double error_before_ = 0.0;                // its error, 1 = tolerance
 
   State start_before_, start_, row_, end_;  // at the start of a step, in it, and at its end without drift
-  Equations::Drift end_drift_;              // what was removed there
+  Drift end_drift_;              // what was removed there
   bool closed_ = false;                     // end_ is to be taken
   int trouble_ = 0, careful_ = 0;           // failures of late; steps that go on without drift
   double singular_time_ = std::numeric_limits<double>::infinity();  // where a singular position is expected [s],

@@ -27,12 +27,12 @@ bool OneStep::close_end(double t) {
   if (!options_.projection) return true;
   equations_.unpack(Y_[last()], end_);
   end_.time = t;
-  const Equations::Drift drift = equations_.drift(end_);
+  const Drift drift = equations_.saddle().drift(end_);
   closed_ = careful_ > 0 || drift.position > kDrift * options_.atol || drift.velocity > kDrift * options_.atol_velocity;
   if (!closed_) return true;
-  if (careful_ > 0) equations_.forget();  // pivots that a row of the output has chosen shall not turn the motion
+  if (careful_ > 0) equations_.saddle().forget();  // pivots that a row of the output has chosen shall not turn the motion
   try {
-    end_drift_ = equations_.project(end_, Equations::Close::kFully);
+    end_drift_ = equations_.saddle().project(end_, SaddleSystem::Close::kFully);
   } catch (const NumericalError& error) {   // a joint that does not close
     const std::string said = error.what();  // "t = ... s: ..."; the time is told once
     complaint_ = said.substr(said.find(": ") + 2);
@@ -54,17 +54,17 @@ bool OneStep::close_end(double t) {
 }
 
 void OneStep::start_clean(const Inputs& inputs, State& state) {
-  equations_.forget();  // likewise
-  statistics_.count(equations_.project(state, Equations::Close::kFully));
+  equations_.saddle().forget();  // likewise
+  statistics_.count(equations_.saddle().project(state, SaddleSystem::Close::kFully));
   renew_rates(inputs, state);
   looked_time_ = std::numeric_limits<double>::quiet_NaN();
 }
 
 void OneStep::start_window(const Inputs& inputs, const State& state) {
   if (!follow_rates(inputs, state)) {
-    equations_.stage_rates(state, inputs, K_[0]);
+    equations_.saddle().stage_rates(state, inputs, K_[0]);
     ++statistics_.factorizations;
-    rest_choices_ = equations_.rest_choices();
+    rest_choices_ = equations_.saddle().resting_row_changes();
   }
   equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
   equations_.powers(state.time, y_, inputs, energy_[0]);
@@ -80,7 +80,7 @@ bool OneStep::follow_rates(const Inputs& inputs, const State& state) {
   const double step = options_.max_step > 0.0 ? std::min(state.step, options_.max_step) : state.step;
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostCorrections; ++i) {
-    if (!equations_.correct_rates(state, inputs, K_[0], change_)) return false;
+    if (!equations_.saddle().correct_rates(state, inputs, K_[0], change_)) return false;
     ++statistics_.residuals;
     change_ *= step;
     const double size = norm_(change_);
@@ -94,10 +94,10 @@ bool OneStep::follow_rates(const Inputs& inputs, const State& state) {
 }
 
 void OneStep::renew_rates(const Inputs& inputs, const State& state) {
-  equations_.forget();
-  equations_.stage_rates(state, inputs, K_[0]);
+  equations_.saddle().forget();
+  equations_.saddle().stage_rates(state, inputs, K_[0]);
   ++statistics_.factorizations;
-  rest_choices_ = equations_.rest_choices();
+  rest_choices_ = equations_.saddle().resting_row_changes();
   equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
   equations_.powers(state.time, y_, inputs, energy_[0]);
 }

@@ -47,7 +47,7 @@ void OneStep::look_ahead(const State& state) {
   looked_time_ = state.time;
   singular_time_ = std::numeric_limits<double>::infinity();
   if (!options_.error_control || !(h_before_ > 0.0) || !std::isfinite(start_before_.time)) return;
-  const auto nearness = [&](const State& at) { return Nearness{at.time, equations_.log_determinant(at)}; };
+  const auto nearness = [&](const State& at) { return Nearness{at.time, equations_.saddle().log_determinant(at)}; };
   singular_time_ = singular_time({nearness(start_before_), nearness(start_), nearness(state)});
 }
 

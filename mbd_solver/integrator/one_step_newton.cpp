@@ -51,7 +51,7 @@ bool OneStep::solve_stage(int stage, double t, double h, const Inputs& inputs) {
     Ydot_.head(m) = c * (Y - known_).head(m);
     try {
       equations_.residual(t, Y, Ydot_, inputs, F_);
-      equations_.expect_multipliers(expected_, F_.tail(rows));
+      equations_.saddle().expect_multipliers(expected_, F_.tail(rows));
     } catch (const NumericalError& error) {  // a law without a value there: a smaller step may stay clear of it
       complaint_ = error.what();
       return false;

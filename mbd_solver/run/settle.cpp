@@ -40,7 +40,7 @@ Scene frozen(Scene scene) {
     freeze(force.force, TableShape::kLines);
     freeze(force.torque, TableShape::kLines);
   }
-  for (DriveSpec& drive : scene.drives) freeze(drive.command, command_shape(drive.kind));
+  for (DriveSpec& drive : scene.drives) freeze(drive.command, command_shape(drive.motor.kind));
   for (JointSpec& joint : scene.joints) {
     if (!joint.motion) continue;
     for (std::optional<TimeFunctionSpec>* f :
@@ -122,7 +122,7 @@ class Relaxation {
     state_.time = 0.0;
     state_.step = 0.0;
     integrator_->forget();
-    equations_.accelerations(state_, inputs_, rates_);
+    equations_.saddle().accelerations(state_, inputs_, rates_);
   }
 
   Equations equations_;

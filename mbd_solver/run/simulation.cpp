@@ -97,7 +97,7 @@ void Simulation::start_settled() {
   const Settled settled = settle(scene_, assembly_options(scene_), integrator_options(scene_.solver, false));
   state_.q = settled.state.q;
   state_.z = settled.state.z;
-  equations_.project(state_);  // velocities of prescribed motions
+  equations_.saddle().project(state_);  // velocities of prescribed motions
   assembly_.notes.push_back("settled under the loads of the start: body \"" + settled.body + "\" moved most, by " +
                             number_text(settled.moved, 3) + " m; the largest acceleration left is " +
                             number_text(settled.acceleration, 3) + " m/s2 or rad/s2.");
@@ -157,7 +157,7 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
                      const Keeper& keep) {
   const double started = wall_clock() - times_.total;
   const Sample& at = sampler_.sample();  // always of the present state
-  if (!resumed_) equations_.accelerations(state_, inputs_, rates_);
+  if (!resumed_) equations_.saddle().accelerations(state_, inputs_, rates_);
   take_sample();
   if (collisions_) collisions_->begin(at.kinematics);
   if (!resumed_) let_events_happen();

@@ -29,7 +29,7 @@ void Simulation::let_events_happen() {
     const Eigen::VectorXd before = inputs_.values;
     signals->happen(event, time, inputs_.values);
     equations_.settle_signals(&before, inputs_, state_);
-    equations_.accelerations(state_, inputs_, rates_);
+    equations_.saddle().accelerations(state_, inputs_, rates_);
     take_sample();
   }
   checked_ = state_;

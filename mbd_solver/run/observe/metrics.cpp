@@ -207,7 +207,7 @@ void FigureTaker::take(const Sample& sample) {
   }
   f.contact_force = total.norm();
   if (subject_.scene.ground.kind != GroundKind::kNone) f.max_penetration = std::max(f.max_penetration, depth(sample));
-  flow_.take(stored, sample.state, sample.kinematics);
+  flow_.sample(stored, sample.state, sample.kinematics);
   f.energy_flow = flow_.scale();
   const double balance =
       stored.total() - start_energy_ + sample.state.dissipated.total() - f.contact_work - sample.state.supplied.total();

@@ -34,7 +34,7 @@ class StartedMechanism {
   const Sample* sample() {
     try {
       equations_.settle_signals(nullptr, inputs_, state_);
-      equations_.accelerations(state_, inputs_, rates_);
+      equations_.saddle().accelerations(state_, inputs_, rates_);
       sampler_.take(0, false, nullptr);
       return &sampler_.sample();
     } catch (const NumericalError&) {

@@ -1,0 +1,199 @@
+// Each pattern is built in two passes over the same list of blocks: announce them, then find their places.
+
+#include "mbd_solver/dynamics/jacobian_pattern.h"
+
+#include <algorithm>
+
+#include "mbd_solver/model/control/continuous_signals.h"
+
+namespace footfall {
+namespace {
+
+struct Range {
+  int begin = 0, size = 0;
+};
+
+// The blocks of a joint or an element, announced to a pattern or located in the finished matrix: visit(rows, columns, block).
+// `v` are the coordinates of its bodies, `own` its multipliers or inner states, which act on each other in blocks of
+// `own_block`; 0: not at all.
+template <typename Visit>
+void visit_blocks(const std::array<Range, 2>& v, Range own, int own_block, bool forces, PairPlaces& places,
+                  Visit visit) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (v[i].size == 0) continue;
+    for (std::size_t j = 0; forces && j < 2; ++j) {
+      if (v[j].size > 0) visit(v[i], v[j], places.v_v[i][j]);
+    }
+    if (own.size == 0) continue;
+    visit(own, v[i], places.extra_v[i]);
+    visit(v[i], own, places.v_extra[i]);
+  }
+  if (own_block == 0) return;
+  places.extra_extra.resize(static_cast<std::size_t>(own.size / own_block));
+  int begin = own.begin;
+  for (SparseBlock& block : places.extra_extra) {
+    visit(Range{begin, own_block}, Range{begin, own_block}, block);
+    begin += own_block;
+  }
+}
+
+std::array<Range, 2> velocities(const Layout& layout, const Kinematics& kinematics, int body_1, int body_2) {
+  const std::array<int, 2> first = pair_v(layout, body_1, body_2);
+  return {Range{first[0], kinematics.of(body_1).size()}, Range{first[1], kinematics.of(body_2).size()}};
+}
+
+// Blocks of the continuous signals, if there are any.
+template <typename Visit>
+void visit_signal_blocks(const Model& model, const Layout& layout, const Kinematics& kinematics, SignalPlaces& places,
+                         Visit visit) {
+  if (!model.signals()) return;
+  const int z0 = layout.v_size;
+  const Range states{z0 + layout.signal_z, layout.z_size - layout.signal_z};
+  const auto visit_some = [&](Range rows, Range cols, SparseBlock& block) {
+    if (rows.size > 0 && cols.size > 0) visit(rows, cols, block);
+  };
+  const auto columns = [&](std::size_t b) {
+    const int body = places.measured[b];
+    return Range{layout.body_v[static_cast<std::size_t>(body)], kinematics.of(body).size()};
+  };
+  for (SignalPlaces::Driven& driven : places.driven) {
+    const ForceElement& force = model.force(driven.force);
+    const std::array<Range, 2> v = velocities(layout, kinematics, force.bodies()[0], force.bodies()[1]);
+    const Range z{z0 + layout.force_z[static_cast<std::size_t>(driven.force)], force.state_count()};
+    for (std::size_t b = 0; b < places.measured.size(); ++b) {
+      for (std::size_t i = 0; i < 2; ++i) visit_some(v[i], columns(b), driven.v_v[i][b]);
+      visit_some(z, columns(b), driven.z_v[b]);
+    }
+    for (std::size_t i = 0; i < 2; ++i) visit_some(v[i], states, driven.v_states[i]);
+    visit_some(z, states, driven.z_states);
+  }
+  for (std::size_t b = 0; b < places.measured.size(); ++b) visit_some(states, columns(b), places.states_v[b]);
+  visit_some(states, states, places.states_states);
+}
+
+auto announce_to(SparsePattern& pattern) {
+  return [&pattern](Range rows, Range cols, SparseBlock&) {
+    pattern.add_block(rows.begin, rows.size, cols.begin, cols.size);
+  };
+}
+
+auto locate_in(const Eigen::SparseMatrix<double>& matrix) {
+  return [&matrix](Range rows, Range cols, SparseBlock& block) {
+    block = SparseBlock(matrix, rows.begin, rows.size, cols.begin, cols.size);
+  };
+}
+
+Range body_range(const Layout& layout, const Kinematics& kinematics, int body) {
+  return {layout.body_v[static_cast<std::size_t>(body)], kinematics.of(body).size()};
+}
+
+}  // namespace
+
+JacobianPattern::JacobianPattern(const Model& model, const Layout& layout, const Kinematics& kinematics)
+    : bodies(static_cast<std::size_t>(model.body_count())),
+      joints(static_cast<std::size_t>(model.joint_count())),
+      forces(static_cast<std::size_t>(model.force_count())) {
+  if (model.signals()) {
+    signals.measured = model.signals()->bodies();
+    const std::size_t count = signals.measured.size();
+    signals.states_v.resize(count);
+    for (int i = 0; i < model.force_count(); ++i) {
+      if (model.force(i).input_count() == 0) continue;
+      SignalPlaces::Driven driven;
+      driven.force = i;
+      driven.v_v[0].resize(count);
+      driven.v_v[1].resize(count);
+      driven.z_v.resize(count);
+      signals.driven.push_back(driven);
+    }
+  }
+  const int z0 = layout.v_size, lambda0 = layout.v_size + layout.z_size;
+  const auto visit_all = [&](auto visit) {
+    for (int j = 0; j < model.joint_count(); ++j) {
+      const Joint& joint = model.joint(j);
+      const int first = layout.joint_row[static_cast<std::size_t>(j)], count = static_cast<int>(joint.rows.size());
+      visit_blocks(velocities(layout, kinematics, joint.m1.body, joint.m2.body), {lambda0 + first, count}, 0, true,
+                   joints[static_cast<std::size_t>(j)], visit);
+    }
+    visit_signal_blocks(model, layout, kinematics, signals, visit);
+    for (int i = 0; i < model.force_count(); ++i) {
+      const ForceElement& force = model.force(i);
+      visit_blocks(velocities(layout, kinematics, force.bodies()[0], force.bodies()[1]),
+                   {z0 + layout.force_z[static_cast<std::size_t>(i)], force.state_count()}, force.state_block(), true,
+                   forces[static_cast<std::size_t>(i)], visit);
+    }
+    for (int i = 0; i < model.body_count(); ++i) {
+      const Range v = body_range(layout, kinematics, i);
+      visit(v, v, bodies[static_cast<std::size_t>(i)].v_v);
+    }
+  };
+  SparsePattern pattern(lambda0 + layout.row_count);
+  visit_all(announce_to(pattern));
+  pattern.add_diagonal(z0, z0, layout.z_size);
+  pattern.add_diagonal(lambda0, lambda0, layout.row_count);
+  lower = reduced = pattern.build();
+  stiffness = Eigen::VectorXd::Zero(lower.nonZeros());
+  visit_all(locate_in(lower));
+  z_z = diagonal_places(lower, z0, z0, layout.z_size);
+  lambda_lambda = diagonal_places(lower, lambda0, lambda0, layout.row_count);
+  build_full(model, layout);
+}
+
+// The full matrix: F_q in its own rows and, below, the columns of `lower` for q (as often as a body has positions) and for
+// v.
+void JacobianPattern::build_full(const Model& model, const Layout& layout) {
+  SparsePattern pattern(layout.size());
+  const int lower0 = layout.q_size;  // rows of `lower` start here; so do its columns v, z, lambda
+  const auto copy_column = [&](int from, int to) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, from); entry; ++entry)
+      pattern.add_block(lower0 + static_cast<int>(entry.row()), 1, to, 1);
+  };
+  for (int j = 0; j < lower.cols(); ++j) copy_column(j, lower0 + j);
+  for (int i = 0; i < model.body_count(); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    const int s = model.body(i).mode_count(), q = layout.body_q[at], v = layout.v0() + layout.body_v[at];
+    for (int k = 0; k < 7 + s; ++k) copy_column(layout.body_v[at], q + k);
+    pattern.add_diagonal(q, q, 3);
+    pattern.add_diagonal(q, v, 3);
+    pattern.add_block(q + 3, 4, q + 3, 4);
+    pattern.add_block(q + 3, 4, v + 3, 3);
+    pattern.add_diagonal(q + 7, q + 7, s);
+    pattern.add_diagonal(q + 7, v + 6, s);
+  }
+  full = pattern.build();
+  for (int i = 0; i < model.body_count(); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    const int s = model.body(i).mode_count(), q = layout.body_q[at], v = layout.v0() + layout.body_v[at];
+    BodyPlaces& places = bodies[at];
+    places.r_r = diagonal_places(full, q, q, 3);
+    places.r_dr = diagonal_places(full, q, v, 3);
+    places.L_L = SparseBlock(full, q + 3, 4, q + 3, 4);
+    places.L_w = SparseBlock(full, q + 3, 4, v + 3, 3);
+    places.a_a = diagonal_places(full, q + 7, q + 7, s);
+    places.a_da = diagonal_places(full, q + 7, v + 6, s);
+  }
+}
+
+SaddlePattern::SaddlePattern(const Model& model, const Layout& layout, const Kinematics& kinematics)
+    : mass(static_cast<std::size_t>(model.body_count())), joints(static_cast<std::size_t>(model.joint_count())) {
+  const auto visit_all = [&](auto visit) {
+    for (int j = 0; j < model.joint_count(); ++j) {
+      const Joint& joint = model.joint(j);
+      const int first = layout.joint_row[static_cast<std::size_t>(j)], count = static_cast<int>(joint.rows.size());
+      visit_blocks(velocities(layout, kinematics, joint.m1.body, joint.m2.body), {layout.v_size + first, count}, 0,
+                   false, joints[static_cast<std::size_t>(j)], visit);
+    }
+    for (int i = 0; i < model.body_count(); ++i) {
+      const Range v = body_range(layout, kinematics, i);
+      visit(v, v, mass[static_cast<std::size_t>(i)]);
+    }
+  };
+  SparsePattern pattern(layout.v_size + layout.row_count);
+  visit_all(announce_to(pattern));
+  pattern.add_diagonal(layout.v_size, layout.v_size, layout.row_count);
+  matrix = pattern.build();
+  visit_all(locate_in(matrix));
+  diagonal = diagonal_places(matrix, layout.v_size, layout.v_size, layout.row_count);
+}
+
+}  // namespace footfall

@@ -1,0 +1,71 @@
+#pragma once
+// The sparse matrices of the equations of motion and the places of all bodies, joints and force elements in them. Patterns are
+// built once from a list of blocks; values are written without a search.
+
+#include <array>
+#include <vector>
+
+#include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/dynamics/sparse_blocks.h"
+
+namespace footfall {
+
+// Places of one body in the Jacobian of the forces and in F_q. n = 6 + s.
+struct BodyPlaces {
+  SparseBlock v_v;                        // force rows by the body's own coordinates, in `lower`
+  std::vector<int> r_r, r_dr, a_a, a_da;  // F_q in the full matrix, diagonals: by r, dr, a, da
+  SparseBlock L_L, L_w;                   // F_q of the quaternion by L and w
+};
+
+// Places of one joint or force element between its two bodies; blocks of a ground body are empty.
+struct PairPlaces {
+  SparseBlock v_v[2][2];                 // force rows of body i by coordinates of body j
+  SparseBlock extra_v[2], v_extra[2];    // own rows (lambda or z) by body, forces on body by own unknowns
+  std::vector<SparseBlock> extra_extra;  // z by z, block by block
+};
+
+// Places of continuous signals: forces that they drive and their own states, by the bodies that they measure and by their
+// states. Empty without signals.
+struct SignalPlaces {
+  struct Driven {
+    int force = 0;                         // element of the model
+    std::vector<SparseBlock> v_v[2], z_v;  // per measured body: rows of its bodies, of its inner states
+    SparseBlock v_states[2], z_states;     // by the states of the signals
+  };
+  std::vector<int> measured;          // bodies
+  std::vector<Driven> driven;         // elements that read inputs
+  std::vector<SparseBlock> states_v;  // per measured body: rows of the states of the signals
+  SparseBlock states_states;
+};
+
+struct JacobianPattern {
+  JacobianPattern(const Model& model, const Layout& layout, const Kinematics& kinematics);
+
+  // Derivatives of the lower rows F_v, F_z, F_lambda, in one pattern over [v; z; lambda], two value arrays:
+  //   stiffness          by the increments dx of positions (columns of v)
+  //   values of `lower`  by v, z, lambda, with c dF/dydot
+  // All columns of one body have the same rows, so that both Jacobians are combinations of columns.
+  Eigen::SparseMatrix<double> lower;
+  Eigen::VectorXd stiffness;
+  std::vector<BodyPlaces> bodies;
+  std::vector<PairPlaces> joints, forces;
+  std::vector<int> z_z, lambda_lambda;
+  SignalPlaces signals;
+  Eigen::SparseMatrix<double> full;     // of the full system: columns of q, then as in `lower` with F_q on top
+  Eigen::SparseMatrix<double> reduced;  // pattern of `lower`
+
+ private:
+  void build_full(const Model& model, const Layout& layout);
+};
+
+// The saddle matrix [M, Phi_v^T; Phi_v, -eps].
+struct SaddlePattern {
+  SaddlePattern(const Model& model, const Layout& layout, const Kinematics& kinematics);
+
+  Eigen::SparseMatrix<double> matrix;
+  std::vector<SparseBlock> mass;   // per body
+  std::vector<PairPlaces> joints;  // extra_v: Phi_v, v_extra: its transpose
+  std::vector<int> diagonal;       // of the rows of joints
+};
+
+}  // namespace footfall
