@@ -20,7 +20,7 @@
 #include "mbd_solver/app/run_command.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/bed/programs.h"
-#include "mbd_solver/scene/script_text.h"
+#include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
 namespace {

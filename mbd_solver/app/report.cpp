@@ -19,7 +19,7 @@
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/summary.h"
-#include "mbd_solver/scene/script_text.h"
+#include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
 

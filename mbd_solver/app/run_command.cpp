@@ -29,7 +29,7 @@
 #include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
-#include "mbd_solver/scene/script_text.h"
+#include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
 

@@ -26,7 +26,7 @@
 #include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
-#include "mbd_solver/scene/script_text.h"
+#include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
 

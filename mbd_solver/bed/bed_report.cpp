@@ -18,9 +18,7 @@
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/build/grain_dump.h"
 #include "mbd_solver/scene/box_bed.h"
-#include "mbd_solver/scene/clump_shape.h"
-#include "mbd_solver/scene/grain_time_step.h"
-#include "mbd_solver/scene/script_text.h"
+#include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
 

@@ -13,7 +13,7 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/bed/codes.h"
-#include "mbd_solver/scene/script_text.h"
+#include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
 namespace {

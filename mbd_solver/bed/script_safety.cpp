@@ -7,7 +7,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/bed/codes.h"
-#include "mbd_solver/scene/script_text.h"
+#include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
 namespace {

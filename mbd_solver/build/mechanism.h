@@ -11,6 +11,8 @@
 #include "coupler/modal_boundary.h"
 #include "mbd_solver/model/control/continuous_signals.h"
 #include "mbd_solver/model/control/controllers.h"
+#include "mbd_solver/model/control/fuzzy.h"
+#include "mbd_solver/model/control/signal_blocks.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/surface_contact.h"
 #include "mbd_solver/model/model.h"
@@ -190,5 +192,18 @@ std::string where_read(const Scene& scene, const std::string& name);
 // Origin and axes of a body in D: the mass centre and R_DB of a rigid body, p_DBo and I of a flexible one.
 Eigen::Vector3d origin_D(const BodySpec& body, const FlexibleBody& flexible);
 Eigen::Matrix3d axes_D(const BodySpec& body, const FlexibleBody& flexible);
+
+// A fuzzy system as a signal.
+class FuzzyBlock final : public SignalBlock {
+ public:
+  FuzzyBlock(const std::string& file, std::size_t inputs, const std::string& output)
+      : function_(file, inputs, output), inputs_(static_cast<int>(inputs)) {}
+  int input_count() const override { return inputs_; }
+  double value(const BlockValues& u, const BlockValues&) const override { return function_.value(u); }
+
+ private:
+  FuzzyFunction function_;
+  int inputs_;
+};
 
 }  // namespace footfall

@@ -6,7 +6,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "mbd_solver/run/output/summary.h"
-#include "mbd_solver/scene/scene_json.h"
+#include "mbd_solver/scene/scene_schema.h"
 
 namespace footfall {
 namespace {

@@ -9,7 +9,7 @@
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/run/output/summary.h"
-#include "mbd_solver/scene/scene_json.h"
+#include "mbd_solver/scene/scene_schema.h"
 
 namespace footfall {
 namespace {

@@ -10,7 +10,7 @@
 #include "mbd_solver/base/kinds.h"
 #include "mbd_solver/fe/material.h"
 #include "mbd_solver/fe/modal_basis.h"
-#include "mbd_solver/scene/source.h"
+#include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 

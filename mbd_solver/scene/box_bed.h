@@ -1,11 +1,63 @@
 #pragma once
-// From [particles.box] to the scripts of inputs/box and their variables.
+// Grains with corners: clumps of equal spheres that LIGGGHTS moves as one rigid body (fix multisphere).
+//
+// The spheres of a clump are sqrt(3) radii apart. That is as near as three spheres can be without sharing a point, so
+// volume and moments of their union are those of the spheres less those of the lenses in which two overlap, in closed
+// form:
+//   V = n 4/3 pi s^3 - m V_lens        S = sum of int x x^T dV over spheres - the same over lenses        I / density = tr(S) 1 - S
+// What overlaps counts once. The centre of mass is the mean of the centres, because each shape is symmetric.
 
+#include <Eigen/Dense>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mbd_solver/base/kinds.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene.h"
+#include "mbd_solver/scene/toml_file.h"
 
 namespace footfall {
 
+// 2 spheres; 3 in a line; 3; 4; 5: two tetrahedra on one triangle; 6.
+enum class ClumpShape { kPair, kRod, kTriangle, kTetrahedron, kBipyramid, kOctahedron };
+constexpr std::string_view name_of(ClumpShape kind) {
+  return name_in(kind, "pair", "rod", "triangle", "tetrahedron", "bipyramid", "octahedron");
+}
+
+struct Clump {
+  Eigen::Matrix3Xd centres;  // of the spheres, from the centre of mass [m]
+  double radius = 0.0;       // of each sphere [m]
+  double volume = 0.0;       // of their union [m3]
+  Eigen::Matrix3d inertia;   // about the centre of mass, over the density [m5]
+};
+
+// The clump whose volume is that of a sphere of this radius [m] > 0.
+Clump clump_of(ClumpShape shape, double equal_radius);
+
+// The shape of this name; throws InputError with what is known.
+ClumpShape clump_shape(const std::string& name);
+
+// Times that limit the time step of grains: theory 5.
+struct ElasticGrain {
+  double radius;   // r [m]
+  double density;  // rho [kg/m3]
+  double young;    // E [Pa]
+  double poisson;  // nu [-]
+};
+
+// Rayleigh time of a grain [s]:
+//   pi r sqrt(rho / G) / (0.1631 nu + 0.8766),  G = E / (2 (1 + nu))
+double rayleigh_time(const ElasticGrain& grain);
+
+// Duration of a Hertz contact of two equal grains at the impact speed `speed` [m/s] > 0 [s]:
+//   2.87 (m*^2 / (r* E*^2 speed))^(1/5),  m* = m / 2, r* = r / 2, E* = E / (2 (1 - nu^2))
+double hertz_time(const ElasticGrain& grain, double speed);
+
+// The value > 0 rounded down to two digits: 8.84e-5 -> 8.8e-5.
+double rounded_down(double value);
+
+// From [particles.box] to the scripts of inputs/box and their variables.
 // Numbers that follow from the box and the scene.
 struct BoxNumbers {
   double rayleigh = 0.0, hertz = 0.0;  // times of the smallest grain [s]
@@ -29,5 +81,16 @@ bool check_box(const Scene& scene, Findings& findings);
 
 // Path of a script of inputs/box (shipped_files.h). Throws InputError.
 std::string box_script(const std::string& name);
+
+// particles.soil = "grc-1-dense": a bed with the numbers of a published soil. inputs/soils/NAME.toml holds keys of
+// [particles.box] with the source of each. Keys of the scene take precedence.
+class Findings;
+
+// Adds the soil's keys to the table particles.box where the scene has none. Does nothing without particles.soil. An unknown
+// soil, or one without a box, is a finding.
+void add_soil(ConfigNode& scene, Findings& findings);
+
+// The names of inputs/soils, sorted.
+std::vector<std::string> known_soils();
 
 }  // namespace footfall

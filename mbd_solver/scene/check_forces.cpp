@@ -1,8 +1,10 @@
 // Struts, springs, forces and controllers.
+
 #include <cmath>
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/control/signal_chain.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
@@ -182,6 +184,297 @@ void check_controllers(const Scene& scene, Findings& findings) {
     at.error_if(c.kind == ControllerKind::kSkyhook && c.skyhook.off > c.skyhook.on, kRangeReversed, "off",
                 "is more than on, expected at most on");
   }
+}
+
+// Boundaries, contacts, ground and particles.
+using namespace code;
+
+namespace {
+
+bool is_flexible(const BodySpec& body) { return body.flexible && body.flexible->enabled; }
+
+void check_surface(const BodySpec& body, const SurfaceSpec& surface, const EntryFindings& at) {
+  const bool own_mesh = is_flexible(body) && (!body.flexible->mesh.empty() || !body.flexible->file.empty());
+  const bool from_file = !surface.file.empty();
+  at.error_if(
+      !from_file && !own_mesh && (!body.shape || body.shape->kind == ShapeKind::kPoints), kNoSurface, "surface",
+      "cannot be generated: body \"" + body.name + "\" has no shape with a surface; give surface.file or a shape");
+  const bool shape_is_mesh = body.shape && body.shape->kind == ShapeKind::kMesh && !own_mesh;
+  at.no_effect_if((from_file || shape_is_mesh) && at.given("surface.element_size") && surface.from_script.empty(),
+                  "surface.element_size", "a mesh from a file");
+  for (const char* key : {"surface.scale", "surface.position", "surface.orientation"})
+    at.error_if(!from_file && at.given(key), kKeyWithoutEffect, key, "belongs to a surface from a file; remove it");
+  if (!at.given("surface.faces")) return;
+  const bool drawn = !from_file && body.shape && !own_mesh;
+  const bool disc = drawn && body.shape->kind == ShapeKind::kDisc, dish = drawn && body.shape->kind == ShapeKind::kDish;
+  at.error_if(!disc && !dish, kKeyWithoutEffect, "surface.faces",
+              "belongs to a disc or dish, which the surface of \"" + body.name + "\" is not; remove it");
+  at.error_if(dish && surface.faces == SurfaceFaces::kBoth, kUnknownChoice, "surface.faces",
+              "is \"both\", but a dish has its mid-surface only; expected \"middle\"");
+}
+
+void check_beams(const BodySpec& body, const BeamsSpec& beams, const EntryFindings& at) {
+  const bool round = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod);
+  const bool frame = is_flexible(body) && !body.flexible->nodes.empty();
+  at.missing_if(!round && !frame && beams.points.empty(), "beams.points", "only a tube or rod has an axis to follow");
+  at.error_if(beams.points.size() == 1, kWrongCount, "beams.points", "is one point, expected two or more");
+  at.missing_if(!round && !(beams.radius > 0.0), "beams.radius", "only a tube or rod has a diameter");
+}
+
+void check_boundary(const Scene& scene, const BoundarySpec& boundary, const EntryFindings& at) {
+  at.error_if(!boundary.surface && !boundary.beams, kEmptyEntry, "",
+              "has neither a surface nor beams; give surface = {} or beams = {}");
+  for (const BodySpec& body : scene.bodies) {
+    if (body.name != boundary.body) continue;
+    if (boundary.surface) check_surface(body, *boundary.surface, at);
+    if (boundary.beams) check_beams(body, *boundary.beams, at);
+    return;
+  }
+}
+
+// prefix: before the keys in a message.
+void check_law(const Scene& scene, const std::string& prefix, const ContactLawSpec& law, const EntryFindings& at) {
+  at.error_if(law.young && law.stiffness, kConflictingKeys, prefix + "stiffness",
+              "follows from young, which is given as well; keep one of the two");
+  at.missing_if(!law.young && !law.stiffness, prefix + "young", "give young [Pa] or stiffness [N/m^1.5]");
+  at.error_if(law.restitution && law.damping, kConflictingKeys, prefix + "damping",
+              "follows from restitution, which is given as well; keep one of the two");
+  at.error_if(law.restitution && *law.restitution <= 0.0, kOutOfRange, prefix + "restitution",
+              "is 0, expected more than 0, at most 1");
+  at.missing_if(law.restitution && *law.restitution < 1.0 && !law.impact_speed && scene.initial.velocity.isZero(),
+                prefix + "impact_speed",
+                "the coefficient of restitution holds at one impact speed, and initial.velocity does not give it");
+  at.error_if(!(law.poisson > -1.0 && law.poisson < 0.5), kOutOfRange, prefix + "poisson",
+              "is " + number_text(law.poisson) + ", expected more than -1 and less than 0.5");
+}
+
+void check_has_boundary(const Scene& scene, const EntryFindings& at, const char* key, const std::string& name) {
+  const std::vector<std::string> names = boundary_names(scene);
+  if (!is_in(names, name))
+    at.error(kUnknownBoundary, key,
+             "\"" + name + "\" has no entry in [[boundaries]]." + known_names("boundaries", name, names));
+}
+
+// A flexible body in a scene that is not rigid as a whole.
+bool deforms(const Scene& scene, const std::string& name) {
+  return scene.flexible && std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                       [&](const BodySpec& body) { return body.name == name && is_flexible(body); });
+}
+
+void check_between(const Scene& scene, const ContactSpec& contact, const EntryFindings& at) {
+  if (contact.between.size() != 2) {
+    at.error(kWrongCount, "between",
+             "contains " + std::to_string(contact.between.size()) +
+                 " names, expected two bodies, or a body and \"plane\" (or walls = true instead)");
+    return;
+  }
+  const std::string &first = contact.between[0], &second = contact.between[1];
+  check_has_boundary(scene, at, "between", first);
+  if (!contact.with_plane()) check_has_boundary(scene, at, "between", second);
+  at.error_if(first == second, kListedTwice, "between", "contains \"" + first + "\" twice");
+  at.error_if(contact.ignore && contact.with_plane(), kConflictingKeys, "ignore",
+              "is for two bodies; a body without contact with a plane needs no entry");
+  at.error_if(!contact.ignore && deforms(scene, first) && deforms(scene, second), kFlexibleContact, "between",
+              "names two flexible bodies; expected at most one, whose nodes touch the surface of the rigid one");
+}
+
+void check_contacts(const Scene& scene, Findings& findings) {
+  for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+    const ContactSpec& contact = scene.contacts[i];
+    const EntryFindings at(findings, contact.source);
+    if (contact.walls) {
+      at.error_if(!contact.between.empty(), kConflictingKeys, "walls", "excludes between; give each of them an entry");
+      at.error_if(contact.ignore, kConflictingKeys, "ignore", "is for two bodies, not for walls");
+      at.error_if(!scene.touches_particles(), kGroundIncomplete, "walls",
+                  "are those of a LIGGGHTS script, but ground.kind is not \"particles\"");
+      at.error_if(scene.boundaries.empty(), kGroundIncomplete, "walls", "touch [[boundaries]], but the scene has none");
+      for (const std::string& name : contact.bodies) check_has_boundary(scene, at, "bodies", name);
+    } else {
+      check_between(scene, contact, at);
+      at.error_if(!contact.bodies.empty(), kConflictingKeys, "bodies",
+                  "belongs to walls = true; between names its bodies");
+    }
+    for (const char* key : {"point", "normal"})
+      at.error_if(at.given(key) && !contact.with_plane(), kKeyWithoutEffect, key,
+                  "belongs to a plane: between = [\"BODY\", \"plane\"]");
+    if (!contact.ignore) check_law(scene, "", contact, at);
+    for (std::size_t j = 0; j < i; ++j) {
+      const ContactSpec& other = scene.contacts[j];
+      const bool same = contact.between.size() == 2 && !contact.with_plane() && other.between.size() == 2 &&
+                        std::is_permutation(contact.between.begin(), contact.between.end(), other.between.begin());
+      const bool shared = contact.bodies.empty() || other.bodies.empty() ||
+                          std::find_first_of(contact.bodies.begin(), contact.bodies.end(), other.bodies.begin(),
+                                             other.bodies.end()) != contact.bodies.end();
+      at.error_if(same || (contact.walls && other.walls && shared), kListedTwice, contact.walls ? "walls" : "between",
+                  "are in an earlier entry already: the contact would count twice");
+    }
+  }
+}
+
+}  // namespace
+
+void check_contact(const Scene& scene, Findings& findings) {
+  for (std::size_t i = 0; i < scene.boundaries.size(); ++i) {
+    const BoundarySpec& boundary = scene.boundaries[i];
+    const EntryFindings at(findings, boundary.source);
+    check_body_name(scene, at, "body", boundary.body);
+    for (std::size_t j = 0; j < i; ++j)
+      at.error_if(!boundary.body.empty() && scene.boundaries[j].body == boundary.body, kListedTwice, "body",
+                  "\"" + boundary.body + "\" already has a boundary; put surface and beams into one entry");
+    check_boundary(scene, boundary, at);
+  }
+  check_contacts(scene, findings);
+  const GroundKind kind = scene.ground.kind;
+  const EntryFindings at(findings, scene.ground.source);
+  if (scene.ground.plane) {
+    check_law(scene, "plane.", *scene.ground.plane, at);
+    for (const std::string& name : scene.ground.plane->bodies) check_has_boundary(scene, at, "plane.bodies", name);
+  }
+  at.error_if(kind == GroundKind::kPlane && !scene.ground.plane, kGroundIncomplete, "plane",
+              "is missing; ground.kind = \"plane\" needs [ground.plane]");
+  at.error_if(kind == GroundKind::kParticles && !scene.particles, kGroundIncomplete, "kind",
+              "is \"particles\", but there is no [particles] section with a script or a box");
+  if (kind == GroundKind::kParticles && scene.particles && scene.particles->script.empty() && !scene.particles->box)
+    findings.error(kMissingKey, scene.particles->source, "script",
+                   "is missing; name a LIGGGHTS script, or give [particles.box] for a simple bed");
+  at.error_if(kind != GroundKind::kNone && scene.boundaries.empty(), kGroundIncomplete, "kind",
+              "gives a ground that nothing touches; add [[boundaries]], or set kind = \"none\"");
+  if (scene.initial.clearance && kind == GroundKind::kNone)
+    findings.error(kGroundIncomplete, scene.initial.source, "clearance",
+                   "is measured from the ground, but ground.kind is \"none\"; remove it, or give a ground");
+}
+
+// Signals, states and events.
+using namespace code;
+namespace {
+
+// "signal.pitch" with the prefix "signal.": "pitch".
+bool cut_prefix(const std::string& text, const std::string& prefix, std::string& rest) {
+  if (text.rfind(prefix, 0) != 0) return false;
+  rest = text.substr(prefix.size());
+  return true;
+}
+
+void check_state_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
+  check_known(at, kUnknownState, key, "state", "states", name, names_in(scene.states));
+}
+
+// It can be read, and the signals and states that it names exist. Columns are known when the mechanism is built.
+void check_expression(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& text) {
+  if (text.empty()) return;
+  try {
+    for (const std::string& name : Expression::names_in(text)) {
+      std::string rest;
+      if (cut_prefix(name, "signal.", rest)) check_signal_name(scene, at, key, rest);
+      if (name == "state.since") {
+        at.error_if(scene.states.empty(), kUnknownState, key,
+                    "uses state.since, but there are no [[states]]; add them");
+      } else if (cut_prefix(name, "state.", rest)) {
+        check_state_name(scene, at, key, rest);
+      }
+    }
+  } catch (const InputError& error) {
+    at.all().coded_error(at.source(), key, error.what());
+  }
+}
+
+bool is_filter(SignalKind kind) {
+  return kind == SignalKind::kLowpass || kind == SignalKind::kLowpass2 || kind == SignalKind::kNotch;
+}
+
+void check_rising(const EntryFindings& at, const std::string& key, const std::vector<double>& x) {
+  at.error_if(x.size() < 2, kWrongCount, key, "has fewer than two values, expected at least two, rising");
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (x[i] > x[i - 1]) continue;
+    at.error(kNotRising, key,
+             "has " + number_text(x[i]) + " after " + number_text(x[i - 1]) + ", expected rising values");
+    return;
+  }
+}
+
+void check_limits_of(const SignalSpec& s, const EntryFindings& at) {
+  if (s.min && s.max) check_min_below_max(at, "", *s.min, *s.max, Unit::kNone);
+  at.error_if(s.kind == SignalKind::kSaturation && !s.min && !s.max, kEmptyEntry, "",
+              "limits nothing; give min, max or both");
+  if (s.kind != SignalKind::kPid) return;
+  at.missing_if(s.kp == 0.0 && s.ki == 0.0 && s.kd == 0.0, "kp", "give at least one of kp, ki, kd");
+  at.error_if((s.min || s.max) && s.ki > 0.0 && s.kp == 0.0, kNeedsOtherKey, "kp",
+              "is missing; a limited pid with ki needs kp > 0, which scales the correction of its integral");
+  at.error_if(s.kd > 0.0 && s.rate.empty() && s.derivative_frequency == 0.0 && s.period == 0.0, kNeedsOtherKey,
+              "derivative_frequency",
+              "is missing; a continuous pid with kd needs it (Hz), or rate = \"...\", the input's derivative");
+  at.error_if(!s.rate.empty() && s.kd == 0.0, kNeedsOtherKey, "rate", "has no effect without kd; add kd");
+}
+
+void check_table(const SignalSpec& s, const EntryFindings& at) {
+  const auto refused = [&](const char* key) { return s.source.refused.count(key) > 0; };
+  if (s.kind == SignalKind::kTable && !refused("points")) {
+    std::vector<double> x;
+    for (const Eigen::Vector2d& point : s.points) x.push_back(point.x());
+    check_rising(at, "points", x);
+  }
+  if (s.kind != SignalKind::kTable2 || refused("x") || refused("x2") || refused("input2") || refused("values")) return;
+  check_rising(at, "x", s.x);
+  check_rising(at, "x2", s.x2);
+  at.missing_if(s.input2.empty(), "input2", "this kind of signal has two inputs");
+  at.error_if(s.values.size() != s.x.size() * s.x2.size(), kWrongCount, "values",
+              "contains " + std::to_string(s.values.size()) + " numbers, expected one for each pair of x and x2 (" +
+                  std::to_string(s.x.size() * s.x2.size()) + ")");
+}
+
+void check_signal(const Scene& scene, const SignalSpec& s, const EntryFindings& at) {
+  check_kind_keys(at, s.kind, "signal");
+  for (const auto& [key, text] : {std::pair("input", &s.input), {"input2", &s.input2}, {"rate", &s.rate}})
+    check_expression(scene, at, key, *text);
+  for (const std::string& input : s.inputs) check_expression(scene, at, "inputs", input);
+  for (const std::string& state : s.states) check_state_name(scene, at, "states", state);
+  check_limits_of(s, at);
+  check_table(s, at);
+  // needs(condition, key, why): a key that this kind cannot do without; refused values are reported already.
+  const auto needs = [&](bool missing, const std::string& key, const std::string& why) {
+    if (missing && s.source.refused.count(key) == 0)
+      at.error(kMissingKey, key, (at.given(key) ? "is 0; " : "is missing; ") + why);
+  };
+  const bool fuzzy = s.kind == SignalKind::kFuzzy, rate_limit = s.kind == SignalKind::kRateLimit;
+  needs(!fuzzy && s.input.empty(), "input", "expected an expression such as \"0.3 - knee.angle\"");
+  needs(is_filter(s.kind) && !(s.frequency > 0.0), "frequency", "a filter needs it (Hz), expected more than 0");
+  needs(rate_limit && !(s.max_rate > 0.0), "max_rate", "expected more than 0, per second");
+  needs(rate_limit && s.period == 0.0, "period", "a rate limit is sampled, for example period_ms = 1");
+  needs(fuzzy && s.file.empty(), "file", "a fuzzy signal is read from an .fll file");
+  needs(fuzzy && s.inputs.empty(), "inputs", "expected one expression per input variable of the file");
+}
+
+void check_states(const Scene& scene, Findings& findings) {
+  check_unique_names(scene.states, "state", findings);
+  check_unique_names(scene.events, "event", findings);
+  for (const StateSpec& state : scene.states)
+    if (state.name == "since")
+      findings.error(kReservedName, state.source, "name",
+                     "\"since\" is the time in the present state; choose another name");
+  if (scene.states.size() == 1)
+    findings.error(kWrongCount, scene.states[0].source, "",
+                   "is the only state, expected another one that an event changes to");
+  for (const EventSpec& event : scene.events) {
+    const EntryFindings at(findings, event.source);
+    check_expression(scene, at, "when", event.when);
+    if (!event.to.empty() && scene.states.empty()) {
+      at.error(kUnknownState, "to", "names a state, but there are no [[states]]; list them, the initial one first");
+      continue;
+    }
+    check_state_name(scene, at, "to", event.to);
+    for (const std::string& state : event.from) check_state_name(scene, at, "from", state);
+    at.error_if(is_in(event.from, event.to), kListedTwice, "from",
+                "contains \"" + event.to + "\", to which the event changes; remove it");
+  }
+}
+
+}  // namespace
+
+void check_signals(const Scene& scene, Findings& findings) {
+  check_unique_names(scene.signals, "signal", findings);
+  for (const SignalSpec& signal : scene.signals)
+    if (signal.source.good("kind")) check_signal(scene, signal, {findings, signal.source});
+  check_states(scene, findings);
 }
 
 }  // namespace footfall

@@ -1,17 +1,375 @@
-// The visitor that fills structs from a tree of values and remembers which keys were known, found and refused.
-#include "mbd_solver/scene/field_reader.h"
+// The table of units and suffixes.
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <map>
 
 #include "coupler/base/text.h"
+#include "mbd_solver/base/csv.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/codes.h"
+#include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/field_visitor.h"
-#include "mbd_solver/scene/value_checks.h"
-#include "mbd_solver/scene/value_reader.h"
 
 namespace footfall {
 
+namespace {
+constexpr double kStandardGravity = 9.80665;  // [m/s2]
+
+struct UnitEntry {
+  const char* name;
+  std::vector<UnitSuffix> suffixes;
+};
+
+const UnitEntry& entry(Unit unit) {
+  static const std::map<Unit, UnitEntry> table = {
+      {Unit::kNone, {"", {}}},
+      {Unit::kLength, {"m", {{"_mm", 1e-3}, {"_cm", 1e-2}}}},
+      {Unit::kArea, {"m2", {{"_mm2", 1e-6}, {"_cm2", 1e-4}}}},
+      {Unit::kArea2, {"m4", {{"_mm4", 1e-12}, {"_cm4", 1e-8}}}},
+      {Unit::kVolume, {"m3", {{"_cm3", 1e-6}, {"_l", 1e-3}}}},
+      {Unit::kAngle, {"rad", {{"_deg", kPi / 180.0}}}},
+      {Unit::kTime, {"s", {{"_ms", 1e-3}, {"_us", 1e-6}}}},
+      {Unit::kMass, {"kg", {{"_g", 1e-3}, {"_t", 1e3}}}},
+      {Unit::kDensity, {"kg/m3", {{"_g_cm3", 1e3}}}},
+      {Unit::kInertia, {"kg m2", {}}},
+      {Unit::kVelocity, {"m/s", {{"_mm_s", 1e-3}, {"_km_h", 1.0 / 3.6}}}},
+      {Unit::kAngularVelocity, {"rad/s", {{"_deg", kPi / 180.0}, {"_rpm", kPi / 30.0}}}},
+      {Unit::kAcceleration, {"m/s2", {{"_g", kStandardGravity}}}},
+      {Unit::kForce, {"N", {{"_kN", 1e3}}}},
+      {Unit::kPressure, {"Pa", {{"_kPa", 1e3}, {"_MPa", 1e6}, {"_GPa", 1e9}}}},
+      {Unit::kFrequency, {"Hz", {{"_kHz", 1e3}}}},
+      {Unit::kStiffness, {"N/m", {{"_N_mm", 1e3}}}},
+      {Unit::kDamping, {"N s/m", {}}},
+      {Unit::kTurningStiffness, {"N m/rad", {{"_Nm_deg", 180.0 / kPi}}}},
+      {Unit::kTurningDamping, {"N m s/rad", {}}},
+      {Unit::kTorque, {"N m", {{"_Nmm", 1e-3}, {"_kNm", 1e3}}}},
+  };
+  return table.at(unit);
+}
+}  // namespace
+
+const char* unit_name(Unit unit) { return entry(unit).name; }
+const std::vector<UnitSuffix>& unit_suffixes(Unit unit) { return entry(unit).suffixes; }
+
+// Texts of findings about values, and the ranges of numbers.
+using namespace code;
+
+std::string is_expected(const ConfigNode& node, const std::string& expected) {
+  return with_code(kWrongType, "is " + node.description() + ", expected " + expected);
+}
+
+std::string with_unit(const std::string& what, const Rule& rule) {
+  const std::string unit = unit_name(rule.unit);
+  return unit.empty() ? what : what + " [" + unit + "]";
+}
+
+std::string check_range(double value, const Rule& rule) {
+  constexpr double kSmallest = 1e-100, kLargest = 1e100;  // the product of two such numbers is still finite
+  std::string expected;
+  if (!std::isfinite(value)) {
+    expected = "a finite number";
+  } else if (value != 0.0 && !(std::abs(value) >= kSmallest && std::abs(value) <= kLargest)) {
+    expected = "0 or a magnitude from " + number_text(kSmallest) + " to " + number_text(kLargest);
+  } else if (rule.range == Range::kPositive && !(value > 0.0)) {
+    expected = "more than 0";
+  } else if (rule.range == Range::kNotNegative && !(value >= 0.0)) {
+    expected = "0 or more";
+  } else if (rule.range == Range::kUnitInterval && !(value >= 0.0 && value <= 1.0)) {
+    expected = "a number from 0 to 1";
+  }
+  if (expected.empty()) return "";
+  const std::string unit = unit_name(rule.unit);
+  return with_code(kOutOfRange,
+                   "is " + number_text(value) + (unit.empty() ? "" : " " + unit) + ", expected " + expected);
+}
+
+std::string read_numbers(const ConfigNode& node, const ValueContext& c, std::size_t count, std::vector<double>& values,
+                         std::string expected) {
+  if (expected.empty())
+    expected = with_unit(count ? "a list of " + std::to_string(count) + " numbers" : "a list of numbers", c.rule);
+  if (node.kind != ConfigNode::Kind::kList || (count && node.list.size() != count)) return is_expected(node, expected);
+  std::vector<double> result;
+  for (const ConfigNode& item : node.list) {
+    if (!item.is_number()) return with_code(kWrongType, "contains " + item.description() + ", expected " + expected);
+    result.push_back(item.number * c.factor);
+    const std::string problem = check_range(result.back(), c.rule);
+    if (!problem.empty()) return "number " + std::to_string(result.size()) + " " + problem;
+  }
+  values = std::move(result);
+  return "";
+}
+
+// Numbers, texts, lists, tables and choices of a scene file. Vectors and rotations: vector_reader.cpp.
+using namespace code;
+
+namespace {
+
+using Kind = ConfigNode::Kind;
+
+// Names of arrays stand in braces until their entries are copied: "leg_{leg}".
+std::string without_braces(std::string text) {
+  for (char& c : text)
+    if (c == '{' || c == '}') c = '_';
+  return text;
+}
+
+}  // namespace
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, double& target) {
+  if (!node.is_number()) return is_expected(node, with_unit("a number", c.rule));
+  const double value = node.number * c.factor;
+  const std::string problem = check_range(value, c.rule);
+  if (problem.empty()) target = value;
+  return problem;
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, int& target) {
+  if (node.kind != Kind::kInteger || std::abs(node.number) > 1e9) return is_expected(node, "a whole number");
+  const std::string problem = check_range(node.number, c.rule);
+  if (problem.empty()) target = static_cast<int>(node.number);
+  return problem;
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext&, bool& target) {
+  if (node.kind != Kind::kFlag) return is_expected(node, "true or false");
+  target = node.flag;
+  return "";
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, std::string& target) {
+  if (c.rule.meaning == Meaning::kWords && node.is_number()) {
+    const bool whole = node.kind == Kind::kInteger;  // seeds have many digits
+    target = whole ? std::to_string(static_cast<long long>(node.number)) : number_text(node.number);
+    return "";
+  }
+  if (node.kind != Kind::kText) return is_expected(node, "text in quotes");
+  if (node.text.empty() && c.rule.required) return with_code(kMissingKey, "is empty, expected a name");
+  if (c.rule.meaning == Meaning::kName && !node.text.empty() && !is_plain_name(without_braces(node.text)))
+    return with_code(kBadName, "is " + node.description() + ", expected a name of at most " +
+                                   std::to_string(kLongestName) +
+                                   " letters, digits, _ - and . (not first): it becomes a column and a file");
+  target = node.text;
+  return "";
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<std::string>& target) {
+  if (c.rule.meaning != Meaning::kWords || node.kind == Kind::kList)
+    return read_list(node, c, "a list of texts", target);
+  std::string word;
+  const std::string problem = read_value(node, c, word);
+  if (problem.empty()) target = {word};
+  return problem;
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, std::array<std::string, 2>& target) {
+  return read_pair(node, c, "two names of bodies", target);
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<double>& target) {
+  if (!node.is_number()) return read_numbers(node, c, 0, target);
+  double value = 0.0;  // one number is a list of one
+  const std::string problem = read_value(node, c, value);
+  if (problem.empty()) target = {value};
+  return problem;
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<int>& target) {
+  return read_list(node, c, "a list of whole numbers", target);
+}
+
+std::vector<Eigen::Vector2d> read_two_columns(const std::string& file) {
+  CsvReader csv(file, "a text file with two columns of numbers", CsvReader::Separators::kAny);
+  std::vector<Eigen::Vector2d> rows;
+  for (bool first = true; csv.next(); first = false) {
+    const char begin = csv.cells().front().front();
+    if (first && (std::isalpha(static_cast<unsigned char>(begin)) || begin == '"')) continue;  // names of the columns
+    csv.require_width(2);
+    rows.emplace_back(csv.number(0), csv.number(1));
+  }
+  return rows;
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<Eigen::Vector2d>& target) {
+  std::vector<Eigen::Vector2d> result;
+  if (node.kind == Kind::kText) {
+    try {
+      result = read_two_columns((std::filesystem::path(c.folder) / node.text).string());
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    for (Eigen::Vector2d& row : result) row[1] *= c.factor;
+  } else {
+    const std::string expected = "pairs [[x, y], [x, y], ...], or the name of a CSV file with two columns";
+    if (node.kind != Kind::kList) return is_expected(node, expected);
+    for (const ConfigNode& item : node.list) {
+      if (item.kind != Kind::kList || item.list.size() != 2 || !item.list[0].is_number() || !item.list[1].is_number())
+        return with_code(kWrongType, "contains " + item.description() + ", expected " + expected);
+      result.emplace_back(item.list[0].number, item.list[1].number * c.factor);
+    }
+  }
+  if (result.size() < 2)
+    return with_code(kWrongCount, "has " + std::to_string(result.size()) + " rows, expected at least two");
+  for (std::size_t i = 1; i < result.size(); ++i) {
+    if (!(result[i][0] > result[i - 1][0]))
+      return with_code(kNotRising, "does not rise: row " + std::to_string(i + 1) + " begins with " +
+                                       number_text(result[i][0]) + " after " + number_text(result[i - 1][0]) +
+                                       "; expected a rising first column");
+  }
+  target = std::move(result);
+  return "";
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, std::map<std::string, std::string>& target) {
+  if (node.kind != Kind::kTable) return is_expected(node, "a table { name = value, ... }");
+  std::map<std::string, std::string> result;
+  for (const auto& [key, value] : node.table) {
+    if (value.kind == Kind::kText) {
+      result[key] = value.text;
+    } else if (value.is_number() && c.rule.meaning == Meaning::kWords) {
+      read_value(value, c, result[key]);  // the same text as in a list of words
+    } else if (value.is_number()) {
+      char buffer[40];  // the shortest text that reads back as the same number
+      result[key] = std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value.number).ptr);
+    } else {
+      return "variable \"" + key + "\" " + is_expected(value, "a number or text");
+    }
+  }
+  target = std::move(result);
+  return "";
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext&, Choice& target) {
+  for (std::size_t i = 0; i < target.names.size(); ++i) {
+    if (node.kind != Kind::kText || node.text != target.names[i]) continue;
+    target.value = static_cast<int>(i);
+    return "";
+  }
+  return with_code(kUnknownChoice, "is " + node.description() + ", which is none of the choices." +
+                                       known_names("choices", node.text, target.names));
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, NumberOrWord& target) {
+  if (node.kind != Kind::kText) return read_value(node, c, *target.number);
+  if (node.text != target.word) return is_expected(node, with_unit("a number", c.rule) + " or \"" + target.word + "\"");
+  *target.is_word = true;
+  return "";
+}
+
+// Vectors, directions, rotations and inertia tensors of a scene file.
+using namespace code;
+
+namespace {
+
+std::string named_axis(const ConfigNode& node, Eigen::Vector3d& axis) {
+  const bool minus = !node.text.empty() && node.text[0] == '-';
+  const std::string letter = node.text.substr(minus ? 1 : 0);
+  if (letter.size() != 1 || letter[0] < 'x' || letter[0] > 'z')
+    return is_expected(node, "three numbers, or \"x\", \"y\", \"z\", \"-x\" ...");
+  axis = (minus ? -1.0 : 1.0) * Eigen::Vector3d::Unit(letter[0] - 'x');
+  return "";
+}
+
+}  // namespace
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, Eigen::Vector3d& target) {
+  const bool direction = c.rule.meaning == Meaning::kDirection;
+  if (direction && node.kind == ConfigNode::Kind::kText) return named_axis(node, target);
+  std::vector<double> v;
+  const std::string problem = read_numbers(node, c, 3, v);
+  if (!problem.empty()) return problem;
+  const Eigen::Vector3d vector(v[0], v[1], v[2]);
+  if (direction && !(vector.norm() > 0.0))
+    return with_code(kOutOfRange, "is zero and has no direction, expected a vector such as [0, 0, 1]");
+  target = direction ? vector.normalized() : vector;
+  return "";
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<Eigen::Vector3d>& target) {
+  return read_list(node, c, with_unit("a list of points [x, y, z]", c.rule), target);
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, std::array<Eigen::Vector3d, 2>& target) {
+  return read_pair(node, c, "two points [[x, y, z], [x, y, z]]", target);
+}
+
+std::string read_value(const ConfigNode& node, const ValueContext& c, PerAxis& target) {
+  if (node.kind == ConfigNode::Kind::kList) return read_value(node, c, *target.values);
+  double all = 0.0;
+  const std::string problem = read_value(node, c, all);
+  if (problem.empty()) target.values->setConstant(all);
+  return problem;
+}
+
+namespace {
+
+double radians_per_degree() { return unit_suffixes(Unit::kAngle).front().factor; }
+
+// { axis = [x, y, z], angle_deg = phi }, as `rotate` of a mesh in a LIGGGHTS script.
+std::string read_axis_and_angle(const ConfigNode& node, Eigen::Quaterniond& target) {
+  const ConfigNode* axis_node = node.find("axis");
+  const ConfigNode* degrees = node.find("angle_deg");
+  const ConfigNode* angle_node = degrees ? degrees : node.find("angle");
+  if (!axis_node || !angle_node) return is_expected(node, "{ axis = [x, y, z], angle_deg = phi }");
+  Rule direction;
+  direction.meaning = Meaning::kDirection;
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  double angle = 0.0;
+  if (const std::string problem = read_value(*axis_node, {direction, 1.0, ""}, axis); !problem.empty())
+    return "axis " + problem;
+  const double factor = degrees ? radians_per_degree() : 1.0;
+  if (const std::string problem = read_value(*angle_node, {Rule(), factor, ""}, angle); !problem.empty())
+    return "angle " + problem;
+  target = Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
+  return "";
+}
+
+}  // namespace
+
+std::string read_value(const ConfigNode& node, const ValueContext&, Eigen::Quaterniond& target) {
+  const std::string expected =
+      "{ rpy_deg = [roll, pitch, yaw] }, { rpy = [...] } in rad, { quaternion = [w, x, y, z] }, or { axis = [x, y, z], "
+      "angle_deg = phi }";
+  const bool table = node.kind == ConfigNode::Kind::kTable;
+  if (table && node.table.size() == 2) return read_axis_and_angle(node, target);
+  if (!table || node.table.size() != 1) return is_expected(node, expected);
+  const auto& [key, value] = node.table.front();
+  const bool quaternion = key == "quaternion";
+  if (!quaternion && key != "rpy" && key != "rpy_deg")
+    return with_code(kUnknownKey, "contains the unknown key \"" + key + "\", expected " + expected);
+  std::vector<double> v;
+  const double factor = key == "rpy_deg" ? radians_per_degree() : 1.0;
+  const std::string problem = read_numbers(value, {Rule(), factor, ""}, quaternion ? 4 : 3, v);
+  if (!problem.empty()) return key + " " + problem;
+  if (!quaternion) {
+    target = rotation_from_rpy(v[0], v[1], v[2]);
+    return "";
+  }
+  const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
+  if (std::abs(q.norm() - 1.0) > 1e-3)
+    return with_code(kOutOfRange, "quaternion has the length " + number_text(q.norm()) + ", expected 1");
+  target = q.normalized();
+  return "";
+}
+
+// Symmetric: [xx, yy, zz] or [xx, yy, zz, xy, yz, zx].
+std::string read_value(const ConfigNode& node, const ValueContext& c, Eigen::Matrix3d& target) {
+  Rule rule = c.rule;
+  rule.range = Range::kAny;
+  std::vector<double> v;
+  const bool full = node.kind == ConfigNode::Kind::kList && node.list.size() == 6;
+  const std::string expected = with_unit("a list of 3 numbers", rule) + " (Ixx, Iyy, Izz), or 6 (..., Ixy, Iyz, Izx)";
+  const std::string problem = read_numbers(node, {rule, c.factor, c.folder}, full ? 6 : 3, v, expected);
+  if (!problem.empty()) return problem;
+  v.resize(6, 0.0);
+  target << v[0], v[3], v[5], v[3], v[1], v[4], v[5], v[4], v[2];
+  return "";
+}
+
+// The visitor that fills structs from a tree of values and remembers which keys were known, found and refused.
 using namespace code;
 
 namespace {

@@ -1,7 +1,8 @@
 // Findings: places, order and the final error. A finding that repeats another word for word is dropped.
-#include "mbd_solver/scene/findings.h"
 
 #include <algorithm>
+
+#include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 

@@ -10,8 +10,9 @@
 #include "mbd_solver/base/kinds.h"
 #include "mbd_solver/model/elements/joint_coordinate.h"
 #include "mbd_solver/model/laws/friction.h"
+#include "mbd_solver/model/laws/motor.h"
 #include "mbd_solver/model/laws/springs.h"
-#include "mbd_solver/scene/source.h"
+#include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 
@@ -124,6 +125,36 @@ struct JointSpec {
   // Force laws on its coordinates, where it has them.
   std::optional<CoordinateSpec> angle, displacement, displacement_x, displacement_y;
   const std::optional<CoordinateSpec>& acting_on(Coordinate coordinate) const;
+};
+
+// Motors and brakes of a scene: each acts on one coordinate of a joint, by a limited torque or force. Torque and speed are
+// those of the motor; at the joint they are gear_ratio times larger and smaller. On a displacement the joint has a force
+// instead of a torque, and the gear ratio the unit rad/m.
+struct DriveSpec {
+  Source source;
+  std::string name;
+  MotorParameters motor;  // kind, gains, limits and gear; its command is made of `command`
+  std::string joint;
+  std::optional<Coordinate> coordinate;  // not given ("auto"): the only one of the joint
+  // kTorque: of the motor [N m]; kSpeed: of the joint [rad/s or m/s]; kPosition: of the joint [rad or m]; kBrake: pressing,
+  // limited to [0, 1] [-]
+  std::optional<TimeFunctionSpec> command;
+  double lag = BrakeParameters{}.lag;  // of the brake behind its command [s] > 0
+  double rotor_inertia = 0.0;          // about the motor's axis [kg m2] >= 0
+};
+
+// Gears of a scene: a weighted sum of coordinates of joints that remains zero, as in the reference configuration.
+// sum_i factors[i] q_i = 0. Two external wheels with n1 and n2 teeth: [n1, n2] about parallel axes; an internal one:
+// [n1, -n2]. A rack: [pitch radius, -1]. A differential: [1, 1, -2]. A cam: the last coordinate is replaced by y(q) - y(0).
+struct GearSpec {
+  Source source;
+  std::string name;
+  std::vector<std::string> joints;  // two or more
+  std::vector<double> factors;      // of each joint, none zero [1/rad or 1/m, times a common unit]
+  // Of each joint: "angle", "displacement" ... or "auto" (its only one); empty: all "auto"
+  std::vector<std::string> coordinates;
+  std::vector<Eigen::Vector2d> curve;  // of a cam: (q [rad or m], y), q rising; empty: none
+  bool closed = false;                 // the curve is periodic: over one turn of an angle, any length of a displacement
 };
 
 }  // namespace footfall

@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/scene/drive_spec.h"
+#include "mbd_solver/scene/force_spec.h"
+#include "mbd_solver/scene/joint_spec.h"
 #include "mbd_solver/scene/run_spec.h"
-#include "mbd_solver/scene/signal_spec.h"
-#include "mbd_solver/scene/strut_spec.h"
 
 namespace footfall {
 

@@ -1,23 +1,36 @@
 // STL, OBJ and PLY by the library assimp, which only this file uses. Size and head of a file are checked first, because the
 // library reserves what a damaged head promises; it reads in a process of its own (read_apart.h).
-#include "mbd_solver/scene/mesh_reader.h"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <algorithm>
+#include <array>
 #include <assimp/Importer.hpp>
 #include <cctype>
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <new>
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/fe/mesh_generator.h"
+#include "mbd_solver/fe/triangle_mesh.h"
+#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/codes.h"
-#include "mbd_solver/scene/read_apart.h"
+#include "mbd_solver/scene/mesh_reader.h"
 
 namespace footfall {
 
@@ -176,6 +189,211 @@ TriangleMesh read_mesh(const std::string& file, double scale) {
   if (!(kWeldTolerance * across > 0.0 && std::isfinite(across)))
     throw InputError(kMeshEmpty, file + ": has an extent of " + std::to_string(across) + " m, expected a surface");
   return welded(mesh, kWeldTolerance * across);
+}
+
+// A fork with limits of time and memory; the result comes back through a file in memory.
+using namespace code;
+
+namespace {
+
+constexpr rlim_t kSeconds = 5;                    // of processor time, and one more for each
+constexpr std::size_t kBytesPerSecond = 1000000;  // of the file (a slow machine reads ten times as many)
+constexpr rlim_t kMemory = rlim_t{1} << 30;       // [bytes], and
+constexpr rlim_t kMemoryPerByte = 200;            // for each byte of the file
+constexpr char kGood = '+', kWrong = '-';         // first character of an answer
+constexpr int kCrashes[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
+
+// Address space in use [bytes].
+[[maybe_unused]] rlim_t memory_now() {
+  std::ifstream file("/proc/self/statm");
+  rlim_t pages = 0;
+  file >> pages;
+  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+}
+
+rlim_t seconds_for(std::size_t bytes) { return kSeconds + static_cast<rlim_t>(bytes / kBytesPerSecond); }
+
+void limit(int resource, rlim_t most) {
+  const rlimit both{most, most};
+  setrlimit(resource, &both);
+}
+
+[[noreturn]] void answer(int result, const std::string& file, std::size_t bytes,
+                         const std::function<std::string()>& read) {
+  for (const int crash : kCrashes) signal(crash, SIG_DFL);  // no crash report
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, seconds_for(bytes));
+#if !defined(__SANITIZE_ADDRESS__) && !defined(FOOTFALL_SANITIZED)  // sanitizers reserve terabytes
+  limit(RLIMIT_AS, memory_now() + kMemory + kMemoryPerByte * static_cast<rlim_t>(bytes));
+#endif
+  std::string text;
+  try {
+    text = kGood + read();
+  } catch (const std::bad_alloc&) {
+    text = kWrong + with_code(kMeshDamaged, file + ": needs more memory than a file of its size can; export it again");
+  } catch (const std::exception& error) {
+    text = kWrong + std::string(error.what());
+  }
+  _exit(::write(result, text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0 : 1);
+}
+
+}  // namespace
+
+std::string read_apart(const std::string& file, std::size_t bytes, const std::function<std::string()>& read) {
+  const auto failed = [&] {
+    return InputError(code::kFileNotReadable, file + ": cannot be read: " + std::strerror(errno));
+  };
+  const int result = memfd_create("footfall", MFD_CLOEXEC);
+  if (result < 0) throw failed();
+  const pid_t child = fork();
+  if (child == 0) answer(result, file, bytes, read);
+  int status = 0;
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  std::string text(static_cast<std::size_t>(std::max<off_t>(0, lseek(result, 0, SEEK_END))), '\0');
+  const bool whole = pread(result, &text[0], text.size(), 0) == static_cast<ssize_t>(text.size());
+  close(result);
+  if (child < 0 || !whole) throw failed();
+  std::string problem;
+  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)) {
+    problem = "was not read within " + std::to_string(seconds_for(bytes)) + " s";
+  } else if (WIFSIGNALED(status)) {
+    problem = std::string("crashed its reader (") + strsignal(WTERMSIG(status)) + ")";
+  } else if (text.empty()) {
+    problem = "ended its reader without a result";
+  }
+  if (!problem.empty())
+    throw InputError(kMeshDamaged, file + ": " + problem + "; the file is damaged, export it again");
+  if (text.front() == kWrong) throw InputError(text.substr(1));
+  return text.substr(1);
+}
+
+// Meshes of shapes, by the generators of mbd_solver/fe, and of files; tubes and spheres are made here.
+
+namespace {
+
+constexpr double kDefaultElements = 10.0;  // elements along the largest size of a shape, when no element size is given
+
+double largest_size(const ShapeSpec& s) {
+  switch (s.kind) {
+    case ShapeKind::kBox: return s.size.maxCoeff();
+    case ShapeKind::kTube:
+    case ShapeKind::kRod: return (s.to - s.from).norm();
+    case ShapeKind::kDisc:
+    case ShapeKind::kDish:
+    case ShapeKind::kSphere:
+    case ShapeKind::kMesh:
+    case ShapeKind::kPoints: return 2.0 * s.radius;
+    case ShapeKind::kCylinder: return std::max(2.0 * s.radius, s.length);
+    case ShapeKind::kCapsule: return (s.to - s.from).norm() + s.diameter;
+  }
+  FOOTFALL_DEMAND(false);
+}
+
+}  // namespace
+
+TriangleMesh mesh_of_shape(const ShapeSpec& shape) {
+  return moved(read_mesh(shape.file, shape.scale), shape.orientation.toRotationMatrix(), shape.position);
+}
+
+TriangleMesh shape_surface(const BodySpec& body, const SurfaceSpec& surface) {
+  const ShapeSpec& s = *body.shape;
+  const double edge = surface.element_size > 0.0 ? surface.element_size : largest_size(s) / kDefaultElements;
+  switch (s.kind) {
+    case ShapeKind::kBox: return moved(box_mesh(s.size, edge), body.orientation.toRotationMatrix(), s.centre);
+    case ShapeKind::kTube:
+    case ShapeKind::kRod: return cylinder_mesh(s.from, s.to, s.diameter, edge);
+    case ShapeKind::kDisc:
+      return moved(surface.faces == SurfaceFaces::kMiddle ? disc_mesh(s.radius, edge)
+                                                          : thick_disc_mesh(s.radius, s.thickness, edge),
+                   axes_with_z(s.axis), s.centre);
+    case ShapeKind::kDish: return moved(dish_mesh(s.radius, s.depth, edge), axes_with_z(s.axis), s.centre);
+    case ShapeKind::kSphere: return moved(sphere_mesh(s.radius, edge), Eigen::Matrix3d::Identity(), s.centre);
+    case ShapeKind::kCylinder: return moved(thick_disc_mesh(s.radius, s.length, edge), axes_with_z(s.axis), s.centre);
+    case ShapeKind::kCapsule:
+      return moved(capsule_mesh(0.5 * s.diameter, (s.to - s.from).norm(), edge), axes_with_z(s.to - s.from),
+                   0.5 * (s.from + s.to));
+    case ShapeKind::kMesh: return mesh_of_shape(s);
+    case ShapeKind::kPoints: break;
+  }
+  return {};
+}
+
+TriangleMesh cylinder_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double edge) {
+  const double length = (to - from).norm(), radius = 0.5 * diameter;
+  const Eigen::Matrix3d R = axes_with_z(to - from);
+  const int around = std::max(6, static_cast<int>(std::ceil(kPi * diameter / edge)));
+  const int along = std::max(1, static_cast<int>(std::ceil(length / edge)));
+  TriangleMesh mesh;
+  for (int i = 0; i <= along; ++i) {
+    for (int k = 0; k < around; ++k) {
+      const double angle = 2.0 * kPi * k / around;
+      mesh.vertices.push_back(
+          from + R * Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), length * i / along));
+    }
+  }
+  const int bottom = static_cast<int>(mesh.vertices.size()), top = bottom + 1, last = along * around;
+  mesh.vertices.push_back(from);
+  mesh.vertices.push_back(to);
+  for (int k = 0; k < around; ++k) {
+    const int next = (k + 1) % around;
+    for (int i = 0; i < along; ++i) {
+      const int a = i * around + k, b = i * around + next, c = a + around, d = b + around;
+      mesh.triangles.emplace_back(a, b, d);
+      mesh.triangles.emplace_back(a, d, c);
+    }
+    mesh.triangles.emplace_back(bottom, next, k);
+    mesh.triangles.emplace_back(top, last + k, last + next);
+  }
+  return mesh;
+}
+
+// An icosahedron whose triangles are halved until their edges are short enough, vertices pushed out to the sphere.
+TriangleMesh sphere_mesh(double radius, double edge) {
+  const double g = 0.5 * (1.0 + std::sqrt(5.0));
+  TriangleMesh mesh;
+  const double points[12][3] = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                                {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+  for (const auto& p : points) mesh.vertices.push_back(radius * Eigen::Vector3d(p[0], p[1], p[2]).normalized());
+  const int faces[20][3] = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                            {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                            {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+  for (const auto& f : faces) mesh.triangles.emplace_back(f[0], f[1], f[2]);
+  double longest = (mesh.vertices[0] - mesh.vertices[11]).norm();
+  for (; longest > edge; longest *= 0.5) {
+    std::map<std::pair<int, int>, int> middles;
+    const auto middle = [&](int a, int b) {
+      const auto [entry, fresh] =
+          middles.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(mesh.vertices.size()));
+      if (fresh) {
+        const Eigen::Vector3d sum =
+            mesh.vertices[static_cast<std::size_t>(a)] + mesh.vertices[static_cast<std::size_t>(b)];
+        mesh.vertices.push_back(radius * sum.normalized());
+      }
+      return entry->second;
+    };
+    std::vector<Eigen::Vector3i> finer;
+    for (const Eigen::Vector3i& t : mesh.triangles) {
+      const int ab = middle(t[0], t[1]), bc = middle(t[1], t[2]), ca = middle(t[2], t[0]);
+      finer.insert(finer.end(), {{t[0], ab, ca}, {t[1], bc, ab}, {t[2], ca, bc}, {ab, bc, ca}});
+    }
+    mesh.triangles = std::move(finer);
+  }
+  return mesh;
+}
+
+TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary) {
+  if (!boundary.surface) return {};
+  const SurfaceSpec& surface = *boundary.surface;
+  const BodySpec& body = scene.bodies[static_cast<std::size_t>(scene.body_index(boundary.body))];
+  const bool from_file = !surface.file.empty();
+  const TriangleMesh mesh = from_file ? moved(read_mesh(surface.file, surface.scale),
+                                              surface.orientation.toRotationMatrix(), surface.position)
+                                      : shape_surface(body, surface);
+  MeshDemands demands;
+  demands.closed = surface.closed;
+  check_mesh(mesh, demands, from_file ? surface.file : "surface of body \"" + body.name + "\"");
+  return mesh;
 }
 
 }  // namespace footfall

@@ -1,9 +1,12 @@
 #pragma once
 // Triangle meshes from files: STL (ASCII and binary), OBJ, PLY.
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "mbd_solver/fe/triangle_mesh.h"
+#include "mbd_solver/scene/scene.h"
 
 namespace footfall {
 
@@ -11,5 +14,27 @@ namespace footfall {
 // triangles.
 // Throws InputError, naming the file: not there, not readable, another format, no triangles.
 TriangleMesh read_mesh(const std::string& file, double scale = 1.0);
+
+// A reader of a library in a process of its own: a damaged file that crashes it ends that process only.
+// The result of `read`, which runs in a copy of this process with bounded memory and processor time for a file of so many
+// bytes. Throws InputError with the message of what `read` throws, or that names `file` when the reader crashes or exceeds
+// its limits.
+std::string read_apart(const std::string& file, std::size_t bytes, const std::function<std::string()>& read);
+
+// The surface of a boundary in the drawing frame D, from a file or from the shape of its body.
+// Triangles of the boundary's surface, from its file or the body's shape. Dishes, and discs with faces = "middle", give their
+// mid-surface (one layer: meshes of LIGGGHTS act on both sides), other shapes a closed surface with outward normals.
+// Checked: no degenerate or duplicate triangles, closed where required. Empty without a surface. Throws InputError.
+TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary);
+
+// The surface of the body's shape in D. The edge is a tenth of its size unless the surface gives one. A mesh is read from
+// its file. Empty for points. Throws InputError.
+TriangleMesh shape_surface(const BodySpec& body, const SurfaceSpec& surface);
+// The file of a shape of kind mesh, scaled, turned and moved into D. Throws InputError.
+TriangleMesh mesh_of_shape(const ShapeSpec& shape);
+
+// Surface of a tube or rod between two points (closed cylinder), and of a sphere about the origin; edge: longest edge [m].
+TriangleMesh cylinder_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double edge);
+TriangleMesh sphere_mesh(double radius, double edge);
 
 }  // namespace footfall

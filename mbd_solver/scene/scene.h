@@ -8,15 +8,10 @@
 #include <vector>
 
 #include "mbd_solver/scene/body_spec.h"
-#include "mbd_solver/scene/contact_spec.h"
-#include "mbd_solver/scene/drive_spec.h"
+#include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/force_spec.h"
-#include "mbd_solver/scene/gear_spec.h"
 #include "mbd_solver/scene/joint_spec.h"
 #include "mbd_solver/scene/run_spec.h"
-#include "mbd_solver/scene/signal_spec.h"
-#include "mbd_solver/scene/source.h"
-#include "mbd_solver/scene/strut_spec.h"
 
 namespace footfall {
 

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene.h"
+#include "mbd_solver/scene/toml_file.h"
 
 namespace footfall {
 
@@ -15,5 +17,9 @@ Scene read_scene(const std::string& argument, const std::vector<std::string>& se
 
 // The scene file of such an argument. Throws InputError if there is none.
 std::string scene_file(const std::string& argument);
+
+// knee = 0.3 in [initial.joints]: the one coordinate of a joint, short for [initial.joints.knee] angle = 0.3.
+// Makes tables of the numbers. Values that no joint accepts are reported and dropped.
+void expand_initial_joints(ConfigNode& root, Findings& findings);
 
 }  // namespace footfall

@@ -1,14 +1,55 @@
-// A visitor that writes the type of every key.
-#include "mbd_solver/scene/scene_schema.h"
+// Walks through all kinds.
 
 #include <cmath>
 #include <type_traits>
 
-#include "mbd_solver/scene/field_json.h"
-#include "mbd_solver/scene/kind_schema.h"
-#include "mbd_solver/scene/units.h"
+#include "mbd_solver/scene/field_reader.h"
+#include "mbd_solver/scene/joint_spec.h"
+#include "mbd_solver/scene/kind_keys.h"
+#include "mbd_solver/scene/scene_schema.h"
 
 namespace footfall {
+namespace {
+
+Json keys_of_joint(JointType type) {
+  const JointTraits traits = traits_of(type);
+  Json required = Json::array(), optional = Json::array();
+  const auto add = [&](const char* key, KeyUse use) {
+    if (use == KeyUse::kRequired) required.push_back(key);
+    if (use == KeyUse::kOptional) optional.push_back(key);
+  };
+  add("axis", traits.axis);
+  add("axis2", traits.axis2);
+  add("length", traits.length);
+  add("radius", traits.radius);
+  add("motion", traits.motion);
+  for (const CoordinateChoice coordinate : coordinates_of(type)) optional.push_back(name_of(coordinate));
+  return {{"required", required}, {"optional", optional}};
+}
+
+// Which of them are required only the checks know.
+template <class Kind>
+Json every_kind() {
+  Json all = Json::object();
+  for (const Kind kind : every<Kind>())
+    all[std::string(name_of(kind))] = {{"required", Json::array()}, {"optional", keys_of(kind)}};
+  return all;
+}
+
+}  // namespace
+
+Json kind_schema() {
+  Json joints = Json::object();
+  for (const JointType type : every<JointType>()) joints[std::string(name_of(type))] = keys_of_joint(type);
+  return {{"joints", joints},
+          {"springs", every_kind<SpringKind>()},
+          {"drives", every_kind<MotorKind>()},
+          {"controllers", every_kind<ControllerKind>()},
+          {"signals", every_kind<SignalKind>()}};
+}
+
+// A visitor that writes the type of every key.
+
 namespace {
 
 Json of_type(const char* type) { return {{"type", type}}; }
@@ -199,6 +240,54 @@ std::string scene_schema() {
   Json schema = schema_text("Scene of footfall", writer.root);
   schema["x-kinds"] = kind_schema();
   return schema.dump(2);
+}
+
+// A visitor that writes values.
+
+namespace {
+
+class JsonWriter final : public FieldVisitor {
+ public:
+  Json root = Json::object();
+
+  void field(const std::string& key, const FieldRef& ref, const Rule&) override {
+    if (!key.empty()) current()[key] = json_of(ref);
+  }
+  bool begin_section(const std::string& key, Presence, bool& present) override {
+    Json& place = current()[key];
+    if (!present) return false;
+    place = Json::object();
+    stack_.push_back(&place);
+    return true;
+  }
+  void end_section() override { stack_.pop_back(); }
+  int begin_list(const std::string& key, bool named, int count) override {
+    Json& place = current()[key];
+    place = named ? Json::object() : Json::array();
+    stack_.push_back(&place);
+    return count;
+  }
+  void begin_item(int, std::string* name) override {
+    Json& list = current();
+    if (!name) list.push_back(Json::object());
+    Json& item = name ? list[*name] : list.back();
+    stack_.push_back(&item);
+  }
+  void end_item() override { stack_.pop_back(); }
+  void end_list() override { stack_.pop_back(); }
+
+ private:
+  Json& current() { return stack_.empty() ? root : *stack_.back(); }
+  std::vector<Json*> stack_;
+};
+
+}  // namespace
+
+std::string scene_json(const Scene& scene) {
+  JsonWriter writer;
+  Scene copy = scene;
+  visit_fields(writer, copy);
+  return writer.root.dump(2);
 }
 
 }  // namespace footfall

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mbd_solver/scene/source.h"
+#include "mbd_solver/scene/findings.h"
 #include "mbd_solver/studies/metrics.h"
 
 namespace footfall {

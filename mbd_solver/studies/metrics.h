@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mbd_solver/run/output/history.h"
-#include "mbd_solver/scene/source.h"
+#include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "mbd_solver/scene/field_visitor.h"
-#include "mbd_solver/scene/source.h"
+#include "mbd_solver/scene/findings.h"
 #include "mbd_solver/studies/metrics.h"
 
 namespace footfall {

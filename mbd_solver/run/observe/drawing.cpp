@@ -5,7 +5,7 @@
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/model/modal_body.h"
 #include "mbd_solver/model/rotation.h"
-#include "mbd_solver/scene/boundary_surface.h"
+#include "mbd_solver/scene/mesh_reader.h"
 
 namespace footfall {
 namespace {

@@ -8,6 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/scene.h"
+
 namespace footfall {
 
 struct ScriptCommand {
@@ -61,5 +64,23 @@ class ScriptText {
   bool whole_ = true;
   std::string circle_;
 };
+
+// A mesh of the LIGGGHTS script as the surface of a boundary.
+// File, scale, orientation and position of
+//   fix ID group mesh/surface... file FILE ... [scale s] [rotate axis x y z angle phi] [move x y z] ...
+// LIGGGHTS applies scale, rotate (about the origin, phi in degrees) and move in their order in the line; any order gives x -> R s x + p:   scale f: s -> f s, p -> f p;   rotate Q: R -> Q R, p -> Q p;   move d: p -> p + d.
+// here: the script's folder. Throws InputError without a place if the line cannot be used.
+SurfaceSpec mesh_in_script(const ScriptCommand& command, const std::string& here);
+
+// Fills every surface with from_script = "ID" from the script's mesh of this id. A line that cannot be used is a finding.
+void resolve_script_meshes(Scene& scene, Findings& findings);
+
+// The LIGGGHTS script as text: the parts of check_script. Each reports only what is certain for any value of variables, any
+// branch and any loop.
+// Lines that couple: their words, the meshes and bodies that they name, and that a `run` follows.
+void check_coupling(const ScriptText& script, const Scene& scene, Findings& findings);
+
+// Meshes from files that are drawn a thousand times too large for the box.
+void check_script_meshes(const ScriptText& script, const Scene& scene, Findings& findings);
 
 }  // namespace footfall

@@ -1,0 +1,523 @@
+// Flexible bodies of the scene: a finite-element model from shape, mesh, frame or file, reduced to modes. Its interface nodes
+// are those at which joints, struts, springs and forces act.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/build/codes.h"
+#include "mbd_solver/build/grain_dump.h"
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/fe/fe_model.h"
+#include "mbd_solver/fe/mesh_generator.h"
+#include "mbd_solver/fe/modal_basis.h"
+#include "mbd_solver/fe/modal_body_file.h"
+#include "mbd_solver/fe/triangle_mesh.h"
+#include "mbd_solver/fe/turned_model.h"
+#include "mbd_solver/model/marker.h"
+#include "mbd_solver/model/rotation.h"
+#include "mbd_solver/scene/mesh_reader.h"
+#include "mbd_solver/scene/resolve.h"
+
+namespace footfall {
+namespace {
+
+constexpr std::size_t kMostElements = 20000;  // of a plate; the reduction then takes minutes
+constexpr double kSameMass = 0.01;            // relative: masses in scenes are rounded
+
+// A point of D at which an element acts on the body. Joints that hold an attitude need the rotations of their node.
+struct Attachment {
+  Eigen::Vector3d point;  // in D [m]
+  bool turns;             // transmits moments
+};
+
+std::vector<Attachment> attachments(const Scene& scene, const std::string& body) {
+  std::vector<Attachment> points;
+  for (const JointSpec& joint : scene.joints) {
+    if (joint.bodies[0] == body) points.push_back({joint.point_a, traits_of(joint.type).holds_attitude});
+    if (joint.bodies[1] == body) points.push_back({joint.point_b, traits_of(joint.type).holds_attitude});
+  }
+  for (const StrutSpec& strut : scene.struts)
+    for (std::size_t end = 0; end < 2; ++end)
+      if (strut.bodies[end] == body) points.push_back({strut.points[end], false});
+  for (const SpringSpec& spring : scene.springs)
+    if (spring.source.given("point") && (spring.bodies[0] == body || spring.bodies[1] == body))
+      points.push_back({spring.point, true});
+  for (const ForceSpec& force : scene.forces)
+    if (force.body == body && force.point) points.push_back({*force.point, force.torque.has_value()});
+  return points;
+}
+
+// A point farther from every node than the nodes are from each other is no point of the body.
+double reach(const Eigen::Matrix3Xd& nodes) { return (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).norm(); }
+
+// The nodes nearest to the attachments become the interface: with all six motions where one of them turns, else with
+// displacements only.
+void set_interface(const FeModel& model, const std::vector<Attachment>& attached, BasisOptions& options) {
+  std::map<int, bool> turns;
+  for (const Attachment& a : attached) turns[joint_node(model, a.point, reach(model.nodes), a.turns)] |= a.turns;
+  for (const auto& [node, turning] : turns) (turning ? options.interface_nodes : options.pinned_nodes).push_back(node);
+}
+
+// A beam from `from` to `to` whose nodes include the feet of all attachments, in about `elements` elements of
+// near-equal length.
+FeModel beam_along_shape(const ShapeSpec& shape, int elements, const std::vector<Attachment>& attached,
+                         const Material& material) {
+  const Eigen::Vector3d axis = shape.to - shape.from;
+  const double length = axis.norm();
+  std::vector<double> stations = {0.0, 1.0};
+  for (const Attachment& a : attached)
+    stations.push_back(std::clamp((a.point - shape.from).dot(axis) / (length * length), 0.0, 1.0));
+  std::sort(stations.begin(), stations.end());
+  const double shortest = 0.05 / elements;  // stations nearer than this share a node
+  std::vector<double> kept = {0.0};
+  for (const double station : stations)
+    if (station - kept.back() > shortest) kept.push_back(station);
+  kept.back() = 1.0;
+
+  std::vector<Eigen::Vector3d> nodes = {shape.from};
+  std::vector<BeamMember> members;
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    const double span = kept[i] - kept[i - 1];
+    const int pieces = std::max(1, static_cast<int>(std::lround(span * elements)));
+    for (int k = 1; k <= pieces; ++k) {
+      nodes.push_back(shape.from + (kept[i - 1] + span * k / pieces) * axis);
+      members.push_back({static_cast<int>(nodes.size()) - 2, static_cast<int>(nodes.size()) - 1});
+    }
+  }
+  const BeamSection section =
+      shape.kind == ShapeKind::kTube ? tube_section(shape.diameter, shape.wall) : rod_section(shape.diameter);
+  return beam_model(nodes, members, {section}, material);
+}
+
+FeModel frame(const FlexibleSpec& spec, const Material& material) {
+  std::vector<BeamSection> sections;
+  for (const SectionSpec& s : spec.sections) {
+    if (s.diameter > 0.0) {
+      sections.push_back(s.wall > 0.0 ? tube_section(s.diameter, s.wall) : rod_section(s.diameter));
+    } else {
+      sections.push_back(general_section(s.area, s.bending_y, s.bending_z, s.torsion, std::sqrt(s.area / kPi)));
+    }
+  }
+  std::vector<Eigen::Vector3d> nodes = spec.nodes;
+  std::vector<BeamMember> members;
+  for (const MemberSpec& m : spec.members) {
+    int section = 0;
+    while (spec.sections[static_cast<std::size_t>(section)].name != m.section) ++section;
+    const Eigen::Vector3d from = spec.nodes[static_cast<std::size_t>(m.first)],
+                          to = spec.nodes[static_cast<std::size_t>(m.second)];
+    int last = m.first;
+    for (int k = 1; k <= m.elements; ++k) {
+      int next = m.second;
+      if (k < m.elements) {
+        next = static_cast<int>(nodes.size());
+        nodes.push_back(from + (to - from) * k / m.elements);
+      }
+      members.push_back({last, next, section});
+      last = next;
+    }
+  }
+  return beam_model(nodes, members, sections, material);
+}
+
+FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& material) {
+  const ShapeSpec shape = body.shape.value_or(ShapeSpec{});
+  const double thickness = spec.thickness > 0.0 ? spec.thickness : shape.thickness;
+  if (!spec.mesh.empty()) {
+    const TriangleMesh mesh = read_mesh(spec.mesh, spec.mesh_scale);
+    if (mesh.triangles.size() > kMostElements)
+      throw InputError(code::kTooManyElements, spec.mesh + ": has " + std::to_string(mesh.triangles.size()) +
+                                                   " triangles, expected at most " + std::to_string(kMostElements) +
+                                                   " finite elements; use a coarser mesh");
+    return plate_model(mesh, thickness, material, spec.mesh);
+  }
+  const double edge = spec.mesh_size > 0.0 ? spec.mesh_size : shape.radius / 4.0;
+  const TriangleMesh flat =
+      shape.kind == ShapeKind::kDish ? dish_mesh(shape.radius, shape.depth, edge) : disc_mesh(shape.radius, edge);
+  return plate_model(moved(flat, axes_with_z(shape.axis), shape.centre), thickness, material,
+                     "body \"" + body.name + "\"");
+}
+
+// A model of another code has a mass of its own, which shows wrong units such as grams or tonnes.
+void check_mass(const BodySpec& body, double mass, const std::string& file) {
+  if (std::abs(mass - body.mass) <= kSameMass * body.mass) return;
+  throw InputError(code::kModelMass,
+                   "the model in " + file + " weighs " + number_text(mass) + " kg, the scene states " +
+                       number_text(body.mass) +
+                       " kg, expected the same to 1 %; check that the units of the model are m, kg and N");
+}
+
+// Reduced bodies, for their copies in an array or elsewhere in the scene.
+class Reductions {
+ public:
+  ReducedBody reduce(const BodySpec& body, FeModel model, const BasisOptions& options) {
+    for (const Entry& entry : entries_) {
+      if (!same(entry.options, options)) continue;
+      const Eigen::Matrix3d R = (body.orientation * entry.orientation.conjugate()).toRotationMatrix();
+      for (const Eigen::Matrix3d& turn : {R, Eigen::Matrix3d(Eigen::Matrix3d::Identity())})
+        if (const auto p = place_of_copy(entry.model, model, turn)) return turned(entry.reduced, turn, *p, body.name);
+    }
+    ReducedBody reduced = footfall::reduce(model, options, body.name);
+    if (reduced.warnings.empty()) entries_.push_back({std::move(model), options, body.orientation, reduced});
+    return reduced;
+  }
+
+ private:
+  struct Entry {
+    FeModel model;
+    BasisOptions options;
+    Eigen::Quaterniond orientation;
+    ReducedBody reduced;
+  };
+  static bool same(const BasisOptions& a, const BasisOptions& b) {
+    return a.kind == b.kind && a.mode_count == b.mode_count && a.max_frequency == b.max_frequency &&
+           a.damping_ratio == b.damping_ratio && a.interface_nodes == b.interface_nodes &&
+           a.pinned_nodes == b.pinned_nodes;
+  }
+  std::vector<Entry> entries_;
+};
+
+FlexibleBody build(const Scene& scene, const BodySpec& body, Reductions& reductions,
+                   std::vector<std::string>& warnings) {
+  const FlexibleSpec& spec = *body.flexible;
+  BasisOptions options;
+  options.kind = spec.basis;
+  options.mode_count = spec.modes;
+  options.max_frequency = spec.max_frequency;
+  options.damping_ratio = {spec.damping};
+
+  const std::vector<Attachment> attached = attachments(scene, body.name);
+  ReducedBody reduced;
+  if (!spec.file.empty()) {
+    reduced = read_modal_body(spec.file, options, body.name);
+    for (const Attachment& a : attached)
+      joint_node(reduced.body, a.point - reduced.p_DBo, reach(reduced.body.rho0), a.turns);
+    check_mass(body, reduced.body.node_mass.sum(), spec.file);
+  } else if (!spec.stiffness_matrix.empty()) {
+    FeModel model = read_matrix_market(spec.stiffness_matrix, spec.mass_matrix, spec.node_file);
+    check_mass(body, model.node_mass.sum(), spec.mass_matrix);
+    set_interface(model, attached, options);
+    reduced = reductions.reduce(body, std::move(model), options);
+  } else {
+    const MaterialSpec& material = scene.material(body.material);
+    const bool beam = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod);
+    FeModel model = !spec.nodes.empty()         ? frame(spec, material)
+                    : spec.mesh.empty() && beam ? beam_along_shape(*body.shape, spec.elements, attached, material)
+                                                : plate(body, spec, material);
+    model = with_mass(std::move(model), body.mass);
+    set_interface(model, attached, options);
+    reduced = reductions.reduce(body, std::move(model), options);
+  }
+  warnings.insert(warnings.end(), reduced.warnings.begin(), reduced.warnings.end());
+  return {std::make_shared<const ModalBody>(std::move(reduced.body)), reduced.p_DBo};
+}
+
+}  // namespace
+
+std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<std::string>& warnings) {
+  std::vector<FlexibleBody> bodies(scene.bodies.size());
+  if (!scene.flexible) return bodies;
+  Reductions reductions;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const auto& flexible = scene.bodies[i].flexible;
+    const bool rigid = !flexible || !flexible->enabled || (flexible->modes && *flexible->modes == 0);
+    if (rigid) continue;
+    const std::string who = "body \"" + scene.bodies[i].name + "\"";
+    try {
+      bodies[i] = build(scene, scene.bodies[i], reductions, warnings);
+    } catch (const InputError& error) {
+      const std::string what = error.what();
+      throw InputError(what.find(who) == std::string::npos ? who + ": " + what : what);
+    }
+  }
+  return bodies;
+}
+
+// What of each body may touch the ground: triangles and beams, in the body's own frame, moving with its modes.
+
+namespace {
+
+// Nodes collected in B with their mode shapes.
+struct Nodes {
+  std::vector<Eigen::Vector3d> rho0;
+  std::vector<Marker> markers;  // of a flexible body: carries S = Phi - off~ Psi and Psi
+};
+
+ModalBoundary assemble(const std::string& name, const Nodes& nodes, std::vector<Eigen::Vector3i> triangles,
+                       std::vector<BeamSegment> segments, int modes) {
+  const auto count = static_cast<Eigen::Index>(nodes.rho0.size());
+  Eigen::Matrix3Xd rho0(3, count);
+  Eigen::MatrixXd Phi, Psi;
+  if (modes > 0) {
+    Phi.resize(3 * count, modes);
+    Psi.resize(3 * count, modes);
+  }
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const auto i = static_cast<std::size_t>(j);
+    rho0.col(j) = nodes.rho0[i];
+    if (modes > 0) {
+      Phi.middleRows(3 * j, 3) = nodes.markers[i].S;
+      Psi.middleRows(3 * j, 3) = nodes.markers[i].Psi;
+    }
+  }
+  return ModalBoundary(name, std::move(rho0), std::move(triangles), std::move(segments), std::move(Phi),
+                       std::move(Psi));
+}
+
+ModalBoundary build(const Scene& scene, const BodySpec& body, const BoundarySpec& spec, const FlexibleBody& flexible) {
+  const Eigen::Matrix3d R_BD = axes_D(body, flexible).transpose();
+  const Eigen::Vector3d p_DBo = origin_D(body, flexible);
+  const int modes = flexible.modal ? flexible.modal->mode_count() : 0;
+  Nodes nodes;
+  std::vector<Eigen::Vector3i> triangles;
+  std::vector<BeamSegment> segments;
+  const std::unique_ptr<Body> carrier = modes > 0 ? std::make_unique<Body>(body.name, flexible.modal) : nullptr;
+  const auto add_node = [&](const Eigen::Vector3d& rho0) {
+    nodes.rho0.push_back(rho0);
+    if (carrier) nodes.markers.push_back(body_marker(0, *carrier, rho0));
+    return static_cast<int>(nodes.rho0.size()) - 1;
+  };
+
+  if (spec.surface) {
+    // A flexible plate is its own surface; anything else is generated or read, and rides on the nearest nodes.
+    if (flexible.modal && spec.surface->file.empty() && !flexible.modal->triangles.empty() &&
+        spec.surface->faces != SurfaceFaces::kBoth) {
+      triangles = flexible.modal->triangles;
+      for (Eigen::Index j = 0; j < flexible.modal->rho0.cols(); ++j) add_node(flexible.modal->rho0.col(j));
+    } else {
+      const TriangleMesh mesh = boundary_surface(scene, spec);
+      triangles = mesh.triangles;
+      for (const Eigen::Vector3d& vertex : mesh.vertices) add_node(R_BD * (vertex - p_DBo));
+    }
+  }
+  if (spec.beams) {
+    std::vector<Eigen::Vector3d> chain = spec.beams->points;
+    if (chain.empty())
+      for (int k = 0; k <= spec.beams->segments; ++k)
+        chain.push_back(body.shape->from + (body.shape->to - body.shape->from) * k / spec.beams->segments);
+    const double radius = spec.beams->radius > 0.0 ? spec.beams->radius : 0.5 * body.shape->diameter;
+    int last = add_node(R_BD * (chain.front() - p_DBo));
+    for (std::size_t k = 1; k < chain.size(); ++k) {
+      const int next = add_node(R_BD * (chain[k] - p_DBo));
+      segments.push_back({last, next, radius, 0});
+      last = next;
+    }
+  }
+  return assemble(body.name, nodes, std::move(triangles), std::move(segments), modes);
+}
+
+// The nodes as they meet a plane: each a ball as thick as the beams that end there.
+std::vector<ContactPoint> contact_points(int index, const Body& body, const ModalBoundary& boundary) {
+  Eigen::VectorXd radius = Eigen::VectorXd::Zero(boundary.node_count());
+  for (const BeamSegment& segment : boundary.segments())
+    for (const int end : {segment.start, segment.end}) radius(end) = std::max(radius(end), segment.radius);
+  std::vector<ContactPoint> points;
+  for (int j = 0; j < boundary.node_count(); ++j)
+    points.push_back({body_marker(index, body, boundary.rho0().col(j)), radius(j)});
+  return points;
+}
+
+Marker rigid_marker(int index, const Eigen::Vector3d& s0, const Eigen::Vector3d& axis = Eigen::Vector3d::UnitZ()) {
+  Marker marker;
+  marker.body = index;
+  marker.s0 = s0;
+  marker.axes = axes_with_z(axis);
+  return marker;
+}
+
+// The surface of a rigid round body on a plane, in place of its nodes; false where the nodes are the surface.
+bool add_round_shape(const BodySpec& body, const BoundarySpec& spec, BodyBoundary& entry) {
+  if (!spec.surface || !spec.surface->file.empty()) return false;
+  if (spec.surface->faces == SurfaceFaces::kMiddle) return false;
+  const ShapeSpec& shape = *body.shape;
+  const Eigen::Matrix3d R_BD = body.orientation.toRotationMatrix().transpose();
+  const auto add_rim = [&](const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, double radius) {
+    entry.rims.push_back({rigid_marker(entry.body, R_BD * (centre - body.position), R_BD * axis), radius});
+  };
+  switch (shape.kind) {
+    case ShapeKind::kSphere:
+      entry.points.push_back({rigid_marker(entry.body, R_BD * (shape.centre - body.position)), shape.radius});
+      return true;
+    case ShapeKind::kTube:
+    case ShapeKind::kRod:
+      for (const Eigen::Vector3d& end : {shape.from, shape.to})
+        add_rim(end, shape.to - shape.from, 0.5 * shape.diameter);
+      return true;
+    case ShapeKind::kDisc:
+    case ShapeKind::kCylinder: {
+      const double length = shape.kind == ShapeKind::kDisc ? shape.thickness : shape.length;
+      for (const double side : {-0.5, 0.5})
+        add_rim(shape.centre + side * length * shape.axis.normalized(), shape.axis, shape.radius);
+      return true;
+    }
+    case ShapeKind::kCapsule:
+      for (const Eigen::Vector3d& end : {shape.from, shape.to})
+        entry.points.push_back({rigid_marker(entry.body, R_BD * (end - body.position)), 0.5 * shape.diameter});
+      return true;
+    case ShapeKind::kBox:
+    case ShapeKind::kDish:
+    case ShapeKind::kMesh:
+    case ShapeKind::kPoints: return false;
+  }
+  FOOTFALL_DEMAND(false);
+}
+
+bool touches_ground(const GroundSpec& ground, const std::string& body) {
+  if (ground.kind != GroundKind::kPlane || ground.plane->bodies.empty()) return true;
+  return std::find(ground.plane->bodies.begin(), ground.plane->bodies.end(), body) != ground.plane->bodies.end();
+}
+
+const BoundarySpec& spec_of(const Scene& scene, const BodyBoundary& entry) {
+  for (const BoundarySpec& spec : scene.boundaries)
+    if (spec.body == entry.boundary.name()) return spec;
+  FOOTFALL_DEMAND(false);
+}
+
+}  // namespace
+
+void add_plane_places(const Scene& scene, const Body& body, BodyBoundary& entry) {
+  const BodySpec& spec = scene.bodies[static_cast<std::size_t>(entry.body)];
+  const bool round = body.modal() == nullptr && add_round_shape(spec, spec_of(scene, entry), entry);
+  for (ContactPoint& point : contact_points(entry.body, body, entry.boundary))
+    if (!round || point.radius > 0.0) entry.points.push_back(std::move(point));  // of beams
+}
+
+const ShapeSpec* round_shape(const Scene& scene, const BodyBoundary& entry) {
+  const BodySpec& body = scene.bodies[static_cast<std::size_t>(entry.body)];
+  const BoundarySpec& spec = spec_of(scene, entry);
+  if (entry.boundary.mode_count() > 0 || !spec.surface || !spec.surface->file.empty() || !body.shape) return nullptr;
+  const bool ball = body.shape->kind == ShapeKind::kSphere || body.shape->kind == ShapeKind::kCapsule;
+  return ball ? &*body.shape : nullptr;
+}
+
+std::vector<ContactPoint> contact_places(const Scene& scene, const Body& body, const BodyBoundary& entry) {
+  if (round_shape(scene, entry) == nullptr) return contact_points(entry.body, body, entry.boundary);
+  BodyBoundary round{entry.body, entry.boundary, {}, {}};
+  add_plane_places(scene, body, round);
+  return round.points;
+}
+
+double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const Eigen::VectorXd& a) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const ContactPoint& point : entry.points) {
+    double height = n_B.dot(point.marker.s0) - point.radius;
+    if (a.size() > 0) height += n_B.dot(point.marker.S * a);
+    lowest = std::min(lowest, height);
+  }
+  for (const ContactRim& rim : entry.rims)  // n.c - R |n x axis|
+    lowest = std::min(lowest, n_B.dot(rim.marker.s0) - rim.radius * n_B.cross(rim.marker.axes.col(2)).norm());
+  return lowest;
+}
+
+std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible) {
+  std::vector<BodyBoundary> boundaries;
+  for (const BoundarySpec& spec : scene.boundaries) {
+    const int index = scene.body_index(spec.body);
+    const auto i = static_cast<std::size_t>(index);
+    const BodySpec& body = scene.bodies[i];
+    boundaries.push_back({index, build(scene, body, spec, flexible[i]), {}, {}});
+    if (!touches_ground(scene.ground, body.name)) continue;
+    const Body carrier =
+        flexible[i].modal ? Body(body.name, flexible[i].modal) : Body(body.name, body.mass, body.inertia);
+    BodyBoundary& entry = boundaries.back();
+    if (scene.ground.kind == GroundKind::kPlane) {
+      add_plane_places(scene, carrier, entry);
+    } else {
+      entry.points = contact_points(index, carrier, entry.boundary);
+    }
+  }
+  return boundaries;
+}
+
+// Where the mechanism starts: attitude about its mass centre, then moved, then set to its clearance above the ground.
+
+namespace {
+
+// Height of the highest grain (its top) whose footprint overlaps the circle around one boundary, along `up`.
+double highest_under(const std::vector<GrainPlace>& grains, const Eigen::Vector3d& up, const Eigen::Vector3d& centre,
+                     double reach) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const GrainPlace& grain : grains) {
+    const Eigen::Vector3d d = grain.centre - centre;
+    const double across = (d - up * up.dot(d)).norm();
+    if (across < reach + grain.radius) highest = std::max(highest, up.dot(grain.centre) + grain.radius);
+  }
+  return highest;
+}
+
+constexpr double kStray = 0.1;  // of the radius of a boundary's footprint
+
+}  // namespace
+
+Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
+                const std::vector<FlexibleBody>& flexible) {
+  Placement placement;
+  const InitialSpec& initial = scene.initial;
+  placement.R_WD = rotation_from_rpy(initial.roll, initial.pitch, initial.yaw);
+  const Eigen::Vector3d centre = mass_centre(scene);
+  placement.p_WD = centre - placement.R_WD * centre + initial.position;
+
+  const Eigen::Vector3d up = up_direction(scene.gravity);
+  const bool plane = scene.ground.kind == GroundKind::kPlane;
+  std::vector<GrainPlace> grains;
+  const bool particles = scene.touches_particles();
+  if (particles && !scene.particles->grains.empty()) grains = read_grains(scene.particles->grains);
+  if (plane) placement.ground_height = up.dot(scene.ground.plane->point);
+  if (particles && scene.particles->surface_height) placement.ground_height = *scene.particles->surface_height;
+
+  placement.ground_known = plane || !grains.empty() || (particles && scene.particles->surface_height);
+
+  // Per boundary: how far its lowest point is above the ground under it.
+  double smallest = std::numeric_limits<double>::infinity();
+  double highest_ground = -std::numeric_limits<double>::infinity();
+  for (const BodyBoundary& entry : boundaries) {
+    const auto i = static_cast<std::size_t>(entry.body);
+    const Eigen::Matrix3d R_WB = placement.R_WD * axes_D(scene.bodies[i], flexible[i]);
+    const Eigen::Vector3d r = placement.point(origin_D(scene.bodies[i], flexible[i]));
+    const auto lowest_along = [&](const Eigen::Vector3d& n) {
+      return n.dot(r) + lowest_place(entry, R_WB.transpose() * n, Eigen::VectorXd());
+    };
+    if (plane) {  // a sloping plane: the point of the boundary nearest to it counts
+      const PlaneSpec& spec = *scene.ground.plane;
+      const double gap = lowest_along(spec.normal) - spec.normal.dot(spec.point);
+      smallest = std::min(smallest, gap / std::max(1e-6, spec.normal.dot(up)));
+      continue;
+    }
+    double ground = placement.ground_height;
+    if (!grains.empty()) {
+      double reach = 0.0;
+      for (const ContactPoint& point : entry.points) {
+        const Eigen::Vector3d offset = R_WB * point.marker.s0;
+        reach = std::max(reach, (offset - up * up.dot(offset)).norm() + point.radius);
+      }
+      ground = highest_under(grains, up, r, reach);
+      placement.sites.push_back({highest_under(grains, up, r, (1.0 + kStray) * reach), kStray * reach, r, R_WB});
+    }
+    if (!std::isfinite(ground)) continue;  // no grain under this boundary
+    highest_ground = std::max(highest_ground, ground);
+    smallest = std::min(smallest, lowest_along(up) - ground);
+  }
+  if (particles && std::isfinite(highest_ground)) placement.ground_height = highest_ground;
+
+  if (initial.clearance) {
+    if (particles && grains.empty() && !scene.particles->surface_height)
+      throw InputError(code::kNoGroundHeight,
+                       "initial.clearance: the height of the grains is unknown; give particles.grains (a dump of x y z "
+                       "radius) or particles.surface_height, or use initial.position instead");
+    if (!std::isfinite(smallest))
+      throw InputError(code::kNoGroundHeight,
+                       std::string("initial.clearance: ") +
+                           (boundaries.empty() ? "the scene has no boundary; add [[boundaries]]"
+                                               : "no grain is under any boundary; check initial.position and the bed"));
+    const Eigen::Vector3d lift = (*initial.clearance - smallest) * up;
+    placement.p_WD += lift;
+    for (LandingSite& site : placement.sites) site.r += lift;
+  }
+  return placement;
+}
+
+}  // namespace footfall

@@ -1,0 +1,595 @@
+// The LIGGGHTS script as text. LIGGGHTS decides in the end; these checks find in milliseconds what would end a run later,
+// and what neither program can know by itself.
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "coupler/couple_mbd_arguments.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/scene/box_bed.h"
+#include "mbd_solver/scene/codes.h"
+#include "mbd_solver/scene/mesh_reader.h"
+#include "mbd_solver/scene/particle_script.h"
+#include "mbd_solver/scene/scene_check.h"
+
+namespace footfall {
+
+using namespace code;
+
+namespace {
+
+// The time step in force when the coupled grains move. Before the coupling a script may settle its bed with another step;
+// a step in an `if` is not known here.
+void check_time_step(const ScriptText& script, const ParticlesSpec& particles, Findings& findings) {
+  const ScriptCommand* step = nullptr;
+  bool coupled = false;
+  for (const ScriptCommand& command : script.commands()) {
+    if (command.words[0] == "timestep" && command.words.size() > 1)
+      step = command.conditional || !as_number(command.words[1]) ? nullptr : &command;
+    coupled = coupled || command.is_fix("couple/mbd");
+    if (command.words[0] == "run" && coupled) break;
+  }
+  if (step == nullptr) return;
+  const double dt = *as_number(step->words[1]);
+  if (dt <= particles.max_time_step * (1.0 + 1e-9)) return;
+  findings.error(kScriptTimeStep, particles.source, "max_time_step",
+                 "the script's time step is " + number_text(dt) + " s (" + step->place() + "), expected at most " +
+                     number_text(particles.max_time_step) +
+                     " s: on this kind of soil twice that runs without any message and is wrong by tens of per cent. "
+                     "Reduce the time step, or set a larger max_time_step if these grains are known to allow it");
+}
+
+// A script that reads a settled bed, and a scene that does not say how it is made.
+void check_bed_is_given(const ScriptText& script, const ParticlesSpec& particles, Findings& findings) {
+  if (particles.bed || particles.box) return;
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    if (w[0] == "write_restart" || w[0] == "restart") return;  // it may be the script's own
+    if (w[0] != "read_restart" || w.size() < 2 || command.conditional) continue;
+    const bool unknown = w[1].find("${") != std::string::npos;
+    std::error_code ignored;
+    if (unknown ? w[1].find("${bed}") == std::string::npos : std::filesystem::exists(w[1], ignored)) continue;
+    findings.error(kScriptBed, particles.source, "script",
+                   command.place() + " reads a settled bed, " + w[1] +
+                       (unknown ? ", whose variable has no value" : ", which does not exist") +
+                       "; add [particles.bed] with the script that makes it (script = \"in.bed\"), or name a restart "
+                       "file: variables = { bed = \"FILE\" }");
+  }
+}
+
+// LIGGGHTS replaces ${name} until none is left: forever, where a value leads back to its own name.
+void check_values(const std::map<std::string, std::string>& variables, const std::string& key,
+                  const EntryFindings& at) {
+  for (const auto& [name, value] : variables) {
+    std::string chain = name;
+    const std::string* text = &value;
+    for (std::size_t steps = 0; steps <= variables.size(); ++steps) {
+      const std::size_t begin = text->find("${"), end = text->find('}', begin);
+      if (begin == std::string::npos || end == std::string::npos) break;
+      const auto next = variables.find(text->substr(begin + 2, end - begin - 2));
+      if (next == variables.end()) break;
+      chain += " -> " + next->first;
+      if (next->first == name) {
+        at.error(kVariableCircle, key + "." + name, "the variable refers to itself: " + chain + "; give it a value");
+        return;
+      }
+      text = &next->second;
+    }
+  }
+}
+
+// A variable that the script does not read has no effect. One that resembles another is misspelt; any other may come from
+// the scene's base, for another script.
+void check_variables(const ScriptText& script, const std::map<std::string, std::string>& variables,
+                     const std::string& key, const EntryFindings& at) {
+  const std::vector<std::string> known(script.names().begin(), script.names().end());
+  for (const auto& [name, value] : variables) {
+    if (script.names().count(name) == 1) continue;
+    const std::string what =
+        "the script neither declares nor reads this variable." + known_names("variables", name, known);
+    if (script.whole() && !nearest_name(name, known).empty())
+      at.error(kUnknownVariable, key + "." + name, what);
+    else
+      at.warning(kUnusedVariable, key + "." + name, what);
+  }
+}
+
+std::string gravity_text(const Eigen::Vector3d& v) {
+  return "[" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + "] m/s2";
+}
+
+// The comparison of the handshake, made before a bed is poured: one fix gravity with plain numbers.
+void check_gravity(const ScriptText& script, const Scene& scene, const EntryFindings& at) {
+  const ScriptCommand* only = nullptr;
+  bool grains_move = false, coupled = false;
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    if (coupled && w[0] == "run" && !command.conditional) break;  // here they are compared
+    coupled = coupled || command.is_fix("couple/mbd");
+    if (w[0] == "unfix" && only != nullptr && w.size() > 1 && w[1] == only->words[1]) {
+      if (command.conditional) return;
+      only = nullptr;
+    }
+    if (command.is_fix("couple/mbd"))
+      for (std::size_t i = 4; i + 1 < w.size(); ++i)
+        if (w[i] == "gravity" && w[i + 1] == "script") return;
+    if (w[0] == "fix" && w.size() > 3 && w[3].find('$') != std::string::npos) return;  // it may be any fix
+    grains_move = grains_move || command.is_fix("nve/sphere") || command.is_fix("multisphere");
+    if (!command.is_fix("gravity")) continue;
+    if (only != nullptr || command.conditional) return;
+    only = &command;
+  }
+  if (only == nullptr && grains_move && script.whole() && script.straight() && !scene.gravity.isZero(0.0)) {
+    const Eigen::Vector3d down = scene.gravity.normalized();
+    at.warning(kNoGrainGravity, "script",
+               "has no fix gravity, so the grains have no weight; the scene's gravity is " +
+                   gravity_text(scene.gravity) + ". Add  fix gravity all gravity " + number_text(scene.gravity.norm()) +
+                   " vector " + number_text(down[0]) + " " + number_text(down[1]) + " " + number_text(down[2]));
+  }
+  if (only == nullptr || only->words.size() != 9 || only->words[5] != "vector") return;
+  Eigen::Vector3d direction;
+  const std::optional<double> size = as_number(only->words[4]);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::optional<double> x = as_number(only->words[6 + c]);
+    if (!x) return;
+    direction[static_cast<Eigen::Index>(c)] = *x;
+  }
+  if (!size || direction.isZero(0.0)) return;
+  const Eigen::Vector3d g = *size * direction.normalized();
+  at.error_if((g - scene.gravity).norm() > 1e-6 * scene.gravity.norm(), kScriptGravity, "script",
+              "the gravity of the grains is " + gravity_text(g) + " (" + only->place() + "), that of the scene " +
+                  gravity_text(scene.gravity) +
+                  "; make them agree, or declare that the grains have their own: fix ID all couple/mbd every N gravity "
+                  "script ...");
+}
+
+// The words of the last `fix ID all gravity ...` and of the elastic constants, by their meaning. (Friction differs on
+// purpose: beds are poured with little of it, to be dense.)
+std::map<std::string, std::string> conditions(const ScriptText& script) {
+  std::map<std::string, std::string> all;
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    std::size_t first = 0;
+    if (command.is_fix("gravity")) first = 4;
+    if (command.is_fix("property/global") && w.size() > 4 && (w[4] == "youngsModulus" || w[4] == "poissonsRatio"))
+      first = 5;
+    if (first == 0 || command.conditional) continue;
+    std::string text;
+    for (std::size_t i = first; i < w.size(); ++i) {
+      const std::optional<double> number = as_number(w[i]);
+      text += (text.empty() ? "" : " ") + (number ? number_text(*number, 12) : w[i]);
+    }
+    if (text.find("${") == std::string::npos) all[first == 4 ? "gravity" : w[4]] = text;
+  }
+  return all;
+}
+
+// A cached bed was poured by a script of its own. Gravity and elasticity should be the same in both, and so should every
+// variable that both scripts have and the scene sets in one of them; but for the time step, which is the method's.
+void compare_with_bed(const ScriptText& script, const ScriptText& bed, const ParticlesSpec& particles,
+                      const EntryFindings& at) {
+  const auto differs = [&](const std::string& what, const std::string& of_bed, const std::string& of_run) {
+    at.warning(kBedDiffers, "bed",
+               "the bed is made with " + what + " = " + of_bed + ", the run has " + of_run +
+                   ", so the grains do not rest as they would in the run; make them agree unless this is intended");
+  };
+  const std::map<std::string, std::string> of_bed = conditions(bed), of_run = conditions(script);
+  for (const auto& [what, value] : of_bed) {
+    const auto other = of_run.find(what);
+    if (other != of_run.end() && other->second != value) differs(what, value, other->second);
+  }
+  for (const std::string& name : bed.names()) {
+    const bool set = particles.variables.count(name) == 1 || particles.bed->variables.count(name) == 1;
+    if (!set || name == "dt" || name == "gravity") continue;  // gravity is compared above
+    const std::optional<double> here = as_number(bed.value(name)), there = as_number(script.value(name));
+    if (here && there && *here != *there) differs("variable " + name, bed.value(name), script.value(name));
+  }
+}
+
+bool is_file(const std::string& name) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(name, ignored);
+}
+
+// The script and what it includes; nothing, with a finding, if a file includes itself.
+std::optional<ScriptText> script_of(const std::string& file, const std::map<std::string, std::string>& variables,
+                                    const std::string& key, const EntryFindings& at) {
+  ScriptText script(file, variables);
+  if (script.circle().empty()) return script;
+  at.error(kScriptCircle, key, script.circle() + " includes a file that includes this line again");
+  return std::nullopt;
+}
+
+}  // namespace
+
+void check_script(const Scene& scene, Findings& findings) {
+  const ParticlesSpec& particles = *scene.particles;
+  const EntryFindings at(findings, particles.source);
+  if (!is_file(particles.script)) return;  // reported with its path
+  const std::optional<ScriptText> script = script_of(particles.script, particles.variables, "script", at);
+  if (!script) return;
+  const bool couples = std::any_of(script->commands().begin(), script->commands().end(),
+                                   [](const ScriptCommand& command) { return command.is_fix("couple/mbd"); });
+  at.error_if(!couples && script->whole(), kScriptNotCoupled, "script",
+              "has no line \"fix ID all couple/mbd ...\" (in " + particles.script +
+                  " and the files it includes), so the mechanism would never meet the grains; add one, or set "
+                  "ground.kind to \"none\" or \"plane\"");
+  if (couples) check_time_step(*script, particles, findings);
+  check_coupling(*script, scene, findings);
+  check_script_meshes(*script, scene, findings);
+  check_bed_is_given(*script, particles, findings);
+  check_gravity(*script, scene, at);
+  check_values(particles.variables, "variables", at);
+  check_variables(*script, particles.variables, "variables", at);
+  if (!particles.bed || !is_file(particles.bed->script)) return;
+  const std::optional<ScriptText> bed = script_of(particles.bed->script, particles.bed->variables, "bed.script", at);
+  if (!bed) return;
+  check_values(particles.bed->variables, "bed.variables", at);
+  check_variables(*bed, particles.bed->variables, "bed.variables", at);
+  compare_with_bed(*script, *bed, particles, at);
+}
+
+// Lines of the LIGGGHTS script that couple: their words, and the bodies and meshes that they name.
+using namespace code;
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool is_computed_word(const std::string& word) { return word.find('$') != std::string::npos; }
+
+// By the reader of the fix itself.
+void check_words(const ScriptCommand& command, const EntryFindings& at) {
+  if (command.is_computed()) return;
+  std::vector<const char*> words;
+  for (std::size_t i = 1; i < command.words.size(); ++i) words.push_back(command.words[i].c_str());
+  try {
+    const CoupleMbdArguments arguments(static_cast<int>(words.size()), words.data());
+  } catch (const InputError& error) {
+    at.all().coded_error(at.source(), "script", command.place() + ": " + error.what());
+  }
+}
+
+// The words that a line names after a keyword, as far as they are plain: `body NAME`, or the `distance`-th word of
+// `mesh MESH BODY`.
+Names named_after(const std::string& keyword, std::size_t distance, const ScriptCommand& command) {
+  const std::size_t values = keyword == "mesh" ? 2 : 1;
+  Names names;
+  const Names& w = command.words;
+  for (std::size_t i = 4; i + values < w.size(); ++i) {
+    if (w[i] != keyword) continue;
+    if (!is_computed_word(w[i + distance])) names.push_back(w[i + distance]);
+    i += values;
+  }
+  return names;
+}
+
+// A jump may skip the lines of other scenes.
+void check_bodies_named(const ScriptCommand& command, bool straight, const Names& known, const EntryFindings& at) {
+  Names named;
+  if (command.is_fix("couple/mbd/geometry") || command.is_fix("wall/gran/beam"))
+    named = named_after("body", 1, command);
+  if (command.is_fix("couple/mbd") && straight) named = named_after("mesh", 2, command);
+  for (const std::string& body : named)
+    if (!is_in(known, body))
+      at.error(kScriptName, "script",
+               command.place() + " names the body \"" + body + "\", which has no boundary in this scene." +
+                   known_names("boundaries", body, known));
+}
+
+// A mesh that no line before this one makes. A loop, or a file that is not read, may make any.
+void check_meshes_named(const ScriptText& script, const EntryFindings& at) {
+  Names meshes;
+  for (const ScriptCommand& command : script.commands()) {
+    const Names& w = command.words;
+    if (w[0] != "fix" || w.size() < 4) continue;
+    if (is_computed_word(w[1]) || is_computed_word(w[3])) return;
+    if (w[3].rfind("mesh/surface", 0) == 0) meshes.push_back(w[1]);
+    if (!command.is_fix("couple/mbd") || command.conditional) continue;
+    for (const std::string& mesh : named_after("mesh", 1, command))
+      if (!is_in(meshes, mesh))
+        at.error(kScriptName, "script",
+                 command.place() + " couples the mesh \"" + mesh +
+                     "\", but no line above it is a fix mesh/surface of this id." +
+                     known_names("meshes", mesh, meshes));
+  }
+}
+
+bool may_run(const ScriptCommand& command) {
+  return is_computed_word(command.words[0]) || command.words[0] == "partition" || command.words[0] == "run";
+}
+
+// The mechanism moves during the run. A loop may lead back to a line above.
+void check_run_follows(const ScriptText& script, const EntryFindings& at) {
+  const ScriptCommand* coupling = nullptr;
+  for (const ScriptCommand& command : script.commands()) {
+    if (command.is_fix("couple/mbd")) coupling = &command;
+    if (coupling != nullptr && may_run(command)) return;
+  }
+  if (coupling != nullptr)
+    at.error(kScriptNoRun, "script",
+             coupling->place() +
+                 " couples, but no run follows this line, so nothing would move; add a last line  run 1000000000  (the "
+                 "scene ends it)");
+}
+
+// LIGGGHTS refuses it while a fix counts steps, as the coupling does.
+void check_steps_continue(const ScriptText& script, const EntryFindings& at) {
+  const ScriptCommand* coupling = nullptr;
+  for (const ScriptCommand& command : script.commands()) {
+    const Names& w = command.words;
+    if (command.is_fix("couple/mbd")) coupling = command.conditional ? nullptr : &command;
+    if (w[0] == "clear" || w[0] == "unfix") coupling = nullptr;
+    if (w[0] == "reset_timestep" && coupling != nullptr && !command.conditional)
+      at.error(kScriptResetsSteps, "script",
+               command.place() + " resets the steps that the coupling (" + coupling->place() +
+                   ") counts, which LIGGGHTS refuses; move reset_timestep above fix couple/mbd");
+  }
+}
+
+}  // namespace
+
+void check_coupling(const ScriptText& script, const Scene& scene, Findings& findings) {
+  const EntryFindings at(findings, scene.particles->source);
+  for (const ScriptCommand& command : script.commands()) {
+    if (command.conditional) continue;
+    if (command.is_fix("couple/mbd")) check_words(command, at);
+    check_bodies_named(command, script.straight(), boundary_names(scene), at);
+  }
+  if (!script.straight()) return;
+  if (script.whole()) {
+    check_meshes_named(script, at);
+    check_run_follows(script, at);
+  }
+  check_steps_continue(script, at);
+}
+
+// Meshes of the LIGGGHTS script against its simulation box: drawn in millimetres, they are a thousand times too large.
+
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+
+// region ID block xlo xhi ylo yhi zlo zhi, in plain numbers.
+std::optional<Box> block(const ScriptCommand& command) {
+  const std::vector<std::string>& w = command.words;
+  if (w.size() < 9 || w[2] != "block") return std::nullopt;
+  Box box;
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    const std::optional<double> low = as_number(w[static_cast<std::size_t>(3 + 2 * c)]),
+                                high = as_number(w[static_cast<std::size_t>(4 + 2 * c)]);
+    if (!low || !high || !(*low < *high)) return std::nullopt;
+    box.min()[c] = *low;
+    box.max()[c] = *high;
+  }
+  return box;
+}
+
+// The simulation box, if the text gives it: one create_box of a block, in metres.
+std::optional<Box> simulation_box(const ScriptText& script) {
+  std::map<std::string, std::optional<Box>> regions;
+  std::optional<Box> box;
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    if (w[0] == "lattice" || w[0] == "change_box" || w[0] == "displace_box") return std::nullopt;
+    if (w[0] == "region" && w.size() > 2) regions[w[1]] = command.conditional ? std::nullopt : block(command);
+    if (w[0] != "create_box" || w.size() < 3) continue;
+    const auto region = regions.find(w[2]);
+    if (box || command.conditional || region == regions.end() || !region->second) return std::nullopt;
+    box = region->second;
+  }
+  return box;
+}
+
+bool all_sides_are_fixed(const ScriptText& script) {
+  bool fixed = false;
+  for (const ScriptCommand& command : script.commands())
+    if (command.words[0] == "boundary")
+      fixed = !command.conditional && command.words == std::vector<std::string>{"boundary", "f", "f", "f"};
+  return fixed;
+}
+
+std::optional<Box> extent_of(const ScriptCommand& command, const std::string& here) {
+  try {
+    const SurfaceSpec surface = mesh_in_script(command, here);
+    Box box;
+    for (const Eigen::Vector3d& x : read_mesh(surface.file, surface.scale).vertices)
+      box.extend(surface.orientation * x + surface.position);
+    return box;
+  } catch (const InputError&) {
+    return std::nullopt;  // reported where the mesh is used
+  }
+}
+
+std::string size_text(const Box& box) {
+  const Eigen::Vector3d size = box.sizes();
+  return number_text(size[0], 3) + " x " + number_text(size[1], 3) + " x " + number_text(size[2], 3) + " m";
+}
+
+}  // namespace
+
+void check_script_meshes(const ScriptText& script, const Scene& scene, Findings& findings) {
+  const ParticlesSpec& particles = *scene.particles;
+  std::optional<Box> box = simulation_box(script);
+  if (!box && particles.bed && std::filesystem::is_regular_file(particles.bed->script))
+    box = simulation_box(ScriptText(particles.bed->script, particles.bed->variables));
+  if (!box) return;
+  constexpr double kSuspicious = 20.0;  // of the box's diagonal; a thousandth of it fits in
+  const double room = box->diagonal().norm();
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    if (command.conditional || w[0] != "fix" || w.size() < 4 || w[3].rfind("mesh/surface", 0) != 0) continue;
+    const std::optional<Box> mesh = extent_of(command, std::filesystem::path(particles.script).parent_path().string());
+    if (!mesh || mesh->diagonal().norm() < kSuspicious * room || 1e-3 * mesh->diagonal().norm() > room) continue;
+    const std::string what = command.place() + ": mesh " + w[1] + " measures " + size_text(*mesh) +
+                             ", the simulation box " + size_text(*box) +
+                             "; if it is drawn in millimetres, add  scale 0.001";
+    // LIGGGHTS stops when it has lost all triangles of a mesh.
+    if (!mesh->intersects(*box) && script.straight() && all_sides_are_fixed(script))
+      findings.error(code::kMeshOutsideBox, particles.source, "script", what);
+    else
+      findings.warning(code::kMeshLargerThanBox, particles.source, "script", what);
+  }
+}
+
+// What [particles.box] cannot be: values that LIGGGHTS refuses, sizes that do not suit the grains, too many grains.
+using namespace code;
+
+namespace {
+
+constexpr double kMostGrains = 5e6;
+constexpr double kLeastDepth = 4.0, kLeastSize = 8.0;  // of the bed, over the largest radius
+constexpr double kSteepest = 30.0;                     // of gravity against -z [deg]
+// The range of LIGGGHTS in SI units.
+constexpr double kLeastRestitution = 0.05;  // more than this
+constexpr double kSoftest = 5e6;            // [Pa]
+constexpr int kMostSeeds = 10000;
+constexpr std::size_t kMostTemplates = 12;  // of clumps, in inputs/box/in.bed
+
+const char* const kNoOther = "; LIGGGHTS accepts no other";
+
+void check_material(const EntryFindings& at, const std::string& of, double poisson, double young, double restitution) {
+  at.error_if(!(poisson >= 0.0 && poisson < 0.5), kLiggghtsRange, of + "poisson",
+              "is " + number_text(poisson) + ", expected 0 or more and less than 0.5" + kNoOther);
+  at.error_if(young > 0.0 && young < kSoftest, kLiggghtsRange, of + "young",  // 0 was refused by the reader
+              "is " + number_text(young) + " Pa, expected at least 5e6" + kNoOther);
+  at.error_if(restitution <= kLeastRestitution, kLiggghtsRange, of + "restitution",
+              "is " + number_text(restitution) + ", expected more than 0.05, at most 1" + kNoOther);
+}
+
+void check_counts(const EntryFindings& at, const BoxSpec& box) {
+  const auto has = [](std::size_t count, const char* what = " numbers") {
+    return "has " + std::to_string(count) + what;
+  };
+  // An empty list next to another finding was refused by the reader.
+  const auto check = [&](const char* key, const std::vector<double>& list, std::size_t fewest, const char* expected) {
+    const bool good = (list.size() >= fewest && list.size() <= 2) || (list.empty() && at.all().has_errors());
+    at.error_if(!good, kWrongCount, key, has(list.size()) + ", expected " + expected);
+  };
+  check("box.size", box.size, 2, "[along x, along y] in m");
+  check("box.centre", box.centre, 2, "[x, y] in m");
+  check("box.radius", box.radius, 1, "one radius or two, in m; a bed of more radii needs a script of its own");
+  at.error_if(!box.shares.empty() && (box.radius.size() != 2 || box.shares.size() != 2), kWrongCount, "box.shares",
+              has(box.shares.size()) + " and radius " + std::to_string(box.radius.size()) +
+                  ", expected two in each, or no shares");
+  const std::vector<std::string> shapes = names_of<ClumpShape>();
+  for (const std::string& name : box.clumps)
+    if (!is_in(shapes, name))
+      at.error(kUnknownClump, "box.clumps", "unknown clump \"" + name + "\"." + known_names("clumps", name, shapes));
+  at.error_if(box.clumps.size() * box.radius.size() > kMostTemplates, kTooLarge, "box.clumps",
+              has(box.clumps.size(), " shapes") + " and radius " + std::to_string(box.radius.size()) +
+                  " numbers, expected at most twelve combinations");
+  at.error_if(!box.clump_shares.empty() && box.clump_shares.size() != box.clumps.size(), kWrongCount,
+              "box.clump_shares",
+              has(box.clump_shares.size()) + " for " + std::to_string(box.clumps.size()) +
+                  " clumps, expected one for each, or no shares");
+}
+
+void check_against_grains(const EntryFindings& at, const BoxSpec& box) {
+  const double radius = *std::max_element(box.radius.begin(), box.radius.end());
+  const auto check = [&](const char* key, double value, double least, const char* count) {
+    at.error_if(value < least * radius * (1.0 - 1e-9), kBoxSize, key,
+                "is " + number_text(value) + " m, expected at least " + count + " radii of the grains, " +
+                    number_text(least * radius) + " m");
+  };
+  check("box.depth", box.depth, kLeastDepth, "four");
+  check("box.size", *std::min_element(box.size.begin(), box.size.end()), kLeastSize, "eight");
+}
+
+void check_box_time_step(const Scene& scene, const EntryFindings& at) {
+  const BoxSpec& box = *scene.particles->box;
+  if (!box.time_step) return;
+  const BoxNumbers n = box_numbers(scene);
+  const double most = box.rayleigh_fraction * std::min(n.rayleigh, 0.5 * n.hertz);
+  at.error_if(!at.given("max_time_step") && *box.time_step > most * (1.0 + 1e-9), kBoxTimeStep, "box.time_step",
+              "is " + number_text(*box.time_step) + " s, " + share_text(*box.time_step / n.rayleigh) +
+                  " of the Rayleigh time and " + share_text(*box.time_step / n.hertz) +
+                  " of the Hertz time of these grains, expected at most " + number_text(most, 3) +
+                  " s; larger steps give wrong results without any message. Remove it, or state "
+                  "particles.max_time_step if the step is known to be right");
+}
+
+// Whole columns of the bed down to a depth, in a part of the bed only.
+void check_pit(const EntryFindings& at, const BoxSpec& box) {
+  if (box.pit.empty()) {
+    at.error_if(at.given("box.pit_depth"), kNeedsOtherKey, "box.pit_depth",
+                "needs box.pit, the ends of the pit along x");
+    return;
+  }
+  const double left = box.centre[0] - 0.5 * box.size[0], right = box.centre[0] + 0.5 * box.size[0];
+  std::vector<std::string> ends;
+  for (const double x : box.pit) ends.push_back(number_text(x));
+  at.error_if(box.pit.size() != 2 || !(box.pit[0] < box.pit[1]) || box.pit[1] <= left || box.pit[0] >= right ||
+                  (box.pit[0] <= left && box.pit[1] >= right),
+              kBoxPit, "box.pit",
+              "is [" + joined(ends) + "], expected [x_1, x_2] in m, x_1 < x_2, a part of the bed from x = " +
+                  number_text(left) + " to " + number_text(right));
+  at.error_if(!(box.pit_depth > 0.0 && box.pit_depth <= box.depth), kBoxPit, "box.pit_depth",
+              "is " + number_text(box.pit_depth) + " m, expected more than 0 and at most the depth of the bed, " +
+                  number_text(box.depth) + " m");
+}
+
+// Names of bodies become words of a LIGGGHTS script and parts of its ids.
+void check_names(const Scene& scene, Findings& findings) {
+  for (const BoundarySpec& boundary : scene.boundaries)
+    if (boundary.body.find_first_of("-.") != std::string::npos)
+      findings.error(
+          kLiggghtsRange, boundary.source, "body",
+          "is \"" + boundary.body +
+              "\", expected letters, digits and _ only, of which LIGGGHTS makes ids; rename the body, or use "
+              "a script instead of [particles.box]");
+}
+
+void check_gravity(const Scene& scene, Findings& findings) {
+  const Eigen::Vector3d& g = scene.gravity;
+  const double tilt = 180.0 / kPi * std::atan2(std::hypot(g.x(), g.y()), -g.z());
+  if (!(g.norm() > 0.0) || tilt > kSteepest)
+    findings.error(kBoxGravity, scene.source, "gravity",
+                   "is [" + number_text(g.x()) + ", " + number_text(g.y()) + ", " + number_text(g.z()) +
+                       "] m/s2, expected along -z, or tilted by at most 30 degrees: the bed of [particles.box] settles "
+                       "on its floor");
+}
+
+}  // namespace
+
+bool check_box(const Scene& scene, Findings& findings) {
+  const int before = findings.error_count();
+  const BoxSpec& box = *scene.particles->box;
+  const EntryFindings at(findings, scene.particles->source);
+  if (scene.touches_particles()) {
+    for (const char* key : {"script", "bed"})
+      at.error_if(at.given(key), kConflictingKeys, key, "excludes box, which has scripts of its own; keep one");
+    check_gravity(scene, findings);
+    check_names(scene, findings);
+  }
+  check_counts(at, box);
+  check_material(at, "box.material.", box.material.poisson, box.material.young, box.material.restitution);
+  check_material(at, "box.bodies.", box.bodies.poisson, box.bodies.young, box.bodies.restitution.value_or(1.0));
+  at.error_if(box.seed > kMostSeeds, kOutOfRange, "box.seed",
+              "is " + std::to_string(box.seed) + ", expected 1 to " + std::to_string(kMostSeeds));
+  at.error_if(box.periodic && box.margin, kConflictingKeys, "box.margin",
+              "excludes periodic = true: there are no walls to leave space around");
+  at.error_if(box.periodic && !box.walls, kConflictingKeys, "box.walls",
+              "= false excludes periodic = true: a periodic bed has no sides to remove");
+  at.error_if(!(box.rayleigh_fraction > 0.0), kOutOfRange, "box.rayleigh_fraction",
+              "is 0, expected more than 0, such as 0.1");
+  // Missing and refused numbers are reported already.
+  const auto positive = [](const std::vector<double>& list) {
+    return !list.empty() && std::all_of(list.begin(), list.end(), [](double x) { return x > 0.0; });
+  };
+  const bool complete = positive(box.size) && positive(box.radius) && box.depth > 0.0;
+  if (!complete || findings.error_count() > before) return false;
+  check_against_grains(at, box);
+  check_pit(at, box);
+  check_box_time_step(scene, at);
+  const double grains = box_numbers(scene).grains;
+  at.error_if(grains > kMostGrains, kBoxSize, "box.radius",
+              "makes about " + number_text(grains, 2) + " grains of this bed, expected at most " +
+                  number_text(kMostGrains) + "; check that it is in m");
+  return findings.error_count() == before;
+}
+
+}  // namespace footfall
