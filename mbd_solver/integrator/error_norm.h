@@ -1,6 +1,5 @@
 #pragma once
-// Weighted root-mean-square norm of an error in y = [q; v; z; lambda]; multipliers carry no error of their
-// own and do not count.
+// Weighted root-mean-square norm of an error in y = [q; v; z; lambda]; multipliers are not counted.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -27,13 +26,13 @@ class ErrorNorm {
     if (weight_.size() == 0) return 0.0;
     return std::sqrt(x.head(weight_.size()).cwiseProduct(weight_).squaredNorm() / static_cast<double>(weight_.size()));
   }
-  // Whether a projection that moves y by x has met a singular position: a little drift is far there from any position or
-  // velocity that fits, and to remove it would take energy away. Usual drift, added up over many steps, moves less.
+  // A projection that moves y by x has met a singular position: there a small drift is far from consistent positions and
+  // velocities, and removing it would remove energy. Usual drift, accumulated over many steps, is smaller.
   bool far(const Eigen::Ref<const Eigen::VectorXd>& x) const {
     constexpr double kTolerances = 1e3, kLeast = 1e-6;  // [-]; [m, rad, m/s, rad/s]
     return (*this)(x) > kTolerances && x.head(weight_.size()).lpNorm<Eigen::Infinity>() > kLeast;
   }
-  // The entry that counts most; not finite counts most of all.
+  // The entry with the largest weighted error; the first that is not finite.
   int worst(const Eigen::Ref<const Eigen::VectorXd>& x) const {
     int worst = 0;
     double largest = -1.0;

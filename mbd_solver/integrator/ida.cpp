@@ -1,35 +1,35 @@
-// The memory of SUNDIALS' IDA: who owns it, what it calls, and one step of it. Only ida.cpp, ida_sundials.cpp,
-// ida_newton.cpp and ida_passage.cpp look into it.
+// The only file that includes SUNDIALS. IDA is called one step at a time; our own convergence test of Newton, projection of its
+// history and passage of singular positions by OneStep stand around it.
 
 #include "mbd_solver/integrator/ida.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdlib>
-#include <exception>
 #include <ida/ida.h>
 #include <ida/ida_impl.h>
-#include <limits>
-#include <memory>
 #include <nvector/nvector_serial.h>
-#include <sstream>
-#include <string>
 #include <sundials/sundials_context.h>
 #include <sundials/sundials_nonlinearsolver.h>
 #include <sundials/sundials_version.h>
 #include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 #include <sunnonlinsol/sunnonlinsol_newton.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/integrator/codes.h"
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/one_step.h"
-#include "mbd_solver/integrator/progress_watch.h"
 #include "mbd_solver/integrator/singular_position.h"
-#include "mbd_solver/integrator/work_integral.h"
+#include "mbd_solver/integrator/step_control.h"
 
 namespace footfall {
 
@@ -43,27 +43,27 @@ struct Ida::Sundials {
 
   // Every return code of SUNDIALS goes through here.
   void check(int flag, const char* function);
-  [[noreturn]] void give_up(const std::string& what);
+  [[noreturn]] void give_up(const MessageCode& code, const std::string& what);
   void restart(const State& state, const Inputs& inputs, IntegratorStatistics& statistics);
-  void aim(double t_end, const Rows& rows, const State& state);  // where IDA has to stop, and its next row
-  // All values of the history, the newest and those before, move by what projection has moved the newest to `state`. False:
-  // that is far, a singular position is near; nothing moves, and IDA has to start again.
+  void aim(double t_end, const Rows& rows, const State& state);  // sets the stop time of IDA and its next row
+  // Moves all values of the history by the displacement of the newest to the projected `state`. False: the displacement is large,
+  // a singular position is near; nothing moves, and IDA must restart.
   bool move_history(const State& state);
-  // One step of IDA, with the rows in it; false: a row has ended the window, and state and rates are at it.
+  // One step of IDA, with its rows; false: a row has ended the window, and state and rates belong to it.
   bool step(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
   void add_work_between(double begin, double end, const Inputs& inputs, State& state);
   void count(IntegratorStatistics& statistics);
   double step_error();                  // of the last step, in tolerances of the scene
-  void look_ahead(const State& state);  // after a step: sets passage_end where a singular position comes near
-  // One_step from state.time to passage_end or t_end, with the rows on the way; false: a row has ended the window.
+  void look_ahead(const State& state);  // after a step: sets passage_end if a singular position comes near
+  // OneStep from state.time to passage_end or t_end, with rows; false: a row has ended the window.
   bool pass(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
   void forget_passage();
 
   static int residual(realtype t, N_Vector y, N_Vector ydot, N_Vector F, void* self);
   static int jacobian(realtype t, realtype c, N_Vector y, N_Vector ydot, N_Vector F, SUNMatrix J, void* self, N_Vector,
                       N_Vector, N_Vector);
-  static int settled(SUNNonlinearSolver newton, N_Vector, N_Vector change, realtype tolerance, N_Vector weight,
-                     void* self);
+  static int converged(SUNNonlinearSolver newton, N_Vector, N_Vector change, realtype tolerance, N_Vector weight,
+                       void* self);
   static int weights(N_Vector y, N_Vector weight, void* self);
   static void message(int code, const char* module, const char* function, char* text, void* self);
   template <typename Work>
@@ -72,50 +72,50 @@ struct Ida::Sundials {
   Equations& equations;
   IntegratorOptions options;
   ErrorNorm norm;  // of the scene's tolerances
-  double share;    // of them, that one step may err by
+  double share;    // of them, the error limit of one step
   SUNContext context = nullptr;
   void* memory = nullptr;
   N_Vector y = nullptr, ydot = nullptr, scratch = nullptr, scratch2 = nullptr;
   SUNMatrix matrix = nullptr;
   SUNLinearSolver solver = nullptr;
   SUNNonlinearSolver newton = nullptr;
-  bool fresh = false;                  // the Jacobian is of the step that Newton is in
+  bool fresh = false;                  // the Jacobian belongs to the current step
   double reaction_tolerance = 1.0;     // of multipliers in Newton's iteration [N, N m]
   double last_error = 1.0;             // of the last step [tolerances of a step]
   bool close = false;                  // Newton's last correction was within the tolerance
   double first_change = 0.0;           // of Newton's iteration in this step [tolerances]
   const Inputs* inputs_now = nullptr;  // during one call of IDASolve
   Inputs inputs_last;
-  State state_last;       // as returned; empty: start anew
+  State state_last;       // as returned; empty: restart
   State row;              // projected, for the caller
   double row_time = 0.0;  // of the next row [s]
   double t = 0.0;
   Eigen::VectorXd rates;
   EnergySample energy;
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
-  double passage_end = kNever;        // up to there one_step goes on [s]
-  std::unique_ptr<OneStep> one_step;  // made when the first singular position comes near
-  std::array<Nearness, 3> seen;       // the last looks
+  double passage_end = kNever;        // OneStep continues up to this time [s]
+  std::unique_ptr<OneStep> one_step;  // created when the first singular position comes near
+  std::array<Nearness, 3> seen;       // the last measurements
   int looks = 0, steps_since_look = 0;
-  double highest = kNever;   // determinant of the run, its logarithm
+  double highest = kNever;   // largest log determinant of the run
   std::exception_ptr fatal;  // from inside a callback
-  std::string complaint;
-  long counted[5] = {0, 0, 0, 0, 0};  // steps, residuals, factorizations, rejected, failures: of the present start
+  std::string reason;
+  long counted[5] = {0, 0, 0, 0, 0};  // steps, residuals, factorizations, rejected, failures: since the last restart
   long jacobians = 0;
 };
 
 namespace {
 
-// Share of the tolerances that one step may err by: a tenth, and where a tenth comes near the round-off of multipliers, from an
-// rtol of 1e-9 on, what a step may err by falls as the root of rtol (a third at 1e-10).
-constexpr double kStepShare = 0.1, kAllFrom = 1e-11;  // [-], [rtol] at which it is all
-// Gauss-Legendre with three points, exact to fifth order as IDA is.
+// Error limit of one step as a share of the tolerances: a tenth; from an rtol of 1e-9 on, where a tenth comes near the round-off
+// of multipliers, the limit falls with the root of rtol (a third at 1e-10).
+constexpr double kStepShare = 0.1, kAllFrom = 1e-11;  // [-], [rtol] at which the share is 1
+// Gauss-Legendre with three points, exact to fifth order like IDA.
 const double kGaussNode[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
 constexpr double kGaussWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
 
-// IDA raises its order only behind steps of one length, equal to the bit. At its limit H it takes h 2 / (2 h / H) for the
-// next step: for most H (1e-4 is one) that swings between two numbers, one unit in the last place apart. The order then
-// stays at one or two, and 50 000 errors of that order add up. With a power of two each division is exact.
+// IDA raises its order only after steps of exactly equal length. At its limit H the next step is h 2 / (2 h / H), which for most
+// H (1e-4 is one) alternates between two numbers one unit in the last place apart. The order then stays at one or two, and
+// 50 000 errors of that order accumulate. With a power of two each division is exact.
 double exact_limit(double max_step) { return std::exp2(std::floor(std::log2(max_step))); }
 
 }  // namespace
@@ -124,7 +124,7 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
     : equations(e), options(o), norm(e.layout(), o), share(std::clamp(std::sqrt(kAllFrom / o.rtol), kStepShare, 1.0)) {
   const Layout& layout = equations.layout();
   const int n = layout.size();
-  if (SUNContext_Create(nullptr, &context) != 0) throw NumericalError("SUNContext_Create failed.");
+  if (SUNContext_Create(nullptr, &context) != 0) throw NumericalError(code::kSundials, "SUNContext_Create failed.");
   y = N_VNew_Serial(n, context);
   ydot = N_VNew_Serial(n, context);
   scratch = N_VNew_Serial(n, context);
@@ -154,7 +154,7 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
   newton = SUNNonlinSol_Newton(y, context);
   FOOTFALL_DEMAND(newton != nullptr);
   check(IDASetNonlinearSolver(memory, newton), "IDASetNonlinearSolver");
-  check(SUNNonlinSolSetConvTestFn(newton, &Sundials::settled, this), "SUNNonlinSolSetConvTestFn");
+  check(SUNNonlinSolSetConvTestFn(newton, &Sundials::converged, this), "SUNNonlinSolSetConvTestFn");
   check(IDASetMinStep(memory, options.min_step), "IDASetMinStep");
   if (options.max_step > 0.0) check(IDASetMaxStep(memory, exact_limit(options.max_step)), "IDASetMaxStep");
   rates = Eigen::VectorXd::Zero(n);
@@ -175,29 +175,26 @@ void Ida::Sundials::check(int flag, const char* function) {
   char* name = IDAGetReturnFlagName(flag);
   const std::string what = std::string(function) + " returned " + name + "; ";
   std::free(name);
-  give_up(what);
+  give_up(code::kSundials, what);
 }
 
-void Ida::Sundials::give_up(const std::string& what) {
+// A reason from below ends with its own code; else the entry with the largest weighted local error is named.
+void Ida::Sundials::give_up(const MessageCode& code, const std::string& what) {
   std::ostringstream out;
   out << "t = " << t << " s: " << what;
-  if (!complaint.empty()) {
-    out << complaint;
-  } else {
-    // The entry with the largest weighted local error is where it hurts.
-    int worst = 0;
-    if (IDAGetEstLocalErrors(memory, scratch) == IDA_SUCCESS && IDAGetErrWeights(memory, scratch2) == IDA_SUCCESS)
-      view(scratch)
-          .head(equations.layout().lambda0())
-          .cwiseProduct(view(scratch2).head(equations.layout().lambda0()))
-          .cwiseAbs()
-          .maxCoeff(&worst);
-    out << "what does not settle is " << equations.entry_name(worst) << ".";
-  }
-  throw NumericalError(out.str());
+  if (!reason.empty()) throw NumericalError(out.str() + reason);
+  int worst = 0;
+  if (IDAGetEstLocalErrors(memory, scratch) == IDA_SUCCESS && IDAGetErrWeights(memory, scratch2) == IDA_SUCCESS)
+    view(scratch)
+        .head(equations.layout().lambda0())
+        .cwiseProduct(view(scratch2).head(equations.layout().lambda0()))
+        .cwiseAbs()
+        .maxCoeff(&worst);
+  out << "the largest error is that of " << equations.entry_name(worst) << ".";
+  throw NumericalError(code, out.str());
 }
 
-// SUNDIALS prints nothing itself: check() says it with the name of the body.
+// SUNDIALS prints nothing itself: check() reports the error with the name of the body.
 void Ida::Sundials::message(int, const char*, const char*, char*, void*) {}
 
 template <typename Work>
@@ -205,10 +202,10 @@ int Ida::Sundials::guarded(Work work) {
   try {
     work();
     return 0;
-  } catch (const NumericalError& error) {  // a law without a value: a smaller step may stay clear of it
-    complaint = error.what();
+  } catch (const NumericalError& error) {  // a law without a value, which a smaller step may avoid
+    reason = error.what();
     return 1;
-  } catch (...) {  // no exception may pass through C
+  } catch (...) {  // exceptions must not pass through C
     fatal = std::current_exception();
     return -1;
   }
@@ -220,7 +217,7 @@ int Ida::Sundials::residual(realtype time, N_Vector y, N_Vector ydot, N_Vector F
     s.equations.residual(time, view(y), view(ydot), *s.inputs_now, writable(F));
     const int rows = s.equations.layout().row_count;
     s.equations.saddle().expect_multipliers(view(static_cast<IDAMem>(s.memory)->ida_yypredict).tail(rows),
-                                   writable(F).tail(rows));
+                                            writable(F).tail(rows));
   });
   if (flag != 0) return flag;
   return view(F).allFinite() ? 0 : 1;
@@ -243,7 +240,7 @@ int Ida::Sundials::jacobian(realtype time, realtype c, N_Vector y, N_Vector ydot
 void Ida::Sundials::restart(const State& state, const Inputs& inputs, IntegratorStatistics& statistics) {
   const Layout& layout = equations.layout();
   count(statistics);
-  // Consistent start by our own solve: dq, dv, dz, and multipliers without a rate.
+  // Consistent start by our own solve: dq, dv, dz; multipliers have no rate.
   equations.saddle().stage_rates(state, inputs, rates);
   ++statistics.factorizations;
   equations.pack(state, rates.tail(layout.row_count), writable(y));
@@ -269,7 +266,7 @@ bool Ida::Sundials::move_history(const State& state) {
   moved.setZero();
   moved.head(layout.q_size) = state.q - newest.head(layout.q_size);
   moved.segment(layout.v0(), layout.v_size) = state.v - newest.segment(layout.v0(), layout.v_size);
-  if (!(norm(moved) <= share)) return false;  // drift of a regular position is a part of the error of a step
+  if (!(norm(moved) <= share)) return false;  // in regular positions drift is a part of the error of a step
   newest.head(layout.q_size) = state.q;
   newest.segment(layout.v0(), layout.v_size) = state.v;
   return true;
@@ -278,10 +275,10 @@ bool Ida::Sundials::move_history(const State& state) {
 bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, State& state,
                          IntegratorStatistics& statistics) {
   double from = t;
-  complaint.clear();
+  reason.clear();
   check(IDASolve(memory, t_end, &t, y, ydot, IDA_ONE_STEP), "IDASolve");
   const double error = step_error();
-  statistics.told_error += error;
+  statistics.reported_error += error;
   last_error = error / share;
   for (; row_time < t; row_time = rows.after(row_time)) {
     add_work_between(from, row_time, inputs, state);
@@ -345,16 +342,16 @@ void Ida::Sundials::count(IntegratorStatistics& statistics) {
 
 namespace {
 
-constexpr double kProjectAbove = 1e-9;       // drift [m or rad] that stays in a run that goes on
+constexpr double kProjectAbove = 1e-9;       // drift that remains between continued windows [m or rad]
 constexpr double kProjectSpeedAbove = 5e-9;  // [m/s or rad/s]
-// Drift that stays within a window [in absolute tolerances of a step], at least round-off. At a distance s from a position
-// in which conditions become dependent, loops that are open by d ask for multipliers of d / s^2: what is more than a part of
-// a step's error turns the motion there, and no step is short enough for what the multipliers then do.
-constexpr double kDriftKept = 0.1;
+// Drift that remains within a window [in absolute tolerances of a step], at least round-off. At a distance s from a position
+// where conditions become dependent, loops open by d cause multipliers of d / s^2: larger drift changes the motion there, and no
+// step is short enough for these multipliers.
+constexpr double kRemainingDrift = 0.1;
 constexpr double kLeastDrift = 1e-12, kLeastSpeedDrift = 1e-11;  // [m or rad], [m/s or rad/s]
-// Sum of the errors of all steps [tolerances] that a run warns of; a motion may make them ten times larger.
-constexpr double kTold = 10.0;
-constexpr int kRenewRest = 10;  // steps after which resting rows are looked at
+// Sum of the errors of all steps [tolerances] beyond which a run warns; the motion may amplify them ten times.
+constexpr double kReported = 10.0;
+constexpr int kRestInterval = 10;  // steps between checks of resting rows
 
 bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return a.size() == b.size() && a == b; }
 
@@ -380,11 +377,13 @@ Ida::Ida(Equations& equations, const IntegratorOptions& options)
 Ida::~Ida() = default;
 
 std::string Ida::warning() const {
-  if (statistics_.told_error <= kTold) return {};
-  return "the errors of the " + std::to_string(statistics_.steps) + " steps of solver.integrator = \"ida\" add up to " +
-         number_text(statistics_.told_error, 2) +
-         " times solver.rtol and solver.atol: the end may be off by as much. Compare with \"one_step\", which takes "
-         "longer steps where parts are stiff, or make solver.rtol smaller";
+  if (statistics_.reported_error <= kReported) return {};
+  return with_code(
+      code::kErrorsAccumulated,
+      "the errors of " + std::to_string(statistics_.steps) + " steps of solver.integrator = \"ida\" add up to " +
+          number_text(statistics_.reported_error, 2) +
+          " times solver.rtol and solver.atol, and so may the error at the end. Compare with \"one_step\", "
+          "which takes longer steps for stiff parts, or reduce solver.rtol");
 }
 
 const Eigen::VectorXd& Ida::end_rates() const { return ida_->rates; }
@@ -407,15 +406,15 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
   Sundials& s = *ida_;
   FOOTFALL_DEMAND(t_end > state.time);
   s.inputs_now = &inputs;
-  const bool goes_on = state.time == s.state_last.time && same(state.q, s.state_last.q) &&
-                       same(state.v, s.state_last.v) && same(state.z, s.state_last.z) && same(inputs, s.inputs_last);
-  if (goes_on) s.aim(t_end, rows, state);
-  bool starts = !goes_on, ended_by_row = false;
+  const bool continues = state.time == s.state_last.time && same(state.q, s.state_last.q) &&
+                         same(state.v, s.state_last.v) && same(state.z, s.state_last.z) && same(inputs, s.inputs_last);
+  if (continues) s.aim(t_end, rows, state);
+  bool starts = !continues, ended_by_row = false;
   Drift drift;
   int steps = 0;
   ProgressWatch watch(state.time, t_end);
-  const double kept_position = std::max(kLeastDrift, kDriftKept * s.share * s.options.atol);
-  const double kept_velocity = std::max(kLeastSpeedDrift, kDriftKept * s.share * s.options.atol_velocity);
+  const double largest_position = std::max(kLeastDrift, kRemainingDrift * s.share * s.options.atol);
+  const double largest_velocity = std::max(kLeastSpeedDrift, kRemainingDrift * s.share * s.options.atol_velocity);
   while (!ended_by_row && state.time < t_end) {
     if (state.time < s.passage_end) {
       ended_by_row = !s.pass(t_end, inputs, rows, state, statistics_);
@@ -429,28 +428,28 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
       starts = false;
     }
     ended_by_row = !s.step(t_end, inputs, rows, state, statistics_);
-    if (++steps % kRenewRest == 0) s.equations.saddle().update_resting_rows(state);
-    if (const std::string slow = watch.complaint(state.time); !slow.empty()) s.give_up(slow);
+    if (++steps % kRestInterval == 0) s.equations.saddle().update_resting_rows(state);
+    if (const std::string slow = watch.check(state.time); !slow.empty()) s.give_up(code::kNoProgress, slow);
     drift = s.options.projection ? s.equations.saddle().drift(state) : s.equations.saddle().check_closed(state);
     if (!ended_by_row) s.look_ahead(state);
     if (ended_by_row || state.time >= t_end || !s.options.projection ||
-        (drift.position < kept_position && drift.velocity < kept_velocity))
+        (drift.position < largest_position && drift.velocity < largest_velocity))
       continue;
     statistics_.count(s.equations.saddle().project(state, SaddleSystem::Close::kFully));
     if (s.move_history(state)) continue;
-    s.equations.saddle().forget();  // pivots of other positions shall not turn the motion here
+    s.equations.saddle().forget();  // the motion must not depend on pivots of other positions
     s.equations.saddle().project(state, SaddleSystem::Close::kFully);
     starts = true;
   }
   s.count(statistics_);
   ++statistics_.windows;
 
-  bool goes_on_next = !ended_by_row && !starts;
+  bool continues_next = !ended_by_row && !starts;
   if (s.options.projection && (drift.position > kProjectAbove || drift.velocity > kProjectSpeedAbove)) {
     drift = s.equations.saddle().project(state);
-    goes_on_next = goes_on_next && s.move_history(state);
+    continues_next = continues_next && s.move_history(state);
   }
-  s.state_last = goes_on_next ? state : State{};
+  s.state_last = continues_next ? state : State{};
   s.inputs_last = inputs;
   statistics_.count(drift);
   if (!ended_by_row) s.equations.saddle().smallest_multipliers(state, s.rates.tail(s.equations.layout().row_count));
@@ -462,33 +461,32 @@ std::string sundials_version() {
   return version;
 }
 
-// When Newton's iteration in a step of IDA is done: by what it leaves of the error of the step, and of the multipliers.
+// --- Convergence of Newton's iteration in a step: by its remaining error relative to that of the step, and by multipliers.
 
 namespace {
 
-constexpr double kIgnored = 1e-30;  // weight of multipliers: they carry no error of their own
-// Multipliers have to settle all the same: each step extrapolates those of the steps before, by which errors grow many
-// times, and a small step does not see them in v. Relative to the largest of them.
+constexpr double kIgnored = 1e-30;  // weight of multipliers, which have no error test
+// Multipliers must converge nevertheless: each step extrapolates those of earlier steps, which amplifies errors, and a small
+// step does not detect them in v. Relative to the largest multiplier.
 constexpr double kReactions = 100.0, kLeastReactions = 1e-9;  // [rtol]; [-], round-off
-constexpr double kNoReaction = 1e-3;                          // the largest counts at least as this [N, N m]
-constexpr int kMostForReactions = 3;                          // iterations before they need a new Jacobian
-// IDA keeps a Jacobian while its c is right within 5/3, and scales corrections by 2 / (1 + ratio of c): a first correction
-// may leave a quarter of a multiplier's error. Newton fails when an iteration leaves more than kSlowest (as in IDA).
+constexpr double kNoReaction = 1e-3;                          // lower bound of the largest multiplier [N, N m]
+constexpr int kMostForReactions = 3;                          // iterations before multipliers require a new Jacobian
+// IDA reuses a Jacobian while its c is within a factor 5/3, and scales corrections by 2 / (1 + ratio of c): a quarter of a
+// multiplier's error may remain after a first correction. Newton fails if more than kSlowest remains (as in IDA).
 constexpr double kFirstRate = 0.25, kSlowest = 0.9;
-constexpr double kShareOfError = 0.1;                   // of a step's error that Newton may leave
-constexpr double kStalled = 0.5, kNewtonNoise = 3e-13;  // slower than that, and below that, is round-off
-constexpr int kMostForError = 2;                        // iterations that only that share asks for
+constexpr double kShareOfError = 0.1;                   // of a step's error, limit of Newton's remaining error
+constexpr double kStalled = 0.5, kNewtonNoise = 3e-13;  // slower convergence below the second limit is round-off
+constexpr int kMostForError = 2;                        // iterations that only this limit requires
 
 }  // namespace
 
-// What is still missing after a correction is correction x rate / (1 - rate). IDA's own test takes the rate of a step before
-// for the first correction, however small it was: once multipliers settled at a second correction of 1e-13, it let pass
-// whatever the next first corrections left of them.
-// And IDA allows Newton a third of what a step may err by, also where steps err by far less (max_step is short): their
-// differences then show what Newton left, IDA takes its order down, and many steps of a low order add up. Here Newton
-// leaves at most a tenth of the last step's error, or what round-off allows.
-int Ida::Sundials::settled(SUNNonlinearSolver newton, N_Vector, N_Vector change, realtype tolerance, N_Vector weight,
-                           void* self) {
+// The remaining error after a correction is correction x rate / (1 - rate). IDA's own test uses the rate of an earlier step for
+// the first correction, however small it was: after multipliers converged with a second correction of 1e-13, it accepted any
+// first correction of later steps. IDA also allows Newton a third of the error limit of a step, even if steps have far smaller
+// errors (short max_step): their differences then contain Newton's errors, IDA lowers its order, and errors of many steps of low
+// order accumulate. Here Newton's remaining error is at most a tenth of the last step's error, or round-off.
+int Ida::Sundials::converged(SUNNonlinearSolver newton, N_Vector, N_Vector change, realtype tolerance, N_Vector weight,
+                             void* self) {
   Sundials& s = *static_cast<Sundials*>(self);
   const double size = N_VWrmsNorm(change, weight);
   const int rows = s.equations.layout().row_count;
@@ -508,12 +506,12 @@ int Ida::Sundials::settled(SUNNonlinearSolver newton, N_Vector, N_Vector change,
   if (!stalls) s.close = size == 0.0 || left <= tolerance;
   if (!s.close) return SUN_NLS_CONTINUE;
   const double noise = kNewtonNoise / (s.share * s.options.rtol);
-  const double wanted = std::max(kShareOfError * s.last_error, noise) * tolerance;
-  if (size > 0.0 && !(left <= wanted)) {
+  const double limit = std::max(kShareOfError * s.last_error, noise) * tolerance;
+  if (size > 0.0 && !(left <= limit)) {
     if (iteration < kMostForError && !stalls) return SUN_NLS_CONTINUE;
     if (!s.fresh) return SUN_NLS_CONV_RECVR;
   }
-  // Near a singular position multipliers do not settle even with the Jacobian of this step: then the motion alone counts.
+  // Near a singular position multipliers do not converge even with the Jacobian of this step: then the motion alone counts.
   if (reactions > 1.0 && iteration + 1 < kMostForReactions) return SUN_NLS_CONTINUE;
   if (reactions > 1.0 && !s.fresh) return SUN_NLS_CONV_RECVR;
   s.fresh = false;
@@ -533,19 +531,19 @@ int Ida::Sundials::weights(N_Vector y, N_Vector weight, void* self) {
   return now.allFinite() ? 0 : -1;
 }
 
-// Singular positions in a run of IDA (singular_position.h, theory 2.4). Steps of a multistep method cannot leave a position
-// out: they shrink in front of it, each with an error that the position makes larger, and the steps behind it remember them.
-// So the one-step method goes over it, and IDA starts again as far behind it as it has stopped before.
+// --- Singular positions (singular_position.h, theory 2.4). A multistep method cannot skip a position: its steps shrink before
+// it, each with an amplified error, and later steps depend on them. Therefore OneStep passes over it, and IDA restarts as far
+// behind it as it stopped before.
 
 namespace {
 
-constexpr int kEvery = 4;       // steps between two looks ahead
-constexpr double kFaded = 3.0;  // ln of the determinant must have fallen by this: a fifth of a singular value is left
+constexpr int kEvery = 4;       // steps between two measurements
+constexpr double kFaded = 3.0;  // required fall of the log determinant: a fifth of a singular value is left
 constexpr int kOrder = 5;
 
 }  // namespace
 
-// The determinant is one of positions alone: a look back may reach over windows.
+// The determinant depends on positions alone: measurements may belong to different windows.
 void Ida::Sundials::look_ahead(const State& state) {
   if (equations.layout().row_count == 0 || !options.projection || ++steps_since_look < kEvery) return;
   steps_since_look = 0;

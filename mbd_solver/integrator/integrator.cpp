@@ -1,8 +1,11 @@
+// Statistics, work integrals, and the choice of an integrator by its name.
+
 #include "mbd_solver/integrator/integrator.h"
 
 #include <algorithm>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/integrator/codes.h"
 #include "mbd_solver/integrator/ida.h"
 #include "mbd_solver/integrator/one_step.h"
 
@@ -23,16 +26,24 @@ void IntegratorStatistics::add(const IntegratorStatistics& before, const Integra
   for (const auto part : {&IntegratorStatistics::drift_position, &IntegratorStatistics::drift_velocity,
                           &IntegratorStatistics::removed_position, &IntegratorStatistics::removed_velocity})
     this->*part = std::max(this->*part, now.*part);
-  told_error += now.told_error - before.told_error;
+  reported_error += now.reported_error - before.reported_error;
+}
+
+void add_work(const EnergySample& at, double weight, State& state) {
+  for (std::size_t k = 0; k < state.dissipated.by_kind.size(); ++k)
+    state.dissipated.by_kind[k] += weight * at.power.by_kind[k];
+  state.load_work += weight * at.load_power;
+  for (std::size_t k = 0; k < state.supplied.by_kind.size(); ++k)
+    state.supplied.by_kind[k] += weight * at.supplied.by_kind[k];
 }
 
 std::unique_ptr<Integrator> make_integrator(const std::string& kind, Equations& equations,
                                             const IntegratorOptions& options) {
   if (!(options.rtol > 0.0 && options.atol > 0.0 && options.atol_velocity > 0.0))
-    throw InputError("the tolerances of the integrator must be positive.");
+    throw InputError(code::kTolerances, "the tolerances of the integrator must be positive.");
   if (kind == "one_step") return std::make_unique<OneStep>(equations, options);
   if (kind == "ida") return std::make_unique<Ida>(equations, options);
-  throw InputError("unknown integrator \"" + kind + "\". Known integrators: one_step, ida.");
+  throw InputError(code::kUnknownIntegrator, "unknown integrator \"" + kind + "\". Known integrators: one_step, ida.");
 }
 
 }  // namespace footfall

@@ -11,16 +11,16 @@
 namespace footfall {
 
 struct IntegratorOptions {
-  // The tolerances have no default here: the scene's stand in SolverSpec, a test states its own.
+  // Tolerances have no default here: SolverSpec has those of scenes, tests state their own.
   double rtol = 0.0;           // relative tolerance of every coordinate > 0
   double atol = 0.0;           // absolute tolerance of q and z > 0 [m, -]
   double atol_velocity = 0.0;  // absolute tolerance of v > 0 [m/s, rad/s]
   int order = 2;               // one_step: 2 (TR-BDF2), 3 (ESDIRK3(2)4L[2]SA) or 5 (ESDIRK5(4)7L[2]SA2)
-  int window_order = 0;        // one_step: in windows that one step of `order` does not fill; 0: `order`
+  int window_order = 0;        // one_step: order in windows that one step of `order` does not fill; 0: `order`
   double max_step = 0.0;       // [s]; 0: the window is the only limit
-  bool error_control = true;   // one_step: false takes steps of max_step, whatever their error
+  bool error_control = true;   // one_step: false takes steps of max_step with any error
   double min_step = 1e-12;     // [s]; below: NumericalError naming time and the worst body or joint
-  bool projection = true;      // remove drift after every window (else Baumgarte, or nothing)
+  bool projection = true;      // removes drift after every window (else Baumgarte terms, or none)
 };
 
 struct IntegratorStatistics {
@@ -31,25 +31,24 @@ struct IntegratorStatistics {
   long residuals = 0;
   long jacobians = 0;
   long factorizations = 0;
-  // Largest |phi| and |phi'| of the joints, [m or rad] and [m/s or rad/s]: in the states handed out, and what
-  // projection removed from them before.
+  // Largest |phi| and |phi'| of the joints, [m or rad] and [m/s or rad/s]: in reported states, and removed by projection.
   double drift_position = 0.0, drift_velocity = 0.0;
   double removed_position = 0.0, removed_velocity = 0.0;
-  // What warning() tells, in tolerances. ida: sum of the estimated errors of all steps; one_step: the largest of a step over a
-  // singular position, 0 when none is beyond the tolerance.
-  double told_error = 0.0;
+  // The error that warning() reports, in tolerances. ida: sum of the estimated errors of all steps; one_step: the largest of a
+  // step over a singular position, 0 if none exceeds the tolerance.
+  double reported_error = 0.0;
 
   void count(const Drift& drift);  // at the end of a window
-  // What another integrator has done for this one, from `before` to `now`; windows stay those of this one.
+  // Adds the work of another integrator for this one, from `before` to `now`, without its windows.
   void add(const IntegratorStatistics& before, const IntegratorStatistics& now);
 };
 
-// States that are wanted on the way: rows of a history, samples of a controller. They are read from the continuous
-// extension of the steps (dense_step.h): no step ends for them, and the steps are the same with and without them.
+// States required within a window: output rows of a history, samples of a controller. They come from the continuous extension of
+// the steps (DenseWeights) and do not influence the steps.
 struct Rows {
-  std::function<double(double time)> next;  // the first wanted time after this one [s]; infinity: no more
-  // Takes the state, projected when the integrator does so, and its rates [dq; dv; dz; lambda]. False ends the window
-  // there: an event changes the loads or inputs.
+  std::function<double(double time)> next;  // the first required time after this one [s]; infinity: no more
+  // Receives the state, projected if the integrator projects, and its rates [dq; dv; dz; lambda]. False ends the window there: an
+  // event changes the loads or inputs.
   std::function<bool(const State& state, const Eigen::VectorXd& rates)> on_row;
 
   double after(double time) const { return next ? next(time) : std::numeric_limits<double>::infinity(); }
@@ -59,25 +58,27 @@ class Integrator {
  public:
   virtual ~Integrator() = default;
   virtual std::string name() const = 0;  // "one_step", "ida"
-  // From state.time to t_end [s], loads and inputs constant. On return state is at t_end exactly (or at the row that
-  // ended the window), projected when asked, and its integrals (dissipated, load_work, supplied) have grown. Throws
-  // NumericalError naming time and body or joint.
+  // From state.time to t_end [s] under constant loads and inputs. On return state is at t_end exactly (or at the row that ended
+  // the window), projected if required, with its integrals (dissipated, load_work, supplied) advanced. Throws NumericalError
+  // naming time and body or joint.
   virtual void advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) = 0;
   void advance(State& state, double t_end, const Inputs& inputs) { advance(state, t_end, inputs, Rows{}); }
   // dy/dt and multipliers at the end of the last window under its loads: [dq; dv; dz; lambda].
   virtual const Eigen::VectorXd& end_rates() const = 0;
-  // Drops all memory of earlier windows (factors, step history), so that what follows depends on the State
-  // alone.
+  // Drops all memory of earlier windows (factors, step history), so that the continuation depends on the State alone.
   virtual void forget() = 0;
   virtual const IntegratorStatistics& statistics() const = 0;
-  // What is to be told at the end of a run about its accuracy; empty: nothing.
+  // A warning about the accuracy of the run, at its end; empty: none.
   virtual std::string warning() const { return {}; }
-  // Goes on where another integrator, which was told to forget() there, has left off after such statistics.
+  // Continues from another integrator with these statistics, on which forget() was called.
   virtual void resume(const IntegratorStatistics& so_far) = 0;
 };
 
-// kind: "one_step" (default, L-stable TR-BDF2, needs no restart) or "ida" (SUNDIALS). InputError on any
-// other. `equations` must outlive the integrator.
+// Adds a share of the current powers to the time integrals of a State: integral += weight [s] x power [W].
+void add_work(const EnergySample& at, double weight, State& state);
+
+// kind: "one_step" (default, L-stable TR-BDF2, no restarts) or "ida" (SUNDIALS); else InputError. `equations` must outlive the
+// integrator.
 std::unique_ptr<Integrator> make_integrator(const std::string& kind, Equations& equations,
                                             const IntegratorOptions& options);
 

@@ -1,3 +1,5 @@
+// Control of steps: stages, error estimate, acceptance with rows on the way, drift at the end of steps, starts of windows.
+
 #include "mbd_solver/integrator/one_step.h"
 
 #include <algorithm>
@@ -9,26 +11,31 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/dynamics/kinematics.h"
-#include "mbd_solver/integrator/progress_watch.h"
-#include "mbd_solver/integrator/work_integral.h"
+#include "mbd_solver/integrator/codes.h"
+#include "mbd_solver/integrator/step_control.h"
 
 namespace footfall {
 namespace {
 
-// What Newton may leave, relative to the error of the step: it must be seen neither by the error estimate nor in the sum
-// over many steps. The error of a first step is guessed; none is taken to be less than kLeastError, as round-off stands in
-// the way.
+// Remaining error of Newton relative to the error of the step: invisible in the error estimate and in the sum over many steps.
+// The error of a first step is estimated; none counts as less than kLeastError, because of round-off.
 constexpr double kNewton = 0.03, kFirstError = 1e-2, kLeastError = 1e-4, kRoundOff = 1e-12;
 constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
-// Where Newton diverged, mostly at a contact, the step is halved, and one that converges then grows little: it would fail again.
-// A mechanism that may pass singular positions takes a quarter, and grows as its error allows.
+// After Newton diverged, mostly at a contact, the step is halved, and the next one grows little: it would fail again. With
+// redundant conditions the step is quartered, and grows as its error allows.
 constexpr double kDivergence = 0.5, kSingularDivergence = 0.25, kAfterDivergence = 1.5;
-constexpr double kFirst = 0.01;     // of y changes in the first step of all
-constexpr double kCrossing = 1e-7;  // least error that a step over a singular position may have: round-off is not far
-constexpr int kMostBefore = 4;      // rates of a step from which the next one is predicted
+constexpr double kFirst = 0.01;     // relative change of y in the first step
+constexpr double kCrossing = 1e-7;  // smallest error limit of a step over a singular position, near round-off
 constexpr double kNear = 1e-9;      // of a step
 constexpr double kNever = -std::numeric_limits<double>::infinity();
-constexpr double kStretch = 10.0;  // so many steps before its end a window is divided into equal ones
+constexpr double kStretch = 10.0;  // number of steps to its end from which a window is divided into equal ones
+// Drift [in absolute tolerances] that remains within a window; reported states have none.
+constexpr double kDrift = 0.1;
+constexpr double kOpen = 1e3;  // error of a step whose end cannot be closed
+// A window that continues the last one starts from its rates, corrected with existing factors of the saddle matrix, until the
+// correction changes a step by less than this share of the tolerance.
+constexpr double kRateError = 1e-4;
+constexpr int kMostCorrections = 4;
 
 }  // namespace
 
@@ -39,7 +46,8 @@ OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
       high_(options.window_order == 0 ? usual_ : tableau_of_order(options.window_order)),
       tableau_(&usual_),
       norm_(equations.layout(), options),
-      lu_(equations.reduced_pattern(), equations.negligible_shares()),
+      newton_(equations, norm_, statistics_, failure_),
+      predictor_(std::min(usual_.stages, high_.stages), equations.layout().size()),
       may_be_singular_(equations.saddle().resting_row_changes() > 0) {
   const int n = equations.layout().size();
   const std::size_t stages = static_cast<std::size_t>(std::max(usual_.stages, high_.stages));
@@ -48,22 +56,16 @@ OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
   K_.assign(stages, Eigen::VectorXd::Zero(n));
   Y_.assign(stages, Eigen::VectorXd::Zero(n));
   energy_.resize(stages);
-  before_.assign(static_cast<std::size_t>(std::min({usual_.stages, high_.stages, kMostBefore})),
-                 Eigen::VectorXd::Zero(n));
   start_before_.time = start_.time = kNever;
 }
 
 void OneStep::forget() {
-  factored_c_ = 0.0;
-  rate_ = 1.0;
-  h_before_ = 0.0;
+  newton_.forget();
+  predictor_.forget();
+  crossing_.forget();
   start_before_.time = start_.time = kNever;
-  trouble_ = careful_ = crossings_ = 0;
   choice_ = {};
-  singular_time_ = -kNever;
-  looked_time_ = std::numeric_limits<double>::quiet_NaN();
   left_time_ = kNever;
-  lu_.forget();
   equations_.saddle().forget();
 }
 
@@ -73,42 +75,42 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
   start_window(inputs, state);
   row_time_ = rows.after(state.time);
 
-  // The next step, by accuracy alone.
-  double wanted = state.step > 0.0 ? state.step : std::min(t_end - state.time, first_step());
+  // The next step as accuracy alone requires.
+  double required = state.step > 0.0 ? state.step : std::min(t_end - state.time, first_step());
   ProgressWatch watch(state.time, t_end);
-  if (&high_ != &usual_ && options_.error_control) wanted = choice_.begin(t_end - state.time, wanted);
-  bool goes_on = true;
+  if (&high_ != &usual_ && options_.error_control) required = choice_.begin(t_end - state.time, required);
+  bool continues = true;
   bool diverged = false;  // Newton, in the last try
-  while (goes_on && state.time < t_end) {
-    const double h = options_.max_step > 0.0 ? std::min(wanted, options_.max_step) : wanted;
+  while (continues && state.time < t_end) {
+    const double h = options_.max_step > 0.0 ? std::min(required, options_.max_step) : required;
     const double t = state.time, planned = planned_step(t, h), steps = std::ceil((t_end - t) / planned * (1.0 - 1e-9));
     const double step = steps > (planned != h ? 1.0 : kStretch) ? planned : (t_end - t) / steps;
-    limit_ = planned != h && t + step > singular_time_ ? std::max(1.0, kCrossing / options_.rtol) : 1.0;
+    limit_ = planned != h && t + step > crossing_.time() ? std::max(1.0, kCrossing / options_.rtol) : 1.0;
     tableau_ = choice_.high() ? &high_ : &usual_;
     const Outcome outcome = try_with_newer_jacobians(t, step, inputs);
     if (outcome == Outcome::kAccepted) {
-      trouble_ = std::max(0, trouble_ - 1);
-      wanted = next_step(step);
-      if (diverged && !may_be_singular_) wanted = std::min(wanted, kAfterDivergence * step);
+      crossing_.count_success();
+      required = next_step(step);
+      if (diverged && !may_be_singular_) required = std::min(required, kAfterDivergence * step);
       diverged = false;
-      if (error_ > 1.0 && limit_ > 1.0) statistics_.told_error = std::max(statistics_.told_error, error_);
-      goes_on = accept(t, step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
-      if (const std::string slow = watch.complaint(state.time); !slow.empty()) give_up(state.time, slow);
-      if (careful_ > 0) look_ahead(state);
-      crossings_ = 0;
+      if (error_ > 1.0 && limit_ > 1.0) statistics_.reported_error = std::max(statistics_.reported_error, error_);
+      continues = accept(t, step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
+      if (const std::string slow = watch.check(state.time); !slow.empty()) give_up(code::kNoProgress, state.time, slow);
+      if (crossing_.careful()) look_ahead(state);
+      crossing_.finish_step();
       continue;
     }
     diverged = outcome == Outcome::kNoConvergence;
     ++(outcome == Outcome::kTooInaccurate ? statistics_.rejected : statistics_.newton_failures);
     if (finds_another_step(h, planned, inputs, state)) continue;
-    wanted = outcome == Outcome::kTooInaccurate ? std::min(next_step(step), 0.8 * step)
-                                                : (may_be_singular_ ? kSingularDivergence : kDivergence) * step;
-    if (wanted < options_.min_step)
-      give_up(t, "the step size fell below " + number_text(options_.min_step, 3) + " s; ");
+    required = outcome == Outcome::kTooInaccurate ? std::min(next_step(step), 0.8 * step)
+                                                  : (may_be_singular_ ? kSingularDivergence : kDivergence) * step;
+    if (required < options_.min_step)
+      give_up(code::kStepTooSmall, t, "the step size fell below " + number_text(options_.min_step, 3) + " s; ");
   }
 
   ++statistics_.windows;
-  state.step = wanted;
+  state.step = required;
   rates_ = K_[0];
   if (!closed_)
     statistics_.count(options_.projection ? equations_.saddle().project(state, SaddleSystem::Close::kWithOldFactors)
@@ -138,20 +140,20 @@ double OneStep::next_step(double h) const {
 }
 
 OneStep::Outcome OneStep::try_with_newer_jacobians(double t, double h, const Inputs& inputs) {
-  fresh_ = false;
+  newton_.begin_step();
   Outcome outcome = try_step(t, h, inputs);
-  if (outcome == Outcome::kNoConvergence && !fresh_) {
-    factored_c_ = 0.0;
+  if (outcome == Outcome::kNoConvergence && !newton_.fresh()) {
+    newton_.drop_factors();
     outcome = try_step(t, h, inputs);
   }
-  if (outcome != Outcome::kNoConvergence || (careful_ == 0 && !may_be_singular_)) return outcome;
-  // Beyond a singular position a condition that fades has changed its sign: with the Jacobian of the step's start Newton
-  // diverges there however short the step is, and steps would shrink into the position. With those of the stages the
-  // step goes over it.
+  if (outcome != Outcome::kNoConvergence || (!crossing_.careful() && !may_be_singular_)) return outcome;
+  // Beyond a singular position a vanishing condition has changed its sign: with the Jacobian of the step's start Newton
+  // diverges there for any length of the step, and steps would shrink towards the position. With those of the stages the step
+  // passes over it.
   at_stages_ = true;
   outcome = try_step(t, h, inputs);
   at_stages_ = false;
-  factored_c_ = 0.0;
+  newton_.drop_factors();
   return outcome;
 }
 
@@ -160,15 +162,15 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   const int m = layout.lambda0(), rows = layout.row_count, stages = tableau_->stages;
   const double c = 1.0 / (h * tableau_->gamma);
   norm_.set(y_);
-  complaint_.clear();
-  const double expected = h_before_ > 0.0 && tableau_before_ == tableau_
-                              ? error_before_ * std::pow(h / h_before_, tableau_->estimated_order + 1)
+  failure_.reason.clear();
+  const double expected = predictor_.has_step() && predictor_.tableau() == tableau_
+                              ? error_before_ * std::pow(h / predictor_.step(), tableau_->estimated_order + 1)
                               : kFirstError;
-  newton_tolerance_ =
+  const double newton_tolerance =
       kNewton * std::clamp(expected, std::min(std::max(kLeastError, kRoundOff / options_.rtol), 1.0), 1.0);
 
-  if (const long choices = equations_.saddle().resting_row_changes(); choices != rest_choices_) {
-    rest_choices_ = choices;
+  if (const long changes = equations_.saddle().resting_row_changes(); changes != resting_row_changes_) {
+    resting_row_changes_ = changes;
     equations_.saddle().multipliers_without_resting_rows(t, y_, K_[0].tail(rows));
   }
   for (int i = 1; i < stages; ++i) {
@@ -176,23 +178,33 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
     known_ = y_;
     for (std::size_t j = 0; j < at; ++j)
       if (tableau_->a[at][j] != 0.0) known_ += (h * tableau_->a[at][j]) * K_[j];
-    predict(i, h);
+    predictor_.predict(*tableau_, i, h, K_);
     Y_[at].head(m) = known_.head(m) + (h * tableau_->gamma) * K_[at].head(m);
     Y_[at].tail(rows) = K_[at].tail(rows);
     const double t_stage = t + tableau_->c[at] * h;
     if (at_stages_) {
-      if (!refresh(t_stage, Y_[at], K_[at], c, inputs)) return Outcome::kNoConvergence;
-    } else if (factored_c_ == 0.0 || (i == 1 && (std::abs(c / factored_c_ - 1.0) > 1e-6 || rate_ > slow()))) {
+      if (!newton_.refresh(t_stage, Y_[at], K_[at], c, slow(), inputs)) return Outcome::kNoConvergence;
+    } else if (newton_.needs_jacobian(c, i == 1, slow())) {
       // At the start of the step: the prediction of the first implicit stage differs from it by O(h).
-      if (!refresh(t, y_, K_[0], c, inputs)) return Outcome::kNoConvergence;
+      if (!newton_.refresh(t, y_, K_[0], c, slow(), inputs)) return Outcome::kNoConvergence;
     }
-    if (!solve_stage(i, t_stage, h, inputs)) return Outcome::kNoConvergence;
+    if (!newton_.solve(t_stage, c, known_, newton_tolerance, slow(), inputs, Y_[at], K_[at]))
+      return Outcome::kNoConvergence;
   }
 
-  // Error estimate e = h sum (b - b^) K, filtered: J x = c (dF/dydot) e, positions eliminated as in the
-  // Jacobian.
+  error_ = estimated_error(t, h);
+  failure_.worst = norm_.worst(F_);
+  if (!std::isfinite(error_)) return Outcome::kNoConvergence;
+  if ((error_ <= limit_ || !options_.error_control) && !close_end(t + h)) return Outcome::kTooInaccurate;
+  return error_ <= limit_ || !options_.error_control ? Outcome::kAccepted : Outcome::kTooInaccurate;
+}
+
+// e = h sum (b - b^) K, filtered: J x = c (dF/dydot) e, positions eliminated as in the Jacobian.
+double OneStep::estimated_error(double t, double h) {
+  const Layout& layout = equations_.layout();
+  const double c = 1.0 / (h * tableau_->gamma);
+  const int m = layout.lambda0(), lower = layout.size() - layout.q_size;
   const Eigen::VectorXd& end = Y_[last()];
-  const int lower = layout.size() - layout.q_size;
   Ydot_.setZero();
   for (std::size_t j = 0; j <= last(); ++j) Ydot_.head(m) += (h * tableau_->error[j]) * K_[j].head(m);
   equations_.apply_mass(end, Ydot_, t + h, F_);
@@ -200,20 +212,16 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   Eigen::Ref<Eigen::VectorXd> x = F_.tail(lower);
   x *= c;
   equations_.subtract_stiffness(dx_, x);
-  lu_.solve(x);
+  newton_.apply_inverse(x);
   dx_ += x.head(layout.v_size) / c;
   from_increments(layout, end.head(layout.q_size), dx_, F_.head(layout.q_size));
-  error_ = norm_(F_);
-  worst_ = norm_.worst(F_);
-  if (!std::isfinite(error_)) return Outcome::kNoConvergence;
-  if ((error_ <= limit_ || !options_.error_control) && !close_end(t + h)) return Outcome::kTooInaccurate;
-  return error_ <= limit_ || !options_.error_control ? Outcome::kAccepted : Outcome::kTooInaccurate;
+  return norm_(F_);
 }
 
 bool OneStep::accept(double t, double h, double t_new, double t_end, const Inputs& inputs, const Rows& rows,
                      State& state) {
   ++statistics_.steps;
-  // Work integrals with the weights of the method itself.
+  // Work integrals with the weights of the method.
   std::swap(start_before_, start_);
   start_ = state;
   for (std::size_t i = 0; i <= last(); ++i) {
@@ -224,7 +232,7 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
   equations_.unpack(Y_[last()], state);
   state.time = t_new;
 
-  const double reached = t_new + kNear * h;  // a row that round-off has put just behind the step belongs to it
+  const double reached = t_new + kNear * h;  // a row just behind the step, by round-off, belongs to it
   for (; row_time_ < t_end && row_time_ <= reached; row_time_ = rows.after(row_time_)) {
     interpolate(row_time_, h);
     statistics_.count(options_.projection ? equations_.saddle().project(row_, SaddleSystem::Close::kWithOldFactors)
@@ -233,53 +241,169 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
     if (rows.on_row(row_, row_rates_)) continue;
     state = row_;
     K_[0] = row_rates_;
-    h_before_ = 0.0;
+    predictor_.forget();
     closed_ = false;
     return false;
   }
 
-  for (std::size_t k = 0; k + 1 < before_.size(); ++k) before_[k].swap(K_[k]);
-  before_.back().swap(K_[last()]);
-  K_[0] = before_.back();
+  predictor_.accept(*tableau_, h, K_);
   std::swap(energy_[0], energy_[last()]);
-  h_before_ = h;
-  tableau_before_ = tableau_;
   error_before_ = error_;
   y_.swap(Y_[last()]);
-  if (fresh_) equations_.saddle().update_resting_rows(state);
+  if (newton_.fresh()) equations_.saddle().update_resting_rows(state);
   if (closed_) {
     statistics_.count(end_drift_);
     state.q = end_.q;
     state.v = end_.v;
     equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
   }
-  if (careful_ > 0) {
-    --careful_;
+  if (crossing_.careful()) {
+    crossing_.finish_careful_step();
     renew_rates(inputs, state);
   }
   return true;
 }
 
-std::string OneStep::warning() const {
-  if (!(statistics_.told_error > 0.0)) return {};
-  return "the mechanism went through a singular position, in which its joints do not say how it goes on, in a step "
-         "with an "
-         "error of " +
-         number_text(statistics_.told_error, 2) +
-         " times solver.rtol and solver.atol: near it round-off does not allow a smaller one. Compare with a "
-         "solver.rtol "
-         "of 1e-7";
+bool OneStep::finds_another_step(double h, double planned, const Inputs& inputs, State& state) {
+  const bool suspicious = crossing_.count_failure();
+  if (!options_.projection) return false;
+  if (crossing_.careful()) {
+    if (planned == h) return false;
+    crossing_.count_failed_crossing();
+    return planned_step(state.time, h) < planned;
+  }
+  if (!suspicious) return false;
+  if (!may_be_singular_) {
+    look_ahead(state);
+    if (!crossing_.in_sight(state.time, h)) return false;
+  }
+  crossing_.begin_careful_steps();
+  start_clean(inputs, state);
+  look_ahead(state);
+  return planned_step(state.time, h) != h;
 }
 
-void OneStep::give_up(double t, const std::string& what) const {
+void OneStep::look_ahead(const State& state) {
+  crossing_.look_ahead(equations_.saddle(), start_before_, start_, state,
+                       options_.error_control && predictor_.has_step());
+}
+
+void OneStep::interpolate(double time, double h) {
+  const int m = equations_.layout().lambda0();
+  const DenseWeights w(*tableau_, (time - start_.time) / h);
+  row_ = start_;
+  row_.time = time;
+  known_ = y_;
+  row_rates_.setZero();
+  for (std::size_t i = 0; i <= last(); ++i) {
+    known_.head(m) += (h * w.b[i]) * K_[i].head(m);
+    row_rates_ += w.slope[i] * K_[i];
+    add_work(energy_[i], h * w.b[i], row_);
+  }
+  equations_.unpack(known_, row_);
+}
+
+// If drift is large enough, or a singular position near, projection is a part of the step.
+bool OneStep::close_end(double t) {
+  closed_ = false;
+  if (!options_.projection) return true;
+  equations_.unpack(Y_[last()], end_);
+  end_.time = t;
+  const Drift drift = equations_.saddle().drift(end_);
+  closed_ = crossing_.careful() || drift.position > kDrift * options_.atol ||
+            drift.velocity > kDrift * options_.atol_velocity;
+  if (!closed_) return true;
+  if (crossing_.careful()) equations_.saddle().forget();  // the motion must not depend on pivots chosen for output rows
+  try {
+    end_drift_ = equations_.saddle().project(end_, SaddleSystem::Close::kFully);
+  } catch (const NumericalError& error) {   // a joint cannot be closed
+    const std::string text = error.what();  // "t = ... s: ..."; the time is reported once
+    failure_.reason = text.substr(text.find(": ") + 2);
+    error_ = kOpen;
+    return false;
+  }
+  const Layout& layout = equations_.layout();
+  F_.head(layout.q_size) = end_.q - Y_[last()].head(layout.q_size);
+  F_.segment(layout.v0(), layout.v_size) = end_.v - Y_[last()].segment(layout.v0(), layout.v_size);
+  F_.segment(layout.z0(), layout.z_size).setZero();
+  if (!options_.error_control || !norm_.far(F_)) return true;
+  error_ = norm_(F_);
+  failure_.worst = norm_.worst(F_);
+  failure_.reason = with_code(
+      code::kStepTooSmall,
+      "near a position where conditions of joints become dependent, drift of " + number_text(drift.velocity, 3) +
+          " m/s can be removed only by changing " + equations_.entry_name(failure_.worst) + " by " +
+          number_text(std::abs(F_[failure_.worst]), 3) + ". Increase rtol: longer steps pass over the position.");
+  return false;
+}
+
+void OneStep::start_clean(const Inputs& inputs, State& state) {
+  equations_.saddle().forget();
+  statistics_.count(equations_.saddle().project(state, SaddleSystem::Close::kFully));
+  renew_rates(inputs, state);
+  crossing_.look_again();
+}
+
+void OneStep::start_window(const Inputs& inputs, const State& state) {
+  if (!follow_rates(inputs, state)) {
+    equations_.saddle().stage_rates(state, inputs, K_[0]);
+    ++statistics_.factorizations;
+    resting_row_changes_ = equations_.saddle().resting_row_changes();
+  }
+  equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
+  equations_.powers(state.time, y_, inputs, energy_[0]);
+}
+
+bool OneStep::follow_rates(const Inputs& inputs, const State& state) {
+  if (state.time != left_time_ || !(state.step > 0.0)) return false;
+  const int m = equations_.layout().lambda0();
+  equations_.pack(state, rates_.tail(equations_.layout().row_count), y_);
+  if (y_.head(m) != left_.head(m)) return false;
+  K_[0] = rates_;
+  norm_.set(y_);
+  const double step = options_.max_step > 0.0 ? std::min(state.step, options_.max_step) : state.step;
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostCorrections; ++i) {
+    if (!equations_.saddle().correct_rates(state, inputs, K_[0], change_)) return false;
+    ++statistics_.residuals;
+    change_ *= step;
+    const double size = norm_(change_);
+    if (size <= kRateError) return true;
+    if (!(size < 0.1 * last)) return false;
+    // The remaining error relates to this correction as this one to the previous one.
+    if (size * (size / last) <= kRateError && i > 0) return true;
+    last = size;
+  }
+  return false;
+}
+
+void OneStep::renew_rates(const Inputs& inputs, const State& state) {
+  equations_.saddle().forget();
+  equations_.saddle().stage_rates(state, inputs, K_[0]);
+  ++statistics_.factorizations;
+  resting_row_changes_ = equations_.saddle().resting_row_changes();
+  equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
+  equations_.powers(state.time, y_, inputs, energy_[0]);
+}
+
+std::string OneStep::warning() const {
+  if (!(statistics_.reported_error > 0.0)) return {};
+  return with_code(
+      code::kSingularPassed,
+      "the mechanism passed a singular position, where its joints do not determine the motion, in a step with "
+      "an error of " +
+          number_text(statistics_.reported_error, 2) +
+          " times solver.rtol and solver.atol; round-off does not allow a smaller step there. Compare with a "
+          "solver.rtol of 1e-7");
+}
+
+// A reason from below ends with its own code.
+void OneStep::give_up(const MessageCode& code, double t, const std::string& what) const {
   std::ostringstream out;
   out << "t = " << t << " s: " << what;
-  if (!complaint_.empty()) {
-    out << complaint_;
-  } else {
-    out << "what does not settle is " << equations_.entry_name(std::max(worst_, 0)) << ".";
-  }
-  throw NumericalError(out.str());
+  if (!failure_.reason.empty()) throw NumericalError(out.str() + failure_.reason);
+  out << "Newton's method or the error test fails at " << equations_.entry_name(std::max(failure_.worst, 0)) << ".";
+  throw NumericalError(code, out.str());
 }
 
 }  // namespace footfall

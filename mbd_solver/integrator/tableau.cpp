@@ -1,3 +1,5 @@
+// Coefficients as published; the weights of the continuous extension are solved for here.
+
 #include "mbd_solver/integrator/tableau.h"
 
 #include <cmath>

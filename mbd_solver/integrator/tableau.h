@@ -12,14 +12,14 @@ constexpr int kMostStages = 7;
 
 struct Tableau {
   std::string_view name;
-  int stages;           // the explicit first one included
+  int stages;           // including the explicit first one
   int order;            // of y(t + h)
   int estimated_order;  // q: the error estimate is O(h^(q + 1))
   double gamma;
   std::array<double, kMostStages> c;                           // times of the stages, in steps
   std::array<std::array<double, kMostStages>, kMostStages> a;  // below the diagonal; the last row is b
   std::array<double, kMostStages> error;                       // b - b^, b^ the embedded weights
-  std::array<double, kMostStages> quartic;                     // d of the continuous extension (dense_step.h)
+  std::array<double, kMostStages> quartic;                     // d of the continuous extension (DenseWeights)
   int last() const { return stages - 1; }
 };
 
@@ -32,16 +32,15 @@ const Tableau& esdirk5();
 // 2, 3 or 5.
 const Tableau& tableau_of_order(int order);
 
-// States within a step, from what is known at its two ends and at its stages: nothing is solved again. theta in [0, 1]:
+// Continuous extension: states within a step from its ends and stages, without another solve. theta in [0, 1]:
 //   x(theta)  = x_0 + h sum_i b_i(theta) K_i        x: q, v, z and the time integrals of powers
-//   x'(theta) = sum_i b_i'(theta) K_i               also the multipliers, which stand in K
+//   x'(theta) = sum_i b_i'(theta) K_i               also the multipliers, which are part of K
 //   b_i(theta) = theta^2 (3 - 2 theta) b_i + theta (1 - theta)^2 [i = 0] - theta^2 (1 - theta) [i = last]
 //              + theta^2 (1 - theta)^2 d_i
 // Hermite's cubic through both ends, and a bubble that makes it exact to fourth order:
-//   sum d = sum d c = sum d c^2 = 0,  sum d c^3 = 1/4,  sum_ij d_i a_ij c_j^2 = 1/12      d the smallest of all such
-// x is off by O(h^5), of the size of the error estimate, and by O(h^4) where d = 0 (TR-BDF2, whose steps are off by
+//   sum d = sum d c = sum d c^2 = 0,  sum d c^3 = 1/4,  sum_ij d_i a_ij c_j^2 = 1/12      d of smallest norm
+// The error of x is O(h^5), of the size of the error estimate, and O(h^4) if d = 0 (TR-BDF2, whose steps have errors of
 // O(h^3)). x and x' are continuous from step to step.
-
 struct DenseWeights {
   DenseWeights(const Tableau& tableau, double theta) {
     const double rest = 1.0 - theta;
@@ -59,7 +58,7 @@ struct DenseWeights {
   std::array<double, kMostStages> b{}, slope{};
 };
 
-// Lagrange's polynomial number k through the first `count` of `nodes`, at theta.
+// Lagrange polynomial k through the first `count` of `nodes`, at theta.
 template <std::size_t kSize>
 double lagrange(const std::array<double, kSize>& nodes, std::size_t count, std::size_t k, double theta) {
   double value = 1.0;

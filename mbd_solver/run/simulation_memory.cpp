@@ -40,7 +40,7 @@ inline constexpr auto kFields<IntegratorStatistics> =
                Field{"drift_velocity", &IntegratorStatistics::drift_velocity},
                Field{"removed_position", &IntegratorStatistics::removed_position},
                Field{"removed_velocity", &IntegratorStatistics::removed_velocity},
-               Field{"told_error", &IntegratorStatistics::told_error}};
+               Field{"reported_error", &IntegratorStatistics::reported_error}};
 
 template <>
 inline constexpr auto kFields<RunTimes> =

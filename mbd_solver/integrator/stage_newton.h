@@ -1,0 +1,54 @@
+#pragma once
+// Newton's method on the equations of one stage of a one-step method, with a Jacobian that serves many steps.
+//   Y = known + K / c,  F(t, Y, K) = 0
+// Positions follow from velocities in closed form, so that Newton iterates [v; z; lambda] alone, with the reduced Jacobian at
+// c. Multipliers have no rates. Newton stops when its remaining error is small relative to the error of the step.
+
+#include <string>
+
+#include "mbd_solver/dynamics/sparse_lu.h"
+#include "mbd_solver/integrator/error_norm.h"
+#include "mbd_solver/integrator/integrator.h"
+
+namespace footfall {
+
+// Why the last step failed.
+struct StepFailure {
+  int worst = -1;      // entry of y
+  std::string reason;  // of a force law without a value, or a joint that stays open; ends with its code
+};
+
+class StageNewton {
+ public:
+  // All must outlive this object.
+  StageNewton(Equations& equations, const ErrorNorm& norm, IntegratorStatistics& statistics, StepFailure& failure);
+
+  void begin_step() { fresh_ = false; }
+  bool fresh() const { return fresh_; }       // the Jacobian belongs to this step
+  void drop_factors() { factored_c_ = 0.0; }  // the next stage requires a new Jacobian
+  void forget();
+
+  // The factors are missing, or, in the first stage of a step, belong to another c or converge more slowly than `slow`.
+  bool needs_jacobian(double c, bool first_stage, double slow) const;
+  // Jacobian at y with rates K, and its factors. False: a law has no value, or the matrix is singular.
+  bool refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& K, double c, double slow,
+               const Inputs& inputs);
+  // Y and K of a stage, from their predictions. False: no convergence.
+  bool solve(double t, double c, const Eigen::VectorXd& known, double tolerance, double slow, const Inputs& inputs,
+             Eigen::VectorXd& Y, Eigen::VectorXd& K);
+  // x = J^-1 x, with the current factors.
+  void apply_inverse(Eigen::Ref<Eigen::VectorXd> x) const { lu_.solve(x); }
+
+ private:
+  Equations& equations_;
+  const ErrorNorm& norm_;
+  IntegratorStatistics& statistics_;
+  StepFailure& failure_;
+  ThinLu lu_;
+  double factored_c_ = 0.0;  // c of the factors; 0: none
+  bool fresh_ = false;
+  double rate_ = 1.0;  // last convergence rate
+  Eigen::VectorXd Ydot_, F_, change_, expected_;
+};
+
+}  // namespace footfall
