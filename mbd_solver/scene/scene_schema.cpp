@@ -23,7 +23,7 @@ Json keys_of_joint(JointType type) {
   add("length", traits.length);
   add("radius", traits.radius);
   add("motion", traits.motion);
-  for (const CoordinateChoice coordinate : coordinates_of(type)) optional.push_back(name_of(coordinate));
+  for (const Coordinate coordinate : coordinates_of(type)) optional.push_back(name_of(coordinate));
   return {{"required", required}, {"optional", optional}};
 }
 
