@@ -1,6 +1,5 @@
-// liggghts_mbd: Debian's LIGGGHTS library, not rebuilt, with the fix styles of footfall and with those of its functions
-// replaced that replaced/README.md lists. Same command line, output and exit codes as liggghts, and the same results to the
-// bit without our fixes. Next to mbd_solver under one mpirun it is the DEM side of a coupled run:
+// liggghts_mbd: Debian's LIGGGHTS library, not rebuilt, with footfall's fix styles and with the functions replaced that
+// replaced/README.md lists. Options, output, exit codes and, without our fixes, all bits are those of liggghts. Coupled:
 //   mpirun -np 2 liggghts_mbd -in in.script : -np 1 mbd_solver scene.toml
 
 #include <mpi.h>

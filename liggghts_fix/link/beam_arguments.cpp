@@ -61,8 +61,9 @@ BeamArguments::BeamArguments(int narg, const char* const* arg) {
       beams.push_back({value});
     } else if (word == "type") {
       if (!type.empty())
-        throw InputError(fix + ": keyword \"type\" appears twice; beams of another material need a fix of their own" +
-                         kBeamUsage);
+        throw InputError(
+            code::kBeamSyntax,
+            fix + ": keyword \"type\" appears twice; beams of another material need a fix of their own" + kBeamUsage);
       type = value;
     } else if (word == "curvature") {
       if (value != "yes" && value != "no")
