@@ -23,7 +23,7 @@ count_cost() {
   shift 2
   for runs in "$@"; do [[ -d $runs ]] || return 0; done
   seconds=$(docs/data/remake/cost_of_runs.sh "$@")
-  { echo part,seconds; grep -vE "^(part|$part)," "$folder/cost.csv" 2>/dev/null; echo "$part,$seconds"; } >"$folder/cost.new"
+  { echo part,seconds; grep -vE "^(part|$part)," "$folder/cost.csv" 2>/dev/null || true; echo "$part,$seconds"; } >"$folder/cost.new"
   mv "$folder/cost.new" "$folder/cost.csv"
 }
 
