@@ -75,7 +75,7 @@ signals() {
 load() {
   $short && return
   local log=$work/load.log code=0 idle=() k before after others
-  read -r before others </proc/loadavg
+  read -r before _ </proc/loadavg
   for ((k = ${before%.*}; k < 10 * $(nproc); ++k)); do
     bash -c 'while :; do :; done' &
     idle+=($!)
