@@ -36,7 +36,12 @@ def moved_links(text, source):
         page = on_site((folder / match.group(2)).resolve())
         return f'{match.group(1)}"{from_here(page)}"' if page else match.group(0)
 
+    def anchor(match):  # of README, which is the index: mkdocs gives each page a folder
+        page = on_site((folder / match.group(2)).resolve())
+        return f'{match.group(1)}"{from_here(page).removesuffix(".md")}/"' if page else match.group(0)
+
     text = re.sub(r'(<img src=)"([^"]+)"', image, text)
+    text = re.sub(r'(<a href=)"([^"]+)"', anchor, text)
     # A picture may stand in the words of a link.
     return re.sub(r"(!?)\[((?:[^\[\]]|!\[[^\]]*\]\([^)]*\))*)\]\(([^)\s]+)\)", link, text)
 
