@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the site: docs/site/build.sh [OUT] (default: build/site). Needs Debian's mkdocs, and footfall built for the reference. With Debian's doxygen it has the C++ API too.
-# Asks no network.
+# Makes the site: docs/site/build.sh [OUT] (default: build/site). Needs Debian's mkdocs, and footfall built for the reference. With doxygen it includes the C++ API.
+# Uses no network.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)

@@ -3,19 +3,17 @@
 
     blocks.py FOOTFALL OUT PAGE [--only-lint]
 
-FOOTFALL is the built program, PAGE a path in the checkout. OUT becomes a folder that looks like a checkout. A command block is one of ```sh. Comments
-before a block say what the test has to know; the reader of the page does not see them:
+FOOTFALL is the built program, PAGE a path in the checkout. OUT becomes a folder that looks like a checkout. A command block begins with ```sh. Comments before a
+block control the test and are invisible on the page:
 
-    <!-- short: OPTIONS -->   these options at the end of `run` and `audit` (without it --until 0.02, or less) and of `calibrate`
-    <!-- exit: CODE -->       how the last command of the block ends (without it 0)
-    <!-- file: NAME -->       the block is the text of this file; it is written before the next commands
-    <!-- append: NAME -->     it is added to this file
-    <!-- edit: NAME | from WORDS -->  it takes the place of the file's lines from the first one that begins with WORDS to the end; `above WORDS`: it is put above that line
-    <!-- shorten: NAME | REGEX | TEXT -->  in a file that the page has made, the test alone; stands anywhere
-    <!-- says -->             each line of the block is in the output of the last commands; ... stands for any text
-    <!-- pair: NAME -->       likewise, in what footfall says of the pair NAME of tests/bad_input
-
-The subcommands are asked of the program. Those of kComing may be missing in it: a block that has one is then left out, and said so.
+    <!-- short: OPTIONS -->   options appended to `run` (default: --until 0.02, or less) and to `calibrate`
+    <!-- exit: CODE -->       exit code of the last command of the block (default: 0)
+    <!-- file: NAME -->       the block is the text of this file, which is written before the next commands
+    <!-- append: NAME -->     the block is appended to this file
+    <!-- edit: NAME | from WORDS -->  the block replaces the file from the first line that begins with WORDS to its end; `above WORDS`: it is inserted above that line
+    <!-- shorten: NAME | REGEX | TEXT -->  a replacement in a file of the page, for the test only; may stand anywhere
+    <!-- says -->             each line of the block is in the output of the last commands; ... matches any text
+    <!-- pair: NAME -->       likewise, in the output for the pair NAME of tests/bad_input
 """
 import pathlib
 import re
@@ -24,11 +22,10 @@ import subprocess
 import sys
 
 kRoot = pathlib.Path(__file__).resolve().parents[2]
-kComing = {"new", "plot", "watch"}
 kOthers = {"mpirun", "python3", "mkdir", "cp", "cat", "ls", "sed", "diff"}  # and programs of the checkout, by their path
-kSeconds = 280   # for one command
+kSeconds = 280   # time limit of one command [s]
 kUntil = "0.02"  # of a scene [s]
-kWatched = 10   # for one that follows a run
+kWatched = 10    # of a command that follows a run [s]
 
 
 class Block:
@@ -64,23 +61,23 @@ def commands_of(block):
 
 
 def lint(page, text):
-    """A command that a reader would copy stands in a block that is run."""
+    """Every command that a reader would copy is in a block that is run."""
     wrong = []
     for block in blocks_of(text):
         for line in block.lines:
             if block.language != "sh" and "says" not in block.marks and "pair" not in block.marks \
-                    and re.match(r"\s*(\./footfall|\(cd \S+ && \.\./footfall|footfall (run|check|view|sweep|audit) |mpirun|build/bin/)", line) \
+                    and re.match(r"\s*(\./footfall|\(cd \S+ && \.\./footfall|footfall (run|check|view|plot|sweep|rig) |mpirun|build/bin/)", line) \
                     and " ... " not in line:
-                wrong.append(f"{page}:{block.line}: \"{line.strip()}\" stands in a block that no test runs; begin it with ```sh")
+                wrong.append(f"{page}:{block.line}: \"{line.strip()}\" is in a block that no test runs; begin the block with ```sh")
     plain = re.sub(r"(?ms)^```.*?^```$", "", text)
     for line in re.findall(r"(?m)^(?:    |\t)\s*(?:\./)?footfall .*$", plain):
-        wrong.append(f"{page}: \"{line.strip()}\" is indented; begin its block with ```sh")
+        wrong.append(f"{page}: \"{line.strip()}\" is indented; put it into a block that begins with ```sh")
     return wrong
 
 
 def shortened(words, block):
     command = words[1]
-    if command in ("run", "audit") and "--resume" not in words:
+    if command == "run" and "--resume" not in words:
         if "short" in block.marks:
             return words + shlex.split(block.marks["short"])
         if "--until" not in words:
@@ -117,12 +114,8 @@ class Page:
     def run(self, block):
         lines = commands_of(block)
         subcommands = re.findall(r"(?m)^(?:\(cd \S+ && \.)?\./footfall (\S+)", "\n".join(lines))
-        missing = [s for s in subcommands if s not in self.known and not s.startswith("-")]
-        if missing:
-            if set(missing) <= kComing:
-                print(f"{self.page}:{block.line}: left out: footfall {missing[0]} is not built here")
-            else:
-                self.complain(block, f"footfall {missing[0]}: there is no such command")
+        for missing in [s for s in subcommands if s not in self.known and not s.startswith("-")]:
+            self.complain(block, f"footfall {missing}: there is no such command")
             return
         self.output = ""
         for k, line in enumerate(lines):
@@ -134,7 +127,7 @@ class Page:
                 folder, line = folder / inside.group(1), inside.group(2).replace("../footfall ", "./footfall ", 1)
             words = shlex.split(line)
             if words[0] == "./footfall":
-                watched = words[1] == "watch"
+                watched = "--follow" in words and "--once" not in words
                 line = " ".join(shlex.quote(w) for w in [str(self.folder / "footfall"), *shortened(words, block)[1:]])
             elif words[0] not in kOthers and not ("/" in words[0] and (self.folder / words[0]).is_file()):
                 self.complain(block, f"{words[0]}: this test does not know the command")
@@ -150,20 +143,20 @@ class Page:
                 self.complain(block, f"`{line}` ended with {done.returncode}, expected {wanted}")
                 return
 
-    def ask_pair(self, name):
+    def run_pair_of(self, name):
         pair = kRoot / "tests/bad_input" / name
         done = subprocess.run([str(pair.parent / "run_pair"), str(self.footfall), str(pair), str(self.folder / "pairs" / name)],
                               capture_output=True, text=True)
         self.output = done.stdout
         return done.returncode == 0
 
-    def must_say(self, block):
+    def check_output(self, block):
         said = re.sub(r"\S*/tests/bad_input/", "", self.output).replace(str(self.folder) + "/", "")
         self.ran += 1
         for line in block.lines:
             pattern = ".*".join(re.escape(part) for part in line.strip().split("..."))
             if not re.search(pattern, said):
-                self.complain(block, f"footfall does not say: {line.strip()}\nIt says:\n{said[-3000:]}")
+                self.complain(block, f"missing in the output: {line.strip()}\nThe output:\n{said[-3000:]}")
 
     def edit(self, block):
         """Puts a block into a file where a reader would put it by hand, or replaces what the test has no time for."""
@@ -197,11 +190,11 @@ class Page:
             elif "edit" in block.marks or "shorten" in block.marks:
                 self.edit(block)
             elif "pair" in block.marks:
-                if not self.ask_pair(block.marks["pair"]):
+                if not self.run_pair_of(block.marks["pair"]):
                     self.complain(block, f"the pair {block.marks['pair']} fails: {self.output}")
-                self.must_say(block)
+                self.check_output(block)
             elif "says" in block.marks:
-                self.must_say(block)
+                self.check_output(block)
             elif block.language == "sh":
                 self.run(block)
             if self.failed:

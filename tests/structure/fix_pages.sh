@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Every style that liggghts_mbd registers has its page in docs/fixes, in LIGGGHTS' own form, and every keyword that its
+# Every style that liggghts_mbd registers has its page in docs/reference/fixes, in LIGGGHTS' own form, and every keyword that its
 # reader knows has a line there. A page of no style, and a line of no keyword, fail as well.
 set -u
 cd "$(dirname "$0")/../.."
 failed=0
 complain() { echo "$*"; failed=1; }
-page_of() { echo "docs/fixes/$(tr / _ <<<"$1").md"; }
+page_of() { echo "docs/reference/fixes/$(tr / _ <<<"$1").md"; }
 
 styles=$(grep -ohE 'register_fix_style\(lmp, "[^"]+"' liggghts_fix/*.cpp | sed 's/.*"\(.*\)"/\1/')
 # The loop of let_meshes_resume registers all styles that begin so.
@@ -33,13 +33,14 @@ for style in $styles; do
   told=$(sed -n '/^## Syntax/,/^## Examples/p' "$page" | sed -nE 's/^\| `([a-z_]+)` \|.*/\1/p' | sort -u)
   difference=$(diff <(keywords_of "$style") <(echo -n "${told:+$told$'\n'}")) ||
     complain "$page: keywords of the reader (<) and of the table under Syntax (>) differ:"$'\n'"$difference"
-  grep -qF "(fixes/$(basename "$page"))" docs/fixes.md || complain "docs/fixes.md has no link to $page"
+  grep -qF "($(basename "$page"))" docs/reference/fixes/README.md || complain "docs/reference/fixes/README.md has no link to $page"
 done
 headings="Syntax Examples Description Restart Restrictions Related Default"
-for page in docs/fixes/*.md; do
+for page in docs/reference/fixes/*.md; do
+  [[ $page == */README.md ]] && continue
   found=$(sed -nE 's/^## ([A-Za-z]+).*/\1/p' "$page" | tr '\n' ' ')
   [[ ${found% } == "$headings" ]] || complain "$page: headings are \"${found% }\", expected \"$headings\""
-  [[ $page == docs/fixes/audit.md ]] && continue  # no fix: counts beside them
+  [[ $page == docs/reference/fixes/audit.md ]] && continue  # no fix: counts beside them
   grep -qxF "$page" < <(for style in $styles; do page_of "$style"; done) || complain "$page: no style of this name is registered"
 done
 exit $failed
