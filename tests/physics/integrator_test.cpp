@@ -1,5 +1,5 @@
-// What the integrators promise: order, drift, restart to the bit, the same motion from both, and words when
-// they give up.
+// Integrators on whole mechanisms.
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
@@ -8,12 +8,19 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "tests/validation/famous_mechanisms.h"
+#include "tests/physics/mechanisms.h"
+#include "tests/physics/motion_of.h"
 #include "tests/unit/dynamics/lander_mechanism.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"
 
+// What IDA says of its own errors: a run that ends off by tens of tolerances does not pass in silence.
 namespace footfall {
-namespace {
+namespace integrators {
+
+// What the integrators promise: order, drift, restart to the bit, the same motion from both, and words when
+// they give up.
 
 // Spatial double pendulum with a damper between its links.
 Model double_pendulum() {
@@ -254,5 +261,32 @@ TEST(Lander, BalancesItsEnergyAndComesToRest) {
   EXPECT_GT(run.state.dissipated[Dissipation::kMrViscous], 1000.0);
 }
 
-}  // namespace
+std::string warning_after(const Model& model, double t_end, double rtol, double* error = nullptr) {
+  test::Run run(model, "ida", test::as_a_scene(rtol));
+  const test::Motion start = test::motion_of(run);
+  run.to(t_end);
+  if (error != nullptr) {
+    test::Run reference(model, "one_step", test::as_a_scene(1e-3 * rtol));
+    reference.to(t_end);
+    const test::Motion end = test::motion_of(reference);
+    *error = test::difference(test::motion_of(run), end, test::size_of(start, end)) / rtol;
+  }
+  return run.integrator->warning();
+}
+
+TEST(IdaWarning, ComesWhereTheEndIsOffByTensOfTolerances) {
+  double error = 0.0;
+  const std::string warning = warning_after(test::bennett(), 10.0, 1e-6, &error);
+  EXPECT_GT(error, 30.0);
+  EXPECT_NE(warning.find("add up to"), std::string::npos) << "error " << error << " tolerances; " << warning;
+}
+
+TEST(IdaWarning, ComesWhereStiffPartsVibrateAtItsTolerance) {
+  // Thousands of steps in the first seconds of a spin-up: their errors add up.
+  EXPECT_NE(warning_after(test::spin_up_beam(8), 1.5, 1e-6).find("add up to"), std::string::npos);
+}
+
+TEST(IdaWarning, StaysAwayWhereTheErrorsAreFew) { EXPECT_EQ(warning_after(test::flyball_governor(), 1e-3, 1e-6), ""); }
+
+}  // namespace integrators
 }  // namespace footfall
