@@ -60,7 +60,7 @@ std::string sweeping_beam() {
   return "end 0.1\nbody tine\n" + chain(nodes, 0.02) + "velocity 0 0 0.5\nspin 0.4 0.3 1.0\nsway 0 0.01 0.02 60\n";
 }
 
-std::string sweep(const std::string& settings, const Material& material = {}, const std::string& dt = "2e-5") {
+std::string sweep(const std::string& settings, const ContactMaterial& material = {}, const std::string& dt = "2e-5") {
   return settings + preamble("-0.6 0.6 -0.4 0.4 -0.3 0.6", material) + "timestep " + dt + "\npair_style gran " +
          kModel + "\npair_coeff * *\n" + cloud() + beam_wall("tine");
 }
@@ -447,48 +447,6 @@ TEST_P(BeamMomentum, IsGivenAsItIsReceived) {
 
 INSTANTIATE_TEST_SUITE_P(Ranks, BeamMomentum, testing::Values(1, 2, 3));
 
-// A free rod on the multibody side, falling upon free grains without gravity: what one program's bodies lose,
-// the other's grains get, and the two together keep their momentum.
-TEST(BeamMomentumOfBothPrograms, OfARodAndTheGrainsItStrikesIsKept) {
-  const BeamRun folder("rod_and_grains");
-  const std::string scene = R"(title = "a rod among grains"
-end_time = 0.06
-gravity = [0, 0, 0]
-materials.steel = { density = 7850, young = 2e11, poisson = 0.3 }
-[[bodies]]
-name = "rod"
-material = "steel"
-shape = { kind = "rod", from = [-0.25, 0, 0], to = [0.25, 0, 0], diameter = 0.04 }
-[[boundaries]]
-body = "rod"
-beams = { segments = 5 }
-[initial]
-velocity = [0.1, 0.0, 0.8]
-[ground]
-kind = "particles"
-[particles]
-script = "in.coupled"
-ranks = 1
-[output]
-interval = 1e-3
-plots = false
-)";
-  std::string script = sweep("") + "set group all density 26000\n" + dump_command("grains.txt", 3000, kMomentumColumns);
-  script.replace(script.find("body tine"), 9, "body rod");
-  const Outcome outcome = folder.scene(script + run(3000), scene);
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
-  const Dump grains = folder.dump("grains.txt");
-  const Momentum before = momentum(grains.begin()->second), after = momentum(grains.rbegin()->second);
-  const History history = read_history(folder.file("out/history.csv"));
-  const double mass = 7850.0 * M_PI * 0.02 * 0.02 * 0.5;
-  const char* const axis[3] = {"rod.vx", "rod.vy", "rod.vz"};
-  for (int c = 0; c < 3; ++c) {
-    const std::vector<double>& v = history.column(axis[c]);
-    EXPECT_NEAR(mass * (v.back() - v.front()), before.linear[c] - after.linear[c], 1e-10 * mass * 0.8) << axis[c];
-  }
-  EXPECT_LT(history.column("rod.vz").back(), 0.7);  // it lost much of its own
-}
-
 // Elastic grains without friction: what they gain is the work of the beam, up to the error of the time steps,
 // which is of second order. The windows are equally long, so that the beam moves in the same way.
 class BeamEnergy : public testing::TestWithParam<bool> {};  // curvature
@@ -497,7 +455,7 @@ INSTANTIATE_TEST_SUITE_P(Curvature, BeamEnergy, testing::Bool());
 TEST_P(BeamEnergy, OfElasticGrainsIsTheWorkOfTheBeamToSecondOrder) {
   const std::string curvature = GetParam() ? "yes" : "no";
   const BeamRun folder("energy_" + curvature);
-  const Material elastic{1.0, 0.0, 0.0};
+  const ContactMaterial elastic{1.0, 0.0, 0.0};
   double error[3];
   const char* const dt[3] = {"1.6e-4", "8e-5", "4e-5"};
   for (int k = 0; k < 3; ++k) {
@@ -547,11 +505,6 @@ TEST(BeamCurvature, MakesTheContactAsSoftAsHertzSays) {
 
 // A straight beam at rest, or sliding along itself, is a cylinder that stock LIGGGHTS has: the same forces,
 // history and motion of the grains.
-
-// Round-off of a few thousand steps, relative to the largest number of each column: measured below 2e-13.
-constexpr double kRoundOff = 1e-11;
-
-const char* const kHertz = "model hertz tangential history rolling_friction cdt";
 
 struct Case {
   std::string name;
@@ -667,14 +620,14 @@ TEST_P(BeamLikeCylinder, SameForcesHistoryAndMotionToRoundOff) {
 INSTANTIATE_TEST_SUITE_P(
     Models, BeamLikeCylinder,
     testing::Values(
-        Case{"hertz", kHertz, history(3), "x"},  //
-        Case{"hertz_y", kHertz, history(3), "y"}, Case{"hertz_z", kHertz, history(3), "z"},
-        Case{"sliding", kHertz, history(3), "x", 0.7},
+        Case{"hertz", kModel, history(3), "x"},  //
+        Case{"hertz_y", kModel, history(3), "y"}, Case{"hertz_z", kModel, history(3), "z"},
+        Case{"sliding", kModel, history(3), "x", 0.7},
         Case{"hooke", "model hooke tangential history rolling_friction epsd2", history(6), "z"},
         Case{"cohesion", "model hertz tangential history cohesion sjkr rolling_friction cdt", history(3), "x"},
         Case{"no_history", "model hertz tangential no_history", {}, "x"},
-        Case{"stored_force", kHertz, {"f_force_w[1]", "f_force_w[2]", "f_force_w[3]"}, "x", 0.0, " store_force yes"},
-        Case{"warm", kHertz, {"f_Temp", "f_heatFlux"}, "x", 0.0, " temperature 600"}),
+        Case{"stored_force", kModel, {"f_force_w[1]", "f_force_w[2]", "f_force_w[3]"}, "x", 0.0, " store_force yes"},
+        Case{"warm", kModel, {"f_Temp", "f_heatFlux"}, "x", 0.0, " temperature 600"}),
     [](const auto& model) { return model.param.name; });
 
 // Every normal, tangential, rolling friction and cohesion model that stock walls take.
@@ -712,7 +665,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(TwoBeams, HoldAGrainBetweenThemLikeTwoCylinders) {
   const BeamRun folder("two_beams");
   const auto fall = [](const std::string& walls, const std::string& file) {
-    return preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "timestep 2e-5\npair_style gran " + kHertz + "\npair_coeff * *\n" +
+    return preamble("-0.5 0.5 -0.5 0.5 -0.5 0.5") + "timestep 2e-5\npair_style gran " + kModel + "\npair_coeff * *\n" +
            "create_atoms 1 single 0.004 0.1 0.06\nset group all diameter 0.08 density 2600\nvelocity all set "
            "0.02 0.15 -0.1\n" +
            walls + "fix integr all nve/sphere\nfix g all gravity 9.81 vector 0 0 -1\n" +
@@ -720,11 +673,11 @@ TEST(TwoBeams, HoldAGrainBetweenThemLikeTwoCylinders) {
                         "x y z vx vy vz omegax omegay omegaz fx fy fz f_history_w1[1] f_history_w1[2] "
                         "f_history_w2[1] f_history_w2[2]");
   };
-  const std::string wall = std::string(" all wall/gran ") + kHertz + " primitive type 2 ycylinder ";
+  const std::string wall = std::string(" all wall/gran ") + kModel + " primitive type 2 ycylinder ";
   const Outcome stock = folder.stock(
       fall("fix w1" + wall + "0.03 0 -0.05\nfix w2" + wall + "0.02 0 0.045\n", "stock.txt") + "run 10000\n");
   ASSERT_EQ(stock.exit_code, 0) << stock.text;
-  const std::string beam = std::string(" all wall/gran/beam ") + kHertz + " type 2 body fork";
+  const std::string beam = std::string(" all wall/gran/beam ") + kModel + " type 2 body fork";
   const std::string fork = "end 0.2\nbody fork\n" + chain({"-0.05 -0.4 0", "-0.05 0.1 0", "-0.05 0.4 0"}, 0.03) +
                            chain({"0.045 -0.4 0", "0.045 0.12 0", "0.045 0.4 0"}, 0.02, 3, 7);
   const std::string run = "fix mbd all couple/mbd every 10\nrun 10000\n";
@@ -746,8 +699,6 @@ TEST(TwoBeams, HoldAGrainBetweenThemLikeTwoCylinders) {
 }
 
 // A bent beam against the same tube as a triangle mesh of stock LIGGGHTS.
-
-const char* const kModel = "model hertz tangential history rolling_friction cdt";
 
 // Grains pressed into the tube beside the middles of its segments, on 12 lines around it, and held there.
 std::string held_grains(const BentTube& tube, double r, double overlap) {

@@ -19,7 +19,7 @@ namespace cohesion {
 // For sjkr2 it pulls hardest, with F = -2/3 pi k R d, at d = (pi k sqrt(R) / E*)^2.
 
 constexpr double kR = 0.02, kDensityOfCohesion = 1e5;          // [m], [J/m3]
-constexpr double kE = 35e6 / (2.0 * (1.0 - 0.25 * 0.25));      // E* of two materials of beam_run.h [Pa]
+constexpr double kE = 35e6 / (2.0 * (1.0 - 0.25 * 0.25));      // E* of two materials of coupled_run.h [Pa]
 constexpr double kPressed = 2e-5, kSpeed = 0.1, kStep = 1e-6;  // at the start [m], [m/s], [s]
 constexpr int kSteps = 300;
 
@@ -34,7 +34,7 @@ std::vector<double> forces(const std::string& model, const std::string& touch) {
   const BeamRun folder("cohesion_" + model + "_" + touch);
   const std::string words = "model hertz tangential history cohesion " + model;
   std::string script = preamble("-0.3 0.3 -0.3 0.3 -0.3 0.3", {1.0, 0.3, 0.0});
-  // That of beam_run.h is too weak to tell.
+  // That of coupled_run.h is too weak to tell.
   const std::string weak = "20000.000000", strong = "100000";
   for (std::size_t at; (at = script.find(weak)) != std::string::npos;) script.replace(at, weak.size(), strong);
   script += "timestep 1e-6\n";
@@ -95,12 +95,13 @@ TEST_P(Cohesion, PullsAsItsLawSaysUntilTheyPart) {
 // Both break at d = V^(1/3). While they touch, easo pulls with F(0) besides Hertz' force. Washino's radius of a wall is 0
 // there: LIGGGHTS' walls of any kind then pull with nothing.
 
+namespace capillary {
+
 constexpr double kR = 0.02, kTension = 0.073, kLiquid = 0.01;   // [m], [N/m], of the grain's volume
-constexpr double kE = 35e6 / (2.0 * (1.0 - 0.25 * 0.25));       // E* of two materials of beam_run.h [Pa]
+constexpr double kE = 35e6 / (2.0 * (1.0 - 0.25 * 0.25));       // E* of two materials of coupled_run.h [Pa]
 constexpr double kPressed = 5e-5, kSpeed = 10.0, kStep = 1e-6;  // at the start [m], [m/s], [s]
 constexpr double kLeastDistance = 1.01;                         // of R*: nearer, viscosity acts as there
 constexpr int kSteps = 700, kEvery = 5;
-constexpr int kBeamForce = 4, kMeshForce = 11;  // columns of the partners' tables
 
 double bridge_volume(const std::string& model) {
   const double on_grain = 4.0 / 3.0 * M_PI * kR * kR * kR * kLiquid;
@@ -166,14 +167,7 @@ Drawn drawn_away(const std::string& model, const std::string& touch, double visc
       outcome.text.find("liquid pulls grains and bodies to each other while they are apart") != std::string::npos;
   drawn.as_atom = outcome.text.find("takes the velocity of some atom for that of the wall") != std::string::npos;
   for (const auto& [step, rows] : folder.dump("grain.txt")) drawn.force.push_back(rows.at(0).at(1));
-  std::istringstream table(folder.read("loads.csv"));
-  for (std::string line, word; std::getline(table, line);) {
-    if (line.rfind("window", 0) == 0) continue;  // names of the columns
-    std::istringstream cells(line);
-    for (int column = 0; column <= (touch == "beam" ? kBeamForce : kMeshForce); ++column)
-      std::getline(cells, word, ',');
-    drawn.load.push_back(std::stod(word));
-  }
+  drawn.load = Table(folder.path() / "loads.csv")["fz"];
   return drawn;
 }
 
@@ -225,5 +219,6 @@ TEST(Capillary, ViscousPullTakesTheVelocityOfTheBeam) {
   }
 }
 
+}  // namespace capillary
 }  // namespace cohesion
 }  // namespace footfall::test

@@ -297,7 +297,7 @@ std::string value(const std::string& name, double x) {
 }
 
 // Verlet's error of peak and duration at some 800 steps per contact, and the step in which a contact begins.
-constexpr double kSteps = 3e-3;
+constexpr double kWallTest = 3e-3;
 // Damping presses at once, by overlap^(1/4), and the tangential spring needs some way to follow: at e = 0.5 the sphere
 // sticks at first, the less the faster it slides.
 constexpr double kSticksAtFirst = 6e-3;
@@ -314,10 +314,10 @@ TEST(WallTests, Test2ElasticNormalImpact) {
       time += found.table["contacts"][k] > 0.0 ? found.dt : 0.0;
     }
     const std::string test = std::string("2, ") + sphere.material + ", 0.2 m/s";
-    EXPECT_LT(compare(test, "peak force [N]", closed.force, force), kSteps);
-    EXPECT_LT(compare(test, "largest overlap [m]", closed.overlap, overlap), kSteps);
-    EXPECT_LT(compare(test, "time of contact [s]", closed.time, time), kSteps);
-    EXPECT_LT(compare(test, "speed after [m/s]", v, found.after[0].v.z()), kSteps);
+    EXPECT_LT(compare(test, "peak force [N]", closed.force, force), kWallTest);
+    EXPECT_LT(compare(test, "largest overlap [m]", closed.overlap, overlap), kWallTest);
+    EXPECT_LT(compare(test, "time of contact [s]", closed.time, time), kWallTest);
+    EXPECT_LT(compare(test, "speed after [m/s]", v, found.after[0].v.z()), kWallTest);
   }
 }
 
@@ -331,7 +331,7 @@ TEST(WallTests, Test3RestitutionIsTheOneGiven) {
       const double e = throws[i].restitution;
       EXPECT_LT(compare(std::string("3, ") + sphere.material + ", 3.9 m/s", value("restitution at e", e), e,
                         found.after[i].v.z() / v),
-                kSteps);
+                kWallTest);
     }
   }
 }
@@ -369,7 +369,7 @@ TEST(WallTests, Test4ObliqueImpactAtConstantSpeed) {
     const Outcomes found = strike("4", sphere, mu, throws, kCoulomb);
     for (std::size_t i = 0; i < throws.size(); ++i)
       expect_sliding(std::string("4, ") + sphere.material + ", 3.9 m/s", value("degrees", angles[i]), sphere, mu,
-                     throws[i], found.after[i], kSteps);
+                     throws[i], found.after[i], kWallTest);
   }
 }
 

@@ -55,14 +55,14 @@ std::string dump_command(const std::string& file, int every, const std::string& 
          "\ndump_modify d_" + file + " format \"" + format + "\"\n";
 }
 
-std::string preamble(const std::string& region, const Material& material) {
+std::string preamble(const std::string& region, const ContactMaterial& material) {
   return "atom_style granular\natom_modify map array\nboundary f f f\nnewton off\ncommunicate single vel "
          "yes\nunits si\n"
          "region box block " +
          region + " units box\ncreate_box 2 box\nneighbor 0.01 bin\nneigh_modify delay 0\n" + materials(material);
 }
 
-std::string materials(const Material& material) {
+std::string materials(const ContactMaterial& material) {
   const auto pairs = [](const std::string& name, double value) {
     std::string line = " all property/global " + name + " peratomtypepair 2";
     for (int i = 0; i < 4; ++i) line += " " + std::to_string(value);

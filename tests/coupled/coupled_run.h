@@ -83,16 +83,16 @@ class BeamRun : public RunFolder {
 // A dump of all grains every N steps to `file`: id, the given columns, with all digits.
 std::string dump_command(const std::string& file, int every, const std::string& columns);
 
-struct Material {
+struct ContactMaterial {
   double restitution = 0.3;
   double friction = 0.44;
   double rolling = 0.05;
 };
 
 // Box, style and two materials (1 grains, 2 beams, both with the same constants) [SI]; no `timestep`.
-std::string preamble(const std::string& region, const Material& material = {});
+std::string preamble(const std::string& region, const ContactMaterial& material = {});
 // The same without the box, for use after read_restart.
-std::string materials(const Material& material = {});
+std::string materials(const ContactMaterial& material = {});
 
 // Statements for a chain through these nodes ("x y z"), its segments of this radius; the first node has number `first`.
 std::string chain(const std::vector<std::string>& nodes, double radius, int first = 0, int number = 0);

@@ -7,8 +7,8 @@
 
 #include "coupler/messages.h"
 #include "tests/coupled/coupled_run.h"
-#include "tests/support/run_folder.h"
 #include "tests/support/refused.h"
+#include "tests/support/run_folder.h"
 
 namespace footfall::test {
 namespace failures {
@@ -21,9 +21,9 @@ constexpr int kLimit = 30;  // hanging is failing [s]
 // What a user reads, besides the place of a mistake, stands in docs/reference/messages.md alone.
 struct Case {
   std::string name;
-  int exit_code;           // of both programs; 0: any other
-  std::string names;       // a word of the message: who, which, what number
-  std::string script;      // after the bed and the mesh; empty: couple and run
+  int exit_code;       // of both programs; 0: any other
+  std::string names;   // a word of the message: who, which, what number
+  std::string script;  // after the bed and the mesh; empty: couple and run
   std::string partner = "until 0.01";
   std::string mesh = "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n";
   std::string body = " body plate plate.stl 0 0 0.24 prescribed 0 0 -1.0 0 0 0";

@@ -12,6 +12,7 @@
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "tests/coupled/coupled_run.h"
+#include "tests/support/linear_algebra.h"
 
 namespace footfall::test {
 namespace lattice {
@@ -211,7 +212,7 @@ ByHand project(const PlateRun& run, const std::vector<Contact>& contacts, const 
     const Vector3d c_B = A.transpose() * (contact.point - pose.r);
     Eigen::Matrix<double, 3, 2> edges;
     edges << rho.col(1) - rho.col(0), rho.col(2) - rho.col(0);
-    const Eigen::Vector2d w12 = edges.colPivHouseholderQr().solve(c_B - rho.col(0));
+    const Eigen::Vector2d w12 = solve(edges, c_B - rho.col(0));
     const Vector3d weights(1.0 - w12.sum(), w12[0], w12[1]);
     EXPECT_GT(weights.minCoeff(), -1e-9);
     EXPECT_LT((rho * weights - c_B).norm(), 1e-12) << "the contact point lies on its triangle";
@@ -446,7 +447,7 @@ TEST(PlateOnLattice, AtRestTheModalForceIsThatOfTheContactsAndBendsThePlateAsThe
   }
   const auto level = [&](VectorXd& w) {
     const Eigen::MatrixXd normal = plane.transpose() * weight.asDiagonal() * plane;
-    w -= plane * normal.ldlt().solve(plane.transpose() * weight.asDiagonal() * w);
+    w -= plane * solve(normal, plane.transpose() * weight.asDiagonal() * w);
   };
   level(coarse);
   level(reference);

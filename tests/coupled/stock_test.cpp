@@ -1,6 +1,6 @@
 // The same bits as stock LIGGGHTS.
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <map>
 #include <regex>

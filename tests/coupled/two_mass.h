@@ -5,6 +5,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "tests/support/linear_algebra.h"
+
 namespace footfall::test {
 
 struct TwoMass {
@@ -22,18 +24,18 @@ struct TwoMass {
     // With z = (sqrt(M) X, sqrt(m) x): z'' = -D z, D symmetric.
     Eigen::Matrix2d D;
     D << (K + kc) / M, -kc / std::sqrt(M * m), -kc / std::sqrt(M * m), (kp + kc) / m;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(D);
+    const EigenPairs modes = symmetric_modes(D);
     const Eigen::Vector2d scale(std::sqrt(M), std::sqrt(m));
     const Eigen::Vector4d y = initial();
-    const Eigen::Vector2d p = modes.eigenvectors().transpose() * Eigen::Vector2d(scale[0] * y[0], scale[1] * y[2]);
-    const Eigen::Vector2d q = modes.eigenvectors().transpose() * Eigen::Vector2d(scale[0] * y[1], scale[1] * y[3]);
+    const Eigen::Vector2d p = modes.vectors.transpose() * Eigen::Vector2d(scale[0] * y[0], scale[1] * y[2]);
+    const Eigen::Vector2d q = modes.vectors.transpose() * Eigen::Vector2d(scale[0] * y[1], scale[1] * y[3]);
     Eigen::Vector2d position, velocity;
     for (int k = 0; k < 2; ++k) {
-      const double om = std::sqrt(modes.eigenvalues()[k]);
+      const double om = std::sqrt(modes.values[k]);
       position[k] = p[k] * std::cos(om * t) + q[k] / om * std::sin(om * t);
       velocity[k] = -p[k] * om * std::sin(om * t) + q[k] * std::cos(om * t);
     }
-    const Eigen::Vector2d z = modes.eigenvectors() * position, dz = modes.eigenvectors() * velocity;
+    const Eigen::Vector2d z = modes.vectors * position, dz = modes.vectors * velocity;
     return {z[0] / scale[0], dz[0] / scale[0], z[1] / scale[1], dz[1] / scale[1]};
   }
   // Size of a state error: positions [cm], velocities [m/s], as in theory's table.

@@ -9,9 +9,9 @@
 #include "coupler/base/errors.h"
 #include "tests/physics/mechanisms.h"
 #include "tests/physics/motion_of.h"
-#include "tests/validation/random_mechanism.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"
+#include "tests/validation/random_mechanism.h"
 
 namespace footfall {
 namespace singular {

@@ -8,12 +8,12 @@ namespace footfall::test {
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& A);
 
 // K v = lambda M v with symmetric K and M, by rising lambda; the columns v have v . M v = 1.
-struct Modes {
+struct EigenPairs {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
 };
-Modes symmetric_modes(const Eigen::MatrixXd& K);
-Modes symmetric_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& M);
+EigenPairs symmetric_modes(const Eigen::MatrixXd& K);
+EigenPairs symmetric_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& M);
 
 // A = U diag(s) V^T, by falling s; U and V are thin.
 struct SingularValues {
@@ -21,6 +21,8 @@ struct SingularValues {
   Eigen::VectorXd s;
 };
 SingularValues singular_values(const Eigen::MatrixXd& A);
+
+Eigen::MatrixXd exponential(const Eigen::MatrixXd& A);
 
 // The x of A x = b for a regular A; of least squares where A is higher than wide.
 Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);

@@ -1,6 +1,5 @@
 #include "tests/validation/random_mechanism.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +7,7 @@
 #include "mbd_solver/dynamics/constraint_rows.h"
 #include "mbd_solver/model/rotation.h"
 #include "tests/physics/motion_of.h"
+#include "tests/support/linear_algebra.h"
 #include "tests/validation/random_forces.h"
 #include "tests/validation/random_numbers.h"
 
@@ -268,7 +268,7 @@ double hold(const Model& model, const Layout& layout, int rank, State state) {
     rows.evaluate(state);
     Phi_v.col(k) = rows.rate - at_rest;
   }
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(Phi_v).singularValues()[rank - 1];
+  return singular_values(Phi_v).s[rank - 1];
 }
 
 // How long the mechanism stays away from positions in which Phi_v loses rank: until the smallest singular value is a

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "mbd_solver/model/rotation.h"
+#include "tests/support/last_bits.h"
 
 namespace footfall::test {
 
@@ -12,7 +13,9 @@ namespace footfall::test {
 class Numbers {
  public:
   explicit Numbers(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+  double between(double low, double high) {
+    return last_bits(std::uniform_real_distribution<double>(low, high)(engine_));
+  }
   int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }  // both included
   bool one_in(int n) { return whole(1, n) == 1; }
   Eigen::Vector3d vector(double size) {

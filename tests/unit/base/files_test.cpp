@@ -18,8 +18,8 @@
 #include "coupler/base/named_file.h"
 #include "coupler/base/whole_file.h"
 #include "coupler/message_fields.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/support/refused.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {

@@ -17,8 +17,8 @@
 #include "coupler/base/quote.h"
 #include "coupler/base/text.h"
 #include "coupler/words.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/support/refused.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {

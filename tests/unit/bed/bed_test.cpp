@@ -17,6 +17,7 @@
 #include "mbd_solver/cli/launch/bed_contacts.h"
 #include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/cli/launch/script_trace.h"
+#include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {
@@ -69,12 +70,7 @@ TEST_F(BedFiles, OfAFolderTheGrainsAreFoundAndNotTheMeshes) {
 
 // What is said of a dump; empty when it is read.
 std::string said_of(const std::string& path) {
-  try {
-    read_bed_frame(path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { read_bed_frame(path); });
 }
 
 TEST_F(BedFiles, ADumpWithAWordThatIsNoNumberIsNamed) {
@@ -83,19 +79,15 @@ TEST_F(BedFiles, ADumpWithAWordThatIsNoNumberIsNamed) {
   EXPECT_EQ(said_of(write("grains_40.vtk", cut + "1e-310\n")), "");
   for (const std::string word : {"nan", "0.2x", "VERTICES", "1e400"}) {
     const std::string path = write("grains_40.vtk", cut + word + "\n");
-    EXPECT_EQ(said_of(path).substr(path.size()), ": \"" + word + "\" stands in \"radius\"; expected a finite number");
+    EXPECT_TRUE(test::names(said_of(path), {path, "\"" + word + "\"", "radius"}));
   }
   const std::string path = write("grains_40.vtk", cut);
-  EXPECT_EQ(said_of(path), path + ": ends in the middle of \"radius\"");
+  EXPECT_TRUE(test::names(said_of(path), {path, "radius"}));
 }
 
 TEST_F(BedFiles, ADumpWithoutRadiusIsNamed) {
-  try {
-    read_bed_frame(write("grains_1.txt", "ITEM: ATOMS id x y z\n1 0 0 0\n"));
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("holds no column \"radius\""), std::string::npos) << error.what();
-  }
+  EXPECT_TRUE(
+      test::names(said_of(write("grains_1.txt", "ITEM: ATOMS id x y z\n1 0 0 0\n")), {"grains_1.txt", "radius"}));
 }
 
 // A cubic lattice of touching spheres, n x n x n, of radius 1, its lowest corner at the origin.
@@ -184,9 +176,7 @@ TEST_F(BedConditions, AgreeHoweverTheNumbersAreWritten) {
 
 TEST_F(BedConditions, OfAnotherMaterialAreTold) {
   const std::string text = different_material(write("bed", log_with("5e6")), write("run", log_with("35e6")));
-  EXPECT_NE(text.find("youngsModulus: the bed was poured with peratomtype 5000000 207000000000, the run has"),
-            std::string::npos)
-      << text;
+  EXPECT_TRUE(test::names(text, {"youngsModulus", "5000000"}));
   EXPECT_EQ(text.find("poissonsRatio"), std::string::npos);
 }
 
@@ -241,76 +231,11 @@ TEST(BedContacts, SpheresOfOneClumpDoNotTouch) {
   EXPECT_EQ(count_grains({{{0, 0, 0}, 0.01}, {{0, 0, 1}, 0.01}}), 2u);
 }
 
-// mbd_solver/cli/launch/bed_seal.h: damage to a kept bed is told, and whole ones pass.
+class BedSeal : public ::testing::Test, protected TemporaryFolder {};
 
-template <class T>
-std::string bytes_of(T value) {
-  return std::string(reinterpret_cast<const char*>(&value), sizeof value);
-}
-std::string text_of(const std::string& text) {
-  return bytes_of(static_cast<std::int32_t>(text.size() + 1)) + text + '\0';
-}
-
-// A restart file as LIGGGHTS writes it: header, whatever is between, and the grains of each process. The numbers of a
-// grain behind its place are zeros, as those of a bed at rest nearly are.
-std::string restart(const std::vector<int>& grains_of_process, double x = 0.1) {
-  std::string bytes;
-  int all = 0;
-  for (const int grains : grains_of_process) all += grains;
-  for (std::int32_t flag = 0; flag <= 23; ++flag) {
-    bytes += bytes_of(flag);
-    if (flag == 0)
-      bytes += text_of("Version LIGGGHTS-PUBLIC 3.8.0");
-    else if (flag == 4)
-      bytes += text_of("si");
-    else if (flag == 22)
-      bytes += text_of("granular");
-    else if (flag == 5)
-      bytes += bytes_of(std::int64_t{0});
-    else if (flag == 23)
-      bytes += bytes_of(std::int64_t{all});
-    else
-      bytes += bytes_of(flag == 7 ? static_cast<std::int32_t>(grains_of_process.size()) : 1);
-  }
-  bytes += "types, forces and fixes";
-  for (const int grains : grains_of_process) {
-    constexpr int kNumbers = 9;
-    bytes += bytes_of(static_cast<std::int32_t>(kNumbers * grains));
-    for (int k = 0; k < grains; ++k) {
-      bytes += bytes_of(static_cast<double>(kNumbers)) + bytes_of(x) + bytes_of(0.2) + bytes_of(0.3);
-      for (int i = 4; i < kNumbers; ++i) bytes += bytes_of(0.0);
-    }
-  }
-  return bytes;
-}
-
-class BedSeal : public ::testing::Test, protected TemporaryFolder {
- protected:
-  std::string told(const std::string& bytes) { return damage_of_restart(write(kBedRestart, bytes)); }
-};
-
-TEST_F(BedSeal, WholeRestartFilesPass) {
-  EXPECT_EQ(told(restart({50})), "");
-  EXPECT_EQ(told(restart({50, 1, 30})), "");
-  EXPECT_EQ(told(restart({50, 0, 30, 0, 0})), "") << "processes without grains";
-}
-
-TEST_F(BedSeal, EveryTruncatedRestartFileIsTold) {
-  const std::string whole = restart({20, 0, 10});
-  for (std::size_t size = 0; size < whole.size(); ++size)
-    ASSERT_NE(told(whole.substr(0, size)), "") << size << " of " << whole.size() << " bytes";
-}
-
-TEST_F(BedSeal, NoNumberAndForeignFilesAreTold) {
-  EXPECT_EQ(told(""), "bed.restart is empty");
-  EXPECT_EQ(told("ITEM: TIMESTEP"), "bed.restart does not begin as a restart file of LIGGGHTS does");
-  EXPECT_EQ(told(restart({5}, std::nan(""))), "bed.restart does not hold the 5 grains that it begins with");
-  EXPECT_EQ(told(restart({5}, std::numeric_limits<double>::infinity())),
-            "bed.restart does not hold the 5 grains that it begins with");
-}
-
-TEST_F(BedSeal, EveryFlippedByteOfASealedBedIsTold) {
-  const std::string whole = restart({6}), dump = "ITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y z radius\n1 2 3 4\n";
+TEST_F(BedSeal, EveryFlippedByteOfASealedBedIsFound) {
+  const std::string whole = "restart of some grains",
+                    dump = "ITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y z radius\n1 2 3 4\n";
   write(kBedRestart, whole);
   write(kBedGrains, dump);
   seal_bed(folder_.string());
@@ -319,24 +244,15 @@ TEST_F(BedSeal, EveryFlippedByteOfASealedBedIsTold) {
     std::string flipped = whole;
     flipped[place] = static_cast<char>(flipped[place] ^ 0x10);
     write(kBedRestart, flipped);
-    ASSERT_EQ(damage_of_bed(folder_.string()), "bed.restart has changed since it was made (checksum)") << place;
+    ASSERT_TRUE(test::names(damage_of_bed(folder_.string()), {kBedRestart})) << place;
   }
   write(kBedRestart, whole.substr(1));
-  EXPECT_NE(damage_of_bed(folder_.string()).find("bytes, it was made with"), std::string::npos);
+  EXPECT_TRUE(test::names(damage_of_bed(folder_.string()), {kBedRestart}));
   write(kBedRestart, whole);
   std::filesystem::remove(folder_ / kBedGrains);
-  EXPECT_EQ(damage_of_bed(folder_.string()), "bed.restart.grains is missing");
+  EXPECT_TRUE(test::names(damage_of_bed(folder_.string()), {kBedGrains}));
   std::filesystem::remove(folder_ / kBedRestart);
-  EXPECT_EQ(damage_of_bed(folder_.string()), "bed.restart is missing");
-}
-
-TEST_F(BedSeal, BedsOfEarlierVersionsAreLookedAtFromOutside) {
-  write(kBedRestart, restart({6}));
-  EXPECT_EQ(damage_of_bed(folder_.string()), "");
-  write(kBedGrains, "ITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS x y z radius\n1 2 3 4\n");
-  EXPECT_EQ(damage_of_bed(folder_.string()), "bed.restart.grains holds 1 grains, it begins with 2");
-  write(kBedGrains, "ITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS x y z radius\n1 2 3 4\n1 2 3 nan\n");
-  EXPECT_EQ(damage_of_bed(folder_.string()), "bed.restart.grains:5: \"1 2 3 nan\" is not finite");
+  EXPECT_TRUE(test::names(damage_of_bed(folder_.string()), {kBedRestart}));
 }
 
 // The renderer: what is nearer hides what is behind it, whatever was drawn first.

@@ -244,16 +244,35 @@ TEST(CoupleMbdArguments, SayHowGrainsTouch) {
 
 // The word that is wrong, or the one after which something is missing, is named.
 TEST(CoupleMbdArguments, NameTheWordThatIsWrong) {
-  const std::pair<const char*, const char*> wrong[] = {
-      {"", "every"}, {"every", "every"}, {"evry 5", "evry"}, {"5", "5"}, {"every 5 mash pad1 foot_1", "mash"},
-      {"every 5 mesh pad1", "mesh"}, {"every 5 patience", "patience"}, {"every 0", "0"}, {"every -1", "-1"},
-      {"every 1000001", "1000001"}, {"every 5x", "5x"}, {"every 1.5", "1.5"}, {"every many", "many"},
-      {"every 5 patience 0", "patience"}, {"every 5 patience -2", "-2"}, {"every 5 patience 5s", "5s"},
-      {"every 5 patience nan", "nan"}, {"every 5 gravity own", "own"}, {"every 5 end early", "early"},
-      {"every 5 lost 0", "lost"}, {"every 5 lost 1.5", "1.5"}, {"every 5 lost 5%", "5%"}, {"every 5 lost -0.1", "-0.1"},
-      {"every 5 surface flat", "flat"}, {"every 5 edge 0", "edge"}, {"every 5 edge 91", "91"},
-      {"every 5 edge sharp", "sharp"}, {"every 5 damping_mass wall", "wall"},
-      {"every 5 mesh pad1 foot mesh pad1 leg", "pad1"}};
+  const std::pair<const char*, const char*> wrong[] = {{"", "every"},
+                                                       {"every", "every"},
+                                                       {"evry 5", "evry"},
+                                                       {"5", "5"},
+                                                       {"every 5 mash pad1 foot_1", "mash"},
+                                                       {"every 5 mesh pad1", "mesh"},
+                                                       {"every 5 patience", "patience"},
+                                                       {"every 0", "0"},
+                                                       {"every -1", "-1"},
+                                                       {"every 1000001", "1000001"},
+                                                       {"every 5x", "5x"},
+                                                       {"every 1.5", "1.5"},
+                                                       {"every many", "many"},
+                                                       {"every 5 patience 0", "patience"},
+                                                       {"every 5 patience -2", "-2"},
+                                                       {"every 5 patience 5s", "5s"},
+                                                       {"every 5 patience nan", "nan"},
+                                                       {"every 5 gravity own", "own"},
+                                                       {"every 5 end early", "early"},
+                                                       {"every 5 lost 0", "lost"},
+                                                       {"every 5 lost 1.5", "1.5"},
+                                                       {"every 5 lost 5%", "5%"},
+                                                       {"every 5 lost -0.1", "-0.1"},
+                                                       {"every 5 surface flat", "flat"},
+                                                       {"every 5 edge 0", "edge"},
+                                                       {"every 5 edge 91", "91"},
+                                                       {"every 5 edge sharp", "sharp"},
+                                                       {"every 5 damping_mass wall", "wall"},
+                                                       {"every 5 mesh pad1 foot mesh pad1 leg", "pad1"}};
   for (const auto& row : wrong)
     EXPECT_TRUE(test::names(test::error_of([&] { parsed_fix(row.first); }), {"fix m couple/mbd", row.second}))
         << row.first;

@@ -9,9 +9,9 @@
 #include "coupler/finite_check.h"
 #include "coupler/message_fields.h"
 #include "coupler/messages.h"
+#include "tests/support/refused.h"
 #include "tests/unit/coupler/message_content.h"
 #include "tests/unit/coupler/random_boundary.h"
-#include "tests/support/refused.h"
 
 namespace footfall {
 namespace {
@@ -91,7 +91,8 @@ TYPED_TEST(EveryMessage, OfAnotherKindIsRefusedByName) {
   else
     pack(Start{}, bytes);
   TypeParam received;
-  EXPECT_TRUE(test::names(test::error_of<ProtocolError>([&] { unpack(bytes, received); }), {message_name(TypeParam::kKind)}));
+  EXPECT_TRUE(
+      test::names(test::error_of<ProtocolError>([&] { unpack(bytes, received); }), {message_name(TypeParam::kKind)}));
 }
 
 TEST(Messages, AnotherProtocolVersionIsRefusedNamingBoth) {
@@ -100,7 +101,8 @@ TEST(Messages, AnotherProtocolVersionIsRefusedNamingBoth) {
   const std::int32_t foreign = 999;
   std::memcpy(bytes.data() + 8, &foreign, sizeof foreign);
   Start start;
-  EXPECT_TRUE(test::names(test::error_of<ProtocolError>([&] { unpack(bytes, start); }), {"999", std::to_string(kProtocolVersion)}));
+  EXPECT_TRUE(test::names(test::error_of<ProtocolError>([&] { unpack(bytes, start); }),
+                          {"999", std::to_string(kProtocolVersion)}));
   EXPECT_THROW(check_partner("mbd_solver", 999, kFootfallVersion), ProtocolError);
   EXPECT_THROW(check_partner("mbd_solver", kProtocolVersion, "0.0.0"), ProtocolError);
   EXPECT_NO_THROW(check_partner("mbd_solver", kProtocolVersion, kFootfallVersion));

@@ -1,5 +1,4 @@
 // Every coupling scheme of coupler/schemes/registry.h, both halves.
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,9 +13,9 @@
 #include "coupler/messages.h"
 #include "coupler/schemes/registry.h"
 #include "coupler/schemes/tangent.h"
-#include "tests/unit/coupler/random_boundary.h"
-#include "tests/support/refused.h"
 #include "tests/support/linear_algebra.h"
+#include "tests/support/refused.h"
+#include "tests/unit/coupler/random_boundary.h"
 
 namespace footfall {
 namespace {

@@ -1,6 +1,5 @@
 // Joints, their coordinates and what acts on these.
 #include <gtest/gtest.h>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <cmath>
 
@@ -10,6 +9,7 @@
 #include "mbd_solver/model/laws/joint_friction.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "mbd_solver/model/laws/motor.h"
+#include "tests/support/linear_algebra.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"
 
@@ -568,7 +568,7 @@ TEST_P(PlanarJoint, CarriesItsAxesWithTheFirstBody) {
   test::Run run(model, GetParam(), test::precise(1e-10));
   for (int i = 1; i <= 10; ++i) {
     run.to(0.2 * i);
-    const Eigen::Vector4d exact = (A * run.state.time).exp() * start;
+    const Eigen::Vector4d exact = test::exponential(A * run.state.time) * start;
     EXPECT_NEAR(planar_value(run, model, 0), exact[0], kPlanarTolerance) << run.state.time;
     EXPECT_NEAR(planar_value(run, model, 1), exact[1], kPlanarTolerance) << run.state.time;
     const double w = std::sqrt(k_turn / kPuckInertia);

@@ -1,5 +1,4 @@
 // Beam and plate elements and their stresses.
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,8 +15,8 @@
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/fe/plate_element.h"
 #include "mbd_solver/model/stress_recovery.h"
-#include "tests/unit/fe/steel_frame.h"
 #include "tests/support/linear_algebra.h"
+#include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
 namespace {

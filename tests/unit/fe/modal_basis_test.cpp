@@ -1,8 +1,6 @@
 // Reduction of a model to modes.
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +19,8 @@
 #include "mbd_solver/fe/turned_model.h"
 #include "mbd_solver/model/modal_inertia.h"
 #include "mbd_solver/model/stress_recovery.h"
-#include "tests/unit/fe/steel_frame.h"
 #include "tests/support/linear_algebra.h"
+#include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
 namespace {
@@ -472,7 +470,7 @@ TEST(LowestModes, OfAChainAreTheExactOnesByEitherMethod) {
   const int n = 60, count = 5;
   chain(n, false, K, M);
   for (EigenMethod method : {EigenMethod::kDense, EigenMethod::kSubspace}) {
-    const footfall::Modes modes = lowest_modes(K, M, count, 0.0, method);
+    const Modes modes = lowest_modes(K, M, count, 0.0, method);
     for (int k = 0; k < count; ++k) {
       const double omega = 2.0 * std::sin((k + 1) * kPi / (2.0 * (n + 1)));
       EXPECT_NEAR(modes.lambda(k), omega * omega, 1e-10 * omega * omega);
@@ -504,8 +502,8 @@ TEST(LowestModes, OfAFreePlateAgreeBetweenTheMethods) {
   const Sparse M = lumped_mass_matrix(model);
   const int count = 16;
   const double shift = elastic_scale(model);
-  const footfall::Modes dense = lowest_modes(model.stiffness, M, count, shift, EigenMethod::kDense);
-  const footfall::Modes subspace = lowest_modes(model.stiffness, M, count, shift, EigenMethod::kSubspace);
+  const Modes dense = lowest_modes(model.stiffness, M, count, shift, EigenMethod::kDense);
+  const Modes subspace = lowest_modes(model.stiffness, M, count, shift, EigenMethod::kSubspace);
   const double round_off = 1e-7;  // of lambda: the membrane is 1e6 times as stiff as bending
   for (int k = 6; k < count; ++k) EXPECT_NEAR(subspace.lambda(k), dense.lambda(k), round_off * dense.lambda(k));
   for (int k = 0; k < 6; ++k) EXPECT_LT(std::abs(subspace.lambda(k)), round_off * dense.lambda(6));
@@ -528,11 +526,13 @@ const Matrix3d kTurn = Eigen::AngleAxisd(1.1, Vector3d(1.0, -2.0, 0.5).normalize
 const Vector3d kShift(0.3, -2.0, 0.7);
 
 // A dish and a bent frame, as drawn and moved by x -> R x + p.
-FeModel moved_dish(const Matrix3d& R = Matrix3d::Identity(), const Vector3d& p = Vector3d::Zero(), double young = 207e9) {
+FeModel moved_dish(const Matrix3d& R = Matrix3d::Identity(), const Vector3d& p = Vector3d::Zero(),
+                   double young = 207e9) {
   return plate_model(moved(dish_mesh(0.2, 0.04, 0.05), R, p), 0.004, {7850.0, young, 0.3});
 }
 
-FeModel frame(const Matrix3d& R = Matrix3d::Identity(), const Vector3d& p = Vector3d::Zero(), double wall = 0.008) {
+FeModel moved_frame(const Matrix3d& R = Matrix3d::Identity(), const Vector3d& p = Vector3d::Zero(),
+                    double wall = 0.008) {
   std::vector<Vector3d> nodes = {{0.2, 0.1, 0.0}, {0.7, 0.4, 1.0}, {0.9, 0.4, 1.1}};
   for (Vector3d& node : nodes) node = R * node + p;
   BeamMember first = member(0, 1), second = member(1, 2);
@@ -589,32 +589,34 @@ void expect_copy_like_its_own(const FeModel& model, const FeModel& copy, const B
 
 TEST(TurnedModel, IsReducedLikeAModelOfItsOwn) {
   expect_copy_like_its_own(moved_dish(), moved_dish(kTurn, kShift), held(6, {}));
-  expect_copy_like_its_own(frame(), frame(kTurn, kShift), held(4, {0, 2}));
+  expect_copy_like_its_own(moved_frame(), moved_frame(kTurn, kShift), held(4, {0, 2}));
 }
 
 TEST(TurnedModel, IsNoOtherModel) {
   EXPECT_FALSE(place_of_copy(moved_dish(), moved_dish(kTurn, kShift), Matrix3d::Identity())) << "another turn";
-  EXPECT_FALSE(place_of_copy(moved_dish(), moved_dish(kTurn, kShift, 207e9 * (1.0 + 1e-8)), kTurn)) << "a little stiffer";
-  EXPECT_FALSE(place_of_copy(frame(), frame(kTurn, kShift, 0.008 * (1.0 + 1e-8)), kTurn)) << "a thicker wall";
-  EXPECT_FALSE(place_of_copy(frame(), moved_dish(kTurn, kShift), kTurn));
-  FeModel heavier = frame(kTurn, kShift);
+  EXPECT_FALSE(place_of_copy(moved_dish(), moved_dish(kTurn, kShift, 207e9 * (1.0 + 1e-8)), kTurn))
+      << "a little stiffer";
+  EXPECT_FALSE(place_of_copy(moved_frame(), moved_frame(kTurn, kShift, 0.008 * (1.0 + 1e-8)), kTurn))
+      << "a thicker wall";
+  EXPECT_FALSE(place_of_copy(moved_frame(), moved_dish(kTurn, kShift), kTurn));
+  FeModel heavier = moved_frame(kTurn, kShift);
   heavier.node_mass[1] *= 1.0 + 1e-8;
-  EXPECT_FALSE(place_of_copy(frame(), heavier, kTurn));
-  FeModel inert = frame(kTurn, kShift);
+  EXPECT_FALSE(place_of_copy(moved_frame(), heavier, kTurn));
+  FeModel inert = moved_frame(kTurn, kShift);
   inert.node_inertia[1] *= 1.0 + 1e-8;
-  EXPECT_FALSE(place_of_copy(frame(), inert, kTurn));
-  FeModel bent = frame(kTurn, kShift);
+  EXPECT_FALSE(place_of_copy(moved_frame(), inert, kTurn));
+  FeModel bent = moved_frame(kTurn, kShift);
   bent.nodes(0, 2) += 1e-8;
-  EXPECT_FALSE(place_of_copy(frame(), bent, kTurn));
-  FeModel otherwise_stressed = frame(kTurn, kShift);
+  EXPECT_FALSE(place_of_copy(moved_frame(), bent, kTurn));
+  FeModel otherwise_stressed = moved_frame(kTurn, kShift);
   otherwise_stressed.stress *= 1.0 + 1e-8;
-  EXPECT_FALSE(place_of_copy(frame(), otherwise_stressed, kTurn));
-  FeModel softer = frame(kTurn, kShift);  // one entry of stiffness alone
+  EXPECT_FALSE(place_of_copy(moved_frame(), otherwise_stressed, kTurn));
+  FeModel softer = moved_frame(kTurn, kShift);  // one entry of stiffness alone
   softer.stiffness.coeffRef(3, 3) *= 1.0 + 1e-8;
-  EXPECT_FALSE(place_of_copy(frame(), softer, kTurn));
-  FeModel otherwise_joined = frame(kTurn, kShift);
+  EXPECT_FALSE(place_of_copy(moved_frame(), softer, kTurn));
+  FeModel otherwise_joined = moved_frame(kTurn, kShift);
   std::swap(otherwise_joined.segments[0], otherwise_joined.segments[1]);
-  EXPECT_FALSE(place_of_copy(frame(), otherwise_joined, kTurn));
+  EXPECT_FALSE(place_of_copy(moved_frame(), otherwise_joined, kTurn));
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/fe/node_lookup.h"
-#include "tests/unit/fe/steel_frame.h"
 #include "tests/support/linear_algebra.h"
+#include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
 namespace {

@@ -1,6 +1,6 @@
 // One-step methods: order, rows of output, windows.
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,8 @@
 #include "mbd_solver/integrator/progress_watch.h"
 #include "mbd_solver/integrator/tableau.h"
 #include "tests/support/heap_requests.h"
+#include "tests/support/linear_algebra.h"
+#include "tests/support/refused.h"
 #include "tests/unit/dynamics/lander_mechanism.h"
 #include "tests/unit/dynamics/run.h"
 #include "tests/unit/integrator/smooth_mechanisms.h"
@@ -123,8 +125,15 @@ TEST_P(Method, IsStableOnTheWholeLeftHalfAndForgetsWhatIsStiff) {
   const Matrices m(tableau_of_order(GetParam()));
   const Eigen::Index s = m.b.size();
   const auto growth = [&](std::complex<double> z) {
-    const Eigen::MatrixXcd system = Eigen::MatrixXcd::Identity(s, s) - z * m.A.cast<std::complex<double>>();
-    return std::abs(Eigen::VectorXcd(system.partialPivLu().solve(Eigen::VectorXcd::Ones(s)))(s - 1));
+    Eigen::MatrixXd system = Eigen::MatrixXd::Identity(2 * s, 2 * s);  // real and imaginary part
+    system.topLeftCorner(s, s) -= z.real() * m.A;
+    system.bottomRightCorner(s, s) -= z.real() * m.A;
+    system.topRightCorner(s, s) = z.imag() * m.A;
+    system.bottomLeftCorner(s, s) = -z.imag() * m.A;
+    Eigen::VectorXd ones = Eigen::VectorXd::Zero(2 * s);
+    ones.head(s).setOnes();
+    const Eigen::VectorXd x = test::solve(system, ones);
+    return std::hypot(x(s - 1), x(2 * s - 1));
   };
   for (double y = 1e-2; y < 1e4; y *= 1.2) EXPECT_LT(growth({0.0, y}), 1.0 + 1e-12) << y;
   EXPECT_LT(growth({-1e8, 0.0}), 1e-6);
@@ -565,7 +574,7 @@ TEST(ProgressWatch, ComplainsOfStepsThatNeverEndAndBearsAHardMoment) {
   double t = 0.0;
   std::string complaint;
   for (int i = 0; i < 4000 && complaint.empty(); ++i) complaint = never.complaint(t += 1e-10);
-  EXPECT_NE(complaint.find("2000 steps"), std::string::npos) << complaint;
+  EXPECT_TRUE(test::names(complaint, {"2000"}));
   t = 0.0;
   for (int i = 0; i < 10000; ++i) EXPECT_TRUE(moment.complaint(t += i % 2000 < 1900 ? 1e-12 : 1e-5).empty()) << i;
 }

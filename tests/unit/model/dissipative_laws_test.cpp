@@ -115,14 +115,25 @@ TEST(MrDamper, GeometryGivesEquations14And15) {
 
 TEST(MrDamper, RefusesNonsense) {
   using P = MrDamperParameters;
-  expect_refused<MrDamper, P>(
-      {}, {{"yield_table", [](P& p) { p.yield_table = {{0.0, 0.0}, {0.5, 5000.0}, {1.0, 4000.0}}; }},
-           {"0.5", [](P& p) { p.yield_table = {{0.0, 0.0}, {0.5, 3000.0}, {0.5, 4000.0}, {1.0, 5000.0}}; }},
-           {"0.9", [](P& p) { p.yield_table = {{0.0, 0.0}, {0.9, 5000.0}}; }},
-           {"", [](P& p) { p.yield_table = {{0.0, -10.0}, {1.0, 5000.0}}; }},
-           {"viscous_coefficient", [](P& p) { p.viscous_coefficient = -1.0; }},
-           {"regularisation_speed", [](P& p) { p.regularisation_speed = 0.0; }},
-           {"initial_voltage", [](P& p) { p.initial_voltage = 2.0; }}});
+  expect_refused<MrDamper, P>({}, {{"yield_table",
+                                    [](P& p) {
+                                      p.yield_table = {{0.0, 0.0}, {0.5, 5000.0}, {1.0, 4000.0}};
+                                    }},
+                                   {"0.5",
+                                    [](P& p) {
+                                      p.yield_table = {{0.0, 0.0}, {0.5, 3000.0}, {0.5, 4000.0}, {1.0, 5000.0}};
+                                    }},
+                                   {"0.9",
+                                    [](P& p) {
+                                      p.yield_table = {{0.0, 0.0}, {0.9, 5000.0}};
+                                    }},
+                                   {"",
+                                    [](P& p) {
+                                      p.yield_table = {{0.0, -10.0}, {1.0, 5000.0}};
+                                    }},
+                                   {"viscous_coefficient", [](P& p) { p.viscous_coefficient = -1.0; }},
+                                   {"regularisation_speed", [](P& p) { p.regularisation_speed = 0.0; }},
+                                   {"initial_voltage", [](P& p) { p.initial_voltage = 2.0; }}});
   MrGeometry g = geometry();
   g.d1 = 0.05;
   EXPECT_THROW(mr_damper_from_geometry(g), InputError);
@@ -299,7 +310,10 @@ TEST(Honeycomb, ReportsCrushPerStage) {
 
 TEST(Honeycomb, RefusesNonsense) {
   using P = HoneycombParameters;
-  expect_refused<Honeycomb, P>({}, {{"compression", [](P& p) { p.compression->stages = {{6000.0, 0.1}, {3000.0, 0.1}}; }},
+  expect_refused<Honeycomb, P>({}, {{"compression",
+                                     [](P& p) {
+                                       p.compression->stages = {{6000.0, 0.1}, {3000.0, 0.1}};
+                                     }},
                                     {"tension", [](P& p) { p.tension->stages.clear(); }},
                                     {"crush_length", [](P& p) { p.tension->stages[1].crush_length = 0.0; }},
                                     {"bottom_out", [](P& p) { p.compression->bottom_out_stiffness = 6e6; }},

@@ -29,7 +29,8 @@ inline double force(const StrutLaw& law, double stroke, double rate = 0.0, doubl
 
 // Of a law with one parameter changed from those of `make`: every change must be refused, and its key named.
 template <class Law, class Parameters>
-void expect_refused(const Parameters& good, std::initializer_list<std::pair<const char*, std::function<void(Parameters&)>>> changes) {
+void expect_refused(const Parameters& good,
+                    std::initializer_list<std::pair<const char*, std::function<void(Parameters&)>>> changes) {
   EXPECT_NO_THROW(Law{good});
   for (const auto& [key, change] : changes) {
     Parameters p = good;

@@ -15,8 +15,8 @@
 #include "mbd_solver/model/laws/monotone_curve.h"
 #include "mbd_solver/model/laws/motor.h"
 #include "mbd_solver/model/laws/table_law.h"
-#include "tests/unit/model/law_checks.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/model/law_checks.h"
 
 namespace footfall {
 namespace {
@@ -395,12 +395,16 @@ TEST_F(TableLawFile, IsRead) {
 
 TEST_F(TableLawFile, IsNamedWithTheLineThatIsWrong) {
   const std::string head = "stroke, -1, 0, 1\n";
-  const std::pair<std::string, const char*> wrong[] = {
-      {head + "0, -1, 0, x\n", ":2:"}, {head + "0, -1, 0\n", ":2:"}, {head + "0, -1, 0, nan\n", ":2:"},
-      {head + "0, -1, 0, 1\n0, -1, 0, 1\n", ":3:"}, {head + "0, -1, 0, 1\n# end\n0.1, -1, 0, -5\n", ":4:"},
-      {head + "0, 7, 0, 1\n0.1, -1, 0, 5\n", ":2:"}, {head + "0, -1, 0, 1\n", ""},
-      {"stroke, 1, 2\n0, 1, 2\n1, 1, 2\n", ""}, {"stroke, 0, 2, 1\n0, 1, 2, 3\n1, 1, 2, 3\n", ""},
-      {"stroke, 1\n", ":1:"}};
+  const std::pair<std::string, const char*> wrong[] = {{head + "0, -1, 0, x\n", ":2:"},
+                                                       {head + "0, -1, 0\n", ":2:"},
+                                                       {head + "0, -1, 0, nan\n", ":2:"},
+                                                       {head + "0, -1, 0, 1\n0, -1, 0, 1\n", ":3:"},
+                                                       {head + "0, -1, 0, 1\n# end\n0.1, -1, 0, -5\n", ":4:"},
+                                                       {head + "0, 7, 0, 1\n0.1, -1, 0, 5\n", ":2:"},
+                                                       {head + "0, -1, 0, 1\n", ""},
+                                                       {"stroke, 1, 2\n0, 1, 2\n1, 1, 2\n", ""},
+                                                       {"stroke, 0, 2, 1\n0, 1, 2, 3\n1, 1, 2, 3\n", ""},
+                                                       {"stroke, 1\n", ":1:"}};
   for (const auto& row : wrong) {
     const std::string path = write("table.csv", row.first);
     EXPECT_TRUE(test::names(test::error_of([&] { TableLaw{read_table_law(path)}; }), {"table.csv", row.second}))

@@ -1,6 +1,6 @@
 // Inertia of a body with modes, and the pieces that it and its surface are made of.
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
