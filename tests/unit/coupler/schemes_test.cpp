@@ -1,8 +1,6 @@
-// Every coupling scheme, both halves: coupler/schemes/registry.h lists them.
-
+// Every coupling scheme of coupler/schemes/registry.h, both halves.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -14,10 +12,15 @@
 #include "coupler/base/errors.h"
 #include "coupler/messages.h"
 #include "coupler/schemes/registry.h"
+#include "coupler/schemes/tangent.h"
+#include "tests/support/linear_algebra.h"
+#include "tests/support/refused.h"
 #include "tests/unit/coupler/random_boundary.h"
 
 namespace footfall {
 namespace {
+
+// Every coupling scheme, both halves: coupler/schemes/registry.h lists them.
 
 using SchemeNames = std::set<std::string>;
 
@@ -35,60 +38,22 @@ SchemeNames found(const std::string& text, const std::string& pattern) {
   return names;
 }
 
-// From the first match of `from` to the first `to` behind it.
-std::string part(const std::string& text, const std::string& from, const std::string& to) {
-  const std::size_t begin = text.find(from);
-  EXPECT_NE(begin, std::string::npos) << "nothing begins with \"" << from << "\"";
-  if (begin == std::string::npos) return {};
-  return text.substr(begin, text.find(to, begin) - begin);
-}
-
 TEST(Schemes, HaveNamesOfTheirOwn) {
   const SchemeNames names(scheme_names().begin(), scheme_names().end());
   EXPECT_EQ(names.size(), scheme_names().size());
   for (const std::string& name : scheme_names()) EXPECT_EQ(make_scheme(name)->name(), name);
 }
 
-TEST(Schemes, EveryOneIsListedEverywhere) {
-  const SchemeNames names(scheme_names().begin(), scheme_names().end());
-
-  const std::string theory = part(file("docs/theory.md"), "| scheme | path in the window |", "\n\n");
-  EXPECT_EQ(found(theory, "\n\\| `([a-z-]+)`"), names) << "the table of schemes in docs/theory.md";
-  EXPECT_EQ(found(theory, "\n\\| `([a-z-]+)` \\(default\\)"), SchemeNames{std::string(kDefaultScheme)})
-      << "docs/theory.md";
-
-  const std::string key = part(file("inputs/reference/scene.toml"), "\nscheme = ", "\n[");
-  const std::string line = part(key, "scheme = ", "\n");
-  EXPECT_EQ(found(line, "\"([a-z-]+)\""), names) << "the comment of coupling.scheme in inputs/reference/scene.toml";
-  EXPECT_NE(line.find("Default " + std::string(kDefaultScheme)), std::string::npos) << line;
-
-  const std::string growth = part(file("docs/growth.md"), "| omega H |", "\n");
-  EXPECT_EQ(found(growth.substr(11), " ([a-z-]+) \\|"), names) << "the columns of docs/growth.md";
+TEST(Schemes, AreThoseOfTheReferenceScene) {
+  const std::string scene = file("inputs/reference/scene.toml"), line = scene.substr(scene.find("\nscheme = ") + 1);
+  EXPECT_EQ(found(line.substr(0, line.find('\n')), "\"([a-z-]+)\""),
+            SchemeNames(scheme_names().begin(), scheme_names().end()));
+  EXPECT_EQ(make_scheme(kDefaultScheme)->name(), kDefaultScheme);
 }
 
-TEST(Schemes, EveryOneHasItsPairOfFilesAndNoFileIsForgottenInTheRegistry) {
-  SchemeNames in_files;
-  for (const auto& entry : std::filesystem::directory_iterator(FOOTFALL_SOURCE_DIR "/coupler/schemes")) {
-    if (entry.path().extension() != ".h") continue;
-    const std::string stem = entry.path().stem().string();
-    for (std::string name : found(file("coupler/schemes/" + stem + ".h"), "kName = \"([a-z-]+)\"")) {
-      in_files.insert(name);
-      EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(entry.path()).replace_extension(".cpp"))) << name;
-      std::replace(name.begin(), name.end(), '-', '_');
-      EXPECT_EQ(name, stem);
-    }
-  }
-  EXPECT_EQ(in_files, SchemeNames(scheme_names().begin(), scheme_names().end()));
-}
-
-TEST(Schemes, AnUnknownNameIsToldAllKnownOnes) {
-  try {
-    make_scheme("css_trapezoid");
-    FAIL() << "taken";
-  } catch (const InputError& error) {
-    for (const std::string& name : scheme_names())
-      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
-  }
+TEST(Schemes, AnUnknownNameIsAnsweredWithAllKnownOnes) {
+  const std::string said = test::error_of([] { make_scheme("css_trapezoid"); });
+  for (const std::string& name : scheme_names()) EXPECT_TRUE(test::names(said, {name}));
 }
 
 class BothHalves : public testing::TestWithParam<std::string> {
@@ -180,7 +145,7 @@ TEST_P(BothHalves, GrowthIsTheLargestEigenvalueOfTheWindowMap) {
     for (const int n : {1, 7, 100}) {
       Eigen::MatrixXd map(5, 5);
       for (int k = 0; k < 5; ++k) map.col(k) = scheme->window_map(omega_h, n, MapState::Unit(k));
-      const double largest = map.eigenvalues().cwiseAbs().maxCoeff();
+      const double largest = test::eigenvalues(map).cwiseAbs().maxCoeff();
       const bool twice = scheme->name() == "quadratic" && n == 1 && omega_h == 1.0;
       EXPECT_NEAR(predicted_growth(*scheme, omega_h, n), largest, (twice ? 5e-6 : 1e-10) * largest)
           << omega_h << ", " << n;
@@ -195,6 +160,79 @@ TEST(WindowMap, CssTrapezoidKeepsAMotionAndFrozenPumpsIt) {
     EXPECT_NEAR(predicted_growth(*make_scheme("css-trapezoid"), w, n), 1.0, step_error) << n;
     EXPECT_NEAR(predicted_growth(*make_scheme("frozen"), w, n), std::sqrt(1.0 + w * w / 2.0), step_error) << n;
   }
+}
+
+// The scheme `tangent` on the body's side.
+
+// [kg, kg m2]
+Matrix6d inertia() {
+  Vector6d diagonal;
+  diagonal << 10.0, 10.0, 10.0, 0.1, 0.2, 0.3;
+  return diagonal.asDiagonal();
+}
+
+ContactTangent along_z(double k) {
+  ContactTangent slope;
+  slope.K(2, 2) = k;
+  return slope;
+}
+
+// A straight path from the origin at 0.1 m/s for 10 ms.
+PredictedPath one_millimetre_up() {
+  PredictedPath path;
+  path.r_mean[2] = 0.0005;
+  path.r_end[2] = 0.001;
+  path.v_mean[2] = 0.1;
+  return path;
+}
+
+TEST(MeanVelocity, WithoutContactIsThatOfConstantAcceleration) {
+  Vector6d v_0 = Vector6d::Zero();
+  v_0 << 1.0, 2.0, 3.0, 0.1, 0.0, 0.0;
+  const Vector6d v = mean_velocity(inertia(), v_0, -10.0 * Vector6d::Unit(2), {}, 0.01);
+  EXPECT_NEAR(v[2], 3.0 - 0.05, 1e-14);
+  EXPECT_NEAR(v[0], 1.0, 1e-14);
+  EXPECT_NEAR(v[3], 0.1, 1e-14);
+}
+
+TEST(MeanVelocity, MissesTheOscillatorByThirdOrder) {
+  // 10 kg on 1e5 N/m, at x = 1 mm from rest: x = x0 cos(om t) + v0 / om sin(om t).
+  const double om = 100.0, x0 = 1e-3, v0 = 0.2;
+  const Vector6d v = v0 * Vector6d::Unit(2), a = -om * om * x0 * Vector6d::Unit(2);
+  const auto error = [&](double H) {
+    const double x = x0 * std::cos(om * H) + v0 / om * std::sin(om * H);
+    return std::abs(H * mean_velocity(inertia(), v, a, along_z(1e5), H)[2] - (x - x0));
+  };
+  EXPECT_NEAR(std::log2(error(2e-3) / error(1e-3)), 3.0, 0.15);
+}
+
+TEST(MeanVelocity, OnStiffContactLeadsToWhereTheyBalance) {
+  // L-stable: what is missing is of the size v0 / (omega^2 H), here 2 % of x0 at omega H = 100.
+  const double om = 100.0, x0 = 1e-3, v0 = 0.2;
+  const Vector6d v = v0 * Vector6d::Unit(2), a = -om * om * x0 * Vector6d::Unit(2);
+  for (const double H : {1.0, 10.0})
+    EXPECT_NEAR(H * mean_velocity(inertia(), v, a, along_z(1e5), H)[2], -x0, 6.0 * v0 / (om * om * H));
+}
+
+TEST(TangentLoad, DampsOnlyWhatTheWindowDoesNotResolve) {
+  // Damping ratio C omega / (2 K) with omega = omega_h / H.
+  const auto ratio = [&](double omega_h) {
+    return tangent_load(along_z(1e5), PredictedPath(), omega_h, 0.01).C(2, 2) * omega_h / 0.01 / 2e5;
+  };
+  EXPECT_NEAR(ratio(0.2), std::pow(0.1, 7) / 2.0, 1e-12);
+  EXPECT_NEAR(ratio(20.0), 5.0, 1e-4);
+}
+
+TEST(SurplusImpulse, IsZeroOnThePredictedPathAndTheSpringsPushBesideIt) {
+  BodyMotion start;
+  start.dr[2] = 0.1;
+  const TangentLoad load = tangent_load(along_z(1e5), one_millimetre_up(), 0.0, 0.01);
+  BodyMotion end = start;
+  end.r[2] = 0.001;
+  EXPECT_LT(surplus_impulse(load, start, end, 0.01).norm(), 1e-12);
+  // Stopped at once: it stays 0.5 mm behind the mean, where the spring pushes by 50 N more.
+  start.dr[2] = end.dr[2] = end.r[2] = 0.0;
+  EXPECT_NEAR(surplus_impulse(load, start, end, 0.01)[2], 0.01 * 50.0, 1e-9);
 }
 
 }  // namespace

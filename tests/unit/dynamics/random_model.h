@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <memory>
 #include <random>
 #include <string>
@@ -20,6 +19,7 @@
 #include "mbd_solver/model/joints/gear.h"
 #include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "mbd_solver/model/model.h"
+#include "tests/support/linear_algebra.h"
 
 namespace footfall::test {
 
@@ -81,14 +81,13 @@ inline std::shared_ptr<ModalBody> hand_made_body(Random& random, int nodes, int 
     R.block<3, 3>(6 * j, 3) = -skew(body->rho0.col(j));
     R.block<3, 3>(6 * j + 3, 3).setIdentity();
   }
-  const Eigen::MatrixXd P =
-      Eigen::MatrixXd::Identity(n, n) - R * (R.transpose() * M * R).ldlt().solve(R.transpose() * M);
+  const Eigen::MatrixXd P = Eigen::MatrixXd::Identity(n, n) - R * solve(R.transpose() * M * R, R.transpose() * M);
   Eigen::MatrixXd X(n, n);
   for (int i = 0; i < n; ++i) X.col(i) = random.vector_x(n);
   const Eigen::MatrixXd K = stiffness * P.transpose() * (X * X.transpose() + Eigen::MatrixXd::Identity(n, n)) * P;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (K + K.transpose()), M);
-  const Eigen::MatrixXd shapes = eigen.eigenvectors().middleCols(6, modes);  // the six zero frequencies come first
-  body->stiffness = eigen.eigenvalues().segment(6, modes);
+  const EigenPairs eigen = symmetric_modes(0.5 * (K + K.transpose()), M);
+  const Eigen::MatrixXd shapes = eigen.vectors.middleCols(6, modes);  // the six zero frequencies come first
+  body->stiffness = eigen.values.segment(6, modes);
   body->damping = 2.0 * damping_ratio * body->stiffness.cwiseSqrt();
   body->Phi.resize(3 * nodes, modes);
   body->Psi.resize(3 * nodes, modes);

@@ -6,6 +6,7 @@
 
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/integrator/integrator.h"
+#include "tests/support/last_bits.h"
 
 namespace footfall::test {
 
@@ -26,6 +27,7 @@ class Run {
         equations(model, assembly, baumgarte),
         integrator(make_integrator(integrator_kind, equations, options)),
         state(assembly.state) {
+    disturb_last_bits(state.v);
     inputs.voltages = Eigen::VectorXd::Zero(4);
     start_ = energy().stored.total();
   }

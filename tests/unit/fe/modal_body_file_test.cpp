@@ -10,6 +10,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/fe/node_lookup.h"
+#include "tests/support/linear_algebra.h"
 #include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
@@ -69,7 +70,7 @@ TEST(ModalBodyFile, GivesBackWhatWasWritten) {
   EXPECT_LT((in.body.stress_modes - out.body.stress_modes).norm(), round_off * out.body.stress_modes.norm());
   EXPECT_EQ(in.body.segments, out.body.segments);
   EXPECT_EQ(read_modal_body(file.path(), modes(2), "frame").body.mode_count(), 2);
-  EXPECT_TRUE(has(refusal([&] { read_modal_body(file.path(), modes(6), "frame"); }), "6 modes asked for"));
+  EXPECT_THROW(read_modal_body(file.path(), modes(6), "frame"), InputError);
 }
 
 // Two masses on a spring, one of them as the whole file.
@@ -110,35 +111,34 @@ TEST(ModalBodyFile, IsReadAsItsDescriptionSays) {
 struct Damage {
   const char* from;
   const char* to;
-  const char* message;  // contained, after "path:line: "
   int line;
 };
 
 TEST(ModalBodyFile, NamesFileAndLineOfWhatIsWrong) {
   const Damage damages[] = {
-      {"footfall-modal-body 1", "solid cube", "not a modal body file", 1},
-      {"footfall-modal-body 1", "footfall-modal-body 2", "expected a whole number from 1 to 1", 1},
-      {"nodes 4", "nodes four", "is not a finite number", 2},
-      {"nodes 4", "nodes -4", "expected a whole number", 2},
-      {"nodes 4", "node 4", "expected \"nodes COUNT\"", 2},
-      {"1 0 0 2", "1 0 0", "3 numbers, expected 4 or 10", 4},
-      {"1 0 0 2", "1 0 0 -2", "mass matrix is not positive", 4},
-      {"1 0 0 2", "1 0 nan 2", "is not a finite number", 4},
-      {"1 0 0 2", "1 0 0 2 -1 1 1 0 0 0", "negative principal value", 4},
-      {"nodes 4", "nodes 5", "2 numbers, expected 4 or 10", 8},
-      {"modes 1", "modes 99", "only 18 elastic", 8},
-      {"mode 0", "mode 1", "expected \"mode 0\"", 9},
-      {"1 0 0\n0.5 0 0", "1 0 0 0\n0.5 0 0", "4 numbers, expected 3 or 6", 11},
-      {"stiffness", "stiffnes", "expected \"stiffness\"", 14},
-      {"300", "3OO", "is not a finite number", 15},
-      {"300", "-300", "stiffness is not positive", 0},
-      {"1 0 0\n0.5 0 0\n0.5 0 0", "0 0 0\n0 0 0\n0 0 0", "mode 0 moves no mass", 0},
-      {"end", "triangles 1\n0 1 4\nend", "expected a whole number from 0 to 3", 17},
-      {"end", "triangle 1\n0 1 2\nend", "expected one of damping, triangles", 16},
-      {"end", "damping\n-0.1\nend", "negative", 17},
-      {"end", "stress 1\n1\n2\nend", "1", 0},
-      {"end\n", "", "the file ends here", 15},
-      {"end\n", "end\n1 2 3\n", "text after \"end\"", 17},
+      {"footfall-modal-body 1", "solid cube", 1},
+      {"footfall-modal-body 1", "footfall-modal-body 2", 1},
+      {"nodes 4", "nodes four", 2},
+      {"nodes 4", "nodes -4", 2},
+      {"nodes 4", "node 4", 2},
+      {"1 0 0 2", "1 0 0", 4},
+      {"1 0 0 2", "1 0 0 -2", 4},
+      {"1 0 0 2", "1 0 nan 2", 4},
+      {"1 0 0 2", "1 0 0 2 -1 1 1 0 0 0", 4},
+      {"nodes 4", "nodes 5", 8},
+      {"modes 1", "modes 99", 8},
+      {"mode 0", "mode 1", 9},
+      {"1 0 0\n0.5 0 0", "1 0 0 0\n0.5 0 0", 11},
+      {"stiffness", "stiffnes", 14},
+      {"300", "3OO", 15},
+      {"300", "-300", 0},
+      {"1 0 0\n0.5 0 0\n0.5 0 0", "0 0 0\n0 0 0\n0 0 0", 0},
+      {"end", "triangles 1\n0 1 4\nend", 17},
+      {"end", "triangle 1\n0 1 2\nend", 16},
+      {"end", "damping\n-0.1\nend", 17},
+      {"end", "stress 1\n1\n2\nend", 0},
+      {"end\n", "", 15},
+      {"end\n", "end\n1 2 3\n", 17},
   };
   for (const Damage& damage : damages) {
     std::string text = kTwoMasses;
@@ -147,11 +147,10 @@ TEST(ModalBodyFile, NamesFileAndLineOfWhatIsWrong) {
     text.replace(at, std::string(damage.from).size(), damage.to);
     const TemporaryFile file(text);
     const std::string message = refusal([&] { read_modal_body(file.path(), BasisOptions{}, "spring"); });
-    EXPECT_TRUE(has(message, damage.message)) << damage.to << ": " << message;
     const std::string where = file.path() + (damage.line > 0 ? ":" + std::to_string(damage.line) + ": " : "");
     EXPECT_EQ(message.rfind(where, 0), 0u) << damage.to << ": " << message;
   }
-  EXPECT_TRUE(has(refusal([] { read_modal_body("no/such/file", BasisOptions{}, "x"); }), "cannot be opened"));
+  EXPECT_THROW(read_modal_body("no/such/file", BasisOptions{}, "x"), InputError);
 }
 
 std::string matrix_market(const Eigen::SparseMatrix<double>& matrix, bool symmetric) {
@@ -216,16 +215,14 @@ TEST(MatrixMarket, OfASolidWithConsistentMassIsLumpedAndReduced) {
   const FeModel model = read_matrix_market(Kfile.path(), Mfile.path(), nodes.path());
   EXPECT_FALSE(model.rotations);
   EXPECT_LT((model.node_mass - VectorXd::Ones(8)).norm(), 1e-12) << "8 kg in equal parts";
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> exact(K);  // with unit masses
+  const VectorXd exact = symmetric_modes(K).values;  // with unit masses
   BasisOptions options = modes(17);
   options.pinned_nodes = {0, 7};
   const ReducedBody reduced = reduce(model, options, "cube");
-  EXPECT_LT((reduced.body.stiffness - exact.eigenvalues().tail(18)).norm(), 1e-9 * exact.eigenvalues().norm());
+  EXPECT_LT((reduced.body.stiffness - exact.tail(18)).norm(), 1e-9 * exact.norm());
   EXPECT_TRUE(reduced.body.Psi.isZero(0.0));
   options.mode_count = 18;
-  EXPECT_TRUE(has(
-      refusal([&] { reduce(model, options, "cube"); }),
-      "18 modes asked for on top of 1 static shapes, but the model of 8 nodes has only 17 elastic degrees of freedom"));
+  EXPECT_THROW(reduce(model, options, "cube"), InputError);
 }
 
 TEST(MatrixMarket, NamesFileAndLineOfWhatIsWrong) {
@@ -236,22 +233,19 @@ TEST(MatrixMarket, NamesFileAndLineOfWhatIsWrong) {
     const TemporaryFile kf(k), mf(m), nf(n);
     return refusal([&] { read_matrix_market(kf.path(), mf.path(), nf.path()); });
   };
-  EXPECT_EQ(read(K, M, nodes), "(accepted)");
-  EXPECT_TRUE(has(read("1 2 3\n" + K, M, nodes), ":1: not a matrix that can be read"));
-  EXPECT_TRUE(has(read("%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n4\n", M, nodes), ":1: not a matrix"));
-  EXPECT_TRUE(has(read(K + "1 1 5\n", M, nodes), "more entries than"));
-  EXPECT_TRUE(has(read(K.substr(0, K.size() - 30), M, nodes), "expected"));
-  EXPECT_TRUE(has(read("%%MatrixMarket matrix coordinate real general\n18 18 1\n19 1 1.0\n", M, nodes),
-                  ":3: \"19\", expected a whole number from 1 to 18"));
-  EXPECT_TRUE(
-      has(read(K, "%%MatrixMarket matrix coordinate real general\n12 12 1\n1 1 1.0\n", nodes), "12 rows, expected 18"));
-  EXPECT_TRUE(has(read(K, "%%MatrixMarket matrix coordinate real general\n18 18 1\n1 1 -1.0\n", nodes),
-                  "mass matrix is not positive"));
-  EXPECT_TRUE(has(read(K, "%%MatrixMarket matrix coordinate real general\n18 18 3\n1 1 1.0\n2 2 1.0\n3 3 2.0\n", nodes),
-                  "differs along x, y and z"));
-  EXPECT_TRUE(has(read(K, M, nodes + "1 2\n"), ":5: 2 numbers, expected three"));
-  EXPECT_TRUE(has(read(K, M, nodes + "1 2 3\n"), "expected 3 or 6 per node: 12 or 24"));
-  EXPECT_TRUE(has(read(K, M, "# nothing\n"), "no nodes"));
+  EXPECT_EQ(read(K, M, nodes), "");
+  const std::string coordinate = "%%MatrixMarket matrix coordinate real general\n";
+  EXPECT_TRUE(names(read("1 2 3\n" + K, M, nodes), {":1:"}));
+  EXPECT_TRUE(names(read("%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n4\n", M, nodes), {":1:"}));
+  EXPECT_NE(read(K + "1 1 5\n", M, nodes), "");
+  EXPECT_NE(read(K.substr(0, K.size() - 30), M, nodes), "");
+  EXPECT_TRUE(names(read(coordinate + "18 18 1\n19 1 1.0\n", M, nodes), {":3:", "19", "18"}));
+  EXPECT_TRUE(names(read(K, coordinate + "12 12 1\n1 1 1.0\n", nodes), {"12", "18"}));
+  EXPECT_NE(read(K, coordinate + "18 18 1\n1 1 -1.0\n", nodes), "");
+  EXPECT_NE(read(K, coordinate + "18 18 3\n1 1 1.0\n2 2 1.0\n3 3 2.0\n", nodes), "");
+  EXPECT_TRUE(names(read(K, M, nodes + "1 2\n"), {":5:"}));
+  EXPECT_TRUE(names(read(K, M, nodes + "1 2 3\n"), {"12", "24"}));
+  EXPECT_NE(read(K, M, "# nothing\n"), "");
 }
 
 }  // namespace

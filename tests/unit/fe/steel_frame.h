@@ -1,10 +1,8 @@
 #pragma once
-// What the tests of the finite elements share: a steel, a member of a frame, and the message of a refusal.
+// What the tests of the finite elements share: a steel, a member of a frame, and the texts of refusals.
 
-#include <string>
-
-#include "coupler/base/errors.h"
 #include "mbd_solver/fe/fe_model.h"
+#include "tests/support/refused.h"
 
 namespace footfall::test {
 
@@ -18,18 +16,5 @@ inline BeamMember member(int first, int second, int section = 0) {
   result.section = section;
   return result;
 }
-
-// The message of the InputError that a call throws.
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "(accepted)";
-}
-
-inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace footfall::test

@@ -1,15 +1,17 @@
-#include "mbd_solver/model/modal_inertia.h"
-
+// Inertia of a body with modes, and the pieces that it and its surface are made of.
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/column_groups.h"
+#include "mbd_solver/model/modal_inertia.h"
+#include "mbd_solver/model/principal_axes.h"
+#include "mbd_solver/model/rotation.h"
+#include "mbd_solver/model/surface/surface_model.h"
 #include "tests/support/heap_requests.h"
 
 namespace footfall {
@@ -307,39 +309,172 @@ TEST(ModalInertia, EvaluatesWithoutTheHeap) {
   EXPECT_EQ(allocated.sum(), 0.0);
 }
 
-// Shortest of some timings [s] of everything that an integrator asks for.
-double seconds(int nodes, int s) {
-  const ModalInertia inertia(random_body(nodes, s, 3));
-  const RandomState x(s);
-  MatrixXd M(6 + s, 6 + s), dg_da(6 + s, s), dg_dv(6 + s, 6 + s);
-  VectorXd g(6 + s);
-  ModalInertia::Scratch scratch(s);
-  double shortest = 1e300;
-  for (int trial = 0; trial < 20; ++trial) {
-    const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < 20; ++i) {
-      inertia.mass_matrix(x.a, M);
-      inertia.inertia_force(x.a, x.v, x.dv, scratch, g);
-      inertia.derivatives(x.a, x.v, x.dv, dg_da, dg_dv);
-    }
-    shortest = std::min(shortest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  return shortest;
-}
-
-TEST(ModalInertia, CostsTheSquareOfTheModesWhateverTheNodes) {
-  const double few = seconds(12, 16), many = seconds(6000, 16), modes = seconds(12, 64);
-  std::printf("  500 times the nodes: %.2f times the time; 4 times the modes: %.1f\n", many / few, modes / few);
-  EXPECT_LT(many, 3.0 * few);    // one, and what else runs on the machine
-  EXPECT_LT(modes, 32.0 * few);  // 16; a cube would be 64
-}
-
 TEST(ModalInertia, RefusesABodyWithoutInertia) {
   EXPECT_THROW(ModalInertia(0.0, Matrix3d::Identity()), InputError);
   EXPECT_THROW(ModalInertia(1.0, Matrix3d(Vector3d(1.0, 1.0, 0.0).asDiagonal())), InputError);
   ModalBody body = random_body(4, 1, 1);
   body.node_mass.setZero();
   EXPECT_THROW(ModalInertia{body}, InputError);
+}
+
+VectorXd product(const ColumnGroups& A, const VectorXd& x, Eigen::Index rows) {
+  VectorXd y = VectorXd::Zero(rows), scratch(rows + x.size());
+  A.add_product(x, y, scratch);
+  return y;
+}
+
+// Columns of three kinds by turns, each with its own third of the rows.
+MatrixXd three_kinds(int rows, int columns) {
+  MatrixXd A = MatrixXd::Zero(rows, columns);
+  for (int l = 0; l < columns; ++l)
+    for (int r = l % 3; r < rows; r += 3) A(r, l) = 1.0 + 0.01 * r + 0.1 * l;
+  return A;
+}
+
+TEST(ColumnGroups, GiveTheProductOfTheWholeMatrix) {
+  for (const int columns : {0, 1, 2, 7, 30}) {
+    const int rows = 9 * columns;
+    MatrixXd some = MatrixXd::Random(rows, columns);
+    some = (some.array().abs() < 0.8).select(0.0, some);
+    for (const MatrixXd& A : {MatrixXd(MatrixXd::Random(rows, columns)), three_kinds(rows, columns), some,
+                              MatrixXd(MatrixXd::Zero(rows, columns))}) {
+      const VectorXd x = VectorXd::Random(columns), wanted = A * x;
+      EXPECT_LT((product(ColumnGroups(A), x, rows) - wanted).norm(), 1e-14 * (1.0 + A.norm())) << columns;
+    }
+  }
+}
+
+TEST(ColumnGroups, KeepNoZeros) {
+  EXPECT_EQ(ColumnGroups(three_kinds(90, 30)).entries(), 30 * 30);
+  EXPECT_EQ(ColumnGroups(MatrixXd(MatrixXd::Zero(90, 30))).entries(), 0);
+  EXPECT_EQ(ColumnGroups(MatrixXd(MatrixXd::Ones(90, 30))).entries(), 90 * 30);
+  const MatrixXd round_off = three_kinds(90, 30) + 1e-16 * MatrixXd::Random(90, 30);
+  EXPECT_EQ(ColumnGroups(round_off).entries(), 30 * 30);
+}
+
+TEST(ColumnGroups, KeepSmallMatricesWhole) {
+  EXPECT_EQ(ColumnGroups(three_kinds(9, 3)).entries(), 9 * 3) << "a product more costs more than a few zeros";
+}
+
+constexpr double kAxesRoundOff = 1e-13;
+
+Matrix3d turn(double angle, const Vector3d& axis) {
+  return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+}
+Matrix3d turned(const Vector3d& moments, const Matrix3d& R) { return R * moments.asDiagonal() * R.transpose(); }
+
+void expect_principal(const Matrix3d& inertia, const Matrix3d& axes) {
+  EXPECT_LT((axes.transpose() * axes - Matrix3d::Identity()).norm(), kAxesRoundOff);
+  EXPECT_NEAR(axes.determinant(), 1.0, kAxesRoundOff) << "right-handed";
+  Matrix3d rest = axes.transpose() * inertia * axes;
+  rest.diagonal().setZero();
+  EXPECT_LT(rest.norm(), kAxesRoundOff * inertia.norm());
+}
+
+TEST(PrincipalAxes, MakeTheInertiaDiagonalAndLieNearestToTheFrame) {
+  for (const Vector3d& axis : {Vector3d(1, 2, 3), Vector3d(-1, 0.2, 0.1), Vector3d(0, 0, 1), Vector3d(3, -2, 0.5)})
+    for (double angle : {0.01, 0.3, -0.6, 2.0, 3.1}) {
+      const Matrix3d inertia = turned({1.0, 2.5, 3.0}, turn(angle, axis)), axes = principal_axes(inertia);
+      expect_principal(inertia, axes);
+      EXPECT_NEAR(axes.diagonal().maxCoeff(), axes.cwiseAbs().maxCoeff(), kAxesRoundOff)
+          << "the nearest column, same side";
+      if (std::abs(angle) < 0.61) {
+        EXPECT_LT((axes - turn(angle, axis)).norm(), 1e-10) << "the nearest of 24";
+      }
+    }
+}
+
+TEST(PrincipalAxes, OfARodTurnTheFrameOnTheShortestWay) {
+  for (const Vector3d& along : {Vector3d(0.6, 0.48, 0.64), Vector3d(0.1, 0.2, -1), Vector3d(-3, 1, 1)}) {
+    const Vector3d e = along.normalized();
+    const Matrix3d inertia = 2.0 * Matrix3d::Identity() - 1.9 * e * e.transpose(), axes = principal_axes(inertia);
+    expect_principal(inertia, axes);
+    Eigen::Index nearest = 0;
+    e.cwiseAbs().maxCoeff(&nearest);
+    EXPECT_LT(axes.col(nearest).cross(e).norm(), 1e-12);
+    const Eigen::AngleAxisd way(axes);
+    EXPECT_NEAR(way.axis().dot(e), 0.0, 1e-12) << "no turn about the rod";
+    EXPECT_LT(way.angle(), 1.0);
+  }
+}
+
+TEST(PrincipalAxes, OfWhatLiesAlongTheFrameAreTheFrameToTheBit) {
+  for (const Vector3d& moments : {Vector3d(1, 1, 1), Vector3d(1, 2, 3), Vector3d(3, 1, 2), Vector3d(0.01, 2, 2),
+                                  Vector3d(2, 0.01, 2), Vector3d(2, 2, 3), Vector3d(1, 1 + 1e-9, 1)}) {
+    const Matrix3d inertia = moments.asDiagonal();
+    EXPECT_TRUE(principal_axes(inertia) == Matrix3d::Identity()) << moments.transpose();
+    Matrix3d nearly = inertia;
+    nearly(0, 1) = nearly(1, 0) = 1e-16;
+    EXPECT_TRUE(principal_axes(nearly) == Matrix3d::Identity()) << moments.transpose();
+  }
+}
+
+// Distances of surfaces: boxes, lines and balls whose distance is known.
+
+constexpr double kSurfaceRoundOff = 1e-12;
+
+// The unit cube about the origin.
+SurfaceModel cube() {
+  Eigen::Matrix3Xd v(3, 8);
+  for (int i = 0; i < 8; ++i) v.col(i) << (i & 1) - 0.5, ((i >> 1) & 1) - 0.5, ((i >> 2) & 1) - 0.5;
+  return SurfaceModel(v, {{0, 2, 3},
+                          {0, 3, 1},
+                          {4, 5, 7},
+                          {4, 7, 6},
+                          {0, 1, 5},
+                          {0, 5, 4},
+                          {2, 6, 7},
+                          {2, 7, 3},
+                          {0, 4, 6},
+                          {0, 6, 2},
+                          {1, 3, 7},
+                          {1, 7, 5}});
+}
+
+SurfaceModel line(double radius) {
+  Eigen::Matrix3Xd v(3, 2);
+  v << -1.0, 1.0, 0.0, 0.0, 0.0, 0.0;
+  return SurfaceModel(v, {{0, 0, 1}}, radius);
+}
+
+TEST(SurfaceModel, DistanceOfTwoCubesIsThatOfFaceEdgeAndCorner) {
+  const SurfaceModel a = cube(), b = cube();
+  EXPECT_NEAR(gap_between(a, b, {Eigen::Matrix3d::Identity(), {1.3, 0.2, 0.1}}).distance, 0.3, kSurfaceRoundOff);
+  EXPECT_NEAR(gap_between(a, b, {Eigen::Matrix3d::Identity(), {1.3, 1.4, 0.1}}).distance, 0.5, kSurfaceRoundOff);
+  EXPECT_NEAR(gap_between(a, b, {Eigen::Matrix3d::Identity(), {1.2, 1.2, 1.1}}).distance, 0.3, kSurfaceRoundOff);
+  const double half = 0.5 * std::sqrt(2.0);  // turned about z by 45 degrees its edge comes first
+  const FramePose turned{rotation_matrix(quaternion_about(Eigen::Vector3d::UnitZ(), std::atan(1.0))), {2.0, 0.0, 0.3}};
+  const SurfaceGap gap = gap_between(a, b, turned);
+  EXPECT_NEAR(gap.distance, 1.5 - half, kSurfaceRoundOff);
+  EXPECT_NEAR(gap.place.x(), 0.5 * (0.5 + 2.0 - half), kSurfaceRoundOff);
+}
+
+TEST(SurfaceModel, SurfacesThatCrossHaveNoDistanceAndAPlaceInBoth) {
+  const SurfaceModel a = cube(), b = cube();
+  const SurfaceGap gap = gap_between(a, b, {Eigen::Matrix3d::Identity(), {0.9, 0.8, 0.7}});
+  EXPECT_LE(gap.distance, 0.0);
+  EXPECT_LT((gap.place - Eigen::Vector3d(0.45, 0.4, 0.35)).cwiseAbs().maxCoeff(), 0.2);
+  // One within the other does not cross it.
+  Eigen::Matrix3Xd small(3, 3);
+  small << 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0;
+  EXPECT_NEAR(gap_between(a, SurfaceModel(small, {{0, 1, 2}}), {}).distance, 0.4, kSurfaceRoundOff);
+}
+
+TEST(SurfaceModel, ABeamIsAsThickAsItIs) {
+  const SurfaceModel a = line(0.1), b = line(0.05), c = cube();
+  const Eigen::Matrix3d across = rotation_matrix(quaternion_about(Eigen::Vector3d::UnitZ(), 2.0 * std::atan(1.0)));
+  EXPECT_NEAR(gap_between(a, b, {across, {0.3, 0.4, 0.5}}).distance, 0.35, 1e-6);  // a line is a sliver
+  EXPECT_LE(gap_between(a, b, {across, {0.3, 0.4, 0.14}}).distance, 0.0);
+  EXPECT_NEAR(gap_between(c, a, {across, {0.9, 0.2, 0.0}}).distance, 0.3, 1e-6);
+}
+
+TEST(SurfaceModel, MovedVerticesAreWhereTheyWereMoved) {
+  const SurfaceModel a = cube();
+  SurfaceModel b = line(0.1);
+  Eigen::Matrix3Xd v(3, 2);
+  v << -1.0, 1.0, 0.0, 0.0, 1.5, 1.5;
+  b.move(v);
+  EXPECT_NEAR(gap_between(a, b, {}).distance, 0.9, 1e-6);
 }
 
 }  // namespace

@@ -1,14 +1,11 @@
 #pragma once
 // Scenes written by a test: in a folder of their own, which goes away with the test.
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
-#include "coupler/base/errors.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {
@@ -19,17 +16,10 @@ class SceneText : TemporaryFolder {
   Scene read(const std::string& toml, const std::vector<std::string>& settings = {}) const {
     return read_scene(write("scene.toml", toml), settings);
   }
-  // The findings, or "no findings".
+  // The findings; "" where there are none.
   std::string findings(const std::string& toml, const std::vector<std::string>& settings = {}) const {
-    try {
-      read(toml, settings);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "no findings";
+    return test::refusal([&] { read(toml, settings); });
   }
-
- private:
 };
 
 // A scene that is good as it stands.

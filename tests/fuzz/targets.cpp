@@ -1,0 +1,203 @@
+// The readers that are fed with random bytes, and the entry of libFuzzer, which feeds the one that FOOTFALL_FUZZ_TARGET names.
+#include "tests/fuzz/targets.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "coupler/archive.h"
+#include "coupler/base/errors.h"
+#include "coupler/message_fields.h"
+#include "coupler/messages.h"
+#include "mbd_solver/build/grain_dump.h"
+#include "mbd_solver/cli/calibrate/calibration.h"
+#include "mbd_solver/cli/experiments/experiment.h"
+#include "mbd_solver/cli/launch/bed_seal.h"
+#include "mbd_solver/fe/modal_body_file.h"
+#include "mbd_solver/model/controllers/fuzzy.h"
+#include "mbd_solver/output/history.h"
+#include "mbd_solver/output/run_start.h"
+#include "mbd_solver/output/summary.h"
+#include "mbd_solver/scene/field_reader.h"
+#include "mbd_solver/scene/mesh_reader.h"
+#include "mbd_solver/scene/scene_reader.h"
+
+namespace footfall::fuzz {
+namespace {
+
+template <class Read>
+void allowed(const Read& read) {
+  try {
+    read();
+  } catch (const InputError&) {
+  } catch (const ProtocolError&) {
+  } catch (const NumericalError&) {
+  }
+}
+
+// A file of this process that holds the bytes.
+std::string file_of(const char* name, const std::string& bytes) {
+  static const std::string folder = [] {
+    static std::string pattern = (std::filesystem::temp_directory_path() / "footfall_fuzz_XXXXXX").string();
+    if (!mkdtemp(pattern.data())) std::abort();
+    std::atexit([] { std::filesystem::remove_all(pattern); });
+    return pattern;
+  }();
+  const std::string path = folder + "/" + name;
+  std::ofstream(path, std::ios::binary) << bytes;
+  return path;
+}
+
+template <class Read>
+void as_file(const char* name, const std::string& bytes, const Read& read) {
+  const std::string path = file_of(name, bytes);
+  allowed([&] { read(path); });
+}
+
+void scene(const std::string& bytes) {
+  as_file("scene.toml", bytes, [](const std::string& path) { read_scene(path, {}); });
+}
+void experiment(const std::string& bytes) {
+  as_file("experiment.toml", bytes, [](const std::string& path) { read_experiment(path); });
+}
+void calibration(const std::string& bytes) {
+  as_file("calibration.toml", bytes, [](const std::string& path) { read_calibration(path); });
+}
+void fll(const std::string& bytes) {
+  as_file("controller.fll", bytes, [](const std::string& path) { const FuzzySystem system(path); });
+}
+void mesh_stl(const std::string& bytes) {
+  as_file("mesh.stl", bytes, [](const std::string& path) { read_mesh(path, 1.0); });
+}
+void mesh_obj(const std::string& bytes) {
+  as_file("mesh.obj", bytes, [](const std::string& path) { read_mesh(path, 1.0); });
+}
+void mesh_ply(const std::string& bytes) {
+  as_file("mesh.ply", bytes, [](const std::string& path) { read_mesh(path, 1.0); });
+}
+// The same bytes as stiffness, mass and, from the first line "nodes" on, as the list of nodes.
+void mtx(const std::string& bytes) {
+  as_file("matrix.mtx", bytes, [&](const std::string& path) {
+    const std::size_t at = bytes.find("\nnodes");
+    const std::string nodes = file_of("nodes", at == std::string::npos ? "0 0 0\n" : bytes.substr(at + 6));
+    read_matrix_market(path, path, nodes);
+  });
+}
+void modal(const std::string& bytes) {
+  as_file("body.modal", bytes, [](const std::string& path) { read_modal_body(path, BasisOptions(), "body"); });
+}
+void two_columns(const std::string& bytes) {
+  as_file("table.csv", bytes, [](const std::string& path) { read_two_columns(path); });
+}
+void history(const std::string& bytes) {
+  as_file("history.csv", bytes, [](const std::string& path) { read_history(path); });
+}
+void summary(const std::string& bytes) {
+  as_file("summary.json", bytes, [](const std::string& path) {
+    const auto summary = read_summary(path);
+    with_summary_of(path, [&] { return summary.value("status", ""); });
+  });
+}
+void start(const std::string& bytes) {
+  as_file("start.json", bytes,
+          [](const std::string& path) { read_run_start(std::filesystem::path(path).parent_path().string()); });
+}
+// LIGGGHTS' restart file and the dump of its grains.
+void bed(const std::string& bytes) {
+  as_file("bed.restart.grains", bytes, [](const std::string& path) {
+    damage_of_restart(path);
+    damage_of_dump(path);
+    read_grains(path);
+  });
+}
+
+// What a program saves in a checkpoint, with every type of value.
+struct Saved {
+  long window = 0;
+  double time = 0.0;
+  bool chosen = false;
+  std::string scheme;
+  std::vector<bool> flags;
+  std::optional<double> peak;
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(3);
+  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
+  std::array<double, 2> energy{};
+  Load load;
+
+  void visit(Archive& archive) {
+    archive("window", window);
+    archive("time", time);
+    archive("chosen", chosen);
+    archive("scheme", scheme);
+    archive("flags", flags);
+    archive("peak", peak);
+    archive("q", q);
+    archive("A", A);
+    archive("energy", energy);
+    archive("load", load);
+  }
+};
+void checkpoint(const std::string& bytes) {
+  allowed([&] {
+    Archive archive("run.txt", bytes);
+    Saved().visit(archive);
+    archive.finish();
+  });
+}
+
+template <class Message>
+void unpack_as(const std::string& bytes) {
+  allowed([&] {
+    Message message;
+    unpack(Bytes(bytes.begin(), bytes.end()), message);
+  });
+}
+void messages(const std::string& bytes) {
+  unpack_as<Hello>(bytes);
+  unpack_as<Geometry>(bytes);
+  unpack_as<Start>(bytes);
+  unpack_as<Accept>(bytes);
+  unpack_as<Motion>(bytes);
+  unpack_as<Load>(bytes);
+  unpack_as<Close>(bytes);
+}
+
+}  // namespace
+
+const std::vector<Target>& targets() {
+  static const std::vector<Target> all = {{"scene", scene},
+                                          {"experiment", experiment},
+                                          {"calibration", calibration},
+                                          {"fll", fll},
+                                          {"mesh_stl", mesh_stl},
+                                          {"mesh_obj", mesh_obj},
+                                          {"mesh_ply", mesh_ply},
+                                          {"mtx", mtx},
+                                          {"modal", modal},
+                                          {"two_columns", two_columns},
+                                          {"history", history},
+                                          {"summary", summary},
+                                          {"start", start},
+                                          {"bed", bed},
+                                          {"checkpoint", checkpoint},
+                                          {"messages", messages}};
+  return all;
+}
+
+}  // namespace footfall::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const footfall::fuzz::Target* const chosen = [] {
+    const char* name = std::getenv("FOOTFALL_FUZZ_TARGET");
+    for (const footfall::fuzz::Target& target : footfall::fuzz::targets())
+      if (name && target.name == std::string(name)) return &target;
+    std::abort();
+  }();
+  chosen->read(std::string(data, data + size));
+  return 0;
+}

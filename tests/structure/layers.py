@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+"""layers.py: which folder may include which, and which file may include a foreign library. The tables below are the architecture; every
+include of coupler, liggghts_fix and mbd_solver is held against them. Headers are named by their full path."""
+import fnmatch
+import pathlib
+import re
+import sys
+
+# A folder may include its own headers, those of the folders named here, and what these may include. Subfolders without an entry belong to
+# the folder above.
+MAY_INCLUDE = {
+    "coupler/base": "",
+    "coupler": "coupler/base",
+    "liggghts_fix": "coupler",
+    "mbd_solver/model/laws": "coupler/base",
+    "mbd_solver/model/controllers": "coupler/base",
+    "mbd_solver/model": "mbd_solver/model/laws coupler",
+    "mbd_solver/fe": "mbd_solver/model",
+    "mbd_solver/dynamics": "mbd_solver/model",
+    "mbd_solver/integrator": "mbd_solver/dynamics",
+    "mbd_solver/scene": "mbd_solver/fe mbd_solver/model/controllers",
+    "mbd_solver/build": "mbd_solver/scene mbd_solver/model/controllers",
+    "mbd_solver/coupling": "mbd_solver/build mbd_solver/dynamics",
+    "mbd_solver/output": "coupler/base",
+    "mbd_solver/observe": "mbd_solver/coupling mbd_solver/output",
+    "mbd_solver/run": "mbd_solver/observe mbd_solver/integrator",
+    "mbd_solver": "mbd_solver/run mbd_solver/cli",
+    "mbd_solver/cli/grains": "coupler/base",
+    "mbd_solver/cli/launch": "mbd_solver/observe",
+    "mbd_solver/cli/analysis": "mbd_solver/cli/grains mbd_solver/cli/launch mbd_solver/output",
+    "mbd_solver/cli/experiments": "mbd_solver/cli/analysis mbd_solver/coupling",
+    "mbd_solver/cli/calibrate": "mbd_solver/cli/experiments",
+    "mbd_solver/cli/rigs": "mbd_solver/cli/experiments",
+    "mbd_solver/cli": "mbd_solver/cli/calibrate mbd_solver/cli/rigs",
+}
+
+# What matches (a regular expression at the start of an include) may be included by these files only.
+MPI_FILES = """coupler/communicator.* coupler/doorbell.* coupler/polite_wait.* coupler/mpi_check.* coupler/abort_guard.*
+    coupler/transport_mpi.* mbd_solver/main.cpp liggghts_fix/launcher.cpp liggghts_fix/fix_*"""
+ONLY_IN = {
+    r"(ida|sundials|nvector|sunmatrix|sunlinsol|sunnonlinsol)/": "mbd_solver/integrator/ida*",
+    r"toml\+\+": "mbd_solver/scene/scene_reader.cpp",
+    r"fl/": "mbd_solver/model/controllers/fuzzy_engine.h",
+    r"fcl/": "mbd_solver/model/surface/*.cpp",
+    r"nlopt": "mbd_solver/cli/calibrate/search.cpp",
+    r"muParser": "mbd_solver/model/signals/expression.cpp",
+    r"assimp/": "mbd_solver/scene/mesh_reader.cpp",
+    r"pugixml": "mbd_solver/output/vtk_writer.cpp",
+    r"zlib": "mbd_solver/cli/analysis/viewer/packed_series.cpp",
+    r"mpi\.h": MPI_FILES + " liggghts_fix/program_world.* liggghts_fix/last_words.cpp liggghts_fix/liggghts_access*.cpp",
+    r"coupler/(communicator|doorbell|polite_wait|mpi_check|abort_guard|transport_mpi)\.h": MPI_FILES + " liggghts_fix/no_programs.cpp",
+    r"(lammps|fix|fix_[a-z_]*|mesh_module|atom|modify|neighbor|comm|domain|update|error|input|tri_mesh|signal_handling)\.h":
+        "liggghts_fix/fix_* liggghts_fix/mesh_module_* liggghts_fix/liggghts_access* liggghts_fix/launcher.cpp liggghts_fix/no_programs.cpp",
+    # A scene without grains makes nothing of the coupling: all of it is made by CoupledRun, and that by the run alone.
+    r"mbd_solver/coupling/(dem_partner|coupling_watch|window_choice|flight_time|fast_modes)\.h": "mbd_solver/coupling/*",
+    r"mbd_solver/coupling/coupled_run\.h": "mbd_solver/coupling/* mbd_solver/run/simulation.h",
+    r"mbd_solver/coupling/coupling_sample\.h": "mbd_solver/coupling/* mbd_solver/observe/sample.h",
+    r"mbd_solver/run/": "mbd_solver/run/* mbd_solver/main.cpp",
+}
+# Plain C++: only these files of coupler/base may use headers of the operating system.
+SYSTEM_FILES_OF_BASE = "coupler/base/file_lock.cpp coupler/base/whole_file.cpp"
+SYSTEM_HEADER = re.compile(r"[a-z_]+[/.]")
+COUPLED_RUN_IS_MADE_IN = "mbd_solver/run/simulation.cpp"
+
+root = pathlib.Path(__file__).resolve().parents[2]
+failed = False
+
+
+def complain(text):
+    global failed
+    failed = True
+    print(text)
+
+
+def folder_of(path):
+    folder = path.rpartition("/")[0]
+    while folder and folder not in MAY_INCLUDE:
+        folder = folder.rpartition("/")[0]
+    return folder
+
+
+def reach(folder, found=None):
+    found = set() if found is None else found
+    if folder not in found:
+        found.add(folder)
+        for other in MAY_INCLUDE[folder].split():
+            reach(other, found)
+    return found
+
+
+sources = {str(p.relative_to(root)): p.read_text()
+           for top in ("coupler", "liggghts_fix", "mbd_solver", "tests")
+           for p in (root / top).rglob("*") if p.suffix in (".cpp", ".h") and "node_modules" not in p.parts}
+include = re.compile(r'^#include ([<"])([^>"]+)[>"]', re.M)
+used, made_in = set(), []
+for file, text in sorted(sources.items()):
+    ours = not file.startswith("tests/")
+    if ours and re.search(r"make_unique<CoupledRun>|\bCoupledRun [a-z]+[({]", text):
+        made_in.append(file)
+    for kind, header in include.findall(text):
+        if kind == '"' and not re.match("(coupler|mbd_solver|liggghts_fix|tests)/", header):
+            if not file.startswith("liggghts_fix/") or (root / "liggghts_fix" / header).exists():
+                complain(f"{file} includes {header}: expected the header's full path")
+        if not ours:
+            continue
+        for pattern, allowed in ONLY_IN.items():
+            if re.match(pattern, header):
+                used.add(pattern)
+                if not any(fnmatch.fnmatch(file, name) for name in allowed.split()):
+                    complain(f"{file} includes {header}; only {' '.join(allowed.split())} may")
+        if kind == "<" and file.startswith("coupler/base/") and SYSTEM_HEADER.match(header) and file not in SYSTEM_FILES_OF_BASE.split():
+            complain(f"{file} includes {header}: coupler/base is plain C++")
+        if kind == '"' and "/" in header:
+            start, end = folder_of(file), folder_of(header)
+            if not start:
+                complain(f"{file} is in no folder of the table in tests/structure/layers.py")
+            elif end not in reach(start):
+                complain(f"{file} includes {header}: {start} may not include {end}")
+for pattern in ONLY_IN.keys() - used:
+    complain(f"nothing includes {pattern}: this check is blind")
+if made_in != [COUPLED_RUN_IS_MADE_IN]:
+    complain(f"CoupledRun is made in {made_in}, expected {COUPLED_RUN_IS_MADE_IN}")
+sys.exit(failed)

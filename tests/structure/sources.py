@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+"""sources.py: rules of the sources that no compiler checks. Each function below is one rule."""
+import os
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(__file__).resolve().parents[2]
+TOPS = ("coupler", "liggghts_fix", "mbd_solver")
+MOST_LINES = 900          # of a .cpp
+MOST_FILES = 40           # of a folder
+SPECIMENS = "tests/unit/dynamics/random_model.h"
+HTML_PAGES = ("mbd_solver/cli/analysis/html_page.cpp", "mbd_solver/cli/analysis/viewer/view_page.cpp")
+HTML_PARTS = "mbd_solver/cli/analysis/viewer/page_parts.cpp"
+# Files that may hand a text to a shell: the one with a fixed command, and the replacement that refuses.
+SHELL_FILES = ("mbd_solver/cli/launch/bed.cpp", "liggghts_fix/no_programs.cpp")
+SWEEP_SCRIPTS = "mbd_solver/cli/experiments"
+failed = False
+
+
+def complain(text):
+    global failed
+    failed = True
+    print(text)
+
+
+def found(rule, what, least):
+    if len(what) < least:
+        complain(f"{rule}: found only {len(what)}, expected at least {least}: this check is blind")
+
+
+sources = {}
+for top in TOPS:
+    for folder, inside, files in os.walk(root / top):
+        inside[:] = [name for name in inside if name not in ("dist", "node_modules")]
+        for name in files:
+            path = pathlib.Path(folder) / name
+            if path.suffix in (".cpp", ".h"):
+                sources[str(path.relative_to(root))] = path.read_text()
+found("sources", sources, 300)
+
+
+def sizes():
+    """A class lives in one .cpp; a folder can be overlooked and says what it is."""
+    folders = {}
+    for file, text in sources.items():
+        folders.setdefault(file.rpartition("/")[0], []).append(file)
+        if file.endswith(".cpp") and text.count("\n") > MOST_LINES:
+            complain(f"{file}: {text.count(chr(10))} lines, expected at most {MOST_LINES}")
+    for folder, files in sorted(folders.items()):
+        if len(files) > MOST_FILES:
+            complain(f"{folder}: {len(files)} sources, expected at most {MOST_FILES}")
+        if not (root / folder / "README.md").exists():
+            complain(f"{folder}: README.md is missing")
+
+
+def opening_comments():
+    """A .cpp opens with what it does."""
+    for file, text in sources.items():
+        if file.endswith(".cpp") and not text.startswith("//"):
+            complain(f"{file}: does not open with a comment")
+
+
+def keys_are_read():
+    """A key that is read does something: every member that a description of keys fills is read elsewhere, by more than a check. Members are
+    known by their names alone, so one that shares its name with another member is not reported."""
+    described = [f for f in sources if re.search(r"/(fields_\w+|\w+_fields)\.cpp$", f)]
+    found("descriptions of keys", described, 5)
+    filled = {}
+    for file in described:
+        for line in sources[file].split("\n"):
+            if "one.key" not in line:  # the loop of a list of keys
+                for member in re.findall(r"[ (&{][a-z_]+(?:\.[A-Za-z_0-9]+)*\.([A-Za-z_0-9]+) *[,)}]", line):
+                    filled.setdefault(member, file)
+    found("members that keys fill", filled, 250)
+    read = set()
+    for file, text in sources.items():
+        if file.startswith("mbd_solver/") and not re.search(r"/(fields_[a-z]+|[a-z]+_fields|check_[a-z]+)\.cpp$", file):
+            read.update(re.findall(r"(?:\.|->)([A-Za-z_0-9]+)", re.sub(r"//.*", "", text)))
+    for member in sorted(filled.keys() - read):
+        complain(f"{filled[member]}: {member}: a key fills it and nothing reads it")
+
+
+def force_elements_have_specimens():
+    """Forces of every element are held against derivatives and energies by a specimen between flexible bodies."""
+    text = (root / SPECIMENS).read_text()
+    whole = lambda name: re.search(rf"^inline [^\n]*\b{name}\(.*?^}}", text, re.M | re.S)
+    all_forces = whole("all_forces")
+    if not all_forces or "make_unique" not in all_forces[0]:
+        return complain(f"{SPECIMENS}: all_forces was not found")
+    makers = re.findall(r"^inline std::unique_ptr<\w+> ([a-z_]+)", text, re.M)
+    elements = {}
+    for file, source in sources.items():
+        for name in re.findall(r"class (\w+)(?: final)? : public ForceElement", source):
+            elements[name] = file
+    found("force elements", elements, 7)
+    for name, file in elements.items():
+        if name == "TurnCounter" and "add_gear(" in text:
+            continue  # part of a gear
+        made_by = [name] + [m for m in makers if whole(m) and f"make_unique<{name}>" in whole(m)[0]]
+        if not re.search(rf"\b({'|'.join(made_by)})\b", all_forces[0]):
+            complain(f"{file}: {name} has no specimen in all_forces of {SPECIMENS}")
+
+
+def quoting():
+    """Text goes into gnuplot scripts, shell lines and HTML by the functions of quote.h alone, and nothing is handed to a shell."""
+    scripts = [f for f, text in sources.items() if re.search("set terminal|set output|with lines", text)]
+    found("sources that write gnuplot scripts", scripts, 4)
+    for file, text in sources.items():
+        for number, line in enumerate(text.split("\n"), 1):
+            where = f"{file}:{number}: {line.strip()}"
+            # No literal ends within a quote that a value would go on.
+            if file in scripts and re.search(r"""(^|[^\\])(\\"|')" *(<<|\+) *[A-Za-z(]""", line) and not re.search(
+                    r"InputError|known_names|is not one of|no value|has more|positive\(", line):
+                complain(f"{where}: a value in quotes; use gnuplot_text")
+            if re.search(r'"[^"]*<(p|td|th|h[12]|pre|a|img|table|div|script)[ >]', line) and file not in HTML_PAGES + (HTML_PARTS,):
+                complain(f"{where}: writes HTML; html_page.h does that")
+            if file in HTML_PAGES and re.search(r"(\+|=) *(text|heading|label|line|words|title_?|caption|note|folder)\b", line) and not re.search(
+                    r"html_text|for \(|std::string (text|words) =", line):
+                complain(f"{where}: a page holds text that is not escaped")
+            if re.search(r"\b(popen|system|execl|execlp)\(", line) and not re.match(r" *//", line) and not re.search(
+                    r"System\(|FuzzySystem", line) and file not in SHELL_FILES:
+                complain(f"{where}: hands something to a shell")
+            if file.startswith(SWEEP_SCRIPTS) and re.search(r"SBATCH.*<< *(a\.|fs::|out|path)", line):
+                complain(f"{where}: a name in sweep.sbatch without shell_word")
+
+
+def containers():
+    """The containers install what the script `footfall` installs for a run, by the same names."""
+    packages = re.search(r"^packages=\((.*?)\)", (root / "footfall").read_text(), re.M | re.S)
+    wanted = packages[1].split() if packages else []
+    found("packages of the script footfall", wanted, 10)
+    for recipe in ("packaging/containers/Dockerfile", "packaging/containers/footfall.def"):
+        words = (root / recipe).read_text().split()
+        for package in wanted:
+            if package not in words:
+                complain(f"{recipe}: does not install {package}")
+
+
+for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, containers):
+    rule()
+sys.exit(failed)

@@ -1,0 +1,475 @@
+// Pages and pictures of a run.
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <set>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/cli/analysis/column_choice.h"
+#include "mbd_solver/cli/analysis/energy_ledger.h"
+#include "mbd_solver/cli/analysis/formula.h"
+#include "mbd_solver/cli/analysis/html_page.h"
+#include "mbd_solver/cli/analysis/plots.h"
+#include "mbd_solver/cli/analysis/reduced_rows.h"
+#include "mbd_solver/cli/analysis/viewer/packed_series.h"
+#include "mbd_solver/cli/analysis/viewer/page_parts.h"
+#include "tests/support/refused.h"
+#include "tests/support/temporary_folder.h"
+
+namespace footfall {
+namespace {
+
+// A page that needs nothing but itself.
+
+TEST(HtmlPage, Base64IsThatOfTheStandard) {
+  EXPECT_EQ(base64(""), "");  // RFC 4648, section 10
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64(std::string("\xff\x00\xfe", 3)), "/wD+");
+}
+
+TEST(HtmlPage, EscapesWhatItIsGiven) {
+  HtmlPage page("a < b & \"c\"");
+  page.section("x > y");
+  page.table({{"<i>", "1e-3"}, {"n", "2.5"}});
+  page.folded("file", "plain\nlength = 1  # [A] <assumed>\n", {"[A]"});
+  const std::string text = page.text();
+  EXPECT_NE(text.find("<h1>a &lt; b &amp; &quot;c&quot;</h1>"), std::string::npos) << text;
+  EXPECT_NE(text.find(">x &gt; y</h2>"), std::string::npos);
+  EXPECT_NE(text.find("<th>&lt;i&gt;</th>"), std::string::npos);
+  EXPECT_NE(text.find("<td class=\"n\">2.5</td>"), std::string::npos);
+  EXPECT_NE(text.find("<pre>plain\n<mark>length = 1  # [A] &lt;assumed&gt;</mark>\n"), std::string::npos);
+}
+
+TEST(HtmlPage, PicturesStandInThePage) {
+  const std::string file =
+      (std::filesystem::temp_directory_path() / ("footfall_dot_" + std::to_string(::getpid()) + ".png")).string();
+  std::ofstream(file, std::ios::binary) << "PNG!";
+  HtmlPage page("t");
+  page.picture(file);
+  std::filesystem::remove(file);
+  EXPECT_NE(page.text().find("src=\"data:image/png;base64,UE5HIQ==\""), std::string::npos);
+  EXPECT_THROW(page.picture("/no/such/picture.png"), InputError);
+}
+
+// What the scripts of a page read.
+
+History history_of(const std::vector<std::string>& names, std::size_t rows) {
+  History history{names, std::vector<std::string>(names.size(), "m"), {}};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    history.columns.emplace_back();
+    for (std::size_t k = 0; k < rows; ++k) history.columns.back().push_back(static_cast<double>(k));
+  }
+  return history;
+}
+
+TEST(PageParts, NoTextOfASceneEndsItsElement) {
+  PageParts parts;
+  parts.run["title"] = "</script><script>alert(1)</script> ]]> & <!--";
+  const std::string text = parts.elements("run();");
+  const std::string begin = "id=\"footfall-run\">";
+  const std::string json = text.substr(text.find(begin) + begin.size());
+  const std::string held = json.substr(0, json.find("</script>"));
+  EXPECT_EQ(held.find_first_of("<>&"), std::string::npos) << held;
+  EXPECT_EQ(nlohmann::ordered_json::parse(held).at("title"), parts.run.at("title"));
+}
+
+// A browser reads a page from its beginning: what the first picture needs comes first, then frame by frame.
+TEST(PageParts, StandInTheOrderInWhichTheyAreShown) {
+  PageParts parts;
+  parts.run["title"] = "order";
+  for (const char* name : {"grains", "bodies"})
+    for (std::size_t k = 0; k < 11; ++k) parts.add_frame(name, k, "AA==");
+  parts.chunks.emplace_back("history", "AA==");
+  const std::string text = parts.elements("run();");
+  std::size_t last = 0;
+  for (const char* mark :
+       {"\"footfall-run\"", "run();", "\"footfall-grains-0\"", "\"footfall-bodies-0\"", "\"footfall-history\"",
+        "\"footfall-grains-1\"", "\"footfall-bodies-1\"", "\"footfall-grains-2\"", "\"footfall-bodies-10\""}) {
+    const std::size_t at = text.find(mark);
+    ASSERT_NE(at, std::string::npos) << mark;
+    EXPECT_GT(at, last) << mark;
+    last = at;
+  }
+}
+
+TEST(PageParts, TimeIsExactAndNamesFollowTheHistory) {
+  PageParts parts;
+  History history = history_of({"time", "a.z", "b.z"}, 3);
+  history.columns[0] = {0.0, 0.1, 0.30000000000000004};
+  add_history(history, {"a.z"}, parts);
+  const auto& json = parts.run.at("history");
+  EXPECT_EQ(json.at("time").get<std::vector<double>>(), history.columns[0]);
+  EXPECT_EQ(json.at("names").get<std::vector<std::string>>(), (std::vector<std::string>{"a.z", "b.z"}));
+  EXPECT_EQ(json.at("rows"), 3);
+  ASSERT_EQ(parts.chunks.size(), 1u);
+  EXPECT_EQ(parts.chunks.front().first, "history");
+}
+
+TEST(PageParts, ALongHistoryIsDrawnNotCopied) {
+  PageParts parts;
+  add_history(history_of({"time", "a.z"}, 100000), {}, parts);
+  EXPECT_LE(parts.run.at("history").at("rows").get<int>(), 4000);
+}
+
+TEST(FirstColumns, AreThoseThatAUserAsksForFirst) {
+  const History landing = history_of({"time", "cabin.az", "pad.contact.fx", "pad.contact.fz", "leg.force"}, 1);
+  EXPECT_EQ(first_columns(landing, "cabin"), (std::vector<std::string>{"cabin.az", "pad.contact.fz"}));
+  const History swing = history_of({"time", "energy.kinetic", "energy.total"}, 1);
+  EXPECT_EQ(first_columns(swing, ""), (std::vector<std::string>{"energy.kinetic", "energy.total"}));
+}
+
+// What a page holds is what the run wrote, to half a step. The way back here is that of web/src/decode.js.
+
+std::string bytes_of_base64(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t block = 0;
+  int count = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    block = (block << 6) | static_cast<std::uint32_t>(digits.find(c));
+    if (++count % 4 != 0) continue;
+    for (const int shift : {16, 8, 0}) bytes += static_cast<char>((block >> shift) & 255u);
+  }
+  if (count % 4 == 2) bytes += static_cast<char>((block >> 4) & 255u);
+  if (count % 4 == 3) {
+    bytes += static_cast<char>((block >> 10) & 255u);
+    bytes += static_cast<char>((block >> 2) & 255u);
+  }
+  return bytes;
+}
+
+std::string unpacked(const std::string& text, std::size_t size) {
+  const std::string packed = bytes_of_base64(text);
+  std::string bytes(size + 1, '\0');
+  uLongf length = static_cast<uLongf>(bytes.size());
+  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length, reinterpret_cast<const Bytef*>(packed.data()),
+                       static_cast<uLong>(packed.size())),
+            Z_OK);
+  EXPECT_EQ(length, size);
+  bytes.resize(size);
+  return bytes;
+}
+
+std::uint32_t byte(const std::string& bytes, std::size_t i) { return static_cast<unsigned char>(bytes[i]); }
+
+void next_frame(const std::string& text, std::vector<std::uint16_t>& last) {
+  const std::size_t n = last.size();
+  const std::string bytes = unpacked(text, 2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t z = byte(bytes, i) | (byte(bytes, n + i) << 8);
+    last[i] = static_cast<std::uint16_t>(last[i] + ((z >> 1) ^ (0u - (z & 1u))));
+  }
+}
+
+TEST(PackedSeries, EveryFrameComesBackAsItWas) {
+  constexpr std::size_t kCount = 1000;
+  std::mt19937 random(17);
+  std::uniform_int_distribution<int> any(0, 65535);
+  PackedSeries series(kCount);
+  std::vector<std::uint16_t> frame(kCount), read(kCount, 0);
+  for (int k = 0; k < 5; ++k) {
+    for (std::uint16_t& value : frame) value = static_cast<std::uint16_t>(any(random));
+    // the ends of the range, there and back
+    frame[0] = k % 2 == 0 ? 0 : 65535;
+    frame[1] = k % 2 == 0 ? 32768 : 0;
+    frame[2] = k % 2 == 0 ? 65535 : 32767;
+    next_frame(series.add(frame), read);
+    EXPECT_EQ(read, frame) << "frame " << k;
+  }
+}
+
+TEST(PackedSeries, WhatRestsTakesNoRoom) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> any(0, 65534);
+  std::vector<std::uint16_t> frame(30000);
+  for (std::uint16_t& value : frame) value = static_cast<std::uint16_t>(any(random));
+  PackedSeries series(frame.size());
+  const std::size_t first = series.add(frame).size();
+  EXPECT_GT(first, frame.size() * 2);                // noise does not pack
+  EXPECT_LT(series.add(frame).size(), first / 100);  // its standing still does
+}
+
+TEST(PackedNumbers, FloatsAndWholeNumbersComeBackBitForBit) {
+  const std::vector<float> numbers = {0.0f, -1.5f, 3.14159e-12f, 6.0e23f, -0.0f};
+  const std::string bytes = unpacked(packed_numbers(numbers), 4 * numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    std::uint32_t bits = 0, expected = 0;
+    for (std::size_t k = 0; k < 4; ++k) bits |= byte(bytes, k * numbers.size() + i) << (8 * k);
+    std::memcpy(&expected, &numbers[i], 4);
+    EXPECT_EQ(bits, expected);
+  }
+  const std::string whole = unpacked(packed_numbers(std::vector<std::uint32_t>{0x01020304u}), 4);
+  EXPECT_EQ(whole, std::string("\x04\x03\x02\x01"));
+}
+
+TEST(Box, PlacesAreHalfAStepOffAtMost) {
+  Box box;
+  EXPECT_TRUE(box.is_empty());
+  box.include({-1.0, 2.0, 0.0});
+  box.include({1.5, 2.0, 0.8});  // without width along y
+  EXPECT_FALSE(box.is_empty());
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-1.0, 1.5);
+  for (int i = 0; i < 1000; ++i) {
+    const double x = place(random), read = box.low.x() + box.step(0) * box.number_of(0, x);
+    EXPECT_NEAR(read, x, 0.5 * box.step(0) * (1.0 + 1e-9));
+  }
+  EXPECT_EQ(box.number_of(0, -1.0), 0);
+  EXPECT_EQ(box.number_of(0, 1.5), kSteps);  // and never kAbsent
+  EXPECT_EQ(box.number_of(1, 2.0), 0);
+}
+
+TEST(RootNumber, TellsSmallOnesApart) {
+  EXPECT_EQ(root_number(0.0, 4.0), 0);
+  EXPECT_EQ(root_number(4.0, 4.0), 255);
+  EXPECT_EQ(root_number(1.0, 4.0), 128);
+  EXPECT_GT(root_number(4e-4, 4.0), 1);  // a ten thousandth
+  EXPECT_EQ(root_number(1.0, 0.0), 0);
+}
+
+TEST(ReducedRows, FewRowsStayAsTheyAre) {
+  const std::vector<double> time = {0.0, 1.0, 2.0, 3.0}, values = {4.0, -1.0, 7.0, 2.0};
+  const std::vector<std::size_t> rows = rows_to_draw(time, 2);
+  EXPECT_EQ(rows, (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_EQ(drawn_values(values, rows), values);
+}
+
+TEST(ReducedRows, NoPeakIsLost) {
+  std::vector<double> time, values;
+  for (int k = 0; k < 100000; ++k) {
+    time.push_back(1e-3 * k);
+    values.push_back(std::sin(0.01 * k));
+  }
+  values[31234] = 50.0;
+  values[77777] = -60.0;
+  const std::vector<std::size_t> rows = rows_to_draw(time, 500);
+  EXPECT_LE(rows.size(), 1000u);
+  EXPECT_EQ(rows.front(), 0u);
+  EXPECT_EQ(rows.back(), time.size() - 1);
+  const std::vector<double> drawn = drawn_values(values, rows);
+  ASSERT_EQ(drawn.size(), rows.size());
+  // Each pair is the lowest and the highest of its span, where its rows say.
+  for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
+    const auto from = values.begin() + static_cast<std::ptrdiff_t>(rows[i]);
+    const auto [low, high] = std::minmax_element(from, values.begin() + static_cast<std::ptrdiff_t>(rows[i + 1] + 1));
+    EXPECT_EQ(std::min(drawn[i], drawn[i + 1]), *low);
+    EXPECT_EQ(std::max(drawn[i], drawn[i + 1]), *high);
+  }
+  EXPECT_EQ(*std::max_element(drawn.begin(), drawn.end()), 50.0);
+  EXPECT_EQ(*std::min_element(drawn.begin(), drawn.end()), -60.0);
+}
+
+// Rows come closer together where samples and windows end: spans of one row stand for themselves.
+TEST(ReducedRows, SpansMayHoldOneRowOrMany) {
+  const std::vector<double> time = {0.0, 0.1, 0.11, 0.12, 0.5, 0.9, 0.91, 1.0}, values = {1, 2, 9, 3, 4, 5, -6, 7};
+  const std::vector<std::size_t> rows = rows_to_draw(time, 3);
+  const std::vector<double> drawn = drawn_values(values, rows);
+  ASSERT_EQ(drawn.size(), rows.size());
+  EXPECT_EQ(*std::max_element(drawn.begin(), drawn.end()), 9.0);
+  EXPECT_EQ(*std::min_element(drawn.begin(), drawn.end()), -6.0);
+}
+
+using Names = std::vector<std::string>;
+
+History history_of(const std::vector<std::pair<std::string, std::string>>& columns, double value = 1.0) {
+  History history{{"time"}, {"s"}, {{0.0, 1.0}}};
+  for (const auto& [name, unit] : columns) {
+    history.names.push_back(name);
+    history.units.push_back(unit);
+    history.columns.push_back({0.0, value});
+  }
+  return history;
+}
+
+// Four legs of three struts each, as the lander has.
+History lander() {
+  std::vector<std::pair<std::string, std::string>> columns = {
+      {"cabin.vx", "m/s"}, {"cabin.vy", "m/s"}, {"cabin.vz", "m/s"}, {"cabin.az", "m/s2"}};
+  for (const char* leg : {"1", "2", "3", "4"})
+    for (const char* strut : {"primary", "left", "right"})
+      for (const char* what : {"stroke", "force"})
+        columns.emplace_back(std::string("leg_") + leg + "_" + strut + "." + what,
+                             std::string(what) == "force" ? "N" : "m");
+  columns.emplace_back("motor_1.force", "N");
+  return history_of(columns, 5e3);
+}
+
+nlohmann::ordered_json scene() {
+  nlohmann::ordered_json json;
+  for (const char* leg : {"1", "2", "3", "4"})
+    for (const char* strut : {"primary", "left", "right"})
+      json["struts"].push_back({{"name", std::string("leg_") + leg + "_" + strut}});
+  return json;
+}
+
+TEST(ColumnChoice, WordsAreColumnsPatternsKindsAndVectors) {
+  const History history = lander();
+  EXPECT_EQ(chosen_columns(history, {}, {"cabin.az"}), Names{"cabin.az"});
+  EXPECT_EQ(chosen_columns(history, {}, {"leg_1_*.stroke"}).size(), 3u);
+  EXPECT_EQ(chosen_columns(history, {}, {"cabin.v"}), (Names{"cabin.vx", "cabin.vy", "cabin.vz"}));
+  // The motor's force is no strut's.
+  EXPECT_EQ(chosen_columns(history, scene(), {"struts.*.force"}).size(), 12u);
+  EXPECT_EQ(chosen_columns(history, scene(), {"*.force"}).size(), 13u);
+  EXPECT_EQ(chosen_columns(history, {}, {"cabin.az", "cabin.a*"}), Names{"cabin.az"});  // every column once
+}
+
+TEST(ColumnChoice, GuessesWhichColumnIsMeant) {
+  EXPECT_TRUE(test::names(test::error_of([] { chosen_columns(lander(), scene(), {"cabin.ay"}); }), {"\"cabin."}));
+}
+
+TEST(ColumnChoice, UnitsFollowTheData) {
+  EXPECT_EQ(drawn_unit("N", 5e3).name, "kN");
+  EXPECT_EQ(drawn_unit("N", 999.0).name, "N");
+  EXPECT_EQ(drawn_unit("Pa", 2e8).name, "MPa");
+  EXPECT_EQ(drawn_unit("m", 0.02).name, "mm");
+  EXPECT_DOUBLE_EQ(drawn_unit("m", 0.02).factor, 1e3);
+  EXPECT_EQ(drawn_unit("m", 3.0).name, "m");
+  EXPECT_EQ(drawn_unit("rad", 1e-4).name, "rad");
+  EXPECT_EQ(drawn_unit("-", 1e6).name, "-");
+}
+
+TEST(ColumnChoice, MoreThanEightSeriesBecomeLegsOfOneScaleWithAColourPerRole) {
+  const History history = lander();
+  const Panels panels = panels_of(history, chosen_columns(history, scene(), {"struts.*.force"}));
+  ASSERT_EQ(panels.figures.size(), 4u);
+  EXPECT_TRUE(panels.multiples);
+  for (const Figure& figure : panels.figures) {
+    ASSERT_EQ(figure.curves.size(), 3u);
+    EXPECT_EQ(figure.axis, "force [kN]");
+    EXPECT_EQ(figure.curves[0].title, "primary");
+    EXPECT_EQ(figure.curves[0].colour, panels.figures[0].curves[0].colour);
+    EXPECT_EQ(figure.high, panels.figures[0].high);
+    EXPECT_GE(figure.high, 5.0);  // kN, as the curves
+  }
+  EXPECT_EQ(panels.figures[2].title, "leg_3");
+}
+
+TEST(ColumnChoice, NoPanelHasTwoSeriesOfOneColourOrTwoUnits) {
+  std::vector<std::pair<std::string, std::string>> columns;
+  for (int i = 0; i < 21; ++i) columns.emplace_back("body" + std::string(1, static_cast<char>('a' + i)) + ".x", "m");
+  columns.emplace_back("body.vx", "m/s");
+  const History history = history_of(columns);
+  const Panels panels = panels_of(history, Names(history.names.begin() + 1, history.names.end()));
+  std::size_t curves = 0;
+  for (const Figure& figure : panels.figures) {
+    std::set<std::string> colours;
+    for (const Curve& curve : figure.curves) colours.insert(curve.colour);
+    EXPECT_EQ(colours.size(), figure.curves.size());
+    EXPECT_LE(figure.curves.size(), 8u);
+    curves += figure.curves.size();
+  }
+  EXPECT_EQ(curves, 22u);
+  EXPECT_EQ(panels.figures.size(), 4u);  // 8 + 8 + 5 of one unit, one of the other
+}
+
+// The ledger: what the grains dissipated is the rest of the work they received.
+
+// A mechanism of 100 J loses 10 J/s in a damper and 20 J/s to grains; 1 J/s of that is lost in the interface.
+History run(bool grains) {
+  History h;
+  const auto add = [&](const char* name, std::vector<double> values) {
+    h.names.emplace_back(name);
+    h.units.emplace_back("J");
+    h.columns.push_back(std::move(values));
+  };
+  const double out = grains ? 20.0 : 0.0;
+  add("time", {0, 1, 2});
+  add("energy.kinetic", {90, 80 - out, 70 - 2 * out});
+  add("energy.gravity", {10, 10, 10});
+  add("energy.strain", {0, 0, 0});
+  add("energy.gas", {0, 0, 0});
+  add("energy.contact", {0, 0, 0});
+  add("energy.total", {100, 90 - out, 80 - 2 * out});
+  add("dissipated.damper", {0, 10, 20});
+  add("work.contact", {0, -out, -2 * out});
+  add("work.motion", {0, 0, 0});
+  if (grains) add("coupling.energy_residual", {0, 1, 2});
+  return h;
+}
+
+TEST(EnergyLedger, TheRestOfTheWorkIsDissipatedInTheGrains) {
+  GrainEnergies grains{{0, 0.5, 1, 1.5}, {3, 5, 7, 9}, {50, 49, 48, 47}};  // +4 J/s, -2 J/s
+  const History ledger = energy_ledger(run(true), grains);
+  ASSERT_EQ(ledger.column("time"), grains.time);
+  EXPECT_DOUBLE_EQ(ledger.column("work.to_grains")[3], 30.0);
+  EXPECT_DOUBLE_EQ(ledger.column("grains.kinetic")[3], 6.0);
+  EXPECT_DOUBLE_EQ(ledger.column("grains.gravity")[3], -3.0);
+  EXPECT_DOUBLE_EQ(ledger.column("grains.dissipated")[3], 30.0 - 1.5 - 6.0 + 3.0);
+  for (const double sum : ledger.column("sum")) EXPECT_DOUBLE_EQ(sum, 100.0);
+}
+
+TEST(EnergyLedger, AMechanismThatDoesNotCloseIsSeen) {
+  History h = run(true);
+  for (const char* name : {"energy.kinetic", "energy.total"})
+    h.columns[static_cast<std::size_t>(h.find(name))][2] += 0.9;
+  EXPECT_NEAR(energy_ledger(h, {}).column("closing_error").back(), 0.01, 1e-12);  // of 90 J
+}
+
+TEST(EnergyLedger, WithoutGrainsThereAreNoColumnsOfThem) {
+  const History ledger = energy_ledger(run(false), {});
+  for (const char* name : {"work.to_grains", "interface", "grains.kinetic", "grains.dissipated"})
+    EXPECT_LT(ledger.find(name), 0) << name;
+  EXPECT_EQ(ledger.column("time").size(), 3u);
+}
+
+TEST(EnergyLedger, BandsOfItsPictureAreNeverNegative) {
+  const History ledger = energy_ledger(run(true), {{0, 1, 2}, {0, 4, 8}, {0, -2, -4}});
+  const Figure figure = ledger_figure(ledger);
+  const auto gravity = std::find_if(figure.curves.begin(), figure.curves.end(),
+                                    [](const Curve& curve) { return curve.title == "grains, gravity"; });
+  ASSERT_TRUE(gravity != figure.curves.begin() && gravity != figure.curves.end());
+  const std::vector<double> edge = gravity->formula.values(ledger), below = (gravity - 1)->formula.values(ledger);
+  for (std::size_t k = 0; k < 3; ++k)  // on top of the band below, from its own lowest value, in kJ
+    EXPECT_NEAR(edge[k] - below[k], (4.0 - 2.0 * static_cast<double>(k)) / 1000.0, 1e-12) << k;
+  EXPECT_TRUE(figure.stacked);
+}
+
+class GrainFile : public ::testing::Test, protected TemporaryFolder {
+ protected:
+  std::string write(const std::string& text) const {
+    const std::string path = (folder_ / "grains_energy.txt").string();
+    std::ofstream(path) << text;
+    return path;
+  }
+};
+
+TEST_F(GrainFile, KineticIsOfTranslationAndRotation) {
+  const GrainEnergies grains = read_grain_energies(write("# title\n# step time\n0 0 1 0.5 7\n50 0.005 2 0.25 6\n"));
+  EXPECT_EQ(grains.kinetic, (std::vector<double>{1.5, 2.25}));
+  EXPECT_EQ(grains.gravity, (std::vector<double>{7, 6}));
+}
+
+TEST_F(GrainFile, ARowThatAKilledRunCutOffIsLeftOut) {
+  EXPECT_EQ(read_grain_energies(write("0 0 1 0 7\n50 0.005 2")).time.size(), 1u);
+}
+
+TEST_F(GrainFile, ABrokenRowIsNamedWithItsLine) {
+  const std::string path = write("0 0 1 0 7\n50 0.005 2\n100 0.01 1 0 7\n");
+  EXPECT_TRUE(test::names(test::error_of([&] { read_grain_energies(path); }), {"grains_energy.txt:2:"}));
+}
+
+const History kHistory{{"a", "b", "c"}, {"m", "m", "m"}, {{3.0, 0.0}, {4.0, -1.0}, {12.0, 0.0}}};
+
+TEST(Formula, SumsAndNorms) {
+  const Formula sum{{{1.0, "a"}, {-2.0, "b"}}, 5.0, 0.5};
+  EXPECT_EQ(sum.values(kHistory), (std::vector<double>{0.0, 3.5}));
+  EXPECT_EQ(sum.gnuplot(), "(0.5*(5+column('a')-2*column('b')))");
+  const Formula norm{{{1.0, "a"}, {1.0, "b"}, {1.0, "c"}}, 0.0, 2.0, true};
+  EXPECT_EQ(norm.values(kHistory), (std::vector<double>{26.0, 2.0}));
+  EXPECT_EQ(norm.gnuplot(), "(2*sqrt(column('a')**2+column('b')**2+column('c')**2))");
+}
+
+}  // namespace
+}  // namespace footfall

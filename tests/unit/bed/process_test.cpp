@@ -1,0 +1,120 @@
+// Programs that are started.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/cli/launch/bed.h"
+#include "mbd_solver/cli/launch/child.h"
+#include "mbd_solver/cli/launch/liggghts_log.h"
+#include "tests/support/temporary_folder.h"
+
+namespace footfall {
+namespace {
+
+// mbd_solver/cli/launch/child.h and bed.h: children of the front door, and the key of a bed.
+
+class CliTest : public ::testing::Test, protected TemporaryFolder {
+ protected:
+};
+
+Command shell(const std::string& script) { return {{"sh", "-c", script}, {}, "", ""}; }
+
+TEST_F(CliTest, ChildGivesItsExitCode) {
+  EXPECT_EQ(run_child(shell("exit 3")).code, 3);
+  EXPECT_EQ(run_child(shell("kill -KILL $$")).code, 128 + SIGKILL);
+  EXPECT_FALSE(run_child(shell("kill -KILL $$")).crashed);
+  EXPECT_TRUE(run_child(shell("kill -SEGV $$")).crashed);
+  EXPECT_FALSE(run_child(shell("exit 139")).crashed);  // what mpirun gives when a program of it has crashed
+}
+
+TEST_F(CliTest, ChildThatCannotBeStartedIsNamed) {
+  EXPECT_THROW(run_child({{"no-such-program-anywhere"}, {}, file("out"), ""}), InputError);
+}
+
+TEST_F(CliTest, ChildTakesEnvironmentFolderAndOutputFile) {
+  Command command = shell("echo $COLOUR; pwd");
+  command.environment["COLOUR"] = "red";
+  command.output = file("out.txt");
+  command.folder = folder_.string();
+  EXPECT_EQ(run_child(command).code, 0);
+  EXPECT_EQ(text("out.txt"), "red\n" + std::filesystem::canonical(folder_).string() + "\n");
+}
+
+// mpirun dies of SIGQUIT without a word to its programs; they may take seconds to write a checkpoint.
+TEST_F(CliTest, WhatALauncherLeavesBehindIsAskedToEndInOrderWhenASignalHasEndedIt) {
+  const std::string program = std::filesystem::canonical("/bin/sh").filename();
+  Command command = shell(
+      "env --default-signal sh -c \"trap 'sleep 3; echo done > late; exit 3' INT; while :; do sleep 0.05; done\" & "
+      "sleep 0.5; kill -QUIT $$");
+  command.folder = folder_.string();
+  EXPECT_EQ(run_child(command, program).code, 128 + SIGQUIT);
+  EXPECT_EQ(text("late"), "done\n");
+}
+
+// A grandchild that outlives its parent, and does not listen to SIGTERM, is gone when run_child returns.
+TEST_F(CliTest, NothingOfAChildSurvives) {
+  Command command = shell("(trap '' TERM; while :; do sleep 0.05; done) & echo $! > pid; exit 4");
+  command.folder = folder_.string();
+  const ChildEnd end = run_child(command);
+  EXPECT_EQ(end.code, 4);
+  EXPECT_FALSE(end.interrupted);
+  EXPECT_EQ(kill(std::stoi(text("pid")), 0), -1) << "the grandchild is still there";
+}
+
+// The child sends the front door the signal that Ctrl-C sends; the graceful program among its descendants ends the
+// others in order.
+TEST_F(CliTest, AnInterruptEndsInOrderThroughTheGracefulProgram) {
+  const std::string program = std::filesystem::canonical("/bin/sh").filename();
+  const ChildEnd end = run_child(shell("trap 'exit 3' INT; kill -INT $PPID; while :; do sleep 0.05; done"), program);
+  EXPECT_TRUE(end.interrupted);
+  EXPECT_EQ(end.code, 3);
+}
+
+// Terminals and batch systems send several signals at once: the program still gets its time.
+TEST_F(CliTest, MoreSignalsDoNotCutAnOrderlyEnd) {
+  const std::string program = std::filesystem::canonical("/bin/sh").filename();
+  const ChildEnd end = run_child(
+      shell("trap 'sleep 1; exit 3' INT; kill -TERM $PPID; sleep 0.3; kill -HUP $PPID; kill -TERM $PPID; sleep 5"),
+      program);
+  EXPECT_TRUE(end.interrupted);
+  EXPECT_EQ(end.code, 3);
+}
+
+TEST_F(CliTest, AnInterruptWithoutGracefulProgramTerminates) {
+  const ChildEnd end = run_child(shell("kill -INT $PPID; while :; do sleep 0.05; done"), "nobody");
+  EXPECT_TRUE(end.interrupted);
+  EXPECT_EQ(end.code, 128 + SIGTERM);
+}
+
+TEST_F(CliTest, ShellLineReadsBackAsTheSameWords) {
+  Command command{{"printf", "%s|", "plain", "two words", "it's", "$HOME", "[0, 0, -3]", ""}, {}, "", ""};
+  const std::string line = shell_line(command);
+  ASSERT_EQ(std::system((line + " > " + file("out")).c_str()), 0);
+  EXPECT_EQ(text("out"), "plain|two words|it's|$HOME|[0, 0, -3]||") << line;
+}
+
+TEST_F(CliTest, BedKeyHoldsScriptIncludesVariablesAndVersion) {
+  write("walls.in", "fix floor all wall/gran\n");
+  BedSpec spec{write("in.bed", "include ${here}/walls.in\nrun 100\n"), {{"depth", "0.4"}}};
+  const std::string key = bed_key(spec, "3.8.0");
+  EXPECT_EQ(bed_key(spec, "3.8.0"), key);
+  EXPECT_NE(bed_key(spec, "3.9.0"), key);
+  BedSpec deeper = spec;
+  deeper.variables["depth"] = "0.5";
+  EXPECT_NE(bed_key(deeper, "3.8.0"), key);
+  write("walls.in", "fix floor all wall/gran model hertz\n");
+  EXPECT_NE(bed_key(spec, "3.8.0"), key);
+}
+
+TEST_F(CliTest, ErrorsOfALiggghtsLogAreFound) {
+  EXPECT_EQ(liggghts_errors(write("log", "Step Atoms\n0 10\nERROR: Unknown command: pair_stile (input.cpp:243)\n")),
+            "ERROR: Unknown command: pair_stile (input.cpp:243)");
+  EXPECT_EQ(liggghts_errors(write("good", "Step Atoms\nLoop time\n")), "");
+}
+
+}  // namespace
+}  // namespace footfall

@@ -1,0 +1,503 @@
+// What a run observes: columns of the history, summary, start values.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/observe/columns.h"
+#include "mbd_solver/observe/figures.h"
+#include "mbd_solver/observe/motion_record.h"
+#include "mbd_solver/observe/observation.h"
+#include "mbd_solver/observe/start_values.h"
+#include "tests/support/refused.h"
+#include "tests/unit/run/small_machine.h"
+#include "tests/unit/scene/scene_text.h"
+
+namespace footfall {
+namespace {
+
+// The registry of the columns of history.csv: whole, told to users, and right.
+
+using test::Bench;
+using test::kSmallMachine;
+
+// The small machine, as if LIGGGHTS had asked for its leg with `every auto`.
+class HistoryColumns : public ::testing::Test {
+ protected:
+  explicit HistoryColumns(const std::vector<std::string>& settings = {})
+      : bench(kSmallMachine, settings), flexible(bench.subject()), joints(bench.subject()) {
+    agreement.boundaries = {0};
+    coupling.substeps = 7;
+    coupling.estimate = 0.01;
+    coupling.energy_residual = -0.5;
+    coupling.omega_h = {0.3};
+    Subject subject{bench.scene, bench.mechanism, bench.equations.layout(), &agreement};
+    columns = history_columns(subject, flexible, joints);
+  }
+  double value(const std::string& name) {
+    const Sample& sample = bench.take(1, &coupling);
+    flexible.take(sample);
+    joints.take(sample);
+    for (const Column& column : columns)
+      if (column.name == name) return column.value(sample);
+    ADD_FAILURE() << "no column " << name;
+    return std::nan("");
+  }
+
+  Bench bench;
+  Agreement agreement;
+  CouplingSample coupling;
+  FlexibleBodies flexible;
+  JointFigures joints;
+  std::vector<Column> columns;
+};
+
+// Lines of the table in docs/history.md: pattern -> unit, and pattern -> meaning.
+std::map<std::string, std::pair<std::string, std::string>> documented() {
+  std::map<std::string, std::pair<std::string, std::string>> lines;
+  std::ifstream page(FOOTFALL_SOURCE_DIR "/docs/history.md");
+  EXPECT_TRUE(page) << "docs/history.md";
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind("| `", 0) != 0) continue;
+    const std::size_t name_end = line.find("` | "), unit_end = line.find(" | ", name_end + 4);
+    EXPECT_NE(unit_end, std::string::npos) << line;
+    if (unit_end == std::string::npos) continue;
+    const std::string name = line.substr(3, name_end - 3);
+    EXPECT_EQ(lines.count(name), 0u) << name << " stands twice in docs/history.md";
+    lines[name] = {line.substr(name_end + 4, unit_end - name_end - 4), line.substr(unit_end + 3)};
+  }
+  return lines;
+}
+
+// Gears hold bodies; they stand in a scene of their own: a pinion and a rack, first by the one and then by the other. So does
+// a planar joint, which has coordinates that no other joint has.
+std::vector<Column> columns_of_more_joints() {
+  const Scene scene = SceneText().read(R"(end_time = 1.0
+bodies = [{ name = "pinion", mass = 1, inertia = [1, 1, 1], position = [0, 0, 0] },
+          { name = "rack", mass = 1, inertia = [1, 1, 1], position = [0, 1, 0] },
+          { name = "puck", mass = 1, inertia = [1, 1, 1], position = [0, 2, 0] }]
+joints = [{ name = "axle", type = "revolute", bodies = ["ground", "pinion"], point = [0, 0, 0], axis = "z" },
+          { name = "guide", type = "prismatic", bodies = ["ground", "rack"], point = [0, 1, 0], axis = "x" },
+          { name = "table", type = "planar", bodies = ["ground", "puck"], point = [0, 2, 0], axis = "z" }]
+gears = [{ name = "mesh", joints = ["axle", "guide"], factors = [1, -2] },
+         { name = "again", joints = ["guide", "axle"], factors = [2, -1] }]
+)");
+  const Mechanism mechanism = build_mechanism(scene);
+  const Layout layout(mechanism.model);
+  const Subject subject{scene, mechanism, layout, nullptr};
+  const FlexibleBodies flexible(subject);
+  const JointFigures joints(subject);
+  std::vector<Column> more;
+  for (const Column& column : history_columns(subject, flexible, joints))
+    if (column.pattern.rfind("<gear>", 0) == 0 || column.pattern.rfind("<joint>", 0) == 0) more.push_back(column);
+  return more;
+}
+
+TEST_F(HistoryColumns, HaveANameOfTheirOwnAUnitAndAFiniteValue) {
+  const Sample& sample = bench.take(1, &coupling);
+  flexible.take(sample);
+  joints.take(sample);
+  std::set<std::string> names;
+  for (const Column& column : columns) {
+    EXPECT_TRUE(names.insert(column.name).second) << column.name << " stands twice";
+    EXPECT_EQ(column.name.find_first_of("<>, "), std::string::npos) << column.name;
+    EXPECT_FALSE(column.unit.empty()) << column.name;
+    EXPECT_TRUE(std::isfinite(column.value(sample))) << column.name;
+  }
+}
+
+TEST_F(HistoryColumns, OfASceneWithEverythingAreTheWholeRegistry) {
+  std::map<std::string, std::string> registry, seen;
+  for (const ColumnPattern& entry : column_patterns()) {
+    EXPECT_EQ(registry.count(entry.pattern), 0u) << entry.pattern << " stands twice";
+    registry[entry.pattern] = entry.unit;
+  }
+  for (const Column& column : columns) seen[column.pattern] = column.unit;
+  for (const Column& column : columns_of_more_joints()) seen[column.pattern] = column.unit;
+  EXPECT_EQ(registry, seen);
+}
+
+TEST_F(HistoryColumns, AreThoseOfThePageForUsers) {
+  const auto page = documented();
+  std::set<std::string> registry;
+  for (const ColumnPattern& entry : column_patterns()) {
+    registry.insert(entry.pattern);
+    const auto line = page.find(entry.pattern);
+    if (line == page.end()) {
+      ADD_FAILURE() << "docs/history.md has no line for " << entry.pattern << " [" << entry.unit << "]";
+      continue;
+    }
+    EXPECT_EQ(line->second.first, entry.unit) << entry.pattern << ": unit in docs/history.md";
+    EXPECT_GT(line->second.second.size(), 5u) << entry.pattern << ": meaning in docs/history.md";
+  }
+  for (const auto& line : page)
+    EXPECT_EQ(registry.count(line.first), 1u) << "docs/history.md tells of " << line.first << ", which is no column";
+}
+
+TEST_F(HistoryColumns, EveryKindOfEnergyIsToldToUsers) {
+  const auto told = [](const std::string& pattern, const std::vector<std::string>& kinds) {
+    const std::string meaning = documented()[pattern].second;
+    for (const std::string& kind : kinds) EXPECT_NE(meaning.find("`" + kind + "`"), std::string::npos) << kind;
+  };
+  told("energy.<form>", names_of<Stored>());
+  told("dissipated.<kind>", names_of<Dissipation>());
+  told("work.<source>", names_of<Supply>());
+}
+
+TEST_F(HistoryColumns, WithoutGrainsNoneSpeaksOfTheCoupling) {
+  for (const Column& column : history_columns(bench.subject(), flexible, joints))
+    EXPECT_NE(column.name.rfind("coupling.", 0), 0u) << column.name;
+}
+
+TEST_F(HistoryColumns, OfFixedWindowsHaveNoEstimate) {
+  agreement.substeps = 5;
+  const Subject subject{bench.scene, bench.mechanism, bench.equations.layout(), &agreement};
+  for (const Column& column : history_columns(subject, flexible, joints)) EXPECT_NE(column.name, "coupling.estimate");
+}
+
+TEST_F(HistoryColumns, ShowTheCouplingsSample) {
+  EXPECT_EQ(value("coupling.substeps"), 7.0);
+  EXPECT_EQ(value("coupling.estimate"), 0.01);
+  EXPECT_EQ(value("coupling.energy_residual"), -0.5);
+  EXPECT_EQ(value("coupling.omega_h.leg"), 0.3);
+}
+
+TEST_F(HistoryColumns, ShowPositionVelocityAndFreeFall) {
+  const double tolerance = 1e-10;  // of the linear solve behind the accelerations
+  EXPECT_DOUBLE_EQ(value("cabin.x"), 0.0);
+  EXPECT_DOUBLE_EQ(value("cabin.z"), 1.2);
+  EXPECT_DOUBLE_EQ(value("cabin.vx"), 0.1);
+  EXPECT_DOUBLE_EQ(value("cabin.vy"), 0.2);
+  EXPECT_DOUBLE_EQ(value("cabin.vz"), -1.0);
+  EXPECT_NEAR(value("cabin.az"), -1.62, tolerance);
+  EXPECT_NEAR(value("leg.az"), -1.62, tolerance);
+}
+
+TEST_F(HistoryColumns, ShowTheVoltagesOfTheWindow) {
+  bench.inputs.voltages(0) = 0.625;
+  EXPECT_EQ(value("brain.U1"), 0.625);
+}
+
+TEST_F(HistoryColumns, ShowSignalsAndStates) {
+  bench.state.v(2) = -1.5;  // the cabin sinks onto the leg at 0.5 m/s
+  bench.state.time = 0.25;
+  EXPECT_NEAR(value("signal.sum"), 0.25 + 2.0 * 0.5, 1e-12);  // round-off
+  EXPECT_EQ(value("state.first"), 1.0);
+  EXPECT_EQ(value("state.second"), 0.0);
+  EXPECT_EQ(value("state.since"), 0.25);
+}
+
+// Turned by yaw, pitch and roll, in this order about moving axes.
+TEST_F(HistoryColumns, ShowTheAttitudeAsRollPitchYaw) {
+  const double roll = 0.3, pitch = -0.7, yaw = 2.1;
+  const Eigen::Quaterniond L = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
+                               Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+                               Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
+  bench.state.q.segment<4>(3) << L.w(), L.x(), L.y(), L.z();
+  const double round_off = 1e-14;
+  EXPECT_NEAR(value("cabin.roll"), roll, round_off);
+  EXPECT_NEAR(value("cabin.pitch"), pitch, round_off);
+  EXPECT_NEAR(value("cabin.yaw"), yaw, round_off);
+}
+
+// A wheel that turns at 100 rad/s, sampled more slowly than it turns: a whole turn and a half and more between samples.
+TEST_F(HistoryColumns, CountTheTurnsOfAJoint) {
+  const double speed = 100.0, h = 0.1;  // [rad/s], [s]
+  const int wheel = bench.equations.layout().body_q[2];
+  bench.state.v(bench.equations.layout().body_v[2] + 4) = speed;
+  const double before = value("axle.angle");
+  for (int k = 1; k <= 5; ++k) {
+    bench.state.time = k * h;
+    bench.state.q.segment<4>(wheel + 3) << std::cos(0.5 * speed * k * h), 0.0, std::sin(0.5 * speed * k * h), 0.0;
+    const double round_off = 1e-11;
+    EXPECT_NEAR(value("axle.angle") - before, speed * k * h, round_off);
+    EXPECT_NEAR(value("axle.angle_rate"), speed, round_off);
+  }
+  EXPECT_TRUE(joints.warnings().empty());
+}
+
+// It speeds up and slows down by more than the samples can tell.
+TEST_F(HistoryColumns, TellWhereTurnsCannotBeCounted) {
+  bench.state.v(bench.equations.layout().body_v[2] + 4) = 100.0;
+  value("axle.angle");
+  const int wheel = bench.equations.layout().body_q[2];
+  bench.state.time = 0.1;
+  bench.state.q.segment<4>(wheel + 3) << std::cos(0.3), 0.0, std::sin(0.3), 0.0;  // 0.6 rad, but 10 rad by its speed
+  value("axle.angle");
+  ASSERT_EQ(joints.warnings().size(), 1u);
+  EXPECT_TRUE(test::names(joints.warnings()[0], {"axle"}));
+}
+
+TEST_F(HistoryColumns, ShowWhereASlideIs) {
+  EXPECT_DOUBLE_EQ(value("slide.displacement"), 0.0);
+  bench.state.v(2) = -1.5;                                    // the cabin sinks onto the leg at 0.5 m/s
+  EXPECT_NEAR(value("slide.displacement_rate"), 0.5, 1e-12);  // round-off
+}
+
+class DrivenColumns : public HistoryColumns {
+ protected:
+  DrivenColumns() : HistoryColumns({"drives.pusher.command.polynomial=[3]"}) {}
+};
+
+// The drive pushes the leg down along the slide's axis by 3 N, at 0.5 m/s.
+TEST_F(DrivenColumns, ShowWhatADriveDoes) {
+  bench.state.v(2) = -1.5;
+  EXPECT_NEAR(value("pusher.joint_force"), 3.0, 1e-12);  // round-off
+  EXPECT_NEAR(value("pusher.power"), 1.5, 1e-12);
+  EXPECT_EQ(value("spinner.joint_torque"), 0.0);
+}
+
+// The axle alone moves the wheel: its force is mass times acceleration beyond gravity's.
+TEST_F(HistoryColumns, ShowReactions) {
+  bench.state.v(2) = -1.5;        // the strut between cabin and leg is pushed together
+  const double tolerance = 1e-9;  // of the linear solve, of forces of some N
+  EXPECT_GT(std::abs(value("axle.fz")), 0.1);
+  EXPECT_NEAR(value("axle.fx"), 2.0 * value("wheel.ax"), tolerance);
+  EXPECT_NEAR(value("axle.fz"), 2.0 * (value("wheel.az") + 1.62), tolerance);
+  EXPECT_NEAR(value("axle.my"), 0.0, tolerance);  // it turns freely
+}
+
+// The strut's rate is the derivative of its stroke; its force is that of its laws.
+TEST_F(HistoryColumns, ShowTheStrutsStrokeRateAndForce) {
+  bench.inputs.voltages(0) = 0.5;
+  bench.state.v(2) = -1.5;  // the cabin sinks onto the leg at 0.5 m/s
+  const double before = value("damper.stroke"), rate = value("damper.rate");
+  const double h = 1e-6;  // [s]
+  bench.state.q(2) += -1.5 * h;
+  const int leg = bench.equations.layout().body_q[1];
+  bench.state.q(leg + 2) += -1.0 * h;
+  const double difference = 1e-9;  // round-off of positions of 1 m over h, and the curvature of the way
+  EXPECT_NEAR(rate, 0.5, difference);
+  EXPECT_NEAR((value("damper.stroke") - before) / h, rate, 1e3 * difference);
+  // U F_y tanh(v / v_s) + c v = 10 N + 8 N s/m 0.5 m/s, tanh(25) = 1
+  EXPECT_NEAR(value("damper.force"), 14.0, 1e-8);
+}
+
+TEST_F(HistoryColumns, TotalEnergyIsTheSumOfItsParts) {
+  double sum = 0.0;
+  for (const char* part : {"kinetic", "gravity", "strain", "gas", "contact"})
+    sum += value(std::string("energy.") + part);
+  EXPECT_DOUBLE_EQ(value("energy.total"), sum);
+  EXPECT_GT(value("energy.kinetic"), 0.5 * 10.0);  // of the cabin alone at 1 m/s
+}
+
+// A leg pushed into the plane is pushed out.
+TEST_F(HistoryColumns, ShowTheForceOfThePlane) {
+  EXPECT_EQ(value("leg.contact.fz"), 0.0);
+  const int leg = bench.equations.layout().body_q[1];
+  bench.state.q(leg + 2) -= 0.101;
+  EXPECT_GT(value("leg.contact.fz"), 1.0);
+  EXPECT_EQ(value("leg.contact.fz"), bench.take().contact[1].F_W.z());
+}
+
+TEST(Observation, RowHoldsAValueForEveryNameAndUnit) {
+  Bench bench(kSmallMachine);
+  Observation observation(bench.subject());
+  const std::vector<double>& row = observation.row(bench.take());
+  EXPECT_EQ(row.size(), observation.names().size());
+  EXPECT_EQ(row.size(), observation.units().size());
+  EXPECT_EQ(observation.names().front(), "time");
+  EXPECT_EQ(row.front(), 0.0);
+}
+
+TEST(Observation, LeavesOutBodiesThatTheSceneDoesNotRecord) {
+  Bench bench(kSmallMachine, {"output.bodies=[\"leg\"]"});
+  for (const std::string& name : Observation(bench.subject()).names()) EXPECT_NE(name.rfind("cabin.", 0), 0u) << name;
+}
+
+using ::testing::HasSubstr;
+
+const std::string kBall = R"(end_time = 1
+[[bodies]]
+name = "ball"
+mass = 2.0
+inertia = [0.1, 0.1, 0.1]
+position = [0, 0, 3]
+)";
+const std::string kStates = "[[states]]\nname = \"up\"\n[[states]]\nname = \"down\"\n";
+
+std::string sampled(const std::string& input, const std::string& more = "") {
+  return "[[signals]]\nname = \"s\"\nkind = \"expression\"\nperiod_ms = 10\ninput = \"" + input + "\"\n" + more;
+}
+std::string event(const std::string& name, const std::string& when, const std::string& more = "") {
+  return "[[events]]\nname = \"" + name + "\"\nto = \"down\"\nwhen = \"" + when + "\"\n" + more;
+}
+
+std::string complaint_at_start(const std::string& toml, bool is_placed = true) {
+  const SceneText text;
+  const Scene scene = text.read(toml);
+  Mechanism mechanism = build_mechanism(scene);
+  return test::refusal([&] { demand_values_at_start(scene, is_placed, mechanism); });
+}
+
+TEST(StartValues, OfPlacesAccelerationsAndForcesAreThoseOfTheRun) {
+  EXPECT_EQ(complaint_at_start(kBall + sampled("sqrt(-9 - ball.az)")), "");  // it falls
+  EXPECT_THAT(complaint_at_start(kBall + sampled("sqrt(-10 - ball.az)")), HasSubstr("signals.s.input"));
+  EXPECT_THAT(complaint_at_start(kBall + kStates + event("e", "1 / work.contact")), HasSubstr("events.e.when"));
+}
+
+TEST(StartValues, NamesThatNothingHasAreToldTogether) {
+  const std::string told =
+      complaint_at_start(kBall + kStates + sampled("ball.q + bal.z") + event("e", "ball.q > 1"), false);
+  EXPECT_THAT(told, HasSubstr("signals.s.input"));
+  EXPECT_THAT(told, HasSubstr("signals.s.input"));
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
+}
+
+TEST(StartValues, AreLeftToTheRunWhereItAloneKnowsThem) {
+  const std::string root = sampled("sqrt(ball.z - 4)");
+  EXPECT_NE(complaint_at_start(kBall + root), "");
+  EXPECT_EQ(complaint_at_start(kBall + root, false), "");
+  EXPECT_NE(complaint_at_start(kBall + sampled("sqrt(time - 4)"), false), "");
+}
+
+// What the first state does not look at, or ends at once, is no mistake.
+TEST(StartValues, CountInTheStateOfTheStart) {
+  const std::string root = "sqrt(ball.z - 4)";
+  EXPECT_EQ(complaint_at_start(kBall + kStates + sampled(root, "states = [\"down\"]\n") + event("e", "time > 1")), "");
+  const std::string up = sampled(root, "states = [\"up\"]\n");
+  EXPECT_THAT(complaint_at_start(kBall + kStates + up + event("e", "time > 1")), HasSubstr("signals.s.input"));
+  EXPECT_EQ(complaint_at_start(kBall + kStates + up + event("e", "ball.z > 1")), "");
+  EXPECT_EQ(complaint_at_start(kBall + kStates + event("a", "ball.z > 1") + event("b", root)), "");
+  EXPECT_THAT(complaint_at_start(kBall + kStates + event("b", root) + event("a", "ball.z > 1")),
+              HasSubstr("events.b.when"));
+}
+
+// Peaks of a run for its summary, from samples made by hand.
+
+TEST(FigureTaker, ObservesTheHeaviestBody) {
+  Bench bench(kSmallMachine);
+  EXPECT_EQ(FigureTaker(bench.subject()).body_name(), "cabin");
+}
+
+TEST(FigureTaker, KeepsTheDeepestDescentNotTheLast) {
+  Bench bench(kSmallMachine);
+  FigureTaker taker(bench.subject());
+  const double start = bench.state.q(2);
+  for (const double way : {0.0, 0.25, 0.5, 0.125}) {
+    bench.state.q(2) = start - way;
+    taker.take(bench.take());
+  }
+  EXPECT_DOUBLE_EQ(taker.figures().max_descent, 0.5);
+}
+
+// Against gravity, wherever that points.
+TEST(FigureTaker, MeasuresDescentAgainstGravity) {
+  Bench bench(kSmallMachine, {"gravity=[-1.62,0,0]"});
+  FigureTaker taker(bench.subject());
+  taker.take(bench.take());
+  bench.state.q(0) -= 0.5;
+  bench.state.q(2) -= 3.0;
+  taker.take(bench.take());
+  EXPECT_DOUBLE_EQ(taker.figures().max_descent, 0.5);
+}
+
+// Of the beam's surface, 0.02 m from its line, and the same that the contact force counts with.
+TEST(FigureTaker, PenetrationIsThatOfTheContactOnThePlane) {
+  for (const char* normal : {"[0,0,1]", "[0,-0.6,0.8]"}) {
+    Bench bench(kSmallMachine, {"initial.clearance=0", std::string("ground.plane.normal=") + normal});
+    FigureTaker taker(bench.subject());
+    taker.take(bench.take());
+    EXPECT_NEAR(taker.figures().max_penetration, 0.0, 1e-15);  // round-off of lengths below 1 m
+    const int leg = bench.equations.layout().body_q[1];
+    bench.state.q(leg + 2) -= 0.03;
+    const Sample& sample = bench.take();
+    taker.take(sample);
+    const int force = bench.mechanism.planes[0];
+    const auto& plane = static_cast<const RigidPlane&>(bench.mechanism.model.force(force));
+    const double overlap = plane.largest_overlap(element_input(bench.subject(), sample, force));
+    EXPECT_NEAR(taker.figures().max_penetration, overlap, 1e-15);
+    EXPECT_NEAR(overlap, 0.03 * bench.scene.ground.plane->normal.z(), 1e-15);
+  }
+}
+
+TEST(FigureTaker, ReferenceEnergyIsThatOfTheStartOrTheLargestKinetic) {
+  Bench bench(kSmallMachine);
+  FigureTaker taker(bench.subject());
+  const double start = bench.take().energy.stored[Stored::kKinetic];
+  taker.take(bench.take());
+  EXPECT_DOUBLE_EQ(taker.figures().reference_energy, start);
+  bench.state.v *= 0.5;
+  taker.take(bench.take());
+  EXPECT_DOUBLE_EQ(taker.figures().reference_energy, start);
+  bench.state.v *= 4.0;
+  taker.take(bench.take());
+  EXPECT_NEAR(taker.figures().reference_energy, 4.0 * start, 1e-12 * start);
+}
+
+// Energy that appears from nowhere is told; energy that was dissipated, or came from grains or motions, is not. Both
+// bodies have one velocity at the start: seen from there they have no kinetic energy, and a quarter of E when they have
+// half of it.
+TEST(FigureTaker, WarnsOfEnergyThatDoesNotClose) {
+  Bench bench(kSmallMachine);
+  FigureTaker taker(bench.subject());
+  taker.take(bench.take());
+  const double E = taker.figures().reference_energy;
+  bench.state.v *= 0.5;
+  bench.state.dissipated[Dissipation::kStop] = E;  // of which a quarter is left
+  bench.state.supplied[Supply::kMotion] = 0.25 * E;
+  taker.take(bench.take());
+  EXPECT_LT(taker.figures().energy_balance_relative(), 1e-12);
+  EXPECT_EQ(taker.balance_warning(), "");
+  bench.state.dissipated[Dissipation::kStop] = 0.98 * E;
+  taker.take(bench.take());
+  // What flowed: to K' 0.25 E, to stops E and 0.02 E back, from the motion 0.25 E; half of the sum.
+  EXPECT_NEAR(taker.figures().energy_flow, 0.76 * E, 1e-12 * E);
+  EXPECT_NEAR(taker.figures().energy_balance_relative(), 0.02 / 0.76, 1e-12);
+  EXPECT_NE(taker.balance_warning(), "");
+}
+
+TEST(FigureTaker, KeepsTheLargestForceOnABodyAndTellsThePresentOneOnAll) {
+  Bench bench(kSmallMachine);
+  FigureTaker taker(bench.subject());
+  bench.inputs.loads.resize(bench.scene.bodies.size());
+  for (const double force : {40.0, 30.0}) {
+    bench.inputs.loads[0].F_W = Eigen::Vector3d(0, 0, force);
+    taker.take(bench.take());
+  }
+  EXPECT_DOUBLE_EQ(taker.figures().max_contact_force, 40.0);
+  EXPECT_DOUBLE_EQ(taker.figures().contact_force, 30.0);
+}
+
+// The rigid motion of a surface's nodes.
+
+TEST(FitRigid, FindsTheMotionOfARigidSurface) {
+  const Eigen::Matrix3Xd x0 = Eigen::Matrix3Xd::Random(3, 40);
+  for (const double angle : {0.0, 1e-6, 0.4, 3.0}) {
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(angle, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+    const Eigen::Vector3d shift(0.3, -4.0, 2.0);
+    const RigidFit fit = fit_rigid(x0, (R * x0).colwise() + shift);
+    EXPECT_LT((fit.R - R).norm(), 1e-14);
+    EXPECT_LT((fit.centre - (R * x0.rowwise().mean() + shift)).norm(), 1e-14);
+    EXPECT_LT(fit.left_over, 1e-14);
+  }
+}
+
+// A plate: all points in one plane, where a reflection would fit as well.
+TEST(FitRigid, TurnsAPlateOverInsteadOfReflectingIt) {
+  Eigen::Matrix3Xd x0 = Eigen::Matrix3Xd::Random(3, 30);
+  x0.row(2).setZero();
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 1, 0).normalized()).toRotationMatrix();
+  const RigidFit fit = fit_rigid(x0, R * x0);
+  EXPECT_NEAR(fit.R.determinant(), 1.0, 1e-14);
+  EXPECT_LT((fit.R - R).norm(), 1e-13);
+}
+
+// Bent symmetrically, a plate has not turned; what is left over is the bending about its mean.
+TEST(FitRigid, LeavesTheBendingOver) {
+  Eigen::Matrix3Xd x0(3, 3), x(3, 3);
+  x0 << -1, 0, 1, 0, 0, 0, 0, 0, 0;
+  x = x0;
+  x(2, 0) = x(2, 2) = 0.03;
+  const RigidFit fit = fit_rigid(x0, x);
+  EXPECT_LT((fit.R * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitX()).norm(), 1e-14);
+  EXPECT_NEAR(fit.left_over, 0.02, 1e-15);
+  EXPECT_NEAR(fit.centre.z(), 0.02, 1e-15);
+}
+
+}  // namespace
+}  // namespace footfall

@@ -1,0 +1,340 @@
+// Masses, meshes and clumps of a scene.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/pi.h"
+#include "mbd_solver/fe/mesh_check.h"
+#include "mbd_solver/scene/boundary_surface.h"
+#include "mbd_solver/scene/clump_shape.h"
+#include "mbd_solver/scene/mesh_reader.h"
+#include "mbd_solver/scene/resolve.h"
+#include "tests/unit/scene/scene_text.h"
+
+namespace footfall {
+namespace {
+
+// mbd_solver/scene/resolve.h: mass, centre and inertia of bodies given by shapes.
+
+using ::testing::HasSubstr;
+
+constexpr double kRoundOff = 1e-12;  // relative
+
+BodySpec body_of(const std::string& entry) {
+  const SceneText text;
+  return text.read("end_time = 1\n[materials.steel]\ndensity = 7850\n[[bodies]]\nname = \"b\"\n" + entry).bodies[0];
+}
+
+TEST(SceneMasses, TubeOfAMaterialWeighsItsVolume) {
+  const BodySpec b = body_of(
+      "material = \"steel\"\nshape = { kind = \"tube\", from = [1, 0, 1], to = [1, 0, 3], diameter = 0.1, wall = 0.01 "
+      "}\n");
+  const double area = kPi / 4 * (0.1 * 0.1 - 0.08 * 0.08);
+  EXPECT_NEAR(b.mass, 7850 * area * 2, kRoundOff * b.mass);
+  EXPECT_NEAR((b.position - Eigen::Vector3d(1, 0, 2)).norm(), 0.0, kRoundOff);
+  const double r2 = 0.05 * 0.05 + 0.04 * 0.04;
+  EXPECT_NEAR(b.inertia(2, 2), b.mass * r2 / 2, kRoundOff * b.mass);
+  EXPECT_NEAR(b.inertia(0, 0), b.mass * (r2 / 4 + 4.0 / 12), kRoundOff * b.mass);
+}
+
+TEST(SceneMasses, BoxTurnsWithItsBodyAndKeepsItsInertiaThere) {
+  const BodySpec b = body_of(
+      "mass = 12\nshape = { kind = \"box\", size = [1, 2, 3], centre = [0, 0, 5] }\norientation = { rpy_deg = [90, 0, "
+      "0] }\n");
+  EXPECT_NEAR((b.inertia - Eigen::Matrix3d(Eigen::Vector3d(13, 10, 5).asDiagonal())).norm(), 0.0, 1e-10);
+  EXPECT_NEAR((b.orientation * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm(), 0.0, kRoundOff);
+}
+
+TEST(SceneMasses, CylinderLiesAlongItsAxis) {
+  const BodySpec b = body_of(
+      "material = \"steel\"\nshape = { kind = \"cylinder\", centre = [1, 2, 3], axis = \"y\", radius = 0.1, length = "
+      "0.3 }\n");
+  EXPECT_NEAR(b.mass, 7850 * kPi * 0.01 * 0.3, kRoundOff * b.mass);
+  EXPECT_NEAR((b.position - Eigen::Vector3d(1, 2, 3)).norm(), 0.0, kRoundOff);
+  EXPECT_NEAR(b.inertia(1, 1), b.mass * 0.01 / 2, kRoundOff * b.mass);
+  EXPECT_NEAR(b.inertia(0, 0), b.mass * (0.01 / 4 + 0.09 / 12), kRoundOff * b.mass);
+}
+
+// m_c = rho pi r^2 L, m_b = rho 4/3 pi r^3, h = L/2: across m_c (r^2/4 + L^2/12) + m_b (2/5 r^2 + h^2 + 3/4 h r).
+TEST(SceneMasses, CapsuleIsACylinderAndABall) {
+  const BodySpec b = body_of(
+      "material = \"steel\"\nshape = { kind = \"capsule\", from = [0, 0, 1], to = [0.4, 0, 1], diameter = 0.2 }\n");
+  const double r = 0.1, L = 0.4, h = 0.2, m_c = 7850 * kPi * r * r * L, m_b = 7850 * 4.0 / 3.0 * kPi * r * r * r;
+  EXPECT_NEAR(b.mass, m_c + m_b, kRoundOff * b.mass);
+  EXPECT_NEAR((b.position - Eigen::Vector3d(0.2, 0, 1)).norm(), 0.0, kRoundOff);
+  EXPECT_NEAR(b.inertia(0, 0), m_c * r * r / 2 + m_b * 0.4 * r * r, kRoundOff * b.mass);
+  EXPECT_NEAR(b.inertia(2, 2), m_c * (r * r / 4 + L * L / 12) + m_b * (0.4 * r * r + h * h + 0.75 * h * r),
+              kRoundOff * b.mass);
+}
+
+// The file is scaled, then turned about its origin, then moved; the body's own axes are another matter. The box of
+// rock.stl is 100 x 60 x 40 mm from its origin on.
+TEST(SceneMasses, SolidOfAFileIsScaledTurnedAndMoved) {
+  const std::string file = FOOTFALL_SOURCE_DIR "/inputs/reference/rock.stl";
+  const BodySpec b =
+      body_of("material = \"steel\"\nshape = { kind = \"mesh\", file = \"" + file +
+              "\", scale = 0.001, orientation = { axis = \"z\", angle_deg = 90 }, position = [1, 0, 0] }\n"
+              "orientation = { rpy_deg = [0, 0, 90] }\n");
+  constexpr double kSingle = 1e-6;  // STL is read in single precision
+  EXPECT_NEAR(b.mass, 7850 * 0.1 * 0.06 * 0.04, kSingle * b.mass);
+  EXPECT_NEAR((b.position - Eigen::Vector3d(1 - 0.03, 0.05, 0.02)).norm(), 0.0, kSingle);
+  // Body axes along the file's.
+  EXPECT_NEAR(b.inertia(0, 0), b.mass / 12 * (0.06 * 0.06 + 0.04 * 0.04), kSingle * b.mass);
+  EXPECT_NEAR(b.inertia(1, 1), b.mass / 12 * (0.1 * 0.1 + 0.04 * 0.04), kSingle * b.mass);
+}
+
+// The closed form of the thin cap against the same surface cut into triangles: second order in their size.
+TEST(SceneMasses, DishAgreesWithItsOwnSurface) {
+  const std::string entry =
+      "mass = 3\nshape = { kind = \"dish\", centre = [0, 0, 1], radius = 0.3, depth = 0.2, thickness = 0.01 }\n";
+  const BodySpec b = body_of(entry);
+  const SceneText text;
+  Scene scene = text.read("end_time = 1\n[[bodies]]\nname = \"b\"\n" + entry +
+                          "[[boundaries]]\nbody = \"b\"\nsurface = { element_size = 0.01 }\n");
+  const TriangleMesh mesh = boundary_surface(scene, scene.boundaries[0]);
+  double area = 0.0;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // integral of x x^T, exact for each triangle by its edge middles
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    Eigen::Vector3d p[3];
+    for (int i = 0; i < 3; ++i) p[i] = mesh.vertices[static_cast<std::size_t>(t[i])];
+    const double a = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+    area += a;
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d middle = 0.5 * (p[i] + p[(i + 1) % 3]);
+      moment += a / 3 * middle;
+      second += a / 3 * middle * middle.transpose();
+    }
+  }
+  const Eigen::Vector3d centre = moment / area;
+  second = second / area - centre * centre.transpose();
+  const Eigen::Matrix3d inertia = b.mass * (second.trace() * Eigen::Matrix3d::Identity() - second);
+  constexpr double kFacets = 1e-3;  // triangles of 0.01 m on a sphere of 0.325 m radius: (0.01 / 0.325)^2
+  EXPECT_NEAR((b.position - centre).norm(), 0.0, kFacets * 0.3);
+  EXPECT_NEAR((b.inertia - inertia).norm(), 0.0, kFacets * b.inertia.norm());
+}
+
+TEST(SceneMasses, RemainderTakesWhatTheOthersLeave) {
+  const SceneText text;
+  const std::string toml = R"(end_time = 1
+total_mass = 10
+[[bodies]]
+name = "cabin"
+mass = "remainder"
+shape = { kind = "box", size = [1, 1, 1] }
+[[bodies]]
+name = "pad"
+mass = 4
+shape = { kind = "sphere", radius = 0.5, centre = [0, 0, 5] }
+)";
+  const Scene scene = text.read(toml);
+  EXPECT_NEAR(scene.bodies[0].mass, 6.0, kRoundOff);
+  EXPECT_NEAR(scene.bodies[0].inertia(0, 0), 1.0, kRoundOff);  // 6 (1 + 1) / 12
+  EXPECT_NEAR(mass_centre(scene).z(), 2.0, kRoundOff);
+  EXPECT_THAT(text.findings(toml, {"bodies.pad.mass=11"}), HasSubstr("11"));
+  EXPECT_THAT(text.findings(toml, {"bodies.cabin.mass=5"}), HasSubstr("10"));
+}
+
+TEST(SceneMasses, AShapeSaysWhatItNeedsAndWhatMeansNothing) {
+  const SceneText text;
+  const std::string toml =
+      "end_time = 1\n[[bodies]]\nname = \"b\"\nmass = 1\nshape = { kind = \"rod\", from = [0, 0, 0], to = [0, 0, 1], "
+      "radius = 0.1 }\n";
+  EXPECT_THAT(text.findings(toml), HasSubstr("bodies.b.shape.diameter"));
+  EXPECT_THAT(text.findings(toml), HasSubstr("bodies.b.shape.radius"));
+}
+
+// mbd_solver/scene/mesh_reader.h and boundary_surface.h: mesh files and generated surfaces.
+
+using ::testing::ThrowsMessage;
+
+constexpr double kSinglePrecision = 1e-6;  // coordinates of mesh files are read as 32-bit numbers
+
+// A square of side 2 in two triangles.
+const std::string kStl =
+    "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 2 2 0\nendloop\nendfacet\n"
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 2 0\nvertex 0 2 0\nendloop\nendfacet\nendsolid s\n";
+const std::string kObj = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n";
+const std::string kPly =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+    "property list uchar int vertex_indices\nend_header\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n3 0 1 2\n3 0 2 3\n";
+
+Eigen::Vector3d area_vector(const TriangleMesh& mesh) {
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const Eigen::Vector3d &a = mesh.vertices[static_cast<std::size_t>(t[0])],
+                          &b = mesh.vertices[static_cast<std::size_t>(t[1])],
+                          &c = mesh.vertices[static_cast<std::size_t>(t[2])];
+    area += 0.5 * (b - a).cross(c - a);
+  }
+  return area;
+}
+
+double volume(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  for (const Eigen::Vector3i& t : mesh.triangles)
+    sum += mesh.vertices[static_cast<std::size_t>(t[0])].dot(
+               mesh.vertices[static_cast<std::size_t>(t[1])].cross(mesh.vertices[static_cast<std::size_t>(t[2])])) /
+           6.0;
+  return sum;
+}
+
+TEST(MeshReader, ReadsTheSameSquareFromStlObjAndPly) {
+  const SceneText text;
+  for (const std::string& file : {text.write("a.stl", kStl), text.write("a.obj", kObj), text.write("a.ply", kPly)}) {
+    const TriangleMesh mesh = read_mesh(file, 0.5);
+    EXPECT_EQ(mesh.vertices.size(), 4u) << file;
+    EXPECT_EQ(mesh.triangles.size(), 2u) << file;
+    EXPECT_NEAR((area_vector(mesh) - Eigen::Vector3d(0, 0, 1)).norm(), 0.0, kSinglePrecision) << file;
+  }
+}
+
+TEST(MeshReader, RefusesMoreElementsThanTheFileHasBytes) {
+  const SceneText text;
+  std::string ply = kPly;
+  ply.replace(ply.find("vertex 4"), 8, "vertex 400000000");
+  const std::string file = text.write("promises.ply", ply);
+  EXPECT_THAT([&] { read_mesh(file, 1.0); }, ThrowsMessage<InputError>(HasSubstr("promises.ply")));
+}
+
+TEST(MeshReader, TakesAHeadWithAnEndOnly) {
+  const SceneText text;
+  const std::string ply = kPly;
+  const std::size_t end = ply.find("end_header\n");
+  const std::string file = text.write("endless.ply", ply.substr(0, end) + "0ment\n" + ply.substr(end + 11));
+  EXPECT_THAT([&] { read_mesh(file, 1.0); }, ThrowsMessage<InputError>(HasSubstr("endless.ply")));
+  std::string lines = ply;
+  for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos; at += 2) lines.replace(at, 1, "\r\n");
+  EXPECT_EQ(read_mesh(text.write("crlf.ply", lines), 1.0).triangles.size(), 2u);
+}
+
+TEST(MeshReader, TakesANameInAHeadForNoNumber) {
+  const SceneText text;
+  std::string ply = kPly;
+  ply.replace(ply.find("float z"), 7, "float z\ncomment of 20260101\nproperty float infrared");
+  for (const char* line : {"0 0 0\n", "2 0 0\n", "2 2 0\n", "0 2 0\n"})
+    ply.replace(ply.find(line, ply.find("end_header")), 6, std::string(line, 5) + " 1\n");
+  EXPECT_EQ(read_mesh(text.write("infrared.ply", ply), 1.0).triangles.size(), 2u);
+}
+
+TEST(MeshReader, ReadsBinaryStl) {
+  std::string data(80, ' ');
+  const auto append = [&](const auto& value) { data.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  append(std::uint32_t{1});
+  for (float number : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 2.f, 0.f, 0.f, 2.f, 2.f, 0.f}) append(number);
+  append(std::uint16_t{0});
+  const SceneText text;
+  EXPECT_NEAR(area_vector(read_mesh(text.write("b.stl", data))).z(), 2.0, kSinglePrecision);
+}
+
+TEST(GeneratedSurface, CylinderIsClosedAndFillsItsVolume) {
+  const TriangleMesh mesh = cylinder_mesh({1, 2, 3}, {2, 2, 4}, 0.2, 0.01);
+  EXPECT_EQ(mesh_findings(mesh, {true, true, true}), std::vector<std::string>());
+  constexpr double kFacets = 2e-3;  // a polygon of 63 sides: (2 pi / 63)^2 / 6
+  EXPECT_NEAR(volume(mesh) / (kPi * 0.01 * std::sqrt(2.0)), 1.0, kFacets);
+}
+
+TEST(GeneratedSurface, SphereIsClosedAndItsVolumeConvergesQuadratically) {
+  const auto defect = [](double edge) { return 1.0 - volume(sphere_mesh(0.5, edge)) / (kPi / 6.0); };
+  EXPECT_EQ(mesh_findings(sphere_mesh(0.5, 0.1), {true, true, true}), std::vector<std::string>());
+  const double order = std::log2(defect(0.1) / defect(0.05));
+  EXPECT_NEAR(order, 2.0, 0.05);
+}
+
+// mbd_solver/scene/clump_shape.h: clumps of spheres.
+
+constexpr double kRadius = 0.008;  // [m]
+
+// How many spheres of the clump hold this point.
+int holds(const Clump& clump, const Eigen::Vector3d& x) {
+  int count = 0;
+  for (Eigen::Index i = 0; i < clump.centres.cols(); ++i)
+    count += (x - clump.centres.col(i)).norm() < clump.radius ? 1 : 0;
+  return count;
+}
+
+// Two spheres of radius s whose centres are sqrt(3) s apart: 8/3 pi s^3 less pi / 12 (4 s + d) (2 s - d)^2.
+TEST(ClumpShape, PairHasTheVolumeOfTwoSpheresLessTheirLens) {
+  const Clump pair = clump_of(ClumpShape::kPair, kRadius);
+  const double s = pair.radius, d = std::sqrt(3.0) * s;
+  EXPECT_NEAR(pair.volume, 8.0 / 3.0 * kPi * s * s * s - kPi / 12.0 * (4.0 * s + d) * std::pow(2.0 * s - d, 2),
+              1e-14 * pair.volume);
+}
+
+// On a grid of midpoints: volume, mass centre and inertia of what any sphere holds. The grid has an error of its own, of some
+// 1e-3 at this width.
+TEST(ClumpShape, VolumeCentreAndInertiaAreThoseOfTheUnion) {
+  for (const ClumpShape shape : every<ClumpShape>()) {
+    SCOPED_TRACE(std::string(name_of(shape)));
+    const Clump clump = clump_of(shape, kRadius);
+    EXPECT_NEAR(clump.volume, 4.0 / 3.0 * kPi * std::pow(kRadius, 3), 1e-14 * clump.volume);
+    EXPECT_LT(clump.centres.rowwise().mean().norm(), 1e-15 * kRadius + 1e-17);
+    const Eigen::Vector3d reach = (clump.centres.cwiseAbs().rowwise().maxCoeff().array() + clump.radius).matrix();
+    constexpr int n = 72;
+    const Eigen::Vector3d width = 2.0 * reach / n;
+    const double cell = width.prod();
+    double volume = 0.0;
+    int most = 0;
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    for (int k = 0; k < n * n * n; ++k) {
+      const Eigen::Vector3d at(k % n + 0.5, k / n % n + 0.5, k / n / n + 0.5);
+      const Eigen::Vector3d x = at.cwiseProduct(width) - reach;
+      const int count = holds(clump, x);
+      most = std::max(most, count);
+      if (count == 0) continue;
+      volume += cell, first += cell * x, second += cell * x * x.transpose();
+    }
+    EXPECT_LE(most, 2) << "three spheres share a point: the closed form does not hold";
+    EXPECT_NEAR(volume, clump.volume, 3e-3 * clump.volume);
+    EXPECT_LT((first / volume).norm(), 3e-3 * kRadius);
+    const Eigen::Matrix3d inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
+    EXPECT_LT((inertia - clump.inertia).norm(), 5e-3 * clump.inertia.norm());
+  }
+}
+
+// The files by which inputs/regolith/in.bed makes clumps, for a radius of 1.
+TEST(ClumpShape, ScriptOfTheLandingHasTheSameNumbers) {
+  for (const ClumpShape shape : every<ClumpShape>()) {
+    const std::string file = FOOTFALL_SOURCE_DIR "/inputs/regolith/clumps/" + std::string(name_of(shape));
+    SCOPED_TRACE(file);
+    const Clump clump = clump_of(shape, 1.0);
+    std::ifstream places(file + ".txt"), script(file + ".lammps");
+    for (Eigen::Index i = 0; i < clump.centres.cols(); ++i) {
+      Eigen::Vector4d sphere;
+      for (double& number : sphere) ASSERT_TRUE(places >> number);
+      EXPECT_LT((sphere.head<3>() - clump.centres.col(i)).norm(), 1e-14);
+      EXPECT_NEAR(sphere[3], clump.radius, 1e-14);
+    }
+    std::map<std::string, double> variables;
+    for (std::string line, word, name; std::getline(script, line);) {
+      std::istringstream words(line);
+      if (words >> word >> name && word == "variable") words >> word >> variables[name];
+    }
+    EXPECT_EQ(variables["spheres"], static_cast<double>(clump.centres.cols()));
+    EXPECT_LT((clump.inertia - Eigen::Vector3d(variables["inertia_x"], variables["inertia_y"], variables["inertia_z"])
+                                   .asDiagonal()
+                                   .toDenseMatrix())
+                  .norm(),
+              1e-13);
+  }
+}
+
+TEST(ClumpShape, HasTwoToSixSpheresAndItsName) {
+  std::vector<Eigen::Index> spheres;
+  for (const ClumpShape shape : every<ClumpShape>()) {
+    spheres.push_back(clump_of(shape, kRadius).centres.cols());
+    EXPECT_EQ(clump_shape(std::string(name_of(shape))), shape);
+  }
+  EXPECT_EQ(spheres, (std::vector<Eigen::Index>{2, 3, 3, 4, 5, 6}));
+  EXPECT_THROW(clump_shape("tetraedron"), InputError);
+}
+
+}  // namespace
+}  // namespace footfall

@@ -1,0 +1,843 @@
+// Calibration: parameters, misfit, searches, intervals.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <random>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/whole_file.h"
+#include "mbd_solver/cli/calibrate/adjustment.h"
+#include "mbd_solver/cli/calibrate/calibration.h"
+#include "mbd_solver/cli/calibrate/determination.h"
+#include "mbd_solver/cli/calibrate/gauss_newton.h"
+#include "mbd_solver/cli/calibrate/misfit.h"
+#include "mbd_solver/cli/calibrate/response_surface.h"
+#include "mbd_solver/cli/calibrate/run_ledger.h"
+#include "mbd_solver/cli/calibrate/search.h"
+#include "mbd_solver/cli/calibrate/surrogate.h"
+#include "mbd_solver/cli/calibrate/together.h"
+#include "tests/support/refused.h"
+#include "tests/unit/studies/search_stage.h"
+
+namespace footfall {
+namespace {
+
+// What the file of a calibration must hold: mbd_solver/cli/calibrate/calibration_reader.cpp.
+
+using ::testing::HasSubstr;
+
+const std::string kParameter = "[[parameters]]\nname = \"k\"\nsettings = [\"a={value}\"]\nleast = 1\nmost = 4\n";
+const std::string kRest =
+    "[[figures]]\nname = \"m\"\nkey = \"q\"\n[[targets]]\nfigure = \"m\"\nvalue = 3\ntolerance = 0.1\n"
+    "[[stages]]\nmethod = \"bobyqa\"\nevaluations = 10\n";
+
+CalibrationSpec read_text(const std::string& text) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("footfall_calibration_" + std::to_string(::getpid()) + ".toml"))
+          .string();
+  std::ofstream(path) << "scene = \"scene.toml\"\n" << text;
+  const std::unique_ptr<const std::string, void (*)(const std::string*)> gone(
+      &path, [](const std::string* file) { std::filesystem::remove(*file); });
+  return read_calibration(path);
+}
+
+std::string calibration_complaint(const std::string& text) {
+  return test::refusal([&] { read_text(text); });
+}
+
+TEST(ReadCalibration, TakesAParameterWithItsScale) {
+  CalibrationSpec s = read_text(kParameter + "scale = \"logarithmic\"\nstart = 1\n" + kRest);
+  const SoughtParameter& p = s.parameters.front();
+  EXPECT_DOUBLE_EQ(p.value(0.5), 2.0);
+  EXPECT_DOUBLE_EQ(p.share(2.0), 0.5);
+  EXPECT_DOUBLE_EQ(p.value(1.0), 4.0);
+  EXPECT_EQ(start_of(s), (Shares{0.0}));
+  EXPECT_EQ(s.targets.front().name, "m, run");  // the only scene
+}
+
+TEST(ReadCalibration, PutsFormulasIntoSettings) {
+  const CalibrationSpec s = read_text("settings = [\"b={= 2*k + 1}\", \"c=[{= k}, {= -k}]\"]\n" + kParameter + kRest);
+  EXPECT_EQ(with_formulas({"x={= 2*k}", "leg_{leg}=1"}, s, {1.0}), (std::vector<std::string>{"x=8", "leg_{leg}=1"}));
+  EXPECT_THAT(calibration_complaint("settings = [\"b={= 2*kk}\"]\n" + kParameter + kRest), HasSubstr("\"kk\""));
+  EXPECT_NE(calibration_complaint("settings = [\"b={= 2*k\"]\n" + kParameter + kRest), "");
+}
+
+TEST(ReadCalibration, MeasuresABrokenConstraint) {
+  const CalibrationSpec s =
+      read_text(kParameter + kRest + "[[constraints]]\nname = \"c\"\nformula = \"k*k\"\nmost = 8\n");
+  EXPECT_DOUBLE_EQ(broken_by(s, {0.5}), 0.0);  // 2.5^2
+  EXPECT_DOUBLE_EQ(broken_by(s, {1.0}), 1.0);  // 16 over 8
+}
+
+TEST(CalibrationSchema, HoldsTheKeysOfEverySection) {
+  const nlohmann::json s = nlohmann::json::parse(calibration_schema())["properties"];
+  EXPECT_TRUE(s["parameters"]["items"]["properties"]["scale"].contains("enum"));
+  for (const char* key : {"value", "least", "against", "file", "tolerance", "weight"})
+    EXPECT_TRUE(s["targets"]["items"]["properties"].contains(key)) << key;
+  for (const char* section : {"scenes", "seeds", "stages", "limits", "figures", "constraints"})
+    EXPECT_TRUE(s.contains(section)) << section;
+}
+
+TEST(ShippedCalibrations, CanBeRead) {
+  int count = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(FOOTFALL_SOURCE_DIR) + "/inputs/calibrations")) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_NO_THROW(read_calibration(entry.path())) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 4);
+}
+
+TargetSpec target(double least, double most) {
+  TargetSpec t;
+  t.least = least;
+  t.most = most;
+  t.tolerance = 0.5;
+  return t;
+}
+
+TEST(Misfit, OfABandIsTheDistanceToIt) {
+  const TargetSpec t = target(1.0, 2.0);
+  EXPECT_DOUBLE_EQ(residual_of(t, 1.0), 0.0);
+  EXPECT_DOUBLE_EQ(residual_of(t, 2.0), 0.0);
+  EXPECT_DOUBLE_EQ(residual_of(t, 3.0), 2.0);
+  EXPECT_DOUBLE_EQ(residual_of(t, 0.75), -0.5);
+  TargetSpec value = t;
+  value.value = 1.5;
+  EXPECT_DOUBLE_EQ(residual_of(value, 1.0), -1.0);
+}
+
+TEST(Misfit, ReadsACurveWhereXIsReachedFirst) {
+  const std::vector<double> x = {0, 1, 2, 3, 2, 1}, y = {0, 10, 20, 30, -1, -2};  // there and back
+  EXPECT_EQ(first_crossings(x, y, {0.5, 2.0, 3.0}), (std::vector<double>{5, 20, 30}));
+  EXPECT_EQ(first_crossings(x, y, {-1.0, 9.0}), (std::vector<double>{0, 30}));  // the nearest row
+}
+
+class MisfitOfRuns : public ::testing::Test {
+ protected:
+  MisfitOfRuns() {
+    for (const char* name : {"a", "b"}) {
+      CalibrationScene scene;
+      scene.name = name;
+      spec.scenes.push_back(scene);
+    }
+    FigureSpec figure;
+    figure.name = "height";
+    spec.figures = {figure};
+    TargetSpec ratio = target(1.5, 2.5);
+    ratio.figure = "height";
+    ratio.scene = "a";
+    ratio.against = "b";
+    spec.targets = {ratio};
+  }
+  static RunNumbers run(double figure) { return {{figure}, {{}}}; }
+
+  CalibrationSpec spec;
+};
+
+TEST_F(MisfitOfRuns, TakesARatioOfMeans) {
+  const TargetResult r = result_of(spec, 0, {{run(2), run(4)}, {run(1), run(1)}});
+  EXPECT_DOUBLE_EQ(r.values.front(), 3.0);
+  EXPECT_DOUBLE_EQ(r.residuals.front(), 1.0);
+  EXPECT_NEAR(r.spread.front(), std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(r.of_seed.size(), 2u);
+  spec.targets[0].weight = 4.0;
+  EXPECT_DOUBLE_EQ(r.misfit(spec.targets[0]), 4.0);
+  EXPECT_DOUBLE_EQ(r.misfit(spec.targets[0], 2.0), 4.0) << "not as far off as the cap";
+  EXPECT_DOUBLE_EQ(r.misfit(spec.targets[0], 0.5), 1.0);
+  EXPECT_EQ(capped(-7.0, 3.0), -3.0);
+  EXPECT_EQ(capped(-7.0, 0.0), -7.0) << "no cap";
+}
+
+TEST_F(MisfitOfRuns, ABandIsMetWithinItsBoundsAndANumberWithinATolerance) {
+  EXPECT_TRUE(result_of(spec, 0, {{run(2.5)}, {run(1)}}).is_met());
+  EXPECT_FALSE(result_of(spec, 0, {{run(2.6)}, {run(1)}}).is_met()) << "a fifth of a tolerance beyond";
+  spec.targets[0].value = 2.0;
+  EXPECT_TRUE(result_of(spec, 0, {{run(2.4)}, {run(1)}}).is_met());
+  EXPECT_FALSE(result_of(spec, 0, {{run(2.6)}, {run(1)}}).is_met());
+}
+
+TEST_F(MisfitOfRuns, IsThatOfFailureWhereARunOrANumberIsMissing) {
+  spec.failed = 7.0;
+  for (const auto& runs : {std::vector<std::vector<RunNumbers>>{{run(2)}, {}},
+                           {{}, {run(1)}},
+                           {{run(1)}, {run(0)}},
+                           {{run(std::nan(""))}, {run(1)}}}) {
+    const TargetResult r = result_of(spec, 0, runs);
+    EXPECT_TRUE(r.failed);
+    EXPECT_FALSE(r.is_met());
+    EXPECT_DOUBLE_EQ(r.misfit(spec.targets[0]), 49.0);
+  }
+}
+
+// The way of a search: mbd_solver/cli/calibrate/search.h and gauss_newton.h.
+
+const Shares kBottom = {0.3, 0.8, 0.45};
+
+std::vector<double> bowl_residuals(const Shares& u) {
+  std::vector<double> r;
+  for (std::size_t i = 0; i < u.size(); ++i) r.push_back((u[i] - kBottom[i]) * (3.0 + static_cast<double>(i)));
+  r.push_back((u[0] - kBottom[0]) * (u[1] - kBottom[1]));
+  return r;
+}
+
+double bowl(const Shares& u) {
+  double sum = 0.0;
+  for (const double r : bowl_residuals(u)) sum += r * r;
+  return sum;
+}
+
+struct Walked {
+  StageWay way;
+  int runs = 0, rounds = 0;  // sets that were run, and how often the search began anew
+};
+
+// As a calibration does it: the sets that are wanted become known, and the search begins anew.
+Walked walked(const StageSpec& stage, std::size_t side_by_side, int most_rounds = 100000) {
+  static const Shares kStart = {0.5, 0.5, 0.5};
+  std::map<Shares, bool> known;
+  Walked w;
+  SearchQuestions questions;
+  questions.misfit = [&](const Shares& u) -> std::optional<double> {
+    if (!known.count(u)) return {};
+    return bowl(u);
+  };
+  LeastSquaresQuestions squares;
+  squares.residuals = [&](const Shares& u) -> std::optional<std::vector<double>> {
+    if (!known.count(u)) return {};
+    return bowl_residuals(u);
+  };
+  questions.may_go_on = squares.may_go_on = [](const Shares&) { return true; };
+  for (; w.rounds < most_rounds; ++w.rounds) {
+    w.way = stage.method == SearchMethod::kGaussNewton ? walk_least_squares(stage, kStart, 0.01, squares)
+                                                       : walk(stage, kStart, questions, side_by_side);
+    if (w.way.wanted.empty()) break;
+    for (const Shares& u : w.way.wanted) known[u] = true;
+    w.runs = static_cast<int>(known.size());
+  }
+  return w;
+}
+
+class Search : public ::testing::TestWithParam<SearchMethod> {};
+
+TEST_P(Search, GoesTheSameWayHoweverManyRunsGoSideBySide) {
+  const StageSpec stage = stage_of(GetParam(), 60);
+  const Walked one = walked(stage, 1), four = walked(stage, 4);
+  EXPECT_GT(one.way.sets.size(), 9u);
+  EXPECT_LE(one.way.sets.size(), 60u);
+  EXPECT_EQ(one.way.sets, four.way.sets);
+  EXPECT_EQ(one.way.best, four.way.best);
+  EXPECT_EQ(one.way.end, four.way.end);
+  EXPECT_EQ(one.runs, static_cast<int>(one.way.sets.size()));  // one by one nothing is run in vain
+  EXPECT_LE(four.rounds, one.rounds);
+  for (const Shares& u : one.way.sets)
+    for (const double share : u) EXPECT_TRUE(share >= 0.0 && share <= 1.0);
+}
+
+TEST_P(Search, GetsNearerToTheBottom) {
+  const StageWay way = walked(stage_of(GetParam(), 150), 2).way;
+  EXPECT_LT(way.misfit, 0.1 * bowl({0.5, 0.5, 0.5}));
+  EXPECT_DOUBLE_EQ(way.misfit, bowl(way.best));
+}
+
+TEST_P(Search, EndsAtALimit) {
+  SearchQuestions questions;
+  questions.misfit = [](const Shares& u) { return bowl(u); };
+  LeastSquaresQuestions squares;
+  squares.residuals = [](const Shares& u) { return bowl_residuals(u); };
+  int asked = 0;
+  questions.may_go_on = squares.may_go_on = [&](const Shares&) { return ++asked <= 7; };
+  const StageSpec stage = stage_of(GetParam(), 100);
+  const StageWay way = GetParam() == SearchMethod::kGaussNewton
+                           ? walk_least_squares(stage, {0.5, 0.5, 0.5}, 0.01, squares)
+                           : walk(stage, {0.5, 0.5, 0.5}, questions, 1);
+  EXPECT_EQ(way.sets.size(), 7u);
+  EXPECT_EQ(way.end, "limit reached");
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Search,
+                         ::testing::Values(SearchMethod::kDirect, SearchMethod::kCrs2, SearchMethod::kIsres,
+                                           SearchMethod::kBobyqa, SearchMethod::kSbplx, SearchMethod::kGaussNewton),
+                         [](const auto& of) { return std::string(name_of(of.param)); });
+
+TEST(GaussNewton, IsAtTheBottomOfALeastSquaresProblemAfterFewSets) {
+  const StageWay way = walked(stage_of(SearchMethod::kGaussNewton, 60), 1).way;
+  EXPECT_EQ(way.end, "within its precision");
+  for (std::size_t i = 0; i < kBottom.size(); ++i) EXPECT_NEAR(way.best[i], kBottom[i], 1e-4);  // its precision
+  EXPECT_LE(way.sets.size(), 50u);
+}
+
+// With the bottom outside, the constrained minimum is found, not the cut one: r = (a + b - 2, a - b), a <= 0.7 of its unit.
+TEST(GaussNewton, SolvesAnewWhereARangeEnds) {
+  LeastSquaresQuestions squares;
+  squares.may_go_on = [](const Shares&) { return true; };
+  squares.residuals = [](const Shares& u) {
+    const double a = 0.7 * u[0], b = 2.0 * u[1];
+    return std::vector<double>{3.0 * (a + b - 2.0), a - b};
+  };
+  const StageWay way = walk_least_squares(stage_of(SearchMethod::kGaussNewton, 200), {0.5, 0.5}, 0.01, squares);
+  EXPECT_NEAR(way.best[0], 1.0, 1e-9);
+  EXPECT_NEAR(2.0 * way.best[1], (9.0 * 1.3 + 0.7) / 10.0, 1e-3);  // least of 9 (b - 1.3)^2 + (b - 0.7)^2
+}
+
+TEST(SearchSideBySide, RunsTheFirstSetsOfAGlobalSearchSideBySide) {
+  const Walked one = walked(stage_of(SearchMethod::kIsres, 60), 1), six = walked(stage_of(SearchMethod::kIsres, 60), 6);
+  EXPECT_LE(six.rounds, one.rounds / 3);
+  EXPECT_LE(six.runs, 80);  // few in vain
+}
+
+// Searches by response surfaces: mbd_solver/cli/calibrate/surrogate.h and response_surface.h.
+
+// Points of a lattice in the unit square, moved a little so that no three are in line.
+Eigen::MatrixXd scattered_points(int side) {
+  Eigen::MatrixXd points(2, side * side);
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j)
+      points.col(i * side + j) = Eigen::Vector2d(i + 0.3 * std::sin(7.0 * j + i), j + 0.3 * std::cos(5.0 * i)) / side;
+  return points;
+}
+
+TEST(ResponseSurfaces, IsExactOnAPlane) {
+  const Eigen::MatrixXd points = scattered_points(4);
+  const Eigen::VectorXd values = (3.0 + 2.0 * points.row(0).array() - 5.0 * points.row(1).array()).matrix().transpose();
+  const ResponseSurfaces surface(points, values);
+  for (const Eigen::Vector2d& x : {Eigen::Vector2d(0.1, 0.9), Eigen::Vector2d(2.0, -1.0)})
+    EXPECT_NEAR(surface.at(x)[0], 3.0 + 2.0 * x.x() - 5.0 * x.y(), 1e-8);
+  EXPECT_LT(surface.left_out_errors()[0], 1e-8);
+}
+
+// The cubic spline's error falls with at least the square of the distance of points.
+TEST(ResponseSurfaces, ComesNearerWithMorePoints) {
+  const auto f = [](double x, double y) { return std::sin(3.0 * x) * std::exp(-y); };
+  double before = 0.0;
+  for (const int side : {5, 10}) {
+    const Eigen::MatrixXd points = scattered_points(side);
+    Eigen::VectorXd values(points.cols());
+    for (Eigen::Index j = 0; j < points.cols(); ++j) values[j] = f(points(0, j), points(1, j));
+    const ResponseSurfaces surface(points, values);
+    double error = 0.0;
+    for (double x = 0.2; x < 0.75; x += 0.1)
+      for (double y = 0.2; y < 0.75; y += 0.1)
+        error = std::max(error, std::abs(surface.at(Eigen::Vector2d(x, y))[0] - f(x, y)));
+    if (side == 10) {
+      EXPECT_LT(error, before / 4.0);
+    }
+    before = error;
+  }
+}
+
+// Noise about a plane is not followed: between points the surface stays nearer to the plane than the points do.
+TEST(ResponseSurfaces, SmoothsNoise) {
+  const Eigen::MatrixXd points = scattered_points(7);
+  Eigen::VectorXd values(points.cols());
+  double noise = 0.0;
+  for (Eigen::Index j = 0; j < points.cols(); ++j) {
+    const double e = std::sin(12345.678 * static_cast<double>(j * j + 1));
+    noise += e * e / static_cast<double>(points.cols());
+    values[j] = 4.0 * points(0, j) + e;
+  }
+  const ResponseSurfaces surface(points, values);
+  double error = 0.0;
+  int places = 0;
+  for (double x = 0.1; x < 0.85; x += 0.1, ++places)
+    error += std::pow(surface.at(Eigen::Vector2d(x, 0.45))[0] - 4.0 * x, 2);
+  EXPECT_LT(error / places, 0.25 * noise);
+}
+
+TEST(ResponseSurfaces, OfOnePointIsItsValue) {
+  const ResponseSurfaces surface(Eigen::MatrixXd::Constant(3, 1, 0.5), Eigen::VectorXd::Constant(1, 7.0));
+  EXPECT_DOUBLE_EQ(surface.at(Eigen::Vector3d(0.1, 0.2, 0.9))[0], 7.0);
+}
+
+// Ten parameters; each of eight numbers feels three of them, bends, and is wanted within bounds.
+constexpr std::size_t kManyParameters = 10, kManyNumbers = 8;
+Shares bent_middle() { return Shares(kManyParameters, 0.5); }
+double bent_number(std::size_t k, const Shares& u) {
+  return std::sin(2.0 * u[k]) + u[k + 1] * u[k + 1] - u[(k + 5) % kManyParameters];
+}
+double bent_part(std::size_t k, double y) {  // met at a hidden set
+  static const Shares kHidden = {0.3, 0.7, 0.2, 0.6, 0.45, 0.8, 0.35, 0.25, 0.65, 0.55};
+  const double off = (y - bent_number(k, kHidden)) / 0.1;
+  return std::min(9.0, off * off);
+}
+double bent_misfit(const Shares& u) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < kManyNumbers; ++k) sum += bent_part(k, bent_number(k, u));
+  return sum;
+}
+
+SurrogateQuestions questions_of(std::map<Shares, bool>* known) {
+  SurrogateQuestions questions;
+  for (std::size_t k = 0; k < kManyNumbers; ++k) questions.moved_by.push_back({k, k + 1, (k + 5) % kManyParameters});
+  questions.part = bent_part;
+  questions.may_go_on = [](const Shares&) { return true; };
+  questions.numbers = [known](const Shares& u) -> std::optional<std::vector<double>> {
+    if (known && !known->count(u)) return {};
+    std::vector<double> all;
+    for (std::size_t k = 0; k < kManyNumbers; ++k) all.push_back(bent_number(k, u));
+    return all;
+  };
+  return questions;
+}
+
+StageWay surrogate_way(const SurrogateQuestions& questions, int evaluations) {
+  SurrogateSearch search(stage_of(SearchMethod::kSurrogate, evaluations), bent_middle(), questions);
+  return search.go();
+}
+
+TEST(SurrogateSearch, IsBetterThanSimplicesInAsManySets) {
+  const StageWay way = surrogate_way(questions_of(nullptr), 40);
+  SearchQuestions blind;
+  blind.may_go_on = [](const Shares&) { return true; };
+  blind.misfit = bent_misfit;
+  const StageWay simplices = walk(stage_of(SearchMethod::kSbplx, 40), bent_middle(), blind, 1);
+  EXPECT_EQ(way.sets.size(), 40u);
+  EXPECT_DOUBLE_EQ(way.misfit, bent_misfit(way.best));
+  EXPECT_LT(way.misfit, 0.2 * simplices.misfit) << simplices.misfit;
+  for (const Shares& u : way.sets)
+    for (const double share : u) EXPECT_TRUE(share >= 0.0 && share <= 1.0);
+}
+
+TEST(SurrogateSearch, GoesTheSameWayHoweverOftenItBegins) {
+  const StageWay straight = surrogate_way(questions_of(nullptr), 30);
+  std::map<Shares, bool> known;
+  StageWay way;
+  for (int round = 0; round < 100; ++round) {  // as a calibration that is killed after every set
+    way = surrogate_way(questions_of(&known), 30);
+    if (way.wanted.empty()) break;
+    ASSERT_EQ(way.wanted.size(), 1u);
+    known[way.wanted.front()] = true;
+  }
+  EXPECT_EQ(way.sets, straight.sets);
+  EXPECT_EQ(way.best, straight.best);
+  EXPECT_EQ(way.end, "all evaluations done");
+}
+
+TEST(SurrogateSearch, UsesWhatIsKnownAndDoesNotAskForItAgain) {
+  SurrogateQuestions questions = questions_of(nullptr);
+  questions.earlier = surrogate_way(questions, 30).sets;
+  const StageWay way = surrogate_way(questions, 10);
+  for (std::size_t k = 1; k < way.sets.size(); ++k)
+    EXPECT_EQ(std::count(questions.earlier.begin(), questions.earlier.end(), way.sets[k]), 0);
+  EXPECT_LT(way.misfit, 0.5 * bent_misfit(bent_middle()));
+}
+
+TEST(SurrogateSearch, GoesAroundSetsWhoseRunsFail) {
+  SurrogateQuestions questions = questions_of(nullptr);
+  const auto all = questions.numbers;
+  questions.numbers = [all](const Shares& u) { return u[0] > 0.6 ? std::vector<double>() : all(u); };
+  const StageWay way = surrogate_way(questions, 40);
+  EXPECT_LE(way.best[0], 0.6);
+  EXPECT_LT(way.misfit, bent_misfit(bent_middle()));
+}
+
+TEST(SurrogateSearch, KeepsConstraints) {
+  SurrogateQuestions questions = questions_of(nullptr);
+  questions.allowed = [](const Shares& u) { return u[0] + u[1] <= 1.0; };
+  const StageWay way = surrogate_way(questions, 40);
+  for (std::size_t k = 1 + bent_middle().size() + 1; k < way.sets.size(); ++k)  // behind the hypercube
+    EXPECT_LE(way.sets[k][0] + way.sets[k][1], 1.0);
+}
+
+TEST(SurrogateSearch, EndsAtALimit) {
+  SurrogateQuestions questions = questions_of(nullptr);
+  int asked = 0;
+  questions.may_go_on = [&](const Shares&) { return ++asked <= 7; };
+  const StageWay way = surrogate_way(questions, 40);
+  EXPECT_EQ(way.sets.size(), 7u);
+  EXPECT_EQ(way.end, "limit reached");
+}
+
+// How far targets determine parameters: mbd_solver/cli/calibrate/determination.h, on models that are formulas.
+
+using Model = std::function<std::vector<double>(const std::vector<double>&)>;  // parameters -> y of the targets
+
+CalibrationSpec spec_of(std::size_t parameters, const std::vector<double>& wanted, double tolerance) {
+  CalibrationSpec spec;
+  spec.step = 0.02;
+  for (std::size_t i = 0; i < parameters; ++i) {
+    SoughtParameter p;
+    p.name = "p" + std::to_string(i);
+    p.least = 1.0;
+    p.most = 10.0;
+    p.scale = i % 2 == 0 ? RangeScale::kLogarithmic : RangeScale::kLinear;
+    spec.parameters.push_back(p);
+  }
+  for (const double y : wanted) {
+    TargetSpec t;
+    t.value = y;
+    t.tolerance = tolerance;
+    spec.targets.push_back(t);
+  }
+  return spec;
+}
+
+Evaluation evaluated(const CalibrationSpec& spec, const Model& model, const Shares& shares) {
+  std::vector<double> p;
+  for (std::size_t i = 0; i < shares.size(); ++i) p.push_back(spec.parameters[i].value(shares[i]));
+  const std::vector<double> y = model(p);
+  Evaluation e;
+  e.shares = shares;
+  for (std::size_t t = 0; t < y.size(); ++t) {
+    TargetResult r;
+    r.values = {y[t]};
+    r.spread = {0.0};
+    r.residuals = {residual_of(spec.targets[t], y[t])};
+    e.targets.push_back(r);
+    e.misfit += r.misfit(spec.targets[t]);
+  }
+  return e;
+}
+
+Determination determined(const CalibrationSpec& spec, const Model& model, const Shares& best) {
+  std::vector<Evaluation> sets;
+  for (const Shares& set : difference_sets(spec, best)) sets.push_back(evaluated(spec, model, set));
+  std::vector<const Evaluation*> around;
+  for (const Evaluation& e : sets) around.push_back(&e);
+  return determination_of(spec, evaluated(spec, model, best), around);
+}
+
+Shares least_misfit(const CalibrationSpec& spec, const Model& model) {
+  LeastSquaresQuestions squares;
+  squares.may_go_on = [](const Shares&) { return true; };
+  squares.residuals = [&](const Shares& u) { return evaluated(spec, model, u).residuals(spec); };
+  StageSpec stage;
+  stage.method = SearchMethod::kGaussNewton;
+  stage.evaluations = 500;
+  return walk_least_squares(stage, Shares(spec.parameters.size(), 0.5), spec.step, squares).best;
+}
+
+// Force of gas and damper over time, roughly: not linear in its parameters.
+std::vector<double> decay(const std::vector<double>& p) {
+  std::vector<double> y;
+  for (int k = 0; k < 20; ++k) y.push_back(p[0] * std::exp(-0.02 * p[1] * k) + 0.3 * p[2] * k);
+  return y;
+}
+
+// How often each interval holds what was hidden, of 400 repetitions with noise of `noise` tolerances.
+std::vector<int> hits(double noise) {
+  constexpr double kTolerance = 0.1;
+  std::mt19937 random(20231);
+  std::normal_distribution<double> normal(0.0, noise * kTolerance);
+  std::uniform_real_distribution<double> anywhere(2.5, 8.0);
+  std::vector<int> count(3, 0);
+  for (int k = 0; k < 400; ++k) {
+    const std::vector<double> hidden = {anywhere(random), anywhere(random), anywhere(random)};
+    std::vector<double> measured = decay(hidden);
+    for (double& y : measured) y += normal(random);
+    const CalibrationSpec spec = spec_of(3, measured, kTolerance);
+    const Determination d = determined(spec, decay, least_misfit(spec, decay));
+    for (std::size_t i = 0; i < 3; ++i)
+      count[i] += hidden[i] >= d.intervals[i].least && hidden[i] <= d.intervals[i].most;
+  }
+  return count;
+}
+
+// 380 of 400 expected, four standard deviations of that count are 17.
+TEST(Determination, IntervalsHoldTheHiddenNumbersAsOftenAsTheySay) {
+  for (const int count : hits(1.0)) {
+    EXPECT_GE(count, 363);
+    EXPECT_LE(count, 398);  // wider than asked, a little, where s2 is cut at 1
+  }
+}
+
+TEST(Determination, IntervalsWidenWhereTheToleranceWasTooSmall) {
+  for (const int count : hits(3.0)) EXPECT_GE(count, 363);
+}
+
+// y = A p: the interval is q sqrt((A' A)^-1) tolerance.
+TEST(Determination, OfALinearModelIsExact) {
+  const auto line = [](const std::vector<double>& p) {
+    return std::vector<double>{2.0 * p[1], 0.5 * p[1] + 3.0 * std::log(p[0]), 4.0 * p[1] - std::log(p[0])};
+  };
+  const CalibrationSpec spec = spec_of(2, line({3.0, 4.0}), 0.05);
+  const Shares best = {spec.parameters[0].share(3.0), spec.parameters[1].share(4.0)};
+  const Determination d = determined(spec, line, best);
+  Eigen::Matrix<double, 3, 2> a;
+  a << 0.0, 2.0, 3.0, 0.5, -1.0, 4.0;
+  const Eigen::Matrix2d c = (a.transpose() * a).inverse() * 0.05 * 0.05;
+  EXPECT_NEAR(d.intervals[0].most, 3.0 * std::exp(1.959964 * std::sqrt(c(0, 0))), 1e-5);
+  EXPECT_NEAR(d.intervals[1].least, 4.0 - 1.959964 * std::sqrt(c(1, 1)), 1e-5);
+  EXPECT_NEAR(d.correlation(0, 1), c(0, 1) / std::sqrt(c(0, 0) * c(1, 1)), 1e-5);
+  EXPECT_NEAR(d.gain, 0.0, 1e-12);
+  EXPECT_TRUE(d.loose.empty());
+  EXPECT_EQ(d.intervals[0].is_determined(), "yes");
+}
+
+TEST(Determination, TellsWhatNothingHolds) {
+  const auto product = [](const std::vector<double>& p) {
+    return std::vector<double>{std::log(p[0]) + std::log(p[2])};
+  };
+  CalibrationSpec spec = spec_of(3, {2.5}, 0.01);
+  const Determination d = determined(spec, product, least_misfit(spec, product));
+  ASSERT_EQ(d.loose.size(), 2u);  // p1, and p0 against p2
+  for (const Interval& interval : d.intervals) EXPECT_EQ(interval.is_determined(), "no");
+  EXPECT_NEAR(d.correlation(0, 2), -1.0, 1e-3);
+}
+
+TEST(Determination, SaysWhenTheSearchHasNotEnded) {
+  const CalibrationSpec spec = spec_of(3, decay({4.0, 4.0, 4.0}), 0.1);
+  const Shares best = {spec.parameters[0].share(4.0), spec.parameters[1].share(4.0) + 0.01,
+                       spec.parameters[2].share(4.0)};
+  const Determination d = determined(spec, decay, best);
+  EXPECT_NEAR(d.gain / evaluated(spec, decay, best).misfit, 1.0, 0.05);  // nearly linear over so small a step
+}
+
+// Two targets of one parameter that cannot both be met: p = 3 and p = 5.
+TEST(Pulls, NameWhatMeetingATargetCosts) {
+  const auto twice = [](const std::vector<double>& p) { return std::vector<double>{p[1], p[1]}; };
+  CalibrationSpec spec = spec_of(2, {3.0, 5.0}, 0.5);
+  const Shares best = {0.5, spec.parameters[1].share(4.0)};
+  std::vector<Evaluation> sets;
+  for (const Shares& set : difference_sets(spec, best)) sets.push_back(evaluated(spec, twice, set));
+  std::vector<const Evaluation*> around;
+  for (const Evaluation& e : sets) around.push_back(&e);
+  const std::vector<Pull> pulls = pulls_of(spec, evaluated(spec, twice, best), around);
+  ASSERT_EQ(pulls.size(), 2u);
+  EXPECT_NEAR(pulls[0].step[1], -1.0 / 9.0, 1e-9);  // of the range 1 to 10
+  ASSERT_EQ(pulls[0].costs.size(), 1u);
+  EXPECT_EQ(pulls[0].costs[0].first, 1u);
+  EXPECT_NEAR(pulls[0].costs[0].second, 2.0, 1e-9);  // tolerances
+}
+
+// The set next to one that was run whole: mbd_solver/cli/calibrate/adjustment.h.
+
+// Two parameters with a range of 1; target 0 feels the first, target 1 both, target 2 the second.
+struct WholeRun {
+  CalibrationSpec spec;
+  Evaluation whole;
+  Eigen::MatrixXd sensitivity = Eigen::MatrixXd::Zero(3, 2);
+
+  WholeRun() {
+    spec.parameters.resize(2);
+    spec.step = 0.3;
+    for (SoughtParameter& p : spec.parameters) p.most = 1.0;
+    spec.targets.resize(3);
+    for (TargetSpec& target : spec.targets) target.least = 0.0, target.most = 4.0, target.tolerance = 1.0;
+    whole.shares = {0.5, 0.5};
+    sensitivity.row(0) << 10.0, 0.0;
+    sensitivity.row(1) << 2.0, -4.0;
+    sensitivity.row(2) << 0.0, 20.0;
+  }
+  void says(const std::vector<double>& values) {
+    whole.targets.resize(values.size());
+    for (std::size_t t = 0; t < values.size(); ++t) whole.targets[t].values = {values[t]};
+  }
+};
+
+TEST(Adjusted, StaysWhereAllIsMetWithinTheBounds) {
+  WholeRun run;
+  run.says({2.0, 1.0, 3.0});
+  EXPECT_EQ(adjusted(run.spec, run.whole, run.sensitivity), run.whole.shares);
+}
+
+TEST(Adjusted, GoesWithinTheBoundsOfWhatWasLostAndKeepsTheRest) {
+  WholeRun run;
+  run.says({-1.0, 1.0, 3.0});
+  const Shares u = adjusted(run.spec, run.whole, run.sensitivity);
+  const double a = u[0] - 0.5, b = u[1] - 0.5;
+  for (const double y : {-1.0 + 10.0 * a, 1.0 + 2.0 * a - 4.0 * b, 3.0 + 20.0 * b})
+    EXPECT_TRUE(y > 0.3 && y < 3.7) << y;
+  EXPECT_NEAR(u[0], 0.65, 0.03);  // half a tolerance within the bound
+  EXPECT_NEAR(u[1], 0.5, 0.02);
+}
+
+TEST(Adjusted, TakesNoLongWayForWhatIsOutOfReach) {
+  WholeRun run;
+  run.spec.cap = 3.0;
+  run.says({2.0, 1.0, 300.0});
+  EXPECT_EQ(adjusted(run.spec, run.whole, run.sensitivity), run.whole.shares);
+}
+
+TEST(Adjusted, GoesNoFurtherThanTheDifferencesReach) {
+  WholeRun run;
+  run.spec.step = 0.05;
+  run.says({-3.0, 1.0, 3.0});
+  EXPECT_NEAR(adjusted(run.spec, run.whole, run.sensitivity)[0], 0.55, 1e-12);
+}
+
+TEST(Adjusted, KeepsConstraintsAndRanges) {
+  WholeRun run;
+  run.spec.parameters[0].name = "a";
+  run.spec.constraints.resize(1);
+  run.spec.constraints[0].formula = "a";
+  run.spec.constraints[0].most = 0.55;
+  run.says({-1.0, 1.0, 3.0});
+  const Shares u = adjusted(run.spec, run.whole, run.sensitivity);
+  EXPECT_LE(u[0], 0.55);
+  EXPECT_GT(u[0], 0.5);
+}
+
+// Which targets come together: mbd_solver/cli/calibrate/together.h.
+
+// Sets that meet these targets, of `targets` targets with weight 1.
+struct SetsThatMeet {
+  CalibrationSpec spec;
+  std::vector<Evaluation> evaluations;
+  std::vector<const Evaluation*> all;
+
+  SetsThatMeet(std::size_t targets, const std::vector<std::vector<std::size_t>>& sets) {
+    spec.targets.resize(targets);
+    for (const std::vector<std::size_t>& met : sets) {
+      Evaluation e;
+      e.targets.resize(targets);
+      for (TargetResult& target : e.targets) target.residuals = {5.0};
+      for (const std::size_t t : met) e.targets[t].residuals = {0.0};
+      e.misfit = 25.0 * static_cast<double>(targets - met.size());
+      evaluations.push_back(e);
+    }
+    for (const Evaluation& e : evaluations) all.push_back(&e);
+  }
+};
+
+std::vector<std::size_t> first_targets(std::size_t count) {
+  std::vector<std::size_t> targets(count);
+  std::iota(targets.begin(), targets.end(), 0);
+  return targets;
+}
+
+TEST(Together, NamesWhatNoSetMeetsAndPairsThatNoneMeetsTogether) {
+  const SetsThatMeet s(4, {{0, 1}, {1, 2}});
+  const Apart found = apart(s.spec, s.all);
+  EXPECT_EQ(found.never, std::vector<std::size_t>{3});
+  ASSERT_EQ(found.pairs.size(), 1u);
+  EXPECT_EQ(found.pairs[0].a, 0u);
+  EXPECT_EQ(found.pairs[0].b, 2u);
+  EXPECT_EQ(most_without_a_pair(found, first_targets(4)), 2u);
+}
+
+TEST(Together, AtMostTheLargestChoiceWithoutAPair) {
+  Apart ring;  // of five: two; the sixth goes with all, the seventh was never met
+  for (std::size_t k = 0; k < 5; ++k) ring.pairs.push_back({k, (k + 1) % 5, 1, 1});
+  ring.never = {6};
+  EXPECT_EQ(most_without_a_pair(ring, first_targets(7)), 3u);
+  Apart star;  // the middle of a star of four against its ends
+  for (std::size_t k = 1; k < 5; ++k) star.pairs.push_back({0, k, 1, 1});
+  EXPECT_EQ(most_without_a_pair(star, first_targets(5)), 4u);
+  Apart middle;  // one against two
+  for (std::size_t k = 1; k < 3; ++k) middle.pairs.push_back({0, k, 1, 1});
+  EXPECT_EQ(most_without_a_pair(middle, first_targets(3)), 2u);
+  EXPECT_EQ(most_without_a_pair(Apart{}, first_targets(5)), 5u);
+  Apart many;  // pairs of their own: one of each, and no search through all choices
+  for (std::size_t k = 0; k < 60; ++k) many.pairs.push_back({2 * k, 2 * k + 1, 1, 1});
+  EXPECT_EQ(most_without_a_pair(many, first_targets(120)), 60u);
+}
+
+TEST(Together, MostAreCountedByWeight) {
+  SetsThatMeet s(4, {{0, 1}, {2, 3, 0}});
+  s.spec.targets[2].weight = s.spec.targets[3].weight = 0.25;
+  EXPECT_EQ(most_met(s.spec, s.all), s.all[0]);
+  EXPECT_EQ(weightiest(s.spec), first_targets(2));
+  EXPECT_EQ(met_of(*s.all[1], weightiest(s.spec)), 1);
+  s.spec.targets[3].weight = 1.0;
+  EXPECT_EQ(most_met(s.spec, s.all), s.all[1]);
+}
+
+// mbd_solver/cli/calibrate/run_ledger.h: what runs said comes back to the last bit, and only as an answer to the same question; damage is named.
+
+class LedgerOfRuns : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    spec.scenes.resize(2);
+    spec.scenes[0].name = "one", spec.scenes[1].name = "two";
+    spec.figures.resize(2);
+    spec.figures[0].name = "depth", spec.figures[0].key = "max_penetration_m";
+    spec.figures[1].name = "angle", spec.figures[1].slope = {-0.2, -0.1};
+    spec.targets.resize(2);
+    spec.targets[0].figure = "depth", spec.targets[0].scene = "one", spec.targets[0].against = "two";
+    spec.targets[1].figure = "angle", spec.targets[1].scene = "two";
+  }
+  void TearDown() override { std::filesystem::remove(file); }
+
+  RunLedger::Entry entry(const std::string& run, double depth, double angle) const {
+    RunLedger::Entry e;
+    e.run = run, e.wall = 1.5, e.cpu = 0.1 + 0.2;
+    e.numbers.figures = {depth, angle};
+    e.numbers.curves.resize(2);
+    return e;
+  }
+  void write_two() const {
+    RunLedger ledger(spec, file);
+    ledger.note("one", "recipe1", entry("one_1", 1.0 / 3.0, std::nan("")));
+    ledger.note("two", "recipe2", entry("two_2", 2.0 / 3.0, M_PI));
+    ledger.write();
+  }
+
+  CalibrationSpec spec;
+  std::string file =
+      (std::filesystem::temp_directory_path() / ("footfall_ledger_" + std::to_string(::getpid()))).string();
+};
+
+TEST_F(LedgerOfRuns, ComesBackToTheLastBit) {
+  write_two();
+  const RunLedger ledger(spec, file);
+  const RunLedger::Entry* one = ledger.find("one", "recipe1");
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->run, "one_1");
+  EXPECT_EQ(one->numbers.figures[0], 1.0 / 3.0);
+  EXPECT_TRUE(std::isnan(one->numbers.figures[1])) << "not asked";
+  EXPECT_EQ(one->cpu, 0.1 + 0.2);
+  ASSERT_TRUE(ledger.find("two", "recipe2"));
+  EXPECT_EQ(ledger.find("two", "recipe2")->numbers.figures[1], M_PI);
+  EXPECT_FALSE(ledger.find("one", "recipe2")) << "of another scene";
+  EXPECT_FALSE(ledger.find("one", "")) << "a scene that cannot be read";
+}
+
+TEST_F(LedgerOfRuns, AnswersTheSameQuestionOnlyAndKeepsTheOthers) {
+  write_two();
+  CalibrationSpec other = spec;
+  other.figures[1].slope = {-0.3, -0.1};
+  {
+    RunLedger ledger(other, file);
+    EXPECT_TRUE(ledger.find("one", "recipe1")) << "is not asked for the angle";
+    EXPECT_FALSE(ledger.find("two", "recipe2"));
+    ledger.note("two", "recipe2", entry("two_2", 0.5, 2.0));
+    ledger.write();
+  }
+  EXPECT_EQ(RunLedger(other, file).find("two", "recipe2")->numbers.figures[1], 2.0);
+  EXPECT_EQ(RunLedger(spec, file).find("two", "recipe2")->numbers.figures[1], M_PI);
+}
+
+TEST_F(LedgerOfRuns, CutAnywhereLosesTheLastLineAlone) {
+  write_two();
+  const std::string text = *read_whole_file(file);
+  const std::size_t first = text.find('\n');
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    std::ofstream(file) << text.substr(0, length);
+    const RunLedger ledger(spec, file);
+    EXPECT_EQ(ledger.find("one", "recipe1") != nullptr, length >= first) << length;
+    EXPECT_EQ(ledger.find("two", "recipe2") != nullptr, length >= text.size() - 1) << length;
+  }
+}
+
+TEST_F(LedgerOfRuns, DamageIsNamedByItsLine) {
+  write_two();
+  const std::string text = *read_whole_file(file);
+  std::mt19937 random(7);
+  int named = 0;
+  for (int k = 0; k < 2000; ++k) {
+    std::string damaged = text;
+    for (int n = 0; n < 3; ++n) damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+    std::ofstream(file) << damaged;
+    try {
+      const RunLedger ledger(spec, file);
+    } catch (const InputError& error) {
+      ++named;
+      EXPECT_NE(std::string(error.what()).find(file + ":"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GT(named, 500);
+}
+
+}  // namespace
+}  // namespace footfall
