@@ -1,4 +1,5 @@
-// Controllers of the scene and the struts they drive.
+// Controllers of the scene with the struts that they drive, and its signals: blocks, their places among the inputs of a run,
+// and what the continuous ones measure.
 
 #include <algorithm>
 #include <optional>

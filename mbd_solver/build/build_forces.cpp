@@ -1,4 +1,4 @@
-// Struts, springs and forces of the scene. Their parameters are those of the laws; what depends on the strut is added here.
+// Struts, springs, forces and contacts of the scene. Parameters are those of the laws; what depends on the strut is added.
 
 #include <algorithm>
 #include <cmath>

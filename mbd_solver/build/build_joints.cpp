@@ -1,4 +1,4 @@
-// Joints of the scene, drawn in D, as markers on the bodies.
+// Joints of the scene as markers on the bodies; the laws and drives on their coordinates; gears.
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Centres of the spheres of each shape; volume and inertia of their union in closed form.
+// A bed by numbers: time steps of grains, clumps of spheres in closed form, and the variables of the scripts of inputs/box.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Struts, springs, forces and controllers.
+// The checks of struts, springs, forces, controllers, signals and drives.
 
 #include <cmath>
 
@@ -187,7 +187,6 @@ void check_controllers(const Scene& scene, Findings& findings) {
 }
 
 // Boundaries, contacts, ground and particles.
-using namespace code;
 
 namespace {
 
@@ -345,7 +344,6 @@ void check_contact(const Scene& scene, Findings& findings) {
 }
 
 // Signals, states and events.
-using namespace code;
 namespace {
 
 // "signal.pitch" with the prefix "signal.": "pitch".

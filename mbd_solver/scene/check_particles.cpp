@@ -1,5 +1,5 @@
-// The LIGGGHTS script as text. LIGGGHTS decides in the end; these checks find in milliseconds what would end a run later,
-// and what neither program can know by itself.
+// The checks of the LIGGGHTS script and of [particles.box]. LIGGGHTS decides in the end; these checks find in milliseconds
+// what would end a run later, and what neither program can know by itself.
 
 #include <algorithm>
 #include <cmath>
@@ -234,7 +234,6 @@ void check_script(const Scene& scene, Findings& findings) {
 }
 
 // Lines of the LIGGGHTS script that couple: their words, and the bodies and meshes that they name.
-using namespace code;
 namespace {
 
 using Names = std::vector<std::string>;
@@ -436,7 +435,6 @@ void check_script_meshes(const ScriptText& script, const Scene& scene, Findings&
 }
 
 // What [particles.box] cannot be: values that LIGGGHTS refuses, sizes that do not suit the grains, too many grains.
-using namespace code;
 
 namespace {
 

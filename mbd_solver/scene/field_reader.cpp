@@ -1,4 +1,5 @@
-// The table of units and suffixes.
+// From a tree of values to structs: units and suffixes, values of every type with their ranges, and the visitor that
+// remembers which keys were known, found and refused.
 
 #include <algorithm>
 #include <charconv>
@@ -104,7 +105,6 @@ std::string read_numbers(const ConfigNode& node, const ValueContext& c, std::siz
 }
 
 // Numbers, texts, lists, tables and choices of a scene file. Vectors and rotations: vector_reader.cpp.
-using namespace code;
 
 namespace {
 
@@ -260,7 +260,6 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, NumberOrWo
 }
 
 // Vectors, directions, rotations and inertia tensors of a scene file.
-using namespace code;
 
 namespace {
 
@@ -370,7 +369,6 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, Eigen::Mat
 }
 
 // The visitor that fills structs from a tree of values and remembers which keys were known, found and refused.
-using namespace code;
 
 namespace {
 

@@ -151,10 +151,8 @@ class FieldVisitor {
 };
 
 void visit_fields(FieldVisitor& v, Scene& scene);
-void visit_fields(FieldVisitor& v, MaterialSpec& material);
 void visit_fields(FieldVisitor& v, BodySpec& body);
 void visit_fields(FieldVisitor& v, JointSpec& joint);
-void visit_fields(FieldVisitor& v, TimeFunctionSpec& function, Unit unit);
 void visit_fields(FieldVisitor& v, StrutSpec& strut);
 void visit_fields(FieldVisitor& v, SpringSpec& spring);
 void visit_fields(FieldVisitor& v, ForceSpec& force);
@@ -162,17 +160,7 @@ void visit_fields(FieldVisitor& v, DriveSpec& drive);
 void visit_fields(FieldVisitor& v, GearSpec& gear);
 void visit_fields(FieldVisitor& v, BoundarySpec& boundary);
 void visit_fields(FieldVisitor& v, ContactSpec& contact);
-void visit_fields(FieldVisitor& v, GroundSpec& ground);
-void visit_fields(FieldVisitor& v, ParticlesSpec& particles);
-void visit_fields(FieldVisitor& v, ControllerSpec& controller);
-void visit_fields(FieldVisitor& v, SignalSpec& signal);
-void visit_fields(FieldVisitor& v, StateSpec& state);
-void visit_fields(FieldVisitor& v, EventSpec& event);
-void visit_fields(FieldVisitor& v, InitialSpec& initial);
 void visit_fields(FieldVisitor& v, BodyVelocitySpec& velocity);
-void visit_fields(FieldVisitor& v, SolverSpec& solver);
-void visit_fields(FieldVisitor& v, CouplingSpec& coupling);
-void visit_fields(FieldVisitor& v, OutputSpec& output);
 
 inline void FieldVisitor::choice(const std::string& key, std::string& value, const std::vector<std::string>& words,
                                  const Rule& rule) {

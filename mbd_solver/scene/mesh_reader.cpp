@@ -1,5 +1,5 @@
 // STL, OBJ and PLY by the library assimp, which only this file uses. Size and head of a file are checked first, because the
-// library reserves what a damaged head promises; it reads in a process of its own (read_apart.h).
+// library reserves what a damaged head promises; it reads in a process of its own (read_apart).
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -192,7 +192,6 @@ TriangleMesh read_mesh(const std::string& file, double scale) {
 }
 
 // A fork with limits of time and memory; the result comes back through a file in memory.
-using namespace code;
 
 namespace {
 

@@ -1,4 +1,4 @@
-// Lines to commands: joins and comments, quotes, plain variables, includes and branches.
+// A LIGGGHTS script as text: commands, variables, includes and branches; and its meshes as surfaces of boundaries.
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-// The order in which a scene is completed, with its paths and points of joints.
+// A scene is completed in this order: arrays, paths, points of joints, segments, meshes of the script, masses, bed.
 
 #include <algorithm>
 #include <cmath>
@@ -419,7 +419,6 @@ void apply_arrays(Scene& scene, Findings& findings) {
 
 // flexible.segments = N: a tube or rod as N bodies in a row with fixed joints. Each bends little in its own frame, so that
 // the frames describe what linear modes in one floating frame omit: stiffening by tension, and large bending. theory 1.4.
-using namespace code;
 
 namespace {
 

@@ -1,4 +1,4 @@
-// The checks of bodies, what all checks share, and the look-ups of a checked scene.
+// The checks of bodies, joints, gears, contacts and limits; what all checks share; the look-ups of a checked scene.
 
 #include <algorithm>
 #include <cmath>
@@ -201,7 +201,6 @@ void check_scene(const Scene& scene, Findings& findings) {
 }
 
 // Sizes and counts that would need memory or time beyond reason: mostly mistakes in a unit, reported before they cost it.
-using namespace code;
 
 namespace {
 
@@ -290,7 +289,6 @@ void check_limits(const Scene& scene, Findings& findings) {
 }
 
 // Joints: two bodies, the points and axes that their type needs, no gap, and motions that can be followed.
-using namespace code;
 
 namespace {
 
@@ -490,7 +488,6 @@ void check_joints(const Scene& scene, Findings& findings) {
 }
 
 // Gears: joints that exist and have the coordinate, a factor for each, and the curve of a cam.
-using namespace code;
 
 namespace {
 
@@ -580,7 +577,6 @@ void check_gears(const Scene& scene, Findings& findings) {
 }
 
 // What acts on the coordinates of joints: stops, friction, springs, drives; and where the coordinates start.
-using namespace code;
 
 namespace {
 

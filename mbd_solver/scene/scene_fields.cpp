@@ -1,10 +1,14 @@
-// The top-level keys of a scene.
+// The keys of every part of a scene: name, member, unit, range and meaning, each once.
 
 #include "mbd_solver/scene/field_visitor.h"
 
 namespace footfall {
 
 using namespace rule;
+
+static void visit_fields(FieldVisitor& v, TimeFunctionSpec& f, Unit unit);
+
+// ---- the scene ----
 
 static void visit_fields(FieldVisitor& v, ArraySpec& a) {
   v.field("", &a.source, {});
@@ -44,9 +48,8 @@ void visit_fields(FieldVisitor& v, Scene& s) {
 }
 
 // The keys of materials and bodies.
-using namespace rule;
 
-void visit_fields(FieldVisitor& v, MaterialSpec& m) {
+static void visit_fields(FieldVisitor& v, MaterialSpec& m) {
   v.field("", &m.source, {});
   v.field("density", &m.density, required(positive(Unit::kDensity)));
   v.field("young", &m.young, positive(Unit::kPressure));
@@ -118,9 +121,8 @@ void visit_fields(FieldVisitor& v, BodySpec& b) {
 }
 
 // The keys of joints, prescribed motions, gears and drives.
-using namespace rule;
 
-void visit_fields(FieldVisitor& v, TimeFunctionSpec& f, Unit unit) {
+static void visit_fields(FieldVisitor& v, TimeFunctionSpec& f, Unit unit) {
   v.fields({unit}, {{"polynomial", &f.polynomial}, {"amplitude", &f.amplitude}});
   v.field("frequency", &f.frequency, not_negative(Unit::kFrequency));
   v.field("phase", &f.phase, {Unit::kAngle});
@@ -198,7 +200,6 @@ void visit_fields(FieldVisitor& v, DriveSpec& d) {
 }
 
 // The keys of struts, springs and forces. The members of laws are those of mbd_solver/model/laws.
-using namespace rule;
 
 static void visit_fields(FieldVisitor& v, GasSpringParameters& g) {
   v.field("piston_diameter", &g.piston_diameter, required(positive(Unit::kLength)));
@@ -297,7 +298,6 @@ void visit_fields(FieldVisitor& v, ForceSpec& f) {
 }
 
 // The keys of boundaries, contacts, ground and particles.
-using namespace rule;
 
 static void visit_fields(FieldVisitor& v, SurfaceSpec& s) {
   v.field("element_size", &s.element_size, positive(Unit::kLength));
@@ -355,7 +355,7 @@ void visit_fields(FieldVisitor& v, ContactSpec& c) {
   visit_law(v, c);
 }
 
-void visit_fields(FieldVisitor& v, GroundSpec& g) {
+static void visit_fields(FieldVisitor& v, GroundSpec& g) {
   v.field("", &g.source, {});
   v.choice("kind", g.kind);
   v.section("plane", g.plane);
@@ -405,7 +405,7 @@ static void visit_fields(FieldVisitor& v, BoxSpec& b) {
   v.section("bodies", b.bodies);
 }
 
-void visit_fields(FieldVisitor& v, ParticlesSpec& p) {
+static void visit_fields(FieldVisitor& v, ParticlesSpec& p) {
   v.field("", &p.source, {});
   v.field("script", &p.script, path);
   v.field("variables", &p.variables, plain);
@@ -419,9 +419,8 @@ void visit_fields(FieldVisitor& v, ParticlesSpec& p) {
 }
 
 // The keys of signals, states and events.
-using namespace rule;
 
-void visit_fields(FieldVisitor& v, SignalSpec& s) {
+static void visit_fields(FieldVisitor& v, SignalSpec& s) {
   v.entry(s.source, s.name);
   v.choice("kind", s.kind, required());
   v.field("input", &s.input, plain);
@@ -440,9 +439,9 @@ void visit_fields(FieldVisitor& v, SignalSpec& s) {
   v.fields(plain, {{"inputs", &s.inputs}, {"output", &s.output}});
 }
 
-void visit_fields(FieldVisitor& v, StateSpec& s) { v.entry(s.source, s.name); }
+static void visit_fields(FieldVisitor& v, StateSpec& s) { v.entry(s.source, s.name); }
 
-void visit_fields(FieldVisitor& v, EventSpec& e) {
+static void visit_fields(FieldVisitor& v, EventSpec& e) {
   v.entry(e.source, e.name);
   v.field("from", &e.from, name);
   v.field("when", &e.when, required());
@@ -451,7 +450,6 @@ void visit_fields(FieldVisitor& v, EventSpec& e) {
 }
 
 // The keys of the initial state, controllers, solver, coupling and output.
-using namespace rule;
 
 void visit_fields(FieldVisitor& v, BodyVelocitySpec& b) {
   v.field("", &b.source, {});
@@ -468,7 +466,7 @@ static void visit_fields(FieldVisitor& v, InitialJointSpec& j) {
                              {"displacement_y", &j.displacement_y}});
 }
 
-void visit_fields(FieldVisitor& v, InitialSpec& i) {
+static void visit_fields(FieldVisitor& v, InitialSpec& i) {
   v.field("", &i.source, {});
   v.field("position", &i.position, {Unit::kLength});
   v.fields({Unit::kAngle}, {{"roll", &i.roll}, {"pitch", &i.pitch}, {"yaw", &i.yaw}});
@@ -481,7 +479,7 @@ void visit_fields(FieldVisitor& v, InitialSpec& i) {
   v.field("largest_gap", &i.largest_gap, positive(Unit::kLength));
 }
 
-void visit_fields(FieldVisitor& v, ControllerSpec& c) {
+static void visit_fields(FieldVisitor& v, ControllerSpec& c) {
   v.entry(c.source, c.name);
   v.choice("kind", c.kind, required());
   v.field("body", &c.body, required(name));
@@ -501,7 +499,7 @@ void visit_fields(FieldVisitor& v, ControllerSpec& c) {
   v.field("bias", &c.pid.bias, share);
 }
 
-void visit_fields(FieldVisitor& v, SolverSpec& s) {
+static void visit_fields(FieldVisitor& v, SolverSpec& s) {
   v.field("", &s.source, {});
   v.choice("integrator", s.integrator);
   v.choice("method", s.method);
@@ -512,7 +510,7 @@ void visit_fields(FieldVisitor& v, SolverSpec& s) {
   v.fields(positive(), {{"baumgarte_velocity", &s.baumgarte_velocity}, {"baumgarte_position", &s.baumgarte_position}});
 }
 
-void visit_fields(FieldVisitor& v, CouplingSpec& c) {
+static void visit_fields(FieldVisitor& v, CouplingSpec& c) {
   v.field("", &c.source, {});
   v.choice("scheme", c.scheme, scheme_names());
   v.fields(positive(),
@@ -523,7 +521,7 @@ void visit_fields(FieldVisitor& v, CouplingSpec& c) {
   v.field("timeout", &c.timeout, positive(Unit::kTime));
 }
 
-void visit_fields(FieldVisitor& v, OutputSpec& o) {
+static void visit_fields(FieldVisitor& v, OutputSpec& o) {
   v.field("", &o.source, {});
   v.field("interval", &o.interval, positive(Unit::kTime));
   v.field("bodies", &o.bodies, name);

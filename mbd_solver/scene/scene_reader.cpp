@@ -1,4 +1,4 @@
-// Text -> ConfigNode by the library toml++, which only this file uses, and the steps from there to a checked scene.
+// The steps from a file to a checked scene: bases, --set, soil, short forms of initial joints.
 
 #include <toml++/toml.h>
 #include <algorithm>

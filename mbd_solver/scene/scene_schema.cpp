@@ -1,4 +1,4 @@
-// Walks through all kinds.
+// Visitors that write the JSON schema, the keys of each kind, and the values of a scene.
 
 #include <cmath>
 #include <type_traits>

@@ -1,4 +1,4 @@
-// Look-up and descriptions of nodes.
+// Text -> ConfigNode by the library toml++, which only this file uses; --set.
 
 #include <algorithm>
 #include <array>
