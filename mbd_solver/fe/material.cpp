@@ -26,7 +26,7 @@ void check(const Material& material) {
 
 namespace {
 
-void require_positive(double value, const char* what) {
+void require_positive_constant(double value, const char* what) {
   if (!(value > 0.0) || !std::isfinite(value))
     throw InputError(code::kParameterOutOfRange, std::string("beam section: ") + what + " is " + std::to_string(value) +
                                                      ", expected a positive number.");
@@ -51,8 +51,8 @@ BeamSection ring(double inner, double outer) {
 }  // namespace
 
 BeamSection tube_section(double outer_diameter, double wall) {
-  require_positive(outer_diameter, "outer diameter [m]");
-  require_positive(wall, "wall [m]");
+  require_positive_constant(outer_diameter, "outer diameter [m]");
+  require_positive_constant(wall, "wall [m]");
   if (2.0 * wall >= outer_diameter)
     throw InputError(code::kParameterOutOfRange, "beam section: wall is " + std::to_string(wall) +
                                                      " m, expected less than half the outer diameter of " +
@@ -62,7 +62,7 @@ BeamSection tube_section(double outer_diameter, double wall) {
 }
 
 BeamSection rod_section(double diameter) {
-  require_positive(diameter, "diameter [m]");
+  require_positive_constant(diameter, "diameter [m]");
   return ring(0.0, 0.5 * diameter);
 }
 
@@ -70,8 +70,8 @@ BeamSection rod_section(double diameter) {
 //   torque / (G g) = a b^3/3 (1 - 192 b/(pi^5 a) sum tanh(n pi a/(2b)) / n^5)
 //   tau_max / (G g) = b (1 - 8/pi^2 sum 1 / (n^2 cosh(n pi a/(2b))))   in the middle of the long side
 BeamSection rectangle_section(double width, double height) {
-  require_positive(width, "width [m]");
-  require_positive(height, "height [m]");
+  require_positive_constant(width, "width [m]");
+  require_positive_constant(height, "height [m]");
   BeamSection section;
   section.area = width * height;
   section.bending_y = width * std::pow(height, 3) / 12.0;
@@ -94,11 +94,11 @@ BeamSection rectangle_section(double width, double height) {
 }
 
 BeamSection general_section(double area, double bending_y, double bending_z, double torsion, double radius) {
-  require_positive(area, "area [m2]");
-  require_positive(bending_y, "second moment of area about y [m4]");
-  require_positive(bending_z, "second moment of area about z [m4]");
-  require_positive(torsion, "torsion constant [m4]");
-  require_positive(radius, "radius of the outer fibre [m]");
+  require_positive_constant(area, "area [m2]");
+  require_positive_constant(bending_y, "second moment of area about y [m4]");
+  require_positive_constant(bending_z, "second moment of area about z [m4]");
+  require_positive_constant(torsion, "torsion constant [m4]");
+  require_positive_constant(radius, "radius of the outer fibre [m]");
   BeamSection section;
   section.area = area;
   section.bending_y = bending_y;

@@ -22,7 +22,7 @@ constexpr double kRoundOff = 1e-12;  // of the largest modal mass: smaller off-d
 constexpr double kZeroSum = 1e-8;    // of the largest sum over two modes: smaller ones are round-off
 
 // A body without inertia about some axis has a singular mass matrix.
-void require_positive(double mass, const Matrix3d& inertia, const std::string& body) {
+void require_positive_mass(double mass, const Matrix3d& inertia, const std::string& body) {
   const std::string who = body.empty() ? "body" : "body \"" + body + "\"";
   if (!(mass > 0.0))
     throw InputError(code::kMassProperties,
@@ -47,7 +47,7 @@ ModalInertia::ModalInertia(double mass, const Matrix3d& inertia)
       Mff_(0, 0),
       K_(0),
       C_(0) {
-  require_positive(mass_, J0_, "");
+  require_positive_mass(mass_, J0_, "");
 }
 
 ModalInertia::ModalInertia(const ModalBody& body)
@@ -114,7 +114,7 @@ ModalInertia::ModalInertia(const ModalBody& body)
   by_a_ = ColumnGroups(pairs_);
   by_da_ = ColumnGroups(parts);
   const Vector3d c = S0_ / (mass_ > 0.0 ? mass_ : 1.0);
-  require_positive(mass_, J0_ + mass_ * skew(c) * skew(c), body.name);
+  require_positive_mass(mass_, J0_ + mass_ * skew(c) * skew(c), body.name);
 }
 
 Vector3d ModalInertia::to_principal(const Vector3d& x) const { return turned_ ? axes_.transpose() * x : x; }

@@ -77,12 +77,12 @@ void LinearFilter::advance(const BlockValues& u, double, Eigen::Ref<Eigen::Vecto
 
 namespace {
 
-struct Place {
+struct TablePlace {
   Eigen::Index cell;
   double share;  // of the point after the cell, in [0, 1]
 };
 
-Place place_of(const std::vector<double>& x, double u) {
+TablePlace table_place(const std::vector<double>& x, double u) {
   const auto next = std::upper_bound(x.begin() + 1, x.end() - 1, u);
   const auto cell = static_cast<std::size_t>(next - x.begin()) - 1;
   return {static_cast<Eigen::Index>(cell), std::clamp((u - x[cell]) / (x[cell + 1] - x[cell]), 0.0, 1.0)};
@@ -113,12 +113,12 @@ LookupTable::LookupTable(std::vector<double> x1, std::vector<double> x2, Eigen::
 }
 
 double LookupTable::value(const BlockValues& u, const BlockValues&) const {
-  const Place row = place_of(x1_, u[0]);
+  const TablePlace row = table_place(x1_, u[0]);
   const auto along = [&](Eigen::Index column) {
     return (1.0 - row.share) * y_(row.cell, column) + row.share * y_(row.cell + 1, column);
   };
   if (x2_.empty()) return along(0);
-  const Place column = place_of(x2_, u[1]);
+  const TablePlace column = table_place(x2_, u[1]);
   return (1.0 - column.share) * along(column.cell) + column.share * along(column.cell + 1);
 }
 
