@@ -52,11 +52,11 @@ void run(Link& link) {
   BodyMotion now;
   now.r.z() = kStart;
   Hello hello;
-  link.receive_patiently(hello);  // the script comes to its first fix of ours once the bed has settled
+  link.receive_without_limit(hello);  // the script comes to its first fix of ours once the bed has settled
   check_partner(link.partner(), hello.protocol, hello.footfall_version);
   link.send(Geometry{kFootfallVersion, {{plate(), now}}, ""});
   Start start;
-  link.receive_patiently(start);
+  link.receive_without_limit(start);
   const long steps = std::lround(kEnd / start.dt);
   link.send(Accept{std::string(kDefaultScheme), static_cast<double>(steps) * start.dt, start.n, 60.0});
   Motion motion;

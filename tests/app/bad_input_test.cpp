@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/cli/front_door.h"
-#include "mbd_solver/cli/subcommands.h"
+#include "mbd_solver/app/command_line.h"
 #include "tests/app/programs.h"
 
 namespace footfall {

@@ -23,5 +23,5 @@ if ! difference=$(diff <(echo "test" | sort - "$alone/told") "$alone/own"); then
   echo "commands that ./footfall builds footfall alone for (<), and those that footfall has itself (>), differ:"; echo "$difference"; failed=1
 fi
 rm -rf "$alone"
-grep -q 'docs/commands.md' "$readme" || { echo "$readme does not name docs/commands.md"; failed=1; }
+grep -q 'docs/reference/commands.md' "$readme" || { echo "$readme does not name docs/reference/commands.md"; failed=1; }
 exit $failed

@@ -13,5 +13,5 @@ restitution() {
 }
 pair=$(restitution pair) grain=$(restitution grain)
 echo "restitution: pair $pair, grain $grain; the script says 0.4"
-# Windows of one step: 5e-3, as in tests/dem/pair_mass_test.cpp. The same mass again: 0.26 (docs/fixes.md).
+# Windows of one step: 5e-3, as in tests/dem/pair_mass_test.cpp. The same mass again: 0.26 (docs/reference/fixes/README.md).
 awk -v p="$pair" -v g="$grain" 'BEGIN { exit !(p > 0.395 && p < 0.405 && g > 0.25 && g < 0.27) }'

@@ -6,7 +6,7 @@
 
 #include "coupler/programs.h"
 #include "coupler/schemes/registry.h"
-#include "mbd_solver/cli/analysis/audit.h"
+#include "mbd_solver/app/audit.h"
 #include "tests/coupled/coupled_run.h"
 #include "tests/support/refused.h"
 

@@ -6,8 +6,8 @@
 #include <random>
 #include <sstream>
 
-#include "liggghts_fix/beam_hertz.h"
-#include "mbd_solver/output/history.h"
+#include "liggghts_fix/link/beam_chain.h"
+#include "mbd_solver/run/output/history.h"
 #include "tests/coupled/coupled_run.h"
 #include "tests/coupled/tube.h"
 #include "tests/unit/liggghts_fix/random_beams.h"

@@ -148,7 +148,7 @@ double found(const std::string& name, double masses, const std::string& words) {
 class Masses : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(OfTheBody, Masses, testing::Values(1.0, 2.0, 5.0, 10.0));
 
-// LIGGGHTS' damping gives the restitution of the script within 3e-3 (docs/wall_tests.md, test 3); the windows of one
+// LIGGGHTS' damping gives the restitution of the script within 3e-3 (docs/data/wall_tests.txt, test 3); the windows of one
 // step are of the same order.
 constexpr double kSteps = 5e-3;
 
@@ -172,7 +172,7 @@ TEST_P(Masses, OfTheGrainAloneDampAsStockDoes) {
 // yade-dev/trunk), 5 and 6 as in Kratos (DEM_application, basic_benchmarks, benchmark5DEM.mdpa and benchmark6DEM.mdpa) and, test 5,
 // in PySPH's examples of these tests; Kratos has the same values for 2 to 4.
 //
-// With FOOTFALL_WALL_TESTS=FILE the rows of docs/wall_tests.md are appended to FILE (docs/wall_tests.sh).
+// With FOOTFALL_WALL_TESTS=FILE the rows of docs/data/wall_tests.txt are appended to FILE (docs/wall_tests.sh).
 
 using Eigen::Vector3d;
 

@@ -6,7 +6,7 @@
 
 #include "coupler/body_motion.h"
 #include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/coupling/fast_modes.h"
+#include "mbd_solver/coupling/body_window.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "coupler/programs.h"
-#include "mbd_solver/cli/analysis/audit_files.h"
+#include "mbd_solver/app/audit.h"
 #include "tests/coupled/coupled_run.h"
 
 namespace footfall::test {

@@ -300,7 +300,7 @@ struct Output {
 
 void couple(const Options& options, TransportMpi& transport, Link& link) {
   Hello hello;
-  link.receive_patiently(hello);
+  link.receive_without_limit(hello);
   check_partner(link.partner(), hello.protocol, hello.footfall_version);
   Geometry geometry;
   std::vector<Body> bodies = options.bodies;
@@ -317,7 +317,7 @@ void couple(const Options& options, TransportMpi& transport, Link& link) {
   }
 
   Start start;
-  link.receive_patiently(start);
+  link.receive_without_limit(start);
   for (const std::string& warning : start.warnings) std::printf("scripted_partner: warning: %s\n", warning.c_str());
   std::vector<Body*> coupled;  // in the order of Start
   for (const std::string& name : start.bodies)
@@ -345,7 +345,7 @@ void couple(const Options& options, TransportMpi& transport, Link& link) {
     for (const Body* body : coupled) motion.bodies.push_back(body->state);
     motion.inverse_masses.clear();
     for (const Body* body : coupled)
-      if (start.wants_masses) motion.inverse_masses.push_back(body->kind == Body::Kind::kFree ? 1.0 / body->mass : 0.0);
+      if (start.requires_masses) motion.inverse_masses.push_back(body->kind == Body::Kind::kFree ? 1.0 / body->mass : 0.0);
     if (motion.window == options.misbehave_at) misbehave(options);
     Motion sent = motion;
     if (motion.window == options.misbehave_at && options.misbehave == "wrong-window") sent.window += 7;
@@ -359,7 +359,7 @@ void couple(const Options& options, TransportMpi& transport, Link& link) {
       std::printf("scripted_partner: the script has ended in window %lld\n", static_cast<long long>(motion.window));
       return;
     }
-    if (load.asked_to_end) throw Interrupted("the grains' side was asked to end by a signal");
+    if (load.end_requested) throw Interrupted("the grains' side was asked to end by a signal");
     for (const std::string& warning : load.warnings) std::printf("scripted_partner: warning: %s\n", warning.c_str());
     if (output)
       for (std::size_t i = 0; i < coupled.size(); ++i) output->row(motion, i, load);

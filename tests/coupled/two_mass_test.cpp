@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "coupler/transport_loopback.h"
-#include "liggghts_fix/dem_link.h"
+#include "liggghts_fix/link/dem_link.h"
 #include "tests/coupled/two_mass.h"
 
 namespace footfall::test {
@@ -27,7 +27,7 @@ struct Result {
 void grain_side(Transport& transport, double dt, int n, double contact_damping, Result& result) {
   Link link(transport, 20.0);
   DemLink dem(&link);
-  dem.couple("body", "si");
+  dem.bodies().couple("body", "si");
   Start script;
   script.dt = dt;
   script.n = n;

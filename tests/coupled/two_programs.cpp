@@ -80,8 +80,8 @@ int run(const std::string& role, const std::string& scenario, const Communicator
   } else if (scenario == "vanish" || scenario == "last-words") {
     if (grains) {
       if (scenario == "last-words")
-        AbortGuard::set_last_words([&] {
-          transport.root_speaks_alone();
+        AbortGuard::set_final_message([&] {
+          transport.stop_forwarding();
           return link.fail("the script is wrong");
         });
       MPI_Finalize();  // as LIGGGHTS ends on an error

@@ -75,7 +75,7 @@ void serve(Transport& transport, long windows, long& at_tenth) {
     load.bodies[0].mean.F_W.z() = 2.0 * 1.5;  // [N]
     link.send(load);
     if (!motion.checkpoint.empty()) {
-      Kept kept;
+      CheckpointDone kept;
       kept.window = motion.window;
       link.send(kept);
     }

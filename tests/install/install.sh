@@ -24,7 +24,7 @@ as_user() { (cd "$work/here" && "${user[@]}" env -i HOME="$work/home" PATH="$pre
 touch "$work/before"
 
 for file in bin/footfall bin/mbd_solver bin/liggghts_mbd share/man/man1/footfall.1.gz share/man/man1/footfall-run.1.gz share/footfall/inputs/landing_mr/scene.toml \
-  share/bash-completion/completions/footfall share/zsh/vendor-completions/_footfall share/doc/footfall/README.md share/doc/footfall/docs/theory.md; do
+  share/bash-completion/completions/footfall share/zsh/vendor-completions/_footfall share/doc/footfall/README.md share/doc/footfall/docs/explanation/theory.md; do
   [[ -s $prefix/$file ]] || die "$file is not installed"
 done
 as_user footfall --version > /dev/null

@@ -6,10 +6,10 @@
 #include <sstream>
 #include <string>
 
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/fe/modal_basis.h"
-#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/run/settle.h"
 #include "tests/physics/motion_of.h"

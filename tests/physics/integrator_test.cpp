@@ -7,7 +7,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/laws/gas_spring.h"
-#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "tests/physics/mechanisms.h"
 #include "tests/physics/motion_of.h"
 #include "tests/support/refused.h"

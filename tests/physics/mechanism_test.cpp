@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/elements/strut.h"
-#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/laws/mr_damper.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "tests/physics/mechanisms.h"

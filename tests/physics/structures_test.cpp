@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"

@@ -4,7 +4,7 @@
 # is left out by name: left_out.txt, with the reasons. Two more names stand for what has no label; both are part of the default:
 #   threads          the tests that have threads, under the thread sanitizer (build-sanitize-thread)
 #   valgrind         a part of the unit tests and three programs under valgrind, where it is installed, from the plain build
-# What each came to is kept as a line in build-sanitize/NAME.line; docs/reliability.sh makes its page of these.
+# What each came to is kept as a line in build-sanitize/NAME.line; docs/data/remake/reliability.sh makes its page of these.
 #   BUILD=FOLDER     the plain build (default build)
 #   BUILT=1          takes the tests as they are built; TARGETS: what is built (default all; tests that are not there are counted)
 #   LABELS           instead of the default

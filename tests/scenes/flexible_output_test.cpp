@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/output/history.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
 

@@ -5,9 +5,9 @@
 
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/model/elements/bushing.h"
-#include "mbd_solver/model/elements/joint_force.h"
+#include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/strut.h"
-#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/laws/motor.h"
 #include "tests/physics/mechanisms.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/model/external_load.h"
+#include "mbd_solver/model/state.h"
 #include "tests/unit/dynamics/run.h"
 
 namespace footfall::test {

@@ -4,11 +4,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/modal_basis.h"
-#include "mbd_solver/model/linear_range.h"
+#include "mbd_solver/model/modal_body.h"
 #include "mbd_solver/model/mass_properties.h"
-#include "mbd_solver/model/stress_recovery.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"

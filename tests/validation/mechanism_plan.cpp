@@ -5,7 +5,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/assembly.h"
-#include "mbd_solver/model/joints/gear.h"
+#include "mbd_solver/model/elements/gear.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall::test {

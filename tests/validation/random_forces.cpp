@@ -3,14 +3,12 @@
 #include <cmath>
 
 #include "mbd_solver/model/elements/bushing.h"
-#include "mbd_solver/model/elements/joint_force.h"
+#include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/strut.h"
-#include "mbd_solver/model/laws/brake.h"
-#include "mbd_solver/model/laws/end_stop.h"
+#include "mbd_solver/model/laws/friction.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/honeycomb.h"
-#include "mbd_solver/model/laws/joint_friction.h"
-#include "mbd_solver/model/laws/linear_spring_damper.h"
 #include "mbd_solver/model/laws/motor.h"
 #include "mbd_solver/model/laws/mr_damper.h"
 #include "mbd_solver/model/laws/table_law.h"

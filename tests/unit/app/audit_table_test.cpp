@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "mbd_solver/cli/analysis/audit.h"
+#include "mbd_solver/app/audit.h"
 
 namespace footfall {
 namespace {

@@ -12,11 +12,9 @@
 
 #include "coupler/archive.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/file_lock.h"
-#include "coupler/base/folder.h"
-#include "coupler/base/folder_lock.h"
-#include "coupler/base/named_file.h"
-#include "coupler/base/whole_file.h"
+#include "mbd_solver/base/lock.h"
+#include "coupler/base/files.h"
+#include "mbd_solver/base/named_file.h"
 #include "coupler/message_fields.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
@@ -153,7 +151,7 @@ class NamedFile : public ::testing::Test, protected TemporaryFolder {};
 TEST_F(NamedFile, GuessesWhichFileIsMeant) {
   write("drop.toml", "");
   const auto complaint = [&](const std::string& name) {
-    return test::refusal([&] { demand_file(file(name), "a sweep"); });
+    return test::refusal([&] { require_file(file(name), "a sweep"); });
   };
   EXPECT_EQ(complaint("drop.toml"), "");
   EXPECT_TRUE(test::names(complaint("drap.toml"), {file("drap.toml"), file("drop.toml")}));

@@ -10,13 +10,10 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/live_line.h"
-#include "coupler/base/nearest_name.h"
-#include "coupler/base/parameter_check.h"
-#include "coupler/base/quick_number.h"
-#include "coupler/base/quote.h"
+#include "mbd_solver/base/live_line.h"
 #include "coupler/base/text.h"
-#include "coupler/words.h"
+#include "mbd_solver/base/parameter_check.h"
+#include "mbd_solver/base/quote.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
 

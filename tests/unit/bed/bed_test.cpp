@@ -8,15 +8,13 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
-#include "coupler/base/whole_file.h"
-#include "mbd_solver/cli/grains/bed_frames.h"
-#include "mbd_solver/cli/grains/bed_measures.h"
-#include "mbd_solver/cli/grains/depth_image.h"
-#include "mbd_solver/cli/launch/bed_conditions.h"
-#include "mbd_solver/cli/launch/bed_contacts.h"
-#include "mbd_solver/cli/launch/bed_seal.h"
-#include "mbd_solver/cli/launch/script_trace.h"
+#include "mbd_solver/base/pi.h"
+#include "coupler/base/files.h"
+#include "mbd_solver/bed/bed_frames.h"
+#include "mbd_solver/bed/bed_measures.h"
+#include "mbd_solver/bed/depth_image.h"
+#include "mbd_solver/bed/bed.h"
+#include "mbd_solver/bed/liggghts_log.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
 

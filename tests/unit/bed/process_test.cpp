@@ -7,9 +7,9 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/launch/bed.h"
-#include "mbd_solver/cli/launch/child.h"
-#include "mbd_solver/cli/launch/liggghts_log.h"
+#include "mbd_solver/bed/bed.h"
+#include "mbd_solver/bed/process.h"
+#include "mbd_solver/bed/liggghts_log.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {

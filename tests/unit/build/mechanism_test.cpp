@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/rotation.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "coupler/load_average.h"
 #include "coupler/modal_boundary.h"
 #include "coupler/schemes/registry.h"
@@ -338,7 +338,7 @@ struct Window {
       Q.Q_a *= factor;
       return Q;
     };
-    average.set_standing(scaled(forces[0]), path.pose());
+    average.set_opening_force(scaled(forces[0]), path.pose());
     path.begin_window(start, n, dt);
     average.begin_window(path.jump(), path.pose());
     for (int i = 1; i <= n; ++i) {
@@ -390,7 +390,7 @@ TEST(LoadAverage, WorkIsForceTimesWay) {
     Q.Q_a[0] = 2.0;
     return Q;
   };
-  average.set_standing(force(), path.pose());
+  average.set_opening_force(force(), path.pose());
   path.begin_window(start, 50, 1e-2);
   average.begin_window(path.jump(), path.pose());
   for (int i = 0; i < 50; ++i) {
@@ -419,7 +419,7 @@ TEST(LoadAverage, MomentThatTurnsWithTheBodyDoesNotDependOnTheWindow) {
       Q.T_W = path.pose().rotation() * T_B;
       return Q;
     };
-    average.set_standing(force(), path.pose());
+    average.set_opening_force(force(), path.pose());
     path.begin_window(start, n, 1e-3);
     average.begin_window(path.jump(), path.pose());
     for (int i = 0; i < n; ++i) {
@@ -449,7 +449,7 @@ TEST(LoadAverage, CountsTheWorkOfAJumpUnderTheStandingForce) {
   LoadAverage average(*scheme, 0);
   GeneralizedForce Q;
   Q.F_W = {0.0, 0.0, 500.0};
-  average.set_standing(Q, path.pose());
+  average.set_opening_force(Q, path.pose());
   path.begin_window(start, 3, 1e-3);
   average.begin_window(path.jump(), path.pose());
   for (int i = 0; i < 3; ++i) {

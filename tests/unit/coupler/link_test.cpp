@@ -9,8 +9,8 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/couple_mbd_arguments.h"
-#include "coupler/doorbell.h"
-#include "coupler/gravity.h"
+#include "coupler/polling_wait.h"
+#include "coupler/messages.h"
 #include "coupler/link.h"
 #include "coupler/transport_loopback.h"
 #include "tests/support/refused.h"

@@ -37,10 +37,10 @@ void walk(const std::string& path, const Shapes& shapes, const Visit& visit, T& 
 
 // Of five nodes, none of them the last of a triangle or a segment: the next node is one too.
 inline ModalBoundary boundary_with_room(Random& random, int modes) {
-  BoundaryParts parts = taken_apart(random.boundary(5, modes));
+  BoundaryParts parts = parts_of(random.boundary(5, modes));
   parts.triangles.resize(2);
   parts.segments = {{0, 2, 0.1, 0}, {1, 3, 0.2, 1}};
-  return put_together(std::move(parts));
+  return boundary_of(std::move(parts));
 }
 
 // Every value random, lists of two items, `modes` modes.
@@ -91,7 +91,7 @@ std::vector<std::string> differences(const Message& a, const Message& b) {
   };
   const auto same = [&](const std::string& path, const auto& one, const auto& other) {
     if constexpr (std::is_same_v<std::decay_t<decltype(one)>, ModalBoundary>) {
-      for (const std::string& name : differences(taken_apart(one), taken_apart(other))) names.push_back(path + name);
+      for (const std::string& name : differences(parts_of(one), parts_of(other))) names.push_back(path + name);
     } else if (one != other) {
       names.push_back(path);
     }
@@ -126,9 +126,9 @@ void for_each_changed(T& object, const Visit& visit) {
       [&](const std::string& path, auto& value) {
         const auto before = value;
         if constexpr (std::is_same_v<std::decay_t<decltype(value)>, ModalBoundary>) {
-          BoundaryParts parts = taken_apart(before);
+          BoundaryParts parts = parts_of(before);
           for_each_changed(parts, [&](const std::string& inner, const BoundaryParts& changed) {
-            value = put_together(changed);
+            value = boundary_of(changed);
             visit(path + inner, object);
           });
         } else {

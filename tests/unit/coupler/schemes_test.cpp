@@ -95,9 +95,9 @@ TEST_P(BothHalves, OnlyRatesAreSentOtherwiseThanComputed) {
 
 TEST_P(BothHalves, ReactsExactlyWhenItWantsTheSlopes) {
   BodyLoad load;
-  if (scheme->wants_tangent()) load.tangent.emplace_back();
+  if (scheme->requires_tangent()) load.tangent.emplace_back();
   const PredictedPath path;
-  EXPECT_EQ(scheme->reaction(Matrix6d::Identity(), load, path, 0.01).has_value(), scheme->wants_tangent());
+  EXPECT_EQ(scheme->reaction(Matrix6d::Identity(), load, path, 0.01).has_value(), scheme->requires_tangent());
 }
 
 // A spring k x resists a boundary that came at 0.1 m/s through two windows of 10 ms; it ends at x_p, and the body has
@@ -111,7 +111,7 @@ TEST_P(BothHalves, OwesTheEnergyOfASpringBetweenPredictedAndComputed) {
   MeanLoad before;
   load.mean.F_W[2] = -k * path.r_mean[2];
   before.F_W[2] = -k * 0.0005;
-  if (scheme->wants_tangent()) load.tangent.emplace_back().K(2, 2) = k;
+  if (scheme->requires_tangent()) load.tangent.emplace_back().K(2, 2) = k;
   BodyMotion computed;
   computed.r[2] = x_p;
   EXPECT_EQ(scheme->pending_work({load, before, 1.0}, path, computed), 0.0);

@@ -70,9 +70,9 @@ class LoopbackGrains {
       answer(motion, load);
       link.send(load);
       if (motion.checkpoint.empty()) continue;
-      Kept kept;
+      CheckpointDone kept;
       kept.window = motion.window;
-      kept.done = !(motion.quietly && motion.window < cannot_before_);
+      kept.done = !(motion.undisturbed && motion.window < cannot_before_);
       link.send(kept);
     }
     link.close();

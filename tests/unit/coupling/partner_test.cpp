@@ -264,16 +264,16 @@ TEST(DemPartner, WorksWhileTheGrainsMove) {
 TEST(DemPartner, WhatGoesOnFromACheckpointWasNotAskedToEnd) {
   test::LoopbackGrains grains(fixed_windows(), [](const Motion&, Load& load) {
     load.bodies[0].mean.F_W = Eigen::Vector3d(1.0, 2.0, 3.0);
-    load.asked_to_end = true;  // a signal has met a rank in the window after which a checkpoint was due anyway
+    load.end_requested = true;  // a signal has met a rank in the window after which a checkpoint was due anyway
   });
   DemPartner partner(grains.transport(), {body_named("pad")}, terms("css", 1e-3), test::kPatience);
   partner.exchange(one_window(0, true));
   Archive kept;
   partner.visit(kept);
-  EXPECT_TRUE(partner.load().asked_to_end) << "the run that was met still ends";
+  EXPECT_TRUE(partner.load().end_requested) << "the run that was met still ends";
   Archive read("run.txt", kept.text());
   partner.visit(read);
-  EXPECT_FALSE(partner.load().asked_to_end);
+  EXPECT_FALSE(partner.load().end_requested);
   EXPECT_EQ(partner.load().bodies[0].mean.F_W, Eigen::Vector3d(1.0, 2.0, 3.0));
   partner.close();
 }

@@ -8,9 +8,6 @@
 
 #include "coupler/schemes/registry.h"
 #include "mbd_solver/coupling/body_window.h"
-#include "mbd_solver/coupling/fast_modes.h"
-#include "mbd_solver/coupling/flight_time.h"
-#include "mbd_solver/coupling/predicted_window.h"
 #include "mbd_solver/coupling/window_choice.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/unit/coupler/random_boundary.h"
@@ -30,7 +27,7 @@ class EveryScheme : public testing::TestWithParam<std::string> {
     answer.mean.F_W = 100.0 * random.vector();
     answer.mean.T_B = random.vector();
     answer.contact_stiffness = kStiffness;
-    if (scheme->wants_tangent()) answer.tangent.emplace_back().K.diagonal().head<3>().setConstant(kStiffness);
+    if (scheme->requires_tangent()) answer.tangent.emplace_back().K.diagonal().head<3>().setConstant(kStiffness);
   }
   const std::unique_ptr<Scheme> scheme = make_scheme(GetParam());
   const Body body{"ball", 10.0, Eigen::Vector3d(0.1, 0.2, 0.3).asDiagonal()};
@@ -80,8 +77,8 @@ TEST_P(EveryScheme, FeelsTheMeanOfTheGrainsAndReactsAroundThePredictedPath) {
   window.answer(answer, felt);
   EXPECT_EQ(felt.F_W, answer.mean.F_W);
   EXPECT_EQ(felt.T_B, answer.mean.T_B);
-  ASSERT_EQ(felt.tangent.has_value(), scheme->wants_tangent());
-  EXPECT_EQ(window.surplus_impulse(computed).has_value(), scheme->wants_tangent());
+  ASSERT_EQ(felt.tangent.has_value(), scheme->requires_tangent());
+  EXPECT_EQ(window.surplus_impulse(computed).has_value(), scheme->requires_tangent());
   if (!felt.tangent) return;
   EXPECT_EQ(felt.tangent->K, answer.tangent.front().K);
   EXPECT_EQ(felt.tangent->r_mean, window.path().r_mean);
@@ -99,12 +96,12 @@ TEST_P(EveryScheme, FollowsTheForceToTheEndOfItsWindow) {
   sent = computed;
   window.begin(kSubsteps, kDt, sent);
   answer.mean.F_W.z() = 600.0;
-  if (scheme->wants_tangent()) answer.tangent.front() = {};
+  if (scheme->requires_tangent()) answer.tangent.front() = {};
   window.answer(answer, felt);
   BodyMotion end;
   end.r = window.path().r_end + Eigen::Vector3d(0.0, 0.0, 1e-3);
   end.L = window.path().L_end;
-  const double at_end = scheme->wants_tangent() ? 600.0 : 700.0;  // [N]
+  const double at_end = scheme->requires_tangent() ? 600.0 : 700.0;  // [N]
   EXPECT_NEAR(window.pending_work(end), 1e-3 * at_end, 1e-10);    // round-off of r
 }
 

@@ -6,11 +6,11 @@
 #include <random>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/dynamics/assembly.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/dynamics/kinematics.h"
-#include "mbd_solver/dynamics/thin_lu.h"
+#include "mbd_solver/dynamics/sparse_lu.h"
 #include "tests/support/refused.h"
 #include "tests/unit/dynamics/jacobian_check.h"
 #include "tests/unit/dynamics/random_model.h"

@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/dynamics/energy_flow.h"
 #include "mbd_solver/dynamics/kinematics.h"
-#include "mbd_solver/model/elements/applied_force.h"
-#include "mbd_solver/model/elements/joint_force.h"
+#include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/mr_damper.h"
 #include "tests/support/refused.h"

@@ -3,12 +3,11 @@
 
 #include <cmath>
 
-#include "coupler/base/pi.h"
-#include "mbd_solver/model/elements/applied_force.h"
-#include "mbd_solver/model/elements/turn_counter.h"
-#include "mbd_solver/model/joints/gear.h"
-#include "mbd_solver/model/joints/rolling.h"
-#include "mbd_solver/model/joints/whole_turns.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/elements/forces.h"
+#include "mbd_solver/model/elements/gear.h"
+#include "mbd_solver/model/elements/rolling.h"
+#include "mbd_solver/model/elements/joint_coordinate.h"
 #include "mbd_solver/model/rotation.h"
 #include "tests/support/refused.h"
 #include "tests/unit/dynamics/run.h"

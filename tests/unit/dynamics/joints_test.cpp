@@ -4,10 +4,9 @@
 #include <cmath>
 
 #include "mbd_solver/dynamics/kinematics.h"
-#include "mbd_solver/model/elements/joint_force.h"
-#include "mbd_solver/model/laws/end_stop.h"
-#include "mbd_solver/model/laws/joint_friction.h"
-#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/elements/forces.h"
+#include "mbd_solver/model/laws/springs.h"
+#include "mbd_solver/model/laws/friction.h"
 #include "mbd_solver/model/laws/motor.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/unit/dynamics/random_model.h"

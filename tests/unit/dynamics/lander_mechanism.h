@@ -7,11 +7,11 @@
 #include <memory>
 #include <string>
 
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/elements/bushing.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/strut.h"
-#include "mbd_solver/model/laws/end_stop.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/honeycomb.h"
 #include "mbd_solver/model/laws/mr_damper.h"

@@ -6,15 +6,13 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
-#include "mbd_solver/fe/beam_element.h"
-#include "mbd_solver/fe/element_axes.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/fe/elements.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/fe_model.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"
-#include "mbd_solver/fe/plate_element.h"
-#include "mbd_solver/model/stress_recovery.h"
+#include "mbd_solver/model/modal_body.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/unit/fe/steel_frame.h"
 

@@ -5,13 +5,11 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/fe_model.h"
-#include "mbd_solver/fe/mesh_check.h"
+#include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/fe/mesh_generator.h"
-#include "mbd_solver/fe/node_lookup.h"
-#include "mbd_solver/fe/polyhedron.h"
 #include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {

@@ -9,16 +9,15 @@
 #include <utility>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/eigen_solver.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/fe_model.h"
-#include "mbd_solver/fe/fe_partition.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/fe/turned_model.h"
 #include "mbd_solver/model/modal_inertia.h"
-#include "mbd_solver/model/stress_recovery.h"
+#include "mbd_solver/model/modal_body.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/unit/fe/steel_frame.h"
 

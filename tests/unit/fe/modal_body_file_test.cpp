@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/fe/node_lookup.h"
+#include "mbd_solver/fe/fe_model.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/unit/fe/steel_frame.h"
 

@@ -10,10 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/integrator/dense_step.h"
-#include "mbd_solver/integrator/method_choice.h"
-#include "mbd_solver/integrator/progress_watch.h"
 #include "mbd_solver/integrator/tableau.h"
+#include "mbd_solver/integrator/step_control.h"
 #include "tests/support/heap_requests.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/support/refused.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/model/laws/linear_spring_damper.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/rotation.h"
 #include "tests/unit/dynamics/random_model.h"
 

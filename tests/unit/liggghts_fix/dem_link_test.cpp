@@ -7,8 +7,8 @@
 #include "coupler/base/clock.h"
 #include "coupler/interrupt.h"
 #include "coupler/transport_loopback.h"
-#include "liggghts_fix/dem_link.h"
-#include "liggghts_fix/rank_shares.h"
+#include "liggghts_fix/link/dem_link.h"
+#include "liggghts_fix/link/rank_shares.h"
 #include "tests/support/refused.h"
 #include "tests/unit/coupler/message_content.h"
 
@@ -60,16 +60,16 @@ struct Pair {
 
 TEST(DemLink, WithoutAPartnerEveryUseIsRefused) {
   DemLink alone(nullptr);
-  EXPECT_THROW(alone.couple("pad", "si"), InputError);
+  EXPECT_THROW(alone.bodies().couple("pad", "si"), InputError);
   EXPECT_NO_THROW(alone.script_ended());  // it is plain LIGGGHTS
 }
 
 TEST(DemLink, GuessesTheNameThatWasMeant) {
   Pair pair;
   pair.partner = std::thread([&] { pair.answer_hello({"leg_1_pad", "cabin"}); });
-  const std::string said = test::error_of<InputError>([&] { pair.dem.couple("leg1_pad", "si"); });
+  const std::string said = test::error_of<InputError>([&] { pair.dem.bodies().couple("leg1_pad", "si"); });
   EXPECT_TRUE(test::names(said, {"leg_1_pad"}));
-  EXPECT_EQ(test::error_of<InputError>([&] { pair.dem.couple("xyz", "si"); }).find("Did you mean"), std::string::npos);
+  EXPECT_EQ(test::error_of<InputError>([&] { pair.dem.bodies().couple("xyz", "si"); }).find("Did you mean"), std::string::npos);
 }
 
 TEST(DemLink, StartNamesTheBodiesInTheScriptsOrder) {
@@ -78,9 +78,9 @@ TEST(DemLink, StartNamesTheBodiesInTheScriptsOrder) {
     pair.answer_hello({"a", "b", "c"});
     pair.accept(1.0);
   });
-  EXPECT_EQ(pair.dem.couple("c", "si"), 0);
-  EXPECT_EQ(pair.dem.couple("a", "si"), 1);
-  EXPECT_EQ(pair.dem.couple("c", "si"), 0);
+  EXPECT_EQ(pair.dem.bodies().couple("c", "si"), 0);
+  EXPECT_EQ(pair.dem.bodies().couple("a", "si"), 1);
+  EXPECT_EQ(pair.dem.bodies().couple("c", "si"), 0);
   pair.dem.start(script(1e-4, 5, 100));
   pair.partner.join();
   EXPECT_EQ(pair.start.bodies, (std::vector<std::string>{"c", "a"}));
@@ -89,7 +89,7 @@ TEST(DemLink, StartNamesTheBodiesInTheScriptsOrder) {
   EXPECT_EQ(pair.start.step, 100);
   EXPECT_NO_THROW(pair.dem.start(script(1e-4, 5, 200)));
   EXPECT_THROW(pair.dem.start(script(2e-4, 5, 200)), InputError);
-  EXPECT_THROW(pair.dem.couple("b", "si"), InputError);
+  EXPECT_THROW(pair.dem.bodies().couple("b", "si"), InputError);
 }
 
 TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
@@ -107,7 +107,7 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
     pair.mbd.receive(load);
     pair.mbd.close();
   });
-  pair.dem.couple("pad", "si");
+  pair.dem.bodies().couple("pad", "si");
   pair.dem.start(script(1e-4, 1, 0));
   const auto push = [&](double f) {
     pair.dem.body(0).add_contact({{0, 1, 2}, {1, 0, 0}}, {0, 0, f}, Eigen::Vector3d::Zero(), 0.01 * f, 100.0);
@@ -122,7 +122,7 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
   ASSERT_TRUE(pair.dem.end_substep());
   std::vector<double> sums;
   pair.dem.write_shares(38, false, sums);
-  EXPECT_FALSE(pair.dem.asked_to_end());
+  EXPECT_FALSE(pair.dem.end_requested());
   std::vector<double> both = sums;  // two ranks with the same forces
   both.insert(both.end(), sums.begin(), sums.end());
   pair.dem.finish_window(both, 2);
@@ -166,7 +166,7 @@ std::vector<Load> loads_of(const std::vector<Census>& census, double max_lost, s
     } catch (const PartnerError&) {  // too many are lost
     }
   });
-  pair.dem.couple("pad", "si");
+  pair.dem.bodies().couple("pad", "si");
   pair.dem.set_max_lost(max_lost);
   const double before_start = wall_clock();
   pair.dem.start(script(1e-4, 1, 0));
@@ -229,7 +229,7 @@ TEST(DemLink, GravityThatChangesBetweenTwoRunsIsRefused) {
     pair.answer_hello({"pad"});
     pair.accept(1.0);
   });
-  pair.dem.couple("pad", "si");
+  pair.dem.bodies().couple("pad", "si");
   Start moon = script(1e-4, 5, 0);
   moon.gravity = {0, 0, -1.63};
   moon.gravity_known = true;
@@ -247,7 +247,7 @@ TEST(DemLink, WhatTheSceneHasForGrainsAndTheScriptDoesNotUseIsTold) {
     pair.answer_hello({"pad", "leg"});
     pair.accept(1.0);
   });
-  pair.dem.touch_surface(pair.dem.couple("pad", "si"));
+  pair.dem.bodies().touch_surface(pair.dem.bodies().couple("pad", "si"));
   pair.dem.start(script(1e-4, 5, 0));
   pair.partner.join();
   ASSERT_EQ(pair.start.warnings.size(), 1U);
@@ -266,7 +266,7 @@ TEST(DemLink, AScriptThatMayEndEarlyEndsWithoutAFailure) {
     Load load;
     EXPECT_THROW(pair.mbd.receive(load), PartnerError);
   });
-  pair.dem.couple("pad", "si");
+  pair.dem.bodies().couple("pad", "si");
   Start start = script(1e-4, 10, 0);
   start.may_end_early = true;
   pair.dem.start(start);
@@ -285,9 +285,9 @@ TEST(DemLink, ACommandThatTakesTheCouplingAwayTooEarlyIsRefused) {
     pair.answer_hello({"pad", "leg"});
     pair.accept(1.0);
   });
-  pair.dem.couple("pad", "si");
+  pair.dem.bodies().couple("pad", "si");
   EXPECT_NO_THROW(pair.dem.uncoupled_by("clear"));  // before the first run: it starts anew
-  EXPECT_EQ(pair.dem.couple("leg", "si"), 0);
+  EXPECT_EQ(pair.dem.bodies().couple("leg", "si"), 0);
   pair.dem.start(script(1e-4, 10, 0));
   const std::string said = test::error_of<InputError>([&] { pair.dem.uncoupled_by("unfix m"); });
 }
@@ -307,7 +307,7 @@ TEST(DemLink, OneRankThatIsAskedToEndAsksAll) {
       pair.mbd.receive(load);
       EXPECT_THROW(pair.mbd.receive(load), Interrupted);
     });
-    pair.dem.couple("pad", "si");
+    pair.dem.bodies().couple("pad", "si");
     pair.dem.start(script(1e-4, 1, 0));
     pair.dem.begin_substep(1);
     ASSERT_TRUE(pair.dem.end_substep());
@@ -317,7 +317,7 @@ TEST(DemLink, OneRankThatIsAskedToEndAsksAll) {
       rows.insert(rows.end(), row.begin(), row.end());
     }
     pair.dem.finish_window(rows, 3);
-    EXPECT_TRUE(pair.dem.asked_to_end()) << signalled;
+    EXPECT_TRUE(pair.dem.end_requested()) << signalled;
     EXPECT_TRUE(pair.dem.fail("stopped by a signal", Status::kInterrupted));
     pair.partner.join();
   }
@@ -337,7 +337,7 @@ TEST(DemLink, AScriptThatEndsTooEarlySaysWhenAndHowManyStepsAreNeeded) {
     heard =
         test::error_of<ProtocolError>([&] { pair.mbd.receive(load); });  // bad input on one side is bad input on both
   });
-  pair.dem.couple("pad", "si");
+  pair.dem.bodies().couple("pad", "si");
   pair.dem.start(script(1e-4, 10, 0));
   pair.dem.expect_set_up();
   for (int step = 1; step <= 4; ++step) {
@@ -356,7 +356,7 @@ TEST(DemLink, AnInterruptedScriptIsNoFailure) {
     pair.answer_hello({"pad"});
     EXPECT_THROW(pair.accept(1.0), PartnerError);
   });
-  pair.dem.couple("pad", "si");
+  pair.dem.bodies().couple("pad", "si");
   EXPECT_TRUE(pair.dem.fail("stopped by hand", Status::kInterrupted));
   EXPECT_NO_THROW(pair.dem.script_ended());  // there is nothing left to say
   pair.partner.join();
@@ -375,7 +375,7 @@ TEST(DemLink, RefusesAMotionOfAnotherShape) {
       if (wrong == 3) motion.bodies[0].resize(2);
       pair.mbd.send(motion);
     });
-    pair.dem.couple("pad", "si");
+    pair.dem.bodies().couple("pad", "si");
     pair.dem.start(script(1e-4, 10, 0));
     pair.dem.expect_set_up();
     EXPECT_THROW(pair.dem.begin_substep(1), ProtocolError) << wrong;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coupler/modal_boundary.h"
-#include "liggghts_fix/beam_contact.h"
+#include "liggghts_fix/link/beam_chain.h"
 
 namespace footfall::test {
 

@@ -7,13 +7,11 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/schemes/registry.h"
-#include "liggghts_fix/dem_body.h"
-#include "liggghts_fix/facet_width.h"
-#include "liggghts_fix/mesh_match.h"
-#include "liggghts_fix/mesh_order.h"
-#include "liggghts_fix/round_surface.h"
-#include "liggghts_fix/surface_pieces.h"
-#include "liggghts_fix/wall_contact.h"
+#include "liggghts_fix/link/dem_body.h"
+#include "liggghts_fix/link/surface_pieces.h"
+#include "liggghts_fix/link/mesh_match.h"
+#include "liggghts_fix/link/round_surface.h"
+#include "liggghts_fix/link/contact_slope.h"
 #include "tests/coupled/stl.h"
 #include "tests/support/refused.h"
 

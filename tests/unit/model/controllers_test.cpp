@@ -6,10 +6,7 @@
 #include <memory>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/controllers/acceleration_filter.h"
-#include "mbd_solver/model/controllers/constant_controller.h"
-#include "mbd_solver/model/controllers/pid_controller.h"
-#include "mbd_solver/model/controllers/skyhook_controller.h"
+#include "mbd_solver/model/control/controllers.h"
 #include "tests/support/refused.h"
 
 namespace footfall {

@@ -1,10 +1,9 @@
 // Laws with a state or a yield force: MR damper and honeycomb.
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/laws/honeycomb.h"
 #include "mbd_solver/model/laws/mr_damper.h"
-#include "mbd_solver/model/laws/mr_geometry.h"
 #include "tests/unit/model/law_checks.h"
 
 namespace footfall {

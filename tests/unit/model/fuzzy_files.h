@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "mbd_solver/model/controllers/fuzzy.h"
+#include "mbd_solver/model/control/fuzzy.h"
 
 namespace footfall {
 

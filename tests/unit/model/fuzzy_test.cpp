@@ -6,11 +6,10 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
-#include "mbd_solver/model/controllers/control_surface.h"
-#include "mbd_solver/model/controllers/fuzzy.h"
-#include "mbd_solver/model/controllers/fuzzy_controller.h"
-#include "mbd_solver/model/controllers/fuzzy_table.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/control/fuzzy_controller.h"
+#include "mbd_solver/model/control/fuzzy.h"
+#include "mbd_solver/model/control/fuzzy_table.h"
 #include "tests/support/refused.h"
 #include "tests/unit/model/fuzzy_files.h"
 

@@ -5,14 +5,11 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
-#include "mbd_solver/model/laws/brake.h"
-#include "mbd_solver/model/laws/cubic_spline.h"
-#include "mbd_solver/model/laws/end_stop.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/laws/friction.h"
+#include "mbd_solver/model/laws/curves.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/laws/gas_spring.h"
-#include "mbd_solver/model/laws/joint_friction.h"
-#include "mbd_solver/model/laws/linear_spring_damper.h"
-#include "mbd_solver/model/laws/monotone_curve.h"
 #include "mbd_solver/model/laws/motor.h"
 #include "mbd_solver/model/laws/table_law.h"
 #include "tests/support/temporary_folder.h"

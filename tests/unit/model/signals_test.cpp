@@ -5,13 +5,9 @@
 #include <complex>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
-#include "mbd_solver/model/signals/expression.h"
-#include "mbd_solver/model/signals/limit_blocks.h"
-#include "mbd_solver/model/signals/linear_filter.h"
-#include "mbd_solver/model/signals/lookup_table.h"
-#include "mbd_solver/model/signals/pid_block.h"
-#include "mbd_solver/model/signals/signal_chain.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/control/signal_chain.h"
+#include "mbd_solver/model/control/signal_blocks.h"
 #include "tests/support/refused.h"
 
 namespace footfall {

@@ -8,11 +8,11 @@
 #include <set>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/observe/columns.h"
-#include "mbd_solver/observe/figures.h"
-#include "mbd_solver/observe/motion_record.h"
-#include "mbd_solver/observe/observation.h"
-#include "mbd_solver/observe/start_values.h"
+#include "mbd_solver/run/observe/columns.h"
+#include "mbd_solver/run/observe/metrics.h"
+#include "mbd_solver/run/observe/records.h"
+#include "mbd_solver/run/observe/observation.h"
+#include "mbd_solver/run/observe/start_values.h"
 #include "tests/support/refused.h"
 #include "tests/unit/run/small_machine.h"
 #include "tests/unit/scene/scene_text.h"
@@ -56,18 +56,18 @@ class HistoryColumns : public ::testing::Test {
   std::vector<Column> columns;
 };
 
-// Lines of the table in docs/history.md: pattern -> unit, and pattern -> meaning.
+// Lines of the table in docs/reference/history.md: pattern -> unit, and pattern -> meaning.
 std::map<std::string, std::pair<std::string, std::string>> documented() {
   std::map<std::string, std::pair<std::string, std::string>> lines;
-  std::ifstream page(FOOTFALL_SOURCE_DIR "/docs/history.md");
-  EXPECT_TRUE(page) << "docs/history.md";
+  std::ifstream page(FOOTFALL_SOURCE_DIR "/docs/reference/history.md");
+  EXPECT_TRUE(page) << "docs/reference/history.md";
   for (std::string line; std::getline(page, line);) {
     if (line.rfind("| `", 0) != 0) continue;
     const std::size_t name_end = line.find("` | "), unit_end = line.find(" | ", name_end + 4);
     EXPECT_NE(unit_end, std::string::npos) << line;
     if (unit_end == std::string::npos) continue;
     const std::string name = line.substr(3, name_end - 3);
-    EXPECT_EQ(lines.count(name), 0u) << name << " stands twice in docs/history.md";
+    EXPECT_EQ(lines.count(name), 0u) << name << " stands twice in docs/reference/history.md";
     lines[name] = {line.substr(name_end + 4, unit_end - name_end - 4), line.substr(unit_end + 3)};
   }
   return lines;
@@ -128,14 +128,14 @@ TEST_F(HistoryColumns, AreThoseOfThePageForUsers) {
     registry.insert(entry.pattern);
     const auto line = page.find(entry.pattern);
     if (line == page.end()) {
-      ADD_FAILURE() << "docs/history.md has no line for " << entry.pattern << " [" << entry.unit << "]";
+      ADD_FAILURE() << "docs/reference/history.md has no line for " << entry.pattern << " [" << entry.unit << "]";
       continue;
     }
-    EXPECT_EQ(line->second.first, entry.unit) << entry.pattern << ": unit in docs/history.md";
-    EXPECT_GT(line->second.second.size(), 5u) << entry.pattern << ": meaning in docs/history.md";
+    EXPECT_EQ(line->second.first, entry.unit) << entry.pattern << ": unit in docs/reference/history.md";
+    EXPECT_GT(line->second.second.size(), 5u) << entry.pattern << ": meaning in docs/reference/history.md";
   }
   for (const auto& line : page)
-    EXPECT_EQ(registry.count(line.first), 1u) << "docs/history.md tells of " << line.first << ", which is no column";
+    EXPECT_EQ(registry.count(line.first), 1u) << "docs/reference/history.md tells of " << line.first << ", which is no column";
 }
 
 TEST_F(HistoryColumns, EveryKindOfEnergyIsToldToUsers) {

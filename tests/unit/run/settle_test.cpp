@@ -7,7 +7,7 @@
 #include <cmath>
 #include <csignal>
 
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/run/simulation.h"
 #include "tests/unit/run/never.h"
 #include "tests/unit/scene/scene_text.h"

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <csignal>
 
-#include "coupler/base/pi.h"
-#include "mbd_solver/observe/figures.h"
-#include "mbd_solver/observe/observation.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/run/observe/metrics.h"
+#include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/simulation.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/support/refused.h"

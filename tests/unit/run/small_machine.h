@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mbd_solver/observe/sampler.h"
+#include "mbd_solver/run/observe/sampler.h"
 #include "tests/unit/scene/scene_text.h"
 
 namespace footfall::test {

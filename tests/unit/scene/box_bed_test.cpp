@@ -3,10 +3,9 @@
 
 #include <cmath>
 
-#include "coupler/base/pi.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/box_bed.h"
-#include "mbd_solver/scene/grain_time_step.h"
-#include "mbd_solver/scene/script_text.h"
+#include "mbd_solver/scene/particle_script.h"
 #include "tests/unit/scene/scene_text.h"
 
 namespace footfall {

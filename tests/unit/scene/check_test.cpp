@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "coupler/base/pi.h"
-#include "mbd_solver/scene/boundary_surface.h"
-#include "mbd_solver/scene/check_script.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/scene/mesh_reader.h"
+#include "mbd_solver/scene/particle_script.h"
 #include "mbd_solver/scene/scene_check.h"
 #include "tests/support/refused.h"
 #include "tests/unit/scene/scene_text.h"

@@ -12,14 +12,13 @@
 #include <string>
 
 #include "coupler/base/text.h"
-#include "mbd_solver/scene/config_node.h"
+#include "mbd_solver/scene/toml_file.h"
 #include "mbd_solver/scene/field_visitor.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/kind_keys.h"
-#include "mbd_solver/scene/kind_schema.h"
-#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/scene_schema.h"
-#include "mbd_solver/scene/units.h"
+#include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/scene/field_reader.h"
 
 namespace footfall {
 namespace {
@@ -49,7 +48,7 @@ Names law_names() {
 
 // First cells of the table rows "| `name` | ..." of the first table below the heading that begins so.
 Names names_on_page(const std::string& heading) {
-  std::istringstream page(text_of(FOOTFALL_SOURCE_DIR "/docs/scene.md"));
+  std::istringstream page(text_of(FOOTFALL_SOURCE_DIR "/docs/reference/scene.md"));
   Names found;
   bool inside = false;
   for (std::string line; std::getline(page, line);) {

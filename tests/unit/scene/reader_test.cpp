@@ -7,15 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
-#include "coupler/base/whole_file.h"
+#include "mbd_solver/base/pi.h"
+#include "coupler/base/files.h"
 #include "mbd_solver/scene/findings.h"
-#include "mbd_solver/scene/initial_joints.h"
-#include "mbd_solver/scene/resolve.h"
-#include "mbd_solver/scene/scene_json.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/scene/resolve.h"
+#include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/scene/shipped_files.h"
-#include "mbd_solver/scene/soil.h"
+#include "mbd_solver/scene/box_bed.h"
 #include "tests/support/refused.h"
 #include "tests/unit/scene/scene_text.h"
 

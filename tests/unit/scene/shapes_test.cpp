@@ -9,11 +9,10 @@
 #include <string>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
-#include "mbd_solver/fe/mesh_check.h"
-#include "mbd_solver/scene/boundary_surface.h"
-#include "mbd_solver/scene/clump_shape.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/scene/mesh_reader.h"
+#include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/resolve.h"
 #include "tests/unit/scene/scene_text.h"
 

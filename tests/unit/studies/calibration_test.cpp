@@ -14,17 +14,12 @@
 #include <random>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/whole_file.h"
-#include "mbd_solver/cli/calibrate/adjustment.h"
-#include "mbd_solver/cli/calibrate/calibration.h"
-#include "mbd_solver/cli/calibrate/determination.h"
-#include "mbd_solver/cli/calibrate/gauss_newton.h"
-#include "mbd_solver/cli/calibrate/misfit.h"
-#include "mbd_solver/cli/calibrate/response_surface.h"
-#include "mbd_solver/cli/calibrate/run_ledger.h"
-#include "mbd_solver/cli/calibrate/search.h"
-#include "mbd_solver/cli/calibrate/surrogate.h"
-#include "mbd_solver/cli/calibrate/together.h"
+#include "coupler/base/files.h"
+#include "mbd_solver/studies/determination.h"
+#include "mbd_solver/studies/calibration.h"
+#include "mbd_solver/studies/search.h"
+#include "mbd_solver/studies/evaluations.h"
+#include "mbd_solver/studies/surrogate.h"
 #include "tests/support/refused.h"
 #include "tests/unit/studies/search_stage.h"
 

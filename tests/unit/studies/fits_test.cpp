@@ -10,16 +10,12 @@
 #include <random>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/pi.h"
-#include "mbd_solver/cli/experiments/experiment.h"
-#include "mbd_solver/cli/experiments/fits.h"
-#include "mbd_solver/cli/experiments/power_law.h"
-#include "mbd_solver/cli/rigs/rft.h"
-#include "mbd_solver/cli/rigs/rig.h"
-#include "mbd_solver/cli/rigs/rig_checks.h"
-#include "mbd_solver/cli/rigs/rig_command.h"
-#include "mbd_solver/cli/rigs/rig_output.h"
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/studies/sweep_file.h"
+#include "mbd_solver/studies/fits.h"
+#include "mbd_solver/studies/rig.h"
+#include "mbd_solver/studies/rig_command.h"
+#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {

@@ -1,7 +1,7 @@
 #pragma once
 // A stage of a calibration, for tests of searches.
 
-#include "mbd_solver/cli/calibrate/calibration.h"
+#include "mbd_solver/studies/calibration.h"
 
 namespace footfall {
 
