@@ -93,7 +93,7 @@ double measured_growth(const std::string& name, double omega_h, int n) {
       average.add_step(contact, path.pose(), path.last_step(), dt);
     }
     answer.mean = average.finish();
-    window.answer(answer, felt);
+    window.apply(answer, felt);
     const double f = felt.F_W.z();
     const PointMotion start{state.r.z(), state.dr.z()};
     PointMotion end{start.x + start.v + 0.5 * f, start.v + f};
